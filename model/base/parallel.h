@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace base {
+
+/// Calls `task(i)` for every i in [0, count) on all cores and returns when all are done. Tasks are handed out in rising order, so put the
+/// largest first. A task writes only to its own slot: results do not depend on the number of threads.
+void parallelFor(std::size_t count, const std::function<void(std::size_t)>& task);
+
+/// Limits every parallelFor below it to `threads` while it lives (0 = all cores). For tests that compare 1 and N threads.
+class ThreadLimit {
+public:
+    explicit ThreadLimit(int threads);
+    ~ThreadLimit();
+    ThreadLimit(const ThreadLimit&) = delete;
+    ThreadLimit& operator=(const ThreadLimit&) = delete;
+
+private:
+    void* m_control;
+};
+
+}  // namespace base

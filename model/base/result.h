@@ -1,0 +1,61 @@
+#pragma once
+
+#include "model/base/assert.h"
+
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace base {
+
+/// Why a whole operation failed. The command line maps these to exit codes (docs/architecture.md).
+enum class ErrorCode {
+    Cancelled,   ///< the user asked to stop; nothing is wrong
+    BadInput,    ///< the input cannot be read or is not what it claims to be
+    BadUsage,    ///< a name, option or combination that does not exist
+    DeviceFailed,  ///< no usable Vulkan device, or it was lost
+    OutputFailed,  ///< the output cannot be written
+};
+
+/// A failed operation in words a user can act on: what, where, and if known which line.
+struct Error {
+    ErrorCode code = ErrorCode::BadInput;
+    std::string text;
+};
+
+/// A value, or the reason why there is none. Used where a whole operation fails; a single bad record goes to Diagnostics instead.
+template <class T>
+class [[nodiscard]] Result {
+public:
+    Result(T value) : m_state(std::move(value)) {}
+    Result(Error error) : m_state(std::move(error)) {}
+
+    [[nodiscard]] bool ok() const { return std::holds_alternative<T>(m_state); }
+    explicit operator bool() const { return ok(); }
+
+    [[nodiscard]] T& value() {
+        ASSERT(ok());
+        return std::get<T>(m_state);
+    }
+    [[nodiscard]] const T& value() const {
+        ASSERT(ok());
+        return std::get<T>(m_state);
+    }
+    [[nodiscard]] const Error& error() const {
+        ASSERT(!ok());
+        return std::get<Error>(m_state);
+    }
+    T* operator->() { return &value(); }
+    const T* operator->() const { return &value(); }
+    T& operator*() { return value(); }
+    const T& operator*() const { return value(); }
+
+private:
+    std::variant<T, Error> m_state;
+};
+
+/// The result of an operation that has nothing to give back.
+struct Done {};
+using Status = Result<Done>;
+
+}  // namespace base

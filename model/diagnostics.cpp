@@ -1,0 +1,40 @@
+#include "model/diagnostics.h"
+
+#include <algorithm>
+
+namespace model {
+
+void Diagnostics::report(Severity severity, std::string_view file, std::uint32_t line, std::string_view text, ElementId element) {
+    add({severity, std::string(file), line, std::string(text), element, 1});
+}
+
+void Diagnostics::append(const Diagnostics& other) {
+    for (const Diagnostic& entry : other.m_entries) {
+        add(entry);
+    }
+}
+
+std::size_t Diagnostics::count(Severity severity) const {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(m_entries, [severity](const Diagnostic& entry) { return entry.severity == severity; }));
+}
+
+void Diagnostics::add(const Diagnostic& entry) {
+    const auto [place, isNew] = m_rowOfCause.try_emplace(entry.file + '\n' + entry.text, m_entries.size());
+    if (isNew) {
+        m_entries.push_back(entry);
+    } else {
+        m_entries[place->second].count += entry.count;
+    }
+}
+
+const char* toString(Severity severity) {
+    switch (severity) {
+        case Severity::Info: return "info";
+        case Severity::Warning: return "warning";
+        case Severity::Error: return "error";
+    }
+    return "";
+}
+
+}  // namespace model

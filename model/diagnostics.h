@@ -1,0 +1,46 @@
+#pragma once
+
+#include "model/base/ids.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace model {
+
+enum class Severity : std::uint8_t { Info, Warning, Error };
+
+/// Something a reader skipped, repaired or assumed. One entry per cause: the same text about the same file is counted, and `line` and
+/// `element` name its first occurrence.
+struct Diagnostic {
+    Severity severity = Severity::Info;
+    std::string file;         ///< path inside the job, or the job itself; empty if it concerns no file
+    std::uint32_t line = 0;   ///< 1-based; 0 if it concerns the whole file
+    std::string text;         ///< a sentence in plain words that names the thing concerned
+    ElementId element;        ///< the element it concerns, if there is one
+    std::uint32_t count = 1;  ///< how often it happened
+};
+
+/// Collects what was not read literally. Nothing in a job is dropped without an entry here. Not thread-safe: every task fills its
+/// own and `append` joins them in a fixed order, so that the list does not depend on the number of threads.
+class Diagnostics {
+public:
+    /// `text` must not hold values that differ from record to record (they would defeat the counting); the line says where.
+    void report(Severity severity, std::string_view file, std::uint32_t line, std::string_view text, ElementId element = {});
+    void append(const Diagnostics& other);
+
+    [[nodiscard]] const std::vector<Diagnostic>& entries() const { return m_entries; }
+    [[nodiscard]] std::size_t count(Severity severity) const;
+
+private:
+    void add(const Diagnostic& entry);
+
+    std::vector<Diagnostic> m_entries;
+    std::unordered_map<std::string, std::size_t> m_rowOfCause;
+};
+
+[[nodiscard]] const char* toString(Severity severity);
+
+}  // namespace model

@@ -1,0 +1,214 @@
+#pragma once
+
+#include "model/base/ids.h"
+#include "model/base/point.h"
+#include "model/diagnostics.h"
+#include "model/shapes.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+/// A board as Copperscope holds it: flat tables whose rows are addressed by 32-bit ids (docs/architecture.md). Coordinates are
+/// nanometres in the step's own system, x to the right, y up, z up from the lowest face of the bottom copper layer.
+namespace model {
+
+/// The five kinds of the paper (Table 1 and Table 3).
+enum class ElementKind : std::uint8_t { Line, Arc, Circle, Trail, Area };
+inline constexpr std::size_t kElementKindCount = 5;
+
+enum class LayerType : std::uint8_t {
+    Signal, PowerGround, Mixed, Dielectric, SolderMask, SolderPaste, SilkScreen, Drill, Rout, Component, Mask,
+    ConductivePaste, Document, Profile,  ///< Profile: the step's outline, which we add as a layer of its own
+    Body,                                ///< the laminate: profile minus holes over the whole stack; added by us
+    Other
+};
+enum class LayerSide : std::uint8_t { None, Top, Inner, Bottom, Through };
+enum class LayerContext : std::uint8_t { Board, Misc };
+/// Where a number comes from.
+enum class Source : std::uint8_t {
+    Job,      ///< read from the job
+    Derived,  ///< computed from other numbers of the job
+    Assumed   ///< a default; a diagnostic names it
+};
+
+struct ElementRange {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+};
+
+struct Layer {
+    std::string name;
+    std::string file;  ///< the features file inside the job, for "file and line"
+    LayerType type = LayerType::Other;
+    LayerContext context = LayerContext::Board;
+    LayerSide side = LayerSide::None;
+    bool isNegative = false;   ///< matrix POLARITY=NEGATIVE: its elements are the copper that is left, features the clearances
+    bool isSynthetic = false;  ///< added by us (Body, Profile), not a row of the matrix
+    int row = 0;               ///< matrix ROW
+    Nm z = 0;                  ///< lower face
+    Nm thickness = 0;          ///< 0 for layers without a body
+    Source thicknessSource = Source::Assumed;
+    LayerId spanTop;           ///< drill and rout: first and last copper layer passed, top one first
+    LayerId spanBottom;
+    ElementRange elements;     ///< elements of a layer are consecutive rows
+    std::uint32_t featureCount = 0;  ///< feature records in the job
+    std::array<std::uint32_t, kElementKindCount> counts{};  ///< elements by kind
+
+    [[nodiscard]] bool isCopper() const {
+        return type == LayerType::Signal || type == LayerType::PowerGround || type == LayerType::Mixed;
+    }
+};
+
+enum ElementFlag : std::uint8_t {
+    kHole = 1,          ///< a drilled or routed hole: what is solid is its wall
+    kPlated = 2,        ///< the wall is copper
+    kPad = 4,           ///< came from a pad (P) record
+    kSquarePen = 8,     ///< Line only: drawn with an axis-parallel square pen
+};
+
+/// One row per element, columns side by side. `geometry` is a row of the table of the element's kind.
+struct ElementTable {
+    std::vector<ElementKind> kind;
+    std::vector<std::uint8_t> flags;
+    std::vector<LayerId> layer;
+    std::vector<NetId> net;
+    std::vector<SymbolId> symbol;
+    std::vector<std::uint32_t> geometry;
+    std::vector<std::uint32_t> firstFeature;  ///< 0-based ordinal of its (first) feature record in the layer's file
+    std::vector<std::uint32_t> line;          ///< 1-based line of that record
+
+    [[nodiscard]] std::size_t size() const { return kind.size(); }
+};
+
+/// A stroke from `a` to `b` with a round pen (square with kSquarePen). `innerWidth` > 0 makes it a tube (plated slot).
+struct LineGeometry {
+    Point a;
+    Point b;
+    Nm width = 0;
+    Nm innerWidth = 0;
+};
+
+/// A round-pen stroke along a circular arc from `node.point` around `node.centre` to `end`; equal ends are a full circle.
+struct ArcGeometry {
+    PathNode node;
+    Point end;
+    Nm width = 0;
+};
+
+/// A disc, or a ring when `innerDiameter` > 0. A bare hole has equal diameters: only its wall is there.
+struct CircleGeometry {
+    Point centre;
+    Nm diameter = 0;
+    Nm innerDiameter = 0;
+};
+
+/// Strokes of one width joined end to end; nodes are consecutive rows of `trailNodes`, the last one without an edge.
+struct TrailGeometry {
+    std::uint32_t firstNode = 0;
+    std::uint32_t nodeCount = 0;
+    Nm width = 0;
+};
+
+/// A shape laid on the board; surfaces lie where they were drawn, pad symbols are placed.
+struct AreaGeometry {
+    ShapeId shape;
+    Placement placement;
+};
+
+struct Net {
+    std::string name;
+};
+
+struct Pin {
+    std::string name;
+    Point position;
+    NetId net;
+};
+
+struct Component {
+    std::string refdes;
+    std::string part;
+    std::string package;
+    Point position;
+    double clockwiseDeg = 0.0;
+    bool isMirrored = false;  ///< as the record says; not reliable (odbpp-facts §9)
+    LayerSide side = LayerSide::Top;
+    std::uint32_t firstPin = 0;
+    std::uint32_t pinCount = 0;
+};
+
+/// A row of a drill layer's tool list. Sizes are 0 where the job does not know them.
+struct DrillTool {
+    LayerId layer;
+    int number = 0;
+    std::string type;  ///< PLATED, NON_PLATED, VIA as written
+    Nm finishedSize = 0;
+    Nm drillSize = 0;
+};
+
+struct JobInfo {
+    std::string name;
+    std::string generator;  ///< save application as the job states it
+    std::string version;    ///< ODB++ version, or the name of another format
+    std::string units;      ///< default unit of the job, "MM" or "INCH"
+    std::vector<std::string> steps;
+    std::string step;       ///< the one this document holds
+};
+
+/// Times of the first two parts of the paper's modelling (Table 4), in milliseconds.
+struct ReadTimes {
+    double parseMs = 0.0;
+    double createMs = 0.0;
+};
+
+/// A frozen board. Made by DocumentBuilder only, held as shared_ptr<const Document> and readable from every thread.
+struct Document {
+    JobInfo job;
+    std::vector<Layer> layers;  ///< physical order from the top where it is known, then the rest
+    std::vector<std::string> symbols;
+    ShapeTable shapes;
+
+    ElementTable elements;
+    std::vector<LineGeometry> lines;
+    std::vector<ArcGeometry> arcs;
+    std::vector<CircleGeometry> circles;
+    std::vector<TrailGeometry> trails;
+    std::vector<PathNode> trailNodes;
+    std::vector<AreaGeometry> areas;
+
+    std::vector<Net> nets;
+    std::vector<std::uint32_t> netStart;     ///< elements of net n: netElements[netStart[n] .. netStart[n + 1])
+    std::vector<ElementId> netElements;
+    std::vector<Component> components;
+    std::vector<Pin> pins;
+    std::vector<DrillTool> tools;
+
+    ShapeId profile;     ///< the step's outline; none if the job has none and it could not be derived
+    Box board;           ///< extent of the profile
+    Box extent;          ///< extent of everything on board layers
+    Nm boardThickness = 0;
+    Diagnostics diagnostics;
+    ReadTimes times;
+
+    [[nodiscard]] const Layer& layer(LayerId id) const { return layers[id.row()]; }
+    [[nodiscard]] LayerId findLayer(std::string_view name) const;  ///< case does not matter; none if absent
+    [[nodiscard]] NetId findNet(std::string_view name) const;      ///< exact; none if absent
+    [[nodiscard]] std::span<const ElementId> elementsOf(NetId net) const;
+    [[nodiscard]] std::span<const PathNode> nodesOf(const TrailGeometry& trail) const {
+        return std::span(trailNodes).subspan(trail.firstNode, trail.nodeCount);
+    }
+    [[nodiscard]] Box boxOf(ElementId element) const;
+    /// Elements by kind over all layers of the job (not those we add).
+    [[nodiscard]] std::array<std::uint32_t, kElementKindCount> elementCounts() const;
+};
+
+[[nodiscard]] const char* toString(ElementKind kind);    ///< "line", "arc", …
+[[nodiscard]] const char* toString(LayerType type);      ///< as the matrix writes it: "SIGNAL", "POWER_GROUND", …
+[[nodiscard]] const char* toString(LayerSide side);      ///< "top", "inner", …
+[[nodiscard]] const char* toString(Source source);       ///< "job", "derived", "assumed"
+
+}  // namespace model

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "model/document.h"
+
+#include <memory>
+#include <string_view>
+#include <unordered_map>
+
+namespace model {
+
+/// The one mutable stage of a document. Readers add layers first, then elements layer by layer (`beginLayer`), and finish. Not
+/// thread-safe: parse in parallel, build in order, so that ids do not depend on the number of threads.
+class DocumentBuilder {
+public:
+    /// What every element needs besides its geometry.
+    struct Origin {
+        NetId net;
+        SymbolId symbol;
+        std::uint32_t feature = 0;
+        std::uint32_t line = 0;
+        std::uint8_t flags = 0;
+    };
+
+    JobInfo& job() { return m_document->job; }
+    Diagnostics& diagnostics() { return m_document->diagnostics; }
+    ReadTimes& times() { return m_document->times; }
+
+    LayerId addLayer(Layer layer);
+    [[nodiscard]] Layer& layer(LayerId id) { return m_document->layers[id.row()]; }
+    [[nodiscard]] std::vector<Layer>& layers() { return m_document->layers; }
+    NetId addNet(std::string name);
+    SymbolId symbol(std::string_view name);  ///< row of the name, added on first use
+    ShapeId addShape(const ShapeSketch& sketch);
+    [[nodiscard]] const ShapeTable& shapes() const { return m_document->shapes; }
+    void addTool(DrillTool tool) { m_document->tools.push_back(std::move(tool)); }
+    /// `component.firstPin` and `pinCount` are filled in.
+    ComponentId addComponent(Component component, std::span<const Pin> pins);
+    void setProfile(ShapeId shape) { m_document->profile = shape; }
+    void setBoardThickness(Nm thickness) { m_document->boardThickness = thickness; }
+
+    /// All elements added from now on belong to this layer; a layer can be begun once.
+    void beginLayer(LayerId layer);
+    ElementId addLine(const LineGeometry& line, const Origin& origin);
+    ElementId addArc(const ArcGeometry& arc, const Origin& origin);
+    ElementId addCircle(const CircleGeometry& circle, const Origin& origin);
+    ElementId addTrail(std::span<const PathNode> nodes, Nm width, const Origin& origin);
+    ElementId addArea(const AreaGeometry& area, const Origin& origin);
+
+    /// What has been added so far, for steps that derive more from it (body, negative layers).
+    [[nodiscard]] const Document& soFar() const { return *m_document; }
+
+    /// Fills the derived columns (counts, net lists, extents) and freezes. The builder is empty afterwards.
+    [[nodiscard]] std::shared_ptr<const Document> finish();
+
+private:
+    ElementId addElement(ElementKind kind, std::size_t geometry, const Origin& origin);
+    void linkNets();
+    void measureExtents();
+
+    std::shared_ptr<Document> m_document = std::make_shared<Document>();
+    std::unordered_map<std::string, SymbolId> m_symbols;
+    LayerId m_layer;
+};
+
+}  // namespace model

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "model/geometry/discretise.h"
+
+namespace model {
+
+/// Integer booleans of polygon sets (polyclipping). Operands may overlap, touch and cross themselves: a point is inside a set when any
+/// of its polygons covers it. The result's polygons do not cross or overlap; islands inside holes are polygons of their own.
+[[nodiscard]] PolygonSet unite(const PolygonSet& set);
+[[nodiscard]] PolygonSet subtract(const PolygonSet& from, const PolygonSet& what);
+
+}  // namespace model

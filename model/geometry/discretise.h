@@ -1,0 +1,64 @@
+#pragma once
+
+#include "model/document.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace model {
+
+/// How curves become polygons.
+struct Discretisation {
+    double chordToleranceNm = 5000.0;  ///< largest distance between arc and chord; 500 (0.5 µm) to 50,000 (50 µm)
+    /// The paper's fixed numbers instead (triangulation-facts §1.3): 50 segments per full circle, 20 per arc.
+    bool paperSegments = false;
+
+    static constexpr double kMinChordNm = 500.0;
+    static constexpr double kMaxChordNm = 50000.0;
+    static constexpr int kPaperCircleSegments = 50;
+    static constexpr int kPaperArcSegments = 20;
+};
+
+/// Polygons with holes as flat arrays, the form tri/ and the booleans take. Each polygon is an outline (counter-clockwise) followed by its
+/// holes (clockwise); loops are not closed by a repeated point and hold no two equal neighbours.
+struct PolygonSet {
+    struct Polygon {
+        std::uint32_t firstLoop = 0;
+        std::uint32_t loopCount = 0;
+    };
+    std::vector<Point> points;
+    std::vector<std::uint32_t> loopStart;  ///< loop i: points[loopStart[i] .. loopStart[i + 1]); one more entry than loops
+    std::vector<Polygon> polygons;
+
+    void beginPolygon() { polygons.push_back({static_cast<std::uint32_t>(loopCount()), 0}); }
+    /// Adds a loop to the last polygon, turned to the winding its place asks for. Loops of fewer than three points are left out: returns false.
+    bool addLoop(std::span<const Point> loop);
+    [[nodiscard]] std::size_t loopCount() const { return loopStart.empty() ? 0 : loopStart.size() - 1; }
+    [[nodiscard]] std::span<const Point> loop(std::size_t index) const {
+        return std::span(points).subspan(loopStart[index], loopStart[index + 1] - loopStart[index]);
+    }
+    void append(const PolygonSet& other);
+};
+
+/// Twice the signed area of a loop, positive when counter-clockwise; exact for extents up to 2^30.
+[[nodiscard]] __int128 twiceArea(std::span<const Point> loop);
+[[nodiscard]] __int128 twiceArea(const PolygonSet& set);
+
+/// Number of chords for an arc of `radius` nm and `sweep` radians (full circle: 2π).
+[[nodiscard]] int chordCount(double radius, double sweep, bool isFullCircle, const Discretisation& how);
+
+/// Sweep of the arc from `from.point` to `to` in radians, signed (counter-clockwise positive); ±2π for equal ends.
+[[nodiscard]] double sweepOf(const PathNode& from, Point to);
+
+/// Appends the points of one edge without its last point.
+void discretiseEdge(const PathNode& from, Point to, const Discretisation& how, std::vector<Point>& out);
+
+/// The polygons of a shape in its own coordinates: one per island, with the holes that follow it.
+[[nodiscard]] PolygonSet discretise(const ShapeTable& shapes, ShapeId shape, const Discretisation& how);
+
+/// The region an element covers on the board. The wall of a hole counts as filled: a hole is what the drill removes. A trail is one polygon
+/// per stroke (they overlap); a stroke along a full circle has a hole.
+[[nodiscard]] PolygonSet discretise(const Document& document, ElementId element, const Discretisation& how);
+
+}  // namespace model

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace render {
+
+enum class NamedView { Top, Bottom, Iso };
+
+/// Orbit camera in board model coordinates (mm, z up). Pure arithmetic; input handling lives in ui/.
+class Camera {
+public:
+    /// Looks at the box from a named direction so that all of it is seen.
+    void fit(const glm::vec3& boxMin, const glm::vec3& boxMax, NamedView view, float aspect);
+    /// Keeps the direction and fits the box.
+    void fit(const glm::vec3& boxMin, const glm::vec3& boxMax, float aspect);
+    /// Looks straight down on a rectangle given in mm, orthographic and without margin (`render --window`).
+    void fitWindow(const glm::vec2& min, const glm::vec2& max, float z, float aspect);
+
+    void orbit(float yawRad, float pitchRad);
+    /// Moves with the cursor: `pixels` on a viewport `height` pixels high; the point under the cursor stays under it.
+    void pan(const glm::vec2& pixels, float height);
+    /// Zooms by `factor` (> 1 is closer) keeping the point under the cursor; `ndc` in -1..1, y up.
+    void zoom(float factor, const glm::vec2& ndc, float aspect);
+    void setOrthographic(bool isOrthographic) { m_isOrthographic = isOrthographic; }
+    [[nodiscard]] bool isOrthographic() const { return m_isOrthographic; }
+
+    [[nodiscard]] glm::mat4 view() const;
+    /// Reversed z (near = 1, far = 0), y down as Vulkan wants it.
+    [[nodiscard]] glm::mat4 projection(float aspect) const;
+    [[nodiscard]] glm::vec3 eye() const;
+    [[nodiscard]] glm::vec3 direction() const;  ///< from the eye into the scene, unit length
+    /// Millimetres per pixel at the target.
+    [[nodiscard]] float mmPerPixel(float height) const;
+    [[nodiscard]] glm::vec3 target() const { return m_target; }
+
+private:
+    glm::vec3 m_target{0.0F};
+    float m_distance = 100.0F;   ///< mm from the eye to the target; also sets the size of an orthographic view
+    float m_yaw = 0.0F;          ///< rad, 0 looks along +y
+    float m_pitch = 0.0F;        ///< rad, -π/2 looks straight down
+    float m_radius = 100.0F;     ///< mm, of the scene: near and far planes enclose it
+    bool m_isOrthographic = false;
+};
+
+}  // namespace render

@@ -1,0 +1,91 @@
+#pragma once
+
+#include "model/base/ids.h"
+#include "model/base/result.h"
+#include "render/board_model.h"
+#include "render/camera.h"
+#include "render/layer_style.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+/// The renderer's face to app/ and ui/: a scene on a device, and two ways to present a view of it.
+namespace render {
+
+namespace gpu {
+class Device;
+}
+
+enum class Backend { Auto, Mesh, Pull };
+
+/// Everything that changes from frame to frame. None of it rebuilds geometry.
+struct ViewSettings {
+    Backend backend = Backend::Auto;
+    bool is2d = false;             ///< flat colours, seen straight down
+    bool isMono = false;           ///< white on black, unshaded, unsmoothed: a raster of the visible layers
+    bool isSmoothed = true;        ///< 4x multisampling
+    bool cull = true;              ///< frustum culling and level of detail
+    float explode = 0.0F;          ///< 0 = real stack; 1 spreads the layers over about half the board's width
+    bool dimOthers = false;        ///< darkens what is not highlighted
+    glm::vec3 background{0.10F, 0.11F, 0.13F};  ///< sRGB
+};
+
+struct FrameStats {
+    double cpuMs = 0.0;            ///< recording and submitting
+    double gpuMs = 0.0;            ///< by timestamps, 0 if the device has none
+    Backend backend = Backend::Auto;  ///< the one that drew
+};
+
+/// 8-bit sRGB RGBA, rows from the top.
+struct Image {
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    std::vector<std::uint8_t> rgba;
+};
+
+/// A board model on the GPU. One per document; every view draws from it.
+class BoardScene {
+public:
+    BoardScene(gpu::Device& device, const BoardModel& model);
+    ~BoardScene();
+    BoardScene(BoardScene&&) noexcept;
+    BoardScene& operator=(BoardScene&&) noexcept;
+
+    void setStyles(std::span<const LayerStyle> styles);
+    /// One bit per element; changes nothing else on the GPU.
+    void setHighlight(std::span<const model::ElementId> elements);
+    [[nodiscard]] std::uint64_t gpuBytes() const;
+
+    struct Impl;
+    [[nodiscard]] Impl& impl() { return *m_impl; }
+
+private:
+    std::unique_ptr<Impl> m_impl;
+};
+
+/// Draws to memory: command line, tests, screenshots, and windows on platforms without a Vulkan surface.
+class OffscreenPresenter {
+public:
+    explicit OffscreenPresenter(gpu::Device& device);
+    ~OffscreenPresenter();
+    OffscreenPresenter(OffscreenPresenter&&) noexcept;
+    OffscreenPresenter& operator=(OffscreenPresenter&&) noexcept;
+
+    /// Draws one frame and waits for it. `width` and `height` up to the device's largest image.
+    /// Errors: BadUsage (size), DeviceFailed.
+    [[nodiscard]] base::Result<Image> render(BoardScene& scene, const Camera& camera, const ViewSettings& settings,
+                                             std::uint32_t width, std::uint32_t height);
+    [[nodiscard]] FrameStats stats() const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> m_impl;
+};
+
+/// Writes a PNG. Errors: OutputFailed with the path and the system's reason; a partial file is removed.
+[[nodiscard]] base::Status writePng(const Image& image, const std::string& path);
+
+}  // namespace render

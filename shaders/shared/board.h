@@ -1,0 +1,89 @@
+// Structs and constants shared by C++ and GLSL: the one place where the layout of GPU records is written down.
+// C++ sees them in namespace shader with GLM types; all blocks use scalar layout; every struct is followed by its size.
+#ifndef COPPERSCOPE_SHADERS_SHARED_BOARD_H
+#define COPPERSCOPE_SHADERS_SHARED_BOARD_H
+
+#ifdef __cplusplus
+#include <glm/glm.hpp>
+
+#include <cstdint>
+namespace shader {
+using uint = std::uint32_t;
+using vec2 = glm::vec2;
+using vec3 = glm::vec3;
+using vec4 = glm::vec4;
+using mat4 = glm::mat4;
+#define GPU_CONST constexpr uint
+#define GPU_SIZE(Name, bytes) static_assert(sizeof(Name) == (bytes))
+#else
+#define GPU_CONST const uint
+#define GPU_SIZE(Name, bytes)
+#endif
+
+// Lengths on the GPU are millimetres relative to the board model's origin: 32-bit floats then resolve 15 nm at 250 mm.
+
+// What a let is made of. The paper's LineLet and CircleLet are one shape here: a circle is a line with equal ends.
+GPU_CONST kLetStadium = 0;  // p0,p1 = a   p2,p3 = b   p4 = pen radius   p5 = inner radius (0 = solid, else a tube)
+GPU_CONST kLetArc = 1;      // p0,p1 = centre   p2 = arc radius   p3 = start angle   p4 = signed sweep (rad)   p5 = pen radius
+GPU_CONST kLetKindCount = 2;
+
+// Let::meta: bits 0-3 kind, bits 4-7 flags, bits 8-31 layer.
+GPU_CONST kLetKindMask = 0xf;
+GPU_CONST kLetSquarePen = 0x10;  // axis-parallel square pen (stadium only)
+GPU_CONST kLetBore = 0x20;       // the empty inside of a hole: drawn dark and slightly proud of the outer faces
+GPU_CONST kLetLayerShift = 8;
+
+struct Let {
+    float p0, p1, p2, p3, p4, p5;
+    uint meta;
+    uint element;
+};
+GPU_SIZE(Let, 32);
+
+// 32 lets of one layer, neighbours along a Morton curve. `count` may be less than 32 at the end of a layer.
+GPU_CONST kClusterSize = 32;
+struct Cluster {
+    vec2 boxMin;
+    vec2 boxMax;
+    uint firstLet;
+    uint count;
+    uint layer;
+    uint reserved;
+};
+GPU_SIZE(Cluster, 32);
+
+// Per layer, rewritten whenever a style or the explosion changes; geometry never is.
+GPU_CONST kLayerVisible = 1;
+GPU_CONST kLayerTranslucent = 2;  // drawn in its own blended pass
+struct LayerState {
+    vec4 colour;  // linear RGB, opacity
+    float z0, z1; // mm, explosion included
+    uint flags;
+    uint reserved;
+};
+GPU_SIZE(LayerState, 32);
+
+// A triangulated shape: top vertices and triangles stored once, bottom and walls made from them.
+struct ShapeRecord {
+    uint firstVertex;    // into vec2 vertices and the parallel `next` column (index of the loop's next vertex, absolute)
+    uint vertexCount;
+    uint firstIndex;     // into triangle indices, relative to firstVertex
+    uint triangleCount;
+};
+GPU_SIZE(ShapeRecord, 16);
+
+// p' = origin + M(mirror) * R * p with R = (c s; -s c), clockwise by the angle.
+struct AreaInstance {
+    vec2 origin;
+    vec2 cosSin;
+    uint shape;
+    uint layer;
+    uint element;
+    uint isMirrored;
+};
+GPU_SIZE(AreaInstance, 32);
+
+#ifdef __cplusplus
+}  // namespace shader
+#endif
+#endif
