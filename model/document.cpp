@@ -1,0 +1,107 @@
+#include "model/document.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace model {
+
+namespace {
+
+bool equalsIgnoringCase(std::string_view a, std::string_view b) {
+    return std::ranges::equal(a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
+}
+
+Box boxOfArea(const Document& document, const AreaGeometry& area) {
+    if (area.placement.clockwiseDeg == 0.0 && !area.placement.isMirrored) {
+        const Box& own = document.shapes.shapes[area.shape.row()].box;
+        const Point o = area.placement.origin;
+        return {{own.min.x + o.x, own.min.y + o.y}, {own.max.x + o.x, own.max.y + o.y}};
+    }
+    // Turned shapes: place every node with its arc centre and measure again.
+    Box box;
+    std::vector<PathNode> placed;
+    for (const Contour& contour : document.shapes.contoursOf(area.shape)) {
+        placed.clear();
+        for (PathNode node : document.shapes.nodesOf(contour)) {
+            node.point = area.placement.apply(node.point);
+            node.centre = area.placement.apply(node.centre);
+            if (area.placement.isMirrored && node.edge != EdgeKind::Line) {
+                node.edge = node.edge == EdgeKind::ArcClockwise ? EdgeKind::ArcCounterClockwise : EdgeKind::ArcClockwise;
+            }
+            placed.push_back(node);
+        }
+        box.include(boxOfPath(placed, true));
+    }
+    return box;
+}
+
+}  // namespace
+
+LayerId Document::findLayer(std::string_view name) const {
+    const auto found = std::ranges::find_if(layers, [&](const Layer& l) { return equalsIgnoringCase(l.name, name); });
+    return found == layers.end() ? LayerId{} : LayerId{static_cast<std::size_t>(found - layers.begin())};
+}
+
+NetId Document::findNet(std::string_view name) const {
+    const auto found = std::ranges::find(nets, name, &Net::name);
+    return found == nets.end() ? NetId{} : NetId{static_cast<std::size_t>(found - nets.begin())};
+}
+
+std::span<const ElementId> Document::elementsOf(NetId net) const {
+    return std::span(netElements).subspan(netStart[net.row()], netStart[net.row() + 1] - netStart[net.row()]);
+}
+
+Box Document::boxOf(ElementId element) const {
+    const std::uint32_t row = elements.geometry[element.row()];
+    switch (elements.kind[element.row()]) {
+        case ElementKind::Line: {
+            Box box;
+            box.include(lines[row].a);
+            box.include(lines[row].b);
+            return box.grownBy(lines[row].width / 2);
+        }
+        case ElementKind::Arc: return boxOfEdge(arcs[row].node, arcs[row].end).grownBy(arcs[row].width / 2);
+        case ElementKind::Circle: {
+            Box box;
+            box.include(circles[row].centre);
+            return box.grownBy(circles[row].diameter / 2);
+        }
+        case ElementKind::Trail: return boxOfPath(nodesOf(trails[row]), false).grownBy(trails[row].width / 2);
+        case ElementKind::Area: return boxOfArea(*this, areas[row]);
+    }
+    return {};
+}
+
+std::array<std::uint32_t, kElementKindCount> Document::elementCounts() const {
+    std::array<std::uint32_t, kElementKindCount> total{};
+    for (const Layer& l : layers) {
+        for (std::size_t kind = 0; kind < total.size() && !l.isSynthetic; ++kind) {
+            total[kind] += l.counts[kind];
+        }
+    }
+    return total;
+}
+
+const char* toString(ElementKind kind) {
+    constexpr const char* kNames[] = {"line", "arc", "circle", "trail", "area"};
+    return kNames[static_cast<std::size_t>(kind)];
+}
+
+const char* toString(LayerType type) {
+    constexpr const char* kNames[] = {"SIGNAL",       "POWER_GROUND", "MIXED", "DIELECTRIC", "SOLDER_MASK",
+                                      "SOLDER_PASTE", "SILK_SCREEN",  "DRILL", "ROUT",       "COMPONENT",
+                                      "MASK",         "CONDUCTIVE_PASTE", "DOCUMENT", "PROFILE", "BODY", "OTHER"};
+    return kNames[static_cast<std::size_t>(type)];
+}
+
+const char* toString(LayerSide side) {
+    constexpr const char* kNames[] = {"none", "top", "inner", "bottom", "through"};
+    return kNames[static_cast<std::size_t>(side)];
+}
+
+const char* toString(Source source) {
+    constexpr const char* kNames[] = {"job", "derived", "assumed"};
+    return kNames[static_cast<std::size_t>(source)];
+}
+
+}  // namespace model

@@ -1,0 +1,144 @@
+#include "model/document_builder.h"
+
+#include "model/base/assert.h"
+
+namespace model {
+
+LayerId DocumentBuilder::addLayer(Layer layer) {
+    m_document->layers.push_back(std::move(layer));
+    return LayerId{m_document->layers.size() - 1};
+}
+
+NetId DocumentBuilder::addNet(std::string name) {
+    m_document->nets.push_back({std::move(name)});
+    return NetId{m_document->nets.size() - 1};
+}
+
+SymbolId DocumentBuilder::symbol(std::string_view name) {
+    const auto [place, isNew] = m_symbols.try_emplace(std::string(name), SymbolId{m_document->symbols.size()});
+    if (isNew) {
+        m_document->symbols.emplace_back(name);
+    }
+    return place->second;
+}
+
+ShapeId DocumentBuilder::addShape(const ShapeSketch& sketch) {
+    ShapeTable& table = m_document->shapes;
+    ShapeTable::Shape shape;
+    shape.firstContour = static_cast<std::uint32_t>(table.contours.size());
+    shape.contourCount = static_cast<std::uint32_t>(sketch.contourCount());
+    for (std::size_t i = 0; i < sketch.contourCount(); ++i) {
+        const std::span<const PathNode> nodes = sketch.contour(i);
+        table.contours.push_back({static_cast<std::uint32_t>(table.nodes.size()), static_cast<std::uint32_t>(nodes.size()),
+                                  sketch.isHole(i)});
+        table.nodes.insert(table.nodes.end(), nodes.begin(), nodes.end());
+        shape.box.include(boxOfPath(nodes, true));
+    }
+    table.shapes.push_back(shape);
+    return ShapeId{table.shapes.size() - 1};
+}
+
+ComponentId DocumentBuilder::addComponent(Component component, std::span<const Pin> pins) {
+    component.firstPin = static_cast<std::uint32_t>(m_document->pins.size());
+    component.pinCount = static_cast<std::uint32_t>(pins.size());
+    m_document->pins.insert(m_document->pins.end(), pins.begin(), pins.end());
+    m_document->components.push_back(std::move(component));
+    return ComponentId{m_document->components.size() - 1};
+}
+
+void DocumentBuilder::beginLayer(LayerId id) {
+    ASSERT(layer(id).elements.count == 0);
+    m_layer = id;
+    layer(id).elements.first = static_cast<std::uint32_t>(m_document->elements.size());
+}
+
+ElementId DocumentBuilder::addElement(ElementKind kind, std::size_t geometry, const Origin& origin) {
+    ASSERT(m_layer.isValid());
+    ElementTable& table = m_document->elements;
+    table.kind.push_back(kind);
+    table.flags.push_back(origin.flags);
+    table.layer.push_back(m_layer);
+    table.net.push_back(origin.net);
+    table.symbol.push_back(origin.symbol);
+    table.geometry.push_back(static_cast<std::uint32_t>(geometry));
+    table.firstFeature.push_back(origin.feature);
+    table.line.push_back(origin.line);
+    Layer& owner = layer(m_layer);
+    ++owner.elements.count;
+    ++owner.counts[static_cast<std::size_t>(kind)];
+    return ElementId{table.size() - 1};
+}
+
+ElementId DocumentBuilder::addLine(const LineGeometry& line, const Origin& origin) {
+    m_document->lines.push_back(line);
+    return addElement(ElementKind::Line, m_document->lines.size() - 1, origin);
+}
+
+ElementId DocumentBuilder::addArc(const ArcGeometry& arc, const Origin& origin) {
+    m_document->arcs.push_back(arc);
+    return addElement(ElementKind::Arc, m_document->arcs.size() - 1, origin);
+}
+
+ElementId DocumentBuilder::addCircle(const CircleGeometry& circle, const Origin& origin) {
+    m_document->circles.push_back(circle);
+    return addElement(ElementKind::Circle, m_document->circles.size() - 1, origin);
+}
+
+ElementId DocumentBuilder::addTrail(std::span<const PathNode> nodes, Nm width, const Origin& origin) {
+    ASSERT(nodes.size() >= 2);
+    std::vector<PathNode>& all = m_document->trailNodes;
+    m_document->trails.push_back({static_cast<std::uint32_t>(all.size()), static_cast<std::uint32_t>(nodes.size()), width});
+    all.insert(all.end(), nodes.begin(), nodes.end());
+    return addElement(ElementKind::Trail, m_document->trails.size() - 1, origin);
+}
+
+ElementId DocumentBuilder::addArea(const AreaGeometry& area, const Origin& origin) {
+    ASSERT(area.shape.row() < m_document->shapes.size());
+    m_document->areas.push_back(area);
+    return addElement(ElementKind::Area, m_document->areas.size() - 1, origin);
+}
+
+std::shared_ptr<const Document> DocumentBuilder::finish() {
+    linkNets();
+    measureExtents();
+    std::shared_ptr<const Document> frozen = std::move(m_document);
+    m_document = std::make_shared<Document>();
+    m_symbols.clear();
+    m_layer = {};
+    return frozen;
+}
+
+void DocumentBuilder::linkNets() {
+    Document& d = *m_document;
+    d.netStart.assign(d.nets.size() + 1, 0);
+    for (const NetId net : d.elements.net) {
+        if (net.isValid()) {
+            ++d.netStart[net.row() + 1];
+        }
+    }
+    for (std::size_t net = 0; net < d.nets.size(); ++net) {
+        d.netStart[net + 1] += d.netStart[net];
+    }
+    d.netElements.resize(d.netStart.back());
+    std::vector<std::uint32_t> next = d.netStart;
+    for (std::size_t row = 0; row < d.elements.size(); ++row) {
+        if (const NetId net = d.elements.net[row]; net.isValid()) {
+            d.netElements[next[net.row()]++] = ElementId{row};
+        }
+    }
+}
+
+void DocumentBuilder::measureExtents() {
+    Document& d = *m_document;
+    for (const Layer& l : d.layers) {
+        if (l.context != LayerContext::Board || l.type == LayerType::Document) {
+            continue;
+        }
+        for (std::uint32_t i = 0; i < l.elements.count; ++i) {
+            d.extent.include(d.boxOf(ElementId{l.elements.first + i}));
+        }
+    }
+    d.board = d.profile.isValid() ? d.shapes.shapes[d.profile.row()].box : d.extent;
+}
+
+}  // namespace model

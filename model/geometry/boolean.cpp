@@ -1,0 +1,70 @@
+#include "model/geometry/boolean.h"
+
+#include <polyclipping/clipper.hpp>
+
+namespace model {
+
+namespace {
+
+using ClipperLib::Path;
+using ClipperLib::Paths;
+
+Paths toPaths(const PolygonSet& set) {
+    Paths paths(set.loopCount());
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        for (const Point& point : set.loop(i)) {
+            paths[i].emplace_back(point.x, point.y);
+        }
+    }
+    return paths;
+}
+
+std::vector<Point> toLoop(const Path& path) {
+    std::vector<Point> loop;
+    loop.reserve(path.size());
+    for (const ClipperLib::IntPoint& point : path) {
+        loop.push_back({static_cast<Nm>(point.X), static_cast<Nm>(point.Y)});
+    }
+    return loop;
+}
+
+/// Outlines and the holes directly below them; islands inside holes start polygons of their own.
+void collect(const ClipperLib::PolyNode& parent, PolygonSet& out) {
+    for (const ClipperLib::PolyNode* outline : parent.Childs) {
+        out.beginPolygon();
+        if (!out.addLoop(toLoop(outline->Contour))) {
+            out.polygons.pop_back();
+            continue;
+        }
+        for (const ClipperLib::PolyNode* hole : outline->Childs) {
+            out.addLoop(toLoop(hole->Contour));
+        }
+        for (const ClipperLib::PolyNode* hole : outline->Childs) {
+            collect(*hole, out);
+        }
+    }
+}
+
+/// Outlines wind +1 and holes -1 in a PolygonSet, so "any polygon covers it" is winding > 0.
+PolygonSet execute(ClipperLib::ClipType type, const PolygonSet& subject, const PolygonSet& clip) {
+    ClipperLib::Clipper clipper(ClipperLib::ioStrictlySimple);
+    clipper.AddPaths(toPaths(subject), ClipperLib::ptSubject, true);
+    clipper.AddPaths(toPaths(clip), ClipperLib::ptClip, true);
+    ClipperLib::PolyTree tree;
+    clipper.Execute(type, tree, ClipperLib::pftPositive, ClipperLib::pftPositive);
+    PolygonSet result;
+    collect(tree, result);
+    return result;
+}
+
+}  // namespace
+
+PolygonSet unite(const PolygonSet& set) {
+    return execute(ClipperLib::ctUnion, set, {});
+}
+
+PolygonSet subtract(const PolygonSet& from, const PolygonSet& what) {
+    return execute(ClipperLib::ctDifference, from, what);
+}
+
+}  // namespace model
