@@ -4,7 +4,8 @@
 
 namespace model {
 
-void Diagnostics::report(Severity severity, std::string_view file, std::uint32_t line, std::string_view text, ElementId element) {
+void Diagnostics::report(Severity severity, std::string_view file, std::uint32_t line, std::string_view text,
+                         ElementId element) {
     add({severity, std::string(file), line, std::string(text), element, 1});
 }
 

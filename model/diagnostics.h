@@ -1,19 +1,19 @@
 #pragma once
 
-#include "model/base/ids.h"
-
 #include <cstdint>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
 
+#include "model/base/ids.h"
+
 namespace model {
 
 enum class Severity : std::uint8_t { Info, Warning, Error };
 
-/// Something a reader skipped, repaired or assumed. One entry per cause: the same text about the same file is counted, and `line` and
-/// `element` name its first occurrence.
+/// Something a reader skipped, repaired or assumed. One entry per cause: the same text about the same file is counted,
+/// and `line` and `element` name its first occurrence.
 struct Diagnostic {
     Severity severity = Severity::Info;
     std::string file;         ///< path inside the job, or the job itself; empty if it concerns no file
@@ -23,12 +23,14 @@ struct Diagnostic {
     std::uint32_t count = 1;  ///< how often it happened
 };
 
-/// Collects what was not read literally. Nothing in a job is dropped without an entry here. Not thread-safe: every task fills its
-/// own and `append` joins them in a fixed order, so that the list does not depend on the number of threads.
+/// Collects what was not read literally. Nothing in a job is dropped without an entry here. Not thread-safe: every task
+/// fills its own and `append` joins them in a fixed order, so that the list does not depend on the number of threads.
 class Diagnostics {
 public:
-    /// `text` must not hold values that differ from record to record (they would defeat the counting); the line says where.
-    void report(Severity severity, std::string_view file, std::uint32_t line, std::string_view text, ElementId element = {});
+    /// `text` must not hold values that differ from record to record (they would defeat the counting); the line says
+    /// where.
+    void report(Severity severity, std::string_view file, std::uint32_t line, std::string_view text,
+                ElementId element = {});
     void append(const Diagnostics& other);
 
     [[nodiscard]] const std::vector<Diagnostic>& entries() const { return m_entries; }

@@ -8,7 +8,8 @@ namespace model {
 namespace {
 
 bool equalsIgnoringCase(std::string_view a, std::string_view b) {
-    return std::ranges::equal(a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
+    return std::ranges::equal(a, b,
+                              [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
 Box boxOfArea(const Document& document, const AreaGeometry& area) {
@@ -26,7 +27,8 @@ Box boxOfArea(const Document& document, const AreaGeometry& area) {
             node.point = area.placement.apply(node.point);
             node.centre = area.placement.apply(node.centre);
             if (area.placement.isMirrored && node.edge != EdgeKind::Line) {
-                node.edge = node.edge == EdgeKind::ArcClockwise ? EdgeKind::ArcCounterClockwise : EdgeKind::ArcClockwise;
+                node.edge =
+                    node.edge == EdgeKind::ArcClockwise ? EdgeKind::ArcCounterClockwise : EdgeKind::ArcClockwise;
             }
             placed.push_back(node);
         }
@@ -88,9 +90,9 @@ const char* toString(ElementKind kind) {
 }
 
 const char* toString(LayerType type) {
-    constexpr const char* kNames[] = {"SIGNAL",       "POWER_GROUND", "MIXED", "DIELECTRIC", "SOLDER_MASK",
-                                      "SOLDER_PASTE", "SILK_SCREEN",  "DRILL", "ROUT",       "COMPONENT",
-                                      "MASK",         "CONDUCTIVE_PASTE", "DOCUMENT", "PROFILE", "BODY", "OTHER"};
+    constexpr const char* kNames[] = {
+        "SIGNAL", "POWER_GROUND", "MIXED", "DIELECTRIC",       "SOLDER_MASK", "SOLDER_PASTE", "SILK_SCREEN", "DRILL",
+        "ROUT",   "COMPONENT",    "MASK",  "CONDUCTIVE_PASTE", "DOCUMENT",    "PROFILE",      "BODY",        "OTHER"};
     return kNames[static_cast<std::size_t>(type)];
 }
 

@@ -1,10 +1,5 @@
 #pragma once
 
-#include "model/base/ids.h"
-#include "model/base/point.h"
-#include "model/diagnostics.h"
-#include "model/shapes.h"
-
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -12,8 +7,14 @@
 #include <string>
 #include <vector>
 
-/// A board as Copperscope holds it: flat tables whose rows are addressed by 32-bit ids (docs/architecture.md). Coordinates are
-/// nanometres in the step's own system, x to the right, y up, z up from the lowest face of the bottom copper layer.
+#include "model/base/ids.h"
+#include "model/base/point.h"
+#include "model/diagnostics.h"
+#include "model/shapes.h"
+
+/// A board as Copperscope holds it: flat tables whose rows are addressed by 32-bit ids (docs/architecture.md).
+/// Coordinates are nanometres in the step's own system, x to the right, y up, z up from the lowest face of the bottom
+/// copper layer.
 namespace model {
 
 /// The five kinds of the paper (Table 1 and Table 3).
@@ -21,9 +22,21 @@ enum class ElementKind : std::uint8_t { Line, Arc, Circle, Trail, Area };
 inline constexpr std::size_t kElementKindCount = 5;
 
 enum class LayerType : std::uint8_t {
-    Signal, PowerGround, Mixed, Dielectric, SolderMask, SolderPaste, SilkScreen, Drill, Rout, Component, Mask,
-    ConductivePaste, Document, Profile,  ///< Profile: the step's outline, which we add as a layer of its own
-    Body,                                ///< the laminate: profile minus holes over the whole stack; added by us
+    Signal,
+    PowerGround,
+    Mixed,
+    Dielectric,
+    SolderMask,
+    SolderPaste,
+    SilkScreen,
+    Drill,
+    Rout,
+    Component,
+    Mask,
+    ConductivePaste,
+    Document,
+    Profile,  ///< Profile: the step's outline, which we add as a layer of its own
+    Body,     ///< the laminate: profile minus holes over the whole stack; added by us
     Other
 };
 enum class LayerSide : std::uint8_t { None, Top, Inner, Bottom, Through };
@@ -46,16 +59,17 @@ struct Layer {
     LayerType type = LayerType::Other;
     LayerContext context = LayerContext::Board;
     LayerSide side = LayerSide::None;
-    bool isNegative = false;   ///< matrix POLARITY=NEGATIVE: its elements are the copper that is left, features the clearances
+    bool isNegative =
+        false;  ///< matrix POLARITY=NEGATIVE: its elements are the copper that is left, features the clearances
     bool isSynthetic = false;  ///< added by us (Body, Profile), not a row of the matrix
     int row = 0;               ///< matrix ROW
     Nm z = 0;                  ///< lower face
     Nm thickness = 0;          ///< 0 for layers without a body
     Source thicknessSource = Source::Assumed;
-    LayerId spanTop;           ///< drill and rout: first and last copper layer passed, top one first
+    LayerId spanTop;  ///< drill and rout: first and last copper layer passed, top one first
     LayerId spanBottom;
-    ElementRange elements;     ///< elements of a layer are consecutive rows
-    std::uint32_t featureCount = 0;  ///< feature records in the job
+    ElementRange elements;                                  ///< elements of a layer are consecutive rows
+    std::uint32_t featureCount = 0;                         ///< feature records in the job
     std::array<std::uint32_t, kElementKindCount> counts{};  ///< elements by kind
 
     [[nodiscard]] bool isCopper() const {
@@ -64,10 +78,10 @@ struct Layer {
 };
 
 enum ElementFlag : std::uint8_t {
-    kHole = 1,          ///< a drilled or routed hole: what is solid is its wall
-    kPlated = 2,        ///< the wall is copper
-    kPad = 4,           ///< came from a pad (P) record
-    kSquarePen = 8,     ///< Line only: drawn with an axis-parallel square pen
+    kHole = 1,       ///< a drilled or routed hole: what is solid is its wall
+    kPlated = 2,     ///< the wall is copper
+    kPad = 4,        ///< came from a pad (P) record
+    kSquarePen = 8,  ///< Line only: drawn with an axis-parallel square pen
 };
 
 /// One row per element, columns side by side. `geometry` is a row of the table of the element's kind.
@@ -92,7 +106,8 @@ struct LineGeometry {
     Nm innerWidth = 0;
 };
 
-/// A round-pen stroke along a circular arc from `node.point` around `node.centre` to `end`; equal ends are a full circle.
+/// A round-pen stroke along a circular arc from `node.point` around `node.centre` to `end`; equal ends are a full
+/// circle.
 struct ArcGeometry {
     PathNode node;
     Point end;
@@ -156,7 +171,7 @@ struct JobInfo {
     std::string version;    ///< ODB++ version, or the name of another format
     std::string units;      ///< default unit of the job, "MM" or "INCH"
     std::vector<std::string> steps;
-    std::string step;       ///< the one this document holds
+    std::string step;  ///< the one this document holds
 };
 
 /// Times of the first two parts of the paper's modelling (Table 4), in milliseconds.
@@ -181,15 +196,15 @@ struct Document {
     std::vector<AreaGeometry> areas;
 
     std::vector<Net> nets;
-    std::vector<std::uint32_t> netStart;     ///< elements of net n: netElements[netStart[n] .. netStart[n + 1])
+    std::vector<std::uint32_t> netStart;  ///< elements of net n: netElements[netStart[n] .. netStart[n + 1])
     std::vector<ElementId> netElements;
     std::vector<Component> components;
     std::vector<Pin> pins;
     std::vector<DrillTool> tools;
 
-    ShapeId profile;     ///< the step's outline; none if the job has none and it could not be derived
-    Box board;           ///< extent of the profile
-    Box extent;          ///< extent of everything on board layers
+    ShapeId profile;  ///< the step's outline; none if the job has none and it could not be derived
+    Box board;        ///< extent of the profile
+    Box extent;       ///< extent of everything on board layers
     Nm boardThickness = 0;
     Diagnostics diagnostics;
     ReadTimes times;
@@ -206,9 +221,9 @@ struct Document {
     [[nodiscard]] std::array<std::uint32_t, kElementKindCount> elementCounts() const;
 };
 
-[[nodiscard]] const char* toString(ElementKind kind);    ///< "line", "arc", …
-[[nodiscard]] const char* toString(LayerType type);      ///< as the matrix writes it: "SIGNAL", "POWER_GROUND", …
-[[nodiscard]] const char* toString(LayerSide side);      ///< "top", "inner", …
-[[nodiscard]] const char* toString(Source source);       ///< "job", "derived", "assumed"
+[[nodiscard]] const char* toString(ElementKind kind);  ///< "line", "arc", …
+[[nodiscard]] const char* toString(LayerType type);    ///< as the matrix writes it: "SIGNAL", "POWER_GROUND", …
+[[nodiscard]] const char* toString(LayerSide side);    ///< "top", "inner", …
+[[nodiscard]] const char* toString(Source source);     ///< "job", "derived", "assumed"
 
 }  // namespace model

@@ -29,8 +29,8 @@ ShapeId DocumentBuilder::addShape(const ShapeSketch& sketch) {
     shape.contourCount = static_cast<std::uint32_t>(sketch.contourCount());
     for (std::size_t i = 0; i < sketch.contourCount(); ++i) {
         const std::span<const PathNode> nodes = sketch.contour(i);
-        table.contours.push_back({static_cast<std::uint32_t>(table.nodes.size()), static_cast<std::uint32_t>(nodes.size()),
-                                  sketch.isHole(i)});
+        table.contours.push_back({static_cast<std::uint32_t>(table.nodes.size()),
+                                  static_cast<std::uint32_t>(nodes.size()), sketch.isHole(i)});
         table.nodes.insert(table.nodes.end(), nodes.begin(), nodes.end());
         shape.box.include(boxOfPath(nodes, true));
     }
@@ -87,7 +87,8 @@ ElementId DocumentBuilder::addCircle(const CircleGeometry& circle, const Origin&
 ElementId DocumentBuilder::addTrail(std::span<const PathNode> nodes, Nm width, const Origin& origin) {
     ASSERT(nodes.size() >= 2);
     std::vector<PathNode>& all = m_document->trailNodes;
-    m_document->trails.push_back({static_cast<std::uint32_t>(all.size()), static_cast<std::uint32_t>(nodes.size()), width});
+    m_document->trails.push_back(
+        {static_cast<std::uint32_t>(all.size()), static_cast<std::uint32_t>(nodes.size()), width});
     all.insert(all.end(), nodes.begin(), nodes.end());
     return addElement(ElementKind::Trail, m_document->trails.size() - 1, origin);
 }

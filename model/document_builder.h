@@ -1,15 +1,15 @@
 #pragma once
 
-#include "model/document.h"
-
 #include <memory>
 #include <string_view>
 #include <unordered_map>
 
+#include "model/document.h"
+
 namespace model {
 
-/// The one mutable stage of a document. Readers add layers first, then elements layer by layer (`beginLayer`), and finish. Not
-/// thread-safe: parse in parallel, build in order, so that ids do not depend on the number of threads.
+/// The one mutable stage of a document. Readers add layers first, then elements layer by layer (`beginLayer`), and
+/// finish. Not thread-safe: parse in parallel, build in order, so that ids do not depend on the number of threads.
 class DocumentBuilder {
 public:
     /// What every element needs besides its geometry.

@@ -1,9 +1,9 @@
 #include "model/shapes.h"
 
-#include "model/base/assert.h"
-
 #include <cmath>
 #include <numbers>
+
+#include "model/base/assert.h"
 
 namespace model {
 
@@ -106,7 +106,8 @@ Box boxOfEdge(const PathNode& from, Point to) {
     if (from.edge == EdgeKind::ArcClockwise) {
         sweep = -sweep;
     }
-    const double radius = std::max(std::hypot(from.point.x - c.x, from.point.y - c.y), std::hypot(to.x - c.x, to.y - c.y));
+    const double radius =
+        std::max(std::hypot(from.point.x - c.x, from.point.y - c.y), std::hypot(to.x - c.x, to.y - c.y));
     for (int quarter = 0; quarter < 4; ++quarter) {
         constexpr int kDx[4] = {1, 0, -1, 0};
         constexpr int kDy[4] = {0, 1, 0, -1};

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "model/base/ids.h"
-#include "model/base/point.h"
-
 #include <cstdint>
 #include <span>
 #include <vector>
+
+#include "model/base/ids.h"
+#include "model/base/point.h"
 
 namespace model {
 
@@ -16,9 +16,10 @@ using base::PointD;
 
 enum class EdgeKind : std::uint8_t { Line, ArcClockwise, ArcCounterClockwise };
 
-/// A vertex of a path together with the edge that leaves it towards the next vertex. Used by contours (the last edge returns to the first
-/// vertex) and by trails (the last node has no edge). An arc whose two ends coincide is a full circle. The two radii of an arc may differ by
-/// rounding in the job (odbpp-facts §4): both end points are kept, the drawn radius runs evenly from one to the other.
+/// A vertex of a path together with the edge that leaves it towards the next vertex. Used by contours (the last edge
+/// returns to the first vertex) and by trails (the last node has no edge). An arc whose two ends coincide is a full
+/// circle. The two radii of an arc may differ by rounding in the job (odbpp-facts §4): both end points are kept, the
+/// drawn radius runs evenly from one to the other.
 struct PathNode {
     Point point;
     Point centre;  ///< of the arc that leaves; unused for lines
@@ -33,8 +34,8 @@ struct Contour {
     bool isHole = false;
 };
 
-/// All regions of a document: islands, each followed by its holes, with exact line and arc edges. A shape is stored once, however many pads
-/// use it. Rows are ShapeId.
+/// All regions of a document: islands, each followed by its holes, with exact line and arc edges. A shape is stored
+/// once, however many pads use it. Rows are ShapeId.
 struct ShapeTable {
     struct Shape {
         std::uint32_t firstContour = 0;
@@ -55,7 +56,8 @@ struct ShapeTable {
     }
 };
 
-/// A shape under construction, in the same three levels as ShapeTable. Readers fill one and hand it to DocumentBuilder::addShape.
+/// A shape under construction, in the same three levels as ShapeTable. Readers fill one and hand it to
+/// DocumentBuilder::addShape.
 class ShapeSketch {
 public:
     /// Starts a contour; nodes added from now on belong to it. The first contour of a sketch must be an island.

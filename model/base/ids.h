@@ -7,8 +7,8 @@
 
 namespace base {
 
-/// A 32-bit row number in one table. The tag makes mixing up two tables a compile error; the value is what travels to the GPU,
-/// into picking and into reports. A default-made id is "none".
+/// A 32-bit row number in one table. The tag makes mixing up two tables a compile error; the value is what travels to
+/// the GPU, into picking and into reports. A default-made id is "none".
 template <class Tag>
 struct Id {
     static constexpr std::uint32_t kNone = 0xffffffffu;

@@ -15,7 +15,8 @@ void parallelFor(std::size_t count, const std::function<void(std::size_t)>& task
 }
 
 ThreadLimit::ThreadLimit(int threads)
-    : m_control(threads > 0 ? new tbb::global_control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads))
+    : m_control(threads > 0 ? new tbb::global_control(tbb::global_control::max_allowed_parallelism,
+                                                      static_cast<std::size_t>(threads))
                             : nullptr) {}
 
 ThreadLimit::~ThreadLimit() {

@@ -5,11 +5,12 @@
 
 namespace base {
 
-/// Calls `task(i)` for every i in [0, count) on all cores and returns when all are done. Tasks are handed out in rising order, so put the
-/// largest first. A task writes only to its own slot: results do not depend on the number of threads.
+/// Calls `task(i)` for every i in [0, count) on all cores and returns when all are done. Tasks are handed out in rising
+/// order, so put the largest first. A task writes only to its own slot: results do not depend on the number of threads.
 void parallelFor(std::size_t count, const std::function<void(std::size_t)>& task);
 
-/// Limits every parallelFor below it to `threads` while it lives (0 = all cores). For tests that compare 1 and N threads.
+/// Limits every parallelFor below it to `threads` while it lives (0 = all cores). For tests that compare 1 and N
+/// threads.
 class ThreadLimit {
 public:
     explicit ThreadLimit(int threads);

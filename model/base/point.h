@@ -1,11 +1,11 @@
 #pragma once
 
-#include "model/base/units.h"
-
 #include <algorithm>
 #include <compare>
 #include <cstdint>
 #include <limits>
+
+#include "model/base/units.h"
 
 namespace base {
 
@@ -22,7 +22,9 @@ struct PointD {
     double y = 0.0;
 };
 
-constexpr PointD toDouble(Point p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
+constexpr PointD toDouble(Point p) {
+    return {static_cast<double>(p.x), static_cast<double>(p.y)};
+}
 
 /// An axis-parallel box with both corners inside; a default-made one is empty and grows by `include`.
 struct Box {

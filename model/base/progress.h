@@ -7,9 +7,9 @@
 
 namespace base {
 
-/// How far a long operation is, in the user's words, and the way to stop it. One side works and reports, any other thread reads
-/// and may cancel; all members are safe to call from any thread. Work asks `isCancelled()` at least every few milliseconds and
-/// then returns ErrorCode::Cancelled.
+/// How far a long operation is, in the user's words, and the way to stop it. One side works and reports, any other
+/// thread reads and may cancel; all members are safe to call from any thread. Work asks `isCancelled()` at least every
+/// few milliseconds and then returns ErrorCode::Cancelled.
 class Progress {
 public:
     /// Begins a phase, for example "Reading layers"; the fraction goes back to 0.

@@ -1,18 +1,18 @@
 #pragma once
 
-#include "model/base/assert.h"
-
 #include <string>
 #include <utility>
 #include <variant>
+
+#include "model/base/assert.h"
 
 namespace base {
 
 /// Why a whole operation failed. The command line maps these to exit codes (docs/architecture.md).
 enum class ErrorCode {
-    Cancelled,   ///< the user asked to stop; nothing is wrong
-    BadInput,    ///< the input cannot be read or is not what it claims to be
-    BadUsage,    ///< a name, option or combination that does not exist
+    Cancelled,     ///< the user asked to stop; nothing is wrong
+    BadInput,      ///< the input cannot be read or is not what it claims to be
+    BadUsage,      ///< a name, option or combination that does not exist
     DeviceFailed,  ///< no usable Vulkan device, or it was lost
     OutputFailed,  ///< the output cannot be written
 };
@@ -23,7 +23,8 @@ struct Error {
     std::string text;
 };
 
-/// A value, or the reason why there is none. Used where a whole operation fails; a single bad record goes to Diagnostics instead.
+/// A value, or the reason why there is none. Used where a whole operation fails; a single bad record goes to
+/// Diagnostics instead.
 template <class T>
 class [[nodiscard]] Result {
 public:

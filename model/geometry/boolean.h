@@ -4,8 +4,9 @@
 
 namespace model {
 
-/// Integer booleans of polygon sets (polyclipping). Operands may overlap, touch and cross themselves: a point is inside a set when any
-/// of its polygons covers it. The result's polygons do not cross or overlap; islands inside holes are polygons of their own.
+/// Integer booleans of polygon sets (polyclipping). Operands may overlap, touch and cross themselves: a point is inside
+/// a set when any of its polygons covers it. The result's polygons do not cross or overlap; islands inside holes are
+/// polygons of their own.
 [[nodiscard]] PolygonSet unite(const PolygonSet& set);
 [[nodiscard]] PolygonSet subtract(const PolygonSet& from, const PolygonSet& what);
 

@@ -1,10 +1,10 @@
 #include "model/geometry/discretise.h"
 
-#include "model/base/assert.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "model/base/assert.h"
 
 namespace model {
 
@@ -86,7 +86,8 @@ int chordCount(double radius, double sweep, bool isFullCircle, const Discretisat
     }
     // The sagitta of a chord over the angle t is r(1 - cos(t/2)); at least an octagon, so that tiny circles stay round.
     const double tolerance = std::clamp(how.chordToleranceNm, Discretisation::kMinChordNm, Discretisation::kMaxChordNm);
-    const double step = tolerance >= radius ? kTurn / 8.0 : std::min(kTurn / 8.0, 2.0 * std::acos(1.0 - tolerance / radius));
+    const double step =
+        tolerance >= radius ? kTurn / 8.0 : std::min(kTurn / 8.0, 2.0 * std::acos(1.0 - tolerance / radius));
     return std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / step - 1e-9)));
 }
 
@@ -169,8 +170,8 @@ std::vector<Point> capsulePoints(Point a, Point b, Nm width, const Discretisatio
 
 std::vector<Point> squarePenPoints(const LineGeometry& line) {
     const Nm r = line.width / 2;
-    // Both squares' corners; the hull of two equal squares has at most six corners and `unite` is not needed: take the extreme corners
-    // on either side of the stroke.
+    // Both squares' corners; the hull of two equal squares has at most six corners and `unite` is not needed: take the
+    // extreme corners on either side of the stroke.
     const bool isRising = (std::int64_t{line.b.x} - line.a.x) * (std::int64_t{line.b.y} - line.a.y) >= 0;
     const Point low{std::min(line.a.x, line.b.x), std::min(line.a.y, line.b.y)};
     const Point high{std::max(line.a.x, line.b.x), std::max(line.a.y, line.b.y)};
@@ -194,7 +195,8 @@ void addArcStroke(const PathNode& node, Point end, Nm width, const Discretisatio
         }
         return;
     }
-    // A pen wider than the arc's radius would turn the inner edge inside out: then strokes along the chords, which unite to the same region.
+    // A pen wider than the arc's radius would turn the inner edge inside out: then strokes along the chords, which
+    // unite to the same region.
     std::vector<Point> chords;
     discretiseEdge(node, end, how, chords);
     chords.push_back(end);

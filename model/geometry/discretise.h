@@ -1,10 +1,10 @@
 #pragma once
 
-#include "model/document.h"
-
 #include <cstdint>
 #include <span>
 #include <vector>
+
+#include "model/document.h"
 
 namespace model {
 
@@ -20,19 +20,22 @@ struct Discretisation {
     static constexpr int kPaperArcSegments = 20;
 };
 
-/// Polygons with holes as flat arrays, the form tri/ and the booleans take. Each polygon is an outline (counter-clockwise) followed by its
-/// holes (clockwise); loops are not closed by a repeated point and hold no two equal neighbours.
+/// Polygons with holes as flat arrays, the form tri/ and the booleans take. Each polygon is an outline
+/// (counter-clockwise) followed by its holes (clockwise); loops are not closed by a repeated point and hold no two
+/// equal neighbours.
 struct PolygonSet {
     struct Polygon {
         std::uint32_t firstLoop = 0;
         std::uint32_t loopCount = 0;
     };
     std::vector<Point> points;
-    std::vector<std::uint32_t> loopStart;  ///< loop i: points[loopStart[i] .. loopStart[i + 1]); one more entry than loops
+    std::vector<std::uint32_t>
+        loopStart;  ///< loop i: points[loopStart[i] .. loopStart[i + 1]); one more entry than loops
     std::vector<Polygon> polygons;
 
     void beginPolygon() { polygons.push_back({static_cast<std::uint32_t>(loopCount()), 0}); }
-    /// Adds a loop to the last polygon, turned to the winding its place asks for. Loops of fewer than three points are left out: returns false.
+    /// Adds a loop to the last polygon, turned to the winding its place asks for. Loops of fewer than three points are
+    /// left out: returns false.
     bool addLoop(std::span<const Point> loop);
     [[nodiscard]] std::size_t loopCount() const { return loopStart.empty() ? 0 : loopStart.size() - 1; }
     [[nodiscard]] std::span<const Point> loop(std::size_t index) const {
@@ -57,8 +60,8 @@ void discretiseEdge(const PathNode& from, Point to, const Discretisation& how, s
 /// The polygons of a shape in its own coordinates: one per island, with the holes that follow it.
 [[nodiscard]] PolygonSet discretise(const ShapeTable& shapes, ShapeId shape, const Discretisation& how);
 
-/// The region an element covers on the board. The wall of a hole counts as filled: a hole is what the drill removes. A trail is one polygon
-/// per stroke (they overlap); a stroke along a full circle has a hole.
+/// The region an element covers on the board. The wall of a hole counts as filled: a hole is what the drill removes. A
+/// trail is one polygon per stroke (they overlap); a stroke along a full circle has a hole.
 [[nodiscard]] PolygonSet discretise(const Document& document, ElementId element, const Discretisation& how);
 
 }  // namespace model

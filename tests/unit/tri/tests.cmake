@@ -1,1 +1,1 @@
-# Tests of this folder; see docs/testing.md.
+copperscope_test(triangulate_test unit/tri/triangulate_test.cpp LABEL unit LINK copperscope_tri)
