@@ -1,0 +1,100 @@
+#pragma once
+
+#include "model/base/result.h"
+#include "render/gpu/instance.h"
+
+#include <vulkan/vulkan.h>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace render::gpu {
+
+class Graveyard;
+
+/// What memory is spent on.
+enum class MemoryUse : std::uint8_t {
+    Geometry,  ///< the board itself
+    Transient, ///< rewritten every frame: draw lists, commands
+    Targets,   ///< colour and depth images
+    Staging    ///< on its way to or from the device
+};
+inline constexpr std::size_t kMemoryUseCount = 4;
+[[nodiscard]] const char* toString(MemoryUse use);
+
+/// Bytes of device memory in our hands, by use.
+struct MemoryReport {
+    std::array<std::uint64_t, kMemoryUseCount> bytes{};
+    [[nodiscard]] std::uint64_t total() const;
+    [[nodiscard]] std::uint64_t of(MemoryUse use) const { return bytes[static_cast<std::size_t>(use)]; }
+};
+
+/// What the device can do, decided once.
+struct Caps {
+    std::string name;
+    std::string driver;              ///< driver and version in the driver's own words
+    bool isCpu = false;              ///< a software device
+    bool hasMeshShader = false;      ///< task and mesh shaders, enabled
+    bool hasTimestamps = false;
+    double timestampPeriodNs = 0.0;
+    bool canSmooth = false;          ///< 4x multisampling for our colour and depth formats
+    std::uint32_t maxImageSize = 0;  ///< pixels along one side
+    std::uint32_t maxTaskGroups = 0; ///< along x, 0 without mesh shaders
+    std::uint32_t maxDrawIndirectCount = 0;
+    std::uint64_t memoryBudgetBytes = 0;  ///< of the largest device-local heap, when the device was made
+};
+
+/// One submission to the queue.
+struct Submission {
+    VkCommandBuffer commands = VK_NULL_HANDLE;
+    VkSemaphore waitFor = VK_NULL_HANDLE;  ///< waited for at colour output and transfer
+    VkSemaphore signal = VK_NULL_HANDLE;
+};
+
+/// A Vulkan 1.3 device with one queue that draws, computes, copies and (when asked) presents. Everything on it happens on one thread. Move-only;
+/// resources and presenters refer to it, so it neither moves nor dies before them.
+class Device {
+public:
+    /// Takes the best device: discrete before integrated before software; COPPERSCOPE_DEVICE=text keeps only devices whose name contains the text.
+    /// With `presentTo` only devices that can present to that surface count.
+    /// Errors: DeviceFailed, naming the devices that were found and what they lack.
+    [[nodiscard]] static base::Result<Device> create(const Instance& instance, VkSurfaceKHR presentTo = VK_NULL_HANDLE);
+    ~Device();
+    Device(Device&&) noexcept;
+    Device& operator=(Device&&) noexcept;
+
+    [[nodiscard]] VkDevice handle() const;
+    [[nodiscard]] VkPhysicalDevice physical() const;
+    [[nodiscard]] VkQueue queue() const;
+    [[nodiscard]] std::uint32_t queueFamily() const;
+    [[nodiscard]] const Caps& caps() const;
+    [[nodiscard]] bool canPresentTo(VkSurfaceKHR surface) const;
+    [[nodiscard]] VkPipelineCache pipelineCache() const;
+
+    /// Queues the commands and returns the number of this submission, or 0 if the device is lost.
+    std::uint64_t submit(const Submission& submission);
+    /// Waits until submission `number` is done; false if the device is lost.
+    bool wait(std::uint64_t number);
+    /// Waits for everything and frees what was retired.
+    void waitIdle();
+    /// Notes that a call answered VK_ERROR_DEVICE_LOST; from now on submit and wait fail.
+    void markLost();
+    [[nodiscard]] bool isLost() const;
+
+    /// Where resources go when their owners drop them: freed after the submissions that may use them.
+    [[nodiscard]] Graveyard& graveyard() const;
+    [[nodiscard]] MemoryReport memoryReport() const;
+
+    /// Gives a Vulkan object the name that validation messages and frame debuggers show.
+    void name(VkObjectType type, std::uint64_t handle, std::string_view label) const;
+
+private:
+    struct State;
+    explicit Device(std::unique_ptr<State> state);
+    std::unique_ptr<State> m_state;
+};
+
+}  // namespace render::gpu

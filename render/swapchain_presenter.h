@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include "render/view.h"
+
+#include <cstdint>
+#include <memory>
+
+namespace render {
+
+/// Draws to a window's surface. The surface belongs to the window system: the presenter makes and destroys only the swapchain, and must be
+/// destroyed before the surface goes (with Qt: on SurfaceAboutToBeDestroyed). Colours are those of OffscreenPresenter. Waits for the display's
+/// refresh (FIFO); draw only when something changed.
+class SwapchainPresenter {
+public:
+    enum class Outcome {
+        Drawn,
+        Skipped,    ///< nothing to draw on: the window has no size yet, or the surface is gone
+        DeviceLost  ///< make a new device
+    };
+
+    SwapchainPresenter(gpu::Device& device, VkSurfaceKHR surface);
+    ~SwapchainPresenter();
+    SwapchainPresenter(SwapchainPresenter&&) noexcept;
+    SwapchainPresenter& operator=(SwapchainPresenter&&) noexcept;
+
+    /// The window's size in pixels (not points). Cheap; the swapchain follows with the next draw.
+    void resize(std::uint32_t width, std::uint32_t height);
+    /// Draws and presents one frame; `scene` may be null (background only).
+    Outcome draw(BoardScene* scene, const Camera& camera, const ViewSettings& settings);
+    /// Of the last frame whose times are known.
+    [[nodiscard]] FrameStats stats() const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> m_impl;
+};
+
+}  // namespace render
