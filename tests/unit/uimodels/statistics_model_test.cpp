@@ -1,0 +1,83 @@
+#include "ui/models/statistics_model.h"
+
+#include <QAbstractItemModelTester>
+#include <QtTest>
+
+#include "tests/unit/uimodels/sample_document.h"
+#include "ui/models/statistics_sorter.h"
+#include "ui/models/table_text.h"
+
+using ui::models::StatisticsModel;
+using ui::models::StatisticsSorter;
+
+namespace {
+
+QString namesOf(const QAbstractItemModel& model) {
+    QStringList names;
+    for (int row = 0; row < model.rowCount(); ++row) {
+        names += model.index(row, StatisticsModel::Layer).data().toString();
+    }
+    return names.join(' ');
+}
+
+}  // namespace
+
+class StatisticsModelTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { m_sorter.setSourceModel(&m_model); }
+    void init() { m_model.setDocument(sampleDocument()); }
+
+    void countsKindsPerLayerAndInAllWithoutAddedLayers() {
+        QCOMPARE(ui::models::tableText(m_model),
+                 "Layer\tLine\tArc\tCircle\tTrail\tArea\tElements\tFeatures\n"
+                 "top\t1200\t0\t1\t0\t0\t1201\t1300\n"
+                 "bottom\t0\t0\t2\t0\t0\t2\t2\n"
+                 "notes\t0\t0\t0\t0\t0\t0\t0\n"
+                 "All layers\t1200\t0\t3\t0\t0\t1203\t1302\n");
+    }
+
+    void totalAgreesWithTheDocument() {
+        const auto counts = sampleDocument()->elementCounts();
+        const int last = m_model.rowCount() - 1;
+        for (std::size_t kind = 0; kind < model::kElementKindCount; ++kind) {
+            QCOMPARE(m_model.index(last, StatisticsModel::Line + int(kind)).data(Qt::EditRole).toUInt(), counts[kind]);
+        }
+    }
+
+    void numbersAreGroupedForReading() {
+        QCOMPARE(m_model.index(0, StatisticsModel::Line).data().toString(), QLocale().toString(1200));
+    }
+
+    void totalStaysLastHoweverSorted() {
+        m_sorter.sort(StatisticsModel::Circle, Qt::DescendingOrder);
+        QCOMPARE(namesOf(m_sorter), "bottom top notes All layers");
+        m_sorter.sort(StatisticsModel::Circle, Qt::AscendingOrder);
+        QCOMPARE(namesOf(m_sorter), "notes top bottom All layers");
+        m_sorter.sort(StatisticsModel::Layer, Qt::DescendingOrder);
+        QCOMPARE(namesOf(m_sorter), "top notes bottom All layers");
+    }
+
+    void selectedRowsAreCopiedOnceEach() {
+        const QModelIndexList cells{m_model.index(1, 3), m_model.index(1, 0), m_model.index(3, 2)};
+        QCOMPARE(ui::models::rowsText(cells),
+                 "bottom\t0\t0\t2\t0\t0\t2\t2\nAll layers\t1200\t0\t3\t0\t0\t1203\t1302\n");
+        QCOMPARE(ui::models::rowsText({}), QString());
+    }
+
+    void isEmptyWithoutADocument() {
+        m_model.setDocument(nullptr);
+        QCOMPARE(m_model.rowCount(), 0);
+        QCOMPARE(m_sorter.rowCount(), 0);
+    }
+
+private:
+    StatisticsModel m_model;
+    StatisticsSorter m_sorter;
+    QAbstractItemModelTester m_tester{&m_model, QAbstractItemModelTester::FailureReportingMode::QtTest};
+    QAbstractItemModelTester m_sorterTester{&m_sorter, QAbstractItemModelTester::FailureReportingMode::QtTest};
+};
+
+QTEST_GUILESS_MAIN(StatisticsModelTest)
+#include "statistics_model_test.moc"

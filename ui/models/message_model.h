@@ -1,0 +1,39 @@
+#pragma once
+
+#include <QAbstractTableModel>
+#include <memory>
+
+#include "model/document.h"
+
+namespace ui::models {
+
+/// What was skipped, repaired or assumed while opening a board: the document's diagnostics, then those of the
+/// modelling.
+class MessageModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    enum Column { Severity, Text, Place, Count, ColumnCount };
+    /// Of any cell: int(model::Severity), for filtering and sorting.
+    static constexpr int kSeverityRole = Qt::UserRole;
+
+    using QAbstractTableModel::QAbstractTableModel;
+
+    void setMessages(std::shared_ptr<const model::Document> document, model::Diagnostics modelling);
+    /// How many entries have this severity.
+    [[nodiscard]] std::size_t count(model::Severity severity) const;
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+private:
+    [[nodiscard]] std::size_t readingCount() const { return m_document ? m_document->diagnostics.entries().size() : 0; }
+    [[nodiscard]] const model::Diagnostic& entry(int row) const;
+
+    std::shared_ptr<const model::Document> m_document;
+    model::Diagnostics m_modelling;
+};
+
+}  // namespace ui::models

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <QAbstractTableModel>
+#include <memory>
+#include <vector>
+
+#include "model/document.h"
+
+namespace ui::models {
+
+/// Elements by kind for every layer of the job, and for all of them in the last row. Layers that Copperscope adds
+/// (board body, outline) are left out, so that the numbers add up to the job's own. Numbers are grouped for reading
+/// (display) and plain for sorting and copying (edit).
+class StatisticsModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    enum Column { Layer, Line, Arc, Circle, Trail, Area, Elements, Features, ColumnCount };
+
+    using QAbstractTableModel::QAbstractTableModel;
+
+    void setDocument(std::shared_ptr<const model::Document> document);
+    [[nodiscard]] bool isTotal(int row) const { return row == static_cast<int>(m_layers.size()); }
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+private:
+    [[nodiscard]] qulonglong number(int row, int column) const;
+    [[nodiscard]] qulonglong totalOf(int column) const;
+    [[nodiscard]] QVariant value(int row, int column) const;
+
+    std::shared_ptr<const model::Document> m_document;
+    std::vector<model::LayerId> m_layers;  ///< row to layer
+};
+
+}  // namespace ui::models
