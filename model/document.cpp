@@ -37,6 +37,16 @@ Box boxOfArea(const Document& document, const AreaGeometry& area) {
     return box;
 }
 
+Box boxOfTrail(const Document& document, const TrailGeometry& trail) {
+    const std::span<const PathNode> nodes = document.nodesOf(trail);
+    const std::span<const Nm> widths = document.widthsOf(trail);
+    Box box;
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+        box.include(boxOfEdge(nodes[i], nodes[i + 1].point).grownBy(widths[i] / 2));
+    }
+    return box;
+}
+
 }  // namespace
 
 LayerId Document::findLayer(std::string_view name) const {
@@ -68,7 +78,7 @@ Box Document::boxOf(ElementId element) const {
             box.include(circles[row].centre);
             return box.grownBy(circles[row].diameter / 2);
         }
-        case ElementKind::Trail: return boxOfPath(nodesOf(trails[row]), false).grownBy(trails[row].width / 2);
+        case ElementKind::Trail: return boxOfTrail(*this, trails[row]);
         case ElementKind::Area: return boxOfArea(*this, areas[row]);
     }
     return {};

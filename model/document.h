@@ -121,11 +121,12 @@ struct CircleGeometry {
     Nm innerDiameter = 0;
 };
 
-/// Strokes of one width joined end to end; nodes are consecutive rows of `trailNodes`, the last one without an edge.
+/// Strokes joined end to end; nodes are consecutive rows of `trailNodes`, the last one without an edge. ODB++ trails have one width; the
+/// paper's may change it from edge to edge, so each edge has its own (`trailWidths`).
 struct TrailGeometry {
     std::uint32_t firstNode = 0;
     std::uint32_t nodeCount = 0;
-    Nm width = 0;
+    Nm width = 0;  ///< of the widest stroke
 };
 
 /// A shape laid on the board; surfaces lie where they were drawn, pad symbols are placed.
@@ -193,6 +194,7 @@ struct Document {
     std::vector<CircleGeometry> circles;
     std::vector<TrailGeometry> trails;
     std::vector<PathNode> trailNodes;
+    std::vector<Nm> trailWidths;  ///< per trail node: width of the stroke that leaves it, 0 for the last node of a trail
     std::vector<AreaGeometry> areas;
 
     std::vector<Net> nets;
@@ -215,6 +217,9 @@ struct Document {
     [[nodiscard]] std::span<const ElementId> elementsOf(NetId net) const;
     [[nodiscard]] std::span<const PathNode> nodesOf(const TrailGeometry& trail) const {
         return std::span(trailNodes).subspan(trail.firstNode, trail.nodeCount);
+    }
+    [[nodiscard]] std::span<const Nm> widthsOf(const TrailGeometry& trail) const {
+        return std::span(trailWidths).subspan(trail.firstNode, trail.nodeCount - 1);
     }
     [[nodiscard]] Box boxOf(ElementId element) const;
     /// Elements by kind over all layers of the job (not those we add).

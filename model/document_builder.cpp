@@ -1,5 +1,7 @@
 #include "model/document_builder.h"
 
+#include <algorithm>
+
 #include "model/base/assert.h"
 
 namespace model {
@@ -85,11 +87,17 @@ ElementId DocumentBuilder::addCircle(const CircleGeometry& circle, const Origin&
 }
 
 ElementId DocumentBuilder::addTrail(std::span<const PathNode> nodes, Nm width, const Origin& origin) {
-    ASSERT(nodes.size() >= 2);
+    return addTrail(nodes, std::vector<Nm>(nodes.size() - 1, width), origin);
+}
+
+ElementId DocumentBuilder::addTrail(std::span<const PathNode> nodes, std::span<const Nm> widths, const Origin& origin) {
+    ASSERT(nodes.size() >= 2 && widths.size() + 1 == nodes.size());
     std::vector<PathNode>& all = m_document->trailNodes;
-    m_document->trails.push_back(
-        {static_cast<std::uint32_t>(all.size()), static_cast<std::uint32_t>(nodes.size()), width});
+    m_document->trails.push_back({static_cast<std::uint32_t>(all.size()), static_cast<std::uint32_t>(nodes.size()),
+                                  *std::ranges::max_element(widths)});
     all.insert(all.end(), nodes.begin(), nodes.end());
+    m_document->trailWidths.insert(m_document->trailWidths.end(), widths.begin(), widths.end());
+    m_document->trailWidths.push_back(0);
     return addElement(ElementKind::Trail, m_document->trails.size() - 1, origin);
 }
 

@@ -44,6 +44,8 @@ public:
     ElementId addArc(const ArcGeometry& arc, const Origin& origin);
     ElementId addCircle(const CircleGeometry& circle, const Origin& origin);
     ElementId addTrail(std::span<const PathNode> nodes, Nm width, const Origin& origin);
+    /// One width per edge: `widths` has one entry less than `nodes`.
+    ElementId addTrail(std::span<const PathNode> nodes, std::span<const Nm> widths, const Origin& origin);
     ElementId addArea(const AreaGeometry& area, const Origin& origin);
 
     /// What has been added so far, for steps that derive more from it (body, negative layers).

@@ -1,13 +1,13 @@
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "model/base/progress.h"
 #include "model/base/result.h"
 #include "model/document.h"
 #include "model/geometry/discretise.h"
 #include "shaders/shared/board.h"
-
-#include <cstdint>
-#include <vector>
 
 namespace render {
 
@@ -32,37 +32,39 @@ struct ModelTimes {
     double triangulateMs = 0.0;
 };
 
-/// What a document becomes before it goes to the GPU, as plain arrays (paper: "hybrid pipeline"): lets for lines, arcs, circles and trails,
-/// triangles for areas. Lengths in mm relative to `origin`. Everything is sorted by layer, so that a layer is a run.
+/// What a document becomes before it goes to the GPU, as plain arrays (paper: "hybrid pipeline"): lets for lines, arcs,
+/// circles and trails, triangles for areas. Lengths in mm relative to `origin`. Everything is sorted by layer, so that
+/// a layer is a run.
 struct BoardModel {
-    model::Point origin;                        ///< nm, the centre of the board
+    model::Point origin;  ///< nm, the centre of the board
     std::vector<shader::Let> lets;
-    std::vector<shader::Cluster> clusters;      ///< never straddle a layer
+    std::vector<shader::Cluster> clusters;  ///< never straddle a layer
     std::vector<LayerRun> clustersOfLayer;
 
-    std::vector<glm::vec2> vertices;            ///< top vertices of all shapes
-    std::vector<std::uint32_t> next;            ///< per vertex, the next one of its loop: the wall to build
+    std::vector<glm::vec2> vertices;  ///< top vertices of all shapes, each from its shape's centre
+    std::vector<std::uint32_t> next;  ///< per vertex, the vertex its wall leads to; itself where no wall stands
     std::vector<std::uint32_t> indices;
-    std::vector<shader::ShapeRecord> shapes;    ///< only shapes in use
+    std::vector<shader::ShapeRecord> shapes;  ///< only shapes in use
     std::vector<shader::AreaInstance> instances;
     std::vector<AreaBatch> areaBatches;
     std::vector<LayerRun> areaBatchesOfLayer;
 
-    std::vector<float> layerBottomMm;           ///< z0 and z1 per layer, before explosion
+    std::vector<float> layerBottomMm;  ///< z0 and z1 per layer, before explosion
     std::vector<float> layerTopMm;
-    glm::vec3 boxMin{0.0F};                     ///< of the board, mm
+    glm::vec3 boxMin{0.0F};  ///< of the board, mm
     glm::vec3 boxMax{0.0F};
 
-    std::uint64_t trianglesPaperRule = 0;       ///< triangles the standard pipeline would store for this board (triangulation-facts §1.3)
-    std::uint32_t repairedAreas = 0;            ///< areas whose outline crossed itself and went through integer booleans
-    std::uint32_t emptyAreas = 0;               ///< areas without any area
+    std::uint64_t trianglesPaperRule =
+        0;  ///< triangles the standard pipeline would store for this board (triangulation-facts §1.3)
+    std::uint32_t repairedAreas = 0;  ///< areas whose outline crossed itself and went through integer booleans
+    std::uint32_t emptyAreas = 0;     ///< areas without any area
     ModelTimes times;
-    model::Diagnostics diagnostics;             ///< what was repaired or dropped here, with file and line
+    model::Diagnostics diagnostics;  ///< what was repaired or dropped here, with file and line
 };
 
 /// Makes lets and triangulates all areas, one area per task over all cores. Same result with 1 and N threads.
 /// Errors: Cancelled.
-[[nodiscard]] base::Result<BoardModel> buildBoardModel(const model::Document& document, const model::Discretisation& how,
-                                                        base::Progress& progress);
+[[nodiscard]] base::Result<BoardModel> buildBoardModel(const model::Document& document,
+                                                       const model::Discretisation& how, base::Progress& progress);
 
 }  // namespace render

@@ -35,10 +35,10 @@ public:
 
 private:
     glm::vec3 m_target{0.0F};
-    float m_distance = 100.0F;   ///< mm from the eye to the target; also sets the size of an orthographic view
-    float m_yaw = 0.0F;          ///< rad, 0 looks along +y
-    float m_pitch = 0.0F;        ///< rad, -π/2 looks straight down
-    float m_radius = 100.0F;     ///< mm, of the scene: near and far planes enclose it
+    float m_distance = 100.0F;  ///< mm from the eye to the target; also sets the size of an orthographic view
+    float m_yaw = 0.0F;         ///< rad, 0 looks along +y
+    float m_pitch = 0.0F;       ///< rad, -π/2 looks straight down
+    float m_radius = 100.0F;    ///< mm, of the scene: near and far planes enclose it
     bool m_isOrthographic = false;
 };
 

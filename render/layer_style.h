@@ -1,10 +1,9 @@
 #pragma once
 
-#include "model/document.h"
-
 #include <glm/glm.hpp>
-
 #include <vector>
+
+#include "model/document.h"
 
 namespace render {
 
@@ -15,8 +14,8 @@ struct LayerStyle {
     bool isVisible = true;
 };
 
-/// Colours by layer type as users know them (top copper red, bottom blue, inner layers distinct hues, mask green, silk white); documentation
-/// layers and component layers start hidden.
+/// Colours by layer type as users know them (top copper red, bottom blue, inner layers distinct hues, mask green, silk
+/// white); documentation layers and component layers start hidden.
 [[nodiscard]] std::vector<LayerStyle> defaultStyles(const model::Document& document);
 
 }  // namespace render

@@ -1,16 +1,16 @@
 #pragma once
 
-#include "model/base/ids.h"
-#include "model/base/result.h"
-#include "render/board_model.h"
-#include "render/camera.h"
-#include "render/layer_style.h"
-
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
+
+#include "model/base/ids.h"
+#include "model/base/result.h"
+#include "render/board_model.h"
+#include "render/camera.h"
+#include "render/layer_style.h"
 
 /// The renderer's face to app/ and ui/: a scene on a device, and two ways to present a view of it.
 namespace render {
@@ -24,18 +24,18 @@ enum class Backend { Auto, Mesh, Pull };
 /// Everything that changes from frame to frame. None of it rebuilds geometry.
 struct ViewSettings {
     Backend backend = Backend::Auto;
-    bool is2d = false;             ///< flat colours, seen straight down
-    bool isMono = false;           ///< white on black, unshaded, unsmoothed: a raster of the visible layers
-    bool isSmoothed = true;        ///< 4x multisampling
-    bool cull = true;              ///< frustum culling and level of detail
-    float explode = 0.0F;          ///< 0 = real stack; 1 spreads the layers over about half the board's width
-    bool dimOthers = false;        ///< darkens what is not highlighted
+    bool is2d = false;       ///< flat colours, seen straight down
+    bool isMono = false;     ///< white on black, unshaded, unsmoothed: a raster of the visible layers
+    bool isSmoothed = true;  ///< 4x multisampling
+    bool cull = true;        ///< frustum culling and level of detail
+    float explode = 0.0F;    ///< 0 = real stack; 1 spreads the layers over about half the board's width
+    bool dimOthers = false;  ///< darkens what is not highlighted
     glm::vec3 background{0.10F, 0.11F, 0.13F};  ///< sRGB
 };
 
 struct FrameStats {
-    double cpuMs = 0.0;            ///< recording and submitting
-    double gpuMs = 0.0;            ///< by timestamps, 0 if the device has none
+    double cpuMs = 0.0;               ///< recording and submitting
+    double gpuMs = 0.0;               ///< by timestamps, 0 if the device has none
     Backend backend = Backend::Auto;  ///< the one that drew
 };
 

@@ -290,8 +290,9 @@ PolygonSet discretise(const Document& document, ElementId element, const Discret
         }
         case ElementKind::Trail: {
             const std::span<const PathNode> nodes = document.nodesOf(document.trails[row]);
-            for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
-                addStroke(nodes[i], nodes[i + 1].point, document.trails[row].width, how, set);
+            const std::span<const Nm> widths = document.widthsOf(document.trails[row]);
+            for (std::size_t i = 0; i < widths.size(); ++i) {
+                addStroke(nodes[i], nodes[i + 1].point, widths[i], how, set);
             }
             break;
         }

@@ -26,6 +26,9 @@ using mat4 = glm::mat4;
 GPU_CONST kLetStadium = 0;  // p0,p1 = a   p2,p3 = b   p4 = pen radius   p5 = inner radius (0 = solid, else a tube)
 GPU_CONST kLetArc = 1;      // p0,p1 = centre   p2 = arc radius   p3 = start angle   p4 = signed sweep (rad)   p5 = pen radius
 GPU_CONST kLetKindCount = 2;
+// Chords along one arc let in the finest of the three levels: 2 * (8 + 1) points on its two sides and 7 inside each cap are the paper's 32
+// points per face. Longer arcs are split on the CPU, so that no let needs more.
+GPU_CONST kArcFineChords = 8;
 
 // Let::meta: bits 0-3 kind, bits 4-7 flags, bits 8-31 layer.
 GPU_CONST kLetKindMask = 0xf;
@@ -65,7 +68,7 @@ GPU_SIZE(LayerState, 32);
 
 // A triangulated shape: top vertices and triangles stored once, bottom and walls made from them.
 struct ShapeRecord {
-    uint firstVertex;    // into vec2 vertices and the parallel `next` column (index of the loop's next vertex, absolute)
+    uint firstVertex;    // into vec2 vertices and the parallel `next` column (absolute index of the vertex the wall leads to, itself for none)
     uint vertexCount;
     uint firstIndex;     // into triangle indices, relative to firstVertex
     uint triangleCount;

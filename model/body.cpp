@@ -1,0 +1,81 @@
+#include "model/body.h"
+
+#include <algorithm>
+
+#include "model/geometry/boolean.h"
+
+namespace model {
+
+namespace {
+
+struct Heights {
+    Nm bottom = 0;
+    Nm top = 0;
+};
+
+Heights bodyHeights(const Document& document) {
+    const Layer* lowest = nullptr;
+    const Layer* highest = nullptr;
+    for (const Layer& layer : document.layers) {
+        if (!layer.isCopper()) {
+            continue;
+        }
+        lowest = lowest == nullptr || layer.z < lowest->z ? &layer : lowest;
+        highest = highest == nullptr || layer.z > highest->z ? &layer : highest;
+    }
+    if (lowest == nullptr) {
+        return {0, document.boardThickness};
+    }
+    if (lowest == highest) {
+        return {highest->z - document.boardThickness, highest->z};
+    }
+    return {lowest->z + lowest->thickness, highest->z};
+}
+
+PolygonSet holesOf(const Document& document, const Discretisation& how) {
+    PolygonSet holes;
+    for (std::size_t row = 0; row < document.elements.size(); ++row) {
+        if ((document.elements.flags[row] & kHole) != 0) {
+            holes.append(discretise(document, ElementId{row}, how));
+        }
+    }
+    return holes;
+}
+
+ShapeSketch sketchOf(const PolygonSet& set) {
+    ShapeSketch sketch;
+    for (const PolygonSet::Polygon& polygon : set.polygons) {
+        for (std::uint32_t i = 0; i < polygon.loopCount; ++i) {
+            sketch.addPolygon(set.loop(polygon.firstLoop + i), i > 0);
+        }
+    }
+    return sketch;
+}
+
+}  // namespace
+
+void addBody(DocumentBuilder& builder) {
+    const Document& document = builder.soFar();
+    if (!document.profile.isValid()) {
+        return;
+    }
+    const Heights heights = bodyHeights(document);
+    const Discretisation how;
+    const PolygonSet body = subtract(discretise(document.shapes, document.profile, how), holesOf(document, how));
+    const ShapeSketch sketch = sketchOf(body);
+    if (sketch.isEmpty() || heights.top <= heights.bottom) {
+        return;
+    }
+    Layer layer;
+    layer.name = "board";
+    layer.type = LayerType::Body;
+    layer.side = LayerSide::Through;
+    layer.isSynthetic = true;
+    layer.z = heights.bottom;
+    layer.thickness = heights.top - heights.bottom;
+    layer.thicknessSource = Source::Derived;
+    builder.beginLayer(builder.addLayer(layer));
+    builder.addArea({builder.addShape(sketch), {}}, {});
+}
+
+}  // namespace model

@@ -1,0 +1,138 @@
+#include "render/area_meshes.h"
+
+#include <algorithm>
+#include <atomic>
+#include <numeric>
+
+#include "model/base/parallel.h"
+#include "model/geometry/boolean.h"
+#include "tri/triangulate.h"
+
+namespace render {
+
+using model::Point;
+using model::PolygonSet;
+
+namespace {
+
+/// Triangulates every polygon of the set; false if one of them crosses itself or another loop of its own.
+bool triangulateAll(const PolygonSet& set, std::vector<std::uint32_t>& triangles) {
+    std::vector<std::uint32_t> loopStart;
+    for (const PolygonSet::Polygon& polygon : set.polygons) {
+        const std::uint32_t first = set.loopStart[polygon.firstLoop];
+        loopStart.clear();
+        for (std::uint32_t i = 0; i <= polygon.loopCount; ++i) {
+            loopStart.push_back(set.loopStart[polygon.firstLoop + i] - first);
+        }
+        const std::size_t before = triangles.size();
+        const tri::Polygon input{std::span(set.points).subspan(first, loopStart.back()), loopStart};
+        if (tri::triangulate(input, triangles) == tri::Outcome::Crossing) {
+            return false;
+        }
+        for (std::size_t i = before; i < triangles.size(); ++i) {
+            triangles[i] += first;
+        }
+    }
+    return true;
+}
+
+struct WallEdge {
+    Point low;
+    Point high;
+    bool isForward;
+    std::uint32_t from;
+};
+
+/// The wall of every contour edge, except where two opposite edges coincide (the bridge of a keyhole contour,
+/// odbpp-facts §12).
+std::vector<std::uint32_t> findWalls(const PolygonSet& set) {
+    std::vector<std::uint32_t> next(set.points.size());
+    std::vector<WallEdge> edges;
+    edges.reserve(set.points.size());
+    for (std::size_t loop = 0; loop < set.loopCount(); ++loop) {
+        for (std::uint32_t i = set.loopStart[loop]; i < set.loopStart[loop + 1]; ++i) {
+            next[i] = i + 1 < set.loopStart[loop + 1] ? i + 1 : set.loopStart[loop];
+            const Point a = set.points[i];
+            const Point b = set.points[next[i]];
+            edges.push_back({std::min(a, b), std::max(a, b), a < b, i});
+        }
+    }
+    std::ranges::sort(edges, [](const WallEdge& a, const WallEdge& b) {
+        return std::tuple(a.low, a.high, a.isForward, a.from) < std::tuple(b.low, b.high, b.isForward, b.from);
+    });
+    for (std::size_t i = 0; i < edges.size();) {
+        std::size_t end = i;
+        while (end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high) {
+            ++end;
+        }
+        // Backward edges come first: pair them off against the forward ones from the other end.
+        for (std::size_t last = end; i + 1 < last && edges[i].isForward != edges[last - 1].isForward; ++i, --last) {
+            next[edges[i].from] = edges[i].from;
+            next[edges[last - 1].from] = edges[last - 1].from;
+        }
+        i = end;
+    }
+    return next;
+}
+
+void triangulateShape(ShapeMesh& mesh) {
+    if (!triangulateAll(mesh.polygons, mesh.triangles)) {
+        mesh.triangles.clear();
+        mesh.polygons = model::unite(mesh.polygons);
+        mesh.wasRepaired = true;
+        mesh.failed = !triangulateAll(mesh.polygons, mesh.triangles);
+        if (mesh.failed) {
+            mesh.triangles.clear();
+        }
+    }
+    mesh.next = findWalls(mesh.polygons);
+}
+
+}  // namespace
+
+std::vector<model::ShapeId> shapesInUse(const model::Document& document) {
+    std::vector<std::uint8_t> isUsed(document.shapes.size(), 0);
+    for (const model::AreaGeometry& area : document.areas) {
+        isUsed[area.shape.row()] = 1;
+    }
+    std::vector<model::ShapeId> used;
+    for (std::size_t row = 0; row < isUsed.size(); ++row) {
+        if (isUsed[row] != 0) {
+            used.emplace_back(row);
+        }
+    }
+    return used;
+}
+
+std::vector<ShapeMesh> discretiseShapes(const model::Document& document, const std::vector<model::ShapeId>& shapes,
+                                        const model::Discretisation& how, base::Progress& progress) {
+    std::vector<ShapeMesh> meshes(shapes.size());
+    base::parallelFor(shapes.size(), [&](std::size_t i) {
+        if (!progress.isCancelled()) {
+            meshes[i].polygons = model::discretise(document.shapes, shapes[i], how);
+        }
+    });
+    return meshes;
+}
+
+void triangulateShapes(std::vector<ShapeMesh>& meshes, base::Progress& progress) {
+    std::vector<std::uint32_t> order(meshes.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::ranges::stable_sort(order, std::greater{}, [&](std::uint32_t i) { return meshes[i].polygons.points.size(); });
+    std::size_t total = 1;
+    for (const ShapeMesh& mesh : meshes) {
+        total += mesh.polygons.points.size();
+    }
+    std::atomic<std::size_t> done{0};
+    base::parallelFor(order.size(), [&](std::size_t i) {
+        if (progress.isCancelled()) {
+            return;
+        }
+        ShapeMesh& mesh = meshes[order[i]];
+        const std::size_t size = mesh.polygons.points.size();
+        triangulateShape(mesh);
+        progress.setFraction(static_cast<float>(done += size) / static_cast<float>(total));
+    });
+}
+
+}  // namespace render

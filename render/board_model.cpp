@@ -1,0 +1,273 @@
+#include "render/board_model.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "model/base/parallel.h"
+#include "render/area_meshes.h"
+#include "render/lets.h"
+
+namespace render {
+
+using model::Document;
+using model::ElementKind;
+using model::Layer;
+
+namespace {
+
+double millisecondsSince(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+model::Point centreOf(const model::Box& box) {
+    if (box.isEmpty()) {
+        return {};
+    }
+    return {static_cast<model::Nm>(box.min.x + box.width() / 2), static_cast<model::Nm>(box.min.y + box.height() / 2)};
+}
+
+void setHeights(const Document& document, BoardModel& out) {
+    float low = 0.0F;
+    float high = static_cast<float>(base::toMm(document.boardThickness));
+    for (const Layer& layer : document.layers) {
+        out.layerBottomMm.push_back(static_cast<float>(base::toMm(layer.z)));
+        out.layerTopMm.push_back(static_cast<float>(base::toMm(double(layer.z) + layer.thickness)));
+        if (layer.isCopper() || layer.type == model::LayerType::Body) {
+            low = std::min(low, out.layerBottomMm.back());
+            high = std::max(high, out.layerTopMm.back());
+        }
+    }
+    const model::Box& box = document.board.isEmpty() ? document.extent : document.board;
+    if (!box.isEmpty()) {
+        out.boxMin = {toGpu(base::toDouble(box.min), out.origin), low};
+        out.boxMax = {toGpu(base::toDouble(box.max), out.origin), high};
+    }
+}
+
+void joinLets(const Document& document, std::vector<LayerLets>& perLayer, BoardModel& out) {
+    for (std::size_t row = 0; row < perLayer.size(); ++row) {
+        LayerLets& layer = perLayer[row];
+        const auto firstLet = static_cast<std::uint32_t>(out.lets.size());
+        out.clustersOfLayer.push_back(
+            {static_cast<std::uint32_t>(out.clusters.size()), static_cast<std::uint32_t>(layer.clusters.size())});
+        for (shader::Cluster& cluster : layer.clusters) {
+            cluster.firstLet += firstLet;
+        }
+        out.lets.insert(out.lets.end(), layer.lets.begin(), layer.lets.end());
+        out.clusters.insert(out.clusters.end(), layer.clusters.begin(), layer.clusters.end());
+        if (layer.zeroWidthStrokes > 0) {
+            out.diagnostics.report(model::Severity::Info, document.layers[row].file, layer.firstZeroWidthLine,
+                                   "layer " + document.layers[row].name + ": " +
+                                       std::to_string(layer.zeroWidthStrokes) +
+                                       " strokes or pads of no width are kept but not drawn");
+        }
+    }
+}
+
+void makeAllLets(const Document& document, const model::Discretisation& how, BoardModel& out) {
+    std::vector<LayerLets> perLayer(document.layers.size());
+    base::parallelFor(perLayer.size(), [&](std::size_t row) {
+        perLayer[row] = makeLets(document, model::LayerId{row}, out.origin, how.chordToleranceNm);
+    });
+    joinLets(document, perLayer, out);
+}
+
+/// Puts the shapes' meshes one behind the other. Vertices are mm from the centre of the shape's box, so that floats
+/// resolve them as finely as pads wherever the shape lies; the instance adds the centre's place on the board.
+void joinMeshes(const Document& document, const std::vector<model::ShapeId>& used, const std::vector<ShapeMesh>& meshes,
+                BoardModel& out) {
+    for (std::size_t row = 0; row < meshes.size(); ++row) {
+        const ShapeMesh& mesh = meshes[row];
+        const model::Point centre = centreOf(document.shapes.shapes[used[row].row()].box);
+        const auto firstVertex = static_cast<std::uint32_t>(out.vertices.size());
+        out.shapes.push_back({firstVertex, static_cast<std::uint32_t>(mesh.polygons.points.size()),
+                              static_cast<std::uint32_t>(out.indices.size()),
+                              static_cast<std::uint32_t>(mesh.triangles.size() / 3)});
+        for (std::size_t i = 0; i < mesh.polygons.points.size(); ++i) {
+            out.vertices.push_back(toGpu(base::toDouble(mesh.polygons.points[i]), centre));
+            out.next.push_back(firstVertex + mesh.next[i]);
+        }
+        out.indices.insert(out.indices.end(), mesh.triangles.begin(), mesh.triangles.end());
+    }
+}
+
+shader::AreaInstance instanceOf(const Document& document, model::ElementId element, std::uint32_t shape,
+                                model::Point origin) {
+    const model::AreaGeometry& area = document.areas[document.elements.geometry[element.row()]];
+    const double angle = area.placement.clockwiseDeg * std::numbers::pi / 180.0;
+    shader::AreaInstance instance{};
+    const model::Point centre = centreOf(document.shapes.shapes[area.shape.row()].box);
+    instance.origin = toGpu(area.placement.apply(base::toDouble(centre)), origin);
+    instance.cosSin = {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
+    instance.shape = shape;
+    instance.layer = document.elements.layer[element.row()].value;
+    instance.element = element.value;
+    instance.isMirrored = area.placement.isMirrored ? 1 : 0;
+    return instance;
+}
+
+void addBatches(const std::vector<shader::AreaInstance>& instances, std::uint32_t layer, BoardModel& out) {
+    const auto firstBatch = static_cast<std::uint32_t>(out.areaBatches.size());
+    for (const shader::AreaInstance& instance : instances) {
+        const bool isSame = out.areaBatches.size() > firstBatch && out.areaBatches.back().shape == instance.shape;
+        if (!isSame) {
+            out.areaBatches.push_back({instance.shape, layer, static_cast<std::uint32_t>(out.instances.size()), 0});
+        }
+        out.instances.push_back(instance);
+        ++out.areaBatches.back().instanceCount;
+    }
+    out.areaBatchesOfLayer.push_back({firstBatch, static_cast<std::uint32_t>(out.areaBatches.size()) - firstBatch});
+}
+
+void makeInstances(const Document& document, const std::vector<model::ShapeId>& used, BoardModel& out) {
+    std::vector<std::uint32_t> rowOfShape(document.shapes.size(), 0);
+    for (std::uint32_t row = 0; row < used.size(); ++row) {
+        rowOfShape[used[row].row()] = row;
+    }
+    std::vector<shader::AreaInstance> ofLayer;
+    for (std::size_t layer = 0; layer < document.layers.size(); ++layer) {
+        ofLayer.clear();
+        const model::ElementRange range = document.layers[layer].elements;
+        for (std::uint32_t row = range.first; row < range.first + range.count; ++row) {
+            if (document.elements.kind[row] == ElementKind::Area) {
+                const std::uint32_t shape = rowOfShape[document.areas[document.elements.geometry[row]].shape.row()];
+                ofLayer.push_back(instanceOf(document, model::ElementId{row}, shape, out.origin));
+            }
+        }
+        std::ranges::stable_sort(ofLayer, {}, &shader::AreaInstance::shape);
+        addBatches(ofLayer, static_cast<std::uint32_t>(layer), out);
+    }
+}
+
+/// Says which areas were repaired or hold nothing: once per layer, with the line of the first.
+void reportMeshes(const Document& document, const std::vector<ShapeMesh>& meshes, BoardModel& out) {
+    for (const shader::AreaInstance& instance : out.instances) {
+        const ShapeMesh& mesh = meshes[instance.shape];
+        const Layer& layer = document.layers[instance.layer];
+        const std::uint32_t line = document.elements.line[instance.element];
+        const auto report = [&](model::Severity severity, const char* text) {
+            out.diagnostics.report(severity, layer.file, line, "layer " + layer.name + ": " + text,
+                                   model::ElementId{instance.element});
+        };
+        if (mesh.failed) {
+            report(model::Severity::Error, "an area could not be triangulated and is not drawn");
+        } else if (mesh.triangles.empty()) {
+            ++out.emptyAreas;
+            report(model::Severity::Warning, "an area covers nothing");
+        } else if (mesh.wasRepaired) {
+            ++out.repairedAreas;
+            report(model::Severity::Warning, "an area crosses itself and was cleaned up");
+        }
+    }
+}
+
+/// Triangles of a prism over n vertices and h holes: n + 2h - 2 on top and bottom, 2n on the sides (triangulation-facts
+/// §1.3).
+std::uint64_t prismTriangles(std::uint64_t vertices, std::uint64_t holes) {
+    return 4 * vertices + 4 * holes - 4;
+}
+
+std::uint64_t capsuleTriangles(model::Nm width, const model::Discretisation& how) {
+    const int chords = model::chordCount(width / 2.0, std::numbers::pi, false, how);
+    return prismTriangles(2 * (static_cast<std::uint64_t>(chords) + 1), 0);
+}
+
+std::uint64_t strokeTriangles(const model::PathNode& node, model::Point end, model::Nm width,
+                              const model::Discretisation& how) {
+    if (node.edge == model::EdgeKind::Line) {
+        return capsuleTriangles(width, how);
+    }
+    const double radius = std::hypot(double(node.point.x) - node.centre.x, double(node.point.y) - node.centre.y);
+    const double sweep = model::sweepOf(node, end);
+    const bool isFull = node.point == end;
+    const auto sides =
+        static_cast<std::uint64_t>(model::chordCount(radius + width / 2.0, sweep, isFull, how)) +
+        static_cast<std::uint64_t>(model::chordCount(std::max(1.0, radius - width / 2.0), sweep, isFull, how));
+    const auto cap = static_cast<std::uint64_t>(model::chordCount(width / 2.0, std::numbers::pi, false, how));
+    return isFull ? prismTriangles(sides, 1) : prismTriangles(sides + 2 * cap, 0);
+}
+
+std::uint64_t trianglesOf(const Document& document, std::size_t row, const model::Discretisation& how) {
+    const std::uint32_t geometry = document.elements.geometry[row];
+    switch (document.elements.kind[row]) {
+        case ElementKind::Line: return capsuleTriangles(document.lines[geometry].width, how);
+        case ElementKind::Arc:
+            return strokeTriangles(document.arcs[geometry].node, document.arcs[geometry].end,
+                                   document.arcs[geometry].width, how);
+        case ElementKind::Circle: {
+            const model::CircleGeometry& circle = document.circles[geometry];
+            const auto outer =
+                static_cast<std::uint64_t>(model::chordCount(circle.diameter / 2.0, 2 * std::numbers::pi, true, how));
+            const bool isRing = circle.innerDiameter > 0;
+            return prismTriangles(isRing ? 2 * outer : outer, isRing ? 1 : 0);
+        }
+        case ElementKind::Trail: {
+            std::uint64_t sum = 0;
+            const model::TrailGeometry& trail = document.trails[geometry];
+            const std::span<const model::PathNode> nodes = document.nodesOf(trail);
+            const std::span<const model::Nm> widths = document.widthsOf(trail);
+            for (std::size_t i = 0; i < widths.size(); ++i) {
+                sum += strokeTriangles(nodes[i], nodes[i + 1].point, widths[i], how);
+            }
+            return sum;
+        }
+        case ElementKind::Area: return 0;  // by its mesh, below
+    }
+    return 0;
+}
+
+std::uint64_t countStandardTriangles(const Document& document, const std::vector<ShapeMesh>& meshes,
+                                     const BoardModel& model, const model::Discretisation& how) {
+    std::uint64_t sum = 0;
+    for (std::size_t row = 0; row < document.elements.size(); ++row) {
+        sum += document.layer(document.elements.layer[row]).isSynthetic ? 0 : trianglesOf(document, row, how);
+    }
+    for (const shader::AreaInstance& instance : model.instances) {
+        const model::PolygonSet& polygons = meshes[instance.shape].polygons;
+        if (!document.layers[instance.layer].isSynthetic) {
+            sum += 4 * polygons.points.size() + 4 * polygons.loopCount() - 8 * polygons.polygons.size();
+        }
+    }
+    return sum;
+}
+
+}  // namespace
+
+base::Result<BoardModel> buildBoardModel(const Document& document, const model::Discretisation& how,
+                                         base::Progress& progress) {
+    const base::Error cancelled{base::ErrorCode::Cancelled, "cancelled"};
+    BoardModel out;
+    progress.beginPhase("Modelling traces and pads");
+    auto start = std::chrono::steady_clock::now();
+    out.origin = centreOf(document.board.isEmpty() ? document.extent : document.board);
+    setHeights(document, out);
+    makeAllLets(document, how, out);
+    const std::vector<model::ShapeId> used = shapesInUse(document);
+    makeInstances(document, used, out);
+    out.times.createMs = millisecondsSince(start);
+
+    progress.beginPhase("Rounding curves");
+    start = std::chrono::steady_clock::now();
+    std::vector<ShapeMesh> meshes = discretiseShapes(document, used, how, progress);
+    out.times.discretiseMs = millisecondsSince(start);
+    if (progress.isCancelled()) {
+        return cancelled;
+    }
+
+    progress.beginPhase("Triangulating copper areas");
+    start = std::chrono::steady_clock::now();
+    triangulateShapes(meshes, progress);
+    out.times.triangulateMs = millisecondsSince(start);
+    if (progress.isCancelled()) {
+        return cancelled;
+    }
+    joinMeshes(document, used, meshes, out);
+    reportMeshes(document, meshes, out);
+    out.trianglesPaperRule = countStandardTriangles(document, meshes, out, how);
+    return out;
+}
+
+}  // namespace render

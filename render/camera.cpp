@@ -1,0 +1,130 @@
+#include "render/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <numbers>
+
+namespace render {
+
+namespace {
+
+constexpr float kPi = std::numbers::pi_v<float>;
+constexpr float kFieldOfView = 40.0F * kPi / 180.0F;  // vertical; long enough a lens that a board looks flat
+constexpr float kStraightDown = -kPi / 2.0F;
+constexpr float kMinDistance = 0.01F;  // mm: 7 µm high views, below that floats of the model end
+
+/// Half the height of what is seen at distance 1.
+float halfHeightAtOne() {
+    return std::tan(kFieldOfView / 2.0F);
+}
+
+}  // namespace
+
+void Camera::fit(const glm::vec3& boxMin, const glm::vec3& boxMax, NamedView view, float aspect) {
+    switch (view) {
+        case NamedView::Top:
+            m_yaw = 0.0F;
+            m_pitch = kStraightDown;
+            break;
+        case NamedView::Bottom:
+            // As if the board were flipped about its vertical axis: left and right change sides, up stays up.
+            m_yaw = kPi;
+            m_pitch = -kStraightDown;
+            break;
+        case NamedView::Iso:
+            m_yaw = kPi / 6.0F;
+            m_pitch = -kPi / 4.5F;
+            break;
+    }
+    fit(boxMin, boxMax, aspect);
+}
+
+void Camera::fit(const glm::vec3& boxMin, const glm::vec3& boxMax, float aspect) {
+    constexpr float kMargin = 1.06F;
+    m_target = (boxMin + boxMax) / 2.0F;
+    m_radius = std::max(glm::length(boxMax - boxMin) / 2.0F, kMinDistance);
+    // The eye moves back until every corner is inside both angles of the frustum.
+    const glm::mat3 rotation(view());
+    float distance = kMinDistance;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::vec3 p{(corner & 1) != 0 ? boxMax.x : boxMin.x, (corner & 2) != 0 ? boxMax.y : boxMin.y,
+                          (corner & 4) != 0 ? boxMax.z : boxMin.z};
+        const glm::vec3 seen = rotation * (p - m_target);  // x right, y up, z towards the eye
+        const float needed = std::max(std::abs(seen.y), std::abs(seen.x) / aspect) * kMargin / halfHeightAtOne();
+        distance = std::max(distance, m_isOrthographic ? needed : needed + seen.z);
+    }
+    m_distance = distance;
+}
+
+void Camera::fitWindow(const glm::vec2& min, const glm::vec2& max, float z, float aspect) {
+    m_yaw = 0.0F;
+    m_pitch = kStraightDown;
+    m_isOrthographic = true;
+    m_target = {(min + max) / 2.0F, z};
+    const glm::vec2 half = glm::abs(max - min) / 2.0F;
+    m_distance = std::max(std::max(half.y, half.x / aspect) / halfHeightAtOne(), kMinDistance);
+    m_radius = std::max(m_radius, glm::length(half));
+}
+
+void Camera::orbit(float yawRad, float pitchRad) {
+    m_yaw += yawRad;
+    m_pitch = std::clamp(m_pitch + pitchRad, kStraightDown, -kStraightDown);
+}
+
+void Camera::pan(const glm::vec2& pixels, float height) {
+    const glm::mat3 toWorld = glm::transpose(glm::mat3(view()));
+    m_target -= toWorld * glm::vec3(pixels.x, -pixels.y, 0.0F) * mmPerPixel(height);
+}
+
+void Camera::zoom(float factor, const glm::vec2& ndc, float aspect) {
+    const float newDistance = std::clamp(m_distance / factor, kMinDistance, 50.0F * m_radius);
+    const float halfHeight = m_distance * halfHeightAtOne();
+    const glm::vec3 underCursor{ndc.x * halfHeight * aspect, ndc.y * halfHeight, 0.0F};
+    const glm::mat3 toWorld = glm::transpose(glm::mat3(view()));
+    m_target += toWorld * underCursor * (1.0F - newDistance / m_distance);
+    m_distance = newDistance;
+}
+
+glm::vec3 Camera::direction() const {
+    return {std::sin(m_yaw) * std::cos(m_pitch), std::cos(m_yaw) * std::cos(m_pitch), std::sin(m_pitch)};
+}
+
+glm::vec3 Camera::eye() const {
+    return m_target - direction() * m_distance;
+}
+
+glm::mat4 Camera::view() const {
+    // Up by the angles and not by a fixed axis: straight down has no singularity.
+    const glm::vec3 up{-std::sin(m_yaw) * std::sin(m_pitch), -std::cos(m_yaw) * std::sin(m_pitch), std::cos(m_pitch)};
+    return glm::lookAt(eye(), m_target, up);
+}
+
+glm::mat4 Camera::projection(float aspect) const {
+    // The scene's sphere, wherever the target was panned to, with room for an exploded stack.
+    const float far = m_distance + 4.0F * m_radius;
+    const float halfHeight = m_distance * halfHeightAtOne();
+    glm::mat4 p(0.0F);
+    if (m_isOrthographic) {
+        // Depth 1 at -far behind the eye to 0 at far: nothing is cut off by zooming in.
+        p[0][0] = 1.0F / (halfHeight * aspect);
+        p[1][1] = -1.0F / halfHeight;
+        p[2][2] = 0.5F / far;
+        p[3][2] = 0.5F;
+        p[3][3] = 1.0F;
+        return p;
+    }
+    // Reversed z with the far plane at infinity: depth = near / distance.
+    const float near = std::max(m_distance * 0.01F, 1e-3F);
+    p[0][0] = 1.0F / (halfHeightAtOne() * aspect);
+    p[1][1] = -1.0F / halfHeightAtOne();
+    p[2][3] = -1.0F;
+    p[3][2] = near;
+    return p;
+}
+
+float Camera::mmPerPixel(float height) const {
+    return 2.0F * m_distance * halfHeightAtOne() / height;
+}
+
+}  // namespace render

@@ -1,0 +1,71 @@
+#include "render/layer_style.h"
+
+namespace render {
+
+using model::Layer;
+using model::LayerSide;
+using model::LayerType;
+
+namespace {
+
+constexpr glm::vec3 rgb(unsigned value) {
+    return {static_cast<float>(value >> 16U & 0xffU) / 255.0F, static_cast<float>(value >> 8U & 0xffU) / 255.0F,
+            static_cast<float>(value & 0xffU) / 255.0F};
+}
+
+// Inner copper layers: hues apart from each other and from the red and blue of the outer ones.
+constexpr glm::vec3 kInnerColours[] = {rgb(0xd8b030), rgb(0x3fa76b), rgb(0xb56cc8), rgb(0xe08040), rgb(0x46b3b8),
+                                       rgb(0x9aa83c), rgb(0xd86a92), rgb(0x7f86d0), rgb(0x58a040), rgb(0xc08a60)};
+
+struct TypeStyle {
+    LayerType type;
+    LayerStyle style;
+};
+
+// What is not copper. Sides that differ have the top's style here; the bottom's is darker.
+const TypeStyle kTypeStyles[] = {
+    {LayerType::Dielectric, {rgb(0xb8a05a), 0.25F, false}}, {LayerType::Body, {rgb(0x3d6b4a), 0.45F, true}},
+    {LayerType::SolderMask, {rgb(0x2fa060), 0.55F, false}}, {LayerType::SolderPaste, {rgb(0xa0a4ac), 1.0F, false}},
+    {LayerType::SilkScreen, {rgb(0xeeeedd), 1.0F, true}},   {LayerType::Drill, {rgb(0xb98a48), 1.0F, true}},
+    {LayerType::Rout, {rgb(0x8a8f98), 1.0F, true}},         {LayerType::Component, {rgb(0x707a88), 1.0F, false}},
+    {LayerType::Mask, {rgb(0x8a6fb0), 0.6F, false}},        {LayerType::ConductivePaste, {rgb(0x9c8c7c), 1.0F, false}},
+    {LayerType::Document, {rgb(0xc8c8c8), 1.0F, false}},    {LayerType::Profile, {rgb(0xe8d44d), 1.0F, false}},
+    {LayerType::Other, {rgb(0x9aa0a6), 1.0F, false}},
+};
+
+LayerStyle copperStyle(const Layer& layer, std::size_t& innerSeen) {
+    switch (layer.side) {
+        case LayerSide::Top: return {rgb(0xd04a3c), 1.0F, true};
+        case LayerSide::Bottom: return {rgb(0x3d78d8), 1.0F, true};
+        case LayerSide::Through: return {rgb(0xcfa050), 1.0F, true};
+        default: return {kInnerColours[innerSeen++ % std::size(kInnerColours)], 1.0F, true};
+    }
+}
+
+LayerStyle styleOfType(const Layer& layer) {
+    for (const TypeStyle& entry : kTypeStyles) {
+        if (entry.type == layer.type) {
+            LayerStyle style = entry.style;
+            if (layer.side == LayerSide::Bottom) {
+                style.colour *= 0.8F;
+            }
+            // Rows outside of the board (drawings, notes) start hidden whatever their type.
+            style.isVisible = style.isVisible && layer.context == model::LayerContext::Board;
+            return style;
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+std::vector<LayerStyle> defaultStyles(const model::Document& document) {
+    std::vector<LayerStyle> styles;
+    std::size_t innerSeen = 0;
+    for (const Layer& layer : document.layers) {
+        styles.push_back(layer.isCopper() ? copperStyle(layer, innerSeen) : styleOfType(layer));
+    }
+    return styles;
+}
+
+}  // namespace render

@@ -1,0 +1,226 @@
+#include "render/lets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "model/base/assert.h"
+#include "model/geometry/discretise.h"
+
+namespace render {
+
+using model::ElementKind;
+using model::Nm;
+using model::PathNode;
+using model::Point;
+
+glm::vec2 toGpu(model::PointD point, Point origin) {
+    return {static_cast<float>((point.x - origin.x) / base::kNmPerMm),
+            static_cast<float>((point.y - origin.y) / base::kNmPerMm)};
+}
+
+namespace {
+
+float radiusMm(Nm width) {
+    return static_cast<float>(width / 2.0 / base::kNmPerMm);
+}
+
+/// Turns the elements of one layer into lets.
+class LetMaker {
+public:
+    LetMaker(const model::Document& document, Point origin, double chordToleranceNm, LayerLets& out)
+        : m_document(document), m_origin(origin), m_toleranceNm(chordToleranceNm), m_out(out) {}
+
+    void add(model::ElementId element) {
+        const model::ElementTable& table = m_document.elements;
+        const std::uint32_t row = table.geometry[element.row()];
+        m_element = element;
+        m_flags = table.flags[element.row()];
+        m_layer = table.layer[element.row()].value;
+        switch (table.kind[element.row()]) {
+            case ElementKind::Line: addLine(m_document.lines[row]); break;
+            case ElementKind::Arc:
+                addArc(m_document.arcs[row].node, m_document.arcs[row].end, m_document.arcs[row].width);
+                break;
+            case ElementKind::Circle: addCircle(m_document.circles[row]); break;
+            case ElementKind::Trail: addTrail(m_document.trails[row]); break;
+            case ElementKind::Area: break;  // triangulated instead, see area_meshes.h
+        }
+    }
+
+private:
+    bool hasWidth(Nm width) {
+        if (width > 0) {
+            return true;
+        }
+        if (m_out.zeroWidthStrokes++ == 0) {
+            m_out.firstZeroWidthLine = m_document.elements.line[m_element.row()];
+        }
+        return false;
+    }
+
+    void addStadium(Point a, Point b, Nm width, Nm innerWidth) {
+        const glm::vec2 from = toGpu(base::toDouble(a), m_origin);
+        const glm::vec2 to = toGpu(base::toDouble(b), m_origin);
+        const std::uint32_t pen = (m_flags & model::kSquarePen) != 0 ? shader::kLetSquarePen : 0;
+        push({from.x, from.y, to.x, to.y, radiusMm(width), radiusMm(innerWidth), shader::kLetStadium | pen,
+              m_element.value});
+        if ((m_flags & model::kHole) != 0 && innerWidth > 0) {
+            push({from.x, from.y, to.x, to.y, radiusMm(innerWidth), 0.0F, shader::kLetStadium | shader::kLetBore,
+                  m_element.value});
+        }
+    }
+
+    void addLine(const model::LineGeometry& line) {
+        if (hasWidth(line.width)) {
+            addStadium(line.a, line.b, line.width, line.innerWidth);
+        }
+    }
+
+    void addCircle(const model::CircleGeometry& circle) {
+        if (hasWidth(circle.diameter)) {
+            addStadium(circle.centre, circle.centre, circle.diameter, circle.innerDiameter);
+        }
+    }
+
+    void addTrail(const model::TrailGeometry& trail) {
+        const std::span<const PathNode> nodes = m_document.nodesOf(trail);
+        const std::span<const Nm> widths = m_document.widthsOf(trail);
+        for (std::size_t i = 0; i < widths.size(); ++i) {
+            if (nodes[i].edge != model::EdgeKind::Line) {
+                addArc(nodes[i], nodes[i + 1].point, widths[i]);
+            } else if (hasWidth(widths[i])) {
+                addStadium(nodes[i].point, nodes[i + 1].point, widths[i], 0);
+            }
+        }
+    }
+
+    void addArc(const PathNode& node, Point end, Nm width) {
+        if (!hasWidth(width)) {
+            return;
+        }
+        const model::PointD c = base::toDouble(node.centre);
+        const double startRadius = std::hypot(node.point.x - c.x, node.point.y - c.y);
+        const double endRadius = std::hypot(end.x - c.x, end.y - c.y);
+        const double radius = (startRadius + endRadius) / 2.0;
+        if (radius < 1.0) {
+            addStadium(node.point, end, width, 0);  // an arc of no radius is a dot
+            return;
+        }
+        const double start = std::atan2(node.point.y - c.y, node.point.x - c.x);
+        const double sweep = model::sweepOf(node, end);
+        const double longest = longestLetSweep(radius + width / 2.0);
+        const int pieces = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / longest - 1e-9)));
+        const glm::vec2 centre = toGpu(c, m_origin);
+        for (int i = 0; i < pieces; ++i) {
+            push({centre.x, centre.y, static_cast<float>(radius / base::kNmPerMm),
+                  static_cast<float>(start + sweep * i / pieces), static_cast<float>(sweep / pieces), radiusMm(width),
+                  shader::kLetArc, m_element.value});
+        }
+    }
+
+    /// The sagitta of each of the let's chords is r(1 - cos(sweep / 2 / chords)).
+    [[nodiscard]] double longestLetSweep(double outerRadius) const {
+        const double halfChord =
+            m_toleranceNm >= outerRadius ? std::numbers::pi / 8.0 : std::acos(1.0 - m_toleranceNm / outerRadius);
+        return std::min(std::numbers::pi / 2.0, 2.0 * shader::kArcFineChords * halfChord);
+    }
+
+    void push(shader::Let let) {
+        let.meta |= m_layer << shader::kLetLayerShift;
+        m_out.lets.push_back(let);
+    }
+
+    const model::Document& m_document;
+    Point m_origin;
+    double m_toleranceNm;
+    LayerLets& m_out;
+    model::ElementId m_element;
+    std::uint8_t m_flags = 0;
+    std::uint32_t m_layer = 0;
+};
+
+struct LetBox {
+    glm::vec2 min;
+    glm::vec2 max;
+};
+
+LetBox boxOf(const shader::Let& let) {
+    if ((let.meta & shader::kLetKindMask) == shader::kLetArc) {
+        // At most a quarter turn: both ends and the middle pushed out to the tangents' corner enclose it.
+        const glm::vec2 centre{let.p0, let.p1};
+        const auto at = [&](float t, float radius) {
+            const float angle = let.p3 + let.p4 * t;
+            return centre + radius * glm::vec2(std::cos(angle), std::sin(angle));
+        };
+        const glm::vec2 corner = at(0.5F, let.p2 / std::cos(let.p4 / 2.0F));
+        const glm::vec2 low = glm::min(glm::min(at(0.0F, let.p2), at(1.0F, let.p2)), corner);
+        const glm::vec2 high = glm::max(glm::max(at(0.0F, let.p2), at(1.0F, let.p2)), corner);
+        return {low - let.p5, high + let.p5};
+    }
+    const glm::vec2 a{let.p0, let.p1};
+    const glm::vec2 b{let.p2, let.p3};
+    // A square pen's corner lies a diagonal away, but its sides are axis-parallel: the box is the same.
+    return {glm::min(a, b) - let.p4, glm::max(a, b) + let.p4};
+}
+
+std::uint32_t spreadBits(std::uint32_t v) {
+    v &= 0xffffU;
+    v = (v | (v << 8U)) & 0x00ff00ffU;
+    v = (v | (v << 4U)) & 0x0f0f0f0fU;
+    v = (v | (v << 2U)) & 0x33333333U;
+    return (v | (v << 1U)) & 0x55555555U;
+}
+
+/// Morton order keeps neighbours together, so that clusters are small. Equal keys keep their order: the result does not
+/// depend on the sort.
+void sortAlongMorton(std::vector<shader::Let>& lets) {
+    LetBox all{glm::vec2(1e30F), glm::vec2(-1e30F)};
+    for (const shader::Let& let : lets) {
+        const LetBox box = boxOf(let);
+        all = {glm::min(all.min, box.min), glm::max(all.max, box.max)};
+    }
+    const glm::vec2 scale = 65535.0F / glm::max(all.max - all.min, glm::vec2(1e-6F));
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> order(lets.size());
+    for (std::uint32_t i = 0; i < lets.size(); ++i) {
+        const LetBox box = boxOf(lets[i]);
+        const glm::vec2 cell = ((box.min + box.max) / 2.0F - all.min) * scale;
+        order[i] = {
+            spreadBits(static_cast<std::uint32_t>(cell.x)) | (spreadBits(static_cast<std::uint32_t>(cell.y)) << 1U), i};
+    }
+    std::ranges::sort(order);
+    std::vector<shader::Let> sorted(lets.size());
+    std::ranges::transform(order, sorted.begin(), [&](const auto& entry) { return lets[entry.second]; });
+    lets = std::move(sorted);
+}
+
+std::vector<shader::Cluster> cutIntoClusters(const std::vector<shader::Let>& lets, std::uint32_t layer) {
+    std::vector<shader::Cluster> clusters;
+    for (std::uint32_t first = 0; first < lets.size(); first += shader::kClusterSize) {
+        const std::uint32_t count = std::min(shader::kClusterSize, static_cast<std::uint32_t>(lets.size()) - first);
+        shader::Cluster cluster{glm::vec2(1e30F), glm::vec2(-1e30F), first, count, layer, 0};
+        for (std::uint32_t i = first; i < first + count; ++i) {
+            const LetBox box = boxOf(lets[i]);
+            cluster.boxMin = glm::min(cluster.boxMin, box.min);
+            cluster.boxMax = glm::max(cluster.boxMax, box.max);
+        }
+        clusters.push_back(cluster);
+    }
+    return clusters;
+}
+
+}  // namespace
+
+LayerLets makeLets(const model::Document& document, model::LayerId layer, Point origin, double chordToleranceNm) {
+    LayerLets out;
+    LetMaker maker(document, origin, chordToleranceNm, out);
+    const model::ElementRange range = document.layer(layer).elements;
+    for (std::uint32_t i = 0; i < range.count; ++i) {
+        maker.add(model::ElementId{range.first + i});
+    }
+    sortAlongMorton(out.lets);
+    out.clusters = cutIntoClusters(out.lets, layer.value);
+    return out;
+}
+
+}  // namespace render

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "model/document.h"
+#include "shaders/shared/board.h"
+
+namespace render {
+
+/// The lets of one layer in Morton order, cut into clusters whose `firstLet` counts from the layer's first let.
+struct LayerLets {
+    std::vector<shader::Let> lets;
+    std::vector<shader::Cluster> clusters;
+    std::uint32_t zeroWidthStrokes = 0;    ///< strokes without a width: nothing to draw
+    std::uint32_t firstZeroWidthLine = 0;  ///< line of the first one in the layer's file
+};
+
+/// Lets for all lines, arcs, circles and trails of a layer (paper: "Procedural"). A trail gives one let per edge with
+/// its element's id; an arc is split so that `kArcFineChords` chords stay within `chordToleranceNm`. Positions are mm
+/// from `origin`.
+[[nodiscard]] LayerLets makeLets(const model::Document& document, model::LayerId layer, model::Point origin,
+                                 double chordToleranceNm);
+
+/// Position in mm from `origin`.
+[[nodiscard]] glm::vec2 toGpu(model::PointD point, model::Point origin);
+
+}  // namespace render
