@@ -3,14 +3,44 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
+#ifdef COPPERSCOPE_THREAD_SANITIZER
+#include <sanitizer/tsan_interface.h>
+#endif
+
 namespace base {
 
+namespace {
+
+/// The order that parallel_for guarantees: what the caller did before is seen by every task, what tasks did is seen by the caller after.
+/// The thread sanitizer has to be told, because TBB's library is not instrumented; in other builds this is nothing.
+class ForkJoin {
+public:
+#ifdef COPPERSCOPE_THREAD_SANITIZER
+    ForkJoin() { __tsan_release(&m_fork); }
+    ~ForkJoin() { __tsan_acquire(&m_join); }
+    void beginTask() { __tsan_acquire(&m_fork); }
+    void endTask() { __tsan_release(&m_join); }
+
+private:
+    char m_fork = 0;
+    char m_join = 0;
+#else
+    void beginTask() {}
+    void endTask() {}
+#endif
+};
+
+}  // namespace
+
 void parallelFor(std::size_t count, const std::function<void(std::size_t)>& task) {
+    ForkJoin order;
     // Grain 1: our tasks are whole layers or whole areas, far above the cost of a steal.
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1), [&](const tbb::blocked_range<std::size_t>& range) {
+        order.beginTask();
         for (std::size_t i = range.begin(); i != range.end(); ++i) {
             task(i);
         }
+        order.endTask();
     });
 }
 
