@@ -11,15 +11,24 @@ namespace base {
 
 namespace {
 
-/// The order that parallel_for guarantees: what the caller did before is seen by every task, what tasks did is seen by the caller after.
-/// The thread sanitizer has to be told, because TBB's library is not instrumented; in other builds this is nothing.
+/// The order that parallel_for guarantees: what the caller did before is seen by every task, what tasks did is seen by
+/// the caller after. The thread sanitizer has to be told, because TBB's library is not instrumented; in other builds
+/// this is nothing.
 class ForkJoin {
 public:
 #ifdef COPPERSCOPE_THREAD_SANITIZER
-    ForkJoin() { __tsan_release(&m_fork); }
-    ~ForkJoin() { __tsan_acquire(&m_join); }
-    void beginTask() { __tsan_acquire(&m_fork); }
-    void endTask() { __tsan_release(&m_join); }
+    ForkJoin() {
+        __tsan_release(&m_fork);
+    }
+    ~ForkJoin() {
+        __tsan_acquire(&m_join);
+    }
+    void beginTask() {
+        __tsan_acquire(&m_fork);
+    }
+    void endTask() {
+        __tsan_release(&m_join);
+    }
 
 private:
     char m_fork = 0;
