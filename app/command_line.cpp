@@ -1,0 +1,96 @@
+#include "app/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+
+#include "app/exit_code.h"
+
+namespace app {
+
+namespace {
+
+void addBoardOptions(CLI::App& command, BoardArguments& board) {
+    command.add_option("BOARD", board.path,
+                       "ODB++ job (folder, .tgz, .tar.gz, .tar, .zip) or a model of the paper; default: the sample");
+    command.add_option("--step", board.step, "the step to open; default: the first one with features of its own");
+    command.add_option("--chord", board.chordUm, "largest distance between a curve and its chords, in micrometres")
+        ->check(CLI::Range(0.5, 50.0))
+        ->capture_default_str();
+    command.add_flag("--paper-segments", board.paperSegments,
+                     "50 segments per circle and 20 per arc, as the paper does");
+}
+
+void addInfo(CLI::App& parent, InfoArguments& arguments) {
+    CLI::App* command =
+        parent.add_subcommand("info", "Say what is in a board: layers, stack, nets, elements, messages");
+    addBoardOptions(*command, arguments.board);
+    command->add_flag("--json", arguments.asJson, "as JSON");
+}
+
+void parseSize(const std::string& text, RenderArguments& arguments) {
+    const std::size_t cross = text.find('x');
+    const char* end = text.data() + text.size();
+    const auto width = std::from_chars(text.data(), end, arguments.width);
+    const bool isPair = cross != std::string::npos && width.ptr == text.data() + cross;
+    const auto height = isPair ? std::from_chars(width.ptr + 1, end, arguments.height) : width;
+    if (!isPair || height.ptr != end || arguments.width == 0 || arguments.height == 0) {
+        throw CLI::ValidationError("--size", "takes WIDTHxHEIGHT in pixels, for example 1600x1000");
+    }
+}
+
+void addRender(CLI::App& parent, RenderArguments& arguments) {
+    CLI::App* command = parent.add_subcommand("render", "Draw a board to a picture");
+    addBoardOptions(*command, arguments.board);
+    command->add_option("-o,--output", arguments.output, "the picture to write (.png)")->required();
+    command->add_option("--view", arguments.view, "top, bottom or iso")->check(CLI::IsMember({"top", "bottom", "iso"}));
+    command->add_option_function<std::string>(
+        "--size", [&arguments](const std::string& text) { parseSize(text, arguments); },
+        "WIDTHxHEIGHT in pixels [1600x1000]");
+    command->add_option("--mode", arguments.mode, "2d or 3d")
+        ->check(CLI::IsMember({"2d", "3d"}))
+        ->capture_default_str();
+    command->add_option("--backend", arguments.backend, "auto, mesh or pull")
+        ->check(CLI::IsMember({"auto", "mesh", "pull"}))
+        ->capture_default_str();
+    command->add_option("--layers", arguments.layers, "only these layers, separated by commas")->delimiter(',');
+    command->add_option("--net", arguments.nets, "light up this net; may be given several times")
+        ->take_all()
+        ->expected(1);
+    command
+        ->add_option("--explode", arguments.explode, "spread the stack: 0 is real, 1 is about half the board's width")
+        ->check(CLI::Range(0.0, 10.0));
+    command
+        ->add_option("--window", arguments.window, "X0,Y0,X1,Y1 in millimetres of the job's coordinates; draws in 2D")
+        ->delimiter(',')
+        ->expected(4);
+    command->add_flag("--mono", arguments.isMono, "shapes white on black, neither shaded nor smoothed");
+}
+
+}  // namespace
+
+Command parseCommandLine(int argc, char** argv) {
+    CLI::App parser{"Copperscope looks into printed circuit boards", "copperscope"};
+    parser.set_version_flag("--version", COPPERSCOPE_VERSION);
+    parser.require_subcommand(0, 1);
+    WorkbenchArguments workbench;
+    InfoArguments info;
+    RenderArguments render;
+    parser.add_option("BOARD", workbench.path, "the board to open in the workbench; default: the sample");
+    parser.add_option("--step", workbench.step, "the step to open");
+    addInfo(parser, info);
+    addRender(parser, render);
+    try {
+        parser.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return Quit{parser.exit(error) == 0 ? kDone : kWrongUsage};
+    }
+    if (parser.got_subcommand("info")) {
+        return info;
+    }
+    if (parser.got_subcommand("render")) {
+        return render;
+    }
+    return workbench;
+}
+
+}  // namespace app

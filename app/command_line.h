@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "app/info_command.h"
+#include "app/render_command.h"
+
+namespace app {
+
+struct WorkbenchArguments {
+    std::string path;  ///< empty: the bundled sample
+    std::string step;
+};
+
+/// The process should end at once with this code: help was printed, or the arguments make no sense (and were
+/// explained).
+struct Quit {
+    int code = 0;
+};
+
+using Command = std::variant<WorkbenchArguments, InfoArguments, RenderArguments, Quit>;
+
+/// Understands the command line of docs/architecture.md.
+[[nodiscard]] Command parseCommandLine(int argc, char** argv);
+
+}  // namespace app

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "model/base/result.h"
+
+namespace app {
+
+/// What the process answers (docs/architecture.md "Exit codes").
+enum ExitCode : int { kDone = 0, kWrongUsage = 1, kBadInput = 2, kFailed = 3 };
+
+/// Prints the error to stderr and says which code it means.
+int fail(const base::Error& error);
+
+}  // namespace app

@@ -1,0 +1,118 @@
+#include "app/info_command.h"
+
+#include <cstdio>
+#include <iostream>
+
+#include "app/exit_code.h"
+#include "app/info_json.h"
+
+namespace app {
+
+using model::Document;
+using model::Layer;
+
+namespace {
+
+void printJob(const Document& document) {
+    const model::JobInfo& job = document.job;
+    std::printf("job         %s\n", job.name.c_str());
+    std::printf("written by  %s\n", job.generator.empty() ? "(not stated)" : job.generator.c_str());
+    std::printf("format      %s, %s\n", job.version.c_str(), job.units.c_str());
+    std::printf("step        %s", job.step.c_str());
+    for (const std::string& step : job.steps) {
+        std::printf("%s", step == job.step ? "" : (" (also: " + step + ")").c_str());
+    }
+    std::printf("\nboard       %.3f x %.3f mm, %.3f mm thick\n",
+                base::toMm(static_cast<double>(document.board.width())),
+                base::toMm(static_cast<double>(document.board.height())), base::toMm(document.boardThickness));
+    std::printf("nets        %zu\ncomponents  %zu\n", document.nets.size(), document.components.size());
+}
+
+void printLayers(const Document& document) {
+    std::printf("\n%-28s %-16s %-8s %9s %9s %-8s %8s %7s %7s %7s %7s %7s\n", "layer", "type", "side", "z mm",
+                "thick mm", "from", "features", "lines", "arcs", "circles", "trails", "areas");
+    for (const Layer& layer : document.layers) {
+        if (layer.isSynthetic) {
+            continue;
+        }
+        std::printf("%-28s %-16s %-8s %9.4f %9.4f %-8s %8u", layer.name.c_str(), model::toString(layer.type),
+                    model::toString(layer.side), base::toMm(layer.z), base::toMm(layer.thickness),
+                    model::toString(layer.thicknessSource), layer.featureCount);
+        for (const std::uint32_t count : layer.counts) {
+            std::printf(" %7u", count);
+        }
+        std::printf("%s\n", layer.isNegative ? "  negative" : "");
+    }
+    std::printf("%-92s", "all layers");
+    for (const std::uint32_t count : document.elementCounts()) {
+        std::printf(" %7u", count);
+    }
+    std::printf("\n");
+}
+
+void printDrills(const Document& document) {
+    const std::vector<DrillRow> rows = drillRows(document);
+    if (rows.empty()) {
+        return;
+    }
+    std::printf("\n%-28s %10s %-8s %8s\n", "drill layer", "hole mm", "plated", "count");
+    for (const DrillRow& row : rows) {
+        const std::string size = row.diameter > 0 ? std::to_string(base::toMm(row.diameter)).substr(0, 6) : "slot";
+        std::printf("%-28s %10s %-8s %8u\n", document.layers[row.layer].name.c_str(), size.c_str(),
+                    row.isPlated ? "yes" : "no", row.count);
+    }
+}
+
+void printDiagnostics(const model::Diagnostics& diagnostics) {
+    for (const model::Diagnostic& entry : diagnostics.entries()) {
+        const std::string place = entry.line > 0 ? entry.file + ":" + std::to_string(entry.line) : entry.file;
+        const std::string times = entry.count > 1 ? " (" + std::to_string(entry.count) + " times)" : "";
+        std::printf("  %-8s %s: %s%s\n", model::toString(entry.severity), place.c_str(), entry.text.c_str(),
+                    times.c_str());
+    }
+}
+
+void printModel(const OpenBoard& board) {
+    const model::ReadTimes& read = board.document->times;
+    const render::ModelTimes& modelled = board.model.times;
+    std::printf(
+        "\nmodel       %zu lets, %zu area shapes in %zu places, %zu triangles stored (standard pipeline: %llu)\n",
+        board.model.lets.size(), board.model.shapes.size(), board.model.instances.size(),
+        board.model.indices.size() / 3, static_cast<unsigned long long>(board.model.trianglesPaperRule));
+    std::printf("times       parse %.1f ms, create %.1f ms, discretise %.1f ms, triangulate %.1f ms\n", read.parseMs,
+                read.createMs + modelled.createMs, modelled.discretiseMs, modelled.triangulateMs);
+}
+
+void printText(const OpenBoard& board) {
+    printJob(*board.document);
+    printLayers(*board.document);
+    printDrills(*board.document);
+    printModel(board);
+    if (!board.document->diagnostics.entries().empty() || !board.model.diagnostics.entries().empty()) {
+        std::printf("\nmessages\n");
+        printDiagnostics(board.document->diagnostics);
+        printDiagnostics(board.model.diagnostics);
+    }
+}
+
+}  // namespace
+
+int runInfo(const InfoArguments& arguments) {
+    const base::Result<OpenBoard> board = openBoard(arguments.board);
+    if (!board) {
+        return fail(board.error());
+    }
+    if (arguments.asJson) {
+        // Names in jobs may hold bytes that are no UTF-8; readers decode them, and what slips through must not end the
+        // report.
+        std::cout << infoJson(*board).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+    } else {
+        printText(*board);
+    }
+    std::fflush(stdout);
+    return std::cout && std::ferror(stdout) == 0
+               ? kDone
+               : fail({base::ErrorCode::OutputFailed, "the report cannot be written to stdout"});
+}
+
+}  // namespace app

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "app/open_board.h"
+
+namespace app {
+
+struct InfoArguments {
+    BoardArguments board;
+    bool asJson = false;
+};
+
+/// `copperscope info BOARD [--json]`: what is in the job, on stdout. Answers an exit code.
+int runInfo(const InfoArguments& arguments);
+
+}  // namespace app

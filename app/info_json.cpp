@@ -1,0 +1,134 @@
+#include "app/info_json.h"
+
+#include <map>
+#include <tuple>
+
+namespace app {
+
+using model::Document;
+using model::ElementKind;
+using model::Layer;
+using nlohmann::ordered_json;
+
+namespace {
+
+ordered_json countsJson(const std::array<std::uint32_t, model::kElementKindCount>& counts) {
+    ordered_json json;
+    for (std::size_t kind = 0; kind < counts.size(); ++kind) {
+        json[model::toString(static_cast<ElementKind>(kind))] = counts[kind];
+    }
+    return json;
+}
+
+ordered_json jobJson(const model::JobInfo& job) {
+    return {{"name", job.name},   {"generator", job.generator}, {"version", job.version},
+            {"units", job.units}, {"steps", job.steps},         {"step", job.step}};
+}
+
+ordered_json layerJson(const Layer& layer) {
+    ordered_json counts = countsJson(layer.counts);
+    counts["features"] = layer.featureCount;
+    return {{"name", layer.name},
+            {"type", model::toString(layer.type)},
+            {"side", model::toString(layer.side)},
+            {"polarity", layer.isNegative ? "NEGATIVE" : "POSITIVE"},
+            {"z_nm", layer.z},
+            {"thickness_nm", layer.thickness},
+            {"thickness_source", model::toString(layer.thicknessSource)},
+            {"counts", counts}};
+}
+
+ordered_json layersJson(const Document& document) {
+    ordered_json json = ordered_json::array();
+    for (const Layer& layer : document.layers) {
+        if (!layer.isSynthetic) {
+            json.push_back(layerJson(layer));
+        }
+    }
+    return json;
+}
+
+ordered_json elementsJson(const Document& document) {
+    const auto counts = document.elementCounts();
+    ordered_json json = countsJson(counts);
+    std::uint64_t total = 0;
+    for (const std::uint32_t count : counts) {
+        total += count;
+    }
+    json["total"] = total;
+    return json;
+}
+
+std::string layerName(const Document& document, model::LayerId id) {
+    return id.isValid() ? document.layer(id).name : "";
+}
+
+ordered_json drillsJson(const Document& document) {
+    ordered_json json = ordered_json::array();
+    for (const DrillRow& row : drillRows(document)) {
+        const Layer& layer = document.layers[row.layer];
+        json.push_back({{"layer", layer.name},
+                        {"from", layerName(document, layer.spanTop)},
+                        {"to", layerName(document, layer.spanBottom)},
+                        {"diameter_nm", row.diameter},
+                        {"plated", row.isPlated},
+                        {"count", row.count}});
+    }
+    return json;
+}
+
+void addDiagnostics(const model::Diagnostics& diagnostics, ordered_json& json) {
+    for (const model::Diagnostic& entry : diagnostics.entries()) {
+        json.push_back({{"severity", model::toString(entry.severity)},
+                        {"file", entry.file},
+                        {"line", entry.line},
+                        {"text", entry.text},
+                        {"count", entry.count}});
+    }
+}
+
+}  // namespace
+
+std::vector<DrillRow> drillRows(const Document& document) {
+    std::map<std::tuple<std::uint32_t, model::Nm, bool>, std::uint32_t> counts;
+    for (std::size_t row = 0; row < document.elements.size(); ++row) {
+        if ((document.elements.flags[row] & model::kHole) != 0) {
+            const bool isRound = document.elements.kind[row] == ElementKind::Circle;
+            const model::Nm diameter = isRound ? document.circles[document.elements.geometry[row]].diameter : 0;
+            ++counts[{document.elements.layer[row].value, diameter,
+                      (document.elements.flags[row] & model::kPlated) != 0}];
+        }
+    }
+    std::vector<DrillRow> rows;
+    for (const auto& [key, count] : counts) {
+        rows.push_back({std::get<0>(key), std::get<1>(key), std::get<2>(key), count});
+    }
+    return rows;
+}
+
+ordered_json infoJson(const OpenBoard& board) {
+    const Document& document = *board.document;
+    ordered_json diagnostics = ordered_json::array();
+    addDiagnostics(document.diagnostics, diagnostics);
+    addDiagnostics(board.model.diagnostics, diagnostics);
+    return {{"job", jobJson(document.job)},
+            {"layers", layersJson(document)},
+            {"elements", elementsJson(document)},
+            {"nets", {{"count", document.nets.size()}}},
+            {"components", {{"count", document.components.size()}}},
+            {"drills", drillsJson(document)},
+            {"board",
+             {{"width_nm", document.board.width()},
+              {"height_nm", document.board.height()},
+              {"thickness_nm", document.boardThickness}}},
+            {"triangles",
+             {{"standard_pipeline", board.model.trianglesPaperRule}, {"stored", board.model.indices.size() / 3}}},
+            {"diagnostics", diagnostics},
+            {"timing_ms",
+             {{"parse", document.times.parseMs},
+              {"create", document.times.createMs + board.model.times.createMs},
+              {"discretise", board.model.times.discretiseMs},
+              {"triangulate", board.model.times.triangulateMs}}}};
+}
+
+}  // namespace app

@@ -1,0 +1,24 @@
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include "app/command_line.h"
+#include "app/workbench_command.h"
+
+namespace {
+
+struct Run {
+    int argc;
+    char** argv;
+
+    int operator()(const app::WorkbenchArguments& arguments) const { return app::runWorkbench(argc, argv, arguments); }
+    int operator()(const app::InfoArguments& arguments) const { return app::runInfo(arguments); }
+    int operator()(const app::RenderArguments& arguments) const { return app::runRender(arguments); }
+    int operator()(const app::Quit& quit) const { return quit.code; }
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    spdlog::set_default_logger(spdlog::stderr_color_mt("copperscope"));  // data goes to stdout, talk to stderr
+    return std::visit(Run{argc, argv}, app::parseCommandLine(argc, argv));
+}

@@ -1,0 +1,169 @@
+#include "app/render_command.h"
+
+#include <filesystem>
+
+#include "app/exit_code.h"
+#include "render/gpu/device.h"
+#include "render/gpu/instance.h"
+
+namespace app {
+
+using base::ErrorCode;
+using base::Result;
+using model::Document;
+
+namespace {
+
+Result<std::vector<render::LayerStyle>> chooseLayers(const Document& document, const RenderArguments& arguments) {
+    std::vector<render::LayerStyle> styles = render::defaultStyles(document);
+    if (arguments.layers.empty()) {
+        for (std::size_t row = 0; row < styles.size(); ++row) {
+            // A raster of shapes is about copper and print, not about the laminate around them.
+            styles[row].isVisible = styles[row].isVisible && !(arguments.isMono && document.layers[row].isSynthetic);
+        }
+        return styles;
+    }
+    for (render::LayerStyle& style : styles) {
+        style.isVisible = false;
+    }
+    for (const std::string& name : arguments.layers) {
+        const model::LayerId layer = document.findLayer(name);
+        if (!layer.isValid()) {
+            return base::Error{ErrorCode::BadUsage, "there is no layer " + name + " (see copperscope info)"};
+        }
+        styles[layer.row()].isVisible = true;
+        styles[layer.row()].opacity = 1.0F;
+    }
+    return styles;
+}
+
+Result<std::vector<model::ElementId>> elementsOfNets(const Document& document, const std::vector<std::string>& names) {
+    std::vector<model::ElementId> elements;
+    for (const std::string& name : names) {
+        const model::NetId net = document.findNet(name);
+        if (!net.isValid()) {
+            return base::Error{ErrorCode::BadUsage, "there is no net " + name};
+        }
+        const std::span<const model::ElementId> own = document.elementsOf(net);
+        elements.insert(elements.end(), own.begin(), own.end());
+    }
+    return elements;
+}
+
+Result<render::NamedView> viewOf(const RenderArguments& arguments) {
+    const bool is2d = arguments.mode == "2d";
+    const std::string& name = arguments.view;
+    if (name == "top" || (name.empty() && is2d)) {
+        return render::NamedView::Top;
+    }
+    if (name == "bottom") {
+        return render::NamedView::Bottom;
+    }
+    if (is2d) {
+        return base::Error{ErrorCode::BadUsage, "a 2D picture is seen from the top or the bottom, not " + name};
+    }
+    return render::NamedView::Iso;
+}
+
+render::Camera cameraFor(const RenderArguments& arguments, const render::BoardModel& model, render::NamedView view) {
+    const float aspect = static_cast<float>(arguments.width) / static_cast<float>(arguments.height);
+    render::Camera camera;
+    camera.setOrthographic(arguments.mode == "2d");
+    camera.fit(model.boxMin, model.boxMax, view, aspect);
+    if (!arguments.window.empty()) {
+        const auto corner = [&](double x, double y) {
+            return glm::vec2(x - base::toMm(model.origin.x), y - base::toMm(model.origin.y));
+        };
+        camera.fitWindow(corner(arguments.window[0], arguments.window[1]),
+                         corner(arguments.window[2], arguments.window[3]), model.boxMax.z, aspect);
+    }
+    return camera;
+}
+
+render::ViewSettings settingsFor(const RenderArguments& arguments) {
+    render::ViewSettings settings;
+    settings.backend = arguments.backend == "mesh"   ? render::Backend::Mesh
+                       : arguments.backend == "pull" ? render::Backend::Pull
+                                                     : render::Backend::Auto;
+    settings.is2d = arguments.mode == "2d";
+    settings.isMono = arguments.isMono;
+    settings.isSmoothed = !arguments.isMono;
+    settings.explode = arguments.explode;
+    settings.dimOthers = !arguments.nets.empty();
+    if (arguments.isMono) {
+        settings.background = glm::vec3(0.0F);
+    }
+    return settings;
+}
+
+Result<render::Image> draw(const RenderArguments& arguments, const OpenBoard& board,
+                           std::span<const render::LayerStyle> styles, std::span<const model::ElementId> highlight,
+                           render::NamedView view) {
+    Result<render::gpu::Instance> instance = render::gpu::Instance::create({});
+    if (!instance) {
+        return instance.error();
+    }
+    Result<render::gpu::Device> device = render::gpu::Device::create(*instance);
+    if (!device) {
+        return device.error();
+    }
+    render::BoardScene scene(*device, board.model);
+    scene.setStyles(styles);
+    scene.setHighlight(highlight);
+    render::OffscreenPresenter presenter(*device);
+    return presenter.render(scene, cameraFor(arguments, board.model, view), settingsFor(arguments), arguments.width,
+                            arguments.height);
+}
+
+/// What is wrong with the arguments themselves, before a board is read.
+base::Status checkArguments(const RenderArguments& arguments) {
+    const std::string extension = std::filesystem::path(arguments.output).extension().string();
+    if (extension != ".png" && extension != ".PNG") {
+        return base::Error{ErrorCode::BadUsage, arguments.output + ": pictures are written as .png"};
+    }
+    if (!arguments.window.empty() &&
+        (arguments.window[0] == arguments.window[2] || arguments.window[1] == arguments.window[3])) {
+        return base::Error{ErrorCode::BadUsage, "the window is empty"};
+    }
+    return base::Done{};
+}
+
+base::Status renderToFile(const RenderArguments& arguments) {
+    if (const base::Status usable = checkArguments(arguments); !usable) {
+        return usable.error();
+    }
+    const Result<render::NamedView> view = viewOf(arguments);
+    if (!view) {
+        return view.error();
+    }
+    const Result<OpenBoard> board = openBoard(arguments.board);
+    if (!board) {
+        return board.error();
+    }
+    const Result<std::vector<render::LayerStyle>> styles = chooseLayers(*board->document, arguments);
+    if (!styles) {
+        return styles.error();
+    }
+    const Result<std::vector<model::ElementId>> highlight = elementsOfNets(*board->document, arguments.nets);
+    if (!highlight) {
+        return highlight.error();
+    }
+    const Result<render::Image> image = draw(arguments, *board, *styles, *highlight, *view);
+    if (!image) {
+        return image.error();
+    }
+    return render::writePng(*image, arguments.output);
+}
+
+}  // namespace
+
+int runRender(const RenderArguments& arguments) {
+    RenderArguments effective = arguments;
+    if (!effective.window.empty()) {
+        effective.mode = "2d";
+    }
+    const base::Status status = renderToFile(effective);
+    return status ? kDone : fail(status.error());
+}
+
+}  // namespace app

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/open_board.h"
+#include "render/view.h"
+
+namespace app {
+
+struct RenderArguments {
+    BoardArguments board;
+    std::string output;
+    std::string view;  ///< top, bottom, iso; empty: iso in 3D, top in 2D
+    std::uint32_t width = 1600;
+    std::uint32_t height = 1000;
+    std::string mode = "3d";
+    std::string backend = "auto";
+    std::vector<std::string> layers;  ///< only these, fully opaque; empty: as in the window
+    std::vector<std::string> nets;    ///< highlighted, everything else dimmed
+    float explode = 0.0F;
+    std::vector<double> window;  ///< x0, y0, x1, y1 in millimetres of the job's coordinates; implies 2D
+    bool isMono = false;
+};
+
+/// `copperscope render BOARD -o out.png`: a picture. Answers an exit code.
+int runRender(const RenderArguments& arguments);
+
+}  // namespace app
