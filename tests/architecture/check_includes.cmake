@@ -35,12 +35,25 @@ function(violation text)
     set_property(GLOBAL APPEND_STRING PROPERTY violations "  ${text}\n")
 endfunction()
 
+# Shaders name their neighbours as GLSL compilers look for them, from the folder of the including file: gives the name from the source folder.
+function(resolve_in_shaders file included result)
+    cmake_path(GET file PARENT_PATH here)
+    cmake_path(SET path NORMALIZE "${here}/${included}")
+    if(EXISTS ${ROOT}/${path})
+        set(${result} ${path} PARENT_SCOPE)
+    endif()
+endfunction()
+
 # An include of ours names the file from the source folder and belongs to a folder that the rules allow.
 function(check_own_include file folder included)
     if(included MATCHES "\\.moc$")
         return()
     endif()
-    longest_match(${included} target ${rule_folders} ${may_include_${folder}})
+    set(named ${included})
+    if(folder STREQUAL "shaders")
+        resolve_in_shaders(${file} ${included} named)
+    endif()
+    longest_match(${named} target ${rule_folders} ${may_include_${folder}})
     if(NOT target)
         violation("${file} includes \"${included}\": write it from the source folder, in a folder that rules.cmake knows")
     elseif(NOT target STREQUAL folder AND NOT target IN_LIST may_include_${folder})
@@ -74,13 +87,14 @@ function(check_file file)
     endforeach()
 endfunction()
 
-# All C++ sources below ROOT, relative to it; build trees and hidden folders are not ours.
+# All C++ and GLSL sources below ROOT, relative to it; build trees and hidden folders are not ours.
 function(find_sources result)
     file(GLOB folders LIST_DIRECTORIES true RELATIVE ${ROOT} ${ROOT}/*)
     set(sources "")
     foreach(folder IN LISTS folders)
         if(IS_DIRECTORY ${ROOT}/${folder} AND NOT folder MATCHES "^(\\.|build|out$)")
-            file(GLOB_RECURSE found RELATIVE ${ROOT} ${ROOT}/${folder}/*.h ${ROOT}/${folder}/*.cpp)
+            file(GLOB_RECURSE found RELATIVE ${ROOT} ${ROOT}/${folder}/*.h ${ROOT}/${folder}/*.cpp
+                 ${ROOT}/${folder}/*.glsl)
             list(APPEND sources ${found})
         endif()
     endforeach()
