@@ -1,0 +1,5 @@
+# The set-up functions of the front door, on made-up machines.
+find_program(BASH bash REQUIRED)
+add_test(NAME setup
+    COMMAND ${BASH} ${CMAKE_CURRENT_LIST_DIR}/setup_test.sh ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR}/setup_scratch)
+set_tests_properties(setup PROPERTIES LABELS unit TIMEOUT 60)
