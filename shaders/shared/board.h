@@ -26,9 +26,9 @@ using mat4 = glm::mat4;
 GPU_CONST kLetStadium = 0;  // p0,p1 = a   p2,p3 = b   p4 = pen radius   p5 = inner radius (0 = solid, else a tube)
 GPU_CONST kLetArc = 1;      // p0,p1 = centre   p2 = arc radius   p3 = start angle   p4 = signed sweep (rad)   p5 = pen radius
 GPU_CONST kLetKindCount = 2;
-// Chords along one arc let in the finest of the three levels: 2 * (8 + 1) points on its two sides and 7 inside each cap are the paper's 32
-// points per face. Longer arcs are split on the CPU, so that no let needs more.
-GPU_CONST kArcFineChords = 8;
+// Chords along one arc let in the finest of the paper's three levels (ladder.h): 2 * (9 + 1) points on its two sides and 6 more round each end are
+// 32 points per face. Longer arcs are split on the CPU, so that no let needs more.
+GPU_CONST kArcFineChords = 9;
 
 // Let::meta: bits 0-3 kind, bits 4-7 flags, bits 8-31 layer.
 GPU_CONST kLetKindMask = 0xf;
@@ -56,13 +56,16 @@ struct Cluster {
 GPU_SIZE(Cluster, 32);
 
 // Per layer, rewritten whenever a style or the explosion changes; geometry never is.
+// LayerState::flags: bits 0-7 flags, bits 8-15 and 16-23 the tie-break of the lower and the upper face among layers whose faces lie in one plane.
 GPU_CONST kLayerVisible = 1;
 GPU_CONST kLayerTranslucent = 2;  // drawn in its own blended pass
+GPU_CONST kLayerBottomRankShift = 8;
+GPU_CONST kLayerTopRankShift = 16;
 struct LayerState {
     vec4 colour;  // linear RGB, opacity
     float z0, z1; // mm, explosion included
     uint flags;
-    uint reserved;
+    uint batch;   // 0 = with all opaque layers, else the translucent batch that draws it
 };
 GPU_SIZE(LayerState, 32);
 

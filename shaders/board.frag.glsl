@@ -1,0 +1,31 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/frame.glsl"
+
+layout(location = 0) in vec3 inPosition;
+layout(location = 1) flat in vec4 inColour;
+layout(location = 0) out vec4 outColour;
+
+// Faces are flat: their normal is that of the surface through the neighbouring pixels, turned to the viewer. Caps and walls are exactly
+// horizontal and vertical, which takes the noise of differences out.
+vec3 faceNormal(vec3 toEye) {
+    const vec3 n = cross(dFdx(inPosition), dFdy(inPosition));
+    const vec3 snapped = abs(n.z) > length(n.xy) ? vec3(0.0, 0.0, 1.0) : normalize(vec3(n.xy, 0.0) + vec3(0.0, 1e-30, 0.0));
+    return dot(snapped, toEye) < 0.0 ? -snapped : snapped;
+}
+
+// A headlight seen from over the left shoulder: caps bright, walls clearly darker and different on every side, so that thickness is readable.
+float brightness(vec3 normal) {
+    if (normal.z != 0.0) {
+        return 1.0;
+    }
+    return 0.36 + 0.22 * dot(normal.xy, normalize(vec2(-0.55, 0.83)));
+}
+
+void main() {
+    outColour = inColour;
+    if (!has(FRAME.flags, kFrameFlat | kFrameMono)) {
+        const vec3 toEye = FRAME.eye.xyz - inPosition * FRAME.eye.w;
+        outColour.rgb *= brightness(faceNormal(toEye));
+    }
+}

@@ -1,0 +1,117 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_mesh_shader : require
+#include "lib/frame.glsl"
+#include "lib/prism.glsl"
+#include "lib/surface.glsl"
+#include "lib/payload.glsl"
+
+// Mesh back end, second half: makes the vertices and triangles of several small lets, one let, or one slice of a large let.
+layout(local_size_x = kClusterSize) in;
+layout(triangles, max_vertices = kSliceMaxVertices, max_primitives = kSliceMaxTriangles) out;
+
+layout(location = 0) out vec3 outPosition[];
+layout(location = 1) flat out vec4 outColour[];
+out gl_MeshPerVertexEXT {
+    invariant vec4 gl_Position;
+} gl_MeshVerticesEXT[];
+
+// The share of this workgroup.
+struct Share {
+    uint level;
+    uint firstLet;    // in the payload
+    uint letCount;
+    uint firstRung;
+    uint intervals;
+    bool hasFirstEnd;  // walls across the ends of an open ladder
+    bool hasLastEnd;
+};
+
+Share shareOf(uint group) {
+    uint start = 0u;
+    uint bucket = 0u;
+    for (; bucket < kBucketCount - 1u; ++bucket) {
+        const uint groups = groupsFor(bucket, payload.counts[bucket]);
+        if (group < groups) {
+            break;
+        }
+        group -= groups;
+        start += payload.counts[bucket];
+    }
+    const uint topology = bucket / kLevelCount;
+    const uint level = bucket % kLevelCount;
+    const uint slices = slicesOf(topology, level);
+    const uint together = letsPerGroup(topology, level);
+    const uint first = group / slices * together;
+    const uint rung = group % slices * kSliceIntervals;
+    Share share;
+    share.level = level;
+    share.firstLet = start + first;
+    share.letCount = min(together, payload.counts[bucket] - first);
+    share.firstRung = rung;
+    share.intervals = min(kSliceIntervals, intervalsOf(topology, level) - rung);
+    const bool hasEnds = topology == kTopologyOpen && FRAME.triangleCount > kUpperTriangles;
+    share.hasFirstEnd = hasEnds && rung == 0u;
+    share.hasLastEnd = hasEnds && rung + share.intervals == intervalsOf(topology, level);
+    return share;
+}
+
+uint trianglesPerLet(Share share) {
+    if (share.level == kLevelQuad) {
+        return kUpperTriangles;
+    }
+    return share.intervals * FRAME.triangleCount + (share.hasFirstEnd ? kEndTriangleCount : 0u) +
+           (share.hasLastEnd ? kEndTriangleCount : 0u);
+}
+
+// A quad has the face that can be seen only: its vertices are not 8 but 4.
+uint verticesPerLet(Share share) {
+    return share.level == kLevelQuad ? 4u : (share.intervals + 1u) * 4u;
+}
+
+// Corners of triangle `index` of a let, as vertices of that let's share.
+uvec3 triangleOf(Share share, uint index) {
+    uint rung = 0u;
+    uint digits;
+    if (share.level == kLevelQuad) {
+        digits = kIntervalTriangles[FRAME.quadFace == 0u ? index : index + kIntervalTriangleCount - kUpperTriangles];
+        return uvec3(digits >> 8u, digits >> 4u, digits) >> 1u & 3u;
+    }
+    const uint inIntervals = share.intervals * FRAME.triangleCount;
+    if (index < inIntervals) {
+        rung = index / FRAME.triangleCount;
+        digits = kIntervalTriangles[FRAME.firstTriangle + index % FRAME.triangleCount];
+    } else if (share.hasFirstEnd && index < inIntervals + kEndTriangleCount) {
+        digits = kFirstEndTriangles[index - inIntervals];
+    } else {
+        rung = share.intervals;
+        digits = kLastEndTriangles[index - inIntervals - (share.hasFirstEnd ? kEndTriangleCount : 0u)];
+    }
+    return uvec3(digits >> 8u & 15u, digits >> 4u & 15u, digits & 15u) + 4u * rung;
+}
+
+void writeVertex(Share share, uint vertex) {
+    const uint perLet = verticesPerLet(share);
+    const uint local = vertex % perLet;
+    const Let let = FRAME.lets.at[payload.lets[share.firstLet + vertex / perLet]];
+    const LayerState layer = FRAME.layers.at[let.meta >> kLetLayerShift];
+    const uint code = share.level == kLevelQuad ? local * 2u + FRAME.quadFace : share.firstRung * 4u + local;
+    const vec3 position = letPosition(let, layer, share.level, code);
+    gl_MeshVerticesEXT[vertex].gl_Position = clipPosition(position, layer, let.element, (code & 1u) == 0u);
+    outPosition[vertex] = position - FRAME.centre;
+    outColour[vertex] = colourOf(layer, let.element, has(let.meta, kLetBore));
+}
+
+void main() {
+    const Share share = shareOf(gl_WorkGroupID.x);
+    const uint vertexCount = share.letCount * verticesPerLet(share);
+    const uint perLet = trianglesPerLet(share);
+    const uint triangleCount = share.letCount * perLet;
+    SetMeshOutputsEXT(vertexCount, triangleCount);
+    for (uint i = gl_LocalInvocationID.x; i < vertexCount; i += kClusterSize) {
+        writeVertex(share, i);
+    }
+    for (uint i = gl_LocalInvocationID.x; i < triangleCount; i += kClusterSize) {
+        gl_PrimitiveTriangleIndicesEXT[i] = triangleOf(share, i % perLet) + i / perLet * verticesPerLet(share);
+    }
+}

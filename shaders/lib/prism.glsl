@@ -1,0 +1,101 @@
+// The one place where a let becomes points: vertices of both back ends come from here. See ladder.h for rungs, sides and codes.
+const float kHalfPi = 1.57079632679;
+
+vec2 leftOf(vec2 direction) {
+    return vec2(-direction.y, direction.x);
+}
+
+// The corner of the unit square that lies farthest in a direction; halfway between two corners when both are equally far.
+vec2 squareSupport(vec2 u) {
+    return vec2(abs(u.x) < 1e-4 ? 0.0 : sign(u.x), abs(u.y) < 1e-4 ? 0.0 : sign(u.y));
+}
+
+// Point `k` of a rounded end with `points` points, counted from its side (k = 0, exactly one radius off the axis) to its tip. The points between
+// stand out by half the chord error, so that the polygon strays as far to the outside as to the inside: half as far as an inscribed one.
+// A square pen's outline is spanned by the farthest corners in the same directions.
+vec2 endPoint(vec2 centre, vec2 outward, float turn, float radius, bool isSquare, uint k, uint points) {
+    const float steps = float(points - 1u);
+    const float angle = kHalfPi * (1.0 - 2.0 * float(k) / steps);
+    const vec2 side = turn * leftOf(outward);
+    const vec2 u = k == 0u ? side : cos(angle) * outward + sin(angle) * side;
+    if (isSquare) {
+        return centre + radius * squareSupport(u);
+    }
+    const float reach = k == 0u ? 1.0 : 2.0 / (1.0 + cos(kHalfPi / steps));
+    return centre + radius * reach * u;
+}
+
+vec2 strokeDirection(vec2 a, vec2 b) {
+    const vec2 d = b - a;
+    const float len = length(d);
+    return len > 0.0 ? d / len : vec2(1.0, 0.0);
+}
+
+vec2 stadiumPoint(Let let, uint level, uint rung, bool isLeft) {
+    const vec2 a = vec2(let.p0, let.p1);
+    const vec2 b = vec2(let.p2, let.p3);
+    const vec2 d = strokeDirection(a, b);
+    const float turn = isLeft ? 1.0 : -1.0;
+    const bool isSquare = has(let.meta, kLetSquarePen);
+    if (level == kLevelQuad) {
+        // As long as it must be to cover the area of the true outline.
+        const vec2 along = d * let.p4 * (isSquare ? 1.0 : 0.5 * kHalfPi);
+        return (rung == 0u ? a - along : b + along) + turn * let.p4 * leftOf(d);
+    }
+    const uint points = kEndPoints[level];
+    const uint ends = points / 2u;
+    return rung < ends ? endPoint(a, -d, -turn, let.p4, isSquare, ends - 1u - rung, points)
+                       : endPoint(b, d, turn, let.p4, isSquare, rung - ends, points);
+}
+
+// Rung `rung` of a tube, counter-clockwise from the right side of end b.
+vec2 tubePoint(Let let, uint level, uint rung, bool isInner) {
+    const vec2 a = vec2(let.p0, let.p1);
+    const vec2 b = vec2(let.p2, let.p3);
+    const vec2 d = strokeDirection(a, b);
+    const uint points = kEndPoints[level];
+    const uint ring = rung % (2u * points);
+    const bool atB = ring < points;
+    const uint along = atB ? ring : ring - points;
+    const bool isRight = along < points / 2u;
+    return endPoint(atB ? b : a, atB ? d : -d, isRight ? -1.0 : 1.0, isInner ? let.p5 : let.p4,
+                    has(let.meta, kLetSquarePen), isRight ? along : points - 1u - along, points);
+}
+
+vec2 arcPoint(Let let, uint level, uint rung, bool isLeft) {
+    const vec2 centre = vec2(let.p0, let.p1);
+    const uint ends = kArcEndRungs[level];
+    const uint rungs = kEndPoints[level];
+    const uint chords = kArcChords[level];
+    const float turn = isLeft ? 1.0 : -1.0;
+    const float forward = let.p4 < 0.0 ? -1.0 : 1.0;
+    // Rungs ends - 1 and rungs - ends are the two ends of the centre line, those between divide it evenly.
+    const uint step = uint(clamp(int(rung) - int(ends) + 1, 0, int(chords)));
+    const float angle = let.p3 + let.p4 * float(step) / float(chords);
+    const vec2 radial = vec2(cos(angle), sin(angle));
+    const vec2 onLine = centre + let.p2 * radial;
+    const vec2 tangent = forward * leftOf(radial);
+    if (rung < ends) {
+        return endPoint(onLine, -tangent, -turn, let.p5, false, ends - 1u - rung, 2u * ends);
+    }
+    if (rung >= rungs - ends) {
+        return endPoint(onLine, tangent, turn, let.p5, false, rung - (rungs - ends), 2u * ends);
+    }
+    return onLine + turn * let.p5 * leftOf(tangent);
+}
+
+vec2 letPoint(Let let, uint level, uint rung, uint side) {
+    if ((let.meta & kLetKindMask) == kLetArc) {
+        return arcPoint(let, level, rung, side == 0u);
+    }
+    // A tube of less than a pixel is drawn as a full quad.
+    return let.p5 > 0.0 && level != kLevelQuad ? tubePoint(let, level, rung, side == 0u)
+                                               : stadiumPoint(let, level, rung, side == 0u);
+}
+
+// Where a vertex of a let lies on the board.
+vec3 letPosition(Let let, LayerState layer, uint level, uint code) {
+    const float proud = has(let.meta, kLetBore) ? FRAME.boreProudMm : 0.0;
+    const float z = (code & 1u) == 0u ? layer.z1 + proud : layer.z0 - proud;
+    return vec3(letPoint(let, level, code >> 2u, (code >> 1u) & 1u), z);
+}

@@ -1,0 +1,31 @@
+// What all back ends hand to the rasteriser: a clip position and a colour.
+
+bool isHighlighted(uint element) {
+    return (FRAME.highlight.at[element >> 5u] & (1u << (element & 31u))) != 0u;
+}
+
+// A highlighted element keeps its hue at full brightness and hides what is under it.
+vec4 highlighted(vec4 colour) {
+    const float peak = max(max(colour.r, colour.g), max(colour.b, 1e-3));
+    return vec4(mix(colour.rgb / peak, vec3(1.0), 0.25), 1.0);
+}
+
+vec4 colourOf(LayerState layer, uint element, bool isBore) {
+    if (has(FRAME.flags, kFrameMono)) {
+        return vec4(1.0);
+    }
+    const vec4 colour = isBore ? vec4(vec3(0.004), layer.colour.a) : layer.colour;
+    if (isHighlighted(element)) {
+        return isBore ? colour : highlighted(colour);
+    }
+    return has(FRAME.flags, kFrameDimOthers) ? vec4(colour.rgb * 0.12, colour.a) : colour;
+}
+
+// Faces in one plane: the higher layer rank wins, highlighted elements win within their layer. Moves z by so many steps of depth resolution.
+vec4 clipPosition(vec3 position, LayerState layer, uint element, bool isUpper) {
+    const uint shift = isUpper ? kLayerTopRankShift : kLayerBottomRankShift;
+    const float steps = float(2u * ((layer.flags >> shift) & 0xffu) + (isHighlighted(element) ? 1u : 0u));
+    vec4 clip = FRAME.clipFromBoard * vec4(position - FRAME.centre, 1.0);
+    clip.z += steps * (FRAME.nudgeZ * clip.z + FRAME.nudgeW * clip.w);
+    return clip;
+}

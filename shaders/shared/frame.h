@@ -1,0 +1,110 @@
+// What every shader of a frame sees, shared by C++ and GLSL: buffers by address, camera, level-of-detail limits.
+#ifndef COPPERSCOPE_SHADERS_SHARED_FRAME_H
+#define COPPERSCOPE_SHADERS_SHARED_FRAME_H
+
+#include "board.h"
+#include "ladder.h"
+
+#ifdef __cplusplus
+namespace shader {
+#define GPU_ADDRESS(Column) std::uint64_t
+#else
+#define GPU_ADDRESS(Column) Column
+#endif
+
+// VkDrawIndexedIndirectCommand and VkDrawIndirectCommand.
+struct DrawIndexed {
+    uint indexCount, instanceCount, firstIndex, vertexOffset, firstInstance;
+};
+GPU_SIZE(DrawIndexed, 20);
+struct Draw {
+    uint vertexCount, instanceCount, firstVertex, firstInstance;
+};
+GPU_SIZE(Draw, 16);
+
+// A circle around a shape in its own coordinates, for culling.
+struct ShapeBound {
+    vec2 centre;
+    float radius;
+    uint reserved;
+};
+GPU_SIZE(ShapeBound, 16);
+
+#ifndef __cplusplus
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Lets { Let at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Clusters { Cluster at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Layers { LayerState at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Vertices { vec2 at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Words { uint at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Instances { AreaInstance at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Bounds { ShapeBound at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) buffer WordList { uint at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) buffer IndexedDraws { DrawIndexed at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Draws { Draw at[]; };
+// The clusters in view, with the command that dispatches one workgroup for each (up to a limit; the rest by striding).
+layout(buffer_reference, scalar, buffer_reference_align = 4) buffer ClusterList { uint groupsX, groupsY, groupsZ, count, at[]; };
+#endif
+
+GPU_CONST kFrameFlat = 1;       // no lighting
+GPU_CONST kFrameMono = 2;       // everything visible is white
+GPU_CONST kFrameDimOthers = 4;  // what is not highlighted is darkened
+GPU_CONST kFrameCull = 8;       // frustum culling and level of detail
+
+GPU_CONST kPlaneCount = 6;
+
+struct FrameData {
+    mat4 clipFromBoard;        // of positions relative to `centre`: differences of nearby numbers stay exact in 32 bits
+    vec4 planes[kPlaneCount];  // of the frustum, pointing inwards, for positions relative to `centre`
+    vec4 eye;                  // relative to `centre`; w = 1: a point (perspective), w = 0: the direction to the viewer
+    vec3 centre;               // what the camera looks at, mm
+    float pixelsPerMm;         // at w = 1: pixels = mm * pixelsPerMm / w
+    float tolerancePx;         // how far a polygon may stray from the true outline
+    float quadRadiusPx;        // lets with a smaller pen become quads; 0 = never
+    float nudgeZ, nudgeW;      // one step of tie-break moves z by nudgeZ * z + nudgeW * w
+    float boreProudMm;         // how far the dark inside of a hole stands out of the outer faces
+    uint flags;
+    uint firstTriangle;        // of the 8 of a ladder interval, the run that can be seen (ladder.h)
+    uint triangleCount;
+    uint quadFace;             // 0 = the upper, 1 = the lower face faces the viewer
+    uint clusterCount;
+    uint instanceCount;
+    uint maxDispatch;          // largest number of workgroups along x
+
+    GPU_ADDRESS(Layers) layers;
+    GPU_ADDRESS(Lets) lets;
+    GPU_ADDRESS(Clusters) clusters;
+    GPU_ADDRESS(ClusterList) visibleClusters;
+    GPU_ADDRESS(WordList) visibleLets;         // by draw: at[firstInstance + instance]
+    GPU_ADDRESS(IndexedDraws) letDraws;        // batch * kBucketCount + topology * kLevelCount + level
+    GPU_ADDRESS(Vertices) vertices;
+    GPU_ADDRESS(Words) next;
+    GPU_ADDRESS(Instances) instances;
+    GPU_ADDRESS(Words) drawOfInstance;
+    GPU_ADDRESS(Bounds) bounds;
+    GPU_ADDRESS(WordList) visibleInstances;    // by draw: at[firstInstance + instance]
+    GPU_ADDRESS(IndexedDraws) capDraws;
+    GPU_ADDRESS(Draws) wallDraws;
+    GPU_ADDRESS(Words) highlight;              // one bit per element
+};
+GPU_SIZE(FrameData, 64 + 96 + 16 + 12 + 13 * 4 + 15 * 8);
+
+#ifndef __cplusplus
+layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Frame { FrameData data; };
+#endif
+
+// Push constants of all pipelines.
+struct Push {
+    GPU_ADDRESS(Frame) frame;
+    uint first;  // task: the first cluster
+    uint batch;  // task: the batch drawn
+    uint face;   // caps of areas: 0 = upper, 1 = lower
+    uint reserved;
+};
+GPU_SIZE(Push, 24);
+
+GPU_CONST kCullGroupSize = 64;  // threads per workgroup of the compute shaders that test clusters and area instances
+
+#ifdef __cplusplus
+}  // namespace shader
+#endif
+#endif
