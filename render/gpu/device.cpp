@@ -1,0 +1,230 @@
+#include "render/gpu/device.h"
+
+#include "render/gpu/check.h"
+#include "render/gpu/device_select.h"
+#include "render/gpu/graveyard.h"
+
+#include <spdlog/spdlog.h>
+
+#include <numeric>
+#include <vector>
+
+namespace render::gpu {
+
+const char* toString(MemoryUse use) {
+    switch (use) {
+        case MemoryUse::Geometry: return "geometry";
+        case MemoryUse::Transient: return "transient";
+        case MemoryUse::Targets: return "targets";
+        case MemoryUse::Staging: return "staging";
+    }
+    return "";
+}
+
+std::uint64_t MemoryReport::total() const {
+    return std::accumulate(bytes.begin(), bytes.end(), std::uint64_t{0});
+}
+
+struct Device::State {
+    DeviceChoice choice;
+    VkInstance instance = VK_NULL_HANDLE;
+    VkDevice handle = VK_NULL_HANDLE;
+    VkQueue queue = VK_NULL_HANDLE;
+    VkPipelineCache pipelineCache = VK_NULL_HANDLE;
+    VkSemaphore timeline = VK_NULL_HANDLE;
+    std::uint64_t submitted = 0;
+    bool isLost = false;
+    PFN_vkSetDebugUtilsObjectNameEXT setName = nullptr;
+    std::unique_ptr<Graveyard> graveyard;
+
+    State() = default;
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
+    ~State() {
+        if (handle == VK_NULL_HANDLE) {
+            return;
+        }
+        vkDeviceWaitIdle(handle);  // a lost device is idle too: its answer changes nothing here
+        if (graveyard != nullptr) {
+            graveyard->collectAll();
+        }
+        vkDestroySemaphore(handle, timeline, nullptr);
+        vkDestroyPipelineCache(handle, pipelineCache, nullptr);
+        vkDestroyDevice(handle, nullptr);
+    }
+
+    VkResult createDevice();
+    void createObjects(bool hasDebugUtils);
+};
+
+VkResult Device::State::createDevice() {
+    VkPhysicalDeviceMeshShaderFeaturesEXT mesh{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MESH_SHADER_FEATURES_EXT};
+    mesh.taskShader = VK_TRUE;
+    mesh.meshShader = VK_TRUE;
+    VkPhysicalDeviceVulkan12Features v12{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES};
+    v12.pNext = choice.caps.hasMeshShader ? &mesh : nullptr;
+    v12.bufferDeviceAddress = VK_TRUE;
+    v12.scalarBlockLayout = VK_TRUE;
+    v12.timelineSemaphore = VK_TRUE;
+    VkPhysicalDeviceVulkan13Features v13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
+    v13.pNext = &v12;
+    v13.dynamicRendering = VK_TRUE;
+    v13.synchronization2 = VK_TRUE;
+    v13.maintenance4 = VK_TRUE;
+    VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2};
+    features.pNext = &v13;
+    features.features.multiDrawIndirect = VK_TRUE;
+    features.features.drawIndirectFirstInstance = VK_TRUE;
+
+    std::vector<const char*> extensions;
+    if (choice.hasSwapchain) {
+        extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+    }
+    if (choice.caps.hasMeshShader) {
+        extensions.push_back(VK_EXT_MESH_SHADER_EXTENSION_NAME);
+    }
+    const float priority = 1.0F;
+    VkDeviceQueueCreateInfo queueInfo{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
+    queueInfo.queueFamilyIndex = choice.queueFamily;
+    queueInfo.queueCount = 1;
+    queueInfo.pQueuePriorities = &priority;
+    VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO};
+    info.pNext = &features;
+    info.queueCreateInfoCount = 1;
+    info.pQueueCreateInfos = &queueInfo;
+    info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
+    info.ppEnabledExtensionNames = extensions.data();
+    return vkCreateDevice(choice.physical, &info, nullptr, &handle);
+}
+
+void Device::State::createObjects(bool hasDebugUtils) {
+    vkGetDeviceQueue(handle, choice.queueFamily, 0, &queue);
+    if (hasDebugUtils) {
+        setName = reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(
+            vkGetInstanceProcAddr(instance, "vkSetDebugUtilsObjectNameEXT"));
+    }
+    VkSemaphoreTypeCreateInfo type{VK_STRUCTURE_TYPE_SEMAPHORE_TYPE_CREATE_INFO};
+    type.semaphoreType = VK_SEMAPHORE_TYPE_TIMELINE;
+    VkSemaphoreCreateInfo semaphore{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
+    semaphore.pNext = &type;
+    VK_CHECK(vkCreateSemaphore(handle, &semaphore, nullptr, &timeline));
+    VkPipelineCacheCreateInfo cache{VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO};
+    VK_CHECK(vkCreatePipelineCache(handle, &cache, nullptr, &pipelineCache));
+    graveyard = std::make_unique<Graveyard>(handle);
+}
+
+base::Result<Device> Device::create(const Instance& instance, VkSurfaceKHR presentTo) {
+    base::Result<DeviceChoice> choice = chooseDevice(instance.handle(), presentTo);
+    if (!choice) {
+        return choice.error();
+    }
+    auto state = std::make_unique<State>();
+    state->choice = *choice;
+    state->instance = instance.handle();
+    const Caps& caps = state->choice.caps;
+    if (const VkResult result = state->createDevice(); result != VK_SUCCESS) {
+        state->handle = VK_NULL_HANDLE;
+        return base::Error{base::ErrorCode::DeviceFailed,
+                           "The Vulkan device " + caps.name + " could not be opened: " + toString(result) + "."};
+    }
+    state->createObjects(instance.hasDebugUtils());
+    spdlog::debug("Vulkan device: {} ({}), mesh shaders: {}", caps.name, caps.driver, caps.hasMeshShader);
+    return Device(std::move(state));
+}
+
+Device::Device(std::unique_ptr<State> state) : m_state(std::move(state)) {}
+Device::~Device() = default;
+Device::Device(Device&&) noexcept = default;
+Device& Device::operator=(Device&&) noexcept = default;
+
+VkDevice Device::handle() const { return m_state->handle; }
+VkPhysicalDevice Device::physical() const { return m_state->choice.physical; }
+VkQueue Device::queue() const { return m_state->queue; }
+std::uint32_t Device::queueFamily() const { return m_state->choice.queueFamily; }
+const Caps& Device::caps() const { return m_state->choice.caps; }
+VkPipelineCache Device::pipelineCache() const { return m_state->pipelineCache; }
+Graveyard& Device::graveyard() const { return *m_state->graveyard; }
+MemoryReport Device::memoryReport() const { return m_state->graveyard->memory(); }
+void Device::markLost() { m_state->isLost = true; }
+bool Device::isLost() const { return m_state->isLost; }
+
+bool Device::canPresentTo(VkSurfaceKHR surface) const {
+    VkBool32 supported = VK_FALSE;
+    return m_state->choice.hasSwapchain &&
+           vkGetPhysicalDeviceSurfaceSupportKHR(physical(), queueFamily(), surface, &supported) == VK_SUCCESS &&
+           supported == VK_TRUE;
+}
+
+std::uint64_t Device::submit(const Submission& submission) {
+    if (isLost()) {
+        return 0;
+    }
+    VkCommandBufferSubmitInfo commands{VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO};
+    commands.commandBuffer = submission.commands;
+    VkSemaphoreSubmitInfo wait{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO};
+    wait.semaphore = submission.waitFor;
+    wait.stageMask = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT | VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
+    VkSemaphoreSubmitInfo signals[2]{{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO}, {VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO}};
+    signals[0].semaphore = m_state->timeline;
+    signals[0].value = m_state->submitted + 1;
+    signals[0].stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    signals[1].semaphore = submission.signal;
+    signals[1].stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    VkSubmitInfo2 info{VK_STRUCTURE_TYPE_SUBMIT_INFO_2};
+    info.waitSemaphoreInfoCount = submission.waitFor != VK_NULL_HANDLE ? 1 : 0;
+    info.pWaitSemaphoreInfos = &wait;
+    info.commandBufferInfoCount = submission.commands != VK_NULL_HANDLE ? 1 : 0;
+    info.pCommandBufferInfos = &commands;
+    info.signalSemaphoreInfoCount = submission.signal != VK_NULL_HANDLE ? 2 : 1;
+    info.pSignalSemaphoreInfos = signals;
+    const VkResult result = vkQueueSubmit2(queue(), 1, &info, VK_NULL_HANDLE);
+    if (result == VK_ERROR_DEVICE_LOST) {
+        markLost();
+        return 0;
+    }
+    VK_CHECK(result);
+    graveyard().noteSubmission(++m_state->submitted);
+    return m_state->submitted;
+}
+
+bool Device::wait(std::uint64_t number) {
+    if (isLost()) {
+        return false;
+    }
+    VkSemaphoreWaitInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO};
+    info.semaphoreCount = 1;
+    info.pSemaphores = &m_state->timeline;
+    info.pValues = &number;
+    const VkResult result = vkWaitSemaphores(handle(), &info, ~std::uint64_t{0});
+    if (result == VK_ERROR_DEVICE_LOST) {
+        markLost();
+        return false;
+    }
+    VK_CHECK(result);
+    graveyard().collect(number);
+    return true;
+}
+
+void Device::waitIdle() {
+    const VkResult result = vkDeviceWaitIdle(handle());
+    if (result == VK_ERROR_DEVICE_LOST) {
+        markLost();
+    } else {
+        VK_CHECK(result);
+    }
+    graveyard().collectAll();
+}
+
+void Device::name(VkObjectType type, std::uint64_t object, std::string_view label) const {
+    if (m_state->setName == nullptr) {
+        return;
+    }
+    const std::string text(label);
+    VkDebugUtilsObjectNameInfoEXT info{VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT};
+    info.objectType = type;
+    info.objectHandle = object;
+    info.pObjectName = text.c_str();
+    VK_CHECK(m_state->setName(handle(), &info));
+}
+
+}  // namespace render::gpu

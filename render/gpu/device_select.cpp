@@ -1,0 +1,232 @@
+#include "render/gpu/device_select.h"
+
+#include "render/gpu/check.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <optional>
+#include <vector>
+
+namespace render::gpu {
+namespace {
+
+using Extensions = std::vector<VkExtensionProperties>;
+
+Extensions extensionsOf(VkPhysicalDevice device) {
+    std::uint32_t count = 0;
+    VK_CHECK(vkEnumerateDeviceExtensionProperties(device, nullptr, &count, nullptr));
+    Extensions extensions(count);
+    VK_CHECK(vkEnumerateDeviceExtensionProperties(device, nullptr, &count, extensions.data()));
+    return extensions;
+}
+
+bool has(const Extensions& extensions, const char* name) {
+    return std::any_of(extensions.begin(), extensions.end(),
+                       [&](const auto& e) { return std::strcmp(e.extensionName, name) == 0; });
+}
+
+/// Everything about features in one chain.
+struct Features {
+    VkPhysicalDeviceMeshShaderFeaturesEXT mesh{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MESH_SHADER_FEATURES_EXT};
+    VkPhysicalDeviceVulkan12Features v12{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES};
+    VkPhysicalDeviceVulkan13Features v13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
+    VkPhysicalDeviceFeatures2 core{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2};
+
+    Features(VkPhysicalDevice device, bool askMesh) {
+        v12.pNext = askMesh ? &mesh : nullptr;
+        v13.pNext = &v12;
+        core.pNext = &v13;
+        vkGetPhysicalDeviceFeatures2(device, &core);
+    }
+    Features(const Features&) = delete;
+    Features& operator=(const Features&) = delete;
+};
+
+/// The first thing we need and the device lacks, or null.
+const char* missingFeature(const Features& f) {
+    const struct {
+        VkBool32 isThere;
+        const char* name;
+    } needs[] = {
+        {f.core.features.multiDrawIndirect, "multiDrawIndirect"},
+        {f.core.features.drawIndirectFirstInstance, "drawIndirectFirstInstance"},
+        {f.v12.bufferDeviceAddress, "bufferDeviceAddress"},
+        {f.v12.scalarBlockLayout, "scalarBlockLayout"},
+        {f.v12.timelineSemaphore, "timelineSemaphore"},
+        {f.v13.dynamicRendering, "dynamicRendering"},
+        {f.v13.synchronization2, "synchronization2"},
+        {f.v13.maintenance4, "maintenance4"},
+    };
+    for (const auto& need : needs) {
+        if (need.isThere == VK_FALSE) {
+            return need.name;
+        }
+    }
+    return nullptr;
+}
+
+bool canPresent(VkPhysicalDevice device, std::uint32_t family, VkSurfaceKHR surface) {
+    VkBool32 supported = VK_FALSE;
+    return vkGetPhysicalDeviceSurfaceSupportKHR(device, family, surface, &supported) == VK_SUCCESS && supported == VK_TRUE;
+}
+
+struct Family {
+    std::uint32_t index = 0;
+    bool hasTimestamps = false;
+};
+
+/// One family that draws, computes and, when asked, presents: all hardware we know has it first in its list.
+std::optional<Family> findFamily(VkPhysicalDevice device, VkSurfaceKHR presentTo) {
+    std::uint32_t count = 0;
+    vkGetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
+    std::vector<VkQueueFamilyProperties> families(count);
+    vkGetPhysicalDeviceQueueFamilyProperties(device, &count, families.data());
+    constexpr VkQueueFlags kNeeded = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        if ((families[i].queueFlags & kNeeded) == kNeeded &&
+            (presentTo == VK_NULL_HANDLE || canPresent(device, i, presentTo))) {
+            return Family{i, families[i].timestampValidBits > 0};
+        }
+    }
+    return std::nullopt;
+}
+
+VkSampleCountFlags samplesOf(VkPhysicalDevice device, VkFormat format, VkImageUsageFlags usage) {
+    VkImageFormatProperties properties{};
+    const VkResult result = vkGetPhysicalDeviceImageFormatProperties(device, format, VK_IMAGE_TYPE_2D,
+                                                                     VK_IMAGE_TILING_OPTIMAL, usage, 0, &properties);
+    return result == VK_SUCCESS ? properties.sampleCounts : 0;
+}
+
+std::uint64_t memoryBudget(VkPhysicalDevice device, bool hasBudget) {
+    VkPhysicalDeviceMemoryBudgetPropertiesEXT budget{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MEMORY_BUDGET_PROPERTIES_EXT};
+    VkPhysicalDeviceMemoryProperties2 memory{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MEMORY_PROPERTIES_2};
+    memory.pNext = hasBudget ? &budget : nullptr;
+    vkGetPhysicalDeviceMemoryProperties2(device, &memory);
+    std::uint64_t largest = 0;
+    for (std::uint32_t i = 0; i < memory.memoryProperties.memoryHeapCount; ++i) {
+        const VkMemoryHeap& heap = memory.memoryProperties.memoryHeaps[i];
+        if ((heap.flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT) != 0) {
+            largest = std::max(largest, hasBudget ? budget.heapBudget[i] : heap.size);
+        }
+    }
+    return largest;
+}
+
+Caps capsOf(VkPhysicalDevice device, const Extensions& extensions, bool hasMesh) {
+    VkPhysicalDeviceMeshShaderPropertiesEXT mesh{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MESH_SHADER_PROPERTIES_EXT};
+    VkPhysicalDeviceDriverProperties driver{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
+    driver.pNext = hasMesh ? &mesh : nullptr;
+    VkPhysicalDeviceProperties2 all{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
+    all.pNext = &driver;
+    vkGetPhysicalDeviceProperties2(device, &all);
+    const VkPhysicalDeviceProperties& core = all.properties;
+    constexpr VkSampleCountFlags kSmooth = VK_SAMPLE_COUNT_4_BIT;
+    Caps caps;
+    caps.name = core.deviceName;
+    caps.driver = std::string(driver.driverName) + " " + driver.driverInfo;
+    caps.isCpu = core.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
+    caps.hasMeshShader = hasMesh;
+    caps.timestampPeriodNs = static_cast<double>(core.limits.timestampPeriod);
+    caps.canSmooth = (samplesOf(device, kColourFormat, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT) &
+                      samplesOf(device, kDepthFormat, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT) & kSmooth) != 0;
+    caps.maxImageSize = std::min({core.limits.maxImageDimension2D, core.limits.maxFramebufferWidth,
+                                  core.limits.maxFramebufferHeight, core.limits.maxViewportDimensions[0]});
+    caps.maxTaskGroups = hasMesh ? mesh.maxTaskWorkGroupCount[0] : 0;
+    caps.maxDrawIndirectCount = core.limits.maxDrawIndirectCount;
+    caps.memoryBudgetBytes = memoryBudget(device, has(extensions, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME));
+    return caps;
+}
+
+/// The choice this device would be, or in `why` what it lacks.
+std::optional<DeviceChoice> examine(VkPhysicalDevice device, VkSurfaceKHR presentTo, std::string& why) {
+    VkPhysicalDeviceProperties properties{};
+    vkGetPhysicalDeviceProperties(device, &properties);
+    if (properties.apiVersion < VK_API_VERSION_1_3) {
+        why = "has no Vulkan 1.3";
+        return std::nullopt;
+    }
+    const Extensions extensions = extensionsOf(device);
+    const bool asksMesh = has(extensions, VK_EXT_MESH_SHADER_EXTENSION_NAME);
+    const Features features(device, asksMesh);
+    if (const char* missing = missingFeature(features); missing != nullptr) {
+        why = std::string("lacks ") + missing;
+        return std::nullopt;
+    }
+    if (samplesOf(device, kDepthFormat, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT) == 0) {
+        why = "lacks 32-bit depth with stencil";
+        return std::nullopt;
+    }
+    DeviceChoice choice;
+    choice.hasSwapchain = has(extensions, VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+    const std::optional<Family> family = findFamily(device, presentTo);
+    if (!family || (presentTo != VK_NULL_HANDLE && !choice.hasSwapchain)) {
+        why = presentTo != VK_NULL_HANDLE ? "cannot draw to this window" : "cannot draw";
+        return std::nullopt;
+    }
+    choice.physical = device;
+    choice.queueFamily = family->index;
+    choice.hasMemoryBudget = has(extensions, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
+    choice.caps = capsOf(device, extensions, asksMesh && features.mesh.taskShader && features.mesh.meshShader);
+    choice.caps.hasTimestamps = family->hasTimestamps;
+    return choice;
+}
+
+/// Discrete before integrated before virtual before software.
+int rank(VkPhysicalDevice device) {
+    VkPhysicalDeviceProperties properties{};
+    vkGetPhysicalDeviceProperties(device, &properties);
+    switch (properties.deviceType) {
+        case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU: return 0;
+        case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU: return 1;
+        case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU: return 2;
+        case VK_PHYSICAL_DEVICE_TYPE_CPU: return 3;
+        default: return 4;
+    }
+}
+
+std::string nameOf(VkPhysicalDevice device) {
+    VkPhysicalDeviceProperties properties{};
+    vkGetPhysicalDeviceProperties(device, &properties);
+    return properties.deviceName;
+}
+
+std::vector<VkPhysicalDevice> allDevices(VkInstance instance) {
+    std::uint32_t count = 0;
+    if (vkEnumeratePhysicalDevices(instance, &count, nullptr) < VK_SUCCESS) {
+        return {};  // some loaders answer "initialization failed" when the only driver found does not work
+    }
+    std::vector<VkPhysicalDevice> devices(count);
+    if (vkEnumeratePhysicalDevices(instance, &count, devices.data()) < VK_SUCCESS) {
+        return {};
+    }
+    std::stable_sort(devices.begin(), devices.end(), [](auto a, auto b) { return rank(a) < rank(b); });
+    return devices;
+}
+
+}  // namespace
+
+base::Result<DeviceChoice> chooseDevice(VkInstance instance, VkSurfaceKHR presentTo) {
+    const std::vector<VkPhysicalDevice> devices = allDevices(instance);
+    if (devices.empty()) {
+        return base::Error{base::ErrorCode::DeviceFailed,
+                           "No Vulkan driver was found. Install the driver of the graphics card, or mesa-vulkan-drivers for "
+                           "a software device."};
+    }
+    const char* wanted = std::getenv("COPPERSCOPE_DEVICE");
+    std::string reasons;
+    for (VkPhysicalDevice device : devices) {
+        const std::string name = nameOf(device);
+        std::string why = std::string("is not the one COPPERSCOPE_DEVICE asks for");
+        if (wanted == nullptr || name.find(wanted) != std::string::npos) {
+            if (std::optional<DeviceChoice> choice = examine(device, presentTo, why)) {
+                return *choice;
+            }
+        }
+        reasons += (reasons.empty() ? "" : "; ") + name + " " + why;
+    }
+    return base::Error{base::ErrorCode::DeviceFailed, "No Vulkan device can be used: " + reasons + "."};
+}
+
+}  // namespace render::gpu

@@ -1,0 +1,97 @@
+#pragma once
+
+#include "render/gpu/device.h"
+
+#include <cstdint>
+#include <deque>
+#include <unordered_map>
+#include <utility>
+
+namespace render::gpu {
+
+/// Keeps dropped Vulkan objects until the submissions that may use them are done, and books memory by use. Owned by the Device; the only place
+/// that calls vkDestroy*.
+class Graveyard {
+public:
+    explicit Graveyard(VkDevice device) : m_device(device) {}
+    Graveyard(const Graveyard&) = delete;
+    Graveyard& operator=(const Graveyard&) = delete;
+
+    /// The object may be used by all commands submitted until now and by those being recorded: the next submission still counts.
+    void retire(VkObjectType type, std::uint64_t handle) { m_retired.push_back({m_submitted + 1, type, handle}); }
+    void noteSubmission(std::uint64_t number) { m_submitted = number; }
+    /// Frees what no submission after `done` can use.
+    void collect(std::uint64_t done);
+    /// For an idle device.
+    void collectAll() { collect(~std::uint64_t{0}); }
+
+    void noteAllocation(VkDeviceMemory memory, MemoryUse use, std::uint64_t bytes);
+    [[nodiscard]] const MemoryReport& memory() const { return m_report; }
+
+private:
+    struct Retired {
+        std::uint64_t after;
+        VkObjectType type;
+        std::uint64_t handle;
+    };
+    struct Allocation {
+        MemoryUse use;
+        std::uint64_t bytes;
+    };
+    void destroy(const Retired& object);
+    void noteFree(std::uint64_t memory);
+
+    VkDevice m_device;
+    std::uint64_t m_submitted = 0;
+    std::deque<Retired> m_retired;
+    std::unordered_map<std::uint64_t, Allocation> m_allocations;
+    MemoryReport m_report;
+};
+
+// Handles are distinct pointer types on 64-bit machines, the only ones we build for.
+static_assert(sizeof(void*) == 8);
+constexpr VkObjectType objectType(VkBuffer) { return VK_OBJECT_TYPE_BUFFER; }
+constexpr VkObjectType objectType(VkImage) { return VK_OBJECT_TYPE_IMAGE; }
+constexpr VkObjectType objectType(VkImageView) { return VK_OBJECT_TYPE_IMAGE_VIEW; }
+constexpr VkObjectType objectType(VkDeviceMemory) { return VK_OBJECT_TYPE_DEVICE_MEMORY; }
+constexpr VkObjectType objectType(VkPipeline) { return VK_OBJECT_TYPE_PIPELINE; }
+constexpr VkObjectType objectType(VkPipelineLayout) { return VK_OBJECT_TYPE_PIPELINE_LAYOUT; }
+constexpr VkObjectType objectType(VkShaderModule) { return VK_OBJECT_TYPE_SHADER_MODULE; }
+constexpr VkObjectType objectType(VkCommandPool) { return VK_OBJECT_TYPE_COMMAND_POOL; }
+constexpr VkObjectType objectType(VkQueryPool) { return VK_OBJECT_TYPE_QUERY_POOL; }
+constexpr VkObjectType objectType(VkSemaphore) { return VK_OBJECT_TYPE_SEMAPHORE; }
+constexpr VkObjectType objectType(VkSwapchainKHR) { return VK_OBJECT_TYPE_SWAPCHAIN_KHR; }
+
+/// The one owner of a Vulkan object: move-only, hands it to the graveyard when dropped. Classes above it default their moves.
+template <class Handle>
+class Unique {
+public:
+    Unique() = default;
+    /// Takes `handle`, names it `label`.
+    Unique(Device& device, Handle handle, std::string_view label) : m_graveyard(&device.graveyard()), m_handle(handle) {
+        device.name(objectType(handle), reinterpret_cast<std::uint64_t>(handle), label);
+    }
+    ~Unique() { reset(); }
+    Unique(Unique&& other) noexcept
+        : m_graveyard(other.m_graveyard), m_handle(std::exchange(other.m_handle, VK_NULL_HANDLE)) {}
+    Unique& operator=(Unique&& other) noexcept {
+        std::swap(m_graveyard, other.m_graveyard);
+        std::swap(m_handle, other.m_handle);
+        return *this;
+    }
+
+    [[nodiscard]] Handle get() const { return m_handle; }
+    explicit operator bool() const { return m_handle != VK_NULL_HANDLE; }
+    void reset() {
+        if (m_handle != VK_NULL_HANDLE) {
+            m_graveyard->retire(objectType(m_handle), reinterpret_cast<std::uint64_t>(m_handle));
+            m_handle = VK_NULL_HANDLE;
+        }
+    }
+
+private:
+    Graveyard* m_graveyard = nullptr;
+    Handle m_handle = VK_NULL_HANDLE;
+};
+
+}  // namespace render::gpu
