@@ -1,1 +1,5 @@
-# Tests of this folder; see docs/testing.md.
+foreach(name shapes discretise boolean document_builder body diagnostics)
+    copperscope_test(${name}_test unit/model/${name}_test.cpp LABEL unit LINK copperscope_model)
+endforeach()
+copperscope_test(paper_reader_test unit/model/paper_reader_test.cpp LABEL unit LINK copperscope_paper)
+copperscope_test(reader_test unit/model/reader_test.cpp LABEL unit LINK copperscope_reader)

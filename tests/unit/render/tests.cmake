@@ -1,1 +1,3 @@
-# Tests of this folder; see docs/testing.md.
+foreach(name lets board_model camera)
+    copperscope_test(${name}_test unit/render/${name}_test.cpp LABEL unit LINK copperscope_board copperscope_reader)
+endforeach()

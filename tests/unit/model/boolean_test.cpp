@@ -1,0 +1,71 @@
+#include "model/geometry/boolean.h"
+
+#include <QtTest>
+
+using model::Point;
+using model::PolygonSet;
+
+namespace {
+
+PolygonSet square(int x, int y, int size) {
+    PolygonSet set;
+    set.beginPolygon();
+    const Point corners[] = {{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}};
+    set.addLoop(corners);
+    return set;
+}
+
+long long area(const PolygonSet& set) {
+    return static_cast<long long>(model::twiceArea(set) / 2);
+}
+
+}  // namespace
+
+class BooleanTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void overlapCountsOnce() {
+        PolygonSet both = square(0, 0, 10);
+        both.append(square(5, 5, 10));
+        QCOMPARE(area(both), 200);
+        const PolygonSet united = model::unite(both);
+        QCOMPARE(area(united), 175);
+        QCOMPARE(united.polygons.size(), 1U);
+    }
+
+    void differenceKeepsHolesWithTheirOutline() {
+        PolygonSet holes = square(10, 10, 5);
+        holes.append(square(30, 30, 5));
+        holes.append(square(95, 95, 20));  // bites a corner off
+        const PolygonSet result = model::subtract(square(0, 0, 100), holes);
+        QCOMPARE(result.polygons.size(), 1U);
+        QCOMPARE(result.polygons[0].loopCount, 3U);
+        QCOMPARE(area(result), 10000 - 25 - 25 - 25);
+    }
+
+    void islandInsideAHoleIsItsOwnPolygon() {
+        PolygonSet ring = model::subtract(square(0, 0, 100), square(20, 20, 60));
+        ring.append(square(40, 40, 20));
+        const PolygonSet result = model::unite(ring);
+        QCOMPARE(result.polygons.size(), 2U);
+        QCOMPARE(area(result), 10000 - 3600 + 400);
+    }
+
+    void areaOfUnionAndCommonPartAddUp() {
+        // |A ∪ B| = |A \ B| + |B|, on the grid exactly when all crossings are grid points.
+        const PolygonSet a = square(0, 0, 64);
+        const PolygonSet b = square(32, 16, 64);
+        PolygonSet both = a;
+        both.append(b);
+        QCOMPARE(area(model::unite(both)), area(model::subtract(a, b)) + area(b));
+    }
+
+    void nothingMinusSomethingIsNothing() {
+        QCOMPARE(model::subtract({}, square(0, 0, 10)).polygons.size(), 0U);
+        QCOMPARE(model::subtract(square(0, 0, 10), square(-1, -1, 20)).polygons.size(), 0U);
+    }
+};
+
+QTEST_APPLESS_MAIN(BooleanTest)
+#include "boolean_test.moc"

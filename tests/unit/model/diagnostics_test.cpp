@@ -1,0 +1,39 @@
+#include "model/diagnostics.h"
+
+#include <QtTest>
+
+using model::Diagnostics;
+using model::ElementId;
+using model::Severity;
+
+class DiagnosticsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void oneCauseIsOneEntryThatNamesItsFirstPlace() {
+        Diagnostics diagnostics;
+        diagnostics.report(Severity::Warning, "a", 7, "a pad was skipped", ElementId{3});
+        diagnostics.report(Severity::Warning, "a", 9, "a pad was skipped", ElementId{4});
+        diagnostics.report(Severity::Warning, "b", 1, "a pad was skipped");
+        QCOMPARE(diagnostics.entries().size(), 2U);
+        QCOMPARE(diagnostics.entries()[0].line, 7U);
+        QCOMPARE(diagnostics.entries()[0].count, 2U);
+        QVERIFY(diagnostics.entries()[0].element == ElementId{3});
+    }
+
+    void appendingAddsUpTheCounts() {
+        Diagnostics first;
+        first.report(Severity::Info, "a", 1, "x");
+        Diagnostics second;
+        second.report(Severity::Info, "a", 2, "x");
+        second.report(Severity::Error, "a", 3, "y");
+        first.append(second);
+        QCOMPARE(first.entries().size(), 2U);
+        QCOMPARE(first.entries()[0].count, 2U);
+        QCOMPARE(first.count(Severity::Error), 1U);
+        QCOMPARE(first.count(Severity::Warning), 0U);
+    }
+};
+
+QTEST_APPLESS_MAIN(DiagnosticsTest)
+#include "diagnostics_test.moc"

@@ -1,0 +1,167 @@
+#include "render/board_model.h"
+
+#include <QtTest>
+#include <cstring>
+#include <filesystem>
+
+#include "model/base/parallel.h"
+#include "model/document_builder.h"
+#include "model/reader.h"
+
+using model::DocumentBuilder;
+using render::BoardModel;
+
+namespace {
+
+std::shared_ptr<const model::Document> readBoard(const std::string& path) {
+    base::Progress progress;
+    const auto result = model::readBoard(path, {}, progress);
+    return result ? *result : nullptr;
+}
+
+BoardModel build(const model::Document& document, const model::Discretisation& how = {}) {
+    base::Progress progress;
+    auto result = render::buildBoardModel(document, how, progress);
+    return std::move(*result);
+}
+
+template <class T>
+bool sameBytes(const std::vector<T>& a, const std::vector<T>& b) {
+    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+model::ShapeSketch polygonSketch(const std::vector<model::Point>& points) {
+    model::ShapeSketch sketch;
+    sketch.addPolygon(points, false);
+    return sketch;
+}
+
+}  // namespace
+
+class BoardModelTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void paperModelHasTheNumbersOfTables2And3() {
+        const std::string path = std::string(COPPERSCOPE_BOARDS) + "/paper_t1.txt";
+        if (!std::filesystem::exists(path)) {
+            QSKIP("the paper's model is not here");
+        }
+        const auto document = readBoard(path);
+        QCOMPARE(document->elementCounts(), (std::array<std::uint32_t, 5>{539, 0, 1395, 529, 823}));
+        const BoardModel model = build(*document, {5000.0, true});
+        QCOMPARE(model.trianglesPaperRule, 1'130'956U);
+        QCOMPARE(model.repairedAreas, 0U);
+    }
+
+    void modelDoesNotDependOnTheNumberOfThreads() {
+        const auto document = readBoard(COPPERSCOPE_SAMPLE);
+        QVERIFY(document);
+        BoardModel single;
+        {
+            const base::ThreadLimit limit(1);
+            single = build(*document);
+        }
+        for (int round = 0; round < 3; ++round) {
+            const BoardModel many = build(*document);
+            QVERIFY(sameBytes(single.lets, many.lets));
+            QVERIFY(sameBytes(single.clusters, many.clusters));
+            QVERIFY(sameBytes(single.vertices, many.vertices));
+            QVERIFY(sameBytes(single.indices, many.indices));
+            QVERIFY(sameBytes(single.next, many.next));
+            QVERIFY(sameBytes(single.instances, many.instances));
+        }
+    }
+
+    void everyAreaIsAnInstanceOfItsLayer() {
+        const auto document = readBoard(COPPERSCOPE_SAMPLE);
+        const BoardModel model = build(*document);
+        QCOMPARE(model.instances.size(), document->areas.size());
+        std::size_t seen = 0;
+        for (std::size_t layer = 0; layer < document->layers.size(); ++layer) {
+            const render::LayerRun run = model.areaBatchesOfLayer[layer];
+            for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
+                const render::AreaBatch& batch = model.areaBatches[i];
+                QCOMPARE(batch.layer, layer);
+                for (std::uint32_t k = 0; k < batch.instanceCount; ++k) {
+                    const shader::AreaInstance& instance = model.instances[batch.firstInstance + k];
+                    QCOMPARE(instance.shape, batch.shape);
+                    QCOMPARE(instance.layer, layer);
+                    ++seen;
+                }
+            }
+        }
+        QCOMPARE(seen, model.instances.size());
+    }
+
+    void aSymbolUsedOftenIsTriangulatedOnce() {
+        DocumentBuilder builder;
+        const model::ShapeId pad =
+            builder.addShape(polygonSketch({{-500, -300}, {500, -300}, {500, 300}, {-500, 300}}));
+        builder.beginLayer(builder.addLayer({}));
+        for (int i = 0; i < 100; ++i) {
+            builder.addArea({pad, {{i * 2000, 0}, 30.0 * i, i % 2 == 0}}, {});
+        }
+        const BoardModel model = build(*builder.finish());
+        QCOMPARE(model.shapes.size(), 1U);
+        QCOMPARE(model.indices.size(), 6U);
+        QCOMPARE(model.instances.size(), 100U);
+        QCOMPARE(model.areaBatches.size(), 1U);
+    }
+
+    void keyholeBridgesGetNoWall() {
+        DocumentBuilder builder;
+        builder.beginLayer(builder.addLayer({}));
+        const model::ShapeId keyhole = builder.addShape(polygonSketch({{0, 0},
+                                                                       {1000, 0},
+                                                                       {1000, 1000},
+                                                                       {0, 1000},
+                                                                       {0, 500},
+                                                                       {400, 500},
+                                                                       {400, 600},
+                                                                       {600, 600},
+                                                                       {600, 400},
+                                                                       {400, 400},
+                                                                       {400, 500},
+                                                                       {0, 500}}));
+        builder.addArea({keyhole, {}}, {});
+        const BoardModel model = build(*builder.finish());
+        QCOMPARE(model.repairedAreas, 0U);
+        std::size_t walls = 0;
+        for (std::uint32_t i = 0; i < model.next.size(); ++i) {
+            walls += model.next[i] != i ? 1 : 0;
+        }
+        QCOMPARE(walls, 10U);  // five on the outline (one side is cut in two), five around the hole likewise
+    }
+
+    void crossingOutlinesAreRepairedAndReported() {
+        DocumentBuilder builder;
+        model::Layer layer;
+        layer.name = "TOP";
+        layer.file = "steps/pcb/layers/top/features";
+        builder.beginLayer(builder.addLayer(layer));
+        DocumentBuilder::Origin origin;
+        origin.line = 42;
+        // A bow tie whose lobes both count: the area is covered, not cancelled.
+        const model::ShapeId bowTie = builder.addShape(polygonSketch({{0, 0}, {1000, 1000}, {1000, 0}, {0, 3000}}));
+        builder.addArea({bowTie, {}}, origin);
+        const BoardModel model = build(*builder.finish());
+        QCOMPARE(model.repairedAreas, 1U);
+        QVERIFY(!model.indices.empty());
+        QCOMPARE(model.diagnostics.entries().size(), 1U);
+        QCOMPARE(model.diagnostics.entries()[0].line, 42U);
+        QCOMPARE(model.diagnostics.entries()[0].file, std::string("steps/pcb/layers/top/features"));
+    }
+
+    void cancelledModellingSaysSo() {
+        const auto document = readBoard(COPPERSCOPE_SAMPLE);
+        base::Progress progress;
+        progress.cancel();
+        const auto result = render::buildBoardModel(*document, {}, progress);
+        QVERIFY(!result);
+        QCOMPARE(result.error().code, base::ErrorCode::Cancelled);
+    }
+};
+
+QTEST_APPLESS_MAIN(BoardModelTest)
+#include "board_model_test.moc"
