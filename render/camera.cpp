@@ -86,6 +86,17 @@ void Camera::zoom(float factor, const glm::vec2& ndc, float aspect) {
     m_distance = newDistance;
 }
 
+void Camera::focusOn(const glm::vec3& point) {
+    const float depth = glm::dot(point - eye(), direction());
+    if (depth <= kMinDistance && !m_isOrthographic) {
+        return;
+    }
+    m_target += direction() * (depth - m_distance);
+    if (!m_isOrthographic) {
+        m_distance = depth;  // the eye stays; an orthographic view keeps its scale instead, and the eye may move along
+    }
+}
+
 glm::vec3 Camera::direction() const {
     return {std::sin(m_yaw) * std::cos(m_pitch), std::cos(m_yaw) * std::cos(m_pitch), std::sin(m_pitch)};
 }

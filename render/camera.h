@@ -21,6 +21,10 @@ public:
     void pan(const glm::vec2& pixels, float height);
     /// Zooms by `factor` (> 1 is closer) keeping the point under the cursor; `ndc` in -1..1, y up.
     void zoom(float factor, const glm::vec2& ndc, float aspect);
+    /// Moves the target along the line of sight to the depth of `point`, which changes nothing in the picture:
+    /// orbiting, panning and zooming then go by what is there, and a zoom can come as near to it as it likes. A point
+    /// behind the eye is ignored.
+    void focusOn(const glm::vec3& point);
     void setOrthographic(bool isOrthographic) { m_isOrthographic = isOrthographic; }
     [[nodiscard]] bool isOrthographic() const { return m_isOrthographic; }
 
