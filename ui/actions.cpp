@@ -1,0 +1,140 @@
+#include "ui/actions.h"
+
+#include <QActionGroup>
+#include <QKeySequence>
+#include <QMenu>
+#include <QWidget>
+
+#include "model/base/assert.h"
+
+namespace ui {
+
+namespace {
+
+using enum ActionId;
+
+constexpr bool kCheckable = true;
+constexpr bool kNewGroup = true;
+
+constexpr ActionSpec kSpecs[] = {
+    {OpenFile, MenuId::File, "&Open…", "Ctrl+O", "Open an ODB++ archive (.tgz, .zip) or a text board"},
+    {OpenFolder, MenuId::File, "Open &folder…", "Ctrl+Shift+O", "Open an unpacked ODB++ job"},
+    {Reload, MenuId::File, "&Reload", "F5 Ctrl+R", "Read the board again from disk"},
+    {CancelLoading, MenuId::File, "&Cancel loading", "Esc", "Stop reading and keep the board on the screen"},
+    {SavePicture, MenuId::File, "&Save picture…", "Ctrl+Shift+S", "Write what the canvas shows to a PNG file", false,
+     kNewGroup},
+    {CopyPicture, MenuId::File, "Copy &picture", "Ctrl+Shift+C", "Put what the canvas shows on the clipboard"},
+    {Quit, MenuId::File, "&Quit", "Ctrl+Q", "Close the workbench", false, kNewGroup},
+
+    {Fit, MenuId::View, "&Fit", "F Home", "Show the whole board, direction unchanged"},
+    {LookTop, MenuId::View, "&Top", "T", "Look straight down on the top side"},
+    {LookBottom, MenuId::View, "&Bottom", "B", "Look straight up on the bottom side"},
+    {LookIso, MenuId::View, "&Isometric", "I", "Look from a corner"},
+    {ZoomIn, MenuId::View, "Zoom i&n", "+ =", "Come closer", false, kNewGroup},
+    {ZoomOut, MenuId::View, "Zoom o&ut", "-", "Step back"},
+    {Orthographic, MenuId::View, "&Orthographic", "O", "Parallel projection instead of perspective", kCheckable},
+    {Explode, MenuId::View, "&Explode", "E", "Spread the layers apart", kCheckable},
+    {ShowLayersDock, MenuId::View, "&Layers", "Ctrl+1", "Show or hide the layers panel", kCheckable, kNewGroup},
+    {ShowStatisticsDock, MenuId::View, "&Statistics", "Ctrl+2", "Show or hide the element statistics", kCheckable},
+    {ShowMessagesDock, MenuId::View, "&Messages", "Ctrl+3", "Show or hide what was skipped, repaired or assumed",
+     kCheckable},
+    {ShowToolBar, MenuId::View, "Tool&bar", "", "Show or hide the toolbar", kCheckable},
+    {ThemeSystem, MenuId::Theme, "As the &system", "", "Colours of the desktop", kCheckable},
+    {ThemeDark, MenuId::Theme, "&Dark", "", "Light text on dark panels", kCheckable},
+    {ThemeLight, MenuId::Theme, "&Light", "", "Dark text on light panels", kCheckable},
+    {BackendAuto, MenuId::Backend, "&Automatic", "", "The one that suits this device", kCheckable},
+    {BackendMesh, MenuId::Backend, "&Mesh shaders", "", "Task and mesh shaders; the device must have them", kCheckable},
+    {BackendPull, MenuId::Backend, "&Vertex pulling", "", "Compute culling and indirect draws; works on every device",
+     kCheckable},
+
+    {ShowAllLayers, MenuId::Layers, "Show &all", "Ctrl+Shift+A", "Draw every layer"},
+    {HideAllLayers, MenuId::Layers, "&Hide all", "Ctrl+Shift+H", "Draw no layer"},
+    {ShowCopperOnly, MenuId::Layers, "&Copper only", "Ctrl+Shift+K", "Draw the copper layers and nothing else"},
+    {SoloLayer, MenuId::Layers, "&Only this layer", "H", "Draw the current layer of the panel alone; again to go back"},
+    {RestoreLayers, MenuId::Layers, "&Default colours", "", "Undo all changes of colour, opacity and visibility"},
+
+    {KeysSheet, MenuId::Help, "&Keys and mouse", "F1 ?", "All keys and mouse gestures on one page"},
+    {ResetSettings, MenuId::Help, "&Reset settings…", "", "Forget window places, theme and recent boards", false,
+     kNewGroup},
+    {About, MenuId::Help, "&About Copperscope", "", "Version and licence", false, kNewGroup},
+};
+static_assert(std::size(kSpecs) == kActionCount);
+
+constexpr const char* kMenuTitles[kMenuCount] = {"&File", "&View", "T&heme", "Bac&k end", "&Layers", "&Help"};
+
+bool isChoice(MenuId menu) {
+    return menu == MenuId::Theme || menu == MenuId::Backend;
+}
+
+/// "Come closer (+, =)"
+QString tipWithKeys(const ActionSpec& spec) {
+    QStringList keys;
+    for (const QKeySequence& key : shortcutsOf(spec)) {
+        keys += key.toString(QKeySequence::NativeText);
+    }
+    const QString tip = QString::fromUtf8(spec.tip);
+    return keys.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, keys.join(QStringLiteral(", ")));
+}
+
+}  // namespace
+
+std::span<const ActionSpec> actionSpecs() {
+    return kSpecs;
+}
+
+const char* menuTitle(MenuId menu) {
+    return kMenuTitles[static_cast<std::size_t>(menu)];
+}
+
+QList<QKeySequence> shortcutsOf(const ActionSpec& spec) {
+    QList<QKeySequence> keys;
+    for (const QString& key : QString::fromUtf8(spec.shortcuts).split(' ', Qt::SkipEmptyParts)) {
+        keys += QKeySequence::fromString(key, QKeySequence::PortableText);
+    }
+    return keys;
+}
+
+ActionSet::ActionSet(QWidget& window) : m_window(window) {
+    std::array<QActionGroup*, kMenuCount> groups{};
+    for (const ActionSpec& spec : kSpecs) {
+        auto* action = new QAction(&window);
+        apply(spec, *action);
+        m_actions[static_cast<std::size_t>(spec.id)] = action;
+        if (isChoice(spec.menu)) {
+            QActionGroup*& group = groups[static_cast<std::size_t>(spec.menu)];
+            group = group != nullptr ? group : new QActionGroup(&window);
+            group->addAction(action);
+        }
+    }
+}
+
+void ActionSet::apply(const ActionSpec& spec, QAction& action) const {
+    ASSERT(&spec == &kSpecs[static_cast<std::size_t>(spec.id)]);
+    action.setText(QString::fromUtf8(spec.text));
+    action.setShortcuts(shortcutsOf(spec));
+    action.setToolTip(tipWithKeys(spec));
+    action.setStatusTip(QString::fromUtf8(spec.tip));
+    action.setCheckable(spec.isCheckable);
+    m_window.addAction(&action);
+}
+
+void ActionSet::adopt(ActionId id, QAction& action) {
+    QAction*& slot = m_actions[static_cast<std::size_t>(id)];
+    delete slot;
+    slot = &action;
+    apply(kSpecs[static_cast<std::size_t>(id)], action);
+}
+
+void ActionSet::fill(QMenu& menu, MenuId id) const {
+    for (const ActionSpec& spec : kSpecs) {
+        if (spec.menu != id) {
+            continue;
+        }
+        if (spec.beginsGroup) {
+            menu.addSeparator();
+        }
+        menu.addAction(&(*this)[spec.id]);
+    }
+}
+
+}  // namespace ui

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <QAction>
+#include <QList>
+#include <QString>
+#include <array>
+#include <span>
+
+class QMenu;
+class QWidget;
+
+/// Every command of the workbench, declared in one table: menus, toolbar, shortcuts, tips and the keys sheet come from
+/// it.
+namespace ui {
+
+enum class ActionId {
+    OpenFile,
+    OpenFolder,
+    Reload,
+    CancelLoading,
+    SavePicture,
+    CopyPicture,
+    Quit,
+    Fit,
+    LookTop,
+    LookBottom,
+    LookIso,
+    ZoomIn,
+    ZoomOut,
+    Orthographic,
+    Explode,
+    ShowLayersDock,
+    ShowStatisticsDock,
+    ShowMessagesDock,
+    ShowToolBar,
+    ThemeSystem,
+    ThemeDark,
+    ThemeLight,
+    BackendAuto,
+    BackendMesh,
+    BackendPull,
+    ShowAllLayers,
+    HideAllLayers,
+    ShowCopperOnly,
+    SoloLayer,
+    RestoreLayers,
+    KeysSheet,
+    ResetSettings,
+    About,
+    Count
+};
+inline constexpr std::size_t kActionCount = static_cast<std::size_t>(ActionId::Count);
+
+/// Where a command is found. Theme and Backend are submenus of View with one choice each.
+enum class MenuId { File, View, Theme, Backend, Layers, Help, Count };
+inline constexpr std::size_t kMenuCount = static_cast<std::size_t>(MenuId::Count);
+
+struct ActionSpec {
+    ActionId id;
+    MenuId menu;
+    const char* text;       ///< with & before the mnemonic
+    const char* shortcuts;  ///< portable text, several separated by blanks; empty for none
+    const char* tip;
+    bool isCheckable = false;
+    bool beginsGroup = false;  ///< a separator goes before it
+};
+
+/// The table, in menu order; row n has id n.
+[[nodiscard]] std::span<const ActionSpec> actionSpecs();
+[[nodiscard]] const char* menuTitle(MenuId menu);
+[[nodiscard]] QList<QKeySequence> shortcutsOf(const ActionSpec& spec);
+
+/// The live actions of one window.
+class ActionSet {
+public:
+    /// Makes all actions children of `window`, so that their shortcuts work wherever the focus is inside it.
+    explicit ActionSet(QWidget& window);
+
+    [[nodiscard]] QAction& operator[](ActionId id) const { return *m_actions[static_cast<std::size_t>(id)]; }
+    /// Uses an action that a widget made itself (a dock's own toggle) in place of ours.
+    void adopt(ActionId id, QAction& action);
+    /// Appends the actions of `menu` in table order.
+    void fill(QMenu& menu, MenuId id) const;
+
+private:
+    void apply(const ActionSpec& spec, QAction& action) const;
+
+    QWidget& m_window;
+    std::array<QAction*, kActionCount> m_actions{};
+};
+
+}  // namespace ui

@@ -1,0 +1,104 @@
+#include "ui/board_view.h"
+
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "ui/image_canvas.h"
+#include "ui/vulkan_canvas.h"
+
+namespace ui {
+
+BoardView::BoardView(GpuContext& context, CanvasKind kind, QWidget* parent) : QWidget(parent), m_context(context) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    setMinimumSize(160, 120);
+    connect(&m_controller, &CameraController::moved, this, &BoardView::requestFrame);
+    if (kind == CanvasKind::Best && context.surfaceInstance() != nullptr) {
+        showVulkanCanvas();
+    } else {
+        showImageCanvas();
+    }
+}
+
+BoardView::~BoardView() = default;
+
+void BoardView::showVulkanCanvas() {
+    m_window = new VulkanCanvas(m_context, m_controller, m_picture);
+    connect(m_window, &VulkanCanvas::drawn, this, &BoardView::drawn);
+    connect(m_window, &VulkanCanvas::deviceLost, this, &BoardView::deviceLost, Qt::QueuedConnection);
+    connect(m_window, &VulkanCanvas::unusable, this, &BoardView::showImageCanvas, Qt::QueuedConnection);
+    replaceCanvas(QWidget::createWindowContainer(m_window));
+}
+
+void BoardView::showImageCanvas() {
+    m_window = nullptr;
+    m_image = new ImageCanvas(m_context, m_controller, m_picture);
+    connect(m_image, &ImageCanvas::drawn, this, &BoardView::drawn);
+    connect(m_image, &ImageCanvas::deviceLost, this, &BoardView::deviceLost, Qt::QueuedConnection);
+    replaceCanvas(m_image);
+}
+
+void BoardView::replaceCanvas(QWidget* canvas) {
+    delete m_container;
+    m_container = canvas;
+    canvas->setFocusPolicy(Qt::StrongFocus);
+    layout()->addWidget(canvas);
+    setFocusProxy(canvas);
+}
+
+void BoardView::setScene(render::BoardScene* scene) {
+    m_picture.scene = scene;
+    requestFrame();
+}
+
+void BoardView::setBoard(const glm::vec3& boxMin, const glm::vec3& boxMax) {
+    m_boxMin = boxMin;
+    m_boxMax = boxMax;
+    updateBox();
+}
+
+void BoardView::setBackend(render::Backend backend) {
+    m_picture.settings.backend = backend;
+    requestFrame();
+}
+
+void BoardView::setExplode(float explode) {
+    m_picture.settings.explode = explode;
+    updateBox();
+    requestFrame();
+}
+
+void BoardView::updateBox() {
+    // The whole explosion spreads the layers over about half the board's width.
+    const float spread = 0.5F * m_picture.settings.explode * std::max(m_boxMax.x - m_boxMin.x, m_boxMax.y - m_boxMin.y);
+    const glm::vec3 margin(0.0F, 0.0F, spread / 2.0F);
+    m_controller.setBox(m_boxMin - margin, m_boxMax + margin);
+}
+
+void BoardView::requestFrame() {
+    if (m_window != nullptr) {
+        m_window->requestUpdate();
+    } else if (m_image != nullptr) {
+        m_image->requestFrame();
+    }
+}
+
+QObject& BoardView::canvas() {
+    return m_window != nullptr ? static_cast<QObject&>(*m_window) : *m_image;
+}
+
+base::Result<QImage> BoardView::grabPicture(double scale) {
+    render::OffscreenPresenter presenter(m_context.device());
+    const QSize pixels = (QSizeF(size()) * devicePixelRatioF() * scale).toSize();
+    return drawPicture(presenter, m_picture, m_controller.camera(), pixels);
+}
+
+void BoardView::releaseDevice() {
+    if (m_window != nullptr) {
+        m_window->releaseDevice();
+    } else {
+        m_image->releaseDevice();
+    }
+}
+
+}  // namespace ui

@@ -1,0 +1,194 @@
+#include "ui/camera_controller.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QWheelEvent>
+#include <cmath>
+#include <numbers>
+
+namespace ui {
+
+namespace {
+
+constexpr double kWheelNotch = 120.0;  // QWheelEvent: eighths of a degree, 15 degrees a notch
+constexpr double kArrowPixels = 40.0;  // an arrow key moves as much as a drag of this length
+
+/// What a button does with these modifiers held.
+bool isPan(const QMouseEvent& event) {
+    return event.button() != Qt::LeftButton || event.modifiers().testFlag(Qt::ShiftModifier);
+}
+
+}  // namespace
+
+void CameraController::setViewport(QSizeF size) {
+    m_viewport = size.expandedTo({1.0, 1.0});
+    if (m_isFitted) {
+        fit();
+    } else {
+        emit moved();
+    }
+}
+
+void CameraController::setBox(const glm::vec3& boxMin, const glm::vec3& boxMax) {
+    m_boxMin = boxMin;
+    m_boxMax = boxMax;
+    if (m_isFitted) {
+        fit();
+    }
+}
+
+void CameraController::fit() {
+    m_camera.fit(m_boxMin, m_boxMax, aspect());
+    m_isFitted = true;
+    emit moved();
+}
+
+void CameraController::look(render::NamedView view) {
+    m_camera.fit(m_boxMin, m_boxMax, view, aspect());
+    m_isFitted = true;
+    emit moved();
+}
+
+void CameraController::setOrthographic(bool isOrthographic) {
+    m_camera.setOrthographic(isOrthographic);
+    emit moved();
+}
+
+void CameraController::zoomAt(QPointF position, float factor) {
+    focusAt(position);
+    m_camera.zoom(factor, ndcOf(position), aspect());
+    announceUserMove();
+}
+
+void CameraController::zoomAtCentre(float factor) {
+    zoomAt(centre(), factor);
+}
+
+glm::vec2 CameraController::ndcOf(QPointF position) const {
+    return {static_cast<float>(2.0 * position.x() / m_viewport.width() - 1.0),
+            static_cast<float>(1.0 - 2.0 * position.y() / m_viewport.height())};
+}
+
+std::optional<glm::vec3> CameraController::boardPointAt(QPointF position) const {
+    const glm::mat4 toBoard = glm::inverse(m_camera.projection(aspect()) * m_camera.view());
+    const glm::vec2 ndc = ndcOf(position);
+    const auto at = [&](float depth) {  // y down and depth reversed, as the projection has them
+        const glm::vec4 p = toBoard * glm::vec4(ndc.x, -ndc.y, depth, 1.0F);
+        return glm::vec3(p) / p.w;
+    };
+    const glm::vec3 from = at(1.0F);
+    const glm::vec3 along = at(0.5F) - from;
+    const float face = m_camera.direction().z < 0.0F ? m_boxMax.z : m_boxMin.z;
+    const float way = (face - from.z) / along.z;
+    const glm::vec3 point = from + along * way;
+    const bool isInside =
+        point.x >= m_boxMin.x && point.x <= m_boxMax.x && point.y >= m_boxMin.y && point.y <= m_boxMax.y;
+    // Written so that a line of sight along the face (way is infinite or not a number) misses.
+    return way > 0.0F && isInside ? std::optional(point) : std::nullopt;
+}
+
+void CameraController::focusAt(QPointF position) {
+    if (const std::optional<glm::vec3> point = boardPointAt(position)) {
+        m_camera.focusOn(*point);
+    }
+}
+
+bool CameraController::handle(QEvent& event) {
+    switch (event.type()) {
+        case QEvent::MouseButtonPress: return press(static_cast<const QMouseEvent&>(event));
+        case QEvent::MouseMove: return move(static_cast<const QMouseEvent&>(event));
+        case QEvent::MouseButtonRelease: return release(static_cast<const QMouseEvent&>(event));
+        case QEvent::Wheel: return wheel(static_cast<const QWheelEvent&>(event));
+        case QEvent::KeyPress: return key(static_cast<const QKeyEvent&>(event));
+        default: return false;
+    }
+}
+
+bool CameraController::press(const QMouseEvent& event) {
+    if (m_button != Qt::NoButton) {
+        return true;  // one drag at a time: a second button does not disturb the first
+    }
+    m_button = event.button();
+    m_pressed = m_last = event.position();
+    m_drag = Drag::Undecided;
+    m_dragKind = isPan(event) ? Drag::Pan : Drag::Orbit;
+    // A pan keeps the board under the cursor; an orbit turns about what is in the middle of the canvas.
+    focusAt(m_dragKind == Drag::Pan ? m_pressed : centre());
+    return true;
+}
+
+bool CameraController::move(const QMouseEvent& event) {
+    if (m_drag == Drag::None) {
+        return false;
+    }
+    if (m_drag == Drag::Undecided) {
+        const QPointF way = event.position() - m_pressed;
+        if (std::hypot(way.x(), way.y()) < kClickPixels) {
+            return true;
+        }
+        m_drag = m_dragKind;
+    }
+    const QPointF step = event.position() - m_last;
+    m_last = event.position();
+    m_drag == Drag::Orbit ? orbitBy(step) : panBy(step);
+    return true;
+}
+
+bool CameraController::release(const QMouseEvent& event) {
+    if (event.button() != m_button) {
+        return false;
+    }
+    const bool wasClick = m_drag == Drag::Undecided && m_button == Qt::LeftButton;
+    m_drag = Drag::None;
+    m_button = Qt::NoButton;
+    if (wasClick) {
+        emit clicked(m_pressed, event.modifiers());
+    }
+    return true;
+}
+
+bool CameraController::wheel(const QWheelEvent& event) {
+    const double notches = event.angleDelta().y() / kWheelNotch;
+    if (notches == 0.0) {
+        return false;
+    }
+    zoomAt(event.position(), std::pow(kZoomPerNotch, static_cast<float>(notches)));
+    return true;
+}
+
+bool CameraController::key(const QKeyEvent& event) {
+    QPointF way;
+    switch (event.key()) {
+        case Qt::Key_Left: way = {-kArrowPixels, 0.0}; break;
+        case Qt::Key_Right: way = {kArrowPixels, 0.0}; break;
+        case Qt::Key_Up: way = {0.0, -kArrowPixels}; break;
+        case Qt::Key_Down: way = {0.0, kArrowPixels}; break;
+        default: return false;
+    }
+    // The arrow says where the viewer goes, a drag where the board goes.
+    event.modifiers().testFlag(Qt::ShiftModifier) ? panBy(-way) : orbitBy(-way);
+    return true;
+}
+
+void CameraController::orbitBy(QPointF pixels) {
+    // Half a turn across the height of the canvas; the surface under the cursor follows it.
+    const double radPerPixel = std::numbers::pi / m_viewport.height();
+    m_camera.orbit(static_cast<float>(pixels.x() * radPerPixel), static_cast<float>(-pixels.y() * radPerPixel));
+    announceUserMove();
+}
+
+void CameraController::panBy(QPointF pixels) {
+    m_camera.pan({static_cast<float>(pixels.x()), static_cast<float>(pixels.y())}, height());
+    announceUserMove();
+}
+
+void CameraController::announceUserMove() {
+    m_isFitted = false;
+    emit moved();
+}
+
+float CameraController::aspect() const {
+    return static_cast<float>(m_viewport.width() / m_viewport.height());
+}
+
+}  // namespace ui

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <QObject>
+#include <QPointF>
+#include <QSizeF>
+#include <optional>
+
+#include "render/camera.h"
+
+class QEvent;
+class QKeyEvent;
+class QMouseEvent;
+class QWheelEvent;
+
+namespace ui {
+
+/// Turns mouse, wheel and arrow keys into camera moves; knows nothing of the kind of widget that receives them.
+/// Positions are logical pixels.
+///
+/// Left drag orbits; middle drag, right drag or Shift with left drag pans; the wheel zooms to the cursor; arrows orbit
+/// and with Shift pan. A press that moves less than kClickPixels before its release is a click and leaves the camera
+/// alone.
+class CameraController : public QObject {
+    Q_OBJECT
+
+public:
+    static constexpr double kClickPixels = 4.0;
+    static constexpr float kZoomPerNotch = 1.2F;
+
+    using QObject::QObject;
+
+    /// Until the user moves the camera, the board is fitted again whenever viewport or box change.
+    void setViewport(QSizeF size);
+    /// The box `fit` shows, in board model millimetres.
+    void setBox(const glm::vec3& boxMin, const glm::vec3& boxMax);
+
+    void fit();
+    void look(render::NamedView view);
+    void setOrthographic(bool isOrthographic);
+    /// Zooms by `factor` (> 1 is closer) and keeps the point at `position` where it is on the screen.
+    void zoomAt(QPointF position, float factor);
+    void zoomAtCentre(float factor);
+
+    /// Takes the event if it is one of the gestures above; the answer says so.
+    bool handle(QEvent& event);
+
+    [[nodiscard]] const render::Camera& camera() const { return m_camera; }
+    /// Where the line of sight through `position` meets the face of the board turned to the viewer; none if it misses
+    /// the board.
+    [[nodiscard]] std::optional<glm::vec3> boardPointAt(QPointF position) const;
+
+signals:
+    /// The camera changed: draw again.
+    void moved();
+    void clicked(QPointF position, Qt::KeyboardModifiers modifiers);
+
+private:
+    enum class Drag { None, Undecided, Orbit, Pan };
+
+    bool press(const QMouseEvent& event);
+    bool move(const QMouseEvent& event);
+    bool release(const QMouseEvent& event);
+    bool wheel(const QWheelEvent& event);
+    bool key(const QKeyEvent& event);
+    void orbitBy(QPointF pixels);
+    void panBy(QPointF pixels);
+    void announceUserMove();
+    void focusAt(QPointF position);
+    [[nodiscard]] glm::vec2 ndcOf(QPointF position) const;
+    [[nodiscard]] QPointF centre() const { return {m_viewport.width() / 2.0, m_viewport.height() / 2.0}; }
+    [[nodiscard]] float aspect() const;
+    [[nodiscard]] float height() const { return static_cast<float>(m_viewport.height()); }
+
+    render::Camera m_camera;
+    glm::vec3 m_boxMin{-1.0F};
+    glm::vec3 m_boxMax{1.0F};
+    QSizeF m_viewport{1.0, 1.0};
+    bool m_isFitted = true;
+    Drag m_drag = Drag::None;
+    Drag m_dragKind = Drag::None;  ///< what the drag becomes once it is one
+    Qt::MouseButton m_button = Qt::NoButton;
+    QPointF m_pressed;
+    QPointF m_last;
+};
+
+}  // namespace ui

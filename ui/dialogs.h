@@ -1,0 +1,19 @@
+#pragma once
+
+#include <QString>
+#include <functional>
+
+class QWidget;
+
+/// Questions to the user. None of them blocks: the answer comes by the callback, or never if the dialog is closed.
+namespace ui {
+
+using PathAnswer = std::function<void(const QString&)>;
+
+enum class BoardForm { File, Folder };
+
+void askForBoard(QWidget& parent, BoardForm form, const QString& startFolder, const PathAnswer& answer);
+void askForPicturePath(QWidget& parent, const QString& startFolder, const PathAnswer& answer);
+void askToReset(QWidget& parent, const std::function<void()>& confirmed);
+
+}  // namespace ui

@@ -1,0 +1,108 @@
+#include "ui/help_dialogs.h"
+
+#include <QCoreApplication>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QLabel>
+#include <QTextBrowser>
+#include <QVBoxLayout>
+
+#include "ui/actions.h"
+
+namespace ui {
+
+namespace {
+
+struct Gesture {
+    const char* how;
+    const char* what;
+};
+
+constexpr Gesture kGestures[] = {
+    {"Left drag", "Orbit"},
+    {"Middle drag, right drag, Shift + left drag", "Pan"},
+    {"Wheel", "Zoom to the cursor"},
+    {"Arrows (canvas)", "Orbit; with Shift pan"},
+    {"Click on a colour (layers)", "Change the colour"},
+    {"Drag in an opacity (layers)", "Change the opacity"},
+    {"Space (layers)", "Show or hide the selected layers"},
+    {"Ctrl+C (any table)", "Copy the selected rows"},
+    {"Drop a file or folder", "Open it"},
+};
+
+QString row(const QString& how, const QString& what) {
+    return QStringLiteral("<tr><td><b>%1</b></td><td>&nbsp;&nbsp;%2</td></tr>")
+        .arg(how.toHtmlEscaped(), what.toHtmlEscaped());
+}
+
+QString section(const QString& title, const QString& rows) {
+    return rows.isEmpty() ? QString() : QStringLiteral("<h3>%1</h3><table>%2</table>").arg(title.toHtmlEscaped(), rows);
+}
+
+QString keysOf(const ActionSpec& spec) {
+    QStringList keys;
+    for (const QKeySequence& key : shortcutsOf(spec)) {
+        keys += key.toString(QKeySequence::NativeText);
+    }
+    return keys.join(QStringLiteral(" or "));
+}
+
+QString rowsOf(MenuId menu) {
+    QString rows;
+    for (const ActionSpec& spec : actionSpecs()) {
+        const QString keys = keysOf(spec);
+        if (spec.menu == menu && !keys.isEmpty()) {
+            rows += row(keys, QString::fromUtf8(spec.tip));
+        }
+    }
+    return rows;
+}
+
+/// A dialog that may stay open beside the window; there is at most one of each name.
+void showDialog(QWidget& parent, const QString& name, const QString& title, QWidget& content) {
+    delete parent.findChild<QDialog*>(name);
+    auto* dialog = new QDialog(&parent);
+    dialog->setObjectName(name);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(title);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+    QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
+    auto* layout = new QVBoxLayout(dialog);
+    layout->addWidget(&content);
+    layout->addWidget(buttons);
+    dialog->show();
+}
+
+}  // namespace
+
+QString keysSheetText() {
+    QString gestures;
+    for (const Gesture& gesture : kGestures) {
+        gestures += row(QString::fromUtf8(gesture.how), QString::fromUtf8(gesture.what));
+    }
+    QString text = section(QStringLiteral("Mouse and canvas"), gestures);
+    for (std::size_t menu = 0; menu < kMenuCount; ++menu) {
+        const auto id = static_cast<MenuId>(menu);
+        text += section(QString::fromUtf8(menuTitle(id)).remove('&'), rowsOf(id));
+    }
+    return text;
+}
+
+void showKeysSheet(QWidget& parent) {
+    auto* sheet = new QTextBrowser;
+    sheet->setHtml(keysSheetText());
+    sheet->setMinimumSize(sheet->fontMetrics().averageCharWidth() * 80, sheet->fontMetrics().height() * 32);
+    showDialog(parent, QStringLiteral("keysSheet"), QStringLiteral("Keys and mouse"), *sheet);
+}
+
+void showAbout(QWidget& parent) {
+    auto* label =
+        new QLabel(QStringLiteral("<h2>Copperscope %1</h2>"
+                                  "<p>Looks into printed circuit boards.</p>"
+                                  "<p>Free software under the GNU General Public License, version 3 or later.<br>"
+                                  "It comes without any warranty.</p>")
+                       .arg(QCoreApplication::applicationVersion().toHtmlEscaped()));
+    showDialog(parent, QStringLiteral("about"), QStringLiteral("About Copperscope"), *label);
+}
+
+}  // namespace ui

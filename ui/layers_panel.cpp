@@ -1,0 +1,120 @@
+#include "ui/layers_panel.h"
+
+#include <QColorDialog>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <utility>
+
+#include "ui/actions.h"
+#include "ui/layer_delegate.h"
+#include "ui/table_view.h"
+
+namespace ui {
+
+namespace {
+
+using models::LayerModel;
+
+constexpr std::pair<ActionId, const char*> kButtons[] = {
+    {ActionId::ShowAllLayers, "All"},
+    {ActionId::HideAllLayers, "None"},
+    {ActionId::ShowCopperOnly, "Copper"},
+    {ActionId::RestoreLayers, "Default"},
+};
+
+QHBoxLayout* buttonRow(const ActionSet& actions) {
+    auto* row = new QHBoxLayout;
+    for (const auto& [id, text] : kButtons) {
+        auto* button = new QToolButton;
+        button->setDefaultAction(&actions[id]);
+        button->setText(QString::fromUtf8(text));
+        button->setAutoRaise(true);
+        row->addWidget(button);
+    }
+    row->addStretch();
+    return row;
+}
+
+}  // namespace
+
+LayersPanel::LayersPanel(LayerModel& model, const ActionSet& actions, QWidget* parent)
+    : QWidget(parent), m_model(model), m_table(new TableView) {
+    m_table->setModel(&model);
+    m_table->setItemDelegate(new LayerDelegate(m_table));
+    m_table->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
+    m_table->installEventFilter(this);
+    connect(m_table, &QTableView::clicked, this, &LayersPanel::chooseColour);
+    connect(&model, &QAbstractItemModel::modelReset, this, &LayersPanel::fitColumns);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(2, 2, 2, 2);
+    layout->setSpacing(2);
+    layout->addLayout(buttonRow(actions));
+    layout->addWidget(m_table);
+    fitColumns();
+}
+
+void LayersPanel::fitColumns() {
+    m_table->resizeColumnsToContents();
+    QHeaderView& header = *m_table->horizontalHeader();
+    header.setSectionResizeMode(LayerModel::Name, QHeaderView::Stretch);
+    header.setMinimumSectionSize(fontMetrics().horizontalAdvance('0') * 5);
+    m_table->setColumnWidth(LayerModel::Opacity, fontMetrics().horizontalAdvance(QStringLiteral("  Opacity  ")));
+}
+
+model::LayerId LayersPanel::currentLayer() const {
+    const QModelIndex current = m_table->currentIndex();
+    return current.isValid() ? model::LayerId{static_cast<std::size_t>(current.row())} : model::LayerId{};
+}
+
+bool LayersPanel::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == m_table && event->type() == QEvent::KeyPress) {
+        const QModelIndex current = m_table->currentIndex();
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        const bool isEnter = key == Qt::Key_Return || key == Qt::Key_Enter;
+        if (key == Qt::Key_Space && current.column() != LayerModel::Solo) {
+            toggleSelected();
+            return true;
+        }
+        if (isEnter && current.column() == LayerModel::Colour) {
+            chooseColour(current);
+            return true;
+        }
+        if (isEnter && current.column() == LayerModel::Opacity) {
+            m_table->edit(current);
+            return true;
+        }
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void LayersPanel::toggleSelected() {
+    const QModelIndexList rows = m_table->selectionModel()->selectedRows(LayerModel::Visible);
+    if (rows.isEmpty()) {
+        return;
+    }
+    // All follow the first, so that a mixed selection becomes uniform.
+    const bool wasShown = rows.first().data(Qt::CheckStateRole).toInt() == Qt::Checked;
+    for (const QModelIndex& row : rows) {
+        m_model.setData(row, wasShown ? Qt::Unchecked : Qt::Checked, Qt::CheckStateRole);
+    }
+}
+
+void LayersPanel::chooseColour(const QModelIndex& index) {
+    if (index.column() != LayerModel::Colour || findChild<QColorDialog*>() != nullptr) {
+        return;
+    }
+    const QPersistentModelIndex cell = index;  // the board may be replaced while the dialog is open
+    const QColor before = index.data(Qt::EditRole).value<QColor>();
+    const auto set = [this, cell](const QColor& colour) { m_model.setData(cell, colour, Qt::EditRole); };
+    auto* dialog = new QColorDialog(before, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(QStringLiteral("Colour of the layer"));
+    connect(dialog, &QColorDialog::currentColorChanged, this, set);
+    connect(dialog, &QColorDialog::rejected, this, [set, before] { set(before); });
+    dialog->open();
+}
+
+}  // namespace ui

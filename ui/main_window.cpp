@@ -1,0 +1,392 @@
+#include "ui/main_window.h"
+
+#include <QClipboard>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QMenu>
+#include <QMenuBar>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QVBoxLayout>
+#include <utility>
+
+#include "ui/help_dialogs.h"
+#include "ui/icons.h"
+#include "ui/layers_panel.h"
+#include "ui/looks.h"
+#include "ui/message_bar.h"
+#include "ui/messages_panel.h"
+#include "ui/paths.h"
+#include "ui/recent_boards.h"
+#include "ui/start_page.h"
+#include "ui/statistics_panel.h"
+#include "ui/status_line.h"
+#include "ui/theme.h"
+
+namespace ui {
+
+namespace {
+
+constexpr int kExplodeMs = 250;
+
+constexpr std::pair<ActionId, Theme> kThemes[] = {
+    {ActionId::ThemeSystem, Theme::System}, {ActionId::ThemeDark, Theme::Dark}, {ActionId::ThemeLight, Theme::Light}};
+constexpr std::pair<ActionId, render::Backend> kBackends[] = {{ActionId::BackendAuto, render::Backend::Auto},
+                                                              {ActionId::BackendMesh, render::Backend::Mesh},
+                                                              {ActionId::BackendPull, render::Backend::Pull}};
+constexpr std::pair<ActionId, render::NamedView> kViews[] = {{ActionId::LookTop, render::NamedView::Top},
+                                                             {ActionId::LookBottom, render::NamedView::Bottom},
+                                                             {ActionId::LookIso, render::NamedView::Iso}};
+/// Toolbar in order; Count stands for a separator.
+constexpr ActionId kToolBar[] = {ActionId::OpenFile,   ActionId::Count,   ActionId::Fit,        ActionId::LookTop,
+                                 ActionId::LookBottom, ActionId::LookIso, ActionId::Count,      ActionId::Orthographic,
+                                 ActionId::Explode,    ActionId::Count,   ActionId::SavePicture};
+/// Commands that need a board.
+constexpr ActionId kBoardActions[] = {ActionId::Reload,        ActionId::SavePicture,   ActionId::CopyPicture,
+                                      ActionId::Fit,           ActionId::LookTop,       ActionId::LookBottom,
+                                      ActionId::LookIso,       ActionId::ZoomIn,        ActionId::ZoomOut,
+                                      ActionId::ShowAllLayers, ActionId::HideAllLayers, ActionId::ShowCopperOnly,
+                                      ActionId::SoloLayer,     ActionId::RestoreLayers};
+
+/// "Opened board.tgz: 24 layers, 141,000 elements, 3 warnings in 1.2 s"
+QString summaryOf(const LoadedBoard& board, const models::MessageModel& messages) {
+    const QLocale locale;
+    const auto problems = messages.count(model::Severity::Warning) + messages.count(model::Severity::Error);
+    return QStringLiteral("Opened %1: %2 layers, %3 elements, %4 warnings, in %5 s")
+        .arg(displayName(board.request.path), locale.toString(static_cast<qulonglong>(board.document->layers.size())),
+             locale.toString(static_cast<qulonglong>(board.document->elements.size())),
+             locale.toString(static_cast<qulonglong>(problems)), locale.toString(board.seconds, 'f', 1));
+}
+
+}  // namespace
+
+MainWindow::MainWindow(GpuContext& context, Settings& settings, const WindowOptions& options)
+    : m_context(context), m_settings(settings), m_actions(*this), m_loader(options.work) {
+    setObjectName(QStringLiteral("workbench"));
+    setWindowTitle(QStringLiteral("Copperscope"));
+    m_statusLine = new StatusLine(*statusBar());
+    m_statusLine->showDevice(QString::fromStdString(context.device().caps().name));
+    createCentre(options.canvas);
+    createDocks();
+    createToolBar();
+    createMenus();
+    connectActions();
+    connectLoader();
+    restoreSettings();
+    onIdle();
+}
+
+MainWindow::~MainWindow() {
+    delete m_view;  // its canvas must not draw a scene that is gone
+}
+
+void MainWindow::createCentre(BoardView::CanvasKind kind) {
+    m_view = new BoardView(m_context, kind);
+    m_messageBar = new MessageBar;
+    m_pages = new QStackedWidget;
+    m_pages->addWidget(new StartPage(m_actions));
+    m_pages->addWidget(m_view);
+    auto* centre = new QWidget;
+    auto* layout = new QVBoxLayout(centre);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_messageBar);
+    layout->addWidget(m_pages, 1);
+    setCentralWidget(centre);
+
+    setAcceptDrops(true);
+    installEventFilter(&m_dropTarget);
+    m_view->canvas().installEventFilter(&m_dropTarget);
+    connect(&m_dropTarget, &DropTarget::dropped, this, &MainWindow::openDropped);
+    connect(m_view, &BoardView::drawn, this, &MainWindow::onDrawn);
+    connect(m_view, &BoardView::deviceLost, this, &MainWindow::onDeviceLost);
+    connect(&m_layerModel, &models::LayerModel::looksChanged, this, &MainWindow::updateStyles);
+    m_explosion.setDuration(kExplodeMs);
+    m_explosion.setEasingCurve(QEasingCurve::OutCubic);
+    connect(&m_explosion, &QVariantAnimation::valueChanged, this,
+            [this](const QVariant& value) { m_view->setExplode(value.toFloat()); });
+}
+
+QDockWidget* MainWindow::addDock(Qt::DockWidgetArea area, const char* name, const QString& title, QWidget* content,
+                                 ActionId toggle) {
+    auto* dock = new QDockWidget(title);
+    dock->setObjectName(QLatin1String(name));  // saveState finds it by this name
+    dock->setWidget(content);
+    addDockWidget(area, dock);
+    m_actions.adopt(toggle, *dock->toggleViewAction());
+    return dock;
+}
+
+void MainWindow::createDocks() {
+    m_layersPanel = new LayersPanel(m_layerModel, m_actions);
+    m_statisticsPanel = new StatisticsPanel(m_statisticsModel);
+    m_messagesPanel = new MessagesPanel(m_messageModel);
+    QDockWidget* layers =
+        addDock(Qt::LeftDockWidgetArea, "layers", QStringLiteral("Layers"), m_layersPanel, ActionId::ShowLayersDock);
+    QDockWidget* statistics = addDock(Qt::BottomDockWidgetArea, "statistics", QStringLiteral("Statistics"),
+                                      m_statisticsPanel, ActionId::ShowStatisticsDock);
+    QDockWidget* messages = addDock(Qt::BottomDockWidgetArea, "messages", QStringLiteral("Messages"), m_messagesPanel,
+                                    ActionId::ShowMessagesDock);
+    tabifyDockWidget(messages, statistics);
+    messages->raise();
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    const int line = fontMetrics().height();
+    resizeDocks({layers}, {line * 22}, Qt::Horizontal);
+    resizeDocks({messages}, {line * 11}, Qt::Vertical);
+}
+
+void MainWindow::createToolBar() {
+    QToolBar* bar = addToolBar(QStringLiteral("Toolbar"));
+    bar->setObjectName(QStringLiteral("toolbar"));
+    bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    bar->setIconSize({fontMetrics().height() + 4, fontMetrics().height() + 4});
+    for (const ActionId id : kToolBar) {
+        if (id == ActionId::Count) {
+            bar->addSeparator();
+            continue;
+        }
+        m_actions[id].setIcon(iconOf(id));
+        bar->addAction(&m_actions[id]);
+    }
+    m_actions.adopt(ActionId::ShowToolBar, *bar->toggleViewAction());
+}
+
+void MainWindow::createMenus() {
+    const auto addMenu = [this](auto& parent, MenuId id) {
+        QMenu* menu = parent.addMenu(QString::fromUtf8(menuTitle(id)));
+        m_actions.fill(*menu, id);
+        return menu;
+    };
+    QMenu* file = addMenu(*menuBar(), MenuId::File);
+    QMenu* view = addMenu(*menuBar(), MenuId::View);
+    view->addSeparator();
+    addMenu(*view, MenuId::Theme);
+    addMenu(*view, MenuId::Backend);
+    addMenu(*menuBar(), MenuId::Layers);
+    addMenu(*menuBar(), MenuId::Help);
+
+    auto* recent = new QMenu(QStringLiteral("Open r&ecent"), this);
+    file->insertMenu(&m_actions[ActionId::Reload], recent);
+    m_recent = new RecentBoards(m_settings, *recent, this);
+    connect(m_recent, &RecentBoards::chosen, this, [this](const QString& path) { open(toPath(path)); });
+}
+
+void MainWindow::connectActions() {
+    const auto on = [this](ActionId id, auto slot) { connect(&m_actions[id], &QAction::triggered, this, slot); };
+    CameraController& controller = m_view->controller();
+    on(ActionId::OpenFile, [this] { askForBoardToOpen(BoardForm::File); });
+    on(ActionId::OpenFolder, [this] { askForBoardToOpen(BoardForm::Folder); });
+    on(ActionId::Reload, [this] { open(m_board->request.path, m_board->request.step); });
+    on(ActionId::CancelLoading, [this] { m_loader.cancel(); });
+    on(ActionId::SavePicture, [this] {
+        askForPicturePath(*this, m_settings.lastFolder(), [this](const QString& path) { savePicture(path); });
+    });
+    on(ActionId::CopyPicture, &MainWindow::copyPicture);
+    on(ActionId::Quit, &QWidget::close);
+    on(ActionId::Fit, [&controller] { controller.fit(); });
+    on(ActionId::ZoomIn, [&controller] { controller.zoomAtCentre(CameraController::kZoomPerNotch); });
+    on(ActionId::ZoomOut, [&controller] { controller.zoomAtCentre(1.0F / CameraController::kZoomPerNotch); });
+    on(ActionId::Orthographic, [&controller](bool isOn) { controller.setOrthographic(isOn); });
+    on(ActionId::Explode, &MainWindow::animateExplode);
+    on(ActionId::ShowAllLayers, [this] { m_layerModel.showAll(); });
+    on(ActionId::HideAllLayers, [this] { m_layerModel.hideAll(); });
+    on(ActionId::ShowCopperOnly, [this] { m_layerModel.showCopperOnly(); });
+    on(ActionId::RestoreLayers, [this] { m_layerModel.restoreDefaults(); });
+    on(ActionId::SoloLayer, [this] { m_layerModel.toggleSolo(m_layersPanel->currentLayer()); });
+    on(ActionId::KeysSheet, [this] { showKeysSheet(*this); });
+    on(ActionId::About, [this] { showAbout(*this); });
+    on(ActionId::ResetSettings, [this] { askToReset(*this, [this] { resetSettings(); }); });
+    for (const auto& [id, view] : kViews) {
+        on(id, [&controller, view] { controller.look(view); });
+    }
+    for (const auto& [id, theme] : kThemes) {
+        on(id, [this, theme] { setTheme(theme); });
+    }
+    for (const auto& [id, backend] : kBackends) {
+        on(id, [this, backend] { setBackend(backend); });
+    }
+}
+
+void MainWindow::connectLoader() {
+    connect(&m_loader, &Loader::started, this, &MainWindow::onStarted);
+    connect(&m_loader, &Loader::loaded, this, &MainWindow::onLoaded);
+    connect(&m_loader, &Loader::failed, this, &MainWindow::onFailed);
+    connect(&m_loader, &Loader::cancelled, this, &MainWindow::onCancelled);
+    LoadBar& bar = m_statusLine->loadBar();
+    connect(&m_loader, &Loader::progressed, &bar, &LoadBar::report);
+    connect(&bar, &LoadBar::cancelRequested, &m_loader, &Loader::cancel);
+    connect(m_statusLine, &StatusLine::stepChosen, this,
+            [this](const QString& step) { open(m_board->request.path, step.toStdString()); });
+}
+
+void MainWindow::restoreSettings() {
+    resize(1280, 800);
+    m_defaultState = saveState();
+    restoreGeometry(m_settings.windowGeometry());
+    restoreState(m_settings.windowState());
+    setTheme(m_settings.theme());
+    setBackend(m_settings.backend());
+    m_actions[ActionId::BackendMesh].setEnabled(m_context.device().caps().hasMeshShader);
+}
+
+void MainWindow::resetSettings() {
+    m_settings.reset();
+    restoreState(m_defaultState);
+    setTheme(Theme::System);
+    setBackend(render::Backend::Auto);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    m_loader.cancel();
+    m_settings.setWindow(saveGeometry(), saveState());
+    event->accept();
+}
+
+void MainWindow::open(const std::filesystem::path& path, const std::string& step) {
+    m_loader.open({path, step});
+}
+
+void MainWindow::openDropped(const QStringList& paths) {
+    open(toPath(paths.first()));
+    if (paths.size() > 1) {
+        statusBar()->showMessage(QStringLiteral("One board at a time: opening the first of %1").arg(paths.size()));
+    }
+}
+
+void MainWindow::askForBoardToOpen(BoardForm form) {
+    askForBoard(*this, form, m_settings.lastFolder(), [this](const QString& path) {
+        m_settings.setLastFolder(QFileInfo(path).absolutePath());
+        open(toPath(path));
+    });
+}
+
+void MainWindow::savePicture(const QString& path) {
+    const base::Result<QImage> picture = m_view->grabPicture();
+    if (!picture) {
+        m_messageBar->showError(QString::fromStdString(picture.error().text));
+    } else if (!picture->save(path, "PNG")) {
+        m_messageBar->showError(QStringLiteral("%1 cannot be written").arg(path));
+    } else {
+        statusBar()->showMessage(QStringLiteral("Saved %1").arg(path));
+    }
+}
+
+void MainWindow::copyPicture() {
+    const base::Result<QImage> picture = m_view->grabPicture();
+    if (picture) {
+        QGuiApplication::clipboard()->setImage(picture->copy());
+        statusBar()->showMessage(QStringLiteral("The picture is on the clipboard"));
+    } else {
+        m_messageBar->showError(QString::fromStdString(picture.error().text));
+    }
+}
+
+void MainWindow::onStarted(const LoadRequest& request) {
+    m_statusLine->loadBar().begin(displayName(request.path));
+    m_actions[ActionId::CancelLoading].setEnabled(true);
+}
+
+void MainWindow::onIdle() {
+    m_statusLine->loadBar().hide();
+    m_actions[ActionId::CancelLoading].setEnabled(false);
+    if (m_board) {
+        m_statusLine->showSteps(m_board->document->job);  // also undoes a choice that was not loaded
+    }
+    for (const ActionId id : kBoardActions) {
+        m_actions[id].setEnabled(m_board.has_value());
+    }
+}
+
+void MainWindow::onLoaded(const LoadedBoard& board) {
+    m_board = board;
+    m_layerModel.setDocument(board.document, defaultLooks(*board.document));
+    m_statisticsModel.setDocument(board.document);
+    m_messageModel.setMessages(board.document, board.model->diagnostics);
+    showScene();
+    m_view->setBoard(board.model->boxMin, board.model->boxMax);
+    m_view->controller().look(render::NamedView::Iso);
+    m_pages->setCurrentWidget(m_view);
+    m_messageBar->hide();
+    m_recent->add(fromPath(board.request.path));
+    setWindowTitle(QStringLiteral("%1 – Copperscope").arg(displayName(board.request.path)));
+    statusBar()->showMessage(summaryOf(board, m_messageModel));
+    onIdle();
+}
+
+void MainWindow::showScene() {
+    m_view->setScene(nullptr);
+    m_scene.reset();  // before the new one is made: the device may not have room for both
+    m_scene = std::make_unique<render::BoardScene>(m_context.device(), *m_board->model);
+    m_view->setScene(m_scene.get());
+    updateStyles();
+}
+
+void MainWindow::onFailed(const LoadRequest& request, const QString& reason) {
+    m_messageBar->showError(QStringLiteral("%1 was not opened. %2").arg(displayName(request.path), reason));
+    onIdle();
+}
+
+void MainWindow::onCancelled(const LoadRequest& request) {
+    statusBar()->showMessage(QStringLiteral("Stopped opening %1").arg(displayName(request.path)));
+    onIdle();
+}
+
+void MainWindow::onDrawn(const render::FrameStats& stats) {
+    m_hasDrawn = true;
+    m_statusLine->showFrame(stats);
+}
+
+void MainWindow::onDeviceLost() {
+    if (!std::exchange(m_hasDrawn, false)) {
+        return;  // lost again before its first frame, and told already
+    }
+    m_view->setScene(nullptr);
+    m_view->releaseDevice();
+    m_scene.reset();
+    if (const base::Status renewed = m_context.renewDevice(); !renewed) {
+        m_messageBar->showError(
+            QStringLiteral("The graphics device failed. %1").arg(QString::fromStdString(renewed.error().text)));
+        return;
+    }
+    m_messageBar->showError(QStringLiteral("The graphics device failed and was started again."));
+    if (m_board) {
+        showScene();
+    }
+}
+
+void MainWindow::updateStyles() {
+    if (!m_scene) {
+        return;
+    }
+    m_scene->setStyles(toStyles(m_layerModel.effectiveLooks()));
+    m_view->requestFrame();
+}
+
+void MainWindow::setTheme(Theme theme) {
+    for (const auto& [id, value] : kThemes) {
+        m_actions[id].setChecked(value == theme);
+    }
+    m_settings.setTheme(theme);
+    applyTheme(theme);
+}
+
+void MainWindow::setBackend(render::Backend backend) {
+    for (const auto& [id, value] : kBackends) {
+        m_actions[id].setChecked(value == backend);
+    }
+    m_settings.setBackend(backend);
+    m_view->setBackend(backend);
+}
+
+void MainWindow::animateExplode(bool isOn) {
+    const QVariant now = m_explosion.currentValue();
+    m_explosion.stop();
+    m_explosion.setStartValue(now.isValid() ? now.toFloat() : 0.0F);
+    m_explosion.setEndValue(isOn ? 1.0F : 0.0F);
+    m_explosion.start();
+}
+
+}  // namespace ui

@@ -1,0 +1,120 @@
+#pragma once
+
+#include <QMainWindow>
+#include <QVariantAnimation>
+#include <memory>
+#include <optional>
+
+#include "ui/actions.h"
+#include "ui/board_view.h"
+#include "ui/dialogs.h"
+#include "ui/drop_target.h"
+#include "ui/loader.h"
+#include "ui/models/layer_model.h"
+#include "ui/models/message_model.h"
+#include "ui/models/statistics_model.h"
+#include "ui/settings.h"
+
+class QStackedWidget;
+
+namespace ui {
+
+class LayersPanel;
+class MessageBar;
+class MessagesPanel;
+class RecentBoards;
+class StatisticsPanel;
+class StatusLine;
+
+/// What a window is made with; tests use other than the defaults.
+struct WindowOptions {
+    BoardView::CanvasKind canvas = BoardView::CanvasKind::Best;
+    Loader::Work work = loadBoard;
+};
+
+/// The workbench: one board, its 3D view, and panels beside it. Boards are read in the background; the one on the
+/// screen stays usable until the new one is ready, and stays for good if that fails.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+public:
+    MainWindow(GpuContext& context, Settings& settings, const WindowOptions& options = {});
+    ~MainWindow() override;
+
+    /// Starts to load a file or folder; an empty step means the job's first one.
+    void open(const std::filesystem::path& path, const std::string& step = {});
+    /// Writes what the canvas shows as PNG; what goes wrong is shown in the message bar.
+    void savePicture(const QString& path);
+    /// Back to the state of a first start, except for the board.
+    void resetSettings();
+
+    [[nodiscard]] const model::Document* document() const { return m_board ? m_board->document.get() : nullptr; }
+    [[nodiscard]] BoardView& view() { return *m_view; }
+    [[nodiscard]] Loader& loader() { return m_loader; }
+    [[nodiscard]] models::LayerModel& layers() { return m_layerModel; }
+    [[nodiscard]] LayersPanel& layersPanel() { return *m_layersPanel; }
+    [[nodiscard]] MessagesPanel& messagesPanel() { return *m_messagesPanel; }
+    [[nodiscard]] StatisticsPanel& statisticsPanel() { return *m_statisticsPanel; }
+    [[nodiscard]] MessageBar& messageBar() { return *m_messageBar; }
+    [[nodiscard]] StatusLine& statusLine() { return *m_statusLine; }
+    [[nodiscard]] ActionSet& actions() { return m_actions; }
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+
+private:
+    void createCentre(BoardView::CanvasKind kind);
+    void createDocks();
+    QDockWidget* addDock(Qt::DockWidgetArea area, const char* name, const QString& title, QWidget* content,
+                         ActionId toggle);
+    void createMenus();
+    void createToolBar();
+    void connectActions();
+    void connectLoader();
+    void restoreSettings();
+
+    void askForBoardToOpen(BoardForm form);
+    void openDropped(const QStringList& paths);
+
+    void onStarted(const LoadRequest& request);
+    void onLoaded(const LoadedBoard& board);
+    void onFailed(const LoadRequest& request, const QString& reason);
+    void onCancelled(const LoadRequest& request);
+    void onIdle();
+    void onDeviceLost();
+    void onDrawn(const render::FrameStats& stats);
+
+    void showScene();
+    void updateStyles();
+    void setTheme(Theme theme);
+    void setBackend(render::Backend backend);
+    void animateExplode(bool isOn);
+    void copyPicture();
+
+    GpuContext& m_context;
+    Settings& m_settings;
+    ActionSet m_actions;
+    Loader m_loader;
+    models::LayerModel m_layerModel;
+    models::StatisticsModel m_statisticsModel;
+    models::MessageModel m_messageModel;
+    DropTarget m_dropTarget;
+    QVariantAnimation m_explosion;
+
+    std::optional<LoadedBoard> m_board;
+    std::unique_ptr<render::BoardScene> m_scene;
+    bool m_hasDrawn = false;  ///< on the present device
+    QByteArray m_defaultState;
+
+    // Owned by the window as Qt children; the view is deleted by hand before the scene it draws.
+    BoardView* m_view = nullptr;
+    QStackedWidget* m_pages = nullptr;
+    MessageBar* m_messageBar = nullptr;
+    LayersPanel* m_layersPanel = nullptr;
+    StatisticsPanel* m_statisticsPanel = nullptr;
+    MessagesPanel* m_messagesPanel = nullptr;
+    StatusLine* m_statusLine = nullptr;
+    RecentBoards* m_recent = nullptr;
+};
+
+}  // namespace ui

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QWidget>
+
+#include "ui/models/message_filter.h"
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+
+namespace ui {
+
+namespace models {
+class MessageModel;
+}
+class TableView;
+
+/// What was skipped, repaired or assumed, with file and line; filtered by words and by severity.
+class MessagesPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit MessagesPanel(models::MessageModel& model, QWidget* parent = nullptr);
+    [[nodiscard]] TableView& table() { return *m_table; }
+    [[nodiscard]] QLineEdit& wordsEdit() { return *m_words; }
+    [[nodiscard]] QComboBox& severityBox() { return *m_severity; }
+
+private:
+    void updateSummary();
+    void fitColumns();
+
+    models::MessageModel& m_model;
+    models::MessageFilter* m_filter;
+    TableView* m_table;
+    QLineEdit* m_words;
+    QComboBox* m_severity;
+    QLabel* m_summary;
+};
+
+}  // namespace ui

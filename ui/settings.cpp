@@ -1,0 +1,98 @@
+#include "ui/settings.h"
+
+#include <QDir>
+#include <algorithm>
+#include <array>
+
+namespace ui {
+
+namespace {
+
+constexpr auto kGeometry = "window/geometry";
+constexpr auto kState = "window/state";
+constexpr auto kTheme = "view/theme";
+constexpr auto kBackend = "view/backend";
+constexpr auto kRecent = "files/recent";
+constexpr auto kFolder = "files/folder";
+
+template <class Value>
+struct Word {
+    Value value;
+    const char* word;
+};
+
+constexpr std::array<Word<Theme>, 3> kThemes{
+    {{Theme::System, "system"}, {Theme::Dark, "dark"}, {Theme::Light, "light"}}};
+constexpr std::array<Word<render::Backend>, 3> kBackends{
+    {{render::Backend::Auto, "auto"}, {render::Backend::Mesh, "mesh"}, {render::Backend::Pull, "pull"}}};
+
+/// The first entry stands for whatever is not in the table: settings may come from another version.
+template <class Table>
+auto fromWord(const Table& table, const QString& word) {
+    const auto found =
+        std::find_if(table.begin(), table.end(), [&](const auto& entry) { return word == QLatin1String(entry.word); });
+    return found == table.end() ? table.front().value : found->value;
+}
+
+template <class Table, class Value>
+QString toWord(const Table& table, Value value) {
+    return QLatin1String(
+        std::find_if(table.begin(), table.end(), [&](const auto& entry) { return entry.value == value; })->word);
+}
+
+}  // namespace
+
+Settings::Settings() : m_store(QStringLiteral("Copperscope"), QStringLiteral("Copperscope")) {}
+
+Settings::Settings(const QString& iniFile) : m_store(iniFile, QSettings::IniFormat) {}
+
+QByteArray Settings::windowGeometry() const {
+    return m_store.value(kGeometry).toByteArray();
+}
+
+QByteArray Settings::windowState() const {
+    return m_store.value(kState).toByteArray();
+}
+
+void Settings::setWindow(const QByteArray& geometry, const QByteArray& state) {
+    m_store.setValue(kGeometry, geometry);
+    m_store.setValue(kState, state);
+}
+
+Theme Settings::theme() const {
+    return fromWord(kThemes, m_store.value(kTheme).toString());
+}
+
+void Settings::setTheme(Theme theme) {
+    m_store.setValue(kTheme, toWord(kThemes, theme));
+}
+
+render::Backend Settings::backend() const {
+    return fromWord(kBackends, m_store.value(kBackend).toString());
+}
+
+void Settings::setBackend(render::Backend backend) {
+    m_store.setValue(kBackend, toWord(kBackends, backend));
+}
+
+QStringList Settings::recentBoards() const {
+    return m_store.value(kRecent).toStringList();
+}
+
+void Settings::setRecentBoards(const QStringList& paths) {
+    m_store.setValue(kRecent, paths);
+}
+
+QString Settings::lastFolder() const {
+    return m_store.value(kFolder, QDir::homePath()).toString();
+}
+
+void Settings::setLastFolder(const QString& folder) {
+    m_store.setValue(kFolder, folder);
+}
+
+void Settings::reset() {
+    m_store.clear();
+}
+
+}  // namespace ui

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <QByteArray>
+#include <QSettings>
+#include <QString>
+#include <QStringList>
+
+#include "render/view.h"
+
+namespace ui {
+
+enum class Theme { System, Dark, Light };
+
+/// What is kept between runs: window place, panels, theme, back end, recent boards. Stored where the system keeps
+/// settings, or in one file for tests.
+class Settings {
+public:
+    Settings();
+    explicit Settings(const QString& iniFile);
+
+    [[nodiscard]] QByteArray windowGeometry() const;
+    [[nodiscard]] QByteArray windowState() const;
+    void setWindow(const QByteArray& geometry, const QByteArray& state);
+
+    [[nodiscard]] Theme theme() const;
+    void setTheme(Theme theme);
+    [[nodiscard]] render::Backend backend() const;
+    void setBackend(render::Backend backend);
+
+    /// Paths, newest first.
+    [[nodiscard]] QStringList recentBoards() const;
+    void setRecentBoards(const QStringList& paths);
+    /// Where the last dialog was, or the home folder.
+    [[nodiscard]] QString lastFolder() const;
+    void setLastFolder(const QString& folder);
+
+    /// Forgets everything.
+    void reset();
+
+private:
+    QSettings m_store;
+};
+
+}  // namespace ui

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "model/document.h"
+#include "render/view.h"
+#include "ui/load_bar.h"
+
+class QComboBox;
+class QLabel;
+class QStatusBar;
+
+namespace ui {
+
+/// The widgets of the status bar: progress of a load, the step shown, the device, the time of the last frame.
+class StatusLine : public QObject {
+    Q_OBJECT
+
+public:
+    explicit StatusLine(QStatusBar& bar);
+
+    [[nodiscard]] LoadBar& loadBar() { return *m_loadBar; }
+    /// Offers the job's steps when there are several, with the one shown chosen.
+    void showSteps(const model::JobInfo& job);
+    void showDevice(const QString& name) { m_device = name; }
+    void showFrame(const render::FrameStats& stats);
+    [[nodiscard]] QString frameText() const;
+    [[nodiscard]] QComboBox& stepBox() { return *m_steps; }
+
+signals:
+    /// The user chose another step.
+    void stepChosen(const QString& step);
+
+private:
+    LoadBar* m_loadBar;
+    QLabel* m_stepLabel;
+    QComboBox* m_steps;
+    QLabel* m_frame;
+    QString m_device;
+};
+
+}  // namespace ui

@@ -1,0 +1,56 @@
+#include "ui/table_view.h"
+
+#include <QClipboard>
+#include <QContextMenuEvent>
+#include <QGuiApplication>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QMenu>
+
+#include "ui/models/table_text.h"
+
+namespace ui {
+
+TableView::TableView(QWidget* parent) : QTableView(parent) {
+    setSelectionBehavior(SelectRows);
+    setSelectionMode(ExtendedSelection);
+    setAlternatingRowColors(true);
+    setShowGrid(false);
+    setWordWrap(false);
+    setTabKeyNavigation(false);  // Tab leaves the table, as everywhere else
+    setHorizontalScrollMode(ScrollPerPixel);
+    verticalHeader()->hide();
+    verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
+    horizontalHeader()->setHighlightSections(false);
+    horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+}
+
+void TableView::copySelection() const {
+    const QModelIndexList cells = selectedIndexes();
+    if (!cells.isEmpty()) {
+        QGuiApplication::clipboard()->setText(models::rowsText(cells));
+    }
+}
+
+void TableView::copyAll() const {
+    QGuiApplication::clipboard()->setText(models::tableText(*model()));
+}
+
+void TableView::keyPressEvent(QKeyEvent* event) {
+    if (event->matches(QKeySequence::Copy)) {
+        copySelection();
+    } else {
+        QTableView::keyPressEvent(event);
+    }
+}
+
+void TableView::contextMenuEvent(QContextMenuEvent* event) {
+    QMenu menu;
+    QAction* copy = menu.addAction(QStringLiteral("&Copy rows\tCtrl+C"), this, &TableView::copySelection);
+    copy->setEnabled(selectionModel() != nullptr && selectionModel()->hasSelection());
+    menu.addAction(QStringLiteral("Copy &all with headings"), this, &TableView::copyAll);
+    menu.exec(event->globalPos());
+}
+
+}  // namespace ui

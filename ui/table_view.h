@@ -1,0 +1,23 @@
+#pragma once
+
+#include <QTableView>
+
+namespace ui {
+
+/// A table that looks and copies alike in all panels: whole rows, no grid, Ctrl+C and a context menu that put rows on
+/// the clipboard as tab-separated text.
+class TableView : public QTableView {
+    Q_OBJECT
+
+public:
+    explicit TableView(QWidget* parent = nullptr);
+
+    void copySelection() const;
+    void copyAll() const;
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+};
+
+}  // namespace ui

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+/// The door from app/ into the desktop workbench.
+namespace ui {
+
+struct StartOptions {
+    std::optional<std::filesystem::path> board;  ///< opened at the start
+    std::string step;                            ///< empty: the job's first one
+    std::string device;                          ///< part of a Vulkan device's name; empty: the best one
+};
+
+/// Shows the window and returns when it is closed. Answers the exit code of the program: 0, or 3 after saying on stderr
+/// why no window can be shown (no display, no usable Vulkan device).
+[[nodiscard]] int runWorkbench(int argc, char** argv, const StartOptions& options);
+
+}  // namespace ui
