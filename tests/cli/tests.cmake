@@ -1,1 +1,4 @@
-# Tests of this folder; see docs/testing.md.
+copperscope_test(cli_test cli/cli_test.cpp LABEL cli LINK copperscope_options)
+add_dependencies(cli_test copperscope)
+target_compile_definitions(cli_test PRIVATE COPPERSCOPE_PROGRAM="$<TARGET_FILE:copperscope>")
+set_tests_properties(cli_test PROPERTIES ENVIRONMENT "COPPERSCOPE_VALIDATION=abort")

@@ -1,0 +1,3 @@
+# Benchmarks: built on request (`cmake --build --preset test --target board_bench`), never part of ctest.
+add_executable(board_bench EXCLUDE_FROM_ALL bench/board_bench.cpp)
+target_link_libraries(board_bench PRIVATE copperscope_reader copperscope_render)

@@ -1,0 +1,193 @@
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QtTest>
+
+namespace {
+
+struct Outcome {
+    int exitCode = -1;
+    QByteArray out;
+    QByteArray err;
+};
+
+Outcome copperscope(const QStringList& arguments, const QString& folder = {},
+                    const QProcessEnvironment& environment = {}) {
+    QProcess process;
+    process.setProcessEnvironment(environment.isEmpty() ? QProcessEnvironment::systemEnvironment() : environment);
+    if (!folder.isEmpty()) {
+        process.setWorkingDirectory(folder);
+    }
+    process.start(COPPERSCOPE_PROGRAM, arguments);
+    process.waitForFinished(300'000);
+    const bool isNormal = process.exitStatus() == QProcess::NormalExit;
+    return {isNormal ? process.exitCode() : -1, process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+/// Width and height from a PNG's header, which is all that must be known here.
+QSize pngSize(const QString& path) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) {
+        return {};
+    }
+    const QByteArray head = file.read(24);
+    const auto number = [&](int at) {
+        return static_cast<int>(qFromBigEndian<quint32>(reinterpret_cast<const uchar*>(head.constData()) + at));
+    };
+    return head.startsWith("\x89PNG") ? QSize(number(16), number(20)) : QSize();
+}
+
+}  // namespace
+
+class CliTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void infoHasTheKeysThatOthersRelyOn() {
+        const Outcome run = copperscope({"info", COPPERSCOPE_SAMPLE, "--json"});
+        QCOMPARE(run.exitCode, 0);
+        const QJsonObject info = QJsonDocument::fromJson(run.out).object();
+        const auto hasKeys = [](const QJsonObject& object, const QStringList& keys) {
+            for (const QString& key : keys) {
+                if (!object.contains(key)) {
+                    qWarning() << "missing:" << key;
+                    return false;
+                }
+            }
+            return true;
+        };
+        QVERIFY(hasKeys(
+            info, {"job", "layers", "elements", "nets", "components", "drills", "board", "diagnostics", "timing_ms"}));
+        QVERIFY(hasKeys(info["job"].toObject(), {"name", "generator", "version", "units", "steps"}));
+        QVERIFY(hasKeys(info["elements"].toObject(), {"line", "arc", "circle", "trail", "area", "total"}));
+        QVERIFY(hasKeys(info["board"].toObject(), {"width_nm", "height_nm", "thickness_nm"}));
+        QVERIFY(hasKeys(info["timing_ms"].toObject(), {"parse", "create", "discretise", "triangulate"}));
+        const QJsonObject layer = info["layers"].toArray().first().toObject();
+        QVERIFY(
+            hasKeys(layer, {"name", "type", "side", "polarity", "z_nm", "thickness_nm", "thickness_source", "counts"}));
+        QVERIFY(hasKeys(layer["counts"].toObject(), {"line", "arc", "circle", "trail", "area", "features"}));
+        QVERIFY(hasKeys(info["diagnostics"].toArray().first().toObject(), {"severity", "file", "line", "text"}));
+    }
+
+    void elementsAreTheSumOfTheLayers() {
+        const QJsonObject info =
+            QJsonDocument::fromJson(copperscope({"info", COPPERSCOPE_SAMPLE, "--json"}).out).object();
+        int lines = 0;
+        for (const QJsonValue& layer : info["layers"].toArray()) {
+            lines += layer.toObject()["counts"].toObject()["line"].toInt();
+        }
+        const QJsonObject elements = info["elements"].toObject();
+        QCOMPARE(elements["line"].toInt(), lines);
+        QCOMPARE(elements["total"].toInt(), elements["line"].toInt() + elements["arc"].toInt() +
+                                                elements["circle"].toInt() + elements["trail"].toInt() +
+                                                elements["area"].toInt());
+        QVERIFY(elements["total"].toInt() > 1000);
+    }
+
+    void theSampleIsTheDefaultBoard() {
+        const Outcome run = copperscope({"info"});
+        QCOMPARE(run.exitCode, 0);
+        QVERIFY(run.out.contains("layer") && run.out.contains("times"));
+        QVERIFY(run.err.isEmpty());
+    }
+
+    void wrongUsageAnswersOne_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addRow("unknown option") << QStringList{"info", "--frobnicate"};
+        QTest::addRow("no output") << QStringList{"render"};
+        QTest::addRow("unknown layer") << QStringList{"render", "-o", "x.png", "--layers", "no-such-layer"};
+        QTest::addRow("unknown net") << QStringList{"render", "-o", "x.png", "--net", "no-such-net"};
+        QTest::addRow("unknown step") << QStringList{"info", "--step", "no-such-step"};
+        QTest::addRow("bad size") << QStringList{"render", "-o", "x.png", "--size", "12"};
+        QTest::addRow("bad chord") << QStringList{"info", "--chord", "0.1"};
+        QTest::addRow("picture of unknown kind") << QStringList{"render", "-o", "x.bmp"};
+        QTest::addRow("empty window") << QStringList{"render", "-o", "x.png", "--window", "1,1,1,5"};
+        QTest::addRow("2D from the side") << QStringList{"render", "-o", "x.png", "--mode", "2d", "--view", "iso"};
+    }
+    void wrongUsageAnswersOne() {
+        QFETCH(QStringList, arguments);
+        QTemporaryDir folder;
+        const Outcome run = copperscope(arguments, folder.path());
+        QCOMPARE(run.exitCode, 1);
+        QVERIFY(run.out.isEmpty() || run.err.size() > 0);
+        QVERIFY(QDir(folder.path()).isEmpty());
+    }
+
+    void unreadableInputAnswersTwo_data() {
+        QTest::addColumn<QByteArray>("content");
+        QTest::addColumn<QString>("name");
+        QFile sample(COPPERSCOPE_SAMPLE);
+        QVERIFY(sample.open(QIODevice::ReadOnly));
+        const QByteArray whole = sample.readAll();
+        QTest::addRow("empty file") << QByteArray() << "board.tgz";
+        QTest::addRow("no archive") << QByteArray("hello") << "board.tgz";
+        QTest::addRow("truncated archive") << whole.left(whole.size() / 2) << "board.tgz";
+        QTest::addRow("no board") << QByteArray("PK\x05\x06") + QByteArray(18, '\0') << "board.zip";
+    }
+    void unreadableInputAnswersTwo() {
+        QFETCH(QByteArray, content);
+        QFETCH(QString, name);
+        QTemporaryDir folder;
+        QFile file(folder.filePath(name));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(content);
+        file.close();
+        const Outcome run = copperscope({"info", name}, folder.path());
+        QCOMPARE(run.exitCode, 2);
+        QVERIFY2(run.err.contains(name.toUtf8()), run.err.constData());
+        QVERIFY(run.out.isEmpty());
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);
+    }
+
+    void missingInputAnswersTwo() {
+        const Outcome run = copperscope({"info", "/nowhere/board.tgz"});
+        QCOMPARE(run.exitCode, 2);
+        QVERIFY(run.err.contains("/nowhere/board.tgz"));
+    }
+
+    void renderWritesOnlyThePicture_data() {
+        QTest::addColumn<QStringList>("options");
+        QTest::addRow("3D, pull") << QStringList{"--backend", "pull"};
+        QTest::addRow("3D, automatic") << QStringList{};
+        QTest::addRow("bottom") << QStringList{"--view", "bottom"};
+        QTest::addRow("2D") << QStringList{"--mode", "2d"};
+        QTest::addRow("exploded") << QStringList{"--explode", "1"};
+        QTest::addRow("window, mono") << QStringList{"--window", "10,10,20,20", "--mono"};
+    }
+    void renderWritesOnlyThePicture() {
+        QFETCH(QStringList, options);
+        QTemporaryDir folder;
+        const Outcome run =
+            copperscope(QStringList{"render", "-o", "out.png", "--size", "120x80"} + options, folder.path());
+        QVERIFY2(run.exitCode == 0, run.err.constData());
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList{"out.png"});
+        QCOMPARE(pngSize(folder.filePath("out.png")), QSize(120, 80));
+        QVERIFY(run.out.isEmpty());
+    }
+
+    void unwritableOutputAnswersThree() {
+        const Outcome run = copperscope({"render", "-o", "/nowhere/out.png", "--size", "64x64"});
+        QCOMPARE(run.exitCode, 3);
+        QVERIFY(run.err.contains("/nowhere/out.png"));
+    }
+
+    void missingDriverAnswersThreeInWords() {
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert("VK_DRIVER_FILES", "/nowhere/driver.json");
+        environment.insert("VK_ICD_FILENAMES", "/nowhere/driver.json");
+        const Outcome run = copperscope({"render", "-o", "/nowhere/out.png", "--size", "64x64"}, {}, environment);
+        QCOMPARE(run.exitCode, 3);
+        QVERIFY2(run.err.contains("Vulkan"), run.err.constData());
+    }
+
+    void helpAndVersionAnswerZero() {
+        QCOMPARE(copperscope({"--help"}).exitCode, 0);
+        QCOMPARE(copperscope({"render", "--help"}).exitCode, 0);
+        QVERIFY(copperscope({"--version"}).out.contains('.'));
+    }
+};
+
+QTEST_GUILESS_MAIN(CliTest)
+#include "cli_test.moc"
