@@ -1,0 +1,54 @@
+#include "render/gpu/buffer.h"
+
+#include "render/gpu/check.h"
+#include "render/gpu/memory.h"
+
+#include <algorithm>
+
+namespace render::gpu {
+namespace {
+
+constexpr std::uint64_t kSmallest = 16;
+constexpr VkBufferUsageFlags kUsage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT |
+                                      VK_BUFFER_USAGE_INDEX_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT |
+                                      VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+constexpr VkMemoryPropertyFlags kMappable = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+
+Unique<VkBuffer> createBuffer(Device& device, const BufferOptions& options) {
+    VkBufferCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
+    info.size = std::max(options.size, kSmallest);
+    info.usage = kUsage;
+    VkBuffer handle = VK_NULL_HANDLE;
+    VK_CHECK(vkCreateBuffer(device.handle(), &info, nullptr, &handle));
+    return {device, handle, options.label};
+}
+
+MemoryOptions memoryFor(Device& device, VkBuffer buffer, const BufferOptions& options) {
+    MemoryOptions memory;
+    vkGetBufferMemoryRequirements(device.handle(), buffer, &memory.requirements);
+    memory.required = options.isHostVisible ? kMappable : 0;
+    // Cached: images are read back from host-visible buffers.
+    memory.wanted = options.isHostVisible ? VK_MEMORY_PROPERTY_HOST_CACHED_BIT : VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
+    memory.use = options.use;
+    memory.hasAddress = true;
+    memory.label = options.label;
+    return memory;
+}
+
+}  // namespace
+
+Buffer::Buffer(Device& device, const BufferOptions& options)
+    : m_handle(createBuffer(device, options)), m_size(std::max(options.size, kSmallest)) {
+    m_memory = allocate(device, memoryFor(device, handle(), options));
+    VK_CHECK(vkBindBufferMemory(device.handle(), handle(), m_memory.get(), 0));
+    VkBufferDeviceAddressInfo info{VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO};
+    info.buffer = handle();
+    m_address = vkGetBufferDeviceAddress(device.handle(), &info);
+    if (options.isHostVisible) {
+        void* mapped = nullptr;
+        VK_CHECK(vkMapMemory(device.handle(), m_memory.get(), 0, VK_WHOLE_SIZE, 0, &mapped));
+        m_mapped = static_cast<std::byte*>(mapped);
+    }
+}
+
+}  // namespace render::gpu

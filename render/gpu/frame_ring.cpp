@@ -1,0 +1,129 @@
+#include "render/gpu/frame_ring.h"
+
+#include "render/gpu/barrier.h"
+#include "render/gpu/check.h"
+
+#include <algorithm>
+#include <string>
+
+namespace render::gpu {
+namespace {
+
+constexpr std::uint64_t kAlignment = 16;
+constexpr std::uint64_t kFirstSize = 64 * 1024;
+constexpr std::uint64_t kUploadPiece = 16 * 1024 * 1024;
+
+}  // namespace
+
+Frame::Slice Frame::allocate(std::uint64_t size) {
+    const std::uint64_t rounded = (size + kAlignment - 1) / kAlignment * kAlignment;
+    if (m_used + rounded > m_memory.size()) {
+        // What was handed out of the old buffer stays valid: the graveyard keeps it until this frame is done.
+        const std::uint64_t bigger = std::max({kFirstSize, 2 * m_memory.size(), rounded});
+        m_memory = Buffer(*m_device, {"frame memory", bigger, MemoryUse::Staging, true});
+        m_used = 0;
+    }
+    const Slice slice{m_memory.mapped().subspan(m_used, size), m_memory.handle(), m_used, m_memory.address() + m_used};
+    m_used += rounded;
+    return slice;
+}
+
+FrameRing::FrameRing(Device& device, std::uint32_t slots, std::string_view label) : m_device(&device), m_frames(slots) {
+    for (Frame& frame : m_frames) {
+        frame.m_device = &device;
+        VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
+        pool.queueFamilyIndex = device.queueFamily();
+        VkCommandPool handle = VK_NULL_HANDLE;
+        VK_CHECK(vkCreateCommandPool(device.handle(), &pool, nullptr, &handle));
+        frame.m_pool = {device, handle, label};
+        VkCommandBufferAllocateInfo commands{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
+        commands.commandPool = handle;
+        commands.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
+        commands.commandBufferCount = 1;
+        VK_CHECK(vkAllocateCommandBuffers(device.handle(), &commands, &frame.m_commands));
+        VkQueryPoolCreateInfo times{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
+        times.queryType = VK_QUERY_TYPE_TIMESTAMP;
+        times.queryCount = 2;
+        VkQueryPool queries = VK_NULL_HANDLE;
+        VK_CHECK(vkCreateQueryPool(device.handle(), &times, nullptr, &queries));
+        frame.m_times = {device, queries, label};
+    }
+}
+
+void FrameRing::readTimes(Frame& frame) {
+    if (!m_device->caps().hasTimestamps) {
+        return;
+    }
+    std::uint64_t ticks[2] = {0, 0};
+    const VkResult result = vkGetQueryPoolResults(m_device->handle(), frame.m_times.get(), 0, 2, sizeof(ticks), ticks,
+                                                  sizeof(ticks[0]), VK_QUERY_RESULT_64_BIT);
+    if (result == VK_SUCCESS) {
+        m_gpuMs = static_cast<double>(ticks[1] - ticks[0]) * m_device->caps().timestampPeriodNs * 1e-6;
+    }
+}
+
+bool FrameRing::finish(Frame& frame) {
+    if (frame.m_number == 0) {
+        return !m_device->isLost();
+    }
+    if (!m_device->wait(frame.m_number)) {
+        return false;
+    }
+    readTimes(frame);
+    frame.m_number = 0;
+    return true;
+}
+
+Frame* FrameRing::begin() {
+    m_current = (m_current + 1) % m_frames.size();
+    Frame& frame = m_frames[m_current];
+    if (!finish(frame)) {
+        return nullptr;
+    }
+    frame.m_used = 0;
+    VK_CHECK(vkResetCommandPool(m_device->handle(), frame.m_pool.get(), 0));
+    VkCommandBufferBeginInfo info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
+    info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
+    VK_CHECK(vkBeginCommandBuffer(frame.m_commands, &info));
+    if (m_device->caps().hasTimestamps) {
+        vkCmdResetQueryPool(frame.m_commands, frame.m_times.get(), 0, 2);
+        vkCmdWriteTimestamp2(frame.m_commands, VK_PIPELINE_STAGE_2_TOP_OF_PIPE_BIT, frame.m_times.get(), 0);
+    }
+    return &frame;
+}
+
+bool FrameRing::end(const FrameSemaphores& semaphores) {
+    Frame& frame = m_frames[m_current];
+    if (m_device->caps().hasTimestamps) {
+        vkCmdWriteTimestamp2(frame.m_commands, VK_PIPELINE_STAGE_2_BOTTOM_OF_PIPE_BIT, frame.m_times.get(), 1);
+    }
+    VK_CHECK(vkEndCommandBuffer(frame.m_commands));
+    frame.m_number = m_device->submit({frame.m_commands, semaphores.waitFor, semaphores.signal});
+    return frame.m_number != 0;
+}
+
+bool FrameRing::wait() {
+    return finish(m_frames[m_current]);
+}
+
+bool upload(FrameRing& ring, const Buffer& to, std::span<const std::byte> bytes) {
+    ASSERT(bytes.size() <= to.size());
+    for (std::uint64_t done = 0; done < bytes.size(); done += kUploadPiece) {
+        Frame* frame = ring.begin();
+        if (frame == nullptr) {
+            return false;
+        }
+        const std::span<const std::byte> piece = bytes.subspan(done, std::min(kUploadPiece, bytes.size() - done));
+        const Frame::Slice staging = frame->put(piece);
+        memoryBarrier(frame->commands(), kAnything, kCopyWrite);
+        const VkBufferCopy region{staging.offset, done, piece.size()};
+        vkCmdCopyBuffer(frame->commands(), staging.buffer, to.handle(), 1, &region);
+        memoryBarrier(frame->commands(), kCopyWrite, kAnything);
+        if (!ring.end()) {
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace render::gpu

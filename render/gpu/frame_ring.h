@@ -1,0 +1,79 @@
+#pragma once
+
+#include "render/gpu/buffer.h"
+
+#include <cstring>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace render::gpu {
+
+/// Commands being recorded, with memory that lives as long as they are in flight.
+class Frame {
+public:
+    /// Host memory that the device reads at `address`.
+    struct Slice {
+        std::span<std::byte> bytes;
+        VkBuffer buffer = VK_NULL_HANDLE;
+        std::uint64_t offset = 0;
+        VkDeviceAddress address = 0;
+    };
+
+    [[nodiscard]] VkCommandBuffer commands() const { return m_commands; }
+    /// `size` bytes, aligned to 16.
+    [[nodiscard]] Slice allocate(std::uint64_t size);
+    template <class T>
+    Slice put(std::span<const T> values) {
+        const Slice slice = allocate(values.size_bytes());
+        if (!values.empty()) {
+            std::memcpy(slice.bytes.data(), values.data(), values.size_bytes());
+        }
+        return slice;
+    }
+
+private:
+    friend class FrameRing;
+    Device* m_device = nullptr;
+    Unique<VkCommandPool> m_pool;
+    Unique<VkQueryPool> m_times;
+    VkCommandBuffer m_commands = VK_NULL_HANDLE;
+    Buffer m_memory;
+    std::uint64_t m_used = 0;
+    std::uint64_t m_number = 0;  ///< of the submission last made from here
+};
+
+/// Semaphores around a submission; see Submission.
+struct FrameSemaphores {
+    VkSemaphore waitFor = VK_NULL_HANDLE;
+    VkSemaphore signal = VK_NULL_HANDLE;
+};
+
+/// Records and submits, `slots` frames at a time in flight.
+class FrameRing {
+public:
+    FrameRing(Device& device, std::uint32_t slots, std::string_view label);
+
+    /// Waits until the oldest slot is free and starts recording there. Null if the device is lost.
+    [[nodiscard]] Frame* begin();
+    /// Submits what was recorded since `begin`; false if the device is lost.
+    bool end(const FrameSemaphores& semaphores = {});
+    /// Waits for the frame last submitted; false if the device is lost.
+    bool wait();
+    /// GPU time of the last frame that is known to be done, 0 without timestamps.
+    [[nodiscard]] double gpuMs() const { return m_gpuMs; }
+
+private:
+    void readTimes(Frame& frame);
+    bool finish(Frame& frame);
+
+    Device* m_device;
+    std::vector<Frame> m_frames;
+    std::size_t m_current = 0;
+    double m_gpuMs = 0.0;
+};
+
+/// Copies `bytes` to the start of `to`, in pieces through the ring's frames. The copy is ordered after all earlier work and before all later work.
+bool upload(FrameRing& ring, const Buffer& to, std::span<const std::byte> bytes);
+
+}  // namespace render::gpu

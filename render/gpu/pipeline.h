@@ -1,0 +1,66 @@
+#pragma once
+
+#include "render/gpu/graveyard.h"
+
+#include <span>
+
+namespace render::gpu {
+
+using Spirv = std::span<const std::uint32_t>;
+
+struct ComputePipelineOptions {
+    std::string_view label;
+    Spirv shader;
+    std::uint32_t pushBytes = 0;
+};
+
+struct ShaderStage {
+    VkShaderStageFlagBits stage = VK_SHADER_STAGE_VERTEX_BIT;
+    Spirv shader;
+};
+
+/// How a pipeline treats what is already there. Depth is reversed: nearer is greater.
+enum class Pass : std::uint8_t {
+    Opaque,     ///< nearer wins, depth and colour written
+    DepthOnly,  ///< nearer wins, depth written
+    Blend       ///< exactly at the depth written before, colour blended, at most once per sample and stencil reference
+};
+
+struct GraphicsPipelineOptions {
+    std::string_view label;
+    std::span<const ShaderStage> stages;  ///< the fragment stage is left out for DepthOnly
+    std::uint32_t pushBytes = 0;
+    Pass pass = Pass::Opaque;
+    bool cullsBackFaces = false;  ///< counter-clockwise is front
+    VkFormat colourFormat = VK_FORMAT_UNDEFINED;
+    VkFormat depthFormat = VK_FORMAT_UNDEFINED;
+    VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
+};
+
+/// A compute or graphics pipeline. Its only interface to data are push constants (buffers go by address). Viewport, scissor and stencil reference are
+/// dynamic.
+class Pipeline {
+public:
+    Pipeline() = default;
+    Pipeline(Device& device, const ComputePipelineOptions& options);
+    Pipeline(Device& device, const GraphicsPipelineOptions& options);
+
+    void bind(VkCommandBuffer commands) const;
+    /// Sets the push constants for what follows; all pipelines take the same ones.
+    template <class T>
+    void push(VkCommandBuffer commands, const T& value) const {
+        pushBytes(commands, &value, sizeof(T));
+    }
+    explicit operator bool() const { return static_cast<bool>(m_handle); }
+
+private:
+    void createLayout(Device& device, VkShaderStageFlags stages, std::uint32_t pushBytes, std::string_view label);
+    void pushBytes(VkCommandBuffer commands, const void* data, std::uint32_t size) const;
+
+    Unique<VkPipelineLayout> m_layout;
+    Unique<VkPipeline> m_handle;
+    VkShaderStageFlags m_stages = 0;
+    VkPipelineBindPoint m_bindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS;
+};
+
+}  // namespace render::gpu

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "render/gpu/graveyard.h"
+
+#include <vector>
+
+namespace render::gpu {
+
+/// The images of a window's surface. Pictures are copied into them, so that any format the surface has will do.
+class Swapchain {
+public:
+    enum class Outcome { Ready, NoImage, DeviceLost };
+
+    /// An image to copy the next picture to, with the semaphores of the submission that does it.
+    struct Target {
+        VkImage image = VK_NULL_HANDLE;
+        VkSemaphore available = VK_NULL_HANDLE;  ///< to wait for
+        VkSemaphore finished = VK_NULL_HANDLE;   ///< to signal
+        std::uint32_t index = 0;
+    };
+
+    Swapchain(Device& device, VkSurfaceKHR surface);
+    ~Swapchain();
+    Swapchain(Swapchain&&) noexcept = default;
+    Swapchain& operator=(Swapchain&&) = delete;
+
+    /// Used where the surface has no size of its own; a changed size remakes the images with the next `acquire`.
+    void resize(VkExtent2D size);
+    /// The next image, of size `extent()`. NoImage when the window has no size or its surface is gone.
+    [[nodiscard]] Outcome acquire(Target& target);
+    /// After the submission that signals `target.finished`.
+    [[nodiscard]] Outcome present(const Target& target);
+
+    [[nodiscard]] VkExtent2D extent() const { return m_extent; }
+    /// The format to draw in so that a plain copy into the images shows the right colours: their channel order, sRGB encoded.
+    [[nodiscard]] VkFormat drawFormat() const { return m_drawFormat; }
+
+private:
+    bool remake();
+    [[nodiscard]] Outcome tryAcquire(Target& target, VkResult& result);
+    void createImages();
+    void drop();
+
+    Device* m_device;
+    VkSurfaceKHR m_surface;
+    VkExtent2D m_wanted{};
+    VkExtent2D m_asked{};  ///< what `m_wanted` was when the images were made
+    VkExtent2D m_extent{};
+    VkSurfaceFormatKHR m_format{};
+    VkFormat m_drawFormat = VK_FORMAT_UNDEFINED;
+    bool m_isStale = true;
+    Unique<VkSwapchainKHR> m_handle;
+    std::vector<VkImage> m_images;
+    std::vector<Unique<VkSemaphore>> m_finished;   ///< per image: presenting may read it long after the frame
+    std::vector<Unique<VkSemaphore>> m_available;  ///< in turn
+    std::size_t m_turn = 0;
+};
+
+}  // namespace render::gpu
