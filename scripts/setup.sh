@@ -82,13 +82,10 @@ setup_machine() {
     wants_newer_mesa "$installed" "$@" && newer_mesa=yes
     [ -n "$missing$newer_mesa" ] || return 0
 
+    [ -z "$newer_mesa" ] || missing=${missing/ mesa-vulkan-drivers/}
     announce "$missing${newer_mesa:+ mesa-vulkan-drivers}" "$@"
-    if [ -n "$newer_mesa" ]; then
-        missing=${missing/ mesa-vulkan-drivers/}
-        newer_mesa_or_pull || missing+=$(mesa_if_missing)
-    fi
-    # shellcheck disable=SC2086
-    [ -z "$missing" ] || install_packages $missing || give_up "$missing"
+    install_packages "$missing"
+    [ -z "$newer_mesa" ] || newer_mesa_or_pull || install_packages "$(mesa_if_missing)"
 }
 
 require_dpkg() {
@@ -108,50 +105,52 @@ announce() {
     package_rows "$@" | while read -r name purpose; do
         case $missing in *" $name "*) echo "$name $purpose" ;; esac
     done | print_rows
+    if [ "$(id -u)" != 0 ] && ! command -v sudo >/dev/null; then
+        give_up "$missing" "you are not root, and there is no sudo."
+    fi
+    mkdir -p "$root/build" || give_up "$missing" "cannot write to $root/build."
     say "installing with apt-get (once; the log is build/setup.log)"
 }
 
-as_root() {
-    if [ "$(id -u)" = 0 ]; then
-        "$@"
-    elif command -v sudo >/dev/null; then
-        sudo "$@"
-    else
-        echo "E: not root, and there is no sudo" >>"$root/build/setup.log"
-        return 1
-    fi
-}
+as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi; }
 
 # Never removes a package to make room for ours, waits for another apt to finish, asks nothing.
 apt_get() {
-    mkdir -p "$root/build"
     as_root env DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 \
         apt-get -y -q --no-remove -o DPkg::Lock::Timeout=300 -o Dpkg::Use-Pty=0 "$@" \
         >>"$root/build/setup.log" 2>&1 </dev/null
 }
 
-# Fresh machines have no package lists and old ones have stale lists: both show as a failure of the first try.
+# install_packages "NAME NAME...": fresh machines have no package lists and old ones have stale lists; both show as a failure of the first try.
+# Whether the update worked is judged by the second try, because some unrelated source of the machine may be broken.
 install_packages() {
-    apt_get install --no-install-recommends "$@" && return
-    apt_get update && apt_get install --no-install-recommends "$@"
+    local names
+    read -r -a names <<<"$1"
+    [ ${#names[@]} -gt 0 ] || return 0
+    apt_get install --no-install-recommends "${names[@]}" && return
+    apt_get update || true
+    apt_get install --no-install-recommends "${names[@]}" && return
+    say "apt-get says:"
+    grep -E '^(E|Err|W):' "$root/build/setup.log" | tail -n 5 | sed 's/^/    /' >&2 || true
+    give_up "$1" "the packages could not be installed; the whole log is build/setup.log."
 }
 
+# give_up "NAME NAME..." WHY
 give_up() {
-    say "the packages could not be installed. apt-get says:"
-    grep -E '^(E|Err|W):' "$root/build/setup.log" | tail -n 5 | sed 's/^/    /' >&2 || true
-    say "needed (as root): apt-get install --no-install-recommends$1"
-    die "$kSetupFailed" "the whole log is build/setup.log"
+    say "$2 By hand, as root:"
+    printf '    apt-get install --no-install-recommends %s\n' "$(xargs <<<"$1")" >&2
+    exit "$kSetupFailed"
 }
 
 # --- Debian 12: a software device with mesh shaders comes from the backports suite -----------------------------------------------
 
-readonly kNoBackports=build/no-backports  # left behind when the suite cannot be had, so that it is tried once
+readonly kNoBackports=build/no-backports  # left behind when the suite cannot be had, so that it is tried once a day at most
 
 wants_newer_mesa() {
     local installed=$1 version
     shift
     case " $* " in *" software "*) ;; *) return 1 ;; esac
-    [ "$(codename)" = bookworm ] && [ ! -e "$root/$kNoBackports" ] && [ "$(vulkan_kind)" = none ] || return 1
+    [ "$(codename)" = bookworm ] && [ -z "$(find "$root/$kNoBackports" -mtime -1 2>/dev/null)" ] && [ "$(vulkan_kind)" = none ] || return 1
     version=$(sed -n 's/^mesa-vulkan-drivers //p' <<<"$installed" | head -n 1)
     [ -z "$version" ] || dpkg --compare-versions "$version" lt "$kMeshShaderMesa"
 }
@@ -164,31 +163,38 @@ mesa_if_missing() { [ -n "$(installed_versions mesa-vulkan-drivers)" ] || echo "
 newer_mesa_or_pull() {
     say "no hardware Vulkan driver here: the software one comes from Debian's bookworm-backports, where it has mesh shaders"
     add_backports && apt_get install --no-install-recommends -t bookworm-backports mesa-vulkan-drivers && return
-    mkdir -p "$root/build" && touch "$root/$kNoBackports"
+    touch "$root/$kNoBackports"
     say "bookworm-backports cannot be had: going on with the older software device, pictures are drawn by the \`pull\` back end"
     return 1
 }
 
-# Adds the suite unless the machine has it already; takes its entry back if the suite turns out not to be there.
+# Makes the suite known to apt: adds an entry unless the machine has one, and takes it back if the suite turns out not to be there.
 add_backports() {
-    if grep -qsE '^[^#]*bookworm-backports' /etc/apt/sources.list /etc/apt/sources.list.d/*.list /etc/apt/sources.list.d/*.sources; then
-        apt_get update
-        return
+    local entry=""
+    if ! grep -qsE '^[^#]*bookworm-backports' /etc/apt/sources.list /etc/apt/sources.list.d/*.list /etc/apt/sources.list.d/*.sources; then
+        entry=$(write_backports_entry) || return 1
     fi
-    local found uri file entry
+    apt_get update || true
+    apt-cache policy | grep -q 'n=bookworm-backports' && return
+    [ -z "$entry" ] || as_root rm -f "$entry"
+    return 1
+}
+
+# Prints the path of the entry, which is in the same form as the one it is derived from.
+write_backports_entry() {
+    local found file entry text
     found=$(debian_entry)
     if [ -z "$found" ]; then
-        apt_get update || return 1
+        apt_get update || true
         found=$(debian_entry)
     fi
-    uri=${found%% *}
     file=${found#* }
     file=${file%:*}
+    [ -r "$file" ] || return 1
+    text=$(derive_backports "$file" "${found%% *}")
+    [ -n "$text" ] || return 1
     entry=/etc/apt/sources.list.d/copperscope-backports.${file##*.}
-    [ -r "$file" ] && derive_backports "$file" "$uri" | as_root tee "$entry" >/dev/null || return 1
-    apt_get update && return
-    as_root rm -f "$entry"
-    return 1
+    as_root tee "$entry" <<<"$text" >/dev/null && echo "$entry"
 }
 
 # "URI FILE:NUMBER" of the source that apt knows to be Debian's own bookworm; nothing while there are no package lists.
