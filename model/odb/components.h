@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/base/point.h"
+#include "model/diagnostics.h"
+#include "model/odb/lengths.h"
+
+namespace model::odb {
+
+/// A TOP record: a pin where it lies on the board.
+struct PlacedPin {
+    std::int32_t number = -1;  ///< row of the package's pins; -1 unknown
+    base::Point position;
+    std::int32_t net = -1;  ///< number of the NET record in eda/data; -1 none
+    std::string name;
+};
+
+/// A CMP record with its pins (facts §9).
+struct PlacedComponent {
+    std::int32_t package = -1;  ///< number of the PKG record in eda/data; -1 unknown
+    base::Point position;
+    double clockwiseDeg = 0.0;
+    bool isMirrored = false;
+    std::string refdes;
+    std::string part;
+    std::uint32_t line = 0;
+    std::vector<PlacedPin> pins;
+};
+
+[[nodiscard]] std::vector<PlacedComponent> parseComponents(std::string_view text, std::string_view path,
+                                                           Unit defaultUnit, Diagnostics& diagnostics);
+
+}  // namespace model::odb

@@ -1,0 +1,308 @@
+#include "model/odb/element_maker.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "model/odb/outlines.h"
+#include "model/odb/region.h"
+
+namespace model::odb {
+
+namespace {
+
+double normalisedDeg(double degrees) {
+    const double turn = std::fmod(degrees, 360.0);
+    return turn < 0 ? turn + 360.0 : turn;
+}
+
+std::uint8_t withFlag(std::uint8_t flags, ElementFlag flag, bool isSet) {
+    return isSet ? static_cast<std::uint8_t>(flags | flag) : flags;
+}
+
+bool isQuarterTurn(const Placement& placement) {
+    return std::fmod(placement.clockwiseDeg, 90.0) == 0.0;
+}
+
+}  // namespace
+
+void ElementMaker::add(const FeatureSource& source, const HoleRules* holes) {
+    m_source = source;
+    m_holes = holes;
+    m_isMoved = !isIdentity(source.placement);
+    m_resolved.assign(source.file->symbols.size(), {});
+    m_ownSurfaces = &m_surfaces[source.file];
+    m_ownSurfaces->resize(source.file->surfaces.size());
+    for (std::size_t i = 0; i < source.file->features.size(); ++i) {
+        switch (source.file->features[i].kind) {
+            case FeatureKind::Line:
+            case FeatureKind::Arc: stroke(i); break;
+            case FeatureKind::Pad:
+                flush();
+                pad(i);
+                break;
+            case FeatureKind::Surface:
+                flush();
+                surface(i);
+                break;
+            case FeatureKind::Text:
+            case FeatureKind::Barcode:
+            case FeatureKind::Bad: flush(); break;  // reported by the parser
+        }
+    }
+    flush();
+}
+
+void ElementMaker::report(Severity severity, std::size_t feature, std::string_view text) {
+    m_diagnostics.report(severity, m_source.path, m_source.file->features[feature].line, text,
+                         ElementId{m_builder.soFar().elements.size()});
+}
+
+ElementMaker::Resolved& ElementMaker::resolve(std::size_t feature) {
+    const Feature& f = m_source.file->features[feature];
+    const SymbolRef& symbol = m_source.file->symbols[f.index];
+    Resolved& resolved = m_resolved[f.index];
+    if (resolved.shape == nullptr) {
+        resolved.shape = &m_symbols.shape(symbol);
+        resolved.id = m_builder.symbol(symbol.name);
+    }
+    if (!resolved.shape->problem.empty()) {
+        m_symbols.reportProblem(symbol, *resolved.shape, m_source.path, f.line);
+    }
+    return resolved;
+}
+
+NetId ElementMaker::netOf(std::size_t feature) const {
+    return feature < m_source.nets.size() ? m_source.nets[feature] : NetId{};
+}
+
+DocumentBuilder::Origin ElementMaker::originOf(std::size_t feature) const {
+    const Feature& f = m_source.file->features[feature];
+    DocumentBuilder::Origin origin;
+    origin.net = netOf(feature);
+    origin.symbol = f.kind == FeatureKind::Surface ? SymbolId{} : m_resolved[f.index].id;
+    origin.feature = static_cast<std::uint32_t>(feature);
+    origin.line = f.line;
+    origin.flags = m_holes != nullptr ? kHole : 0;
+    return origin;
+}
+
+Point ElementMaker::at(Point p) const {
+    return m_isMoved ? m_source.placement.apply(p) : p;
+}
+
+bool ElementMaker::isPlated(const Feature& feature, Nm size) {
+    bool isAssumed = false;
+    const bool isPlated = m_holes->isPlated(feature, size, isAssumed);
+    if (isAssumed) {
+        m_diagnostics.report(
+            Severity::Info, m_source.path, feature.line,
+            isPlated ? "neither attribute .drill nor the tools say whether the hole is plated; taken as plated"
+                     : "neither attribute .drill nor the tools say whether the hole is plated; taken as bare");
+    }
+    return isPlated;
+}
+
+// ---- strokes ----
+
+void ElementMaker::stroke(std::size_t feature) {
+    const SymbolShape& pen = *resolve(feature).shape;
+    const bool isStraight = m_source.file->features[feature].kind == FeatureKind::Line;
+    if (pen.kind == SymbolShape::Kind::Nothing) {
+        return flush();
+    }
+    if (isStraight && pen.isSquarePen && (!m_isMoved || isQuarterTurn(m_source.placement))) {
+        flush();
+        return squareStroke(feature, m_resolved[m_source.file->features[feature].index]);
+    }
+    if (isStraight && !pen.penCorners.empty()) {
+        flush();
+        return sweptStroke(feature, m_resolved[m_source.file->features[feature].index]);
+    }
+    roundStroke(feature);
+}
+
+Nm ElementMaker::penWidth(std::size_t feature) {
+    const SymbolShape& pen = *m_resolved[m_source.file->features[feature].index].shape;
+    if (pen.kind == SymbolShape::Kind::Round) {
+        return pen.width;
+    }
+    report(Severity::Warning, feature,
+           "a stroke with a pen that is not round; drawn with a round pen as wide as its smaller side");
+    if (pen.kind == SymbolShape::Kind::Region) {
+        Box box;
+        for (std::size_t i = 0; i < pen.region.contourCount(); ++i) {
+            box.include(boxOfPath(pen.region.contour(i), true));
+        }
+        return static_cast<Nm>(std::min(box.width(), box.height()));
+    }
+    return pen.kind == SymbolShape::Kind::Oval ? std::min(pen.width, pen.height) : pen.width;
+}
+
+bool ElementMaker::continues(std::size_t feature, const PathNode& start) const {
+    if (m_pending.nodes.empty() || m_pending.nodes.back().point != start.point) {
+        return false;
+    }
+    const Feature& f = m_source.file->features[feature];
+    const Feature& first = m_source.file->features[m_pending.feature];
+    const bool mayJoin = m_holes == nullptr || m_holes->joinsStrokes();
+    return mayJoin && f.index == first.index && f.isNegative == first.isNegative &&
+           netOf(feature) == netOf(m_pending.feature);
+}
+
+void ElementMaker::roundStroke(std::size_t feature) {
+    const Feature& f = m_source.file->features[feature];
+    PathNode start{f.a, f.centre, EdgeKind::Line};
+    if (f.kind == FeatureKind::Arc && (f.a == f.centre || f.b == f.centre)) {
+        report(Severity::Warning, feature, "an arc without a radius; taken as a straight line");
+    } else if (f.kind == FeatureKind::Arc) {
+        start.edge = f.isClockwise ? EdgeKind::ArcClockwise : EdgeKind::ArcCounterClockwise;
+    }
+    start = m_isMoved ? placed(start, m_source.placement) : start;
+    const PathNode end{at(f.b), {}, EdgeKind::Line};
+    if (start.point == end.point) {  // a dot or a full circle
+        flush();
+        return addSingleStroke(feature, std::array{start, end}, penWidth(feature));
+    }
+    if (!continues(feature, start)) {
+        flush();
+        m_pending.feature = feature;
+        m_pending.nodes.push_back(start);
+    } else {
+        m_pending.nodes.back() = start;
+    }
+    m_pending.nodes.push_back(end);
+}
+
+void ElementMaker::flush() {
+    if (m_pending.nodes.empty()) {
+        return;
+    }
+    const Nm width = penWidth(m_pending.feature);
+    if (m_pending.nodes.size() == 2) {
+        addSingleStroke(m_pending.feature, m_pending.nodes, width);
+    } else {
+        DocumentBuilder::Origin origin = originOf(m_pending.feature);
+        if (m_holes != nullptr && isPlated(m_source.file->features[m_pending.feature], width)) {
+            origin.flags |= kPlated;
+        }
+        m_builder.addTrail(m_pending.nodes, width, origin);
+        note(m_pending.feature);
+    }
+    m_pending.nodes.clear();
+}
+
+void ElementMaker::addSingleStroke(std::size_t feature, std::span<const PathNode> nodes, Nm width) {
+    if (nodes[0].edge == EdgeKind::Line) {
+        return addLine(feature, {nodes[0].point, nodes[1].point, width, 0}, 0);
+    }
+    DocumentBuilder::Origin origin = originOf(feature);
+    if (m_holes != nullptr && isPlated(m_source.file->features[feature], width)) {
+        origin.flags |= kPlated;
+    }
+    m_builder.addArc({nodes[0], nodes[1].point, width}, origin);
+    note(feature);
+}
+
+void ElementMaker::addLine(std::size_t feature, LineGeometry line, std::uint8_t flags) {
+    DocumentBuilder::Origin origin = originOf(feature);
+    origin.flags |= flags;
+    if (m_holes != nullptr) {
+        const bool plated = isPlated(m_source.file->features[feature], line.width);
+        origin.flags = withFlag(origin.flags, kPlated, plated);
+        line.innerWidth = HoleRules::openSize(line.width, plated);
+    }
+    m_builder.addLine(line, origin);
+    note(feature);
+}
+
+void ElementMaker::squareStroke(std::size_t feature, const Resolved& pen) {
+    const Feature& f = m_source.file->features[feature];
+    addLine(feature, {at(f.a), at(f.b), pen.shape->width, 0}, kSquarePen);
+}
+
+void ElementMaker::sweptStroke(std::size_t feature, const Resolved& pen) {
+    // What a convex pen covers on a straight way is the hull of the pen at both ends.
+    const Feature& f = m_source.file->features[feature];
+    std::vector<Point> corners;
+    for (const Point end : {f.a, f.b}) {
+        for (const Point corner : pen.shape->penCorners) {
+            corners.push_back(at(Point{end.x + corner.x, end.y + corner.y}));
+        }
+    }
+    ShapeSketch sketch;
+    sketch.addPolygon(convexHull(std::move(corners)), false);
+    addArea(feature, m_builder.addShape(sketch), {}, 0);
+}
+
+// ---- pads and surfaces ----
+
+void ElementMaker::pad(std::size_t feature) {
+    const Feature& f = m_source.file->features[feature];
+    Resolved& symbol = resolve(feature);
+    Placement placement{f.a, f.clockwiseDeg, f.isMirrored};
+    placement = m_isMoved ? m_source.placement.after(placement) : placement;
+    placement.clockwiseDeg = normalisedDeg(placement.clockwiseDeg);
+    switch (symbol.shape->kind) {
+        case SymbolShape::Kind::Nothing: return;
+        case SymbolShape::Kind::Round:
+        case SymbolShape::Kind::Ring: return discPad(feature, *symbol.shape);
+        case SymbolShape::Kind::Oval: return ovalPad(feature, *symbol.shape, placement);
+        case SymbolShape::Kind::Region: break;
+    }
+    const auto [place, isNew] = m_regions.try_emplace(symbol.shape);
+    if (isNew) {
+        place->second = m_builder.addShape(symbol.shape->region);
+    }
+    addArea(feature, place->second, placement, kPad);
+}
+
+void ElementMaker::discPad(std::size_t feature, const SymbolShape& shape) {
+    const Feature& f = m_source.file->features[feature];
+    DocumentBuilder::Origin origin = originOf(feature);
+    origin.flags |= kPad;
+    CircleGeometry circle{at(f.a), shape.width, shape.kind == SymbolShape::Kind::Ring ? shape.height : 0};
+    if (m_holes != nullptr) {
+        const bool plated = isPlated(f, shape.width);
+        origin.flags = withFlag(origin.flags, kPlated, plated);
+        circle.innerDiameter = HoleRules::openSize(shape.width, plated);
+    }
+    m_builder.addCircle(circle, origin);
+    note(feature);
+}
+
+void ElementMaker::ovalPad(std::size_t feature, const SymbolShape& shape, const Placement& placement) {
+    const double reach = (shape.width - shape.height) / 2.0;
+    const PointD tip = reach >= 0 ? PointD{reach, 0} : PointD{0, reach};
+    const Point a = rounded(placement.apply(PointD{-tip.x, -tip.y}));
+    const Point b = rounded(placement.apply(tip));
+    addLine(feature, {a, b, std::min(shape.width, shape.height), 0}, kPad);
+}
+
+void ElementMaker::surface(std::size_t feature) {
+    const Feature& f = m_source.file->features[feature];
+    ShapeId& shape = (*m_ownSurfaces)[f.index];
+    if (m_source.file->surfaces.shapes[f.index].contourCount == 0) {
+        return report(Severity::Warning, feature, "a surface without a usable polygon draws nothing");
+    }
+    if (!shape.isValid()) {
+        shape = m_builder.addShape(sketchOf(m_source.file->surfaces, f.index, {}));
+    }
+    Placement placement = m_source.placement;
+    placement.clockwiseDeg = normalisedDeg(placement.clockwiseDeg);
+    addArea(feature, shape, placement, 0);
+}
+
+void ElementMaker::addArea(std::size_t feature, ShapeId shape, const Placement& placement, std::uint8_t flags) {
+    DocumentBuilder::Origin origin = originOf(feature);
+    origin.flags |= flags;
+    if (m_holes != nullptr) {
+        const Box box = m_builder.shapes().shapes[shape.row()].box;
+        const auto size = static_cast<Nm>(std::min(box.width(), box.height()));
+        origin.flags = withFlag(origin.flags, kPlated, isPlated(m_source.file->features[feature], size));
+    }
+    m_builder.addArea({shape, placement}, origin);
+    note(feature);
+}
+
+}  // namespace model::odb

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <map>
+#include <span>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "model/document_builder.h"
+#include "model/odb/holes.h"
+#include "model/odb/symbols.h"
+
+namespace model::odb {
+
+/// The features of one file on their way to elements.
+struct FeatureSource {
+    const FeatureFile* file = nullptr;
+    std::string_view path;        ///< for diagnostics
+    Placement placement;          ///< where the file's step lies on the board
+    std::span<const NetId> nets;  ///< by feature; empty when the file has no nets
+};
+
+/// Turns features into elements of the builder's current layer:
+/// - L and A with a round symbol: Line and Arc; runs of them with one symbol, polarity and net, each starting where the
+/// one before ended, are
+///   one Trail. Zero-length lines (dots) and full circles stay alone. Square pens: Line with kSquarePen; other
+///   straight-sided pens: the swept outline as an Area; any other pen is replaced by a round one and reported.
+/// - P: Circle for discs and rings, Line for ovals, Area with a shared shape for all others.
+/// - S: Area. T and B are not drawn.
+/// With hole rules every element is a hole. Elements come in the order of their features; polarity is kept beside them.
+class ElementMaker {
+public:
+    ElementMaker(DocumentBuilder& builder, SymbolLibrary& symbols, Diagnostics& diagnostics)
+        : m_builder(builder), m_symbols(symbols), m_diagnostics(diagnostics) {}
+
+    void add(const FeatureSource& source, const HoleRules* holes);
+
+    /// One entry per element added by this maker: 1 when it takes away what was painted before it.
+    [[nodiscard]] const std::vector<std::uint8_t>& negatives() const { return m_negatives; }
+
+private:
+    /// A symbol of the current file, resolved when it is first used.
+    struct Resolved {
+        const SymbolShape* shape = nullptr;
+        SymbolId id;
+        ShapeId region;  ///< added to the builder when first drawn
+    };
+    struct Pending {
+        std::vector<PathNode> nodes;  ///< the last one is the end of the last stroke
+        std::size_t feature = 0;      ///< of the first stroke
+    };
+
+    Resolved& resolve(std::size_t feature);
+    [[nodiscard]] DocumentBuilder::Origin originOf(std::size_t feature) const;
+    [[nodiscard]] NetId netOf(std::size_t feature) const;
+    [[nodiscard]] Point at(Point p) const;
+    [[nodiscard]] bool isPlated(const Feature& feature, Nm size);
+
+    void stroke(std::size_t feature);
+    void roundStroke(std::size_t feature);
+    [[nodiscard]] bool continues(std::size_t feature, const PathNode& start) const;
+    void flush();
+    void addSingleStroke(std::size_t feature, std::span<const PathNode> nodes, Nm width);
+    void addLine(std::size_t feature, LineGeometry line, std::uint8_t flags);
+    void squareStroke(std::size_t feature, const Resolved& pen);
+    void sweptStroke(std::size_t feature, const Resolved& pen);
+    [[nodiscard]] Nm penWidth(std::size_t feature);
+
+    void pad(std::size_t feature);
+    void discPad(std::size_t feature, const SymbolShape& shape);
+    void ovalPad(std::size_t feature, const SymbolShape& shape, const Placement& placement);
+    void surface(std::size_t feature);
+    void addArea(std::size_t feature, ShapeId shape, const Placement& placement, std::uint8_t flags);
+    void note(std::size_t feature) { m_negatives.push_back(m_source.file->features[feature].isNegative ? 1 : 0); }
+    void report(Severity severity, std::size_t feature, std::string_view text);
+
+    DocumentBuilder& m_builder;
+    SymbolLibrary& m_symbols;
+    Diagnostics& m_diagnostics;
+    std::vector<std::uint8_t> m_negatives;
+    std::map<const SymbolShape*, ShapeId> m_regions;
+    std::map<const FeatureFile*, std::vector<ShapeId>> m_surfaces;
+
+    FeatureSource m_source;
+    const HoleRules* m_holes = nullptr;
+    bool m_isMoved = false;
+    std::vector<Resolved> m_resolved;
+    std::vector<ShapeId>* m_ownSurfaces = nullptr;
+    Pending m_pending;
+};
+
+}  // namespace model::odb

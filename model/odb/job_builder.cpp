@@ -1,0 +1,395 @@
+#include "model/odb/job_builder.h"
+
+#include <algorithm>
+
+#include "model/odb/element_maker.h"
+#include "model/odb/net_links.h"
+#include "model/odb/painting.h"
+#include "model/odb/profile.h"
+#include "model/odb/records.h"
+#include "model/odb/region.h"
+
+namespace model::odb {
+
+namespace {
+
+class JobBuilder {
+public:
+    JobBuilder(const JobContext& job, const Steps& steps, DocumentBuilder& builder, base::Progress& progress)
+        : m_job(job),
+          m_matrix(job.matrix),
+          m_steps(steps),
+          m_builder(builder),
+          m_progress(progress),
+          m_symbols(job.tree, job.defaultUnit, builder.diagnostics()),
+          m_order(physicalOrder(job.matrix.layers, "matrix/matrix", builder.diagnostics())) {}
+
+    bool build(std::optional<double> boardNm) {
+        takeDiagnostics();
+        addLayers();
+        setSpans();
+        addStackup(boardNm);
+        m_copies = unfoldCopies(m_steps, diagnostics());
+        m_nets.emplace(m_builder, m_matrix, m_steps);
+        if (!buildLayers(false)) {
+            return false;
+        }
+        setProfile();
+        if (!buildLayers(true)) {
+            return false;
+        }
+        addTools();
+        addComponents();
+        return true;
+    }
+
+private:
+    Diagnostics& diagnostics() { return m_builder.diagnostics(); }
+
+    void takeDiagnostics() {
+        for (const StepData& step : m_steps) {
+            diagnostics().append(step.header.diagnostics);
+            diagnostics().append(step.profile.diagnostics);
+            diagnostics().append(step.eda.diagnostics);
+            for (const StepLayer& layer : step.layers) {
+                diagnostics().append(layer.features.diagnostics);
+                diagnostics().append(layer.thickness.diagnostics);
+                diagnostics().append(layer.tools.diagnostics);
+                diagnostics().append(layer.components.diagnostics);
+            }
+        }
+    }
+
+    // ---- layers ----
+
+    void addLayers() {
+        m_layerOfRow.resize(m_matrix.layers.size());
+        for (const std::size_t row : m_order) {
+            const MatrixLayer& source = m_matrix.layers[row];
+            Layer layer;
+            layer.name = source.name;
+            layer.type = source.type;
+            layer.context = source.context;
+            layer.isNegative = source.isNegative;
+            layer.row = source.row;
+            describeFeatures(row, layer);
+            m_layerOfRow[row] = m_builder.addLayer(std::move(layer));
+        }
+    }
+
+    void describeFeatures(std::size_t row, Layer& layer) {
+        for (const StepData& step : m_steps) {
+            const Parsed<FeatureFile>& features = step.layers[row].features;
+            layer.file = layer.file.empty() ? features.path : layer.file;
+            layer.featureCount += static_cast<std::uint32_t>(features.value.features.size());
+        }
+        reportMissing(row, layer);
+    }
+
+    void reportMissing(std::size_t row, const Layer& layer) {
+        const bool mayBeBare = layer.type == LayerType::Dielectric || layer.type == LayerType::Component;
+        if (mayBeBare || isRepeatedName(row)) {
+            return;
+        }
+        const std::string folder = m_steps[0].folder + "/layers/" + layer.name;
+        const std::uint32_t line = m_matrix.layers[row].line;
+        if (layer.file.empty() && !m_job.tree.hasFolder(folder)) {
+            diagnostics().report(
+                Severity::Warning, "matrix/matrix", line,
+                "layer " + layer.name + " is in the matrix, but the step has no folder for it; it stays empty");
+        } else if (layer.file.empty()) {
+            diagnostics().report(Severity::Warning, folder, 0,
+                                 "layer " + layer.name + " has no features file; it stays empty");
+        } else if (layer.featureCount == 0) {
+            diagnostics().report(Severity::Info, layer.file, 0,
+                                 "layer " + layer.name + ": the features file holds no features");
+        }
+    }
+
+    bool isRepeatedName(std::size_t row) {
+        for (std::size_t i = 0; i < row; ++i) {
+            if (equalsIgnoringCase(m_matrix.layers[i].name, m_matrix.layers[row].name)) {
+                diagnostics().report(
+                    Severity::Info, "matrix/matrix", m_matrix.layers[row].line,
+                    "layer " + m_matrix.layers[row].name + " is listed twice; its features are in the first one");
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /// Copper layers of the board from the top.
+    [[nodiscard]] std::vector<LayerId> copperLayers() const {
+        std::vector<LayerId> copper;
+        for (const std::size_t row : m_order) {
+            if (m_matrix.layers[row].isCopper() && m_matrix.layers[row].context == LayerContext::Board) {
+                copper.push_back(m_layerOfRow[row]);
+            }
+        }
+        return copper;
+    }
+
+    /// Facts §6: either direction; empty means through all copper.
+    void setSpans() {
+        const std::vector<LayerId> copper = copperLayers();
+        for (std::size_t row = 0; row < m_matrix.layers.size() && !copper.empty(); ++row) {
+            if (!m_matrix.layers[row].isHoles()) {
+                continue;
+            }
+            Layer& layer = m_builder.layer(m_layerOfRow[row]);
+            const LayerId start = spanEnd(copper, row, m_matrix.layers[row].startName, copper.front());
+            const LayerId end = spanEnd(copper, row, m_matrix.layers[row].endName, copper.back());
+            layer.spanTop = std::min(start, end);  // layer ids rise from the top
+            layer.spanBottom = std::max(start, end);
+        }
+    }
+
+    LayerId spanEnd(const std::vector<LayerId>& copper, std::size_t row, const std::string& name, LayerId otherwise) {
+        if (name.empty()) {
+            return otherwise;
+        }
+        for (const LayerId id : copper) {
+            if (equalsIgnoringCase(m_builder.layer(id).name, name)) {
+                return id;
+            }
+        }
+        diagnostics().report(Severity::Warning, "matrix/matrix", m_matrix.layers[row].line,
+                             "layer " + m_matrix.layers[row].name + ": its span ends at " + name +
+                                 ", which is no copper layer; the outer copper is used");
+        return otherwise;
+    }
+
+    void addStackup(std::optional<double> boardNm) {
+        std::vector<ThicknessHint> hints;
+        for (const std::size_t row : m_order) {
+            hints.push_back(m_steps[0].layers[row].thickness.value);
+        }
+        m_builder.setBoardThickness(buildStackup(m_builder.layers(), hints, boardNm, diagnostics()));
+    }
+
+    // ---- elements ----
+
+    /// All layers whose polarity is `isNegative`; negative ones need the profile, so they come last.
+    bool buildLayers(bool isNegative) {
+        for (const std::size_t row : m_order) {
+            if (m_progress.isCancelled()) {
+                return false;
+            }
+            if (m_matrix.layers[row].isNegative == isNegative) {
+                buildLayer(row);
+                m_progress.setFraction(static_cast<float>(++m_built) / static_cast<float>(m_order.size()));
+            }
+        }
+        return true;
+    }
+
+    void buildLayer(std::size_t row) {
+        const MatrixLayer& layer = m_matrix.layers[row];
+        const std::vector<FeatureSource> sources = sourcesOf(row);
+        m_builder.beginLayer(m_layerOfRow[row]);
+        if (sources.empty()) {
+            return;
+        }
+        std::optional<HoleRules> holes;
+        if (layer.isHoles()) {
+            holes.emplace(layer.type, toolsOf(row));
+        }
+        const bool hasNegatives =
+            std::ranges::any_of(sources, [](const FeatureSource& source) { return source.file->hasNegatives; });
+        if (layer.isNegative || hasNegatives) {
+            return paintLayer(row, sources, holes ? &*holes : nullptr);
+        }
+        ElementMaker maker(m_builder, m_symbols, diagnostics());
+        for (const FeatureSource& source : sources) {
+            maker.add(source, holes ? &*holes : nullptr);
+        }
+    }
+
+    void paintLayer(std::size_t row, const std::vector<FeatureSource>& sources, const HoleRules* holes) {
+        DocumentBuilder scratch;
+        scratch.beginLayer(scratch.addLayer({}));
+        ElementMaker maker(scratch, m_symbols, diagnostics());
+        for (const FeatureSource& source : sources) {
+            maker.add(source, holes);
+        }
+        if (!m_matrix.layers[row].isNegative) {
+            return addPainted(m_builder, scratch.soFar(), maker.negatives());
+        }
+        const ShapeId profile = m_builder.soFar().profile;
+        if (!profile.isValid()) {
+            diagnostics().report(
+                Severity::Error, "matrix/matrix", m_matrix.layers[row].line,
+                "layer " + m_matrix.layers[row].name + " is negative, but the board has no outline; it stays empty");
+            return;
+        }
+        diagnostics().report(
+            Severity::Info, "matrix/matrix", m_matrix.layers[row].line,
+            "layer " + m_matrix.layers[row].name +
+                " is negative: shown is the board's outline minus its features; its pieces carry no nets");
+        addInverse(m_builder, discretise(m_builder.shapes(), profile, kBooleanChords), scratch.soFar(),
+                   maker.negatives());
+    }
+
+    std::vector<Tool> toolsOf(std::size_t row) const {
+        std::vector<Tool> tools;
+        for (const StepData& step : m_steps) {
+            tools.insert(tools.end(), step.layers[row].tools.value.begin(), step.layers[row].tools.value.end());
+        }
+        return tools;
+    }
+
+    /// The features that land on a layer: those of every copy, flipped ones from the layer on the other side.
+    std::vector<FeatureSource> sourcesOf(std::size_t row) {
+        std::vector<FeatureSource> sources;
+        for (const StepCopy& copy : m_copies) {
+            const std::size_t from = copy.isFlipped ? oppositeRow(row) : row;
+            const Parsed<FeatureFile>& features = m_steps[copy.step].layers[from].features;
+            if (features.isPresent() && isInRange(copy, features)) {
+                sources.push_back({&features.value, features.path, copy.placement, m_nets->netsOf(copy.step, from)});
+            }
+        }
+        return sources;
+    }
+
+    /// Copies must not leave the coordinate range.
+    bool isInRange(const StepCopy& copy, const Parsed<FeatureFile>& features) {
+        if (isIdentity(copy.placement)) {
+            return true;
+        }
+        const Box extent = extentOf(features.value);
+        const double reach = base::kMaxCoordinate;
+        for (const Point corner :
+             {extent.min, {extent.max.x, extent.min.y}, extent.max, {extent.min.x, extent.max.y}}) {
+            const PointD placed = copy.placement.apply(base::toDouble(corner));
+            if (!extent.isEmpty() && (std::abs(placed.x) > reach || std::abs(placed.y) > reach)) {
+                diagnostics().report(Severity::Error, features.path, 0,
+                                     "a panel copy lies outside of the coordinate range of ±1.07 m; it was left out");
+                return false;
+            }
+        }
+        return true;
+    }
+
+    const Box& extentOf(const FeatureFile& file) {
+        const auto [place, isNew] = m_extents.try_emplace(&file);
+        if (isNew) {
+            for (const Feature& feature : file.features) {
+                if (feature.kind == FeatureKind::Surface) {
+                    place->second.include(file.surfaces.shapes[feature.index].box);
+                } else if (feature.kind != FeatureKind::Bad && feature.kind != FeatureKind::Text) {
+                    place->second.include(feature.a);
+                    place->second.include(feature.kind == FeatureKind::Pad ? feature.a : feature.b);
+                }
+            }
+        }
+        return place->second;
+    }
+
+    /// The layer in the same place counted from the bottom. Layers outside of the stack, drills for example, stay.
+    std::size_t oppositeRow(std::size_t row) {
+        const auto count = static_cast<std::size_t>(
+            std::ranges::count_if(m_order, [this](std::size_t r) { return isPhysical(m_matrix.layers[r]); }));
+        const auto place = static_cast<std::size_t>(std::ranges::find(m_order, row) - m_order.begin());
+        if (place >= count) {
+            return row;
+        }
+        const std::size_t opposite = m_order[count - 1 - place];
+        if (m_matrix.layers[opposite].type != m_matrix.layers[row].type) {
+            diagnostics().report(
+                Severity::Warning, "matrix/matrix", m_matrix.layers[row].line,
+                "layer " + m_matrix.layers[row].name + ": a flipped copy lands on a layer of another type");
+        }
+        return opposite;
+    }
+
+    // ---- profile ----
+
+    void setProfile() {
+        const Parsed<FeatureFile>& file = m_steps[0].profile;
+        std::optional<ShapeSketch> sketch = profileOf(file.value);
+        const bool isBelieved = sketch && fitsCopper(*sketch, m_builder.soFar());
+        if (!isBelieved) {
+            const std::string why = sketch             ? "the profile does not enclose the copper"
+                                    : file.isPresent() ? "the profile holds no outline"
+                                                       : "the step has no profile";
+            sketch = profileFromCopper(m_builder.soFar());
+            diagnostics().report(Severity::Warning, file.isPresent() ? file.path : m_steps[0].folder + "/profile", 0,
+                                 why + (sketch ? "; the box around all copper is used as the board's outline"
+                                               : "; the board has no outline"));
+        }
+        if (sketch) {
+            m_builder.setProfile(m_builder.addShape(*sketch));
+        }
+    }
+
+    // ---- the rest ----
+
+    void addTools() {
+        for (const std::size_t row : m_order) {
+            for (const Tool& tool : toolsOf(row)) {
+                m_builder.addTool({m_layerOfRow[row], tool.number, tool.type, tool.finishedSize, tool.drillSize});
+            }
+        }
+    }
+
+    void addComponents() {
+        for (std::size_t row = 0; row < m_matrix.layers.size(); ++row) {
+            const LayerSide side = m_builder.layer(m_layerOfRow[row]).side;
+            for (const PlacedComponent& component : m_steps[0].layers[row].components.value) {
+                addComponent(component, side);
+            }
+        }
+        if (m_copies.size() > 1) {
+            diagnostics().report(
+                Severity::Info, m_steps[0].header.path, 0,
+                "the step repeats others: nets are shared by all copies, components of the copies are left out");
+        }
+    }
+
+    void addComponent(const PlacedComponent& source, LayerSide side) {
+        const std::vector<EdaPackage>& packages = m_steps[0].eda.value.packages;
+        const bool isKnown = source.package >= 0 && static_cast<std::size_t>(source.package) < packages.size();
+        const EdaPackage* package = isKnown ? &packages[static_cast<std::size_t>(source.package)] : nullptr;
+        std::vector<Pin> pins;
+        for (const PlacedPin& pin : source.pins) {
+            pins.push_back({pinName(pin, package), pin.position, m_nets->net(0, pin.net)});
+        }
+        Component component;
+        component.refdes = source.refdes;
+        component.part = source.part;
+        component.package = package != nullptr ? package->name : "";
+        component.position = source.position;
+        component.clockwiseDeg = source.clockwiseDeg;
+        component.isMirrored = source.isMirrored;
+        component.side = side;
+        m_builder.addComponent(std::move(component), pins);
+    }
+
+    static std::string pinName(const PlacedPin& pin, const EdaPackage* package) {
+        const bool isListed =
+            package != nullptr && pin.number >= 0 && static_cast<std::size_t>(pin.number) < package->pins.size();
+        return pin.name.empty() && isListed ? package->pins[static_cast<std::size_t>(pin.number)] : pin.name;
+    }
+
+    const JobContext& m_job;
+    const Matrix& m_matrix;
+    const Steps& m_steps;
+    DocumentBuilder& m_builder;
+    base::Progress& m_progress;
+    SymbolLibrary m_symbols;
+    std::vector<std::size_t> m_order;
+    std::vector<LayerId> m_layerOfRow;
+    std::vector<StepCopy> m_copies;
+    std::optional<NetLinks> m_nets;
+    std::map<const FeatureFile*, Box> m_extents;
+    std::size_t m_built = 0;
+};
+
+}  // namespace
+
+bool buildJob(const JobContext& job, const Steps& steps, std::optional<double> boardNm, DocumentBuilder& builder,
+              base::Progress& progress) {
+    return JobBuilder(job, steps, builder, progress).build(boardNm);
+}
+
+}  // namespace model::odb

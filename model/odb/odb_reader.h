@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "model/base/progress.h"
+#include "model/base/result.h"
+#include "model/document.h"
+#include "model/reader.h"
+
+/// ODB++ v7 and v8 jobs. The format facts cited in this folder as "facts §n" are those of docs/odb-notes.md.
+namespace model::odb {
+
+/// A cheap look at the name and the first bytes: a folder, or a file that is an archive or is named like one. It does
+/// not say that the job is sound.
+[[nodiscard]] bool looksLikeJob(const std::filesystem::path& path);
+
+/// Reads the step of a job that `options` names. Errors: BadInput when the path is missing, is no archive, ends early,
+/// is too large or holds no job; BadUsage when the step does not exist (the text lists those that do); Cancelled.
+/// Everything else is in Document::diagnostics.
+[[nodiscard]] base::Result<std::shared_ptr<const Document>> readJob(const std::filesystem::path& path,
+                                                                    const ReadOptions& options,
+                                                                    base::Progress& progress);
+
+}  // namespace model::odb

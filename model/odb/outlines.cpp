@@ -1,0 +1,114 @@
+#include "model/odb/outlines.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace model::odb {
+
+Point rounded(PointD p) {
+    return {static_cast<Nm>(std::llround(p.x)), static_cast<Nm>(std::llround(p.y))};
+}
+
+void addLoop(ShapeSketch& sketch, std::span<const PointD> points, bool isHole) {
+    std::vector<PathNode> nodes;
+    for (const PointD& point : points) {
+        nodes.push_back({rounded(point), {}, EdgeKind::Line});
+    }
+    addPath(sketch, nodes, isHole);
+}
+
+void addPath(ShapeSketch& sketch, std::span<const PathNode> nodes, bool isHole) {
+    sketch.beginContour(isHole);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const Point next = nodes[(i + 1) % nodes.size()].point;
+        if (nodes[i].edge != EdgeKind::Line || nodes[i].point != next) {
+            sketch.addNode(nodes[i]);
+        }
+    }
+}
+
+void addBox(ShapeSketch& sketch, double width, double height, bool isHole) {
+    const double x = width / 2;
+    const double y = height / 2;
+    addLoop(sketch, std::array<PointD, 4>{{{x, y}, {-x, y}, {-x, -y}, {x, -y}}}, isHole);
+}
+
+void addCornerBox(ShapeSketch& sketch, double width, double height, double radius, unsigned corners, CornerStyle style,
+                  bool isHole) {
+    // Signs of the corners, counter-clockwise from the top right.
+    constexpr std::array<PointD, 4> kCorners = {{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
+    const double r = std::clamp(radius, 0.0, std::min(width, height) / 2);
+    std::vector<PathNode> nodes;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const PointD corner = {kCorners[i].x * width / 2, kCorners[i].y * height / 2};
+        if ((corners & (1U << i)) == 0 || r == 0.0) {
+            nodes.push_back({rounded(corner), {}, EdgeKind::Line});
+            continue;
+        }
+        const PointD centre = {corner.x - kCorners[i].x * r, corner.y - kCorners[i].y * r};
+        const PointD onSide = {corner.x, centre.y};  // on the left or right side
+        const PointD onFlat = {centre.x, corner.y};  // on the top or bottom
+        const bool sideFirst = i % 2 == 0;           // walking counter-clockwise
+        const EdgeKind edge = style == CornerStyle::Rounded ? EdgeKind::ArcCounterClockwise : EdgeKind::Line;
+        nodes.push_back({rounded(sideFirst ? onSide : onFlat), rounded(centre), edge});
+        nodes.push_back({rounded(sideFirst ? onFlat : onSide), {}, EdgeKind::Line});
+    }
+    addPath(sketch, nodes, isHole);
+}
+
+void addOval(ShapeSketch& sketch, double width, double height, bool isHole) {
+    addCornerBox(sketch, width, height, std::min(width, height) / 2, kAllCorners, CornerStyle::Rounded, isHole);
+}
+
+void addDisc(ShapeSketch& sketch, double diameter, bool isHole) {
+    sketch.addCircle({}, static_cast<Nm>(std::llround(diameter / 2)), isHole);
+}
+
+void addEllipse(ShapeSketch& sketch, double width, double height) {
+    // Sagitta of a chord on a circle of the larger radius: r (1 - cos(pi / n)) <= 500 nm.
+    const double radius = std::max(width, height) / 2;
+    const double cosine = std::clamp(1.0 - 500.0 / std::max(radius, 1000.0), -1.0, 1.0);
+    const int count = 4 * std::clamp(static_cast<int>(std::ceil(std::numbers::pi / std::acos(cosine) / 4)), 4, 1024);
+    std::vector<PointD> points;
+    for (int i = 0; i < count; ++i) {
+        const double angle = 2 * std::numbers::pi * i / count;
+        points.push_back({width / 2 * std::cos(angle), height / 2 * std::sin(angle)});
+    }
+    addLoop(sketch, points, false);
+}
+
+namespace {
+
+/// Twice the signed area of the triangle a, b, c.
+std::int64_t turn(Point a, Point b, Point c) {
+    return (std::int64_t{b.x} - a.x) * (std::int64_t{c.y} - a.y) -
+           (std::int64_t{b.y} - a.y) * (std::int64_t{c.x} - a.x);
+}
+
+}  // namespace
+
+std::vector<Point> convexHull(std::vector<Point> points) {
+    std::ranges::sort(points);
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    if (points.size() < 3) {
+        return points;
+    }
+    // Andrew's monotone chain: the lower hull, then the upper one.
+    std::vector<Point> hull;
+    for (int pass = 0; pass < 2; ++pass) {
+        const std::size_t start = hull.size();
+        for (const Point& point : points) {
+            while (hull.size() >= start + 2 && turn(hull[hull.size() - 2], hull.back(), point) <= 0) {
+                hull.pop_back();
+            }
+            hull.push_back(point);
+        }
+        hull.pop_back();
+        std::ranges::reverse(points);
+    }
+    return hull;
+}
+
+}  // namespace model::odb

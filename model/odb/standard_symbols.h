@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/odb/features.h"
+#include "model/shapes.h"
+
+namespace model::odb {
+
+/// What a symbol draws, centred where the pad is.
+struct SymbolShape {
+    enum class Kind {
+        Nothing,  ///< `null`, or a symbol that `problem` explains
+        Round,    ///< disc of diameter `width`
+        Ring,     ///< ring, outer diameter `width`, inner `height`
+        Oval,     ///< stadium `width` × `height`
+        Region    ///< anything else
+    };
+    Kind kind = Kind::Nothing;
+    Nm width = 0;
+    Nm height = 0;
+    ShapeSketch region;
+    bool isSquarePen = false;       ///< an axis-parallel square, which strokes can be drawn with as it is
+    std::vector<Point> penCorners;  ///< of convex symbols with straight sides: the outline; strokes sweep it
+    std::string problem;            ///< for the diagnostics; empty if the symbol is drawn as it is
+};
+
+/// The shape of a standard symbol. Nothing when the name does not match the grammar completely (facts §5): then it is a
+/// user symbol. Sizes that are negative or reach beyond ±kMaxCoordinate draw nothing (facts §11.15), except that a ring
+/// without room for its hole is a disc.
+[[nodiscard]] std::optional<SymbolShape> standardSymbol(const SymbolRef& symbol);
+
+}  // namespace model::odb

@@ -1,0 +1,263 @@
+#include "model/odb/step.h"
+
+#include <algorithm>
+#include <atomic>
+#include <functional>
+
+#include "model/base/parallel.h"
+#include "model/odb/attributes.h"
+#include "model/odb/records.h"
+
+namespace model::odb {
+
+namespace {
+
+/// More copies than this are taken for a broken file.
+constexpr std::size_t kMaxCopies = 100'000;
+/// Panels nest two or three deep; more is a broken file.
+constexpr int kMaxDepth = 8;
+
+std::size_t findStep(const Steps& steps, std::string_view name) {
+    const auto place =
+        std::ranges::find_if(steps, [name](const StepData& s) { return equalsIgnoringCase(s.name, name); });
+    return static_cast<std::size_t>(place - steps.begin());
+}
+
+void readHeader(const JobContext& job, StepData& step) {
+    Parsed<StepHeader>& header = step.header;
+    if (const auto file = job.tree.read(step.folder + "/stephdr", header.diagnostics)) {
+        header.path = file->path;
+        header.value = parseStepHeader(file->text(), file->path, job.defaultUnit, header.diagnostics);
+    }
+}
+
+}  // namespace
+
+Steps collectSteps(const JobContext& job, const std::string& name, Diagnostics& diagnostics) {
+    Steps steps;
+    std::vector<std::string> wanted{name};
+    for (std::size_t next = 0; next < wanted.size(); ++next) {
+        if (findStep(steps, wanted[next]) < steps.size()) {
+            continue;
+        }
+        const std::string folder = "steps/" + wanted[next];
+        if (!job.tree.hasFolder(folder)) {
+            diagnostics.report(Severity::Error, folder, 0,
+                               "step " + wanted[next] + " has no folder; its copies are missing");
+            continue;
+        }
+        StepData step;
+        step.name = wanted[next];
+        step.folder = folder;
+        step.layers.resize(job.matrix.layers.size());
+        readHeader(job, step);
+        for (const StepRepeat& repeat : step.header.value.repeats) {
+            wanted.push_back(repeat.step);
+        }
+        steps.push_back(std::move(step));
+    }
+    return steps;
+}
+
+namespace {
+
+/// One file to parse, with its size so that the largest go first.
+struct Task {
+    std::uint64_t size = 0;
+    std::function<void()> run;
+};
+
+class TaskList {
+public:
+    explicit TaskList(const JobContext& job) : m_job(job) {}
+
+    /// Plans `parse(text, path, diagnostics)` for a file, if it exists.
+    template <class T, class Parse>
+    void add(const std::string& path, Parsed<T>& into, Parse parse) {
+        if (!m_job.tree.has(path)) {
+            return;
+        }
+        m_tasks.push_back({m_job.tree.storedSize(path), [this, path, &into, parse] {
+                               if (const auto file = m_job.tree.read(path, into.diagnostics)) {
+                                   into.path = file->path;
+                                   into.value = parse(file->text(), file->path, into.diagnostics);
+                               }
+                           }});
+    }
+
+    void addStep(StepData& step) {
+        const auto features = [unit = m_job.defaultUnit](std::string_view text, std::string_view path, Diagnostics& d) {
+            return parseFeatures(text, path, unit, d);
+        };
+        add(step.folder + "/profile", step.profile, features);
+        add(step.folder + "/eda/data", step.eda, [this](std::string_view text, std::string_view path, Diagnostics& d) {
+            return parseEda(text, path, m_layerNames, d);
+        });
+        for (std::size_t i = 0; i < step.layers.size(); ++i) {
+            if (isFirstOfName(i)) {
+                addLayer(step, i, features);
+            }
+        }
+    }
+
+    void setLayerNames() {
+        for (const MatrixLayer& layer : m_job.matrix.layers) {
+            m_layerNames.push_back(layer.name);
+        }
+    }
+
+    bool run(base::Progress& progress) {
+        std::ranges::stable_sort(m_tasks, std::greater<>(), &Task::size);
+        std::uint64_t total = 1;
+        for (const Task& task : m_tasks) {
+            total += task.size;
+        }
+        std::atomic<std::uint64_t> done{0};
+        base::parallelFor(m_tasks.size(), [&](std::size_t i) {
+            if (!progress.isCancelled()) {
+                m_tasks[i].run();
+                done += m_tasks[i].size;
+                progress.setFraction(static_cast<float>(static_cast<double>(done) / static_cast<double>(total)));
+            }
+        });
+        return !progress.isCancelled();
+    }
+
+private:
+    /// A name may be listed twice (a dielectric of two plies); its folder belongs to the first row.
+    [[nodiscard]] bool isFirstOfName(std::size_t row) const {
+        for (std::size_t i = 0; i < row; ++i) {
+            if (equalsIgnoringCase(m_layerNames[i], m_layerNames[row])) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    template <class Parse>
+    void addLayer(StepData& step, std::size_t row, const Parse& features) {
+        const MatrixLayer& layer = m_job.matrix.layers[row];
+        const std::string folder = step.folder + "/layers/" + layer.name;
+        StepLayer& into = step.layers[row];
+        add(folder + "/features", into.features, features);
+        add(folder + "/attrlist", into.thickness,
+            [this, &layer](std::string_view text, std::string_view path, Diagnostics& d) {
+                return thicknessOf(AttributeList(text, path, m_job.defaultUnit, d), layer, path, d);
+            });
+        if (layer.isHoles()) {
+            add(folder + "/tools", into.tools,
+                [](std::string_view text, std::string_view path, Diagnostics& d) { return parseTools(text, path, d); });
+        }
+        if (layer.type == LayerType::Component) {
+            add(folder + "/components", into.components,
+                [unit = m_job.defaultUnit](std::string_view text, std::string_view path, Diagnostics& d) {
+                    return parseComponents(text, path, unit, d);
+                });
+        }
+    }
+
+    /// Facts §10: copper weight is oz/ft² in INCH files and µm in MM files. On copper layers .layer_dielectric is the
+    /// dielectric beside it.
+    static ThicknessHint thicknessOf(const AttributeList& attributes, const MatrixLayer& layer, std::string_view path,
+                                     Diagnostics& diagnostics) {
+        const bool isInch = attributes.unit() == Unit::Inch;
+        const double nmPerCopper = isInch ? base::kNmPerOunce : base::kNmPerUm;
+        const double nmPerDielectric = isInch ? base::kNmPerInch : base::kNmPerMm;
+        const auto scaled = [&](std::string_view name, double scale) {
+            const std::optional<double> value = attributes.number(name, path, diagnostics);
+            return value ? std::optional(*value * scale) : std::nullopt;
+        };
+        ThicknessHint hint;
+        const std::optional<double> dielectric = scaled(".layer_dielectric", nmPerDielectric);
+        if (layer.isCopper()) {
+            hint.copperNm = scaled(".copper_weight", nmPerCopper);
+            hint.dielectricBelowNm = dielectric;
+        } else if (layer.type == LayerType::Dielectric) {
+            hint.dielectricNm = dielectric;
+        }
+        return hint;
+    }
+
+    const JobContext& m_job;
+    std::vector<Task> m_tasks;
+    std::vector<std::string> m_layerNames;
+};
+
+}  // namespace
+
+bool readSteps(const JobContext& job, Steps& steps, base::Progress& progress) {
+    TaskList tasks(job);
+    tasks.setLayerNames();
+    for (StepData& step : steps) {
+        tasks.addStep(step);
+    }
+    return tasks.run(progress);
+}
+
+namespace {
+
+class CopyUnfolder {
+public:
+    CopyUnfolder(const Steps& steps, Diagnostics& diagnostics) : m_steps(steps), m_diagnostics(diagnostics) {}
+
+    std::vector<StepCopy> unfold() {
+        add({0, {}, false}, 0);
+        return std::move(m_copies);
+    }
+
+private:
+    void add(const StepCopy& copy, int depth) {
+        m_copies.push_back(copy);
+        m_chain.push_back(copy.step);
+        for (const StepRepeat& repeat : m_steps[copy.step].header.value.repeats) {
+            const std::size_t child = findStep(m_steps, repeat.step);
+            if (child == m_steps.size()) {
+                continue;  // reported when the steps were collected
+            }
+            if (std::ranges::find(m_chain, child) != m_chain.end() || depth >= kMaxDepth) {
+                report(copy.step, repeat, "the step contains itself or nests too deep; its copies are missing");
+                continue;
+            }
+            addBlock(copy, repeat, child, depth);
+        }
+        m_chain.pop_back();
+    }
+
+    void addBlock(const StepCopy& parent, const StepRepeat& repeat, std::size_t child, int depth) {
+        for (int row = 0; row < repeat.rows; ++row) {
+            for (int column = 0; column < repeat.columns; ++column) {
+                if (m_copies.size() >= kMaxCopies) {
+                    return report(parent.step, repeat, "the step has too many copies; the rest is missing");
+                }
+                const Point place = {repeat.first.x + column * repeat.pitch.x, repeat.first.y + row * repeat.pitch.y};
+                const Placement inside = onDatum(place, repeat, m_steps[child].header.value.datum);
+                add({child, parent.placement.after(inside), parent.isFlipped != repeat.isFlipped}, depth + 1);
+            }
+        }
+    }
+
+    /// The placement that turns the child around its datum and lays the datum on `place`.
+    static Placement onDatum(Point place, const StepRepeat& repeat, Point datum) {
+        Placement placement{{}, repeat.clockwiseDeg, repeat.isMirrored};
+        const Point moved = placement.apply(datum);
+        placement.origin = {place.x - moved.x, place.y - moved.y};
+        return placement;
+    }
+
+    void report(std::size_t step, const StepRepeat& repeat, std::string_view text) {
+        m_diagnostics.report(Severity::Error, m_steps[step].header.path, repeat.line, text);
+    }
+
+    const Steps& m_steps;
+    Diagnostics& m_diagnostics;
+    std::vector<StepCopy> m_copies;
+    std::vector<std::size_t> m_chain;
+};
+
+}  // namespace
+
+std::vector<StepCopy> unfoldCopies(const Steps& steps, Diagnostics& diagnostics) {
+    return CopyUnfolder(steps, diagnostics).unfold();
+}
+
+}  // namespace model::odb

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "model/odb/components.h"
+#include "model/odb/eda.h"
+#include "model/odb/features.h"
+#include "model/odb/job_tree.h"
+#include "model/odb/matrix.h"
+#include "model/odb/step_header.h"
+#include "model/odb/tools.h"
+#include "model/stackup.h"
+
+namespace model::odb {
+
+/// A file as parsed by one task, with what the task had to say.
+template <class T>
+struct Parsed {
+    T value;
+    std::string path;  ///< empty when the job has no such file
+    Diagnostics diagnostics;
+
+    [[nodiscard]] bool isPresent() const { return !path.empty(); }
+};
+
+/// What a step says about one row of the matrix.
+struct StepLayer {
+    Parsed<FeatureFile> features;
+    Parsed<std::vector<Tool>> tools;
+    Parsed<std::vector<PlacedComponent>> components;
+    Parsed<ThicknessHint> thickness;
+};
+
+/// All files of one step that we read.
+struct StepData {
+    std::string name;
+    std::string folder;  ///< "steps/<name>"
+    Parsed<StepHeader> header;
+    Parsed<FeatureFile> profile;
+    Parsed<EdaData> eda;
+    std::vector<StepLayer> layers;  ///< by row of Matrix::layers
+};
+
+/// The chosen step, first, and all steps its STEP-REPEAT blocks bring in.
+using Steps = std::vector<StepData>;
+
+/// What every parser needs to know about the job.
+struct JobContext {
+    const JobTree& tree;
+    const Matrix& matrix;
+    Unit defaultUnit = Unit::Inch;
+};
+
+/// Rows of `steps` needed for `name`: reads the step headers, not the layers. Steps that are missing or contain
+/// themselves are reported and left out of the copies.
+[[nodiscard]] Steps collectSteps(const JobContext& job, const std::string& name, Diagnostics& diagnostics);
+
+/// Parses all files of the steps, in parallel. False when cancelled.
+[[nodiscard]] bool readSteps(const JobContext& job, Steps& steps, base::Progress& progress);
+
+/// One copy of a step on the board.
+struct StepCopy {
+    std::size_t step = 0;  ///< row of Steps
+    Placement placement;
+    bool isFlipped = false;
+};
+
+/// The chosen step itself, then all copies, nested ones unfolded, in the order of the blocks, row by row.
+[[nodiscard]] std::vector<StepCopy> unfoldCopies(const Steps& steps, Diagnostics& diagnostics);
+
+}  // namespace model::odb
