@@ -105,8 +105,9 @@ announce() {
     package_rows "$@" | while read -r name purpose; do
         case $missing in *" $name "*) echo "$name $purpose" ;; esac
     done | print_rows
-    if [ "$(id -u)" != 0 ] && ! command -v sudo >/dev/null; then
-        give_up "$missing" "you are not root, and there is no sudo."
+    if [ "$(id -u)" != 0 ]; then
+        command -v sudo >/dev/null || give_up "$missing" "you are not root, and there is no sudo."
+        sudo true || give_up "$missing" "sudo does not let you."
     fi
     mkdir -p "$root/build" || give_up "$missing" "cannot write to $root/build."
     say "installing with apt-get (once; the log is build/setup.log)"
