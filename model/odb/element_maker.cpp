@@ -54,8 +54,7 @@ void ElementMaker::add(const FeatureSource& source, const HoleRules* holes) {
 }
 
 void ElementMaker::report(Severity severity, std::size_t feature, std::string_view text) {
-    m_diagnostics.report(severity, m_source.path, m_source.file->features[feature].line, text,
-                         ElementId{m_builder.soFar().elements.size()});
+    m_diagnostics.report(severity, m_source.path, m_source.file->features[feature].line, text);
 }
 
 ElementMaker::Resolved& ElementMaker::resolve(std::size_t feature) {

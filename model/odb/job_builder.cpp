@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/body.h"
 #include "model/odb/element_maker.h"
 #include "model/odb/net_links.h"
 #include "model/odb/painting.h"
@@ -40,6 +41,7 @@ public:
         }
         addTools();
         addComponents();
+        addBody(m_builder);
         return true;
     }
 
@@ -75,6 +77,7 @@ private:
             describeFeatures(row, layer);
             m_layerOfRow[row] = m_builder.addLayer(std::move(layer));
         }
+        reportEmptyLayers();
     }
 
     void describeFeatures(std::size_t row, Layer& layer) {
@@ -101,8 +104,15 @@ private:
             diagnostics().report(Severity::Warning, folder, 0,
                                  "layer " + layer.name + " has no features file; it stays empty");
         } else if (layer.featureCount == 0) {
-            diagnostics().report(Severity::Info, layer.file, 0,
-                                 "layer " + layer.name + ": the features file holds no features");
+            m_emptyLayers += (m_emptyLayers.empty() ? "" : ", ") + layer.name;
+        }
+    }
+
+    /// One entry for all: writers list every layer their program knows.
+    void reportEmptyLayers() {
+        if (!m_emptyLayers.empty()) {
+            diagnostics().report(Severity::Info, m_steps[0].folder, 0,
+                                 "layers whose features file holds no features: " + m_emptyLayers);
         }
     }
 
@@ -382,6 +392,7 @@ private:
     std::vector<StepCopy> m_copies;
     std::optional<NetLinks> m_nets;
     std::map<const FeatureFile*, Box> m_extents;
+    std::string m_emptyLayers;
     std::size_t m_built = 0;
 };
 

@@ -232,9 +232,13 @@ SymbolShape ovalRing(const Values& v) {
 SymbolShape butterflyRound(const Values& v) {
     const Nm r = whole(v[0] / 2);
     ShapeSketch sketch;
-    addPath(sketch, std::array<PathNode, 3>{{lineNode({0, 0}), {{r, 0}, {0, 0}, EdgeKind::ArcCounterClockwise}, lineNode({0, r})}},
-            false);
-    addPath(sketch, std::array<PathNode, 3>{{lineNode({0, 0}), {{-r, 0}, {0, 0}, EdgeKind::ArcCounterClockwise}, lineNode({0, -r})}},
+    addPath(
+        sketch,
+        std::array<PathNode, 3>{{lineNode({0, 0}), {{r, 0}, {0, 0}, EdgeKind::ArcCounterClockwise}, lineNode({0, r})}},
+        false);
+    addPath(sketch,
+            std::array<PathNode, 3>{
+                {lineNode({0, 0}), {{-r, 0}, {0, 0}, EdgeKind::ArcCounterClockwise}, lineNode({0, -r})}},
             false);
     return region(std::move(sketch));
 }
