@@ -2,16 +2,16 @@
 
 #include <vulkan/vulkan.h>
 
-#include "render/view.h"
-
 #include <cstdint>
 #include <memory>
 
+#include "render/view.h"
+
 namespace render {
 
-/// Draws to a window's surface. The surface belongs to the window system: the presenter makes and destroys only the swapchain, and must be
-/// destroyed before the surface goes (with Qt: on SurfaceAboutToBeDestroyed). Colours are those of OffscreenPresenter. Waits for the display's
-/// refresh (FIFO); draw only when something changed.
+/// Draws to a window's surface. The surface belongs to the window system: the presenter makes and destroys only the
+/// swapchain, and must be destroyed before the surface goes (with Qt: on SurfaceAboutToBeDestroyed). Colours are those
+/// of OffscreenPresenter. Waits for the display's refresh (FIFO); draw only when something changed.
 class SwapchainPresenter {
 public:
     enum class Outcome {

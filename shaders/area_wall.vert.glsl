@@ -21,5 +21,5 @@ void main() {
     const vec3 position = vec3(placed(instance, FRAME.vertices.at[at]), isUpper ? layer.z1 : layer.z0);
     outPosition = position - FRAME.centre;
     outColour = colourOf(layer, instance.element, false);
-    gl_Position = clipPosition(position, layer, instance.element, isUpper);
+    gl_Position = clipPosition(position, layer, instance.element, false, isUpper);
 }

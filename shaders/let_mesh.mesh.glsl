@@ -97,9 +97,10 @@ void writeVertex(Share share, uint vertex) {
     const LayerState layer = FRAME.layers.at[let.meta >> kLetLayerShift];
     const uint code = share.level == kLevelQuad ? local * 2u + FRAME.quadFace : share.firstRung * 4u + local;
     const vec3 position = letPosition(let, layer, share.level, code);
-    gl_MeshVerticesEXT[vertex].gl_Position = clipPosition(position, layer, let.element, (code & 1u) == 0u);
+    const bool isBore = has(let.meta, kLetBore);
+    gl_MeshVerticesEXT[vertex].gl_Position = clipPosition(position, layer, let.element, isBore, (code & 1u) == 0u);
     outPosition[vertex] = position - FRAME.centre;
-    outColour[vertex] = colourOf(layer, let.element, has(let.meta, kLetBore));
+    outColour[vertex] = colourOf(layer, let.element, isBore);
 }
 
 void main() {

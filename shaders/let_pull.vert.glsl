@@ -17,6 +17,7 @@ void main() {
     const LayerState layer = FRAME.layers.at[let.meta >> kLetLayerShift];
     const vec3 position = letPosition(let, layer, level, code);
     outPosition = position - FRAME.centre;
-    outColour = colourOf(layer, let.element, has(let.meta, kLetBore));
-    gl_Position = clipPosition(position, layer, let.element, (code & 1u) == 0u);
+    const bool isBore = has(let.meta, kLetBore);
+    outColour = colourOf(layer, let.element, isBore);
+    gl_Position = clipPosition(position, layer, let.element, isBore, (code & 1u) == 0u);
 }

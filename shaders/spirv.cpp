@@ -26,10 +26,14 @@ const Code kLetPullVert(let_pull_vert);
 
 std::span<const Named> all() {
     static const Named kAll[] = {
-        {"area_cap.vert", area_cap_vert},           {"area_wall.vert", area_wall_vert},
-        {"board.frag", board_frag},                 {"cull_areas.comp", cull_areas_comp},
-        {"cull_clusters.comp", cull_clusters_comp}, {"cull_lets.comp", cull_lets_comp},
-        {"let_mesh.mesh", let_mesh_mesh},           {"let_mesh.task", let_mesh_task},
+        {"area_cap.vert", area_cap_vert},
+        {"area_wall.vert", area_wall_vert},
+        {"board.frag", board_frag},
+        {"cull_areas.comp", cull_areas_comp},
+        {"cull_clusters.comp", cull_clusters_comp},
+        {"cull_lets.comp", cull_lets_comp},
+        {"let_mesh.mesh", let_mesh_mesh},
+        {"let_mesh.task", let_mesh_task},
         {"let_pull.vert", let_pull_vert},
     };
     return kAll;

@@ -1,21 +1,23 @@
 #include "render/gpu/barrier.h"
 
+#include "render/gpu/vk_info.h"
+
 namespace render::gpu {
 
 void memoryBarrier(VkCommandBuffer commands, Access before, Access after) {
-    VkMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
+    auto barrier = vkInfo<VkMemoryBarrier2>(VK_STRUCTURE_TYPE_MEMORY_BARRIER_2);
     barrier.srcStageMask = before.stages;
     barrier.srcAccessMask = before.access;
     barrier.dstStageMask = after.stages;
     barrier.dstAccessMask = after.access;
-    VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+    auto info = vkInfo<VkDependencyInfo>(VK_STRUCTURE_TYPE_DEPENDENCY_INFO);
     info.memoryBarrierCount = 1;
     info.pMemoryBarriers = &barrier;
     vkCmdPipelineBarrier2(commands, &info);
 }
 
 void imageBarrier(VkCommandBuffer commands, const ImageTransition& transition) {
-    VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
+    auto barrier = vkInfo<VkImageMemoryBarrier2>(VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2);
     barrier.srcStageMask = transition.before.stages;
     barrier.srcAccessMask = transition.before.access;
     barrier.dstStageMask = transition.after.stages;
@@ -26,7 +28,7 @@ void imageBarrier(VkCommandBuffer commands, const ImageTransition& transition) {
     barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
     barrier.image = transition.image;
     barrier.subresourceRange = {transition.aspect, 0, 1, 0, 1};
-    VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+    auto info = vkInfo<VkDependencyInfo>(VK_STRUCTURE_TYPE_DEPENDENCY_INFO);
     info.imageMemoryBarrierCount = 1;
     info.pImageMemoryBarriers = &barrier;
     vkCmdPipelineBarrier2(commands, &info);

@@ -1,9 +1,10 @@
 #include "render/gpu/buffer.h"
 
+#include <algorithm>
+
 #include "render/gpu/check.h"
 #include "render/gpu/memory.h"
-
-#include <algorithm>
+#include "render/gpu/vk_info.h"
 
 namespace render::gpu {
 namespace {
@@ -15,7 +16,7 @@ constexpr VkBufferUsageFlags kUsage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BU
 constexpr VkMemoryPropertyFlags kMappable = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
 
 Unique<VkBuffer> createBuffer(Device& device, const BufferOptions& options) {
-    VkBufferCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
+    auto info = vkInfo<VkBufferCreateInfo>(VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO);
     info.size = std::max(options.size, kSmallest);
     info.usage = kUsage;
     VkBuffer handle = VK_NULL_HANDLE;
@@ -41,7 +42,7 @@ Buffer::Buffer(Device& device, const BufferOptions& options)
     : m_handle(createBuffer(device, options)), m_size(std::max(options.size, kSmallest)) {
     m_memory = allocate(device, memoryFor(device, handle(), options));
     VK_CHECK(vkBindBufferMemory(device.handle(), handle(), m_memory.get(), 0));
-    VkBufferDeviceAddressInfo info{VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO};
+    auto info = vkInfo<VkBufferDeviceAddressInfo>(VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO);
     info.buffer = handle();
     m_address = vkGetBufferDeviceAddress(device.handle(), &info);
     if (options.isHostVisible) {

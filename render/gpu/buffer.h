@@ -1,9 +1,9 @@
 #pragma once
 
-#include "render/gpu/graveyard.h"
-
 #include <cstddef>
 #include <span>
+
+#include "render/gpu/graveyard.h"
 
 namespace render::gpu {
 

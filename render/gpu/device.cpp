@@ -1,13 +1,14 @@
 #include "render/gpu/device.h"
 
-#include "render/gpu/check.h"
-#include "render/gpu/device_select.h"
-#include "render/gpu/graveyard.h"
-
 #include <spdlog/spdlog.h>
 
 #include <numeric>
 #include <vector>
+
+#include "render/gpu/check.h"
+#include "render/gpu/device_select.h"
+#include "render/gpu/graveyard.h"
+#include "render/gpu/vk_info.h"
 
 namespace render::gpu {
 
@@ -58,20 +59,21 @@ struct Device::State {
 };
 
 VkResult Device::State::createDevice() {
-    VkPhysicalDeviceMeshShaderFeaturesEXT mesh{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MESH_SHADER_FEATURES_EXT};
+    auto mesh =
+        vkInfo<VkPhysicalDeviceMeshShaderFeaturesEXT>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MESH_SHADER_FEATURES_EXT);
     mesh.taskShader = VK_TRUE;
     mesh.meshShader = VK_TRUE;
-    VkPhysicalDeviceVulkan12Features v12{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES};
+    auto v12 = vkInfo<VkPhysicalDeviceVulkan12Features>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES);
     v12.pNext = choice.caps.hasMeshShader ? &mesh : nullptr;
     v12.bufferDeviceAddress = VK_TRUE;
     v12.scalarBlockLayout = VK_TRUE;
     v12.timelineSemaphore = VK_TRUE;
-    VkPhysicalDeviceVulkan13Features v13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
+    auto v13 = vkInfo<VkPhysicalDeviceVulkan13Features>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES);
     v13.pNext = &v12;
     v13.dynamicRendering = VK_TRUE;
     v13.synchronization2 = VK_TRUE;
     v13.maintenance4 = VK_TRUE;
-    VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2};
+    auto features = vkInfo<VkPhysicalDeviceFeatures2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2);
     features.pNext = &v13;
     features.features.multiDrawIndirect = VK_TRUE;
     features.features.drawIndirectFirstInstance = VK_TRUE;
@@ -84,11 +86,11 @@ VkResult Device::State::createDevice() {
         extensions.push_back(VK_EXT_MESH_SHADER_EXTENSION_NAME);
     }
     const float priority = 1.0F;
-    VkDeviceQueueCreateInfo queueInfo{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
+    auto queueInfo = vkInfo<VkDeviceQueueCreateInfo>(VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO);
     queueInfo.queueFamilyIndex = choice.queueFamily;
     queueInfo.queueCount = 1;
     queueInfo.pQueuePriorities = &priority;
-    VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO};
+    auto info = vkInfo<VkDeviceCreateInfo>(VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO);
     info.pNext = &features;
     info.queueCreateInfoCount = 1;
     info.pQueueCreateInfos = &queueInfo;
@@ -103,12 +105,12 @@ void Device::State::createObjects(bool hasDebugUtils) {
         setName = reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(
             vkGetInstanceProcAddr(instance, "vkSetDebugUtilsObjectNameEXT"));
     }
-    VkSemaphoreTypeCreateInfo type{VK_STRUCTURE_TYPE_SEMAPHORE_TYPE_CREATE_INFO};
+    auto type = vkInfo<VkSemaphoreTypeCreateInfo>(VK_STRUCTURE_TYPE_SEMAPHORE_TYPE_CREATE_INFO);
     type.semaphoreType = VK_SEMAPHORE_TYPE_TIMELINE;
-    VkSemaphoreCreateInfo semaphore{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
+    auto semaphore = vkInfo<VkSemaphoreCreateInfo>(VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO);
     semaphore.pNext = &type;
     VK_CHECK(vkCreateSemaphore(handle, &semaphore, nullptr, &timeline));
-    VkPipelineCacheCreateInfo cache{VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO};
+    auto cache = vkInfo<VkPipelineCacheCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO);
     VK_CHECK(vkCreatePipelineCache(handle, &cache, nullptr, &pipelineCache));
     graveyard = std::make_unique<Graveyard>(handle);
 }
@@ -120,6 +122,7 @@ base::Result<Device> Device::create(const Instance& instance, VkSurfaceKHR prese
     }
     auto state = std::make_unique<State>();
     state->choice = *choice;
+    state->choice.hasSwapchain = choice->hasSwapchain && instance.hasSurfaces();
     state->instance = instance.handle();
     const Caps& caps = state->choice.caps;
     if (const VkResult result = state->createDevice(); result != VK_SUCCESS) {
@@ -137,16 +140,36 @@ Device::~Device() = default;
 Device::Device(Device&&) noexcept = default;
 Device& Device::operator=(Device&&) noexcept = default;
 
-VkDevice Device::handle() const { return m_state->handle; }
-VkPhysicalDevice Device::physical() const { return m_state->choice.physical; }
-VkQueue Device::queue() const { return m_state->queue; }
-std::uint32_t Device::queueFamily() const { return m_state->choice.queueFamily; }
-const Caps& Device::caps() const { return m_state->choice.caps; }
-VkPipelineCache Device::pipelineCache() const { return m_state->pipelineCache; }
-Graveyard& Device::graveyard() const { return *m_state->graveyard; }
-MemoryReport Device::memoryReport() const { return m_state->graveyard->memory(); }
-void Device::markLost() { m_state->isLost = true; }
-bool Device::isLost() const { return m_state->isLost; }
+VkDevice Device::handle() const {
+    return m_state->handle;
+}
+VkPhysicalDevice Device::physical() const {
+    return m_state->choice.physical;
+}
+VkQueue Device::queue() const {
+    return m_state->queue;
+}
+std::uint32_t Device::queueFamily() const {
+    return m_state->choice.queueFamily;
+}
+const Caps& Device::caps() const {
+    return m_state->choice.caps;
+}
+VkPipelineCache Device::pipelineCache() const {
+    return m_state->pipelineCache;
+}
+Graveyard& Device::graveyard() const {
+    return *m_state->graveyard;
+}
+MemoryReport Device::memoryReport() const {
+    return m_state->graveyard->memory();
+}
+void Device::markLost() {
+    m_state->isLost = true;
+}
+bool Device::isLost() const {
+    return m_state->isLost;
+}
 
 bool Device::canPresentTo(VkSurfaceKHR surface) const {
     VkBool32 supported = VK_FALSE;
@@ -159,18 +182,19 @@ std::uint64_t Device::submit(const Submission& submission) {
     if (isLost()) {
         return 0;
     }
-    VkCommandBufferSubmitInfo commands{VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO};
+    auto commands = vkInfo<VkCommandBufferSubmitInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO);
     commands.commandBuffer = submission.commands;
-    VkSemaphoreSubmitInfo wait{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO};
+    auto wait = vkInfo<VkSemaphoreSubmitInfo>(VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO);
     wait.semaphore = submission.waitFor;
     wait.stageMask = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT | VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
-    VkSemaphoreSubmitInfo signals[2]{{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO}, {VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO}};
+    VkSemaphoreSubmitInfo signals[] = {vkInfo<VkSemaphoreSubmitInfo>(VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO),
+                                       vkInfo<VkSemaphoreSubmitInfo>(VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO)};
     signals[0].semaphore = m_state->timeline;
     signals[0].value = m_state->submitted + 1;
     signals[0].stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
     signals[1].semaphore = submission.signal;
     signals[1].stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
-    VkSubmitInfo2 info{VK_STRUCTURE_TYPE_SUBMIT_INFO_2};
+    auto info = vkInfo<VkSubmitInfo2>(VK_STRUCTURE_TYPE_SUBMIT_INFO_2);
     info.waitSemaphoreInfoCount = submission.waitFor != VK_NULL_HANDLE ? 1 : 0;
     info.pWaitSemaphoreInfos = &wait;
     info.commandBufferInfoCount = submission.commands != VK_NULL_HANDLE ? 1 : 0;
@@ -191,7 +215,7 @@ bool Device::wait(std::uint64_t number) {
     if (isLost()) {
         return false;
     }
-    VkSemaphoreWaitInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO};
+    auto info = vkInfo<VkSemaphoreWaitInfo>(VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO);
     info.semaphoreCount = 1;
     info.pSemaphores = &m_state->timeline;
     info.pValues = &number;
@@ -220,7 +244,7 @@ void Device::name(VkObjectType type, std::uint64_t object, std::string_view labe
         return;
     }
     const std::string text(label);
-    VkDebugUtilsObjectNameInfoEXT info{VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT};
+    auto info = vkInfo<VkDebugUtilsObjectNameInfoEXT>(VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT);
     info.objectType = type;
     info.objectHandle = object;
     info.pObjectName = text.c_str();

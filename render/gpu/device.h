@@ -1,8 +1,5 @@
 #pragma once
 
-#include "model/base/result.h"
-#include "render/gpu/instance.h"
-
 #include <vulkan/vulkan.h>
 
 #include <array>
@@ -11,16 +8,19 @@
 #include <string>
 #include <string_view>
 
+#include "model/base/result.h"
+#include "render/gpu/instance.h"
+
 namespace render::gpu {
 
 class Graveyard;
 
 /// What memory is spent on.
 enum class MemoryUse : std::uint8_t {
-    Geometry,  ///< the board itself
-    Transient, ///< rewritten every frame: draw lists, commands
-    Targets,   ///< colour and depth images
-    Staging    ///< on its way to or from the device
+    Geometry,   ///< the board itself
+    Transient,  ///< rewritten every frame: draw lists, commands
+    Targets,    ///< colour and depth images
+    Staging     ///< on its way to or from the device
 };
 inline constexpr std::size_t kMemoryUseCount = 4;
 [[nodiscard]] const char* toString(MemoryUse use);
@@ -35,14 +35,14 @@ struct MemoryReport {
 /// What the device can do, decided once.
 struct Caps {
     std::string name;
-    std::string driver;              ///< driver and version in the driver's own words
-    bool isCpu = false;              ///< a software device
-    bool hasMeshShader = false;      ///< task and mesh shaders, enabled
+    std::string driver;          ///< driver and version in the driver's own words
+    bool isCpu = false;          ///< a software device
+    bool hasMeshShader = false;  ///< task and mesh shaders, enabled
     bool hasTimestamps = false;
     double timestampPeriodNs = 0.0;
-    bool canSmooth = false;          ///< 4x multisampling for our colour and depth formats
-    std::uint32_t maxImageSize = 0;  ///< pixels along one side
-    std::uint32_t maxTaskGroups = 0; ///< along x, 0 without mesh shaders
+    bool canSmooth = false;           ///< 4x multisampling for our colour and depth formats
+    std::uint32_t maxImageSize = 0;   ///< pixels along one side
+    std::uint32_t maxTaskGroups = 0;  ///< along x, 0 without mesh shaders
     std::uint32_t maxDrawIndirectCount = 0;
     std::uint64_t memoryBudgetBytes = 0;  ///< of the largest device-local heap, when the device was made
 };
@@ -54,13 +54,13 @@ struct Submission {
     VkSemaphore signal = VK_NULL_HANDLE;
 };
 
-/// A Vulkan 1.3 device with one queue that draws, computes, copies and (when asked) presents. Everything on it happens on one thread. Move-only;
-/// resources and presenters refer to it, so it neither moves nor dies before them.
+/// A Vulkan 1.3 device with one queue that draws, computes, copies and (when asked) presents. Everything on it happens
+/// on one thread. Move-only; resources and presenters refer to it, so it neither moves nor dies before them.
 class Device {
 public:
-    /// Takes the best device: discrete before integrated before software; COPPERSCOPE_DEVICE=text keeps only devices whose name contains the text.
-    /// With `presentTo` only devices that can present to that surface count.
-    /// Errors: DeviceFailed, naming the devices that were found and what they lack.
+    /// Takes the best device: discrete before integrated before software; COPPERSCOPE_DEVICE=text keeps only devices
+    /// whose name contains the text. With `presentTo` only devices that can present to that surface count. Errors:
+    /// DeviceFailed, naming the devices that were found and what they lack.
     [[nodiscard]] static base::Result<Device> create(const Instance& instance, VkSurfaceKHR presentTo = VK_NULL_HANDLE);
     ~Device();
     Device(Device&&) noexcept;

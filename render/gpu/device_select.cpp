@@ -1,12 +1,13 @@
 #include "render/gpu/device_select.h"
 
-#include "render/gpu/check.h"
-
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <optional>
 #include <vector>
+
+#include "render/gpu/check.h"
+#include "render/gpu/vk_info.h"
 
 namespace render::gpu {
 namespace {
@@ -28,10 +29,13 @@ bool has(const Extensions& extensions, const char* name) {
 
 /// Everything about features in one chain.
 struct Features {
-    VkPhysicalDeviceMeshShaderFeaturesEXT mesh{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MESH_SHADER_FEATURES_EXT};
-    VkPhysicalDeviceVulkan12Features v12{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES};
-    VkPhysicalDeviceVulkan13Features v13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
-    VkPhysicalDeviceFeatures2 core{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2};
+    VkPhysicalDeviceMeshShaderFeaturesEXT mesh =
+        vkInfo<VkPhysicalDeviceMeshShaderFeaturesEXT>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MESH_SHADER_FEATURES_EXT);
+    VkPhysicalDeviceVulkan12Features v12 =
+        vkInfo<VkPhysicalDeviceVulkan12Features>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES);
+    VkPhysicalDeviceVulkan13Features v13 =
+        vkInfo<VkPhysicalDeviceVulkan13Features>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES);
+    VkPhysicalDeviceFeatures2 core = vkInfo<VkPhysicalDeviceFeatures2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2);
 
     Features(VkPhysicalDevice device, bool askMesh) {
         v12.pNext = askMesh ? &mesh : nullptr;
@@ -68,7 +72,8 @@ const char* missingFeature(const Features& f) {
 
 bool canPresent(VkPhysicalDevice device, std::uint32_t family, VkSurfaceKHR surface) {
     VkBool32 supported = VK_FALSE;
-    return vkGetPhysicalDeviceSurfaceSupportKHR(device, family, surface, &supported) == VK_SUCCESS && supported == VK_TRUE;
+    return vkGetPhysicalDeviceSurfaceSupportKHR(device, family, surface, &supported) == VK_SUCCESS &&
+           supported == VK_TRUE;
 }
 
 struct Family {
@@ -100,8 +105,9 @@ VkSampleCountFlags samplesOf(VkPhysicalDevice device, VkFormat format, VkImageUs
 }
 
 std::uint64_t memoryBudget(VkPhysicalDevice device, bool hasBudget) {
-    VkPhysicalDeviceMemoryBudgetPropertiesEXT budget{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MEMORY_BUDGET_PROPERTIES_EXT};
-    VkPhysicalDeviceMemoryProperties2 memory{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MEMORY_PROPERTIES_2};
+    auto budget = vkInfo<VkPhysicalDeviceMemoryBudgetPropertiesEXT>(
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MEMORY_BUDGET_PROPERTIES_EXT);
+    auto memory = vkInfo<VkPhysicalDeviceMemoryProperties2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MEMORY_PROPERTIES_2);
     memory.pNext = hasBudget ? &budget : nullptr;
     vkGetPhysicalDeviceMemoryProperties2(device, &memory);
     std::uint64_t largest = 0;
@@ -115,10 +121,11 @@ std::uint64_t memoryBudget(VkPhysicalDevice device, bool hasBudget) {
 }
 
 Caps capsOf(VkPhysicalDevice device, const Extensions& extensions, bool hasMesh) {
-    VkPhysicalDeviceMeshShaderPropertiesEXT mesh{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MESH_SHADER_PROPERTIES_EXT};
-    VkPhysicalDeviceDriverProperties driver{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
+    auto mesh =
+        vkInfo<VkPhysicalDeviceMeshShaderPropertiesEXT>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MESH_SHADER_PROPERTIES_EXT);
+    auto driver = vkInfo<VkPhysicalDeviceDriverProperties>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES);
     driver.pNext = hasMesh ? &mesh : nullptr;
-    VkPhysicalDeviceProperties2 all{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
+    auto all = vkInfo<VkPhysicalDeviceProperties2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2);
     all.pNext = &driver;
     vkGetPhysicalDeviceProperties2(device, &all);
     const VkPhysicalDeviceProperties& core = all.properties;
@@ -210,9 +217,10 @@ std::vector<VkPhysicalDevice> allDevices(VkInstance instance) {
 base::Result<DeviceChoice> chooseDevice(VkInstance instance, VkSurfaceKHR presentTo) {
     const std::vector<VkPhysicalDevice> devices = allDevices(instance);
     if (devices.empty()) {
-        return base::Error{base::ErrorCode::DeviceFailed,
-                           "No Vulkan driver was found. Install the driver of the graphics card, or mesa-vulkan-drivers for "
-                           "a software device."};
+        return base::Error{
+            base::ErrorCode::DeviceFailed,
+            "No Vulkan driver was found. Install the driver of the graphics card, or mesa-vulkan-drivers for "
+            "a software device."};
     }
     const char* wanted = std::getenv("COPPERSCOPE_DEVICE");
     std::string reasons;

@@ -1,10 +1,11 @@
 #include "render/gpu/frame_ring.h"
 
-#include "render/gpu/barrier.h"
-#include "render/gpu/check.h"
-
 #include <algorithm>
 #include <string>
+
+#include "render/gpu/barrier.h"
+#include "render/gpu/check.h"
+#include "render/gpu/vk_info.h"
 
 namespace render::gpu {
 namespace {
@@ -31,17 +32,17 @@ Frame::Slice Frame::allocate(std::uint64_t size) {
 FrameRing::FrameRing(Device& device, std::uint32_t slots, std::string_view label) : m_device(&device), m_frames(slots) {
     for (Frame& frame : m_frames) {
         frame.m_device = &device;
-        VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
+        auto pool = vkInfo<VkCommandPoolCreateInfo>(VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO);
         pool.queueFamilyIndex = device.queueFamily();
         VkCommandPool handle = VK_NULL_HANDLE;
         VK_CHECK(vkCreateCommandPool(device.handle(), &pool, nullptr, &handle));
         frame.m_pool = {device, handle, label};
-        VkCommandBufferAllocateInfo commands{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
+        auto commands = vkInfo<VkCommandBufferAllocateInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO);
         commands.commandPool = handle;
         commands.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
         commands.commandBufferCount = 1;
         VK_CHECK(vkAllocateCommandBuffers(device.handle(), &commands, &frame.m_commands));
-        VkQueryPoolCreateInfo times{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
+        auto times = vkInfo<VkQueryPoolCreateInfo>(VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO);
         times.queryType = VK_QUERY_TYPE_TIMESTAMP;
         times.queryCount = 2;
         VkQueryPool queries = VK_NULL_HANDLE;
@@ -82,7 +83,7 @@ Frame* FrameRing::begin() {
     }
     frame.m_used = 0;
     VK_CHECK(vkResetCommandPool(m_device->handle(), frame.m_pool.get(), 0));
-    VkCommandBufferBeginInfo info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
+    auto info = vkInfo<VkCommandBufferBeginInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO);
     info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
     VK_CHECK(vkBeginCommandBuffer(frame.m_commands, &info));
     if (m_device->caps().hasTimestamps) {

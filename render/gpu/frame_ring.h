@@ -1,11 +1,11 @@
 #pragma once
 
-#include "render/gpu/buffer.h"
-
 #include <cstring>
 #include <optional>
 #include <span>
 #include <vector>
+
+#include "render/gpu/buffer.h"
 
 namespace render::gpu {
 
@@ -73,7 +73,8 @@ private:
     double m_gpuMs = 0.0;
 };
 
-/// Copies `bytes` to the start of `to`, in pieces through the ring's frames. The copy is ordered after all earlier work and before all later work.
+/// Copies `bytes` to the start of `to`, in pieces through the ring's frames. The copy is ordered after all earlier work
+/// and before all later work.
 bool upload(FrameRing& ring, const Buffer& to, std::span<const std::byte> bytes);
 
 }  // namespace render::gpu

@@ -1,23 +1,24 @@
 #pragma once
 
-#include "render/gpu/device.h"
-
 #include <cstdint>
 #include <deque>
 #include <unordered_map>
 #include <utility>
 
+#include "render/gpu/device.h"
+
 namespace render::gpu {
 
-/// Keeps dropped Vulkan objects until the submissions that may use them are done, and books memory by use. Owned by the Device; the only place
-/// that calls vkDestroy*.
+/// Keeps dropped Vulkan objects until the submissions that may use them are done, and books memory by use. Owned by the
+/// Device; the only place that calls vkDestroy*.
 class Graveyard {
 public:
     explicit Graveyard(VkDevice device) : m_device(device) {}
     Graveyard(const Graveyard&) = delete;
     Graveyard& operator=(const Graveyard&) = delete;
 
-    /// The object may be used by all commands submitted until now and by those being recorded: the next submission still counts.
+    /// The object may be used by all commands submitted until now and by those being recorded: the next submission
+    /// still counts.
     void retire(VkObjectType type, std::uint64_t handle) { m_retired.push_back({m_submitted + 1, type, handle}); }
     void noteSubmission(std::uint64_t number) { m_submitted = number; }
     /// Frees what no submission after `done` can use.
@@ -50,19 +51,42 @@ private:
 
 // Handles are distinct pointer types on 64-bit machines, the only ones we build for.
 static_assert(sizeof(void*) == 8);
-constexpr VkObjectType objectType(VkBuffer) { return VK_OBJECT_TYPE_BUFFER; }
-constexpr VkObjectType objectType(VkImage) { return VK_OBJECT_TYPE_IMAGE; }
-constexpr VkObjectType objectType(VkImageView) { return VK_OBJECT_TYPE_IMAGE_VIEW; }
-constexpr VkObjectType objectType(VkDeviceMemory) { return VK_OBJECT_TYPE_DEVICE_MEMORY; }
-constexpr VkObjectType objectType(VkPipeline) { return VK_OBJECT_TYPE_PIPELINE; }
-constexpr VkObjectType objectType(VkPipelineLayout) { return VK_OBJECT_TYPE_PIPELINE_LAYOUT; }
-constexpr VkObjectType objectType(VkShaderModule) { return VK_OBJECT_TYPE_SHADER_MODULE; }
-constexpr VkObjectType objectType(VkCommandPool) { return VK_OBJECT_TYPE_COMMAND_POOL; }
-constexpr VkObjectType objectType(VkQueryPool) { return VK_OBJECT_TYPE_QUERY_POOL; }
-constexpr VkObjectType objectType(VkSemaphore) { return VK_OBJECT_TYPE_SEMAPHORE; }
-constexpr VkObjectType objectType(VkSwapchainKHR) { return VK_OBJECT_TYPE_SWAPCHAIN_KHR; }
+constexpr VkObjectType objectType(VkBuffer) {
+    return VK_OBJECT_TYPE_BUFFER;
+}
+constexpr VkObjectType objectType(VkImage) {
+    return VK_OBJECT_TYPE_IMAGE;
+}
+constexpr VkObjectType objectType(VkImageView) {
+    return VK_OBJECT_TYPE_IMAGE_VIEW;
+}
+constexpr VkObjectType objectType(VkDeviceMemory) {
+    return VK_OBJECT_TYPE_DEVICE_MEMORY;
+}
+constexpr VkObjectType objectType(VkPipeline) {
+    return VK_OBJECT_TYPE_PIPELINE;
+}
+constexpr VkObjectType objectType(VkPipelineLayout) {
+    return VK_OBJECT_TYPE_PIPELINE_LAYOUT;
+}
+constexpr VkObjectType objectType(VkShaderModule) {
+    return VK_OBJECT_TYPE_SHADER_MODULE;
+}
+constexpr VkObjectType objectType(VkCommandPool) {
+    return VK_OBJECT_TYPE_COMMAND_POOL;
+}
+constexpr VkObjectType objectType(VkQueryPool) {
+    return VK_OBJECT_TYPE_QUERY_POOL;
+}
+constexpr VkObjectType objectType(VkSemaphore) {
+    return VK_OBJECT_TYPE_SEMAPHORE;
+}
+constexpr VkObjectType objectType(VkSwapchainKHR) {
+    return VK_OBJECT_TYPE_SWAPCHAIN_KHR;
+}
 
-/// The one owner of a Vulkan object: move-only, hands it to the graveyard when dropped. Classes above it default their moves.
+/// The one owner of a Vulkan object: move-only, hands it to the graveyard when dropped. Classes above it default their
+/// moves.
 template <class Handle>
 class Unique {
 public:

@@ -2,12 +2,13 @@
 
 #include "render/gpu/check.h"
 #include "render/gpu/memory.h"
+#include "render/gpu/vk_info.h"
 
 namespace render::gpu {
 namespace {
 
 Unique<VkImage> createImage(Device& device, const ImageOptions& options) {
-    VkImageCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
+    auto info = vkInfo<VkImageCreateInfo>(VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO);
     info.imageType = VK_IMAGE_TYPE_2D;
     info.format = options.format;
     info.extent = {options.extent.width, options.extent.height, 1};
@@ -21,7 +22,7 @@ Unique<VkImage> createImage(Device& device, const ImageOptions& options) {
 }
 
 Unique<VkImageView> createView(Device& device, VkImage image, const ImageOptions& options) {
-    VkImageViewCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
+    auto info = vkInfo<VkImageViewCreateInfo>(VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO);
     info.image = image;
     info.viewType = VK_IMAGE_VIEW_TYPE_2D;
     info.format = options.format;

@@ -1,7 +1,5 @@
 #include "render/gpu/instance.h"
 
-#include "render/gpu/check.h"
-
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -9,6 +7,9 @@
 #include <cstdlib>
 #include <cstring>
 #include <string_view>
+
+#include "render/gpu/check.h"
+#include "render/gpu/vk_info.h"
 
 namespace render::gpu {
 namespace {
@@ -25,7 +26,8 @@ struct MessageSink {
     std::atomic<std::uint32_t> errors{0};
 };
 
-VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT severity, VkDebugUtilsMessageTypeFlagsEXT,
+VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT severity,
+                                         VkDebugUtilsMessageTypeFlagsEXT,
                                          const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
     auto& sink = *static_cast<MessageSink*>(user);
     if ((severity & VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT) == 0) {
@@ -42,7 +44,7 @@ VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT 
 }
 
 VkDebugUtilsMessengerCreateInfoEXT messengerInfo(MessageSink& sink) {
-    VkDebugUtilsMessengerCreateInfoEXT info{VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT};
+    auto info = vkInfo<VkDebugUtilsMessengerCreateInfoEXT>(VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT);
     info.messageSeverity =
         VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
     // Not GENERAL: the loader reports every driver it could not open there, which is no fault of ours.
@@ -69,7 +71,8 @@ bool hasLayer(const char* name) {
     VK_CHECK(vkEnumerateInstanceLayerProperties(&count, nullptr));
     std::vector<VkLayerProperties> layers(count);
     VK_CHECK(vkEnumerateInstanceLayerProperties(&count, layers.data()));
-    return std::any_of(layers.begin(), layers.end(), [&](const auto& l) { return std::strcmp(l.layerName, name) == 0; });
+    return std::any_of(layers.begin(), layers.end(),
+                       [&](const auto& l) { return std::strcmp(l.layerName, name) == 0; });
 }
 
 bool hasExtension(const std::string& name, const char* layer) {
@@ -84,7 +87,8 @@ bool hasExtension(const std::string& name, const char* layer) {
 
 std::string explain(VkResult result) {
     if (result == VK_ERROR_INCOMPATIBLE_DRIVER) {
-        return "No Vulkan driver was found. Install the driver of the graphics card, or mesa-vulkan-drivers for a software device.";
+        return "No Vulkan driver was found. Install the driver of the graphics card, or mesa-vulkan-drivers for a "
+               "software device.";
     }
     return std::string("Vulkan could not be started: ") + toString(result) + ".";
 }
@@ -96,6 +100,7 @@ struct Instance::State {
     VkDebugUtilsMessengerEXT messenger = VK_NULL_HANDLE;
     PFN_vkDestroyDebugUtilsMessengerEXT destroyMessenger = nullptr;
     bool hasDebugUtils = false;
+    bool hasSurfaces = false;
     MessageSink sink;
 
     State() = default;
@@ -140,16 +145,17 @@ base::Result<Instance> Instance::create(const InstanceOptions& options) {
             return deviceError("The Vulkan loader of this machine lacks " + name + ".");
         }
         extensions.push_back(name.c_str());
+        state->hasSurfaces = state->hasSurfaces || name == VK_KHR_SURFACE_EXTENSION_NAME;
     }
     if (state->hasDebugUtils) {
         extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
     }
 
-    VkApplicationInfo app{VK_STRUCTURE_TYPE_APPLICATION_INFO};
+    auto app = vkInfo<VkApplicationInfo>(VK_STRUCTURE_TYPE_APPLICATION_INFO);
     app.pApplicationName = options.appName.c_str();
     app.apiVersion = VK_API_VERSION_1_3;
     const VkDebugUtilsMessengerCreateInfoEXT messages = messengerInfo(state->sink);
-    VkInstanceCreateInfo info{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
+    auto info = vkInfo<VkInstanceCreateInfo>(VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO);
     info.pApplicationInfo = &app;
     info.pNext = isValidated ? &messages : nullptr;  // hears vkCreateInstance itself
     info.enabledLayerCount = isValidated ? 1 : 0;
@@ -177,6 +183,10 @@ VkInstance Instance::handle() const {
 
 bool Instance::hasDebugUtils() const {
     return m_state->hasDebugUtils;
+}
+
+bool Instance::hasSurfaces() const {
+    return m_state->hasSurfaces;
 }
 
 std::uint32_t Instance::validationErrors() const {

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "model/base/result.h"
-
 #include <vulkan/vulkan.h>
 
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
+
+#include "model/base/result.h"
 
 /// Vulkan without boards: devices, memory, pipelines, frames. Knows neither documents nor Qt.
 namespace render::gpu {
@@ -29,8 +29,8 @@ struct InstanceOptions {
 /// The connection to the machine's Vulkan drivers. Needs no display. Move-only; outlives every Device made from it.
 class Instance {
 public:
-    /// Errors: DeviceFailed when there is no Vulkan loader or driver, when it is older than 1.3, or when an extension asked for is missing. A
-    /// missing validation layer is no error: a warning goes to the log.
+    /// Errors: DeviceFailed when there is no Vulkan loader or driver, when it is older than 1.3, or when an extension
+    /// asked for is missing. A missing validation layer is no error: a warning goes to the log.
     [[nodiscard]] static base::Result<Instance> create(const InstanceOptions& options);
     ~Instance();
     Instance(Instance&&) noexcept;
@@ -39,6 +39,8 @@ public:
     [[nodiscard]] VkInstance handle() const;
     /// Whether debug labels reach anybody (VK_EXT_debug_utils is on).
     [[nodiscard]] bool hasDebugUtils() const;
+    /// Whether surfaces of windows can be made (VK_KHR_surface was asked for).
+    [[nodiscard]] bool hasSurfaces() const;
     /// Validation errors seen so far.
     [[nodiscard]] std::uint32_t validationErrors() const;
 

@@ -1,8 +1,9 @@
 #include "render/gpu/memory.h"
 
-#include "render/gpu/check.h"
-
 #include <vector>
+
+#include "render/gpu/check.h"
+#include "render/gpu/vk_info.h"
 
 namespace render::gpu {
 namespace {
@@ -26,9 +27,9 @@ std::vector<std::uint32_t> typesFor(VkPhysicalDevice device, const MemoryOptions
 }  // namespace
 
 Unique<VkDeviceMemory> allocate(Device& device, const MemoryOptions& options) {
-    VkMemoryAllocateFlagsInfo flags{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO};
+    auto flags = vkInfo<VkMemoryAllocateFlagsInfo>(VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO);
     flags.flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT;
-    VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
+    auto info = vkInfo<VkMemoryAllocateInfo>(VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO);
     info.pNext = options.hasAddress ? &flags : nullptr;
     info.allocationSize = options.requirements.size;
     VkDeviceMemory memory = VK_NULL_HANDLE;

@@ -4,7 +4,8 @@
 
 namespace render::gpu {
 
-/// Memory for one resource. `wanted` are tried first; when the device has no room left there, any memory that `required` allows is taken.
+/// Memory for one resource. `wanted` are tried first; when the device has no room left there, any memory that
+/// `required` allows is taken.
 struct MemoryOptions {
     VkMemoryRequirements requirements{};
     VkMemoryPropertyFlags required = 0;
@@ -14,7 +15,8 @@ struct MemoryOptions {
     std::string_view label;
 };
 
-/// One allocation per resource: we have tens of resources, devices allow thousands of allocations. Aborts when no memory is left at all.
+/// One allocation per resource: we have tens of resources, devices allow thousands of allocations. Aborts when no
+/// memory is left at all.
 [[nodiscard]] Unique<VkDeviceMemory> allocate(Device& device, const MemoryOptions& options);
 
 }  // namespace render::gpu

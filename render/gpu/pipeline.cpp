@@ -1,14 +1,15 @@
 #include "render/gpu/pipeline.h"
 
-#include "render/gpu/check.h"
-
 #include <vector>
+
+#include "render/gpu/check.h"
+#include "render/gpu/vk_info.h"
 
 namespace render::gpu {
 namespace {
 
 Unique<VkShaderModule> createModule(Device& device, Spirv code, std::string_view label) {
-    VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
+    auto info = vkInfo<VkShaderModuleCreateInfo>(VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO);
     info.codeSize = code.size_bytes();
     info.pCode = code.data();
     VkShaderModule handle = VK_NULL_HANDLE;
@@ -17,7 +18,7 @@ Unique<VkShaderModule> createModule(Device& device, Spirv code, std::string_view
 }
 
 VkPipelineShaderStageCreateInfo stageInfo(VkShaderStageFlagBits stage, VkShaderModule module) {
-    VkPipelineShaderStageCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO};
+    auto info = vkInfo<VkPipelineShaderStageCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO);
     info.stage = stage;
     info.module = module;
     info.pName = "main";
@@ -25,11 +26,13 @@ VkPipelineShaderStageCreateInfo stageInfo(VkShaderStageFlagBits stage, VkShaderM
 }
 
 VkPipelineDepthStencilStateCreateInfo depthState(Pass pass) {
-    VkPipelineDepthStencilStateCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
+    auto info =
+        vkInfo<VkPipelineDepthStencilStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO);
     info.depthTestEnable = VK_TRUE;
     info.depthWriteEnable = pass == Pass::Blend ? VK_FALSE : VK_TRUE;
     info.depthCompareOp = pass == Pass::Blend ? VK_COMPARE_OP_EQUAL : VK_COMPARE_OP_GREATER_OR_EQUAL;
-    // Overlapping shapes of one layer lie at the same depth: the first to come marks the sample with the layer's reference.
+    // Overlapping shapes of one layer lie at the same depth: the first to come marks the sample with the layer's
+    // reference.
     info.stencilTestEnable = pass == Pass::Blend ? VK_TRUE : VK_FALSE;
     info.front.compareOp = VK_COMPARE_OP_NOT_EQUAL;
     info.front.passOp = VK_STENCIL_OP_REPLACE;
@@ -47,18 +50,18 @@ VkPipelineColorBlendAttachmentState blendState(Pass pass) {
     state.srcAlphaBlendFactor = VK_BLEND_FACTOR_ZERO;
     state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
     // Alpha stays what the background is: pictures are opaque.
-    state.colorWriteMask = pass == Pass::DepthOnly
-                               ? 0
-                               : VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT;
+    state.colorWriteMask =
+        pass == Pass::DepthOnly ? 0 : VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT;
     return state;
 }
 
 }  // namespace
 
-void Pipeline::createLayout(Device& device, VkShaderStageFlags stages, std::uint32_t pushBytes, std::string_view label) {
+void Pipeline::createLayout(Device& device, VkShaderStageFlags stages, std::uint32_t pushBytes,
+                            std::string_view label) {
     m_stages = stages;
     const VkPushConstantRange range{stages, 0, pushBytes};
-    VkPipelineLayoutCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
+    auto info = vkInfo<VkPipelineLayoutCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO);
     info.pushConstantRangeCount = 1;
     info.pPushConstantRanges = &range;
     VkPipelineLayout handle = VK_NULL_HANDLE;
@@ -66,10 +69,11 @@ void Pipeline::createLayout(Device& device, VkShaderStageFlags stages, std::uint
     m_layout = {device, handle, label};
 }
 
-Pipeline::Pipeline(Device& device, const ComputePipelineOptions& options) : m_bindPoint(VK_PIPELINE_BIND_POINT_COMPUTE) {
+Pipeline::Pipeline(Device& device, const ComputePipelineOptions& options)
+    : m_bindPoint(VK_PIPELINE_BIND_POINT_COMPUTE) {
     createLayout(device, VK_SHADER_STAGE_COMPUTE_BIT, options.pushBytes, options.label);
     const Unique<VkShaderModule> module = createModule(device, options.shader, options.label);
-    VkComputePipelineCreateInfo info{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
+    auto info = vkInfo<VkComputePipelineCreateInfo>(VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO);
     info.stage = stageInfo(VK_SHADER_STAGE_COMPUTE_BIT, module.get());
     info.layout = m_layout.get();
     VkPipeline handle = VK_NULL_HANDLE;
@@ -91,35 +95,39 @@ Pipeline::Pipeline(Device& device, const GraphicsPipelineOptions& options) {
     }
     createLayout(device, used, options.pushBytes, options.label);
 
-    const VkPipelineVertexInputStateCreateInfo noVertices{VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
-    VkPipelineInputAssemblyStateCreateInfo assembly{VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
+    const auto noVertices =
+        vkInfo<VkPipelineVertexInputStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO);
+    auto assembly =
+        vkInfo<VkPipelineInputAssemblyStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO);
     assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
-    VkPipelineViewportStateCreateInfo viewport{VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO};
+    auto viewport = vkInfo<VkPipelineViewportStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO);
     viewport.viewportCount = 1;
     viewport.scissorCount = 1;
-    VkPipelineRasterizationStateCreateInfo raster{VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
+    auto raster =
+        vkInfo<VkPipelineRasterizationStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO);
     raster.cullMode = options.cullsBackFaces ? VK_CULL_MODE_BACK_BIT : VK_CULL_MODE_NONE;
     raster.frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE;
     raster.lineWidth = 1.0F;
-    VkPipelineMultisampleStateCreateInfo samples{VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
+    auto samples =
+        vkInfo<VkPipelineMultisampleStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO);
     samples.rasterizationSamples = options.samples;
     const VkPipelineDepthStencilStateCreateInfo depth = depthState(options.pass);
     const VkPipelineColorBlendAttachmentState blend = blendState(options.pass);
-    VkPipelineColorBlendStateCreateInfo colour{VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
+    auto colour = vkInfo<VkPipelineColorBlendStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO);
     colour.attachmentCount = 1;
     colour.pAttachments = &blend;
     constexpr VkDynamicState kDynamic[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
                                            VK_DYNAMIC_STATE_STENCIL_REFERENCE};
-    VkPipelineDynamicStateCreateInfo dynamic{VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};
+    auto dynamic = vkInfo<VkPipelineDynamicStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO);
     dynamic.dynamicStateCount = options.pass == Pass::Blend ? 3 : 2;
     dynamic.pDynamicStates = kDynamic;
-    VkPipelineRenderingCreateInfo rendering{VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO};
+    auto rendering = vkInfo<VkPipelineRenderingCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO);
     rendering.colorAttachmentCount = 1;
     rendering.pColorAttachmentFormats = &options.colourFormat;
     rendering.depthAttachmentFormat = options.depthFormat;
     rendering.stencilAttachmentFormat = options.depthFormat;
 
-    VkGraphicsPipelineCreateInfo info{VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO};
+    auto info = vkInfo<VkGraphicsPipelineCreateInfo>(VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO);
     info.pNext = &rendering;
     info.stageCount = static_cast<std::uint32_t>(stages.size());
     info.pStages = stages.data();

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "render/gpu/graveyard.h"
-
 #include <span>
+
+#include "render/gpu/graveyard.h"
 
 namespace render::gpu {
 
@@ -37,8 +37,8 @@ struct GraphicsPipelineOptions {
     VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
 };
 
-/// A compute or graphics pipeline. Its only interface to data are push constants (buffers go by address). Viewport, scissor and stencil reference are
-/// dynamic.
+/// A compute or graphics pipeline. Its only interface to data are push constants (buffers go by address). Viewport,
+/// scissor and stencil reference are dynamic.
 class Pipeline {
 public:
     Pipeline() = default;

@@ -1,10 +1,11 @@
 #include "render/gpu/swapchain.h"
 
-#include "render/gpu/check.h"
-
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+
+#include "render/gpu/check.h"
+#include "render/gpu/vk_info.h"
 
 namespace render::gpu {
 namespace {
@@ -50,7 +51,7 @@ bool chooseFormat(const std::vector<VkSurfaceFormatKHR>& offered, VkSurfaceForma
 }
 
 Unique<VkSemaphore> createSemaphore(Device& device) {
-    VkSemaphoreCreateInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
+    auto info = vkInfo<VkSemaphoreCreateInfo>(VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO);
     VkSemaphore handle = VK_NULL_HANDLE;
     VK_CHECK(vkCreateSemaphore(device.handle(), &info, nullptr, &handle));
     return {device, handle, "swapchain"};
@@ -61,7 +62,8 @@ VkCompositeAlphaFlagBitsKHR compositeAlpha(VkCompositeAlphaFlagsKHR supported) {
                                                                 : VK_COMPOSITE_ALPHA_INHERIT_BIT_KHR;
 }
 
-/// How many images to ask for: one more than the least, so that drawing need not wait for the display; at most what the surface allows (0 = any).
+/// How many images to ask for: one more than the least, so that drawing need not wait for the display; at most what the
+/// surface allows (0 = any).
 std::uint32_t imageCount(const VkSurfaceCapabilitiesKHR& caps) {
     const std::uint32_t wanted = caps.minImageCount + 1;
     return caps.maxImageCount == 0 ? wanted : std::min(wanted, caps.maxImageCount);
@@ -112,7 +114,7 @@ bool Swapchain::remake() {
               std::clamp(extent.height, caps.minImageExtent.height, caps.maxImageExtent.height)};
     m_device->waitIdle();
 
-    VkSwapchainCreateInfoKHR info{VK_STRUCTURE_TYPE_SWAPCHAIN_CREATE_INFO_KHR};
+    auto info = vkInfo<VkSwapchainCreateInfoKHR>(VK_STRUCTURE_TYPE_SWAPCHAIN_CREATE_INFO_KHR);
     info.surface = m_surface;
     info.minImageCount = imageCount(caps);
     info.imageFormat = m_format.format;
@@ -155,8 +157,8 @@ void Swapchain::createImages() {
 Swapchain::Outcome Swapchain::tryAcquire(Target& target, VkResult& result) {
     m_turn = (m_turn + 1) % m_available.size();
     target.available = m_available[m_turn].get();
-    result = vkAcquireNextImageKHR(m_device->handle(), m_handle.get(), ~std::uint64_t{0}, target.available, VK_NULL_HANDLE,
-                                   &target.index);
+    result = vkAcquireNextImageKHR(m_device->handle(), m_handle.get(), ~std::uint64_t{0}, target.available,
+                                   VK_NULL_HANDLE, &target.index);
     if (result == VK_ERROR_DEVICE_LOST) {
         m_device->markLost();
         return Outcome::DeviceLost;
@@ -188,7 +190,7 @@ Swapchain::Outcome Swapchain::acquire(Target& target) {
 
 Swapchain::Outcome Swapchain::present(const Target& target) {
     const VkSwapchainKHR handle = m_handle.get();
-    VkPresentInfoKHR info{VK_STRUCTURE_TYPE_PRESENT_INFO_KHR};
+    auto info = vkInfo<VkPresentInfoKHR>(VK_STRUCTURE_TYPE_PRESENT_INFO_KHR);
     info.waitSemaphoreCount = 1;
     info.pWaitSemaphores = &target.finished;
     info.swapchainCount = 1;

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "render/gpu/graveyard.h"
-
 #include <vector>
+
+#include "render/gpu/graveyard.h"
 
 namespace render::gpu {
 
@@ -32,7 +32,8 @@ public:
     [[nodiscard]] Outcome present(const Target& target);
 
     [[nodiscard]] VkExtent2D extent() const { return m_extent; }
-    /// The format to draw in so that a plain copy into the images shows the right colours: their channel order, sRGB encoded.
+    /// The format to draw in so that a plain copy into the images shows the right colours: their channel order, sRGB
+    /// encoded.
     [[nodiscard]] VkFormat drawFormat() const { return m_drawFormat; }
 
 private:

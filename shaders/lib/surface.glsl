@@ -21,10 +21,12 @@ vec4 colourOf(LayerState layer, uint element, bool isBore) {
     return has(FRAME.flags, kFrameDimOthers) ? vec4(colour.rgb * 0.12, colour.a) : colour;
 }
 
-// Faces in one plane: the higher layer rank wins, highlighted elements win within their layer. Moves z by so many steps of depth resolution.
-vec4 clipPosition(vec3 position, LayerState layer, uint element, bool isUpper) {
+// Faces in one plane: the higher layer rank wins, then highlighted elements, and what is solid before the inside of a hole (whose wall may be
+// at the same place). Moves z by so many steps of depth resolution.
+vec4 clipPosition(vec3 position, LayerState layer, uint element, bool isBore, bool isUpper) {
     const uint shift = isUpper ? kLayerTopRankShift : kLayerBottomRankShift;
-    const float steps = float(2u * ((layer.flags >> shift) & 0xffu) + (isHighlighted(element) ? 1u : 0u));
+    const uint rank = (layer.flags >> shift) & 0xffu;
+    const float steps = float(3u * rank + (isHighlighted(element) ? 1u : 0u) + (isBore ? 0u : 1u));
     vec4 clip = FRAME.clipFromBoard * vec4(position - FRAME.centre, 1.0);
     clip.z += steps * (FRAME.nudgeZ * clip.z + FRAME.nudgeW * clip.w);
     return clip;

@@ -1,0 +1,112 @@
+#include "render/area_drawer.h"
+
+#include <algorithm>
+
+#include "shaders/spirv.h"
+
+namespace render {
+namespace {
+
+PassPipelines makePipelines(gpu::Device& device, std::string_view label, gpu::Spirv vertexShader,
+                            const TargetFormat& target) {
+    const gpu::ShaderStage stages[] = {{VK_SHADER_STAGE_VERTEX_BIT, vertexShader},
+                                       {VK_SHADER_STAGE_FRAGMENT_BIT, shader::spirv::kBoardFrag}};
+    // Not culled by winding: instances may be mirrored, and outlines are closed anyway.
+    return makePassPipelines(device, label, stages, false, target);
+}
+
+void copyWhole(VkCommandBuffer commands, const gpu::Buffer& from, const gpu::Buffer& to) {
+    const VkBufferCopy region{0, 0, std::min(from.size(), to.size())};
+    vkCmdCopyBuffer(commands, from.handle(), to.handle(), 1, &region);
+}
+
+/// Runs of area batches; neighbouring layers join.
+std::vector<LayerRun> runsOf(const Recording& recording, std::uint32_t batch) {
+    std::vector<LayerRun> runs;
+    for (const std::uint32_t layer : recording.plan.batches[batch].layers) {
+        const LayerRun run = recording.scene.layers.layers[layer].areaBatches;
+        if (run.count == 0) {
+            continue;
+        }
+        if (!runs.empty() && runs.back().first + runs.back().count == run.first) {
+            runs.back().count += run.count;
+        } else {
+            runs.push_back(run);
+        }
+    }
+    return runs;
+}
+
+/// Calls `draw(first, count)` in pieces the device takes at once.
+template <class Draw>
+void forPieces(std::span<const LayerRun> runs, std::uint32_t largest, const Draw& draw) {
+    for (const LayerRun& run : runs) {
+        for (std::uint32_t done = 0; done < run.count; done += largest) {
+            draw(run.first + done, std::min(largest, run.count - done));
+        }
+    }
+}
+
+}  // namespace
+
+AreaDrawer::AreaDrawer(gpu::Device& device, const TargetFormat& target)
+    : m_maxDraws(device.caps().maxDrawIndirectCount),
+      m_cull(device, {"cull areas", shader::spirv::kCullAreasComp, sizeof(shader::Push)}),
+      m_caps(makePipelines(device, "area caps", shader::spirv::kAreaCapVert, target)),
+      m_walls(makePipelines(device, "area walls", shader::spirv::kAreaWallVert, target)) {}
+
+void AreaDrawer::reset(const Recording& recording) const {
+    const BoardScene::Impl& scene = recording.scene;
+    copyWhole(recording.commands(), scene.geometry.capDraws, scene.transient.capDraws);
+    copyWhole(recording.commands(), scene.geometry.wallDraws, scene.transient.wallDraws);
+}
+
+void AreaDrawer::cull(const Recording& recording) const {
+    m_cull.bind(recording.commands());
+    m_cull.push(recording.commands(), shader::Push{recording.frameData, 0, 0, 0, 0});
+    const std::uint32_t groups = (recording.scene.instanceCount + shader::kCullGroupSize - 1) / shader::kCullGroupSize;
+    vkCmdDispatch(recording.commands(), groups, 1, 1);
+}
+
+void AreaDrawer::draw(const Recording& recording, std::uint32_t batch, gpu::Pass pass) const {
+    const std::vector<LayerRun> runs = runsOf(recording, batch);
+    if (runs.empty()) {
+        return;
+    }
+    const SeenFaces faces = recording.plan.faces;
+    if (faces.upper) {
+        drawCaps(recording, pass, 0, runs);
+    }
+    if (faces.lower) {
+        drawCaps(recording, pass, 1, runs);
+    }
+    if (faces.walls) {
+        drawWalls(recording, pass, runs);
+    }
+}
+
+void AreaDrawer::drawCaps(const Recording& recording, gpu::Pass pass, std::uint32_t face,
+                          std::span<const LayerRun> runs) const {
+    const gpu::Pipeline& pipeline = m_caps[passRow(pass)];
+    pipeline.bind(recording.commands());
+    pipeline.push(recording.commands(), shader::Push{recording.frameData, 0, 0, face, 0});
+    vkCmdBindIndexBuffer(recording.commands(), recording.scene.geometry.indices.handle(), 0, VK_INDEX_TYPE_UINT32);
+    constexpr std::uint32_t kStride = sizeof(shader::DrawIndexed);
+    forPieces(runs, m_maxDraws, [&](std::uint32_t first, std::uint32_t count) {
+        vkCmdDrawIndexedIndirect(recording.commands(), recording.scene.transient.capDraws.handle(),
+                                 std::uint64_t{first} * kStride, count, kStride);
+    });
+}
+
+void AreaDrawer::drawWalls(const Recording& recording, gpu::Pass pass, std::span<const LayerRun> runs) const {
+    const gpu::Pipeline& pipeline = m_walls[passRow(pass)];
+    pipeline.bind(recording.commands());
+    pipeline.push(recording.commands(), shader::Push{recording.frameData, 0, 0, 0, 0});
+    constexpr std::uint32_t kStride = sizeof(shader::Draw);
+    forPieces(runs, m_maxDraws, [&](std::uint32_t first, std::uint32_t count) {
+        vkCmdDrawIndirect(recording.commands(), recording.scene.transient.wallDraws.handle(),
+                          std::uint64_t{first} * kStride, count, kStride);
+    });
+}
+
+}  // namespace render

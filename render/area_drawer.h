@@ -1,0 +1,27 @@
+#pragma once
+
+#include "render/let_backend.h"
+
+namespace render {
+
+/// Draws areas: caps from the stored triangles, walls pulled from the outlines, one indirect command per shape and
+/// layer. The same for both let back ends.
+class AreaDrawer {
+public:
+    AreaDrawer(gpu::Device& device, const TargetFormat& target);
+
+    void reset(const Recording& recording) const;
+    void cull(const Recording& recording) const;
+    void draw(const Recording& recording, std::uint32_t batch, gpu::Pass pass) const;
+
+private:
+    void drawCaps(const Recording& recording, gpu::Pass pass, std::uint32_t face, std::span<const LayerRun> runs) const;
+    void drawWalls(const Recording& recording, gpu::Pass pass, std::span<const LayerRun> runs) const;
+
+    std::uint32_t m_maxDraws;
+    gpu::Pipeline m_cull;
+    PassPipelines m_caps;
+    PassPipelines m_walls;
+};
+
+}  // namespace render

@@ -1,0 +1,222 @@
+#include "render/frame_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <numeric>
+
+#include "render/explosion.h"
+
+namespace render {
+namespace {
+
+// A polygon's outline strays less than this from the true one. The coarsest level that does so is drawn: changes of
+// level are then below what an eye sees, and a raster of a layer (mono) is right to a tenth of a pixel.
+constexpr float kTolerancePx = 0.3F;
+constexpr float kMonoTolerancePx = 0.1F;
+/// Lets whose pen radius is below this many pixels become quads (vulkan-facts, recipes).
+constexpr float kQuadRadiusPx = 0.7F;
+/// The inside of a hole stands out by 2 µm, or by 16 steps of tie-break where depth resolves less: enough to win
+/// against all faces it passes, too little to be seen.
+constexpr float kBoreProudMm = 0.002F;
+constexpr float kBoreProudSteps = 16.0F;
+/// Explosion 1 spreads the stack over half the board.
+constexpr float kFullSpread = 0.5F;
+
+/// One step of tie-break between faces in one plane, in units of depth: 16 roundings of a 24-bit number. In perspective
+/// depth is near / distance, relative steps do; in parallel projection depth is linear and rounds like the largest
+/// number in it.
+constexpr float kNudgePerspective = 0x1p-20F;
+constexpr float kNudgeParallel = 0x1p-21F;
+
+/// Larger than this the sine of the view angle to the board counts as straight.
+constexpr float kStraight = 0.9999995F;
+
+struct Eye {
+    glm::dmat4 clipFromCentred{1.0};  ///< of positions relative to the camera's target
+    float stepMm = 0.0F;              ///< one step of tie-break at the target
+    glm::vec3 position{0.0F};
+    glm::vec3 direction{0.0F};
+    bool isParallel = false;
+};
+
+Eye makeEye(const Camera& camera, float aspect) {
+    Eye eye;
+    eye.position = camera.eye();
+    eye.direction = camera.direction();
+    eye.isParallel = camera.isOrthographic();
+    // The view matrix about the target instead of the origin: no large numbers that cancel.
+    glm::dmat4 view{camera.view()};
+    view[3] = view * glm::dvec4(glm::dvec3(camera.target()), 1.0);
+    const glm::mat4 projection = camera.projection(aspect);
+    eye.clipFromCentred = glm::dmat4(projection) * view;
+    eye.stepMm = eye.isParallel ? kNudgeParallel / std::abs(projection[2][2])
+                                : kNudgePerspective * glm::length(eye.position - camera.target());
+    return eye;
+}
+
+SeenFaces seenFaces(const Eye& eye, std::span<const shader::LayerState> layers) {
+    if (eye.isParallel) {
+        const float z = eye.direction.z;
+        return {z<0.0F, std::abs(z) < kStraight, z> 0.0F};
+    }
+    float lowest = 1e30F;
+    float highest = -1e30F;
+    for (const shader::LayerState& layer : layers) {
+        if ((layer.flags & shader::kLayerVisible) != 0) {
+            lowest = std::min(lowest, layer.z0);
+            highest = std::max(highest, layer.z1);
+        }
+    }
+    const float proud = std::max(kBoreProudMm, kBoreProudSteps * eye.stepMm);
+    const bool isAbove = eye.position.z > highest + proud;
+    const bool isBelow = eye.position.z < lowest - proud;
+    return {!isBelow, true, !isAbove};
+}
+
+/// Seen edge-on in parallel projection neither face shows: then walls alone are no run that starts or ends the table,
+/// so all are drawn.
+SeenFaces asRun(SeenFaces faces) {
+    return !faces.upper && !faces.lower ? SeenFaces{} : faces;
+}
+
+std::vector<StackedLayer> stackOf(const SceneLayers& scene) {
+    std::vector<StackedLayer> stack;
+    for (std::size_t i = 0; i < scene.layers.size(); ++i) {
+        const SceneLayers::Layer& layer = scene.layers[i];
+        stack.push_back({{layer.z0, layer.z1}, scene.styles[i].isVisible, !layer.hasAreas});
+    }
+    return stack;
+}
+
+glm::vec4 linearColour(const LayerStyle& style) {
+    return {toLinear(style.colour.r), toLinear(style.colour.g), toLinear(style.colour.b),
+            std::clamp(style.opacity, 0.0F, 1.0F)};
+}
+
+std::vector<shader::LayerState> layerStates(const SceneLayers& scene, const ViewSettings& settings) {
+    const std::vector<ZRange> z = explode(stackOf(scene), settings.explode * kFullSpread * scene.widthMm);
+    std::vector<shader::LayerState> states(scene.layers.size());
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        const LayerStyle& style = scene.styles[i];
+        const bool isTranslucent = style.opacity < 1.0F && !settings.isMono;
+        states[i].colour = linearColour(style);
+        states[i].z0 = z[i].z0;
+        states[i].z1 = z[i].z1;
+        states[i].flags =
+            (style.isVisible ? shader::kLayerVisible : 0) | (isTranslucent ? shader::kLayerTranslucent : 0);
+    }
+    return states;
+}
+
+/// Among visible layers with a face at the same height, later layers win: they get higher ranks.
+void rankFaces(std::vector<shader::LayerState>& layers, float shader::LayerState::*face, std::uint32_t shift) {
+    std::vector<std::uint32_t> order(layers.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return layers[a].*face < layers[b].*face; });
+    std::uint32_t rank = 0;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        shader::LayerState& layer = layers[order[i]];
+        const bool isShared = i > 0 && layers[order[i - 1]].*face == layer.*face;
+        const bool counts = i > 0 && (layers[order[i - 1]].flags & shader::kLayerVisible) != 0;
+        rank = isShared ? rank + (counts ? 1 : 0) : 0;
+        layer.flags |= std::min(rank, 0xffU) << shift;
+    }
+}
+
+std::vector<std::uint32_t> translucentFromBack(const std::vector<shader::LayerState>& layers, bool isSeenFromAbove) {
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t i = 0; i < layers.size(); ++i) {
+        constexpr std::uint32_t kWanted = shader::kLayerVisible | shader::kLayerTranslucent;
+        if ((layers[i].flags & kWanted) == kWanted) {
+            order.push_back(i);
+        }
+    }
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) {
+        return isSeenFromAbove ? layers[a].z1 < layers[b].z1 : layers[a].z0 > layers[b].z0;
+    });
+    return order;
+}
+
+std::vector<LayerBatch> makeBatches(const SceneLayers& scene, std::vector<shader::LayerState>& layers,
+                                    bool isSeenFromAbove) {
+    std::vector<LayerBatch> batches(1);
+    const auto add = [&](LayerBatch& batch, std::uint32_t layer) {
+        batch.layers.push_back(layer);
+        batch.openLets += scene.layers[layer].openLets;
+        batch.tubes += scene.layers[layer].tubes;
+    };
+    for (std::uint32_t i = 0; i < layers.size(); ++i) {
+        if ((layers[i].flags & shader::kLayerVisible) != 0 && (layers[i].flags & shader::kLayerTranslucent) == 0) {
+            add(batches[0], i);
+        }
+    }
+    for (const std::uint32_t layer : translucentFromBack(layers, isSeenFromAbove)) {
+        layers[layer].batch = static_cast<std::uint32_t>(batches.size());
+        add(batches.emplace_back(), layer);
+    }
+    return batches;
+}
+
+/// Planes of the frustum as combinations of the matrix rows, scaled to millimetres: 0 <= z <= w, -w <= x, y <= w.
+void setPlanes(const glm::dmat4& clip, shader::FrameData& data) {
+    const glm::dmat4 rows = glm::transpose(clip);
+    const glm::dvec4 planes[shader::kPlaneCount] = {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1],
+                                                    rows[3] - rows[1], rows[2],           rows[3] - rows[2]};
+    for (std::uint32_t i = 0; i < shader::kPlaneCount; ++i) {
+        // The far plane of an infinite projection has no normal; its constant is positive, so it cuts nothing off.
+        const double length = glm::length(glm::dvec3(planes[i]));
+        data.planes[i] = glm::vec4(planes[i] / (length > 0.0 ? length : 1.0));
+    }
+}
+
+std::uint32_t flagsOf(const ViewSettings& settings) {
+    return (settings.is2d ? shader::kFrameFlat : 0) | (settings.isMono ? shader::kFrameMono : 0) |
+           (settings.dimOthers && !settings.isMono ? shader::kFrameDimOthers : 0) |
+           (settings.cull ? shader::kFrameCull : 0);
+}
+
+void setTriangleRun(SeenFaces faces, shader::FrameData& data) {
+    data.firstTriangle = faces.upper   ? 0
+                         : faces.walls ? shader::kUpperTriangles
+                                       : shader::kUpperTriangles + shader::kWallTriangles;
+    data.triangleCount = (faces.upper ? shader::kUpperTriangles : 0) + (faces.walls ? shader::kWallTriangles : 0) +
+                         (faces.lower ? shader::kUpperTriangles : 0);
+    data.quadFace = faces.upper ? 0 : 1;
+}
+
+}  // namespace
+
+float toLinear(float srgb) {
+    return srgb <= 0.04045F ? srgb / 12.92F : std::pow((srgb + 0.055F) / 1.055F, 2.4F);
+}
+
+FramePlan planFrame(const SceneLayers& scene, const Camera& camera, const ViewSettings& settings, std::uint32_t width,
+                    std::uint32_t height) {
+    const auto pixelHeight = static_cast<float>(height);
+    const Eye eye = makeEye(camera, static_cast<float>(width) / pixelHeight);
+    FramePlan plan;
+    plan.layers = layerStates(scene, settings);
+    rankFaces(plan.layers, &shader::LayerState::z0, shader::kLayerBottomRankShift);
+    rankFaces(plan.layers, &shader::LayerState::z1, shader::kLayerTopRankShift);
+    plan.batches = makeBatches(scene, plan.layers, eye.direction.z <= 0.0F);
+    plan.faces = asRun(seenFaces(eye, plan.layers));
+
+    shader::FrameData& data = plan.data;
+    data.clipFromBoard = glm::mat4(eye.clipFromCentred);
+    setPlanes(eye.clipFromCentred, data);
+    data.centre = camera.target();
+    data.eye = eye.isParallel ? glm::vec4(-eye.direction, 0.0F) : glm::vec4(eye.position - camera.target(), 1.0F);
+    data.pixelsPerMm = std::abs(camera.projection(1.0F)[1][1]) * pixelHeight / 2.0F;
+    data.tolerancePx = settings.isMono ? kMonoTolerancePx : kTolerancePx;
+    const bool seesOneFace = plan.faces.upper != plan.faces.lower;
+    data.quadRadiusPx = seesOneFace && !settings.isMono ? kQuadRadiusPx : 0.0F;
+    data.nudgeZ = eye.isParallel ? 0.0F : kNudgePerspective;
+    data.nudgeW = eye.isParallel ? kNudgeParallel : 0.0F;
+    data.boreProudMm = std::max(kBoreProudMm, kBoreProudSteps * eye.stepMm);
+    data.flags = flagsOf(settings);
+    setTriangleRun(plan.faces, data);
+    return plan;
+}
+
+}  // namespace render

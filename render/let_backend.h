@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "render/frame_plan.h"
+#include "render/gpu/frame_ring.h"
+#include "render/gpu/pipeline.h"
+#include "render/scene_buffers.h"
+
+namespace render {
+
+/// A pipeline for each way of passing over the scene.
+using PassPipelines = std::array<gpu::Pipeline, 3>;
+[[nodiscard]] constexpr std::size_t passRow(gpu::Pass pass) {
+    return static_cast<std::size_t>(pass);
+}
+
+/// What pipelines must fit.
+struct TargetFormat {
+    VkFormat colour = VK_FORMAT_UNDEFINED;
+    VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
+    bool operator==(const TargetFormat&) const = default;
+};
+
+[[nodiscard]] PassPipelines makePassPipelines(gpu::Device& device, std::string_view label,
+                                              std::span<const gpu::ShaderStage> stages, bool cullsBackFaces,
+                                              const TargetFormat& target);
+
+/// A frame being recorded.
+struct Recording {
+    gpu::Frame& frame;
+    const FramePlan& plan;
+    const BoardScene::Impl& scene;
+    VkDeviceAddress frameData = 0;
+
+    [[nodiscard]] VkCommandBuffer commands() const { return frame.commands(); }
+};
+
+/// Draws lets. Both ways take the same buffers, the same prism function and the same fragment shader.
+class LetBackend {
+public:
+    virtual ~LetBackend() = default;
+    /// Copies that must be done before `cull`.
+    virtual void reset(const Recording& recording) = 0;
+    /// Compute work before drawing begins.
+    virtual void cull(const Recording& recording) = 0;
+    virtual void draw(const Recording& recording, std::uint32_t batch, gpu::Pass pass) = 0;
+};
+
+/// Task and mesh shaders (the paper's way). Needs Caps::hasMeshShader.
+[[nodiscard]] std::unique_ptr<LetBackend> makeMeshBackend(gpu::Device& device, const TargetFormat& target);
+
+/// Compute culling into instanced indirect draws and vertices pulled from the lets; for every device.
+[[nodiscard]] std::unique_ptr<LetBackend> makePullBackend(gpu::Device& device, const TargetFormat& target);
+
+}  // namespace render

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "shaders/shared/ladder.h"
+
+namespace render {
+
+/// Which sides of flat prisms face the camera. What can be seen is a run of the sections upper, wall, lower.
+struct SeenFaces {
+    bool upper = true;
+    bool walls = true;
+    bool lower = true;
+    bool operator==(const SeenFaces&) const = default;
+};
+
+/// Indices of one topology and level: upper faces, walls, lower faces.
+struct LetTable {
+    std::uint32_t first = 0;
+    std::array<std::uint32_t, 3> counts{};  ///< of indices: upper, walls, lower
+};
+
+/// A run of indices.
+struct IndexRun {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+};
+
+/// The index tables all lets share (paper: one table per level). An index is level << 16 | vertex code (ladder.h).
+struct LetTables {
+    std::vector<std::uint32_t> indices;
+    std::array<LetTable, shader::kBucketCount> tables{};  ///< by topology * kLevelCount + level
+
+    /// The run to draw when only `faces` can be seen; quads always show exactly one face.
+    [[nodiscard]] IndexRun run(std::uint32_t bucket, SeenFaces faces) const;
+};
+
+[[nodiscard]] LetTables makeLetTables();
+
+}  // namespace render

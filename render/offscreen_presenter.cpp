@@ -1,0 +1,98 @@
+#include <chrono>
+#include <cstring>
+
+#include "render/gpu/barrier.h"
+#include "render/gpu/device_select.h"
+#include "render/renderer.h"
+
+namespace render {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr std::uint64_t kBytesPerPixel = 4;
+
+double millisecondsSince(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+base::Error lostDevice() {
+    return {base::ErrorCode::DeviceFailed, "The Vulkan device was lost while drawing."};
+}
+
+base::Status checkSize(std::uint32_t width, std::uint32_t height, std::uint32_t largest) {
+    if (width == 0 || height == 0 || width > largest || height > largest) {
+        return base::Error{base::ErrorCode::BadUsage,
+                           "A picture of " + std::to_string(width) + "x" + std::to_string(height) +
+                               " pixels cannot be drawn: each side must be 1 to " + std::to_string(largest) + "."};
+    }
+    return base::Done{};
+}
+
+}  // namespace
+
+struct OffscreenPresenter::Impl {
+    gpu::Device* device;
+    gpu::FrameRing ring;
+    Renderer renderer;
+    RenderTarget target;
+    gpu::Buffer readback;
+    FrameStats stats;
+
+    explicit Impl(gpu::Device& owner)
+        : device(&owner), ring(owner, 1, "offscreen frames"), renderer(owner), target(owner) {}
+
+    void copyPicture(VkCommandBuffer commands) {
+        const VkExtent2D extent = target.extent();
+        const std::uint64_t bytes = std::uint64_t{extent.width} * extent.height * kBytesPerPixel;
+        if (readback.size() < bytes) {
+            readback = gpu::Buffer(*device, {"readback", bytes, gpu::MemoryUse::Staging, true});
+        }
+        VkBufferImageCopy region{};
+        region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+        region.imageExtent = {extent.width, extent.height, 1};
+        vkCmdCopyImageToBuffer(commands, target.picture(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, readback.handle(), 1,
+                               &region);
+        gpu::memoryBarrier(commands, gpu::kCopyWrite, gpu::kHostRead);
+    }
+
+    [[nodiscard]] Image takePicture() const {
+        Image image{target.extent().width, target.extent().height, {}};
+        image.rgba.resize(std::size_t{image.width} * image.height * kBytesPerPixel);
+        std::memcpy(image.rgba.data(), readback.mapped().data(), image.rgba.size());
+        return image;
+    }
+};
+
+OffscreenPresenter::OffscreenPresenter(gpu::Device& device) : m_impl(std::make_unique<Impl>(device)) {}
+OffscreenPresenter::~OffscreenPresenter() = default;
+OffscreenPresenter::OffscreenPresenter(OffscreenPresenter&&) noexcept = default;
+OffscreenPresenter& OffscreenPresenter::operator=(OffscreenPresenter&&) noexcept = default;
+
+base::Result<Image> OffscreenPresenter::render(BoardScene& scene, const Camera& camera, const ViewSettings& settings,
+                                               std::uint32_t width, std::uint32_t height) {
+    Impl& impl = *m_impl;
+    if (base::Status size = checkSize(width, height, impl.device->caps().maxImageSize); !size) {
+        return size.error();
+    }
+    const Clock::time_point start = Clock::now();
+    gpu::Frame* frame = impl.ring.begin();
+    if (frame == nullptr) {
+        return lostDevice();
+    }
+    impl.stats.backend =
+        impl.renderer.record(*frame, impl.target, {width, height}, gpu::kColourFormat, &scene, camera, settings);
+    impl.copyPicture(frame->commands());
+    const bool isSubmitted = impl.ring.end();
+    impl.stats.cpuMs = millisecondsSince(start);
+    if (!isSubmitted || !impl.ring.wait()) {
+        return lostDevice();
+    }
+    impl.stats.gpuMs = impl.ring.gpuMs();
+    return impl.takePicture();
+}
+
+FrameStats OffscreenPresenter::stats() const {
+    return m_impl->stats;
+}
+
+}  // namespace render

@@ -1,0 +1,86 @@
+#include "render/render_target.h"
+
+#include "render/gpu/barrier.h"
+#include "render/gpu/device_select.h"
+#include "render/gpu/vk_info.h"
+
+namespace render {
+namespace {
+
+constexpr VkImageAspectFlags kDepthAspects = VK_IMAGE_ASPECT_DEPTH_BIT | VK_IMAGE_ASPECT_STENCIL_BIT;
+
+VkRenderingAttachmentInfo depthAttachment(VkImageView view) {
+    auto info = gpu::vkInfo<VkRenderingAttachmentInfo>(VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO);
+    info.imageView = view;
+    info.imageLayout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
+    info.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
+    info.storeOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
+    info.clearValue.depthStencil = {0.0F, 0};  // reversed: 0 is farthest
+    return info;
+}
+
+}  // namespace
+
+void RenderTarget::setSize(VkExtent2D extent, const TargetFormat& format) {
+    if (extent.width == m_extent.width && extent.height == m_extent.height && format == m_format) {
+        return;
+    }
+    m_extent = extent;
+    m_format = format;
+    m_colour = gpu::Image(*m_device, {"colour", format.colour, extent,
+                                      VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
+    m_samples = isSmoothed() ? gpu::Image(*m_device, {"samples", format.colour, extent,
+                                                      VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, format.samples})
+                             : gpu::Image();
+    m_depth = gpu::Image(*m_device, {"depth", gpu::kDepthFormat, extent, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
+                                     format.samples, kDepthAspects});
+}
+
+void RenderTarget::makeReady(VkCommandBuffer commands) const {
+    constexpr VkImageLayout kColourLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    // What was there is dropped; the last frame may still be copying from it or drawing to it.
+    gpu::imageBarrier(commands, {m_colour.handle(), VK_IMAGE_ASPECT_COLOR_BIT, VK_IMAGE_LAYOUT_UNDEFINED, kColourLayout,
+                                 gpu::kAnything, gpu::kColour});
+    if (isSmoothed()) {
+        gpu::imageBarrier(commands, {m_samples.handle(), VK_IMAGE_ASPECT_COLOR_BIT, VK_IMAGE_LAYOUT_UNDEFINED,
+                                     kColourLayout, gpu::kColour, gpu::kColour});
+    }
+    gpu::imageBarrier(commands, {m_depth.handle(), kDepthAspects, VK_IMAGE_LAYOUT_UNDEFINED,
+                                 VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL, gpu::kDepth, gpu::kDepth});
+}
+
+void RenderTarget::begin(VkCommandBuffer commands, const glm::vec3& background) const {
+    makeReady(commands);
+    auto colour = gpu::vkInfo<VkRenderingAttachmentInfo>(VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO);
+    colour.imageView = isSmoothed() ? m_samples.view() : m_colour.view();
+    colour.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    colour.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
+    colour.storeOp = isSmoothed() ? VK_ATTACHMENT_STORE_OP_DONT_CARE : VK_ATTACHMENT_STORE_OP_STORE;
+    colour.clearValue.color = {{background.r, background.g, background.b, 1.0F}};
+    if (isSmoothed()) {
+        colour.resolveMode = VK_RESOLVE_MODE_AVERAGE_BIT;
+        colour.resolveImageView = m_colour.view();
+        colour.resolveImageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    }
+    const VkRenderingAttachmentInfo depth = depthAttachment(m_depth.view());
+    auto info = gpu::vkInfo<VkRenderingInfo>(VK_STRUCTURE_TYPE_RENDERING_INFO);
+    info.renderArea = {{0, 0}, m_extent};
+    info.layerCount = 1;
+    info.colorAttachmentCount = 1;
+    info.pColorAttachments = &colour;
+    info.pDepthAttachment = &depth;
+    info.pStencilAttachment = &depth;
+    vkCmdBeginRendering(commands, &info);
+    const VkViewport viewport{0.0F, 0.0F, static_cast<float>(m_extent.width), static_cast<float>(m_extent.height),
+                              0.0F, 1.0F};
+    vkCmdSetViewport(commands, 0, 1, &viewport);
+    vkCmdSetScissor(commands, 0, 1, &info.renderArea);
+}
+
+void RenderTarget::end(VkCommandBuffer commands) const {
+    vkCmdEndRendering(commands);
+    gpu::imageBarrier(commands, {m_colour.handle(), VK_IMAGE_ASPECT_COLOR_BIT, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+                                 VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, gpu::kColour, gpu::kCopyRead});
+}
+
+}  // namespace render

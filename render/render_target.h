@@ -1,0 +1,37 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "render/gpu/image.h"
+#include "render/let_backend.h"
+
+namespace render {
+
+/// Colour and depth of one view, remade when its size or smoothing changes.
+class RenderTarget {
+public:
+    explicit RenderTarget(gpu::Device& device) : m_device(&device) {}
+
+    void setSize(VkExtent2D extent, const TargetFormat& format);
+    [[nodiscard]] VkExtent2D extent() const { return m_extent; }
+    [[nodiscard]] const TargetFormat& format() const { return m_format; }
+
+    /// Starts drawing on a cleared target; `background` is linear.
+    void begin(VkCommandBuffer commands, const glm::vec3& background) const;
+    /// Ends drawing and leaves the picture in `picture()`, ready to be copied from.
+    void end(VkCommandBuffer commands) const;
+    [[nodiscard]] VkImage picture() const { return m_colour.handle(); }
+
+private:
+    [[nodiscard]] bool isSmoothed() const { return m_format.samples != VK_SAMPLE_COUNT_1_BIT; }
+    void makeReady(VkCommandBuffer commands) const;
+
+    gpu::Device* m_device;
+    VkExtent2D m_extent{};
+    TargetFormat m_format;
+    gpu::Image m_colour;   ///< one sample
+    gpu::Image m_samples;  ///< only when smoothed
+    gpu::Image m_depth;
+};
+
+}  // namespace render

@@ -1,0 +1,148 @@
+#include "render/renderer.h"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <array>
+
+#include "render/area_drawer.h"
+#include "render/gpu/barrier.h"
+#include "render/gpu/device_select.h"
+
+namespace render {
+namespace {
+
+/// Workgroups along x that every device dispatches (Vulkan's required limit).
+constexpr std::uint32_t kMaxDispatch = 65535;
+
+/// The stencil holds the last translucent batch that coloured a sample. With more than 255 of them numbers repeat: then
+/// it is cleared.
+constexpr std::uint32_t kStencilReferences = 255;
+
+void clearStencil(VkCommandBuffer commands, VkExtent2D extent) {
+    VkClearAttachment what{};
+    what.aspectMask = VK_IMAGE_ASPECT_STENCIL_BIT;
+    const VkClearRect where{{{0, 0}, extent}, 0, 1};
+    vkCmdClearAttachments(commands, 1, &what, 1, &where);
+}
+
+VkDeviceAddress putFrameData(gpu::Frame& frame, const FramePlan& plan, const BoardScene::Impl& scene) {
+    shader::FrameData data = plan.data;
+    scene.setAddresses(data);
+    data.layers = frame.put(std::span<const shader::LayerState>(plan.layers)).address;
+    data.maxDispatch = kMaxDispatch;
+    return frame.put(std::span<const shader::FrameData>(&data, 1)).address;
+}
+
+glm::vec3 background(const ViewSettings& settings) {
+    const glm::vec3 srgb = settings.isMono ? glm::vec3(0.0F) : settings.background;
+    return {toLinear(srgb.r), toLinear(srgb.g), toLinear(srgb.b)};
+}
+
+}  // namespace
+
+PassPipelines makePassPipelines(gpu::Device& device, std::string_view label, std::span<const gpu::ShaderStage> stages,
+                                bool cullsBackFaces, const TargetFormat& target) {
+    PassPipelines pipelines;
+    for (const gpu::Pass pass : {gpu::Pass::Opaque, gpu::Pass::DepthOnly, gpu::Pass::Blend}) {
+        pipelines[passRow(pass)] = gpu::Pipeline(device, {label, stages, sizeof(shader::Push), pass, cullsBackFaces,
+                                                          target.colour, gpu::kDepthFormat, target.samples});
+    }
+    return pipelines;
+}
+
+/// All that draws in one format with one back end.
+struct Renderer::Drawers {
+    TargetFormat format;
+    Backend backend;
+    AreaDrawer areas;
+    std::unique_ptr<LetBackend> lets;
+
+    Drawers(gpu::Device& device, const TargetFormat& target, Backend which)
+        : format(target),
+          backend(which),
+          areas(device, target),
+          lets(which == Backend::Mesh ? makeMeshBackend(device, target) : makePullBackend(device, target)) {}
+
+    void cull(const Recording& recording) const {
+        // Draw lists are shared by all frames: the one before must be done with them.
+        gpu::memoryBarrier(recording.commands(), gpu::kAnything, gpu::kCopyWrite);
+        areas.reset(recording);
+        lets->reset(recording);
+        gpu::memoryBarrier(recording.commands(), gpu::kCopyWrite, gpu::kCompute);
+        areas.cull(recording);
+        lets->cull(recording);
+        gpu::memoryBarrier(recording.commands(), gpu::kCompute, gpu::kAnyRead);
+    }
+
+    void drawBatch(const Recording& recording, std::uint32_t batch, gpu::Pass pass) const {
+        areas.draw(recording, batch, pass);
+        lets->draw(recording, batch, pass);
+    }
+
+    /// Translucent layers one after the other from the back: first which of its surfaces is in front, then that one's
+    /// colour, once per sample. So the picture does not depend on the order of draws inside a layer.
+    void drawTranslucent(const Recording& recording, VkExtent2D extent) const {
+        for (std::uint32_t batch = 1; batch < recording.plan.batches.size(); ++batch) {
+            const std::uint32_t reference = (batch - 1) % kStencilReferences + 1;
+            if (batch > 1 && reference == 1) {
+                clearStencil(recording.commands(), extent);
+            }
+            drawBatch(recording, batch, gpu::Pass::DepthOnly);
+            vkCmdSetStencilReference(recording.commands(), VK_STENCIL_FACE_FRONT_AND_BACK, reference);
+            drawBatch(recording, batch, gpu::Pass::Blend);
+        }
+    }
+};
+
+Renderer::Renderer(gpu::Device& device) : m_device(&device) {}
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+
+Backend Renderer::resolve(Backend wanted) {
+    const gpu::Caps& caps = m_device->caps();
+    if (wanted == Backend::Mesh && !caps.hasMeshShader) {
+        if (!m_hasWarned) {
+            spdlog::warn("{} has no mesh shaders: drawing with the pull back end instead.", caps.name);
+            m_hasWarned = true;
+        }
+        return Backend::Pull;
+    }
+    // Software devices run mesh shaders on one thread, compute and vertex shaders on all (vulkan-facts §2).
+    const Backend best = caps.hasMeshShader && !caps.isCpu ? Backend::Mesh : Backend::Pull;
+    return wanted == Backend::Auto ? best : wanted;
+}
+
+Renderer::Drawers& Renderer::drawersFor(const TargetFormat& format, Backend backend) {
+    for (const auto& drawers : m_drawers) {
+        if (drawers->format == format && drawers->backend == backend) {
+            return *drawers;
+        }
+    }
+    return *m_drawers.emplace_back(std::make_unique<Drawers>(*m_device, format, backend));
+}
+
+Backend Renderer::record(gpu::Frame& frame, RenderTarget& target, VkExtent2D extent, VkFormat colour, BoardScene* scene,
+                         const Camera& camera, const ViewSettings& settings) {
+    const bool isSmoothed = settings.isSmoothed && !settings.isMono && m_device->caps().canSmooth;
+    const TargetFormat format{colour, isSmoothed ? VK_SAMPLE_COUNT_4_BIT : VK_SAMPLE_COUNT_1_BIT};
+    const Backend backend = resolve(settings.backend);
+    target.setSize(extent, format);
+    if (scene == nullptr) {
+        target.begin(frame.commands(), background(settings));
+        target.end(frame.commands());
+        return backend;
+    }
+    const Drawers& drawers = drawersFor(format, backend);
+    const FramePlan plan = planFrame(scene->impl().layers, camera, settings, extent.width, extent.height);
+    const Recording recording{frame, plan, scene->impl(), putFrameData(frame, plan, scene->impl())};
+    drawers.cull(recording);
+    target.begin(frame.commands(), background(settings));
+    drawers.drawBatch(recording, 0, gpu::Pass::Opaque);
+    drawers.drawTranslucent(recording, extent);
+    target.end(frame.commands());
+    return backend;
+}
+
+}  // namespace render

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "render/render_target.h"
+
+namespace render {
+
+/// Records frames: what both presenters share. Makes pipelines when a format is first drawn.
+class Renderer {
+public:
+    explicit Renderer(gpu::Device& device);
+    ~Renderer();
+    Renderer(Renderer&&) noexcept;
+    Renderer& operator=(Renderer&&) noexcept;
+
+    /// Records the picture of `scene` (may be null) into `target`, whose size and format are set here.
+    /// Returns the back end that draws.
+    Backend record(gpu::Frame& frame, RenderTarget& target, VkExtent2D extent, VkFormat colour, BoardScene* scene,
+                   const Camera& camera, const ViewSettings& settings);
+
+private:
+    struct Drawers;
+    Drawers& drawersFor(const TargetFormat& format, Backend backend);
+    [[nodiscard]] Backend resolve(Backend wanted);
+
+    gpu::Device* m_device;
+    std::vector<std::unique_ptr<Drawers>> m_drawers;
+    bool m_hasWarned = false;
+};
+
+}  // namespace render

@@ -1,0 +1,91 @@
+#include "render/swapchain_presenter.h"
+
+#include <chrono>
+
+#include "render/gpu/barrier.h"
+#include "render/gpu/swapchain.h"
+#include "render/renderer.h"
+
+namespace render {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// One being drawn while one is being shown.
+constexpr std::uint32_t kFramesInFlight = 2;
+
+SwapchainPresenter::Outcome outcomeOf(gpu::Swapchain::Outcome outcome) {
+    switch (outcome) {
+        case gpu::Swapchain::Outcome::Ready: return SwapchainPresenter::Outcome::Drawn;
+        case gpu::Swapchain::Outcome::NoImage: return SwapchainPresenter::Outcome::Skipped;
+        case gpu::Swapchain::Outcome::DeviceLost: return SwapchainPresenter::Outcome::DeviceLost;
+    }
+    return SwapchainPresenter::Outcome::Skipped;
+}
+
+/// Copies the drawn picture bit by bit: both formats have the same channels, and the picture is already sRGB encoded.
+void copyToWindow(VkCommandBuffer commands, const RenderTarget& target, VkImage window) {
+    gpu::imageBarrier(commands, {window, VK_IMAGE_ASPECT_COLOR_BIT, VK_IMAGE_LAYOUT_UNDEFINED,
+                                 VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, gpu::kCopyWrite, gpu::kCopyWrite});
+    VkImageCopy region{};
+    region.srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+    region.dstSubresource = region.srcSubresource;
+    region.extent = {target.extent().width, target.extent().height, 1};
+    vkCmdCopyImage(commands, target.picture(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, window,
+                   VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+    gpu::imageBarrier(commands, {window, VK_IMAGE_ASPECT_COLOR_BIT, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                                 VK_IMAGE_LAYOUT_PRESENT_SRC_KHR, gpu::kCopyWrite, gpu::Access{}});
+}
+
+}  // namespace
+
+struct SwapchainPresenter::Impl {
+    gpu::Swapchain swapchain;
+    gpu::FrameRing ring;
+    Renderer renderer;
+    RenderTarget target;
+    FrameStats stats;
+
+    Impl(gpu::Device& device, VkSurfaceKHR surface)
+        : swapchain(device, surface),
+          ring(device, kFramesInFlight, "window frames"),
+          renderer(device),
+          target(device) {}
+};
+
+SwapchainPresenter::SwapchainPresenter(gpu::Device& device, VkSurfaceKHR surface)
+    : m_impl(std::make_unique<Impl>(device, surface)) {}
+SwapchainPresenter::~SwapchainPresenter() = default;
+SwapchainPresenter::SwapchainPresenter(SwapchainPresenter&&) noexcept = default;
+SwapchainPresenter& SwapchainPresenter::operator=(SwapchainPresenter&&) noexcept = default;
+
+void SwapchainPresenter::resize(std::uint32_t width, std::uint32_t height) {
+    m_impl->swapchain.resize({width, height});
+}
+
+SwapchainPresenter::Outcome SwapchainPresenter::draw(BoardScene* scene, const Camera& camera,
+                                                     const ViewSettings& settings) {
+    Impl& impl = *m_impl;
+    gpu::Swapchain::Target image;
+    if (const auto outcome = impl.swapchain.acquire(image); outcome != gpu::Swapchain::Outcome::Ready) {
+        return outcomeOf(outcome);
+    }
+    gpu::Frame* frame = impl.ring.begin();
+    if (frame == nullptr) {
+        return Outcome::DeviceLost;
+    }
+    const Clock::time_point start = Clock::now();
+    impl.stats.backend = impl.renderer.record(*frame, impl.target, impl.swapchain.extent(), impl.swapchain.drawFormat(),
+                                              scene, camera, settings);
+    copyToWindow(frame->commands(), impl.target, image.image);
+    const bool isSubmitted = impl.ring.end({image.available, image.finished});
+    impl.stats.cpuMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    impl.stats.gpuMs = impl.ring.gpuMs();
+    return isSubmitted ? outcomeOf(impl.swapchain.present(image)) : Outcome::DeviceLost;
+}
+
+FrameStats SwapchainPresenter::stats() const {
+    return m_impl->stats;
+}
+
+}  // namespace render
