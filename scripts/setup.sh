@@ -165,7 +165,7 @@ newer_mesa_or_pull() {
     say "no hardware Vulkan driver here: the software one comes from Debian's bookworm-backports, where it has mesh shaders"
     add_backports && apt_get install --no-install-recommends -t bookworm-backports mesa-vulkan-drivers && return
     touch "$root/$kNoBackports"
-    say "bookworm-backports cannot be had: going on with the older software device, pictures are drawn by the \`pull\` back end"
+    say "bookworm-backports cannot be had: going on with the older software device, which has the \`pull\` back end only"
     return 1
 }
 
