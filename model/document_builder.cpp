@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "model/base/assert.h"
+#include "model/geometry/nesting.h"
 
 namespace model {
 
@@ -24,7 +25,8 @@ SymbolId DocumentBuilder::symbol(std::string_view name) {
     return place->second;
 }
 
-ShapeId DocumentBuilder::addShape(const ShapeSketch& sketch) {
+ShapeId DocumentBuilder::addShape(const ShapeSketch& asWritten) {
+    const ShapeSketch sketch = nestHoles(asWritten);
     ShapeTable& table = m_document->shapes;
     ShapeTable::Shape shape;
     shape.firstContour = static_cast<std::uint32_t>(table.contours.size());

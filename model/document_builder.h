@@ -30,6 +30,7 @@ public:
     [[nodiscard]] std::vector<Layer>& layers() { return m_document->layers; }
     NetId addNet(std::string name);
     SymbolId symbol(std::string_view name);  ///< row of the name, added on first use
+    /// Holes are put behind the island that contains them, in whatever order they were sketched.
     ShapeId addShape(const ShapeSketch& sketch);
     [[nodiscard]] const ShapeTable& shapes() const { return m_document->shapes; }
     void addTool(DrillTool tool) { m_document->tools.push_back(std::move(tool)); }
