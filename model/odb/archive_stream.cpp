@@ -57,6 +57,11 @@ std::string ArchiveStream::name() const {
     return name != nullptr ? name : "";
 }
 
+bool ArchiveStream::isPacked() const {
+    return archive_filter_code(m_archive.get(), 0) != ARCHIVE_FILTER_NONE ||
+           archive_format(m_archive.get()) == ARCHIVE_FORMAT_ZIP;
+}
+
 bool ArchiveStream::isRegularFile() const {
     return archive_entry_filetype(m_entry) == AE_IFREG && archive_entry_hardlink(m_entry) == nullptr;
 }
@@ -95,7 +100,8 @@ base::Result<Bytes> decodeMember(Bytes bytes, std::uint64_t limit) {
     }
     ArchiveStream stream(bytes.view(), ArchiveStream::Formats::Member);
     std::string text;
-    if (!stream.next() || !stream.read(text, limit)) {
+    // A header too broken for its format would come through as raw bytes.
+    if (!stream.next() || !stream.isPacked() || !stream.read(text, limit)) {
         return base::Error{base::ErrorCode::BadInput, "the packed file is broken or too large"};
     }
     return Bytes(std::move(text));

@@ -31,6 +31,8 @@ public:
     [[nodiscard]] std::string errorText() const;
 
     [[nodiscard]] std::string name() const;
+    /// Is anything unpacked on the way, or are these the file's own bytes?
+    [[nodiscard]] bool isPacked() const;
     [[nodiscard]] bool isRegularFile() const;
     [[nodiscard]] bool isFolder() const;
     /// Appends the data of the entry to `out`. False when it is broken or would grow past `limit` bytes.

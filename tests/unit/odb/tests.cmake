@@ -1,1 +1,4 @@
-# Tests of this folder; see docs/testing.md.
+# Tests of the ODB++ reader; see docs/testing.md. They link what the reader links, because they write archives themselves.
+foreach(name records archive)
+    copperscope_test(odb_${name}_test unit/odb/${name}_test.cpp LABEL unit LINK copperscope_odb LibArchive::LibArchive)
+endforeach()
