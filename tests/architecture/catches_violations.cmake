@@ -24,6 +24,7 @@ set(cases
     "bad  | render/gpu/a.cpp                | \"render/view.h\""
     "bad  | shaders/shared/a.h              | \"model/base/ids.h\""
     "bad  | shaders/a.comp.glsl             | \"../model/document.h\""
+    "bad  | shaders/a.cpp                   | \"nothing_vert.h\""
     "bad  | ui/models/a.cpp                 | <QWidget>"
     "bad  | ui/models/a.cpp                 | <QtWidgets/QTableView>"
     "bad  | ui/models/a.cpp                 | <QTableView>"
@@ -45,6 +46,8 @@ set(cases
     "good | ui/models/a.cpp                 | <QAbstractTableModel>"
     "good | ui/a.cpp                        | <QMainWindow>"
     "good | app/a.cpp                       | \"ui/main_window.h\""
+    "good | shaders/a.cpp                   | \"planted_vert.h\""
+    "good | tests/ui/a.h                    | \"a.h\""
     "good | tests/ui/a.cpp                  | \"a.moc\""
 )
 
@@ -56,6 +59,7 @@ function(check case_text)
     list(GET columns 2 include)
     file(REMOVE_RECURSE ${WORK})
     file(WRITE ${WORK}/model/document.h "#include <vector>\n#include \"model/base/ids.h\"\n")
+    file(WRITE ${WORK}/shaders/planted.vert.glsl "")
     file(WRITE ${WORK}/${file} "#include <string>\n#  include ${include}  // planted\n")
     execute_process(COMMAND ${CMAKE_COMMAND} -DROOT=${WORK} -P ${CMAKE_CURRENT_LIST_DIR}/check_includes.cmake
                     RESULT_VARIABLE code OUTPUT_QUIET ERROR_VARIABLE said)
