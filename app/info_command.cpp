@@ -17,7 +17,7 @@ void printJob(const Document& document) {
     const model::JobInfo& job = document.job;
     std::printf("job         %s\n", job.name.c_str());
     std::printf("written by  %s\n", job.generator.empty() ? "(not stated)" : job.generator.c_str());
-    std::printf("format      %s, %s\n", job.version.c_str(), job.units.c_str());
+    std::printf("format      %s, %s\n", job.version.empty() ? "(not stated)" : job.version.c_str(), job.units.c_str());
     std::printf("step        %s", job.step.c_str());
     for (const std::string& step : job.steps) {
         std::printf("%s", step == job.step ? "" : (" (also: " + step + ")").c_str());

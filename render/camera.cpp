@@ -19,6 +19,15 @@ float halfHeightAtOne() {
     return std::tan(kFieldOfView / 2.0F);
 }
 
+std::array<glm::vec3, 8> cornersOf(const glm::vec3& boxMin, const glm::vec3& boxMax) {
+    std::array<glm::vec3, 8> corners;
+    for (unsigned i = 0; i < corners.size(); ++i) {
+        corners[i] = {(i & 1U) != 0 ? boxMax.x : boxMin.x, (i & 2U) != 0 ? boxMax.y : boxMin.y,
+                      (i & 4U) != 0 ? boxMax.z : boxMin.z};
+    }
+    return corners;
+}
+
 }  // namespace
 
 void Camera::fit(const glm::vec3& boxMin, const glm::vec3& boxMax, NamedView view, float aspect) {
@@ -41,20 +50,45 @@ void Camera::fit(const glm::vec3& boxMin, const glm::vec3& boxMax, NamedView vie
 }
 
 void Camera::fit(const glm::vec3& boxMin, const glm::vec3& boxMax, float aspect) {
-    constexpr float kMargin = 1.06F;
     m_target = (boxMin + boxMax) / 2.0F;
     m_radius = std::max(glm::length(boxMax - boxMin) / 2.0F, kMinDistance);
-    // The eye moves back until every corner is inside both angles of the frustum.
+    const std::array<glm::vec3, 8> corners = cornersOf(boxMin, boxMax);
+    // In perspective the near side takes more room than the far side: a few steps bring the picture's middle to the
+    // middle.
+    for (int step = 0; step < (m_isOrthographic ? 1 : 4); ++step) {
+        m_distance = distanceToSee(corners, aspect);
+        if (!m_isOrthographic) {
+            centre(corners);
+        }
+    }
+    m_distance = distanceToSee(corners, aspect);
+}
+
+/// How far the eye must move back until every corner is inside both angles of the frustum.
+float Camera::distanceToSee(const std::array<glm::vec3, 8>& corners, float aspect) const {
+    constexpr float kMargin = 1.06F;
     const glm::mat3 rotation(view());
     float distance = kMinDistance;
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::vec3 p{(corner & 1) != 0 ? boxMax.x : boxMin.x, (corner & 2) != 0 ? boxMax.y : boxMin.y,
-                          (corner & 4) != 0 ? boxMax.z : boxMin.z};
-        const glm::vec3 seen = rotation * (p - m_target);  // x right, y up, z towards the eye
+    for (const glm::vec3& corner : corners) {
+        const glm::vec3 seen = rotation * (corner - m_target);  // x right, y up, z towards the eye
         const float needed = std::max(std::abs(seen.y), std::abs(seen.x) / aspect) * kMargin / halfHeightAtOne();
         distance = std::max(distance, m_isOrthographic ? needed : needed + seen.z);
     }
-    m_distance = distance;
+    return distance;
+}
+
+/// Shifts the target so that the corners' picture extends as far to the left as to the right, and as far up as down.
+void Camera::centre(const std::array<glm::vec3, 8>& corners) {
+    const glm::mat3 rotation(view());
+    glm::vec2 low(1e30F);
+    glm::vec2 high(-1e30F);
+    for (const glm::vec3& corner : corners) {
+        const glm::vec3 seen = rotation * (corner - m_target);
+        const glm::vec2 place = glm::vec2(seen) / (m_distance - seen.z);
+        low = glm::min(low, place);
+        high = glm::max(high, place);
+    }
+    m_target += glm::transpose(rotation) * glm::vec3((low + high) / 2.0F * m_distance, 0.0F);
 }
 
 void Camera::fitWindow(const glm::vec2& min, const glm::vec2& max, float z, float aspect) {

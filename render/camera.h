@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <glm/glm.hpp>
 
 namespace render {
@@ -38,6 +39,9 @@ public:
     [[nodiscard]] glm::vec3 target() const { return m_target; }
 
 private:
+    [[nodiscard]] float distanceToSee(const std::array<glm::vec3, 8>& corners, float aspect) const;
+    void centre(const std::array<glm::vec3, 8>& corners);
+
     glm::vec3 m_target{0.0F};
     float m_distance = 100.0F;  ///< mm from the eye to the target; also sets the size of an orthographic view
     float m_yaw = 0.0F;         ///< rad, 0 looks along +y

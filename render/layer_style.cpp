@@ -1,5 +1,7 @@
 #include "render/layer_style.h"
 
+#include <algorithm>
+
 namespace render {
 
 using model::Layer;
@@ -57,6 +59,35 @@ LayerStyle styleOfType(const Layer& layer) {
     return {};
 }
 
+/// Of several silk screens on one side the one next to the board is the print; the others are assembly drawings and
+/// placement outlines that would cover the board. Layers come in physical order from the top.
+void hideOuterPrints(const model::Document& document, std::vector<LayerStyle>& styles) {
+    std::vector<std::size_t> top;
+    std::vector<std::size_t> bottom;
+    for (std::size_t row = 0; row < styles.size(); ++row) {
+        if (document.layers[row].type == LayerType::SilkScreen && styles[row].isVisible) {
+            (document.layers[row].side == LayerSide::Bottom ? bottom : top).push_back(row);
+        }
+    }
+    for (std::size_t i = 0; i + 1 < top.size(); ++i) {
+        styles[top[i]].isVisible = false;
+    }
+    for (std::size_t i = 1; i < bottom.size(); ++i) {
+        styles[bottom[i]].isVisible = false;
+    }
+}
+
+/// Boards without a body of their own (the paper's models) show their dielectrics instead.
+void showLaminates(const model::Document& document, std::vector<LayerStyle>& styles) {
+    const auto isBody = [](const Layer& layer) { return layer.type == LayerType::Body; };
+    const bool hasBody = std::ranges::any_of(document.layers, isBody);
+    for (std::size_t row = 0; row < styles.size(); ++row) {
+        if (!hasBody && document.layers[row].type == LayerType::Dielectric) {
+            styles[row].isVisible = true;
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<LayerStyle> defaultStyles(const model::Document& document) {
@@ -65,6 +96,8 @@ std::vector<LayerStyle> defaultStyles(const model::Document& document) {
     for (const Layer& layer : document.layers) {
         styles.push_back(layer.isCopper() ? copperStyle(layer, innerSeen) : styleOfType(layer));
     }
+    hideOuterPrints(document, styles);
+    showLaminates(document, styles);
     return styles;
 }
 

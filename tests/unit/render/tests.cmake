@@ -1,3 +1,3 @@
-foreach(name lets board_model camera)
+foreach(name lets board_model camera layer_style)
     copperscope_test(${name}_test unit/render/${name}_test.cpp LABEL unit LINK copperscope_board copperscope_reader)
 endforeach()
