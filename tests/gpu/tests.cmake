@@ -1,1 +1,17 @@
-# Tests of this folder; see docs/testing.md.
+# Tests that draw: on any Vulkan device, in CI the software one. A message of the validation layer ends them.
+add_library(copperscope_gpu_test_support STATIC gpu/gpu_fixture.cpp gpu/synthetic_board.cpp)
+target_link_libraries(copperscope_gpu_test_support PUBLIC copperscope_options copperscope_render copperscope_tri)
+
+foreach(name backends device raster swapchain view)
+    copperscope_test(${name}_test gpu/${name}_test.cpp LABEL gpu LINK copperscope_gpu_test_support)
+    set_tests_properties(${name}_test PROPERTIES ENVIRONMENT COPPERSCOPE_VALIDATION=abort)
+endforeach()
+
+# The renderer's parts that need no device.
+copperscope_test(shader_layout_test gpu/shader_layout_test.cpp LABEL unit LINK copperscope_shaders)
+target_compile_definitions(shader_layout_test PRIVATE
+    COPPERSCOPE_GLSLANG="${GLSLANG_VALIDATOR}"
+    COPPERSCOPE_LAYOUT_SHADER="${CMAKE_CURRENT_SOURCE_DIR}/gpu/shader_layout.comp.glsl")
+copperscope_test(let_tables_test gpu/let_tables_test.cpp LABEL unit LINK copperscope_render)
+copperscope_test(explosion_test gpu/explosion_test.cpp LABEL unit LINK copperscope_render)
+copperscope_test(png_test gpu/png_test.cpp LABEL unit LINK copperscope_render PNG::PNG)

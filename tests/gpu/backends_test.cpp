@@ -1,0 +1,129 @@
+#include <QtTest>
+
+#include "tests/gpu/gpu_fixture.h"
+
+using namespace render;
+using namespace render::test;
+
+/// The two back ends draw the same picture, and culling leaves nothing out.
+class BackendsTest : public QObject {
+    Q_OBJECT
+
+    static ViewSettings settings(Backend backend) {
+        ViewSettings result;
+        result.backend = backend;
+        return result;
+    }
+
+    /// Draws with both and compares; at most 0.01 % of the pixels may differ by more than 8 levels.
+    static void compare(Scene& scene, ViewSettings how) {
+        how.backend = Backend::Pull;
+        const Image pull = scene.draw(how);
+        QCOMPARE(Gpu::get().presenter.stats().backend, Backend::Pull);
+        how.backend = Backend::Mesh;
+        const Image mesh = scene.draw(how);
+        QCOMPARE(Gpu::get().presenter.stats().backend, Backend::Mesh);
+        const std::size_t differing = differingPixels(pull, mesh);
+        QVERIFY2(differing * 10000 <= std::size_t{pull.width} * pull.height, qPrintable(QString::number(differing)));
+    }
+
+private slots:
+    void initTestCase() {
+        if (!Gpu::get().device.caps().hasMeshShader) {
+            QSKIP("the device has no mesh shaders");
+        }
+    }
+
+    void meshAndPullAgreeOnEveryKindOfElement_data() {
+        QTest::addColumn<int>("view");
+        QTest::addColumn<bool>("is2d");
+        QTest::addColumn<bool>("isParallel");
+        QTest::addColumn<float>("explode");
+        QTest::addColumn<bool>("isSmoothed");
+        QTest::newRow("top") << int(NamedView::Top) << false << false << 0.0F << true;
+        QTest::newRow("top, unsmoothed") << int(NamedView::Top) << false << false << 0.0F << false;
+        QTest::newRow("bottom") << int(NamedView::Bottom) << false << false << 0.0F << true;
+        QTest::newRow("iso") << int(NamedView::Iso) << false << false << 0.0F << true;
+        QTest::newRow("iso, parallel") << int(NamedView::Iso) << false << true << 0.0F << true;
+        QTest::newRow("iso, exploded") << int(NamedView::Iso) << false << false << 0.5F << true;
+        QTest::newRow("2d") << int(NamedView::Top) << true << true << 0.0F << true;
+        QTest::newRow("2d from below") << int(NamedView::Bottom) << true << true << 0.0F << true;
+    }
+    void meshAndPullAgreeOnEveryKindOfElement() {
+        QFETCH(int, view);
+        QFETCH(bool, is2d);
+        QFETCH(bool, isParallel);
+        QFETCH(float, explode);
+        QFETCH(bool, isSmoothed);
+        Scene scene(everything());
+        scene.camera.setOrthographic(isParallel);
+        scene.camera.fit(scene.model.boxMin, scene.model.boxMax, static_cast<NamedView>(view), 4.0F / 3.0F);
+        ViewSettings how;
+        how.is2d = is2d;
+        how.explode = explode;
+        how.isSmoothed = isSmoothed;
+        compare(scene, how);
+    }
+
+    void meshAndPullAgreeAtEveryLevelOfDetail_data() {
+        QTest::addColumn<float>("zoom");
+        // From discs of half a pixel to discs larger than the picture.
+        for (const float zoom : {0.1F, 0.5F, 2.0F, 8.0F, 40.0F, 400.0F}) {
+            QTest::addRow("zoom %g", static_cast<double>(zoom)) << zoom;
+        }
+    }
+    void meshAndPullAgreeAtEveryLevelOfDetail() {
+        QFETCH(float, zoom);
+        Scene scene(randomTraces(1500, 7));
+        scene.camera.fit(scene.model.boxMin, scene.model.boxMax, NamedView::Iso, 4.0F / 3.0F);
+        scene.camera.zoom(zoom, {0.0F, 0.0F}, 4.0F / 3.0F);
+        compare(scene, {});
+    }
+
+    void pictureIsTheSameEveryTime() {
+        Scene scene(everything());
+        scene.camera.fit(scene.model.boxMin, scene.model.boxMax, NamedView::Iso, 4.0F / 3.0F);
+        for (const Backend backend : {Backend::Pull, Backend::Mesh}) {
+            const Image first = scene.draw(settings(backend));
+            const Image second = scene.draw(settings(backend));
+            QCOMPARE(differingPixels(first, second, 0), std::size_t{0});
+        }
+    }
+
+    void cullingLeavesNothingOut_data() {
+        QTest::addColumn<int>("backend");
+        QTest::addColumn<float>("zoom");
+        for (const Backend backend : {Backend::Pull, Backend::Mesh}) {
+            for (const float zoom : {1.0F, 6.0F, 30.0F}) {
+                QTest::addRow("%s, zoom %g", backend == Backend::Pull ? "pull" : "mesh", static_cast<double>(zoom))
+                    << int(backend) << zoom;
+            }
+        }
+    }
+    /// Without culling every let has the 64-vertex level. A pixel at an outline changes by what its polygon strays (0.3
+    /// px), never from full colour to background: that would be a let that is missing.
+    void cullingLeavesNothingOut() {
+        QFETCH(int, backend);
+        QFETCH(float, zoom);
+        Scene scene(randomTraces(800, 11));
+        scene.camera.fit(scene.model.boxMin, scene.model.boxMax, NamedView::Iso, 4.0F / 3.0F);
+        scene.camera.zoom(zoom, {0.3F, -0.2F}, 4.0F / 3.0F);
+        ViewSettings how = settings(static_cast<Backend>(backend));
+        const Image culled = scene.draw(how);
+        how.cull = false;
+        const Image all = scene.draw(how);
+        constexpr int kNearlyFullContrast = 150;
+        const std::size_t missing = differingPixels(culled, all, kNearlyFullContrast);
+        QVERIFY2(missing <= 4, qPrintable(QString::number(missing)));
+    }
+
+    void autoTakesWhatSuitsTheDevice() {
+        Scene scene(randomTraces(10, 1));
+        scene.draw({});
+        const Backend expected = Gpu::get().device.caps().isCpu ? Backend::Pull : Backend::Mesh;
+        QCOMPARE(Gpu::get().presenter.stats().backend, expected);
+    }
+};
+
+QTEST_APPLESS_MAIN(BackendsTest)
+#include "backends_test.moc"

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+
+#include "render/gpu/device.h"
+#include "tests/gpu/synthetic_board.h"
+
+namespace render::test {
+
+/// One device per test program, and a short way from a board to a picture. A failure to open the device ends the
+/// program.
+class Gpu {
+public:
+    static Gpu& get();
+
+    gpu::Instance instance;
+    gpu::Device device;
+    OffscreenPresenter presenter;
+
+private:
+    Gpu(gpu::Instance madeInstance, gpu::Device madeDevice);
+};
+
+/// A board on the device with a camera on it.
+struct Scene {
+    BoardModel model;
+    BoardScene scene;
+    Camera camera;
+
+    explicit Scene(const SyntheticBoard& board);
+    Image draw(const ViewSettings& settings, std::uint32_t width = 640, std::uint32_t height = 480);
+    /// Straight down on a rectangle, mm.
+    void lookDown(glm::vec2 min, glm::vec2 max);
+};
+
+/// sRGB bytes of a pixel.
+struct Rgb {
+    int r = 0;
+    int g = 0;
+    int b = 0;
+    bool operator==(const Rgb&) const = default;
+};
+[[nodiscard]] Rgb pixel(const Image& image, std::uint32_t x, std::uint32_t y);
+[[nodiscard]] std::string describe(const Rgb& colour);
+/// Largest difference of a component.
+[[nodiscard]] int distance(const Rgb& a, const Rgb& b);
+
+}  // namespace render::test

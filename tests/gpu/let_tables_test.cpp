@@ -1,0 +1,95 @@
+#include "render/let_tables.h"
+
+#include <QtTest>
+#include <map>
+#include <set>
+#include <utility>
+
+using namespace render;
+
+/// The index tables all lets share.
+class LetTablesTest : public QObject {
+    Q_OBJECT
+
+    using Edge = std::pair<std::uint32_t, std::uint32_t>;
+
+    static std::map<Edge, int> edgesOf(const LetTables& tables, const IndexRun& run) {
+        std::map<Edge, int> edges;
+        for (std::uint32_t i = run.first; i < run.first + run.count; i += 3) {
+            for (std::uint32_t corner = 0; corner < 3; ++corner) {
+                ++edges[{tables.indices[i + corner], tables.indices[i + (corner + 1) % 3]}];
+            }
+        }
+        return edges;
+    }
+
+    static void addSolids() {
+        QTest::addColumn<std::uint32_t>("bucket");
+        for (std::uint32_t bucket = 0; bucket < shader::kBucketCount; ++bucket) {
+            if (bucket % shader::kLevelCount != shader::kLevelQuad) {
+                QTest::addRow("topology %u, level %u", bucket / shader::kLevelCount, bucket % shader::kLevelCount)
+                    << bucket;
+            }
+        }
+    }
+
+private slots:
+    /// Every edge is there once in either direction: no gaps, no overlaps, and all faces turned outwards or all
+    /// inwards.
+    void solidsAreClosed_data() { addSolids(); }
+    void solidsAreClosed() {
+        QFETCH(std::uint32_t, bucket);
+        const LetTables tables = makeLetTables();
+        const auto edges = edgesOf(tables, tables.run(bucket, {}));
+        QVERIFY(!edges.empty());
+        for (const auto& [edge, count] : edges) {
+            QCOMPARE(count, 1);
+            QVERIFY(edges.contains({edge.second, edge.first}));
+        }
+    }
+
+    void openLaddersHaveThePapersVertexCounts() {
+        const LetTables tables = makeLetTables();
+        const std::pair<std::uint32_t, std::size_t> expected[] = {
+            {shader::kLevel64, 64}, {shader::kLevel32, 32}, {shader::kLevel16, 16}};
+        for (const auto& [level, vertices] : expected) {
+            const IndexRun run = tables.run(level, {});
+            const std::set<std::uint32_t> used(tables.indices.begin() + run.first,
+                                               tables.indices.begin() + run.first + run.count);
+            QCOMPARE(used.size(), vertices);
+        }
+    }
+
+    void runsHoldExactlyTheFacesThatAreSeen_data() { addSolids(); }
+    void runsHoldExactlyTheFacesThatAreSeen() {
+        QFETCH(std::uint32_t, bucket);
+        const LetTables tables = makeLetTables();
+        for (const SeenFaces faces : {SeenFaces{true, false, false}, SeenFaces{true, true, false},
+                                      SeenFaces{false, true, true}, SeenFaces{false, false, true}}) {
+            const IndexRun run = tables.run(bucket, faces);
+            QVERIFY(run.count > 0);
+            for (std::uint32_t i = run.first; i < run.first + run.count; i += 3) {
+                int lower =
+                    0;  // corners on the lower face: none, some or all tell upper, wall and lower triangles apart
+                for (std::uint32_t corner = 0; corner < 3; ++corner) {
+                    lower += static_cast<int>(tables.indices[i + corner] & 1U);
+                }
+                QVERIFY(lower == 0 ? faces.upper : lower == 3 ? faces.lower : faces.walls);
+            }
+        }
+    }
+
+    void quadsShowOneFaceOnly() {
+        const LetTables tables = makeLetTables();
+        for (const SeenFaces faces : {SeenFaces{true, true, false}, SeenFaces{false, true, true}}) {
+            const IndexRun run = tables.run(shader::kLevelQuad, faces);
+            QCOMPARE(run.count, 6U);
+            for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
+                QCOMPARE((tables.indices[i] & 1U) == 0, faces.upper);
+            }
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(LetTablesTest)
+#include "let_tables_test.moc"

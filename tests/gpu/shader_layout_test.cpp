@@ -1,0 +1,160 @@
+#include <QProcess>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <cstddef>
+
+#include "shaders/shared/frame.h"
+#include "shaders/spirv.h"
+
+/// C++ and GLSL agree on every struct that crosses; the compiled shaders are valid.
+class ShaderLayoutTest : public QObject {
+    Q_OBJECT
+
+    struct Place {
+        std::size_t offset = 0;
+        std::size_t size = 0;  ///< of the whole struct
+        bool operator==(const Place&) const = default;
+    };
+
+    /// "struct.member" -> place, as glslangValidator sees it.
+    static QMap<QString, Place> reflect() {
+        QProcess compiler;
+        compiler.start(COPPERSCOPE_GLSLANG,
+                       {"-q", "-l", "-S", "comp", "--target-env", "vulkan1.3", COPPERSCOPE_LAYOUT_SHADER});
+        compiler.waitForFinished();
+        const QString output = QString::fromUtf8(compiler.readAllStandardOutput());
+        static const QRegularExpression line(R"(^(\w+\.\w+): offset (\d+),.*topLevelArrayStride (\d+)$)",
+                                             QRegularExpression::MultilineOption);
+        QMap<QString, Place> places;
+        for (auto matches = line.globalMatch(output); matches.hasNext();) {
+            const QRegularExpressionMatch match = matches.next();
+            places[match.captured(1)] = {match.captured(2).toULongLong(), match.captured(3).toULongLong()};
+        }
+        return places;
+    }
+
+    static QMap<QString, Place> compiled() {
+        QMap<QString, Place> places;
+#define MEMBER(name, Struct, member) \
+    places[#name "." #member] = {offsetof(shader::Struct, member), sizeof(shader::Struct)}
+        MEMBER(let, Let, p0);
+        MEMBER(let, Let, p1);
+        MEMBER(let, Let, p2);
+        MEMBER(let, Let, p3);
+        MEMBER(let, Let, p4);
+        MEMBER(let, Let, p5);
+        MEMBER(let, Let, meta);
+        MEMBER(let, Let, element);
+        MEMBER(cluster, Cluster, boxMin);
+        MEMBER(cluster, Cluster, boxMax);
+        MEMBER(cluster, Cluster, firstLet);
+        MEMBER(cluster, Cluster, count);
+        MEMBER(cluster, Cluster, layer);
+        MEMBER(cluster, Cluster, reserved);
+        MEMBER(layerState, LayerState, colour);
+        MEMBER(layerState, LayerState, z0);
+        MEMBER(layerState, LayerState, z1);
+        MEMBER(layerState, LayerState, flags);
+        MEMBER(layerState, LayerState, batch);
+        MEMBER(shapeRecord, ShapeRecord, firstVertex);
+        MEMBER(shapeRecord, ShapeRecord, vertexCount);
+        MEMBER(shapeRecord, ShapeRecord, firstIndex);
+        MEMBER(shapeRecord, ShapeRecord, triangleCount);
+        MEMBER(areaInstance, AreaInstance, origin);
+        MEMBER(areaInstance, AreaInstance, cosSin);
+        MEMBER(areaInstance, AreaInstance, shape);
+        MEMBER(areaInstance, AreaInstance, layer);
+        MEMBER(areaInstance, AreaInstance, element);
+        MEMBER(areaInstance, AreaInstance, isMirrored);
+        MEMBER(shapeBound, ShapeBound, centre);
+        MEMBER(shapeBound, ShapeBound, radius);
+        MEMBER(shapeBound, ShapeBound, reserved);
+        MEMBER(drawIndexed, DrawIndexed, indexCount);
+        MEMBER(drawIndexed, DrawIndexed, instanceCount);
+        MEMBER(drawIndexed, DrawIndexed, firstIndex);
+        MEMBER(drawIndexed, DrawIndexed, vertexOffset);
+        MEMBER(drawIndexed, DrawIndexed, firstInstance);
+        MEMBER(draw, Draw, vertexCount);
+        MEMBER(draw, Draw, instanceCount);
+        MEMBER(draw, Draw, firstVertex);
+        MEMBER(draw, Draw, firstInstance);
+        MEMBER(frameData, FrameData, clipFromBoard);
+        MEMBER(frameData, FrameData, planes);
+        MEMBER(frameData, FrameData, eye);
+        MEMBER(frameData, FrameData, centre);
+        MEMBER(frameData, FrameData, pixelsPerMm);
+        MEMBER(frameData, FrameData, tolerancePx);
+        MEMBER(frameData, FrameData, quadRadiusPx);
+        MEMBER(frameData, FrameData, nudgeZ);
+        MEMBER(frameData, FrameData, nudgeW);
+        MEMBER(frameData, FrameData, boreProudMm);
+        MEMBER(frameData, FrameData, flags);
+        MEMBER(frameData, FrameData, firstTriangle);
+        MEMBER(frameData, FrameData, triangleCount);
+        MEMBER(frameData, FrameData, quadFace);
+        MEMBER(frameData, FrameData, clusterCount);
+        MEMBER(frameData, FrameData, instanceCount);
+        MEMBER(frameData, FrameData, maxDispatch);
+        MEMBER(frameData, FrameData, layers);
+        MEMBER(frameData, FrameData, lets);
+        MEMBER(frameData, FrameData, clusters);
+        MEMBER(frameData, FrameData, visibleClusters);
+        MEMBER(frameData, FrameData, visibleLets);
+        MEMBER(frameData, FrameData, letDraws);
+        MEMBER(frameData, FrameData, vertices);
+        MEMBER(frameData, FrameData, next);
+        MEMBER(frameData, FrameData, instances);
+        MEMBER(frameData, FrameData, drawOfInstance);
+        MEMBER(frameData, FrameData, bounds);
+        MEMBER(frameData, FrameData, visibleInstances);
+        MEMBER(frameData, FrameData, capDraws);
+        MEMBER(frameData, FrameData, wallDraws);
+        MEMBER(frameData, FrameData, highlight);
+        MEMBER(pushStruct, Push, frame);
+        MEMBER(pushStruct, Push, first);
+        MEMBER(pushStruct, Push, batch);
+        MEMBER(pushStruct, Push, face);
+        MEMBER(pushStruct, Push, reserved);
+#undef MEMBER
+        return places;
+    }
+
+private slots:
+    void everyMemberLiesAtTheSamePlaceInBothLanguages() {
+        const QMap<QString, Place> glsl = reflect();
+        const QMap<QString, Place> cpp = compiled();
+        QVERIFY(!glsl.isEmpty());
+        QCOMPARE(glsl.keys(), cpp.keys());
+        for (const QString& member : glsl.keys()) {
+            QVERIFY2(glsl[member] == cpp[member], qPrintable(member));
+        }
+    }
+
+    void compiledShadersAreValid_data() {
+        QTest::addColumn<QByteArray>("code");
+        for (const shader::spirv::Named& shader : shader::spirv::all()) {
+            QTest::newRow(shader.name) << QByteArray(reinterpret_cast<const char*>(shader.code.data()),
+                                                     static_cast<qsizetype>(shader.code.size_bytes()));
+        }
+    }
+    void compiledShadersAreValid() {
+        const QString validator = QStandardPaths::findExecutable("spirv-val");
+        if (validator.isEmpty()) {
+            QSKIP("spirv-val is not installed");
+        }
+        QFETCH(QByteArray, code);
+        QTemporaryDir folder;
+        QFile file(folder.filePath("shader.spv"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        QCOMPARE(file.write(code), code.size());
+        file.close();
+        QProcess process;
+        process.start(validator, {"--target-env", "vulkan1.3", "--scalar-block-layout", file.fileName()});
+        QVERIFY(process.waitForFinished());
+        QVERIFY2(process.exitCode() == 0, process.readAllStandardError().constData());
+    }
+};
+
+QTEST_APPLESS_MAIN(ShaderLayoutTest)
+#include "shader_layout_test.moc"

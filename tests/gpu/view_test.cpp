@@ -1,0 +1,291 @@
+#include <QtTest>
+#include <cmath>
+
+#include "render/frame_plan.h"
+#include "tests/gpu/gpu_fixture.h"
+
+using namespace render;
+using namespace render::test;
+
+/// What the settings of a view promise.
+class ViewTest : public QObject {
+    Q_OBJECT
+
+    static ViewSettings flat() {
+        ViewSettings settings;
+        settings.is2d = true;
+        settings.background = glm::vec3(0.0F);
+        return settings;
+    }
+
+    static int toByte(float linear) {
+        const float srgb = linear <= 0.0031308F ? linear * 12.92F : 1.055F * std::pow(linear, 1.0F / 2.4F) - 0.055F;
+        return static_cast<int>(std::lround(srgb * 255.0F));
+    }
+
+    static void comparePixel(const Image& image, std::uint32_t x, std::uint32_t y, const Rgb& expected,
+                             int tolerance = 1) {
+        const Rgb actual = pixel(image, x, y);
+        QVERIFY2(distance(actual, expected) <= tolerance, describe(actual).c_str());
+    }
+
+private slots:
+    void flatColoursAreThePanelsColours() {
+        SyntheticBoard board;
+        board.addLayer(0.0F, 0.035F, {0.8F, 0.4F, 0.2F});
+        board.addDisc({0, 0}, 0.5F);
+        Scene scene(board);
+        scene.lookDown({-1, -1}, {1, 1});
+        ViewSettings how = flat();
+        how.background = {0.10F, 0.20F, 0.30F};
+        const Image image = scene.draw(how, 200, 200);
+        comparePixel(image, 100, 100, {204, 102, 51});
+        comparePixel(image, 5, 5, {26, 51, 77});
+    }
+
+    void translucentLayerIsBlendedOnceHoweverOftenItsShapesOverlap() {
+        SyntheticBoard board;
+        board.addLayer(0.0F, 0.035F, {1, 1, 1}, 0.5F);
+        for (int i = 0; i < 5; ++i) {
+            board.addDisc({-0.2F, 0}, 0.5F);
+        }
+        board.addStroke({0, 0}, {0.6F, 0}, 0.3F);
+        board.addArea({{{-200, -200}, {200, -200}, {200, 200}, {-200, 200}}}, {{{0, 0}, {1, 0}, 0, 0, 0, 0}});
+        Scene scene(board);
+        scene.lookDown({-1, -1}, {1, 1});
+        const Image image = scene.draw(flat(), 200, 200);
+        const int half = toByte(0.5F);
+        comparePixel(image, 60, 100, {half, half, half});   // discs only
+        comparePixel(image, 100, 100, {half, half, half});  // all of them
+        comparePixel(image, 160, 100, {half, half, half});  // the stroke only
+    }
+
+    void translucentLayersCoverWhatLiesBelowThem() {
+        SyntheticBoard board;
+        board.addLayer(1.0F, 1.1F, {0, 0, 1}, 0.5F);  // upper first: the order is by height, not by number
+        board.addDisc({0, 0}, 0.5F);
+        board.addLayer(0.0F, 0.1F, {1, 0, 0}, 0.5F);
+        board.addDisc({0, 0}, 0.5F);
+        Scene scene(board);
+        scene.lookDown({-1, -1}, {1, 1});
+        comparePixel(scene.draw(flat(), 200, 200), 100, 100, {toByte(0.25F), 0, toByte(0.5F)});
+        scene.camera.fit(scene.model.boxMin, scene.model.boxMax, NamedView::Bottom, 1.0F);
+        comparePixel(scene.draw(flat(), 200, 200), 100, 100, {toByte(0.5F), 0, toByte(0.25F)});
+    }
+
+    /// The stencil tells 255 layers apart.
+    void manyTranslucentLayersAreAllBlended() {
+        SyntheticBoard board;
+        constexpr int kLayers = 300;
+        for (int i = 0; i < kLayers; ++i) {
+            board.addLayer(static_cast<float>(i) * 0.01F, static_cast<float>(i) * 0.01F + 0.005F, {1, 1, 1}, 0.01F);
+            board.addDisc({0, 0}, 0.5F);
+        }
+        Scene scene(board);
+        scene.lookDown({-1, -1}, {1, 1});
+        // Every blend rounds to 8 bits, which stops the sum early: it must only be seen to go on after the 255th.
+        std::vector<LayerStyle> styles = board.styles();
+        for (std::size_t i = 0; i < 255; ++i) {
+            styles[i].colour = glm::vec3(0.0F);
+        }
+        for (LayerStyle& style : styles) {
+            style.opacity = 0.2F;
+        }
+        scene.scene.setStyles(styles);
+        QVERIFY(pixel(scene.draw(flat(), 32, 32), 16, 16).r > 240);
+    }
+
+    void pictureDoesNotDependOnTheOrderInsideALayer() {
+        const auto make = [](bool isReversed) {
+            SyntheticBoard board;
+            board.addLayer(0.0F, 0.3F, {1, 0.5F, 0.2F}, 0.5F);
+            for (int i = 0; i < 40; ++i) {
+                const auto at = static_cast<float>(isReversed ? 39 - i : i);
+                board.addDisc({at * 0.05F - 1, std::sin(at)}, 0.4F);
+            }
+            return board;
+        };
+        Scene forward(make(false));
+        Scene backward(make(true));
+        for (Scene* scene : {&forward, &backward}) {
+            scene->camera.fit(scene->model.boxMin, scene->model.boxMax, NamedView::Iso, 4.0F / 3.0F);
+        }
+        // Where walls meet at one depth either may show; everything else is the same.
+        const std::size_t differing = differingPixels(forward.draw({}), backward.draw({}));
+        QVERIFY2(differing <= 30, qPrintable(QString::number(differing)));
+    }
+
+    void laterLayersWinInOnePlane() {
+        SyntheticBoard board;
+        board.addLayer(0.0F, 0.035F, {1, 0, 0});
+        board.addDisc({0, 0}, 0.9F);
+        board.addLayer(0.0F, 0.035F, {0, 1, 0});
+        board.addDisc({0, 0}, 0.6F);
+        board.addLayer(0.0F, 0.035F, {0, 0, 1});
+        board.addDisc({0, 0}, 0.3F);
+        Scene scene(board);
+        for (const NamedView view : {NamedView::Top, NamedView::Bottom}) {
+            for (const bool isParallel : {false, true}) {
+                scene.camera.setOrthographic(isParallel);
+                scene.camera.fit(glm::vec3(-1, -1, 0), glm::vec3(1, 1, 0.035F), view, 1.0F);
+                const Image image = scene.draw(flat(), 200, 200);
+                comparePixel(image, 100, 100, {0, 0, 255});
+                comparePixel(image, 100, 57, {0, 255, 0});
+                comparePixel(image, 100, 28, {255, 0, 0});
+            }
+        }
+    }
+
+    void insideOfAHoleIsDark() {
+        SyntheticBoard board;
+        board.addLayer(1.0F, 1.035F, {1, 0, 0});
+        board.addDisc({0, 0}, 0.8F);
+        board.addLayer(0.0F, 1.035F, {0, 1, 0});
+        board.addDisc({0, 0}, 0.4F, 0.3F);
+        board.addDisc({0, 0}, 0.3F, 0.0F, shader::kLetBore);
+        Scene scene(board);
+        scene.lookDown({-1, -1}, {1, 1});
+        const Image image = scene.draw(flat(), 200, 200);
+        QVERIFY(pixel(image, 100, 100).g < 40);
+        comparePixel(image, 100, 65, {0, 255, 0});  // the barrel
+        comparePixel(image, 100, 40, {255, 0, 0});  // the pad around it
+    }
+
+    void highlightChangesItsElementOnly_data() {
+        QTest::addColumn<int>("backend");
+        QTest::newRow("pull") << int(Backend::Pull);
+        QTest::newRow("mesh") << int(Backend::Mesh);
+    }
+    void highlightChangesItsElementOnly() {
+        QFETCH(int, backend);
+        SyntheticBoard board;
+        board.addLayer(0.0F, 0.035F, {0.5F, 0.2F, 0.1F});
+        board.addStroke({-0.9F, 0}, {0.9F, 0}, 0.2F);
+        const std::uint32_t disc = board.addDisc({0, 0}, 0.4F);
+        board.addStroke({-0.9F, 0.1F}, {0.9F, 0.1F}, 0.2F);
+        Scene scene(board);
+        scene.lookDown({-1, -1}, {1, 1});
+        ViewSettings how = flat();
+        how.backend = static_cast<Backend>(backend);
+        const Image before = scene.draw(how, 200, 200);
+        const model::ElementId highlighted[] = {model::ElementId{disc}, model::ElementId{1000000}};
+        scene.scene.setHighlight(highlighted);
+        const Image after = scene.draw(how, 200, 200);
+        for (std::uint32_t y = 0; y < 200; ++y) {
+            for (std::uint32_t x = 0; x < 200; ++x) {
+                const double fromCentre = std::hypot(x + 0.5 - 100.0, y + 0.5 - 100.0);
+                if (fromCentre < 39.0) {
+                    QVERIFY(pixel(after, x, y).r > pixel(before, x, y).r + 50);  // in front of its neighbours too
+                } else if (fromCentre > 42.0) {
+                    QCOMPARE(pixel(after, x, y), pixel(before, x, y));
+                }
+            }
+        }
+        scene.scene.setHighlight({});
+        QCOMPARE(differingPixels(before, scene.draw(how, 200, 200), 0), std::size_t{0});
+    }
+
+    void dimmingDarkensTheOthersOnly() {
+        SyntheticBoard board;
+        board.addLayer(0.0F, 0.035F, {0.8F, 0.4F, 0.2F});
+        const std::uint32_t left = board.addDisc({-0.5F, 0}, 0.3F);
+        board.addDisc({0.5F, 0}, 0.3F);
+        Scene scene(board);
+        scene.lookDown({-1, -1}, {1, 1});
+        ViewSettings how = flat();
+        how.dimOthers = true;
+        const model::ElementId highlighted[] = {model::ElementId{left}};
+        scene.scene.setHighlight(highlighted);
+        const Image image = scene.draw(how, 200, 200);
+        QVERIFY(pixel(image, 50, 100).r > 204);
+        QVERIFY(pixel(image, 150, 100).r < 100);
+        QVERIFY(pixel(image, 150, 100).r > pixel(image, 150, 100).b);  // still its hue
+    }
+
+    void hiddenLayersAreNotDrawn() {
+        SyntheticBoard board;
+        board.addLayer(0.0F, 0.035F, {1, 0, 0});
+        board.addDisc({0, 0}, 0.5F);
+        board.addArea({{{-200, -200}, {200, -200}, {200, 200}, {-200, 200}}}, {{{0.7F, 0.7F}, {1, 0}, 0, 0, 0, 0}});
+        Scene scene(board);
+        scene.lookDown({-1, -1}, {1, 1});
+        std::vector<LayerStyle> styles = board.styles();
+        styles[0].isVisible = false;
+        scene.scene.setStyles(styles);
+        ViewSettings how = flat();
+        how.isMono = true;
+        for (const Backend backend : {Backend::Pull, Backend::Mesh}) {
+            how.backend = backend;
+            QCOMPARE(whitePixels(scene.draw(how, 200, 200)), std::size_t{0});
+        }
+    }
+
+    /// Edge-on, so that the layers' heights can be read off the picture.
+    void explosionMovesLayersApart() {
+        SyntheticBoard board;
+        board.addLayer(0.0F, 0.1F, {1, 0, 0});
+        board.addStroke({-5, 0}, {5, 0}, 0.5F);
+        board.addLayer(1.0F, 1.1F, {0, 1, 0});
+        board.addStroke({-5, 0}, {5, 0}, 0.5F);
+        Scene scene(board);
+        scene.camera.setOrthographic(true);
+        scene.camera.fit({-6, -6, -6}, {6, 6, 7}, NamedView::Iso, 1.0F);
+        scene.camera.orbit(0.0F, std::asin(-scene.camera.direction().z));
+        const auto gap = [&](float explode) {
+            ViewSettings how = flat();
+            how.explode = explode;
+            const Image image = scene.draw(how, 300, 300);
+            int red = -1;
+            int green = -1;
+            for (std::uint32_t y = 0; y < 300; ++y) {
+                red = pixel(image, 150, y).r > 100 ? static_cast<int>(y) : red;
+                green = pixel(image, 150, y).g > 100 ? static_cast<int>(y) : green;
+            }
+            return red >= 0 && green >= 0 ? red - green : -1000;
+        };
+        const float mmPerPixel = scene.camera.mmPerPixel(300.0F);
+        QVERIFY(std::abs(static_cast<float>(gap(0.0F)) * mmPerPixel - 1.0F) < 2.0F * mmPerPixel);
+        // The board is 11 mm long: at 1 the stack grows by half of that.
+        QVERIFY(std::abs(static_cast<float>(gap(1.0F)) * mmPerPixel - 6.5F) < 2.0F * mmPerPixel);
+    }
+
+    void emptyBoardIsBackground() {
+        SyntheticBoard board;
+        board.addLayer(0.0F, 0.035F, {1, 0, 0});
+        Scene scene(board);
+        scene.lookDown({-1, -1}, {1, 1});
+        for (const Backend backend : {Backend::Pull, Backend::Mesh}) {
+            ViewSettings how;
+            how.backend = backend;
+            how.background = {1, 1, 1};
+            QCOMPARE(whitePixels(scene.draw(how, 20, 20)), std::size_t{400});
+        }
+    }
+
+    void impossibleSizesAreRefused() {
+        Scene scene(randomTraces(1, 1));
+        const std::uint32_t tooLarge = Gpu::get().device.caps().maxImageSize + 1;
+        for (const auto& [width, height] : {std::pair{0U, 10U}, std::pair{10U, 0U}, std::pair{tooLarge, 10U}}) {
+            const auto result = Gpu::get().presenter.render(scene.scene, scene.camera, {}, width, height);
+            QVERIFY(!result);
+            QCOMPARE(result.error().code, base::ErrorCode::BadUsage);
+        }
+    }
+
+    void droppedScenesGiveTheirMemoryBack() {
+        gpu::Device& device = Gpu::get().device;
+        device.waitIdle();
+        const std::uint64_t before = device.memoryReport().of(gpu::MemoryUse::Geometry);
+        {
+            Scene scene(randomTraces(5000, 3));
+            scene.draw({}, 64, 64);
+            QVERIFY(device.memoryReport().of(gpu::MemoryUse::Geometry) > before + 5000 * sizeof(shader::Let));
+            QVERIFY(scene.scene.gpuBytes() > 5000 * sizeof(shader::Let));
+        }
+        device.waitIdle();
+        QCOMPARE(device.memoryReport().of(gpu::MemoryUse::Geometry), before);
+    }
+};
+
+QTEST_APPLESS_MAIN(ViewTest)
+#include "view_test.moc"
