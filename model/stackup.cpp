@@ -38,11 +38,12 @@ public:
         findCopper();
         collectParts();
         fillUnknown();
-        const Nm thickness = placeParts();
-        placeSurfaceLayers(thickness);
-        placeHoles(thickness);
-        placePlanes(thickness);
-        return thickness;
+        const Nm top = placeParts();
+        layLaminateBelow();
+        placeSurfaceLayers(top);
+        placeHoles(top);
+        placePlanes(top);
+        return m_floor < 0 ? -m_floor : top;
     }
 
 private:
@@ -143,7 +144,7 @@ private:
                                        " copper layer(s); taken as " + inUm(kDefaultCopper));
         }
         if (unknown == 0) {
-            return compareWithBoard(known);
+            return m_parts.size() > 1 ? compareWithBoard(known) : void();
         }
         const std::optional<Nm> board = boardThickness();
         const std::int64_t left = board.value_or(kDefaultBoard) - known;
@@ -202,6 +203,17 @@ private:
         return z;
     }
 
+    /// A board of one copper layer has its laminate below it.
+    void layLaminateBelow() {
+        if (m_parts.size() != 1) {
+            return;
+        }
+        const std::optional<Nm> board = boardThickness();
+        m_floor = -board.value_or(kDefaultBoard);
+        report(Severity::Info, "there is one copper layer; below it lies a laminate of " + inUm(-m_floor) +
+                                   (board ? ", the board's thickness" : ", which is assumed"));
+    }
+
     static Nm surfaceThickness(LayerType type) {
         switch (type) {
             case LayerType::SolderPaste:
@@ -222,10 +234,11 @@ private:
             isAny = true;
             const bool isTop = i < m_last || m_parts.empty();
             layer.side = isTop ? LayerSide::Top : LayerSide::Bottom;
-            layer.thickness = surfaceThickness(layer.type);
-            layer.thicknessSource = Source::Assumed;
+            const std::optional<Nm> known = checked(layer, m_hints[i].dielectricNm, std::min(m_most, kMostDielectric));
+            layer.thickness = known.value_or(surfaceThickness(layer.type));
+            layer.thicknessSource = known ? Source::Job : Source::Assumed;
             const Nm lift = layer.type == LayerType::SilkScreen ? kDefaultMask : 0;
-            layer.z = isTop ? top + lift : -lift - layer.thickness;
+            layer.z = isTop ? top + lift : m_floor - lift - layer.thickness;
         }
         if (isAny) {
             report(Severity::Info, "thickness of surface layers is assumed: solder mask " + inUm(kDefaultMask) +
@@ -240,7 +253,7 @@ private:
             }
             layer.side = LayerSide::Through;
             layer.thicknessSource = Source::Derived;
-            layer.z = layer.spanBottom.isValid() ? m_layers[layer.spanBottom.row()].z : 0;
+            layer.z = m_floor < 0 || !layer.spanBottom.isValid() ? m_floor : m_layers[layer.spanBottom.row()].z;
             const Nm upper = layer.spanTop.isValid() ? upperFace(m_layers[layer.spanTop.row()]) : top;
             layer.thickness = upper - layer.z;
         }
@@ -265,7 +278,7 @@ private:
             const bool isBottom = namesBottom(layer);
             layer.side =
                 layer.type == LayerType::Component ? (isBottom ? LayerSide::Bottom : LayerSide::Top) : LayerSide::None;
-            layer.z = isBottom ? -kDefaultPaste - kPlaneGap : top + kDefaultPaste + kPlaneGap;
+            layer.z = isBottom ? m_floor - kDefaultPaste - kPlaneGap : top + kDefaultPaste + kPlaneGap;
             layer.thickness = 0;
             layer.thicknessSource = Source::Assumed;
         }
@@ -279,6 +292,7 @@ private:
     std::vector<Part> m_parts;  ///< from the top
     std::size_t m_first = 0;
     std::size_t m_last = 0;
+    Nm m_floor = 0;  ///< lower face of the board
     int m_assumedCopper = 0;
 };
 

@@ -34,7 +34,8 @@ inline constexpr double kLeastThickness = 1'000;
 /// dielectric, mask, paste, silk) from the top first; `hints` has one entry per layer. z = 0 is the lower face of the
 /// lowest copper; surface layers lie outside of the outer copper; drills and routs must have their spans set and reach
 /// from the lower face of the lowest to the upper face of the highest copper they pass; everything else is a plane
-/// above or below the board. Returns the thickness from the lowest to the highest copper face.
+/// above or below the board. Returns the thickness from the lowest to the highest copper face; a board of one copper
+/// layer has its laminate below z = 0, and the laminate's thickness is returned.
 Nm buildStackup(std::vector<Layer>& layers, std::span<const ThicknessHint> hints, std::optional<double> boardNm,
                 Diagnostics& diagnostics);
 

@@ -1,0 +1,214 @@
+#include "model/stackup.h"
+
+#include <QtTest>
+
+#include "odb_testing.h"
+
+using model::Diagnostics;
+using model::Layer;
+using model::LayerId;
+using model::LayerSide;
+using model::LayerType;
+using model::Source;
+using model::ThicknessHint;
+using odb_testing::findDiagnostic;
+
+namespace {
+
+struct Stack {
+    std::vector<Layer> layers;
+    std::vector<ThicknessHint> hints;
+    Diagnostics diagnostics;
+    model::Nm thickness = 0;
+
+    Stack& add(LayerType type, const char* name, ThicknessHint hint = {}) {
+        Layer layer;
+        layer.type = type;
+        layer.name = name;
+        layers.push_back(layer);
+        hints.push_back(hint);
+        return *this;
+    }
+    Stack& copper(const char* name, std::optional<double> nm = {}, std::optional<double> below = {}) {
+        return add(LayerType::Signal, name, {nm, {}, below});
+    }
+    Stack& dielectric(const char* name, std::optional<double> nm = {}) {
+        return add(LayerType::Dielectric, name, {{}, nm, {}});
+    }
+    Stack& build(std::optional<double> board = {}) {
+        thickness = model::buildStackup(layers, hints, board, diagnostics);
+        return *this;
+    }
+    const Layer& operator[](std::size_t i) const { return layers[i]; }
+};
+
+}  // namespace
+
+class StackupTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void withoutAnyNumberTheDefaultsAreShared() {
+        Stack stack;
+        stack.copper("top").dielectric("d1").copper("mid").dielectric("d2").copper("bottom").build();
+        QCOMPARE(stack.thickness, model::kDefaultBoard);
+        QCOMPARE(stack[4].z, 0);
+        QCOMPARE(stack[4].thickness, model::kDefaultCopper);
+        QCOMPARE(stack[3].z, model::kDefaultCopper);
+        QCOMPARE(stack[1].thickness, (1'600'000 - 3 * 35'000) / 2);
+        QCOMPARE(stack[1].thicknessSource, Source::Assumed);
+        QCOMPARE(stack[0].z + stack[0].thickness, 1'600'000);
+        QVERIFY(findDiagnostic(stack.diagnostics, "assumed board of 1600.0 µm") != nullptr);
+        QVERIFY(findDiagnostic(stack.diagnostics, "3 copper layer(s)") != nullptr);
+    }
+
+    void theBoardsThicknessIsShared() {
+        Stack stack;
+        stack.copper("top", 20'000).copper("bottom", 20'000).build(1'000'000);
+        QCOMPARE(stack.thickness, 1'000'000);
+        QCOMPARE(stack[0].z, 980'000);
+        QCOMPARE(stack[0].thicknessSource, Source::Job);
+    }
+
+    void dielectricsGivenOnCopperLieBelowIt() {
+        // As the job with 14 layers and no dielectric rows has it.
+        Stack stack;
+        stack.copper("top", 35'000, 91'440)
+            .copper("mid", 35'000, 127'000)
+            .copper("bottom", 35'000, 25'400)
+            .build(288'440);
+        QCOMPARE(stack[1].z, 35'000 + 127'000);
+        QCOMPARE(stack[0].z, 35'000 + 127'000 + 35'000 + 91'440);
+        QCOMPARE(stack.thickness, 35'000 * 3 + 127'000 + 91'440);  // nothing lies below the bottom copper
+    }
+
+    void aRowWinsOverTheNumberOnTheCopper() {
+        Stack stack;
+        stack.copper("top", 35'000, 500'000).dielectric("d", 300'000).copper("bottom", 35'000).build();
+        QCOMPARE(stack.thickness, 370'000);
+    }
+
+    void severalDielectricsBetweenTwoCoppersAddUp() {
+        Stack stack;
+        stack.copper("top", 30'000)
+            .dielectric("p1", 100'000)
+            .dielectric("p2", 120'000)
+            .copper("bottom", 30'000)
+            .build();
+        QCOMPARE(stack[2].z, 30'000);
+        QCOMPARE(stack[1].z, 150'000);
+        QCOMPARE(stack[0].z, 250'000);
+    }
+
+    void absurdNumbersAreClampedAndReported() {
+        Stack stack;
+        stack.copper("top", 13'780'000).dielectric("d", 300'000).copper("bottom", 10).build();
+        QCOMPARE(stack[0].thickness, 500'000);
+        QCOMPARE(stack[2].thickness, 1'000);
+        QVERIFY(findDiagnostic(stack.diagnostics, "layer top: the job's thickness of 13780.0 µm is absurd") != nullptr);
+        QVERIFY(findDiagnostic(stack.diagnostics, "layer bottom") != nullptr);
+    }
+
+    void negativeAndMissingNumbersAreNoThickness() {
+        Stack stack;
+        stack.copper("top", 0.0).dielectric("d", -5.0).copper("bottom", 35'000).build(1e12);
+        QCOMPARE(stack[0].thickness, model::kDefaultCopper);
+        QCOMPARE(stack[1].thickness, 1'000);
+        QVERIFY(stack.thickness > 0);
+    }
+
+    void aBoardTooThinForItsLayersIsReported() {
+        Stack stack;
+        stack.copper("top").dielectric("d").copper("bottom").build(50'000);
+        QCOMPARE(stack[1].thickness, model::kLeastDielectric);
+        QVERIFY(findDiagnostic(stack.diagnostics, "no room") != nullptr);
+    }
+
+    void aSumThatContradictsTheBoardIsReported() {
+        Stack stack;
+        stack.copper("top", 35'000).dielectric("d", 500'000).copper("bottom", 35'000).build(1'600'000);
+        QCOMPARE(stack.thickness, 570'000);
+        QVERIFY(findDiagnostic(stack.diagnostics, "add up to 570.0 µm") != nullptr);
+        Stack close;
+        close.copper("top", 35'000).dielectric("d", 500'000).copper("bottom", 35'000).build(600'000);
+        QVERIFY(findDiagnostic(close.diagnostics, "add up") == nullptr);
+    }
+
+    void surfaceLayersLieOutsideOfTheCopper() {
+        Stack stack;
+        stack.add(LayerType::SilkScreen, "sst").add(LayerType::SolderPaste, "spt").add(LayerType::SolderMask, "smt");
+        stack.copper("top", 35'000).dielectric("d", 930'000).copper("bottom", 35'000);
+        stack.add(LayerType::SolderMask, "smb").add(LayerType::SilkScreen, "ssb").build();
+        QCOMPARE(stack[2].z, 1'000'000);
+        QCOMPARE(stack[1].z, 1'000'000);
+        QCOMPARE(stack[0].z, 1'000'000 + model::kDefaultMask);
+        QCOMPARE(stack[0].side, LayerSide::Top);
+        QCOMPARE(stack[6].z, -model::kDefaultMask);
+        QCOMPARE(stack[7].z, -model::kDefaultMask - model::kDefaultSilk);
+        QCOMPARE(stack[7].side, LayerSide::Bottom);
+    }
+
+    void drillsReachFromFaceToFaceOfTheirSpan() {
+        Stack stack;
+        stack.copper("top", 30'000)
+            .dielectric("d1", 100'000)
+            .copper("mid", 30'000)
+            .dielectric("d2", 100'000)
+            .copper("bottom", 30'000);
+        stack.add(LayerType::Drill, "blind");
+        stack.layers.back().spanTop = LayerId{std::size_t{0}};
+        stack.layers.back().spanBottom = LayerId{std::size_t{2}};
+        stack.build();
+        QCOMPARE(stack[5].z, 130'000);
+        QCOMPARE(stack[5].thickness, 160'000);
+        QCOMPARE(stack[5].side, LayerSide::Through);
+    }
+
+    void aSingleCopperLayerLiesOnItsLaminate() {
+        Stack stack;
+        stack.add(LayerType::SilkScreen, "silk").copper("only", 35'000).add(LayerType::SolderMask, "below");
+        stack.add(LayerType::Drill, "drill");
+        stack.layers.back().spanTop = stack.layers.back().spanBottom = LayerId{std::size_t{1}};
+        stack.build(1'500'000);
+        QCOMPARE(stack[1].side, LayerSide::Top);
+        QCOMPARE(stack[1].z, 0);
+        QCOMPARE(stack.thickness, 1'500'000);
+        QCOMPARE(stack[0].z, 35'000 + model::kDefaultMask);
+        QCOMPARE(stack[2].z, -1'500'000 - model::kDefaultMask);
+        QCOMPARE(stack[3].z, -1'500'000);
+        QCOMPARE(stack[3].thickness, 1'535'000);
+    }
+
+    void documentLayersArePlanesOnTheirSide() {
+        Stack stack;
+        stack.copper("top")
+            .copper("bottom")
+            .add(LayerType::Document, "Assembly Bottom")
+            .add(LayerType::Document, "F.FAB")
+            .build();
+        QVERIFY(stack[2].z < 0);
+        QVERIFY(stack[3].z > stack.thickness);
+        QCOMPARE(stack[3].thickness, 0);
+    }
+
+    void thousandsOfAbsurdLayersStayInRange() {
+        Stack stack;
+        for (int i = 0; i < 5000; ++i) {
+            stack.dielectric("d", 1e12).copper("c", 1e12);
+        }
+        stack.build();
+        QVERIFY(stack.thickness > 0);
+        QVERIFY(stack.thickness <= base::kMaxCoordinate);
+    }
+
+    void nothingIsAStackToo() {
+        Stack stack;
+        stack.add(LayerType::Document, "doc").add(LayerType::SilkScreen, "silk").add(LayerType::Drill, "drill").build();
+        QCOMPARE(stack.thickness, 0);
+        Stack empty;
+        QCOMPARE(empty.build().thickness, 0);
+    }
+};
+
+QTEST_APPLESS_MAIN(StackupTest)
+#include "stackup_test.moc"
