@@ -1,0 +1,188 @@
+#include "tri/insertion_order.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <utility>
+
+namespace tri {
+
+namespace {
+
+/// Hilbert curve, four bits of x and y at a time. The curve enters a square in one of four ways (states); in each it
+/// visits the quadrants in its own order and enters them in its own ways.
+struct Step {
+    std::uint8_t index;  // where along the curve, 0..255
+    std::uint8_t state;  // how the curve runs inside
+};
+
+constexpr Step hilbertStep(std::uint32_t state, std::uint32_t x, std::uint32_t y) {
+    // State bit 0: x and y are exchanged; bit 1: both are mirrored.
+    std::uint32_t index = 0;
+    for (int bit = 3; bit >= 0; --bit) {
+        std::uint32_t qx = (x >> bit & 1) ^ (state >> 1);
+        std::uint32_t qy = (y >> bit & 1) ^ (state >> 1);
+        if ((state & 1) != 0) {
+            std::swap(qx, qy);
+        }
+        index = index << 2 | (qx != 0 ? (qy != 0 ? 2U : 3U) : qy);
+        if (qy == 0) {
+            state ^= qx != 0 ? 3U : 1U;
+        }
+    }
+    return {static_cast<std::uint8_t>(index), static_cast<std::uint8_t>(state)};
+}
+
+constexpr std::array<Step, 1024> kHilbert = [] {
+    std::array<Step, 1024> table{};
+    for (std::uint32_t i = 0; i < 1024; ++i) {
+        table[i] = hilbertStep(i >> 8, i >> 4 & 15, i & 15);
+    }
+    return table;
+}();
+
+constexpr std::uint32_t hilbertKey(std::uint32_t x, std::uint32_t y) {
+    std::uint32_t key = 0;
+    std::uint32_t state = 0;
+    for (int shift = 12; shift >= 0; shift -= 4) {
+        const Step step = kHilbert[state << 8 | (x >> shift & 15) << 4 | (y >> shift & 15)];
+        key = key << 8 | step.index;
+        state = step.state;
+    }
+    return key;
+}
+
+static_assert(hilbertKey(0, 0) == 0 && hilbertKey(65535, 0) == 0xFFFFFFFF, "from corner to corner of one side");
+
+constexpr std::uint32_t kLevels = 8;
+
+/// How many rounds before the last a point goes in: level k with probability 7/8 * 8^-k.
+std::uint32_t levelOf(std::uint32_t index) {
+    std::uint32_t hash = index * 0x9E3779B1U;
+    hash = (hash ^ hash >> 15) * 0x85EBCA77U;
+    hash ^= hash >> 13;
+    return std::min(static_cast<std::uint32_t>(std::countr_zero(hash | 1U << 31)) / 3, kLevels - 1);
+}
+
+/// Key in the upper, index in the lower half: sorting by the whole word is stable.
+void writeKeys(std::span<const Point> points, std::uint64_t* keys) {
+    base::Box box;
+    for (const Point& p : points) {
+        box.include(p);
+    }
+    // 16 bits per axis: offset * factor < 2^48 for every offset up to the extent.
+    const auto extent = static_cast<std::uint64_t>(std::max(box.width(), box.height()));
+    const std::uint64_t factor = (std::uint64_t{1} << 48) / (extent + 1);
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+        const auto x = static_cast<std::uint64_t>(std::int64_t{points[i].x} - box.min.x);
+        const auto y = static_cast<std::uint64_t>(std::int64_t{points[i].y} - box.min.y);
+        const std::uint32_t key =
+            hilbertKey(static_cast<std::uint32_t>(x * factor >> 32), static_cast<std::uint32_t>(y * factor >> 32));
+        keys[i] = std::uint64_t{key} << 32 | i;
+    }
+}
+
+/// Sorts by the upper halves, 11 + 11 + 10 bits at a time; returns where the result lies.
+std::uint64_t* radixSort(std::uint64_t* from, std::uint64_t* to, std::size_t count) {
+    constexpr std::array<int, 3> kShift = {32, 43, 54};
+    std::array<std::array<std::uint32_t, 2048>, 3> starts{};
+    for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t pass = 0; pass < 3; ++pass) {
+            ++starts[pass][from[i] >> kShift[pass] & 2047];
+        }
+    }
+    for (std::size_t pass = 0; pass < 3; ++pass) {
+        std::uint32_t sum = 0;
+        for (std::uint32_t& start : starts[pass]) {
+            sum += std::exchange(start, sum);
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            to[starts[pass][from[i] >> kShift[pass] & 2047]++] = from[i];
+        }
+        std::swap(from, to);
+    }
+    return from;
+}
+
+/// Below this, comparing beats counting into 3 x 2048 buckets.
+constexpr std::size_t kSmall = 1024;
+
+std::uint64_t* sortKeys(std::uint64_t* keys, std::uint64_t* spare, std::size_t count) {
+    if (count <= kSmall) {
+        std::sort(keys, keys + count);
+        return keys;
+    }
+    return radixSort(keys, spare, count);
+}
+
+/// Equal positions have equal keys. Sorts every run of equal keys by position and index, and drops repeats of a
+/// position: `vertexOf` of a repeat becomes the *index* of the first. Returns how many are left.
+std::size_t mergeEqual(std::span<const Point> points, std::uint64_t* keys, std::uint32_t* vertexOf,
+                       std::vector<std::uint32_t>& mergedIndices) {
+    const auto byPosition = [&](std::uint64_t a, std::uint64_t b) {
+        const auto i = static_cast<std::uint32_t>(a);
+        const auto j = static_cast<std::uint32_t>(b);
+        return std::pair(points[i], i) < std::pair(points[j], j);
+    };
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < points.size();) {
+        std::size_t end = i + 1;
+        while (end < points.size() && keys[end] >> 32 == keys[i] >> 32) {
+            ++end;
+        }
+        if (end - i > 1) {
+            std::sort(keys + i, keys + end, byPosition);
+        }
+        std::uint32_t first = static_cast<std::uint32_t>(keys[i]);
+        keys[kept++] = keys[i];
+        for (++i; i < end; ++i) {
+            const auto index = static_cast<std::uint32_t>(keys[i]);
+            if (points[index] == points[first]) {
+                vertexOf[index] = first;
+                mergedIndices.push_back(index);
+            } else {
+                first = index;
+                keys[kept++] = keys[i];
+            }
+        }
+    }
+    return kept;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> orderVertices(std::span<const Point> points, Mesh& mesh, std::uint32_t* vertexOf) {
+    // There are no triangles yet: sort in their place (16 of their 48 bytes per vertex).
+    static_assert(2 * sizeof(Triangle) >= 2 * sizeof(std::uint64_t) && alignof(Triangle) <= alignof(std::max_align_t));
+    auto* keys = reinterpret_cast<std::uint64_t*>(mesh.triangles.data());
+    writeKeys(points, keys);
+    keys = sortKeys(keys, keys + points.size(), points.size());
+    std::vector<std::uint32_t> merged;
+    const std::size_t count = mergeEqual(points, keys, vertexOf, merged);
+
+    std::array<std::uint32_t, kLevels> slot{};
+    for (std::size_t i = 0; i < count; ++i) {
+        ++slot[kLevels - 1 - levelOf(static_cast<std::uint32_t>(keys[i]))];
+    }
+    std::uint32_t sum = 0;
+    for (std::uint32_t& start : slot) {
+        sum += std::exchange(start, sum);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto index = static_cast<std::uint32_t>(keys[i]);
+        const std::uint32_t vertex = slot[kLevels - 1 - levelOf(index)]++;
+        mesh.points[vertex] = points[index];
+        mesh.ids[vertex] = index;
+        vertexOf[index] = vertex;
+    }
+    mesh.vertexCount = static_cast<std::uint32_t>(count);
+    for (std::uint32_t& index : merged) {
+        vertexOf[index] = vertexOf[vertexOf[index]];
+        index = vertexOf[index];
+    }
+    std::ranges::sort(merged);
+    merged.erase(std::unique(merged.begin(), merged.end()), merged.end());
+    return merged;
+}
+
+}  // namespace tri

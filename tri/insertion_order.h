@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tri/mesh.h"
+
+namespace tri {
+
+/// Numbers the vertices of a mesh in the order in which they are to be inserted, and merges equal positions.
+///
+/// The order is a biased randomised insertion order: an eighth of an eighth of ... of the points first, each round
+/// along a Hilbert curve. Along the curve alone, the points of a circle come one after the other, and every one of them
+/// flips the fan of its predecessors: twice the flips.
+///
+/// `mesh` has room for all points and for two triangles per point; the triangles' room is used to sort in. Sets points,
+/// ids (the lowest index at that position) and vertexCount, and `vertexOf`: the vertex of every index. Returns the
+/// vertices at which several points came together, in rising order.
+std::vector<std::uint32_t> orderVertices(std::span<const Point> points, Mesh& mesh, std::uint32_t* vertexOf);
+
+}  // namespace tri

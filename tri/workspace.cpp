@@ -1,0 +1,58 @@
+#include "tri/workspace.h"
+
+#include "model/base/assert.h"
+#include "tri/constraints.h"
+#include "tri/delaunay.h"
+#include "tri/erase.h"
+#include "tri/insertion_order.h"
+
+namespace tri {
+
+namespace {
+
+constexpr std::size_t kMaxKeptBytes = 64U << 20;
+/// A triangle's number has 30 bits in an EdgeRef.
+constexpr std::size_t kMaxPoints = (1U << 29) - 8;
+
+}  // namespace
+
+Status Workspace::start(const Polygon& polygon) {
+    const std::size_t count = polygon.points.size();
+    ASSERT(polygon.loopStart.empty() || polygon.loopStart.back() == count);
+    ASSERT(count <= kMaxPoints);
+    if (polygon.loopStart.size() < 2 || count < 3) {
+        return {Outcome::Degenerate, kNoEdge, kNoEdge};
+    }
+    mesh.triangles.room(2 * (count + kBoxCorners));
+    mesh.points.room(count + kBoxCorners);
+    mesh.ids.room(count + kBoxCorners);
+    const std::vector<std::uint32_t> busy = orderVertices(polygon.points, mesh, vertexOf.room(count));
+    contours.build(polygon, mesh, vertexOf.data(), busy);
+    return {contours.edgeCount() == 0 ? Outcome::Degenerate : Outcome::Ok, kNoEdge, kNoEdge};
+}
+
+Status Workspace::finish(std::vector<std::uint32_t>& triangles) {
+    const Status inserted = insertContours(mesh, contours);
+    if (inserted.outcome != Outcome::Ok) {
+        return inserted;
+    }
+    return eraseOutside(mesh, contours, states, triangles);
+}
+
+std::size_t Workspace::bytes() const {
+    return mesh.triangles.bytes() + mesh.points.bytes() + mesh.ids.bytes() + contours.bytes() + vertexOf.bytes() +
+           states.bytes();
+}
+
+void Workspace::trim() {
+    if (bytes() > kMaxKeptBytes) {
+        mesh.triangles.release();
+        mesh.points.release();
+        mesh.ids.release();
+        contours.release();
+        vertexOf.release();
+        states.release();
+    }
+}
+
+}  // namespace tri
