@@ -24,6 +24,8 @@ public:
     [[nodiscard]] render::gpu::Device& device() { return *m_device; }
     /// For QWindow::setVulkanInstance; null where windows cannot be drawn to.
     [[nodiscard]] QVulkanInstance* surfaceInstance() const { return m_canPresent ? m_qtInstance.get() : nullptr; }
+    /// Errors the validation layer has reported; stays 0 when it is off.
+    [[nodiscard]] std::uint32_t validationErrors() const { return m_instance->validationErrors(); }
     /// After a device was lost: makes a new one. Everything made from the old one must be gone. Errors: DeviceFailed.
     [[nodiscard]] base::Status renewDevice();
 

@@ -6,7 +6,6 @@
 #include <QKeyEvent>
 #include <QToolButton>
 #include <QVBoxLayout>
-#include <utility>
 
 #include "ui/actions.h"
 #include "ui/layer_delegate.h"
@@ -18,19 +17,14 @@ namespace {
 
 using models::LayerModel;
 
-constexpr std::pair<ActionId, const char*> kButtons[] = {
-    {ActionId::ShowAllLayers, "All"},
-    {ActionId::HideAllLayers, "None"},
-    {ActionId::ShowCopperOnly, "Copper"},
-    {ActionId::RestoreLayers, "Default"},
-};
+constexpr ActionId kButtons[] = {ActionId::ShowAllLayers, ActionId::HideAllLayers, ActionId::ShowCopperOnly,
+                                 ActionId::RestoreLayers};
 
 QHBoxLayout* buttonRow(const ActionSet& actions) {
     auto* row = new QHBoxLayout;
-    for (const auto& [id, text] : kButtons) {
+    for (const ActionId id : kButtons) {
         auto* button = new QToolButton;
         button->setDefaultAction(&actions[id]);
-        button->setText(QString::fromUtf8(text));
         button->setAutoRaise(true);
         row->addWidget(button);
     }
@@ -44,6 +38,7 @@ LayersPanel::LayersPanel(LayerModel& model, const ActionSet& actions, QWidget* p
     : QWidget(parent), m_model(model), m_table(new TableView) {
     m_table->setModel(&model);
     m_table->setItemDelegate(new LayerDelegate(m_table));
+    m_table->setTextElideMode(Qt::ElideMiddle);  // long names differ at their ends
     m_table->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
     m_table->installEventFilter(this);
     connect(m_table, &QTableView::clicked, this, &LayersPanel::chooseColour);
@@ -69,6 +64,10 @@ model::LayerId LayersPanel::currentLayer() const {
     return current.isValid() ? model::LayerId{static_cast<std::size_t>(current.row())} : model::LayerId{};
 }
 
+void LayersPanel::selectRow(int row) {
+    m_table->selectRow(row);
+}
+
 bool LayersPanel::eventFilter(QObject* watched, QEvent* event) {
     if (watched == m_table && event->type() == QEvent::KeyPress) {
         const QModelIndex current = m_table->currentIndex();
@@ -82,7 +81,8 @@ bool LayersPanel::eventFilter(QObject* watched, QEvent* event) {
             chooseColour(current);
             return true;
         }
-        if (isEnter && current.column() == LayerModel::Opacity) {
+        // The Enter that ends an editor arrives here too.
+        if (isEnter && current.column() == LayerModel::Opacity && !m_table->isPersistentEditorOpen(current)) {
             m_table->edit(current);
             return true;
         }
@@ -108,7 +108,11 @@ void LayersPanel::chooseColour(const QModelIndex& index) {
     }
     const QPersistentModelIndex cell = index;  // the board may be replaced while the dialog is open
     const QColor before = index.data(Qt::EditRole).value<QColor>();
-    const auto set = [this, cell](const QColor& colour) { m_model.setData(cell, colour, Qt::EditRole); };
+    const auto set = [this, cell](const QColor& colour) {
+        if (cell.isValid()) {
+            m_model.setData(cell, colour, Qt::EditRole);
+        }
+    };
     auto* dialog = new QColorDialog(before, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(QStringLiteral("Colour of the layer"));

@@ -20,6 +20,7 @@ public:
 
     /// The row the cursor is on; none if there is none.
     [[nodiscard]] model::LayerId currentLayer() const;
+    void selectRow(int row);
     [[nodiscard]] TableView& table() { return *m_table; }
 
 protected:

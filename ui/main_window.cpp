@@ -134,7 +134,7 @@ void MainWindow::createDocks() {
     messages->raise();
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     const int line = fontMetrics().height();
-    resizeDocks({layers}, {line * 22}, Qt::Horizontal);
+    resizeDocks({layers}, {line * 27}, Qt::Horizontal);
     resizeDocks({messages}, {line * 11}, Qt::Vertical);
 }
 

@@ -1,1 +1,20 @@
-# Tests of this folder; see docs/testing.md.
+# The workbench, driven by clicks and keys. What touches the window runs on the display of ./test (swapchain) and again without one (through memory).
+function(copperscope_ui_test name)
+    copperscope_test(${name}_test ui/${name}_test.cpp LABEL ui LINK copperscope_ui ui_test_support)
+    set_tests_properties(${name}_test PROPERTIES ENVIRONMENT "COPPERSCOPE_VALIDATION=abort")
+    add_test(NAME ${name}_offscreen_test COMMAND ${name}_test)
+    set_tests_properties(${name}_offscreen_test PROPERTIES LABELS ui TIMEOUT 600
+        ENVIRONMENT "QT_QPA_PLATFORM=offscreen;COPPERSCOPE_VALIDATION=abort")
+endfunction()
+
+add_library(ui_test_support STATIC ui/window_fixture.cpp)
+target_link_libraries(ui_test_support PUBLIC copperscope_ui Qt6::Test)
+copperscope_ui_test(main_window)
+copperscope_ui_test(panels)
+
+copperscope_test(ui_actions_test ui/actions_test.cpp LABEL ui LINK copperscope_ui)
+copperscope_test(ui_camera_controller_test ui/camera_controller_test.cpp LABEL ui LINK copperscope_ui)
+copperscope_test(ui_loader_test ui/loader_test.cpp LABEL ui LINK copperscope_ui)
+copperscope_test(ui_settings_test ui/settings_test.cpp LABEL ui LINK copperscope_ui)
+set_tests_properties(ui_actions_test ui_camera_controller_test ui_loader_test ui_settings_test PROPERTIES
+    ENVIRONMENT "QT_QPA_PLATFORM=offscreen")

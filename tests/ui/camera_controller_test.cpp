@@ -1,0 +1,198 @@
+#include "ui/camera_controller.h"
+
+#include <QMouseEvent>
+#include <QSignalSpy>
+#include <QWheelEvent>
+#include <QtTest>
+
+using ui::CameraController;
+
+namespace {
+
+constexpr QSizeF kViewport{800.0, 600.0};
+const glm::vec3 kBoxMin{-50.0F, -40.0F, 0.0F};
+const glm::vec3 kBoxMax{50.0F, 40.0F, 1.6F};
+
+/// Where a board point is drawn, in logical pixels.
+QPointF onScreen(const CameraController& controller, const glm::vec3& point) {
+    const auto aspect = static_cast<float>(kViewport.width() / kViewport.height());
+    const glm::vec4 clip = controller.camera().projection(aspect) * controller.camera().view() * glm::vec4(point, 1.0F);
+    return {(clip.x / clip.w + 1.0) / 2.0 * kViewport.width(), (clip.y / clip.w + 1.0) / 2.0 * kViewport.height()};
+}
+
+double distance(QPointF a, QPointF b) {
+    return std::hypot(a.x() - b.x(), a.y() - b.y());
+}
+
+void send(CameraController& controller, QEvent::Type type, QPointF position, Qt::MouseButton button,
+          Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    const Qt::MouseButtons held = type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::MouseButtons(button);
+    QMouseEvent event(type, position, position, type == QEvent::MouseMove ? Qt::NoButton : button, held, modifiers);
+    controller.handle(event);
+}
+
+void drag(CameraController& controller, QPointF from, QPointF to, Qt::MouseButton button,
+          Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    send(controller, QEvent::MouseButtonPress, from, button, modifiers);
+    send(controller, QEvent::MouseMove, (from + to) / 2.0, button, modifiers);
+    send(controller, QEvent::MouseMove, to, button, modifiers);
+    send(controller, QEvent::MouseButtonRelease, to, button, modifiers);
+}
+
+void wheel(CameraController& controller, QPointF position, int notches) {
+    QWheelEvent event(position, position, {}, {0, notches * 120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
+                      false);
+    controller.handle(event);
+}
+
+/// A point of the top face away from the centre, seen at a distance other than the target's.
+const glm::vec3 kCorner{40.0F, 30.0F, 1.6F};
+
+}  // namespace
+
+class CameraControllerTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        m_controller = std::make_unique<CameraController>();
+        m_controller->setViewport(kViewport);
+        m_controller->setBox(kBoxMin, kBoxMax);
+        m_controller->look(render::NamedView::Iso);
+    }
+
+    void wheelKeepsThePointUnderTheCursor_data() {
+        QTest::addColumn<bool>("isOrthographic");
+        QTest::newRow("perspective") << false;
+        QTest::newRow("orthographic") << true;
+    }
+    void wheelKeepsThePointUnderTheCursor() {
+        QFETCH(bool, isOrthographic);
+        m_controller->setOrthographic(isOrthographic);
+        const QPointF cursor = onScreen(*m_controller, kCorner);
+        for (const int notches : {1, 3, -2, 5}) {
+            wheel(*m_controller, cursor, notches);
+            QVERIFY(distance(onScreen(*m_controller, kCorner), cursor) < 0.5);
+        }
+    }
+
+    void wheelComesAsNearToTheCornerAsToTheMiddle() {
+        wheel(*m_controller, onScreen(*m_controller, kCorner), 40);
+        const glm::vec3 eye = m_controller->camera().eye();
+        QVERIFY2(glm::length(eye - kCorner) < 1.0F, qPrintable(QString::number(glm::length(eye - kCorner))));
+    }
+
+    void wheelTowardsTheBoardEnlarges() {
+        const float before = m_controller->camera().mmPerPixel(600.0F);
+        wheel(*m_controller, {400, 300}, 1);
+        QVERIFY(m_controller->camera().mmPerPixel(600.0F) < before);
+        wheel(*m_controller, {400, 300}, -2);
+        QVERIFY(m_controller->camera().mmPerPixel(600.0F) > before);
+    }
+
+    void leftDragTurnsTheBoardWithTheCursor() {
+        const glm::vec3 nearEdge{-10.0F, -40.0F, 1.6F};  // the side towards the viewer
+        const QPointF before = onScreen(*m_controller, nearEdge);
+        drag(*m_controller, {400, 300}, {460, 300}, Qt::LeftButton);
+        QVERIFY(onScreen(*m_controller, nearEdge).x() > before.x());
+        const float height = m_controller->camera().direction().z;
+        drag(*m_controller, {400, 300}, {400, 340}, Qt::LeftButton);
+        QVERIFY2(m_controller->camera().direction().z < height, "dragging down shows more of the top");
+    }
+
+    void panGestures_data() {
+        QTest::addColumn<Qt::MouseButton>("button");
+        QTest::addColumn<Qt::KeyboardModifier>("modifier");
+        QTest::newRow("middle") << Qt::MiddleButton << Qt::NoModifier;
+        QTest::newRow("right") << Qt::RightButton << Qt::NoModifier;
+        QTest::newRow("shift left") << Qt::LeftButton << Qt::ShiftModifier;
+    }
+    void panGestures() {
+        QFETCH(Qt::MouseButton, button);
+        QFETCH(Qt::KeyboardModifier, modifier);
+        const glm::vec3 direction = m_controller->camera().direction();
+        const QPointF from = onScreen(*m_controller, kCorner);
+        const QPointF to = from + QPointF(-120, 75);
+        drag(*m_controller, from, to, button, modifier);
+        QVERIFY(distance(onScreen(*m_controller, kCorner), to) < 1.0);
+        QVERIFY(glm::length(m_controller->camera().direction() - direction) < 1e-6F);
+    }
+
+    void shortPressIsAClickAndMovesNothing() {
+        QSignalSpy clicked(m_controller.get(), &CameraController::clicked);
+        const glm::vec3 eye = m_controller->camera().eye();
+        drag(*m_controller, {100, 100}, {102, 102}, Qt::LeftButton);
+        QCOMPARE(clicked.count(), 1);
+        QCOMPARE(clicked[0][0].toPointF(), QPointF(100, 100));
+        QVERIFY(glm::length(m_controller->camera().eye() - eye) < 1e-4F);
+        drag(*m_controller, {100, 100}, {110, 100}, Qt::LeftButton);
+        QCOMPARE(clicked.count(), 1);
+    }
+
+    void secondButtonDoesNotDisturbADrag() {
+        send(*m_controller, QEvent::MouseButtonPress, {100, 100}, Qt::MiddleButton);
+        send(*m_controller, QEvent::MouseButtonPress, {100, 100}, Qt::LeftButton);
+        send(*m_controller, QEvent::MouseButtonRelease, {100, 100}, Qt::LeftButton);
+        const glm::vec3 direction = m_controller->camera().direction();
+        send(*m_controller, QEvent::MouseMove, {200, 160}, Qt::MiddleButton);
+        QVERIFY(glm::length(m_controller->camera().direction() - direction) < 1e-6F);
+        QVERIFY(glm::length(m_controller->camera().target() - (kBoxMin + kBoxMax) / 2.0F) > 1.0F);
+    }
+
+    void boardStaysFittedUntilTheUserMoves() {
+        const auto seesCorner = [&] {
+            const QPointF p = onScreen(*m_controller, kBoxMax);
+            return QRectF({0, 0}, kViewport).contains(p);
+        };
+        QVERIFY(seesCorner());
+        m_controller->setBox(kBoxMin * 4.0F, kBoxMax * 4.0F);
+        QVERIFY(QRectF({0, 0}, kViewport).contains(onScreen(*m_controller, kBoxMax * 4.0F)));
+        wheel(*m_controller, {400, 300}, 3);
+        const glm::vec3 eye = m_controller->camera().eye();
+        m_controller->setBox(kBoxMin, kBoxMax);
+        m_controller->setViewport({400.0, 300.0});
+        QVERIFY(glm::length(m_controller->camera().eye() - eye) < 1e-4F);
+        m_controller->setViewport(kViewport);
+        m_controller->fit();
+        QVERIFY(seesCorner());
+    }
+
+    void namedViewsLookWhereTheySay() {
+        m_controller->look(render::NamedView::Top);
+        QVERIFY(m_controller->camera().direction().z < -0.999F);
+        m_controller->look(render::NamedView::Bottom);
+        QVERIFY(m_controller->camera().direction().z > 0.999F);
+    }
+
+    void linesOfSightBesideOrAlongTheBoardMissIt() {
+        QVERIFY(m_controller->boardPointAt(onScreen(*m_controller, kCorner)).has_value());
+        QVERIFY(glm::length(*m_controller->boardPointAt(onScreen(*m_controller, kCorner)) - kCorner) < 0.05F);
+        QVERIFY(!m_controller->boardPointAt({0, 0}).has_value());
+        m_controller->look(render::NamedView::Top);
+        drag(*m_controller, {400, 300}, {400, 0}, Qt::LeftButton);  // half a turn of 600 pixels: now edge on
+        QVERIFY(!m_controller->boardPointAt({400, 300}).has_value());
+        wheel(*m_controller, {400, 300}, 2);
+        QVERIFY(std::isfinite(m_controller->camera().eye().x));
+    }
+
+    void arrowsTurnAndWithShiftShiftTheView() {
+        const auto press = [&](Qt::KeyboardModifiers modifiers) {
+            QKeyEvent event(QEvent::KeyPress, Qt::Key_Right, modifiers);
+            return m_controller->handle(event);
+        };
+        const QPointF before = onScreen(*m_controller, kCorner);
+        QVERIFY(press(Qt::ShiftModifier));
+        QVERIFY2(onScreen(*m_controller, kCorner).x() < before.x(), "the viewer goes right, the board left");
+        const glm::vec3 direction = m_controller->camera().direction();
+        QVERIFY(press(Qt::NoModifier));
+        QVERIFY(glm::length(m_controller->camera().direction() - direction) > 0.01F);
+        QKeyEvent other(QEvent::KeyPress, Qt::Key_A, Qt::NoModifier);
+        QVERIFY(!m_controller->handle(other));
+    }
+
+private:
+    std::unique_ptr<CameraController> m_controller;
+};
+
+QTEST_MAIN(CameraControllerTest)
+#include "camera_controller_test.moc"

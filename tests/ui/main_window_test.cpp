@@ -1,0 +1,317 @@
+#include "ui/main_window.h"
+
+#include <QClipboard>
+#include <QDialog>
+#include <QDockWidget>
+#include <QDropEvent>
+#include <QGuiApplication>
+#include <QMimeData>
+#include <QSignalSpy>
+#include <QToolButton>
+#include <QUrl>
+#include <QtTest>
+#include <thread>
+
+#include "tests/ui/window_fixture.h"
+#include "ui/layers_panel.h"
+#include "ui/message_bar.h"
+#include "ui/status_line.h"
+
+using base::ErrorCode;
+using ui::ActionId;
+using ui::LoadedBoard;
+using ui::LoadRequest;
+
+namespace {
+
+const QString kSample = QStringLiteral(COPPERSCOPE_SAMPLE);
+
+/// Real work, except that boards called "slow" never end until cancelled.
+base::Result<LoadedBoard> workWithSlowBoards(const LoadRequest& request, base::Progress& progress) {
+    if (request.path != "slow") {
+        return ui::loadBoard(request, progress);
+    }
+    progress.beginPhase("Reading layers");
+    while (!progress.isCancelled()) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return base::Error{ErrorCode::Cancelled, "Cancelled"};
+}
+
+void drop(QWidget& target, const QList<QUrl>& urls) {
+    QMimeData data;
+    data.setUrls(urls);
+    QDragEnterEvent enter({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&target, &enter);
+    if (enter.isAccepted()) {
+        QDropEvent event({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(&target, &event);
+    }
+}
+
+}  // namespace
+
+class MainWindowTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() { m_fixture = std::make_unique<WindowFixture>(ui::WindowOptions{.work = workWithSlowBoards}); }
+    void cleanup() {
+        const std::uint32_t errors = m_fixture->context().validationErrors();
+        m_fixture.reset();
+        QCOMPARE(errors, 0U);
+    }
+
+    void boardIsOpenedListedAndSeen() {
+        QVERIFY(!window().actions()[ActionId::Fit].isEnabled());
+        QVERIFY(m_fixture->openAndWait(kSample));
+        QCOMPARE(window().windowTitle(), "ocp_tap_sa45_odb.tgz – Copperscope");
+        QCOMPARE(window().layers().rowCount(), static_cast<int>(window().document()->layers.size()));
+        QVERIFY(window().actions()[ActionId::Fit].isEnabled());
+        QVERIFY(!window().messageBar().isVisible());
+        QVERIFY2(inkOf(m_fixture->picture()) > 0.1, "the board covers a good part of the canvas");
+        QTRY_VERIFY2(differingPixels(m_fixture->shown(), m_fixture->picture()) < m_fixture->picture().width() * 4,
+                     "the screen shows what the picture has");
+        QVERIFY(window().statusLine().frameText().contains("ms"));
+    }
+
+    void hidingALayerChangesThePictureAndShowingItRestoresIt() {
+        QVERIFY(m_fixture->openAndWait(kSample));
+        const QImage before = m_fixture->picture();
+        const QModelIndex cell = topCopper(ui::models::LayerModel::Visible);
+        QVERIFY(window().layers().setData(cell, Qt::Unchecked, Qt::CheckStateRole));
+        const QImage hidden = m_fixture->picture();
+        QVERIFY(differingPixels(before, hidden) > 1000);
+        QTRY_VERIFY(differingPixels(m_fixture->shown(), hidden) < hidden.width() * 4);
+        QVERIFY(window().layers().setData(cell, Qt::Checked, Qt::CheckStateRole));
+        QCOMPARE(differingPixels(before, m_fixture->picture()), 0);
+    }
+
+    void colourOfALayerIsSeenOnTheCanvas() {
+        QVERIFY(m_fixture->openAndWait(kSample));
+        m_fixture->key(Qt::Key_T);
+        const QImage before = m_fixture->picture();
+        window().layers().setData(topCopper(ui::models::LayerModel::Colour), QColor(Qt::green), Qt::EditRole);
+        QVERIFY(differingPixels(before, m_fixture->picture()) > 1000);
+    }
+
+    void soloKeyShowsTheCurrentLayerAlone() {
+        QVERIFY(m_fixture->openAndWait(kSample));
+        const QImage all = m_fixture->picture();
+        const QModelIndex cell = topCopper(ui::models::LayerModel::Name);
+        window().layersPanel().selectRow(cell.row());
+        m_fixture->key(Qt::Key_H);
+        QCOMPARE(window().layers().soloLayer().row(), static_cast<std::size_t>(cell.row()));
+        QVERIFY(differingPixels(all, m_fixture->picture()) > 1000);
+        m_fixture->key(Qt::Key_H);
+        QCOMPARE(differingPixels(all, m_fixture->picture()), 0);
+    }
+
+    void hideAllLeavesAnEmptyCanvas() {
+        QVERIFY(m_fixture->openAndWait(kSample));
+        window().actions()[ActionId::HideAllLayers].trigger();
+        QCOMPARE(inkOf(m_fixture->picture()), 0.0);
+        window().actions()[ActionId::ShowCopperOnly].trigger();
+        QVERIFY(inkOf(m_fixture->picture()) > 0.05);
+    }
+
+    void viewKeysMoveTheCamera() {
+        QVERIFY(m_fixture->openAndWait(kSample));
+        const render::Camera& camera = window().view().controller().camera();
+        m_fixture->key(Qt::Key_T);
+        QVERIFY(camera.direction().z < -0.999F);
+        const float fitted = camera.mmPerPixel(100.0F);
+        m_fixture->key(Qt::Key_B);
+        QVERIFY(camera.direction().z > 0.999F);
+        m_fixture->key(Qt::Key_I);
+        QVERIFY(camera.direction().z > -0.9F && camera.direction().z < -0.1F);
+        m_fixture->key(Qt::Key_T);
+        m_fixture->key(Qt::Key_Plus);
+        QVERIFY(camera.mmPerPixel(100.0F) < fitted * 0.9F);
+        m_fixture->key(Qt::Key_F);
+        QVERIFY(std::abs(camera.mmPerPixel(100.0F) / fitted - 1.0F) < 1e-3F);
+        m_fixture->key(Qt::Key_O);
+        QVERIFY(camera.isOrthographic());
+        m_fixture->key(Qt::Key_O);
+        QVERIFY(!camera.isOrthographic());
+    }
+
+    void explodeSpreadsTheLayersAndFoldsThemBack() {
+        QVERIFY(m_fixture->openAndWait(kSample));
+        const QImage before = m_fixture->picture();
+        m_fixture->key(Qt::Key_E);
+        QVERIFY(window().actions()[ActionId::Explode].isChecked());
+        QTRY_VERIFY(differingPixels(before, m_fixture->picture()) > 5000);
+        m_fixture->key(Qt::Key_E);
+        QTRY_COMPARE(differingPixels(before, m_fixture->picture()), 0);
+    }
+
+    void nothingIsDrawnWhileNothingChanges() {
+        QVERIFY(m_fixture->openAndWait(kSample));
+        QTest::qWait(300);
+        QSignalSpy drawn(&window().view(), &ui::BoardView::drawn);
+        QTest::qWait(400);
+        QCOMPARE(drawn.count(), 0);
+        for (int i = 0; i < 10; ++i) {
+            window().view().controller().zoomAtCentre(1.01F);
+        }
+        QTRY_VERIFY(drawn.count() > 0);
+        QTest::qWait(300);
+        QCOMPARE(drawn.count(), 1);  // ten changes, one frame
+    }
+
+    void failedOpenKeepsTheBoardAndTellsWhy() {
+        QVERIFY(m_fixture->openAndWait(kSample));
+        const model::Document* before = window().document();
+        QVERIFY(!m_fixture->openAndWait("/no/such/board.tgz"));
+        QCOMPARE(window().document(), before);
+        QVERIFY(window().messageBar().isVisible());
+        QVERIFY2(window().messageBar().text().contains("board.tgz"), qPrintable(window().messageBar().text()));
+        QVERIFY(window().windowTitle().startsWith("ocp_tap_sa45"));
+        QCOMPARE(m_fixture->settings().recentBoards().size(), 1);
+        window().messageBar().findChild<QToolButton*>()->click();
+        QVERIFY(!window().messageBar().isVisible());
+    }
+
+    void nextSuccessTakesTheErrorAway() {
+        QVERIFY(!m_fixture->openAndWait("/no/such/board.tgz"));
+        QVERIFY(window().document() == nullptr);
+        QVERIFY(window().messageBar().isVisible());
+        QVERIFY(m_fixture->openAndWait(kSample));
+        QVERIFY(!window().messageBar().isVisible());
+    }
+
+    void cancelledLoadKeepsTheBoardWhichStaysUsableMeanwhile() {
+        QVERIFY(m_fixture->openAndWait(kSample));
+        const model::Document* before = window().document();
+        window().open("slow");
+        ui::LoadBar& bar = window().statusLine().loadBar();
+        QTRY_COMPARE(bar.text(), "slow: Reading layers");
+        QVERIFY(bar.isVisible());
+        m_fixture->key(Qt::Key_T);
+        QVERIFY(window().view().controller().camera().direction().z < -0.999F);
+        QVERIFY(inkOf(m_fixture->picture()) > 0.1);
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(!window().loader().isLoading());
+        QVERIFY(!bar.isVisible());
+        QCOMPARE(window().document(), before);
+    }
+
+    void cancelButtonStopsALoad() {
+        window().open("slow");
+        QVERIFY(window().loader().isLoading());
+        window().statusLine().loadBar().findChild<QToolButton*>()->click();
+        QVERIFY(!window().loader().isLoading());
+        QVERIFY(!window().actions()[ActionId::CancelLoading].isEnabled());
+    }
+
+    void droppedFileIsOpened() {
+        drop(window(), {QUrl::fromLocalFile(kSample)});
+        QVERIFY(window().loader().isLoading());
+        QTRY_VERIFY_WITH_TIMEOUT(window().document() != nullptr, 60000);
+        QCOMPARE(window().document()->job.steps.empty(), false);
+    }
+
+    void whatIsNoLocalFileIsNotTaken() {
+        drop(window(), {QUrl("https://example.org/board.tgz")});
+        QVERIFY(!window().loader().isLoading());
+    }
+
+    void reloadKeepsTheBoardOnTheScreen() {
+        QVERIFY(m_fixture->openAndWait(kSample));
+        const model::Document* before = window().document();
+        m_fixture->key(Qt::Key_F5);
+        QCOMPARE(window().document(), before);
+        QTRY_VERIFY_WITH_TIMEOUT(!window().loader().isLoading(), 60000);
+        QCOMPARE(m_fixture->settings().recentBoards().size(), 1);
+    }
+
+    void settingsPersistBetweenTwoWindows() {
+        QVERIFY(m_fixture->openAndWait(kSample));
+        window().resize(900, 640);
+        window().actions()[ActionId::ShowStatisticsDock].trigger();
+        window().actions()[ActionId::ThemeDark].trigger();
+        window().actions()[ActionId::BackendPull].trigger();
+        const QSize size = window().size();
+        window().close();
+
+        ui::MainWindow second(m_fixture->context(), m_fixture->settings());
+        QCOMPARE(second.size(), size);
+        QVERIFY(second.findChild<QDockWidget*>("statistics")->isHidden());
+        QVERIFY(!second.findChild<QDockWidget*>("layers")->isHidden());
+        QVERIFY(second.actions()[ActionId::ThemeDark].isChecked());
+        QVERIFY(second.actions()[ActionId::BackendPull].isChecked());
+        QCOMPARE(m_fixture->settings().recentBoards(), QStringList(QFileInfo(kSample).absoluteFilePath()));
+
+        second.resetSettings();
+        QVERIFY(!second.findChild<QDockWidget*>("statistics")->isHidden());
+        QVERIFY(second.actions()[ActionId::ThemeSystem].isChecked());
+        QVERIFY(m_fixture->settings().recentBoards().isEmpty());
+    }
+
+    void panelsAreToggledByKeys() {
+        QVERIFY(m_fixture->openAndWait(kSample));
+        auto* layers = window().findChild<QDockWidget*>("layers");
+        m_fixture->key(Qt::Key_1, Qt::ControlModifier);
+        QVERIFY(layers->isHidden());
+        m_fixture->key(Qt::Key_1, Qt::ControlModifier);
+        QVERIFY(!layers->isHidden());
+    }
+
+    void savedPictureIsWhatTheCanvasShows() {
+        QVERIFY(m_fixture->openAndWait(kSample));
+        const QString path = m_fixture->folder() + "/picture.png";
+        window().savePicture(path);
+        const QImage saved = QImage(path).convertToFormat(QImage::Format_RGB32);
+        QCOMPARE(differingPixels(saved, m_fixture->picture()), 0);
+        QVERIFY(!window().messageBar().isVisible());
+        window().savePicture(m_fixture->folder() + "/no/such/folder/picture.png");
+        QVERIFY(window().messageBar().isVisible());
+    }
+
+    void copiedPictureIsOnTheClipboard() {
+        QVERIFY(m_fixture->openAndWait(kSample));
+        window().actions()[ActionId::CopyPicture].trigger();
+        const QImage copied = QGuiApplication::clipboard()->image().convertToFormat(QImage::Format_RGB32);
+        QCOMPARE(differingPixels(copied, m_fixture->picture()), 0);
+    }
+
+    void lostDeviceIsRenewedAndTheBoardShownAgain() {
+        QVERIFY(m_fixture->openAndWait(kSample));
+        const QImage before = m_fixture->picture();
+        QSignalSpy lost(&window().view(), &ui::BoardView::deviceLost);
+        m_fixture->context().device().markLost();
+        window().view().requestFrame();
+        QTRY_VERIFY(!lost.isEmpty());
+        QTRY_VERIFY(!m_fixture->context().device().isLost());
+        QVERIFY(window().messageBar().isVisible());
+        window().messageBar().hide();  // it takes some of the canvas
+        QTRY_COMPARE(differingPixels(m_fixture->picture(), before), 0);
+        QTRY_VERIFY(differingPixels(m_fixture->shown(), before) < before.width() * 4);
+    }
+
+    void keysSheetOpensBesideTheWindow() {
+        m_fixture->window().actions()[ActionId::KeysSheet].trigger();
+        auto* sheet = window().findChild<QDialog*>("keysSheet");
+        QVERIFY(sheet != nullptr && sheet->isVisible() && !sheet->isModal());
+        sheet->close();
+    }
+
+private:
+    ui::MainWindow& window() { return m_fixture->window(); }
+
+    QModelIndex topCopper(int column) {
+        const model::Document& document = *window().document();
+        for (std::size_t row = 0; row < document.layers.size(); ++row) {
+            if (document.layers[row].isCopper()) {
+                return window().layers().index(static_cast<int>(row), column);
+            }
+        }
+        return {};
+    }
+
+    std::unique_ptr<WindowFixture> m_fixture;
+};
+
+QTEST_MAIN(MainWindowTest)
+#include "main_window_test.moc"

@@ -1,0 +1,199 @@
+#include <QClipboard>
+#include <QColorDialog>
+#include <QComboBox>
+#include <QGuiApplication>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QSpinBox>
+#include <QtTest>
+
+#include "tests/unit/uimodels/sample_document.h"
+#include "ui/actions.h"
+#include "ui/layers_panel.h"
+#include "ui/messages_panel.h"
+#include "ui/models/message_model.h"
+#include "ui/models/statistics_model.h"
+#include "ui/statistics_panel.h"
+#include "ui/table_view.h"
+#include "ui/theme.h"
+
+using ui::models::LayerModel;
+
+namespace {
+
+QPoint middleOf(const QTableView& table, int row, int column) {
+    return table.visualRect(table.model()->index(row, column)).center();
+}
+
+}  // namespace
+
+class PanelsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        m_owner = std::make_unique<QWidget>();
+        m_actions = std::make_unique<ui::ActionSet>(*m_owner);
+        m_layers.setDocument(sampleDocument(), std::vector<ui::models::LayerLook>(4));
+        m_statistics.setDocument(sampleDocument());
+        m_messages.setMessages(sampleDocument(), {});
+    }
+
+    void clickOnACheckMarkHidesTheLayer() {
+        ui::LayersPanel panel(m_layers, *m_actions);
+        show(panel);
+        const QModelIndex cell = m_layers.index(1, LayerModel::Visible);
+        const QRect rect = panel.table().visualRect(cell);
+        QTest::mouseClick(panel.table().viewport(), Qt::LeftButton, {}, QPoint(rect.left() + 10, rect.center().y()));
+        QVERIFY(!m_layers.effectiveLooks()[1].isVisible);
+    }
+
+    void spaceTurnsAllSelectedLayersTheSameWay() {
+        ui::LayersPanel panel(m_layers, *m_actions);
+        show(panel);
+        m_layers.setData(m_layers.index(1, LayerModel::Visible), Qt::Unchecked, Qt::CheckStateRole);
+        panel.table().selectAll();
+        QTest::keyClick(&panel.table(), Qt::Key_Space);
+        for (const auto& look : m_layers.effectiveLooks()) {
+            QVERIFY(!look.isVisible);
+        }
+        QTest::keyClick(&panel.table(), Qt::Key_Space);
+        for (const auto& look : m_layers.effectiveLooks()) {
+            QVERIFY(look.isVisible);
+        }
+    }
+
+    void opacityIsDraggedInItsCell() {
+        ui::LayersPanel panel(m_layers, *m_actions);
+        show(panel);
+        QTableView& table = panel.table();
+        const QRect cell = table.visualRect(m_layers.index(0, LayerModel::Opacity));
+        QTest::mousePress(table.viewport(), Qt::LeftButton, {}, cell.center());
+        const int middle = m_layers.effectiveLooks()[0].opacityPercent;
+        QVERIFY2(middle > 40 && middle < 60, qPrintable(QString::number(middle)));
+        QMouseEvent move(QEvent::MouseMove, QPointF(cell.right() - 2, cell.center().y()),
+                         table.viewport()->mapToGlobal(QPointF(cell.right() - 2, cell.center().y())), Qt::NoButton,
+                         Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(table.viewport(), &move);
+        QCOMPARE(m_layers.effectiveLooks()[0].opacityPercent, 100);
+        QTest::mouseRelease(table.viewport(), Qt::LeftButton, {}, cell.center());
+    }
+
+    void opacityIsTypedAfterEnter() {
+        ui::LayersPanel panel(m_layers, *m_actions);
+        show(panel);
+        panel.table().setCurrentIndex(m_layers.index(2, LayerModel::Opacity));
+        QTest::keyClick(&panel.table(), Qt::Key_Return);
+        auto* box = panel.findChild<QSpinBox*>();
+        QVERIFY(box != nullptr);
+        box->selectAll();
+        QTest::keyClicks(box, "35");
+        QTest::keyClick(box, Qt::Key_Return);
+        QTRY_COMPARE(m_layers.effectiveLooks()[2].opacityPercent, 35);
+    }
+
+    void colourDialogShowsItsChoiceAtOnceAndTakesItBackOnCancel() {
+        ui::LayersPanel panel(m_layers, *m_actions);
+        show(panel);
+        const QColor before = m_layers.effectiveLooks()[0].colour;
+        QTest::mouseClick(panel.table().viewport(), Qt::LeftButton, {}, middleOf(panel.table(), 0, LayerModel::Colour));
+        QPointer<QColorDialog> dialog = panel.findChild<QColorDialog*>();
+        QVERIFY(dialog != nullptr);
+        dialog->setCurrentColor(Qt::cyan);
+        QCOMPARE(m_layers.effectiveLooks()[0].colour, QColor(Qt::cyan));
+        dialog->reject();
+        QCOMPARE(m_layers.effectiveLooks()[0].colour, before);
+        QTRY_VERIFY(dialog.isNull());
+    }
+
+    void colourDialogOutlivesItsBoard() {
+        ui::LayersPanel panel(m_layers, *m_actions);
+        show(panel);
+        QTest::mouseClick(panel.table().viewport(), Qt::LeftButton, {}, middleOf(panel.table(), 3, LayerModel::Colour));
+        auto* dialog = panel.findChild<QColorDialog*>();
+        QVERIFY(dialog != nullptr);
+        m_layers.setDocument(nullptr, {});
+        dialog->setCurrentColor(Qt::cyan);
+        dialog->reject();
+    }
+
+    void headingClickSortsStatisticsAndKeepsTheSumLast() {
+        ui::StatisticsPanel panel(m_statistics);
+        show(panel);
+        QAbstractItemModel& shown = *panel.table().model();
+        QCOMPARE(shown.index(0, 0).data().toString(), "top");  // the board's own order at first
+        QHeaderView& header = *panel.table().horizontalHeader();
+        const int x = header.sectionViewportPosition(ui::models::StatisticsModel::Circle) + 5;
+        QTest::mouseClick(header.viewport(), Qt::LeftButton, {}, QPoint(x, header.height() / 2));
+        QTest::mouseClick(header.viewport(), Qt::LeftButton, {}, QPoint(x, header.height() / 2));
+        QCOMPARE(shown.index(0, 0).data().toString(), "bottom");
+        QCOMPARE(shown.index(shown.rowCount() - 1, 0).data().toString(), "All layers");
+    }
+
+    void rowsAreCopiedAsShown() {
+        ui::StatisticsPanel panel(m_statistics);
+        show(panel);
+        panel.table().selectRow(1);
+        QTest::keyClick(&panel.table(), Qt::Key_C, Qt::ControlModifier);
+        QCOMPARE(QGuiApplication::clipboard()->text(), "bottom\t0\t0\t2\t0\t0\t2\t2\n");
+        panel.table().copyAll();
+        QVERIFY(QGuiApplication::clipboard()->text().startsWith("Layer\tLine\t"));
+    }
+
+    void messagesAreFilteredByWordsAndSeverity() {
+        ui::MessagesPanel panel(m_messages);
+        show(panel);
+        const QAbstractItemModel& shown = *panel.table().model();
+        QCOMPARE(shown.rowCount(), 3);
+        QTest::keyClicks(&panel.wordsEdit(), "features");
+        QCOMPARE(shown.rowCount(), 2);
+        panel.severityBox().setCurrentIndex(2);
+        QCOMPARE(shown.rowCount(), 1);
+        QCOMPARE(shown.index(0, ui::models::MessageModel::Text).data().toString(), "Symbol is defined nowhere");
+        panel.wordsEdit().clear();
+        panel.severityBox().setCurrentIndex(0);
+        QCOMPARE(shown.rowCount(), 3);
+    }
+
+    void everyCellIsReadableInBothThemes() {
+        for (const ui::Theme theme : {ui::Theme::Dark, ui::Theme::Light}) {
+            ui::applyTheme(theme);
+            const QPalette palette = QGuiApplication::palette();
+            for (const auto& [text, ground] :
+                 {std::pair(QPalette::Text, QPalette::Base), std::pair(QPalette::Text, QPalette::AlternateBase),
+                  std::pair(QPalette::WindowText, QPalette::Window), std::pair(QPalette::ButtonText, QPalette::Button),
+                  std::pair(QPalette::HighlightedText, QPalette::Highlight)}) {
+                const double contrast = contrastOf(palette.color(text), palette.color(ground));
+                QVERIFY2(contrast >= 4.5, qPrintable(QString::number(contrast)));  // WCAG 2 AA for text
+            }
+        }
+        ui::applyTheme(ui::Theme::System);
+    }
+
+private:
+    static void show(QWidget& panel) {
+        panel.resize(600, 300);
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        panel.activateWindow();
+    }
+
+    /// WCAG 2 contrast ratio, 1 to 21.
+    static double contrastOf(const QColor& a, const QColor& b) {
+        const auto luminance = [](const QColor& colour) {
+            const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
+            return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
+        };
+        const auto [low, high] = std::minmax({luminance(a), luminance(b)});
+        return (high + 0.05) / (low + 0.05);
+    }
+
+    std::unique_ptr<QWidget> m_owner;
+    std::unique_ptr<ui::ActionSet> m_actions;
+    LayerModel m_layers;
+    ui::models::StatisticsModel m_statistics;
+    ui::models::MessageModel m_messages;
+};
+
+QTEST_MAIN(PanelsTest)
+#include "panels_test.moc"

@@ -1,0 +1,111 @@
+#include "ui/settings.h"
+
+#include <QFile>
+#include <QMenu>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "ui/recent_boards.h"
+
+using ui::RecentBoards;
+using ui::Settings;
+
+class SettingsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        m_folder = std::make_unique<QTemporaryDir>();
+        QVERIFY(m_folder->isValid());
+    }
+
+    void valuesSurviveTheProgram() {
+        {
+            Settings settings(iniFile());
+            settings.setTheme(ui::Theme::Dark);
+            settings.setBackend(render::Backend::Pull);
+            settings.setWindow("geometry", "state");
+            settings.setLastFolder("/boards");
+        }
+        const Settings settings(iniFile());
+        QCOMPARE(settings.theme(), ui::Theme::Dark);
+        QCOMPARE(settings.backend(), render::Backend::Pull);
+        QCOMPARE(settings.windowGeometry(), QByteArray("geometry"));
+        QCOMPARE(settings.windowState(), QByteArray("state"));
+        QCOMPARE(settings.lastFolder(), "/boards");
+    }
+
+    void unknownWordsFallBackToTheDefault() {
+        {
+            QSettings store(iniFile(), QSettings::IniFormat);
+            store.setValue("view/theme", "sepia");
+            store.setValue("view/backend", 7);
+        }
+        const Settings settings(iniFile());
+        QCOMPARE(settings.theme(), ui::Theme::System);
+        QCOMPARE(settings.backend(), render::Backend::Auto);
+    }
+
+    void resetForgetsEverything() {
+        Settings settings(iniFile());
+        settings.setTheme(ui::Theme::Light);
+        settings.setRecentBoards({"/a"});
+        settings.reset();
+        QCOMPARE(settings.theme(), ui::Theme::System);
+        QVERIFY(settings.recentBoards().isEmpty());
+    }
+
+    void recentBoardsAreNewestFirstWithoutDoubles() {
+        Settings settings(iniFile());
+        QMenu menu;
+        RecentBoards recent(settings, menu);
+        recent.add("/boards/a.tgz");
+        recent.add("/boards/b.tgz");
+        recent.add("/boards/a.tgz");
+        QCOMPARE(settings.recentBoards(), QStringList({"/boards/a.tgz", "/boards/b.tgz"}));
+        for (int i = 0; i < 20; ++i) {
+            recent.add(QStringLiteral("/boards/%1.tgz").arg(i));
+        }
+        QCOMPARE(settings.recentBoards().size(), RecentBoards::kMost);
+        QCOMPARE(settings.recentBoards().first(), "/boards/19.tgz");
+    }
+
+    void menuGreysWhatIsMissingAndOpensWhatIsThere() {
+        Settings settings(iniFile());
+        QMenu menu;
+        RecentBoards recent(settings, menu);
+        const QString there = m_folder->filePath("R&D board.tgz");
+        QVERIFY(QFile(there).open(QIODevice::WriteOnly));
+        recent.add(there);
+        recent.add(m_folder->filePath("gone.tgz"));
+        emit menu.aboutToShow();
+        QCOMPARE(menu.actions().size(), 4);  // two boards, a separator, Clear
+        QVERIFY(!menu.actions()[0]->isEnabled());
+        QVERIFY(menu.actions()[1]->isEnabled());
+        QVERIFY2(menu.actions()[1]->text().contains("R&&D"), qPrintable(menu.actions()[1]->text()));
+        QSignalSpy chosen(&recent, &RecentBoards::chosen);
+        menu.actions()[1]->trigger();
+        QCOMPARE(chosen.value(0).value(0).toString(), there);
+    }
+
+    void clearEmptiesTheMenu() {
+        Settings settings(iniFile());
+        QMenu menu;
+        RecentBoards recent(settings, menu);
+        recent.add("/boards/a.tgz");
+        emit menu.aboutToShow();
+        menu.actions().last()->trigger();
+        emit menu.aboutToShow();
+        QCOMPARE(menu.actions().size(), 2);
+        QVERIFY(!menu.actions().last()->isEnabled());
+    }
+
+private:
+    [[nodiscard]] QString iniFile() const { return m_folder->filePath("settings.ini"); }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+QTEST_MAIN(SettingsTest)
+#include "settings_test.moc"

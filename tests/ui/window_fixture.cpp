@@ -1,0 +1,99 @@
+#include "tests/ui/window_fixture.h"
+
+#include <QGuiApplication>
+#include <QScreen>
+#include <QWindow>
+#include <QtTest>
+
+namespace {
+
+constexpr int kVisible = 6;  // of 255, in any channel
+constexpr int kLoadMs = 60000;
+
+bool differ(QRgb a, QRgb b) {
+    return std::abs(qRed(a) - qRed(b)) > kVisible || std::abs(qGreen(a) - qGreen(b)) > kVisible ||
+           std::abs(qBlue(a) - qBlue(b)) > kVisible;
+}
+
+std::unique_ptr<ui::GpuContext> makeContext() {
+    base::Result<std::unique_ptr<ui::GpuContext>> context = ui::GpuContext::create();
+    if (!context) {
+        qFatal("%s", context.error().text.c_str());
+    }
+    return std::move(*context);
+}
+
+}  // namespace
+
+WindowFixture::WindowFixture(const ui::WindowOptions& options)
+    : m_settings(m_folder.filePath("settings.ini")), m_context(makeContext()) {
+    restart(options);
+}
+
+void WindowFixture::restart(const ui::WindowOptions& options) {
+    if (m_window) {
+        m_window->close();
+    }
+    m_window.reset();
+    m_window = std::make_unique<ui::MainWindow>(*m_context, m_settings, options);
+    m_window->resize(1000, 700);
+    m_window->show();
+    if (!QTest::qWaitForWindowExposed(m_window.get())) {
+        qFatal("the window does not appear");
+    }
+    m_window->activateWindow();
+}
+
+bool WindowFixture::openAndWait(const QString& path) {
+    bool isShown = false;
+    const auto connection = QObject::connect(&m_window->loader(), &ui::Loader::loaded, [&] { isShown = true; });
+    m_window->open(path.toStdString());
+    const bool isDone = QTest::qWaitFor([&] { return !m_window->loader().isLoading(); }, kLoadMs);
+    QObject::disconnect(connection);
+    QTest::qWait(50);  // lets the layout settle and the first frame come
+    return isDone && isShown;
+}
+
+QImage WindowFixture::picture() {
+    base::Result<QImage> picture = m_window->view().grabPicture();
+    return picture ? picture->convertToFormat(QImage::Format_RGB32) : QImage();
+}
+
+QImage WindowFixture::shown() {
+    QWidget& view = m_window->view();
+    if (m_context->surfaceInstance() == nullptr) {
+        return view.grab().toImage().convertToFormat(QImage::Format_RGB32);
+    }
+    const QPoint corner = view.mapToGlobal(QPoint(0, 0));
+    const QPixmap screen =
+        QGuiApplication::primaryScreen()->grabWindow(0, corner.x(), corner.y(), view.width(), view.height());
+    return screen.toImage().convertToFormat(QImage::Format_RGB32);
+}
+
+void WindowFixture::key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
+    QObject& canvas = m_window->view().canvas();
+    if (auto* nativeWindow = qobject_cast<QWindow*>(&canvas)) {
+        QTest::keyClick(nativeWindow, key, modifiers);
+    } else {
+        QTest::keyClick(qobject_cast<QWidget*>(&canvas), key, modifiers);
+    }
+}
+
+int differingPixels(const QImage& a, const QImage& b) {
+    if (a.size() != b.size()) {
+        return a.width() * a.height() + b.width() * b.height();
+    }
+    int count = 0;
+    for (int y = 0; y < a.height(); ++y) {
+        for (int x = 0; x < a.width(); ++x) {
+            count += differ(a.pixel(x, y), b.pixel(x, y)) ? 1 : 0;
+        }
+    }
+    return count;
+}
+
+double inkOf(const QImage& picture) {
+    QImage ground(picture.size(), picture.format());
+    ground.fill(picture.pixel(0, 0));
+    return static_cast<double>(differingPixels(picture, ground)) / (picture.width() * picture.height());
+}
