@@ -37,8 +37,9 @@ private:
 };
 
 /// The files of a job as one tree, whatever they came in: a folder, a .tgz, .tar.gz, .tar (V7 included) or .zip. Names
-/// are found whatever their case, because the matrix writes upper case and folders are lower case (facts §1). Archives
-/// are held in memory and nothing is ever written to disk; permissions in the archive are not looked at. Entries with
+/// are found whatever their case, because the matrix writes upper case and folders are lower case (odb-notes,
+/// Container). Archives are held in memory and nothing is ever written to disk; permissions in the archive are not
+/// looked at. Entries with
 /// `..` or an absolute path are left out with an error in the diagnostics. Reading is safe from several threads.
 class Archive {
 public:

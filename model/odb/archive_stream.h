@@ -53,8 +53,8 @@ private:
 };
 
 /// The plain text of a member that may be packed, told by its first bytes: `1F 9D` is Unix compress, `1F 8B` gzip, `PK`
-/// a zip with one file (DipTrace names those `.Z` too); anything else is returned as it is (facts §1). Errors: BadInput
-/// when it is broken or unpacks to more than `limit` bytes.
+/// a zip with one file (DipTrace names those `.Z` too); anything else is returned as it is (odb-notes, Container).
+/// Errors: BadInput when it is broken or unpacks to more than `limit` bytes.
 [[nodiscard]] base::Result<Bytes> decodeMember(Bytes bytes, std::uint64_t limit = std::uint64_t{2} << 30);
 
 }  // namespace model::odb

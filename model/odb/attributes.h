@@ -17,7 +17,7 @@ public:
 
     [[nodiscard]] Unit unit() const { return m_unit; }
     /// The number of an attribute such as ".copper_weight"; nothing when it is absent, empty or zero (zero means unset,
-    /// facts §10). A value that is no number is reported.
+    /// odb-notes, Stack). A value that is no number is reported.
     [[nodiscard]] std::optional<double> number(std::string_view name, std::string_view path,
                                                Diagnostics& diagnostics) const;
     [[nodiscard]] std::string_view text(std::string_view name) const { return m_block.value(name); }

@@ -19,7 +19,7 @@ struct PlacedPin {
     std::string name;
 };
 
-/// A CMP record with its pins (facts §9).
+/// A CMP record with its pins (odb-notes, Stack).
 struct PlacedComponent {
     std::int32_t package = -1;  ///< number of the PKG record in eda/data; -1 unknown
     base::Point position;

@@ -81,7 +81,7 @@ private:
             return;  // feature groups name features that are in no net
         }
         Fields fields(line);
-        fields.word();  // C, L or H: not reliable (facts §8)
+        fields.word();  // C, L or H: not reliable (odb-notes, Stack)
         const std::int32_t layer = fields.integer();
         const std::int32_t number = fields.integer();
         if (fields.failed() || layer < 0 || number < 0 || static_cast<std::size_t>(layer) >= m_data.layers.size()) {

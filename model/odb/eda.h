@@ -22,7 +22,7 @@ struct EdaPackage {
     std::vector<std::string> pins;
 };
 
-/// What `eda/data` says about nets and packages (facts §8).
+/// What `eda/data` says about nets and packages (odb-notes, Stack).
 struct EdaData {
     std::string generator;            ///< HDR
     std::vector<std::string> layers;  ///< LYR

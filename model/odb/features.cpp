@@ -12,7 +12,7 @@ namespace {
 /// Numbers in `$n` and `@n` lines may skip, but a table of a million is no table.
 constexpr std::int32_t kMaxTableNumber = 1'000'000;
 
-/// How a pad lies: the orientation field, with the angle that follows codes 8 and 9 (facts §4).
+/// How a pad lies: the orientation field, with the angle that follows codes 8 and 9 (odb-notes, Features).
 struct Orientation {
     double clockwiseDeg = 0.0;
     bool isMirrored = false;

@@ -25,7 +25,7 @@ enum class FeatureKind : std::uint8_t {
 struct SymbolRef {
     std::string name;
     Unit unit = Unit::Inch;
-    Nm resize = 0;  ///< added to the size (P records with -1, facts §4)
+    Nm resize = 0;  ///< added to the size (P records with -1)
     auto operator<=>(const SymbolRef&) const = default;
 };
 
@@ -54,7 +54,7 @@ struct FeatureFile {
 };
 
 /// Reads every record; what cannot be read is reported with its line. `defaultUnit` holds for files without a unit line
-/// (facts §3).
+/// (odb-notes, Units).
 [[nodiscard]] FeatureFile parseFeatures(std::string_view text, std::string_view path, Unit defaultUnit,
                                         Diagnostics& diagnostics);
 

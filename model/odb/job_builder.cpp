@@ -4,6 +4,7 @@
 
 #include "model/body.h"
 #include "model/odb/element_maker.h"
+#include "model/odb/layer_table.h"
 #include "model/odb/net_links.h"
 #include "model/odb/painting.h"
 #include "model/odb/profile.h"
@@ -17,19 +18,16 @@ namespace {
 class JobBuilder {
 public:
     JobBuilder(const JobContext& job, const Steps& steps, DocumentBuilder& builder, base::Progress& progress)
-        : m_job(job),
-          m_matrix(job.matrix),
+        : m_matrix(job.matrix),
           m_steps(steps),
           m_builder(builder),
           m_progress(progress),
           m_symbols(job.tree, job.defaultUnit, builder.diagnostics()),
-          m_order(physicalOrder(job.matrix.layers, "matrix/matrix", builder.diagnostics())) {}
+          m_layers(job, steps, builder) {}
 
     bool build(std::optional<double> boardNm) {
         takeDiagnostics();
-        addLayers();
-        setSpans();
-        addStackup(boardNm);
+        m_layers.add(boardNm);
         m_copies = unfoldCopies(m_steps, diagnostics());
         m_nets.emplace(m_builder, m_matrix, m_steps);
         if (!buildLayers(false)) {
@@ -39,6 +37,7 @@ public:
         if (!buildLayers(true)) {
             return false;
         }
+        reportPlating();
         addTools();
         addComponents();
         addBody(m_builder);
@@ -62,132 +61,17 @@ private:
         }
     }
 
-    // ---- layers ----
-
-    void addLayers() {
-        m_layerOfRow.resize(m_matrix.layers.size());
-        for (const std::size_t row : m_order) {
-            const MatrixLayer& source = m_matrix.layers[row];
-            Layer layer;
-            layer.name = source.name;
-            layer.type = source.type;
-            layer.context = source.context;
-            layer.isNegative = source.isNegative;
-            layer.row = source.row;
-            describeFeatures(row, layer);
-            m_layerOfRow[row] = m_builder.addLayer(std::move(layer));
-        }
-        reportEmptyLayers();
-    }
-
-    void describeFeatures(std::size_t row, Layer& layer) {
-        for (const StepData& step : m_steps) {
-            const Parsed<FeatureFile>& features = step.layers[row].features;
-            layer.file = layer.file.empty() ? features.path : layer.file;
-            layer.featureCount += static_cast<std::uint32_t>(features.value.features.size());
-        }
-        reportMissing(row, layer);
-    }
-
-    void reportMissing(std::size_t row, const Layer& layer) {
-        const bool mayBeBare = layer.type == LayerType::Dielectric || layer.type == LayerType::Component;
-        if (mayBeBare || isRepeatedName(row)) {
-            return;
-        }
-        const std::string folder = m_steps[0].folder + "/layers/" + layer.name;
-        const std::uint32_t line = m_matrix.layers[row].line;
-        if (layer.file.empty() && !m_job.tree.hasFolder(folder)) {
-            diagnostics().report(
-                Severity::Warning, "matrix/matrix", line,
-                "layer " + layer.name + " is in the matrix, but the step has no folder for it; it stays empty");
-        } else if (layer.file.empty()) {
-            diagnostics().report(Severity::Warning, folder, 0,
-                                 "layer " + layer.name + " has no features file; it stays empty");
-        } else if (layer.featureCount == 0) {
-            m_emptyLayers += (m_emptyLayers.empty() ? "" : ", ") + layer.name;
-        }
-    }
-
-    /// One entry for all: writers list every layer their program knows.
-    void reportEmptyLayers() {
-        if (!m_emptyLayers.empty()) {
-            diagnostics().report(Severity::Info, m_steps[0].folder, 0,
-                                 "layers whose features file holds no features: " + m_emptyLayers);
-        }
-    }
-
-    bool isRepeatedName(std::size_t row) {
-        for (std::size_t i = 0; i < row; ++i) {
-            if (equalsIgnoringCase(m_matrix.layers[i].name, m_matrix.layers[row].name)) {
-                diagnostics().report(
-                    Severity::Info, "matrix/matrix", m_matrix.layers[row].line,
-                    "layer " + m_matrix.layers[row].name + " is listed twice; its features are in the first one");
-                return true;
-            }
-        }
-        return false;
-    }
-
-    /// Copper layers of the board from the top.
-    [[nodiscard]] std::vector<LayerId> copperLayers() const {
-        std::vector<LayerId> copper;
-        for (const std::size_t row : m_order) {
-            if (m_matrix.layers[row].isCopper() && m_matrix.layers[row].context == LayerContext::Board) {
-                copper.push_back(m_layerOfRow[row]);
-            }
-        }
-        return copper;
-    }
-
-    /// Facts §6: either direction; empty means through all copper.
-    void setSpans() {
-        const std::vector<LayerId> copper = copperLayers();
-        for (std::size_t row = 0; row < m_matrix.layers.size() && !copper.empty(); ++row) {
-            if (!m_matrix.layers[row].isHoles()) {
-                continue;
-            }
-            Layer& layer = m_builder.layer(m_layerOfRow[row]);
-            const LayerId start = spanEnd(copper, row, m_matrix.layers[row].startName, copper.front());
-            const LayerId end = spanEnd(copper, row, m_matrix.layers[row].endName, copper.back());
-            layer.spanTop = std::min(start, end);  // layer ids rise from the top
-            layer.spanBottom = std::max(start, end);
-        }
-    }
-
-    LayerId spanEnd(const std::vector<LayerId>& copper, std::size_t row, const std::string& name, LayerId otherwise) {
-        if (name.empty()) {
-            return otherwise;
-        }
-        for (const LayerId id : copper) {
-            if (equalsIgnoringCase(m_builder.layer(id).name, name)) {
-                return id;
-            }
-        }
-        diagnostics().report(Severity::Warning, "matrix/matrix", m_matrix.layers[row].line,
-                             "layer " + m_matrix.layers[row].name + ": its span ends at " + name +
-                                 ", which is no copper layer; the outer copper is used");
-        return otherwise;
-    }
-
-    void addStackup(std::optional<double> boardNm) {
-        std::vector<ThicknessHint> hints;
-        for (const std::size_t row : m_order) {
-            hints.push_back(m_steps[0].layers[row].thickness.value);
-        }
-        m_builder.setBoardThickness(buildStackup(m_builder.layers(), hints, boardNm, diagnostics()));
-    }
-
     // ---- elements ----
 
     /// All layers whose polarity is `isNegative`; negative ones need the profile, so they come last.
     bool buildLayers(bool isNegative) {
-        for (const std::size_t row : m_order) {
+        for (const std::size_t row : m_layers.order()) {
             if (m_progress.isCancelled()) {
                 return false;
             }
             if (m_matrix.layers[row].isNegative == isNegative) {
                 buildLayer(row);
-                m_progress.setFraction(static_cast<float>(++m_built) / static_cast<float>(m_order.size()));
+                m_progress.setFraction(static_cast<float>(++m_built) / static_cast<float>(m_layers.order().size()));
             }
         }
         return true;
@@ -196,7 +80,7 @@ private:
     void buildLayer(std::size_t row) {
         const MatrixLayer& layer = m_matrix.layers[row];
         const std::vector<FeatureSource> sources = sourcesOf(row);
-        m_builder.beginLayer(m_layerOfRow[row]);
+        m_builder.beginLayer(m_layers.id(row));
         if (sources.empty()) {
             return;
         }
@@ -252,7 +136,7 @@ private:
     std::vector<FeatureSource> sourcesOf(std::size_t row) {
         std::vector<FeatureSource> sources;
         for (const StepCopy& copy : m_copies) {
-            const std::size_t from = copy.isFlipped ? oppositeRow(row) : row;
+            const std::size_t from = copy.isFlipped ? m_layers.oppositeRow(row) : row;
             const Parsed<FeatureFile>& features = m_steps[copy.step].layers[from].features;
             if (features.isPresent() && isInRange(copy, features)) {
                 sources.push_back({&features.value, features.path, copy.placement, m_nets->netsOf(copy.step, from)});
@@ -295,23 +179,6 @@ private:
         return place->second;
     }
 
-    /// The layer in the same place counted from the bottom. Layers outside of the stack, drills for example, stay.
-    std::size_t oppositeRow(std::size_t row) {
-        const auto count = static_cast<std::size_t>(
-            std::ranges::count_if(m_order, [this](std::size_t r) { return isPhysical(m_matrix.layers[r]); }));
-        const auto place = static_cast<std::size_t>(std::ranges::find(m_order, row) - m_order.begin());
-        if (place >= count) {
-            return row;
-        }
-        const std::size_t opposite = m_order[count - 1 - place];
-        if (m_matrix.layers[opposite].type != m_matrix.layers[row].type) {
-            diagnostics().report(
-                Severity::Warning, "matrix/matrix", m_matrix.layers[row].line,
-                "layer " + m_matrix.layers[row].name + ": a flipped copy lands on a layer of another type");
-        }
-        return opposite;
-    }
-
     // ---- profile ----
 
     void setProfile() {
@@ -334,17 +201,25 @@ private:
 
     // ---- the rest ----
 
+    void reportPlating() {
+        const std::vector<std::uint8_t>& flags = m_builder.soFar().elements.flags;
+        if (std::ranges::any_of(flags, [](std::uint8_t f) { return (f & kPlated) != 0; })) {
+            diagnostics().report(Severity::Info, "", 0,
+                                 "the job does not say how thick the copper in plated holes is; taken as 25 µm");
+        }
+    }
+
     void addTools() {
-        for (const std::size_t row : m_order) {
+        for (const std::size_t row : m_layers.order()) {
             for (const Tool& tool : toolsOf(row)) {
-                m_builder.addTool({m_layerOfRow[row], tool.number, tool.type, tool.finishedSize, tool.drillSize});
+                m_builder.addTool({m_layers.id(row), tool.number, tool.type, tool.finishedSize, tool.drillSize});
             }
         }
     }
 
     void addComponents() {
         for (std::size_t row = 0; row < m_matrix.layers.size(); ++row) {
-            const LayerSide side = m_builder.layer(m_layerOfRow[row]).side;
+            const LayerSide side = m_builder.layer(m_layers.id(row)).side;
             for (const PlacedComponent& component : m_steps[0].layers[row].components.value) {
                 addComponent(component, side);
             }
@@ -381,18 +256,15 @@ private:
         return pin.name.empty() && isListed ? package->pins[static_cast<std::size_t>(pin.number)] : pin.name;
     }
 
-    const JobContext& m_job;
     const Matrix& m_matrix;
     const Steps& m_steps;
     DocumentBuilder& m_builder;
     base::Progress& m_progress;
     SymbolLibrary m_symbols;
-    std::vector<std::size_t> m_order;
-    std::vector<LayerId> m_layerOfRow;
+    LayerTable m_layers;
     std::vector<StepCopy> m_copies;
     std::optional<NetLinks> m_nets;
     std::map<const FeatureFile*, Box> m_extents;
-    std::string m_emptyLayers;
     std::size_t m_built = 0;
 };
 

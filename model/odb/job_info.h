@@ -9,7 +9,7 @@
 
 namespace model::odb {
 
-/// What `misc/info` says; all of it may be missing (facts §1).
+/// What `misc/info` says; all of it may be missing (odb-notes, Container).
 struct MiscInfo {
     std::string jobName;
     std::string generator;  ///< SAVE_APP, or ODB_SOURCE where that is absent

@@ -17,8 +17,8 @@ struct JobFile {
     [[nodiscard]] std::string_view text() const { return bytes.view(); }
 };
 
-/// The job inside an archive: the folder that holds both `matrix/` and `steps/`, at whatever depth (facts §1). Paths
-/// are relative to it.
+/// The job inside an archive: the folder that holds both `matrix/` and `steps/`, at whatever depth (odb-notes,
+/// Container). Paths are relative to it.
 class JobTree {
 public:
     /// Errors: BadInput when no folder of the archive is a job.

@@ -15,7 +15,7 @@ enum class Unit : std::uint8_t { Inch, Millimetre };
 constexpr std::int64_t coordinateNm(Unit unit) {
     return unit == Unit::Inch ? 25'400'000 : 1'000'000;
 }
-/// Nanometres per symbol unit: symbols and tools are in thousandths, mil or µm (facts §3).
+/// Nanometres per symbol unit: symbols and tools are in thousandths, mil or µm (odb-notes, Units).
 constexpr std::int64_t symbolNm(Unit unit) {
     return coordinateNm(unit) / 1000;
 }

@@ -8,7 +8,7 @@
 
 namespace model::odb {
 
-/// A row of the matrix: what a layer is, before anything of it is read (facts §6).
+/// A row of the matrix: what a layer is, before anything of it is read (odb-notes, Stack).
 struct MatrixLayer {
     int row = 0;
     LayerContext context = LayerContext::Board;
@@ -39,8 +39,8 @@ inline constexpr std::size_t kMaxLayers = 5'000;
 [[nodiscard]] bool isPhysical(const MatrixLayer& layer);
 
 /// Rows of `layers` in the order a document holds them: first the layers that make up the board, from the top, then the
-/// rest as listed. Copper listed below the bottom side (facts §6: inner layers after the drills) is put back above the
-/// bottom copper and reported.
+/// rest as listed. Copper listed below the bottom side (odb-notes, Stack: inner layers after the drills) is put back
+/// above the bottom copper and reported.
 [[nodiscard]] std::vector<std::size_t> physicalOrder(const std::vector<MatrixLayer>& layers, std::string_view path,
                                                      Diagnostics& diagnostics);
 

@@ -9,8 +9,8 @@
 
 namespace model::odb {
 
-/// Which net each feature of each step belongs to, by the FID records of eda/data (facts §8). Nets of one name in
-/// several steps of a panel are one net. `$NONE$` is no net.
+/// Which net each feature of each step belongs to, by the FID records of eda/data (odb-notes, Stack). Nets of one name
+/// in several steps of a panel are one net. `$NONE$` is no net.
 class NetLinks {
 public:
     NetLinks(DocumentBuilder& builder, const Matrix& matrix, const Steps& steps);

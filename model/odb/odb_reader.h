@@ -8,7 +8,8 @@
 #include "model/document.h"
 #include "model/reader.h"
 
-/// ODB++ v7 and v8 jobs. The format facts cited in this folder as "facts §n" are those of docs/odb-notes.md.
+/// ODB++ v7 and v8 jobs. What the readers rely on beyond the format's description is in docs/odb-notes.md, cited here
+/// as "odb-notes" with the section.
 namespace model::odb {
 
 /// A cheap look at the name and the first bytes: a folder, or a file that is an archive or is named like one. It does

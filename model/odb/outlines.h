@@ -12,8 +12,8 @@ namespace model::odb {
 
 enum class CornerStyle { Rounded, Chamfered };
 
-/// Corners are counted counter-clockwise from the top right (facts §5): bit 0 top right, 1 top left, 2 bottom left, 3
-/// bottom right.
+/// Corners are counted counter-clockwise from the top right (odb-notes, Features): bit 0 top right, 1 top left, 2
+/// bottom left, 3 bottom right.
 inline constexpr unsigned kAllCorners = 0xF;
 
 void addBox(ShapeSketch& sketch, double width, double height, bool isHole);

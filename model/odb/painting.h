@@ -8,9 +8,9 @@
 
 namespace model::odb {
 
-/// Paint order: later features lie over earlier ones, and a negative one takes away what is below it (facts §4). So
-/// what remains of a positive element is its region minus all negative elements after it. `negatives` has one entry per
-/// element of the document.
+/// Paint order: later features lie over earlier ones, and a negative one takes away what is below it (odb-notes,
+/// Features). So what remains of a positive element is its region minus all negative elements after it. `negatives` has
+/// one entry per element of the document.
 
 /// Copies the positive elements of `painted` to the builder's current layer. Those that no later negative touches stay
 /// as they are; what is left of the others becomes an Area with the same net, symbol and feature, straight-edged within

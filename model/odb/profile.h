@@ -10,7 +10,7 @@ namespace model::odb {
 /// The outline a `profile` file draws: all polygons of its surfaces. Nothing when it has none.
 [[nodiscard]] std::optional<ShapeSketch> profileOf(const FeatureFile& file);
 
-/// Is this the outline of that board? Facts §7: one job's profile is a 3 × 2 mm box for a 90 mm board. It is believed
+/// Is this the outline of that board? One job's profile is a 3 × 2 mm box for a 90 mm board. It is believed
 /// when at least half of the copper elements built so far have their middle inside its box, grown by a millimetre;
 /// without any copper it always is.
 [[nodiscard]] bool fitsCopper(const ShapeSketch& profile, const Document& soFar);

@@ -65,7 +65,7 @@ private:
 /// A number of the job as nanometres; nothing outside ±kMaxCoordinate.
 [[nodiscard]] std::optional<base::Nm> toLength(double value, std::int64_t nmPerUnit);
 [[nodiscard]] bool equalsIgnoringCase(std::string_view a, std::string_view b);
-/// UTF-8 text from bytes that are UTF-8 or else Latin-1 (facts §1).
+/// UTF-8 text from bytes that are UTF-8 or else Latin-1 (odb-notes, Container).
 [[nodiscard]] std::string toUtf8(std::string_view bytes);
 
 }  // namespace model::odb

@@ -27,9 +27,9 @@ struct SymbolShape {
     std::string problem;            ///< for the diagnostics; empty if the symbol is drawn as it is
 };
 
-/// The shape of a standard symbol. Nothing when the name does not match the grammar completely (facts §5): then it is a
-/// user symbol. Sizes that are negative or reach beyond ±kMaxCoordinate draw nothing (facts §11.15), except that a ring
-/// without room for its hole is a disc.
+/// The shape of a standard symbol. Nothing when the name does not match the grammar completely (odb-notes, Features):
+/// then it is a user symbol. Sizes that are negative or exceed half a metre draw nothing (odb-notes,
+/// Features), except that a ring without room for its hole is a disc.
 [[nodiscard]] std::optional<SymbolShape> standardSymbol(const SymbolRef& symbol);
 
 }  // namespace model::odb

@@ -156,7 +156,7 @@ private:
         }
     }
 
-    /// Facts §10: copper weight is oz/ft² in INCH files and µm in MM files. On copper layers .layer_dielectric is the
+    /// Copper weight is oz/ft² in INCH files and µm in MM files. On copper layers .layer_dielectric is the
     /// dielectric beside it.
     static ThicknessHint thicknessOf(const AttributeList& attributes, const MatrixLayer& layer, std::string_view path,
                                      Diagnostics& diagnostics) {

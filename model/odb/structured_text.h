@@ -26,7 +26,7 @@ struct Block {
     [[nodiscard]] std::string_view value(std::string_view key) const;
 };
 
-/// The structured syntax of matrix, stephdr, tools, info and attrlist files (facts §2). Views point into the text.
+/// The structured syntax of matrix, stephdr, tools, info and attrlist files. Views point into the text.
 struct StructuredText {
     Block top;
     std::vector<Block> blocks;

@@ -63,7 +63,7 @@ void SurfaceParser::segment(Fields fields, std::int64_t nmPerUnit) {
     if (!canAdd(fields)) {
         return;
     }
-    // Facts §4: KiCad repeats the first point.
+    // KiCad repeats the first point.
     if (end != m_table.nodes.back().point) {
         addEdge(EdgeKind::Line, {}, end);
     }

@@ -7,7 +7,7 @@ namespace model::odb {
 
 namespace {
 
-/// Facts §10: FINISH_SIZE -1 is "unknown"; so is everything else that is no size.
+/// FINISH_SIZE -1 is "unknown"; so is everything else that is no size.
 base::Nm sizeOf(std::string_view text, Unit unit) {
     const std::optional<double> value = parseReal(text);
     const std::optional<base::Nm> size = value ? toLength(*value, symbolNm(unit)) : std::nullopt;

@@ -221,7 +221,7 @@ private slots:
         QCOMPARE(kindOf(*d, rout), ElementKind::Trail);
         QCOMPARE(flagsOf(*d, rout), int{model::kHole});
         QVERIFY(findDiagnostic(d->diagnostics, "taken as plated") != nullptr);
-        QVERIFY(findDiagnostic(d->diagnostics, "25.0 µm") != nullptr);
+        QVERIFY(findDiagnostic(d->diagnostics, "copper in plated holes is; taken as 25 µm") != nullptr);
         QCOMPARE(d->tools.size(), std::size_t{2});
         QCOMPARE(d->tools[0].layer, d->findLayer("drill"));
     }

@@ -1,0 +1,152 @@
+#include "model/odb/layer_table.h"
+
+#include <algorithm>
+
+#include "model/odb/records.h"
+
+namespace model::odb {
+
+LayerTable::LayerTable(const JobContext& job, const Steps& steps, DocumentBuilder& builder)
+    : m_job(job),
+      m_matrix(job.matrix),
+      m_steps(steps),
+      m_builder(builder),
+      m_order(physicalOrder(job.matrix.layers, "matrix/matrix", builder.diagnostics())) {}
+
+void LayerTable::add(std::optional<double> boardNm) {
+    addLayers();
+    setSpans();
+    addStackup(boardNm);
+}
+
+void LayerTable::addLayers() {
+    m_layerOfRow.resize(m_matrix.layers.size());
+    for (const std::size_t row : m_order) {
+        const MatrixLayer& source = m_matrix.layers[row];
+        Layer layer;
+        layer.name = source.name;
+        layer.type = source.type;
+        layer.context = source.context;
+        layer.isNegative = source.isNegative;
+        layer.row = source.row;
+        describeFeatures(row, layer);
+        m_layerOfRow[row] = m_builder.addLayer(std::move(layer));
+    }
+    reportEmptyLayers();
+}
+
+void LayerTable::describeFeatures(std::size_t row, Layer& layer) {
+    for (const StepData& step : m_steps) {
+        const Parsed<FeatureFile>& features = step.layers[row].features;
+        layer.file = layer.file.empty() ? features.path : layer.file;
+        layer.featureCount += static_cast<std::uint32_t>(features.value.features.size());
+    }
+    reportMissing(row, layer);
+}
+
+void LayerTable::reportMissing(std::size_t row, const Layer& layer) {
+    const bool mayBeBare = layer.type == LayerType::Dielectric || layer.type == LayerType::Component;
+    if (mayBeBare || isRepeatedName(row)) {
+        return;
+    }
+    const std::string folder = m_steps[0].folder + "/layers/" + layer.name;
+    const std::uint32_t line = m_matrix.layers[row].line;
+    if (layer.file.empty() && !m_job.tree.hasFolder(folder)) {
+        diagnostics().report(
+            Severity::Warning, "matrix/matrix", line,
+            "layer " + layer.name + " is in the matrix, but the step has no folder for it; it stays empty");
+    } else if (layer.file.empty()) {
+        diagnostics().report(Severity::Warning, folder, 0,
+                             "layer " + layer.name + " has no features file; it stays empty");
+    } else if (layer.featureCount == 0) {
+        m_emptyLayers += (m_emptyLayers.empty() ? "" : ", ") + layer.name;
+    }
+}
+
+/// One entry for all: writers list every layer their program knows.
+void LayerTable::reportEmptyLayers() {
+    if (!m_emptyLayers.empty()) {
+        diagnostics().report(Severity::Info, m_steps[0].folder, 0,
+                             "layers whose features file holds no features: " + m_emptyLayers);
+    }
+}
+
+bool LayerTable::isRepeatedName(std::size_t row) const {
+    for (std::size_t i = 0; i < row; ++i) {
+        if (equalsIgnoringCase(m_matrix.layers[i].name, m_matrix.layers[row].name)) {
+            diagnostics().report(
+                Severity::Info, "matrix/matrix", m_matrix.layers[row].line,
+                "layer " + m_matrix.layers[row].name + " is listed twice; its features are in the first one");
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Copper layers of the board from the top.
+std::vector<LayerId> LayerTable::copperLayers() const {
+    std::vector<LayerId> copper;
+    for (const std::size_t row : m_order) {
+        if (m_matrix.layers[row].isCopper() && m_matrix.layers[row].context == LayerContext::Board) {
+            copper.push_back(m_layerOfRow[row]);
+        }
+    }
+    return copper;
+}
+
+/// Either direction; empty means through all copper.
+void LayerTable::setSpans() {
+    const std::vector<LayerId> copper = copperLayers();
+    for (std::size_t row = 0; row < m_matrix.layers.size() && !copper.empty(); ++row) {
+        if (!m_matrix.layers[row].isHoles()) {
+            continue;
+        }
+        Layer& layer = m_builder.layer(m_layerOfRow[row]);
+        const LayerId start = spanEnd(copper, row, m_matrix.layers[row].startName, copper.front());
+        const LayerId end = spanEnd(copper, row, m_matrix.layers[row].endName, copper.back());
+        layer.spanTop = std::min(start, end);  // layer ids rise from the top
+        layer.spanBottom = std::max(start, end);
+    }
+}
+
+LayerId LayerTable::spanEnd(const std::vector<LayerId>& copper, std::size_t row, const std::string& name,
+                            LayerId otherwise) const {
+    if (name.empty()) {
+        return otherwise;
+    }
+    for (const LayerId id : copper) {
+        if (equalsIgnoringCase(m_builder.layer(id).name, name)) {
+            return id;
+        }
+    }
+    diagnostics().report(Severity::Warning, "matrix/matrix", m_matrix.layers[row].line,
+                         "layer " + m_matrix.layers[row].name + ": its span ends at " + name +
+                             ", which is no copper layer; the outer copper is used");
+    return otherwise;
+}
+
+void LayerTable::addStackup(std::optional<double> boardNm) {
+    std::vector<ThicknessHint> hints;
+    for (const std::size_t row : m_order) {
+        hints.push_back(m_steps[0].layers[row].thickness.value);
+    }
+    m_builder.setBoardThickness(buildStackup(m_builder.layers(), hints, boardNm, diagnostics()));
+}
+
+std::size_t LayerTable::oppositeRow(std::size_t row) const {
+    const auto count = static_cast<std::size_t>(
+        std::ranges::count_if(m_order, [this](std::size_t r) { return isPhysical(m_matrix.layers[r]); }));
+    const auto place = static_cast<std::size_t>(std::ranges::find(m_order, row) - m_order.begin());
+    if (place >= count) {
+        return row;
+    }
+    const std::size_t opposite = m_order[count - 1 - place];
+    if (m_matrix.layers[opposite].type != m_matrix.layers[row].type) {
+        diagnostics().report(
+            Severity::Warning, "matrix/matrix", m_matrix.layers[row].line,
+            "layer " + m_matrix.layers[row].name + ": a flipped copy lands on a layer of another type");
+    }
+    return opposite;
+}
+
+}  // namespace model::odb
