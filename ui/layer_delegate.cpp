@@ -44,6 +44,29 @@ void paintOpacity(QPainter& painter, const QStyleOptionViewItem& option, int per
     painter.drawText(whole, Qt::AlignCenter, QStringLiteral("%1 %").arg(percent));
 }
 
+/// A box with a tick, in the text's colour: the styles' own boxes vanish on a dark ground.
+void paintCheck(QPainter& painter, const QStyleOptionViewItem& option, bool isChecked) {
+    const bool isSelected = option.state.testFlag(QStyle::State_Selected);
+    const QColor tone = option.palette.color(isSelected ? QPalette::HighlightedText : QPalette::Text);
+    const double side = std::min(inner(option.rect).height(), inner(option.rect).width());
+    QRectF box(0.0, 0.0, side, side);
+    box.moveCenter(QRectF(option.rect).center());
+    painter.setRenderHint(QPainter::Antialiasing);
+    QColor faint = tone;
+    faint.setAlpha(110);
+    painter.setPen(QPen(faint, 1.0));
+    painter.drawRoundedRect(box, 2.0, 2.0);
+    if (isChecked) {
+        const auto at = [&](double x, double y) { return box.topLeft() + QPointF(x, y) * side; };
+        painter.setPen(QPen(tone, side / 7.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter.drawPolyline(QPolygonF{at(0.22, 0.52), at(0.42, 0.74), at(0.78, 0.28)});
+    }
+}
+
+bool isCheckColumn(int column) {
+    return column == LayerModel::Visible || column == LayerModel::Solo;
+}
+
 int percentAt(const QRect& cell, double x) {
     const QRect whole = inner(cell);
     return std::clamp(static_cast<int>((x - whole.left()) * 100.0 / std::max(whole.width() - 1, 1)), 0, 100);
@@ -52,7 +75,8 @@ int percentAt(const QRect& cell, double x) {
 }  // namespace
 
 void LayerDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
-    if (index.column() != LayerModel::Colour && index.column() != LayerModel::Opacity) {
+    const int column = index.column();
+    if (column == LayerModel::Name || column == LayerModel::Type) {
         QStyledItemDelegate::paint(painter, option, index);
         return;
     }
@@ -60,7 +84,9 @@ void LayerDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
     QStyleOptionViewItem cell = option;
     initStyleOption(&cell, index);
     paintGround(*painter, cell);
-    if (index.column() == LayerModel::Colour) {
+    if (isCheckColumn(column)) {
+        paintCheck(*painter, cell, index.data(Qt::CheckStateRole).toInt() == Qt::Checked);
+    } else if (column == LayerModel::Colour) {
         paintSwatch(*painter, cell, index.data(Qt::EditRole).value<QColor>());
     } else {
         paintOpacity(*painter, cell, index.data(Qt::EditRole).toInt());
@@ -82,11 +108,24 @@ QWidget* LayerDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem
 bool LayerDelegate::editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
                                 const QModelIndex& index) {
     const bool isPress = event->type() == QEvent::MouseButtonPress;
-    if (index.column() == LayerModel::Opacity && (isPress || event->type() == QEvent::MouseMove)) {
-        const auto& mouse = static_cast<const QMouseEvent&>(*event);
-        if (mouse.buttons().testFlag(Qt::LeftButton)) {
-            return model->setData(index, percentAt(option.rect, mouse.position().x()), Qt::EditRole);
-        }
+    const bool isDrag = event->type() == QEvent::MouseMove;
+    const bool isMouse = isPress || isDrag || event->type() == QEvent::MouseButtonDblClick;
+    if (!isMouse || !static_cast<const QMouseEvent&>(*event).buttons().testFlag(Qt::LeftButton)) {
+        // The release after a press has done its work; keys go the usual way.
+        return (event->type() == QEvent::MouseButtonRelease && isCheckColumn(index.column())) ||
+               QStyledItemDelegate::editorEvent(event, model, option, index);
+    }
+    if (isPress) {
+        m_pressed = index;
+    }
+    // A drag that began elsewhere, to select rows say, changes nothing when it passes here.
+    if (index.column() == LayerModel::Opacity && (isPress || (isDrag && index == m_pressed))) {
+        const double x = static_cast<const QMouseEvent&>(*event).position().x();
+        return model->setData(index, percentAt(option.rect, x), Qt::EditRole);
+    }
+    if (isCheckColumn(index.column()) && !isDrag) {
+        const bool wasChecked = index.data(Qt::CheckStateRole).toInt() == Qt::Checked;
+        return model->setData(index, wasChecked ? Qt::Unchecked : Qt::Checked, Qt::CheckStateRole);
     }
     return QStyledItemDelegate::editorEvent(event, model, option, index);
 }

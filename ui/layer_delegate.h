@@ -16,6 +16,9 @@ public:
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
     bool editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
                      const QModelIndex& index) override;
+
+private:
+    QPersistentModelIndex m_pressed;  ///< where the mouse button went down
 };
 
 }  // namespace ui

@@ -51,14 +51,19 @@ constexpr ActionId kBoardActions[] = {ActionId::Reload,        ActionId::SavePic
                                       ActionId::ShowAllLayers, ActionId::HideAllLayers, ActionId::ShowCopperOnly,
                                       ActionId::SoloLayer,     ActionId::RestoreLayers};
 
-/// "Opened board.tgz: 24 layers, 141,000 elements, 3 warnings in 1.2 s"
+/// "1 layer", "141,000 elements"
+QString counted(std::size_t count, const char* one, const char* many) {
+    return QStringLiteral("%1 %2").arg(QLocale().toString(static_cast<qulonglong>(count)),
+                                       QLatin1String(count == 1 ? one : many));
+}
+
+/// "Opened board.tgz: 24 layers, 141,000 elements, 3 warnings, in 1.2 s"
 QString summaryOf(const LoadedBoard& board, const models::MessageModel& messages) {
-    const QLocale locale;
-    const auto problems = messages.count(model::Severity::Warning) + messages.count(model::Severity::Error);
-    return QStringLiteral("Opened %1: %2 layers, %3 elements, %4 warnings, in %5 s")
-        .arg(displayName(board.request.path), locale.toString(static_cast<qulonglong>(board.document->layers.size())),
-             locale.toString(static_cast<qulonglong>(board.document->elements.size())),
-             locale.toString(static_cast<qulonglong>(problems)), locale.toString(board.seconds, 'f', 1));
+    const std::size_t problems = messages.count(model::Severity::Warning) + messages.count(model::Severity::Error);
+    return QStringLiteral("Opened %1: %2, %3, %4, in %5 s")
+        .arg(displayName(board.request.path), counted(board.document->layers.size(), "layer", "layers"),
+             counted(board.document->elements.size(), "element", "elements"), counted(problems, "warning", "warnings"),
+             QLocale().toString(board.seconds, 'f', 1));
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ constexpr Tone kTones[] = {
     {QPalette::BrightText, 0xffffffff, 0xff000000},
     {QPalette::ToolTipBase, 0xff3a3e44, 0xfffffbe6},
     {QPalette::ToolTipText, 0xffe8eaed, 0xff1d1e21},
-    {QPalette::Highlight, 0xffa65a24, 0xffb5652a},
+    {QPalette::Highlight, 0xffa65a24, 0xffa65a24},
     {QPalette::HighlightedText, 0xffffffff, 0xffffffff},
     {QPalette::Link, 0xfff0a060, 0xff9a4b10},
     {QPalette::Light, 0xff44484e, 0xffffffff},

@@ -42,10 +42,13 @@ private slots:
     void clickOnACheckMarkHidesTheLayer() {
         ui::LayersPanel panel(m_layers, *m_actions);
         show(panel);
-        const QModelIndex cell = m_layers.index(1, LayerModel::Visible);
-        const QRect rect = panel.table().visualRect(cell);
-        QTest::mouseClick(panel.table().viewport(), Qt::LeftButton, {}, QPoint(rect.left() + 10, rect.center().y()));
+        const QPoint box = middleOf(panel.table(), 1, LayerModel::Visible);
+        QTest::mouseClick(panel.table().viewport(), Qt::LeftButton, {}, box);
         QVERIFY(!m_layers.effectiveLooks()[1].isVisible);
+        QTest::mouseClick(panel.table().viewport(), Qt::LeftButton, {}, box);
+        QVERIFY(m_layers.effectiveLooks()[1].isVisible);
+        QTest::mouseClick(panel.table().viewport(), Qt::LeftButton, {}, middleOf(panel.table(), 2, LayerModel::Solo));
+        QCOMPARE(m_layers.soloLayer().row(), std::size_t{2});
     }
 
     void spaceTurnsAllSelectedLayersTheSameWay() {
@@ -77,6 +80,20 @@ private slots:
         QCoreApplication::sendEvent(table.viewport(), &move);
         QCOMPARE(m_layers.effectiveLooks()[0].opacityPercent, 100);
         QTest::mouseRelease(table.viewport(), Qt::LeftButton, {}, cell.center());
+    }
+
+    void dragThatSelectsRowsChangesNoOpacity() {
+        ui::LayersPanel panel(m_layers, *m_actions);
+        show(panel);
+        QTableView& table = panel.table();
+        QTest::mousePress(table.viewport(), Qt::LeftButton, {}, middleOf(table, 0, LayerModel::Name));
+        const QPointF there = middleOf(table, 2, LayerModel::Opacity);
+        QMouseEvent move(QEvent::MouseMove, there, table.viewport()->mapToGlobal(there), Qt::NoButton, Qt::LeftButton,
+                         Qt::NoModifier);
+        QCoreApplication::sendEvent(table.viewport(), &move);
+        QTest::mouseRelease(table.viewport(), Qt::LeftButton, {}, there.toPoint());
+        QCOMPARE(m_layers.effectiveLooks()[2].opacityPercent, 100);
+        QCOMPARE(table.selectionModel()->selectedRows().size(), 3);
     }
 
     void opacityIsTypedAfterEnter() {
