@@ -33,6 +33,26 @@ void LayerTable::addLayers() {
         m_layerOfRow[row] = m_builder.addLayer(std::move(layer));
     }
     reportEmptyLayers();
+    reportUnread();
+}
+
+void LayerTable::reportUnread() {
+    const std::string& step = m_steps[0].folder;
+    const auto note = [this](const std::string& path, const char* text) {
+        if (m_job.tree.has(path)) {
+            diagnostics().report(Severity::Info, path, 0, text);
+        }
+    };
+    note("matrix/stackup.xml", "this file is not read; thicknesses come from the attributes");
+    note(step + "/zones", "rigid and flexible zones are not read; every layer covers the whole board");
+    for (const MatrixLayer& layer : m_matrix.layers) {
+        note(step + "/layers/" + layer.name + "/profile",
+             "outlines of single layers are not read; the board's outline is used");
+    }
+    if (!m_steps[0].eda.isPresent()) {
+        diagnostics().report(Severity::Info, step + "/eda/data", 0,
+                             "the step has no eda/data; its elements have no nets");
+    }
 }
 
 void LayerTable::describeFeatures(std::size_t row, Layer& layer) {

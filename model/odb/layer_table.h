@@ -30,6 +30,7 @@ private:
     void describeFeatures(std::size_t row, Layer& layer);
     void reportMissing(std::size_t row, const Layer& layer);
     void reportEmptyLayers();
+    void reportUnread();
     [[nodiscard]] bool isRepeatedName(std::size_t row) const;
     [[nodiscard]] std::vector<LayerId> copperLayers() const;
     void setSpans();

@@ -14,7 +14,11 @@ namespace model::odb {
 /// an editor shows them.
 class LineReader {
 public:
-    explicit LineReader(std::string_view text) : m_rest(text) {}
+    explicit LineReader(std::string_view text) : m_rest(text) {
+        if (m_rest.starts_with("\xef\xbb\xbf")) {
+            m_rest.remove_prefix(3);  // a byte order mark
+        }
+    }
 
     /// Moves to the next line that says something. False at the end.
     bool next();

@@ -31,6 +31,12 @@ private slots:
         QVERIFY(!LineReader("\n\r\n# only a comment\n").next());
     }
 
+    void aByteOrderMarkIsNoText() {
+        LineReader lines("\xef\xbb\xbfUNITS=MM\n");
+        QVERIFY(lines.next());
+        QCOMPARE(lines.line(), std::string_view("UNITS=MM"));
+    }
+
     void fieldsEndAtTheAttributes() {
         Fields fields("P  1\t2;0=3;ID=7");
         QCOMPARE(fields.word(), std::string_view("P"));

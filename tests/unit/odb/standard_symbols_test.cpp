@@ -79,6 +79,11 @@ private slots:
             QCOMPARE(shape.kind, Kind::Nothing);
             QVERIFY2(shape.problem.find("draws nothing") != std::string::npos, name);
         }
+        for (const char* name : {"donut_r100x100", "donut_s100x200", "donut_sr10x11", "ths10x20x0x4x1"}) {
+            QCOMPARE(shapeOf(name).kind, Kind::Nothing);
+            QVERIFY2(shapeOf(name).problem.find("no area") != std::string::npos, name);
+        }
+        QVERIFY(shapeOf("s_thr4000x3000x45x4x500").problem.find("cannot be drawn yet") != std::string::npos);
         QCOMPARE(shapeOf("rect0x100").kind, Kind::Nothing);
         QVERIFY(shapeOf("rect0x100").problem.find("no area") != std::string::npos);
     }
