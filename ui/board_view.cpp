@@ -8,11 +8,21 @@
 
 namespace ui {
 
+namespace {
+
+constexpr double kSlowMs = 50.0;  // 20 frames a second: below that a drag feels sticky
+constexpr int kRestMs = 250;
+
+}  // namespace
+
 BoardView::BoardView(GpuContext& context, CanvasKind kind, QWidget* parent) : QWidget(parent), m_context(context) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     setMinimumSize(160, 120);
-    connect(&m_controller, &CameraController::moved, this, &BoardView::requestFrame);
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(kRestMs);
+    connect(&m_rest, &QTimer::timeout, this, &BoardView::requestRestingFrame);
+    connect(&m_controller, &CameraController::moved, this, &BoardView::requestMovingFrame);
     if (kind == CanvasKind::Best && context.surfaceInstance() != nullptr) {
         showVulkanCanvas();
     } else {
@@ -24,7 +34,7 @@ BoardView::~BoardView() = default;
 
 void BoardView::showVulkanCanvas() {
     m_window = new VulkanCanvas(m_context, m_controller, m_picture);
-    connect(m_window, &VulkanCanvas::drawn, this, &BoardView::drawn);
+    connect(m_window, &VulkanCanvas::drawn, this, &BoardView::onDrawn);
     connect(m_window, &VulkanCanvas::deviceLost, this, &BoardView::deviceLost, Qt::QueuedConnection);
     connect(m_window, &VulkanCanvas::unusable, this, &BoardView::showImageCanvas, Qt::QueuedConnection);
     replaceCanvas(QWidget::createWindowContainer(m_window));
@@ -33,7 +43,7 @@ void BoardView::showVulkanCanvas() {
 void BoardView::showImageCanvas() {
     m_window = nullptr;
     m_image = new ImageCanvas(m_context, m_controller, m_picture);
-    connect(m_image, &ImageCanvas::drawn, this, &BoardView::drawn);
+    connect(m_image, &ImageCanvas::drawn, this, &BoardView::onDrawn);
     connect(m_image, &ImageCanvas::deviceLost, this, &BoardView::deviceLost, Qt::QueuedConnection);
     replaceCanvas(m_image);
 }
@@ -48,7 +58,8 @@ void BoardView::replaceCanvas(QWidget* canvas) {
 
 void BoardView::setScene(render::BoardScene* scene) {
     m_picture.scene = scene;
-    requestFrame();
+    m_isSlow = false;
+    requestRestingFrame();
 }
 
 void BoardView::setBoard(const glm::vec3& boxMin, const glm::vec3& boxMax) {
@@ -65,7 +76,7 @@ void BoardView::setBackend(render::Backend backend) {
 void BoardView::setExplode(float explode) {
     m_picture.settings.explode = explode;
     updateBox();
-    requestFrame();
+    requestMovingFrame();
 }
 
 void BoardView::updateBox() {
@@ -83,6 +94,24 @@ void BoardView::requestFrame() {
     }
 }
 
+void BoardView::requestMovingFrame() {
+    if (m_isSlow) {
+        m_picture.settings.isSmoothed = false;
+        m_rest.start();
+    }
+    requestFrame();
+}
+
+void BoardView::requestRestingFrame() {
+    m_picture.settings.isSmoothed = true;
+    requestFrame();
+}
+
+void BoardView::onDrawn(const render::FrameStats& stats) {
+    m_isSlow = m_isSlow || std::max(stats.cpuMs, stats.gpuMs) > kSlowMs;
+    emit drawn(stats);
+}
+
 QObject& BoardView::canvas() {
     return m_window != nullptr ? static_cast<QObject&>(*m_window) : *m_image;
 }
@@ -90,7 +119,9 @@ QObject& BoardView::canvas() {
 base::Result<QImage> BoardView::grabPicture(double scale) {
     render::OffscreenPresenter presenter(m_context.device());
     const QSize pixels = (QSizeF(size()) * devicePixelRatioF() * scale).toSize();
-    return drawPicture(presenter, m_picture, m_controller.camera(), pixels);
+    Picture resting = m_picture;
+    resting.settings.isSmoothed = true;
+    return drawPicture(presenter, resting, m_controller.camera(), pixels);
 }
 
 void BoardView::releaseDevice() {

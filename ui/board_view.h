@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
 
 #include "ui/camera_controller.h"
@@ -12,7 +13,8 @@ class ImageCanvas;
 class VulkanCanvas;
 
 /// The 3D viewport: a camera, its input, and a canvas of the kind the platform can show. Draws only when something
-/// changed, and once however much changed since the last frame.
+/// changed, and once however much changed since the last frame. Where frames are slow (software Vulkan), edges are not
+/// smoothed while the view moves, and are again as soon as it rests.
 class BoardView : public QWidget {
     Q_OBJECT
 
@@ -51,6 +53,9 @@ private:
     void showVulkanCanvas();
     void showImageCanvas();
     void replaceCanvas(QWidget* canvas);
+    void requestMovingFrame();
+    void requestRestingFrame();
+    void onDrawn(const render::FrameStats& stats);
     void updateBox();
 
     GpuContext& m_context;
@@ -61,6 +66,8 @@ private:
     VulkanCanvas* m_window = nullptr;  ///< at most one of the two; owned by its container
     ImageCanvas* m_image = nullptr;
     QWidget* m_container = nullptr;
+    QTimer m_rest;          ///< runs out when the view has not moved for a while
+    bool m_isSlow = false;  ///< a frame of this scene took longer than an eye blinks away
 };
 
 }  // namespace ui

@@ -156,8 +156,9 @@ private slots:
             window().view().controller().zoomAtCentre(1.01F);
         }
         QTRY_VERIFY(drawn.count() > 0);
-        QTest::qWait(300);
-        QCOMPARE(drawn.count(), 1);  // ten changes, one frame
+        QTest::qWait(600);
+        // Ten changes, one frame; and where frames are slow a smoothed one when the view has come to rest.
+        QVERIFY2(drawn.count() <= 2, qPrintable(QString::number(drawn.count())));
     }
 
     void failedOpenKeepsTheBoardAndTellsWhy() {
