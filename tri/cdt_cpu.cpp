@@ -1,6 +1,7 @@
 #include "tri/cdt_cpu.h"
 
 #include "tri/delaunay.h"
+#include "tri/insertion.h"
 #include "tri/workspace.h"
 
 namespace tri {
@@ -9,9 +10,13 @@ Status triangulateCpu(const Polygon& polygon, std::vector<std::uint32_t>& triang
     thread_local Workspace workspace;
     Status status = workspace.start(polygon);
     if (status.outcome == Outcome::Ok) {
-        startInBox(workspace.mesh);
-        insertVertices(workspace.mesh, 0, workspace.mesh.vertexCount);
-        status = workspace.finish(triangles);
+        Mesh& mesh = workspace.mesh;
+        startInBox(mesh);
+        Insertion insertion(mesh, Everywhere{}, 0);
+        for (std::uint32_t q = 0; q < mesh.vertexCount; ++q, mesh.triangleCount += 2) {
+            insertion.insert(q, mesh.triangleCount);
+        }
+        status = workspace.finish(Cores::One, triangles);
     }
     workspace.trim();
     return status;

@@ -1,6 +1,7 @@
 #include "tri/constraints.h"
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 #include "model/base/assert.h"
@@ -11,14 +12,29 @@ namespace tri {
 
 namespace {
 
-/// How many contour edges are edges of the mesh: every one is a directed edge of the triangle to its left.
-std::size_t countPresent(const Mesh& mesh, const Contours& contours) {
-    std::size_t count = 0;
-    for (std::uint32_t t = 0; t < mesh.triangleCount; ++t) {
-        const auto& v = mesh.triangles[t].v;
-        count += std::size_t{contours.has(v[0], v[1])} + contours.has(v[1], v[2]) + contours.has(v[2], v[0]);
-    }
-    return count;
+/// Counts the contour edges that are edges of the mesh: every one is a directed edge of the triangle to its left. Marks
+/// the vertices where they start; not the busy ones, where several may start.
+std::size_t markPresent(const Mesh& mesh, const Contours& contours, Cores cores, std::uint8_t* isStart) {
+    std::fill_n(isStart, mesh.vertexCount + kBoxCorners, std::uint8_t{0});
+    const std::uint64_t pieces = piecesFor(cores);
+    std::vector<std::size_t> counts(pieces, 0);
+    forEach(cores, pieces, [&](std::size_t piece) {
+        std::size_t count = 0;
+        const std::size_t end = mesh.triangleCount * (piece + 1) / pieces;
+        for (std::size_t t = mesh.triangleCount * piece / pieces; t < end; ++t) {
+            const auto& v = mesh.triangles[t].v;
+            for (std::uint32_t i = 0; i < 3; ++i) {
+                if (contours.has(v[i], v[kNext[i]])) {
+                    ++count;
+                    if (!contours.isBusy(v[i])) {
+                        isStart[v[i]] = 1;
+                    }
+                }
+            }
+        }
+        counts[piece] = count;
+    });
+    return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
 }
 
 /// Edges that flips and corridors leave alone.
@@ -32,15 +48,22 @@ public:
     Inserter(Mesh& mesh, Contours& contours)
         : m_mesh(mesh), m_contours(contours), m_triangleAt(trianglesAtVertices(mesh)) {}
 
-    Status run() {
+    /// `isStart`: from which vertices, of those that are not busy, the contour edge is there.
+    Status run(const std::uint8_t* isStart) {
         // First whatever can be inserted as it is. What is blocked may run through vertices, and what blocks it may
         // cancel once it is split there; so crossings count only the second time.
-        const std::vector<DirectedEdge> blocked = insert(missing(m_contours.edges(m_mesh)));
+        std::vector<DirectedEdge> edges;
+        m_contours.forEachEdge(m_mesh, [&](const DirectedEdge& edge) {
+            if (isStart[edge.from] == 0) {
+                edges.push_back(edge);
+            }
+        });
+        const std::vector<DirectedEdge> blocked = insert(edges);
         const std::vector<DirectedEdge> pieces = blocked.empty() ? blocked : split(blocked);
         if (m_contours.overlap().outcome != Outcome::Ok) {
             return m_contours.overlap();
         }
-        if (!insert(missing(pieces)).empty()) {
+        if (!insert(pieces).empty()) {
             return m_crossing;
         }
         restoreDelaunay(m_mesh, m_dirty, IsContour{m_contours});
@@ -48,33 +71,14 @@ public:
     }
 
 private:
-    /// Those that are contours and not yet edges.
-    [[nodiscard]] std::vector<DirectedEdge> missing(std::vector<DirectedEdge> edges) const {
-        if (edges.empty()) {
-            return edges;
-        }
-        std::vector<bool> starts(m_mesh.vertexCount, false);
-        for (std::uint32_t t = 0; t < m_mesh.triangleCount; ++t) {
-            const auto& v = m_mesh.triangles[t].v;
-            for (std::uint32_t i = 0; i < 3; ++i) {
-                if (m_contours.has(v[i], v[kNext[i]])) {
-                    starts[v[i]] = true;
-                }
-            }
-        }
-        std::erase_if(edges, [&](const DirectedEdge& edge) {
-            const bool isPresent =
-                starts[edge.from] && (!m_contours.isBusy(edge.from) ||
-                                      lookAhead(m_mesh, m_triangleAt, edge.from, edge.to).vertex == edge.to);
-            return isPresent || !m_contours.has(edge.from, edge.to);
-        });
-        return edges;
-    }
-
-    /// Returns those that are blocked; m_crossing tells about the last of them.
+    /// Inserts the edges that are (still) contours and not there yet. Returns those that are blocked; m_crossing tells
+    /// about the last of them.
     std::vector<DirectedEdge> insert(const std::vector<DirectedEdge>& edges) {
         std::vector<DirectedEdge> blocked;
         for (const DirectedEdge& edge : edges) {
+            if (!m_contours.has(edge.from, edge.to)) {
+                continue;
+            }
             if (m_corridor.explore(m_mesh, m_triangleAt, edge.from, edge.to, IsContour{m_contours}) ==
                 Corridor::Way::Clear) {
                 m_corridor.rebuild(m_mesh, m_triangleAt, m_dirty);
@@ -109,12 +113,13 @@ private:
             }
             pieces.push_back({from, edge.to, edge.edge});
         }
-        std::vector<DirectedEdge> all = m_contours.edges(m_mesh);
+        std::vector<DirectedEdge> all = pieces;
         std::ranges::sort(blocked, {}, &DirectedEdge::edge);
-        std::erase_if(all, [&](const DirectedEdge& edge) {
-            return std::ranges::binary_search(blocked, edge.edge, {}, &DirectedEdge::edge);
+        m_contours.forEachEdge(m_mesh, [&](const DirectedEdge& edge) {
+            if (!std::ranges::binary_search(blocked, edge.edge, {}, &DirectedEdge::edge)) {
+                all.push_back(edge);
+            }
         });
-        all.insert(all.end(), pieces.begin(), pieces.end());
         m_contours.rebuild(m_mesh, all, touched);
         return pieces;
     }
@@ -129,11 +134,12 @@ private:
 
 }  // namespace
 
-Status insertContours(Mesh& mesh, Contours& contours) {
-    if (countPresent(mesh, contours) == contours.edgeCount()) {
+Status insertContours(Mesh& mesh, Contours& contours, Cores cores, Scratch<std::uint8_t>& scratch) {
+    std::uint8_t* isStart = scratch.room(mesh.vertexCount + kBoxCorners);
+    if (markPresent(mesh, contours, cores, isStart) == contours.edgeCount()) {
         return {};
     }
-    return Inserter(mesh, contours).run();
+    return Inserter(mesh, contours).run(isStart);
 }
 
 }  // namespace tri

@@ -132,17 +132,6 @@ void Contours::rebuild(const Mesh& mesh, std::span<const DirectedEdge> edges, st
     settle();
 }
 
-std::vector<DirectedEdge> Contours::edges(const Mesh& mesh) const {
-    std::vector<DirectedEdge> all = m_shared;
-    for (std::uint32_t from = 0; from < mesh.vertexCount; ++from) {
-        const std::uint32_t to = m_next[from];
-        if (to != kFree && to != kBusy && m_next[to] != kBusy) {
-            all.push_back({from, to, mesh.ids[from]});
-        }
-    }
-    return all;
-}
-
 std::span<const Contours::Ray> Contours::raysAt(std::uint32_t vertex) const {
     const auto first = std::ranges::lower_bound(m_rays, vertex, {}, &Ray::at);
     const auto last = std::ranges::upper_bound(m_rays, vertex, {}, &Ray::at);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -34,7 +35,16 @@ public:
 
     /// How many edges are left after adding up.
     [[nodiscard]] std::size_t edgeCount() const { return m_edgeCount; }
-    [[nodiscard]] std::vector<DirectedEdge> edges(const Mesh& mesh) const;
+    template <class Visit>
+    void forEachEdge(const Mesh& mesh, const Visit& visit) const {
+        std::ranges::for_each(m_shared, visit);
+        for (std::uint32_t from = 0; from < mesh.vertexCount; ++from) {
+            const std::uint32_t to = m_next[from];
+            if (to != kFree && to != kBusy && m_next[to] != kBusy) {
+                visit(DirectedEdge{from, to, mesh.ids[from]});
+            }
+        }
+    }
     /// Crossing if two edges that are left run along each other in the same direction. They may still cancel with the
     /// piece of a third one that is not yet split at its vertices.
     [[nodiscard]] const Status& overlap() const { return m_overlap; }

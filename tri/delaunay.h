@@ -14,10 +14,6 @@ inline constexpr std::uint32_t kBoxCorners = 4;
 /// Starts a mesh: appends the box corners to its vertices and makes the first two triangles.
 void startInBox(Mesh& mesh);
 
-/// Inserts vertices first..end into a mesh whose triangles are the perturbed Delaunay triangulation of a box and the
-/// vertices so far, and keeps it that. Vertices near in number should be near in space; positions differ.
-void insertVertices(Mesh& mesh, std::uint32_t first, std::uint32_t end);
-
 /// Flips until no edge on the stack, and none that a flip disturbs, has a perturbed circle with an apex in; edges for
 /// which `isFixed(a, b)` holds stay. Takes edges in any order, also stale ones.
 template <class IsFixed>

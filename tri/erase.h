@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tri/contours.h"
+#include "tri/cores.h"
 #include "tri/mesh.h"
 #include "tri/triangulate.h"
 
@@ -15,8 +16,8 @@ namespace tri {
 ///
 /// Proves its result: the triangles that stay border on erased ones exactly along the contours, each on the left. So
 /// they cover what the contours surround once, and nothing else. Crossing if that cannot be (a region within a region,
-/// a contour that winds the wrong way), Degenerate if nothing stays.
-[[nodiscard]] Status eraseOutside(const Mesh& mesh, const Contours& contours, Scratch<std::uint8_t>& scratch,
-                                  std::vector<std::uint32_t>& triangles);
+/// a contour that winds the wrong way), Degenerate if nothing stays. `scratch` is overwritten.
+[[nodiscard]] Status eraseOutside(const Mesh& mesh, const Contours& contours, Cores cores,
+                                  Scratch<std::uint8_t>& scratch, std::vector<std::uint32_t>& triangles);
 
 }  // namespace tri

@@ -70,15 +70,9 @@ void writeKeys(std::span<const Point> points, std::uint64_t* keys) {
     for (const Point& p : points) {
         box.include(p);
     }
-    // 16 bits per axis: offset * factor < 2^48 for every offset up to the extent.
-    const auto extent = static_cast<std::uint64_t>(std::max(box.width(), box.height()));
-    const std::uint64_t factor = (std::uint64_t{1} << 48) / (extent + 1);
+    const HilbertGrid grid(box);
     for (std::uint32_t i = 0; i < points.size(); ++i) {
-        const auto x = static_cast<std::uint64_t>(std::int64_t{points[i].x} - box.min.x);
-        const auto y = static_cast<std::uint64_t>(std::int64_t{points[i].y} - box.min.y);
-        const std::uint32_t key =
-            hilbertKey(static_cast<std::uint32_t>(x * factor >> 32), static_cast<std::uint32_t>(y * factor >> 32));
-        keys[i] = std::uint64_t{key} << 32 | i;
+        keys[i] = std::uint64_t{grid.keyOf(points[i])} << 32 | i;
     }
 }
 
@@ -151,7 +145,20 @@ std::size_t mergeEqual(std::span<const Point> points, std::uint64_t* keys, std::
 
 }  // namespace
 
-std::vector<std::uint32_t> orderVertices(std::span<const Point> points, Mesh& mesh, std::uint32_t* vertexOf) {
+HilbertGrid::HilbertGrid(const base::Box& box)
+    : m_box(box),
+      // 16 bits per axis: offset * factor < 2^48 for every offset up to the extent.
+      m_factor((std::uint64_t{1} << 48) / (static_cast<std::uint64_t>(std::max(box.width(), box.height())) + 1)) {}
+
+std::uint32_t HilbertGrid::keyOf(Point p) const {
+    const auto cell = [&](base::Nm at, base::Nm low, base::Nm high) {
+        const std::int64_t offset = std::int64_t{std::clamp(at, low, high)} - low;
+        return static_cast<std::uint32_t>(static_cast<std::uint64_t>(offset) * m_factor >> 32);
+    };
+    return hilbertKey(cell(p.x, m_box.min.x, m_box.max.x), cell(p.y, m_box.min.y, m_box.max.y));
+}
+
+VertexOrder orderVertices(std::span<const Point> points, Mesh& mesh, std::uint32_t* vertexOf) {
     // There are no triangles yet: sort in their place (16 of their 48 bytes per vertex).
     static_assert(2 * sizeof(Triangle) >= 2 * sizeof(std::uint64_t) && alignof(Triangle) <= alignof(std::max_align_t));
     auto* keys = reinterpret_cast<std::uint64_t*>(mesh.triangles.data());
@@ -165,9 +172,12 @@ std::vector<std::uint32_t> orderVertices(std::span<const Point> points, Mesh& me
         ++slot[kLevels - 1 - levelOf(static_cast<std::uint32_t>(keys[i]))];
     }
     std::uint32_t sum = 0;
+    std::vector<std::uint32_t> roundStart;
     for (std::uint32_t& start : slot) {
+        roundStart.push_back(sum);
         sum += std::exchange(start, sum);
     }
+    roundStart.push_back(sum);
     for (std::size_t i = 0; i < count; ++i) {
         const auto index = static_cast<std::uint32_t>(keys[i]);
         const std::uint32_t vertex = slot[kLevels - 1 - levelOf(index)]++;
@@ -182,7 +192,7 @@ std::vector<std::uint32_t> orderVertices(std::span<const Point> points, Mesh& me
     }
     std::ranges::sort(merged);
     merged.erase(std::unique(merged.begin(), merged.end()), merged.end());
-    return merged;
+    return {std::move(merged), std::move(roundStart)};
 }
 
 }  // namespace tri

@@ -8,6 +8,23 @@
 
 namespace tri {
 
+/// Places along a Hilbert curve through the square around some points, in 2^16 x 2^16 cells.
+class HilbertGrid {
+public:
+    explicit HilbertGrid(const base::Box& box);
+    /// Points outside count as the nearest one inside.
+    [[nodiscard]] std::uint32_t keyOf(Point p) const;
+
+private:
+    base::Box m_box;
+    std::uint64_t m_factor;
+};
+
+struct VertexOrder {
+    std::vector<std::uint32_t> merged;      ///< vertices at which several points came together, in rising order
+    std::vector<std::uint32_t> roundStart;  ///< first vertex of every round, and the end
+};
+
 /// Numbers the vertices of a mesh in the order in which they are to be inserted, and merges equal positions.
 ///
 /// The order is a biased randomised insertion order: an eighth of an eighth of ... of the points first, each round
@@ -15,8 +32,7 @@ namespace tri {
 /// flips the fan of its predecessors: twice the flips.
 ///
 /// `mesh` has room for all points and for two triangles per point; the triangles' room is used to sort in. Sets points,
-/// ids (the lowest index at that position) and vertexCount, and `vertexOf`: the vertex of every index. Returns the
-/// vertices at which several points came together, in rising order.
-std::vector<std::uint32_t> orderVertices(std::span<const Point> points, Mesh& mesh, std::uint32_t* vertexOf);
+/// ids (the lowest index at that position) and vertexCount, and `vertexOf`: the vertex of every index.
+[[nodiscard]] VertexOrder orderVertices(std::span<const Point> points, Mesh& mesh, std::uint32_t* vertexOf);
 
 }  // namespace tri

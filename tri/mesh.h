@@ -61,6 +61,10 @@ struct Mesh {
             return false;
         }
         const std::uint32_t apex = triangles[other.triangle()].v[other.corner()];
+        const Int128 exact = inCircle(points[t.v[0]], points[t.v[1]], points[t.v[2]], points[apex]);
+        if (exact != 0) [[likely]] {
+            return exact > 0;  // ids are not even loaded
+        }
         return isInPerturbedCircle(site(t.v[0]), site(t.v[1]), site(t.v[2]), site(apex));
     }
 
@@ -81,6 +85,21 @@ struct Mesh {
         link(edge, outerOfU);
         link(other, outerOfT);
         link(EdgeRef::of(edge.triangle(), kNext[i]), EdgeRef::of(other.triangle(), kNext[j]));
+    }
+
+    /// Takes back flip(edge), where `other` was the other side of the edge.
+    void unflip(EdgeRef edge, EdgeRef other) {
+        const std::uint32_t i = edge.corner();
+        const std::uint32_t j = other.corner();
+        Triangle& t = triangles[edge.triangle()];
+        Triangle& u = triangles[other.triangle()];
+        const EdgeRef outerOfU = t.across[i];
+        const EdgeRef outerOfT = u.across[j];
+        t.v[kPrevious[i]] = u.v[kNext[j]];
+        u.v[kPrevious[j]] = t.v[kNext[i]];
+        link(EdgeRef::of(other.triangle(), kNext[j]), outerOfU);
+        link(EdgeRef::of(edge.triangle(), kNext[i]), outerOfT);
+        link(edge, other);
     }
 };
 

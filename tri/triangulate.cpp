@@ -5,10 +5,15 @@
 
 #include "tri/cdt_cgal.h"
 #include "tri/cdt_cpu.h"
+#include "tri/cdt_parallel.h"
 
 namespace tri {
 
 namespace {
+
+/// A polygon of this many points gains more from all cores than it costs to cut it into parts. Smaller ones are many:
+/// they get a core each.
+constexpr std::size_t kWorthAllCores = 100'000;
 
 /// Scatters a number over all 64 bits (the finaliser of a xorshift-multiply generator).
 std::uint64_t scatter(std::uint64_t value) {
@@ -20,13 +25,19 @@ std::uint64_t scatter(std::uint64_t value) {
 }  // namespace
 
 std::string_view nameOf(Triangulator triangulator) {
-    constexpr std::array<std::string_view, 3> kNames = {"auto", "cpu", "cgal"};
+    constexpr std::array<std::string_view, 4> kNames = {"auto", "cpu", "parallel", "cgal"};
     return kNames[static_cast<std::size_t>(triangulator)];
 }
 
 Status triangulate(const Polygon& polygon, Triangulator triangulator, std::vector<std::uint32_t>& triangles) {
-    return triangulator == Triangulator::Cgal ? triangulateCgal(polygon, triangles)
-                                              : triangulateCpu(polygon, triangles);
+    switch (triangulator) {
+        case Triangulator::Cgal: return triangulateCgal(polygon, triangles);
+        case Triangulator::Parallel: return triangulateParallel(polygon, triangles);
+        case Triangulator::Cpu: return triangulateCpu(polygon, triangles);
+        case Triangulator::Auto: break;
+    }
+    return polygon.points.size() < kWorthAllCores ? triangulateCpu(polygon, triangles)
+                                                  : triangulateParallel(polygon, triangles);
 }
 
 Outcome triangulate(const Polygon& polygon, std::vector<std::uint32_t>& triangles) {

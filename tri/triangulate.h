@@ -53,13 +53,15 @@ struct Status {
 };
 
 enum class Triangulator : std::uint8_t {
-    Auto,  ///< the fastest for this polygon
-    Cpu,   ///< sequential insertion, one thread
+    Auto,      ///< the fastest for this polygon
+    Cpu,       ///< sequential insertion, one thread
+    Parallel,  ///< one large polygon over all cores
     Cgal,  ///< CGAL's constrained triangulation with a final pass of perturbed flips: slow, independent; does not name
            ///< crossing edges
 };
 
-inline constexpr Triangulator kTriangulators[] = {Triangulator::Auto, Triangulator::Cpu, Triangulator::Cgal};
+inline constexpr Triangulator kTriangulators[] = {Triangulator::Auto, Triangulator::Cpu, Triangulator::Parallel,
+                                                  Triangulator::Cgal};
 
 [[nodiscard]] std::string_view nameOf(Triangulator triangulator);
 

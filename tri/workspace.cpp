@@ -1,5 +1,7 @@
 #include "tri/workspace.h"
 
+#include <utility>
+
 #include "model/base/assert.h"
 #include "tri/constraints.h"
 #include "tri/delaunay.h"
@@ -26,17 +28,18 @@ Status Workspace::start(const Polygon& polygon) {
     mesh.triangles.room(2 * (count + kBoxCorners));
     mesh.points.room(count + kBoxCorners);
     mesh.ids.room(count + kBoxCorners);
-    const std::vector<std::uint32_t> busy = orderVertices(polygon.points, mesh, vertexOf.room(count));
-    contours.build(polygon, mesh, vertexOf.data(), busy);
+    VertexOrder order = orderVertices(polygon.points, mesh, vertexOf.room(count));
+    contours.build(polygon, mesh, vertexOf.data(), order.merged);
+    roundStart = std::move(order.roundStart);
     return {contours.edgeCount() == 0 ? Outcome::Degenerate : Outcome::Ok, kNoEdge, kNoEdge};
 }
 
-Status Workspace::finish(std::vector<std::uint32_t>& triangles) {
-    const Status inserted = insertContours(mesh, contours);
+Status Workspace::finish(Cores cores, std::vector<std::uint32_t>& triangles) {
+    const Status inserted = insertContours(mesh, contours, cores, states);
     if (inserted.outcome != Outcome::Ok) {
         return inserted;
     }
-    return eraseOutside(mesh, contours, states, triangles);
+    return eraseOutside(mesh, contours, cores, states, triangles);
 }
 
 std::size_t Workspace::bytes() const {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tri/contours.h"
+#include "tri/cores.h"
 #include "tri/mesh.h"
 
 namespace tri {
@@ -15,11 +16,12 @@ struct Workspace {
     Contours contours;
     Scratch<std::uint32_t> vertexOf;
     Scratch<std::uint8_t> states;
+    std::vector<std::uint32_t> roundStart;  ///< of the insertion order
 
     /// Orders the polygon's points into the mesh and takes over its contours. Anything but Ok is the final status.
     [[nodiscard]] Status start(const Polygon& polygon);
     /// After the triangulation in the box: contours and erasing.
-    [[nodiscard]] Status finish(std::vector<std::uint32_t>& triangles);
+    [[nodiscard]] Status finish(Cores cores, std::vector<std::uint32_t>& triangles);
 
     [[nodiscard]] std::size_t bytes() const;
     /// Gives the memory back if there is more than a thread may keep.

@@ -3,6 +3,7 @@
 #include <QtTest>
 #include <optional>
 
+#include "model/base/parallel.h"
 #include "tests/unit/tri/cases.h"
 #include "tri/triangulate.h"
 #include "tri/verify.h"
@@ -174,6 +175,28 @@ private slots:
     }
     void largerScribbles() {
         compareMany(2000, [](Generator& g) { return g.scribble(3 + g.below(60), 5); });
+    }
+    void largePolygonsAreTheSameOnAnyNumberOfCores() {
+        // Large enough for the parallel triangulator to cut: circles, half of them on a lattice and cocircular.
+        std::mt19937 random(3);
+        Case input = Case{}.loop(cases::square(0, 0, 61'000'000));
+        for (int i = 0; i < 60 * 60; ++i) {
+            const double shift = i % 2 == 0 ? 0.0 : static_cast<double>(random() % 100'000U);
+            input.loop(
+                cases::reversed(cases::circle(1e6 * (i % 60) + 1e6 + shift, 1e6 * (i / 60) + 1e6 - shift, 3e5, 24)));
+        }
+        Triangles expected;
+        QCOMPARE(tri::triangulate(input.polygon(), Triangulator::Cpu, expected).outcome, Outcome::Ok);
+        QCOMPARE(tri::verify(input.polygon(), expected), Fault::None);
+        for (const int threads : {1, 2, 3}) {
+            const base::ThreadLimit limit(threads);
+            Triangles triangles;
+            QCOMPARE(tri::triangulate(input.polygon(), Triangulator::Parallel, triangles).outcome, Outcome::Ok);
+            QCOMPARE(tri::triangleSetHash(triangles), tri::triangleSetHash(expected));
+        }
+        input.loop(cases::squareHole(30'000'000, 30'000'000, 900'000));
+        Triangles none;
+        QCOMPARE(tri::triangulate(input.polygon(), Triangulator::Parallel, none).outcome, Outcome::Crossing);
     }
     void starsOnCoarseGrids() {
         compareMany(500, [](Generator& g) { return g.star(10 << g.below(20), 3 + g.below(60)); });

@@ -1,0 +1,149 @@
+#include "tri/cdt_parallel.h"
+
+#include <algorithm>
+#include <array>
+#include <thread>
+
+#include "model/base/parallel.h"
+#include "tri/delaunay.h"
+#include "tri/insertion.h"
+#include "tri/insertion_order.h"
+#include "tri/workspace.h"
+
+namespace tri {
+
+namespace {
+
+/// Below this many vertices a round is not worth cutting: the parts would be all border.
+constexpr std::uint32_t kMinRound = 16384;
+constexpr std::uint32_t kMinPart = 2048;
+constexpr std::uint32_t kMaxParts = 64;
+
+/// One round of the insertion order, cut into parts.
+class Round {
+public:
+    Round(Mesh& mesh, const HilbertGrid& grid, Scratch<std::uint8_t>& partOf, std::uint32_t first, std::uint32_t end)
+        : m_mesh(mesh), m_grid(grid), m_partOf(partOf), m_first(first), m_end(end) {
+        const std::uint32_t wanted = 4 * std::max(1U, std::thread::hardware_concurrency());
+        m_parts = std::clamp(std::min(wanted, (end - first) / kMinPart), 1U, kMaxParts);
+        for (std::uint32_t part = 0; part < m_parts; ++part) {
+            m_firstKey.push_back(m_grid.keyOf(m_mesh.points[firstOf(part)]));
+        }
+    }
+
+    void run() {
+        cutMesh();
+        std::vector<std::vector<std::uint32_t>> left(m_parts);
+        std::vector<std::uint32_t> used(m_parts);
+        base::parallelFor(
+            m_parts, [&](std::size_t part) { used[part] = insertPart(static_cast<std::uint32_t>(part), left[part]); });
+        insertLeft(left, used);
+        m_mesh.triangleCount += 2 * (m_end - m_first);
+    }
+
+private:
+    [[nodiscard]] std::uint32_t firstOf(std::uint32_t part) const {
+        return m_first + static_cast<std::uint32_t>(std::uint64_t{m_end - m_first} * part / m_parts);
+    }
+    /// Two triangle slots per vertex, after those of the rounds before.
+    [[nodiscard]] std::uint32_t slotOf(std::uint32_t vertex) const {
+        return m_mesh.triangleCount + 2 * (vertex - m_first);
+    }
+    [[nodiscard]] std::uint8_t partOfKey(std::uint32_t key) const {
+        const auto above = std::upper_bound(m_firstKey.begin() + 1, m_firstKey.end(), key);
+        return static_cast<std::uint8_t>(above - m_firstKey.begin() - 1);
+    }
+
+    /// A triangle belongs to the part on whose stretch of the curve its first corner lies. The walk of a part starts at
+    /// the triangle that is nearest to the beginning of its stretch.
+    void cutMesh() {
+        m_start.assign(m_parts, {0xFFFFFFFF, 0});
+        for (std::uint32_t t = 0; t < m_mesh.triangleCount; ++t) {
+            const std::uint32_t key = m_grid.keyOf(m_mesh.points[m_mesh.triangles[t].v[0]]);
+            const std::uint8_t part = partOfKey(key);
+            m_partOf[t] = part;
+            m_start[part] = std::min(m_start[part], {key, t});
+        }
+    }
+
+    /// Inserts what can be inserted within the part; `left` gets the others. Returns how many slots were used.
+    std::uint32_t insertPart(std::uint32_t part, std::vector<std::uint32_t>& left) {
+        const std::uint32_t first = firstOf(part);
+        const std::uint32_t end = firstOf(part + 1);
+        std::uint32_t slot = slotOf(first);
+        if (m_start[part].first == 0xFFFFFFFF) {
+            for (std::uint32_t q = first; q < end; ++q) {
+                left.push_back(q);  // no triangle starts here: all border
+            }
+            return 0;
+        }
+        Insertion insertion(m_mesh, Within{m_partOf.data(), static_cast<std::uint8_t>(part)}, m_start[part].second);
+        for (std::uint32_t q = first; q < end; ++q) {
+            if (insertion.insert(q, slot)) {
+                slot += 2;
+            } else {
+                left.push_back(q);
+            }
+        }
+        return slot - slotOf(first);
+    }
+
+    /// The vertices that were left fill the slots that were left.
+    void insertLeft(const std::vector<std::vector<std::uint32_t>>& left, const std::vector<std::uint32_t>& used) {
+        Insertion insertion(m_mesh, Everywhere{}, 0);
+        for (std::uint32_t part = 0; part < m_parts; ++part) {
+            std::uint32_t slot = slotOf(firstOf(part)) + used[part];
+            for (const std::uint32_t q : left[part]) {
+                insertion.insert(q, slot);
+                slot += 2;
+            }
+        }
+    }
+
+    Mesh& m_mesh;
+    const HilbertGrid& m_grid;
+    Scratch<std::uint8_t>& m_partOf;
+    std::uint32_t m_first;
+    std::uint32_t m_end;
+    std::uint32_t m_parts = 1;
+    std::vector<std::uint32_t> m_firstKey;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> m_start;  ///< key and triangle
+};
+
+void insertRounds(Workspace& workspace) {
+    Mesh& mesh = workspace.mesh;
+    base::Box box;
+    for (std::uint32_t i = 0; i < mesh.vertexCount; ++i) {
+        box.include(mesh.points[i]);
+    }
+    const HilbertGrid grid(box);
+    workspace.states.room(2 * (std::size_t{mesh.vertexCount} + 1));
+    for (std::size_t round = 0; round + 1 < workspace.roundStart.size(); ++round) {
+        const std::uint32_t first = workspace.roundStart[round];
+        const std::uint32_t end = workspace.roundStart[round + 1];
+        if (end - first >= kMinRound) {
+            Round(mesh, grid, workspace.states, first, end).run();
+            continue;
+        }
+        Insertion insertion(mesh, Everywhere{}, 0);
+        for (std::uint32_t q = first; q < end; ++q, mesh.triangleCount += 2) {
+            insertion.insert(q, mesh.triangleCount);
+        }
+    }
+}
+
+}  // namespace
+
+Status triangulateParallel(const Polygon& polygon, std::vector<std::uint32_t>& triangles) {
+    thread_local Workspace workspace;
+    Status status = workspace.start(polygon);
+    if (status.outcome == Outcome::Ok) {
+        startInBox(workspace.mesh);
+        insertRounds(workspace);
+        status = workspace.finish(Cores::All, triangles);
+    }
+    workspace.trim();
+    return status;
+}
+
+}  // namespace tri
