@@ -45,9 +45,10 @@ follow_build() {
     done
 }
 
+# The first thing that went wrong matters more than the end, where other steps were still finishing.
 build_failed() {
-    say "$2 failed; the end of $1/build.log:"
-    tail -n 40 "$1/build.log" >&2
+    say "$2 failed; from $1/build.log:"
+    sed -n '/^FAILED:\|^CMake Error/,$p' "$1/build.log" | head -n 40 | grep . >&2 || tail -n 40 "$1/build.log" >&2
     exit "$kBuildFailed"
 }
 

@@ -48,10 +48,10 @@ double squareMillimetres(const Document& d, ElementId id) {
     return static_cast<double>(model::twiceArea(model::discretise(d, id, {500.0, false}))) / 2e12;
 }
 
-const Layer& layerOf(const Document& d, const std::string& name) {
+const Layer& layerOf(const Document& d, const char* name) {
     const model::LayerId id = d.findLayer(name);
     if (!id.isValid()) {
-        qFatal("no layer %s", name.c_str());
+        qFatal("no layer %s", name);
     }
     return d.layer(id);
 }
