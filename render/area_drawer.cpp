@@ -7,12 +7,11 @@
 namespace render {
 namespace {
 
-PassPipelines makePipelines(gpu::Device& device, std::string_view label, gpu::Spirv vertexShader,
+PassPipelines makePipelines(gpu::Device& device, std::string_view label, gpu::Spirv vertexShader, bool cullsBackFaces,
                             const TargetFormat& target) {
     const gpu::ShaderStage stages[] = {{VK_SHADER_STAGE_VERTEX_BIT, vertexShader},
                                        {VK_SHADER_STAGE_FRAGMENT_BIT, shader::spirv::kBoardFrag}};
-    // Not culled by winding: instances may be mirrored, and outlines are closed anyway.
-    return makePassPipelines(device, label, stages, false, target);
+    return makePassPipelines(device, label, stages, cullsBackFaces, target);
 }
 
 void copyWhole(VkCommandBuffer commands, const gpu::Buffer& from, const gpu::Buffer& to) {
@@ -20,12 +19,12 @@ void copyWhole(VkCommandBuffer commands, const gpu::Buffer& from, const gpu::Buf
     vkCmdCopyBuffer(commands, from.handle(), to.handle(), 1, &region);
 }
 
-/// Runs of area batches; neighbouring layers join.
-std::vector<LayerRun> runsOf(const Recording& recording, std::uint32_t batch) {
+/// Runs of area batches on layers of which `side` is seen; neighbouring layers join.
+std::vector<LayerRun> runsOf(const Recording& recording, std::uint32_t batch, bool SeenFaces::*side) {
     std::vector<LayerRun> runs;
     for (const std::uint32_t layer : recording.plan.batches[batch].layers) {
         const LayerRun run = recording.scene.layers.layers[layer].areaBatches;
-        if (run.count == 0) {
+        if (run.count == 0 || !(recording.plan.facesOfLayers[layer].*side)) {
             continue;
         }
         if (!runs.empty() && runs.back().first + runs.back().count == run.first) {
@@ -52,8 +51,8 @@ void forPieces(std::span<const LayerRun> runs, std::uint32_t largest, const Draw
 AreaDrawer::AreaDrawer(gpu::Device& device, const TargetFormat& target)
     : m_maxDraws(device.caps().maxDrawIndirectCount),
       m_cull(device, {"cull areas", shader::spirv::kCullAreasComp, sizeof(shader::Push)}),
-      m_caps(makePipelines(device, "area caps", shader::spirv::kAreaCapVert, target)),
-      m_walls(makePipelines(device, "area walls", shader::spirv::kAreaWallVert, target)) {}
+      m_caps(makePipelines(device, "area caps", shader::spirv::kAreaCapVert, false, target)),
+      m_walls(makePipelines(device, "area walls", shader::spirv::kAreaWallVert, true, target)) {}
 
 void AreaDrawer::reset(const Recording& recording) const {
     const BoardScene::Impl& scene = recording.scene;
@@ -69,41 +68,30 @@ void AreaDrawer::cull(const Recording& recording) const {
 }
 
 void AreaDrawer::draw(const Recording& recording, std::uint32_t batch, gpu::Pass pass) const {
-    const std::vector<LayerRun> runs = runsOf(recording, batch);
-    if (runs.empty()) {
-        return;
-    }
-    const SeenFaces faces = recording.plan.faces;
-    if (faces.upper) {
-        drawCaps(recording, pass, 0, runs);
-    }
-    if (faces.lower) {
-        drawCaps(recording, pass, 1, runs);
-    }
-    if (faces.walls) {
-        drawWalls(recording, pass, runs);
-    }
+    drawCaps(recording, pass, batch, 0);
+    drawCaps(recording, pass, batch, 1);
+    drawWalls(recording, pass, batch);
 }
 
-void AreaDrawer::drawCaps(const Recording& recording, gpu::Pass pass, std::uint32_t face,
-                          std::span<const LayerRun> runs) const {
+void AreaDrawer::drawCaps(const Recording& recording, gpu::Pass pass, std::uint32_t batch, std::uint32_t face) const {
     const gpu::Pipeline& pipeline = m_caps[passRow(pass)];
     pipeline.bind(recording.commands());
-    pipeline.push(recording.commands(), shader::Push{recording.frameData, 0, 0, face, 0});
+    pipeline.push(recording.commands(), shader::Push{recording.frameData, 0, batch, face, 0});
     vkCmdBindIndexBuffer(recording.commands(), recording.scene.geometry.indices.handle(), 0, VK_INDEX_TYPE_UINT32);
     constexpr std::uint32_t kStride = sizeof(shader::DrawIndexed);
-    forPieces(runs, m_maxDraws, [&](std::uint32_t first, std::uint32_t count) {
-        vkCmdDrawIndexedIndirect(recording.commands(), recording.scene.transient.capDraws.handle(),
-                                 std::uint64_t{first} * kStride, count, kStride);
-    });
+    forPieces(runsOf(recording, batch, face == 0 ? &SeenFaces::upper : &SeenFaces::lower), m_maxDraws,
+              [&](std::uint32_t first, std::uint32_t count) {
+                  vkCmdDrawIndexedIndirect(recording.commands(), recording.scene.transient.capDraws.handle(),
+                                           std::uint64_t{first} * kStride, count, kStride);
+              });
 }
 
-void AreaDrawer::drawWalls(const Recording& recording, gpu::Pass pass, std::span<const LayerRun> runs) const {
+void AreaDrawer::drawWalls(const Recording& recording, gpu::Pass pass, std::uint32_t batch) const {
     const gpu::Pipeline& pipeline = m_walls[passRow(pass)];
     pipeline.bind(recording.commands());
-    pipeline.push(recording.commands(), shader::Push{recording.frameData, 0, 0, 0, 0});
+    pipeline.push(recording.commands(), shader::Push{recording.frameData, 0, batch, 0, 0});
     constexpr std::uint32_t kStride = sizeof(shader::Draw);
-    forPieces(runs, m_maxDraws, [&](std::uint32_t first, std::uint32_t count) {
+    forPieces(runsOf(recording, batch, &SeenFaces::walls), m_maxDraws, [&](std::uint32_t first, std::uint32_t count) {
         vkCmdDrawIndirect(recording.commands(), recording.scene.transient.wallDraws.handle(),
                           std::uint64_t{first} * kStride, count, kStride);
     });

@@ -15,8 +15,8 @@ public:
     void draw(const Recording& recording, std::uint32_t batch, gpu::Pass pass) const;
 
 private:
-    void drawCaps(const Recording& recording, gpu::Pass pass, std::uint32_t face, std::span<const LayerRun> runs) const;
-    void drawWalls(const Recording& recording, gpu::Pass pass, std::span<const LayerRun> runs) const;
+    void drawCaps(const Recording& recording, gpu::Pass pass, std::uint32_t batch, std::uint32_t face) const;
+    void drawWalls(const Recording& recording, gpu::Pass pass, std::uint32_t batch) const;
 
     std::uint32_t m_maxDraws;
     gpu::Pipeline m_cull;

@@ -28,6 +28,9 @@ constexpr float kFullSpread = 0.5F;
 /// number in it.
 constexpr float kNudgePerspective = 0x1p-20F;
 constexpr float kNudgeParallel = 0x1p-21F;
+/// Pixel positions are rounded too: to about 2^-15 px on the software device, whose depths of slivers (a board's
+/// outline is 1000 times as long as wide) were seen to stray by that share of depth range over width in pixels.
+constexpr float kPositionRoundingPx = 0x1p-15F;
 
 /// Larger than this the sine of the view angle to the board counts as straight.
 constexpr float kStraight = 0.9999995F;
@@ -55,29 +58,33 @@ Eye makeEye(const Camera& camera, float aspect) {
     return eye;
 }
 
-SeenFaces seenFaces(const Eye& eye, std::span<const shader::LayerState> layers) {
+/// Level faces are seen from one side whatever the pixel. From inside a solid neither is: its back would only fight
+/// with what it touches.
+SeenFaces seenFaces(const Eye& eye, const shader::LayerState& layer) {
     if (eye.isParallel) {
         const float z = eye.direction.z;
         return {z<0.0F, std::abs(z) < kStraight, z> 0.0F};
     }
-    float lowest = 1e30F;
-    float highest = -1e30F;
-    for (const shader::LayerState& layer : layers) {
-        if ((layer.flags & shader::kLayerVisible) != 0) {
-            lowest = std::min(lowest, layer.z0);
-            highest = std::max(highest, layer.z1);
-        }
-    }
-    const float proud = std::max(kBoreProudMm, kBoreProudSteps * eye.stepMm);
-    const bool isAbove = eye.position.z > highest + proud;
-    const bool isBelow = eye.position.z < lowest - proud;
-    return {!isBelow, true, !isAbove};
+    return {eye.position.z > layer.z1, true, eye.position.z < layer.z0};
 }
 
-/// Seen edge-on in parallel projection neither face shows: then walls alone are no run that starts or ends the table,
-/// so all are drawn.
-SeenFaces asRun(SeenFaces faces) {
-    return !faces.upper && !faces.lower ? SeenFaces{} : faces;
+std::vector<SeenFaces> facesOfLayers(const Eye& eye, std::span<const shader::LayerState> layers) {
+    std::vector<SeenFaces> faces;
+    std::transform(layers.begin(), layers.end(), std::back_inserter(faces),
+                   [&](const shader::LayerState& layer) { return seenFaces(eye, layer); });
+    return faces;
+}
+
+/// What is seen of any visible layer. Seen edge-on neither face shows: walls alone are no run that starts or ends the
+/// tables, so all are drawn.
+SeenFaces unionOf(std::span<const SeenFaces> faces, std::span<const shader::LayerState> layers) {
+    SeenFaces all{false, false, false};
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        if ((layers[i].flags & shader::kLayerVisible) != 0) {
+            all = {all.upper || faces[i].upper, all.walls || faces[i].walls, all.lower || faces[i].lower};
+        }
+    }
+    return all.upper || all.lower ? all : SeenFaces{};
 }
 
 std::vector<StackedLayer> stackOf(const SceneLayers& scene) {
@@ -200,7 +207,8 @@ FramePlan planFrame(const SceneLayers& scene, const Camera& camera, const ViewSe
     rankFaces(plan.layers, &shader::LayerState::z0, shader::kLayerBottomRankShift);
     rankFaces(plan.layers, &shader::LayerState::z1, shader::kLayerTopRankShift);
     plan.batches = makeBatches(scene, plan.layers, eye.direction.z <= 0.0F);
-    plan.faces = asRun(seenFaces(eye, plan.layers));
+    plan.facesOfLayers = facesOfLayers(eye, plan.layers);
+    plan.faces = unionOf(plan.facesOfLayers, plan.layers);
 
     shader::FrameData& data = plan.data;
     data.clipFromBoard = glm::mat4(eye.clipFromCentred);
@@ -213,6 +221,9 @@ FramePlan planFrame(const SceneLayers& scene, const Camera& camera, const ViewSe
     data.quadRadiusPx = seesOneFace && !settings.isMono ? kQuadRadiusPx : 0.0F;
     data.nudgeZ = eye.isParallel ? 0.0F : kNudgePerspective;
     data.nudgeW = eye.isParallel ? kNudgeParallel : 0.0F;
+    const float depthPerMm =
+        eye.isParallel ? std::abs(camera.projection(1.0F)[2][2]) / kNudgeParallel : 1.0F / kNudgePerspective;
+    data.sliverNudge = kPositionRoundingPx * depthPerMm / data.pixelsPerMm;
     data.boreProudMm = std::max(kBoreProudMm, kBoreProudSteps * eye.stepMm);
     data.flags = flagsOf(settings);
     setTriangleRun(plan.faces, data);

@@ -37,7 +37,8 @@ struct LayerBatch {
 struct FramePlan {
     std::vector<shader::LayerState> layers;
     std::vector<LayerBatch> batches;  ///< [0] all opaque layers, then one per translucent layer from back to front
-    SeenFaces faces;
+    std::vector<SeenFaces> facesOfLayers;
+    SeenFaces faces;           ///< of any layer
     shader::FrameData data{};  ///< all but the addresses and counts of the scene
 };
 

@@ -80,11 +80,14 @@ SwapchainPresenter::Outcome SwapchainPresenter::draw(BoardScene* scene, const Ca
     copyToWindow(frame->commands(), impl.target, image.image);
     const bool isSubmitted = impl.ring.end({image.available, image.finished});
     impl.stats.cpuMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-    impl.stats.gpuMs = impl.ring.gpuMs();
     return isSubmitted ? outcomeOf(impl.swapchain.present(image)) : Outcome::DeviceLost;
 }
 
-FrameStats SwapchainPresenter::stats() const {
+std::optional<FrameStats> SwapchainPresenter::finishedStats() {
+    if (!m_impl->ring.poll()) {
+        return std::nullopt;
+    }
+    m_impl->stats.gpuMs = m_impl->ring.gpuMs();
     return m_impl->stats;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "render/view.h"
 
@@ -29,8 +30,8 @@ public:
     void resize(std::uint32_t width, std::uint32_t height);
     /// Draws and presents one frame; `scene` may be null (background only).
     Outcome draw(BoardScene* scene, const Camera& camera, const ViewSettings& settings);
-    /// Of the last frame whose times are known.
-    [[nodiscard]] FrameStats stats() const;
+    /// Of the frame drawn last, as soon as the device is done with it; none before. Does not wait.
+    [[nodiscard]] std::optional<FrameStats> finishedStats();
 
 private:
     struct Impl;

@@ -4,7 +4,8 @@
 #include "lib/area.glsl"
 #include "lib/surface.glsl"
 
-// The upper or (push.face = 1) lower face of an area: the same stored triangles. Not culled by winding, which the mirror of an instance flips.
+// The upper or (push.face = 1) lower face of an area: the same stored triangles. Which face can be seen is known per
+// layer; winding says nothing here, the mirror of an instance flips it.
 layout(location = 0) out vec3 outPosition;
 layout(location = 1) flat out vec4 outColour;
 invariant gl_Position;
@@ -16,5 +17,5 @@ void main() {
     const vec3 position = vec3(placed(instance, FRAME.vertices.at[gl_VertexIndex]), isUpper ? layer.z1 : layer.z0);
     outPosition = position - FRAME.centre;
     outColour = colourOf(layer, instance.element, false);
-    gl_Position = clipPosition(position, layer, instance.element, false, isUpper);
+    gl_Position = clipPosition(position, layer, instance.element, false, isUpper, 0.0);
 }

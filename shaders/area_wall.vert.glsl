@@ -4,7 +4,8 @@
 #include "lib/area.glsl"
 #include "lib/surface.glsl"
 
-// Walls of an area: six vertices per outline vertex make the quad to the next one. A vertex that leads to itself makes nothing.
+// Walls of an area: six vertices per outline vertex make the quad to the next one, counter-clockwise from outside. A vertex that leads to itself
+// makes nothing.
 layout(location = 0) out vec3 outPosition;
 layout(location = 1) flat out vec4 outColour;
 invariant gl_Position;
@@ -14,12 +15,12 @@ void main() {
     const LayerState layer = FRAME.layers.at[instance.layer];
     const uint vertex = uint(gl_VertexIndex) / 6u;
     const uint corner = uint(gl_VertexIndex) % 6u;
-    // Corners (upper, upper', lower'), (upper, lower', lower): bit set = second vertex, or upper face.
-    const bool isNext = ((0x16u >> corner) & 1u) != 0u;
+    // Corners (upper', upper, lower), (upper', lower, lower'): bit set = next vertex, or upper face. A mirror turns the outline round.
+    const bool isNext = (((0x29u >> corner) & 1u) ^ instance.isMirrored) != 0u;
     const bool isUpper = ((0x0bu >> corner) & 1u) != 0u;
     const uint at = isNext ? FRAME.next.at[vertex] : vertex;
     const vec3 position = vec3(placed(instance, FRAME.vertices.at[at]), isUpper ? layer.z1 : layer.z0);
     outPosition = position - FRAME.centre;
     outColour = colourOf(layer, instance.element, false);
-    gl_Position = clipPosition(position, layer, instance.element, false, isUpper);
+    gl_Position = clipPosition(position, layer, instance.element, false, isUpper, 0.0);
 }

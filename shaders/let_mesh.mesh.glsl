@@ -98,7 +98,8 @@ void writeVertex(Share share, uint vertex) {
     const uint code = share.level == kLevelQuad ? local * 2u + FRAME.quadFace : share.firstRung * 4u + local;
     const vec3 position = letPosition(let, layer, share.level, code);
     const bool isBore = has(let.meta, kLetBore);
-    gl_MeshVerticesEXT[vertex].gl_Position = clipPosition(position, layer, let.element, isBore, (code & 1u) == 0u);
+    gl_MeshVerticesEXT[vertex].gl_Position =
+        clipPosition(position, layer, let.element, isBore, (code & 1u) == 0u, slendernessOf(let));
     outPosition[vertex] = position - FRAME.centre;
     outColour[vertex] = colourOf(layer, let.element, isBore);
 }

@@ -229,6 +229,11 @@ bool Device::wait(std::uint64_t number) {
     return true;
 }
 
+bool Device::isDone(std::uint64_t number) const {
+    std::uint64_t done = 0;
+    return vkGetSemaphoreCounterValue(handle(), m_state->timeline, &done) == VK_SUCCESS && done >= number;
+}
+
 void Device::waitIdle() {
     const VkResult result = vkDeviceWaitIdle(handle());
     if (result == VK_ERROR_DEVICE_LOST) {

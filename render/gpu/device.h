@@ -78,6 +78,8 @@ public:
     std::uint64_t submit(const Submission& submission);
     /// Waits until submission `number` is done; false if the device is lost.
     bool wait(std::uint64_t number);
+    /// Whether submission `number` is done, without waiting.
+    [[nodiscard]] bool isDone(std::uint64_t number) const;
     /// Waits for everything and frees what was retired.
     void waitIdle();
     /// Notes that a call answered VK_ERROR_DEVICE_LOST; from now on submit and wait fail.

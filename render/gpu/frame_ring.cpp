@@ -103,6 +103,14 @@ bool FrameRing::end(const FrameSemaphores& semaphores) {
     return frame.m_number != 0;
 }
 
+bool FrameRing::poll() {
+    Frame& frame = m_frames[m_current];
+    if (frame.m_number != 0 && !m_device->isDone(frame.m_number)) {
+        return false;
+    }
+    return finish(frame);  // nothing to wait for any more
+}
+
 bool FrameRing::wait() {
     return finish(m_frames[m_current]);
 }

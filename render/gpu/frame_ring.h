@@ -60,6 +60,8 @@ public:
     bool end(const FrameSemaphores& semaphores = {});
     /// Waits for the frame last submitted; false if the device is lost.
     bool wait();
+    /// Whether the device is done with the frame last submitted; `gpuMs` is then its time. Does not wait.
+    [[nodiscard]] bool poll();
     /// GPU time of the last frame that is known to be done, 0 without timestamps.
     [[nodiscard]] double gpuMs() const { return m_gpuMs; }
 

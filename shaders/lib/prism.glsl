@@ -99,3 +99,9 @@ vec3 letPosition(Let let, LayerState layer, uint level, uint code) {
     const float z = (code & 1u) == 0u ? layer.z1 + proud : layer.z0 - proud;
     return vec3(letPoint(let, level, code >> 2u, (code >> 1u) & 1u), z);
 }
+
+// Length over width of a stroke; arcs are cut into short pieces.
+float slendernessOf(Let let) {
+    const bool isArc = (let.meta & kLetKindMask) == kLetArc;
+    return isArc ? 0.0 : distance(vec2(let.p0, let.p1), vec2(let.p2, let.p3)) / (2.0 * let.p4);
+}

@@ -22,12 +22,14 @@ vec4 colourOf(LayerState layer, uint element, bool isBore) {
 }
 
 // Faces in one plane: the higher layer rank wins, then highlighted elements, and what is solid before the inside of a hole (whose wall may be
-// at the same place). Moves z by so many steps of depth resolution.
-vec4 clipPosition(vec3 position, LayerState layer, uint element, bool isBore, bool isUpper) {
+// at the same place). Moves z by so many steps of depth resolution. `slenderness` is length over width: a rasteriser works out the slope of a sliver
+// the worse the thinner it is, and the step grows with that.
+vec4 clipPosition(vec3 position, LayerState layer, uint element, bool isBore, bool isUpper, float slenderness) {
     const uint shift = isUpper ? kLayerTopRankShift : kLayerBottomRankShift;
-    const uint rank = (layer.flags >> shift) & 0xffu;
-    const float steps = float(3u * rank + (isHighlighted(element) ? 1u : 0u) + (isBore ? 0u : 1u));
+    const int rank = int((layer.flags >> shift) & 0xffu);
+    const int steps = 3 * rank + (isHighlighted(element) ? 1 : 0) - (isBore ? 1 : 0);
+    const float nudge = float(steps) * (1.0 + FRAME.sliverNudge * slenderness);
     vec4 clip = FRAME.clipFromBoard * vec4(position - FRAME.centre, 1.0);
-    clip.z += steps * (FRAME.nudgeZ * clip.z + FRAME.nudgeW * clip.w);
+    clip.z += nudge * (FRAME.nudgeZ * clip.z + FRAME.nudgeW * clip.w);
     return clip;
 }

@@ -61,6 +61,7 @@ struct FrameData {
     float tolerancePx;         // how far a polygon may stray from the true outline
     float quadRadiusPx;        // lets with a smaller pen become quads; 0 = never
     float nudgeZ, nudgeW;      // one step of tie-break moves z by nudgeZ * z + nudgeW * w
+    float sliverNudge;         // by how much of itself a step grows for each width a let is long
     float boreProudMm;         // how far the dark inside of a hole stands out of the outer faces
     uint flags;
     uint firstTriangle;        // of the 8 of a ladder interval, the run that can be seen (ladder.h)
@@ -69,6 +70,7 @@ struct FrameData {
     uint clusterCount;
     uint instanceCount;
     uint maxDispatch;          // largest number of workgroups along x
+    uint reserved;
 
     GPU_ADDRESS(Layers) layers;
     GPU_ADDRESS(Lets) lets;
@@ -86,7 +88,7 @@ struct FrameData {
     GPU_ADDRESS(Draws) wallDraws;
     GPU_ADDRESS(Words) highlight;              // one bit per element
 };
-GPU_SIZE(FrameData, 64 + 96 + 16 + 12 + 13 * 4 + 15 * 8);
+GPU_SIZE(FrameData, 64 + 96 + 16 + 12 + 15 * 4 + 15 * 8);
 
 #ifndef __cplusplus
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Frame { FrameData data; };

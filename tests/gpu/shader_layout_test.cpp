@@ -88,6 +88,7 @@ class ShaderLayoutTest : public QObject {
         MEMBER(frameData, FrameData, quadRadiusPx);
         MEMBER(frameData, FrameData, nudgeZ);
         MEMBER(frameData, FrameData, nudgeW);
+        MEMBER(frameData, FrameData, sliverNudge);
         MEMBER(frameData, FrameData, boreProudMm);
         MEMBER(frameData, FrameData, flags);
         MEMBER(frameData, FrameData, firstTriangle);
@@ -96,6 +97,7 @@ class ShaderLayoutTest : public QObject {
         MEMBER(frameData, FrameData, clusterCount);
         MEMBER(frameData, FrameData, instanceCount);
         MEMBER(frameData, FrameData, maxDispatch);
+        MEMBER(frameData, FrameData, reserved);
         MEMBER(frameData, FrameData, layers);
         MEMBER(frameData, FrameData, lets);
         MEMBER(frameData, FrameData, clusters);

@@ -79,8 +79,10 @@ private slots:
             presenter.resize(0, 0);  // minimised
             QCOMPARE(presenter.draw(&scene, camera, {}), Outcome::Skipped);
         }
-        QVERIFY(presenter.stats().cpuMs > 0.0);
-        QVERIFY(presenter.stats().backend != Backend::Auto);
+        std::optional<FrameStats> stats;
+        QTRY_VERIFY((stats = presenter.finishedStats()).has_value());
+        QVERIFY(stats->cpuMs > 0.0);
+        QVERIFY(stats->backend != Backend::Auto);
     }
 
     void emptyWindowIsDrawn() {
