@@ -34,7 +34,8 @@ BoardView::~BoardView() = default;
 
 void BoardView::showVulkanCanvas() {
     m_window = new VulkanCanvas(m_context, m_controller, m_picture);
-    connect(m_window, &VulkanCanvas::drawn, this, &BoardView::onDrawn);
+    connect(m_window, &VulkanCanvas::drawn, this, &BoardView::drawn);
+    connect(m_window, &VulkanCanvas::timed, this, &BoardView::onTimed);
     connect(m_window, &VulkanCanvas::deviceLost, this, &BoardView::deviceLost, Qt::QueuedConnection);
     connect(m_window, &VulkanCanvas::unusable, this, &BoardView::showImageCanvas, Qt::QueuedConnection);
     replaceCanvas(QWidget::createWindowContainer(m_window));
@@ -43,7 +44,8 @@ void BoardView::showVulkanCanvas() {
 void BoardView::showImageCanvas() {
     m_window = nullptr;
     m_image = new ImageCanvas(m_context, m_controller, m_picture);
-    connect(m_image, &ImageCanvas::drawn, this, &BoardView::onDrawn);
+    connect(m_image, &ImageCanvas::drawn, this, &BoardView::drawn);
+    connect(m_image, &ImageCanvas::timed, this, &BoardView::onTimed);
     connect(m_image, &ImageCanvas::deviceLost, this, &BoardView::deviceLost, Qt::QueuedConnection);
     replaceCanvas(m_image);
 }
@@ -107,9 +109,9 @@ void BoardView::requestRestingFrame() {
     requestFrame();
 }
 
-void BoardView::onDrawn(const render::FrameStats& stats) {
+void BoardView::onTimed(const render::FrameStats& stats) {
     m_isSlow = m_isSlow || std::max(stats.cpuMs, stats.gpuMs) > kSlowMs;
-    emit drawn(stats);
+    emit timed(stats);
 }
 
 QObject& BoardView::canvas() {
@@ -117,6 +119,9 @@ QObject& BoardView::canvas() {
 }
 
 base::Result<QImage> BoardView::grabPicture(double scale) {
+    if (m_context.device().isLost()) {
+        return base::Error{base::ErrorCode::DeviceFailed, "The graphics device failed"};
+    }
     render::OffscreenPresenter presenter(m_context.device());
     const QSize pixels = (QSizeF(size()) * devicePixelRatioF() * scale).toSize();
     Picture resting = m_picture;

@@ -46,7 +46,9 @@ public:
     void releaseDevice();
 
 signals:
-    void drawn(const render::FrameStats& stats);
+    void drawn();
+    /// How long the frame drawn last took, once that is known.
+    void timed(const render::FrameStats& stats);
     void deviceLost();
 
 private:
@@ -55,7 +57,7 @@ private:
     void replaceCanvas(QWidget* canvas);
     void requestMovingFrame();
     void requestRestingFrame();
-    void onDrawn(const render::FrameStats& stats);
+    void onTimed(const render::FrameStats& stats);
     void updateBox();
 
     GpuContext& m_context;

@@ -83,7 +83,6 @@ base::Status GpuContext::makeInstance() {
 }
 
 base::Status GpuContext::renewDevice() {
-    m_device.reset();
     if (m_canPresent && makePresentingDevice()) {
         return base::Done{};
     }

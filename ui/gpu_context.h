@@ -26,7 +26,8 @@ public:
     [[nodiscard]] QVulkanInstance* surfaceInstance() const { return m_canPresent ? m_qtInstance.get() : nullptr; }
     /// Errors the validation layer has reported; stays 0 when it is off.
     [[nodiscard]] std::uint32_t validationErrors() const { return m_instance->validationErrors(); }
-    /// After a device was lost: makes a new one. Everything made from the old one must be gone. Errors: DeviceFailed.
+    /// After a device was lost: makes a new one. Everything made from the old one must be gone. Errors: DeviceFailed;
+    /// the lost one stays.
     [[nodiscard]] base::Status renewDevice();
 
 private:

@@ -39,13 +39,18 @@ void ImageCanvas::paintEvent(QPaintEvent*) {
 
 void ImageCanvas::draw(QSize pixels) {
     m_isStale = false;
+    if (m_context.device().isLost()) {
+        emit deviceLost();
+        return;
+    }
     if (!m_presenter) {
         m_presenter.emplace(m_context.device());
     }
     base::Result<QImage> image = drawPicture(*m_presenter, m_picture, m_controller.camera(), pixels);
     if (image) {
         m_image = *image;
-        emit drawn(m_presenter->stats());
+        emit drawn();
+        emit timed(m_presenter->stats());
     } else if (image.error().code == base::ErrorCode::DeviceFailed) {
         emit deviceLost();
     }

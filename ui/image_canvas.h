@@ -23,7 +23,8 @@ public:
     void releaseDevice();
 
 signals:
-    void drawn(const render::FrameStats& stats);
+    void drawn();
+    void timed(const render::FrameStats& stats);
     void deviceLost();
 
 protected:

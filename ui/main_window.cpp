@@ -106,7 +106,7 @@ void MainWindow::createCentre(BoardView::CanvasKind kind) {
     installEventFilter(&m_dropTarget);
     m_view->canvas().installEventFilter(&m_dropTarget);
     connect(&m_dropTarget, &DropTarget::dropped, this, &MainWindow::openDropped);
-    connect(m_view, &BoardView::drawn, this, &MainWindow::onDrawn);
+    connect(m_view, &BoardView::timed, this, &MainWindow::onTimed);
     connect(m_view, &BoardView::deviceLost, this, &MainWindow::onDeviceLost);
     connect(&m_layerModel, &models::LayerModel::looksChanged, this, &MainWindow::updateStyles);
     m_explosion.setDuration(kExplodeMs);
@@ -324,6 +324,9 @@ void MainWindow::onLoaded(const LoadedBoard& board) {
 void MainWindow::showScene() {
     m_view->setScene(nullptr);
     m_scene.reset();  // before the new one is made: the device may not have room for both
+    if (m_context.device().isLost()) {
+        return;  // the message bar has told so
+    }
     m_scene = std::make_unique<render::BoardScene>(m_context.device(), *m_board->model);
     m_view->setScene(m_scene.get());
     updateStyles();
@@ -339,14 +342,18 @@ void MainWindow::onCancelled(const LoadRequest& request) {
     onIdle();
 }
 
-void MainWindow::onDrawn(const render::FrameStats& stats) {
-    m_hasDrawn = true;
+void MainWindow::onTimed(const render::FrameStats& stats) {
+    m_isUntried = false;
     m_statusLine->showFrame(stats);
 }
 
 void MainWindow::onDeviceLost() {
-    if (!std::exchange(m_hasDrawn, false)) {
-        return;  // lost again before its first frame, and told already
+    if (!m_context.device().isLost()) {
+        return;  // told twice of one loss
+    }
+    if (std::exchange(m_isUntried, true)) {
+        m_messageBar->showError(QStringLiteral("The graphics device keeps failing. Please start Copperscope again."));
+        return;
     }
     m_view->setScene(nullptr);
     m_view->releaseDevice();

@@ -82,7 +82,7 @@ private:
     void onCancelled(const LoadRequest& request);
     void onIdle();
     void onDeviceLost();
-    void onDrawn(const render::FrameStats& stats);
+    void onTimed(const render::FrameStats& stats);
 
     void showScene();
     void updateStyles();
@@ -103,7 +103,7 @@ private:
 
     std::optional<LoadedBoard> m_board;
     std::unique_ptr<render::BoardScene> m_scene;
-    bool m_hasDrawn = false;  ///< on the present device
+    bool m_isUntried = false;  ///< the device was renewed and has not finished a frame since
     QByteArray m_defaultState;
 
     // Owned by the window as Qt children; the view is deleted by hand before the scene it draws.

@@ -35,7 +35,7 @@ MessagesPanel::MessagesPanel(MessageModel& model, QWidget* parent)
       m_summary(new QLabel) {
     m_filter->setSourceModel(&model);
     m_table->setModel(m_filter);
-    m_table->horizontalHeader()->setSortIndicator(-1, Qt::AscendingOrder);
+    m_table->horizontalHeader()->setSortIndicator(MessageModel::Severity, Qt::DescendingOrder);
     m_table->setSortingEnabled(true);
     m_words->setPlaceholderText(QStringLiteral("Filter by words of the message or the file"));
     m_words->setClearButtonEnabled(true);

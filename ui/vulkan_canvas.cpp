@@ -9,6 +9,8 @@ namespace ui {
 
 namespace {
 
+constexpr int kAskMs = 15;
+
 /// The window's size in device pixels, rounded as the window system does.
 glm::uvec2 pixelSize(const QWindow& window) {
     const double ratio = window.devicePixelRatio();
@@ -28,6 +30,8 @@ VulkanCanvas::VulkanCanvas(GpuContext& context, CameraController& controller, co
     : m_context(context), m_controller(controller), m_picture(picture) {
     setSurfaceType(QSurface::VulkanSurface);
     setVulkanInstance(context.surfaceInstance());
+    m_times.setInterval(kAskMs);
+    connect(&m_times, &QTimer::timeout, this, &VulkanCanvas::askForTimes);
 }
 
 VulkanCanvas::~VulkanCanvas() = default;
@@ -67,8 +71,25 @@ bool VulkanCanvas::makePresenter() {
     return true;
 }
 
+void VulkanCanvas::askForTimes() {
+    const auto stats = m_presenter ? m_presenter->finishedStats() : std::nullopt;
+    if (stats || !m_presenter) {
+        m_times.stop();
+    }
+    if (stats) {
+        emit timed(*stats);
+    }
+}
+
 void VulkanCanvas::draw() {
-    if (!isExposed() || (!m_presenter && !makePresenter())) {
+    if (!isExposed()) {
+        return;
+    }
+    if (m_context.device().isLost()) {
+        emit deviceLost();
+        return;
+    }
+    if (!m_presenter && !makePresenter()) {
         return;
     }
     const glm::uvec2 size = pixelSize(*this);
@@ -76,7 +97,8 @@ void VulkanCanvas::draw() {
     switch (m_presenter->draw(m_picture.scene, m_controller.camera(), m_picture.settings)) {
         case render::SwapchainPresenter::Outcome::Drawn:
             vulkanInstance()->presentQueued(this);
-            emit drawn(m_presenter->stats());
+            m_times.start();
+            emit drawn();
             break;
         case render::SwapchainPresenter::Outcome::Skipped: break;
         case render::SwapchainPresenter::Outcome::DeviceLost: emit deviceLost(); break;

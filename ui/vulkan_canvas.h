@@ -2,6 +2,7 @@
 
 #include <vulkan/vulkan.h>  // before any Qt header: Qt would hide the prototypes
 
+#include <QTimer>
 #include <QWindow>
 #include <memory>
 
@@ -25,7 +26,9 @@ public:
     void releaseDevice();
 
 signals:
-    void drawn(const render::FrameStats& stats);
+    void drawn();
+    /// The times of the frame drawn last, a little later.
+    void timed(const render::FrameStats& stats);
     void deviceLost();
     /// This window cannot be drawn to with our device.
     void unusable();
@@ -38,11 +41,13 @@ protected:
 private:
     void draw();
     [[nodiscard]] bool makePresenter();
+    void askForTimes();
 
     GpuContext& m_context;
     CameraController& m_controller;
     const Picture& m_picture;
     std::unique_ptr<render::SwapchainPresenter> m_presenter;
+    QTimer m_times;  ///< runs while a frame's times are not known
 };
 
 }  // namespace ui

@@ -72,7 +72,7 @@ private slots:
         QVERIFY2(inkOf(m_fixture->picture()) > 0.1, "the board covers a good part of the canvas");
         QTRY_VERIFY2(differingPixels(m_fixture->shown(), m_fixture->picture()) < m_fixture->picture().width() * 4,
                      "the screen shows what the picture has");
-        QVERIFY(window().statusLine().frameText().contains("ms"));
+        QTRY_VERIFY(window().statusLine().frameText().endsWith(" ms"));
     }
 
     void hidingALayerChangesThePictureAndShowingItRestoresIt() {
@@ -221,8 +221,10 @@ private slots:
     void reloadKeepsTheBoardOnTheScreen() {
         QVERIFY(m_fixture->openAndWait(kSample));
         const model::Document* before = window().document();
+        const model::Document* meanwhile = nullptr;
+        connect(&window().loader(), &ui::Loader::started, [&] { meanwhile = window().document(); });
         m_fixture->key(Qt::Key_F5);
-        QCOMPARE(window().document(), before);
+        QCOMPARE(meanwhile, before);
         QTRY_VERIFY_WITH_TIMEOUT(!window().loader().isLoading(), 60000);
         QCOMPARE(m_fixture->settings().recentBoards().size(), 1);
     }
