@@ -140,7 +140,7 @@ void MainWindow::createDocks() {
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     const int line = fontMetrics().height();
     resizeDocks({layers}, {line * 27}, Qt::Horizontal);
-    resizeDocks({messages}, {line * 11}, Qt::Vertical);
+    resizeDocks({messages}, {line * 13}, Qt::Vertical);
 }
 
 void MainWindow::createToolBar() {

@@ -1,6 +1,7 @@
 #include "ui/main_window.h"
 
 #include <QClipboard>
+#include <QComboBox>
 #include <QDialog>
 #include <QDockWidget>
 #include <QDropEvent>
@@ -12,6 +13,7 @@
 #include <QtTest>
 #include <thread>
 
+#include "model/document_builder.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/layers_panel.h"
 #include "ui/message_bar.h"
@@ -36,6 +38,17 @@ base::Result<LoadedBoard> workWithSlowBoards(const LoadRequest& request, base::P
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     return base::Error{ErrorCode::Cancelled, "Cancelled"};
+}
+
+/// A job of two steps; "broken" is a third that the matrix does not know of.
+base::Result<LoadedBoard> workWithSteps(const LoadRequest& request, base::Progress&) {
+    if (request.step == "broken") {
+        return base::Error{ErrorCode::BadInput, "There is no such step"};
+    }
+    model::DocumentBuilder builder;
+    builder.job().steps = {"pcb", "panel", "broken"};
+    builder.job().step = request.step.empty() ? "pcb" : request.step;
+    return LoadedBoard{request, builder.finish(), std::make_shared<const render::BoardModel>(), 0.0};
 }
 
 void drop(QWidget& target, const QList<QUrl>& urls) {
@@ -216,6 +229,21 @@ private slots:
     void whatIsNoLocalFileIsNotTaken() {
         drop(window(), {QUrl("https://example.org/board.tgz")});
         QVERIFY(!window().loader().isLoading());
+    }
+
+    void otherStepIsChosenInTheStatusBar() {
+        m_fixture->restart({.work = workWithSteps});
+        QVERIFY(m_fixture->openAndWait("job"));
+        QComboBox& box = window().statusLine().stepBox();
+        QVERIFY(box.isVisible());
+        QCOMPARE(box.currentText(), "pcb");
+        emit box.textActivated("panel");
+        QTRY_COMPARE(window().document()->job.step, std::string("panel"));
+        QCOMPARE(box.currentText(), "panel");
+        box.setCurrentText("broken");
+        emit box.textActivated("broken");
+        QTRY_VERIFY(window().messageBar().isVisible());
+        QCOMPARE(box.currentText(), "panel");
     }
 
     void reloadKeepsTheBoardOnTheScreen() {

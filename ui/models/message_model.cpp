@@ -47,6 +47,12 @@ QVariant cell(const model::Diagnostic& entry, int column) {
     }
 }
 
+/// Numbers to the right, under headings to the right.
+QVariant alignment(int column) {
+    return QVariant::fromValue(
+        Qt::Alignment(Qt::AlignVCenter | (column == MessageModel::Count ? Qt::AlignRight : Qt::AlignLeft)));
+}
+
 }  // namespace
 
 void MessageModel::setMessages(std::shared_ptr<const model::Document> document, model::Diagnostics modelling) {
@@ -85,9 +91,7 @@ QVariant MessageModel::data(const QModelIndex& index, int role) const {
         case Qt::ToolTipRole: return cell(diagnostic, Text);
         case Qt::DecorationRole:
             return index.column() == Severity ? QVariant(severityColour(diagnostic.severity)) : QVariant();
-        case Qt::TextAlignmentRole:
-            return QVariant::fromValue(
-                Qt::Alignment(Qt::AlignVCenter | (index.column() == Count ? Qt::AlignRight : Qt::AlignLeft)));
+        case Qt::TextAlignmentRole: return alignment(index.column());
         case kSeverityRole: return static_cast<int>(diagnostic.severity);
         default: return {};
     }
@@ -100,6 +104,7 @@ QVariant MessageModel::headerData(int section, Qt::Orientation orientation, int 
     switch (role) {
         case Qt::DisplayRole: return kHeadings[section];
         case Qt::ToolTipRole: return kTips[section];
+        case Qt::TextAlignmentRole: return alignment(section);
         default: return {};
     }
 }

@@ -20,6 +20,12 @@ constexpr const char* kTips[StatisticsModel::ColumnCount] = {
     "Feature records in the job's file; several strokes may make one trail",
 };
 
+/// Numbers to the right, under headings to the right.
+QVariant alignment(int column) {
+    return QVariant::fromValue(
+        Qt::Alignment(Qt::AlignVCenter | (column == StatisticsModel::Layer ? Qt::AlignLeft : Qt::AlignRight)));
+}
+
 }  // namespace
 
 void StatisticsModel::setDocument(std::shared_ptr<const model::Document> document) {
@@ -79,9 +85,7 @@ QVariant StatisticsModel::data(const QModelIndex& index, int role) const {
         case Qt::EditRole: return value(index.row(), column);
         case Qt::DisplayRole:
             return column == Layer ? value(index.row(), column) : QLocale().toString(number(index.row(), column));
-        case Qt::TextAlignmentRole:
-            return QVariant::fromValue(
-                Qt::Alignment(Qt::AlignVCenter | (column == Layer ? Qt::AlignLeft : Qt::AlignRight)));
+        case Qt::TextAlignmentRole: return alignment(index.column());
         case Qt::FontRole: {
             QFont bold;
             bold.setBold(true);
@@ -98,6 +102,7 @@ QVariant StatisticsModel::headerData(int section, Qt::Orientation orientation, i
     switch (role) {
         case Qt::DisplayRole: return kHeadings[section];
         case Qt::ToolTipRole: return kTips[section];
+        case Qt::TextAlignmentRole: return alignment(section);
         default: return {};
     }
 }
