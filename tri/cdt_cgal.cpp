@@ -17,10 +17,12 @@ namespace tri {
 
 namespace {
 
-/// Per face: how many contours wind around it. 0 = outside, 1 = inside; anything else means regions overlap.
+/// Per face: how many contours wind around it. 0 = outside, 1 = inside; anything else means regions overlap. Inside
+/// faces have a number.
 struct FaceInfo {
     static constexpr int kUnknown = -1000;
     int winding = kUnknown;
+    std::uint32_t triangle = 0;
 };
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;  // integer coordinates: predicates are exact
@@ -167,65 +169,58 @@ void labelFaces(Triangulation& triangulation, std::span<const NetEdge> edges) {
     }
 }
 
-/// Appends the inside faces; false if some face is wound around in a way a simple region cannot be.
-bool collectInside(const Triangulation& triangulation, std::vector<std::uint32_t>& triangles) {
+/// Numbers the inside faces; false if some face is wound around in a way a simple region cannot be.
+bool numberInside(const Triangulation& triangulation, std::uint32_t& count) {
     for (const FaceHandle face : triangulation.finite_face_handles()) {
         const int winding = face->info().winding;
         if (winding != 0 && winding != 1) {
             return false;
         }
         if (winding == 1) {
-            for (int corner = 0; corner < 3; ++corner) {
-                triangles.push_back(face->vertex(corner)->info());
-            }
+            face->info().triangle = count++;
         }
     }
     return true;
 }
 
-/// A mesh of just these triangles, whose borders are the contours.
-void takeOver(const Polygon& polygon, std::span<const std::uint32_t> triangles, Mesh& mesh) {
+/// The inside faces as a mesh; its borders are the contours.
+void takeOver(const Polygon& polygon, const Triangulation& triangulation, Mesh& mesh) {
     mesh.vertexCount = static_cast<std::uint32_t>(polygon.points.size());
-    mesh.triangleCount = static_cast<std::uint32_t>(triangles.size() / 3);
     std::ranges::copy(polygon.points, mesh.points.room(mesh.vertexCount));
     std::uint32_t* ids = mesh.ids.room(mesh.vertexCount);
     std::iota(ids, ids + mesh.vertexCount, 0U);
     mesh.triangles.room(mesh.triangleCount);
-    std::vector<std::pair<std::pair<std::uint32_t, std::uint32_t>, EdgeRef>> edges;
-    edges.reserve(triangles.size());
-    for (std::uint32_t t = 0; t < mesh.triangleCount; ++t) {
-        const std::uint32_t* v = &triangles[3 * std::size_t{t}];
-        mesh.triangles[t] = {{v[0], v[1], v[2]}, {kOutside, kOutside, kOutside}};
-        for (std::uint32_t i = 0; i < 3; ++i) {
-            edges.emplace_back(std::minmax(v[kNext[i]], v[kPrevious[i]]), EdgeRef::of(t, i));
+    for (const FaceHandle face : triangulation.finite_face_handles()) {
+        if (face->info().winding != 1) {
+            continue;
         }
-    }
-    std::ranges::sort(edges, {}, [](const auto& edge) { return std::pair(edge.first, edge.second.word); });
-    for (std::size_t i = 1; i < edges.size(); ++i) {
-        if (edges[i].first == edges[i - 1].first) {
-            mesh.link(edges[i - 1].second, edges[i].second);
+        Triangle& triangle = mesh.triangles[face->info().triangle];
+        for (int i = 0; i < 3; ++i) {
+            const FaceHandle next = face->neighbor(i);
+            triangle.v[i] = face->vertex(i)->info();
+            triangle.across[i] = next->info().winding == 1
+                                     ? EdgeRef::of(next->info().triangle, static_cast<std::uint32_t>(next->index(face)))
+                                     : kOutside;
         }
     }
 }
 
 /// Breaks the ties between points on one circle as the contract says.
-void makeUnique(const Polygon& polygon, std::span<std::uint32_t> triangles) {
-    Mesh mesh;
-    takeOver(polygon, triangles, mesh);
-    std::vector<EdgeRef> all;
+void makeUnique(Mesh& mesh) {
+    std::vector<EdgeRef> edges;
     for (std::uint32_t t = 0; t < mesh.triangleCount; ++t) {
         for (std::uint32_t i = 0; i < 3; ++i) {
-            all.push_back(EdgeRef::of(t, i));
+            // Once per edge; those at the border cannot flip.
+            if (mesh.triangles[t].across[i] != kOutside && mesh.triangles[t].across[i].triangle() < t) {
+                edges.push_back(EdgeRef::of(t, i));
+            }
         }
     }
-    restoreDelaunay(mesh, all, [](std::uint32_t, std::uint32_t) { return false; });
-    for (std::uint32_t t = 0; t < mesh.triangleCount; ++t) {
-        std::ranges::copy(mesh.triangles[t].v, &triangles[3 * std::size_t{t}]);
-    }
+    restoreDelaunay(mesh, edges, [](std::uint32_t, std::uint32_t) { return false; });
 }
 
-/// Appends the triangles as CGAL chose them.
-Outcome triangulateRaw(const Polygon& polygon, std::vector<std::uint32_t>& triangles) {
+/// Fills the mesh with the triangles inside.
+Outcome fill(const Polygon& polygon, Mesh& mesh) {
     const std::vector<std::uint32_t> canonical = canonicalIds(polygon.points);
     const std::vector<NetEdge> edges = netEdges(polygon, canonical);
     if (edges.empty()) {
@@ -242,7 +237,11 @@ Outcome triangulateRaw(const Polygon& polygon, std::vector<std::uint32_t>& trian
         }
         labelFaces(triangulation, splitAtVertices(triangulation, handleOf, edges));
         // Winding 0 or 1 everywhere: nothing is covered twice or missed.
-        return collectInside(triangulation, triangles) ? Outcome::Ok : Outcome::Crossing;
+        if (!numberInside(triangulation, mesh.triangleCount)) {
+            return Outcome::Crossing;
+        }
+        takeOver(polygon, triangulation, mesh);
+        return mesh.triangleCount == 0 ? Outcome::Degenerate : Outcome::Ok;
     } catch (const Triangulation::Intersection_of_constraints_exception&) {
         return Outcome::Crossing;
     }
@@ -252,14 +251,13 @@ Outcome triangulateRaw(const Polygon& polygon, std::vector<std::uint32_t>& trian
 
 Status triangulateCgal(const Polygon& polygon, std::vector<std::uint32_t>& triangles) {
     ASSERT(polygon.loopStart.empty() || polygon.loopStart.back() == polygon.points.size());
-    const std::size_t before = triangles.size();
-    Outcome outcome = triangulateRaw(polygon, triangles);
-    if (outcome != Outcome::Ok) {
-        triangles.resize(before);
-    } else if (triangles.size() == before) {
-        outcome = Outcome::Degenerate;
-    } else {
-        makeUnique(polygon, std::span(triangles).subspan(before));
+    Mesh mesh;
+    const Outcome outcome = fill(polygon, mesh);
+    if (outcome == Outcome::Ok) {
+        makeUnique(mesh);
+        for (std::uint32_t t = 0; t < mesh.triangleCount; ++t) {
+            triangles.insert(triangles.end(), std::begin(mesh.triangles[t].v), std::end(mesh.triangles[t].v));
+        }
     }
     return {outcome, kNoEdge, kNoEdge};
 }

@@ -141,7 +141,11 @@ std::string print(const Case& input) {
     std::string text;
     for (std::size_t i = 0; i < input.points.size(); ++i) {
         text += std::ranges::find(input.loopStart, i) != input.loopStart.end() ? "\n" : " ";
-        text += "{" + std::to_string(input.points[i].x) + "," + std::to_string(input.points[i].y) + "},";
+        text += '{';
+        text += std::to_string(input.points[i].x);
+        text += ',';
+        text += std::to_string(input.points[i].y);
+        text += "},";
     }
     return text;
 }

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tri/bench/sets.h"
+
+namespace tri::bench {
+
+/// One triangulator over one set with so many threads.
+struct Run {
+    Triangulator triangulator = Triangulator::Cpu;
+    int threads = 1;
+    double ms = 0.0;     ///< best of the repeats, from input to triangles
+    double cpuMs = 0.0;  ///< processor time of all threads in that repeat; far from ms * threads: the machine was busy
+    double bytesPerVertex = 0.0;  ///< how much the process grew at its peak, output included; fresh threads
+    std::uint64_t hash = 0;       ///< of all triangle sets
+    bool isVerified = false;      ///< verify() found no fault in any of them
+};
+
+struct SetReport {
+    std::string name;
+    std::size_t polygons = 0;
+    std::size_t vertices = 0;
+    std::size_t triangles = 0;
+    std::vector<Run> runs;
+};
+
+struct Options {
+    std::vector<Triangulator> triangulators = {Triangulator::Cgal, Triangulator::Cpu, Triangulator::Parallel};
+    std::vector<int> threads = {1, 2};
+    int repeats = 3;
+    bool isVerifying = true;
+};
+
+/// Measures all triangulators on one set. CGAL and Cpu take one polygon per task, the largest first; Parallel one
+/// polygon after the other.
+[[nodiscard]] SetReport measure(const Set& set, const Options& options);
+
+/// A row per run, with the times against CGAL on one thread if that was measured.
+[[nodiscard]] std::string toTable(const std::vector<SetReport>& reports);
+
+/// {device, commit, sets[]{name, polygons, vertices, triangles, runs[]{triangulator, threads, ms, cpu_ms,
+/// vertices_per_s, bytes_per_vertex, hash, verified}}}.
+[[nodiscard]] std::string toJson(const std::vector<SetReport>& reports, const std::string& device,
+                                 const std::string& commit);
+
+}  // namespace tri::bench
