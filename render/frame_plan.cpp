@@ -131,11 +131,14 @@ void rankFaces(std::vector<shader::LayerState>& layers, float shader::LayerState
     }
 }
 
-std::vector<std::uint32_t> translucentFromBack(const std::vector<shader::LayerState>& layers, bool isSeenFromAbove) {
+/// Visible layers, opaque or translucent ones, the one farthest from the viewer first.
+std::vector<std::uint32_t> visibleFromBack(const std::vector<shader::LayerState>& layers, bool isTranslucent,
+                                           bool isSeenFromAbove) {
+    constexpr std::uint32_t kAsked = shader::kLayerVisible | shader::kLayerTranslucent;
+    const std::uint32_t wanted = shader::kLayerVisible | (isTranslucent ? shader::kLayerTranslucent : 0);
     std::vector<std::uint32_t> order;
     for (std::uint32_t i = 0; i < layers.size(); ++i) {
-        constexpr std::uint32_t kWanted = shader::kLayerVisible | shader::kLayerTranslucent;
-        if ((layers[i].flags & kWanted) == kWanted) {
+        if ((layers[i].flags & kAsked) == wanted) {
             order.push_back(i);
         }
     }
@@ -148,19 +151,21 @@ std::vector<std::uint32_t> translucentFromBack(const std::vector<shader::LayerSt
 std::vector<LayerBatch> makeBatches(const SceneLayers& scene, std::vector<shader::LayerState>& layers,
                                     bool isSeenFromAbove) {
     std::vector<LayerBatch> batches(1);
-    const auto add = [&](LayerBatch& batch, std::uint32_t layer) {
-        batch.layers.push_back(layer);
-        batch.openLets += scene.layers[layer].openLets;
-        batch.tubes += scene.layers[layer].tubes;
+    const auto add = [&](std::size_t batch, std::uint32_t layer) {
+        layers[layer].batch = static_cast<std::uint32_t>(batch);
+        batches[batch].layers.push_back(layer);
+        batches[batch].openLets += scene.layers[layer].openLets;
+        batches[batch].tubes += scene.layers[layer].tubes;
     };
-    for (std::uint32_t i = 0; i < layers.size(); ++i) {
-        if ((layers[i].flags & shader::kLayerVisible) != 0 && (layers[i].flags & shader::kLayerTranslucent) == 0) {
-            add(batches[0], i);
-        }
+    // Opaque ones from the front: what they hide is not shaded.
+    std::vector<std::uint32_t> opaque = visibleFromBack(layers, false, isSeenFromAbove);
+    std::reverse(opaque.begin(), opaque.end());
+    for (const std::uint32_t layer : opaque) {
+        add(0, layer);
     }
-    for (const std::uint32_t layer : translucentFromBack(layers, isSeenFromAbove)) {
-        layers[layer].batch = static_cast<std::uint32_t>(batches.size());
-        add(batches.emplace_back(), layer);
+    for (const std::uint32_t layer : visibleFromBack(layers, true, isSeenFromAbove)) {
+        batches.emplace_back();
+        add(batches.size() - 1, layer);
     }
     return batches;
 }

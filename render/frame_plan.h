@@ -36,7 +36,8 @@ struct LayerBatch {
 /// Everything decided on the CPU before a frame is recorded.
 struct FramePlan {
     std::vector<shader::LayerState> layers;
-    std::vector<LayerBatch> batches;  ///< [0] all opaque layers, then one per translucent layer from back to front
+    std::vector<LayerBatch> batches;  ///< [0] all opaque layers from the front, then one per translucent layer
+                                      ///< from the back
     std::vector<SeenFaces> facesOfLayers;
     SeenFaces faces;           ///< of any layer
     shader::FrameData data{};  ///< all but the addresses and counts of the scene
