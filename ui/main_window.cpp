@@ -139,7 +139,7 @@ void MainWindow::createDocks() {
     messages->raise();
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     const int line = fontMetrics().height();
-    resizeDocks({layers}, {line * 27}, Qt::Horizontal);
+    resizeDocks({layers}, {line * 30}, Qt::Horizontal);
     resizeDocks({messages}, {line * 13}, Qt::Vertical);
 }
 
