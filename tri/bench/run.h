@@ -14,9 +14,11 @@ struct Run {
     int threads = 1;
     double ms = 0.0;     ///< best of the repeats, from input to triangles
     double cpuMs = 0.0;  ///< processor time of all threads in that repeat; far from ms * threads: the machine was busy
-    double bytesPerVertex = 0.0;  ///< how much the process grew at its peak, output included; fresh threads
-    std::uint64_t hash = 0;       ///< of all triangle sets
-    bool isVerified = false;      ///< verify() found no fault in any of them
+    /// How much the process grew at its peak, output included. What earlier runs gave back is used again first, so only
+    /// the first run of a process tells all of it.
+    double bytesPerVertex = 0.0;
+    std::uint64_t hash = 0;   ///< of all triangle sets
+    bool isVerified = false;  ///< verify() found no fault in any of them
 };
 
 struct SetReport {
