@@ -135,14 +135,14 @@ void insertRounds(Workspace& workspace) {
 }  // namespace
 
 Status triangulateParallel(const Polygon& polygon, std::vector<std::uint32_t>& triangles) {
-    thread_local Workspace workspace;
+    // Not kept by the thread: while it waits for others it may be given another large polygon to work on.
+    Workspace workspace;
     Status status = workspace.start(polygon);
     if (status.outcome == Outcome::Ok) {
         startInBox(workspace.mesh);
         insertRounds(workspace);
         status = workspace.finish(Cores::All, triangles);
     }
-    workspace.trim();
     return status;
 }
 

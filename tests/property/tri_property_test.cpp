@@ -198,6 +198,14 @@ private slots:
             QCOMPARE(tri::triangulate(input.polygon(), Triangulator::Parallel, triangles).outcome, Outcome::Ok);
             QCOMPARE(tri::triangleSetHash(triangles), tri::triangleSetHash(expected));
         }
+        // Several at a time, as tasks: a thread that waits for one may be given the next.
+        std::vector<Triangles> several(6);
+        base::parallelFor(several.size(), [&](std::size_t i) {
+            static_cast<void>(tri::triangulate(input.polygon(), Triangulator::Parallel, several[i]));
+        });
+        for (const Triangles& triangles : several) {
+            QCOMPARE(tri::triangleSetHash(triangles), tri::triangleSetHash(expected));
+        }
         input.loop(cases::squareHole(30'000'000, 30'000'000, 900'000));
         Triangles none;
         QCOMPARE(tri::triangulate(input.polygon(), Triangulator::Parallel, none).outcome, Outcome::Crossing);
