@@ -38,9 +38,10 @@ follow_build() {
             : >"$log"
         fi
         printf '%s\n' "$line" >>"$log"
+        case $line in *"Re-running CMake"*) continue ;; esac
         if [[ $line =~ ^\[([0-9]+)/([0-9]+)\] ]] && ((BASH_REMATCH[1] * 5 / BASH_REMATCH[2] > fifth)); then
             fifth=$((BASH_REMATCH[1] * 5 / BASH_REMATCH[2]))
-            say "building ${dir##*/}: $((fifth * 20)) % of ${BASH_REMATCH[2]} steps"
+            say "building ${dir##*/}: $((fifth * 20)) %"
         fi
     done
 }
