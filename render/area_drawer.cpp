@@ -62,7 +62,7 @@ void AreaDrawer::reset(const Recording& recording) const {
 
 void AreaDrawer::cull(const Recording& recording) const {
     m_cull.bind(recording.commands());
-    m_cull.push(recording.commands(), shader::Push{recording.frameData, 0, 0, 0, 0});
+    m_cull.push(recording.commands(), shader::Push{recording.frameData, 0, 0});
     const std::uint32_t groups = (recording.scene.instanceCount + shader::kCullGroupSize - 1) / shader::kCullGroupSize;
     vkCmdDispatch(recording.commands(), groups, 1, 1);
 }
@@ -76,7 +76,7 @@ void AreaDrawer::draw(const Recording& recording, std::uint32_t batch, gpu::Pass
 void AreaDrawer::drawCaps(const Recording& recording, gpu::Pass pass, std::uint32_t batch, std::uint32_t face) const {
     const gpu::Pipeline& pipeline = m_caps[passRow(pass)];
     pipeline.bind(recording.commands());
-    pipeline.push(recording.commands(), shader::Push{recording.frameData, 0, batch, face, 0});
+    pipeline.push(recording.commands(), shader::Push{recording.frameData, 0, face});
     vkCmdBindIndexBuffer(recording.commands(), recording.scene.geometry.indices.handle(), 0, VK_INDEX_TYPE_UINT32);
     constexpr std::uint32_t kStride = sizeof(shader::DrawIndexed);
     forPieces(runsOf(recording, batch, face == 0 ? &SeenFaces::upper : &SeenFaces::lower), m_maxDraws,
@@ -89,7 +89,7 @@ void AreaDrawer::drawCaps(const Recording& recording, gpu::Pass pass, std::uint3
 void AreaDrawer::drawWalls(const Recording& recording, gpu::Pass pass, std::uint32_t batch) const {
     const gpu::Pipeline& pipeline = m_walls[passRow(pass)];
     pipeline.bind(recording.commands());
-    pipeline.push(recording.commands(), shader::Push{recording.frameData, 0, batch, 0, 0});
+    pipeline.push(recording.commands(), shader::Push{recording.frameData, 0, 0});
     constexpr std::uint32_t kStride = sizeof(shader::Draw);
     forPieces(runsOf(recording, batch, &SeenFaces::walls), m_maxDraws, [&](std::uint32_t first, std::uint32_t count) {
         vkCmdDrawIndirect(recording.commands(), recording.scene.transient.wallDraws.handle(),

@@ -29,20 +29,19 @@ public:
         for (const std::uint32_t layer : recording.plan.batches[batch].layers) {
             const LayerRun clusters = recording.scene.layers.layers[layer].clusters;
             if (clusters.first != run.first + run.count) {
-                drawRun(recording, batch, pass, run);
+                drawRun(recording, pass, run);
                 run = {clusters.first, 0};
             }
             run.count += clusters.count;
         }
-        drawRun(recording, batch, pass, run);
+        drawRun(recording, pass, run);
     }
 
 private:
-    void drawRun(const Recording& recording, std::uint32_t batch, gpu::Pass pass, LayerRun run) {
+    void drawRun(const Recording& recording, gpu::Pass pass, LayerRun run) {
         while (run.count > 0) {
             const std::uint32_t groups = std::min(run.count, m_maxGroups);
-            m_pipelines[passRow(pass)].push(recording.commands(),
-                                            shader::Push{recording.frameData, run.first, batch, 0, 0});
+            m_pipelines[passRow(pass)].push(recording.commands(), shader::Push{recording.frameData, run.first, 0});
             m_drawMeshTasks(recording.commands(), groups, 1, 1);
             run = {run.first + groups, run.count - groups};
         }

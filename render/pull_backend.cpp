@@ -52,7 +52,7 @@ public:
     }
 
     void cull(const Recording& recording) override {
-        const shader::Push push{recording.frameData, 0, 0, 0, 0};
+        const shader::Push push{recording.frameData, 0, 0};
         m_cullClusters.bind(recording.commands());
         m_cullClusters.push(recording.commands(), push);
         const std::uint32_t groups =
@@ -67,7 +67,7 @@ public:
     void draw(const Recording& recording, std::uint32_t batch, gpu::Pass pass) override {
         const gpu::Pipeline& pipeline = m_pipelines[passRow(pass)];
         pipeline.bind(recording.commands());
-        pipeline.push(recording.commands(), shader::Push{recording.frameData, 0, batch, 0, 0});
+        pipeline.push(recording.commands(), shader::Push{recording.frameData, 0, 0});
         vkCmdBindIndexBuffer(recording.commands(), recording.scene.geometry.letIndices.handle(), 0,
                              VK_INDEX_TYPE_UINT32);
         constexpr std::uint32_t kStride = sizeof(shader::DrawIndexed);

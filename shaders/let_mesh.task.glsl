@@ -6,8 +6,8 @@
 #include "lib/level.glsl"
 #include "lib/payload.glsl"
 
-// Mesh back end, first half (paper, "Procedural"): one workgroup per cluster leaves out what is not in view or not in this batch, picks the level
-// of detail of the rest and asks for the mesh workgroups that will make it.
+// Mesh back end, first half (paper, "Procedural"): one workgroup per cluster leaves out what is not in view, picks the level of
+// detail of the rest and asks for the mesh workgroups that will make it.
 layout(local_size_x = kClusterSize) in;
 
 shared uint counts[kBucketCount];
@@ -33,7 +33,7 @@ void main() {
     const uint thread = gl_LocalInvocationID.x;
     const Cluster cluster = FRAME.clusters.at[push.first + gl_WorkGroupID.x];
     const LayerState layer = FRAME.layers.at[cluster.layer];
-    const bool isDrawn = layer.batch == push.batch && isClusterInView(cluster, layer);
+    const bool isDrawn = isClusterInView(cluster, layer);
     if (thread < kBucketCount) {
         counts[thread] = 0u;
     }

@@ -4,7 +4,7 @@
 #include "lib/prism.glsl"
 #include "lib/surface.glsl"
 
-// Pull back end: the index table hands out vertex codes, the instance is a let that cull_lets listed. push.batch: the batch drawn.
+// Pull back end: the index table hands out vertex codes, the instance is a let that cull_lets listed.
 layout(location = 0) out vec3 outPosition;
 layout(location = 1) flat out vec4 outColour;
 invariant gl_Position;

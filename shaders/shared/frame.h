@@ -98,11 +98,9 @@ layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Fra
 struct Push {
     GPU_ADDRESS(Frame) frame;
     uint first;  // task: the first cluster
-    uint batch;  // task: the batch drawn
     uint face;   // caps of areas: 0 = upper, 1 = lower
-    uint reserved;
 };
-GPU_SIZE(Push, 24);
+GPU_SIZE(Push, 16);
 
 GPU_CONST kCullGroupSize = 64;  // threads per workgroup of the compute shaders that test clusters and area instances
 

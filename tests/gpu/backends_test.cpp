@@ -80,6 +80,22 @@ private slots:
         compare(scene, {});
     }
 
+    /// The pull back end's lists of all batches lie side by side in one buffer.
+    void tinyLetsOfOneBatchLeaveTheNextOneAlone() {
+        SyntheticBoard board;
+        board.addLayer(0.0F, 0.035F, {0.8F, 0.2F, 0.2F});
+        for (int i = 0; i < 800; ++i) {
+            const glm::vec2 at{static_cast<float>(i % 40) - 20.0F, static_cast<float>(i / 40) - 10.0F};
+            board.addDisc(at, 0.01F, i % 2 == 0 ? 0.005F : 0.0F);
+        }
+        board.addLayer(0.1F, 0.2F, {0.2F, 0.8F, 0.2F}, 0.5F);
+        for (int i = 0; i < 8; ++i) {
+            board.addDisc({static_cast<float>(i) * 4.0F - 14.0F, 2.0F}, 1.5F, i % 2 == 0 ? 1.0F : 0.0F);
+        }
+        Scene scene(board);
+        compare(scene, {});
+    }
+
     void pictureIsTheSameEveryTime() {
         Scene scene(everything());
         scene.camera.fit(scene.model.boxMin, scene.model.boxMax, NamedView::Iso, 4.0F / 3.0F);

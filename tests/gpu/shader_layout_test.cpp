@@ -115,9 +115,7 @@ class ShaderLayoutTest : public QObject {
         MEMBER(frameData, FrameData, highlight);
         MEMBER(pushStruct, Push, frame);
         MEMBER(pushStruct, Push, first);
-        MEMBER(pushStruct, Push, batch);
         MEMBER(pushStruct, Push, face);
-        MEMBER(pushStruct, Push, reserved);
 #undef MEMBER
         return places;
     }
