@@ -65,9 +65,10 @@ void printDrills(const Document& document) {
 
 void printDiagnostics(const model::Diagnostics& diagnostics) {
     for (const model::Diagnostic& entry : diagnostics.entries()) {
-        const std::string place = entry.line > 0 ? entry.file + ":" + std::to_string(entry.line) : entry.file;
+        const std::string line = entry.line > 0 ? ":" + std::to_string(entry.line) : "";
+        const std::string place = entry.file.empty() ? "" : entry.file + line + ": ";
         const std::string times = entry.count > 1 ? " (" + std::to_string(entry.count) + " times)" : "";
-        std::printf("  %-8s %s: %s%s\n", model::toString(entry.severity), place.c_str(), entry.text.c_str(),
+        std::printf("  %-8s %s%s%s\n", model::toString(entry.severity), place.c_str(), entry.text.c_str(),
                     times.c_str());
     }
 }
