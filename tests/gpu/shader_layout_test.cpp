@@ -20,8 +20,8 @@ class ShaderLayoutTest : public QObject {
     /// "struct.member" -> place, as glslangValidator sees it.
     static QMap<QString, Place> reflect() {
         QProcess compiler;
-        compiler.start(COPPERSCOPE_GLSLANG,
-                       {"-q", "-l", "-S", "comp", "--target-env", "vulkan1.3", COPPERSCOPE_LAYOUT_SHADER});
+        compiler.start(COPPERSCOPE_GLSLANG, {"-q", "-l", "-S", "comp", "--target-env", "vulkan1.3", "-o",
+                                             QProcess::nullDevice(), COPPERSCOPE_LAYOUT_SHADER});
         compiler.waitForFinished();
         const QString output = QString::fromUtf8(compiler.readAllStandardOutput());
         static const QRegularExpression line(R"(^(\w+\.\w+): offset (\d+),.*topLevelArrayStride (\d+)$)",
