@@ -15,7 +15,7 @@ constexpr int kRestMs = 250;
 
 }  // namespace
 
-BoardView::BoardView(GpuContext& context, CanvasKind kind, QWidget* parent) : QWidget(parent), m_context(context) {
+BoardView::BoardView(GpuContext& context, QWidget* parent) : QWidget(parent), m_context(context) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     setMinimumSize(160, 120);
@@ -23,7 +23,7 @@ BoardView::BoardView(GpuContext& context, CanvasKind kind, QWidget* parent) : QW
     m_rest.setInterval(kRestMs);
     connect(&m_rest, &QTimer::timeout, this, &BoardView::requestRestingFrame);
     connect(&m_controller, &CameraController::moved, this, &BoardView::requestMovingFrame);
-    if (kind == CanvasKind::Best && context.surfaceInstance() != nullptr) {
+    if (context.surfaceInstance() != nullptr) {
         showVulkanCanvas();
     } else {
         showImageCanvas();

@@ -19,12 +19,7 @@ class BoardView : public QWidget {
     Q_OBJECT
 
 public:
-    enum class CanvasKind {
-        Best,  ///< a swapchain where there are Vulkan surfaces
-        Image  ///< through memory, everywhere
-    };
-
-    BoardView(GpuContext& context, CanvasKind kind, QWidget* parent = nullptr);
+    explicit BoardView(GpuContext& context, QWidget* parent = nullptr);
     ~BoardView() override;
 
     /// Shows a scene, which the caller keeps alive until it sets another one; null shows the background. The camera is

@@ -21,6 +21,7 @@ render::LayerStyle toStyle(const models::LayerLook& look) {
 
 std::vector<models::LayerLook> defaultLooks(const model::Document& document) {
     std::vector<models::LayerLook> looks;
+    looks.reserve(document.layers.size());
     for (const render::LayerStyle& style : render::defaultStyles(document)) {
         looks.push_back(toLook(style));
     }
@@ -29,6 +30,7 @@ std::vector<models::LayerLook> defaultLooks(const model::Document& document) {
 
 std::vector<render::LayerStyle> toStyles(const std::vector<models::LayerLook>& looks) {
     std::vector<render::LayerStyle> styles;
+    styles.reserve(looks.size());
     for (const models::LayerLook& look : looks) {
         styles.push_back(toStyle(look));
     }

@@ -16,6 +16,7 @@
 #include "ui/help_dialogs.h"
 #include "ui/icons.h"
 #include "ui/layers_panel.h"
+#include "ui/load_summary.h"
 #include "ui/looks.h"
 #include "ui/message_bar.h"
 #include "ui/messages_panel.h"
@@ -51,34 +52,22 @@ constexpr ActionId kBoardActions[] = {ActionId::Reload,        ActionId::SavePic
                                       ActionId::ShowAllLayers, ActionId::HideAllLayers, ActionId::ShowCopperOnly,
                                       ActionId::SoloLayer,     ActionId::RestoreLayers};
 
-/// "1 layer", "141,000 elements"
-QString counted(std::size_t count, const char* one, const char* many) {
-    return QStringLiteral("%1 %2").arg(QLocale().toString(static_cast<qulonglong>(count)),
-                                       QLatin1String(count == 1 ? one : many));
-}
-
-/// "Opened board.tgz: 24 layers, 141,000 elements, 3 warnings, in 1.2 s"
-QString summaryOf(const LoadedBoard& board, const models::MessageModel& messages) {
-    const std::size_t problems = messages.count(model::Severity::Warning) + messages.count(model::Severity::Error);
-    return QStringLiteral("Opened %1: %2, %3, %4, in %5 s")
-        .arg(displayName(board.request.path), counted(board.document->layers.size(), "layer", "layers"),
-             counted(board.document->elements.size(), "element", "elements"), counted(problems, "warning", "warnings"),
-             QLocale().toString(board.seconds, 'f', 1));
-}
-
 }  // namespace
 
-MainWindow::MainWindow(GpuContext& context, Settings& settings, const WindowOptions& options)
-    : m_context(context), m_settings(settings), m_actions(*this), m_loader(options.work) {
+MainWindow::MainWindow(GpuContext& context, Settings& settings, const Loader::Work& work)
+    : m_context(context), m_settings(settings), m_actions(*this), m_loader(work) {
     setObjectName(QStringLiteral("workbench"));
     setWindowTitle(QStringLiteral("Copperscope"));
     m_statusLine = new StatusLine(*statusBar());
     m_statusLine->showDevice(QString::fromStdString(context.device().caps().name));
-    createCentre(options.canvas);
+    createCentre();
     createDocks();
     createToolBar();
     createMenus();
-    connectActions();
+    connectFileActions();
+    connectViewActions();
+    connectLayerActions();
+    connectHelpActions();
     connectLoader();
     restoreSettings();
     onIdle();
@@ -88,8 +77,8 @@ MainWindow::~MainWindow() {
     delete m_view;  // its canvas must not draw a scene that is gone
 }
 
-void MainWindow::createCentre(BoardView::CanvasKind kind) {
-    m_view = new BoardView(m_context, kind);
+void MainWindow::createCentre() {
+    m_view = new BoardView(m_context);
     m_messageBar = new MessageBar;
     m_pages = new QStackedWidget;
     m_pages->addWidget(new StartPage(m_actions));
@@ -179,9 +168,12 @@ void MainWindow::createMenus() {
     connect(m_recent, &RecentBoards::chosen, this, [this](const QString& path) { open(toPath(path)); });
 }
 
-void MainWindow::connectActions() {
-    const auto on = [this](ActionId id, auto slot) { connect(&m_actions[id], &QAction::triggered, this, slot); };
-    CameraController& controller = m_view->controller();
+template <class Slot>
+void MainWindow::on(ActionId id, Slot slot) {
+    connect(&m_actions[id], &QAction::triggered, this, slot);
+}
+
+void MainWindow::connectFileActions() {
     on(ActionId::OpenFile, [this] { askForBoardToOpen(BoardForm::File); });
     on(ActionId::OpenFolder, [this] { askForBoardToOpen(BoardForm::Folder); });
     on(ActionId::Reload, [this] { open(m_board->request.path, m_board->request.step); });
@@ -191,28 +183,38 @@ void MainWindow::connectActions() {
     });
     on(ActionId::CopyPicture, &MainWindow::copyPicture);
     on(ActionId::Quit, &QWidget::close);
+}
+
+void MainWindow::connectViewActions() {
+    CameraController& controller = m_view->controller();
     on(ActionId::Fit, [&controller] { controller.fit(); });
     on(ActionId::ZoomIn, [&controller] { controller.zoomAtCentre(CameraController::kZoomPerNotch); });
     on(ActionId::ZoomOut, [&controller] { controller.zoomAtCentre(1.0F / CameraController::kZoomPerNotch); });
     on(ActionId::Orthographic, [&controller](bool isOn) { controller.setOrthographic(isOn); });
     on(ActionId::Explode, &MainWindow::animateExplode);
+    for (const auto& [id, view] : kViews) {
+        on(id, [&controller, view = view] { controller.look(view); });
+    }
+    for (const auto& [id, theme] : kThemes) {
+        on(id, [this, theme = theme] { setTheme(theme); });
+    }
+    for (const auto& [id, backend] : kBackends) {
+        on(id, [this, backend = backend] { setBackend(backend); });
+    }
+}
+
+void MainWindow::connectLayerActions() {
     on(ActionId::ShowAllLayers, [this] { m_layerModel.showAll(); });
     on(ActionId::HideAllLayers, [this] { m_layerModel.hideAll(); });
     on(ActionId::ShowCopperOnly, [this] { m_layerModel.showCopperOnly(); });
     on(ActionId::RestoreLayers, [this] { m_layerModel.restoreDefaults(); });
     on(ActionId::SoloLayer, [this] { m_layerModel.toggleSolo(m_layersPanel->currentLayer()); });
+}
+
+void MainWindow::connectHelpActions() {
     on(ActionId::KeysSheet, [this] { showKeysSheet(*this); });
     on(ActionId::About, [this] { showAbout(*this); });
     on(ActionId::ResetSettings, [this] { askToReset(*this, [this] { resetSettings(); }); });
-    for (const auto& [id, view] : kViews) {
-        on(id, [&controller, view] { controller.look(view); });
-    }
-    for (const auto& [id, theme] : kThemes) {
-        on(id, [this, theme] { setTheme(theme); });
-    }
-    for (const auto& [id, backend] : kBackends) {
-        on(id, [this, backend] { setBackend(backend); });
-    }
 }
 
 void MainWindow::connectLoader() {
@@ -317,7 +319,7 @@ void MainWindow::onLoaded(const LoadedBoard& board) {
     m_messageBar->hide();
     m_recent->add(fromPath(board.request.path));
     setWindowTitle(QStringLiteral("%1 – Copperscope").arg(displayName(board.request.path)));
-    statusBar()->showMessage(summaryOf(board, m_messageModel));
+    statusBar()->showMessage(loadSummary(board, m_messageModel));
     onIdle();
 }
 

@@ -26,19 +26,14 @@ class RecentBoards;
 class StatisticsPanel;
 class StatusLine;
 
-/// What a window is made with; tests use other than the defaults.
-struct WindowOptions {
-    BoardView::CanvasKind canvas = BoardView::CanvasKind::Best;
-    Loader::Work work = loadBoard;
-};
-
 /// The workbench: one board, its 3D view, and panels beside it. Boards are read in the background; the one on the
 /// screen stays usable until the new one is ready, and stays for good if that fails.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 
 public:
-    MainWindow(GpuContext& context, Settings& settings, const WindowOptions& options = {});
+    /// `work` is what loads boards; tests put their own in.
+    MainWindow(GpuContext& context, Settings& settings, const Loader::Work& work = loadBoard);
     ~MainWindow() override;
 
     /// Starts to load a file or folder; an empty step means the job's first one.
@@ -63,13 +58,18 @@ protected:
     void closeEvent(QCloseEvent* event) override;
 
 private:
-    void createCentre(BoardView::CanvasKind kind);
+    void createCentre();
     void createDocks();
     QDockWidget* addDock(Qt::DockWidgetArea area, const char* name, const QString& title, QWidget* content,
                          ActionId toggle);
     void createMenus();
     void createToolBar();
-    void connectActions();
+    template <class Slot>
+    void on(ActionId id, Slot slot);
+    void connectFileActions();
+    void connectViewActions();
+    void connectLayerActions();
+    void connectHelpActions();
     void connectLoader();
     void restoreSettings();
 

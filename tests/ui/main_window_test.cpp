@@ -68,7 +68,7 @@ class MainWindowTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void init() { m_fixture = std::make_unique<WindowFixture>(ui::WindowOptions{.work = workWithSlowBoards}); }
+    void init() { m_fixture = std::make_unique<WindowFixture>(workWithSlowBoards); }
     void cleanup() {
         const std::uint32_t errors = m_fixture->context().validationErrors();
         m_fixture.reset();
@@ -156,7 +156,8 @@ private slots:
         QVERIFY(window().actions()[ActionId::Explode].isChecked());
         QTRY_VERIFY(differingPixels(before, m_fixture->picture()) > 5000);
         m_fixture->key(Qt::Key_E);
-        QTRY_COMPARE(differingPixels(before, m_fixture->picture()), 0);
+        // The camera is fitted again from another place, which may round differently: 1 pixel in 10,000.
+        QTRY_VERIFY(differingPixels(before, m_fixture->picture()) < before.width() * before.height() / 10000);
     }
 
     void nothingIsDrawnWhileNothingChanges() {
@@ -232,7 +233,7 @@ private slots:
     }
 
     void otherStepIsChosenInTheStatusBar() {
-        m_fixture->restart({.work = workWithSteps});
+        m_fixture->restart(workWithSteps);
         QVERIFY(m_fixture->openAndWait("job"));
         QComboBox& box = window().statusLine().stepBox();
         QVERIFY(box.isVisible());

@@ -25,17 +25,17 @@ std::unique_ptr<ui::GpuContext> makeContext() {
 
 }  // namespace
 
-WindowFixture::WindowFixture(const ui::WindowOptions& options)
+WindowFixture::WindowFixture(const ui::Loader::Work& work)
     : m_settings(m_folder.filePath("settings.ini")), m_context(makeContext()) {
-    restart(options);
+    restart(work);
 }
 
-void WindowFixture::restart(const ui::WindowOptions& options) {
+void WindowFixture::restart(const ui::Loader::Work& work) {
     if (m_window) {
         m_window->close();
     }
     m_window.reset();
-    m_window = std::make_unique<ui::MainWindow>(*m_context, m_settings, options);
+    m_window = std::make_unique<ui::MainWindow>(*m_context, m_settings, work);
     m_window->resize(1000, 700);
     m_window->show();
     if (!QTest::qWaitForWindowExposed(m_window.get())) {

@@ -11,12 +11,12 @@
 /// (the offscreen platform) its canvas draws through memory.
 class WindowFixture {
 public:
-    explicit WindowFixture(const ui::WindowOptions& options = {});
+    explicit WindowFixture(const ui::Loader::Work& work = ui::loadBoard);
 
     /// Loads and waits until the board is shown; false if that fails or takes too long.
     [[nodiscard]] bool openAndWait(const QString& path);
     /// A fresh window over the same settings, as in the next run of the program.
-    void restart(const ui::WindowOptions& options = {});
+    void restart(const ui::Loader::Work& work = ui::loadBoard);
 
     [[nodiscard]] ui::MainWindow& window() { return *m_window; }
     [[nodiscard]] ui::Settings& settings() { return m_settings; }
