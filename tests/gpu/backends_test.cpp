@@ -86,7 +86,7 @@ private slots:
         board.addLayer(0.0F, 0.035F, {0.8F, 0.2F, 0.2F});
         for (int i = 0; i < 800; ++i) {
             const glm::vec2 at{static_cast<float>(i % 40) - 20.0F, static_cast<float>(i / 40) - 10.0F};
-            board.addDisc(at, 0.01F, i % 2 == 0 ? 0.005F : 0.0F);
+            board.addDisc(at, 0.01F);
         }
         board.addLayer(0.1F, 0.2F, {0.2F, 0.8F, 0.2F}, 0.5F);
         for (int i = 0; i < 8; ++i) {

@@ -247,6 +247,32 @@ private slots:
         QVERIFY(std::abs(static_cast<float>(gap(1.0F)) * mmPerPixel - 6.5F) < 2.0F * mmPerPixel);
     }
 
+    /// Walls are culled by winding, which the mirror of an instance turns round: seen edge-on, those in front must hide
+    /// what the block holds.
+    void wallsInFrontAreTheOnesDrawn_data() {
+        QTest::addColumn<bool>("isMirrored");
+        QTest::newRow("as drawn") << false;
+        QTest::newRow("mirrored") << true;
+    }
+    void wallsInFrontAreTheOnesDrawn() {
+        QFETCH(bool, isMirrored);
+        SyntheticBoard board;
+        board.addLayer(0.0F, 2.0F, {1, 0, 0});
+        board.addArea({{{-1000, -1000}, {1000, -1000}, {1000, 1000}, {-1000, 1000}}},
+                      {{{0, 0}, {1, 0}, 0, 0, 0, isMirrored ? 1U : 0U}});
+        board.addLayer(0.5F, 1.5F, {0, 1, 0});
+        board.addDisc({0, 0}, 0.5F);
+        Scene scene(board);
+        for (const NamedView view : {NamedView::Top, NamedView::Iso}) {
+            scene.camera.setOrthographic(true);
+            scene.camera.fit({-1, -1, 0}, {1, 1, 2}, view, 1.0F);
+            scene.camera.orbit(0.3F, std::asin(-scene.camera.direction().z));
+            const Image image = scene.draw(flat(), 100, 100);
+            QVERIFY(std::abs(scene.camera.direction().z) < 1e-5F);
+            comparePixel(image, 50, 50, {255, 0, 0});
+        }
+    }
+
     void emptyBoardIsBackground() {
         SyntheticBoard board;
         board.addLayer(0.0F, 0.035F, {1, 0, 0});
