@@ -19,11 +19,17 @@ base::Error lostDevice() {
     return {base::ErrorCode::DeviceFailed, "The Vulkan device was lost while drawing."};
 }
 
-base::Status checkSize(std::uint32_t width, std::uint32_t height, std::uint32_t largest) {
+base::Status checkSize(std::uint32_t width, std::uint32_t height, const gpu::Caps& caps) {
+    const std::uint32_t largest = caps.maxImageSize;
     if (width == 0 || height == 0 || width > largest || height > largest) {
         return base::Error{base::ErrorCode::BadUsage,
                            "A picture of " + std::to_string(width) + "x" + std::to_string(height) +
                                " pixels cannot be drawn: each side must be 1 to " + std::to_string(largest) + "."};
+    }
+    if (!fitsOn(caps, {width, height}, VK_SAMPLE_COUNT_1_BIT)) {
+        return base::Error{base::ErrorCode::BadUsage, "A picture of " + std::to_string(width) + "x" +
+                                                          std::to_string(height) +
+                                                          " pixels does not fit in the memory of " + caps.name + "."};
     }
     return base::Done{};
 }
@@ -71,7 +77,7 @@ OffscreenPresenter& OffscreenPresenter::operator=(OffscreenPresenter&&) noexcept
 base::Result<Image> OffscreenPresenter::render(BoardScene& scene, const Camera& camera, const ViewSettings& settings,
                                                std::uint32_t width, std::uint32_t height) {
     Impl& impl = *m_impl;
-    if (base::Status size = checkSize(width, height, impl.device->caps().maxImageSize); !size) {
+    if (base::Status size = checkSize(width, height, impl.device->caps()); !size) {
         return size.error();
     }
     const Clock::time_point start = Clock::now();

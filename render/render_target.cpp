@@ -21,6 +21,15 @@ VkRenderingAttachmentInfo depthAttachment(VkImageView view) {
 
 }  // namespace
 
+bool fitsOn(const gpu::Caps& caps, VkExtent2D extent, VkSampleCountFlagBits samples) {
+    constexpr std::uint64_t kColourBytes = 4;
+    constexpr std::uint64_t kDepthBytes = 8;  // 32-bit depth and stencil, padded
+    const std::uint64_t pixels = std::uint64_t{extent.width} * extent.height;
+    const std::uint64_t largest = pixels * samples * kDepthBytes;
+    const std::uint64_t total = pixels * kColourBytes + pixels * samples * (kColourBytes + kDepthBytes);
+    return largest <= caps.maxAllocationBytes && total < caps.memoryBudgetBytes;
+}
+
 void RenderTarget::setSize(VkExtent2D extent, const TargetFormat& format) {
     if (extent.width == m_extent.width && extent.height == m_extent.height && format == m_format) {
         return;

@@ -7,6 +7,9 @@
 
 namespace render {
 
+/// Whether colour and depth of this size and with so many samples per pixel fit on the device.
+[[nodiscard]] bool fitsOn(const gpu::Caps& caps, VkExtent2D extent, VkSampleCountFlagBits samples);
+
 /// Colour and depth of one view, remade when its size or smoothing changes.
 class RenderTarget {
 public:

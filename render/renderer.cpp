@@ -125,7 +125,9 @@ Renderer::Drawers& Renderer::drawersFor(const TargetFormat& format, Backend back
 
 Backend Renderer::record(gpu::Frame& frame, RenderTarget& target, VkExtent2D extent, VkFormat colour, BoardScene* scene,
                          const Camera& camera, const ViewSettings& settings) {
-    const bool isSmoothed = settings.isSmoothed && !settings.isMono && m_device->caps().canSmooth;
+    const gpu::Caps& caps = m_device->caps();
+    const bool isSmoothed =
+        settings.isSmoothed && !settings.isMono && caps.canSmooth && fitsOn(caps, extent, VK_SAMPLE_COUNT_4_BIT);
     const TargetFormat format{colour, isSmoothed ? VK_SAMPLE_COUNT_4_BIT : VK_SAMPLE_COUNT_1_BIT};
     const Backend backend = resolve(settings.backend);
     target.setSize(extent, format);

@@ -26,7 +26,7 @@ struct ViewSettings {
     Backend backend = Backend::Auto;
     bool is2d = false;       ///< flat colours, seen straight down
     bool isMono = false;     ///< white on black, unshaded, unsmoothed: a raster of the visible layers
-    bool isSmoothed = true;  ///< 4x multisampling
+    bool isSmoothed = true;  ///< 4x multisampling, where the device has it and the picture fits with it
     bool cull = true;        ///< frustum culling and level of detail
     float explode = 0.0F;    ///< 0 = real stack; 1 spreads the layers over about half the board's width
     bool dimOthers = false;  ///< darkens what is not highlighted

@@ -44,7 +44,8 @@ struct Caps {
     std::uint32_t maxImageSize = 0;   ///< pixels along one side
     std::uint32_t maxTaskGroups = 0;  ///< along x, 0 without mesh shaders
     std::uint32_t maxDrawIndirectCount = 0;
-    std::uint64_t memoryBudgetBytes = 0;  ///< of the largest device-local heap, when the device was made
+    std::uint64_t maxAllocationBytes = 0;  ///< of one image or buffer
+    std::uint64_t memoryBudgetBytes = 0;   ///< of the largest device-local heap, when the device was made
 };
 
 /// One submission to the queue.

@@ -124,7 +124,10 @@ Caps capsOf(VkPhysicalDevice device, const Extensions& extensions, bool hasMesh)
     auto mesh =
         vkInfo<VkPhysicalDeviceMeshShaderPropertiesEXT>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MESH_SHADER_PROPERTIES_EXT);
     auto driver = vkInfo<VkPhysicalDeviceDriverProperties>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES);
-    driver.pNext = hasMesh ? &mesh : nullptr;
+    auto sizes =
+        vkInfo<VkPhysicalDeviceMaintenance3Properties>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES);
+    driver.pNext = &sizes;
+    sizes.pNext = hasMesh ? &mesh : nullptr;
     auto all = vkInfo<VkPhysicalDeviceProperties2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2);
     all.pNext = &driver;
     vkGetPhysicalDeviceProperties2(device, &all);
@@ -142,6 +145,7 @@ Caps capsOf(VkPhysicalDevice device, const Extensions& extensions, bool hasMesh)
                                   core.limits.maxFramebufferHeight, core.limits.maxViewportDimensions[0]});
     caps.maxTaskGroups = hasMesh ? mesh.maxTaskWorkGroupCount[0] : 0;
     caps.maxDrawIndirectCount = core.limits.maxDrawIndirectCount;
+    caps.maxAllocationBytes = sizes.maxMemoryAllocationSize;
     caps.memoryBudgetBytes = memoryBudget(device, has(extensions, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME));
     return caps;
 }

@@ -2,8 +2,8 @@
 add_library(copperscope_gpu_test_support STATIC gpu/gpu_fixture.cpp gpu/synthetic_board.cpp)
 target_link_libraries(copperscope_gpu_test_support PUBLIC copperscope_options copperscope_render copperscope_tri)
 
-foreach(name backends device raster swapchain view)
-    copperscope_test(${name}_test gpu/${name}_test.cpp LABEL gpu LINK copperscope_gpu_test_support)
+foreach(name backends device raster sample_board swapchain view)
+    copperscope_test(${name}_test gpu/${name}_test.cpp LABEL gpu LINK copperscope_gpu_test_support copperscope_reader)
     set_tests_properties(${name}_test PROPERTIES ENVIRONMENT COPPERSCOPE_VALIDATION=abort)
 endforeach()
 
