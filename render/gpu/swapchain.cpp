@@ -13,6 +13,10 @@ namespace {
 /// More than frames in flight: a semaphore returns to duty only when its frame is long done.
 constexpr std::size_t kAvailableCount = 3;
 
+/// Some window systems give no image while a window is hidden: then the frame is skipped rather than the program
+/// stopped.
+constexpr std::uint64_t kPatienceNs = 500'000'000;
+
 struct FormatPair {
     VkFormat surface;
     VkFormat drawn;
@@ -157,14 +161,14 @@ void Swapchain::createImages() {
 Swapchain::Outcome Swapchain::tryAcquire(Target& target, VkResult& result) {
     m_turn = (m_turn + 1) % m_available.size();
     target.available = m_available[m_turn].get();
-    result = vkAcquireNextImageKHR(m_device->handle(), m_handle.get(), ~std::uint64_t{0}, target.available,
-                                   VK_NULL_HANDLE, &target.index);
+    result = vkAcquireNextImageKHR(m_device->handle(), m_handle.get(), kPatienceNs, target.available, VK_NULL_HANDLE,
+                                   &target.index);
     if (result == VK_ERROR_DEVICE_LOST) {
         m_device->markLost();
         return Outcome::DeviceLost;
     }
     if (result != VK_SUCCESS && result != VK_SUBOPTIMAL_KHR) {
-        m_isStale = true;
+        m_isStale = result < VK_SUCCESS;  // not when it only took too long
         return Outcome::NoImage;
     }
     m_isStale = result == VK_SUBOPTIMAL_KHR;

@@ -25,9 +25,9 @@ Gpu::Gpu(gpu::Instance madeInstance, gpu::Device madeDevice)
 
 Gpu& Gpu::get() {
     static const std::unique_ptr<Gpu> gpu = [] {
-        auto instance = orExit(gpu::Instance::create({}));
-        auto device = orExit(gpu::Device::create(instance));
-        return std::unique_ptr<Gpu>(new Gpu(std::move(instance), std::move(device)));
+        auto madeInstance = orExit(gpu::Instance::create({}));
+        auto madeDevice = orExit(gpu::Device::create(madeInstance));
+        return std::unique_ptr<Gpu>(new Gpu(std::move(madeInstance), std::move(madeDevice)));
     }();
     return *gpu;
 }
