@@ -51,6 +51,24 @@ struct SwapchainPresenter::Impl {
           ring(device, kFramesInFlight, "window frames"),
           renderer(device),
           target(device) {}
+
+    Outcome draw(BoardScene* scene, const Camera& camera, const ViewSettings& settings) {
+        gpu::Swapchain::Target image;
+        if (const auto outcome = swapchain.acquire(image); outcome != gpu::Swapchain::Outcome::Ready) {
+            return outcomeOf(outcome);
+        }
+        gpu::Frame* frame = ring.begin();
+        if (frame == nullptr) {
+            return Outcome::DeviceLost;
+        }
+        const Clock::time_point start = Clock::now();
+        stats.backend =
+            renderer.record(*frame, target, swapchain.extent(), swapchain.drawFormat(), scene, camera, settings);
+        copyToWindow(frame->commands(), target, image.image);
+        const bool isSubmitted = ring.end({image.available, image.finished});
+        stats.cpuMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+        return isSubmitted ? outcomeOf(swapchain.present(image)) : Outcome::DeviceLost;
+    }
 };
 
 SwapchainPresenter::SwapchainPresenter(gpu::Device& device, VkSurfaceKHR surface)
@@ -65,22 +83,9 @@ void SwapchainPresenter::resize(std::uint32_t width, std::uint32_t height) {
 
 SwapchainPresenter::Outcome SwapchainPresenter::draw(BoardScene* scene, const Camera& camera,
                                                      const ViewSettings& settings) {
-    Impl& impl = *m_impl;
-    gpu::Swapchain::Target image;
-    if (const auto outcome = impl.swapchain.acquire(image); outcome != gpu::Swapchain::Outcome::Ready) {
-        return outcomeOf(outcome);
-    }
-    gpu::Frame* frame = impl.ring.begin();
-    if (frame == nullptr) {
-        return Outcome::DeviceLost;
-    }
-    const Clock::time_point start = Clock::now();
-    impl.stats.backend = impl.renderer.record(*frame, impl.target, impl.swapchain.extent(), impl.swapchain.drawFormat(),
-                                              scene, camera, settings);
-    copyToWindow(frame->commands(), impl.target, image.image);
-    const bool isSubmitted = impl.ring.end({image.available, image.finished});
-    impl.stats.cpuMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-    return isSubmitted ? outcomeOf(impl.swapchain.present(image)) : Outcome::DeviceLost;
+    const Outcome outcome = m_impl->draw(scene, camera, settings);
+    // A window resized between drawing and presenting takes no picture of its old size: once more with the new one.
+    return outcome == Outcome::Skipped ? m_impl->draw(scene, camera, settings) : outcome;
 }
 
 std::optional<FrameStats> SwapchainPresenter::finishedStats() {
