@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "app/exit_code.h"
+#include "render/explosion.h"
 #include "render/gpu/device.h"
 #include "render/gpu/instance.h"
 
@@ -69,7 +70,8 @@ render::Camera cameraFor(const RenderArguments& arguments, const render::BoardMo
     const float aspect = static_cast<float>(arguments.width) / static_cast<float>(arguments.height);
     render::Camera camera;
     camera.setOrthographic(arguments.mode == "2d");
-    camera.fit(model.boxMin, model.boxMax, view, aspect);
+    const render::Box3 box = render::explodedBox({model.boxMin, model.boxMax}, arguments.explode);
+    camera.fit(box.min, box.max, view, aspect);
     if (!arguments.window.empty()) {
         const auto corner = [&](double x, double y) {
             return glm::vec2(x - base::toMm(model.origin.x), y - base::toMm(model.origin.y));

@@ -76,4 +76,10 @@ std::vector<ZRange> explode(std::span<const StackedLayer> layers, float spread) 
     return result;
 }
 
+Box3 explodedBox(const Box3& board, float explode) {
+    const float spread = kFullSpread * explode * std::max(board.max.x - board.min.x, board.max.y - board.min.y);
+    const glm::vec3 margin(0.0F, 0.0F, spread / 2.0F);
+    return {board.min - margin, board.max + margin};
+}
+
 }  // namespace render

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <span>
 #include <vector>
 
@@ -23,5 +24,16 @@ struct StackedLayer {
 /// order and thickness remain. A layer of barrels that spans others is stretched with them; the laminate, which spans
 /// the inner layers, stays one slab among them.
 [[nodiscard]] std::vector<ZRange> explode(std::span<const StackedLayer> layers, float spread);
+
+/// By how much the stack of a board grows when ViewSettings::explode is 1, as a part of the board's larger side.
+inline constexpr float kFullSpread = 0.5F;
+
+struct Box3 {
+    glm::vec3 min;
+    glm::vec3 max;
+};
+
+/// A board's box (BoardModel::boxMin and boxMax, mm) grown for ViewSettings::explode: what a camera must see.
+[[nodiscard]] Box3 explodedBox(const Box3& board, float explode);
 
 }  // namespace render

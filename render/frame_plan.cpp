@@ -20,8 +20,6 @@ constexpr float kQuadRadiusPx = 0.7F;
 /// against all faces it passes, too little to be seen.
 constexpr float kBoreProudMm = 0.002F;
 constexpr float kBoreProudSteps = 16.0F;
-/// Explosion 1 spreads the stack over half the board.
-constexpr float kFullSpread = 0.5F;
 
 /// One step of tie-break between faces in one plane, in units of depth: 16 roundings of a 24-bit number. In perspective
 /// depth is near / distance, relative steps do; in parallel projection depth is linear and rounds like the largest

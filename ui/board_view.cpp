@@ -3,6 +3,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "render/explosion.h"
 #include "ui/image_canvas.h"
 #include "ui/vulkan_canvas.h"
 
@@ -82,10 +83,8 @@ void BoardView::setExplode(float explode) {
 }
 
 void BoardView::updateBox() {
-    // The whole explosion spreads the layers over about half the board's width.
-    const float spread = 0.5F * m_picture.settings.explode * std::max(m_boxMax.x - m_boxMin.x, m_boxMax.y - m_boxMin.y);
-    const glm::vec3 margin(0.0F, 0.0F, spread / 2.0F);
-    m_controller.setBox(m_boxMin - margin, m_boxMax + margin);
+    const render::Box3 box = render::explodedBox({m_boxMin, m_boxMax}, m_picture.settings.explode);
+    m_controller.setBox(box.min, box.max);
 }
 
 void BoardView::requestFrame() {
