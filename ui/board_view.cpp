@@ -31,7 +31,9 @@ BoardView::BoardView(GpuContext& context, QWidget* parent) : QWidget(parent), m_
     }
 }
 
-BoardView::~BoardView() = default;
+BoardView::~BoardView() {
+    delete m_container;  // as a child it would go after the members that its canvas works on
+}
 
 void BoardView::showVulkanCanvas() {
     m_window = new VulkanCanvas(m_context, m_controller, m_picture);
