@@ -107,6 +107,10 @@ private:
             addStadium(node.point, end, width, 0);  // an arc of no radius is a dot
             return;
         }
+        if (2.0 * radius <= width) {
+            addChords(node, end, width);
+            return;
+        }
         const double start = std::atan2(node.point.y - c.y, node.point.x - c.x);
         const double sweep = model::sweepOf(node, end);
         const double longest = longestLetSweep(radius + width / 2.0);
@@ -116,6 +120,17 @@ private:
             push({centre.x, centre.y, static_cast<float>(radius / base::kNmPerMm),
                   static_cast<float>(start + sweep * i / pieces), static_cast<float>(sweep / pieces), radiusMm(width),
                   shader::kLetArc, m_element.value});
+        }
+    }
+
+    /// A pen wider than the arc turns an arc let's inner edge inside out; strokes along the chords cover the same
+    /// region.
+    void addChords(const PathNode& node, Point end, Nm width) {
+        std::vector<Point> points;
+        model::discretiseEdge(node, end, {m_toleranceNm, false}, points);
+        points.push_back(end);
+        for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+            addStadium(points[i], points[i + 1], width, 0);
         }
     }
 

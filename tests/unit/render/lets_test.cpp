@@ -96,6 +96,24 @@ private slots:
         }
     }
 
+    void aPenWiderThanItsArcBecomesStrokesFromEndToEnd() {
+        DocumentBuilder builder;
+        builder.beginLayer(builder.addLayer({}));
+        const PathNode node{{100'000, 0}, {0, 0}, EdgeKind::ArcCounterClockwise};
+        builder.addArc({node, {-100'000, 0}, 400'000}, {});
+        const auto document = builder.finish();
+        const render::LayerLets made = render::makeLets(*document, model::LayerId{0UL}, {}, 5000.0);
+        bool reachesStart = false;
+        bool reachesEnd = false;
+        for (const Let& let : made.lets) {
+            QCOMPARE(kindOf(let), shader::kLetStadium);
+            QVERIFY(std::abs(std::hypot(let.p0, let.p1) - 0.1F) < 1e-5F);
+            reachesStart = reachesStart || let.p0 == 0.1F;
+            reachesEnd = reachesEnd || let.p2 == -0.1F;
+        }
+        QVERIFY(reachesStart && reachesEnd);
+    }
+
     void platedHolesAreATubeAndABore() {
         DocumentBuilder builder;
         builder.beginLayer(builder.addLayer({}));
