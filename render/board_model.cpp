@@ -1,12 +1,12 @@
 #include "render/board_model.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 
 #include "model/base/parallel.h"
+#include "model/base/stopwatch.h"
 #include "render/area_meshes.h"
 #include "render/lets.h"
 
@@ -17,10 +17,6 @@ using model::ElementKind;
 using model::Layer;
 
 namespace {
-
-double millisecondsSince(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
 
 model::Point centreOf(const model::Box& box) {
     if (box.isEmpty()) {
@@ -241,26 +237,26 @@ base::Result<BoardModel> buildBoardModel(const Document& document, const model::
     const base::Error cancelled{base::ErrorCode::Cancelled, "cancelled"};
     BoardModel out;
     progress.beginPhase("Modelling traces and pads");
-    auto start = std::chrono::steady_clock::now();
+    base::Stopwatch watch;
     out.origin = centreOf(document.board.isEmpty() ? document.extent : document.board);
     setHeights(document, out);
     makeAllLets(document, how, out);
     const std::vector<model::ShapeId> used = shapesInUse(document);
     makeInstances(document, used, out);
-    out.times.createMs = millisecondsSince(start);
+    out.times.createMs = watch.milliseconds();
 
     progress.beginPhase("Rounding curves");
-    start = std::chrono::steady_clock::now();
+    watch = {};
     std::vector<ShapeMesh> meshes = discretiseShapes(document, used, how, progress);
-    out.times.discretiseMs = millisecondsSince(start);
+    out.times.discretiseMs = watch.milliseconds();
     if (progress.isCancelled()) {
         return cancelled;
     }
 
     progress.beginPhase("Triangulating copper areas");
-    start = std::chrono::steady_clock::now();
+    watch = {};
     triangulateShapes(meshes, progress);
-    out.times.triangulateMs = millisecondsSince(start);
+    out.times.triangulateMs = watch.milliseconds();
     if (progress.isCancelled()) {
         return cancelled;
     }

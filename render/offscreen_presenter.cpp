@@ -1,6 +1,6 @@
-#include <chrono>
 #include <cstring>
 
+#include "model/base/stopwatch.h"
 #include "render/gpu/barrier.h"
 #include "render/gpu/device_select.h"
 #include "render/renderer.h"
@@ -8,12 +8,7 @@
 namespace render {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 constexpr std::uint64_t kBytesPerPixel = 4;
-
-double millisecondsSince(Clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 base::Error lostDevice() {
     return {base::ErrorCode::DeviceFailed, "The Vulkan device was lost while drawing."};
@@ -80,7 +75,7 @@ base::Result<Image> OffscreenPresenter::render(BoardScene& scene, const Camera& 
     if (base::Status size = checkSize(width, height, impl.device->caps()); !size) {
         return size.error();
     }
-    const Clock::time_point start = Clock::now();
+    const base::Stopwatch watch;
     gpu::Frame* frame = impl.ring.begin();
     if (frame == nullptr) {
         return lostDevice();
@@ -89,7 +84,7 @@ base::Result<Image> OffscreenPresenter::render(BoardScene& scene, const Camera& 
         impl.renderer.record(*frame, impl.target, {width, height}, gpu::kColourFormat, &scene, camera, settings);
     impl.copyPicture(frame->commands());
     const bool isSubmitted = impl.ring.end();
-    impl.stats.cpuMs = millisecondsSince(start);
+    impl.stats.cpuMs = watch.milliseconds();
     if (!isSubmitted || !impl.ring.wait()) {
         return lostDevice();
     }

@@ -1,10 +1,10 @@
 #include "model/odb/odb_reader.h"
 
 #include <array>
-#include <chrono>
 #include <fstream>
 #include <optional>
 
+#include "model/base/stopwatch.h"
 #include "model/odb/attributes.h"
 #include "model/odb/job_builder.h"
 #include "model/odb/job_info.h"
@@ -13,12 +13,6 @@
 namespace model::odb {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double millisecondsSince(Clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 base::Error inJob(const std::filesystem::path& path, const std::string& text) {
     return {base::ErrorCode::BadInput, path.string() + ": " + text};
@@ -141,7 +135,7 @@ bool looksLikeJob(const std::filesystem::path& path) {
 
 base::Result<std::shared_ptr<const Document>> readJob(const std::filesystem::path& path, const ReadOptions& options,
                                                       base::Progress& progress) {
-    const Clock::time_point start = Clock::now();
+    const base::Stopwatch parsing;
     DocumentBuilder builder;
     Diagnostics& diagnostics = builder.diagnostics();
     progress.beginPhase("Unpacking the job");
@@ -172,14 +166,14 @@ base::Result<std::shared_ptr<const Document>> readJob(const std::filesystem::pat
         return cancelled();
     }
     describe(builder.job(), info, *tree, steps, path);
-    builder.times().parseMs = millisecondsSince(start);
+    builder.times().parseMs = parsing.milliseconds();
 
-    const Clock::time_point created = Clock::now();
+    const base::Stopwatch creating;
     progress.beginPhase("Building the board");
     if (!buildJob(job, steps, readBoardThickness(*tree, job.defaultUnit, diagnostics), builder, progress)) {
         return cancelled();
     }
-    builder.times().createMs = millisecondsSince(created);
+    builder.times().createMs = creating.milliseconds();
     return builder.finish();
 }
 

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <charconv>
-#include <chrono>
 #include <cmath>
 #include <optional>
 #include <string>
 
+#include "model/base/stopwatch.h"
 #include "model/document_builder.h"
 #include "model/paper/lexer.h"
 
@@ -339,10 +339,6 @@ void assumeOutline(DocumentBuilder& out, const std::string& file) {
                              "the format has no board outline: the box around all elements is used");
 }
 
-double millisecondsSince(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
 }  // namespace
 
 bool looksLikeModel(std::string_view head) {
@@ -356,9 +352,9 @@ base::Result<std::shared_ptr<const Document>> readModel(std::string_view text, c
     out.job() = {path.stem().string(), "", "paper text format", "MIL", {"board"}, "board"};
 
     progress.beginPhase("Reading the model");
-    const auto start = std::chrono::steady_clock::now();
+    const base::Stopwatch parsing;
     const std::vector<Group> groups = Parser(text, file, out.diagnostics(), progress).parse();
-    out.times().parseMs = millisecondsSince(start);
+    out.times().parseMs = parsing.milliseconds();
     if (progress.isCancelled()) {
         return base::Error{base::ErrorCode::Cancelled, "cancelled"};
     }
@@ -367,7 +363,7 @@ base::Result<std::shared_ptr<const Document>> readModel(std::string_view text, c
     }
 
     progress.beginPhase("Building the board");
-    const auto built = std::chrono::steady_clock::now();
+    const base::Stopwatch creating;
     double lowest = lowerFaceMil(groups.front());
     double highest = lowest;
     for (const Group& group : groups) {
@@ -380,7 +376,7 @@ base::Result<std::shared_ptr<const Document>> readModel(std::string_view text, c
     }
     assumeOutline(out, file);
     out.setBoardThickness(milToNm(highest - lowest));
-    out.times().createMs = millisecondsSince(built);
+    out.times().createMs = creating.milliseconds();
     return out.finish();
 }
 
