@@ -84,14 +84,27 @@ Box Document::boxOf(ElementId element) const {
     return {};
 }
 
-std::array<std::uint32_t, kElementKindCount> Document::elementCounts() const {
-    std::array<std::uint32_t, kElementKindCount> total{};
+namespace {
+
+template <class Counts>
+Counts sumOfJobLayers(const std::vector<Layer>& layers, Counts Layer::*counts) {
+    Counts total{};
     for (const Layer& l : layers) {
         for (std::size_t kind = 0; kind < total.size() && !l.isSynthetic; ++kind) {
-            total[kind] += l.counts[kind];
+            total[kind] += (l.*counts)[kind];
         }
     }
     return total;
+}
+
+}  // namespace
+
+std::array<std::uint32_t, kElementKindCount> Document::elementCounts() const {
+    return sumOfJobLayers(layers, &Layer::counts);
+}
+
+std::array<std::uint64_t, kElementKindCount> Document::elementCountsWithCopies() const {
+    return sumOfJobLayers(layers, &Layer::countsWithCopies);
 }
 
 const char* toString(ElementKind kind) {
@@ -109,6 +122,11 @@ const char* toString(LayerType type) {
 const char* toString(LayerSide side) {
     constexpr const char* kNames[] = {"none", "top", "inner", "bottom", "through"};
     return kNames[static_cast<std::size_t>(side)];
+}
+
+const char* toString(LayerUse use) {
+    constexpr const char* kNames[] = {"plain", "flex", "coverlay", "stiffener", "adhesive", "backdrill", "other"};
+    return kNames[static_cast<std::size_t>(use)];
 }
 
 const char* toString(Source source) {

@@ -48,6 +48,17 @@ enum class Source : std::uint8_t {
     Assumed   ///< a default; a diagnostic names it
 };
 
+/// What a layer is for beyond its type, from the matrix' ADD_TYPE.
+enum class LayerUse : std::uint8_t {
+    Plain,      ///< nothing said
+    Flex,       ///< flexible copper: SIGNAL_FLEX, PG_FLEX, MIXED_FLEX
+    Coverlay,   ///< film or lacquer over flexible copper: COVERLAY, COVERCOAT
+    Stiffener,  ///< a plate glued to a flexible part: STIFFENER, FR4_STIFFENER, …
+    Adhesive,   ///< the glue under it: PSA
+    Backdrill,  ///< drilled from outside to take the plating away again: BACKDRILL
+    Other       ///< anything else; Layer::addType has the word
+};
+
 struct ElementRange {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
@@ -71,6 +82,12 @@ struct Layer {
     ElementRange elements;                                  ///< elements of a layer are consecutive rows
     std::uint32_t featureCount = 0;                         ///< feature records in the job
     std::array<std::uint32_t, kElementKindCount> counts{};  ///< elements by kind
+    /// The same with those of all copies of other steps (Document::instances) that lie on this layer.
+    std::array<std::uint64_t, kElementKindCount> countsWithCopies{};
+    LayerUse use = LayerUse::Plain;
+    std::string addType;  ///< matrix ADD_TYPE as written; empty if there is none
+    ShapeId profile;      ///< where this layer exists (rigid-flex); none: all over the board (Document::profile)
+    LayerId opposite;     ///< where this layer of a step lies once the step is turned over; none: its own mirror image
 
     [[nodiscard]] bool isCopper() const {
         return type == LayerType::Signal || type == LayerType::PowerGround || type == LayerType::Mixed;
@@ -121,8 +138,8 @@ struct CircleGeometry {
     Nm innerDiameter = 0;
 };
 
-/// Strokes joined end to end; nodes are consecutive rows of `trailNodes`, the last one without an edge. ODB++ trails have one width; the
-/// paper's may change it from edge to edge, so each edge has its own (`trailWidths`).
+/// Strokes joined end to end; nodes are consecutive rows of `trailNodes`, the last one without an edge. ODB++ trails
+/// have one width; the paper's may change it from edge to edge, so each edge has its own (`trailWidths`).
 struct TrailGeometry {
     std::uint32_t firstNode = 0;
     std::uint32_t nodeCount = 0;
@@ -166,6 +183,22 @@ struct DrillTool {
     Nm drillSize = 0;
 };
 
+/// A copy of another step on this one (a panel). It stays where it is once in memory: its elements are those of the
+/// step, laid down by `placement`. A flipped copy is turned over: `placement` holds the mirroring, and what is on a
+/// layer lies on Layer::opposite. See model/copies.h for walking over copies of copies.
+struct StepInstance {
+    std::uint32_t step = 0;  ///< row of Document::steps
+    Placement placement;     ///< from the step's coordinates to those of the document that holds the instance
+    bool isFlipped = false;
+};
+
+/// A part of the board with a stack of its own: rigid, flexible, stiffened.
+struct Zone {
+    std::string name;
+    std::vector<LayerId> layers;  ///< those that are there
+    ShapeId shape;
+};
+
 struct JobInfo {
     std::string name;
     std::string generator;  ///< save application as the job states it
@@ -182,6 +215,8 @@ struct ReadTimes {
 };
 
 /// A frozen board. Made by DocumentBuilder only, held as shared_ptr<const Document> and readable from every thread.
+/// A panel holds its own elements and places copies of other steps, which are documents of their own with nets,
+/// components and tables of their own; their layers are the same rows at the same heights.
 struct Document {
     JobInfo job;
     std::vector<Layer> layers;  ///< physical order from the top where it is known, then the rest
@@ -194,7 +229,8 @@ struct Document {
     std::vector<CircleGeometry> circles;
     std::vector<TrailGeometry> trails;
     std::vector<PathNode> trailNodes;
-    std::vector<Nm> trailWidths;  ///< per trail node: width of the stroke that leaves it, 0 for the last node of a trail
+    std::vector<Nm>
+        trailWidths;  ///< per trail node: width of the stroke that leaves it, 0 for the last node of a trail
     std::vector<AreaGeometry> areas;
 
     std::vector<Net> nets;
@@ -204,9 +240,13 @@ struct Document {
     std::vector<Pin> pins;
     std::vector<DrillTool> tools;
 
+    std::vector<std::shared_ptr<const Document>> steps;  ///< placed by `instances`, each once
+    std::vector<StepInstance> instances;  ///< copies right on this step; those may hold copies themselves
+    std::vector<Zone> zones;
+
     ShapeId profile;  ///< the step's outline; none if the job has none and it could not be derived
     Box board;        ///< extent of the profile
-    Box extent;       ///< extent of everything on board layers
+    Box extent;       ///< extent of everything on board layers, copies included
     Nm boardThickness = 0;
     Diagnostics diagnostics;
     ReadTimes times;
@@ -222,13 +262,20 @@ struct Document {
         return std::span(trailWidths).subspan(trail.firstNode, trail.nodeCount - 1);
     }
     [[nodiscard]] Box boxOf(ElementId element) const;
-    /// Elements by kind over all layers of the job (not those we add).
+    /// The layer of this document on which a copy's elements of its layer `id` lie.
+    [[nodiscard]] LayerId layerOfCopy(LayerId id, bool isFlipped) const {
+        return isFlipped && layer(id).opposite.isValid() ? layer(id).opposite : id;
+    }
+    /// Own elements by kind over all layers of the job (not those we add).
     [[nodiscard]] std::array<std::uint32_t, kElementKindCount> elementCounts() const;
+    /// The same with those of all copies.
+    [[nodiscard]] std::array<std::uint64_t, kElementKindCount> elementCountsWithCopies() const;
 };
 
 [[nodiscard]] const char* toString(ElementKind kind);  ///< "line", "arc", …
 [[nodiscard]] const char* toString(LayerType type);    ///< as the matrix writes it: "SIGNAL", "POWER_GROUND", …
 [[nodiscard]] const char* toString(LayerSide side);    ///< "top", "inner", …
+[[nodiscard]] const char* toString(LayerUse use);      ///< "plain", "flex", …
 [[nodiscard]] const char* toString(Source source);     ///< "job", "derived", "assumed"
 
 }  // namespace model

@@ -50,6 +50,16 @@ ComponentId DocumentBuilder::addComponent(Component component, std::span<const P
     return ComponentId{m_document->components.size() - 1};
 }
 
+std::uint32_t DocumentBuilder::addStep(std::shared_ptr<const Document> step) {
+    m_document->steps.push_back(std::move(step));
+    return static_cast<std::uint32_t>(m_document->steps.size() - 1);
+}
+
+void DocumentBuilder::addInstance(const StepInstance& instance) {
+    ASSERT(instance.step < m_document->steps.size());
+    m_document->instances.push_back(instance);
+}
+
 void DocumentBuilder::beginLayer(LayerId id) {
     ASSERT(layer(id).elements.count == 0);
     m_layer = id;
@@ -111,6 +121,7 @@ ElementId DocumentBuilder::addArea(const AreaGeometry& area, const Origin& origi
 
 std::shared_ptr<const Document> DocumentBuilder::finish() {
     linkNets();
+    countCopies();
     measureExtents();
     std::shared_ptr<const Document> frozen = std::move(m_document);
     m_document = std::make_shared<Document>();
@@ -139,6 +150,22 @@ void DocumentBuilder::linkNets() {
     }
 }
 
+void DocumentBuilder::countCopies() {
+    Document& d = *m_document;
+    for (Layer& l : d.layers) {
+        std::ranges::copy(l.counts, l.countsWithCopies.begin());
+    }
+    for (const StepInstance& instance : d.instances) {
+        const std::vector<Layer>& copied = d.steps[instance.step]->layers;
+        for (std::size_t row = 0; row < std::min(copied.size(), d.layers.size()); ++row) {
+            Layer& onto = layer(d.layerOfCopy(LayerId{row}, instance.isFlipped));
+            for (std::size_t kind = 0; kind < kElementKindCount; ++kind) {
+                onto.countsWithCopies[kind] += copied[row].countsWithCopies[kind];
+            }
+        }
+    }
+}
+
 void DocumentBuilder::measureExtents() {
     Document& d = *m_document;
     for (const Layer& l : d.layers) {
@@ -148,6 +175,9 @@ void DocumentBuilder::measureExtents() {
         for (std::uint32_t i = 0; i < l.elements.count; ++i) {
             d.extent.include(d.boxOf(ElementId{l.elements.first + i}));
         }
+    }
+    for (const StepInstance& instance : d.instances) {
+        d.extent.include(instance.placement.boxOf(d.steps[instance.step]->extent));
     }
     d.board = d.profile.isValid() ? d.shapes.shapes[d.profile.row()].box : d.extent;
 }

@@ -37,6 +37,10 @@ public:
     /// `component.firstPin` and `pinCount` are filled in.
     ComponentId addComponent(Component component, std::span<const Pin> pins);
     void setProfile(ShapeId shape) { m_document->profile = shape; }
+    void addZone(Zone zone) { m_document->zones.push_back(std::move(zone)); }
+    /// A step to place copies of; it must have the same layer rows. Answers its row.
+    std::uint32_t addStep(std::shared_ptr<const Document> step);
+    void addInstance(const StepInstance& instance);
     void setBoardThickness(Nm thickness) { m_document->boardThickness = thickness; }
 
     /// All elements added from now on belong to this layer; a layer can be begun once.
@@ -58,6 +62,7 @@ public:
 private:
     ElementId addElement(ElementKind kind, std::size_t geometry, const Origin& origin);
     void linkNets();
+    void countCopies();
     void measureExtents();
 
     std::shared_ptr<Document> m_document = std::make_shared<Document>();

@@ -66,6 +66,16 @@ Point Placement::apply(Point p) const {
     return {toNm(moved.x), toNm(moved.y)};
 }
 
+Box Placement::boxOf(const Box& box) const {
+    Box placed;
+    for (const Point corner : {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}) {
+        if (!box.isEmpty()) {
+            placed.include(apply(corner));
+        }
+    }
+    return placed;
+}
+
 Placement Placement::after(const Placement& inner) const {
     // M R(a) M' R(b): a mirror inside reverses the sense of the outer rotation, R(a) M = M R(-a).
     Placement both;

@@ -88,6 +88,8 @@ struct Placement {
 
     [[nodiscard]] PointD apply(PointD p) const;
     [[nodiscard]] Point apply(Point p) const;
+    /// The box around a placed box.
+    [[nodiscard]] Box boxOf(const Box& box) const;
     /// The placement that first does `inner`, then this one.
     [[nodiscard]] Placement after(const Placement& inner) const;
 };

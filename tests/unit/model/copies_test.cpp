@@ -1,0 +1,93 @@
+#include "model/copies.h"
+
+#include <QtTest>
+
+#include "model/document_builder.h"
+
+using model::Document;
+using model::DocumentBuilder;
+using model::LayerId;
+using model::Placement;
+using model::Point;
+using model::StepTree;
+
+namespace {
+
+/// Layers "top" and "bottom", each the other's opposite.
+void addLayers(DocumentBuilder& builder) {
+    for (const char* name : {"top", "bottom"}) {
+        model::Layer layer;
+        layer.name = name;
+        layer.type = model::LayerType::Signal;
+        layer.opposite = LayerId{builder.layers().empty() ? std::size_t{1} : std::size_t{0}};
+        builder.addLayer(layer);
+    }
+}
+
+/// One disc of 2 mm at (10, 0) mm on top.
+std::shared_ptr<const Document> card() {
+    DocumentBuilder builder;
+    addLayers(builder);
+    builder.beginLayer(LayerId{0});
+    builder.addCircle({{10'000'000, 0}, 2'000'000, 0}, {});
+    return builder.finish();
+}
+
+/// A step without elements of its own that places these copies of another.
+std::shared_ptr<const Document> holding(const std::shared_ptr<const Document>& step,
+                                        const std::vector<std::pair<Placement, bool>>& copies) {
+    DocumentBuilder builder;
+    addLayers(builder);
+    const std::uint32_t row = builder.addStep(step);
+    for (const auto& [placement, isFlipped] : copies) {
+        builder.addInstance({row, placement, isFlipped});
+    }
+    return builder.finish();
+}
+
+}  // namespace
+
+class CopiesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aBoardWithoutCopiesIsItsOwnOnlyCopy() {
+        const auto board = card();
+        const StepTree tree = model::unfoldCopies(*board);
+        QCOMPARE(tree.steps, std::vector<const Document*>{board.get()});
+        QCOMPARE(tree.copies.size(), std::size_t{1});
+        QVERIFY(!tree.copies[0].isFlipped);
+    }
+
+    void copiesOfCopiesArePlacedByBoth() {
+        const auto inner = card();
+        const auto row = holding(inner, {{{{0, 0}, 90.0, false}, false}, {{{5, 0}, 0.0, true}, true}});
+        const auto panel = holding(row, {{{{0, 100}, 90.0, false}, false}, {{{0, 200}, 0.0, true}, true}});
+        const StepTree tree = model::unfoldCopies(*panel);
+        QCOMPARE(tree.steps.size(), std::size_t{3});
+        QCOMPARE(tree.copies.size(), std::size_t{1 + 2 * 3});
+        // Panel, row, its two cards, row, its two cards.
+        QCOMPARE(tree.steps[tree.copies[1].step], row.get());
+        QCOMPARE(tree.steps[tree.copies[2].step], inner.get());
+        QCOMPARE(tree.copies[2].placement.apply(Point{10, 0}), (Point{-10, 100}));  // two quarter turns
+        QCOMPARE(tree.copies[3].placement.apply(Point{10, 0}), (Point{0, 105}));  // x -> 5 - 10 = -5, turned clockwise
+        QVERIFY(tree.copies[3].isFlipped);
+        QCOMPARE(tree.copies[6].placement.apply(Point{10, 0}), (Point{5, 200}));  // mirrored twice
+        QVERIFY(!tree.copies[6].isFlipped);                                       // turned over twice
+    }
+
+    void countsAndExtentIncludeCopies() {
+        const auto panel = holding(card(), {{{{0, 0}, 0.0, false}, false}, {{{0, 0}, 0.0, true}, true}});
+        QCOMPARE(panel->elementCounts()[2], 0U);
+        QCOMPARE(panel->elementCountsWithCopies()[2], std::uint64_t{2});
+        QCOMPARE(panel->layers[0].countsWithCopies[2], std::uint64_t{1});
+        QCOMPARE(panel->layers[1].countsWithCopies[2], std::uint64_t{1});  // the flipped one
+        QCOMPARE(panel->extent, (model::Box{{-11'000'000, -1'000'000}, {11'000'000, 1'000'000}}));
+        const auto twice = holding(panel, {{{{0, 50'000'000}, 90.0, false}, true}});
+        QCOMPARE(twice->elementCountsWithCopies()[2], std::uint64_t{2});
+        QCOMPARE(twice->extent, (model::Box{{-1'000'000, 39'000'000}, {1'000'000, 61'000'000}}));
+    }
+};
+
+QTEST_APPLESS_MAIN(CopiesTest)
+#include "copies_test.moc"
