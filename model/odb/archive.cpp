@@ -123,6 +123,21 @@ base::Result<Archive> Archive::openFile(const fs::path& path, const ArchiveLimit
         return badInput(path, error ? "the file cannot be read" : "the file is empty");
     }
     ArchiveStream stream(path, ArchiveStream::Formats::Containers);
+    return readAll(stream, fileSize, path, limits, progress, diagnostics);
+}
+
+base::Result<Archive> Archive::unpack(std::string_view bytes, const fs::path& name, const ArchiveLimits& limits,
+                                      base::Progress& progress, Diagnostics& diagnostics) {
+    if (bytes.empty()) {
+        return badInput(name, "the file is empty");
+    }
+    ArchiveStream stream(bytes, ArchiveStream::Formats::Containers);
+    return readAll(stream, bytes.size(), name, limits, progress, diagnostics);
+}
+
+base::Result<Archive> Archive::readAll(ArchiveStream& stream, std::uint64_t packedBytes, const fs::path& path,
+                                       const ArchiveLimits& limits, base::Progress& progress,
+                                       Diagnostics& diagnostics) {
     Archive tree;
     std::uint64_t total = 0;
     while (stream.next()) {
@@ -130,7 +145,7 @@ base::Result<Archive> Archive::openFile(const fs::path& path, const ArchiveLimit
             return cancelled();
         }
         progress.setFraction(
-            static_cast<float>(static_cast<double>(stream.position()) / static_cast<double>(fileSize)));
+            static_cast<float>(static_cast<double>(stream.position()) / static_cast<double>(packedBytes)));
         const std::string name = normalised(stream.name());
         if (stream.isFolder() || name.empty()) {
             continue;

@@ -13,6 +13,8 @@
 
 namespace model::odb {
 
+class ArchiveStream;
+
 /// How much an archive may unpack to. The largest real job we know holds 71 MB; the limit only stops archive bombs.
 struct ArchiveLimits {
     std::uint64_t totalBytes = std::uint64_t{4} << 30;
@@ -46,6 +48,10 @@ public:
     /// Errors: BadInput (missing, unreadable, no archive, ends early, over the limits), Cancelled.
     [[nodiscard]] static base::Result<Archive> open(const std::filesystem::path& path, const ArchiveLimits& limits,
                                                     base::Progress& progress, Diagnostics& diagnostics);
+    /// The same for the bytes of a file that is already in memory; `name` is what messages call it.
+    [[nodiscard]] static base::Result<Archive> unpack(std::string_view bytes, const std::filesystem::path& name,
+                                                      const ArchiveLimits& limits, base::Progress& progress,
+                                                      Diagnostics& diagnostics);
 
     /// Row of the file with this path (blanks and slashes as in the job, any case); -1 if there is none.
     [[nodiscard]] int find(std::string_view path) const;
@@ -73,6 +79,9 @@ private:
                                                           Diagnostics& diagnostics);
     [[nodiscard]] static base::Result<Archive> openFile(const std::filesystem::path& path, const ArchiveLimits& limits,
                                                         base::Progress& progress, Diagnostics& diagnostics);
+    [[nodiscard]] static base::Result<Archive> readAll(ArchiveStream& stream, std::uint64_t packedBytes,
+                                                       const std::filesystem::path& path, const ArchiveLimits& limits,
+                                                       base::Progress& progress, Diagnostics& diagnostics);
     void add(Entry entry, Diagnostics& diagnostics);
 
     std::vector<Entry> m_entries;

@@ -52,9 +52,12 @@ private:
     bool m_failed = false;
 };
 
+/// Most bytes that one packed file of a job may unpack to. The largest real one we know holds 34 MB.
+inline constexpr std::uint64_t kMaxMemberBytes = std::uint64_t{512} << 20;
+
 /// The plain text of a member that may be packed, told by its first bytes: `1F 9D` is Unix compress, `1F 8B` gzip, `PK`
 /// a zip with one file (DipTrace names those `.Z` too); anything else is returned as it is (odb-notes, Container).
 /// Errors: BadInput when it is broken or unpacks to more than `limit` bytes.
-[[nodiscard]] base::Result<Bytes> decodeMember(Bytes bytes, std::uint64_t limit = std::uint64_t{2} << 30);
+[[nodiscard]] base::Result<Bytes> decodeMember(Bytes bytes, std::uint64_t limit = kMaxMemberBytes);
 
 }  // namespace model::odb

@@ -115,35 +115,14 @@ void describe(JobInfo& job, const MiscInfo& info, const JobTree& tree, const Ste
     job.step = steps[0].name;
 }
 
-}  // namespace
-
-bool looksLikeJob(const std::filesystem::path& path) {
-    std::error_code error;
-    if (std::filesystem::is_directory(path, error)) {
-        return true;
-    }
-    if (stem(path) != path.filename().string()) {
-        return true;
-    }
-    std::array<char, 512> head{};
-    std::ifstream file(path, std::ios::binary);
-    file.read(head.data(), head.size());
-    const std::string_view bytes(head.data(), static_cast<std::size_t>(file.gcount()));
-    const bool isTar = bytes.size() == head.size() && bytes.substr(257, 5) == "ustar";
-    return isTar || bytes.starts_with("\x1f\x8b") || bytes.starts_with("\x1f\x9d") || bytes.starts_with("PK\x03\x04");
-}
-
-base::Result<std::shared_ptr<const Document>> readJob(const std::filesystem::path& path, const ReadOptions& options,
-                                                      base::Progress& progress) {
-    const base::Stopwatch parsing;
+/// `parsing` runs since the reading began, unpacking included.
+base::Result<std::shared_ptr<const Document>> readArchive(const Archive& archive, const std::filesystem::path& path,
+                                                          const ReadOptions& options, const Diagnostics& unpacking,
+                                                          base::Progress& progress, const base::Stopwatch& parsing) {
     DocumentBuilder builder;
     Diagnostics& diagnostics = builder.diagnostics();
-    progress.beginPhase("Unpacking the job");
-    const base::Result<Archive> archive = Archive::open(path, {}, progress, diagnostics);
-    if (!archive) {
-        return archive.error();
-    }
-    const base::Result<JobTree> tree = JobTree::findIn(*archive);
+    diagnostics.append(unpacking);
+    const base::Result<JobTree> tree = JobTree::findIn(archive);
     if (!tree) {
         return inJob(path, tree.error().text);
     }
@@ -175,6 +154,39 @@ base::Result<std::shared_ptr<const Document>> readJob(const std::filesystem::pat
     }
     builder.times().createMs = creating.milliseconds();
     return builder.finish();
+}
+
+}  // namespace
+
+bool looksLikeJob(const std::filesystem::path& path) {
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error)) {
+        return true;
+    }
+    if (stem(path) != path.filename().string()) {
+        return true;
+    }
+    std::array<char, 512> head{};
+    std::ifstream file(path, std::ios::binary);
+    file.read(head.data(), head.size());
+    const std::string_view bytes(head.data(), static_cast<std::size_t>(file.gcount()));
+    const bool isTar = bytes.size() == head.size() && bytes.substr(257, 5) == "ustar";
+    return isTar || bytes.starts_with("\x1f\x8b") || bytes.starts_with("\x1f\x9d") || bytes.starts_with("PK\x03\x04");
+}
+
+base::Result<std::shared_ptr<const Document>> readJob(const std::filesystem::path& path, const ReadOptions& options,
+                                                      base::Progress& progress) {
+    const base::Stopwatch parsing;
+    Diagnostics diagnostics;
+    progress.beginPhase("Unpacking the job");
+    const base::Result<Archive> archive = Archive::open(path, {}, progress, diagnostics);
+    return archive ? readArchive(*archive, path, options, diagnostics, progress, parsing) : archive.error();
+}
+
+base::Result<std::shared_ptr<const Document>> readJob(const Archive& archive, const std::filesystem::path& name,
+                                                      const ReadOptions& options, const Diagnostics& diagnostics,
+                                                      base::Progress& progress) {
+    return readArchive(archive, name, options, diagnostics, progress, {});
 }
 
 }  // namespace model::odb

@@ -12,6 +12,8 @@
 /// as "odb-notes" with the section.
 namespace model::odb {
 
+class Archive;
+
 /// A cheap look at the name and the first bytes: a folder, or a file that is an archive or is named like one. It does
 /// not say that the job is sound.
 [[nodiscard]] bool looksLikeJob(const std::filesystem::path& path);
@@ -21,6 +23,14 @@ namespace model::odb {
 /// Everything else is in Document::diagnostics.
 [[nodiscard]] base::Result<std::shared_ptr<const Document>> readJob(const std::filesystem::path& path,
                                                                     const ReadOptions& options,
+                                                                    base::Progress& progress);
+
+/// The same for a job that is already unpacked. `name` stands in messages and, without its ending, for a job that does
+/// not name itself; `diagnostics` is what the unpacking had to say.
+[[nodiscard]] base::Result<std::shared_ptr<const Document>> readJob(const Archive& archive,
+                                                                    const std::filesystem::path& name,
+                                                                    const ReadOptions& options,
+                                                                    const Diagnostics& diagnostics,
                                                                     base::Progress& progress);
 
 }  // namespace model::odb

@@ -1,0 +1,181 @@
+#include "targets.h"
+
+#include <algorithm>
+#include <string>
+
+#include "model/base/assert.h"
+#include "model/odb/archive.h"
+#include "model/odb/archive_stream.h"
+#include "model/odb/attributes.h"
+#include "model/odb/components.h"
+#include "model/odb/eda.h"
+#include "model/odb/features.h"
+#include "model/odb/job_info.h"
+#include "model/odb/job_tree.h"
+#include "model/odb/matrix.h"
+#include "model/odb/odb_reader.h"
+#include "model/odb/standard_symbols.h"
+#include "model/odb/step_header.h"
+#include "model/odb/tools.h"
+#include "model/paper/paper_reader.h"
+#include "tar.h"
+
+namespace fuzz {
+
+namespace {
+
+using model::Diagnostics;
+using model::odb::Unit;
+
+constexpr const char* kFile = "input";
+constexpr model::odb::ArchiveLimits kLimits{std::uint64_t{16} << 20, 1'000};
+
+/// A board around the file under test: a matrix of two copper layers and a drill, a profile, and one user symbol.
+constexpr std::string_view kSmallJob =
+    "=== matrix/matrix\nSTEP {\nCOL=1\nNAME=S\n}\nLAYER {\nROW=1\nCONTEXT=BOARD\nTYPE=SIGNAL\nNAME=TOP\n}\n"
+    "LAYER {\nROW=2\nCONTEXT=BOARD\nTYPE=SIGNAL\nNAME=BOT\n}\n"
+    "LAYER {\nROW=3\nCONTEXT=BOARD\nTYPE=DRILL\nNAME=D\nSTART_NAME=TOP\nEND_NAME=BOT\n}\n"
+    "=== steps/s/profile\nUNITS=MM\nS P 0\nOB 0 0 I\nOS 20 0\nOS 20 20\nOS 0 20\nOS 0 0\nOE\nSE\n";
+
+void readMembers(const model::odb::Archive& archive) {
+    for (int row = 0; row < static_cast<int>(archive.size()); ++row) {
+        auto bytes = archive.bytes(row);
+        if (bytes) {
+            static_cast<void>(model::odb::decodeMember(*std::move(bytes), kLimits.totalBytes));
+        }
+    }
+}
+
+void archive(std::string_view input) {
+    base::Progress progress;
+    Diagnostics diagnostics;
+    const auto opened = model::odb::Archive::unpack(input, kFile, kLimits, progress, diagnostics);
+    if (opened) {
+        readMembers(*opened);
+        static_cast<void>(model::odb::JobTree::findIn(*opened));
+    }
+}
+
+void member(std::string_view input) {
+    static_cast<void>(model::odb::decodeMember(model::odb::Bytes::borrow(input), kLimits.totalBytes));
+}
+
+void job(std::string_view input) {
+    base::Progress progress;
+    Diagnostics diagnostics;
+    const std::string tar = writeTar(unbundle(input));
+    const auto opened = model::odb::Archive::unpack(tar, kFile, kLimits, progress, diagnostics);
+    if (opened) {
+        static_cast<void>(model::odb::readJob(*opened, kFile, {}, diagnostics, progress));
+    }
+}
+
+/// `input` as one file of the small job.
+void inSmallJob(const char* path, std::string_view input, std::string_view rest = {}) {
+    job(std::string(kSmallJob) + std::string(rest) + "=== " + path + "\n" + std::string(input));
+}
+
+void matrix(std::string_view input) {
+    Diagnostics diagnostics;
+    const model::odb::Matrix parsed = model::odb::parseMatrix(input, kFile, diagnostics);
+    const std::size_t rows = model::odb::physicalOrder(parsed.layers, kFile, diagnostics).size();
+    ASSERT(rows == parsed.layers.size());
+}
+
+void stepHeader(std::string_view input) {
+    Diagnostics diagnostics;
+    static_cast<void>(model::odb::parseStepHeader(input, kFile, Unit::Inch, diagnostics));
+}
+
+void tools(std::string_view input) {
+    Diagnostics diagnostics;
+    static_cast<void>(model::odb::parseTools(input, kFile, diagnostics));
+}
+
+void info(std::string_view input) {
+    Diagnostics diagnostics;
+    static_cast<void>(model::odb::parseInfo(input, kFile, diagnostics));
+}
+
+void attributes(std::string_view input) {
+    Diagnostics diagnostics;
+    const model::odb::AttributeList list(input, kFile, Unit::Inch, diagnostics);
+    static_cast<void>(list.number(".board_thickness", kFile, diagnostics));
+}
+
+void features(std::string_view input) {
+    Diagnostics diagnostics;
+    static_cast<void>(model::odb::parseFeatures(input, kFile, Unit::Millimetre, diagnostics));
+}
+
+void elements(std::string_view input) {
+    inSmallJob("steps/s/layers/top/features", input);
+}
+
+void holes(std::string_view input) {
+    inSmallJob("steps/s/layers/d/features", input);
+}
+
+void symbol(std::string_view input) {
+    inSmallJob("symbols/u/features", input,
+               "=== steps/s/layers/top/features\nUNITS=MM\n$0 u\nP 5 5 0 P 0 0\nP 9 9 0 N 0 8 30\n");
+}
+
+void profile(std::string_view input) {
+    inSmallJob("steps/s/profile", input,
+               "=== steps/s/layers/d/features\nUNITS=MM\n$0 r500\nP 5 5 0 P 0 0\nL 0 0 9 0 0 P 0\n");
+}
+
+/// The input is the name of a symbol.
+void symbolName(std::string_view input) {
+    static_cast<void>(model::odb::standardSymbol({std::string(input), Unit::Millimetre, 0}));
+    static_cast<void>(model::odb::standardSymbol({std::string(input), Unit::Inch, 1000}));
+}
+
+void components(std::string_view input) {
+    Diagnostics diagnostics;
+    static_cast<void>(model::odb::parseComponents(input, kFile, Unit::Inch, diagnostics));
+}
+
+void eda(std::string_view input) {
+    Diagnostics diagnostics;
+    static_cast<void>(model::odb::parseEda(input, kFile, {"TOP", "Inner Plane", "BOTTOM"}, diagnostics));
+}
+
+void paper(std::string_view input) {
+    base::Progress progress;
+    static_cast<void>(model::paper::readModel(input, kFile, progress));
+}
+
+}  // namespace
+
+std::span<const Target> targets() {
+    static const std::vector<Target> kTargets = {
+        {"archive", archive},
+        {"attributes", attributes, {"attrlist"}},
+        {"components", components, {"components"}},
+        {"eda", eda, {"data"}},
+        {"elements", elements, {"features"}},
+        {"features", features, {"features", "profile"}},
+        {"holes", holes, {"features"}},
+        {"info", info, {"info"}},
+        {"job", job, {}, true},
+        {"matrix", matrix, {"matrix"}},
+        {"member", member},
+        {"paper", paper},
+        {"profile", profile, {"profile"}},
+        {"step_header", stepHeader, {"stephdr"}},
+        {"symbol", symbol, {"features"}},
+        {"symbol_name", symbolName},
+        {"tools", tools, {"tools"}},
+    };
+    return kTargets;
+}
+
+const Target* findTarget(std::string_view name) {
+    const auto all = targets();
+    const auto place = std::ranges::find(all, name, &Target::name);
+    return place == all.end() ? nullptr : &*place;
+}
+
+}  // namespace fuzz
