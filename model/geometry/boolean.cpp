@@ -67,4 +67,26 @@ PolygonSet subtract(const PolygonSet& from, const PolygonSet& what) {
     return execute(ClipperLib::ctDifference, from, what);
 }
 
+PolygonSet grow(const PolygonSet& set, double distance) {
+    PolygonSet all;
+    const Paths paths = toPaths(set);
+    for (const PolygonSet::Polygon& polygon : set.polygons) {
+        ClipperLib::ClipperOffset offset(3.0);  // sharper corners than 39 degrees are cut off
+        offset.AddPath(paths[polygon.firstLoop], ClipperLib::jtMiter, ClipperLib::etClosedPolygon);
+        Paths grown;
+        offset.Execute(grown, distance);
+        ClipperLib::Clipper clipper(ClipperLib::ioStrictlySimple);
+        clipper.AddPaths(grown, ClipperLib::ptSubject, true);
+        for (std::uint32_t i = 1; i < polygon.loopCount; ++i) {
+            Path hole = paths[polygon.firstLoop + i];
+            ClipperLib::ReversePath(hole);
+            clipper.AddPath(hole, ClipperLib::ptClip, true);
+        }
+        ClipperLib::PolyTree tree;
+        clipper.Execute(ClipperLib::ctDifference, tree, ClipperLib::pftPositive, ClipperLib::pftPositive);
+        collect(tree, all);
+    }
+    return unite(all);
+}
+
 }  // namespace model

@@ -10,4 +10,8 @@ namespace model {
 [[nodiscard]] PolygonSet unite(const PolygonSet& set);
 [[nodiscard]] PolygonSet subtract(const PolygonSet& from, const PolygonSet& what);
 
+/// Every polygon with its outline moved outwards by `distance` nm (inwards when negative), corners mitred; holes stay
+/// as they are.
+[[nodiscard]] PolygonSet grow(const PolygonSet& set, double distance);
+
 }  // namespace model

@@ -6,6 +6,7 @@
 
 #include "model/odb/outlines.h"
 #include "model/odb/region.h"
+#include "model/odb/swept_strokes.h"
 
 namespace model::odb {
 
@@ -105,37 +106,30 @@ bool ElementMaker::isPlated(const Feature& feature, Nm size) {
 // ---- strokes ----
 
 void ElementMaker::stroke(std::size_t feature) {
-    const SymbolShape& pen = *resolve(feature).shape;
+    Resolved& pen = resolve(feature);
     const bool isStraight = m_source.file->features[feature].kind == FeatureKind::Line;
-    if (pen.kind == SymbolShape::Kind::Nothing) {
-        return flush();
+    if (pen.shape->kind == SymbolShape::Kind::Round) {
+        return roundStroke(feature, pen.shape->width);
     }
-    if (isStraight && pen.isSquarePen && (!m_isMoved || isQuarterTurn(m_source.placement))) {
-        flush();
-        return squareStroke(feature, m_resolved[m_source.file->features[feature].index]);
+    flush();
+    if (pen.shape->kind == SymbolShape::Kind::Nothing) {
+        return;
     }
-    if (isStraight && !pen.penCorners.empty()) {
-        flush();
-        return sweptStroke(feature, m_resolved[m_source.file->features[feature].index]);
+    if (isStraight && pen.shape->isSquarePen && (!m_isMoved || isQuarterTurn(m_source.placement))) {
+        return squareStroke(feature, pen);
     }
-    roundStroke(feature);
+    sweptStroke(feature, pen);
 }
 
-Nm ElementMaker::penWidth(std::size_t feature) {
-    const SymbolShape& pen = *m_resolved[m_source.file->features[feature].index].shape;
-    if (pen.kind == SymbolShape::Kind::Round) {
-        return pen.width;
+PathNode ElementMaker::startOf(std::size_t feature) {
+    const Feature& f = m_source.file->features[feature];
+    PathNode start{f.a, f.centre, EdgeKind::Line};
+    if (f.kind == FeatureKind::Arc && (f.a == f.centre || f.b == f.centre)) {
+        report(Severity::Warning, feature, "an arc without a radius; taken as a straight line");
+    } else if (f.kind == FeatureKind::Arc) {
+        start.edge = f.isClockwise ? EdgeKind::ArcClockwise : EdgeKind::ArcCounterClockwise;
     }
-    report(Severity::Warning, feature,
-           "a stroke with a pen that is not round; drawn with a round pen as wide as its smaller side");
-    if (pen.kind == SymbolShape::Kind::Region) {
-        Box box;
-        for (std::size_t i = 0; i < pen.region.contourCount(); ++i) {
-            box.include(boxOfPath(pen.region.contour(i), true));
-        }
-        return static_cast<Nm>(std::min(box.width(), box.height()));
-    }
-    return pen.kind == SymbolShape::Kind::Oval ? std::min(pen.width, pen.height) : pen.width;
+    return start;
 }
 
 bool ElementMaker::continues(std::size_t feature, const PathNode& start) const {
@@ -149,23 +143,18 @@ bool ElementMaker::continues(std::size_t feature, const PathNode& start) const {
            netOf(feature) == netOf(m_pending.feature);
 }
 
-void ElementMaker::roundStroke(std::size_t feature) {
-    const Feature& f = m_source.file->features[feature];
-    PathNode start{f.a, f.centre, EdgeKind::Line};
-    if (f.kind == FeatureKind::Arc && (f.a == f.centre || f.b == f.centre)) {
-        report(Severity::Warning, feature, "an arc without a radius; taken as a straight line");
-    } else if (f.kind == FeatureKind::Arc) {
-        start.edge = f.isClockwise ? EdgeKind::ArcClockwise : EdgeKind::ArcCounterClockwise;
-    }
+void ElementMaker::roundStroke(std::size_t feature, Nm width) {
+    PathNode start = startOf(feature);
     start = m_isMoved ? placed(start, m_source.placement) : start;
-    const PathNode end{at(f.b), {}, EdgeKind::Line};
+    const PathNode end{at(m_source.file->features[feature].b), {}, EdgeKind::Line};
     if (start.point == end.point) {  // a dot or a full circle
         flush();
-        return addSingleStroke(feature, std::array{start, end}, penWidth(feature));
+        return addSingleStroke(feature, std::array{start, end}, width);
     }
     if (!continues(feature, start)) {
         flush();
         m_pending.feature = feature;
+        m_pending.width = width;
         m_pending.nodes.push_back(start);
     } else {
         m_pending.nodes.back() = start;
@@ -177,7 +166,7 @@ void ElementMaker::flush() {
     if (m_pending.nodes.empty()) {
         return;
     }
-    const Nm width = penWidth(m_pending.feature);
+    const Nm width = m_pending.width;
     if (m_pending.nodes.size() == 2) {
         addSingleStroke(m_pending.feature, m_pending.nodes, width);
     } else {
@@ -220,18 +209,20 @@ void ElementMaker::squareStroke(std::size_t feature, const Resolved& pen) {
     addLine(feature, {at(f.a), at(f.b), pen.shape->width, 0}, kSquarePen);
 }
 
-void ElementMaker::sweptStroke(std::size_t feature, const Resolved& pen) {
-    // What a convex pen covers on a straight way is the hull of the pen at both ends.
+void ElementMaker::sweptStroke(std::size_t feature, Resolved& pen) {
     const Feature& f = m_source.file->features[feature];
-    std::vector<Point> corners;
-    for (const Point end : {f.a, f.b}) {
-        for (const Point corner : pen.shape->penCorners) {
-            corners.push_back(at(Point{end.x + corner.x, end.y + corner.y}));
-        }
+    const PathNode start = startOf(feature);
+    if (start.edge == EdgeKind::Line && f.a == f.b && pen.shape->kind == SymbolShape::Kind::Region) {
+        return addArea(feature, regionOf(*pen.shape), m_source.placement.after({f.a, 0.0, false}), 0);
     }
-    ShapeSketch sketch;
-    sketch.addPolygon(convexHull(std::move(corners)), false);
-    addArea(feature, m_builder.addShape(sketch), {}, 0);
+    if (pen.pen.polygons.empty()) {
+        pen.pen = penOf(*pen.shape);
+    }
+    const ShapeSketch sketch = sketchOf(sweep(pen.pen, start, f.b));
+    if (sketch.isEmpty()) {
+        return report(Severity::Warning, feature, "a stroke with a pen too small to draw anything");
+    }
+    addArea(feature, m_builder.addShape(m_isMoved ? placed(sketch, m_source.placement) : sketch), {}, 0);
 }
 
 // ---- pads and surfaces ----
@@ -249,11 +240,15 @@ void ElementMaker::pad(std::size_t feature) {
         case SymbolShape::Kind::Oval: return ovalPad(feature, *symbol.shape, placement);
         case SymbolShape::Kind::Region: break;
     }
-    const auto [place, isNew] = m_regions.try_emplace(symbol.shape);
+    addArea(feature, regionOf(*symbol.shape), placement, kPad);
+}
+
+ShapeId ElementMaker::regionOf(const SymbolShape& shape) {
+    const auto [place, isNew] = m_regions.try_emplace(&shape);
     if (isNew) {
-        place->second = m_builder.addShape(symbol.shape->region);
+        place->second = m_builder.addShape(shape.region);
     }
-    addArea(feature, place->second, placement, kPad);
+    return place->second;
 }
 
 void ElementMaker::discPad(std::size_t feature, const SymbolShape& shape) {

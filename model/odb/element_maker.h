@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/document_builder.h"
+#include "model/geometry/discretise.h"
 #include "model/odb/holes.h"
 #include "model/odb/symbols.h"
 
@@ -22,9 +23,8 @@ struct FeatureSource {
 
 /// Turns features into elements of the builder's current layer:
 /// - L and A with a round symbol: Line and Arc; runs of them with one symbol, polarity and net, each starting where the
-/// one before ended, are
-///   one Trail. Zero-length lines (dots) and full circles stay alone. Square pens: Line with kSquarePen; other
-///   straight-sided pens: the swept outline as an Area; any other pen is replaced by a round one and reported.
+///   one before ended, are one Trail. Zero-length lines (dots) and full circles stay alone. Straight strokes with a
+///   square pen: Line with kSquarePen; all other pens: what they sweep, as an Area (swept_strokes.h).
 /// - P: Circle for discs and rings, Line for ovals, Area with a shared shape for all others.
 /// - S: Area. T and B are not drawn.
 /// With hole rules every element is a hole. Elements come in the order of their features; polarity is kept beside them.
@@ -43,11 +43,12 @@ private:
     struct Resolved {
         const SymbolShape* shape = nullptr;
         SymbolId id;
-        ShapeId region;  ///< added to the builder when first drawn
+        PolygonSet pen;  ///< for strokes that are swept; made when first needed
     };
     struct Pending {
         std::vector<PathNode> nodes;  ///< the last one is the end of the last stroke
         std::size_t feature = 0;      ///< of the first stroke
+        Nm width = 0;
     };
 
     Resolved& resolve(std::size_t feature);
@@ -57,16 +58,17 @@ private:
     [[nodiscard]] bool isPlated(const Feature& feature, Nm size);
 
     void stroke(std::size_t feature);
-    void roundStroke(std::size_t feature);
+    [[nodiscard]] PathNode startOf(std::size_t feature);
+    void roundStroke(std::size_t feature, Nm width);
     [[nodiscard]] bool continues(std::size_t feature, const PathNode& start) const;
     void flush();
     void addSingleStroke(std::size_t feature, std::span<const PathNode> nodes, Nm width);
     void addLine(std::size_t feature, LineGeometry line, std::uint8_t flags);
     void squareStroke(std::size_t feature, const Resolved& pen);
-    void sweptStroke(std::size_t feature, const Resolved& pen);
-    [[nodiscard]] Nm penWidth(std::size_t feature);
+    void sweptStroke(std::size_t feature, Resolved& pen);
 
     void pad(std::size_t feature);
+    [[nodiscard]] ShapeId regionOf(const SymbolShape& shape);
     void discPad(std::size_t feature, const SymbolShape& shape);
     void ovalPad(std::size_t feature, const SymbolShape& shape, const Placement& placement);
     void surface(std::size_t feature);

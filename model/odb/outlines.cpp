@@ -58,6 +58,64 @@ void addCornerBox(ShapeSketch& sketch, double width, double height, double radiu
     addPath(sketch, nodes, isHole);
 }
 
+namespace {
+
+PointD towards(PointD from, PointD to, double distance) {
+    const double length = std::hypot(to.x - from.x, to.y - from.y);
+    return {from.x + (to.x - from.x) / length * distance, from.y + (to.y - from.y) / length * distance};
+}
+
+/// The nodes of one corner: itself, or an arc between the points where it touches the sides.
+void roundCorner(std::vector<PathNode>& nodes, PointD before, const Corner& corner, PointD after) {
+    const PointD a = {before.x - corner.point.x, before.y - corner.point.y};
+    const PointD b = {after.x - corner.point.x, after.y - corner.point.y};
+    const double shorter = std::min(std::hypot(a.x, a.y), std::hypot(b.x, b.y));
+    const double cross = b.x * a.y - b.y * a.x;  // positive: a left turn
+    const double angle = std::atan2(std::abs(cross), a.x * b.x + a.y * b.y);
+    if (corner.radius <= 0.0 || shorter < 1.0 || std::abs(cross) < 1.0) {
+        nodes.push_back({rounded(corner.point), {}, EdgeKind::Line});
+        return;
+    }
+    const double along = std::min(corner.radius / std::tan(angle / 2), shorter / 2);
+    const PointD start = towards(corner.point, before, along);
+    const PointD end = towards(corner.point, after, along);
+    const PointD middle = {(start.x + end.x) / 2, (start.y + end.y) / 2};
+    // The centre lies on the bisector: along / cos(angle / 2) from the corner.
+    const PointD centre = towards(corner.point, middle, along / std::cos(angle / 2));
+    const EdgeKind edge = cross > 0 ? EdgeKind::ArcCounterClockwise : EdgeKind::ArcClockwise;
+    nodes.push_back({rounded(start), rounded(centre), edge});
+    nodes.push_back({rounded(end), {}, EdgeKind::Line});
+}
+
+}  // namespace
+
+void addRoundedLoop(ShapeSketch& sketch, std::span<const Corner> corners) {
+    std::vector<PathNode> nodes;
+    const std::size_t count = corners.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        roundCorner(nodes, corners[(i + count - 1) % count].point, corners[i], corners[(i + 1) % count].point);
+    }
+    addPath(sketch, nodes, false);
+}
+
+void addCapsule(ShapeSketch& sketch, PointD from, PointD to, double width) {
+    const double length = std::hypot(to.x - from.x, to.y - from.y);
+    if (width <= 0.0) {
+        return;
+    }
+    if (length == 0.0) {
+        return sketch.addCircle(rounded(from), static_cast<Nm>(std::llround(width / 2)), false);
+    }
+    const PointD side = {(from.y - to.y) / length * width / 2, (to.x - from.x) / length * width / 2};
+    const auto beside = [&](PointD p, double sign) { return rounded({p.x + sign * side.x, p.y + sign * side.y}); };
+    addPath(sketch,
+            std::array<PathNode, 4>{{{beside(from, -1), {}, EdgeKind::Line},
+                                     {beside(to, -1), rounded(to), EdgeKind::ArcCounterClockwise},
+                                     {beside(to, 1), {}, EdgeKind::Line},
+                                     {beside(from, 1), rounded(from), EdgeKind::ArcCounterClockwise}}},
+            false);
+}
+
 void addOval(ShapeSketch& sketch, double width, double height, bool isHole) {
     addCornerBox(sketch, width, height, std::min(width, height) / 2, kAllCorners, CornerStyle::Rounded, isHole);
 }

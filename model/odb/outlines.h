@@ -26,6 +26,16 @@ void addDisc(ShapeSketch& sketch, double diameter, bool isHole);
 /// An ellipse has no exact arcs: a polygon no further than 0.5 µm from it.
 void addEllipse(ShapeSketch& sketch, double width, double height);
 void addLoop(ShapeSketch& sketch, std::span<const PointD> points, bool isHole);
+/// A corner of a straight-sided outline. A radius rounds it by an arc that touches both sides, limited to half of the
+/// shorter one; inward corners are filled the same way.
+struct Corner {
+    PointD point;
+    double radius = 0.0;
+};
+/// Corners of an island, counter-clockwise.
+void addRoundedLoop(ShapeSketch& sketch, std::span<const Corner> corners);
+/// A stroke with round ends: two lines and two half circles. A width of 0 or less adds nothing.
+void addCapsule(ShapeSketch& sketch, PointD from, PointD to, double width);
 /// Adds nodes as one contour, without those whose straight edge has no length.
 void addPath(ShapeSketch& sketch, std::span<const PathNode> nodes, bool isHole);
 

@@ -1,8 +1,6 @@
 #include "model/odb/painting.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <map>
 #include <optional>
 
@@ -156,24 +154,6 @@ private:
     std::map<ShapeId, ShapeId> m_shapes;
 };
 
-/// A stroke with round ends as an outline of two lines and two half circles.
-ShapeSketch capsule(const LineGeometry& line) {
-    const double r = line.width / 2.0;
-    const double dx = line.b.x - line.a.x;
-    const double dy = line.b.y - line.a.y;
-    const double length = std::hypot(dx, dy);
-    const PointD side = {-dy / length * r, dx / length * r};
-    const auto beside = [&](Point p, double sign) { return rounded({p.x + sign * side.x, p.y + sign * side.y}); };
-    ShapeSketch sketch;
-    addPath(sketch,
-            std::array<PathNode, 4>{{{beside(line.a, -1), {}, EdgeKind::Line},
-                                     {beside(line.b, -1), line.b, EdgeKind::ArcCounterClockwise},
-                                     {beside(line.b, 1), {}, EdgeKind::Line},
-                                     {beside(line.a, 1), line.a, EdgeKind::ArcCounterClockwise}}},
-            false);
-    return sketch;
-}
-
 /// The outline of an element with exact arcs, where that is easy.
 std::optional<ShapeSketch> exactOutline(const Document& document, std::size_t row) {
     const std::uint32_t geometry = document.elements.geometry[row];
@@ -199,10 +179,7 @@ std::optional<ShapeSketch> exactOutline(const Document& document, std::size_t ro
         return std::nullopt;
     }
     const LineGeometry& line = document.lines[geometry];
-    if (line.a != line.b) {
-        return capsule(line);
-    }
-    sketch.addCircle(line.a, line.width / 2, false);
+    addCapsule(sketch, base::toDouble(line.a), base::toDouble(line.b), line.width);
     return sketch;
 }
 

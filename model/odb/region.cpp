@@ -4,10 +4,10 @@
 
 namespace model::odb {
 
-PolygonSet polygonsOf(const ShapeSketch& sketch) {
+PolygonSet polygonsOf(const ShapeSketch& sketch, const Discretisation& how) {
     DocumentBuilder scratch;
     const ShapeId shape = scratch.addShape(sketch);
-    return discretise(scratch.shapes(), shape, kBooleanChords);
+    return discretise(scratch.shapes(), shape, how);
 }
 
 ShapeSketch sketchOf(const PolygonSet& polygons) {

@@ -8,7 +8,7 @@ namespace model::odb {
 /// Chord tolerance wherever a region has to be computed by polygon booleans: 1 µm.
 inline constexpr Discretisation kBooleanChords{1000.0, false};
 
-[[nodiscard]] PolygonSet polygonsOf(const ShapeSketch& sketch);
+[[nodiscard]] PolygonSet polygonsOf(const ShapeSketch& sketch, const Discretisation& how = kBooleanChords);
 /// Straight-edged region; loops that are too small to be one are left out.
 [[nodiscard]] ShapeSketch sketchOf(const PolygonSet& polygons);
 /// A shape of a table with `placement` applied to its nodes; arcs stay arcs.

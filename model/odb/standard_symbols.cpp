@@ -60,16 +60,10 @@ SymbolShape nothing(const SymbolValues&) {
     return {};
 }
 
-SymbolShape notYet(const SymbolValues&) {
-    SymbolShape shape;
-    shape.problem = "is a standard symbol that cannot be drawn yet; it draws nothing";
-    return shape;
-}
-
 struct Rule {
     std::string_view pattern;
     SymbolShape (*make)(const SymbolValues&);
-    std::size_t resizable = 0;      ///< leading lengths that a resize is added to; 0: it cannot be resized
+    std::size_t resizable = 0;      ///< leading lengths, the outer sizes: a resize is added to them; 0: none has one
     std::size_t mayBeNegative = 0;  ///< bit set of lengths that may be negative
 };
 
@@ -82,10 +76,10 @@ constexpr auto kRules = std::to_array<Rule>({
     {"rect#x#xc#", chamferedRectangle, 2},
     {"rect#x#xc#x%", chamferedRectangle, 2},
     {"oval#x#", ovalShape, 2},
-    {"donut_r#x#", roundRing, 0, 0b10},
-    {"donut_rc#x#x#", rectangleRing},
-    {"donut_rc#x#x#xr#", rectangleRing},
-    {"donut_rc#x#x#xr#x%", rectangleRing},
+    {"donut_r#x#", roundRing, 1, 0b10},
+    {"donut_rc#x#x#", rectangleRing, 2},
+    {"donut_rc#x#x#xr#", rectangleRing, 2},
+    {"donut_rc#x#x#xr#x%", rectangleRing, 2},
     {"oct#x#x#", chamferedRectangle, 2},
     {"di#x#", diamond, 2},
     {"hex_l#x#x#", hexagonLying, 2},
@@ -95,31 +89,54 @@ constexpr auto kRules = std::to_array<Rule>({
     {"oval_h#x#", halfOval, 2},
     {"bfr#", butterflyRound, 1},
     {"bfs#", butterflySquare, 1},
-    {"donut_s#x#", squareRing},
-    {"donut_s#x#xr#", roundedSquareRing},
-    {"donut_s#x#xr#x%", roundedSquareRing},
-    {"donut_sr#x#", squareRoundRing},
-    {"donut_o#x#x#", ovalRing},
-    {"thr#x#x@x@x#", roundThermalRoundEnds},
-    {"ths#x#x@x@x#", roundThermalSquareEnds},
-    {"s_ths#x#x@x@x#", squareThermal},
-    {"s_ths#x#x@x@x#xr#", squareThermal},
-    {"s_ths#x#x@x@x#xr#x%", squareThermal},
-    {"sr_ths#x#x@x@x#", squareRoundThermal},
-    {"rc_ths#x#x@x@x#x#", rectangleThermal},
-    {"rc_ths#x#x@x@x#x#xr#", rectangleThermal},
-    {"rc_ths#x#x@x@x#x#xr#x%", rectangleThermal},
-    {"o_ths#x#x@x@x#x#", ovalThermal},
-    {"oblong_ths#x#x@x@x#x#xs", ovalThermal},
-    {"oblong_ths#x#x@x@x#x#xr", notYet},
-    {"s_tho#x#x@x@x#", notYet},
-    {"s_tho#x#x@x@x#xr#", notYet},
-    {"s_tho#x#x@x@x#xr#x%", notYet},
-    {"s_thr#x#x@x@x#", notYet},
-    {"rc_tho#x#x@x@x#x#", notYet},
-    {"rc_tho#x#x@x@x#x#xr#", notYet},
-    {"rc_tho#x#x@x@x#x#xr#x%", notYet},
+    {"donut_s#x#", squareRing, 1},
+    {"donut_s#x#xr#", roundedSquareRing, 1},
+    {"donut_s#x#xr#x%", roundedSquareRing, 1},
+    {"donut_sr#x#", squareRoundRing, 1},
+    {"donut_o#x#x#", ovalRing, 2},
+    {"thr#x#x@x@x#", roundThermalRoundEnds, 1},
+    {"ths#x#x@x@x#", roundThermalSquareEnds, 1},
+    {"s_ths#x#x@x@x#", squareThermal, 1},
+    {"s_ths#x#x@x@x#xr#", squareThermal, 1},
+    {"s_ths#x#x@x@x#xr#x%", squareThermal, 1},
+    {"s_tho#x#x@x@x#", squareThermalOpenCorners, 1},
+    {"s_tho#x#x@x@x#xr#", squareThermalOpenCorners, 1},
+    {"s_tho#x#x@x@x#xr#x%", squareThermalOpenCorners, 1},
+    {"s_thr#x#x45x4x#", lineThermal, 1},
+    {"sr_ths#x#x@x@x#", squareRoundThermal, 1},
+    {"rc_ths#x#x@x@x#x#", rectangleThermal, 2},
+    {"rc_ths#x#x@x@x#x#xr#", rectangleThermal, 2},
+    {"rc_ths#x#x@x@x#x#xr#x%", rectangleThermal, 2},
+    {"rc_tho#x#x@x@x#x#", rectangleThermalOpenCorners, 2},
+    {"rc_tho#x#x@x@x#x#xr#", rectangleThermalOpenCorners, 2},
+    {"rc_tho#x#x@x@x#x#xr#x%", rectangleThermalOpenCorners, 2},
+    {"o_ths#x#x@x@x#x#", ovalThermal, 2},
+    {"oblong_ths#x#x@x@x#x#xr", ovalThermal, 2},
+    {"oblong_ths#x#x@x@x#x#xs", oblongThermalStraight, 2},
     {"moire#x#x@x#x#x@", moire},
+    {"hole#xpx@x@", roundShape, 1},
+    {"hole#xnx@x@", roundShape, 1},
+    {"hole#xvx@x@", roundShape, 1},
+    {"hplate#x#x#", homePlate, 2},
+    {"hplate#x#x#x#x#", homePlate, 2},
+    {"rhplate#x#x#", invertedHomePlate, 2},
+    {"rhplate#x#x#x#x#", invertedHomePlate, 2},
+    {"fhplate#x#x#x#", flatHomePlate, 2},
+    {"fhplate#x#x#x#x#x#", flatHomePlate, 2},
+    {"radhplate#x#x#", radiusedInvertedHomePlate, 2},
+    {"radhplate#x#x#x#", radiusedInvertedHomePlate, 2},
+    {"dshape#x#x#", radiusedHomePlate, 2},
+    {"dshape#x#x#x#", radiusedHomePlate, 2},
+    {"cross#x#x#x#x@x@xr", crossRound, 2},
+    {"cross#x#x#x#x@x@xr#", crossRound, 2},
+    {"cross#x#x#x#x@x@xs", crossSquare, 2},
+    {"cross#x#x#x#x@x@xs#", crossSquare, 2},
+    {"dogbone#x#x#x#x@xr", dogboneRound, 2},
+    {"dogbone#x#x#x#x@xrx#", dogboneRound, 2},
+    {"dogbone#x#x#x#x@xs", dogboneSquare, 2},
+    {"dogbone#x#x#x#x@xsx#", dogboneSquare, 2},
+    {"dpack#x#x#x#x@x@", padGrid, 2},
+    {"dpack#x#x#x#x@x@x#", padGrid, 2},
     {"null@", nothing},
 });
 
@@ -166,10 +183,8 @@ SymbolShape makeShape(const Rule& rule, SymbolValues values, Nm resize) {
         shape = {};
         shape.problem = "has no area; it draws nothing";
     }
-    if (resize != 0 && rule.resizable == 0) {
-        shape.problem = "cannot be resized; drawn in its own size";
-    }
-    return shape;
+    const bool isInName = rule.resizable > 0;
+    return resize == 0 || isInName ? shape : resized(shape, resize);
 }
 
 }  // namespace

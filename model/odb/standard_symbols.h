@@ -22,13 +22,17 @@ struct SymbolShape {
     Nm width = 0;
     Nm height = 0;
     ShapeSketch region;
-    bool isSquarePen = false;       ///< an axis-parallel square, which strokes can be drawn with as it is
-    std::vector<Point> penCorners;  ///< of convex symbols with straight sides: the outline; strokes sweep it
-    std::string problem;            ///< for the diagnostics; empty if the symbol is drawn as it is
+    bool isSquarePen = false;  ///< an axis-parallel square, which strokes can be drawn with as it is
+    std::string problem;       ///< for the diagnostics; empty if the symbol is drawn as it is
 };
 
+/// A shape without outer sizes in its name (user symbols, moire), resized: the outlines of its islands move outwards by
+/// half of `resize`, corners stay sharp, holes stay as they are.
+[[nodiscard]] SymbolShape resized(const SymbolShape& shape, Nm resize);
+
 /// The shape of a standard symbol. Nothing when the name does not match the grammar completely (odb-notes, Features):
-/// then it is a user symbol. Sizes that are negative or exceed half a metre draw nothing (odb-notes,
+/// then it is a user symbol. A resize is added to the values that are outer sizes; all others (holes, line widths,
+/// radii, gaps) stay as the name says. Sizes that are negative or exceed half a metre draw nothing (odb-notes,
 /// Features), except that a ring without room for its hole is a disc.
 [[nodiscard]] std::optional<SymbolShape> standardSymbol(const SymbolRef& symbol);
 

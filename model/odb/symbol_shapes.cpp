@@ -5,6 +5,9 @@
 #include <cmath>
 #include <span>
 
+#include "model/geometry/boolean.h"
+#include "model/odb/region.h"
+
 namespace model::odb {
 
 namespace {
@@ -13,25 +16,16 @@ Nm whole(double nm) {
     return static_cast<Nm>(std::llround(nm));
 }
 
-/// A convex region with straight sides can also be a pen.
-SymbolShape polygon(ShapeSketch sketch) {
-    SymbolShape shape = regionShape(std::move(sketch));
-    for (const PathNode& node : shape.region.contour(0)) {
-        shape.penCorners.push_back(node.point);
-    }
-    return shape;
-}
-
 SymbolShape polygon(std::span<const PointD> corners) {
     ShapeSketch sketch;
     addLoop(sketch, corners, false);
-    return polygon(std::move(sketch));
+    return regionShape(std::move(sketch));
 }
 
 SymbolShape box(double width, double height) {
     ShapeSketch sketch;
     addBox(sketch, width, height, false);
-    SymbolShape shape = polygon(std::move(sketch));
+    SymbolShape shape = regionShape(std::move(sketch));
     shape.width = whole(width);
     shape.height = whole(height);
     shape.isSquarePen = shape.width == shape.height;
@@ -49,6 +43,16 @@ SymbolShape regionShape(ShapeSketch sketch) {
     shape.kind = SymbolShape::Kind::Region;
     shape.region = std::move(sketch);
     return shape;
+}
+
+SymbolShape resized(const SymbolShape& shape, Nm resize) {
+    SymbolShape result = regionShape(sketchOf(grow(polygonsOf(shape.region), resize / 2.0)));
+    result.problem = shape.problem;
+    if (result.region.isEmpty()) {
+        result.kind = SymbolShape::Kind::Nothing;
+        result.problem = "is resized to nothing";
+    }
+    return result;
 }
 
 SymbolShape roundShape(const SymbolValues& v) {
@@ -75,7 +79,7 @@ SymbolShape roundedRectangle(const SymbolValues& v) {
 SymbolShape chamferedRectangle(const SymbolValues& v) {
     ShapeSketch sketch;
     addCornerBox(sketch, v[0], v[1], v[2], v.corners, CornerStyle::Chamfered, false);
-    return polygon(std::move(sketch));
+    return regionShape(std::move(sketch));
 }
 
 SymbolShape ovalShape(const SymbolValues& v) {
@@ -185,26 +189,26 @@ SymbolShape ovalRing(const SymbolValues& v) {
     return regionShape(std::move(sketch));
 }
 
-/// Two opposite quadrants: top left and bottom right stay empty.
+/// Two opposite quadrants: top left and bottom right.
 SymbolShape butterflyRound(const SymbolValues& v) {
     const Nm r = whole(v[0] / 2);
     ShapeSketch sketch;
     addPath(
         sketch,
-        std::array<PathNode, 3>{{lineNode({0, 0}), {{r, 0}, {0, 0}, EdgeKind::ArcCounterClockwise}, lineNode({0, r})}},
+        std::array<PathNode, 3>{{lineNode({0, 0}), {{0, r}, {0, 0}, EdgeKind::ArcCounterClockwise}, lineNode({-r, 0})}},
         false);
-    addPath(sketch,
-            std::array<PathNode, 3>{
-                {lineNode({0, 0}), {{-r, 0}, {0, 0}, EdgeKind::ArcCounterClockwise}, lineNode({0, -r})}},
-            false);
+    addPath(
+        sketch,
+        std::array<PathNode, 3>{{lineNode({0, 0}), {{0, -r}, {0, 0}, EdgeKind::ArcCounterClockwise}, lineNode({r, 0})}},
+        false);
     return regionShape(std::move(sketch));
 }
 
 SymbolShape butterflySquare(const SymbolValues& v) {
     const double h = v[0] / 2;
     ShapeSketch sketch;
-    addLoop(sketch, std::array<PointD, 4>{{{0, 0}, {h, 0}, {h, h}, {0, h}}}, false);
-    addLoop(sketch, std::array<PointD, 4>{{{0, 0}, {-h, 0}, {-h, -h}, {0, -h}}}, false);
+    addLoop(sketch, std::array<PointD, 4>{{{0, 0}, {0, h}, {-h, h}, {-h, 0}}}, false);
+    addLoop(sketch, std::array<PointD, 4>{{{0, 0}, {0, -h}, {h, -h}, {h, 0}}}, false);
     return regionShape(std::move(sketch));
 }
 

@@ -55,6 +55,22 @@ struct SymbolValues {
 [[nodiscard]] SymbolShape squareRoundThermal(const SymbolValues& v);
 [[nodiscard]] SymbolShape rectangleThermal(const SymbolValues& v);
 [[nodiscard]] SymbolShape ovalThermal(const SymbolValues& v);
+[[nodiscard]] SymbolShape squareThermalOpenCorners(const SymbolValues& v);
+[[nodiscard]] SymbolShape rectangleThermalOpenCorners(const SymbolValues& v);
+[[nodiscard]] SymbolShape lineThermal(const SymbolValues& v);
+[[nodiscard]] SymbolShape oblongThermalStraight(const SymbolValues& v);
 [[nodiscard]] SymbolShape moire(const SymbolValues& v);
+
+// stencil_shapes.cpp
+[[nodiscard]] SymbolShape homePlate(const SymbolValues& v);
+[[nodiscard]] SymbolShape invertedHomePlate(const SymbolValues& v);
+[[nodiscard]] SymbolShape flatHomePlate(const SymbolValues& v);
+[[nodiscard]] SymbolShape radiusedInvertedHomePlate(const SymbolValues& v);
+[[nodiscard]] SymbolShape radiusedHomePlate(const SymbolValues& v);
+[[nodiscard]] SymbolShape crossRound(const SymbolValues& v);
+[[nodiscard]] SymbolShape crossSquare(const SymbolValues& v);
+[[nodiscard]] SymbolShape dogboneRound(const SymbolValues& v);
+[[nodiscard]] SymbolShape dogboneSquare(const SymbolValues& v);
+[[nodiscard]] SymbolShape padGrid(const SymbolValues& v);
 
 }  // namespace model::odb

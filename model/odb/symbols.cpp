@@ -35,10 +35,7 @@ SymbolShape SymbolLibrary::userSymbol(const SymbolRef& symbol) {
         return shape;
     }
     shape.kind = SymbolShape::Kind::Region;
-    if (symbol.resize != 0) {
-        shape.problem = "cannot be resized; drawn in its own size";
-    }
-    return shape;
+    return symbol.resize == 0 ? shape : resized(shape, symbol.resize);
 }
 
 void SymbolLibrary::reportProblem(const SymbolRef& symbol, const SymbolShape& shape, std::string_view path,

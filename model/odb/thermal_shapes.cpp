@@ -22,7 +22,7 @@ double radiansOf(double degrees) {
     return degrees * std::numbers::pi / 180.0;
 }
 
-/// Directions of the gaps of a thermal: `first` degrees, then evenly all around.
+/// Directions of the gaps of a thermal in radians: `first` degrees, then evenly all around.
 std::vector<double> gapAngles(double first, double count) {
     const int gaps = std::clamp(static_cast<int>(std::lround(count)), 0, 360);
     std::vector<double> angles;
@@ -32,20 +32,71 @@ std::vector<double> gapAngles(double first, double count) {
     return angles;
 }
 
-/// Strips of width `gap` from the centre outwards, in the directions of the gaps.
-PolygonSet gapStrips(const std::vector<double>& angles, double gap, double reach) {
-    PolygonSet strips;
-    for (const double angle : angles) {
-        const std::array<Point, 4> strip = {rounded(polar(angle, 0, -gap / 2)), rounded(polar(angle, reach, -gap / 2)),
-                                            rounded(polar(angle, reach, gap / 2)), rounded(polar(angle, 0, gap / 2))};
-        strips.beginPolygon();
-        strips.addLoop(strip);
-    }
-    return strips;
+/// A gap cuts a strip from its origin outwards.
+struct Gap {
+    PointD origin;
+    double angle = 0.0;
+};
+
+bool isDiagonal(double angle) {
+    return std::abs(std::sin(2 * angle)) > 0.5;
 }
 
-SymbolShape cutByGaps(const ShapeSketch& ring, double first, double count, double gap, double reach) {
-    return regionShape(sketchOf(subtract(polygonsOf(ring), gapStrips(gapAngles(first, count), gap, reach))));
+/// The gaps of a ring `width` × `height`: they start in the centre, diagonal ones of a longish ring so far along its
+/// longer side that they leave through its corners.
+std::vector<Gap> gapsOf(double first, double count, double width, double height) {
+    std::vector<Gap> gaps;
+    for (const double angle : gapAngles(first, count)) {
+        const double dx = isDiagonal(angle) ? std::copysign(std::max(width - height, 0.0) / 2, std::cos(angle)) : 0.0;
+        const double dy = isDiagonal(angle) ? std::copysign(std::max(height - width, 0.0) / 2, std::sin(angle)) : 0.0;
+        gaps.push_back({{dx, dy}, angle});
+    }
+    return gaps;
+}
+
+void addStrip(PolygonSet& strips, const Gap& gap, double width, double reach) {
+    const auto corner = [&](double along, double aside) {
+        const PointD p = polar(gap.angle, along, aside);
+        return rounded({gap.origin.x + p.x, gap.origin.y + p.y});
+    };
+    strips.beginPolygon();
+    strips.addLoop(std::array<Point, 4>{corner(0, -width / 2), corner(reach, -width / 2), corner(reach, width / 2),
+                                        corner(0, width / 2)});
+}
+
+SymbolShape cutByGaps(const ShapeSketch& ring, const std::vector<Gap>& gaps, double width, double reach) {
+    PolygonSet strips;
+    for (const Gap& gap : gaps) {
+        addStrip(strips, gap, width, reach);
+    }
+    return regionShape(sketchOf(subtract(polygonsOf(ring), strips)));
+}
+
+/// Gaps of a round or oval ring: all start in the centre.
+std::vector<Gap> centralGaps(double first, double count) {
+    return gapsOf(first, count, 0.0, 0.0);
+}
+
+/// What an open-cornered thermal loses: a diagonal gap takes the whole corner and the bars beside it up to where the
+/// edges of the gap meet the inside of the ring; other gaps cut strips.
+SymbolShape openCorners(const ShapeSketch& ring, const SymbolValues& v, double innerWidth, double innerHeight,
+                        double width, double height) {
+    PolygonSet cuts;
+    const double back = v[4] / std::numbers::sqrt2;
+    const double reach = width + height;
+    for (const Gap& gap : gapsOf(v[2], v[3], width, height)) {
+        if (!isDiagonal(gap.angle)) {
+            addStrip(cuts, gap, v[4], reach);
+            continue;
+        }
+        const double sx = std::copysign(1.0, std::cos(gap.angle));
+        const double sy = std::copysign(1.0, std::sin(gap.angle));
+        const PointD inner = {sx * (innerWidth / 2 - back), sy * (innerHeight / 2 - back)};
+        cuts.beginPolygon();
+        cuts.addLoop(std::array<Point, 4>{rounded(inner), rounded({sx * reach, inner.y}),
+                                          rounded({sx * reach, sy * reach}), rounded({inner.x, sy * reach})});
+    }
+    return regionShape(sketchOf(subtract(polygonsOf(ring), cuts)));
 }
 
 /// Is something left between two gaps, on a circle of this radius, when each takes `aside` to either side?
@@ -68,7 +119,7 @@ SymbolShape roundThermalSquareEnds(const SymbolValues& v) {
         ShapeSketch ring;
         addDisc(ring, v[0], false);
         addDisc(ring, v[1], true);
-        return cutByGaps(ring, v[2], v[3], v[4], outer * 2);
+        return cutByGaps(ring, centralGaps(v[2], v[3]), v[4], outer * 2);
     }
     const auto onCircle = [&](double angle, double radius, double aside) {
         return rounded(polar(angle, std::sqrt(radius * radius - aside * aside), aside));
@@ -112,7 +163,7 @@ SymbolShape roundThermalRoundEnds(const SymbolValues& v) {
 
 /// s_ths, with rounded corners when a radius follows: OS × IS, angle, gaps, gap width.
 SymbolShape squareThermal(const SymbolValues& v) {
-    return cutByGaps(boxRing(v[0], v[0], (v[0] - v[1]) / 2, v[5], v.corners), v[2], v[3], v[4], v[0]);
+    return cutByGaps(boxRing(v[0], v[0], (v[0] - v[1]) / 2, v[5], v.corners), centralGaps(v[2], v[3]), v[4], v[0]);
 }
 
 /// sr_ths: square outside, round inside.
@@ -123,12 +174,44 @@ SymbolShape squareRoundThermal(const SymbolValues& v) {
     ShapeSketch ring;
     addBox(ring, v[0], v[0], false);
     addDisc(ring, v[1], true);
-    return cutByGaps(ring, v[2], v[3], v[4], v[0]);
+    return cutByGaps(ring, centralGaps(v[2], v[3]), v[4], v[0]);
 }
 
 /// rc_ths: W × H, angle, gaps, gap width, line width, then a radius.
 SymbolShape rectangleThermal(const SymbolValues& v) {
-    return cutByGaps(boxRing(v[0], v[1], v[5], v[6], v.corners), v[2], v[3], v[4], v[0] + v[1]);
+    return cutByGaps(boxRing(v[0], v[1], v[5], v[6], v.corners), gapsOf(v[2], v[3], v[0], v[1]), v[4], v[0] + v[1]);
+}
+
+/// s_tho, with rounded corners when a radius follows: OS × IS, angle, gaps, gap width.
+SymbolShape squareThermalOpenCorners(const SymbolValues& v) {
+    return openCorners(boxRing(v[0], v[0], (v[0] - v[1]) / 2, v[5], v.corners), v, v[1], v[1], v[0], v[0]);
+}
+
+/// rc_tho: W × H, angle, gaps, gap width, line width, then a radius.
+SymbolShape rectangleThermalOpenCorners(const SymbolValues& v) {
+    return openCorners(boxRing(v[0], v[1], v[5], v[6], v.corners), v, v[0] - 2 * v[5], v[1] - 2 * v[5], v[0], v[1]);
+}
+
+/// s_thr: OS × IS, and the gap width behind 45°, 4 gaps: four bars with round ends.
+SymbolShape lineThermal(const SymbolValues& v) {
+    const double line = (v[0] - v[1]) / 2;
+    const double middle = (v[0] + v[1]) / 4;
+    // A bar ends where the edge of the gap meets the inside of the ring, its end node half a line before.
+    const double half = v[1] / 2 - v[2] / std::numbers::sqrt2 - line / 2;
+    ShapeSketch sketch;
+    if (half < 0) {
+        return regionShape({});
+    }
+    for (const double sign : {1.0, -1.0}) {
+        addCapsule(sketch, {-half, sign * middle}, {half, sign * middle}, line);
+        addCapsule(sketch, {sign * middle, -half}, {sign * middle, half}, line);
+    }
+    return regionShape(std::move(sketch));
+}
+
+/// oblong_ths …xs: like o_ths, but a rectangle; …xr is o_ths.
+SymbolShape oblongThermalStraight(const SymbolValues& v) {
+    return cutByGaps(boxRing(v[0], v[1], v[5], 0.0, kAllCorners), gapsOf(v[2], v[3], v[0], v[1]), v[4], v[0] + v[1]);
 }
 
 /// o_ths: W × H, angle, gaps, gap width, line width.
@@ -138,31 +221,28 @@ SymbolShape ovalThermal(const SymbolValues& v) {
     if (std::min(v[0], v[1]) > 2 * v[5]) {
         addOval(ring, v[0] - 2 * v[5], v[1] - 2 * v[5], true);
     }
-    return cutByGaps(ring, v[2], v[3], v[4], v[0] + v[1]);
+    return cutByGaps(ring, centralGaps(v[2], v[3]), v[4], v[0] + v[1]);
 }
 
-/// moire: ring width, ring gap, rings, then the cross: line width, length, angle. Rings are counted from the outside of
-/// a disc in the middle.
+/// moire: ring width, ring gap, rings, then the cross: line width, length, angle. A dot as wide as the rings is in the
+/// middle; the lines of the cross have round ends at their length.
 SymbolShape moire(const SymbolValues& v) {
     PolygonSet all;
     const int rings = std::clamp(static_cast<int>(std::lround(v[2])), 0, 100);
+    ShapeSketch dot;
+    addDisc(dot, v[0], false);
+    all.append(polygonsOf(dot));
     for (int i = 0; i < rings; ++i) {
-        const double inner = 2 * (v[0] + v[1]) * i + v[1];
+        const double inner = v[0] + 2 * v[1] + 2 * (v[0] + v[1]) * i;
         ShapeSketch ring;
         addDisc(ring, inner + 2 * v[0], false);
-        if (inner > 0) {
-            addDisc(ring, inner, true);
-        }
+        addDisc(ring, inner, true);
         all.append(polygonsOf(ring));
     }
-    const double half = v[4] / 2;
-    for (int i = 0; i < 2; ++i) {
-        const double angle = radiansOf(v[5] + 90.0 * i);
-        const std::array<Point, 4> bar = {rounded(polar(angle, -half, -v[3] / 2)),
-                                          rounded(polar(angle, half, -v[3] / 2)), rounded(polar(angle, half, v[3] / 2)),
-                                          rounded(polar(angle, -half, v[3] / 2))};
-        all.beginPolygon();
-        all.addLoop(bar);
+    for (const double angle : {radiansOf(v[5]), radiansOf(v[5] + 90.0)}) {
+        ShapeSketch line;
+        addCapsule(line, polar(angle, -v[4] / 2), polar(angle, v[4] / 2), v[3]);
+        all.append(polygonsOf(line));
     }
     return regionShape(sketchOf(unite(all)));
 }

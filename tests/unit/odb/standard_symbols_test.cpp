@@ -1,7 +1,9 @@
 #include "model/odb/standard_symbols.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "model/odb/region.h"
 #include "odb_testing.h"
@@ -61,6 +63,10 @@ private slots:
         QCOMPARE(oval.kind, Kind::Oval);
         QCOMPARE(oval.width, 1'200'000);
         QCOMPARE(oval.height, 400'000);
+        for (const char* hole : {"hole1000xpx10x10", "hole1000xnx0x0", "hole1000xvx1.5x2"}) {
+            QCOMPARE(shapeOf(hole).kind, Kind::Round);
+            QCOMPARE(shapeOf(hole).width, 1'000'000);
+        }
         QCOMPARE(shapeOf("null10").kind, Kind::Nothing);
         QVERIFY(shapeOf("null10").problem.empty());
     }
@@ -83,7 +89,8 @@ private slots:
             QCOMPARE(shapeOf(name).kind, Kind::Nothing);
             QVERIFY2(shapeOf(name).problem.find("no area") != std::string::npos, name);
         }
-        QVERIFY(shapeOf("s_thr4000x3000x45x4x500").problem.find("cannot be drawn yet") != std::string::npos);
+        // A line thermal has four gaps at 45 degrees, else the name is not of the standard.
+        QVERIFY(!standardSymbol({"s_thr4000x3000x0x4x500", Unit::Millimetre, 0}).has_value());
         QCOMPARE(shapeOf("rect0x100").kind, Kind::Nothing);
         QVERIFY(shapeOf("rect0x100").problem.find("no area") != std::string::npos);
     }
@@ -133,6 +140,30 @@ private slots:
         row("sr_ths4000x2000x0x2x500", 4, 4, 16 - kPi - 2 * (1 - stripInHole));
         row("rc_ths6000x4000x0x2x500x1000", 6, 4, 24 - 8 - 2 * 0.5);
         row("o_ths6000x2000x90x2x500x500", 6, 2, (8 + kPi) - (4 + kPi / 4) - 2 * 0.25);
+        row("s_tho4000x2000x45x1x500", 4, 4, 12 - (1 + 2 * 0.25 * std::sqrt(2.0)));
+        row("rc_tho6000x4000x0x2x500x1000", 6, 4, 24 - 8 - 2 * 0.5);
+        row("rc_tho6000x4000x0x4x500x1000xr500x1", 6, 4, 16 - 4 * 0.5 - (4 - kPi) * 0.25 / 4);
+        row("oblong_ths6000x2000x90x2x500x500xr", 6, 2, (8 + kPi) - (4 + kPi / 4) - 2 * 0.25);
+        row("oblong_ths6000x2000x90x2x500x500xs", 6, 2, 12 - 5 - 2 * 0.25);
+        row("hplate4000x2000x1500", 4, 2, 8 - 1.5);
+        row("rhplate4000x2000x1000", 4, 2, 8 - 1);
+        row("rhplate4000x2000x500x0x100", 4, 2, 8 - 0.5 - 0.01 * (std::tan(std::atan(0.5)) - std::atan(0.5)));
+        row("fhplate4000x2000x500x1000", 4, 2, 8 - 0.5);
+        row("fhplate4000x2000x500x1000x200x0", 4, 2, 8 - 0.5 - 2 * (1 - kPi / 4) * 0.04);
+        row("radhplate4000x2000x1000", 4, 2, 8 - kPi / 8);
+        row("radhplate4000x2000x1000x300", 4, 2, 8 - kPi / 8 - (4 - kPi) * 0.09);
+        row("dshape4000x2000x1000", 4, 2, 6 + kPi / 2);
+        row("dshape4000x2000x1000x400", 4, 2, 6 + kPi / 2 - (4 - kPi) * 0.16 / 2);
+        // Relief 0.5 over a chord of 2: radius 1.25, half angle asin(0.8).
+        row("dshape4000x2000x500", 4, 2, 7 + 1.25 * 1.25 * std::asin(0.8) - 0.75);
+        row("cross4000x3000x500x400x50x50xs", 4, 3, 2 + 1.2 - 0.2);
+        row("cross4000x3000x500x400x25x75xr", 4, 3, 3 - (1 - kPi / 4) * (0.25 + 0.16));
+        row("cross4000x3000x500x400x50x50xs200", 4, 3, 3 + (4 - kPi) * 0.04);
+        row("dogbone4000x3000x500x400x50xs", 4, 3, 4 + 2 * 0.4);
+        row("dogbone4000x3000x500x400x50xr", 4, 3, 4.8 - 2 * (1 - kPi / 4) * 0.25);
+        row("dogbone4000x3000x500x400x0xsx200", 4, 3, 4.8 + 2 * (1 - kPi / 4) * 0.04);
+        row("dpack4000x2000x200x200x4x2", 4, 2, (4 - 0.6) * (2 - 0.2));
+        row("dpack4000x2000x200x200x4x2x100", 4, 2, 3.4 * 1.8 - 8 * (4 - kPi) * 0.01);
     }
     void regionsHaveTheirSizeAndArea() {
         QFETCH(QString, name);
@@ -205,14 +236,10 @@ private slots:
         QVERIFY(bottom > 0);
     }
 
-    void strokesCanUseStraightSidedConvexSymbols() {
+    void onlySquaresAreSquarePens() {
         QVERIFY(shapeOf("s100").isSquarePen);
         QVERIFY(shapeOf("rect100x100").isSquarePen);
         QVERIFY(!shapeOf("rect100x200").isSquarePen);
-        QCOMPARE(shapeOf("rect100x200").penCorners.size(), std::size_t{4});
-        QCOMPARE(shapeOf("oct100x200x10").penCorners.size(), std::size_t{8});
-        QVERIFY(shapeOf("rect100x200xr10").penCorners.empty());
-        QVERIFY(shapeOf("donut_s100x50").penCorners.empty());
     }
 
     void resizingAddsToTheWholeSize() {
@@ -220,15 +247,105 @@ private slots:
         QCOMPARE(shapeOf("r100", Unit::Inch, 10'000).width, 2'550'000);
         QCOMPARE(boxOf(shapeOf("rect100x200", Unit::Millimetre, 50'000).region).height(), 250'000);
         QCOMPARE(shapeOf("r10", Unit::Millimetre, -40'000).kind, Kind::Nothing);
-        QVERIFY(shapeOf("donut_r100x50", Unit::Millimetre, 10'000).problem.find("cannot be resized") !=
-                std::string::npos);
     }
 
-    void moireHasRingsAndACross() {
-        const SymbolShape shape = shapeOf("moire100x200x3x50x2000x0");
-        QCOMPARE(boxOf(shape.region).width(), 2'000'000);
-        QCOMPARE(boxOf(shape.region).height(), 2'000'000);
-        QVERIFY(areaOf(shape.region) > 0.0);
+    /// Outer sizes grow, everything else stays as the name says: a resized symbol is the symbol of another name.
+    void aResizedSymbolIsTheOneWithGrownOuterSizes_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("grown");
+        const auto row = [](const char* name, const char* grown) { QTest::newRow(name) << name << grown; };
+        row("s4000", "s4100");
+        row("rect4000x2000xr500x12", "rect4100x2100xr500x12");
+        row("oct4000x2000x500", "oct4100x2100x500");
+        row("hex_s4000x2000x500", "hex_s4100x2100x500");
+        row("el4000x2000", "el4100x2100");
+        row("bfr4000", "bfr4100");
+        row("donut_s4000x2000", "donut_s4100x2000");
+        row("donut_sr4000x2000", "donut_sr4100x2000");
+        row("donut_rc4000x3000x500xr700", "donut_rc4100x3100x500xr700");
+        row("donut_o4000x2000x500", "donut_o4100x2100x500");
+        row("ths4000x2000x45x4x500", "ths4100x2000x45x4x500");
+        row("s_tho4000x2000x45x4x500", "s_tho4100x2000x45x4x500");
+        row("rc_ths6000x4000x0x2x500x1000", "rc_ths6100x4100x0x2x500x1000");
+        row("oblong_ths6000x2000x90x2x500x500xs", "oblong_ths6100x2100x90x2x500x500xs");
+        row("hplate4000x2000x1000", "hplate4100x2100x1000");
+        row("cross4000x3000x500x400x50x50xr", "cross4100x3100x500x400x50x50xr");
+        row("dpack4000x2000x200x200x4x2", "dpack4100x2100x200x200x4x2");
+    }
+    void aResizedSymbolIsTheOneWithGrownOuterSizes() {
+        QFETCH(QString, name);
+        QFETCH(QString, grown);
+        const ShapeSketch a = shapeOf(name.toStdString(), Unit::Millimetre, 100'000).region;
+        const ShapeSketch b = shapeOf(grown.toStdString()).region;
+        QCOMPARE(a.contourCount(), b.contourCount());
+        for (std::size_t i = 0; i < a.contourCount(); ++i) {
+            QVERIFY(std::ranges::equal(a.contour(i), b.contour(i)));
+        }
+    }
+
+    void aSymbolWithoutOuterSizesGrowsByItsOutline() {
+        // The arms grow by 50 µm to every side, so does the outermost ring.
+        const SymbolShape shape = shapeOf("moire100x200x3x50x2000x0", Unit::Millimetre, 100'000);
+        QVERIFY(std::abs(boxOf(shape.region).width() - 2'150'000) <= 4'000);
+        QVERIFY(areaOf(shape.region) > areaOf(shapeOf("moire100x200x3x50x2000x0").region));
+        // A ring's hole stays.
+        model::ShapeSketch ring;
+        ring.addPolygon(std::vector<Point>{{0, 0}, {4000, 0}, {4000, 4000}, {0, 4000}}, false);
+        ring.addPolygon(std::vector<Point>{{1000, 1000}, {1000, 3000}, {3000, 3000}, {3000, 1000}}, true);
+        SymbolShape user;
+        user.kind = Kind::Region;
+        user.region = ring;
+        const ShapeSketch grown = model::odb::resized(user, 200).region;
+        QCOMPARE(boxOf(grown), (Box{{-100, -100}, {4100, 4100}}));
+        QCOMPARE(static_cast<long long>(model::twiceArea(model::odb::polygonsOf(grown))),
+                 2LL * (4200 * 4200 - 2000 * 2000));
+        QCOMPARE(model::odb::resized(user, -3000).kind, Kind::Nothing);
+    }
+
+    void moireIsADotRingsAndACrossWithRoundEnds() {
+        const SymbolShape shape = shapeOf("moire100x200x2x50x2000x0");
+        QCOMPARE(boxOf(shape.region).width(), 2'050'000);
+        QCOMPARE(boxOf(shape.region).height(), 2'050'000);
+        // Dot Ø 0.1; rings 0.5 to 0.7 and 1.1 to 1.3 in diameter; the cross adds its arms where nothing else is.
+        const double rings = kPi / 4 * (0.01 + 0.49 - 0.25 + 1.69 - 1.21);
+        const double arms = 4 * (1.0 - 0.05 - 0.2) * 0.05 + kPi * 0.05 * 0.05 / 4 * 2;
+        QVERIFY2(std::abs(areaOf(shape.region) - rings - arms) < 0.005,
+                 qPrintable(QString::number(areaOf(shape.region))));
+    }
+
+    void butterfliesFillTheTopLeftAndTheBottomRight() {
+        for (const char* name : {"bfr4000", "bfs4000"}) {
+            const ShapeSketch region = shapeOf(name).region;
+            QCOMPARE(region.contourCount(), std::size_t{2});
+            QCOMPARE(model::boxOfPath(region.contour(0), true), (Box{{-2'000'000, 0}, {0, 2'000'000}}));
+            QCOMPARE(model::boxOfPath(region.contour(1), true), (Box{{0, -2'000'000}, {2'000'000, 0}}));
+        }
+    }
+
+    void diagonalGapsOfRectanglesLeaveThroughTheCorners() {
+        for (const char* name : {"rc_ths6000x4000x45x4x500x1000", "rc_tho6000x4000x45x4x500x1000",
+                                 "oblong_ths6000x4000x45x4x500x1000xs"}) {
+            const ShapeSketch region = shapeOf(name).region;
+            QCOMPARE(region.contourCount(), std::size_t{4});
+            for (std::size_t i = 0; i < 4; ++i) {  // no piece goes round a corner
+                const Box box = model::boxOfPath(region.contour(i), true);
+                QVERIFY2(std::min(box.width(), box.height()) <= 1'000'001, name);
+            }
+        }
+    }
+
+    void openCornersLeaveStraightBars() {
+        // Four bars, each from gap edge to gap edge: 2 mm inside less 2 × 0.5 / √2.
+        const ShapeSketch open = shapeOf("s_tho4000x2000x45x4x500").region;
+        QCOMPARE(open.contourCount(), std::size_t{4});
+        const double bar = 2.0 - std::sqrt(2.0) * 0.5;
+        QVERIFY(std::abs(areaOf(open) - 4 * bar * 1.0) < 1e-5);
+        // With straight gaps the corners stay: four L's.
+        QCOMPARE(shapeOf("s_tho4000x2000x0x4x500").region.contourCount(), std::size_t{4});
+        QVERIFY(std::abs(areaOf(shapeOf("s_tho4000x2000x0x4x500").region) - (12 - 4 * 0.5)) < 1e-5);
+        // s_thr: the same bars with round ends of diameter (OS - IS) / 2.
+        const ShapeSketch lines = shapeOf("s_thr4000x2000x45x4x500").region;
+        QVERIFY(std::abs(areaOf(lines) - 4 * (bar - 1.0 + kPi / 4)) < 0.01);
     }
 };
 
