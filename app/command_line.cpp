@@ -66,6 +66,19 @@ void addRender(CLI::App& parent, RenderArguments& arguments) {
     command->add_flag("--mono", arguments.isMono, "shapes white on black, neither shaded nor smoothed");
 }
 
+void addGenerate(CLI::App& parent, GenerateArguments& arguments) {
+    CLI::App* command = parent.add_subcommand("generate", "Make up a board to measure with, as an ODB++ job");
+    command->add_option("--like", arguments.like, "element counts of this model of the paper's Table 3: t1 to t9")
+        ->required()
+        ->check(CLI::IsMember({"t1", "t2", "t3", "t4", "t5", "t6", "t7", "t8", "t9"}));
+    command->add_option("--scale", arguments.scale, "times as many elements")
+        ->check(CLI::Range(0.01, 100.0))
+        ->capture_default_str();
+    command->add_option("--seed", arguments.seed, "another number, another board of the same kind")
+        ->capture_default_str();
+    command->add_option("-o,--output", arguments.output, "the job to write (.tgz)")->required();
+}
+
 }  // namespace
 
 Command parseCommandLine(int argc, char** argv) {
@@ -75,10 +88,12 @@ Command parseCommandLine(int argc, char** argv) {
     WorkbenchArguments workbench;
     InfoArguments info;
     RenderArguments render;
+    GenerateArguments generate;
     parser.add_option("BOARD", workbench.path, "the board to open in the workbench; default: the sample");
     parser.add_option("--step", workbench.step, "the step to open");
     addInfo(parser, info);
     addRender(parser, render);
+    addGenerate(parser, generate);
     try {
         parser.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -89,6 +104,9 @@ Command parseCommandLine(int argc, char** argv) {
     }
     if (parser.got_subcommand("render")) {
         return render;
+    }
+    if (parser.got_subcommand("generate")) {
+        return generate;
     }
     return workbench;
 }

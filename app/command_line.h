@@ -3,6 +3,7 @@
 #include <string>
 #include <variant>
 
+#include "app/generate_command.h"
 #include "app/info_command.h"
 #include "app/render_command.h"
 
@@ -19,7 +20,7 @@ struct Quit {
     int code = 0;
 };
 
-using Command = std::variant<WorkbenchArguments, InfoArguments, RenderArguments, Quit>;
+using Command = std::variant<WorkbenchArguments, InfoArguments, RenderArguments, GenerateArguments, Quit>;
 
 /// Understands the command line of docs/architecture.md.
 [[nodiscard]] Command parseCommandLine(int argc, char** argv);

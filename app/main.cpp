@@ -13,6 +13,7 @@ struct Run {
     int operator()(const app::WorkbenchArguments& arguments) const { return app::runWorkbench(argc, argv, arguments); }
     int operator()(const app::InfoArguments& arguments) const { return app::runInfo(arguments); }
     int operator()(const app::RenderArguments& arguments) const { return app::runRender(arguments); }
+    int operator()(const app::GenerateArguments& arguments) const { return app::runGenerate(arguments); }
     int operator()(const app::Quit& quit) const { return quit.code; }
 };
 

@@ -6,6 +6,7 @@ set(architecture_rows
     # folder          | may include                                                        | libraries
     "model/base       |                                                                    |"
     "model            | model/base                                                         |"
+    "model/generate   | model/base                                                         |"
     "model/odb        | model model/base                                                   |"
     "model/paper      | model model/base                                                   |"
     "model/reader.cpp | model model/base model/odb model/paper                             |"
@@ -15,8 +16,8 @@ set(architecture_rows
     "render           | model model/base tri render/gpu shaders                            | vulkan"
     "ui/models        | model model/base render/layer_style.h                              | qt"
     "ui               | model model/base ui/models render render/gpu                          | qt widgets vulkan"
-    "app              | model model/base model/odb model/paper tri render render/gpu ui ui/models | qt widgets vulkan"
-    "tests            | model model/base model/odb model/paper tri shaders render render/gpu ui ui/models app | qt widgets vulkan"
+    "app              | model model/base model/generate model/odb model/paper tri render render/gpu ui ui/models | qt widgets vulkan"
+    "tests            | model model/base model/generate model/odb model/paper tri shaders render render/gpu ui ui/models app | qt widgets vulkan"
 )
 
 # How an include of a library is told from its name.

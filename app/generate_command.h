@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace app {
+
+struct GenerateArguments {
+    std::string like;  ///< a row of the paper's Table 3: "t1" to "t9"
+    double scale = 1.0;
+    std::uint64_t seed = 1;
+    std::string output;
+};
+
+/// `copperscope generate --like t3 -o job.tgz`: a made-up board with exactly the row's element counts times the scale.
+/// Answers an exit code.
+int runGenerate(const GenerateArguments& arguments);
+
+}  // namespace app
