@@ -123,6 +123,18 @@ Renderer::Drawers& Renderer::drawersFor(const TargetFormat& format, Backend back
     return *m_drawers.emplace_back(std::make_unique<Drawers>(*m_device, format, backend));
 }
 
+void Renderer::drawOverlay(gpu::Frame& frame, const TargetFormat& format, const Overlay& overlay) {
+    if (overlay.rgba == nullptr) {
+        return;
+    }
+    const auto fits = [&](const auto& drawer) { return drawer->format() == format; };
+    auto drawer = std::find_if(m_overlays.begin(), m_overlays.end(), fits);
+    if (drawer == m_overlays.end()) {
+        drawer = m_overlays.insert(drawer, std::make_unique<OverlayDrawer>(*m_device, format));
+    }
+    (*drawer)->draw(frame, overlay);
+}
+
 Backend Renderer::record(gpu::Frame& frame, RenderTarget& target, VkExtent2D extent, VkFormat colour, BoardScene* scene,
                          const Camera& camera, const ViewSettings& settings) {
     const gpu::Caps& caps = m_device->caps();
@@ -133,6 +145,7 @@ Backend Renderer::record(gpu::Frame& frame, RenderTarget& target, VkExtent2D ext
     target.setSize(extent, format);
     if (scene == nullptr) {
         target.begin(frame.commands(), background(settings));
+        drawOverlay(frame, format, settings.overlay);
         target.end(frame.commands());
         return backend;
     }
@@ -143,6 +156,7 @@ Backend Renderer::record(gpu::Frame& frame, RenderTarget& target, VkExtent2D ext
     target.begin(frame.commands(), background(settings));
     drawers.drawBatch(recording, 0, gpu::Pass::Opaque);
     drawers.drawTranslucent(recording, extent);
+    drawOverlay(frame, format, settings.overlay);
     target.end(frame.commands());
     return backend;
 }

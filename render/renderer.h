@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "render/overlay_drawer.h"
 #include "render/render_target.h"
 
 namespace render {
@@ -24,9 +25,11 @@ private:
     struct Drawers;
     Drawers& drawersFor(const TargetFormat& format, Backend backend);
     [[nodiscard]] Backend resolve(Backend wanted);
+    void drawOverlay(gpu::Frame& frame, const TargetFormat& format, const Overlay& overlay);
 
     gpu::Device* m_device;
     std::vector<std::unique_ptr<Drawers>> m_drawers;
+    std::vector<std::unique_ptr<OverlayDrawer>> m_overlays;
     bool m_hasWarned = false;
 };
 

@@ -21,6 +21,14 @@ class Device;
 
 enum class Backend { Auto, Mesh, Pull };
 
+/// A picture laid over the board pixel by pixel, from the upper left corner: grids, names, rubber bands. Rows from the
+/// top, sRGB RGBA of 8 bits, multiplied by alpha; read while a frame is recorded.
+struct Overlay {
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    const std::uint8_t* rgba = nullptr;
+};
+
 /// Everything that changes from frame to frame. None of it rebuilds geometry.
 struct ViewSettings {
     Backend backend = Backend::Auto;
@@ -31,6 +39,7 @@ struct ViewSettings {
     float explode = 0.0F;    ///< 0 = real stack; 1 spreads the layers over about half the board's width
     bool dimOthers = false;  ///< darkens what is not highlighted
     glm::vec3 background{0.10F, 0.11F, 0.13F};  ///< sRGB
+    Overlay overlay;                            ///< none while it has no pixels
 };
 
 struct FrameStats {

@@ -10,6 +10,8 @@ namespace {
 #include "let_mesh_mesh.h"
 #include "let_mesh_task.h"
 #include "let_pull_vert.h"
+#include "overlay_frag.h"
+#include "overlay_vert.h"
 }  // namespace
 
 namespace shader::spirv {
@@ -23,6 +25,8 @@ const Code kCullLetsComp(cull_lets_comp);
 const Code kLetMeshMesh(let_mesh_mesh);
 const Code kLetMeshTask(let_mesh_task);
 const Code kLetPullVert(let_pull_vert);
+const Code kOverlayFrag(overlay_frag);
+const Code kOverlayVert(overlay_vert);
 
 std::span<const Named> all() {
     static const Named kAll[] = {
@@ -35,6 +39,8 @@ std::span<const Named> all() {
         {"let_mesh.mesh", let_mesh_mesh},
         {"let_mesh.task", let_mesh_task},
         {"let_pull.vert", let_pull_vert},
+        {"overlay.frag", overlay_frag},
+        {"overlay.vert", overlay_vert},
     };
     return kAll;
 }

@@ -17,6 +17,8 @@ extern const Code kCullLetsComp;
 extern const Code kLetMeshMesh;
 extern const Code kLetMeshTask;
 extern const Code kLetPullVert;
+extern const Code kOverlayFrag;
+extern const Code kOverlayVert;
 
 /// All of them by file name without .glsl, for tests.
 struct Named {

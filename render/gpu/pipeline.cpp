@@ -28,8 +28,8 @@ VkPipelineShaderStageCreateInfo stageInfo(VkShaderStageFlagBits stage, VkShaderM
 VkPipelineDepthStencilStateCreateInfo depthState(Pass pass) {
     auto info =
         vkInfo<VkPipelineDepthStencilStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO);
-    info.depthTestEnable = VK_TRUE;
-    info.depthWriteEnable = pass == Pass::Blend ? VK_FALSE : VK_TRUE;
+    info.depthTestEnable = pass == Pass::Overlay ? VK_FALSE : VK_TRUE;
+    info.depthWriteEnable = pass == Pass::Opaque || pass == Pass::DepthOnly ? VK_TRUE : VK_FALSE;
     info.depthCompareOp = pass == Pass::Blend ? VK_COMPARE_OP_EQUAL : VK_COMPARE_OP_GREATER_OR_EQUAL;
     // Overlapping shapes of one layer lie at the same depth: the first to come marks the sample with the layer's
     // reference.
@@ -44,7 +44,7 @@ VkPipelineDepthStencilStateCreateInfo depthState(Pass pass) {
 
 VkPipelineColorBlendAttachmentState blendState(Pass pass) {
     VkPipelineColorBlendAttachmentState state{};
-    state.blendEnable = pass == Pass::Blend ? VK_TRUE : VK_FALSE;
+    state.blendEnable = pass == Pass::Blend || pass == Pass::Overlay ? VK_TRUE : VK_FALSE;
     state.srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
     state.dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
     state.srcAlphaBlendFactor = VK_BLEND_FACTOR_ZERO;

@@ -23,7 +23,8 @@ struct ShaderStage {
 enum class Pass : std::uint8_t {
     Opaque,     ///< nearer wins, depth and colour written
     DepthOnly,  ///< nearer wins, depth written
-    Blend       ///< exactly at the depth written before, colour blended, at most once per sample and stencil reference
+    Blend,      ///< exactly at the depth written before, colour blended, at most once per sample and stencil reference
+    Overlay     ///< over everything, colour blended
 };
 
 struct GraphicsPipelineOptions {

@@ -43,6 +43,35 @@ private slots:
         comparePixel(image, 5, 5, {26, 51, 77});
     }
 
+    void overlayLiesOverTheBoardPixelByPixel() {
+        SyntheticBoard board;
+        board.addLayer(0.0F, 0.035F, {0.8F, 0.4F, 0.2F});
+        board.addDisc({0, 0}, 0.5F);
+        Scene scene(board);
+        scene.lookDown({-1, -1}, {1, 1});
+        // Narrower than the picture: column 0 opaque, column 1 half transparent white, the others empty.
+        constexpr std::uint32_t kWidth = 150;
+        std::vector<std::uint8_t> rgba(std::size_t{kWidth} * 200 * 4);
+        for (std::size_t row = 0; row < 200; ++row) {
+            const std::uint8_t texels[8] = {10, 20, 30, 255, 128, 128, 128, 128};
+            std::copy(std::begin(texels), std::end(texels),
+                      rgba.begin() + static_cast<std::ptrdiff_t>(row * kWidth * 4));
+        }
+        for (const bool isSmoothed : {false, true}) {
+            ViewSettings how = flat();
+            how.isSmoothed = isSmoothed;
+            const Image bare = scene.draw(how, 200, 200);
+            how.overlay = {kWidth, 200, rgba.data()};
+            const Image image = scene.draw(how, 200, 200);
+            comparePixel(image, 0, 7, {10, 20, 30});
+            const int half = toByte(128.0F / 255.0F);
+            comparePixel(image, 1, 7, {half, half, half});
+            for (const std::uint32_t x : {2U, 100U, 149U, 150U, 199U}) {
+                comparePixel(image, x, 100, pixel(bare, x, 100), 0);
+            }
+        }
+    }
+
     void translucentLayerIsBlendedOnceHoweverOftenItsShapesOverlap() {
         SyntheticBoard board;
         board.addLayer(0.0F, 0.035F, {1, 1, 1}, 0.5F);

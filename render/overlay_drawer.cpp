@@ -1,0 +1,32 @@
+#include "render/overlay_drawer.h"
+
+#include "render/gpu/device_select.h"
+#include "render/gpu/image.h"
+#include "shaders/shared/overlay.h"
+#include "shaders/spirv.h"
+
+namespace render {
+namespace {
+
+gpu::Pipeline makePipeline(gpu::Device& device, const TargetFormat& target) {
+    const gpu::ShaderStage stages[] = {{VK_SHADER_STAGE_VERTEX_BIT, shader::spirv::kOverlayVert},
+                                       {VK_SHADER_STAGE_FRAGMENT_BIT, shader::spirv::kOverlayFrag}};
+    return gpu::Pipeline(
+        device, gpu::GraphicsPipelineOptions{"overlay", stages, sizeof(shader::OverlayPush), gpu::Pass::Overlay, false,
+                                             target.colour, gpu::kDepthFormat, target.samples});
+}
+
+}  // namespace
+
+OverlayDrawer::OverlayDrawer(gpu::Device& device, const TargetFormat& target)
+    : m_format(target), m_pipeline(makePipeline(device, target)) {}
+
+void OverlayDrawer::draw(gpu::Frame& frame, const Overlay& overlay) const {
+    const std::span pixels(overlay.rgba, std::size_t{overlay.width} * overlay.height * 4);
+    const gpu::Frame::Slice slice = frame.put(pixels);
+    m_pipeline.bind(frame.commands());
+    m_pipeline.push(frame.commands(), shader::OverlayPush{slice.address, overlay.width, overlay.height});
+    vkCmdDraw(frame.commands(), 3, 1, 0, 0);
+}
+
+}  // namespace render

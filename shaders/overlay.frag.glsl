@@ -1,0 +1,26 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_buffer_reference : require
+#extension GL_EXT_scalar_block_layout : require
+#include "shared/overlay.h"
+
+layout(push_constant, scalar) uniform PushBlock {
+    OverlayPush push;
+};
+layout(location = 0) out vec4 outColour;
+
+vec3 toLinear(vec3 srgb) {
+    return mix(pow((srgb + 0.055) / 1.055, vec3(2.4)), srgb / 12.92, lessThanEqual(srgb, vec3(0.04045)));
+}
+
+void main() {
+    const uvec2 at = uvec2(gl_FragCoord.xy);
+    if (at.x >= push.width || at.y >= push.height) {
+        discard;
+    }
+    const vec4 pixel = unpackUnorm4x8(push.pixels.at[at.y * push.width + at.x]);
+    if (pixel.a == 0.0) {
+        discard;
+    }
+    outColour = vec4(toLinear(pixel.rgb / pixel.a), pixel.a);
+}
