@@ -1,0 +1,293 @@
+#include "model/geometry/edges.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace model {
+
+namespace {
+
+PointD minus(PointD a, PointD b) {
+    return {a.x - b.x, a.y - b.y};
+}
+
+PointD along(PointD from, PointD way, double t) {
+    return {from.x + way.x * t, from.y + way.y * t};
+}
+
+double cross(PointD a, PointD b) {
+    return a.x * b.y - a.y * b.x;
+}
+
+double dot(PointD a, PointD b) {
+    return a.x * b.x + a.y * b.y;
+}
+
+/// Coordinates are far from where squares overflow, so the slow std::hypot is not needed.
+double length(PointD v) {
+    return std::sqrt(v.x * v.x + v.y * v.y);
+}
+
+/// The arc's ends seen from its centre, in counter-clockwise order.
+std::array<PointD, 2> counterClockwiseEnds(const Edge& arc) {
+    const PointD u = minus(arc.a, arc.centre);
+    const PointD w = minus(arc.b, arc.centre);
+    return arc.isClockwise ? std::array{w, u} : std::array{u, w};
+}
+
+/// Does the arc pass the direction `v` from its centre?
+bool passes(const Edge& arc, PointD v) {
+    if (arc.isFullCircle()) {
+        return true;
+    }
+    const auto [u, w] = counterClockwiseEnds(arc);
+    const double turn = cross(u, w);
+    const bool isBehindStart = cross(u, v) >= 0;
+    const bool isBeforeEnd = cross(v, w) >= 0;
+    if (turn == 0 && dot(u, w) > 0) {
+        return false;  // both ends in one direction: nothing lies between them
+    }
+    const bool isAtMostHalf = turn >= 0;
+    return isAtMostHalf ? isBehindStart && isBeforeEnd : isBehindStart || isBeforeEnd;
+}
+
+/// The shortest connection found so far between the middles of two edges.
+struct Nearest {
+    double squared = std::numeric_limits<double>::infinity();
+    PointD p;
+    PointD q;
+
+    void offer(PointD onFirst, PointD onSecond) {
+        const PointD way = minus(onFirst, onSecond);
+        const double d = dot(way, way);
+        if (d < squared) {
+            *this = {d, onFirst, onSecond};
+        }
+    }
+    [[nodiscard]] Nearest swapped() const { return {squared, q, p}; }
+};
+
+PointD nearestOnLine(const Edge& line, PointD p) {
+    const PointD way = minus(line.b, line.a);
+    const double squared = dot(way, way);
+    if (squared == 0) {
+        return line.a;
+    }
+    const double t = dot(minus(p, line.a), way) / squared;
+    return t <= 0 ? line.a : t >= 1 ? line.b : along(line.a, way, t);
+}
+
+PointD nearestOnArc(const Edge& arc, PointD p) {
+    const PointD v = minus(p, arc.centre);
+    const double distance = length(v);
+    if (distance > 0 && passes(arc, v)) {
+        return along(arc.centre, v, arc.radius / distance);
+    }
+    const PointD toA = minus(p, arc.a);
+    const PointD toB = minus(p, arc.b);
+    return dot(toA, toA) <= dot(toB, toB) ? arc.a : arc.b;
+}
+
+PointD nearestOn(const Edge& edge, PointD p) {
+    return edge.isArc() ? nearestOnArc(edge, p) : nearestOnLine(edge, p);
+}
+
+void offerEnds(const Edge& e, const Edge& f, Nearest& nearest) {
+    nearest.offer(e.a, nearestOn(f, e.a));
+    nearest.offer(e.b, nearestOn(f, e.b));
+    nearest.offer(nearestOn(e, f.a), f.a);
+    nearest.offer(nearestOn(e, f.b), f.b);
+}
+
+Nearest lineToLine(const Edge& e, const Edge& f) {
+    Nearest nearest;
+    const PointD we = minus(e.b, e.a);
+    const PointD wf = minus(f.b, f.a);
+    const double fa = cross(we, minus(f.a, e.a));
+    const double fb = cross(we, minus(f.b, e.a));
+    const double ea = cross(wf, minus(e.a, f.a));
+    const double eb = cross(wf, minus(e.b, f.a));
+    if (((fa < 0 && fb > 0) || (fa > 0 && fb < 0)) && ((ea < 0 && eb > 0) || (ea > 0 && eb < 0))) {
+        const PointD crossing = along(e.a, we, ea / (ea - eb));
+        nearest.offer(crossing, crossing);
+        return nearest;
+    }
+    offerEnds(e, f, nearest);
+    return nearest;
+}
+
+/// Offers the points where a line meets an arc.
+void offerCrossings(const Edge& line, const Edge& arc, Nearest& nearest) {
+    const PointD way = minus(line.b, line.a);
+    const double full = length(way);
+    if (full == 0) {
+        return;
+    }
+    const PointD unit = {way.x / full, way.y / full};
+    const PointD toCentre = minus(arc.centre, line.a);
+    const double foot = dot(toCentre, unit);
+    const double height = cross(unit, toCentre);
+    const double halfSquared = (arc.radius - height) * (arc.radius + height);
+    if (halfSquared < 0) {
+        return;
+    }
+    for (const double t : {foot - std::sqrt(halfSquared), foot + std::sqrt(halfSquared)}) {
+        const PointD crossing = along(line.a, unit, t);
+        if (t >= 0 && t <= full && passes(arc, minus(crossing, arc.centre))) {
+            nearest.offer(crossing, crossing);
+        }
+    }
+}
+
+Nearest lineToArc(const Edge& line, const Edge& arc) {
+    Nearest nearest;
+    offerCrossings(line, arc, nearest);
+    if (nearest.squared > 0) {
+        offerEnds(line, arc, nearest);
+        const PointD foot = nearestOnLine(line, arc.centre);
+        nearest.offer(foot, nearestOnArc(arc, foot));
+    }
+    return nearest;
+}
+
+/// Offers the points where two arcs meet, and those on the line through both centres.
+void offerAcrossCentres(const Edge& e, const Edge& f, Nearest& nearest) {
+    const PointD way = minus(f.centre, e.centre);
+    const double apart = length(way);
+    if (apart == 0) {
+        return;  // concentric: the ends tell
+    }
+    const PointD unit = {way.x / apart, way.y / apart};
+    for (const double side : {1.0, -1.0}) {
+        const PointD v = {unit.x * side, unit.y * side};
+        if (passes(e, v)) {
+            const PointD p = along(e.centre, v, e.radius);
+            nearest.offer(p, nearestOnArc(f, p));
+        }
+        if (passes(f, v)) {
+            const PointD q = along(f.centre, v, f.radius);
+            nearest.offer(nearestOnArc(e, q), q);
+        }
+    }
+    const double x = (apart * apart + (e.radius - f.radius) * (e.radius + f.radius)) / (2 * apart);
+    const double squared = (e.radius - x) * (e.radius + x);
+    for (const double y : {std::sqrt(std::max(squared, 0.0)), -std::sqrt(std::max(squared, 0.0))}) {
+        const PointD meeting = {e.centre.x + unit.x * x - unit.y * y, e.centre.y + unit.y * x + unit.x * y};
+        if (squared >= 0 && passes(e, minus(meeting, e.centre)) && passes(f, minus(meeting, f.centre))) {
+            nearest.offer(meeting, meeting);
+        }
+    }
+}
+
+Nearest arcToArc(const Edge& e, const Edge& f) {
+    Nearest nearest;
+    offerEnds(e, f, nearest);
+    offerAcrossCentres(e, f, nearest);
+    return nearest;
+}
+
+Nearest nearestBetween(const Edge& a, const Edge& b) {
+    if (a.isArc()) {
+        return b.isArc() ? arcToArc(a, b) : lineToArc(b, a).swapped();
+    }
+    return b.isArc() ? lineToArc(a, b) : lineToLine(a, b);
+}
+
+/// On which side of the chord: positive left. Points on it are taken as moved right by nothing, then up by less.
+double sideOf(const Edge& edge, PointD p) {
+    const PointD way = minus(edge.b, edge.a);
+    const double side = cross(way, minus(p, edge.a));
+    return side != 0 ? side : way.y != 0 ? -way.y : way.x;
+}
+
+Nm floored(double value) {
+    return static_cast<Nm>(std::floor(value));
+}
+
+Nm ceiled(double value) {
+    return static_cast<Nm>(std::ceil(value));
+}
+
+}  // namespace
+
+Edge edgeOf(const PathNode& from, Point to) {
+    Edge edge;
+    edge.a = base::toDouble(from.point);
+    edge.b = base::toDouble(to);
+    if (from.edge != EdgeKind::Line) {
+        edge.centre = base::toDouble(from.centre);
+        edge.radius = (length(minus(edge.a, edge.centre)) + length(minus(edge.b, edge.centre))) / 2;
+        edge.isClockwise = from.edge == EdgeKind::ArcClockwise;
+    }
+    return edge;
+}
+
+Edge placed(const Edge& edge, const Placement& placement) {
+    Edge moved = edge;
+    moved.a = placement.apply(edge.a);
+    moved.b = edge.isFullCircle() ? moved.a : placement.apply(edge.b);
+    moved.centre = placement.apply(edge.centre);
+    moved.isClockwise = edge.isClockwise != placement.isMirrored;
+    return moved;
+}
+
+Box boxOf(const Edge& edge) {
+    double reach[4] = {std::max(edge.a.x, edge.b.x), std::max(edge.a.y, edge.b.y), -std::min(edge.a.x, edge.b.x),
+                       -std::min(edge.a.y, edge.b.y)};
+    if (edge.isArc()) {
+        const PointD c = edge.centre;
+        const double r = edge.radius;
+        const double limit[4] = {c.x + r, c.y + r, r - c.x, r - c.y};
+        constexpr PointD kAxes[4] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+        for (int i = 0; i < 4; ++i) {
+            reach[i] = passes(edge, kAxes[i]) ? std::max(reach[i], limit[i]) : reach[i];
+        }
+    }
+    const double pen = edge.pen;
+    return {{floored(-reach[2] - pen), floored(-reach[3] - pen)}, {ceiled(reach[0] + pen), ceiled(reach[1] + pen)}};
+}
+
+Gap gapBetween(const Edge& a, const Edge& b) {
+    const Nearest nearest = nearestBetween(a, b);
+    const double middles = std::sqrt(nearest.squared);
+    const PointD way = minus(nearest.q, nearest.p);
+    const double distance = middles - a.pen - b.pen;
+    if (distance > 0) {
+        return {distance, along(nearest.p, way, a.pen / middles), along(nearest.q, way, -b.pen / middles)};
+    }
+    // The middle of what both cover on the way from one middle to the other.
+    const double from = std::max(middles - b.pen, 0.0);
+    const double to = std::min(a.pen, middles);
+    const PointD place = middles > 0 ? along(nearest.p, way, (from + to) / 2 / middles) : nearest.p;
+    return {0.0, place, place};
+}
+
+int windingAround(const Edge& edge, PointD p) {
+    int winding = 0;
+    const double side = sideOf(edge, p);
+    if ((edge.a.y > p.y) != (edge.b.y > p.y)) {
+        const bool isUp = edge.b.y > edge.a.y;
+        winding += isUp && side > 0 ? 1 : !isUp && side < 0 ? -1 : 0;
+    }
+    if (edge.isArc() && length(minus(p, edge.centre)) <= edge.radius) {
+        const bool isBetween = edge.isFullCircle() || (edge.isClockwise ? side > 0 : side < 0);
+        winding += !isBetween ? 0 : edge.isClockwise ? -1 : 1;
+    }
+    return winding;
+}
+
+double areaUnder(const Edge& edge, PointD base) {
+    const double triangle = cross(minus(edge.a, base), minus(edge.b, base)) / 2;
+    if (!edge.isArc()) {
+        return triangle;
+    }
+    const auto [u, w] = counterClockwiseEnds(edge);
+    double sweep = std::atan2(cross(u, w), dot(u, w));
+    sweep = edge.isFullCircle() ? 2 * std::numbers::pi : sweep < 0 ? sweep + 2 * std::numbers::pi : sweep;
+    const double segment = edge.radius * edge.radius * (sweep - std::sin(sweep)) / 2;
+    return triangle + (edge.isClockwise ? -segment : segment);
+}
+
+}  // namespace model

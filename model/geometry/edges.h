@@ -1,0 +1,49 @@
+#pragma once
+
+#include "model/shapes.h"
+
+namespace model {
+
+/// A straight line or an arc of a circle in nanometres: a piece of a boundary, or the middle of a stroke. An arc is one
+/// true circle: where the job's two radii differ by rounding, `radius` is their mean and the ends stay where they are.
+struct Edge {
+    PointD a;
+    PointD b;             ///< equal to `a`: a dot when straight, a full circle when an arc
+    PointD centre;        ///< of an arc
+    double radius = 0.0;  ///< of an arc; 0: straight
+    double pen = 0.0;     ///< half the width of the stroke, 0 on boundaries
+    bool isClockwise = false;
+    bool isHole = false;      ///< part of a hole of its region
+    std::int8_t winding = 1;  ///< 1 when its contour runs counter-clockwise, else -1
+
+    [[nodiscard]] bool isArc() const { return radius > 0.0; }
+    [[nodiscard]] bool isFullCircle() const { return isArc() && a.x == b.x && a.y == b.y; }
+};
+
+/// The edge from a path node to the next point.
+[[nodiscard]] Edge edgeOf(const PathNode& from, Point to);
+/// The same edge laid on the board.
+[[nodiscard]] Edge placed(const Edge& edge, const Placement& placement);
+/// Smallest box around the edge and its pen, rounded outwards.
+[[nodiscard]] Box boxOf(const Edge& edge);
+
+/// The shortest way between two things. Both ends are the place of contact when `distance` is 0.
+struct Gap {
+    double distance = 0.0;
+    PointD from;
+    PointD to;
+};
+
+/// The gap between two strokes; 0 when they touch or overlap. Errors stay below 1e-3 nm: coordinates are integers of at
+/// most 2^30, and double keeps 53 bits of their differences and products.
+[[nodiscard]] Gap gapBetween(const Edge& a, const Edge& b);
+
+/// How often the edge, closed by nothing else, contributes to the winding number of its contour around `p`: sum over
+/// the contour is 0 outside. Points on a chord count to one side in every edge alike.
+[[nodiscard]] int windingAround(const Edge& edge, PointD p);
+
+/// What the edge adds to the signed area of its contour, in nm², counter-clockwise positive; `base` is any point used
+/// for all edges of the contour.
+[[nodiscard]] double areaUnder(const Edge& edge, PointD base);
+
+}  // namespace model
