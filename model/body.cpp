@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/copy_outlines.h"
 #include "model/geometry/boolean.h"
 
 namespace model {
@@ -61,7 +62,8 @@ void addBody(DocumentBuilder& builder) {
     }
     const Heights heights = bodyHeights(document);
     const Discretisation how;
-    const PolygonSet body = subtract(discretise(document.shapes, document.profile, how), holesOf(document, how));
+    const PolygonSet outline = withoutCopies(document, discretise(document.shapes, document.profile, how), how);
+    const PolygonSet body = subtract(outline, holesOf(document, how));
     const ShapeSketch sketch = sketchOf(body);
     if (sketch.isEmpty() || heights.top <= heights.bottom) {
         return;

@@ -1,8 +1,14 @@
 #include "model/odb/job_builder.h"
 
 #include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <map>
 
+#include "model/base/parallel.h"
 #include "model/body.h"
+#include "model/copy_outlines.h"
+#include "model/odb/copy_plan.h"
 #include "model/odb/element_maker.h"
 #include "model/odb/layer_table.h"
 #include "model/odb/net_links.h"
@@ -15,21 +21,50 @@ namespace model::odb {
 
 namespace {
 
-class JobBuilder {
+/// How far all steps together are; the steps are built side by side.
+class StepProgress {
 public:
-    JobBuilder(const JobContext& job, const Steps& steps, DocumentBuilder& builder, base::Progress& progress)
-        : m_matrix(job.matrix),
-          m_steps(steps),
-          m_builder(builder),
-          m_progress(progress),
-          m_symbols(job.tree, job.defaultUnit, builder.diagnostics()),
-          m_layers(job, steps, builder) {}
+    StepProgress(base::Progress& progress, std::size_t layers) : m_progress(progress), m_layers(layers) {}
 
-    bool build(std::optional<double> boardNm) {
+    void layerDone() {
+        m_progress.setFraction(static_cast<float>(++m_done) / static_cast<float>(std::max<std::size_t>(m_layers, 1)));
+    }
+    [[nodiscard]] bool isCancelled() const { return m_progress.isCancelled(); }
+
+private:
+    base::Progress& m_progress;
+    std::size_t m_layers;
+    std::atomic<std::size_t> m_done{0};
+};
+
+/// What is the same for all steps of the job.
+struct JobParts {
+    const JobContext& job;
+    const Steps& steps;
+    const LayerTable& layers;
+    const std::vector<CopyPlan>& plans;
+    std::vector<std::shared_ptr<const Document>>& documents;  ///< by step; those a step places are there before it
+    StepProgress& progress;
+};
+
+/// Builds the document of one step.
+class StepBuilder {
+public:
+    /// The layers are in `builder` already.
+    StepBuilder(const JobParts& parts, std::size_t step, DocumentBuilder& builder)
+        : m_parts(parts),
+          m_matrix(parts.job.matrix),
+          m_step(parts.steps[step]),
+          m_isChosen(step == 0),
+          m_plan(parts.plans[step]),
+          m_builder(builder),
+          m_layers(parts.layers),
+          m_symbols(parts.job.tree, parts.job.defaultUnit, builder.diagnostics()),
+          m_nets(builder, parts.job.matrix, parts.steps[step]) {}
+
+    bool build() {
         takeDiagnostics();
-        m_layers.add(boardNm);
-        m_copies = unfoldCopies(m_steps, diagnostics());
-        m_nets.emplace(m_builder, m_matrix, m_steps);
+        addCopies();
         if (!buildLayers(false)) {
             return false;
         }
@@ -48,15 +83,66 @@ private:
     Diagnostics& diagnostics() { return m_builder.diagnostics(); }
 
     void takeDiagnostics() {
-        for (const StepData& step : m_steps) {
-            diagnostics().append(step.header.diagnostics);
-            diagnostics().append(step.profile.diagnostics);
-            diagnostics().append(step.eda.diagnostics);
-            for (const StepLayer& layer : step.layers) {
-                diagnostics().append(layer.features.diagnostics);
-                diagnostics().append(layer.thickness.diagnostics);
-                diagnostics().append(layer.tools.diagnostics);
-                diagnostics().append(layer.components.diagnostics);
+        diagnostics().append(m_step.header.diagnostics);
+        diagnostics().append(m_step.profile.diagnostics);
+        diagnostics().append(m_step.eda.diagnostics);
+        for (const StepLayer& layer : m_step.layers) {
+            diagnostics().append(layer.features.diagnostics);
+            diagnostics().append(layer.thickness.diagnostics);
+            diagnostics().append(layer.tools.diagnostics);
+            diagnostics().append(layer.components.diagnostics);
+        }
+    }
+
+    // ---- copies of other steps ----
+
+    void addCopies() {
+        std::map<std::size_t, std::uint32_t> rows;
+        for (const PlannedCopy& copy : m_plan.copies) {
+            const std::shared_ptr<const Document>& step = m_parts.documents[copy.step];
+            if (!isInRange(copy, *step)) {
+                continue;
+            }
+            const auto [place, isNew] = rows.try_emplace(copy.step);
+            if (isNew) {
+                place->second = m_builder.addStep(step);
+            }
+            m_builder.addInstance({place->second, copy.placement, copy.isFlipped});
+            if (copy.isFlipped) {
+                reportOneSided(copy, *step);
+            }
+        }
+    }
+
+    /// Copies must not leave the coordinate range.
+    bool isInRange(const PlannedCopy& copy, const Document& step) {
+        constexpr double kReach = base::kMaxCoordinate;
+        for (const Box& box : {step.extent, step.board}) {
+            for (const Point corner : {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}) {
+                const PointD placed = copy.placement.apply(base::toDouble(corner));
+                if (!box.isEmpty() && (std::abs(placed.x) > kReach || std::abs(placed.y) > kReach)) {
+                    diagnostics().report(
+                        Severity::Error, m_step.header.path, copy.line,
+                        "a panel copy lies outside of the coordinate range of ±1.07 m; it was left out");
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    /// What a flipped copy has on a layer without a counterpart lies on no layer of the panel.
+    void reportOneSided(const PlannedCopy& copy, const Document& step) {
+        for (const Layer& layer : step.layers) {
+            const bool hasElements =
+                std::ranges::any_of(layer.countsWithCopies, [](std::uint64_t count) { return count > 0; });
+            const bool isStacked = layer.side == LayerSide::Top || layer.side == LayerSide::Bottom ||
+                                   layer.type == LayerType::Drill || layer.type == LayerType::Rout;
+            if (hasElements && isStacked && !layer.opposite.isValid() && layer.context == LayerContext::Board) {
+                diagnostics().report(Severity::Warning, m_step.header.path, copy.line,
+                                     "layer " + layer.name +
+                                         " has no counterpart on the other side; in flipped copies it lies mirrored "
+                                         "through the board");
             }
         }
     }
@@ -66,12 +152,12 @@ private:
     /// All layers whose polarity is `isNegative`; negative ones need the profile, so they come last.
     bool buildLayers(bool isNegative) {
         for (const std::size_t row : m_layers.order()) {
-            if (m_progress.isCancelled()) {
+            if (m_parts.progress.isCancelled()) {
                 return false;
             }
             if (m_matrix.layers[row].isNegative == isNegative) {
                 buildLayer(row);
-                m_progress.setFraction(static_cast<float>(++m_built) / static_cast<float>(m_layers.order().size()));
+                m_parts.progress.layerDone();
             }
         }
         return true;
@@ -79,34 +165,31 @@ private:
 
     void buildLayer(std::size_t row) {
         const MatrixLayer& layer = m_matrix.layers[row];
-        const std::vector<FeatureSource> sources = sourcesOf(row);
+        const Parsed<FeatureFile>& features = m_step.layers[row].features;
         m_builder.beginLayer(m_layers.id(row));
-        if (sources.empty()) {
+        if (!features.isPresent()) {
             return;
         }
         std::optional<HoleRules> holes;
         if (layer.isHoles()) {
-            holes.emplace(layer.type, toolsOf(row));
+            holes.emplace(layer.type, m_step.layers[row].tools.value);
         }
-        const bool hasNegatives =
-            std::ranges::any_of(sources, [](const FeatureSource& source) { return source.file->hasNegatives; });
-        if (layer.isNegative || hasNegatives) {
-            return paintLayer(row, sources, holes ? &*holes : nullptr);
+        const FeatureSource source{&features.value, features.path, {}, m_nets.netsOf(row)};
+        if (layer.isNegative || features.value.hasNegatives) {
+            paintLayer(row, source, holes ? &*holes : nullptr);
+        } else {
+            ElementMaker(m_builder, m_symbols, diagnostics()).add(source, holes ? &*holes : nullptr);
         }
-        ElementMaker maker(m_builder, m_symbols, diagnostics());
-        for (const FeatureSource& source : sources) {
-            maker.add(source, holes ? &*holes : nullptr);
-        }
+        reportNegativesOfCopies(row);
     }
 
-    void paintLayer(std::size_t row, const std::vector<FeatureSource>& sources, const HoleRules* holes) {
+    void paintLayer(std::size_t row, const FeatureSource& source, const HoleRules* holes) {
         DocumentBuilder scratch;
         scratch.beginLayer(scratch.addLayer({}));
         ElementMaker maker(scratch, m_symbols, diagnostics());
-        for (const FeatureSource& source : sources) {
-            maker.add(source, holes);
-        }
+        maker.add(source, holes);
         if (!m_matrix.layers[row].isNegative) {
+            reportOwnNegatives(row, scratch.soFar(), maker.negatives());
             return addPainted(m_builder, scratch.soFar(), maker.negatives());
         }
         const ShapeId profile = m_builder.soFar().profile;
@@ -120,77 +203,74 @@ private:
             Severity::Info, "matrix/matrix", m_matrix.layers[row].line,
             "layer " + m_matrix.layers[row].name +
                 " is negative: shown is the board's outline minus its features; its pieces carry no nets");
-        addInverse(m_builder, discretise(m_builder.shapes(), profile, kBooleanChords), scratch.soFar(),
+        const PolygonSet outline = discretise(m_builder.shapes(), profile, kBooleanChords);
+        addInverse(m_builder, withoutCopies(m_builder.soFar(), outline, kBooleanChords), scratch.soFar(),
                    maker.negatives());
     }
 
-    std::vector<Tool> toolsOf(std::size_t row) const {
-        std::vector<Tool> tools;
-        for (const StepData& step : m_steps) {
-            tools.insert(tools.end(), step.layers[row].tools.value.begin(), step.layers[row].tools.value.end());
-        }
-        return tools;
-    }
+    // ---- paint order between a step and its copies ----
 
-    /// The features that land on a layer: those of every copy, flipped ones from the layer on the other side.
-    std::vector<FeatureSource> sourcesOf(std::size_t row) {
-        std::vector<FeatureSource> sources;
-        for (const StepCopy& copy : m_copies) {
-            const std::size_t from = copy.isFlipped ? m_layers.oppositeRow(row) : row;
-            const Parsed<FeatureFile>& features = m_steps[copy.step].layers[from].features;
-            if (features.isPresent() && isInRange(copy, features)) {
-                sources.push_back({&features.value, features.path, copy.placement, m_nets->netsOf(copy.step, from)});
+    /// Boxes of the copies that have something on this row of the matrix.
+    std::vector<Box> copiesOn(std::size_t row, bool withNegatives) {
+        std::vector<Box> boxes;
+        const Document& own = m_builder.soFar();
+        for (const PlannedCopy& copy : m_plan.copies) {
+            const LayerId from = own.layerOfCopy(m_layers.id(row), copy.isFlipped);
+            const auto& counts = m_parts.documents[copy.step]->layer(from).countsWithCopies;
+            const bool isAny = std::ranges::any_of(counts, [](std::uint64_t count) { return count > 0; });
+            const std::size_t fromRow = m_layers.rowOf(from);
+            if (withNegatives ? m_parts.steps[copy.step].layers[fromRow].features.value.hasNegatives : isAny) {
+                boxes.push_back(copy.placement.boxOf(m_parts.documents[copy.step]->extent));
             }
         }
-        return sources;
+        return boxes;
     }
 
-    /// Copies must not leave the coordinate range.
-    bool isInRange(const StepCopy& copy, const Parsed<FeatureFile>& features) {
-        if (isIdentity(copy.placement)) {
-            return true;
-        }
-        const Box extent = extentOf(features.value);
-        const double reach = base::kMaxCoordinate;
-        for (const Point corner :
-             {extent.min, {extent.max.x, extent.min.y}, extent.max, {extent.min.x, extent.max.y}}) {
-            const PointD placed = copy.placement.apply(base::toDouble(corner));
-            if (!extent.isEmpty() && (std::abs(placed.x) > reach || std::abs(placed.y) > reach)) {
-                diagnostics().report(Severity::Error, features.path, 0,
-                                     "a panel copy lies outside of the coordinate range of ±1.07 m; it was left out");
-                return false;
+    void reportOwnNegatives(std::size_t row, const Document& painted, const std::vector<std::uint8_t>& negatives) {
+        const std::vector<Box> copies = copiesOn(row, false);
+        for (std::size_t i = 0; i < negatives.size() && !copies.empty(); ++i) {
+            const Box box = painted.boxOf(ElementId{i});
+            if (negatives[i] != 0 && std::ranges::any_of(copies, [&](const Box& copy) { return meet(box, copy); })) {
+                return diagnostics().report(
+                    Severity::Warning, m_step.layers[row].features.path, painted.elements.line[i],
+                    "a negative feature reaches over a copy of another step; it takes nothing away from the copy");
             }
         }
-        return true;
     }
 
-    const Box& extentOf(const FeatureFile& file) {
-        const auto [place, isNew] = m_extents.try_emplace(&file);
-        if (isNew) {
-            for (const Feature& feature : file.features) {
-                if (feature.kind == FeatureKind::Surface) {
-                    place->second.include(file.surfaces.shapes[feature.index].box);
-                } else if (feature.kind != FeatureKind::Bad && feature.kind != FeatureKind::Text) {
-                    place->second.include(feature.a);
-                    place->second.include(feature.kind == FeatureKind::Pad ? feature.a : feature.b);
-                }
+    void reportNegativesOfCopies(std::size_t row) {
+        const std::vector<Box> copies = copiesOn(row, true);
+        const Document& own = m_builder.soFar();
+        const ElementRange range = own.layer(m_layers.id(row)).elements;
+        for (std::uint32_t i = range.first; i < range.first + range.count && !copies.empty(); ++i) {
+            const Box box = own.boxOf(ElementId{i});
+            if (std::ranges::any_of(copies, [&](const Box& copy) { return meet(box, copy); })) {
+                return diagnostics().report(Severity::Warning, m_step.layers[row].features.path, own.elements.line[i],
+                                            "a copy of another step with negative features lies over this one; they "
+                                            "take nothing away from it");
             }
         }
-        return place->second;
+    }
+
+    static bool meet(const Box& a, const Box& b) {
+        return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
     }
 
     // ---- profile ----
 
     void setProfile() {
-        const Parsed<FeatureFile>& file = m_steps[0].profile;
+        const Parsed<FeatureFile>& file = m_step.profile;
         std::optional<ShapeSketch> sketch = profileOf(file.value);
+        if (!sketch && !m_isChosen) {
+            return;  // a coupon, say, that lies on the laminate of the step that places it
+        }
         const bool isBelieved = sketch && fitsCopper(*sketch, m_builder.soFar());
         if (!isBelieved) {
             const std::string why = sketch             ? "the profile does not enclose the copper"
                                     : file.isPresent() ? "the profile holds no outline"
                                                        : "the step has no profile";
             sketch = profileFromCopper(m_builder.soFar());
-            diagnostics().report(Severity::Warning, file.isPresent() ? file.path : m_steps[0].folder + "/profile", 0,
+            diagnostics().report(Severity::Warning, file.isPresent() ? file.path : m_step.folder + "/profile", 0,
                                  why + (sketch ? "; the box around all copper is used as the board's outline"
                                                : "; the board has no outline"));
         }
@@ -211,7 +291,7 @@ private:
 
     void addTools() {
         for (const std::size_t row : m_layers.order()) {
-            for (const Tool& tool : toolsOf(row)) {
+            for (const Tool& tool : m_step.layers[row].tools.value) {
                 m_builder.addTool({m_layers.id(row), tool.number, tool.type, tool.finishedSize, tool.drillSize});
             }
         }
@@ -220,24 +300,19 @@ private:
     void addComponents() {
         for (std::size_t row = 0; row < m_matrix.layers.size(); ++row) {
             const LayerSide side = m_builder.layer(m_layers.id(row)).side;
-            for (const PlacedComponent& component : m_steps[0].layers[row].components.value) {
+            for (const PlacedComponent& component : m_step.layers[row].components.value) {
                 addComponent(component, side);
             }
-        }
-        if (m_copies.size() > 1) {
-            diagnostics().report(
-                Severity::Info, m_steps[0].header.path, 0,
-                "the step repeats others: nets are shared by all copies, components of the copies are left out");
         }
     }
 
     void addComponent(const PlacedComponent& source, LayerSide side) {
-        const std::vector<EdaPackage>& packages = m_steps[0].eda.value.packages;
+        const std::vector<EdaPackage>& packages = m_step.eda.value.packages;
         const bool isKnown = source.package >= 0 && static_cast<std::size_t>(source.package) < packages.size();
         const EdaPackage* package = isKnown ? &packages[static_cast<std::size_t>(source.package)] : nullptr;
         std::vector<Pin> pins;
         for (const PlacedPin& pin : source.pins) {
-            pins.push_back({pinName(pin, package), pin.position, m_nets->net(0, pin.net)});
+            pins.push_back({pinName(pin, package), pin.position, m_nets.net(pin.net)});
         }
         Component component;
         component.refdes = source.refdes;
@@ -256,23 +331,64 @@ private:
         return pin.name.empty() && isListed ? package->pins[static_cast<std::size_t>(pin.number)] : pin.name;
     }
 
+    const JobParts& m_parts;
     const Matrix& m_matrix;
-    const Steps& m_steps;
+    const StepData& m_step;
+    bool m_isChosen;  ///< the step the user opened, not one it places
+    const CopyPlan& m_plan;
     DocumentBuilder& m_builder;
-    base::Progress& m_progress;
+    const LayerTable& m_layers;
     SymbolLibrary m_symbols;
-    LayerTable m_layers;
-    std::vector<StepCopy> m_copies;
-    std::optional<NetLinks> m_nets;
-    std::map<const FeatureFile*, Box> m_extents;
-    std::size_t m_built = 0;
+    NetLinks m_nets;
 };
+
+/// The document of a step that others place.
+std::shared_ptr<const Document> buildCopied(const JobParts& parts, std::size_t step, const JobInfo& job) {
+    DocumentBuilder builder;
+    builder.job() = job;
+    builder.job().step = parts.steps[step].name;
+    parts.layers.copyTo(builder, parts.steps[step]);
+    return StepBuilder(parts, step, builder).build() ? builder.finish() : nullptr;
+}
+
+/// Builds what the chosen step places, each step once: those without copies first, then those that hold only these, and
+/// so on; steps of one height side by side.
+bool buildCopies(const JobParts& parts, const JobInfo& job) {
+    for (int height = 0; height < parts.plans[0].height; ++height) {
+        std::vector<std::size_t> rows;
+        for (std::size_t step = 1; step < parts.steps.size(); ++step) {
+            if (parts.plans[step].height == height) {
+                rows.push_back(step);
+            }
+        }
+        base::parallelFor(rows.size(),
+                          [&](std::size_t i) { parts.documents[rows[i]] = buildCopied(parts, rows[i], job); });
+        if (parts.progress.isCancelled()) {
+            return false;
+        }
+    }
+    return true;
+}
 
 }  // namespace
 
 bool buildJob(const JobContext& job, const Steps& steps, std::optional<double> boardNm, DocumentBuilder& builder,
               base::Progress& progress) {
-    return JobBuilder(job, steps, builder, progress).build(boardNm);
+    LayerTable layers(job, steps, builder);
+    layers.add(boardNm);
+    const std::vector<CopyPlan> plans = planCopies(steps, builder.diagnostics());
+    std::vector<std::shared_ptr<const Document>> documents(steps.size());
+    StepProgress stepProgress(progress, steps.size() * layers.order().size());
+    const JobParts parts{job, steps, layers, plans, documents, stepProgress};
+    if (!buildCopies(parts, builder.job()) || !StepBuilder(parts, 0, builder).build()) {
+        return false;
+    }
+    for (const auto& document : documents) {
+        if (document != nullptr) {
+            builder.diagnostics().append(document->diagnostics);
+        }
+    }
+    return true;
 }
 
 }  // namespace model::odb

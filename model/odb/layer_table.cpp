@@ -2,9 +2,19 @@
 
 #include <algorithm>
 
+#include "model/flip.h"
 #include "model/odb/records.h"
 
 namespace model::odb {
+
+namespace {
+
+void describeFeatures(const StepLayer& source, Layer& layer) {
+    layer.file = source.features.path;
+    layer.featureCount = static_cast<std::uint32_t>(source.features.value.features.size());
+}
+
+}  // namespace
 
 LayerTable::LayerTable(const JobContext& job, const Steps& steps, DocumentBuilder& builder)
     : m_job(job),
@@ -17,6 +27,7 @@ void LayerTable::add(std::optional<double> boardNm) {
     addLayers();
     setSpans();
     addStackup(boardNm);
+    setOpposites(m_builder.layers());
 }
 
 void LayerTable::addLayers() {
@@ -29,7 +40,8 @@ void LayerTable::addLayers() {
         layer.context = source.context;
         layer.isNegative = source.isNegative;
         layer.row = source.row;
-        describeFeatures(row, layer);
+        describeFeatures(m_steps[0].layers[row], layer);
+        reportMissing(row);
         m_layerOfRow[row] = m_builder.addLayer(std::move(layer));
     }
     reportEmptyLayers();
@@ -55,30 +67,22 @@ void LayerTable::reportUnread() {
     }
 }
 
-void LayerTable::describeFeatures(std::size_t row, Layer& layer) {
-    for (const StepData& step : m_steps) {
-        const Parsed<FeatureFile>& features = step.layers[row].features;
-        layer.file = layer.file.empty() ? features.path : layer.file;
-        layer.featureCount += static_cast<std::uint32_t>(features.value.features.size());
-    }
-    reportMissing(row, layer);
-}
-
-void LayerTable::reportMissing(std::size_t row, const Layer& layer) {
+void LayerTable::reportMissing(std::size_t row) {
+    const MatrixLayer& layer = m_matrix.layers[row];
     const bool mayBeBare = layer.type == LayerType::Dielectric || layer.type == LayerType::Component;
     if (mayBeBare || isRepeatedName(row)) {
         return;
     }
-    const std::string folder = m_steps[0].folder + "/layers/" + layer.name;
-    const std::uint32_t line = m_matrix.layers[row].line;
-    if (layer.file.empty() && !m_job.tree.hasFolder(folder)) {
+    const auto anyStep = [this](const auto& holds) { return std::ranges::any_of(m_steps, holds); };
+    const std::string folder = "/layers/" + layer.name;
+    if (!anyStep([&](const StepData& step) { return m_job.tree.hasFolder(step.folder + folder); })) {
         diagnostics().report(
-            Severity::Warning, "matrix/matrix", line,
+            Severity::Warning, "matrix/matrix", layer.line,
             "layer " + layer.name + " is in the matrix, but the step has no folder for it; it stays empty");
-    } else if (layer.file.empty()) {
-        diagnostics().report(Severity::Warning, folder, 0,
+    } else if (!anyStep([row](const StepData& step) { return step.layers[row].features.isPresent(); })) {
+        diagnostics().report(Severity::Warning, m_steps[0].folder + folder, 0,
                              "layer " + layer.name + " has no features file; it stays empty");
-    } else if (layer.featureCount == 0) {
+    } else if (!anyStep([row](const StepData& step) { return !step.layers[row].features.value.features.empty(); })) {
         m_emptyLayers += (m_emptyLayers.empty() ? "" : ", ") + layer.name;
     }
 }
@@ -145,28 +149,36 @@ LayerId LayerTable::spanEnd(const std::vector<LayerId>& copper, std::size_t row,
     return otherwise;
 }
 
+/// What the first step that says anything about the layer says.
+ThicknessHint LayerTable::hintOf(std::size_t row) const {
+    const auto isKnown = [](const ThicknessHint& hint) {
+        return hint.copperNm || hint.dielectricNm || hint.dielectricBelowNm;
+    };
+    for (const StepData& step : m_steps) {
+        if (isKnown(step.layers[row].thickness.value)) {
+            return step.layers[row].thickness.value;
+        }
+    }
+    return {};
+}
+
 void LayerTable::addStackup(std::optional<double> boardNm) {
     std::vector<ThicknessHint> hints;
     for (const std::size_t row : m_order) {
-        hints.push_back(m_steps[0].layers[row].thickness.value);
+        hints.push_back(hintOf(row));
     }
     m_builder.setBoardThickness(buildStackup(m_builder.layers(), hints, boardNm, diagnostics()));
 }
 
-std::size_t LayerTable::oppositeRow(std::size_t row) const {
-    const auto count = static_cast<std::size_t>(
-        std::ranges::count_if(m_order, [this](std::size_t r) { return isPhysical(m_matrix.layers[r]); }));
-    const auto place = static_cast<std::size_t>(std::ranges::find(m_order, row) - m_order.begin());
-    if (place >= count) {
-        return row;
+void LayerTable::copyTo(DocumentBuilder& builder, const StepData& step) const {
+    for (const std::size_t row : m_order) {
+        Layer layer = m_builder.soFar().layer(m_layerOfRow[row]);
+        layer.elements = {};
+        layer.counts = {};
+        describeFeatures(step.layers[row], layer);
+        builder.addLayer(std::move(layer));
     }
-    const std::size_t opposite = m_order[count - 1 - place];
-    if (m_matrix.layers[opposite].type != m_matrix.layers[row].type) {
-        diagnostics().report(
-            Severity::Warning, "matrix/matrix", m_matrix.layers[row].line,
-            "layer " + m_matrix.layers[row].name + ": a flipped copy lands on a layer of another type");
-    }
-    return opposite;
+    builder.setBoardThickness(m_builder.soFar().boardThickness);
 }
 
 }  // namespace model::odb

@@ -9,7 +9,8 @@
 
 namespace model::odb {
 
-/// Brings the rows of the matrix into the document: in physical order, with their spans, heights and thicknesses. Rows
+/// Brings the rows of the matrix into the document: in physical order, with their spans, heights and thicknesses. There
+/// is one stack for all steps of a panel: where the first step is silent about a layer, the next one is asked. Rows
 /// without files are reported.
 class LayerTable {
 public:
@@ -21,14 +22,15 @@ public:
     /// Rows of the matrix in document order.
     [[nodiscard]] const std::vector<std::size_t>& order() const { return m_order; }
     [[nodiscard]] LayerId id(std::size_t row) const { return m_layerOfRow[row]; }
-    /// The row in the same place of the stack counted from the bottom. Rows outside of the stack, drills for example,
-    /// stay.
-    [[nodiscard]] std::size_t oppositeRow(std::size_t row) const;
+    /// Row of the matrix for a layer; documents list the rows in `order()`.
+    [[nodiscard]] std::size_t rowOf(LayerId id) const { return m_order[id.row()]; }
+    /// Adds the same layers to the document of another step, which has files of its own.
+    void copyTo(DocumentBuilder& builder, const StepData& step) const;
 
 private:
     void addLayers();
-    void describeFeatures(std::size_t row, Layer& layer);
-    void reportMissing(std::size_t row, const Layer& layer);
+    [[nodiscard]] ThicknessHint hintOf(std::size_t row) const;
+    void reportMissing(std::size_t row);
     void reportEmptyLayers();
     void reportUnread();
     [[nodiscard]] bool isRepeatedName(std::size_t row) const;

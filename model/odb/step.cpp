@@ -12,17 +12,6 @@ namespace model::odb {
 
 namespace {
 
-/// More copies than this are taken for a broken file.
-constexpr std::size_t kMaxCopies = 100'000;
-/// Panels nest two or three deep; more is a broken file.
-constexpr int kMaxDepth = 8;
-
-std::size_t findStep(const Steps& steps, std::string_view name) {
-    const auto place =
-        std::ranges::find_if(steps, [name](const StepData& s) { return equalsIgnoringCase(s.name, name); });
-    return static_cast<std::size_t>(place - steps.begin());
-}
-
 void readHeader(const JobContext& job, StepData& step) {
     Parsed<StepHeader>& header = step.header;
     if (const auto file = job.tree.read(step.folder + "/stephdr", header.diagnostics)) {
@@ -32,6 +21,12 @@ void readHeader(const JobContext& job, StepData& step) {
 }
 
 }  // namespace
+
+std::size_t findStep(const Steps& steps, std::string_view name) {
+    const auto place =
+        std::ranges::find_if(steps, [name](const StepData& s) { return equalsIgnoringCase(s.name, name); });
+    return static_cast<std::size_t>(place - steps.begin());
+}
 
 Steps collectSteps(const JobContext& job, const std::string& name, Diagnostics& diagnostics) {
     Steps steps;
@@ -192,72 +187,6 @@ bool readSteps(const JobContext& job, Steps& steps, base::Progress& progress) {
         tasks.addStep(step);
     }
     return tasks.run(progress);
-}
-
-namespace {
-
-class CopyUnfolder {
-public:
-    CopyUnfolder(const Steps& steps, Diagnostics& diagnostics) : m_steps(steps), m_diagnostics(diagnostics) {}
-
-    std::vector<StepCopy> unfold() {
-        add({0, {}, false}, 0);
-        return std::move(m_copies);
-    }
-
-private:
-    void add(const StepCopy& copy, int depth) {
-        m_copies.push_back(copy);
-        m_chain.push_back(copy.step);
-        for (const StepRepeat& repeat : m_steps[copy.step].header.value.repeats) {
-            const std::size_t child = findStep(m_steps, repeat.step);
-            if (child == m_steps.size()) {
-                continue;  // reported when the steps were collected
-            }
-            if (std::ranges::find(m_chain, child) != m_chain.end() || depth >= kMaxDepth) {
-                report(copy.step, repeat, "the step contains itself or nests too deep; its copies are missing");
-                continue;
-            }
-            addBlock(copy, repeat, child, depth);
-        }
-        m_chain.pop_back();
-    }
-
-    void addBlock(const StepCopy& parent, const StepRepeat& repeat, std::size_t child, int depth) {
-        for (int row = 0; row < repeat.rows; ++row) {
-            for (int column = 0; column < repeat.columns; ++column) {
-                if (m_copies.size() >= kMaxCopies) {
-                    return report(parent.step, repeat, "the step has too many copies; the rest is missing");
-                }
-                const Point place = {repeat.first.x + column * repeat.pitch.x, repeat.first.y + row * repeat.pitch.y};
-                const Placement inside = onDatum(place, repeat, m_steps[child].header.value.datum);
-                add({child, parent.placement.after(inside), parent.isFlipped != repeat.isFlipped}, depth + 1);
-            }
-        }
-    }
-
-    /// The placement that turns the child around its datum and lays the datum on `place`.
-    static Placement onDatum(Point place, const StepRepeat& repeat, Point datum) {
-        Placement placement{{}, repeat.clockwiseDeg, repeat.isMirrored};
-        const Point moved = placement.apply(datum);
-        placement.origin = {place.x - moved.x, place.y - moved.y};
-        return placement;
-    }
-
-    void report(std::size_t step, const StepRepeat& repeat, std::string_view text) {
-        m_diagnostics.report(Severity::Error, m_steps[step].header.path, repeat.line, text);
-    }
-
-    const Steps& m_steps;
-    Diagnostics& m_diagnostics;
-    std::vector<StepCopy> m_copies;
-    std::vector<std::size_t> m_chain;
-};
-
-}  // namespace
-
-std::vector<StepCopy> unfoldCopies(const Steps& steps, Diagnostics& diagnostics) {
-    return CopyUnfolder(steps, diagnostics).unfold();
 }
 
 }  // namespace model::odb

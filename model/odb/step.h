@@ -46,6 +46,9 @@ struct StepData {
 /// The chosen step, first, and all steps its STEP-REPEAT blocks bring in.
 using Steps = std::vector<StepData>;
 
+/// Row of the step of that name (case does not matter); the number of steps if there is none.
+[[nodiscard]] std::size_t findStep(const Steps& steps, std::string_view name);
+
 /// What every parser needs to know about the job.
 struct JobContext {
     const JobTree& tree;
@@ -59,15 +62,5 @@ struct JobContext {
 
 /// Parses all files of the steps, in parallel. False when cancelled.
 [[nodiscard]] bool readSteps(const JobContext& job, Steps& steps, base::Progress& progress);
-
-/// One copy of a step on the board.
-struct StepCopy {
-    std::size_t step = 0;  ///< row of Steps
-    Placement placement;
-    bool isFlipped = false;
-};
-
-/// The chosen step itself, then all copies, nested ones unfolded, in the order of the blocks, row by row.
-[[nodiscard]] std::vector<StepCopy> unfoldCopies(const Steps& steps, Diagnostics& diagnostics);
 
 }  // namespace model::odb

@@ -189,10 +189,13 @@ private slots:
         }
         const auto card = read(kBoards / "ninevoltz_panel.tgz", "pcb1");
         const auto panel = read(kBoards / "ninevoltz_panel.tgz", "panel");
-        const auto holes = [](const Document& d) { return d.layer(d.findLayer("drill")).counts[2]; };
-        const auto own = holes(*panel) - 3 * holes(*card);
-        QVERIFY(own <= 16);  // the panel's own tooling holes
-        QCOMPARE(panel->nets.size(), card->nets.size());
+        const auto holes = [](const Document& d) { return d.layer(d.findLayer("drill")).countsWithCopies[2]; };
+        QCOMPARE(panel->instances.size(), std::size_t{3});
+        QVERIFY(holes(*panel) - 3 * holes(*card) <= 16);  // the panel's own tooling holes
+        QCOMPARE(panel->steps.size(), std::size_t{1});
+        QCOMPARE(panel->steps[0]->nets.size(), card->nets.size());
+        QCOMPARE(panel->steps[0]->components.size(), card->components.size());
+        QCOMPARE(panel->steps[0]->elements.size(), card->elements.size());
     }
 
 private:

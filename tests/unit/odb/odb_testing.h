@@ -163,9 +163,12 @@ inline std::vector<Member> membersOf(const fs::path& folder, const std::string& 
     return members;
 }
 
-/// Everything a document says, as text that can be compared.
+/// Everything a document says, the steps it places included, as text that can be compared.
 inline std::string fingerprint(const model::Document& d) {
     std::string text;
+    for (const auto& step : d.steps) {
+        text += fingerprint(*step);
+    }
     const auto put = [&text](auto... values) { ((text += std::to_string(values) + ' '), ...); };
     const auto point = [&put](model::Point p) { put(p.x, p.y); };
     for (const model::Layer& layer : d.layers) {
@@ -195,6 +198,10 @@ inline std::string fingerprint(const model::Document& d) {
     for (const model::AreaGeometry& area : d.areas) {
         point(area.placement.origin);
         put(area.shape.value, area.placement.clockwiseDeg, int{area.placement.isMirrored});
+    }
+    for (const model::StepInstance& copy : d.instances) {
+        point(copy.placement.origin);
+        put(copy.step, copy.placement.clockwiseDeg, int{copy.placement.isMirrored}, int{copy.isFlipped});
     }
     for (const model::Net& net : d.nets) {
         text += net.name + ' ';

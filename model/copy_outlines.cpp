@@ -1,0 +1,61 @@
+#include "model/copy_outlines.h"
+
+#include "model/geometry/boolean.h"
+
+namespace model {
+
+namespace {
+
+/// A mirror turns loops round; adding them anew winds them as they must.
+PolygonSet placed(const PolygonSet& polygons, const Placement& placement) {
+    PolygonSet result;
+    std::vector<Point> points;
+    for (const PolygonSet::Polygon& polygon : polygons.polygons) {
+        result.beginPolygon();
+        for (std::uint32_t i = 0; i < polygon.loopCount; ++i) {
+            points.clear();
+            for (const Point& point : polygons.loop(polygon.firstLoop + i)) {
+                points.push_back(placement.apply(point));
+            }
+            result.addLoop(points);
+        }
+    }
+    return result;
+}
+
+/// What copies of one step take away, in that step's coordinates.
+PolygonSet takenBy(const Document& step, const Discretisation& how) {
+    if (step.profile.isValid()) {
+        return discretise(step.shapes, step.profile, how);
+    }
+    PolygonSet taken;
+    for (std::size_t row = 0; row < step.elements.size(); ++row) {
+        if ((step.elements.flags[row] & kHole) != 0) {
+            taken.append(discretise(step, ElementId{row}, how));
+        }
+    }
+    return taken;
+}
+
+PolygonSet takenByCopies(const Document& document, const Discretisation& how) {
+    std::vector<PolygonSet> ofStep;
+    for (const auto& step : document.steps) {
+        ofStep.push_back(takenBy(*step, how));
+        if (!step->profile.isValid()) {
+            ofStep.back().append(takenByCopies(*step, how));
+        }
+    }
+    PolygonSet taken;
+    for (const StepInstance& instance : document.instances) {
+        taken.append(placed(ofStep[instance.step], instance.placement));
+    }
+    return taken;
+}
+
+}  // namespace
+
+PolygonSet withoutCopies(const Document& document, const PolygonSet& region, const Discretisation& how) {
+    return document.instances.empty() ? region : subtract(region, takenByCopies(document, how));
+}
+
+}  // namespace model
