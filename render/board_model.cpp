@@ -18,31 +18,6 @@ using model::Layer;
 
 namespace {
 
-model::Point centreOf(const model::Box& box) {
-    if (box.isEmpty()) {
-        return {};
-    }
-    return {static_cast<model::Nm>(box.min.x + box.width() / 2), static_cast<model::Nm>(box.min.y + box.height() / 2)};
-}
-
-void setHeights(const Document& document, BoardModel& out) {
-    float low = 0.0F;
-    float high = static_cast<float>(base::toMm(document.boardThickness));
-    for (const Layer& layer : document.layers) {
-        out.layerBottomMm.push_back(static_cast<float>(base::toMm(layer.z)));
-        out.layerTopMm.push_back(static_cast<float>(base::toMm(double(layer.z) + layer.thickness)));
-        if (layer.isCopper() || layer.type == model::LayerType::Body) {
-            low = std::min(low, out.layerBottomMm.back());
-            high = std::max(high, out.layerTopMm.back());
-        }
-    }
-    const model::Box& box = document.board.isEmpty() ? document.extent : document.board;
-    if (!box.isEmpty()) {
-        out.boxMin = {toGpu(base::toDouble(box.min), out.origin), low};
-        out.boxMax = {toGpu(base::toDouble(box.max), out.origin), high};
-    }
-}
-
 void joinLets(const Document& document, std::vector<LayerLets>& perLayer, BoardModel& out) {
     for (std::size_t row = 0; row < perLayer.size(); ++row) {
         LayerLets& layer = perLayer[row];
@@ -238,8 +213,7 @@ base::Result<BoardModel> buildBoardModel(const Document& document, const model::
     BoardModel out;
     progress.beginPhase("Modelling traces and pads");
     base::Stopwatch watch;
-    out.origin = centreOf(document.board.isEmpty() ? document.extent : document.board);
-    setHeights(document, out);
+    static_cast<BoardFrame&>(out) = frameOf(document);
     makeAllLets(document, how, out);
     const std::vector<model::ShapeId> used = shapesInUse(document);
     makeInstances(document, used, out);

@@ -7,6 +7,7 @@
 #include "model/base/result.h"
 #include "model/document.h"
 #include "model/geometry/discretise.h"
+#include "render/board_frame.h"
 #include "shaders/shared/board.h"
 
 namespace render {
@@ -35,8 +36,7 @@ struct ModelTimes {
 /// What a document becomes before it goes to the GPU, as plain arrays (paper: "hybrid pipeline"): lets for lines, arcs,
 /// circles and trails, triangles for areas. Lengths in mm relative to `origin`. Everything is sorted by layer, so that
 /// a layer is a run.
-struct BoardModel {
-    model::Point origin;  ///< nm, the centre of the board
+struct BoardModel : BoardFrame {
     std::vector<shader::Let> lets;
     std::vector<shader::Cluster> clusters;  ///< never straddle a layer
     std::vector<LayerRun> clustersOfLayer;
@@ -48,11 +48,6 @@ struct BoardModel {
     std::vector<shader::AreaInstance> instances;
     std::vector<AreaBatch> areaBatches;
     std::vector<LayerRun> areaBatchesOfLayer;
-
-    std::vector<float> layerBottomMm;  ///< z0 and z1 per layer, before explosion
-    std::vector<float> layerTopMm;
-    glm::vec3 boxMin{0.0F};  ///< of the board, mm
-    glm::vec3 boxMax{0.0F};
 
     std::uint64_t trianglesPaperRule =
         0;  ///< triangles the standard pipeline would store for this board (triangulation-facts §1.3)

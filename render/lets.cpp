@@ -6,6 +6,7 @@
 
 #include "model/base/assert.h"
 #include "model/geometry/discretise.h"
+#include "render/board_frame.h"
 
 namespace render {
 
@@ -13,11 +14,6 @@ using model::ElementKind;
 using model::Nm;
 using model::PathNode;
 using model::Point;
-
-glm::vec2 toGpu(model::PointD point, Point origin) {
-    return {static_cast<float>((point.x - origin.x) / base::kNmPerMm),
-            static_cast<float>((point.y - origin.y) / base::kNmPerMm)};
-}
 
 namespace {
 

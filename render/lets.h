@@ -23,7 +23,4 @@ struct LayerLets {
 [[nodiscard]] LayerLets makeLets(const model::Document& document, model::LayerId layer, model::Point origin,
                                  double chordToleranceNm);
 
-/// Position in mm from `origin`.
-[[nodiscard]] glm::vec2 toGpu(model::PointD point, model::Point origin);
-
 }  // namespace render

@@ -1,0 +1,48 @@
+#include "render/board_frame.h"
+
+#include <algorithm>
+
+namespace render {
+
+namespace {
+
+void setHeights(const model::Document& document, BoardFrame& out) {
+    float low = 0.0F;
+    float high = static_cast<float>(base::toMm(document.boardThickness));
+    for (const model::Layer& layer : document.layers) {
+        out.layerBottomMm.push_back(static_cast<float>(base::toMm(layer.z)));
+        out.layerTopMm.push_back(static_cast<float>(base::toMm(double(layer.z) + layer.thickness)));
+        if (layer.isCopper() || layer.type == model::LayerType::Body) {
+            low = std::min(low, out.layerBottomMm.back());
+            high = std::max(high, out.layerTopMm.back());
+        }
+    }
+    const model::Box& box = document.board.isEmpty() ? document.extent : document.board;
+    if (!box.isEmpty()) {
+        out.boxMin = {toGpu(base::toDouble(box.min), out.origin), low};
+        out.boxMax = {toGpu(base::toDouble(box.max), out.origin), high};
+    }
+}
+
+}  // namespace
+
+glm::vec2 toGpu(model::PointD point, model::Point origin) {
+    return {static_cast<float>((point.x - origin.x) / base::kNmPerMm),
+            static_cast<float>((point.y - origin.y) / base::kNmPerMm)};
+}
+
+model::Point centreOf(const model::Box& box) {
+    if (box.isEmpty()) {
+        return {};
+    }
+    return {static_cast<model::Nm>(box.min.x + box.width() / 2), static_cast<model::Nm>(box.min.y + box.height() / 2)};
+}
+
+BoardFrame frameOf(const model::Document& document) {
+    BoardFrame frame;
+    frame.origin = centreOf(document.board.isEmpty() ? document.extent : document.board);
+    setHeights(document, frame);
+    return frame;
+}
+
+}  // namespace render

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "model/document.h"
+
+namespace render {
+
+/// Where a document lies in the renderer's coordinates, which are millimetres relative to `origin`. The same for both
+/// pipelines.
+struct BoardFrame {
+    model::Point origin;               ///< nm, the centre of the board
+    std::vector<float> layerBottomMm;  ///< z0 and z1 per layer, before explosion
+    std::vector<float> layerTopMm;
+    glm::vec3 boxMin{0.0F};  ///< of the board, mm
+    glm::vec3 boxMax{0.0F};
+};
+
+[[nodiscard]] BoardFrame frameOf(const model::Document& document);
+
+/// The middle of a box; 0,0 of an empty one.
+[[nodiscard]] model::Point centreOf(const model::Box& box);
+
+/// Position in mm from `origin`.
+[[nodiscard]] glm::vec2 toGpu(model::PointD point, model::Point origin);
+
+}  // namespace render
