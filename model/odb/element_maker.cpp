@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "model/odb/barcode.h"
 #include "model/odb/outlines.h"
 #include "model/odb/region.h"
 #include "model/odb/swept_strokes.h"
@@ -47,7 +48,13 @@ void ElementMaker::add(const FeatureSource& source, const HoleRules* holes) {
                 surface(i);
                 break;
             case FeatureKind::Text:
+                flush();
+                text(i);
+                break;
             case FeatureKind::Barcode:
+                flush();
+                barcode(i);
+                break;
             case FeatureKind::Bad: flush(); break;  // reported by the parser
         }
     }
@@ -80,7 +87,8 @@ DocumentBuilder::Origin ElementMaker::originOf(std::size_t feature) const {
     const Feature& f = m_source.file->features[feature];
     DocumentBuilder::Origin origin;
     origin.net = netOf(feature);
-    origin.symbol = f.kind == FeatureKind::Surface ? SymbolId{} : m_resolved[f.index].id;
+    const bool hasSymbol = f.kind == FeatureKind::Line || f.kind == FeatureKind::Arc || f.kind == FeatureKind::Pad;
+    origin.symbol = hasSymbol ? m_resolved[f.index].id : SymbolId{};
     origin.feature = static_cast<std::uint32_t>(feature);
     origin.line = f.line;
     origin.flags = m_holes != nullptr ? kHole : 0;
@@ -147,11 +155,15 @@ void ElementMaker::roundStroke(std::size_t feature, Nm width) {
     PathNode start = startOf(feature);
     start = m_isMoved ? placed(start, m_source.placement) : start;
     const PathNode end{at(m_source.file->features[feature].b), {}, EdgeKind::Line};
+    extend(feature, start, end, width, continues(feature, start));
+}
+
+void ElementMaker::extend(std::size_t feature, const PathNode& start, const PathNode& end, Nm width, bool isJoined) {
     if (start.point == end.point) {  // a dot or a full circle
         flush();
         return addSingleStroke(feature, std::array{start, end}, width);
     }
-    if (!continues(feature, start)) {
+    if (!isJoined) {
         flush();
         m_pending.feature = feature;
         m_pending.width = width;
@@ -228,11 +240,8 @@ void ElementMaker::sweptStroke(std::size_t feature, Resolved& pen) {
 // ---- pads and surfaces ----
 
 void ElementMaker::pad(std::size_t feature) {
-    const Feature& f = m_source.file->features[feature];
     Resolved& symbol = resolve(feature);
-    Placement placement{f.a, f.clockwiseDeg, f.isMirrored};
-    placement = m_isMoved ? m_source.placement.after(placement) : placement;
-    placement.clockwiseDeg = normalisedDeg(placement.clockwiseDeg);
+    const Placement placement = placementOf(feature);
     switch (symbol.shape->kind) {
         case SymbolShape::Kind::Nothing: return;
         case SymbolShape::Kind::Round:
@@ -241,6 +250,14 @@ void ElementMaker::pad(std::size_t feature) {
         case SymbolShape::Kind::Region: break;
     }
     addArea(feature, regionOf(*symbol.shape), placement, kPad);
+}
+
+Placement ElementMaker::placementOf(std::size_t feature) const {
+    const Feature& f = m_source.file->features[feature];
+    Placement placement{f.a, f.clockwiseDeg, f.isMirrored};
+    placement = m_isMoved ? m_source.placement.after(placement) : placement;
+    placement.clockwiseDeg = normalisedDeg(placement.clockwiseDeg);
+    return placement;
 }
 
 ShapeId ElementMaker::regionOf(const SymbolShape& shape) {
@@ -285,6 +302,68 @@ void ElementMaker::surface(std::size_t feature) {
     Placement placement = m_source.placement;
     placement.clockwiseDeg = normalisedDeg(placement.clockwiseDeg);
     addArea(feature, shape, placement, 0);
+}
+
+// ---- texts and barcodes ----
+
+void ElementMaker::text(std::size_t feature) {
+    const Feature& f = m_source.file->features[feature];
+    const TextRecord& record = m_source.file->texts[f.index];
+    const TextLayout layout = layOut(record, m_symbols.fonts().font(record.font, m_source.path, f.line));
+    if (!layout.problem.empty()) {
+        report(Severity::Warning, feature, layout.problem);
+    }
+    addStrokes(feature, layout.strokes);
+}
+
+void ElementMaker::barcode(std::size_t feature) {
+    const Feature& f = m_source.file->features[feature];
+    const BarcodeRecord& record = m_source.file->barcodes[f.index];
+    if (record.elementWidth <= 0 || record.height <= 0) {
+        return report(Severity::Warning, feature, "a barcode without a size draws nothing");
+    }
+    const Font& font = record.hasString ? m_symbols.fonts().font(record.font, m_source.path, f.line) : standInFont();
+    const BarcodeLayout layout = layOut(record, font);
+    if (!layout.problem.empty()) {
+        report(Severity::Warning, feature, layout.problem);
+    }
+    if (record.hasString) {
+        report(Severity::Info, feature, "a barcode does not say how large its text is; taken as 1.5 mm");
+    }
+    if (!layout.bars.isEmpty()) {
+        addArea(feature, m_builder.addShape(layout.bars), placementOf(feature), 0);
+    }
+    addStrokes(feature, layout.string);
+}
+
+void ElementMaker::addStrokes(std::size_t feature, std::span<const TextStroke> strokes) {
+    const Placement placement = placementOf(feature);
+    for (const TextStroke& stroke : strokes) {
+        if (stroke.isSquare) {
+            flush();
+            squareTextStroke(feature, stroke, placement);
+            continue;
+        }
+        const PathNode start{rounded(placement.apply(stroke.a)), {}, EdgeKind::Line};
+        const PathNode end{rounded(placement.apply(stroke.b)), {}, EdgeKind::Line};
+        const bool isJoined =
+            !m_pending.nodes.empty() && m_pending.nodes.back().point == start.point && m_pending.width == stroke.width;
+        extend(feature, start, end, stroke.width, isJoined);
+    }
+    flush();
+}
+
+void ElementMaker::squareTextStroke(std::size_t feature, const TextStroke& stroke, const Placement& placement) {
+    if (isQuarterTurn(placement)) {
+        const LineGeometry line{rounded(placement.apply(stroke.a)), rounded(placement.apply(stroke.b)), stroke.width,
+                                0};
+        return addLine(feature, line, kSquarePen);
+    }
+    ShapeSketch pen;
+    addBox(pen, stroke.width, stroke.width, false);
+    const ShapeSketch swept =
+        sketchOf(sweep(polygonsOf(pen), {rounded(stroke.a), {}, EdgeKind::Line}, rounded(stroke.b)));
+    addArea(feature, m_builder.addShape(swept), placement, 0);
 }
 
 void ElementMaker::addArea(std::size_t feature, ShapeId shape, const Placement& placement, std::uint8_t flags) {

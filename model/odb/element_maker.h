@@ -10,6 +10,7 @@
 #include "model/geometry/discretise.h"
 #include "model/odb/holes.h"
 #include "model/odb/symbols.h"
+#include "model/odb/text_layout.h"
 
 namespace model::odb {
 
@@ -26,7 +27,7 @@ struct FeatureSource {
 ///   one before ended, are one Trail. Zero-length lines (dots) and full circles stay alone. Straight strokes with a
 ///   square pen: Line with kSquarePen; all other pens: what they sweep, as an Area (swept_strokes.h).
 /// - P: Circle for discs and rings, Line for ovals, Area with a shared shape for all others.
-/// - S: Area. T and B are not drawn.
+/// - S: Area. T: the strokes of its characters, as lines and trails. B: its bars as one Area, its text as strokes.
 /// With hole rules every element is a hole. Elements come in the order of their features; polarity is kept beside them.
 class ElementMaker {
 public:
@@ -60,6 +61,7 @@ private:
     void stroke(std::size_t feature);
     [[nodiscard]] PathNode startOf(std::size_t feature);
     void roundStroke(std::size_t feature, Nm width);
+    void extend(std::size_t feature, const PathNode& start, const PathNode& end, Nm width, bool isJoined);
     [[nodiscard]] bool continues(std::size_t feature, const PathNode& start) const;
     void flush();
     void addSingleStroke(std::size_t feature, std::span<const PathNode> nodes, Nm width);
@@ -72,6 +74,11 @@ private:
     void discPad(std::size_t feature, const SymbolShape& shape);
     void ovalPad(std::size_t feature, const SymbolShape& shape, const Placement& placement);
     void surface(std::size_t feature);
+    void text(std::size_t feature);
+    void barcode(std::size_t feature);
+    void addStrokes(std::size_t feature, std::span<const TextStroke> strokes);
+    void squareTextStroke(std::size_t feature, const TextStroke& stroke, const Placement& placement);
+    [[nodiscard]] Placement placementOf(std::size_t feature) const;
     void addArea(std::size_t feature, ShapeId shape, const Placement& placement, std::uint8_t flags);
     void note(std::size_t feature) { m_negatives.push_back(m_source.file->features[feature].isNegative ? 1 : 0); }
     void report(Severity severity, std::size_t feature, std::string_view text);

@@ -12,23 +12,6 @@ namespace {
 /// Numbers in `$n` and `@n` lines may skip, but a table of a million is no table.
 constexpr std::int32_t kMaxTableNumber = 1'000'000;
 
-/// How a pad lies: the orientation field, with the angle that follows codes 8 and 9 (odb-notes, Features).
-struct Orientation {
-    double clockwiseDeg = 0.0;
-    bool isMirrored = false;
-};
-
-Orientation readOrientation(Fields& fields) {
-    if (fields.atEnd()) {
-        return {};  // old writers leave it away
-    }
-    const std::int32_t code = fields.integer();
-    if (code == 8 || code == 9) {
-        return {fields.real(), code == 9};
-    }
-    return {static_cast<double>(code & 3) * 90.0, (code & 4) != 0};
-}
-
 class FeatureParser {
 public:
     FeatureParser(std::string_view path, Unit defaultUnit, Diagnostics& diagnostics)
@@ -62,8 +45,8 @@ private:
             case 'A': return isShort ? strokeRecord(line, FeatureKind::Arc) : otherRecord(line);
             case 'P': return isShort ? padRecord(line) : otherRecord(line);
             case 'S': return isShort ? beginSurface(line) : otherRecord(line);
-            case 'T': return isShort ? skippedRecord(FeatureKind::Text) : otherRecord(line);
-            case 'B': return isShort ? skippedRecord(FeatureKind::Barcode) : otherRecord(line);
+            case 'T': return isShort ? textRecord(line) : otherRecord(line);
+            case 'B': return isShort ? barcodeRecord(line) : otherRecord(line);
             case 'F': return countRecord(line);
             case 'U': return unitRecord(line);
             default: return otherRecord(line);
@@ -232,13 +215,41 @@ private:
         return static_cast<std::uint32_t>(m_file.symbols.size() - 1);
     }
 
-    void skippedRecord(FeatureKind kind) {
-        report(Severity::Warning,
-               kind == FeatureKind::Text ? "text records are not drawn" : "barcode records are not drawn");
+    void textRecord(std::string_view line) {
+        Fields fields(line.substr(1));
+        Feature feature = placedRecord(fields, FeatureKind::Text);
+        const std::string_view font = fields.word();
+        const bool isValid = polarityAndOrientation(fields, feature);
+        feature.index = static_cast<std::uint32_t>(m_file.texts.size());
+        m_file.texts.push_back(readText(fields, m_nm, font));
+        addFeature(feature, isValid && !fields.failed());
+    }
+
+    void barcodeRecord(std::string_view line) {
+        Fields fields(line.substr(1));
+        Feature feature = placedRecord(fields, FeatureKind::Barcode);
+        const std::string_view code = fields.word();
+        const std::string_view font = fields.word();
+        const bool isValid = polarityAndOrientation(fields, feature);
+        feature.index = static_cast<std::uint32_t>(m_file.barcodes.size());
+        m_file.barcodes.push_back(readBarcode(fields, m_nm, code, font));
+        addFeature(feature, isValid && !fields.failed());
+    }
+
+    Feature placedRecord(Fields& fields, FeatureKind kind) const {
         Feature feature;
         feature.kind = kind;
-        feature.line = m_line;
-        m_file.features.push_back(feature);
+        feature.a = feature.b = fields.point(m_nm);
+        return feature;
+    }
+
+    static bool polarityAndOrientation(Fields& fields, Feature& feature) {
+        bool isValid = false;
+        feature.isNegative = readNegative(fields, isValid);
+        const Orientation orientation = readOrientation(fields);
+        feature.clockwiseDeg = orientation.clockwiseDeg;
+        feature.isMirrored = orientation.isMirrored;
+        return isValid;
     }
 
     void beginSurface(std::string_view line) {

@@ -7,6 +7,7 @@
 
 #include "model/document.h"
 #include "model/odb/lengths.h"
+#include "model/odb/text_records.h"
 #include "model/shapes.h"
 
 namespace model::odb {
@@ -16,9 +17,9 @@ enum class FeatureKind : std::uint8_t {
     Arc,
     Pad,
     Surface,
-    Text,     ///< counted and reported, not drawn
-    Barcode,  ///< counted and reported, not drawn
-    Bad       ///< a record that cannot be read; it still has an ordinal
+    Text,
+    Barcode,
+    Bad  ///< a record that cannot be read; it still has an ordinal
 };
 
 /// A symbol as a features file refers to it. The same name in another unit, or resized, is another shape.
@@ -34,14 +35,14 @@ struct Feature {
     FeatureKind kind = FeatureKind::Bad;
     bool isNegative = false;
     bool isClockwise = false;   ///< arcs
-    bool isMirrored = false;    ///< pads
+    bool isMirrored = false;    ///< pads, texts, barcodes
     std::int8_t drill = -1;     ///< value of attribute .drill: 0 plated, 1 not plated, 2 via; -1 absent
-    std::uint32_t index = 0;    ///< row of `symbols`, or of `surfaces` for surfaces
+    std::uint32_t index = 0;    ///< row of `symbols`; of `surfaces`, `texts`, `barcodes` for these
     std::uint32_t line = 0;     ///< 1-based
-    Point a;                    ///< start, or place of a pad
+    Point a;                    ///< start, or place of a pad, text or barcode
     Point b;                    ///< end of a line or arc
     Point centre;               ///< of an arc
-    double clockwiseDeg = 0.0;  ///< pads
+    double clockwiseDeg = 0.0;  ///< pads, texts, barcodes
 };
 
 /// A `features` or `profile` file, numbers in nanometres, nothing resolved yet.
@@ -50,6 +51,8 @@ struct FeatureFile {
     std::vector<SymbolRef> symbols;
     std::vector<Feature> features;
     ShapeTable surfaces;  ///< one shape per S record, in the file's order
+    std::vector<TextRecord> texts;
+    std::vector<BarcodeRecord> barcodes;
     bool hasNegatives = false;
 };
 

@@ -169,6 +169,27 @@ double Fields::real() {
     return value.value_or(0.0);
 }
 
+std::string_view Fields::quoted() {
+    skipBlanks();
+    if (m_at == m_end || *m_at != '\'') {
+        m_failed = true;
+        return {};
+    }
+    const char* const start = ++m_at;
+    for (const char* at = start; at != m_end; ++at) {
+        const char* behind = at + 1;
+        while (*at == '\'' && behind != m_end && (isBlank(*behind) || isDigit(*behind))) {
+            ++behind;
+        }
+        if (*at == '\'' && (behind == m_end || *behind == ';')) {
+            m_at = at + 1;
+            return {start, static_cast<std::size_t>(at - start)};
+        }
+    }
+    m_failed = true;
+    return {};
+}
+
 std::string_view Fields::tail() const {
     const auto* found = static_cast<const char*>(std::memchr(m_at, ';', static_cast<std::size_t>(m_end - m_at)));
     return found == nullptr ? std::string_view()

@@ -47,6 +47,10 @@ public:
     std::int32_t integer();
     double real();
 
+    /// A text in single quotes, which may hold quotes and `;` itself: it ends at the first quote behind which only a
+    /// number, attributes or nothing follow.
+    std::string_view quoted();
+
     [[nodiscard]] bool failed() const { return m_failed; }
     [[nodiscard]] bool atEnd();
     /// Everything from here to the end of the line, the part after `;` included.

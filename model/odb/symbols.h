@@ -3,6 +3,7 @@
 #include <map>
 #include <string>
 
+#include "model/odb/font.h"
 #include "model/odb/job_tree.h"
 #include "model/odb/standard_symbols.h"
 
@@ -15,11 +16,14 @@ namespace model::odb {
 class SymbolLibrary {
 public:
     SymbolLibrary(const JobTree& job, Unit defaultUnit, Diagnostics& diagnostics)
-        : m_job(job), m_defaultUnit(defaultUnit), m_diagnostics(diagnostics) {}
+        : m_job(job), m_defaultUnit(defaultUnit), m_diagnostics(diagnostics), m_fonts(job, diagnostics) {}
 
     /// The shape; stays where it is as long as the library. A symbol that cannot be drawn as asked says so in
     /// `problem`.
     const SymbolShape& shape(const SymbolRef& symbol);
+
+    /// The fonts of the job's texts.
+    [[nodiscard]] FontLibrary& fonts() { return m_fonts; }
 
     /// Reports the symbol's problem as one entry for the whole job, counted per feature and placed where it was met
     /// first.
@@ -36,6 +40,7 @@ private:
     const JobTree& m_job;
     Unit m_defaultUnit;
     Diagnostics& m_diagnostics;
+    FontLibrary m_fonts;
     std::map<SymbolRef, SymbolShape> m_shapes;
     std::map<std::string, Place> m_firstProblem;
 };

@@ -110,10 +110,35 @@ private slots:
         }
     }
 
+    void textsAndBarcodesAreReadInFull() {
+        const Result result = parse(
+            "UNITS=INCH\nT 1 2 standard N 9 30 0.1 0.2 0.5 'It's; 100' 1;0=1;ID=5\n"
+            "B 1 2 UPC39 standard P 2 E 0.008 0.2 Y N Y Y B 'a'b';0\nT 0 0 standard P 0 0.1 0.2 0.5 'open\n");
+        QCOMPARE(result.file.features.size(), std::size_t{3});
+        const auto& text = result.file.features[0];
+        QCOMPARE(text.kind, FeatureKind::Text);
+        QVERIFY(text.isNegative && text.isMirrored);
+        QCOMPARE(text.clockwiseDeg, 30.0);
+        QCOMPARE(text.a, (Point{25'400'000, 50'800'000}));
+        QCOMPARE(result.file.texts[0].text, std::string("It's; 100"));
+        QCOMPARE(result.file.texts[0].xSize, 2'540'000);
+        QCOMPARE(result.file.texts[0].ySize, 5'080'000);
+        QCOMPARE(result.file.texts[0].widthFactor, 0.5);
+        const auto& barcode = result.file.barcodes[0];
+        QCOMPARE(result.file.features[1].clockwiseDeg, 180.0);
+        QCOMPARE(barcode.code, std::string("UPC39"));
+        QCOMPARE(barcode.text, std::string("a'b"));
+        QCOMPARE(barcode.elementWidth, 203'200);
+        QCOMPARE(barcode.height, 5'080'000);
+        QVERIFY(barcode.isFullAscii && !barcode.hasChecksum && barcode.isInverted && barcode.hasString);
+        QVERIFY(!barcode.isStringAbove);
+        QCOMPARE(result.file.features[2].kind, FeatureKind::Bad);
+    }
+
     void ordinalsCountEveryRecordOnce() {
         const Result result = parse(
             "$0 r1\nL 0 0 1 1 0 P 0\nT 0 0 standard P 0 1 1 1 'S P 0' 1\nS P 0\nOB 0 0 I\nOS 1 0\nOS 1 1\nOE\nSE\n"
-            "B 0 0 UPC39 standard P 0 E 1 1 N Y Y T 'x'\nL 0 0 x 1 0 P 0\nP 5 5 0 N 0 0\n");
+            "B 0 0 UPC39 standard P 0 E 1 1 N Y N Y T 'x'\nL 0 0 x 1 0 P 0\nP 5 5 0 N 0 0\n");
         const std::vector<FeatureKind> expected = {FeatureKind::Line,    FeatureKind::Text, FeatureKind::Surface,
                                                    FeatureKind::Barcode, FeatureKind::Bad,  FeatureKind::Pad};
         QCOMPARE(result.file.features.size(), expected.size());

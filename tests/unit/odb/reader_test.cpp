@@ -110,7 +110,7 @@ private slots:
                 QCOMPARE(&d->layer(d->elements.layer[layer.elements.first + i]), &layer);
             }
         }
-        const std::array<std::uint32_t, model::kElementKindCount> expected = {6, 2, 3, 1, 9};
+        const std::array<std::uint32_t, model::kElementKindCount> expected = {14, 2, 3, 7, 10};
         QCOMPARE(layerOf(*d, "top").counts, expected);
         QCOMPARE(layerOf(*d, "top").featureCount, 27U);
     }
@@ -289,8 +289,8 @@ private slots:
             const model::Diagnostic* entry = findDiagnostic(d->diagnostics, text);
             return entry == nullptr ? std::string() : entry->file + ":" + std::to_string(entry->line);
         };
-        QCOMPARE(at("text records are not drawn"), std::string("steps/board/layers/top/features:73"));
-        QCOMPARE(at("barcode records are not drawn"), std::string("steps/board/layers/top/features:74"));
+        QCOMPARE(at("the job has no font standard"), std::string("steps/board/layers/top/features:73"));
+        QCOMPARE(at("a barcode does not say how large its text is"), std::string("steps/board/layers/top/features:74"));
         QCOMPARE(at("symbol nowhere is neither"), std::string("steps/board/layers/top/features:68"));
         QCOMPARE(at("symbol r-13.1234 has a negative size"), std::string("steps/board/layers/top/features:69"));
         QCOMPARE(at("layer SPT is in the matrix"), std::string("matrix/matrix:27"));
