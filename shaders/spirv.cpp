@@ -12,6 +12,25 @@ namespace {
 #include "let_pull_vert.h"
 #include "overlay_frag.h"
 #include "overlay_vert.h"
+#include "tri/advance_comp.h"
+#include "tri/claim_corridor_comp.h"
+#include "tri/claim_place_comp.h"
+#include "tri/count_kept_comp.h"
+#include "tri/decide_comp.h"
+#include "tri/fix_links_comp.h"
+#include "tri/flip_comp.h"
+#include "tri/init_comp.h"
+#include "tri/look_for_contours_comp.h"
+#include "tri/prove_comp.h"
+#include "tri/rebuild_corridor_comp.h"
+#include "tri/relocate_flipped_comp.h"
+#include "tri/relocate_inserted_comp.h"
+#include "tri/small_comp.h"
+#include "tri/split_comp.h"
+#include "tri/sum_kept_comp.h"
+#include "tri/test_edges_comp.h"
+#include "tri/vote_comp.h"
+#include "tri/write_kept_comp.h"
 }  // namespace
 
 namespace shader::spirv {
@@ -27,6 +46,25 @@ const Code kLetMeshTask(let_mesh_task);
 const Code kLetPullVert(let_pull_vert);
 const Code kOverlayFrag(overlay_frag);
 const Code kOverlayVert(overlay_vert);
+const Code kTriAdvanceComp(tri_advance_comp);
+const Code kTriClaimCorridorComp(tri_claim_corridor_comp);
+const Code kTriClaimPlaceComp(tri_claim_place_comp);
+const Code kTriCountKeptComp(tri_count_kept_comp);
+const Code kTriDecideComp(tri_decide_comp);
+const Code kTriFixLinksComp(tri_fix_links_comp);
+const Code kTriFlipComp(tri_flip_comp);
+const Code kTriInitComp(tri_init_comp);
+const Code kTriLookForContoursComp(tri_look_for_contours_comp);
+const Code kTriProveComp(tri_prove_comp);
+const Code kTriRebuildCorridorComp(tri_rebuild_corridor_comp);
+const Code kTriRelocateFlippedComp(tri_relocate_flipped_comp);
+const Code kTriRelocateInsertedComp(tri_relocate_inserted_comp);
+const Code kTriSmallComp(tri_small_comp);
+const Code kTriSplitComp(tri_split_comp);
+const Code kTriSumKeptComp(tri_sum_kept_comp);
+const Code kTriTestEdgesComp(tri_test_edges_comp);
+const Code kTriVoteComp(tri_vote_comp);
+const Code kTriWriteKeptComp(tri_write_kept_comp);
 
 std::span<const Named> all() {
     static const Named kAll[] = {
@@ -41,6 +79,25 @@ std::span<const Named> all() {
         {"let_pull.vert", let_pull_vert},
         {"overlay.frag", overlay_frag},
         {"overlay.vert", overlay_vert},
+        {"tri/advance.comp", tri_advance_comp},
+        {"tri/claim_corridor.comp", tri_claim_corridor_comp},
+        {"tri/claim_place.comp", tri_claim_place_comp},
+        {"tri/count_kept.comp", tri_count_kept_comp},
+        {"tri/decide.comp", tri_decide_comp},
+        {"tri/fix_links.comp", tri_fix_links_comp},
+        {"tri/flip.comp", tri_flip_comp},
+        {"tri/init.comp", tri_init_comp},
+        {"tri/look_for_contours.comp", tri_look_for_contours_comp},
+        {"tri/prove.comp", tri_prove_comp},
+        {"tri/rebuild_corridor.comp", tri_rebuild_corridor_comp},
+        {"tri/relocate_flipped.comp", tri_relocate_flipped_comp},
+        {"tri/relocate_inserted.comp", tri_relocate_inserted_comp},
+        {"tri/small.comp", tri_small_comp},
+        {"tri/split.comp", tri_split_comp},
+        {"tri/sum_kept.comp", tri_sum_kept_comp},
+        {"tri/test_edges.comp", tri_test_edges_comp},
+        {"tri/vote.comp", tri_vote_comp},
+        {"tri/write_kept.comp", tri_write_kept_comp},
     };
     return kAll;
 }

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-/// The compiled shaders, one for each name.stage.glsl in this folder.
+/// The compiled shaders, one for each name.stage.glsl in this folder and below.
 namespace shader::spirv {
 
 using Code = std::span<const std::uint32_t>;
@@ -19,6 +19,25 @@ extern const Code kLetMeshTask;
 extern const Code kLetPullVert;
 extern const Code kOverlayFrag;
 extern const Code kOverlayVert;
+extern const Code kTriAdvanceComp;
+extern const Code kTriClaimCorridorComp;
+extern const Code kTriClaimPlaceComp;
+extern const Code kTriCountKeptComp;
+extern const Code kTriDecideComp;
+extern const Code kTriFixLinksComp;
+extern const Code kTriFlipComp;
+extern const Code kTriInitComp;
+extern const Code kTriLookForContoursComp;
+extern const Code kTriProveComp;
+extern const Code kTriRebuildCorridorComp;
+extern const Code kTriRelocateFlippedComp;
+extern const Code kTriRelocateInsertedComp;
+extern const Code kTriSmallComp;
+extern const Code kTriSplitComp;
+extern const Code kTriSumKeptComp;
+extern const Code kTriTestEdgesComp;
+extern const Code kTriVoteComp;
+extern const Code kTriWriteKeptComp;
 
 /// All of them by file name without .glsl, for tests.
 struct Named {

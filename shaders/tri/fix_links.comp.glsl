@@ -1,0 +1,5 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define THREADS 2u * FOREST.vertexCount
+#define RUN fixLinks(index, push.stage)
+#include "kernel.glsl"

@@ -1,0 +1,62 @@
+// The common part of C++ and GLSL that the kernels of triangulation are written in, so that one source is both the compute shader and its
+// oracle: 32-bit words, small vectors, values in and a value out, no pointers. C++ includes it in namespace shader::tri.
+#ifndef COPPERSCOPE_SHADERS_TRI_LANGUAGE_H
+#define COPPERSCOPE_SHADERS_TRI_LANGUAGE_H
+
+#ifdef __cplusplus
+#include <atomic>
+#include <bit>
+#include <cstdint>
+#include <glm/glm.hpp>
+
+namespace shader::tri {
+
+using uint = std::uint32_t;
+using ivec2 = glm::ivec2;
+using uvec2 = glm::uvec2;
+using uvec3 = glm::uvec3;
+using uvec4 = glm::uvec4;
+
+#define TRI_FN inline
+#define TRI_CONST constexpr uint
+#define TRI_SIZE(Name, bytes) static_assert(sizeof(Name) == (bytes))
+
+/// 32 x 32 bits: low and high word.
+inline uvec2 multiply(uint a, uint b) {
+    const std::uint64_t product = std::uint64_t{a} * b;
+    return {static_cast<uint>(product), static_cast<uint>(product >> 32)};
+}
+/// The number of the highest bit; `value` is not 0.
+inline uint highestBit(uint value) {
+    return static_cast<uint>(std::bit_width(value)) - 1;
+}
+inline void atomicMin(uint& place, uint value) {
+    std::atomic_ref<uint> atomic(place);
+    for (uint old = atomic.load(); value < old && !atomic.compare_exchange_weak(old, value);) {
+    }
+}
+inline void atomicMax(uint& place, uint value) {
+    std::atomic_ref<uint> atomic(place);
+    for (uint old = atomic.load(); value > old && !atomic.compare_exchange_weak(old, value);) {
+    }
+}
+inline uint atomicAdd(uint& place, uint value) {
+    return std::atomic_ref<uint>(place).fetch_add(value);
+}
+
+}  // namespace shader::tri
+#else
+#define TRI_FN
+#define TRI_CONST const uint
+#define TRI_SIZE(Name, bytes)
+
+uvec2 multiply(uint a, uint b) {
+    uint high, low;
+    umulExtended(a, b, high, low);
+    return uvec2(low, high);
+}
+uint highestBit(uint value) {
+    return uint(findMSB(value));
+}
+#endif
+#endif

@@ -1,0 +1,5 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define THREADS 2u * FOREST.vertexCount
+#define RUN prove(index)
+#include "kernel.glsl"

@@ -1,0 +1,36 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "forest.glsl"
+#include "access.h"
+#include "mesh.h"
+#include "constrain.h"
+#include "erase.h"
+
+layout(local_size_x = kGroupSize) in;
+
+shared uint counts[kGroupSize];
+
+// One workgroup per block of slots: writes its triangles that stay, in their order. Every thread takes a run of slots.
+void main() {
+    const uint kRun = kBlockSize / kGroupSize;
+    const uint lane = gl_LocalInvocationID.x;
+    const uint block = groupIndex();
+    const uint first = block * kBlockSize + lane * kRun;
+    uint count = 0u;
+    for (uint i = 0u; i < kRun; ++i) {
+        count += isKept(first + i) ? 1u : 0u;
+    }
+    counts[lane] = count;
+    barrier();
+    if (block >= blockCount()) {
+        return;
+    }
+    uint place = FOREST.sums.at[block];
+    for (uint i = 0u; i < lane; ++i) {
+        place += counts[i];
+    }
+    for (uint i = 0u; i < kRun; ++i) {
+        writeKept(first + i, place);
+        place += isKept(first + i) ? 1u : 0u;
+    }
+}
