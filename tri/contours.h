@@ -26,6 +26,17 @@ struct DirectedEdge {
 /// list. A vertex whose edges all cancelled has kFree and lies inside or outside like any point.
 class Contours {
 public:
+    static constexpr std::uint32_t kFree = 0xFFFFFFFF;
+    static constexpr std::uint32_t kBusy = 0xFFFFFFFE;
+
+    /// An end of a contour edge at a busy vertex.
+    struct Ray {
+        std::uint32_t at;
+        std::uint32_t other;
+        bool isOutgoing;
+        std::uint32_t edge;
+    };
+
     /// Takes over the loops. `vertexOf` gives the vertex per index; `busy` are the vertices that several indices share.
     void build(const Polygon& polygon, const Mesh& mesh, const std::uint32_t* vertexOf,
                std::span<const std::uint32_t> busy);
@@ -48,6 +59,12 @@ public:
     /// Crossing if two edges that are left run along each other in the same direction. They may still cancel with the
     /// piece of a third one that is not yet split at its vertices.
     [[nodiscard]] const Status& overlap() const { return m_overlap; }
+    /// The contours as they are kept: the vertices after and before this one, or kFree or kBusy; and the ends of edges at
+    /// busy vertices, sorted by vertex.
+    [[nodiscard]] std::uint32_t nextOf(std::uint32_t vertex) const { return m_next[vertex]; }
+    [[nodiscard]] std::uint32_t previousOf(std::uint32_t vertex) const { return m_previous[vertex]; }
+    [[nodiscard]] std::span<const Ray> rays() const { return m_rays; }
+
     /// Do several contours touch at this vertex, or did they?
     [[nodiscard]] bool isBusy(std::uint32_t vertex) const { return m_next[vertex] == kBusy; }
 
@@ -73,16 +90,6 @@ public:
     void release();
 
 private:
-    static constexpr std::uint32_t kFree = 0xFFFFFFFF;
-    static constexpr std::uint32_t kBusy = 0xFFFFFFFE;
-
-    struct Ray {
-        std::uint32_t at;
-        std::uint32_t other;
-        bool isOutgoing;
-        std::uint32_t edge;
-    };
-
     void start(const Mesh& mesh, std::span<const std::uint32_t> busy);
     void add(const DirectedEdge& edge);
     void settle();

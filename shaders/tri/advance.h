@@ -28,6 +28,7 @@ TRI_FN void advance() {
     CONTROL.insertGroups = groupsFor(isInserting ? vertices : 0u);
     CONTROL.relocateGroups = groupsFor(PHASE == kInserting && isWaiting ? vertices : 0u);
     CONTROL.flipGroups = groupsFor(PHASE != kFinished ? 2u * vertices : 0u);
-    CONTROL.changeGroups = groupsFor(isInserting || isConstraining ? 2u * vertices : 0u);
+    CONTROL.splitGroups = groupsFor(isInserting ? 2u * vertices : 0u);
+    CONTROL.contourGroups = groupsFor(isConstraining ? 2u * vertices : 0u);
     CONTROL.edgeGroups = groupsFor(isConstraining ? vertices + FOREST.rayCount : 0u);
 }

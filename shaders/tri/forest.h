@@ -49,11 +49,11 @@ TRI_CONST kStays = 1u;
 TRI_CONST kUndecided = 2u;
 
 // Why a tree has to go to the CPU (Tree::flags); of several the largest.
-TRI_CONST kFlagBlocked = 1u;    // a contour edge meets a vertex or another contour
-TRI_CONST kFlagScratch = 2u;    // a corridor does not fit into the scratch memory
-TRI_CONST kFlagUndecided = 4u;  // a triangle whose corners all have no contour
-TRI_CONST kFlagBorder = 8u;     // kept and erased triangles do not meet exactly along the contours
-TRI_CONST kFlagSteps = 16u;     // took too many steps
+TRI_CONST kFlagBorder = 1u;     // kept and erased triangles do not meet exactly along the contours
+TRI_CONST kFlagUndecided = 2u;  // a triangle whose corners all have no contour
+TRI_CONST kFlagScratch = 3u;    // a corridor does not fit into the scratch memory
+TRI_CONST kFlagBlocked = 4u;    // a contour edge meets a vertex or another contour
+TRI_CONST kFlagNoTree = 5u;     // from the start: no area, or contours that run along each other
 
 struct Groups {
     uint x, y, z;
@@ -74,10 +74,11 @@ struct Control {
     Groups insertGroups;     // of threads per vertex
     Groups relocateGroups;   // of threads per vertex
     Groups flipGroups;       // of threads per triangle
-    Groups changeGroups;     // of threads per triangle: links after inserting, looking for contours
+    Groups splitGroups;      // of threads per triangle
+    Groups contourGroups;    // of threads per triangle
     Groups edgeGroups;       // of threads per contour edge
 };
-TRI_SIZE(Control, 40 + 5 * 12);
+TRI_SIZE(Control, 40 + 6 * 12);
 
 struct Tree {
     uint firstVertex;

@@ -11,13 +11,15 @@ set(architecture_rows
     "model/paper      | model model/base                                                   |"
     "model/reader.cpp | model model/base model/odb model/paper                             |"
     "tri              | model/base                                                         |"
+    "tri/gpu          | model/base tri render/gpu shaders                                  | vulkan"
+    "tri/bench        | model/base tri tri/gpu render/gpu                                  |"
     "shaders          |                                                                    |"
     "render/gpu       | model/base shaders                                                 | vulkan"
     "render           | model model/base tri render/gpu shaders                            | vulkan"
     "ui/models        | model model/base render/layer_style.h                              | qt"
     "ui               | model model/base ui/models render render/gpu                          | qt widgets vulkan"
-    "app              | model model/base model/generate model/odb model/paper tri render render/gpu ui ui/models | qt widgets vulkan"
-    "tests            | model model/base model/generate model/odb model/paper tri shaders render render/gpu ui ui/models app | qt widgets vulkan"
+    "app              | model model/base model/generate model/odb model/paper tri tri/gpu tri/bench render render/gpu ui ui/models | qt widgets vulkan"
+    "tests            | model model/base model/generate model/odb model/paper tri tri/gpu tri/bench shaders render render/gpu ui ui/models app | qt widgets vulkan"
 )
 
 # How an include of a library is told from its name.

@@ -7,6 +7,12 @@ foreach(name backends device raster sample_board swapchain view)
     set_tests_properties(${name}_test PROPERTIES ENVIRONMENT COPPERSCOPE_VALIDATION=abort)
 endforeach()
 
+copperscope_test(tri_gpu_test gpu/triangulator_test.cpp LABEL gpu LINK copperscope_tri_gpu)
+target_compile_definitions(tri_gpu_test PRIVATE
+    COPPERSCOPE_GLSLANG="${GLSLANG_VALIDATOR}"
+    COPPERSCOPE_PREDICATES_SHADER="${CMAKE_CURRENT_SOURCE_DIR}/gpu/predicates.comp.glsl")
+set_tests_properties(tri_gpu_test PROPERTIES ENVIRONMENT COPPERSCOPE_VALIDATION=abort)
+
 # The renderer's parts that need no device.
 copperscope_test(shader_layout_test gpu/shader_layout_test.cpp LABEL unit LINK copperscope_shaders)
 target_compile_definitions(shader_layout_test PRIVATE

@@ -64,6 +64,32 @@ inline Case lattice(int count) {
     return grid;
 }
 
+/// A plane with side * side antipads, half of them on a lattice.
+inline Case plane(int side) {
+    Case input = Case{"plane"}.loop(square(0, 0, 1'000'000 * (side + 1)));
+    for (int i = 0; i < side * side; ++i) {
+        const double shift = i % 2 == 0 ? 0.0 : 1e5 * ((i * 37) % 11) / 11;
+        input.loop(reversed(circle(1e6 * (i % side + 1) + shift, 1e6 * (i / side + 1) - shift, 3e5, 24)));
+    }
+    return input;
+}
+
+/// Long parallel channels: their edges are no Delaunay edges.
+inline Case channels(int count) {
+    Case input = Case{"channels"}.loop(
+        {{0, 0}, {20'000'000, 0}, {20'000'000, 300'000 * count + 300'000}, {0, 300'000 * count + 300'000}});
+    for (int i = 0; i < count; ++i) {
+        const int y = 300'000 * i + 200'000;
+        const int x = 1'000'000 + 70'001 * ((i * 7) % 13);
+        input.loop({{x, y},
+                    {x, y + 200'000},
+                    {x + 17'000'000, y + 200'000},
+                    {x + 17'500'000, y + 100'000},
+                    {x + 17'000'000, y}});
+    }
+    return input;
+}
+
 /// What boards and bad exporters come up with, and what is degenerate enough to break a triangulator.
 inline std::vector<Case> nasty() {
     using tri::Outcome;

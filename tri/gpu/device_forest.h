@@ -1,0 +1,58 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "render/gpu/buffer.h"
+#include "render/gpu/frame_ring.h"
+#include "render/gpu/pipeline.h"
+#include "tri/gpu/forest_data.h"
+
+namespace tri::gpu {
+
+/// The kernels of shaders/tri/ as pipelines of a device. Made once.
+struct Kernels {
+    explicit Kernels(render::gpu::Device& device);
+
+    render::gpu::Pipeline init, small, advance;
+    render::gpu::Pipeline vote, claimPlace, split, relocateInserted;
+    render::gpu::Pipeline lookForContours, claimCorridor, rebuildCorridor;
+    render::gpu::Pipeline testEdges, flip, relocateFlipped;
+    render::gpu::Pipeline fixLinks;
+    render::gpu::Pipeline decide, prove, countKept, sumKept, writeKept;
+};
+
+/// A forest in the memory of a device. Records the same steps as the oracle; how many threads each kernel needs is
+/// decided on the device, so that a submission may hold any number of steps, and those after the last do nothing.
+class DeviceForest {
+public:
+    /// Copies the columns to the device through `ring`. False from lost() afterwards if the device was lost.
+    DeviceForest(render::gpu::Device& device, render::gpu::FrameRing& ring, const ForestData& data);
+
+    void recordInit(VkCommandBuffer commands, const Kernels& kernels) const;
+    /// The small trees as a whole.
+    void recordSmall(VkCommandBuffer commands, const Kernels& kernels) const;
+    void recordStep(VkCommandBuffer commands, const Kernels& kernels) const;
+    /// Erasing and compaction; nothing unless all is done by then.
+    void recordErase(VkCommandBuffer commands, const Kernels& kernels) const;
+
+    /// The first `bytes` of a column, by its place in shader::tri::Forest; empty if the device was lost.
+    [[nodiscard]] std::vector<std::byte> read(std::size_t offset, std::size_t bytes) const;
+    [[nodiscard]] shader::tri::Control control() const;
+    [[nodiscard]] bool isLost() const { return m_device->isLost(); }
+
+private:
+    [[nodiscard]] const render::gpu::Buffer& column(std::size_t offset) const;
+    void run(VkCommandBuffer commands, const render::gpu::Pipeline& kernel, std::size_t groups,
+             std::uint32_t stage = 0) const;
+    void dispatch(VkCommandBuffer commands, const render::gpu::Pipeline& kernel, std::uint32_t groups) const;
+
+    render::gpu::Device* m_device;
+    render::gpu::FrameRing* m_ring;
+    shader::tri::Forest m_record;
+    std::vector<std::size_t> m_offsets;
+    std::vector<render::gpu::Buffer> m_columns;
+    render::gpu::Buffer m_forest;
+};
+
+}  // namespace tri::gpu

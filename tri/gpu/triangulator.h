@@ -1,0 +1,51 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "render/gpu/device.h"
+#include "tri/gpu/forest_data.h"
+
+namespace tri::gpu {
+
+/// The triangulation of one polygon, as triangulate() would give it.
+struct Triangulation {
+    Status status;
+    std::vector<std::uint32_t> triangles;
+};
+
+/// What became of the polygons of a call.
+struct Tally {
+    std::size_t onDevice = 0;     ///< triangulated and proven there
+    std::size_t flagged = 0;      ///< given up there and done on the CPU: contours through vertices, crossings, ...
+    std::size_t withoutTree = 0;  ///< never went there: no area, or too large for the device
+    std::uint32_t steps = 0;
+    std::uint32_t rounds = 0;  ///< steps that inserted vertices
+    std::uint32_t flips = 0;
+    double deviceMs = 0.0;  ///< time of the kernels; 0 if the device cannot tell
+};
+
+/// Triangulates all polygons of a board in the same dispatches (docs/triangulation.md). The result is the same,
+/// triangle by triangle, as that of every other triangulator; what the device cannot do goes to the CPU and is counted.
+/// Memory: about 230 bytes per vertex on the device; what does not fit goes there in several turns. Use it from the
+/// device's thread. If the device is lost, the CPU does everything.
+class Triangulator {
+public:
+    /// Makes the pipelines. `device` has to outlive this.
+    explicit Triangulator(render::gpu::Device& device);
+    ~Triangulator();
+    Triangulator(Triangulator&&) noexcept;
+    Triangulator& operator=(Triangulator&&) noexcept;
+
+    [[nodiscard]] std::vector<Triangulation> triangulate(std::span<const Polygon> polygons,
+                                                         Eraser eraser = Eraser::Sector);
+    /// About the last call.
+    [[nodiscard]] const Tally& tally() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
+};
+
+}  // namespace tri::gpu
