@@ -50,8 +50,12 @@ void Camera::fit(const glm::vec3& boxMin, const glm::vec3& boxMax, NamedView vie
 }
 
 void Camera::fit(const glm::vec3& boxMin, const glm::vec3& boxMax, float aspect) {
-    m_target = (boxMin + boxMax) / 2.0F;
     m_radius = std::max(glm::length(boxMax - boxMin) / 2.0F, kMinDistance);
+    show(boxMin, boxMax, aspect);
+}
+
+void Camera::show(const glm::vec3& boxMin, const glm::vec3& boxMax, float aspect) {
+    m_target = (boxMin + boxMax) / 2.0F;
     const std::array<glm::vec3, 8> corners = cornersOf(boxMin, boxMax);
     // In perspective the near side takes more room than the far side: a few steps bring the picture's middle to the
     // middle.
@@ -104,6 +108,11 @@ void Camera::fitWindow(const glm::vec2& min, const glm::vec2& max, float z, floa
 void Camera::orbit(float yawRad, float pitchRad) {
     m_yaw += yawRad;
     m_pitch = std::clamp(m_pitch + pitchRad, kStraightDown, -kStraightDown);
+}
+
+void Camera::turnOver() {
+    m_yaw += m_yaw > 0.0F ? -kPi : kPi;  // twice is back, exactly
+    m_pitch = -m_pitch;
 }
 
 void Camera::pan(const glm::vec2& pixels, float height) {

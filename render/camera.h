@@ -14,10 +14,14 @@ public:
     void fit(const glm::vec3& boxMin, const glm::vec3& boxMax, NamedView view, float aspect);
     /// Keeps the direction and fits the box.
     void fit(const glm::vec3& boxMin, const glm::vec3& boxMax, float aspect);
+    /// Fills the picture with a part of the scene, direction unchanged.
+    void show(const glm::vec3& boxMin, const glm::vec3& boxMax, float aspect);
     /// Looks straight down on a rectangle given in mm, orthographic and without margin (`render --window`).
     void fitWindow(const glm::vec2& min, const glm::vec2& max, float z, float aspect);
 
     void orbit(float yawRad, float pitchRad);
+    /// Looks from the other side at the same target: left and right change sides, up stays up.
+    void turnOver();
     /// Moves with the cursor: `pixels` on a viewport `height` pixels high; the point under the cursor stays under it.
     void pan(const glm::vec2& pixels, float height);
     /// Zooms by `factor` (> 1 is closer) keeping the point under the cursor; `ndc` in -1..1, y up.

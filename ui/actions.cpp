@@ -30,10 +30,15 @@ constexpr ActionSpec kSpecs[] = {
     {LookTop, MenuId::View, "&Top", "T", "Look straight down on the top side"},
     {LookBottom, MenuId::View, "&Bottom", "B", "Look straight up on the bottom side"},
     {LookIso, MenuId::View, "&Isometric", "I", "Look from a corner"},
+    {Flip, MenuId::View, "Turn o&ver", "Space", "Look at the other side of the board"},
     {ZoomIn, MenuId::View, "Zoom i&n", "+ =", "Come closer", false, kNewGroup},
     {ZoomOut, MenuId::View, "Zoom o&ut", "-", "Step back from the board"},
     {Orthographic, MenuId::View, "&Orthographic", "O", "Parallel projection instead of perspective", kCheckable},
     {Explode, MenuId::View, "&Explode", "E", "Spread the layers apart", kCheckable},
+    {ShowFlat, MenuId::Arrangement, "&2D alone", "2", "Show the flat view and nothing else", kCheckable},
+    {ShowSolid, MenuId::Arrangement, "&3D alone", "3", "Show the solid view and nothing else", kCheckable},
+    {ShowSideBySide, MenuId::Arrangement, "&Side by side", "4", "2D to the left of 3D", kCheckable},
+    {ShowStacked, MenuId::Arrangement, "One &above the other", "5", "2D above 3D", kCheckable},
     {ShowLayersDock, MenuId::View, "&Layers", "Ctrl+1", "Show or hide the layers panel", kCheckable, kNewGroup},
     {ShowStatisticsDock, MenuId::View, "&Statistics", "Ctrl+2", "Show or hide the element statistics", kCheckable},
     {ShowMessagesDock, MenuId::View, "&Messages", "Ctrl+3", "Show or hide what was skipped, repaired or assumed",
@@ -51,6 +56,10 @@ constexpr ActionSpec kSpecs[] = {
     {HideAllLayers, MenuId::Layers, "&Hide all", "Ctrl+Shift+H", "Draw no layer"},
     {ShowCopperOnly, MenuId::Layers, "&Copper only", "Ctrl+Shift+K", "Draw the copper layers and nothing else"},
     {SoloLayer, MenuId::Layers, "&Only this layer", "H", "Draw the current layer of the panel alone; again to go back"},
+    {Contrast, MenuId::Layers, "High con&trast", "Shift+H",
+     "In 2D, show the current layer of the panel brightly and all others faintly", kCheckable},
+    {NextLayer, MenuId::Layers, "Layer &below", "PgDown", "Make the next visible layer the current one"},
+    {PreviousLayer, MenuId::Layers, "Layer abo&ve", "PgUp", "Make the visible layer before the current one"},
     {RestoreLayers, MenuId::Layers, "&Default colours", "", "Undo all changes of colour, opacity and visibility"},
 
     {KeysSheet, MenuId::Help, "&Keys and mouse", "F1 ?", "All keys and mouse gestures on one page"},
@@ -60,10 +69,11 @@ constexpr ActionSpec kSpecs[] = {
 };
 static_assert(std::size(kSpecs) == kActionCount);
 
-constexpr const char* kMenuTitles[kMenuCount] = {"&File", "&View", "T&heme", "Bac&k end", "&Layers", "&Help"};
+constexpr const char* kMenuTitles[kMenuCount] = {"&File",     "&View",   "&Arrangement", "T&heme",
+                                                 "Bac&k end", "&Layers", "&Help"};
 
 bool isChoice(MenuId menu) {
-    return menu == MenuId::Theme || menu == MenuId::Backend;
+    return menu == MenuId::Arrangement || menu == MenuId::Theme || menu == MenuId::Backend;
 }
 
 /// "Come closer (+, =)"

@@ -25,10 +25,15 @@ enum class ActionId {
     LookTop,
     LookBottom,
     LookIso,
+    Flip,
     ZoomIn,
     ZoomOut,
     Orthographic,
     Explode,
+    ShowFlat,
+    ShowSolid,
+    ShowSideBySide,
+    ShowStacked,
     ShowLayersDock,
     ShowStatisticsDock,
     ShowMessagesDock,
@@ -43,6 +48,9 @@ enum class ActionId {
     HideAllLayers,
     ShowCopperOnly,
     SoloLayer,
+    Contrast,
+    NextLayer,
+    PreviousLayer,
     RestoreLayers,
     KeysSheet,
     ResetSettings,
@@ -51,8 +59,8 @@ enum class ActionId {
 };
 inline constexpr std::size_t kActionCount = static_cast<std::size_t>(ActionId::Count);
 
-/// Where a command is found. Theme and Backend are submenus of View with one choice each.
-enum class MenuId { File, View, Theme, Backend, Layers, Help, Count };
+/// Where a command is found. Arrangement, Theme and Backend are submenus of View with one choice each.
+enum class MenuId { File, View, Arrangement, Theme, Backend, Layers, Help, Count };
 inline constexpr std::size_t kMenuCount = static_cast<std::size_t>(MenuId::Count);
 
 struct ActionSpec {

@@ -1,5 +1,6 @@
 #include "ui/board_view.h"
 
+#include <QPainter>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -16,7 +17,8 @@ constexpr int kRestMs = 250;
 
 }  // namespace
 
-BoardView::BoardView(GpuContext& context, QWidget* parent) : QWidget(parent), m_context(context) {
+BoardView::BoardView(GpuContext& context, Kind kind, QWidget* parent)
+    : QWidget(parent), m_context(context), m_kind(kind) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     setMinimumSize(160, 120);
@@ -24,6 +26,11 @@ BoardView::BoardView(GpuContext& context, QWidget* parent) : QWidget(parent), m_
     m_rest.setInterval(kRestMs);
     connect(&m_rest, &QTimer::timeout, this, &BoardView::requestRestingFrame);
     connect(&m_controller, &CameraController::moved, this, &BoardView::requestMovingFrame);
+    m_picture.prepare = [this](QSize pixels) { paintOverlay(m_picture, pixels); };
+    if (kind == Kind::Flat) {
+        m_picture.settings.is2d = true;
+        m_controller.setPlan();
+    }
     if (context.surfaceInstance() != nullptr) {
         showVulkanCanvas();
     } else {
@@ -61,10 +68,39 @@ void BoardView::replaceCanvas(QWidget* canvas) {
     setFocusProxy(canvas);
 }
 
-void BoardView::setScene(render::BoardScene* scene) {
+void BoardView::setScene(render::BoardScene* scene, std::vector<render::LayerStyle> styles) {
     m_picture.scene = scene;
+    m_picture.styles = std::move(styles);
     m_isSlow = false;
     requestRestingFrame();
+}
+
+void BoardView::setStyles(std::vector<render::LayerStyle> styles) {
+    m_picture.styles = std::move(styles);
+    requestFrame();
+}
+
+void BoardView::setDimOthers(bool isOn) {
+    m_picture.settings.dimOthers = isOn;
+    requestFrame();
+}
+
+void BoardView::paintOverlay(Picture& picture, QSize pixels) const {
+    if (picture.overlay.size() != pixels) {
+        picture.overlay = m_painters.empty() ? QImage() : QImage(pixels, QImage::Format_RGBA8888_Premultiplied);
+    }
+    if (m_painters.empty()) {
+        return;
+    }
+    picture.overlay.fill(Qt::transparent);
+    QPainter painter(&picture.overlay);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.scale(pixels.width() / m_controller.viewport().width(), pixels.height() / m_controller.viewport().height());
+    for (const Painter& paint : m_painters) {
+        painter.save();
+        paint(painter);
+        painter.restore();
+    }
 }
 
 void BoardView::setBoard(const glm::vec3& boxMin, const glm::vec3& boxMax) {
@@ -127,6 +163,7 @@ base::Result<QImage> BoardView::grabPicture(double scale) {
     const QSize pixels = (QSizeF(size()) * devicePixelRatioF() * scale).toSize();
     Picture resting = m_picture;
     resting.settings.isSmoothed = true;
+    paintOverlay(resting, pixels);
     return drawPicture(presenter, resting, m_controller.camera(), pixels);
 }
 

@@ -2,37 +2,54 @@
 
 #include <QTimer>
 #include <QWidget>
+#include <functional>
+#include <vector>
 
 #include "ui/camera_controller.h"
 #include "ui/gpu_context.h"
 #include "ui/picture.h"
+
+class QPainter;
 
 namespace ui {
 
 class ImageCanvas;
 class VulkanCanvas;
 
-/// The 3D viewport: a camera, its input, and a canvas of the kind the platform can show. Draws only when something
-/// changed, and once however much changed since the last frame. Where frames are slow (software Vulkan), edges are not
-/// smoothed while the view moves, and are again as soon as it rests.
+/// A viewport: a camera, its input, and a canvas of the kind the platform can show. Draws only when something changed,
+/// and once however much changed since the last frame. Where frames are slow (software Vulkan), edges are not smoothed
+/// while the view moves, and are again as soon as it rests. A 2D view looks straight at the board with flat colours, a
+/// 3D view from anywhere.
 class BoardView : public QWidget {
     Q_OBJECT
 
 public:
-    explicit BoardView(GpuContext& context, QWidget* parent = nullptr);
+    enum class Kind { Flat, Solid };  ///< 2D, 3D
+    /// Paints over the board, in logical pixels of the canvas.
+    using Painter = std::function<void(QPainter&)>;
+
+    BoardView(GpuContext& context, Kind kind, QWidget* parent = nullptr);
     ~BoardView() override;
 
-    /// Shows a scene, which the caller keeps alive until it sets another one; null shows the background. The camera is
-    /// the caller's affair.
-    void setScene(render::BoardScene* scene);
+    /// Shows a scene, which the caller keeps alive until it sets another one; null shows the background. `styles` has
+    /// one entry per layer. The camera is the caller's affair.
+    void setScene(render::BoardScene* scene, std::vector<render::LayerStyle> styles);
     /// Box of the board in model millimetres, before explosion.
     void setBoard(const glm::vec3& boxMin, const glm::vec3& boxMax);
+    void setStyles(std::vector<render::LayerStyle> styles);
     void setBackend(render::Backend backend);
+    /// Darkens what is not highlighted.
+    void setDimOthers(bool isOn);
+    /// Painters paint in the order in which they were added, before every frame.
+    void addPainter(Painter painter) { m_painters.push_back(std::move(painter)); }
     /// 0 to 1, see render::ViewSettings.
     void setExplode(float explode);
     void requestFrame();
 
+    [[nodiscard]] Kind kind() const { return m_kind; }
     [[nodiscard]] CameraController& controller() { return m_controller; }
+    [[nodiscard]] const CameraController& controller() const { return m_controller; }
+    [[nodiscard]] const render::ViewSettings& settings() const { return m_picture.settings; }
     /// The widget or window that takes the input.
     [[nodiscard]] QObject& canvas();
     /// What the canvas shows, drawn to memory in its size times `scale`. Errors: BadUsage, DeviceFailed.
@@ -54,9 +71,12 @@ private:
     void requestRestingFrame();
     void onTimed(const render::FrameStats& stats);
     void updateBox();
+    void paintOverlay(Picture& picture, QSize pixels) const;
 
     GpuContext& m_context;
+    Kind m_kind;
     CameraController m_controller;
+    std::vector<Painter> m_painters;
     Picture m_picture;
     glm::vec3 m_boxMin{-1.0F};
     glm::vec3 m_boxMax{1.0F};

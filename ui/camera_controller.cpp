@@ -18,6 +18,14 @@ bool isPan(const QMouseEvent& event) {
     return event.button() != Qt::LeftButton || event.modifiers().testFlag(Qt::ShiftModifier);
 }
 
+bool isUse(QEvent::Type type) {
+    return type == QEvent::MouseButtonPress || type == QEvent::Wheel || type == QEvent::ShortcutOverride;
+}
+
+/// A part of the board that is shown fills this much of the canvas, so that its surroundings are seen.
+constexpr float kShownPart = 0.4F;
+constexpr float kSmallestShownMm = 1.0F;
+
 }  // namespace
 
 void CameraController::setViewport(QSizeF size) {
@@ -49,6 +57,25 @@ void CameraController::look(render::NamedView view) {
     emit moved();
 }
 
+void CameraController::setPlan() {
+    m_isPlan = true;
+    m_camera.setOrthographic(true);
+    look(render::NamedView::Top);
+}
+
+void CameraController::flip() {
+    m_camera.turnOver();
+    emit moved();
+}
+
+void CameraController::show(const glm::vec3& boxMin, const glm::vec3& boxMax) {
+    const glm::vec3 middle = (boxMin + boxMax) / 2.0F;
+    const glm::vec3 half =
+        glm::max((boxMax - boxMin) / 2.0F / kShownPart, glm::vec3(glm::vec2(kSmallestShownMm), 0.0F));
+    m_camera.show(middle - half, middle + half, aspect());
+    announceUserMove();
+}
+
 void CameraController::setOrthographic(bool isOrthographic) {
     m_camera.setOrthographic(isOrthographic);
     emit moved();
@@ -69,15 +96,32 @@ glm::vec2 CameraController::ndcOf(QPointF position) const {
             static_cast<float>(1.0 - 2.0 * position.y() / m_viewport.height())};
 }
 
-std::optional<glm::vec3> CameraController::boardPointAt(QPointF position) const {
-    const glm::mat4 toBoard = glm::inverse(m_camera.projection(aspect()) * m_camera.view());
+glm::mat4 CameraController::clipFromBoard() const {
+    return m_camera.projection(aspect()) * m_camera.view();
+}
+
+CameraController::Ray CameraController::rayAt(QPointF position) const {
+    const glm::mat4 toBoard = glm::inverse(clipFromBoard());
     const glm::vec2 ndc = ndcOf(position);
     const auto at = [&](float depth) {  // y down and depth reversed, as the projection has them
         const glm::vec4 p = toBoard * glm::vec4(ndc.x, -ndc.y, depth, 1.0F);
         return glm::vec3(p) / p.w;
     };
     const glm::vec3 from = at(1.0F);
-    const glm::vec3 along = at(0.5F) - from;
+    return {from, at(0.5F) - from};
+}
+
+std::optional<QPointF> CameraController::screenOf(const glm::vec3& point) const {
+    const glm::vec4 clip = clipFromBoard() * glm::vec4(point, 1.0F);
+    if (clip.w <= 0.0F) {
+        return std::nullopt;
+    }
+    return QPointF((clip.x / clip.w + 1.0) / 2.0 * m_viewport.width(),
+                   (clip.y / clip.w + 1.0) / 2.0 * m_viewport.height());
+}
+
+std::optional<glm::vec3> CameraController::boardPointAt(QPointF position) const {
+    const auto [from, along] = rayAt(position);
     const float face = m_camera.direction().z < 0.0F ? m_boxMax.z : m_boxMin.z;
     const float way = (face - from.z) / along.z;
     const glm::vec3 point = from + along * way;
@@ -94,8 +138,21 @@ void CameraController::focusAt(QPointF position) {
 }
 
 bool CameraController::handle(QEvent& event) {
+    if (isUse(event.type())) {
+        emit used();
+    }
+    return dispatch(event);
+}
+
+bool CameraController::dispatch(QEvent& event) {
     switch (event.type()) {
         case QEvent::MouseButtonPress: return press(static_cast<const QMouseEvent&>(event));
+        case QEvent::MouseButtonDblClick: {
+            const auto& mouse = static_cast<const QMouseEvent&>(event);
+            emit doubleClicked(mouse.position(), mouse.modifiers());
+            return true;
+        }
+        case QEvent::Leave: emit left(); return false;
         case QEvent::MouseMove: return move(static_cast<const QMouseEvent&>(event));
         case QEvent::MouseButtonRelease: return release(static_cast<const QMouseEvent&>(event));
         case QEvent::Wheel: return wheel(static_cast<const QWheelEvent&>(event));
@@ -111,14 +168,17 @@ bool CameraController::press(const QMouseEvent& event) {
     m_button = event.button();
     m_pressed = m_last = event.position();
     m_drag = Drag::Undecided;
-    m_dragKind = isPan(event) ? Drag::Pan : Drag::Orbit;
+    m_dragKind = isPan(event) ? Drag::Pan : m_isPlan ? Drag::Box : Drag::Orbit;
     // A pan keeps the board under the cursor; an orbit turns about what is in the middle of the canvas.
-    focusAt(m_dragKind == Drag::Pan ? m_pressed : centre());
+    if (m_dragKind != Drag::Box) {
+        focusAt(m_dragKind == Drag::Pan ? m_pressed : centre());
+    }
     return true;
 }
 
 bool CameraController::move(const QMouseEvent& event) {
     if (m_drag == Drag::None) {
+        emit hovered(event.position());
         return false;
     }
     if (m_drag == Drag::Undecided) {
@@ -130,7 +190,11 @@ bool CameraController::move(const QMouseEvent& event) {
     }
     const QPointF step = event.position() - m_last;
     m_last = event.position();
-    m_drag == Drag::Orbit ? orbitBy(step) : panBy(step);
+    switch (m_drag) {
+        case Drag::Orbit: orbitBy(step); break;
+        case Drag::Pan: panBy(step); break;
+        default: emit boxDrawn(m_pressed, m_last); break;
+    }
     return true;
 }
 
@@ -139,8 +203,12 @@ bool CameraController::release(const QMouseEvent& event) {
         return false;
     }
     const bool wasClick = m_drag == Drag::Undecided && m_button == Qt::LeftButton;
+    const bool wasBox = m_drag == Drag::Box;
     m_drag = Drag::None;
     m_button = Qt::NoButton;
+    if (wasBox) {
+        emit boxFinished(m_pressed, event.position(), event.modifiers());
+    }
     if (wasClick) {
         emit clicked(m_pressed, event.modifiers());
     }
@@ -166,7 +234,7 @@ bool CameraController::key(const QKeyEvent& event) {
         default: return false;
     }
     // The arrow says where the viewer goes, a drag where the board goes.
-    event.modifiers().testFlag(Qt::ShiftModifier) ? panBy(-way) : orbitBy(-way);
+    m_isPlan || event.modifiers().testFlag(Qt::ShiftModifier) ? panBy(-way) : orbitBy(-way);
     return true;
 }
 

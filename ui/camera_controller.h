@@ -19,7 +19,7 @@ namespace ui {
 ///
 /// Left drag orbits; middle drag, right drag or Shift with left drag pans; the wheel zooms to the cursor; arrows orbit
 /// and with Shift pan. A press that moves less than kClickPixels before its release is a click and leaves the camera
-/// alone.
+/// alone. In a plan nothing orbits: left drag draws a box and arrows pan.
 class CameraController : public QObject {
     Q_OBJECT
 
@@ -29,6 +29,9 @@ public:
 
     using QObject::QObject;
 
+    /// Looks straight at the board and stays so: parallel, from above or below.
+    void setPlan();
+    [[nodiscard]] bool isPlan() const { return m_isPlan; }
     /// Until the user moves the camera, the board is fitted again whenever viewport or box change.
     void setViewport(QSizeF size);
     /// The box `fit` shows, in board model millimetres.
@@ -36,6 +39,10 @@ public:
 
     void fit();
     void look(render::NamedView view);
+    /// Looks at the other side of the board, at what is in the middle of the canvas now.
+    void flip();
+    /// Brings a part of the board to the middle, large enough to be looked at.
+    void show(const glm::vec3& boxMin, const glm::vec3& boxMax);
     void setOrthographic(bool isOrthographic);
     /// Zooms by `factor` (> 1 is closer) and keeps the point at `position` where it is on the screen.
     void zoomAt(QPointF position, float factor);
@@ -48,20 +55,42 @@ public:
     /// Where the line of sight through `position` meets the face of the board turned to the viewer; none if it misses
     /// the board.
     [[nodiscard]] std::optional<glm::vec3> boardPointAt(QPointF position) const;
+    /// The line of sight through `position`.
+    struct Ray {
+        glm::vec3 origin;
+        glm::vec3 direction;
+    };
+    [[nodiscard]] Ray rayAt(QPointF position) const;
+    /// Where a point of the board is on the canvas; none behind the eye.
+    [[nodiscard]] std::optional<QPointF> screenOf(const glm::vec3& point) const;
+    /// Millimetres per logical pixel at the target.
+    [[nodiscard]] float mmPerPixel() const { return m_camera.mmPerPixel(height()); }
+    [[nodiscard]] QSizeF viewport() const { return m_viewport; }
 
 signals:
     /// The camera changed: draw again.
     void moved();
     void clicked(QPointF position, Qt::KeyboardModifiers modifiers);
+    void doubleClicked(QPointF position, Qt::KeyboardModifiers modifiers);
+    /// The cursor rests or moves over the canvas with no button down; `left` when it goes away.
+    void hovered(QPointF position);
+    void left();
+    /// A box being drawn, and the same once it is done. In a drawn box left and right may be exchanged.
+    void boxDrawn(QPointF from, QPointF to);
+    void boxFinished(QPointF from, QPointF to, Qt::KeyboardModifiers modifiers);
+    /// A button, a wheel or a key: this is the canvas in use.
+    void used();
 
 private:
-    enum class Drag { None, Undecided, Orbit, Pan };
+    enum class Drag { None, Undecided, Orbit, Pan, Box };
 
     bool press(const QMouseEvent& event);
     bool move(const QMouseEvent& event);
     bool release(const QMouseEvent& event);
     bool wheel(const QWheelEvent& event);
     bool key(const QKeyEvent& event);
+    bool dispatch(QEvent& event);
+    [[nodiscard]] glm::mat4 clipFromBoard() const;
     void orbitBy(QPointF pixels);
     void panBy(QPointF pixels);
     void announceUserMove();
@@ -76,6 +105,7 @@ private:
     glm::vec3 m_boxMax{1.0F};
     QSizeF m_viewport{1.0, 1.0};
     bool m_isFitted = true;
+    bool m_isPlan = false;
     Drag m_drag = Drag::None;
     Drag m_dragKind = Drag::None;  ///< what the drag becomes once it is one
     Qt::MouseButton m_button = Qt::NoButton;

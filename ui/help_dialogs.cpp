@@ -19,10 +19,10 @@ struct Gesture {
 };
 
 constexpr Gesture kGestures[] = {
-    {"Left drag", "Orbit"},
+    {"Left drag", "Orbit (3D), select with a box (2D)"},
     {"Middle drag, right drag, Shift + left drag", "Pan"},
     {"Wheel", "Zoom to the cursor"},
-    {"Arrows (canvas)", "Orbit; with Shift pan"},
+    {"Arrows (canvas)", "Orbit, with Shift pan (3D); pan (2D)"},
     {"Click on a colour (layers)", "Change the colour"},
     {"Drag in an opacity (layers)", "Change the opacity"},
     {"Space (layers)", "Show or hide the selected layers"},

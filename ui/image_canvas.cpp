@@ -9,6 +9,7 @@ ImageCanvas::ImageCanvas(GpuContext& context, CameraController& controller, cons
     : QWidget(parent), m_context(context), m_controller(controller), m_picture(picture) {
     setAttribute(Qt::WA_OpaquePaintEvent);
     setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
 }
 
 void ImageCanvas::requestFrame() {
@@ -46,6 +47,7 @@ void ImageCanvas::draw(QSize pixels) {
     if (!m_presenter) {
         m_presenter.emplace(m_context.device());
     }
+    m_picture.prepare(pixels);
     base::Result<QImage> image = drawPicture(*m_presenter, m_picture, m_controller.camera(), pixels);
     if (image) {
         m_image = *image;

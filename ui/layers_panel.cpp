@@ -43,6 +43,7 @@ LayersPanel::LayersPanel(LayerModel& model, const ActionSet& actions, QWidget* p
     m_table->installEventFilter(this);
     connect(m_table, &QTableView::clicked, this, &LayersPanel::chooseColour);
     connect(&model, &QAbstractItemModel::modelReset, this, &LayersPanel::fitColumns);
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &LayersPanel::currentChanged);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(2, 2, 2, 2);
     layout->setSpacing(2);
@@ -66,6 +67,21 @@ model::LayerId LayersPanel::currentLayer() const {
 
 void LayersPanel::selectRow(int row) {
     m_table->selectRow(row);
+}
+
+void LayersPanel::step(int way) {
+    const bool isSolo = m_model.soloLayer().isValid();
+    const QModelIndex current = m_table->currentIndex();
+    for (int row = current.isValid() ? current.row() + way : 0; row >= 0 && row < m_model.rowCount(); row += way) {
+        const bool isShown = m_model.index(row, LayerModel::Visible).data(Qt::CheckStateRole).toInt() == Qt::Checked;
+        if (isShown || isSolo) {
+            selectRow(row);
+            if (isSolo) {
+                m_model.toggleSolo(currentLayer());
+            }
+            return;
+        }
+    }
 }
 
 bool LayersPanel::eventFilter(QObject* watched, QEvent* event) {

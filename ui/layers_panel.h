@@ -21,7 +21,13 @@ public:
     /// The row the cursor is on; none if there is none.
     [[nodiscard]] model::LayerId currentLayer() const;
     void selectRow(int row);
+    /// Moves to the next visible layer `way` rows on (1 or -1), or stays at the last one. While a layer is shown alone,
+    /// all layers of the board count, and the one moved to is shown alone instead.
+    void step(int way);
     [[nodiscard]] TableView& table() { return *m_table; }
+
+signals:
+    void currentChanged();
 
 protected:
     /// Space shows and hides the selected layers, Enter edits the colour.

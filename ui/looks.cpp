@@ -1,10 +1,15 @@
 #include "ui/looks.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ui {
 
 namespace {
+
+/// Of layers beside the one in contrast: enough to find one's way, too little to hide anything.
+constexpr glm::vec3 kFaintColour{0.55F, 0.57F, 0.60F};
+constexpr float kFaintOpacity = 0.12F;
 
 models::LayerLook toLook(const render::LayerStyle& style) {
     return {QColor::fromRgbF(style.colour.r, style.colour.g, style.colour.b),
@@ -18,6 +23,26 @@ render::LayerStyle toStyle(const models::LayerLook& look) {
 }
 
 }  // namespace
+
+std::vector<render::LayerStyle> flatStyles(const model::Document& document, const std::vector<models::LayerLook>& looks,
+                                           model::LayerId contrastLayer) {
+    std::vector<render::LayerStyle> styles = toStyles(looks);
+    for (std::size_t row = 0; row < styles.size(); ++row) {
+        render::LayerStyle& style = styles[row];
+        style.isVisible = style.isVisible && document.layers[row].type != model::LayerType::Body;
+        if (!contrastLayer.isValid()) {
+            continue;
+        }
+        if (row == contrastLayer.row()) {
+            style.isVisible = true;
+            style.opacity = 1.0F;
+        } else {
+            style.colour = kFaintColour;
+            style.opacity = std::min(style.opacity, kFaintOpacity);
+        }
+    }
+    return styles;
+}
 
 std::vector<models::LayerLook> defaultLooks(const model::Document& document) {
     std::vector<models::LayerLook> looks;

@@ -31,26 +31,26 @@ namespace ui {
 
 namespace {
 
-constexpr int kExplodeMs = 250;
-
 constexpr std::pair<ActionId, Theme> kThemes[] = {
     {ActionId::ThemeSystem, Theme::System}, {ActionId::ThemeDark, Theme::Dark}, {ActionId::ThemeLight, Theme::Light}};
 constexpr std::pair<ActionId, render::Backend> kBackends[] = {{ActionId::BackendAuto, render::Backend::Auto},
                                                               {ActionId::BackendMesh, render::Backend::Mesh},
                                                               {ActionId::BackendPull, render::Backend::Pull}};
-constexpr std::pair<ActionId, render::NamedView> kViews[] = {{ActionId::LookTop, render::NamedView::Top},
-                                                             {ActionId::LookBottom, render::NamedView::Bottom},
-                                                             {ActionId::LookIso, render::NamedView::Iso}};
+constexpr std::pair<ActionId, Arrangement> kArrangements[] = {{ActionId::ShowFlat, Arrangement::Flat},
+                                                              {ActionId::ShowSolid, Arrangement::Solid},
+                                                              {ActionId::ShowSideBySide, Arrangement::SideBySide},
+                                                              {ActionId::ShowStacked, Arrangement::Stacked}};
 /// Toolbar in order; Count stands for a separator.
 constexpr ActionId kToolBar[] = {ActionId::OpenFile,   ActionId::Count,   ActionId::Fit,        ActionId::LookTop,
                                  ActionId::LookBottom, ActionId::LookIso, ActionId::Count,      ActionId::Orthographic,
                                  ActionId::Explode,    ActionId::Count,   ActionId::SavePicture};
 /// Commands that need a board.
-constexpr ActionId kBoardActions[] = {ActionId::Reload,        ActionId::SavePicture,   ActionId::CopyPicture,
-                                      ActionId::Fit,           ActionId::LookTop,       ActionId::LookBottom,
-                                      ActionId::LookIso,       ActionId::ZoomIn,        ActionId::ZoomOut,
-                                      ActionId::ShowAllLayers, ActionId::HideAllLayers, ActionId::ShowCopperOnly,
-                                      ActionId::SoloLayer,     ActionId::RestoreLayers};
+constexpr ActionId kBoardActions[] = {
+    ActionId::Reload,         ActionId::SavePicture,  ActionId::CopyPicture,   ActionId::Fit,
+    ActionId::LookTop,        ActionId::LookBottom,   ActionId::LookIso,       ActionId::Flip,
+    ActionId::ZoomIn,         ActionId::ZoomOut,      ActionId::ShowAllLayers, ActionId::HideAllLayers,
+    ActionId::ShowCopperOnly, ActionId::SoloLayer,    ActionId::RestoreLayers, ActionId::Contrast,
+    ActionId::NextLayer,      ActionId::PreviousLayer};
 
 }  // namespace
 
@@ -73,16 +73,12 @@ MainWindow::MainWindow(GpuContext& context, Settings& settings, const Loader::Wo
     onIdle();
 }
 
-MainWindow::~MainWindow() {
-    delete m_view;  // its canvas must not draw a scene that is gone
-}
-
 void MainWindow::createCentre() {
-    m_view = new BoardView(m_context);
+    m_views = new BoardViews(m_context);
     m_messageBar = new MessageBar;
     m_pages = new QStackedWidget;
     m_pages->addWidget(new StartPage(m_actions));
-    m_pages->addWidget(m_view);
+    m_pages->addWidget(m_views);
     auto* centre = new QWidget;
     auto* layout = new QVBoxLayout(centre);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -93,15 +89,14 @@ void MainWindow::createCentre() {
 
     setAcceptDrops(true);
     installEventFilter(&m_dropTarget);
-    m_view->canvas().installEventFilter(&m_dropTarget);
+    for (BoardView* view : m_views->both()) {
+        view->canvas().installEventFilter(&m_dropTarget);
+    }
     connect(&m_dropTarget, &DropTarget::dropped, this, &MainWindow::openDropped);
-    connect(m_view, &BoardView::timed, this, &MainWindow::onTimed);
-    connect(m_view, &BoardView::deviceLost, this, &MainWindow::onDeviceLost);
-    connect(&m_layerModel, &models::LayerModel::looksChanged, this, &MainWindow::updateStyles);
-    m_explosion.setDuration(kExplodeMs);
-    m_explosion.setEasingCurve(QEasingCurve::OutCubic);
-    connect(&m_explosion, &QVariantAnimation::valueChanged, this,
-            [this](const QVariant& value) { m_view->setExplode(value.toFloat()); });
+    connect(m_views, &BoardViews::timed, m_statusLine, &StatusLine::showFrame);
+    connect(m_views, &BoardViews::troubled, m_messageBar, &MessageBar::showError);
+    connect(&m_layerModel, &models::LayerModel::looksChanged, this,
+            [this] { m_views->setLooks(m_layerModel.effectiveLooks()); });
 }
 
 QDockWidget* MainWindow::addDock(Qt::DockWidgetArea area, const char* name, const QString& title, QWidget* content,
@@ -157,6 +152,7 @@ void MainWindow::createMenus() {
     QMenu* file = addMenu(*menuBar(), MenuId::File);
     QMenu* view = addMenu(*menuBar(), MenuId::View);
     view->addSeparator();
+    addMenu(*view, MenuId::Arrangement);
     addMenu(*view, MenuId::Theme);
     addMenu(*view, MenuId::Backend);
     addMenu(*menuBar(), MenuId::Layers);
@@ -186,14 +182,17 @@ void MainWindow::connectFileActions() {
 }
 
 void MainWindow::connectViewActions() {
-    CameraController& controller = m_view->controller();
-    on(ActionId::Fit, [&controller] { controller.fit(); });
-    on(ActionId::ZoomIn, [&controller] { controller.zoomAtCentre(CameraController::kZoomPerNotch); });
-    on(ActionId::ZoomOut, [&controller] { controller.zoomAtCentre(1.0F / CameraController::kZoomPerNotch); });
-    on(ActionId::Orthographic, [&controller](bool isOn) { controller.setOrthographic(isOn); });
-    on(ActionId::Explode, &MainWindow::animateExplode);
-    for (const auto& [id, view] : kViews) {
-        on(id, [&controller, view = view] { controller.look(view); });
+    on(ActionId::Fit, [this] { active().fit(); });
+    on(ActionId::ZoomIn, [this] { active().zoomAtCentre(CameraController::kZoomPerNotch); });
+    on(ActionId::ZoomOut, [this] { active().zoomAtCentre(1.0F / CameraController::kZoomPerNotch); });
+    on(ActionId::Flip, [this] { active().flip(); });
+    on(ActionId::LookTop, [this] { active().look(render::NamedView::Top); });
+    on(ActionId::LookBottom, [this] { active().look(render::NamedView::Bottom); });
+    on(ActionId::LookIso, [this] { m_views->solid().controller().look(render::NamedView::Iso); });
+    on(ActionId::Orthographic, [this](bool isOn) { m_views->solid().controller().setOrthographic(isOn); });
+    on(ActionId::Explode, [this](bool isOn) { m_views->explode(isOn); });
+    for (const auto& [id, arrangement] : kArrangements) {
+        on(id, [this, arrangement = arrangement] { setArrangement(arrangement); });
     }
     for (const auto& [id, theme] : kThemes) {
         on(id, [this, theme = theme] { setTheme(theme); });
@@ -208,6 +207,10 @@ void MainWindow::connectLayerActions() {
     on(ActionId::HideAllLayers, [this] { m_layerModel.hideAll(); });
     on(ActionId::ShowCopperOnly, [this] { m_layerModel.showCopperOnly(); });
     on(ActionId::RestoreLayers, [this] { m_layerModel.restoreDefaults(); });
+    on(ActionId::Contrast, &MainWindow::updateContrast);
+    on(ActionId::NextLayer, [this] { m_layersPanel->step(1); });
+    on(ActionId::PreviousLayer, [this] { m_layersPanel->step(-1); });
+    connect(m_layersPanel, &LayersPanel::currentChanged, this, &MainWindow::updateContrast);
     on(ActionId::SoloLayer, [this] { m_layerModel.toggleSolo(m_layersPanel->currentLayer()); });
 }
 
@@ -236,6 +239,7 @@ void MainWindow::restoreSettings() {
     restoreState(m_settings.windowState());
     setTheme(m_settings.theme());
     setBackend(m_settings.backend());
+    setArrangement(m_settings.arrangement());
     m_actions[ActionId::BackendMesh].setEnabled(m_context.device().caps().hasMeshShader);
 }
 
@@ -244,6 +248,7 @@ void MainWindow::resetSettings() {
     restoreState(m_defaultState);
     setTheme(Theme::System);
     setBackend(render::Backend::Auto);
+    setArrangement(Arrangement::SideBySide);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -271,7 +276,7 @@ void MainWindow::askForBoardToOpen(BoardForm form) {
 }
 
 void MainWindow::savePicture(const QString& path) {
-    const base::Result<QImage> picture = m_view->grabPicture();
+    const base::Result<QImage> picture = m_views->active().grabPicture();
     if (!picture) {
         m_messageBar->showError(QString::fromStdString(picture.error().text));
     } else if (!picture->save(path, "PNG")) {
@@ -282,7 +287,7 @@ void MainWindow::savePicture(const QString& path) {
 }
 
 void MainWindow::copyPicture() {
-    const base::Result<QImage> picture = m_view->grabPicture();
+    const base::Result<QImage> picture = m_views->active().grabPicture();
     if (picture) {
         QGuiApplication::clipboard()->setImage(picture->copy());
         statusBar()->showMessage(QStringLiteral("The picture is on the clipboard"));
@@ -312,26 +317,14 @@ void MainWindow::onLoaded(const LoadedBoard& board) {
     m_layerModel.setDocument(board.document, defaultLooks(*board.document));
     m_statisticsModel.setDocument(board.document);
     m_messageModel.setMessages(board.document, board.model->diagnostics);
-    showScene();
-    m_view->setBoard(board.model->boxMin, board.model->boxMax);
-    m_view->controller().look(render::NamedView::Iso);
-    m_pages->setCurrentWidget(m_view);
+    m_views->show(board, m_layerModel.effectiveLooks());
+    updateContrast();
+    m_pages->setCurrentWidget(m_views);
     m_messageBar->hide();
     m_recent->add(fromPath(board.request.path));
     setWindowTitle(QStringLiteral("%1 – Copperscope").arg(displayName(board.request.path)));
     statusBar()->showMessage(loadSummary(board, m_messageModel));
     onIdle();
-}
-
-void MainWindow::showScene() {
-    m_view->setScene(nullptr);
-    m_scene.reset();  // before the new one is made: the device may not have room for both
-    if (m_context.device().isLost()) {
-        return;  // the message bar has told so
-    }
-    m_scene = std::make_unique<render::BoardScene>(m_context.device(), *m_board->model);
-    m_view->setScene(m_scene.get());
-    updateStyles();
 }
 
 void MainWindow::onFailed(const LoadRequest& request, const QString& reason) {
@@ -342,41 +335,6 @@ void MainWindow::onFailed(const LoadRequest& request, const QString& reason) {
 void MainWindow::onCancelled(const LoadRequest& request) {
     statusBar()->showMessage(QStringLiteral("Stopped opening %1").arg(displayName(request.path)));
     onIdle();
-}
-
-void MainWindow::onTimed(const render::FrameStats& stats) {
-    m_isUntried = false;
-    m_statusLine->showFrame(stats);
-}
-
-void MainWindow::onDeviceLost() {
-    if (!m_context.device().isLost()) {
-        return;  // told twice of one loss
-    }
-    if (std::exchange(m_isUntried, true)) {
-        m_messageBar->showError(QStringLiteral("The graphics device keeps failing. Please start Copperscope again."));
-        return;
-    }
-    m_view->setScene(nullptr);
-    m_view->releaseDevice();
-    m_scene.reset();
-    if (const base::Status renewed = m_context.renewDevice(); !renewed) {
-        m_messageBar->showError(
-            QStringLiteral("The graphics device failed. %1").arg(QString::fromStdString(renewed.error().text)));
-        return;
-    }
-    m_messageBar->showError(QStringLiteral("The graphics device failed and was started again."));
-    if (m_board) {
-        showScene();
-    }
-}
-
-void MainWindow::updateStyles() {
-    if (!m_scene) {
-        return;
-    }
-    m_scene->setStyles(toStyles(m_layerModel.effectiveLooks()));
-    m_view->requestFrame();
 }
 
 void MainWindow::setTheme(Theme theme) {
@@ -392,15 +350,20 @@ void MainWindow::setBackend(render::Backend backend) {
         m_actions[id].setChecked(value == backend);
     }
     m_settings.setBackend(backend);
-    m_view->setBackend(backend);
+    m_views->setBackend(backend);
 }
 
-void MainWindow::animateExplode(bool isOn) {
-    const QVariant now = m_explosion.currentValue();
-    m_explosion.stop();
-    m_explosion.setStartValue(now.isValid() ? now.toFloat() : 0.0F);
-    m_explosion.setEndValue(isOn ? 1.0F : 0.0F);
-    m_explosion.start();
+void MainWindow::setArrangement(Arrangement arrangement) {
+    for (const auto& [id, value] : kArrangements) {
+        m_actions[id].setChecked(value == arrangement);
+    }
+    m_settings.setArrangement(arrangement);
+    m_views->setArrangement(arrangement);
+}
+
+void MainWindow::updateContrast() {
+    m_views->setContrastLayer(m_actions[ActionId::Contrast].isChecked() ? m_layersPanel->currentLayer()
+                                                                        : model::LayerId{});
 }
 
 }  // namespace ui

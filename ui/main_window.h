@@ -1,12 +1,11 @@
 #pragma once
 
 #include <QMainWindow>
-#include <QVariantAnimation>
 #include <memory>
 #include <optional>
 
 #include "ui/actions.h"
-#include "ui/board_view.h"
+#include "ui/board_views.h"
 #include "ui/dialogs.h"
 #include "ui/drop_target.h"
 #include "ui/loader.h"
@@ -34,7 +33,6 @@ class MainWindow : public QMainWindow {
 public:
     /// `work` is what loads boards; tests put their own in.
     MainWindow(GpuContext& context, Settings& settings, const Loader::Work& work = loadBoard);
-    ~MainWindow() override;
 
     /// Starts to load a file or folder; an empty step means the job's first one.
     void open(const std::filesystem::path& path, const std::string& step = {});
@@ -44,7 +42,7 @@ public:
     void resetSettings();
 
     [[nodiscard]] const model::Document* document() const { return m_board ? m_board->document.get() : nullptr; }
-    [[nodiscard]] BoardView& view() { return *m_view; }
+    [[nodiscard]] BoardViews& views() { return *m_views; }
     [[nodiscard]] Loader& loader() { return m_loader; }
     [[nodiscard]] models::LayerModel& layers() { return m_layerModel; }
     [[nodiscard]] LayersPanel& layersPanel() { return *m_layersPanel; }
@@ -73,6 +71,7 @@ private:
     void connectLoader();
     void restoreSettings();
 
+    [[nodiscard]] CameraController& active() { return m_views->active().controller(); }
     void askForBoardToOpen(BoardForm form);
     void openDropped(const QStringList& paths);
 
@@ -81,14 +80,10 @@ private:
     void onFailed(const LoadRequest& request, const QString& reason);
     void onCancelled(const LoadRequest& request);
     void onIdle();
-    void onDeviceLost();
-    void onTimed(const render::FrameStats& stats);
-
-    void showScene();
-    void updateStyles();
     void setTheme(Theme theme);
     void setBackend(render::Backend backend);
-    void animateExplode(bool isOn);
+    void setArrangement(Arrangement arrangement);
+    void updateContrast();
     void copyPicture();
 
     GpuContext& m_context;
@@ -99,15 +94,12 @@ private:
     models::StatisticsModel m_statisticsModel;
     models::MessageModel m_messageModel;
     DropTarget m_dropTarget;
-    QVariantAnimation m_explosion;
 
     std::optional<LoadedBoard> m_board;
-    std::unique_ptr<render::BoardScene> m_scene;
-    bool m_isUntried = false;  ///< the device was renewed and has not finished a frame since
     QByteArray m_defaultState;
 
-    // Owned by the window as Qt children; the view is deleted by hand before the scene it draws.
-    BoardView* m_view = nullptr;
+    // Owned by the window as Qt children.
+    BoardViews* m_views = nullptr;
     QStackedWidget* m_pages = nullptr;
     MessageBar* m_messageBar = nullptr;
     LayersPanel* m_layersPanel = nullptr;

@@ -24,13 +24,25 @@ QImage adopt(render::Image pixels) {
 
 }  // namespace
 
+render::ViewSettings Picture::frameSettings() const {
+    if (scene != nullptr) {
+        scene->setStyles(styles);
+    }
+    render::ViewSettings withOverlay = settings;
+    if (!overlay.isNull()) {
+        withOverlay.overlay = {static_cast<std::uint32_t>(overlay.width()),
+                               static_cast<std::uint32_t>(overlay.height()), overlay.constBits()};
+    }
+    return withOverlay;
+}
+
 base::Result<QImage> drawPicture(render::OffscreenPresenter& presenter, const Picture& picture,
                                  const render::Camera& camera, QSize size) {
     if (picture.scene == nullptr) {
         return background(picture.settings, size);
     }
-    auto pixels = presenter.render(*picture.scene, camera, picture.settings, static_cast<std::uint32_t>(size.width()),
-                                   static_cast<std::uint32_t>(size.height()));
+    auto pixels = presenter.render(*picture.scene, camera, picture.frameSettings(),
+                                   static_cast<std::uint32_t>(size.width()), static_cast<std::uint32_t>(size.height()));
     if (!pixels) {
         return pixels.error();
     }

@@ -2,6 +2,8 @@
 
 #include <QImage>
 #include <QSize>
+#include <functional>
+#include <vector>
 
 #include "model/base/result.h"
 #include "render/view.h"
@@ -12,6 +14,13 @@ namespace ui {
 struct Picture {
     render::BoardScene* scene = nullptr;  ///< null while no board is open
     render::ViewSettings settings;
+    std::vector<render::LayerStyle> styles;  ///< one per layer of the scene; views may differ
+    QImage overlay;                          ///< null for none; RGBA8888_Premultiplied, in pixels of the picture
+    /// Called before each frame of a canvas with the picture's size in pixels: paints the overlay.
+    std::function<void(QSize pixels)> prepare;
+
+    /// The settings with the overlay; the scene has the styles of this picture afterwards.
+    [[nodiscard]] render::ViewSettings frameSettings() const;
 };
 
 /// Draws to memory, `size` in pixels. A null scene gives the background. Errors: those of OffscreenPresenter::render.

@@ -12,6 +12,7 @@ constexpr auto kGeometry = "window/geometry";
 constexpr auto kState = "window/state";
 constexpr auto kTheme = "view/theme";
 constexpr auto kBackend = "view/backend";
+constexpr auto kArrangement = "view/arrangement";
 constexpr auto kRecent = "files/recent";
 constexpr auto kFolder = "files/folder";
 
@@ -23,6 +24,10 @@ struct Word {
 
 constexpr std::array<Word<Theme>, 3> kThemes{
     {{Theme::System, "system"}, {Theme::Dark, "dark"}, {Theme::Light, "light"}}};
+constexpr std::array<Word<Arrangement>, 4> kArrangements{{{Arrangement::SideBySide, "side by side"},
+                                                          {Arrangement::Stacked, "stacked"},
+                                                          {Arrangement::Flat, "2d"},
+                                                          {Arrangement::Solid, "3d"}}};
 constexpr std::array<Word<render::Backend>, 3> kBackends{
     {{render::Backend::Auto, "auto"}, {render::Backend::Mesh, "mesh"}, {render::Backend::Pull, "pull"}}};
 
@@ -73,6 +78,14 @@ render::Backend Settings::backend() const {
 
 void Settings::setBackend(render::Backend backend) {
     m_store.setValue(kBackend, toWord(kBackends, backend));
+}
+
+Arrangement Settings::arrangement() const {
+    return fromWord(kArrangements, m_store.value(kArrangement).toString());
+}
+
+void Settings::setArrangement(Arrangement arrangement) {
+    m_store.setValue(kArrangement, toWord(kArrangements, arrangement));
 }
 
 QStringList Settings::recentBoards() const {

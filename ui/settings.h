@@ -10,6 +10,8 @@
 namespace ui {
 
 enum class Theme { System, Dark, Light };
+/// Which of the two views are shown: 2D, 3D, or both.
+enum class Arrangement { SideBySide, Stacked, Flat, Solid };
 
 /// What is kept between runs: window place, panels, theme, back end, recent boards. Stored where the system keeps
 /// settings, or in one file for tests.
@@ -26,6 +28,9 @@ public:
     void setTheme(Theme theme);
     [[nodiscard]] render::Backend backend() const;
     void setBackend(render::Backend backend);
+
+    [[nodiscard]] Arrangement arrangement() const;
+    void setArrangement(Arrangement arrangement);
 
     /// Paths, newest first.
     [[nodiscard]] QStringList recentBoards() const;

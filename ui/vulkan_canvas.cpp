@@ -94,7 +94,8 @@ void VulkanCanvas::draw() {
     }
     const glm::uvec2 size = pixelSize(*this);
     m_presenter->resize(size.x, size.y);
-    switch (m_presenter->draw(m_picture.scene, m_controller.camera(), m_picture.settings)) {
+    m_picture.prepare(QSize(static_cast<int>(size.x), static_cast<int>(size.y)));
+    switch (m_presenter->draw(m_picture.scene, m_controller.camera(), m_picture.frameSettings())) {
         case render::SwapchainPresenter::Outcome::Drawn:
             vulkanInstance()->presentQueued(this);
             m_times.start();

@@ -25,12 +25,14 @@ private slots:
             Settings settings(iniFile());
             settings.setTheme(ui::Theme::Dark);
             settings.setBackend(render::Backend::Pull);
+            settings.setArrangement(ui::Arrangement::Stacked);
             settings.setWindow("geometry", "state");
             settings.setLastFolder("/boards");
         }
         const Settings settings(iniFile());
         QCOMPARE(settings.theme(), ui::Theme::Dark);
         QCOMPARE(settings.backend(), render::Backend::Pull);
+        QCOMPARE(settings.arrangement(), ui::Arrangement::Stacked);
         QCOMPARE(settings.windowGeometry(), QByteArray("geometry"));
         QCOMPARE(settings.windowState(), QByteArray("state"));
         QCOMPARE(settings.lastFolder(), "/boards");

@@ -10,6 +10,7 @@ endfunction()
 add_library(ui_test_support STATIC ui/window_fixture.cpp)
 target_link_libraries(ui_test_support PUBLIC copperscope_ui Qt6::Test)
 copperscope_ui_test(main_window)
+copperscope_ui_test(board_views)
 copperscope_ui_test(panels)
 
 copperscope_test(ui_actions_test ui/actions_test.cpp LABEL ui LINK copperscope_ui)

@@ -55,12 +55,12 @@ bool WindowFixture::openAndWait(const QString& path) {
 }
 
 QImage WindowFixture::picture() {
-    base::Result<QImage> picture = m_window->view().grabPicture();
+    base::Result<QImage> picture = m_window->views().solid().grabPicture();
     return picture ? picture->convertToFormat(QImage::Format_RGB32) : QImage();
 }
 
 QImage WindowFixture::shown() {
-    QWidget& view = m_window->view();
+    QWidget& view = m_window->views().solid();
     if (m_context->surfaceInstance() == nullptr) {
         return view.grab().toImage().convertToFormat(QImage::Format_RGB32);
     }
@@ -71,7 +71,7 @@ QImage WindowFixture::shown() {
 }
 
 void WindowFixture::key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
-    QObject& canvas = m_window->view().canvas();
+    QObject& canvas = m_window->views().solid().canvas();
     if (auto* nativeWindow = qobject_cast<QWindow*>(&canvas)) {
         QTest::keyClick(nativeWindow, key, modifiers);
     } else {

@@ -1,0 +1,183 @@
+#include "ui/board_views.h"
+
+#include <QMouseEvent>
+#include <QSignalSpy>
+#include <QtTest>
+
+#include "tests/ui/window_fixture.h"
+#include "ui/layers_panel.h"
+
+using ui::ActionId;
+using ui::Arrangement;
+using ui::BoardView;
+
+/// Two views of one board: each with its own camera, both with the same layers.
+class BoardViewsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        m_fixture = std::make_unique<WindowFixture>();
+        QVERIFY(m_fixture->openAndWait(QStringLiteral(COPPERSCOPE_SAMPLE)));
+    }
+    void init() {
+        window().actions()[ActionId::ShowSideBySide].trigger();
+        window().actions()[ActionId::RestoreLayers].trigger();
+        views().setActive(views().flat());
+        window().actions()[ActionId::LookTop].trigger();
+        views().setActive(views().solid());
+    }
+    void cleanupTestCase() {
+        const std::uint32_t errors = m_fixture->context().validationErrors();
+        m_fixture.reset();
+        QCOMPARE(errors, 0U);
+    }
+
+    void arrangementKeysShowOneOrBoth() {
+        QVERIFY(views().flat().isVisible() && views().solid().isVisible());
+        QVERIFY(views().flat().x() < views().solid().x());
+        m_fixture->key(Qt::Key_5);
+        QVERIFY(views().flat().y() < views().solid().y());
+        QCOMPARE(m_fixture->settings().arrangement(), Arrangement::Stacked);
+        m_fixture->key(Qt::Key_3);
+        QVERIFY(!views().flat().isVisible() && views().solid().isVisible());
+        m_fixture->key(Qt::Key_2);
+        QVERIFY(views().flat().isVisible() && !views().solid().isVisible());
+        QCOMPARE(&views().active(), &views().flat());
+    }
+
+    void commandsGoToTheViewInUse() {
+        const float solidScale = solid().mmPerPixel();
+        const float flatScale = flat().mmPerPixel();
+        click(views().flat(), {60, 60});
+        QCOMPARE(&views().active(), &views().flat());
+        window().actions()[ActionId::ZoomIn].trigger();
+        QVERIFY(flat().mmPerPixel() < flatScale * 0.9F);
+        QCOMPARE(solid().mmPerPixel(), solidScale);
+        key(views().solid(), Qt::Key_Plus);
+        QCOMPARE(&views().active(), &views().solid());
+        QVERIFY(solid().mmPerPixel() < solidScale * 0.99F);
+    }
+
+    void flatViewStaysFlat() {
+        for (const Qt::Key pressed : {Qt::Key_I, Qt::Key_O, Qt::Key_Left, Qt::Key_Up}) {
+            key(views().flat(), pressed);
+            QVERIFY(flat().camera().direction().z < -0.99999F);
+            QVERIFY(flat().camera().isOrthographic());
+        }
+        m_fixture->key(Qt::Key_O);
+    }
+
+    void turningOverShowsTheOtherSideOfTheSamePlace() {
+        const QImage top = picture(views().flat());
+        window().actions()[ActionId::ZoomIn].trigger();
+        const glm::vec3 target = flat().camera().target();
+        key(views().flat(), Qt::Key_Space);
+        QVERIFY(flat().camera().direction().z > 0.99999F);
+        QCOMPARE(flat().camera().target(), target);
+        QVERIFY(differingPixels(top, picture(views().flat())) > 1000);
+        key(views().flat(), Qt::Key_Space);
+        QCOMPARE(differingPixels(top, picture(views().flat())), 0);
+    }
+
+    void leftDragInTwoDDrawsABoxAndMovesNothing() {
+        QSignalSpy finished(&flat(), &ui::CameraController::boxFinished);
+        const glm::vec3 target = flat().camera().target();
+        drag(views().flat(), Qt::LeftButton, {50, 60}, {120, 90});
+        QCOMPARE(finished.count(), 1);
+        QCOMPARE(finished.first()[0].toPointF(), QPointF(50, 60));
+        QCOMPARE(finished.first()[1].toPointF(), QPointF(120, 90));
+        QCOMPARE(flat().camera().target(), target);
+        drag(views().flat(), Qt::RightButton, {50, 60}, {120, 90});
+        QCOMPARE(finished.count(), 1);
+        QVERIFY(flat().camera().target() != target);
+    }
+
+    void screenAndBoardAgree() {
+        for (BoardView* view : views().both()) {
+            const ui::CameraController& controller = view->controller();
+            const QPointF place(70, 90);
+            const auto ray = controller.rayAt(place);
+            const std::optional<QPointF> back = controller.screenOf(ray.origin + 100.0F * ray.direction);
+            QVERIFY(back.has_value());
+            QVERIFY2(QLineF(*back, place).length() < 0.05, qPrintable(QString::number(QLineF(*back, place).length())));
+        }
+    }
+
+    void hiddenLayersAreHiddenInBoth() {
+        const QImage before[] = {picture(views().flat()), picture(views().solid())};
+        window().actions()[ActionId::ShowCopperOnly].trigger();
+        QVERIFY(differingPixels(before[0], picture(views().flat())) > 100);
+        QVERIFY(differingPixels(before[1], picture(views().solid())) > 100);
+    }
+
+    void contrastFadesTheOtherLayersInTwoDOnly() {
+        window().layersPanel().selectRow(topCopper());
+        const QImage before[] = {picture(views().flat()), picture(views().solid())};
+        m_fixture->key(Qt::Key_H, Qt::ShiftModifier);
+        QVERIFY(differingPixels(before[0], picture(views().flat())) > 1000);
+        QCOMPARE(differingPixels(before[1], picture(views().solid())), 0);
+        const QImage contrast = picture(views().flat());
+        m_fixture->key(Qt::Key_PageDown);
+        QVERIFY2(differingPixels(contrast, picture(views().flat())) > 1000, "the layer below is the bright one now");
+        m_fixture->key(Qt::Key_H, Qt::ShiftModifier);
+        QCOMPARE(differingPixels(before[0], picture(views().flat())), 0);
+    }
+
+    void layerKeysStepThroughVisibleLayersAndCarrySoloAlong() {
+        window().layersPanel().selectRow(topCopper());
+        m_fixture->key(Qt::Key_PageDown);
+        const int next = static_cast<int>(window().layersPanel().currentLayer().row());
+        QVERIFY(next > topCopper());
+        QVERIFY(window().layers().effectiveLooks()[static_cast<std::size_t>(next)].isVisible);
+        m_fixture->key(Qt::Key_PageUp);
+        QCOMPARE(static_cast<int>(window().layersPanel().currentLayer().row()), topCopper());
+        m_fixture->key(Qt::Key_H);
+        m_fixture->key(Qt::Key_PageDown);
+        QCOMPARE(window().layers().soloLayer(), window().layersPanel().currentLayer());
+    }
+
+private:
+    ui::MainWindow& window() { return m_fixture->window(); }
+    ui::BoardViews& views() { return window().views(); }
+    ui::CameraController& flat() { return views().flat().controller(); }
+    ui::CameraController& solid() { return views().solid().controller(); }
+
+    static QImage picture(BoardView& view) {
+        base::Result<QImage> image = view.grabPicture();
+        return image ? image->convertToFormat(QImage::Format_RGB32) : QImage();
+    }
+    static void key(BoardView& view, Qt::Key key) {
+        if (auto* native = qobject_cast<QWindow*>(&view.canvas())) {
+            QTest::keyClick(native, key);
+        } else {
+            QTest::keyClick(qobject_cast<QWidget*>(&view.canvas()), key);
+        }
+    }
+    static void mouse(BoardView& view, QEvent::Type type, Qt::MouseButton button, QPointF at) {
+        const Qt::MouseButtons held = type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::MouseButtons(button);
+        QMouseEvent event(type, at, at, type == QEvent::MouseMove ? Qt::NoButton : button, held, Qt::NoModifier);
+        QCoreApplication::sendEvent(&view.canvas(), &event);
+    }
+    static void click(BoardView& view, QPointF at) {
+        mouse(view, QEvent::MouseButtonPress, Qt::LeftButton, at);
+        mouse(view, QEvent::MouseButtonRelease, Qt::LeftButton, at);
+    }
+    static void drag(BoardView& view, Qt::MouseButton button, QPointF from, QPointF to) {
+        mouse(view, QEvent::MouseButtonPress, button, from);
+        mouse(view, QEvent::MouseMove, button, (from + to) / 2);
+        mouse(view, QEvent::MouseMove, button, to);
+        mouse(view, QEvent::MouseButtonRelease, button, to);
+    }
+    int topCopper() {
+        const auto& layers = window().document()->layers;
+        const auto found =
+            std::find_if(layers.begin(), layers.end(), [](const auto& layer) { return layer.isCopper(); });
+        return static_cast<int>(found - layers.begin());
+    }
+
+    std::unique_ptr<WindowFixture> m_fixture;
+};
+
+QTEST_MAIN(BoardViewsTest)
+#include "board_views_test.moc"

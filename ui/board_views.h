@@ -1,0 +1,79 @@
+#pragma once
+
+#include <QVariantAnimation>
+#include <QWidget>
+#include <array>
+#include <memory>
+
+#include "ui/board_view.h"
+#include "ui/loader.h"
+#include "ui/models/layer_model.h"
+#include "ui/settings.h"
+
+class QSplitter;
+
+namespace ui {
+
+/// The 2D and the 3D view of one board: one scene on the device, one set of ids, two cameras. Either alone, side by
+/// side, or one above the other. Commands go to the view in use: the one last clicked, scrolled or typed in, which has
+/// a coloured edge.
+class BoardViews : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit BoardViews(GpuContext& context, QWidget* parent = nullptr);
+    ~BoardViews() override;
+
+    /// Puts the board on the device and looks at it anew.
+    void show(const LoadedBoard& board, const std::vector<models::LayerLook>& looks);
+    void setLooks(const std::vector<models::LayerLook>& looks);
+    /// In 2D all layers but this one fade into the background; none ends it.
+    void setContrastLayer(model::LayerId layer);
+    void setBackend(render::Backend backend);
+    void setArrangement(Arrangement arrangement);
+    [[nodiscard]] Arrangement arrangement() const { return m_arrangement; }
+    /// Spreads the layers of the 3D view apart, or folds them back.
+    void explode(bool isOn);
+    void requestFrame();
+    /// The elements that stand out; with `dimOthers` all others are darkened.
+    void setHighlight(std::span<const model::ElementId> elements, bool dimOthers);
+
+    [[nodiscard]] BoardView& flat() { return *m_views[0]; }
+    [[nodiscard]] BoardView& solid() { return *m_views[1]; }
+    [[nodiscard]] const std::array<BoardView*, 2>& both() const { return m_views; }
+    /// The view that commands are for; it is always shown.
+    [[nodiscard]] BoardView& active() { return *m_active; }
+    void setActive(BoardView& view);
+    /// Null while no board is on the device.
+    [[nodiscard]] render::BoardScene* scene() { return m_scene.get(); }
+
+signals:
+    void timed(const render::FrameStats& stats);
+    void activeChanged();
+    /// The device failed; says whether it works again.
+    void troubled(const QString& what);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    void makeScene();
+    void onTimed(const render::FrameStats& stats);
+    void onDeviceLost();
+    [[nodiscard]] std::vector<render::LayerStyle> stylesOf(const BoardView& view) const;
+
+    GpuContext& m_context;
+    std::unique_ptr<render::BoardScene> m_scene;
+    std::optional<LoadedBoard> m_board;
+    std::vector<models::LayerLook> m_looks;
+    std::vector<model::ElementId> m_highlight;
+    model::LayerId m_contrastLayer;
+    QVariantAnimation m_explosion;
+    Arrangement m_arrangement = Arrangement::SideBySide;
+    bool m_isUntried = false;  ///< the device was renewed and has not finished a frame since
+    QSplitter* m_splitter = nullptr;
+    std::array<BoardView*, 2> m_views{};
+    BoardView* m_active = nullptr;
+};
+
+}  // namespace ui
