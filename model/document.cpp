@@ -49,6 +49,13 @@ Box boxOfTrail(const Document& document, const TrailGeometry& trail) {
 
 }  // namespace
 
+std::span<const std::uint32_t> PaintedSources::of(ElementId element) const {
+    const auto area = std::ranges::lower_bound(areas, element, {}, &PaintedArea::element);
+    const bool isPainted = area != areas.end() && area->element == element;
+    return isPainted ? std::span(features).subspan(area->firstFeature, area->featureCount)
+                     : std::span<const std::uint32_t>{};
+}
+
 LayerId Document::findLayer(std::string_view name) const {
     const auto found = std::ranges::find_if(layers, [&](const Layer& l) { return equalsIgnoringCase(l.name, name); });
     return found == layers.end() ? LayerId{} : LayerId{static_cast<std::size_t>(found - layers.begin())};

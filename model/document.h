@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "model/attributes.h"
 #include "model/base/ids.h"
 #include "model/base/point.h"
 #include "model/diagnostics.h"
@@ -111,8 +112,26 @@ struct ElementTable {
     std::vector<std::uint32_t> geometry;
     std::vector<std::uint32_t> firstFeature;  ///< 0-based ordinal of its (first) feature record in the layer's file
     std::vector<std::uint32_t> line;          ///< 1-based line of that record
+    std::vector<AttributeSetId> attributes;   ///< of that feature: a row of Document::attributes
 
     [[nodiscard]] std::size_t size() const { return kind.size(); }
+};
+
+/// The features that an area made by painting came from: rows of `PaintedSources::features`.
+struct PaintedArea {
+    ElementId element;
+    std::uint32_t firstFeature = 0;
+    std::uint32_t featureCount = 0;
+};
+
+/// The way back from areas that several features made together: what negative features left of a positive one, and the
+/// pieces of negative layers. All other elements came from their `firstFeature` (trails: from it and those behind it).
+struct PaintedSources {
+    std::vector<PaintedArea> areas;       ///< by element, rising
+    std::vector<std::uint32_t> features;  ///< ordinals in the layer's file, rising within an area
+
+    /// Empty for elements that were not painted.
+    [[nodiscard]] std::span<const std::uint32_t> of(ElementId element) const;
 };
 
 /// A stroke from `a` to `b` with a round pen (square with kSquarePen). `innerWidth` > 0 makes it a tube (plated slot).
@@ -232,6 +251,8 @@ struct Document {
     std::vector<Nm>
         trailWidths;  ///< per trail node: width of the stroke that leaves it, 0 for the last node of a trail
     std::vector<AreaGeometry> areas;
+    PaintedSources painted;
+    AttributeTable attributes;
 
     std::vector<Net> nets;
     std::vector<std::uint32_t> netStart;  ///< elements of net n: netElements[netStart[n] .. netStart[n + 1])

@@ -77,6 +77,7 @@ ElementId DocumentBuilder::addElement(ElementKind kind, std::size_t geometry, co
     table.geometry.push_back(static_cast<std::uint32_t>(geometry));
     table.firstFeature.push_back(origin.feature);
     table.line.push_back(origin.line);
+    table.attributes.push_back(origin.attributes);
     Layer& owner = layer(m_layer);
     ++owner.elements.count;
     ++owner.counts[static_cast<std::size_t>(kind)];
@@ -117,6 +118,16 @@ ElementId DocumentBuilder::addArea(const AreaGeometry& area, const Origin& origi
     ASSERT(area.shape.row() < m_document->shapes.size());
     m_document->areas.push_back(area);
     return addElement(ElementKind::Area, m_document->areas.size() - 1, origin);
+}
+
+ElementId DocumentBuilder::addPaintedArea(const AreaGeometry& area, const Origin& origin,
+                                          std::span<const std::uint32_t> features) {
+    const ElementId element = addArea(area, origin);
+    PaintedSources& painted = m_document->painted;
+    painted.areas.push_back(
+        {element, static_cast<std::uint32_t>(painted.features.size()), static_cast<std::uint32_t>(features.size())});
+    painted.features.insert(painted.features.end(), features.begin(), features.end());
+    return element;
 }
 
 std::shared_ptr<const Document> DocumentBuilder::finish() {

@@ -16,6 +16,7 @@ public:
     struct Origin {
         NetId net;
         SymbolId symbol;
+        AttributeSetId attributes;
         std::uint32_t feature = 0;
         std::uint32_t line = 0;
         std::uint8_t flags = 0;
@@ -30,6 +31,8 @@ public:
     [[nodiscard]] std::vector<Layer>& layers() { return m_document->layers; }
     NetId addNet(std::string name);
     SymbolId symbol(std::string_view name);  ///< row of the name, added on first use
+    /// Row of this set of attributes, added on first use.
+    AttributeSetId attributes(const AttributeValues& values) { return m_document->attributes.add(values); }
     /// Holes are put behind the island that contains them, in whatever order they were sketched.
     ShapeId addShape(const ShapeSketch& sketch);
     [[nodiscard]] const ShapeTable& shapes() const { return m_document->shapes; }
@@ -52,6 +55,8 @@ public:
     /// One width per edge: `widths` has one entry less than `nodes`.
     ElementId addTrail(std::span<const PathNode> nodes, std::span<const Nm> widths, const Origin& origin);
     ElementId addArea(const AreaGeometry& area, const Origin& origin);
+    /// An area that several features made together. `features` rise.
+    ElementId addPaintedArea(const AreaGeometry& area, const Origin& origin, std::span<const std::uint32_t> features);
 
     /// What has been added so far, for steps that derive more from it (body, negative layers).
     [[nodiscard]] const Document& soFar() const { return *m_document; }

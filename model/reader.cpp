@@ -1,10 +1,10 @@
 #include "model/reader.h"
 
-#include "model/odb/odb_reader.h"
-#include "model/paper/paper_reader.h"
-
 #include <fstream>
 #include <sstream>
+
+#include "model/odb/odb_reader.h"
+#include "model/paper/paper_reader.h"
 
 namespace model {
 
@@ -34,7 +34,8 @@ base::Result<std::string> readAll(const fs::path& path) {
 
 }  // namespace
 
-base::Result<std::shared_ptr<const Document>> readBoard(const fs::path& path, const ReadOptions& options, base::Progress& progress) {
+base::Result<std::shared_ptr<const Document>> readBoard(const fs::path& path, const ReadOptions& options,
+                                                        base::Progress& progress) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (!fs::exists(status)) {

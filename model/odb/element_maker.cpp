@@ -31,8 +31,8 @@ bool isQuarterTurn(const Placement& placement) {
 void ElementMaker::add(const FeatureSource& source, const HoleRules* holes) {
     m_source = source;
     m_holes = holes;
-    m_isMoved = !isIdentity(source.placement);
     m_resolved.assign(source.file->symbols.size(), {});
+    m_attributes.assign(source.file->attributes.sets.size(), {});
     m_ownSurfaces = &m_surfaces[source.file];
     m_ownSurfaces->resize(source.file->surfaces.size());
     for (std::size_t i = 0; i < source.file->features.size(); ++i) {
@@ -83,20 +83,29 @@ NetId ElementMaker::netOf(std::size_t feature) const {
     return feature < m_source.nets.size() ? m_source.nets[feature] : NetId{};
 }
 
-DocumentBuilder::Origin ElementMaker::originOf(std::size_t feature) const {
+DocumentBuilder::Origin ElementMaker::originOf(std::size_t feature) {
     const Feature& f = m_source.file->features[feature];
     DocumentBuilder::Origin origin;
     origin.net = netOf(feature);
     const bool hasSymbol = f.kind == FeatureKind::Line || f.kind == FeatureKind::Arc || f.kind == FeatureKind::Pad;
     origin.symbol = hasSymbol ? m_resolved[f.index].id : SymbolId{};
+    origin.attributes = attributesOf(f);
     origin.feature = static_cast<std::uint32_t>(feature);
     origin.line = f.line;
     origin.flags = m_holes != nullptr ? kHole : 0;
     return origin;
 }
 
-Point ElementMaker::at(Point p) const {
-    return m_isMoved ? m_source.placement.apply(p) : p;
+/// Sets are put into words once each.
+AttributeSetId ElementMaker::attributesOf(const Feature& feature) {
+    if (m_source.attributeTypes == nullptr || feature.attributes == FeatureAttributes::kNone) {
+        return {};
+    }
+    AttributeSetId& set = m_attributes[feature.attributes];
+    if (!set.isValid()) {
+        set = m_builder.attributes(m_source.file->attributes.values(feature.attributes, *m_source.attributeTypes));
+    }
+    return set;
 }
 
 bool ElementMaker::isPlated(const Feature& feature, Nm size) {
@@ -123,7 +132,7 @@ void ElementMaker::stroke(std::size_t feature) {
     if (pen.shape->kind == SymbolShape::Kind::Nothing) {
         return;
     }
-    if (isStraight && pen.shape->isSquarePen && (!m_isMoved || isQuarterTurn(m_source.placement))) {
+    if (isStraight && pen.shape->isSquarePen) {
         return squareStroke(feature, pen);
     }
     sweptStroke(feature, pen);
@@ -147,14 +156,13 @@ bool ElementMaker::continues(std::size_t feature, const PathNode& start) const {
     const Feature& f = m_source.file->features[feature];
     const Feature& first = m_source.file->features[m_pending.feature];
     const bool mayJoin = m_holes == nullptr || m_holes->joinsStrokes();
-    return mayJoin && f.index == first.index && f.isNegative == first.isNegative &&
+    return mayJoin && f.index == first.index && f.isNegative == first.isNegative && f.attributes == first.attributes &&
            netOf(feature) == netOf(m_pending.feature);
 }
 
 void ElementMaker::roundStroke(std::size_t feature, Nm width) {
-    PathNode start = startOf(feature);
-    start = m_isMoved ? placed(start, m_source.placement) : start;
-    const PathNode end{at(m_source.file->features[feature].b), {}, EdgeKind::Line};
+    const PathNode start = startOf(feature);
+    const PathNode end{m_source.file->features[feature].b, {}, EdgeKind::Line};
     extend(feature, start, end, width, continues(feature, start));
 }
 
@@ -218,14 +226,14 @@ void ElementMaker::addLine(std::size_t feature, LineGeometry line, std::uint8_t 
 
 void ElementMaker::squareStroke(std::size_t feature, const Resolved& pen) {
     const Feature& f = m_source.file->features[feature];
-    addLine(feature, {at(f.a), at(f.b), pen.shape->width, 0}, kSquarePen);
+    addLine(feature, {f.a, f.b, pen.shape->width, 0}, kSquarePen);
 }
 
 void ElementMaker::sweptStroke(std::size_t feature, Resolved& pen) {
     const Feature& f = m_source.file->features[feature];
     const PathNode start = startOf(feature);
     if (start.edge == EdgeKind::Line && f.a == f.b && pen.shape->kind == SymbolShape::Kind::Region) {
-        return addArea(feature, regionOf(*pen.shape), m_source.placement.after({f.a, 0.0, false}), 0);
+        return addArea(feature, regionOf(*pen.shape), {f.a, 0.0, false}, 0);
     }
     if (pen.pen.polygons.empty()) {
         pen.pen = penOf(*pen.shape);
@@ -234,7 +242,7 @@ void ElementMaker::sweptStroke(std::size_t feature, Resolved& pen) {
     if (sketch.isEmpty()) {
         return report(Severity::Warning, feature, "a stroke with a pen too small to draw anything");
     }
-    addArea(feature, m_builder.addShape(m_isMoved ? placed(sketch, m_source.placement) : sketch), {}, 0);
+    addArea(feature, m_builder.addShape(sketch), {}, 0);
 }
 
 // ---- pads and surfaces ----
@@ -255,7 +263,6 @@ void ElementMaker::pad(std::size_t feature) {
 Placement ElementMaker::placementOf(std::size_t feature) const {
     const Feature& f = m_source.file->features[feature];
     Placement placement{f.a, f.clockwiseDeg, f.isMirrored};
-    placement = m_isMoved ? m_source.placement.after(placement) : placement;
     placement.clockwiseDeg = normalisedDeg(placement.clockwiseDeg);
     return placement;
 }
@@ -272,7 +279,7 @@ void ElementMaker::discPad(std::size_t feature, const SymbolShape& shape) {
     const Feature& f = m_source.file->features[feature];
     DocumentBuilder::Origin origin = originOf(feature);
     origin.flags |= kPad;
-    CircleGeometry circle{at(f.a), shape.width, shape.kind == SymbolShape::Kind::Ring ? shape.height : 0};
+    CircleGeometry circle{f.a, shape.width, shape.kind == SymbolShape::Kind::Ring ? shape.height : 0};
     if (m_holes != nullptr) {
         const bool plated = isPlated(f, shape.width);
         origin.flags = withFlag(origin.flags, kPlated, plated);
@@ -299,9 +306,7 @@ void ElementMaker::surface(std::size_t feature) {
     if (!shape.isValid()) {
         shape = m_builder.addShape(sketchOf(m_source.file->surfaces, f.index, {}));
     }
-    Placement placement = m_source.placement;
-    placement.clockwiseDeg = normalisedDeg(placement.clockwiseDeg);
-    addArea(feature, shape, placement, 0);
+    addArea(feature, shape, {}, 0);
 }
 
 // ---- texts and barcodes ----

@@ -17,15 +17,15 @@ namespace model::odb {
 /// The features of one file on their way to elements.
 struct FeatureSource {
     const FeatureFile* file = nullptr;
-    std::string_view path;        ///< for diagnostics
-    Placement placement;          ///< where the file's step lies on the board
-    std::span<const NetId> nets;  ///< by feature; empty when the file has no nets
+    std::string_view path;                           ///< for diagnostics
+    std::span<const NetId> nets;                     ///< by feature; empty when the file has no nets
+    const AttributeTypes* attributeTypes = nullptr;  ///< none: attributes are not kept
 };
 
 /// Turns features into elements of the builder's current layer:
-/// - L and A with a round symbol: Line and Arc; runs of them with one symbol, polarity and net, each starting where the
-///   one before ended, are one Trail. Zero-length lines (dots) and full circles stay alone. Straight strokes with a
-///   square pen: Line with kSquarePen; all other pens: what they sweep, as an Area (swept_strokes.h).
+/// - L and A with a round symbol: Line and Arc; runs of them with one symbol, polarity, net and attributes, each
+///   starting where the one before ended, are one Trail. Zero-length lines (dots) and full circles stay alone. Straight
+///   strokes with a square pen: Line with kSquarePen; all other pens: what they sweep, as an Area (swept_strokes.h).
 /// - P: Circle for discs and rings, Line for ovals, Area with a shared shape for all others.
 /// - S: Area. T: the strokes of its characters, as lines and trails. B: its bars as one Area, its text as strokes.
 /// With hole rules every element is a hole. Elements come in the order of their features; polarity is kept beside them.
@@ -53,9 +53,9 @@ private:
     };
 
     Resolved& resolve(std::size_t feature);
-    [[nodiscard]] DocumentBuilder::Origin originOf(std::size_t feature) const;
+    [[nodiscard]] DocumentBuilder::Origin originOf(std::size_t feature);
     [[nodiscard]] NetId netOf(std::size_t feature) const;
-    [[nodiscard]] Point at(Point p) const;
+    [[nodiscard]] AttributeSetId attributesOf(const Feature& feature);
     [[nodiscard]] bool isPlated(const Feature& feature, Nm size);
 
     void stroke(std::size_t feature);
@@ -92,8 +92,8 @@ private:
 
     FeatureSource m_source;
     const HoleRules* m_holes = nullptr;
-    bool m_isMoved = false;
     std::vector<Resolved> m_resolved;
+    std::vector<AttributeSetId> m_attributes;  ///< by set of the file; made when first needed
     std::vector<ShapeId>* m_ownSurfaces = nullptr;
     Pending m_pending;
 };

@@ -39,8 +39,8 @@ private:
         const bool isShort = line.size() == 1 || line[1] == ' ' || line[1] == '\t';
         switch (line[0]) {
             case '$': return symbolEntry(line);
-            case '@': return attributeEntry(line);
-            case '&': return;  // attribute texts are not needed
+            case '@':
+            case '&': return attributeEntry(line);
             case 'L': return isShort ? strokeRecord(line, FeatureKind::Line) : otherRecord(line);
             case 'A': return isShort ? strokeRecord(line, FeatureKind::Arc) : otherRecord(line);
             case 'P': return isShort ? padRecord(line) : otherRecord(line);
@@ -105,30 +105,14 @@ private:
     }
 
     void attributeEntry(std::string_view line) {
-        Fields fields(line.substr(1));
-        const std::int32_t number = fields.integer();
-        if (fields.word() == ".drill" && !fields.failed() && number >= 0 && number <= kMaxTableNumber) {
-            m_drillAttribute = std::to_string(number) + "=";
+        if (!m_attributes.tableLine(line)) {
+            report(Severity::Warning, "the attribute line is not '@number name' or '&number text'; it was left out");
         }
     }
 
-    /// Value of attribute .drill in the tail `;0=1,2=5;ID=7`; -1 when it is not there.
-    std::int8_t drillOf(const Fields& fields) const {
-        if (m_drillAttribute.empty()) {
-            return -1;
-        }
-        std::string_view tail = fields.tail();
-        tail = tail.substr(0, tail.find(';'));
-        while (!tail.empty()) {
-            const std::size_t comma = std::min(tail.find(','), tail.size());
-            const std::string_view entry = trimmed(tail.substr(0, comma));
-            if (entry.starts_with(m_drillAttribute)) {
-                const auto value = parseInteger(entry.substr(m_drillAttribute.size()));
-                return value && *value >= 0 && *value <= 2 ? static_cast<std::int8_t>(*value) : std::int8_t{-1};
-            }
-            tail.remove_prefix(std::min(comma + 1, tail.size()));
-        }
-        return -1;
+    void takeAttributes(const Fields& fields, Feature& feature) {
+        feature.attributes = m_attributes.set(fields.tail());
+        feature.drill = m_attributes.drill(feature.attributes);
     }
 
     std::uint32_t symbolRow(Fields& fields) {
@@ -177,7 +161,7 @@ private:
             const std::string_view clockwise = fields.word();
             feature.isClockwise = clockwise == "Y" || clockwise == "y";
         }
-        feature.drill = drillOf(fields);
+        takeAttributes(fields, feature);
         addFeature(feature, isValid && !fields.failed() && feature.index != kNone);
     }
 
@@ -199,7 +183,7 @@ private:
         const Orientation orientation = readOrientation(fields);
         feature.clockwiseDeg = orientation.clockwiseDeg;
         feature.isMirrored = orientation.isMirrored;
-        feature.drill = drillOf(fields);
+        takeAttributes(fields, feature);
         addFeature(feature, isValid && !fields.failed() && feature.index != kNone);
     }
 
@@ -222,6 +206,7 @@ private:
         const bool isValid = polarityAndOrientation(fields, feature);
         feature.index = static_cast<std::uint32_t>(m_file.texts.size());
         m_file.texts.push_back(readText(fields, m_nm, font));
+        takeAttributes(fields, feature);
         addFeature(feature, isValid && !fields.failed());
     }
 
@@ -233,6 +218,7 @@ private:
         const bool isValid = polarityAndOrientation(fields, feature);
         feature.index = static_cast<std::uint32_t>(m_file.barcodes.size());
         m_file.barcodes.push_back(readBarcode(fields, m_nm, code, font));
+        takeAttributes(fields, feature);
         addFeature(feature, isValid && !fields.failed());
     }
 
@@ -258,7 +244,7 @@ private:
         m_pending = {};
         m_pending.kind = FeatureKind::Surface;
         m_pending.isNegative = readNegative(fields, isValid);
-        m_pending.drill = drillOf(fields);
+        takeAttributes(fields, m_pending);
         m_isPendingGood = isValid;
         m_pendingLine = m_line;
         m_isInSurface = true;
@@ -304,13 +290,13 @@ private:
     static constexpr std::uint32_t kNone = 0xffffffffU;
 
     FeatureFile m_file;
+    AttributeCollector m_attributes{m_file.attributes};
     std::string_view m_path;
     Diagnostics& m_diagnostics;
     SurfaceParser m_surface;
     std::int64_t m_nm = 0;
     std::uint32_t m_line = 0;
     std::vector<std::uint32_t> m_symbolOfNumber;
-    std::string m_drillAttribute;  ///< "3=" when attribute 3 is .drill
     Feature m_pending;
     std::uint32_t m_pendingLine = 0;
     std::int32_t m_expected = -1;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "model/document.h"
+#include "model/odb/feature_attributes.h"
 #include "model/odb/lengths.h"
 #include "model/odb/text_records.h"
 #include "model/shapes.h"
@@ -33,16 +34,17 @@ struct SymbolRef {
 /// One record. Its row in FeatureFile::features is the feature number that eda/data uses, so bad records have rows too.
 struct Feature {
     FeatureKind kind = FeatureKind::Bad;
-    bool isNegative = false;
-    bool isClockwise = false;   ///< arcs
-    bool isMirrored = false;    ///< pads, texts, barcodes
-    std::int8_t drill = -1;     ///< value of attribute .drill: 0 plated, 1 not plated, 2 via; -1 absent
-    std::uint32_t index = 0;    ///< row of `symbols`; of `surfaces`, `texts`, `barcodes` for these
-    std::uint32_t line = 0;     ///< 1-based
-    Point a;                    ///< start, or place of a pad, text or barcode
-    Point b;                    ///< end of a line or arc
-    Point centre;               ///< of an arc
-    double clockwiseDeg = 0.0;  ///< pads, texts, barcodes
+    bool isNegative : 1 = false;
+    bool isClockwise : 1 = false;  ///< arcs
+    bool isMirrored : 1 = false;   ///< pads, texts, barcodes
+    std::int8_t drill = -1;        ///< value of attribute .drill: 0 plated, 1 not plated, 2 via; -1 absent
+    std::uint32_t index = 0;       ///< row of `symbols`; of `surfaces`, `texts`, `barcodes` for these
+    std::uint32_t line = 0;        ///< 1-based
+    std::uint32_t attributes = FeatureAttributes::kNone;  ///< row of FeatureAttributes::sets
+    Point a;                                              ///< start, or place of a pad, text or barcode
+    Point b;                                              ///< end of a line or arc
+    Point centre;                                         ///< of an arc
+    double clockwiseDeg = 0.0;                            ///< pads, texts, barcodes
 };
 
 /// A `features` or `profile` file, numbers in nanometres, nothing resolved yet.
@@ -50,6 +52,7 @@ struct FeatureFile {
     Unit unit = Unit::Inch;
     std::vector<SymbolRef> symbols;
     std::vector<Feature> features;
+    FeatureAttributes attributes;
     ShapeTable surfaces;  ///< one shape per S record, in the file's order
     std::vector<TextRecord> texts;
     std::vector<BarcodeRecord> barcodes;

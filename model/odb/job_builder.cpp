@@ -174,7 +174,7 @@ private:
         if (layer.isHoles()) {
             holes.emplace(layer.type, m_step.layers[row].tools.value);
         }
-        const FeatureSource source{&features.value, features.path, {}, m_nets.netsOf(row)};
+        const FeatureSource source{&features.value, features.path, m_nets.netsOf(row), m_parts.job.attributeTypes};
         if (layer.isNegative || features.value.hasNegatives) {
             paintLayer(row, source, holes ? &*holes : nullptr);
         } else {
@@ -199,13 +199,24 @@ private:
                 "layer " + m_matrix.layers[row].name + " is negative, but the board has no outline; it stays empty");
             return;
         }
-        diagnostics().report(
-            Severity::Info, "matrix/matrix", m_matrix.layers[row].line,
-            "layer " + m_matrix.layers[row].name +
-                " is negative: shown is the board's outline minus its features; its pieces carry no nets");
         const PolygonSet outline = discretise(m_builder.shapes(), profile, kBooleanChords);
-        addInverse(m_builder, withoutCopies(m_builder.soFar(), outline, kBooleanChords), scratch.soFar(),
-                   maker.negatives());
+        const std::vector<NetVote> votes = votesOn(m_builder.soFar(), m_layers.id(row), scratch.soFar());
+        reportInverse(m_matrix.layers[row],
+                      addInverse(m_builder, withoutCopies(m_builder.soFar(), outline, kBooleanChords), scratch.soFar(),
+                                 maker.negatives(), votes));
+    }
+
+    void reportInverse(const MatrixLayer& layer, const InverseSummary& summary) {
+        diagnostics().report(Severity::Info, "matrix/matrix", layer.line,
+                             "layer " + layer.name + " is negative: shown is the board's outline minus its features; " +
+                                 std::to_string(summary.pieces - summary.withoutNet) + " of " +
+                                 std::to_string(summary.pieces) +
+                                 " pieces have a net, that of the plated holes and pads in them");
+        if (summary.withSeveralNets > 0) {
+            diagnostics().report(Severity::Warning, "matrix/matrix", layer.line,
+                                 "layer " + layer.name + ": in " + std::to_string(summary.withSeveralNets) +
+                                     " pieces lie holes of several nets; the most frequent one was taken");
+        }
     }
 
     // ---- paint order between a step and its copies ----

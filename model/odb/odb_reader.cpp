@@ -139,7 +139,8 @@ base::Result<std::shared_ptr<const Document>> readArchive(const Archive& archive
     }
 
     progress.beginPhase("Reading layers");
-    const JobContext job{*tree, matrix, info.unit.value_or(Unit::Inch)};
+    const AttributeTypes attributeTypes(*tree, diagnostics);
+    const JobContext job{*tree, matrix, info.unit.value_or(Unit::Inch), &attributeTypes};
     Steps steps = collectSteps(job, *step, diagnostics);
     if (!readSteps(job, steps, progress)) {
         return cancelled();

@@ -1,11 +1,14 @@
 #include "model/odb/painting.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "model/base/parallel.h"
 #include "model/geometry/boolean.h"
+#include "model/geometry/box_index.h"
 #include "model/odb/outlines.h"
 #include "model/odb/region.h"
 
@@ -70,22 +73,33 @@ private:
     std::vector<std::vector<std::size_t>> m_columns;
 };
 
-/// What is left of a positive element; nothing when it is untouched.
-std::optional<PolygonSet> remainder(const Document& document, std::size_t element, const NegativeIndex& index) {
+/// What is left of a positive element that negative ones lie over.
+struct Remainder {
+    PolygonSet left;
+    std::vector<std::uint32_t> features;  ///< its own and those of the negatives, rising
+};
+
+/// Nothing when the element is untouched.
+std::optional<Remainder> remainder(const Document& document, std::size_t element, const NegativeIndex& index) {
     const std::vector<std::size_t> above = index.above(element);
     if (above.empty()) {
         return std::nullopt;
     }
+    Remainder result;
+    result.features.push_back(document.elements.firstFeature[element]);
     PolygonSet cut;
     for (const std::size_t row : above) {
         cut.append(discretise(document, ElementId{row}, kBooleanChords));
+        result.features.push_back(document.elements.firstFeature[row]);
     }
-    return subtract(discretise(document, ElementId{element}, kBooleanChords), cut);
+    result.features.erase(std::unique(result.features.begin(), result.features.end()), result.features.end());
+    result.left = subtract(discretise(document, ElementId{element}, kBooleanChords), cut);
+    return result;
 }
 
-std::vector<std::optional<PolygonSet>> remainders(const Document& document, std::span<const std::uint8_t> negatives) {
+std::vector<std::optional<Remainder>> remainders(const Document& document, std::span<const std::uint8_t> negatives) {
     const NegativeIndex index(document, negatives);
-    std::vector<std::optional<PolygonSet>> left(negatives.size());
+    std::vector<std::optional<Remainder>> left(negatives.size());
     base::parallelFor(negatives.size(), [&](std::size_t i) {
         if (negatives[i] == 0) {
             left[i] = remainder(document, i, index);
@@ -95,11 +109,11 @@ std::vector<std::optional<PolygonSet>> remainders(const Document& document, std:
 }
 
 PolygonSet visible(const Document& document, std::span<const std::uint8_t> negatives) {
-    const std::vector<std::optional<PolygonSet>> left = remainders(document, negatives);
+    const std::vector<std::optional<Remainder>> left = remainders(document, negatives);
     PolygonSet all;
     for (std::size_t i = 0; i < left.size(); ++i) {
         if (negatives[i] == 0) {
-            all.append(left[i] ? *left[i] : discretise(document, ElementId{i}, kBooleanChords));
+            all.append(left[i] ? left[i]->left : discretise(document, ElementId{i}, kBooleanChords));
         }
     }
     return all;
@@ -112,6 +126,7 @@ DocumentBuilder::Origin originOf(DocumentBuilder& builder, const Document& docum
     origin.feature = table.firstFeature[row];
     origin.line = table.line[row];
     origin.flags = table.flags[row];
+    origin.attributes = builder.attributes(document.attributes.values(table.attributes[row]));
     if (table.symbol[row].isValid()) {
         origin.symbol = builder.symbol(document.symbols[table.symbol[row].row()]);
     }
@@ -221,8 +236,89 @@ std::optional<ShapeSketch> exactRegion(const Document& document, std::span<const
 
 }  // namespace
 
+namespace {
+
+/// Finds the features whose outlines run along a piece. Booleans round crossings to whole nanometres, so the middle of
+/// an edge of the result lies within 2 nm of the edge it is a part of.
+class OutlineSources {
+public:
+    explicit OutlineSources(const Document& painted) {
+        for (std::size_t row = 0; row < painted.elements.size(); ++row) {
+            const PolygonSet polygons = discretise(painted, ElementId{row}, kBooleanChords);
+            for (std::size_t i = 0; i < polygons.loopCount(); ++i) {
+                addLoop(polygons.loop(i), painted.elements.firstFeature[row]);
+            }
+        }
+        std::vector<Box> boxes;
+        for (const Edge& edge : m_edges) {
+            Box box;
+            box.include(edge.a);
+            box.include(edge.b);
+            boxes.push_back(box.grownBy(kReach));
+        }
+        m_index.emplace(boxes);
+    }
+
+    void collect(std::span<const Point> loop, std::set<std::uint32_t>& features) const {
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const Point a = loop[i];
+            const Point b = loop[(i + 1) % loop.size()];
+            const PointD middle = {(static_cast<double>(a.x) + b.x) / 2, (static_cast<double>(a.y) + b.y) / 2};
+            Box box;
+            box.include(rounded(middle));
+            m_index->visit(box, [&](std::uint32_t row) {
+                if (distance(m_edges[row], middle) <= kReach) {
+                    features.insert(m_edges[row].feature);
+                }
+            });
+        }
+    }
+
+private:
+    struct Edge {
+        Point a;
+        Point b;
+        std::uint32_t feature = 0;
+    };
+    static constexpr Nm kReach = 2;
+
+    void addLoop(std::span<const Point> loop, std::uint32_t feature) {
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            m_edges.push_back({loop[i], loop[(i + 1) % loop.size()], feature});
+        }
+    }
+
+    /// From the point to the edge.
+    static double distance(const Edge& edge, PointD p) {
+        const double dx = static_cast<double>(edge.b.x) - edge.a.x;
+        const double dy = static_cast<double>(edge.b.y) - edge.a.y;
+        const double along = ((p.x - edge.a.x) * dx + (p.y - edge.a.y) * dy) / std::max(dx * dx + dy * dy, 1.0);
+        const double t = std::clamp(along, 0.0, 1.0);
+        return std::hypot(p.x - edge.a.x - t * dx, p.y - edge.a.y - t * dy);
+    }
+
+    std::vector<Edge> m_edges;
+    std::optional<BoxIndex> m_index;
+};
+
+void addPiece(DocumentBuilder& builder, const PolygonSet& pieces, const PolygonSet::Polygon& piece, NetId net,
+              const OutlineSources& sources) {
+    ShapeSketch sketch;
+    std::set<std::uint32_t> features;
+    for (std::uint32_t i = 0; i < piece.loopCount; ++i) {
+        sketch.addPolygon(pieces.loop(piece.firstLoop + i), i > 0);
+        sources.collect(pieces.loop(piece.firstLoop + i), features);
+    }
+    DocumentBuilder::Origin origin;
+    origin.net = net;
+    builder.addPaintedArea({builder.addShape(sketch), {}}, origin,
+                           std::vector<std::uint32_t>(features.begin(), features.end()));
+}
+
+}  // namespace
+
 void addPainted(DocumentBuilder& builder, const Document& painted, std::span<const std::uint8_t> negatives) {
-    const std::vector<std::optional<PolygonSet>> left = remainders(painted, negatives);
+    const std::vector<std::optional<Remainder>> left = remainders(painted, negatives);
     ElementCopier copier(builder, painted);
     for (std::size_t i = 0; i < left.size(); ++i) {
         if (negatives[i] != 0) {
@@ -230,22 +326,25 @@ void addPainted(DocumentBuilder& builder, const Document& painted, std::span<con
         }
         if (!left[i]) {
             copier.copy(i);
-        } else if (const ShapeSketch sketch = sketchOf(*left[i]); !sketch.isEmpty()) {
-            builder.addArea({builder.addShape(sketch), {}}, originOf(builder, painted, i));
+        } else if (const ShapeSketch sketch = sketchOf(left[i]->left); !sketch.isEmpty()) {
+            builder.addPaintedArea({builder.addShape(sketch), {}}, originOf(builder, painted, i), left[i]->features);
         }
     }
 }
 
-void addInverse(DocumentBuilder& builder, const PolygonSet& base, const Document& painted,
-                std::span<const std::uint8_t> negatives) {
+InverseSummary addInverse(DocumentBuilder& builder, const PolygonSet& base, const Document& painted,
+                          std::span<const std::uint8_t> negatives, std::span<const NetVote> votes) {
     const PolygonSet pieces = subtract(base, visible(painted, negatives));
-    for (const PolygonSet::Polygon& polygon : pieces.polygons) {
-        ShapeSketch sketch;
-        for (std::uint32_t i = 0; i < polygon.loopCount; ++i) {
-            sketch.addPolygon(pieces.loop(polygon.firstLoop + i), i > 0);
-        }
-        builder.addArea({builder.addShape(sketch), {}}, {});
+    const std::vector<PieceNet> nets = netsOf(pieces, votes);
+    const OutlineSources sources(painted);
+    InverseSummary summary;
+    summary.pieces = pieces.polygons.size();
+    for (std::size_t i = 0; i < nets.size(); ++i) {
+        addPiece(builder, pieces, pieces.polygons[i], nets[i].net, sources);
+        summary.withoutNet += nets[i].net.isValid() ? 0 : 1;
+        summary.withSeveralNets += nets[i].hasOtherVotes ? 1 : 0;
     }
+    return summary;
 }
 
 ShapeSketch regionOf(const Document& painted, std::span<const std::uint8_t> negatives) {

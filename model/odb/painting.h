@@ -5,6 +5,7 @@
 
 #include "model/document_builder.h"
 #include "model/geometry/discretise.h"
+#include "model/odb/plane_nets.h"
 
 namespace model::odb {
 
@@ -13,14 +14,21 @@ namespace model::odb {
 /// one entry per element of the document.
 
 /// Copies the positive elements of `painted` to the builder's current layer. Those that no later negative touches stay
-/// as they are; what is left of the others becomes an Area with the same net, symbol and feature, straight-edged within
-/// 1 µm.
+/// as they are; what is left of the others becomes a painted Area with the same net, symbol and feature, straight-edged
+/// within 1 µm; its sources are that feature and the negative ones over its box.
 void addPainted(DocumentBuilder& builder, const Document& painted, std::span<const std::uint8_t> negatives);
 
-/// Adds base minus everything that `painted` leaves visible, one Area per connected piece: the copper of a negative
-/// layer.
-void addInverse(DocumentBuilder& builder, const PolygonSet& base, const Document& painted,
-                std::span<const std::uint8_t> negatives);
+/// How the pieces of a negative layer got their nets.
+struct InverseSummary {
+    std::size_t pieces = 0;
+    std::size_t withoutNet = 0;
+    std::size_t withSeveralNets = 0;  ///< places of several nets lie in one piece
+};
+
+/// Adds base minus everything that `painted` leaves visible, one painted Area per connected piece: the copper of a
+/// negative layer. The sources of a piece are the features that shaped its outline; its net is that of the votes in it.
+InverseSummary addInverse(DocumentBuilder& builder, const PolygonSet& base, const Document& painted,
+                          std::span<const std::uint8_t> negatives, std::span<const NetVote> votes);
 
 /// The region that all elements together leave visible. Exact when there is no negative and no two elements come near
 /// each other, else straight-edged within 1 µm.

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "model/odb/attribute_types.h"
 #include "model/odb/components.h"
 #include "model/odb/eda.h"
 #include "model/odb/features.h"
@@ -54,6 +55,7 @@ struct JobContext {
     const JobTree& tree;
     const Matrix& matrix;
     Unit defaultUnit = Unit::Inch;
+    const AttributeTypes* attributeTypes = nullptr;
 };
 
 /// Rows of `steps` needed for `name`: reads the step headers, not the layers. Steps that are missing or contain

@@ -28,7 +28,7 @@ SymbolShape SymbolLibrary::userSymbol(const SymbolRef& symbol) {
     DocumentBuilder scratch;
     scratch.beginLayer(scratch.addLayer({}));
     ElementMaker maker(scratch, *this, m_diagnostics);
-    maker.add({&features, file->path, {}, {}}, nullptr);
+    maker.add({&features, file->path, {}, nullptr}, nullptr);
     shape.region = regionOf(scratch.soFar(), maker.negatives());
     if (shape.region.isEmpty()) {
         shape.problem = "draws nothing";
