@@ -246,7 +246,9 @@ public:
         m_out.beginLayer(m_out.addLayer(layer));
         for (std::uint32_t i = 0; i < group.records.size(); ++i) {
             const Record& record = group.records[i];
-            const DocumentBuilder::Origin origin{{}, {}, i, record.line, 0};
+            DocumentBuilder::Origin origin;
+            origin.feature = i;
+            origin.line = record.line;
             record.isShape ? addShape(record, origin) : addLine(record, origin);
         }
     }
