@@ -52,6 +52,11 @@ void addRender(CLI::App& parent, RenderArguments& arguments) {
     command->add_option("--backend", arguments.backend, "auto, mesh or pull")
         ->check(CLI::IsMember({"auto", "mesh", "pull"}))
         ->capture_default_str();
+    command
+        ->add_option("--pipeline", arguments.pipeline,
+                     "hybrid, or standard: every element as stored triangles, to compare with")
+        ->check(CLI::IsMember({"hybrid", "standard"}))
+        ->capture_default_str();
     command->add_option("--layers", arguments.layers, "only these layers, separated by commas")->delimiter(',');
     command->add_option("--net", arguments.nets, "light up this net; may be given several times")
         ->take_all()

@@ -5,16 +5,24 @@
 
 namespace app {
 
+base::Result<std::shared_ptr<const model::Document>> openDocument(const BoardArguments& arguments,
+                                                                  base::Progress& progress) {
+    const std::filesystem::path path = arguments.path.empty() ? sampleBoard() : std::filesystem::path(arguments.path);
+    return model::readBoard(path, {arguments.step}, progress);
+}
+
+model::Discretisation discretisationOf(const BoardArguments& arguments) {
+    return {arguments.chordUm * base::kNmPerUm, arguments.paperSegments};
+}
+
 base::Result<OpenBoard> openBoard(const BoardArguments& arguments) {
     ConsoleProgress console;
-    const std::filesystem::path path = arguments.path.empty() ? sampleBoard() : std::filesystem::path(arguments.path);
-    base::Result<std::shared_ptr<const model::Document>> document =
-        model::readBoard(path, {arguments.step}, console.progress());
+    base::Result<std::shared_ptr<const model::Document>> document = openDocument(arguments, console.progress());
     if (!document) {
         return document.error();
     }
-    const model::Discretisation how{arguments.chordUm * base::kNmPerUm, arguments.paperSegments};
-    base::Result<render::BoardModel> model = render::buildBoardModel(**document, how, console.progress());
+    base::Result<render::BoardModel> model =
+        render::buildBoardModel(**document, discretisationOf(arguments), console.progress());
     if (!model) {
         return model.error();
     }

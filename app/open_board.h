@@ -16,6 +16,12 @@ struct BoardArguments {
     bool paperSegments = false;
 };
 
+/// Errors as model::readBoard.
+[[nodiscard]] base::Result<std::shared_ptr<const model::Document>> openDocument(const BoardArguments& arguments,
+                                                                                base::Progress& progress);
+
+[[nodiscard]] model::Discretisation discretisationOf(const BoardArguments& arguments);
+
 /// A board read and modelled.
 struct OpenBoard {
     std::shared_ptr<const model::Document> document;

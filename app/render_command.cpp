@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "app/console_progress.h"
 #include "app/exit_code.h"
 #include "render/explosion.h"
 #include "render/gpu/device.h"
@@ -66,7 +67,7 @@ Result<render::NamedView> viewOf(const RenderArguments& arguments) {
     return render::NamedView::Iso;
 }
 
-render::Camera cameraFor(const RenderArguments& arguments, const render::BoardModel& model, render::NamedView view) {
+render::Camera cameraFor(const RenderArguments& arguments, const render::BoardFrame& model, render::NamedView view) {
     const float aspect = static_cast<float>(arguments.width) / static_cast<float>(arguments.height);
     render::Camera camera;
     camera.setOrthographic(arguments.mode == "2d");
@@ -98,9 +99,15 @@ render::ViewSettings settingsFor(const RenderArguments& arguments) {
     return settings;
 }
 
-Result<render::Image> draw(const RenderArguments& arguments, const OpenBoard& board,
-                           std::span<const render::LayerStyle> styles, std::span<const model::ElementId> highlight,
-                           render::NamedView view) {
+/// What is drawn, beside the camera.
+struct Scenery {
+    std::vector<render::LayerStyle> styles;
+    std::vector<model::ElementId> highlight;
+    render::NamedView view;
+};
+
+template <class Model>
+Result<render::Image> draw(const RenderArguments& arguments, const Model& board, const Scenery& scenery) {
     Result<render::gpu::Instance> instance = render::gpu::Instance::create({});
     if (!instance) {
         return instance.error();
@@ -109,12 +116,31 @@ Result<render::Image> draw(const RenderArguments& arguments, const OpenBoard& bo
     if (!device) {
         return device.error();
     }
-    render::BoardScene scene(*device, board.model);
-    scene.setStyles(styles);
-    scene.setHighlight(highlight);
+    render::BoardScene scene(*device, board);
+    scene.setStyles(scenery.styles);
+    scene.setHighlight(scenery.highlight);
     render::OffscreenPresenter presenter(*device);
-    return presenter.render(scene, cameraFor(arguments, board.model, view), settingsFor(arguments), arguments.width,
+    return presenter.render(scene, cameraFor(arguments, board, scenery.view), settingsFor(arguments), arguments.width,
                             arguments.height);
+}
+
+template <class Model>
+Result<render::Image> drawModel(const RenderArguments& arguments, Result<Model> board, const Scenery& scenery) {
+    return board ? draw(arguments, *board, scenery) : Result<render::Image>(board.error());
+}
+
+Result<render::Image> modelAndDraw(const RenderArguments& arguments, const Document& document, const Scenery& scenery) {
+    ConsoleProgress console;
+    const model::Discretisation how = discretisationOf(arguments.board);
+    if (arguments.pipeline == "standard") {
+        return drawModel(arguments, render::buildStandardModel(document, how, console.progress()), scenery);
+    }
+    return drawModel(arguments, render::buildBoardModel(document, how, console.progress()), scenery);
+}
+
+Result<std::shared_ptr<const Document>> readDocument(const RenderArguments& arguments) {
+    ConsoleProgress console;
+    return openDocument(arguments.board, console.progress());
 }
 
 /// What is wrong with the arguments themselves, before a board is read.
@@ -138,19 +164,19 @@ base::Status renderToFile(const RenderArguments& arguments) {
     if (!view) {
         return view.error();
     }
-    const Result<OpenBoard> board = openBoard(arguments.board);
-    if (!board) {
-        return board.error();
+    const Result<std::shared_ptr<const Document>> document = readDocument(arguments);
+    if (!document) {
+        return document.error();
     }
-    const Result<std::vector<render::LayerStyle>> styles = chooseLayers(*board->document, arguments);
+    const Result<std::vector<render::LayerStyle>> styles = chooseLayers(**document, arguments);
     if (!styles) {
         return styles.error();
     }
-    const Result<std::vector<model::ElementId>> highlight = elementsOfNets(*board->document, arguments.nets);
+    const Result<std::vector<model::ElementId>> highlight = elementsOfNets(**document, arguments.nets);
     if (!highlight) {
         return highlight.error();
     }
-    const Result<render::Image> image = draw(arguments, *board, *styles, *highlight, *view);
+    const Result<render::Image> image = modelAndDraw(arguments, **document, {*styles, *highlight, *view});
     if (!image) {
         return image.error();
     }

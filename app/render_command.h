@@ -17,6 +17,7 @@ struct RenderArguments {
     std::uint32_t height = 1000;
     std::string mode = "3d";
     std::string backend = "auto";
+    std::string pipeline = "hybrid";  ///< or "standard"
     std::vector<std::string> layers;  ///< only these, fully opaque; empty: as in the window
     std::vector<std::string> nets;    ///< highlighted, everything else dimmed
     float explode = 0.0F;

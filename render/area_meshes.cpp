@@ -17,20 +17,9 @@ namespace {
 
 /// Triangulates every polygon of the set; false if one of them crosses itself or another loop of its own.
 bool triangulateAll(const PolygonSet& set, std::vector<std::uint32_t>& triangles) {
-    std::vector<std::uint32_t> loopStart;
-    for (const PolygonSet::Polygon& polygon : set.polygons) {
-        const std::uint32_t first = set.loopStart[polygon.firstLoop];
-        loopStart.clear();
-        for (std::uint32_t i = 0; i <= polygon.loopCount; ++i) {
-            loopStart.push_back(set.loopStart[polygon.firstLoop + i] - first);
-        }
-        const std::size_t before = triangles.size();
-        const tri::Polygon input{std::span(set.points).subspan(first, loopStart.back()), loopStart};
-        if (tri::triangulate(input, triangles) == tri::Outcome::Crossing) {
+    for (std::size_t row = 0; row < set.polygons.size(); ++row) {
+        if (!triangulatePolygon(set, row, triangles)) {
             return false;
-        }
-        for (std::size_t i = before; i < triangles.size(); ++i) {
-            triangles[i] += first;
         }
     }
     return true;
@@ -42,6 +31,39 @@ struct WallEdge {
     bool isForward;
     std::uint32_t from;
 };
+
+void triangulateShape(ShapeMesh& mesh) {
+    if (!triangulateAll(mesh.polygons, mesh.triangles)) {
+        mesh.triangles.clear();
+        mesh.polygons = model::unite(mesh.polygons);
+        mesh.wasRepaired = true;
+        mesh.failed = !triangulateAll(mesh.polygons, mesh.triangles);
+        if (mesh.failed) {
+            mesh.triangles.clear();
+        }
+    }
+    mesh.next = findWalls(mesh.polygons);
+}
+
+}  // namespace
+
+bool triangulatePolygon(const PolygonSet& set, std::size_t row, std::vector<std::uint32_t>& triangles) {
+    const PolygonSet::Polygon& polygon = set.polygons[row];
+    const std::uint32_t first = set.loopStart[polygon.firstLoop];
+    std::vector<std::uint32_t> loopStart;
+    for (std::uint32_t i = 0; i <= polygon.loopCount; ++i) {
+        loopStart.push_back(set.loopStart[polygon.firstLoop + i] - first);
+    }
+    const std::size_t before = triangles.size();
+    const tri::Polygon input{std::span(set.points).subspan(first, loopStart.back()), loopStart};
+    if (tri::triangulate(input, triangles) == tri::Outcome::Crossing) {
+        return false;
+    }
+    for (std::size_t i = before; i < triangles.size(); ++i) {
+        triangles[i] += first;
+    }
+    return true;
+}
 
 /// The wall of every contour edge, except where two opposite edges coincide (the bridge of a keyhole contour,
 /// odbpp-facts §12).
@@ -74,21 +96,6 @@ std::vector<std::uint32_t> findWalls(const PolygonSet& set) {
     }
     return next;
 }
-
-void triangulateShape(ShapeMesh& mesh) {
-    if (!triangulateAll(mesh.polygons, mesh.triangles)) {
-        mesh.triangles.clear();
-        mesh.polygons = model::unite(mesh.polygons);
-        mesh.wasRepaired = true;
-        mesh.failed = !triangulateAll(mesh.polygons, mesh.triangles);
-        if (mesh.failed) {
-            mesh.triangles.clear();
-        }
-    }
-    mesh.next = findWalls(mesh.polygons);
-}
-
-}  // namespace
 
 std::vector<model::ShapeId> shapesInUse(const model::Document& document) {
     std::vector<std::uint8_t> isUsed(document.shapes.size(), 0);

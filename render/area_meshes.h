@@ -27,6 +27,14 @@ struct ShapeMesh {
                                                       const std::vector<model::ShapeId>& shapes,
                                                       const model::Discretisation& how, base::Progress& progress);
 
+/// Triangulates polygon `row` of the set and appends indices into `set.points`; false if it crosses itself or another
+/// loop of its own: then nothing is appended.
+[[nodiscard]] bool triangulatePolygon(const model::PolygonSet& set, std::size_t row,
+                                      std::vector<std::uint32_t>& triangles);
+
+/// Per point of the set, the end of the wall that starts there (ShapeMesh::next).
+[[nodiscard]] std::vector<std::uint32_t> findWalls(const model::PolygonSet& set);
+
 /// Triangulates and finds the walls, one shape per task, largest first (Table 4, "triangulate").
 void triangulateShapes(std::vector<ShapeMesh>& meshes, base::Progress& progress);
 

@@ -2,29 +2,13 @@
 #include <cmath>
 
 #include "render/scene_buffers.h"
+#include "render/scene_loader.h"
 
 namespace render {
 namespace {
 
 using gpu::Buffer;
 using gpu::MemoryUse;
-
-/// Makes geometry buffers and fills them.
-class Loader {
-public:
-    explicit Loader(gpu::Device& device) : m_device(device), m_ring(device, 2, "load board") {}
-
-    template <class T>
-    Buffer load(std::string_view label, const std::vector<T>& column) {
-        Buffer buffer(m_device, {label, column.size() * sizeof(T), MemoryUse::Geometry, false});
-        gpu::upload(m_ring, buffer, std::as_bytes(std::span(column)));
-        return buffer;
-    }
-
-private:
-    gpu::Device& m_device;
-    gpu::FrameRing m_ring;
-};
 
 /// The smallest circle around the box of a shape's vertices.
 shader::ShapeBound boundOf(const BoardModel& model, const shader::ShapeRecord& shape) {
@@ -119,7 +103,7 @@ SceneLayers layersOf(const BoardModel& model) {
 
 GeometryBuffers loadGeometry(gpu::Device& device, const BoardModel& model, const LetTables& tables,
                              std::uint32_t elementWords) {
-    Loader loader(device);
+    SceneLoader loader(device);
     GeometryBuffers b;
     b.lets = loader.load("lets", model.lets);
     b.clusters = loader.load("clusters", model.clusters);
@@ -184,6 +168,7 @@ void BoardScene::Impl::setAddresses(shader::FrameData& data) const {
     data.visibleInstances = transient.visibleInstances.address();
     data.capDraws = transient.capDraws.address();
     data.wallDraws = transient.wallDraws.address();
+    data.standardParts = standard ? standard->records.address() : 0;
 }
 
 BoardScene::BoardScene(gpu::Device& device, const BoardModel& model) : m_impl(std::make_unique<Impl>(device, model)) {}
@@ -210,7 +195,7 @@ void BoardScene::setHighlight(std::span<const model::ElementId> elements) {
 std::uint64_t BoardScene::gpuBytes() const {
     const GeometryBuffers& g = m_impl->geometry;
     const TransientBuffers& t = m_impl->transient;
-    std::uint64_t bytes = 0;
+    std::uint64_t bytes = m_impl->standard ? m_impl->standard->bytes() : 0;
     for (const Buffer* buffer :
          {&g.lets, &g.clusters, &g.vertices, &g.next, &g.indices, &g.instances, &g.drawOfInstance, &g.bounds,
           &g.highlight, &g.capDraws, &g.wallDraws, &g.letIndices, &t.visibleClusters, &t.visibleLets, &t.letDraws,

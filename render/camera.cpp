@@ -140,6 +140,13 @@ void Camera::focusOn(const glm::vec3& point) {
     }
 }
 
+void Camera::focusOnHeight(float z) {
+    const float depth = (z - eye().z) / direction().z;
+    if (std::isfinite(depth) && depth > 0.0F) {
+        focusOn(eye() + direction() * depth);
+    }
+}
+
 glm::vec3 Camera::direction() const {
     return {std::sin(m_yaw) * std::cos(m_pitch), std::cos(m_yaw) * std::cos(m_pitch), std::sin(m_pitch)};
 }

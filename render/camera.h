@@ -30,6 +30,8 @@ public:
     /// orbiting, panning and zooming then go by what is there, and a zoom can come as near to it as it likes. A point
     /// behind the eye is ignored.
     void focusOn(const glm::vec3& point);
+    /// The same for the place where the line of sight meets height `z`; does nothing when it does not.
+    void focusOnHeight(float z);
     void setOrthographic(bool isOrthographic) { m_isOrthographic = isOrthographic; }
     [[nodiscard]] bool isOrthographic() const { return m_isOrthographic; }
 

@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <array>
 
-#include "render/area_drawer.h"
-#include "render/gpu/barrier.h"
 #include "render/gpu/device_select.h"
+#include "render/scene_drawer.h"
 
 namespace render {
 namespace {
@@ -55,30 +54,13 @@ PassPipelines makePassPipelines(gpu::Device& device, std::string_view label, std
 struct Renderer::Drawers {
     TargetFormat format;
     Backend backend;
-    AreaDrawer areas;
-    std::unique_ptr<LetBackend> lets;
+    std::unique_ptr<SceneDrawer> scene;
 
     Drawers(gpu::Device& device, const TargetFormat& target, Backend which)
         : format(target),
           backend(which),
-          areas(device, target),
-          lets(which == Backend::Mesh ? makeMeshBackend(device, target) : makePullBackend(device, target)) {}
-
-    void cull(const Recording& recording) const {
-        // Draw lists are shared by all frames: the one before must be done with them.
-        gpu::memoryBarrier(recording.commands(), gpu::kAnything, gpu::kCopyWrite);
-        areas.reset(recording);
-        lets->reset(recording);
-        gpu::memoryBarrier(recording.commands(), gpu::kCopyWrite, gpu::kCompute);
-        areas.cull(recording);
-        lets->cull(recording);
-        gpu::memoryBarrier(recording.commands(), gpu::kCompute, gpu::kAnyRead);
-    }
-
-    void drawBatch(const Recording& recording, std::uint32_t batch, gpu::Pass pass) const {
-        areas.draw(recording, batch, pass);
-        lets->draw(recording, batch, pass);
-    }
+          scene(which == Backend::Standard ? makeStandardDrawer(device, target)
+                                           : makeHybridDrawer(device, target, which)) {}
 
     /// Translucent layers one after the other from the back: first which of its surfaces is in front, then that one's
     /// colour, once per sample. So the picture does not depend on the order of draws inside a layer.
@@ -88,9 +70,9 @@ struct Renderer::Drawers {
             if (batch > 1 && reference == 1) {
                 clearStencil(recording.commands(), extent);
             }
-            drawBatch(recording, batch, gpu::Pass::DepthOnly);
+            scene->draw(recording, batch, gpu::Pass::DepthOnly);
             vkCmdSetStencilReference(recording.commands(), VK_STENCIL_FACE_FRONT_AND_BACK, reference);
-            drawBatch(recording, batch, gpu::Pass::Blend);
+            scene->draw(recording, batch, gpu::Pass::Blend);
         }
     }
 };
@@ -141,7 +123,8 @@ Backend Renderer::record(gpu::Frame& frame, RenderTarget& target, VkExtent2D ext
     const bool isSmoothed =
         settings.isSmoothed && !settings.isMono && caps.canSmooth && fitsOn(caps, extent, VK_SAMPLE_COUNT_4_BIT);
     const TargetFormat format{colour, isSmoothed ? VK_SAMPLE_COUNT_4_BIT : VK_SAMPLE_COUNT_1_BIT};
-    const Backend backend = resolve(settings.backend);
+    const bool isStandard = scene != nullptr && scene->impl().standard.has_value();
+    const Backend backend = isStandard ? Backend::Standard : resolve(settings.backend);
     target.setSize(extent, format);
     if (scene == nullptr) {
         target.begin(frame.commands(), background(settings));
@@ -152,9 +135,9 @@ Backend Renderer::record(gpu::Frame& frame, RenderTarget& target, VkExtent2D ext
     const Drawers& drawers = drawersFor(format, backend);
     const FramePlan plan = planFrame(scene->impl().layers, camera, settings, extent.width, extent.height);
     const Recording recording{frame, plan, scene->impl(), putFrameData(frame, plan, scene->impl())};
-    drawers.cull(recording);
+    drawers.scene->cull(recording);
     target.begin(frame.commands(), background(settings));
-    drawers.drawBatch(recording, 0, gpu::Pass::Opaque);
+    drawers.scene->draw(recording, 0, gpu::Pass::Opaque);
     drawers.drawTranslucent(recording, extent);
     drawOverlay(frame, format, settings.overlay);
     target.end(frame.commands());

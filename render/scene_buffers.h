@@ -34,6 +34,17 @@ struct TransientBuffers {
     gpu::Buffer wallDraws;
 };
 
+/// The board in the standard pipeline: buffers by part.
+struct StandardBuffers {
+    std::vector<gpu::Buffer> vertices;
+    std::vector<gpu::Buffer> indices;
+    std::vector<std::uint32_t> indexCounts;
+    std::vector<LayerRun> partsOfLayer;
+    gpu::Buffer records;  ///< shader::StandardPartRecord
+
+    [[nodiscard]] std::uint64_t bytes() const;
+};
+
 struct BoardScene::Impl {
     gpu::Device* device = nullptr;
     gpu::FrameRing uploads;  ///< for small changes; its memory stays small
@@ -45,8 +56,10 @@ struct BoardScene::Impl {
     std::uint32_t elementWords = 0;  ///< of the highlight buffer
     GeometryBuffers geometry;
     TransientBuffers transient;
+    std::optional<StandardBuffers> standard;  ///< then there is nothing but this and the highlight
 
     Impl(gpu::Device& owner, const BoardModel& model);
+    Impl(gpu::Device& owner, const StandardModel& model);
     /// Fills in where the shaders of a frame find this scene.
     void setAddresses(shader::FrameData& data) const;
 };

@@ -11,6 +11,7 @@
 #include "render/board_model.h"
 #include "render/camera.h"
 #include "render/layer_style.h"
+#include "render/standard_model.h"
 
 /// The renderer's face to app/ and ui/: a scene on a device, and two ways to present a view of it.
 namespace render {
@@ -19,7 +20,8 @@ namespace gpu {
 class Device;
 }
 
-enum class Backend { Auto, Mesh, Pull };
+/// What draws. Standard is no choice: it is what draws a scene of the standard pipeline.
+enum class Backend { Auto, Mesh, Pull, Standard };
 
 /// A picture laid over the board pixel by pixel, from the upper left corner: grids, names, rubber bands. Rows from the
 /// top, sRGB RGBA of 8 bits, multiplied by alpha; read while a frame is recorded.
@@ -59,6 +61,8 @@ struct Image {
 class BoardScene {
 public:
     BoardScene(gpu::Device& device, const BoardModel& model);
+    /// The same board in the pipeline that the hybrid one is compared with; FrameStats::backend is then Standard.
+    BoardScene(gpu::Device& device, const StandardModel& model);
     ~BoardScene();
     BoardScene(BoardScene&&) noexcept;
     BoardScene& operator=(BoardScene&&) noexcept;

@@ -12,6 +12,7 @@ namespace {
 #include "let_pull_vert.h"
 #include "overlay_frag.h"
 #include "overlay_vert.h"
+#include "standard_vert.h"
 #include "tri/advance_comp.h"
 #include "tri/claim_corridor_comp.h"
 #include "tri/claim_place_comp.h"
@@ -46,6 +47,7 @@ const Code kLetMeshTask(let_mesh_task);
 const Code kLetPullVert(let_pull_vert);
 const Code kOverlayFrag(overlay_frag);
 const Code kOverlayVert(overlay_vert);
+const Code kStandardVert(standard_vert);
 const Code kTriAdvanceComp(tri_advance_comp);
 const Code kTriClaimCorridorComp(tri_claim_corridor_comp);
 const Code kTriClaimPlaceComp(tri_claim_place_comp);
@@ -79,6 +81,7 @@ std::span<const Named> all() {
         {"let_pull.vert", let_pull_vert},
         {"overlay.frag", overlay_frag},
         {"overlay.vert", overlay_vert},
+        {"standard.vert", standard_vert},
         {"tri/advance.comp", tri_advance_comp},
         {"tri/claim_corridor.comp", tri_claim_corridor_comp},
         {"tri/claim_place.comp", tri_claim_place_comp},

@@ -19,6 +19,7 @@ extern const Code kLetMeshTask;
 extern const Code kLetPullVert;
 extern const Code kOverlayFrag;
 extern const Code kOverlayVert;
+extern const Code kStandardVert;
 extern const Code kTriAdvanceComp;
 extern const Code kTriClaimCorridorComp;
 extern const Code kTriClaimPlaceComp;

@@ -305,4 +305,18 @@ PolygonSet discretise(const Document& document, ElementId element, const Discret
     return set;
 }
 
+PolygonSet discretiseOpening(const Document& document, ElementId element, const Discretisation& how) {
+    PolygonSet set;
+    const std::uint32_t row = document.elements.geometry[element.row()];
+    const bool isHole = (document.elements.flags[element.row()] & kHole) != 0;
+    const ElementKind kind = document.elements.kind[element.row()];
+    if (isHole && kind == ElementKind::Circle && document.circles[row].innerDiameter > 0) {
+        addOutline(set, circlePoints(document.circles[row].centre, document.circles[row].innerDiameter, how));
+    } else if (isHole && kind == ElementKind::Line && document.lines[row].innerWidth > 0) {
+        const LineGeometry& line = document.lines[row];
+        addOutline(set, capsulePoints(line.a, line.b, line.innerWidth, how));
+    }
+    return set;
+}
+
 }  // namespace model

@@ -64,4 +64,8 @@ void discretiseEdge(const PathNode& from, Point to, const Discretisation& how, s
 /// trail is one polygon per stroke (they overlap); a stroke along a full circle has a hole.
 [[nodiscard]] PolygonSet discretise(const Document& document, ElementId element, const Discretisation& how);
 
+/// The empty inside of a drilled or routed hole (CircleGeometry::innerDiameter, LineGeometry::innerWidth); empty for
+/// everything else.
+[[nodiscard]] PolygonSet discretiseOpening(const Document& document, ElementId element, const Discretisation& how);
+
 }  // namespace model

@@ -89,6 +89,15 @@ struct AreaInstance {
 };
 GPU_SIZE(AreaInstance, 32);
 
+// A corner of a prism in the standard pipeline's vertex buffers.
+GPU_CONST kStandardBore = 0x80000000;  // bit of `owner`: the empty inside of a hole (kLetBore)
+struct StandardVertex {
+    float x, y;
+    float face;  // 0 = on the lower, 1 = on the upper face of its layer
+    uint owner;  // element and kStandardBore
+};
+GPU_SIZE(StandardVertex, 16);
+
 #ifdef __cplusplus
 }  // namespace shader
 #endif

@@ -22,6 +22,17 @@ struct Draw {
 };
 GPU_SIZE(Draw, 16);
 
+// Some elements of one layer in the standard pipeline.
+#ifndef __cplusplus
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer StandardVertices { StandardVertex at[]; };
+#endif
+struct StandardPartRecord {
+    GPU_ADDRESS(StandardVertices) vertices;
+    uint layer;
+    uint reserved;
+};
+GPU_SIZE(StandardPartRecord, 16);
+
 // A circle around a shape in its own coordinates, for culling.
 struct ShapeBound {
     vec2 centre;
@@ -31,6 +42,7 @@ struct ShapeBound {
 GPU_SIZE(ShapeBound, 16);
 
 #ifndef __cplusplus
+layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer StandardParts { StandardPartRecord at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Lets { Let at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Clusters { Cluster at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Layers { LayerState at[]; };
@@ -87,8 +99,9 @@ struct FrameData {
     GPU_ADDRESS(IndexedDraws) capDraws;
     GPU_ADDRESS(Draws) wallDraws;
     GPU_ADDRESS(Words) highlight;              // one bit per element
+    GPU_ADDRESS(StandardParts) standardParts;  // null in the hybrid pipeline
 };
-GPU_SIZE(FrameData, 64 + 96 + 16 + 12 + 15 * 4 + 15 * 8);
+GPU_SIZE(FrameData, 64 + 96 + 16 + 12 + 15 * 4 + 16 * 8);
 
 #ifndef __cplusplus
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Frame { FrameData data; };
@@ -97,7 +110,7 @@ layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Fra
 // Push constants of all pipelines.
 struct Push {
     GPU_ADDRESS(Frame) frame;
-    uint first;  // task: the first cluster
+    uint first;  // task: the first cluster; standard: the part
     uint face;   // caps of areas: 0 = upper, 1 = lower
 };
 GPU_SIZE(Push, 16);

@@ -14,6 +14,8 @@ layout(set = 0, binding = 6, scalar) buffer DrawIndexedBlock { DrawIndexed drawI
 layout(set = 0, binding = 7, scalar) buffer DrawBlock { Draw draw[2]; };
 layout(set = 0, binding = 8, scalar) buffer FrameDataBlock { FrameData frameData[2]; };
 layout(set = 0, binding = 9, scalar) buffer PushStructBlock { Push pushStruct[2]; };
+layout(set = 0, binding = 10, scalar) buffer StandardVertexBlock { StandardVertex standardVertex[2]; };
+layout(set = 0, binding = 11, scalar) buffer StandardPartBlock { StandardPartRecord standardPart[2]; };
 
 void main() {
     // Reflection lists what is used.
@@ -27,4 +29,6 @@ void main() {
     draw[0] = draw[1];
     frameData[0] = frameData[1];
     pushStruct[0] = pushStruct[1];
+    standardVertex[0] = standardVertex[1];
+    standardPart[0] = standardPart[1];
 }

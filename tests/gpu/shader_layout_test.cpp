@@ -113,6 +113,14 @@ class ShaderLayoutTest : public QObject {
         MEMBER(frameData, FrameData, capDraws);
         MEMBER(frameData, FrameData, wallDraws);
         MEMBER(frameData, FrameData, highlight);
+        MEMBER(frameData, FrameData, standardParts);
+        MEMBER(standardVertex, StandardVertex, x);
+        MEMBER(standardVertex, StandardVertex, y);
+        MEMBER(standardVertex, StandardVertex, face);
+        MEMBER(standardVertex, StandardVertex, owner);
+        MEMBER(standardPart, StandardPartRecord, vertices);
+        MEMBER(standardPart, StandardPartRecord, layer);
+        MEMBER(standardPart, StandardPartRecord, reserved);
         MEMBER(pushStruct, Push, frame);
         MEMBER(pushStruct, Push, first);
         MEMBER(pushStruct, Push, face);

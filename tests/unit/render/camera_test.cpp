@@ -116,6 +116,15 @@ private slots:
         camera.orbit(0.0F, 10.0F);
         QVERIFY(std::abs(camera.direction().z - 1.0F) < 1e-5F);
     }
+
+    void focusOnHeightKeepsThePictureAndPutsTheTargetThere() {
+        Camera camera;
+        camera.fit({-50.0F, -30.0F, 0.0F}, {50.0F, 30.0F, 1.6F}, NamedView::Iso, 1.5F);
+        const glm::vec3 eye = camera.eye();
+        camera.focusOnHeight(1.6F);
+        QVERIFY(std::abs(camera.target().z - 1.6F) < 1e-3F);
+        QVERIFY(glm::length(camera.eye() - eye) < 1e-2F);
+    }
 };
 
 QTEST_APPLESS_MAIN(CameraTest)

@@ -1,0 +1,44 @@
+#include "render/area_drawer.h"
+#include "render/gpu/barrier.h"
+#include "render/scene_drawer.h"
+
+namespace render {
+namespace {
+
+std::unique_ptr<LetBackend> makeLetBackend(gpu::Device& device, const TargetFormat& target, Backend which) {
+    return which == Backend::Mesh ? makeMeshBackend(device, target) : makePullBackend(device, target);
+}
+
+class HybridDrawer : public SceneDrawer {
+public:
+    HybridDrawer(gpu::Device& device, const TargetFormat& target, Backend lets)
+        : m_areas(device, target), m_lets(makeLetBackend(device, target, lets)) {}
+
+    void cull(const Recording& recording) override {
+        // Draw lists are shared by all frames: the one before must be done with them.
+        gpu::memoryBarrier(recording.commands(), gpu::kAnything, gpu::kCopyWrite);
+        m_areas.reset(recording);
+        m_lets->reset(recording);
+        gpu::memoryBarrier(recording.commands(), gpu::kCopyWrite, gpu::kCompute);
+        m_areas.cull(recording);
+        m_lets->cull(recording);
+        gpu::memoryBarrier(recording.commands(), gpu::kCompute, gpu::kAnyRead);
+    }
+
+    void draw(const Recording& recording, std::uint32_t batch, gpu::Pass pass) override {
+        m_areas.draw(recording, batch, pass);
+        m_lets->draw(recording, batch, pass);
+    }
+
+private:
+    AreaDrawer m_areas;
+    std::unique_ptr<LetBackend> m_lets;
+};
+
+}  // namespace
+
+std::unique_ptr<SceneDrawer> makeHybridDrawer(gpu::Device& device, const TargetFormat& target, Backend lets) {
+    return std::make_unique<HybridDrawer>(device, target, lets);
+}
+
+}  // namespace render

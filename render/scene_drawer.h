@@ -1,0 +1,24 @@
+#pragma once
+
+#include "render/let_backend.h"
+#include "render/view.h"
+
+namespace render {
+
+/// Draws the batches of a scene: one of the two pipelines.
+class SceneDrawer {
+public:
+    virtual ~SceneDrawer() = default;
+    /// Work before drawing begins.
+    virtual void cull(const Recording& recording) = 0;
+    virtual void draw(const Recording& recording, std::uint32_t batch, gpu::Pass pass) = 0;
+};
+
+/// Lets by one of their back ends (not Auto), areas by AreaDrawer.
+[[nodiscard]] std::unique_ptr<SceneDrawer> makeHybridDrawer(gpu::Device& device, const TargetFormat& target,
+                                                            Backend lets);
+
+/// One draw per part, neither culled nor simplified.
+[[nodiscard]] std::unique_ptr<SceneDrawer> makeStandardDrawer(gpu::Device& device, const TargetFormat& target);
+
+}  // namespace render

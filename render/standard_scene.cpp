@@ -1,0 +1,66 @@
+#include <algorithm>
+
+#include "render/scene_buffers.h"
+#include "render/scene_loader.h"
+
+namespace render {
+namespace {
+
+SceneLayers layersOf(const StandardModel& model) {
+    SceneLayers scene;
+    const glm::vec3 size = model.boxMax - model.boxMin;
+    scene.widthMm = std::max(size.x, size.y);
+    for (std::size_t i = 0; i < model.layerBottomMm.size(); ++i) {
+        SceneLayers::Layer layer;
+        layer.z0 = model.layerBottomMm[i];
+        layer.z1 = model.layerTopMm[i];
+        layer.hasAreas = model.hasAreas[i];
+        scene.layers.push_back(layer);
+    }
+    scene.styles.resize(scene.layers.size());
+    return scene;
+}
+
+StandardBuffers loadParts(gpu::Device& device, const StandardModel& model) {
+    SceneLoader loader(device);
+    StandardBuffers buffers;
+    buffers.partsOfLayer.resize(model.layerBottomMm.size());
+    std::vector<shader::StandardPartRecord> records;
+    for (std::uint32_t i = 0; i < model.parts.size(); ++i) {
+        const StandardPart& part = model.parts[i];
+        LayerRun& run = buffers.partsOfLayer[part.layer];
+        run = {run.count == 0 ? i : run.first, run.count + 1};
+        buffers.vertices.push_back(loader.load("standard vertices", part.vertices));
+        buffers.indices.push_back(loader.load("standard indices", part.indices));
+        buffers.indexCounts.push_back(static_cast<std::uint32_t>(part.indices.size()));
+        records.push_back({buffers.vertices.back().address(), part.layer, 0});
+    }
+    buffers.records = loader.load("standard parts", records);
+    return buffers;
+}
+
+}  // namespace
+
+std::uint64_t StandardBuffers::bytes() const {
+    std::uint64_t sum = records.size();
+    for (const std::vector<gpu::Buffer>* column : {&vertices, &indices}) {
+        for (const gpu::Buffer& buffer : *column) {
+            sum += buffer.size();
+        }
+    }
+    return sum;
+}
+
+BoardScene::Impl::Impl(gpu::Device& owner, const StandardModel& model)
+    : device(&owner),
+      uploads(owner, 1, "scene updates"),
+      layers(layersOf(model)),
+      elementWords((model.elementCount + 31) / 32),
+      standard(loadParts(owner, model)) {
+    geometry.highlight = SceneLoader(owner).load("highlight", std::vector<std::uint32_t>(elementWords));
+}
+
+BoardScene::BoardScene(gpu::Device& device, const StandardModel& model)
+    : m_impl(std::make_unique<Impl>(device, model)) {}
+
+}  // namespace render

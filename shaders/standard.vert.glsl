@@ -1,0 +1,22 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/frame.glsl"
+#include "lib/surface.glsl"
+
+// Standard pipeline: a stored vertex and nothing else.
+layout(location = 0) out vec3 outPosition;
+layout(location = 1) flat out vec4 outColour;
+invariant gl_Position;
+
+void main() {
+    const StandardVertex vertex = FRAME.standardParts.at[push.first].vertices.at[gl_VertexIndex];
+    const LayerState layer = FRAME.layers.at[FRAME.standardParts.at[push.first].layer];
+    const bool isBore = has(vertex.owner, kStandardBore);
+    const bool isUpper = vertex.face > 0.5;
+    const uint element = vertex.owner & ~kStandardBore;
+    const float proud = isBore ? FRAME.boreProudMm : 0.0;
+    const vec3 position = vec3(vertex.x, vertex.y, isUpper ? layer.z1 + proud : layer.z0 - proud);
+    outPosition = position - FRAME.centre;
+    outColour = colourOf(layer, element, isBore);
+    gl_Position = clipPosition(position, layer, element, isBore, isUpper, 0.0);
+}
