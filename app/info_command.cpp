@@ -3,8 +3,10 @@
 #include <cstdio>
 #include <iostream>
 
+#include "app/drill_report.h"
 #include "app/exit_code.h"
 #include "app/info_json.h"
+#include "app/stack_report.h"
 
 namespace app {
 
@@ -50,19 +52,6 @@ void printLayers(const Document& document) {
     std::printf("\n");
 }
 
-void printDrills(const Document& document) {
-    const std::vector<DrillRow> rows = drillRows(document);
-    if (rows.empty()) {
-        return;
-    }
-    std::printf("\n%-28s %10s %-8s %8s\n", "drill layer", "hole mm", "plated", "count");
-    for (const DrillRow& row : rows) {
-        const std::string size = row.diameter > 0 ? std::to_string(base::toMm(row.diameter)).substr(0, 6) : "slot";
-        std::printf("%-28s %10s %-8s %8u\n", document.layers[row.layer].name.c_str(), size.c_str(),
-                    row.isPlated ? "yes" : "no", row.count);
-    }
-}
-
 void printDiagnostics(const model::Diagnostics& diagnostics) {
     for (const model::Diagnostic& entry : diagnostics.entries()) {
         const std::string line = entry.line > 0 ? ":" + std::to_string(entry.line) : "";
@@ -87,6 +76,7 @@ void printModel(const OpenBoard& board) {
 void printText(const OpenBoard& board) {
     printJob(*board.document);
     printLayers(*board.document);
+    printStackup(board.document->stackup);
     printDrills(*board.document);
     printModel(board);
     if (!board.document->diagnostics.entries().empty() || !board.model.diagnostics.entries().empty()) {

@@ -1,7 +1,7 @@
 #include "app/info_json.h"
 
-#include <map>
-#include <tuple>
+#include "app/drill_report.h"
+#include "app/stack_report.h"
 
 namespace app {
 
@@ -59,24 +59,6 @@ ordered_json elementsJson(const Document& document) {
     return json;
 }
 
-std::string layerName(const Document& document, model::LayerId id) {
-    return id.isValid() ? document.layer(id).name : "";
-}
-
-ordered_json drillsJson(const Document& document) {
-    ordered_json json = ordered_json::array();
-    for (const DrillRow& row : drillRows(document)) {
-        const Layer& layer = document.layers[row.layer];
-        json.push_back({{"layer", layer.name},
-                        {"from", layerName(document, layer.spanTop)},
-                        {"to", layerName(document, layer.spanBottom)},
-                        {"diameter_nm", row.diameter},
-                        {"plated", row.isPlated},
-                        {"count", row.count}});
-    }
-    return json;
-}
-
 void addDiagnostics(const model::Diagnostics& diagnostics, ordered_json& json) {
     for (const model::Diagnostic& entry : diagnostics.entries()) {
         json.push_back({{"severity", model::toString(entry.severity)},
@@ -89,23 +71,6 @@ void addDiagnostics(const model::Diagnostics& diagnostics, ordered_json& json) {
 
 }  // namespace
 
-std::vector<DrillRow> drillRows(const Document& document) {
-    std::map<std::tuple<std::uint32_t, model::Nm, bool>, std::uint32_t> counts;
-    for (std::size_t row = 0; row < document.elements.size(); ++row) {
-        if ((document.elements.flags[row] & model::kHole) != 0) {
-            const bool isRound = document.elements.kind[row] == ElementKind::Circle;
-            const model::Nm diameter = isRound ? document.circles[document.elements.geometry[row]].diameter : 0;
-            ++counts[{document.elements.layer[row].value, diameter,
-                      (document.elements.flags[row] & model::kPlated) != 0}];
-        }
-    }
-    std::vector<DrillRow> rows;
-    for (const auto& [key, count] : counts) {
-        rows.push_back({std::get<0>(key), std::get<1>(key), std::get<2>(key), count});
-    }
-    return rows;
-}
-
 ordered_json infoJson(const OpenBoard& board) {
     const Document& document = *board.document;
     ordered_json diagnostics = ordered_json::array();
@@ -113,6 +78,7 @@ ordered_json infoJson(const OpenBoard& board) {
     addDiagnostics(board.model.diagnostics, diagnostics);
     return {{"job", jobJson(document.job)},
             {"layers", layersJson(document)},
+            {"stackup", stackupJson(document.stackup)},
             {"elements", elementsJson(document)},
             {"nets", {{"count", document.nets.size()}}},
             {"components", {{"count", document.components.size()}}},

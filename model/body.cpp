@@ -14,10 +14,10 @@ struct Heights {
     Nm top = 0;
 };
 
-Heights bodyHeights(const Document& document) {
+Heights bodyHeights(const std::vector<Layer>& layers, Nm boardThickness) {
     const Layer* lowest = nullptr;
     const Layer* highest = nullptr;
-    for (const Layer& layer : document.layers) {
+    for (const Layer& layer : layers) {
         if (!layer.isCopper()) {
             continue;
         }
@@ -25,18 +25,20 @@ Heights bodyHeights(const Document& document) {
         highest = highest == nullptr || layer.z > highest->z ? &layer : highest;
     }
     if (lowest == nullptr) {
-        return {0, document.boardThickness};
+        return {0, boardThickness};
     }
     if (lowest == highest) {
-        return {highest->z - document.boardThickness, highest->z};
+        return {highest->z - boardThickness, highest->z};
     }
     return {lowest->z + lowest->thickness, highest->z};
 }
 
-PolygonSet holesOf(const Document& document, const Discretisation& how) {
+PolygonSet holesThrough(const Document& document, Heights heights, const Discretisation& how) {
     PolygonSet holes;
     for (std::size_t row = 0; row < document.elements.size(); ++row) {
-        if ((document.elements.flags[row] & kHole) != 0) {
+        const Layer& layer = document.layer(document.elements.layer[row]);
+        const bool isThrough = layer.z <= heights.bottom && layer.z + layer.thickness >= heights.top;
+        if ((document.elements.flags[row] & kHole) != 0 && isThrough) {
             holes.append(discretise(document, ElementId{row}, how));
         }
     }
@@ -60,10 +62,10 @@ void addBody(DocumentBuilder& builder) {
     if (!document.profile.isValid()) {
         return;
     }
-    const Heights heights = bodyHeights(document);
+    const Heights heights = bodyHeights(document.layers, document.boardThickness);
     const Discretisation how;
     const PolygonSet outline = withoutCopies(document, discretise(document.shapes, document.profile, how), how);
-    const PolygonSet body = subtract(outline, holesOf(document, how));
+    const PolygonSet body = subtract(outline, holesThrough(document, heights, how));
     const ShapeSketch sketch = sketchOf(body);
     if (sketch.isEmpty() || heights.top <= heights.bottom) {
         return;
@@ -78,6 +80,16 @@ void addBody(DocumentBuilder& builder) {
     layer.thicknessSource = Source::Derived;
     builder.beginLayer(builder.addLayer(layer));
     builder.addArea({builder.addShape(sketch), {}}, {});
+}
+
+void placeBody(std::vector<Layer>& layers, Nm boardThickness) {
+    const Heights heights = bodyHeights(layers, boardThickness);
+    for (Layer& layer : layers) {
+        if (layer.type == LayerType::Body) {
+            layer.z = heights.bottom;
+            layer.thickness = std::max(heights.top - heights.bottom, 0);
+        }
+    }
 }
 
 }  // namespace model

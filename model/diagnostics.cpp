@@ -4,6 +4,14 @@
 
 namespace model {
 
+namespace {
+
+std::string causeOf(const Diagnostic& entry) {
+    return entry.file + '\n' + entry.text;
+}
+
+}  // namespace
+
 void Diagnostics::report(Severity severity, std::string_view file, std::uint32_t line, std::string_view text,
                          ElementId element) {
     add({severity, std::string(file), line, std::string(text), element, 1});
@@ -15,13 +23,23 @@ void Diagnostics::append(const Diagnostics& other) {
     }
 }
 
+Diagnostics Diagnostics::without(const Diagnostics& other) const {
+    Diagnostics rest;
+    for (const Diagnostic& entry : m_entries) {
+        if (!other.m_rowOfCause.contains(causeOf(entry))) {
+            rest.add(entry);
+        }
+    }
+    return rest;
+}
+
 std::size_t Diagnostics::count(Severity severity) const {
     return static_cast<std::size_t>(
         std::ranges::count_if(m_entries, [severity](const Diagnostic& entry) { return entry.severity == severity; }));
 }
 
 void Diagnostics::add(const Diagnostic& entry) {
-    const auto [place, isNew] = m_rowOfCause.try_emplace(entry.file + '\n' + entry.text, m_entries.size());
+    const auto [place, isNew] = m_rowOfCause.try_emplace(causeOf(entry), m_entries.size());
     if (isNew) {
         m_entries.push_back(entry);
     } else {

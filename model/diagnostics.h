@@ -32,6 +32,8 @@ public:
     void report(Severity severity, std::string_view file, std::uint32_t line, std::string_view text,
                 ElementId element = {});
     void append(const Diagnostics& other);
+    /// All entries but those about the same file with the same text as one of `other`.
+    [[nodiscard]] Diagnostics without(const Diagnostics& other) const;
 
     [[nodiscard]] const std::vector<Diagnostic>& entries() const { return m_entries; }
     [[nodiscard]] std::size_t count(Severity severity) const;

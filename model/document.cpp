@@ -136,8 +136,13 @@ const char* toString(LayerUse use) {
     return kNames[static_cast<std::size_t>(use)];
 }
 
+const char* toString(HoleKind kind) {
+    constexpr const char* kNames[] = {"via", "component", "mounting", "non_plated"};
+    return kNames[static_cast<std::size_t>(kind)];
+}
+
 const char* toString(Source source) {
-    constexpr const char* kNames[] = {"job", "derived", "assumed"};
+    constexpr const char* kNames[] = {"job", "derived", "assumed", "session"};
     return kNames[static_cast<std::size_t>(source)];
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -46,7 +47,8 @@ enum class LayerContext : std::uint8_t { Board, Misc };
 enum class Source : std::uint8_t {
     Job,      ///< read from the job
     Derived,  ///< computed from other numbers of the job
-    Assumed   ///< a default; a diagnostic names it
+    Assumed,  ///< a default; a diagnostic names it
+    Session   ///< set by the user over what the job says
 };
 
 /// What a layer is for beyond its type, from the matrix' ADD_TYPE.
@@ -95,12 +97,75 @@ struct Layer {
     }
 };
 
+/// What a job says a layer is made of. Empty or absent: the job does not say.
+struct Material {
+    std::string name;                          ///< "FR-4", "2x106"
+    std::string type;                          ///< of a dielectric: "CORE", "PREPREG"
+    std::string form;                          ///< "RIGID", "FLEX"
+    std::optional<double> copperOz;            ///< stated weight, ounces per square foot
+    std::optional<double> dielectricConstant;  ///< relative, above 1
+    std::optional<double> lossTangent;
+    std::optional<double> resistivity;  ///< bulk, nΩ·m; copper has 16.8
+};
+
+/// What a job says about the build of one layer.
+struct LayerFacts {
+    std::optional<double> thicknessNm;  ///< its own
+    std::optional<double> belowNm;      ///< copper: the dielectric under it, where the job has no row for that
+    Material material;
+    Material below;
+};
+
+/// A thickness the user sets over what the job says; `layer` is the name of a StackRow.
+struct ThicknessOverride {
+    std::string layer;
+    Nm thickness = 0;
+    bool operator==(const ThicknessOverride&) const = default;
+};
+
+/// All that the heights of a board follow from.
+struct StackFacts {
+    std::vector<LayerFacts> layers;      ///< by layer of the job, in document order
+    std::optional<double> boardNm;       ///< the job's own thickness of the board
+    std::vector<ThicknessOverride> set;  ///< by the user
+};
+
+/// One layer of the material the board is made of, surface layers included.
+struct StackRow {
+    std::string name;  ///< the layer's; "below TOP" for a dielectric that the job has no row for; unique
+    LayerId layer;     ///< none for such a dielectric
+    LayerType type = LayerType::Dielectric;
+    Nm z = 0;  ///< lower face
+    Nm thickness = 0;
+    Source source = Source::Assumed;
+    Material material;
+};
+
+/// The stack of the board, from the top. Made by model/stackup.h; empty for formats that state heights themselves.
+struct Stackup {
+    std::vector<StackRow> rows;
+    StackFacts facts;
+};
+
 enum ElementFlag : std::uint8_t {
     kHole = 1,       ///< a drilled or routed hole: what is solid is its wall
     kPlated = 2,     ///< the wall is copper
     kPad = 4,        ///< came from a pad (P) record
     kSquarePen = 8,  ///< Line only: drawn with an axis-parallel square pen
+    kVia = 16,       ///< plated holes: joins layers
+    kPinHole = 32,   ///< plated holes: takes a pin of a component
 };
+
+/// What a hole is for. A plated one that is neither via nor pin hole is there for mounting.
+enum class HoleKind : std::uint8_t { Via, Component, Mounting, NonPlated };
+
+/// Of an element with kHole.
+[[nodiscard]] constexpr HoleKind holeKind(std::uint8_t flags) {
+    return (flags & kPlated) == 0    ? HoleKind::NonPlated
+           : (flags & kVia) != 0     ? HoleKind::Via
+           : (flags & kPinHole) != 0 ? HoleKind::Component
+                                     : HoleKind::Mounting;
+}
 
 /// One row per element, columns side by side. `geometry` is a row of the table of the element's kind.
 struct ElementTable {
@@ -143,11 +208,12 @@ struct LineGeometry {
 };
 
 /// A round-pen stroke along a circular arc from `node.point` around `node.centre` to `end`; equal ends are a full
-/// circle.
+/// circle. `innerWidth` as for lines.
 struct ArcGeometry {
     PathNode node;
     Point end;
     Nm width = 0;
+    Nm innerWidth = 0;
 };
 
 /// A disc, or a ring when `innerDiameter` > 0. A bare hole has equal diameters: only its wall is there.
@@ -162,7 +228,8 @@ struct CircleGeometry {
 struct TrailGeometry {
     std::uint32_t firstNode = 0;
     std::uint32_t nodeCount = 0;
-    Nm width = 0;  ///< of the widest stroke
+    Nm width = 0;       ///< of the widest stroke
+    Nm innerWidth = 0;  ///< as for lines: a plated or bare routed slot; the same all along
 };
 
 /// A shape laid on the board; surfaces lie where they were drawn, pad symbols are placed.
@@ -197,9 +264,13 @@ struct Component {
 struct DrillTool {
     LayerId layer;
     int number = 0;
-    std::string type;  ///< PLATED, NON_PLATED, VIA as written
-    Nm finishedSize = 0;
-    Nm drillSize = 0;
+    std::string type;     ///< PLATED, NON_PLATED, VIA as written
+    std::string process;  ///< TYPE2 as written: STANDARD, PHOTO, LASER, PRESS_FIT; empty if not stated
+    std::string bit;      ///< name of the drill bit
+    Nm finishedSize = 0;  ///< diameter when the hole is plated
+    Nm drillSize = 0;     ///< diameter as drilled
+    Nm minTolerance = 0;  ///< by how much the finished size may be smaller, and larger
+    Nm maxTolerance = 0;
 };
 
 /// A copy of another step on this one (a panel). It stays where it is once in memory: its elements are those of the
@@ -269,6 +340,7 @@ struct Document {
     Box board;        ///< extent of the profile
     Box extent;       ///< extent of everything on board layers, copies included
     Nm boardThickness = 0;
+    Stackup stackup;
     Diagnostics diagnostics;
     ReadTimes times;
 
@@ -297,6 +369,7 @@ struct Document {
 [[nodiscard]] const char* toString(LayerType type);    ///< as the matrix writes it: "SIGNAL", "POWER_GROUND", …
 [[nodiscard]] const char* toString(LayerSide side);    ///< "top", "inner", …
 [[nodiscard]] const char* toString(LayerUse use);      ///< "plain", "flex", …
-[[nodiscard]] const char* toString(Source source);     ///< "job", "derived", "assumed"
+[[nodiscard]] const char* toString(HoleKind kind);     ///< "via", "component", "mounting", "non_plated"
+[[nodiscard]] const char* toString(Source source);     ///< "job", "derived", "assumed", "session"
 
 }  // namespace model

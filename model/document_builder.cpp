@@ -99,8 +99,10 @@ ElementId DocumentBuilder::addCircle(const CircleGeometry& circle, const Origin&
     return addElement(ElementKind::Circle, m_document->circles.size() - 1, origin);
 }
 
-ElementId DocumentBuilder::addTrail(std::span<const PathNode> nodes, Nm width, const Origin& origin) {
-    return addTrail(nodes, std::vector<Nm>(nodes.size() - 1, width), origin);
+ElementId DocumentBuilder::addTrail(std::span<const PathNode> nodes, Nm width, const Origin& origin, Nm innerWidth) {
+    const ElementId trail = addTrail(nodes, std::vector<Nm>(nodes.size() - 1, width), origin);
+    m_document->trails.back().innerWidth = innerWidth;
+    return trail;
 }
 
 ElementId DocumentBuilder::addTrail(std::span<const PathNode> nodes, std::span<const Nm> widths, const Origin& origin) {

@@ -44,6 +44,7 @@ public:
     /// A step to place copies of; it must have the same layer rows. Answers its row.
     std::uint32_t addStep(std::shared_ptr<const Document> step);
     void addInstance(const StepInstance& instance);
+    void setStackup(Stackup stackup) { m_document->stackup = std::move(stackup); }
     void setBoardThickness(Nm thickness) { m_document->boardThickness = thickness; }
 
     /// All elements added from now on belong to this layer; a layer can be begun once.
@@ -51,7 +52,7 @@ public:
     ElementId addLine(const LineGeometry& line, const Origin& origin);
     ElementId addArc(const ArcGeometry& arc, const Origin& origin);
     ElementId addCircle(const CircleGeometry& circle, const Origin& origin);
-    ElementId addTrail(std::span<const PathNode> nodes, Nm width, const Origin& origin);
+    ElementId addTrail(std::span<const PathNode> nodes, Nm width, const Origin& origin, Nm innerWidth = 0);
     /// One width per edge: `widths` has one entry less than `nodes`.
     ElementId addTrail(std::span<const PathNode> nodes, std::span<const Nm> widths, const Origin& origin);
     ElementId addArea(const AreaGeometry& area, const Origin& origin);

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
+#include <unordered_map>
 
 #include "model/base/assert.h"
+#include "model/body.h"
 
 namespace model {
 
@@ -12,56 +15,105 @@ namespace {
 
 /// How far above and below the outermost surface layer the planes of all other layers lie.
 constexpr Nm kPlaneGap = 100'000;
+/// Copper that takes an even share of the board may be this thick; beyond it the share is no copper thickness.
+constexpr double kLeastCopperShare = 5'000;
+constexpr double kMostCopperShare = 210'000;
+/// Solder mask is thicker than this; Altium writes 2.54 µm where nothing is known.
+constexpr double kLeastMask = 5'000;
 
-/// A part of the stack between the outer copper faces: a layer, or a dielectric that the job has no row for.
 struct Part {
-    std::size_t layer = 0;  ///< of a dielectric without a row: the copper above it
-    bool hasRow = true;
+    StackRow row;
     bool isCopper = false;
-    Nm thickness = 0;
-    Source source = Source::Job;
+    bool isCore = false;  ///< between the outer copper faces
     bool isKnown = false;
 };
 
+char lower(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+}
+
+std::string lowered(std::string text) {
+    std::ranges::transform(text, text.begin(), lower);
+    return text;
+}
+
+bool sameName(std::string_view a, std::string_view b) {
+    return std::ranges::equal(a, b, {}, lower, lower);
+}
+
+std::string inUm(double nm) {
+    std::string text = std::to_string(std::round(nm / base::kNmPerUm * 10) / 10.0);
+    text.erase(text.find_last_not_of('0') + 1);
+    return text + (text.ends_with('.') ? "0 µm" : " µm");
+}
+
+bool isSurface(const Layer& layer) {
+    switch (layer.type) {
+        case LayerType::SolderMask:
+        case LayerType::SolderPaste:
+        case LayerType::SilkScreen:
+        case LayerType::ConductivePaste:
+        case LayerType::Mask: return layer.context == LayerContext::Board;
+        default: return false;
+    }
+}
+
+bool isBoardCopper(const Layer& layer) {
+    return layer.isCopper() && layer.context == LayerContext::Board;
+}
+
+bool isBoardDielectric(const Layer& layer) {
+    return layer.type == LayerType::Dielectric && layer.context == LayerContext::Board;
+}
+
+bool isPhysical(const Layer& layer) {
+    return isBoardCopper(layer) || isBoardDielectric(layer) || isSurface(layer);
+}
+
+bool isHoles(const Layer& layer) {
+    return layer.type == LayerType::Drill || layer.type == LayerType::Rout;
+}
+
+bool namesBottom(const Layer& layer) {
+    const std::string name = lowered(layer.name);
+    return name.find("bot") != std::string::npos || name.starts_with("b.");
+}
+
+Nm surfaceDefault(LayerType type) {
+    switch (type) {
+        case LayerType::SolderPaste:
+        case LayerType::ConductivePaste: return kDefaultPaste;
+        case LayerType::SilkScreen: return kDefaultSilk;
+        default: return kDefaultMask;
+    }
+}
+
 class StackBuilder {
 public:
-    StackBuilder(std::vector<Layer>& layers, std::span<const ThicknessHint> hints, std::optional<double> boardNm,
-                 Diagnostics& diagnostics)
+    StackBuilder(std::vector<Layer>& layers, const StackFacts& facts, Diagnostics& diagnostics)
         : m_layers(layers),
-          m_hints(hints),
-          m_boardNm(boardNm),
+          m_facts(facts),
           m_diagnostics(diagnostics),
           // Together the layers must stay within the coordinate range.
-          m_most(base::kMaxCoordinate / 2.0 / static_cast<double>(layers.size() + 1)) {}
+          m_most(std::min(kMostDielectric, base::kMaxCoordinate / 2.0 / static_cast<double>(layers.size() + 1))) {}
 
-    Nm build() {
+    std::vector<StackRow> build() {
+        m_board = checked("(board)", m_facts.boardNm, kMostDielectric);
         findCopper();
         collectParts();
         fillUnknown();
-        const Nm top = placeParts();
-        layLaminateBelow();
+        const Nm top = placeCore();
         placeSurfaceLayers(top);
         placeHoles(top);
         placePlanes(top);
-        return m_floor < 0 ? -m_floor : top;
+        std::vector<StackRow> rows;
+        for (Part& part : m_parts) {
+            rows.push_back(std::move(part.row));
+        }
+        return rows;
     }
 
 private:
-    static bool isSurface(const Layer& layer) {
-        switch (layer.type) {
-            case LayerType::SolderMask:
-            case LayerType::SolderPaste:
-            case LayerType::SilkScreen:
-            case LayerType::ConductivePaste:
-            case LayerType::Mask: return layer.context == LayerContext::Board;
-            default: return false;
-        }
-    }
-    static bool isBoardCopper(const Layer& layer) { return layer.isCopper() && layer.context == LayerContext::Board; }
-    static bool isBoardDielectric(const Layer& layer) {
-        return layer.type == LayerType::Dielectric && layer.context == LayerContext::Board;
-    }
-
     void report(Severity severity, const std::string& text) { m_diagnostics.report(severity, "", 0, text); }
 
     void findCopper() {
@@ -80,167 +132,253 @@ private:
     }
 
     /// A value of the job within its bounds; one outside is replaced by the bound and reported.
-    std::optional<Nm> checked(const Layer& layer, std::optional<double> value, double most) {
+    std::optional<Nm> checked(const std::string& name, std::optional<double> value, double most) {
         if (!value || *value == 0.0) {
             return std::nullopt;
         }
         const double inside = std::clamp(*value, kLeastThickness, most);
         if (inside != *value) {
-            report(Severity::Warning, "layer " + layer.name + ": the job's thickness of " + inUm(*value) +
+            report(Severity::Warning, "layer " + name + ": the job's thickness of " + inUm(*value) +
                                           " is absurd; taken as " + inUm(inside));
         }
         return static_cast<Nm>(std::llround(inside));
     }
 
-    static std::string inUm(double nm) {
-        const double um = nm / base::kNmPerUm;
-        std::string text = std::to_string(std::round(um * 10) / 10.0);
-        text.erase(text.find_last_not_of('0') + 1);
-        return text + (text.ends_with('.') ? "0 µm" : " µm");
-    }
+    // ---- rows and what is known of them ----
 
     void collectParts() {
-        for (std::size_t i = m_first; i < m_layers.size() && i <= m_last; ++i) {
+        for (std::size_t i = 0; i < m_layers.size(); ++i) {
             if (isBoardCopper(m_layers[i])) {
                 addGapBefore();
-                addPart(i, true, checked(m_layers[i], m_hints[i].copperNm, std::min(m_most, kMostCopper)));
-            } else if (isBoardDielectric(m_layers[i])) {
-                addPart(i, false, checked(m_layers[i], m_hints[i].dielectricNm, std::min(m_most, kMostDielectric)));
+                addLayer(i, kMostCopper);
+            } else if (isPhysical(m_layers[i])) {
+                addLayer(i, m_most);
             }
+        }
+        if (m_first < m_layers.size() && m_first == m_last) {
+            addLaminateBelow();
         }
     }
 
-    void addPart(std::size_t layer, bool isCopper, std::optional<Nm> thickness) {
-        m_parts.push_back({layer, true, isCopper, thickness.value_or(0), Source::Job, thickness.has_value()});
-        if (isCopper && !thickness) {
-            m_parts.back().thickness = kDefaultCopper;
-            m_parts.back().source = Source::Assumed;
-            m_parts.back().isKnown = true;
-            ++m_assumedCopper;
+    void addLayer(std::size_t i, double most) {
+        const Layer& layer = m_layers[i];
+        const bool isCopper = isBoardCopper(layer);
+        const bool isCore = isCopper || (isBoardDielectric(layer) && i > m_first && i < m_last);
+        StackRow row{layer.name, LayerId{i}, layer.type, 0, 0, Source::Job, m_facts.layers[i].material};
+        addPart({std::move(row), isCopper, isCore, false}, statedThickness(i), std::min(most, m_most));
+    }
+
+    std::optional<double> statedThickness(std::size_t i) {
+        const std::optional<double> stated = m_facts.layers[i].thicknessNm;
+        const bool isMask = m_layers[i].type == LayerType::SolderMask;
+        if (isMask && stated && *stated > 0 && *stated < kLeastMask) {
+            report(Severity::Info, "layer " + m_layers[i].name + ": the job's thickness of " + inUm(*stated) +
+                                       " is too thin for a solder mask and not used");
+            return std::nullopt;
         }
+        return stated;
+    }
+
+    void addPart(Part part, std::optional<double> stated, double most) {
+        part.row.name = uniqueName(part.row.name);
+        if (const ThicknessOverride* set = findOverride(part.row.name)) {
+            part.row.thickness = set->thickness;
+            part.row.source = Source::Session;
+            part.isKnown = true;
+        } else if (const std::optional<Nm> nm = checked(part.row.name, stated, most)) {
+            part.row.thickness = *nm;
+            part.isKnown = true;
+        }
+        m_parts.push_back(std::move(part));
+    }
+
+    /// A dielectric of two plies may be listed twice under one name.
+    std::string uniqueName(const std::string& name) {
+        std::string unique = name;
+        int& count = m_used[lowered(name)];
+        while (++count > 1) {
+            unique = name + " (" + std::to_string(count) + ")";
+            if (m_used.try_emplace(lowered(unique), 1).second) {
+                break;
+            }
+        }
+        return unique;
+    }
+
+    const ThicknessOverride* findOverride(const std::string& name) const {
+        const auto found =
+            std::ranges::find_if(m_facts.set, [&](const ThicknessOverride& set) { return sameName(set.layer, name); });
+        return found == m_facts.set.end() ? nullptr : &*found;
+    }
+
+    Part gapBelow(std::size_t copper) const {
+        StackRow row{"below " + m_layers[copper].name, {}, LayerType::Dielectric, 0, 0, Source::Job, {}};
+        row.material = m_facts.layers[copper].below;
+        return {std::move(row), false, true, false};
     }
 
     /// Two copper layers without a row between them: the dielectric is only known from the upper one, if at all.
     void addGapBefore() {
-        if (m_parts.empty() || !m_parts.back().isCopper) {
+        if (!m_parts.empty() && m_parts.back().isCopper) {
+            const std::size_t above = m_parts.back().row.layer.row();
+            addPart(gapBelow(above), m_facts.layers[above].belowNm, m_most);
+        }
+    }
+
+    /// A board of one copper layer has its laminate below it.
+    void addLaminateBelow() {
+        Part part = gapBelow(m_first);
+        const auto copper = std::ranges::find_if(m_parts, &Part::isCopper);
+        part.row.name = uniqueName(part.row.name);
+        const ThicknessOverride* set = findOverride(part.row.name);
+        part.row.thickness = set != nullptr ? set->thickness : m_board.value_or(kDefaultBoard);
+        part.row.source = set != nullptr ? Source::Session : m_board ? Source::Job : Source::Assumed;
+        part.isKnown = true;
+        m_floor = -part.row.thickness;
+        report(Severity::Info, "there is one copper layer; below it lies a laminate of " + inUm(part.row.thickness) +
+                                   (set != nullptr ? ", set by you"
+                                    : m_board      ? ", the board's thickness"
+                                                   : ", which is assumed"));
+        m_parts.insert(copper + 1, std::move(part));
+    }
+
+    // ---- what is not known ----
+
+    std::vector<Part*> unknown(bool isCopper) {
+        std::vector<Part*> parts;
+        for (Part& part : m_parts) {
+            if (part.isCore && !part.isKnown && part.isCopper == isCopper) {
+                parts.push_back(&part);
+            }
+        }
+        return parts;
+    }
+
+    std::int64_t knownSum() const {
+        std::int64_t sum = 0;
+        for (const Part& part : m_parts) {
+            sum += part.isCore ? part.row.thickness : 0;
+        }
+        return sum;
+    }
+
+    static void setAll(const std::vector<Part*>& parts, std::int64_t nm, Source source) {
+        for (Part* part : parts) {
+            part->row.thickness = static_cast<Nm>(nm);
+            part->row.source = source;
+            part->isKnown = true;
+        }
+    }
+
+    void fillUnknown() {
+        const std::vector<Part*> dielectrics = unknown(false);
+        const bool isComplete = dielectrics.empty() && unknown(true).empty();
+        fillCopper(dielectrics.empty());
+        if (!dielectrics.empty()) {
+            fillDielectrics(dielectrics);
+        } else if (isComplete && m_floor == 0 && m_first < m_last) {
+            compareWithBoard();
+        }
+    }
+
+    /// Where all dielectrics are known, the copper is what is left of the board.
+    void fillCopper(bool areDielectricsKnown) {
+        const std::vector<Part*> copper = unknown(true);
+        if (copper.empty()) {
             return;
         }
-        const std::size_t above = m_parts.back().layer;
-        const std::optional<Nm> thickness =
-            checked(m_layers[above], m_hints[above].dielectricBelowNm, std::min(m_most, kMostDielectric));
-        m_parts.push_back({above, false, false, thickness.value_or(0), Source::Job, thickness.has_value()});
+        const auto count = static_cast<std::int64_t>(copper.size());
+        const std::int64_t share = m_board ? (*m_board - knownSum()) / count : 0;
+        const std::string layers = "the job gives no thickness for " + std::to_string(count) + " copper layer(s); ";
+        const auto nm = static_cast<double>(share);
+        if (areDielectricsKnown && m_floor == 0 && nm >= kLeastCopperShare && nm <= kMostCopperShare) {
+            setAll(copper, share, Source::Derived);
+            report(Severity::Info, layers + "taken as " + inUm(nm) +
+                                       " each, an even share of what the dielectrics leave of the board's " +
+                                       inUm(*m_board));
+        } else {
+            setAll(copper, kDefaultCopper, Source::Assumed);
+            report(Severity::Info, layers + "taken as " + inUm(kDefaultCopper));
+        }
     }
 
     /// Shares what is left of the board's thickness evenly among the dielectrics nothing is known about.
-    void fillUnknown() {
-        std::int64_t known = 0;
-        std::int64_t unknown = 0;
-        for (const Part& part : m_parts) {
-            known += part.thickness;
-            unknown += part.isKnown ? 0 : 1;
-        }
-        if (m_assumedCopper > 0) {
-            report(Severity::Info, "the job gives no thickness for " + std::to_string(m_assumedCopper) +
-                                       " copper layer(s); taken as " + inUm(kDefaultCopper));
-        }
-        if (unknown == 0) {
-            return m_parts.size() > 1 ? compareWithBoard(known) : void();
-        }
-        const std::optional<Nm> board = boardThickness();
-        const std::int64_t left = board.value_or(kDefaultBoard) - known;
-        const bool hasRoom = left >= unknown * kLeastDielectric;
-        const std::int64_t share = hasRoom ? left / unknown : kLeastDielectric;
-        for (Part& part : m_parts) {
-            if (!part.isKnown) {
-                part.thickness = static_cast<Nm>(share);
-                part.source = board && hasRoom ? Source::Derived : Source::Assumed;
-            }
-        }
-        reportShare(board, hasRoom, unknown, static_cast<double>(share));
-    }
-
-    std::optional<Nm> boardThickness() {
-        Layer board;
-        board.name = "(board)";
-        return checked(board, m_boardNm, kMostDielectric);
-    }
-
-    void reportShare(std::optional<Nm> board, bool hasRoom, std::int64_t unknown, double share) {
-        const std::string gaps = std::to_string(unknown) + " dielectric(s) without a thickness in the job: taken as " +
-                                 inUm(share) + " each, ";
+    void fillDielectrics(const std::vector<Part*>& parts) {
+        const auto count = static_cast<std::int64_t>(parts.size());
+        const std::int64_t left = m_board.value_or(kDefaultBoard) - knownSum();
+        const bool hasRoom = left >= count * kLeastDielectric;
+        const std::int64_t share = hasRoom ? left / count : kLeastDielectric;
+        setAll(parts, share, m_board && hasRoom ? Source::Derived : Source::Assumed);
+        const std::string gaps = std::to_string(count) + " dielectric(s) without a thickness in the job: taken as " +
+                                 inUm(static_cast<double>(share)) + " each, ";
         if (!hasRoom) {
             report(Severity::Warning, gaps + "because the board's thickness leaves no room for them");
-        } else if (board) {
-            report(Severity::Info, gaps + "an even share of the board's " + inUm(*board));
+        } else if (m_board) {
+            report(Severity::Info, gaps + "an even share of the board's " + inUm(*m_board));
         } else {
             report(Severity::Info, gaps + "an even share of an assumed board of " + inUm(kDefaultBoard));
         }
     }
 
-    void compareWithBoard(std::int64_t sum) {
-        const std::optional<Nm> board = boardThickness();
-        // Job thicknesses often count the solder mask; a tenth is more than any mask.
-        if (board && std::abs(static_cast<double>(sum) - *board) > 0.1 * *board) {
-            report(Severity::Warning, "the layers add up to " + inUm(static_cast<double>(sum)) +
-                                          ", but the job says the board is " + inUm(*board) +
-                                          " thick; the layers are used");
+    /// Job thicknesses often count the solder mask, so only more than a tenth is a warning.
+    void compareWithBoard() {
+        double copper = 0;
+        for (const Part& part : m_parts) {
+            copper += part.isCopper ? part.row.thickness : 0;
+        }
+        const auto sum = static_cast<double>(knownSum());
+        const double off = m_board ? std::abs(sum - *m_board) : 0.0;
+        if (off > kOunceTolerance * copper) {
+            report(off > 0.1 * *m_board ? Severity::Warning : Severity::Info,
+                   "the layers add up to " + inUm(sum) + ", but the job says the board is " + inUm(*m_board) +
+                       " thick; the layers are used");
         }
     }
 
-    /// Bottom up from z = 0. Returns the upper face of the highest part.
-    Nm placeParts() {
-        Nm z = 0;
+    // ---- heights ----
+
+    void settle(Part& part, Nm z) {
+        part.row.z = z;
+        if (part.row.layer.isValid()) {
+            Layer& layer = m_layers[part.row.layer.row()];
+            layer.z = z;
+            layer.thickness = part.row.thickness;
+            layer.thicknessSource = part.row.source;
+            layer.side = isBoardDielectric(layer) ? LayerSide::Inner : layer.side;
+        }
+    }
+
+    /// Bottom up from z = 0, or from the lower face of a single copper layer's laminate. Returns the upper face of the
+    /// highest copper.
+    Nm placeCore() {
+        Nm z = m_floor;
         for (auto part = m_parts.rbegin(); part != m_parts.rend(); ++part) {
-            if (part->hasRow) {
-                Layer& layer = m_layers[part->layer];
-                layer.z = z;
-                layer.thickness = part->thickness;
-                layer.thicknessSource = part->source;
-                layer.side = part->isCopper ? layer.side : LayerSide::Inner;
+            if (part->isCore) {
+                settle(*part, z);
+                z += part->row.thickness;
             }
-            z += part->thickness;
         }
         return z;
     }
 
-    /// A board of one copper layer has its laminate below it.
-    void layLaminateBelow() {
-        if (m_parts.size() != 1) {
-            return;
-        }
-        const std::optional<Nm> board = boardThickness();
-        m_floor = -board.value_or(kDefaultBoard);
-        report(Severity::Info, "there is one copper layer; below it lies a laminate of " + inUm(-m_floor) +
-                                   (board ? ", the board's thickness" : ", which is assumed"));
-    }
-
-    static Nm surfaceThickness(LayerType type) {
-        switch (type) {
-            case LayerType::SolderPaste:
-            case LayerType::ConductivePaste: return kDefaultPaste;
-            case LayerType::SilkScreen: return kDefaultSilk;
-            default: return kDefaultMask;
-        }
-    }
-
     /// Masks and paste lie on the copper, silk on the mask. Layers of one kind lie side by side.
     void placeSurfaceLayers(Nm top) {
-        bool isAny = false;
-        for (std::size_t i = 0; i < m_layers.size(); ++i) {
-            Layer& layer = m_layers[i];
-            if (!isSurface(layer) && !(isBoardDielectric(layer) && (i < m_first || i > m_last))) {
+        bool isAnyAssumed = false;
+        for (Part& part : m_parts) {
+            if (part.isCore) {
                 continue;
             }
-            isAny = true;
-            const bool isTop = i < m_last || m_parts.empty();
-            layer.side = isTop ? LayerSide::Top : LayerSide::Bottom;
-            const std::optional<Nm> known = checked(layer, m_hints[i].dielectricNm, std::min(m_most, kMostDielectric));
-            layer.thickness = known.value_or(surfaceThickness(layer.type));
-            layer.thicknessSource = known ? Source::Job : Source::Assumed;
-            const Nm lift = layer.type == LayerType::SilkScreen ? kDefaultMask : 0;
-            layer.z = isTop ? top + lift : m_floor - lift - layer.thickness;
+            if (!part.isKnown) {
+                part.row.thickness = surfaceDefault(part.row.type);
+                part.row.source = Source::Assumed;
+                isAnyAssumed = true;
+            }
+            const bool isTop = part.row.layer.row() < m_last || m_first == m_layers.size();
+            const Nm lift = part.row.type == LayerType::SilkScreen ? kDefaultMask : 0;
+            settle(part, isTop ? top + lift : m_floor - lift - part.row.thickness);
+            m_layers[part.row.layer.row()].side = isTop ? LayerSide::Top : LayerSide::Bottom;
         }
-        if (isAny) {
+        if (isAnyAssumed) {
             report(Severity::Info, "thickness of surface layers is assumed: solder mask " + inUm(kDefaultMask) +
                                        ", paste " + inUm(kDefaultPaste) + ", silk screen " + inUm(kDefaultSilk));
         }
@@ -248,7 +386,7 @@ private:
 
     void placeHoles(Nm top) {
         for (Layer& layer : m_layers) {
-            if (layer.type != LayerType::Drill && layer.type != LayerType::Rout) {
+            if (!isHoles(layer)) {
                 continue;
             }
             layer.side = LayerSide::Through;
@@ -261,18 +399,9 @@ private:
 
     static Nm upperFace(const Layer& layer) { return layer.z + layer.thickness; }
 
-    static bool namesBottom(const Layer& layer) {
-        std::string name = layer.name;
-        std::ranges::transform(name, name.begin(),
-                               [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-        return name.find("bot") != std::string::npos || name.starts_with("b.");
-    }
-
     void placePlanes(Nm top) {
         for (Layer& layer : m_layers) {
-            const bool isPlaced = isBoardCopper(layer) || isBoardDielectric(layer) || isSurface(layer) ||
-                                  layer.type == LayerType::Drill || layer.type == LayerType::Rout;
-            if (isPlaced) {
+            if (isPhysical(layer) || isHoles(layer)) {
                 continue;
             }
             const bool isBottom = namesBottom(layer);
@@ -285,23 +414,110 @@ private:
     }
 
     std::vector<Layer>& m_layers;
-    std::span<const ThicknessHint> m_hints;
-    std::optional<double> m_boardNm;
+    const StackFacts& m_facts;
     Diagnostics& m_diagnostics;
     double m_most;
-    std::vector<Part> m_parts;  ///< from the top
+    std::optional<Nm> m_board;                    ///< the job's, within bounds
+    std::vector<Part> m_parts;                    ///< from the top
+    std::unordered_map<std::string, int> m_used;  ///< how often a name was asked for, in lower case
     std::size_t m_first = 0;
     std::size_t m_last = 0;
     Nm m_floor = 0;  ///< lower face of the board
-    int m_assumedCopper = 0;
 };
+
+struct Heights {
+    std::vector<Layer> layers;
+    Stackup stackup;
+};
+
+Heights heightsWith(const Document& document, std::vector<ThicknessOverride> set, Diagnostics& messages) {
+    StackFacts facts = document.stackup.facts;
+    facts.set = std::move(set);
+    // Layers that we added ourselves follow those of the job.
+    const auto own = static_cast<std::ptrdiff_t>(facts.layers.size());
+    Heights heights{{document.layers.begin(), document.layers.begin() + own}, {}};
+    heights.stackup = buildStackup(heights.layers, std::move(facts), messages);
+    return heights;
+}
+
+/// Steps that are placed on others have the same layers at the same heights.
+void setHeights(Document& document, const Heights& heights,
+                std::map<const Document*, std::shared_ptr<const Document>>& done) {
+    for (std::size_t row = 0; row < heights.layers.size() && row < document.layers.size(); ++row) {
+        document.layers[row].z = heights.layers[row].z;
+        document.layers[row].thickness = heights.layers[row].thickness;
+        document.layers[row].thicknessSource = heights.layers[row].thicknessSource;
+    }
+    document.boardThickness = thicknessOf(heights.stackup);
+    placeBody(document.layers, document.boardThickness);
+    for (std::shared_ptr<const Document>& step : document.steps) {
+        std::shared_ptr<const Document>& changed = done[step.get()];
+        if (!changed) {
+            const auto copy = std::make_shared<Document>(*step);
+            setHeights(*copy, heights, done);
+            changed = copy;
+        }
+        step = changed;
+    }
+}
 
 }  // namespace
 
-Nm buildStackup(std::vector<Layer>& layers, std::span<const ThicknessHint> hints, std::optional<double> boardNm,
-                Diagnostics& diagnostics) {
-    ASSERT(hints.size() == layers.size());
-    return StackBuilder(layers, hints, boardNm, diagnostics).build();
+Stackup buildStackup(std::vector<Layer>& layers, StackFacts facts, Diagnostics& diagnostics) {
+    ASSERT(facts.layers.size() == layers.size());
+    Stackup stackup;
+    stackup.rows = StackBuilder(layers, facts, diagnostics).build();
+    stackup.facts = std::move(facts);
+    return stackup;
+}
+
+Nm thicknessOf(const Stackup& stackup) {
+    const auto isCopper = [](const StackRow& row) {
+        return row.type == LayerType::Signal || row.type == LayerType::PowerGround || row.type == LayerType::Mixed;
+    };
+    const auto first = std::ranges::find_if(stackup.rows, isCopper);
+    const auto last = std::ranges::find_if(stackup.rows.rbegin(), stackup.rows.rend(), isCopper);
+    if (first == stackup.rows.end()) {
+        return 0;
+    }
+    // A single copper layer's laminate is the row below it.
+    return &*first == &*last ? (first + 1)->thickness : first->z + first->thickness - last->z;
+}
+
+const StackRow* findRow(const Stackup& stackup, std::string_view name) {
+    const auto found =
+        std::ranges::find_if(stackup.rows, [name](const StackRow& row) { return sameName(row.name, name); });
+    return found == stackup.rows.end() ? nullptr : &*found;
+}
+
+std::optional<CopperWeight> copperWeightOf(const StackRow& row) {
+    const bool isCopper =
+        row.type == LayerType::Signal || row.type == LayerType::PowerGround || row.type == LayerType::Mixed;
+    if (!isCopper) {
+        return std::nullopt;
+    }
+    if (row.material.copperOz && row.source != Source::Session) {
+        return CopperWeight{*row.material.copperOz, Source::Job};
+    }
+    const Source source = row.source == Source::Job ? Source::Derived : row.source;
+    return CopperWeight{row.thickness / base::kNmPerOunce, source};
+}
+
+std::shared_ptr<const Document> restack(const Document& document, std::vector<ThicknessOverride> set) {
+    auto out = std::make_shared<Document>(document);
+    if (document.stackup.rows.empty()) {
+        return out;  // a format that states its heights
+    }
+    Diagnostics before;
+    (void)heightsWith(document, document.stackup.facts.set, before);
+    Diagnostics after;
+    const Heights heights = heightsWith(document, std::move(set), after);
+    out->stackup = heights.stackup;
+    std::map<const Document*, std::shared_ptr<const Document>> done;
+    setHeights(*out, heights, done);
+    out->diagnostics = document.diagnostics.without(before);
+    out->diagnostics.append(after);
+    return out;
 }
 
 }  // namespace model

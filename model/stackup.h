@@ -1,21 +1,13 @@
 #pragma once
 
+#include <memory>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "model/document.h"
 
+/// Heights of the layers, from what a job says and defaults for what it does not.
 namespace model {
-
-/// What a job says about the thickness of one layer; everything may be missing. Values of other layers of the job must
-/// not be put here.
-struct ThicknessHint {
-    std::optional<double> copperNm;      ///< copper layers: own thickness
-    std::optional<double> dielectricNm;  ///< dielectric rows: own thickness
-    std::optional<double>
-        dielectricBelowNm;  ///< copper layers: the dielectric under it, where the job has no row for that
-};
 
 /// Defaults where a job is silent; each use is told in the diagnostics.
 inline constexpr Nm kDefaultBoard = 1'600'000;
@@ -29,14 +21,38 @@ inline constexpr Nm kLeastDielectric = 50'000;
 inline constexpr double kMostCopper = 500'000;
 inline constexpr double kMostDielectric = 10'000'000;
 inline constexpr double kLeastThickness = 1'000;
+/// By how much programs differ about what an ounce of copper is: 34 to 35.8 µm (odb-notes, Stack).
+inline constexpr double kOunceTolerance = 0.035;
 
-/// Gives every layer its z, thickness, side and source. `layers` come in document order: the physical ones (copper,
-/// dielectric, mask, paste, silk) from the top first; `hints` has one entry per layer. z = 0 is the lower face of the
-/// lowest copper; surface layers lie outside of the outer copper; drills and routs must have their spans set and reach
-/// from the lower face of the lowest to the upper face of the highest copper they pass; everything else is a plane
-/// above or below the board. Returns the thickness from the lowest to the highest copper face; a board of one copper
-/// layer has its laminate below z = 0, and the laminate's thickness is returned.
-Nm buildStackup(std::vector<Layer>& layers, std::span<const ThicknessHint> hints, std::optional<double> boardNm,
-                Diagnostics& diagnostics);
+/// Gives every layer its z, thickness, side and source, and answers the stack's rows from the top. `layers` come in
+/// document order: the physical ones (copper, dielectric, mask, paste, silk) from the top first; `facts.layers` has one
+/// entry per layer. z = 0 is the lower face of the lowest copper; surface layers lie outside of the outer copper;
+/// drills and routs must have their spans set and reach from the lower face of the lowest to the upper face of the
+/// highest copper they pass; everything else is a plane above or below the board. A board of one copper layer has its
+/// laminate below z = 0.
+///
+/// What the user set counts most, then the job's own number; what is left of the job's board thickness is shared by
+/// those dielectrics (or, where all of them are known, copper layers) that have no number; defaults come last.
+[[nodiscard]] Stackup buildStackup(std::vector<Layer>& layers, StackFacts facts, Diagnostics& diagnostics);
+
+/// From the lowest to the highest face of copper and what lies between; the laminate of a single copper layer for
+/// itself.
+[[nodiscard]] Nm thicknessOf(const Stackup& stackup);
+
+/// The row of this name, in any case; nullptr if there is none.
+[[nodiscard]] const StackRow* findRow(const Stackup& stackup, std::string_view name);
+
+/// Copper weight of a row in ounces per square foot with its source: as the job states it, unless the user set the
+/// thickness; else from the thickness (Derived, or Assumed as the thickness is). Nothing for other rows.
+struct CopperWeight {
+    double oz = 0.0;
+    Source source = Source::Job;
+};
+[[nodiscard]] std::optional<CopperWeight> copperWeightOf(const StackRow& row);
+
+/// The same board with these thicknesses set by the user instead of those set before: new heights and messages, all
+/// else as it is. Costs a copy of the tables; nothing is read again. Names that are no row are ignored (ask `findRow`
+/// first).
+[[nodiscard]] std::shared_ptr<const Document> restack(const Document& document, std::vector<ThicknessOverride> set);
 
 }  // namespace model

@@ -36,7 +36,8 @@ public:
         switch (table.kind[element.row()]) {
             case ElementKind::Line: addLine(m_document.lines[row]); break;
             case ElementKind::Arc:
-                addArc(m_document.arcs[row].node, m_document.arcs[row].end, m_document.arcs[row].width);
+                addPath(m_document.arcs[row].node, m_document.arcs[row].end, m_document.arcs[row].width,
+                        m_document.arcs[row].innerWidth);
                 break;
             case ElementKind::Circle: addCircle(m_document.circles[row]); break;
             case ElementKind::Trail: addTrail(m_document.trails[row]); break;
@@ -83,11 +84,26 @@ private:
         const std::span<const PathNode> nodes = m_document.nodesOf(trail);
         const std::span<const Nm> widths = m_document.widthsOf(trail);
         for (std::size_t i = 0; i < widths.size(); ++i) {
-            if (nodes[i].edge != model::EdgeKind::Line) {
-                addArc(nodes[i], nodes[i + 1].point, widths[i]);
-            } else if (hasWidth(widths[i])) {
-                addStadium(nodes[i].point, nodes[i + 1].point, widths[i], 0);
-            }
+            addPath(nodes[i], nodes[i + 1].point, widths[i], trail.innerWidth);
+        }
+    }
+
+    /// A stroke of an arc or a path, and for holes its dark inside. It has no inner wall of its own: strokes of a path
+    /// overlap, and walls would stand across the slot.
+    void addPath(const PathNode& node, Point end, Nm width, Nm innerWidth) {
+        addEdge(node, end, width);
+        if ((m_flags & model::kHole) != 0 && innerWidth > 0) {
+            m_bore = shader::kLetBore;
+            addEdge(node, end, innerWidth);
+            m_bore = 0;
+        }
+    }
+
+    void addEdge(const PathNode& node, Point end, Nm width) {
+        if (node.edge != model::EdgeKind::Line) {
+            addArc(node, end, width);
+        } else if (hasWidth(width)) {
+            addStadium(node.point, end, width, 0);
         }
     }
 
@@ -138,7 +154,7 @@ private:
     }
 
     void push(shader::Let let) {
-        let.meta |= m_layer << shader::kLetLayerShift;
+        let.meta |= m_layer << shader::kLetLayerShift | m_bore;
         m_out.lets.push_back(let);
     }
 
@@ -149,6 +165,7 @@ private:
     model::ElementId m_element;
     std::uint8_t m_flags = 0;
     std::uint32_t m_layer = 0;
+    std::uint32_t m_bore = 0;  ///< kLetBore while the inside of a hole is added
 };
 
 struct LetBox {

@@ -18,10 +18,6 @@ double normalisedDeg(double degrees) {
     return turn < 0 ? turn + 360.0 : turn;
 }
 
-std::uint8_t withFlag(std::uint8_t flags, ElementFlag flag, bool isSet) {
-    return isSet ? static_cast<std::uint8_t>(flags | flag) : flags;
-}
-
 bool isQuarterTurn(const Placement& placement) {
     return std::fmod(placement.clockwiseDeg, 90.0) == 0.0;
 }
@@ -108,16 +104,26 @@ AttributeSetId ElementMaker::attributesOf(const Feature& feature) {
     return set;
 }
 
-bool ElementMaker::isPlated(const Feature& feature, Nm size) {
-    bool isAssumed = false;
-    const bool isPlated = m_holes->isPlated(feature, size, isAssumed);
-    if (isAssumed) {
-        m_diagnostics.report(
-            Severity::Info, m_source.path, feature.line,
-            isPlated ? "neither attribute .drill nor the tools say whether the hole is plated; taken as plated"
-                     : "neither attribute .drill nor the tools say whether the hole is plated; taken as bare");
+/// The hole a feature makes, with its flags put into `origin`.
+Hole ElementMaker::drill(std::size_t feature, Nm size, DocumentBuilder::Origin& origin) {
+    const Feature& f = m_source.file->features[feature];
+    const Hole hole = m_holes->hole(f, size, origin.net.isValid());
+    origin.flags = static_cast<std::uint8_t>(origin.flags | hole.flags);
+    const bool isPlated = (hole.flags & kPlated) != 0;
+    if (hole.isPlatingAssumed) {
+        report(Severity::Info, feature,
+               isPlated ? "neither attribute .drill nor the tools say whether the hole is plated; taken as plated"
+                        : "neither attribute .drill nor the tools say whether the hole is plated; taken as bare");
     }
-    return isPlated;
+    if (hole.isWallAssumed) {
+        report(Severity::Info, feature,
+               "the tools do not say how thick the copper in plated holes is; taken as 25 µm inside of the hole");
+    }
+    if (hole.isContradicted) {
+        report(Severity::Warning, feature,
+               "attribute .drill and the tool of this size disagree about plating; the attribute is believed");
+    }
+    return hole;
 }
 
 // ---- strokes ----
@@ -191,10 +197,8 @@ void ElementMaker::flush() {
         addSingleStroke(m_pending.feature, m_pending.nodes, width);
     } else {
         DocumentBuilder::Origin origin = originOf(m_pending.feature);
-        if (m_holes != nullptr && isPlated(m_source.file->features[m_pending.feature], width)) {
-            origin.flags |= kPlated;
-        }
-        m_builder.addTrail(m_pending.nodes, width, origin);
+        const Hole hole = m_holes != nullptr ? drill(m_pending.feature, width, origin) : Hole{0, width};
+        m_builder.addTrail(m_pending.nodes, hole.drilled, origin, hole.open);
         note(m_pending.feature);
     }
     m_pending.nodes.clear();
@@ -205,10 +209,8 @@ void ElementMaker::addSingleStroke(std::size_t feature, std::span<const PathNode
         return addLine(feature, {nodes[0].point, nodes[1].point, width, 0}, 0);
     }
     DocumentBuilder::Origin origin = originOf(feature);
-    if (m_holes != nullptr && isPlated(m_source.file->features[feature], width)) {
-        origin.flags |= kPlated;
-    }
-    m_builder.addArc({nodes[0], nodes[1].point, width}, origin);
+    const Hole hole = m_holes != nullptr ? drill(feature, width, origin) : Hole{0, width};
+    m_builder.addArc({nodes[0], nodes[1].point, hole.drilled, hole.open}, origin);
     note(feature);
 }
 
@@ -216,9 +218,9 @@ void ElementMaker::addLine(std::size_t feature, LineGeometry line, std::uint8_t 
     DocumentBuilder::Origin origin = originOf(feature);
     origin.flags |= flags;
     if (m_holes != nullptr) {
-        const bool plated = isPlated(m_source.file->features[feature], line.width);
-        origin.flags = withFlag(origin.flags, kPlated, plated);
-        line.innerWidth = HoleRules::openSize(line.width, plated);
+        const Hole hole = drill(feature, line.width, origin);
+        line.width = hole.drilled;
+        line.innerWidth = hole.open;
     }
     m_builder.addLine(line, origin);
     note(feature);
@@ -281,9 +283,9 @@ void ElementMaker::discPad(std::size_t feature, const SymbolShape& shape) {
     origin.flags |= kPad;
     CircleGeometry circle{f.a, shape.width, shape.kind == SymbolShape::Kind::Ring ? shape.height : 0};
     if (m_holes != nullptr) {
-        const bool plated = isPlated(f, shape.width);
-        origin.flags = withFlag(origin.flags, kPlated, plated);
-        circle.innerDiameter = HoleRules::openSize(shape.width, plated);
+        const Hole hole = drill(feature, shape.width, origin);
+        circle.diameter = hole.drilled;
+        circle.innerDiameter = hole.open;
     }
     m_builder.addCircle(circle, origin);
     note(feature);
@@ -377,7 +379,7 @@ void ElementMaker::addArea(std::size_t feature, ShapeId shape, const Placement& 
     if (m_holes != nullptr) {
         const Box box = m_builder.shapes().shapes[shape.row()].box;
         const auto size = static_cast<Nm>(std::min(box.width(), box.height()));
-        origin.flags = withFlag(origin.flags, kPlated, isPlated(m_source.file->features[feature], size));
+        (void)drill(feature, size, origin);  // the wall of an area has no thickness of its own
     }
     m_builder.addArea({shape, placement}, origin);
     note(feature);

@@ -56,7 +56,7 @@ private:
     [[nodiscard]] DocumentBuilder::Origin originOf(std::size_t feature);
     [[nodiscard]] NetId netOf(std::size_t feature) const;
     [[nodiscard]] AttributeSetId attributesOf(const Feature& feature);
-    [[nodiscard]] bool isPlated(const Feature& feature, Nm size);
+    Hole drill(std::size_t feature, Nm size, DocumentBuilder::Origin& origin);
 
     void stroke(std::size_t feature);
     [[nodiscard]] PathNode startOf(std::size_t feature);

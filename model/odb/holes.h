@@ -1,34 +1,63 @@
 #pragma once
 
-#include <string>
+#include <span>
 #include <vector>
 
+#include "model/odb/components.h"
 #include "model/odb/features.h"
-#include "model/odb/tools.h"
+#include "model/odb/matrix.h"
 
 namespace model::odb {
 
-/// How thick the copper in a plated hole is taken to be: 25 µm, the usual class 2 to 3 value. The drilled size is the
-/// symbol's.
+/// How thick the copper in a plated hole is taken to be where the tools do not tell: 25 µm, the usual class 2 to 3
+/// value. The drilled size is then the symbol's.
 inline constexpr Nm kPlating = 25'000;
 
-/// What makes the features of a drill or rout layer holes: which of them are plated.
-class HoleRules {
+/// Where the pins of a step's components are.
+class PinPlaces {
 public:
-    HoleRules(LayerType type, std::vector<Tool> tools) : m_type(type), m_tools(std::move(tools)) {}
+    PinPlaces() = default;
+    explicit PinPlaces(std::vector<Point> pins);
 
-    /// By the feature's .drill attribute, else by the tools of that size or of the whole layer, else by the layer:
-    /// drills are plated, routs are not. `isAssumed` is set in the last case.
-    [[nodiscard]] bool isPlated(const Feature& feature, Nm size, bool& isAssumed) const;
-    /// A rout path is one long hole; each stroke of a drill layer is a slot of its own.
-    [[nodiscard]] bool joinsStrokes() const { return m_type == LayerType::Rout; }
-    /// Width of what is left open in a hole of `size`: the copper takes kPlating from each side, or half of the hole if
-    /// it is smaller than that.
-    [[nodiscard]] static Nm openSize(Nm size, bool isPlated);
+    [[nodiscard]] bool isAnyWithin(Point centre, Nm reach) const;
 
 private:
-    LayerType m_type;
-    std::vector<Tool> m_tools;
+    std::vector<Point> m_pins;  ///< by x
+};
+
+/// What a feature of a drill or rout layer makes.
+struct Hole {
+    std::uint8_t flags = kHole;  ///< ElementFlag
+    Nm drilled = 0;              ///< diameter or width of the hole in the laminate
+    Nm open = 0;                 ///< what the plating leaves of it; as drilled for a bare hole
+    bool isPlatingAssumed = false;
+    bool isWallAssumed = false;
+    bool isContradicted = false;  ///< the tools say otherwise than the feature, which is believed
+};
+
+/// What makes the features of one drill or rout layer holes (odb-notes, Drills).
+class HoleRules {
+public:
+    /// All must live as long as the rules.
+    HoleRules(const MatrixLayer& layer, const std::vector<DrillTool>& tools, const PinPlaces& pins)
+        : m_layer(layer), m_tools(tools), m_pins(pins) {}
+
+    /// Plated by the feature's .drill attribute, else by the tools of that size or of the whole layer, else by the
+    /// layer: drills are plated, routs are not. Back-drills are never plated. A plated hole is a via by the same
+    /// sources; where these are silent, a net without a pin makes it one. Its wall follows from the tool's drilled and
+    /// finished size where they differ.
+    [[nodiscard]] Hole hole(const Feature& feature, Nm size, bool hasNet) const;
+    /// A rout path is one long hole; each stroke of a drill layer is a slot of its own.
+    [[nodiscard]] bool joinsStrokes() const { return m_layer.type == LayerType::Rout; }
+
+private:
+    [[nodiscard]] bool isPlated(const Feature& feature, Nm size, Hole& hole) const;
+    [[nodiscard]] bool isVia(const Feature& feature, Nm size, bool hasPin, bool hasNet) const;
+    void setWall(Nm size, Hole& hole) const;
+
+    const MatrixLayer& m_layer;
+    const std::vector<DrillTool>& m_tools;
+    const PinPlaces& m_pins;
 };
 
 }  // namespace model::odb

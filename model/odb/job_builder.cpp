@@ -60,7 +60,8 @@ public:
           m_builder(builder),
           m_layers(parts.layers),
           m_symbols(parts.job.tree, parts.job.defaultUnit, builder.diagnostics()),
-          m_nets(builder, parts.job.matrix, parts.steps[step]) {}
+          m_nets(builder, parts.job.matrix, parts.steps[step]),
+          m_pins(pinsOf(parts.steps[step])) {}
 
     bool build() {
         takeDiagnostics();
@@ -72,7 +73,6 @@ public:
         if (!buildLayers(true)) {
             return false;
         }
-        reportPlating();
         addTools();
         addComponents();
         addBody(m_builder);
@@ -88,7 +88,7 @@ private:
         diagnostics().append(m_step.eda.diagnostics);
         for (const StepLayer& layer : m_step.layers) {
             diagnostics().append(layer.features.diagnostics);
-            diagnostics().append(layer.thickness.diagnostics);
+            diagnostics().append(layer.facts.diagnostics);
             diagnostics().append(layer.tools.diagnostics);
             diagnostics().append(layer.components.diagnostics);
         }
@@ -172,7 +172,7 @@ private:
         }
         std::optional<HoleRules> holes;
         if (layer.isHoles()) {
-            holes.emplace(layer.type, m_step.layers[row].tools.value);
+            holes.emplace(layer, m_step.layers[row].tools.value, m_pins);
         }
         const FeatureSource source{&features.value, features.path, m_nets.netsOf(row), m_parts.job.attributeTypes};
         if (layer.isNegative || features.value.hasNegatives) {
@@ -292,18 +292,23 @@ private:
 
     // ---- the rest ----
 
-    void reportPlating() {
-        const std::vector<std::uint8_t>& flags = m_builder.soFar().elements.flags;
-        if (std::ranges::any_of(flags, [](std::uint8_t f) { return (f & kPlated) != 0; })) {
-            diagnostics().report(Severity::Info, "", 0,
-                                 "the job does not say how thick the copper in plated holes is; taken as 25 µm");
+    static PinPlaces pinsOf(const StepData& step) {
+        std::vector<Point> pins;
+        for (const StepLayer& layer : step.layers) {
+            for (const PlacedComponent& component : layer.components.value) {
+                for (const PlacedPin& pin : component.pins) {
+                    pins.push_back(pin.position);
+                }
+            }
         }
+        return PinPlaces(std::move(pins));
     }
 
     void addTools() {
         for (const std::size_t row : m_layers.order()) {
-            for (const Tool& tool : m_step.layers[row].tools.value) {
-                m_builder.addTool({m_layers.id(row), tool.number, tool.type, tool.finishedSize, tool.drillSize});
+            for (DrillTool tool : m_step.layers[row].tools.value) {
+                tool.layer = m_layers.id(row);
+                m_builder.addTool(std::move(tool));
             }
         }
     }
@@ -351,6 +356,7 @@ private:
     const LayerTable& m_layers;
     SymbolLibrary m_symbols;
     NetLinks m_nets;
+    PinPlaces m_pins;
 };
 
 /// The document of a step that others place.

@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "model/flip.h"
+#include "model/odb/layer_facts.h"
 #include "model/odb/records.h"
+#include "model/stackup.h"
 
 namespace model::odb {
 
@@ -12,6 +14,21 @@ namespace {
 void describeFeatures(const StepLayer& source, Layer& layer) {
     layer.file = source.features.path;
     layer.featureCount = static_cast<std::uint32_t>(source.features.value.features.size());
+}
+
+LayerUse useOf(std::string_view addType) {
+    static constexpr std::pair<std::string_view, LayerUse> kUses[] = {
+        {"SIGNAL_FLEX", LayerUse::Flex},   {"PG_FLEX", LayerUse::Flex},       {"MIXED_FLEX", LayerUse::Flex},
+        {"COVERLAY", LayerUse::Coverlay},  {"COVERCOAT", LayerUse::Coverlay}, {"PSA", LayerUse::Adhesive},
+        {"BACKDRILL", LayerUse::Backdrill}};
+    if (addType.empty()) {
+        return LayerUse::Plain;
+    }
+    if (addType.find("STIFFENER") != std::string_view::npos) {
+        return LayerUse::Stiffener;
+    }
+    const auto* const found = std::ranges::find(kUses, addType, &std::pair<std::string_view, LayerUse>::first);
+    return found == std::end(kUses) ? LayerUse::Other : found->second;
 }
 
 }  // namespace
@@ -40,6 +57,8 @@ void LayerTable::addLayers() {
         layer.context = source.context;
         layer.isNegative = source.isNegative;
         layer.row = source.row;
+        layer.addType = source.addType;
+        layer.use = useOf(source.addType);
         describeFeatures(m_steps[0].layers[row], layer);
         reportMissing(row);
         m_layerOfRow[row] = m_builder.addLayer(std::move(layer));
@@ -150,24 +169,26 @@ LayerId LayerTable::spanEnd(const std::vector<LayerId>& copper, std::size_t row,
 }
 
 /// What the first step that says anything about the layer says.
-ThicknessHint LayerTable::hintOf(std::size_t row) const {
-    const auto isKnown = [](const ThicknessHint& hint) {
-        return hint.copperNm || hint.dielectricNm || hint.dielectricBelowNm;
-    };
+LayerFacts LayerTable::factsOf(std::size_t row) const {
     for (const StepData& step : m_steps) {
-        if (isKnown(step.layers[row].thickness.value)) {
-            return step.layers[row].thickness.value;
+        const LayerFacts& facts = step.layers[row].facts.value;
+        if (facts.thicknessNm || facts.belowNm || facts.material.dielectricConstant) {
+            return facts;
         }
     }
     return {};
 }
 
 void LayerTable::addStackup(std::optional<double> boardNm) {
-    std::vector<ThicknessHint> hints;
+    StackFacts facts;
+    facts.boardNm = boardNm;
     for (const std::size_t row : m_order) {
-        hints.push_back(hintOf(row));
+        facts.layers.push_back(factsOf(row));
+        addMatrixFacts(m_matrix.layers[row], facts.layers.back().material);
     }
-    m_builder.setBoardThickness(buildStackup(m_builder.layers(), hints, boardNm, diagnostics()));
+    Stackup stackup = buildStackup(m_builder.layers(), std::move(facts), diagnostics());
+    m_builder.setBoardThickness(thicknessOf(stackup));
+    m_builder.setStackup(std::move(stackup));
 }
 
 void LayerTable::copyTo(DocumentBuilder& builder, const StepData& step) const {

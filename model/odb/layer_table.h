@@ -29,7 +29,7 @@ public:
 
 private:
     void addLayers();
-    [[nodiscard]] ThicknessHint hintOf(std::size_t row) const;
+    [[nodiscard]] LayerFacts factsOf(std::size_t row) const;
     void reportMissing(std::size_t row);
     void reportEmptyLayers();
     void reportUnread();

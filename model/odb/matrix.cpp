@@ -32,6 +32,14 @@ LayerType layerType(std::string_view name) {
     return found == kTypes.end() ? LayerType::Other : found->second;
 }
 
+/// A keyword in capitals; "None" is what some writers put for nothing.
+std::string statedWord(std::string_view text) {
+    std::string word = toUtf8(text);
+    std::ranges::transform(word, word.begin(),
+                           [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; });
+    return word == "NONE" ? "" : word;
+}
+
 MatrixLayer layerOf(const Block& block, std::string_view path, Diagnostics& diagnostics) {
     MatrixLayer layer;
     layer.line = block.line;
@@ -42,6 +50,16 @@ MatrixLayer layerOf(const Block& block, std::string_view path, Diagnostics& diag
     layer.isNegative = equalsIgnoringCase(block.value("POLARITY"), "NEGATIVE");
     layer.startName = toUtf8(block.value("START_NAME"));
     layer.endName = toUtf8(block.value("END_NAME"));
+    layer.addType = statedWord(block.value("ADD_TYPE"));
+    layer.form = statedWord(block.value("FORM"));
+    layer.dielectricType = statedWord(block.value("DIELECTRIC_TYPE"));
+    layer.dielectricName = toUtf8(block.value("DIELECTRIC_NAME"));
+    for (const char* key : {"CU_TOP", "CU_BOTTOM"}) {
+        if (!block.value(key).empty()) {
+            diagnostics.report(Severity::Info, path, block.line,
+                               std::string(key) + " is not used: thickness of copper comes from the copper layers");
+        }
+    }
     if (layer.type == LayerType::Other) {
         diagnostics.report(Severity::Warning, path, block.line, "layer " + layer.name + ": unknown layer type");
     }

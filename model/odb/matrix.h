@@ -17,6 +17,10 @@ struct MatrixLayer {
     bool isNegative = false;
     std::string startName;  ///< drill span, either end first; empty for "through all copper"
     std::string endName;
+    std::string addType;         ///< ADD_TYPE in capitals: "BACKDRILL", "SIGNAL_FLEX"; empty if there is none
+    std::string form;            ///< "RIGID" or "FLEX", if stated
+    std::string dielectricType;  ///< "CORE" or "PREPREG", if stated
+    std::string dielectricName;  ///< of the material
     std::uint32_t line = 0;
 
     [[nodiscard]] bool isCopper() const {

@@ -147,7 +147,7 @@ public:
             case ElementKind::Circle: m_builder.addCircle(m_from.circles[geometry], origin); break;
             case ElementKind::Trail: {
                 const TrailGeometry& trail = m_from.trails[geometry];
-                m_builder.addTrail(m_from.nodesOf(trail), trail.width, origin);
+                m_builder.addTrail(m_from.nodesOf(trail), trail.width, origin, trail.innerWidth);
                 break;
             }
             case ElementKind::Area: copyArea(m_from.areas[geometry], origin); break;

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "model/base/parallel.h"
-#include "model/odb/attributes.h"
+#include "model/odb/layer_facts.h"
 #include "model/odb/records.h"
 
 namespace model::odb {
@@ -135,9 +135,9 @@ private:
         const std::string folder = step.folder + "/layers/" + layer.name;
         StepLayer& into = step.layers[row];
         add(folder + "/features", into.features, features);
-        add(folder + "/attrlist", into.thickness,
+        add(folder + "/attrlist", into.facts,
             [this, &layer](std::string_view text, std::string_view path, Diagnostics& d) {
-                return thicknessOf(AttributeList(text, path, m_job.defaultUnit, d), layer, path, d);
+                return factsOf(AttributeList(text, path, m_job.defaultUnit, d), layer, path, d);
             });
         if (layer.isHoles()) {
             add(folder + "/tools", into.tools,
@@ -149,28 +149,6 @@ private:
                     return parseComponents(text, path, unit, d);
                 });
         }
-    }
-
-    /// Copper weight is oz/ft² in INCH files and µm in MM files. On copper layers .layer_dielectric is the
-    /// dielectric beside it.
-    static ThicknessHint thicknessOf(const AttributeList& attributes, const MatrixLayer& layer, std::string_view path,
-                                     Diagnostics& diagnostics) {
-        const bool isInch = attributes.unit() == Unit::Inch;
-        const double nmPerCopper = isInch ? base::kNmPerOunce : base::kNmPerUm;
-        const double nmPerDielectric = isInch ? base::kNmPerInch : base::kNmPerMm;
-        const auto scaled = [&](std::string_view name, double scale) {
-            const std::optional<double> value = attributes.number(name, path, diagnostics);
-            return value ? std::optional(*value * scale) : std::nullopt;
-        };
-        ThicknessHint hint;
-        const std::optional<double> dielectric = scaled(".layer_dielectric", nmPerDielectric);
-        if (layer.isCopper()) {
-            hint.copperNm = scaled(".copper_weight", nmPerCopper);
-            hint.dielectricBelowNm = dielectric;
-        } else if (layer.type == LayerType::Dielectric) {
-            hint.dielectricNm = dielectric;
-        }
-        return hint;
     }
 
     const JobContext& m_job;

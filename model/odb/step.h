@@ -12,7 +12,6 @@
 #include "model/odb/matrix.h"
 #include "model/odb/step_header.h"
 #include "model/odb/tools.h"
-#include "model/stackup.h"
 
 namespace model::odb {
 
@@ -29,9 +28,9 @@ struct Parsed {
 /// What a step says about one row of the matrix.
 struct StepLayer {
     Parsed<FeatureFile> features;
-    Parsed<std::vector<Tool>> tools;
+    Parsed<std::vector<DrillTool>> tools;
     Parsed<std::vector<PlacedComponent>> components;
-    Parsed<ThicknessHint> thickness;
+    Parsed<LayerFacts> facts;
 };
 
 /// All files of one step that we read.

@@ -58,8 +58,8 @@ private slots:
             }
             return true;
         };
-        QVERIFY(hasKeys(
-            info, {"job", "layers", "elements", "nets", "components", "drills", "board", "diagnostics", "timing_ms"}));
+        QVERIFY(hasKeys(info, {"job", "layers", "stackup", "elements", "nets", "components", "drills", "board",
+                               "diagnostics", "timing_ms"}));
         QVERIFY(hasKeys(info["job"].toObject(), {"name", "generator", "version", "units", "steps"}));
         QVERIFY(hasKeys(info["elements"].toObject(), {"line", "arc", "circle", "trail", "area", "total"}));
         QVERIFY(hasKeys(info["board"].toObject(), {"width_nm", "height_nm", "thickness_nm"}));
@@ -67,6 +67,15 @@ private slots:
         const QJsonObject layer = info["layers"].toArray().first().toObject();
         QVERIFY(
             hasKeys(layer, {"name", "type", "side", "polarity", "z_nm", "thickness_nm", "thickness_source", "counts"}));
+        const QJsonObject stackup = info["stackup"].toObject();
+        QCOMPARE(stackup["board_nm"].toInt(), 1'570'741);
+        const QJsonObject prepreg = stackup["rows"].toArray()[4].toObject();
+        QCOMPARE(prepreg["name"].toString(), "DIELECTRIC_1");
+        QCOMPARE(prepreg["material"].toString(), "2x106");
+        QCOMPARE(prepreg["material_type"].toString(), "PREPREG");
+        QCOMPARE(prepreg["dielectric_constant"].toDouble(), 4.1);
+        QVERIFY(prepreg["loss_tangent"].isNull());
+        QCOMPARE(stackup["rows"].toArray()[3].toObject()["copper_oz_source"].toString(), "derived");
         QVERIFY(hasKeys(layer["counts"].toObject(), {"line", "arc", "circle", "trail", "area", "features"}));
         QVERIFY(hasKeys(info["diagnostics"].toArray().first().toObject(), {"severity", "file", "line", "text"}));
     }

@@ -6,37 +6,41 @@
 
 using model::Diagnostics;
 using model::Layer;
+using model::LayerFacts;
 using model::LayerId;
 using model::LayerSide;
 using model::LayerType;
 using model::Source;
-using model::ThicknessHint;
+
 using odb_testing::findDiagnostic;
 
 namespace {
 
 struct Stack {
     std::vector<Layer> layers;
-    std::vector<ThicknessHint> hints;
+    model::StackFacts facts;
+    model::Stackup built;
     Diagnostics diagnostics;
     model::Nm thickness = 0;
 
-    Stack& add(LayerType type, const char* name, ThicknessHint hint = {}) {
+    Stack& add(LayerType type, const char* name, LayerFacts hint = {}) {
         Layer layer;
         layer.type = type;
         layer.name = name;
         layers.push_back(layer);
-        hints.push_back(hint);
+        facts.layers.push_back(std::move(hint));
         return *this;
     }
     Stack& copper(const char* name, std::optional<double> nm = {}, std::optional<double> below = {}) {
-        return add(LayerType::Signal, name, {nm, {}, below});
+        return add(LayerType::Signal, name, {nm, below, {}, {}});
     }
     Stack& dielectric(const char* name, std::optional<double> nm = {}) {
-        return add(LayerType::Dielectric, name, {{}, nm, {}});
+        return add(LayerType::Dielectric, name, {nm, {}, {}, {}});
     }
     Stack& build(std::optional<double> board = {}) {
-        thickness = model::buildStackup(layers, hints, board, diagnostics);
+        facts.boardNm = board;
+        built = model::buildStackup(layers, facts, diagnostics);
+        thickness = model::thicknessOf(built);
         return *this;
     }
     const Layer& operator[](std::size_t i) const { return layers[i]; }
@@ -130,8 +134,133 @@ private slots:
         QCOMPARE(stack.thickness, 570'000);
         QVERIFY(findDiagnostic(stack.diagnostics, "add up to 570.0 µm") != nullptr);
         Stack close;
-        close.copper("top", 35'000).dielectric("d", 500'000).copper("bottom", 35'000).build(600'000);
-        QVERIFY(findDiagnostic(close.diagnostics, "add up") == nullptr);
+        close.copper("top", 35'000).dielectric("d", 500'000).copper("bottom", 35'000).build(572'000);
+        QVERIFY(findDiagnostic(close.diagnostics, "add up") == nullptr);  // what an ounce is differs
+        Stack withMask;
+        withMask.copper("top", 35'000).dielectric("d", 500'000).copper("bottom", 35'000).build(600'000);
+        const auto* message = findDiagnostic(withMask.diagnostics, "add up");
+        QVERIFY(message != nullptr && message->severity == model::Severity::Info);
+    }
+
+    void copperTakesWhatKnownDielectricsLeave() {
+        Stack stack;
+        stack.copper("top", {}, 100'000).copper("mid", {}, 200'000).copper("bottom").build(405'600);
+        QCOMPARE(stack[0].thickness, 35'200);
+        QCOMPARE(stack[2].thickness, 35'200);
+        QCOMPARE(stack[0].thicknessSource, Source::Derived);
+        QCOMPARE(stack.thickness, 405'600);
+        Stack noRoom;
+        noRoom.copper("top", {}, 100'000).copper("bottom").build(90'000);
+        QCOMPARE(noRoom[0].thickness, model::kDefaultCopper);
+        QCOMPARE(noRoom[0].thicknessSource, Source::Assumed);
+    }
+
+    void rowsNameEveryMaterialFromTheTop() {
+        Stack stack;
+        stack.add(LayerType::SolderMask, "smt", {12'000, {}, {}, {}});
+        LayerFacts top{35'000, 100'000, {}, {}};
+        top.material.copperOz = 1.0;
+        top.below.dielectricConstant = 4.5;
+        stack.add(LayerType::Signal, "TOP", top).copper("MID", 17'000);
+        LayerFacts core{300'000, {}, {}, {}};
+        core.material.name = "FR-4";
+        stack.add(LayerType::Dielectric, "core", core).copper("BOTTOM", 35'000).build();
+        const auto& rows = stack.built.rows;
+        const std::vector<std::string> names = {"smt", "TOP", "below TOP", "MID", "core", "BOTTOM"};
+        QCOMPARE(rows.size(), names.size());
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            QCOMPARE(rows[i].name, names[i]);
+            QVERIFY(i < 1 || rows[i].z + rows[i].thickness == rows[i - 1].z);
+        }
+        QVERIFY(!rows[2].layer.isValid());
+        QCOMPARE(rows[2].thickness, 100'000);
+        QCOMPARE(rows[2].source, Source::Job);
+        QCOMPARE(*rows[2].material.dielectricConstant, 4.5);
+        QCOMPARE(rows[4].material.name, "FR-4");
+        QCOMPARE(rows[0].thickness, 12'000);
+        QCOMPARE(model::copperWeightOf(rows[1])->oz, 1.0);
+        QCOMPARE(model::copperWeightOf(rows[1])->source, Source::Job);
+        QCOMPARE(model::copperWeightOf(rows[3])->oz, 17'000 / base::kNmPerOunce);
+        QCOMPARE(model::copperWeightOf(rows[3])->source, Source::Derived);
+        QVERIFY(!model::copperWeightOf(rows[4]));
+        QVERIFY(model::findRow(stack.built, "BELOW top") == &rows[2]);
+        QVERIFY(model::findRow(stack.built, "drill") == nullptr);
+    }
+
+    void aNameListedTwiceStaysTellable() {
+        Stack stack;
+        stack.copper("top", 35'000)
+            .dielectric("ply", 1'000)
+            .dielectric("PLY", 2'000)
+            .dielectric("ply (2)", 3'000)
+            .copper("bottom", 35'000);
+        stack.facts.set = {{"ply (2)", 50'000}};
+        stack.build();
+        QCOMPARE(stack.built.rows[2].name, "PLY (2)");
+        QCOMPARE(stack.built.rows[3].name, "ply (2) (2)");
+        QCOMPARE(stack[1].thickness, 1'000);
+        QCOMPARE(stack[2].thickness, 50'000);
+        QCOMPARE(stack[3].thickness, 3'000);
+    }
+
+    void whatTheUserSetsCountsMost() {
+        Stack stack;
+        stack.copper("top", 35'000).copper("mid").dielectric("d", 300'000).copper("bottom", 35'000);
+        stack.facts.set = {{"BELOW TOP", 80'000}, {"mid", 70'000}, {"nowhere", 5'000}};
+        stack.build(1'000'000);
+        QCOMPARE(stack.built.rows[1].thickness, 80'000);
+        QCOMPARE(stack.built.rows[1].source, Source::Session);
+        QCOMPARE(stack[1].thickness, 70'000);
+        QCOMPARE(stack[1].thicknessSource, Source::Session);
+        QCOMPARE(model::copperWeightOf(stack.built.rows[2])->source, Source::Session);
+        QCOMPARE(stack.thickness, 35'000 + 80'000 + 70'000 + 300'000 + 35'000);
+        QVERIFY(findDiagnostic(stack.diagnostics, "gives no thickness") == nullptr);
+        QVERIFY(findDiagnostic(stack.diagnostics, "add up to 520.0 µm") != nullptr);
+    }
+
+    void theRestSharesWhatTheUserLeaves() {
+        Stack stack;
+        stack.copper("top", 50'000).dielectric("a").copper("mid", 50'000).dielectric("b").copper("bottom", 50'000);
+        stack.facts.set = {{"a", 100'000}};
+        stack.build(1'000'000);
+        QCOMPARE(stack[3].thickness, 1'000'000 - 150'000 - 100'000);
+        QCOMPARE(stack[3].thicknessSource, Source::Derived);
+        QCOMPARE(stack.thickness, 1'000'000);
+    }
+
+    void thinMasksArePlaceholders() {
+        Stack stack;
+        stack.add(LayerType::SolderMask, "mask", {2'540, {}, {}, {}});
+        stack.copper("top", 35'000).dielectric("d", 300'000).copper("bottom", 35'000).build();
+        QCOMPARE(stack[0].thickness, model::kDefaultMask);
+        QCOMPARE(stack[0].thicknessSource, Source::Assumed);
+        QVERIFY(findDiagnostic(stack.diagnostics, "too thin for a solder mask") != nullptr);
+    }
+
+    void restackingGivesWhatReadingWouldHaveGiven() {
+        const auto document = odb_testing::read(odb_testing::dataJob("everything"));
+        const auto nmOf = [](const model::Document& d, const char* row) {
+            return model::findRow(d.stackup, row)->thickness;
+        };
+        const auto changed = model::restack(*document, {{"CORE1", 123'000}, {"core2", 456'000}});
+        QCOMPARE(nmOf(*changed, "CORE1"), 123'000);
+        QCOMPARE(nmOf(*changed, "CORE2"), 456'000);
+        QCOMPARE(model::findRow(changed->stackup, "CORE2")->source, Source::Session);
+        const model::Nm grown = 123'000 + 456'000 - nmOf(*document, "CORE1") - nmOf(*document, "CORE2");
+        QVERIFY(grown < 0);
+        QCOMPARE(changed->layers.front().z - document->layers.front().z, grown);
+        QCOMPARE(changed->boardThickness - document->boardThickness, grown);
+        QCOMPARE(changed->layers.back().type, LayerType::Body);
+        QCOMPARE(changed->layers.back().thickness - document->layers.back().thickness, grown);
+        QVERIFY(findDiagnostic(changed->diagnostics, "dielectric(s) without a thickness") == nullptr);
+        // and back: everything as it was, messages included
+        const auto back = model::restack(*changed, {});
+        QCOMPARE(back->diagnostics.entries().size(), document->diagnostics.entries().size());
+        for (std::size_t row = 0; row < document->layers.size(); ++row) {
+            QCOMPARE(back->layers[row].z, document->layers[row].z);
+            QCOMPARE(back->layers[row].thickness, document->layers[row].thickness);
+            QCOMPARE(back->layers[row].thicknessSource, document->layers[row].thicknessSource);
+        }
     }
 
     void surfaceLayersLieOutsideOfTheCopper() {
