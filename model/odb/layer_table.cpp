@@ -5,6 +5,7 @@
 #include "model/flip.h"
 #include "model/odb/layer_facts.h"
 #include "model/odb/records.h"
+#include "model/odb/stackup_xml.h"
 #include "model/stackup.h"
 
 namespace model::odb {
@@ -74,7 +75,6 @@ void LayerTable::reportUnread() {
             diagnostics().report(Severity::Info, path, 0, text);
         }
     };
-    note("matrix/stackup.xml", "this file is not read; thicknesses come from the attributes");
     note(step + "/zones", "rigid and flexible zones are not read; every layer covers the whole board");
     for (const MatrixLayer& layer : m_matrix.layers) {
         note(step + "/layers/" + layer.name + "/profile",
@@ -185,6 +185,10 @@ void LayerTable::addStackup(std::optional<double> boardNm) {
     for (const std::size_t row : m_order) {
         facts.layers.push_back(factsOf(row));
         addMatrixFacts(m_matrix.layers[row], facts.layers.back().material);
+    }
+    if (const auto file = m_job.tree.read("matrix/stackup.xml", diagnostics())) {
+        mergeStackupXml(parseStackupXml(file->text(), file->path, diagnostics()), file->path, m_builder.layers(), facts,
+                        diagnostics());
     }
     Stackup stackup = buildStackup(m_builder.layers(), std::move(facts), diagnostics());
     m_builder.setBoardThickness(thicknessOf(stackup));

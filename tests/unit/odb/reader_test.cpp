@@ -606,11 +606,9 @@ private slots:
     void filesWeDoNotReadAreNamed() {
         Folder folder;
         writeSmallJob(folder, "UNITS=MM\n$0 r1000\nP 1 1 0 P 0 0\n");
-        folder.write("matrix/stackup.xml", "<x/>");
         folder.write("steps/board/zones", "ZONE a\n");
         folder.write("steps/board/layers/top/profile", "UNITS=MM\n");
         const auto d = read(folder.path());
-        QVERIFY(findDiagnostic(d->diagnostics, "thicknesses come from the attributes") != nullptr);
         QVERIFY(findDiagnostic(d->diagnostics, "zones are not read") != nullptr);
         QVERIFY(findDiagnostic(d->diagnostics, "outlines of single layers") != nullptr);
         QVERIFY(findDiagnostic(d->diagnostics, "no eda/data") != nullptr);
