@@ -9,7 +9,22 @@ namespace app {
 
 namespace {
 
+void addStackOptions(CLI::App& command, std::vector<std::string>& thicknesses, bool& noSession) {
+    command
+        .add_option(
+            "--set-thickness", thicknesses,
+            "LAYER=LENGTH over what the job says, with um, mm, mil, inch, or oz for copper; may be given several "
+            "times")
+        ->take_all()
+        ->expected(1);
+    command.add_flag("--no-session", noSession, "ignore the session file beside the board");
+}
+
 void addBoardOptions(CLI::App& command, BoardArguments& board) {
+    addStackOptions(command, board.thicknesses, board.noSession);
+    command.add_flag("--save-session", board.saveSession,
+                     "keep the set thicknesses in the session file beside the board");
+
     command.add_option("BOARD", board.path,
                        "ODB++ job (folder, .tgz, .tar.gz, .tar, .zip) or a model of the paper; default: the sample");
     command.add_option("--step", board.step, "the step to open; default: the first one with features of its own");

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "app/generate_command.h"
 #include "app/info_command.h"

@@ -1,14 +1,61 @@
 #include "app/open_board.h"
 
+#include <cstdio>
+
 #include "app/console_progress.h"
 #include "app/resources.h"
+#include "model/session/length_text.h"
+#include "model/session/session.h"
 
 namespace app {
 
-base::Result<std::shared_ptr<const model::Document>> openDocument(const BoardArguments& arguments,
-                                                                  base::Progress& progress) {
+namespace session = model::session;
+using Board = std::shared_ptr<const model::Document>;
+
+namespace {
+
+base::Status addThicknesses(const std::vector<std::string>& texts, const model::Stackup& stackup,
+                            std::vector<model::ThicknessOverride>& into) {
+    for (const std::string& text : texts) {
+        const base::Result<model::ThicknessOverride> change = session::parseOverride(text, stackup);
+        if (!change) {
+            return base::Error{change.error().code, "--set-thickness: " + change.error().text};
+        }
+        session::setThickness(into, *change);
+    }
+    return base::Done{};
+}
+
+/// The board as its session and the arguments want it.
+base::Result<Board> stacked(const Board& read, const std::filesystem::path& path, const BoardArguments& arguments) {
+    session::LoadedSession found;
+    if (!arguments.noSession) {
+        found = session::loadSession(path, *read);
+    }
+    for (const std::string& text : found.ignored) {
+        std::fprintf(stderr, "copperscope: %s\n", text.c_str());
+    }
+    session::Session wanted = found.session;
+    if (const base::Status added = addThicknesses(arguments.thicknesses, read->stackup, wanted.thicknesses); !added) {
+        return added.error();
+    }
+    if (arguments.saveSession) {
+        if (const base::Status saved = session::saveSession(path, *read, wanted); !saved) {
+            return saved.error();
+        }
+    }
+    return session::applySession(read, wanted);
+}
+
+}  // namespace
+
+base::Result<Board> openDocument(const BoardArguments& arguments, base::Progress& progress) {
     const std::filesystem::path path = arguments.path.empty() ? sampleBoard() : std::filesystem::path(arguments.path);
-    return model::readBoard(path, {arguments.step}, progress);
+    const base::Result<Board> read = model::readBoard(path, {arguments.step}, progress);
+    if (!read) {
+        return read.error();
+    }
+    return stacked(*read, path, arguments);
 }
 
 model::Discretisation discretisationOf(const BoardArguments& arguments) {
@@ -17,7 +64,7 @@ model::Discretisation discretisationOf(const BoardArguments& arguments) {
 
 base::Result<OpenBoard> openBoard(const BoardArguments& arguments) {
     ConsoleProgress console;
-    base::Result<std::shared_ptr<const model::Document>> document = openDocument(arguments, console.progress());
+    const base::Result<Board> document = openDocument(arguments, console.progress());
     if (!document) {
         return document.error();
     }
@@ -26,7 +73,7 @@ base::Result<OpenBoard> openBoard(const BoardArguments& arguments) {
     if (!model) {
         return model.error();
     }
-    return OpenBoard{std::move(*document), std::move(*model)};
+    return OpenBoard{*document, std::move(*model)};
 }
 
 }  // namespace app

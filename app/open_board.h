@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "model/reader.h"
 #include "render/board_model.h"
@@ -14,9 +15,13 @@ struct BoardArguments {
     std::string step;
     double chordUm = 5.0;
     bool paperSegments = false;
+    std::vector<std::string> thicknesses;  ///< LAYER=LENGTH, over what the job and the session say
+    bool saveSession = false;              ///< keeps them in the session file
+    bool noSession = false;                ///< as if there were no session file
 };
 
-/// Errors as model::readBoard.
+/// Reads the board and stacks it as its session file and `thicknesses` say; what of the session is not used is said on
+/// stderr. Errors as model::readBoard; BadUsage for thicknesses, OutputFailed when the session cannot be saved.
 [[nodiscard]] base::Result<std::shared_ptr<const model::Document>> openDocument(const BoardArguments& arguments,
                                                                                 base::Progress& progress);
 
@@ -28,7 +33,7 @@ struct OpenBoard {
     render::BoardModel model;
 };
 
-/// Reads and models, with progress on stderr. Errors as model::readBoard.
+/// Opens the document and models it, with progress on stderr. Errors as openDocument.
 [[nodiscard]] base::Result<OpenBoard> openBoard(const BoardArguments& arguments);
 
 }  // namespace app

@@ -9,6 +9,7 @@ set(architecture_rows
     "model/generate   | model/base                                                         |"
     "model/odb        | model model/base                                                   |"
     "model/paper      | model model/base                                                   |"
+    "model/session    | model model/base                                                   |"
     "model/reader.cpp | model model/base model/odb model/paper                             |"
     "tri              | model/base                                                         |"
     "tri/gpu          | model/base tri render/gpu shaders                                  | vulkan"
@@ -17,9 +18,9 @@ set(architecture_rows
     "render/gpu       | model/base shaders                                                 | vulkan"
     "render           | model model/base tri render/gpu shaders                            | vulkan"
     "ui/models        | model model/base render/layer_style.h                              | qt"
-    "ui               | model model/base ui/models render render/gpu                          | qt widgets vulkan"
-    "app              | model model/base model/generate model/odb model/paper tri tri/gpu tri/bench render render/gpu ui ui/models | qt widgets vulkan"
-    "tests            | model model/base model/generate model/odb model/paper tri tri/gpu tri/bench shaders render render/gpu ui ui/models app | qt widgets vulkan"
+    "ui               | model model/base model/session ui/models render render/gpu                          | qt widgets vulkan"
+    "app              | model model/base model/session model/generate model/odb model/paper tri tri/gpu tri/bench render render/gpu ui ui/models | qt widgets vulkan"
+    "tests            | model model/base model/session model/generate model/odb model/paper tri tri/gpu tri/bench shaders render render/gpu ui ui/models app | qt widgets vulkan"
 )
 
 # How an include of a library is told from its name.

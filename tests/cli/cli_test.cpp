@@ -191,6 +191,72 @@ private slots:
         QVERIFY2(run.err.contains("Vulkan"), run.err.constData());
     }
 
+    // ---- thicknesses ----
+
+    static QJsonObject stackRow(const QByteArray& json, const QString& name) {
+        for (const QJsonValue& row : QJsonDocument::fromJson(json).object()["stackup"].toObject()["rows"].toArray()) {
+            if (row.toObject()["name"].toString() == name) {
+                return row.toObject();
+            }
+        }
+        return {};
+    }
+
+    void setThicknessesCountAndLeaveNoFile() {
+        QTemporaryDir folder;
+        QVERIFY(QFile::copy(COPPERSCOPE_SAMPLE, folder.filePath("amp.tgz")));
+        const Outcome run = copperscope({"info", "amp.tgz", "--json", "--set-thickness", "dielectric_2=1.5mm",
+                                         "--set-thickness", "L02-INNER_LAYER=2oz"},
+                                        folder.path());
+        QVERIFY2(run.exitCode == 0, run.err.constData());
+        QCOMPARE(stackRow(run.out, "DIELECTRIC_2")["thickness_nm"].toInt(), 1'500'000);
+        QCOMPARE(stackRow(run.out, "DIELECTRIC_2")["thickness_source"].toString(), "session");
+        QCOMPARE(stackRow(run.out, "L02-INNER_LAYER")["thickness_nm"].toInt(), 69'600);
+        QCOMPARE(stackRow(run.out, "DIELECTRIC_1")["thickness_source"].toString(), "job");
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList{"amp.tgz"});
+    }
+
+    void savedThicknessesStayUntilIgnored() {
+        QTemporaryDir folder;
+        QVERIFY(QFile::copy(COPPERSCOPE_SAMPLE, folder.filePath("amp.tgz")));
+        const QStringList info{"info", "amp.tgz", "--json"};
+        const QStringList set{"--set-thickness", "DIELECTRIC_2=1500um", "--save-session"};
+        QCOMPARE(copperscope(info + set, folder.path()).exitCode, 0);
+        QVERIFY(QFile::exists(folder.filePath("amp.tgz.copperscope.json")));
+        QCOMPARE(stackRow(copperscope(info, folder.path()).out, "DIELECTRIC_2")["thickness_nm"].toInt(), 1'500'000);
+        const Outcome without = copperscope(info + QStringList{"--no-session"}, folder.path());
+        QCOMPARE(stackRow(without.out, "DIELECTRIC_2")["thickness_nm"].toInt(), 1'122'680);
+        const Outcome picture = copperscope(
+            {"render", "amp.tgz", "-o", "out.png", "--size", "64x64", "--set-thickness", "DIELECTRIC_1=0.3mm"},
+            folder.path());
+        QVERIFY2(picture.exitCode == 0, picture.err.constData());
+    }
+
+    void thicknessesThatMakeNoSenseAnswerOne() {
+        for (const char* text : {"NOWHERE=35um", "DIELECTRIC_2", "DIELECTRIC_2=thick", "DIELECTRIC_2=1oz",
+                                 "DIELECTRIC_2=-1mm", "DIELECTRIC_2=50mm"}) {
+            const Outcome run = copperscope({"info", COPPERSCOPE_SAMPLE, "--set-thickness", text});
+            QVERIFY2(run.exitCode == 1, text);
+            QVERIFY(run.out.isEmpty());
+            QVERIFY2(run.err.contains("--set-thickness"), run.err.constData());
+        }
+    }
+
+    void aStrangeSessionIsToldAndSkipped() {
+        QTemporaryDir folder;
+        QVERIFY(QFile::copy(COPPERSCOPE_SAMPLE, folder.filePath("amp.tgz")));
+        QFile file(folder.filePath("amp.tgz.copperscope.json"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(R"({"copperscope_session": 7})");
+        file.close();
+        const Outcome run = copperscope({"info", "amp.tgz", "--json"}, folder.path());
+        QCOMPARE(run.exitCode, 0);
+        QVERIFY2(run.err.contains("version 7"), run.err.constData());
+        const Outcome save =
+            copperscope({"info", "amp.tgz", "--set-thickness", "DIELECTRIC_2=1mm", "--save-session"}, folder.path());
+        QCOMPARE(save.exitCode, 3);
+    }
+
     void helpAndVersionAnswerZero() {
         QCOMPARE(copperscope({"--help"}).exitCode, 0);
         QCOMPARE(copperscope({"render", "--help"}).exitCode, 0);

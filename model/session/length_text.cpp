@@ -1,0 +1,107 @@
+#include "model/session/length_text.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+#include "model/stackup.h"
+
+namespace model::session {
+
+using base::Error;
+using base::ErrorCode;
+
+namespace {
+
+struct LengthUnit {
+    std::string_view name;
+    double nm = 0.0;
+    bool isWeight = false;
+};
+
+constexpr LengthUnit kUnits[] = {{"um", base::kNmPerUm},         {"µm", base::kNmPerUm},   {"μm", base::kNmPerUm},
+                                 {"mm", base::kNmPerMm},         {"mil", base::kNmPerMil}, {"mils", base::kNmPerMil},
+                                 {"inch", base::kNmPerInch},     {"in", base::kNmPerInch}, {"\"", base::kNmPerInch},
+                                 {"oz", base::kNmPerOunce, true}};
+
+std::string_view trimmed(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(" \t");
+    return first == std::string_view::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+Error wrong(std::string_view text, const std::string& why) {
+    return {ErrorCode::BadUsage, "\"" + std::string(text) + "\" " + why};
+}
+
+const LengthUnit* findUnit(std::string_view name) {
+    for (const LengthUnit& unit : kUnits) {
+        if (unit.name == name) {
+            return &unit;
+        }
+    }
+    return nullptr;
+}
+
+bool isCopperRow(const StackRow& row) {
+    return copperWeightOf(row).has_value();
+}
+
+std::string rowNames(const Stackup& stackup) {
+    std::string names;
+    for (const StackRow& row : stackup.rows) {
+        names += (names.empty() ? "" : ", ") + row.name;
+    }
+    return names.empty() ? "the board states its heights itself" : "the stack has " + names;
+}
+
+}  // namespace
+
+base::Result<Nm> parseThickness(std::string_view text, bool isCopper) {
+    const std::string_view whole = trimmed(text);
+    double value = 0.0;
+    const auto number = std::from_chars(whole.data(), whole.data() + whole.size(), value);
+    const std::string_view rest = trimmed(whole.substr(static_cast<std::size_t>(number.ptr - whole.data())));
+    const LengthUnit* unit = findUnit(rest);
+    if (number.ec != std::errc() || unit == nullptr) {
+        return wrong(text,
+                     "is no thickness; write a number with um, mm, mil or inch, or oz for copper: 35um, 0.2mm, 1oz");
+    }
+    if (unit->isWeight && !isCopper) {
+        return wrong(text, "is a weight of copper, but the layer is not copper");
+    }
+    const double nm = value * unit->nm;
+    if (!(nm >= kLeastSet && nm <= kMostSet)) {
+        return wrong(text, "is outside of what a layer can be: 1 µm to 10 mm");
+    }
+    return static_cast<Nm>(std::llround(nm));
+}
+
+base::Result<ThicknessOverride> parseOverride(std::string_view text, const Stackup& stackup) {
+    const std::size_t equals = text.rfind('=');
+    if (equals == std::string_view::npos) {
+        return wrong(text, "is not LAYER=LENGTH, for example TOP=35um");
+    }
+    const std::string_view name = trimmed(text.substr(0, equals));
+    const StackRow* row = findRow(stackup, name);
+    if (row == nullptr) {
+        return Error{ErrorCode::BadUsage,
+                     "there is no layer " + std::string(name) + " in the stack; " + rowNames(stackup)};
+    }
+    const base::Result<Nm> nm = parseThickness(text.substr(equals + 1), isCopperRow(*row));
+    if (!nm) {
+        return nm.error();
+    }
+    return ThicknessOverride{row->name, *nm};
+}
+
+std::string thicknessText(Nm thickness) {
+    const bool isMm = thickness >= 1'000'000;
+    char number[32];
+    std::snprintf(number, sizeof number, "%.*f", isMm ? 6 : 3, thickness / (isMm ? base::kNmPerMm : base::kNmPerUm));
+    std::string text = number;
+    text.erase(text.find_last_not_of('0') + 1);
+    text.erase(text.find_last_not_of('.') + 1);
+    return text + (isMm ? " mm" : " µm");
+}
+
+}  // namespace model::session

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "model/base/result.h"
+#include "model/document.h"
+
+namespace model::session {
+
+/// Thicknesses that a user may set; what is outside of them is a slip of the hand.
+inline constexpr Nm kLeastSet = 1'000;
+inline constexpr Nm kMostSet = 10'000'000;
+
+/// A thickness as people write it: a number with um, µm, mm, mil, in or inch, or for copper oz (ounces per square
+/// foot). Errors: BadUsage when it is no such text, is outside of 1 µm to 10 mm, or is a weight where there is no
+/// copper.
+[[nodiscard]] base::Result<Nm> parseThickness(std::string_view text, bool isCopper);
+
+/// "LAYER=LENGTH" for a row of the stack, in any case. Layer names may hold "=": the last one counts. Errors: BadUsage
+/// as above, and when there is no such row (the text lists those that are there).
+[[nodiscard]] base::Result<ThicknessOverride> parseOverride(std::string_view text, const Stackup& stackup);
+
+/// "35 µm", "1.2 mm" below and from 1 mm; exact to the nanometre, and read back by parseThickness.
+[[nodiscard]] std::string thicknessText(Nm thickness);
+
+}  // namespace model::session

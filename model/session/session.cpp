@@ -1,0 +1,200 @@
+#include "model/session/session.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "model/session/length_text.h"
+#include "model/stackup.h"
+
+namespace model::session {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+namespace {
+
+constexpr const char* kVersionKey = "copperscope_session";
+constexpr const char* kJobKey = "job";
+constexpr const char* kThicknessKey = "thickness_nm";
+/// No session is this large; something else is.
+constexpr std::uintmax_t kMostBytes = 1 << 20;
+
+base::Error cannotWrite(const fs::path& path, const std::string& why) {
+    return {base::ErrorCode::OutputFailed, path.string() + " cannot be written: " + why};
+}
+
+/// The file as JSON; nothing when it is missing or no JSON object. `problem` says which.
+std::optional<ordered_json> readJson(const fs::path& path, std::string& problem) {
+    std::error_code error;
+    const std::uintmax_t size = fs::file_size(path, error);
+    if (error) {
+        return std::nullopt;  // not there
+    }
+    std::ifstream file(path, std::ios::binary);
+    if (!file || size > kMostBytes) {
+        problem = file ? "is too large for a session" : "cannot be read";
+        return std::nullopt;
+    }
+    ordered_json json = ordered_json::parse(file, nullptr, false);
+    if (!json.is_object() || !json.contains(kVersionKey) || !json[kVersionKey].is_number_integer()) {
+        problem = "is no session of Copperscope";
+        return std::nullopt;
+    }
+    if (json[kVersionKey].get<std::int64_t>() != kVersion) {
+        problem = "is a session of version " + json[kVersionKey].dump() + ", this Copperscope knows version " +
+                  std::to_string(kVersion);
+        return std::nullopt;
+    }
+    return json;
+}
+
+bool isThickness(const ordered_json& value) {
+    return value.is_number_integer() && value.get<std::int64_t>() >= kLeastSet && value.get<std::int64_t>() <= kMostSet;
+}
+
+void readThicknesses(const ordered_json& json, const Stackup& stackup, LoadedSession& out) {
+    if (!json.is_object()) {
+        out.ignored.push_back(std::string(kThicknessKey) + " is not a list of layers");
+        return;
+    }
+    for (const auto& [name, value] : json.items()) {
+        const StackRow* row = findRow(stackup, name);
+        if (row == nullptr) {
+            out.ignored.push_back("the thickness of " + name + ": the stack has no such layer");
+        } else if (!isThickness(value)) {
+            out.ignored.push_back("the thickness of " + name + ": " + value.dump(-1, ' ', true) +
+                                  " is no number of nanometres from 1 µm to 10 mm");
+        } else {
+            setThickness(out.session.thicknesses, {row->name, value.get<Nm>()});
+        }
+    }
+}
+
+std::string reason() {
+    return std::strerror(errno);
+}
+
+/// Writes and syncs; a file that was begun is removed again on failure.
+base::Status writeWhole(const fs::path& path, const std::string& text) {
+    const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (file < 0) {
+        return cannotWrite(path, reason());
+    }
+    std::size_t done = 0;
+    bool isGood = true;
+    while (isGood && done < text.size()) {
+        const ssize_t count = ::write(file, text.data() + done, text.size() - done);
+        isGood = count > 0 || (count < 0 && errno == EINTR);
+        done += count > 0 ? static_cast<std::size_t>(count) : 0;
+    }
+    isGood = isGood && ::fsync(file) == 0;
+    const std::string why = reason();
+    isGood = ::close(file) == 0 && isGood;
+    if (!isGood) {
+        ::unlink(path.c_str());
+        return cannotWrite(path, why);
+    }
+    return base::Done{};
+}
+
+base::Status replaceFile(const fs::path& path, const std::string& text) {
+    const fs::path beside = path.string() + ".part" + std::to_string(::getpid());
+    if (const base::Status written = writeWhole(beside, text); !written) {
+        return cannotWrite(path, written.error().text);
+    }
+    std::error_code error;
+    fs::rename(beside, path, error);
+    if (error) {
+        ::unlink(beside.c_str());
+        return cannotWrite(path, error.message());
+    }
+    return base::Done{};
+}
+
+base::Status removeFile(const fs::path& path) {
+    std::error_code error;
+    fs::remove(path, error);
+    return error ? base::Status(cannotWrite(path, error.message())) : base::Status(base::Done{});
+}
+
+bool holdsNothing(const ordered_json& json) {
+    return std::ranges::all_of(json.items(),
+                               [](const auto& item) { return item.key() == kVersionKey || item.key() == kJobKey; });
+}
+
+}  // namespace
+
+fs::path sessionPath(const fs::path& board) {
+    fs::path path = fs::absolute(board).lexically_normal();
+    path = path.has_filename() ? path : path.parent_path();
+    return path.string() + ".copperscope.json";
+}
+
+LoadedSession loadSession(const fs::path& board, const Document& document) {
+    LoadedSession out;
+    const fs::path path = sessionPath(board);
+    std::string problem;
+    const std::optional<ordered_json> json = readJson(path, problem);
+    if (!json) {
+        if (!problem.empty()) {
+            out.ignored.push_back(path.string() + " " + problem + "; it is ignored");
+        }
+        return out;
+    }
+    const std::string job = json->value(kJobKey, ordered_json()).dump(-1, ' ', true);
+    if (job != ordered_json(document.job.name).dump(-1, ' ', true, ordered_json::error_handler_t::replace)) {
+        out.ignored.push_back(path.string() + " is the session of another board, " + job + "; it is ignored");
+        return out;
+    }
+    for (const auto& [key, value] : json->items()) {
+        if (key == kThicknessKey) {
+            readThicknesses(value, document.stackup, out);
+        } else if (key != kVersionKey && key != kJobKey) {
+            out.ignored.push_back("\"" + key + "\" is not known");
+        }
+    }
+    for (std::string& text : out.ignored) {
+        text = path.string() + ": ignored " + text;
+    }
+    return out;
+}
+
+base::Status saveSession(const fs::path& board, const Document& document, const Session& session) {
+    const fs::path path = sessionPath(board);
+    std::string problem;
+    ordered_json json = readJson(path, problem).value_or(ordered_json::object());
+    if (!problem.empty()) {
+        return cannotWrite(path, "the file there " + problem);
+    }
+    json[kVersionKey] = kVersion;
+    json[kJobKey] = document.job.name;
+    json.erase(kThicknessKey);
+    for (const ThicknessOverride& set : session.thicknesses) {
+        json[kThicknessKey][set.layer] = set.thickness;
+    }
+    if (holdsNothing(json)) {
+        return removeFile(path);
+    }
+    return replaceFile(path, json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+}
+
+std::shared_ptr<const Document> applySession(std::shared_ptr<const Document> document, const Session& session) {
+    return session.thicknesses == document->stackup.facts.set ? document : restack(*document, session.thicknesses);
+}
+
+void setThickness(std::vector<ThicknessOverride>& list, const ThicknessOverride& change) {
+    std::erase_if(list, [&](const ThicknessOverride& set) { return set.layer == change.layer; });
+    if (change.thickness > 0) {
+        list.push_back(change);
+    }
+}
+
+}  // namespace model::session

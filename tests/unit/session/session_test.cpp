@@ -1,0 +1,197 @@
+#include "model/session/session.h"
+
+#include <unistd.h>
+
+#include <QtTest>
+
+#include "model/session/length_text.h"
+#include "model/stackup.h"
+#include "tests/unit/odb/odb_testing.h"
+
+using model::session::LoadedSession;
+using model::session::loadSession;
+using model::session::saveSession;
+using model::session::Session;
+using model::session::sessionPath;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A board beside which sessions may lie.
+struct Place {
+    odb_testing::Folder folder;
+    fs::path board = folder.path() / "job.tgz";
+    std::shared_ptr<const model::Document> document = odb_testing::read(odb_testing::dataJob("everything"));
+
+    [[nodiscard]] LoadedSession load() const { return loadSession(board, *document); }
+    [[nodiscard]] base::Status save(const Session& session) const { return saveSession(board, *document, session); }
+    [[nodiscard]] std::string file() const { return odb_testing::readFile(sessionPath(board)); }
+    void write(const std::string& text) const { odb_testing::writeFile(sessionPath(board), text); }
+};
+
+}  // namespace
+
+class SessionTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    // ---- thicknesses as text ----
+
+    void thicknessesAreReadInAllUnits_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<int>("nm");
+        QTest::newRow("um") << "35um" << 35'000;
+        QTest::newRow("µm with a blank") << " 17.5 µm " << 17'500;
+        QTest::newRow("mm") << "0.2mm" << 200'000;
+        QTest::newRow("mil") << "4 mil" << 101'600;
+        QTest::newRow("inch") << "0.062inch" << 1'574'800;
+        QTest::newRow("in") << ".01 in" << 254'000;
+        QTest::newRow("oz") << "2oz" << 69'600;
+    }
+    void thicknessesAreReadInAllUnits() {
+        QFETCH(QString, text);
+        QFETCH(int, nm);
+        const auto read = model::session::parseThickness(text.toStdString(), true);
+        QVERIFY2(read.ok(), read.ok() ? "" : read.error().text.c_str());
+        QCOMPARE(*read, nm);
+    }
+
+    void whatIsNoThicknessIsRefused() {
+        for (const char* text : {"", "35", "um", "35 km", "-5um", "0mm", "0.5um", "11mm", "nan mm", "inf um", "1e9mm",
+                                 "35umm", "35 um um"}) {
+            const auto read = model::session::parseThickness(text, true);
+            QVERIFY2(!read, text);
+            QCOMPARE(read.error().code, base::ErrorCode::BadUsage);
+        }
+        QVERIFY(!model::session::parseThickness("1oz", false));
+    }
+
+    void textIsReadBackAsItWas() {
+        for (const model::Nm nm : {1'000, 17'399, 35'000, 999'999, 1'000'000, 1'574'803, 10'000'000}) {
+            QCOMPARE(*model::session::parseThickness(model::session::thicknessText(nm), false), nm);
+        }
+        QCOMPARE(model::session::thicknessText(35'000), "35 µm");
+        QCOMPARE(model::session::thicknessText(1'200'000), "1.2 mm");
+    }
+
+    void overridesNameARowOfTheStack() {
+        const Place place;
+        const auto good = model::session::parseOverride("core1 = 0.3mm", place.document->stackup);
+        QVERIFY(good.ok());
+        QCOMPARE(good->layer, "CORE1");
+        QCOMPARE(good->thickness, 300'000);
+        const auto bad = model::session::parseOverride("CORE9=0.3mm", place.document->stackup);
+        QVERIFY(!bad && bad.error().text.find("CORE1, Inner Plane") != std::string::npos);
+        QVERIFY(!model::session::parseOverride("CORE1=1oz", place.document->stackup));
+        QVERIFY(!model::session::parseOverride("CORE1", place.document->stackup));
+    }
+
+    // ---- the file ----
+
+    void theFileLiesBesideTheJob() {
+        QCOMPARE(sessionPath("/a/b/job.tgz"), fs::path("/a/b/job.tgz.copperscope.json"));
+        QCOMPARE(sessionPath("/a/b/job/"), fs::path("/a/b/job.copperscope.json"));
+        QCOMPARE(sessionPath("/a/b/../job"), fs::path("/a/job.copperscope.json"));
+    }
+
+    void whatIsSavedIsLoaded() {
+        const Place place;
+        QVERIFY(place.load().session == Session() && place.load().ignored.empty());
+        const Session session{{{"TOP", 70'000}, {"CORE1", 300'000}}};
+        QVERIFY(place.save(session).ok());
+        QVERIFY(place.load().session == session);
+        QVERIFY(place.load().ignored.empty());
+        const auto document = model::session::applySession(place.document, session);
+        QCOMPARE(model::findRow(document->stackup, "CORE1")->thickness, 300'000);
+        QCOMPARE(model::findRow(document->stackup, "CORE1")->source, model::Source::Session);
+        QVERIFY(model::session::applySession(place.document, {}) == place.document);
+    }
+
+    void nothingChangedIsNoFile() {
+        const Place place;
+        QVERIFY(place.save({{{"TOP", 70'000}}}).ok());
+        QVERIFY(place.save({}).ok());
+        QVERIFY(!fs::exists(sessionPath(place.board)));
+        QVERIFY(place.save({}).ok());
+        QVERIFY(fs::is_empty(place.folder.path()));
+    }
+
+    void unknownPartsAreNamedAndKept() {
+        const Place place;
+        place.write(R"({"copperscope_session": 1, "job": "everything", "bookmarks": [1, 2],)"
+                    R"("thickness_nm": {"TOP": 70000, "GONE": 5000, "CORE1": "thick", "CORE2": 5, "SMT": 1e99}})");
+        const LoadedSession found = place.load();
+        QVERIFY((found.session == Session{{{"TOP", 70'000}}}));
+        QCOMPARE(found.ignored.size(), std::size_t{5});
+        for (const char* part : {"bookmarks", "GONE", "CORE1", "CORE2", "SMT"}) {
+            QVERIFY2(std::ranges::any_of(found.ignored,
+                                         [&](const std::string& text) { return text.find(part) != std::string::npos; }),
+                     part);
+        }
+        QVERIFY(place.save({}).ok());
+        QVERIFY(place.file().find("bookmarks") != std::string::npos);
+        QVERIFY(place.file().find("thickness_nm") == std::string::npos);
+    }
+
+    void anotherBoardsSessionIsIgnored() {
+        const Place place;
+        place.write(R"({"copperscope_session": 1, "job": "other", "thickness_nm": {"TOP": 70000}})");
+        const LoadedSession found = place.load();
+        QVERIFY(found.session == Session());
+        QCOMPARE(found.ignored.size(), std::size_t{1});
+        QVERIFY(found.ignored[0].find("other") != std::string::npos);
+    }
+
+    void whatIsNoSessionIsNeitherReadNorOverwritten_data() {
+        QTest::addColumn<QString>("text");
+        QTest::newRow("later version") << R"({"copperscope_session": 2, "job": "everything"})";
+        QTest::newRow("huge version") << R"({"copperscope_session": 1e300})";
+        QTest::newRow("another file") << R"({"name": "something else"})";
+        QTest::newRow("no JSON") << "hello";
+        QTest::newRow("empty") << "";
+        QTest::newRow("cut short") << R"({"copperscope_session": 1, "job")";
+        QTest::newRow("deep") << QString(100'000, '[');
+        QTest::newRow("large") << QString(2 << 20, ' ');
+    }
+    void whatIsNoSessionIsNeitherReadNorOverwritten() {
+        QFETCH(QString, text);
+        const Place place;
+        place.write(text.toStdString());
+        QVERIFY(place.load().session == Session());
+        QCOMPARE(place.load().ignored.size(), std::size_t{1});
+        const auto saved = place.save({{{"TOP", 70'000}}});
+        QVERIFY(!saved);
+        QCOMPARE(saved.error().code, base::ErrorCode::OutputFailed);
+        QCOMPARE(place.file(), text.toStdString());
+    }
+
+    void aFolderThatRefusesLosesNothing() {
+        if (::geteuid() == 0) {
+            QSKIP("root may write everywhere");
+        }
+        const Place place;
+        QVERIFY(place.save({{{"TOP", 70'000}}}).ok());
+        const std::string before = place.file();
+        fs::permissions(place.folder.path(), fs::perms::owner_write, fs::perm_options::remove);
+        const auto saved = place.save({{{"TOP", 80'000}}});
+        fs::permissions(place.folder.path(), fs::perms::owner_write, fs::perm_options::add);
+        QVERIFY(!saved);
+        QVERIFY(saved.error().text.find(sessionPath(place.board).string()) != std::string::npos);
+        QCOMPARE(place.file(), before);
+    }
+
+    void aFailedWriteLeavesNoPart() {
+        const Place place;
+        // A folder where the file should be refuses the rename, whoever runs this.
+        fs::create_directories(sessionPath(place.board) / "inside");
+        QVERIFY(!place.save({{{"TOP", 80'000}}}));
+        std::size_t entries = 0;
+        for (const auto& entry : fs::directory_iterator(place.folder.path())) {
+            entries += entry.path() != sessionPath(place.board) ? 1 : 0;
+        }
+        QCOMPARE(entries, std::size_t{0});
+    }
+};
+
+QTEST_APPLESS_MAIN(SessionTest)
+#include "session_test.moc"
