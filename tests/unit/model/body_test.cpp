@@ -28,12 +28,16 @@ std::shared_ptr<const model::Document> boardWithHoles() {
     builder.addLayer(copper);
     Layer drill;
     drill.type = LayerType::Drill;
+    drill.thickness = 1'600'000;
     builder.beginLayer(builder.addLayer(drill));
     DocumentBuilder::Origin hole;
     hole.flags = model::kHole;
     builder.addCircle({{5'000'000, 5'000'000}, 1'000'000, 1'000'000}, hole);
     builder.addLine({{2'000'000, 2'000'000}, {4'000'000, 2'000'000}, 1'000'000, 0}, hole);
     builder.addCircle({{10'000'000, 5'000'000}, 2'000'000, 2'000'000}, hole);  // a castellation
+    drill.thickness = 800'000;
+    builder.beginLayer(builder.addLayer(drill));
+    builder.addCircle({{7'000'000, 8'000'000}, 500'000, 500'000}, hole);  // a blind hole leaves the slab whole
     model::addBody(builder);
     return builder.finish();
 }
