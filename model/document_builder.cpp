@@ -136,11 +136,22 @@ std::shared_ptr<const Document> DocumentBuilder::finish() {
     linkNets();
     countCopies();
     measureExtents();
+    giveBackReserves();
     std::shared_ptr<const Document> frozen = std::move(m_document);
     m_document = std::make_shared<Document>();
     m_symbols.clear();
     m_layer = {};
     return frozen;
+}
+
+/// Tables double while they grow; a frozen one keeps what it holds.
+void DocumentBuilder::giveBackReserves() {
+    const auto shrink = [](auto&... tables) { (tables.shrink_to_fit(), ...); };
+    Document& d = *m_document;
+    ElementTable& e = d.elements;
+    shrink(e.kind, e.flags, e.layer, e.net, e.symbol, e.geometry, e.firstFeature, e.line, e.attributes);
+    shrink(d.lines, d.arcs, d.circles, d.trails, d.trailNodes, d.trailWidths, d.areas);
+    shrink(d.shapes.shapes, d.shapes.contours, d.shapes.nodes, d.painted.areas, d.painted.features);
 }
 
 void DocumentBuilder::linkNets() {

@@ -68,6 +68,7 @@ public:
 private:
     ElementId addElement(ElementKind kind, std::size_t geometry, const Origin& origin);
     void linkNets();
+    void giveBackReserves();
     void countCopies();
     void measureExtents();
 
