@@ -20,19 +20,22 @@ void addStackOptions(CLI::App& command, std::vector<std::string>& thicknesses, b
     command.add_flag("--no-session", noSession, "ignore the session file beside the board");
 }
 
-void addBoardOptions(CLI::App& command, BoardArguments& board) {
-    addStackOptions(command, board.thicknesses, board.noSession);
-    command.add_flag("--save-session", board.saveSession,
-                     "keep the set thicknesses in the session file beside the board");
-
-    command.add_option("BOARD", board.path,
-                       "ODB++ job (folder, .tgz, .tar.gz, .tar, .zip) or a model of the paper; default: the sample");
+void addModellingOptions(CLI::App& command, BoardArguments& board) {
     command.add_option("--step", board.step, "the step to open; default: the first one with features of its own");
     command.add_option("--chord", board.chordUm, "largest distance between a curve and its chords, in micrometres")
         ->check(CLI::Range(0.5, 50.0))
         ->capture_default_str();
     command.add_flag("--paper-segments", board.paperSegments,
                      "50 segments per circle and 20 per arc, as the paper does");
+}
+
+void addBoardOptions(CLI::App& command, BoardArguments& board) {
+    addStackOptions(command, board.thicknesses, board.noSession);
+    command.add_flag("--save-session", board.saveSession,
+                     "keep the set thicknesses in the session file beside the board");
+    command.add_option("BOARD", board.path,
+                       "ODB++ job (folder, .tgz, .tar.gz, .tar, .zip) or a model of the paper; default: the sample");
+    addModellingOptions(command, board);
 }
 
 void addInfo(CLI::App& parent, InfoArguments& arguments) {
@@ -99,6 +102,20 @@ void addGenerate(CLI::App& parent, GenerateArguments& arguments) {
     command->add_option("-o,--output", arguments.output, "the job to write (.tgz)")->required();
 }
 
+void addBench(CLI::App& parent, BenchArguments& arguments) {
+    CLI::App* command =
+        parent.add_subcommand("bench", "Measure modelling, memory and frame times (the paper's Tables 2, 4 and 5)");
+    command->add_option("BOARD", arguments.boards, "boards, as for info")->required();
+    addModellingOptions(*command, arguments.modelling);
+    command->add_option("--pipeline", arguments.pipeline, "both, hybrid or standard")
+        ->check(CLI::IsMember({"both", "hybrid", "standard"}))
+        ->capture_default_str();
+    command->add_option("--frames", arguments.frames, "frames of which the median is given")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command->add_flag("--json", arguments.asJson, "as JSON");
+}
+
 }  // namespace
 
 Command parseCommandLine(int argc, char** argv) {
@@ -109,11 +126,13 @@ Command parseCommandLine(int argc, char** argv) {
     InfoArguments info;
     RenderArguments render;
     GenerateArguments generate;
+    BenchArguments bench;
     parser.add_option("BOARD", workbench.path, "the board to open in the workbench; default: the sample");
     parser.add_option("--step", workbench.step, "the step to open");
     addInfo(parser, info);
     addRender(parser, render);
     addGenerate(parser, generate);
+    addBench(parser, bench);
     try {
         parser.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -127,6 +146,9 @@ Command parseCommandLine(int argc, char** argv) {
     }
     if (parser.got_subcommand("generate")) {
         return generate;
+    }
+    if (parser.got_subcommand("bench")) {
+        return bench;
     }
     return workbench;
 }

@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/bench_command.h"
 #include "app/generate_command.h"
 #include "app/info_command.h"
 #include "app/render_command.h"
@@ -21,7 +22,8 @@ struct Quit {
     int code = 0;
 };
 
-using Command = std::variant<WorkbenchArguments, InfoArguments, RenderArguments, GenerateArguments, Quit>;
+using Command =
+    std::variant<WorkbenchArguments, InfoArguments, RenderArguments, GenerateArguments, BenchArguments, Quit>;
 
 /// Understands the command line of docs/architecture.md.
 [[nodiscard]] Command parseCommandLine(int argc, char** argv);

@@ -1,6 +1,4 @@
-# Benchmarks: built on request (`cmake --build --preset test --target board_bench`), never part of ctest.
-add_executable(board_bench EXCLUDE_FROM_ALL bench/board_bench.cpp)
-target_link_libraries(board_bench PRIVATE copperscope_reader copperscope_render)
+# Benchmarks: built on request (`cmake --build --preset test --target parse_bench`), never part of ctest.
 add_executable(parse_bench EXCLUDE_FROM_ALL bench/parse_bench.cpp)
 target_link_libraries(parse_bench PRIVATE copperscope_odb)
 add_executable(tri_bench EXCLUDE_FROM_ALL bench/tri_bench.cpp)

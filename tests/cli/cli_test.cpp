@@ -80,6 +80,63 @@ private slots:
         QVERIFY(hasKeys(info["diagnostics"].toArray().first().toObject(), {"severity", "file", "line", "text"}));
     }
 
+    void benchMeasuresBothPipelines() {
+        const Outcome run = copperscope({"bench", COPPERSCOPE_SAMPLE, "--frames", "1", "--json"});
+        QCOMPARE(run.exitCode, 0);
+        const QJsonObject report = QJsonDocument::fromJson(run.out).object();
+        QVERIFY(!report["device"].toString().isEmpty());
+        QVERIFY(report.contains("commit"));
+        const QJsonObject board = report["boards"].toArray().first().toObject();
+        QCOMPARE(board["name"].toString(), QFileInfo(COPPERSCOPE_SAMPLE).fileName());
+        QVERIFY(board["elements"].toObject()["total"].toInt() > 0);
+        for (const char* pipeline : {"hybrid", "standard"}) {
+            const QJsonObject result = board["pipelines"].toObject()[pipeline].toObject();
+            for (const char* key : {"parse_ms", "create_ms", "discretise_ms", "triangulate_ms", "upload_ms"}) {
+                QVERIFY2(result[key].toDouble(-1.0) >= 0.0, key);
+            }
+            QVERIFY(result["gpu_bytes"].toDouble() > 0 && result["cpu_bytes"].toDouble() > 0);
+            QSet<QString> views;
+            for (const QJsonValue& value : result["frames"].toArray()) {
+                const QJsonObject frame = value.toObject();
+                views.insert(frame["view"].toString());
+                QVERIFY(frame["ms"].toDouble() > 0.0 && frame["triangles"].toInt() > 0);
+                QVERIFY(frame["grey_mse"].toDouble() <= 0.001);
+            }
+            QCOMPARE(views, QSet<QString>({"whole", "5x", "30x"}));
+        }
+    }
+
+    void benchSaysWhatCannotBeRead() {
+        QCOMPARE(copperscope({"bench", "/nonexistent.tgz"}).exitCode, 2);
+        QCOMPARE(copperscope({"bench"}).exitCode, 1);
+    }
+
+    void generatedBoardsHaveTheCountsAskedFor() {
+        const QTemporaryDir folder;
+        const QString job = folder.filePath("t1.tgz");
+        QCOMPARE(copperscope({"generate", "--like", "t1", "-o", job}).exitCode, 0);
+        const QJsonObject elements =
+            QJsonDocument::fromJson(copperscope({"info", job, "--json"}).out).object()["elements"].toObject();
+        QCOMPARE(elements["line"].toInt(), 539);
+        QCOMPARE(elements["arc"].toInt(), 0);
+        QCOMPARE(elements["circle"].toInt(), 1395);
+        QCOMPARE(elements["trail"].toInt(), 529);
+        QCOMPARE(elements["area"].toInt(), 823);
+        QCOMPARE(copperscope({"generate", "--like", "t10", "-o", job}).exitCode, 1);
+        QCOMPARE(copperscope({"generate", "--like", "t1", "-o", folder.filePath("t1.zip")}).exitCode, 1);
+        QCOMPARE(copperscope({"generate", "--like", "t1", "-o", "/nonexistent/t1.tgz"}).exitCode, 3);
+    }
+
+    void theStandardPipelineDrawsToo() {
+        const QTemporaryDir folder;
+        const QString picture = folder.filePath("board.png");
+        QCOMPARE(
+            copperscope({"render", COPPERSCOPE_SAMPLE, "-o", picture, "--pipeline", "standard", "--size", "320x200"})
+                .exitCode,
+            0);
+        QCOMPARE(pngSize(picture), QSize(320, 200));
+    }
+
     void elementsAreTheSumOfTheLayers() {
         const QJsonObject info =
             QJsonDocument::fromJson(copperscope({"info", COPPERSCOPE_SAMPLE, "--json"}).out).object();

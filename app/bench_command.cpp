@@ -1,0 +1,45 @@
+#include "app/bench_command.h"
+
+#include <cstdio>
+
+#include "app/bench_report.h"
+#include "app/exit_code.h"
+
+namespace app {
+
+namespace {
+
+base::Result<BenchReport> measure(const BenchArguments& arguments) {
+    base::Result<render::gpu::Instance> instance = render::gpu::Instance::create({});
+    if (!instance) {
+        return instance.error();
+    }
+    base::Result<render::gpu::Device> device = render::gpu::Device::create(*instance);
+    if (!device) {
+        return device.error();
+    }
+    BenchReport report;
+    report.device = device->caps().name + ", " + device->caps().driver;
+    for (const std::string& path : arguments.boards) {
+        base::Result<BoardResult> board = benchBoard(*device, path, arguments);
+        if (!board) {
+            return board.error();
+        }
+        report.boards.push_back(std::move(*board));
+    }
+    return report;
+}
+
+}  // namespace
+
+int runBench(const BenchArguments& arguments) {
+    const base::Result<BenchReport> report = measure(arguments);
+    if (!report) {
+        return fail(report.error());
+    }
+    const std::string text = arguments.asJson ? benchJson(*report).dump(2) + "\n" : benchTable(*report);
+    std::fputs(text.c_str(), stdout);
+    return kDone;
+}
+
+}  // namespace app
