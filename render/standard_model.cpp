@@ -42,10 +42,12 @@ void addOutlines(Draft& draft, const PolygonSet& set, std::uint32_t owner, Outli
     draft.kind.resize(draft.outlines.polygons.size(), kind);
 }
 
-/// The wall of a hole is what lies between its outline and its opening; the opening itself is drawn dark.
-void addHole(Draft& draft, PolygonSet outline, const PolygonSet& opening, std::uint32_t element) {
-    const bool isBare = outline.points == opening.points;
-    for (std::size_t loop = 0; loop < opening.loopCount() && !isBare && !outline.polygons.empty(); ++loop) {
+/// The wall of a hole is what lies between its outline and its opening; the opening itself is drawn dark. The strokes
+/// of a routed path overlap: there the wall is left solid below the dark opening, as the lets do.
+void addHole(Draft& draft, PolygonSet outline, const PolygonSet& opening, std::uint32_t element, bool isPath) {
+    const bool isBare = !isPath && outline.points == opening.points;
+    const bool isTube = !isPath && !isBare && !outline.polygons.empty();
+    for (std::size_t loop = 0; loop < opening.loopCount() && isTube; ++loop) {
         outline.addLoop(opening.loop(loop));
     }
     addOutlines(draft, outline, element, isBare ? Outline::WallOnly : Outline::Plain);
@@ -55,13 +57,15 @@ void addHole(Draft& draft, PolygonSet outline, const PolygonSet& opening, std::u
 void discretiseDraft(const Document& document, const model::Discretisation& how, Draft& draft) {
     for (std::uint32_t row = draft.elements.first; row < draft.elements.first + draft.elements.count; ++row) {
         const ElementId element{row};
+        const model::ElementKind kind = document.elements.kind[row];
         const PolygonSet opening = model::discretiseOpening(document, element, how);
         if (opening.polygons.empty()) {
-            const bool isArea = document.elements.kind[row] == model::ElementKind::Area;
+            const bool isArea = kind == model::ElementKind::Area;
             addOutlines(draft, model::discretise(document, element, how), row,
                         isArea ? Outline::MayTouchItself : Outline::Plain);
         } else {
-            addHole(draft, model::discretise(document, element, how), opening, row);
+            const bool isPath = kind == model::ElementKind::Arc || kind == model::ElementKind::Trail;
+            addHole(draft, model::discretise(document, element, how), opening, row, isPath);
         }
     }
 }

@@ -309,12 +309,19 @@ PolygonSet discretiseOpening(const Document& document, ElementId element, const 
     PolygonSet set;
     const std::uint32_t row = document.elements.geometry[element.row()];
     const bool isHole = (document.elements.flags[element.row()] & kHole) != 0;
-    const ElementKind kind = document.elements.kind[element.row()];
-    if (isHole && kind == ElementKind::Circle && document.circles[row].innerDiameter > 0) {
+    const ElementKind kind = isHole ? document.elements.kind[element.row()] : ElementKind::Area;
+    if (kind == ElementKind::Circle && document.circles[row].innerDiameter > 0) {
         addOutline(set, circlePoints(document.circles[row].centre, document.circles[row].innerDiameter, how));
-    } else if (isHole && kind == ElementKind::Line && document.lines[row].innerWidth > 0) {
+    } else if (kind == ElementKind::Line && document.lines[row].innerWidth > 0) {
         const LineGeometry& line = document.lines[row];
         addOutline(set, capsulePoints(line.a, line.b, line.innerWidth, how));
+    } else if (kind == ElementKind::Arc && document.arcs[row].innerWidth > 0) {
+        addArcStroke(document.arcs[row].node, document.arcs[row].end, document.arcs[row].innerWidth, how, set);
+    } else if (kind == ElementKind::Trail && document.trails[row].innerWidth > 0) {
+        const std::span<const PathNode> nodes = document.nodesOf(document.trails[row]);
+        for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+            addStroke(nodes[i], nodes[i + 1].point, document.trails[row].innerWidth, how, set);
+        }
     }
     return set;
 }

@@ -64,8 +64,8 @@ void discretiseEdge(const PathNode& from, Point to, const Discretisation& how, s
 /// trail is one polygon per stroke (they overlap); a stroke along a full circle has a hole.
 [[nodiscard]] PolygonSet discretise(const Document& document, ElementId element, const Discretisation& how);
 
-/// The empty inside of a drilled or routed hole (CircleGeometry::innerDiameter, LineGeometry::innerWidth); empty for
-/// everything else.
+/// The empty inside of a drilled or routed hole (innerDiameter, innerWidth); empty for everything else. A trail is one
+/// polygon per stroke.
 [[nodiscard]] PolygonSet discretiseOpening(const Document& document, ElementId element, const Discretisation& how);
 
 }  // namespace model
