@@ -28,6 +28,18 @@ void printJob(const Document& document) {
                 base::toMm(static_cast<double>(document.board.width())),
                 base::toMm(static_cast<double>(document.board.height())), base::toMm(document.boardThickness));
     std::printf("nets        %zu\ncomponents  %zu\n", document.nets.size(), document.components.size());
+    for (const PlacedStep& placed : placedSteps(document)) {
+        std::printf("places      %llu x %s with %zu nets and %zu components\n",
+                    static_cast<unsigned long long>(placed.copies), placed.step->job.step.c_str(),
+                    placed.step->nets.size(), placed.step->components.size());
+    }
+}
+
+template <class Count>
+void printCounts(const std::array<Count, model::kElementKindCount>& counts) {
+    for (const std::uint64_t count : counts) {
+        std::printf(" %7llu", static_cast<unsigned long long>(count));
+    }
 }
 
 void printLayers(const Document& document) {
@@ -40,16 +52,17 @@ void printLayers(const Document& document) {
         std::printf("%-28s %-16s %-8s %9.4f %9.4f %-8s %8u", layer.name.c_str(), model::toString(layer.type),
                     model::toString(layer.side), base::toMm(layer.z), base::toMm(layer.thickness),
                     model::toString(layer.thicknessSource), layer.featureCount);
-        for (const std::uint32_t count : layer.counts) {
-            std::printf(" %7u", count);
-        }
+        printCounts(layer.counts);
         std::printf("%s\n", layer.isNegative ? "  negative" : "");
     }
     std::printf("%-92s", "all layers");
-    for (const std::uint32_t count : document.elementCounts()) {
-        std::printf(" %7u", count);
-    }
+    printCounts(document.elementCounts());
     std::printf("\n");
+    if (!document.instances.empty()) {
+        std::printf("%-92s", "with the copies of other steps");
+        printCounts(document.elementCountsWithCopies());
+        std::printf("\n");
+    }
 }
 
 void printDiagnostics(const model::Diagnostics& diagnostics) {

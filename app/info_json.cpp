@@ -1,7 +1,10 @@
 #include "app/info_json.h"
 
+#include <numeric>
+
 #include "app/drill_report.h"
 #include "app/stack_report.h"
+#include "model/copies.h"
 
 namespace app {
 
@@ -12,7 +15,8 @@ using nlohmann::ordered_json;
 
 namespace {
 
-ordered_json countsJson(const std::array<std::uint32_t, model::kElementKindCount>& counts) {
+template <class Count>
+ordered_json countsJson(const std::array<Count, model::kElementKindCount>& counts) {
     ordered_json json;
     for (std::size_t kind = 0; kind < counts.size(); ++kind) {
         json[model::toString(static_cast<ElementKind>(kind))] = counts[kind];
@@ -35,7 +39,8 @@ ordered_json layerJson(const Layer& layer) {
             {"z_nm", layer.z},
             {"thickness_nm", layer.thickness},
             {"thickness_source", model::toString(layer.thicknessSource)},
-            {"counts", counts}};
+            {"counts", counts},
+            {"counts_with_copies", countsJson(layer.countsWithCopies)}};
 }
 
 ordered_json layersJson(const Document& document) {
@@ -48,14 +53,22 @@ ordered_json layersJson(const Document& document) {
     return json;
 }
 
-ordered_json elementsJson(const Document& document) {
-    const auto counts = document.elementCounts();
+template <class Count>
+ordered_json elementsJson(const std::array<Count, model::kElementKindCount>& counts) {
     ordered_json json = countsJson(counts);
-    std::uint64_t total = 0;
-    for (const std::uint32_t count : counts) {
-        total += count;
+    json["total"] = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+    return json;
+}
+
+ordered_json placedStepsJson(const Document& document) {
+    ordered_json json = ordered_json::array();
+    for (const PlacedStep& placed : placedSteps(document)) {
+        json.push_back({{"name", placed.step->job.step},
+                        {"copies", placed.copies},
+                        {"elements", elementsJson(placed.step->elementCounts())},
+                        {"nets", placed.step->nets.size()},
+                        {"components", placed.step->components.size()}});
     }
-    json["total"] = total;
     return json;
 }
 
@@ -71,6 +84,19 @@ void addDiagnostics(const model::Diagnostics& diagnostics, ordered_json& json) {
 
 }  // namespace
 
+std::vector<PlacedStep> placedSteps(const Document& document) {
+    const model::StepTree tree = model::unfoldCopies(document);
+    std::vector<PlacedStep> placed;
+    for (const Document* step : tree.steps) {
+        placed.push_back({step, 0});
+    }
+    for (const model::StepCopy& copy : tree.copies) {
+        ++placed[copy.step].copies;
+    }
+    placed.erase(placed.begin());  // the board itself
+    return placed;
+}
+
 ordered_json infoJson(const OpenBoard& board) {
     const Document& document = *board.document;
     ordered_json diagnostics = ordered_json::array();
@@ -79,7 +105,9 @@ ordered_json infoJson(const OpenBoard& board) {
     return {{"job", jobJson(document.job)},
             {"layers", layersJson(document)},
             {"stackup", stackupJson(document.stackup)},
-            {"elements", elementsJson(document)},
+            {"elements", elementsJson(document.elementCounts())},
+            {"elements_with_copies", elementsJson(document.elementCountsWithCopies())},
+            {"placed_steps", placedStepsJson(document)},
             {"nets", {{"count", document.nets.size()}}},
             {"components", {{"count", document.components.size()}}},
             {"drills", drillsJson(document)},

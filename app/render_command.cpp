@@ -4,6 +4,7 @@
 
 #include "app/console_progress.h"
 #include "app/exit_code.h"
+#include "model/copies.h"
 #include "render/explosion.h"
 #include "render/gpu/device.h"
 #include "render/gpu/instance.h"
@@ -39,15 +40,25 @@ Result<std::vector<render::LayerStyle>> chooseLayers(const Document& document, c
     return styles;
 }
 
-Result<std::vector<model::ElementId>> elementsOfNets(const Document& document, const std::vector<std::string>& names) {
-    std::vector<model::ElementId> elements;
+/// What to light up in the board itself and in each step it places, rows as in BoardScene::setHighlight.
+using Highlights = std::vector<std::vector<model::ElementId>>;
+
+/// A net of a panel is that of all its steps.
+Result<Highlights> elementsOfNets(const Document& document, const std::vector<std::string>& names) {
+    const std::vector<const Document*> steps = model::distinctSteps(document);
+    Highlights elements(steps.size());
     for (const std::string& name : names) {
-        const model::NetId net = document.findNet(name);
-        if (!net.isValid()) {
+        bool isAnywhere = false;
+        for (std::size_t step = 0; step < steps.size(); ++step) {
+            if (const model::NetId net = steps[step]->findNet(name); net.isValid()) {
+                const std::span<const model::ElementId> own = steps[step]->elementsOf(net);
+                elements[step].insert(elements[step].end(), own.begin(), own.end());
+                isAnywhere = true;
+            }
+        }
+        if (!isAnywhere) {
             return base::Error{ErrorCode::BadUsage, "there is no net " + name};
         }
-        const std::span<const model::ElementId> own = document.elementsOf(net);
-        elements.insert(elements.end(), own.begin(), own.end());
     }
     return elements;
 }
@@ -102,7 +113,7 @@ render::ViewSettings settingsFor(const RenderArguments& arguments) {
 /// What is drawn, beside the camera.
 struct Scenery {
     std::vector<render::LayerStyle> styles;
-    std::vector<model::ElementId> highlight;
+    Highlights highlights;
     render::NamedView view;
 };
 
@@ -118,7 +129,9 @@ Result<render::Image> draw(const RenderArguments& arguments, const Model& board,
     }
     render::BoardScene scene(*device, board);
     scene.setStyles(scenery.styles);
-    scene.setHighlight(scenery.highlight);
+    for (std::uint32_t step = 0; step < scenery.highlights.size(); ++step) {
+        scene.setHighlight(scenery.highlights[step], step);
+    }
     render::OffscreenPresenter presenter(*device);
     return presenter.render(scene, cameraFor(arguments, board, scenery.view), settingsFor(arguments), arguments.width,
                             arguments.height);
@@ -132,6 +145,10 @@ Result<render::Image> drawModel(const RenderArguments& arguments, Result<Model> 
 Result<render::Image> modelAndDraw(const RenderArguments& arguments, const Document& document, const Scenery& scenery) {
     ConsoleProgress console;
     const model::Discretisation how = discretisationOf(arguments.board);
+    if (arguments.pipeline == "standard" && !document.instances.empty()) {
+        return base::Error{ErrorCode::BadUsage,
+                           "the standard pipeline draws single steps only; choose one with --step"};
+    }
     if (arguments.pipeline == "standard") {
         return drawModel(arguments, render::buildStandardModel(document, how, console.progress()), scenery);
     }
@@ -172,7 +189,7 @@ base::Status renderToFile(const RenderArguments& arguments) {
     if (!styles) {
         return styles.error();
     }
-    const Result<std::vector<model::ElementId>> highlight = elementsOfNets(**document, arguments.nets);
+    const Result<Highlights> highlight = elementsOfNets(**document, arguments.nets);
     if (!highlight) {
         return highlight.error();
     }

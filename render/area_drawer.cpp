@@ -14,17 +14,19 @@ PassPipelines makePipelines(gpu::Device& device, std::string_view label, gpu::Sp
     return makePassPipelines(device, label, stages, cullsBackFaces, target);
 }
 
-void copyWhole(VkCommandBuffer commands, const gpu::Buffer& from, const gpu::Buffer& to) {
-    const VkBufferCopy region{0, 0, std::min(from.size(), to.size())};
-    vkCmdCopyBuffer(commands, from.handle(), to.handle(), 1, &region);
+void copyTo(VkCommandBuffer commands, const gpu::Buffer& from, const BufferPart& to) {
+    if (to.size > 0) {
+        const VkBufferCopy region{0, to.offset, to.size};
+        vkCmdCopyBuffer(commands, from.handle(), to.buffer, 1, &region);
+    }
 }
 
 /// Runs of area batches on layers of which `side` is seen; neighbouring layers join.
 std::vector<LayerRun> runsOf(const Recording& recording, std::uint32_t batch, bool SeenFaces::*side) {
     std::vector<LayerRun> runs;
-    for (const std::uint32_t layer : recording.plan.batches[batch].layers) {
-        const LayerRun run = recording.scene.layers.layers[layer].areaBatches;
-        if (run.count == 0 || !(recording.plan.facesOfLayers[layer].*side)) {
+    for (const std::uint32_t layer : recording.layers.batches[batch]) {
+        const LayerRun run = recording.step.layers[layer].areaBatches;
+        if (run.count == 0 || !(recording.layers.faces[layer].*side)) {
             continue;
         }
         if (!runs.empty() && runs.back().first + runs.back().count == run.first) {
@@ -55,15 +57,14 @@ AreaDrawer::AreaDrawer(gpu::Device& device, const TargetFormat& target)
       m_walls(makePipelines(device, "area walls", shader::spirv::kAreaWallVert, true, target)) {}
 
 void AreaDrawer::reset(const Recording& recording) const {
-    const BoardScene::Impl& scene = recording.scene;
-    copyWhole(recording.commands(), scene.geometry.capDraws, scene.transient.capDraws);
-    copyWhole(recording.commands(), scene.geometry.wallDraws, scene.transient.wallDraws);
+    copyTo(recording.commands(), recording.step.geometry.capDraws, recording.lists.capDraws);
+    copyTo(recording.commands(), recording.step.geometry.wallDraws, recording.lists.wallDraws);
 }
 
 void AreaDrawer::cull(const Recording& recording) const {
     m_cull.bind(recording.commands());
     m_cull.push(recording.commands(), shader::Push{recording.frameData, 0, 0});
-    const std::uint32_t groups = (recording.scene.instanceCount + shader::kCullGroupSize - 1) / shader::kCullGroupSize;
+    const std::uint32_t groups = (recording.step.instanceCount + shader::kCullGroupSize - 1) / shader::kCullGroupSize;
     vkCmdDispatch(recording.commands(), groups, 1, 1);
 }
 
@@ -77,12 +78,13 @@ void AreaDrawer::drawCaps(const Recording& recording, gpu::Pass pass, std::uint3
     const gpu::Pipeline& pipeline = m_caps[passRow(pass)];
     pipeline.bind(recording.commands());
     pipeline.push(recording.commands(), shader::Push{recording.frameData, 0, face});
-    vkCmdBindIndexBuffer(recording.commands(), recording.scene.geometry.indices.handle(), 0, VK_INDEX_TYPE_UINT32);
+    vkCmdBindIndexBuffer(recording.commands(), recording.step.geometry.indices.handle(), 0, VK_INDEX_TYPE_UINT32);
     constexpr std::uint32_t kStride = sizeof(shader::DrawIndexed);
     forPieces(runsOf(recording, batch, face == 0 ? &SeenFaces::upper : &SeenFaces::lower), m_maxDraws,
               [&](std::uint32_t first, std::uint32_t count) {
-                  vkCmdDrawIndexedIndirect(recording.commands(), recording.scene.transient.capDraws.handle(),
-                                           std::uint64_t{first} * kStride, count, kStride);
+                  vkCmdDrawIndexedIndirect(recording.commands(), recording.lists.capDraws.buffer,
+                                           recording.lists.capDraws.offset + std::uint64_t{first} * kStride, count,
+                                           kStride);
               });
 }
 
@@ -92,8 +94,8 @@ void AreaDrawer::drawWalls(const Recording& recording, gpu::Pass pass, std::uint
     pipeline.push(recording.commands(), shader::Push{recording.frameData, 0, 0});
     constexpr std::uint32_t kStride = sizeof(shader::Draw);
     forPieces(runsOf(recording, batch, &SeenFaces::walls), m_maxDraws, [&](std::uint32_t first, std::uint32_t count) {
-        vkCmdDrawIndirect(recording.commands(), recording.scene.transient.wallDraws.handle(),
-                          std::uint64_t{first} * kStride, count, kStride);
+        vkCmdDrawIndirect(recording.commands(), recording.lists.wallDraws.buffer,
+                          recording.lists.wallDraws.offset + std::uint64_t{first} * kStride, count, kStride);
     });
 }
 

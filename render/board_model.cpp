@@ -7,6 +7,7 @@
 
 #include "model/base/parallel.h"
 #include "model/base/stopwatch.h"
+#include "model/copies.h"
 #include "render/area_meshes.h"
 #include "render/lets.h"
 
@@ -205,15 +206,56 @@ std::uint64_t countStandardTriangles(const Document& document, const std::vector
     return sum;
 }
 
-}  // namespace
+/// The lower and the upper face of the board: of its copper, and of the laminate below a single copper layer.
+float sumOfFaces(const Document& document) {
+    model::Nm low = 0;
+    model::Nm high = document.boardThickness;
+    std::size_t copper = 0;
+    for (const Layer& layer : document.layers) {
+        if (layer.isCopper() && layer.context == model::LayerContext::Board) {
+            high = copper++ == 0 ? layer.z + layer.thickness : std::max(high, layer.z + layer.thickness);
+        }
+    }
+    low = copper == 1 ? high - document.boardThickness : low;
+    return static_cast<float>(base::toMm(double(low) + high));
+}
 
-base::Result<BoardModel> buildBoardModel(const Document& document, const model::Discretisation& how,
-                                         base::Progress& progress) {
+void measureReach(BoardModel& out) {
+    glm::vec2 low(1e30F);
+    glm::vec2 high(-1e30F);
+    const auto include = [&](glm::vec2 from, glm::vec2 to) {
+        low = glm::min(low, from);
+        high = glm::max(high, to);
+    };
+    for (const shader::Cluster& cluster : out.clusters) {
+        include(cluster.boxMin, cluster.boxMax);
+    }
+    std::vector<float> radii;  // of the shapes around their own origin
+    for (const shader::ShapeRecord& shape : out.shapes) {
+        float radius = 0.0F;
+        for (std::uint32_t i = shape.firstVertex; i < shape.firstVertex + shape.vertexCount; ++i) {
+            radius = std::max(radius, glm::length(out.vertices[i]));
+        }
+        radii.push_back(radius);
+    }
+    for (const shader::AreaInstance& area : out.instances) {
+        include(area.origin - radii[area.shape], area.origin + radii[area.shape]);
+    }
+    if (low.x <= high.x) {
+        out.reachMin = low;
+        out.reachMax = high;
+    }
+}
+
+/// One step by itself.
+base::Result<BoardModel> buildStepModel(const Document& document, const model::Discretisation& how,
+                                        base::Progress& progress) {
     const base::Error cancelled{base::ErrorCode::Cancelled, "cancelled"};
     BoardModel out;
     progress.beginPhase("Modelling traces and pads");
     base::Stopwatch watch;
     static_cast<BoardFrame&>(out) = frameOf(document);
+    out.facesMm = sumOfFaces(document);
     makeAllLets(document, how, out);
     const std::vector<model::ShapeId> used = shapesInUse(document);
     makeInstances(document, used, out);
@@ -236,8 +278,62 @@ base::Result<BoardModel> buildBoardModel(const Document& document, const model::
     }
     joinMeshes(document, used, meshes, out);
     reportMeshes(document, meshes, out);
+    measureReach(out);
     out.trianglesPaperRule = countStandardTriangles(document, meshes, out, how);
     return out;
+}
+
+/// Where copies lie, from nanometres in documents to millimetres in models.
+std::vector<ModelCopy> placeCopies(const model::StepTree& tree, const BoardModel& board) {
+    std::vector<ModelCopy> copies;
+    for (const model::StepCopy& copy : tree.copies) {
+        const BoardModel& step = copy.step == 0 ? board : board.steps[copy.step - 1];
+        const model::PointD origin = copy.placement.apply(base::toDouble(step.origin));
+        const model::Placement turn{{}, copy.placement.clockwiseDeg, copy.placement.isMirrored};
+        const model::PointD x = turn.apply(model::PointD{1.0, 0.0});
+        const model::PointD y = turn.apply(model::PointD{0.0, 1.0});
+        copies.push_back({copy.step,
+                          {base::toMm(origin.x - board.origin.x), base::toMm(origin.y - board.origin.y)},
+                          {{x.x, x.y}, {y.x, y.y}},
+                          copy.placement.isMirrored,
+                          copy.isFlipped});
+    }
+    return copies;
+}
+
+/// Takes what is said about a step over into what is said about the board.
+void addTotals(const BoardModel& step, std::uint64_t copies, BoardModel& board) {
+    board.times.createMs += step.times.createMs;
+    board.times.discretiseMs += step.times.discretiseMs;
+    board.times.triangulateMs += step.times.triangulateMs;
+    board.diagnostics.append(step.diagnostics);
+    board.trianglesPaperRule += copies * step.trianglesPaperRule;
+}
+
+}  // namespace
+
+base::Result<BoardModel> buildBoardModel(const Document& document, const model::Discretisation& how,
+                                         base::Progress& progress) {
+    base::Result<BoardModel> board = buildStepModel(document, how, progress);
+    if (!board || document.instances.empty()) {
+        return board;
+    }
+    const model::StepTree tree = model::unfoldCopies(document);
+    std::vector<std::uint64_t> copiesOfStep(tree.steps.size(), 0);
+    for (const model::StepCopy& copy : tree.copies) {
+        ++copiesOfStep[copy.step];
+    }
+    for (std::size_t row = 1; row < tree.steps.size(); ++row) {
+        base::Result<BoardModel> step = buildStepModel(*tree.steps[row], how, progress);
+        if (!step) {
+            return step;
+        }
+        addTotals(*step, copiesOfStep[row], *board);
+        board->steps.push_back(std::move(*step));
+    }
+    board->copies = placeCopies(tree, *board);
+    std::ranges::transform(document.layers, std::back_inserter(board->opposite), &Layer::opposite);
+    return board;
 }
 
 }  // namespace render

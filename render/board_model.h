@@ -33,10 +33,27 @@ struct ModelTimes {
     double triangulateMs = 0.0;
 };
 
+/// A step drawn somewhere on the board (model::StepCopy in the GPU's terms): p' = origin + turn * p, in the plane only.
+/// A flipped copy lies on the opposite layers.
+struct ModelCopy {
+    std::uint32_t step = 0;  ///< 0 = the board itself, else 1 + row of BoardModel::steps
+    glm::dvec2 origin{0.0};  ///< mm, in the board's model coordinates
+    glm::dmat2 turn{1.0};    ///< rotation and mirror
+    bool isMirrored = false;
+    bool isFlipped = false;
+};
+
 /// What a document becomes before it goes to the GPU, as plain arrays (paper: "hybrid pipeline"): lets for lines, arcs,
 /// circles and trails, triangles for areas. Lengths in mm relative to `origin`. Everything is sorted by layer, so that
-/// a layer is a run.
+/// a layer is a run. The steps that a panel places are models of their own, made once however often they are drawn.
 struct BoardModel : BoardFrame {
+    std::vector<BoardModel> steps;               ///< at whatever depth; they have none themselves
+    std::vector<ModelCopy> copies{ModelCopy{}};  ///< rows as in model::StepTree: the board itself first
+    std::vector<model::LayerId> opposite;        ///< Layer::opposite per layer; empty where nothing is flipped
+    float facesMm = 0.0F;      ///< z of the board's lower plus z of its upper face: turned over, z is this minus z
+    glm::vec2 reachMin{0.0F};  ///< of everything that is drawn of this step itself, mm
+    glm::vec2 reachMax{0.0F};
+
     std::vector<shader::Let> lets;
     std::vector<shader::Cluster> clusters;  ///< never straddle a layer
     std::vector<LayerRun> clustersOfLayer;
@@ -50,15 +67,15 @@ struct BoardModel : BoardFrame {
     std::vector<LayerRun> areaBatchesOfLayer;
 
     std::uint64_t trianglesPaperRule =
-        0;  ///< triangles the standard pipeline would store for this board (triangulation-facts §1.3)
+        0;  ///< triangles the standard pipeline would store for this board with all copies (triangulation-facts §1.3)
     std::uint32_t repairedAreas = 0;  ///< areas whose outline crossed itself and went through integer booleans
     std::uint32_t emptyAreas = 0;     ///< areas without any area
     ModelTimes times;
     model::Diagnostics diagnostics;  ///< what was repaired or dropped here, with file and line
 };
 
-/// Makes lets and triangulates all areas, one area per task over all cores. Same result with 1 and N threads.
-/// Errors: Cancelled.
+/// Makes lets and triangulates all areas of the board and of every step it places, one area per task over all cores.
+/// Same result with 1 and N threads. The board's `times` and `diagnostics` are those of all steps. Errors: Cancelled.
 [[nodiscard]] base::Result<BoardModel> buildBoardModel(const model::Document& document,
                                                        const model::Discretisation& how, base::Progress& progress);
 

@@ -74,7 +74,7 @@ bool isTube(const shader::Let& let) {
     return (let.meta & shader::kLetKindMask) == shader::kLetStadium && let.p5 > 0.0F;
 }
 
-void countLets(const BoardModel& model, SceneLayers::Layer& layer) {
+void countLets(const BoardModel& model, SceneStep::Layer& layer) {
     for (std::uint32_t c = layer.clusters.first; c < layer.clusters.first + layer.clusters.count; ++c) {
         const shader::Cluster& cluster = model.clusters[c];
         for (std::uint32_t i = cluster.firstLet; i < cluster.firstLet + cluster.count; ++i) {
@@ -83,26 +83,42 @@ void countLets(const BoardModel& model, SceneLayers::Layer& layer) {
     }
 }
 
+std::vector<SceneStep::Layer> layersOfStep(const BoardModel& model, std::size_t layerCount) {
+    ASSERT(model.layerBottomMm.size() <= layerCount);
+    std::vector<SceneStep::Layer> layers;
+    for (std::size_t i = 0; i < model.layerBottomMm.size(); ++i) {
+        SceneStep::Layer layer;
+        layer.clusters = model.clustersOfLayer[i];
+        layer.areaBatches = model.areaBatchesOfLayer[i];
+        countLets(model, layer);
+        layers.push_back(layer);
+    }
+    layers.resize(layerCount);
+    return layers;
+}
+
+bool hasAreas(const BoardModel& model, std::size_t layer) {
+    const auto hasSome = [layer](const BoardModel& step) {
+        return layer < step.areaBatchesOfLayer.size() && step.areaBatchesOfLayer[layer].count > 0;
+    };
+    return hasSome(model) || std::ranges::any_of(model.steps, hasSome);
+}
+
 SceneLayers layersOf(const BoardModel& model) {
     SceneLayers scene;
     const glm::vec3 size = model.boxMax - model.boxMin;
     scene.widthMm = std::max(size.x, size.y);
+    scene.facesMm = model.facesMm;
+    scene.hasFlipped = std::ranges::any_of(model.copies, &ModelCopy::isFlipped);
     for (std::size_t i = 0; i < model.layerBottomMm.size(); ++i) {
-        SceneLayers::Layer layer;
-        layer.z0 = model.layerBottomMm[i];
-        layer.z1 = model.layerTopMm[i];
-        layer.clusters = model.clustersOfLayer[i];
-        layer.areaBatches = model.areaBatchesOfLayer[i];
-        layer.hasAreas = layer.areaBatches.count > 0;
-        countLets(model, layer);
-        scene.layers.push_back(layer);
+        scene.layers.push_back({model.layerBottomMm[i], model.layerTopMm[i], hasAreas(model, i),
+                                i < model.opposite.size() ? model.opposite[i] : model::LayerId{}});
     }
     scene.styles.resize(scene.layers.size());
     return scene;
 }
 
-GeometryBuffers loadGeometry(gpu::Device& device, const BoardModel& model, const LetTables& tables,
-                             std::uint32_t elementWords) {
+GeometryBuffers loadGeometry(gpu::Device& device, const BoardModel& model, std::uint32_t elementWords) {
     SceneLoader loader(device);
     GeometryBuffers b;
     b.lets = loader.load("lets", model.lets);
@@ -116,42 +132,90 @@ GeometryBuffers loadGeometry(gpu::Device& device, const BoardModel& model, const
     b.highlight = loader.load("highlight", std::vector<std::uint32_t>(elementWords));
     b.capDraws = loader.load("capDraws", capDraws(model));
     b.wallDraws = loader.load("wallDraws", wallDraws(model));
-    b.letIndices = loader.load("letIndices", tables.indices);
     return b;
 }
 
-TransientBuffers makeTransient(gpu::Device& device, const BoardModel& model) {
-    const auto make = [&](std::string_view label, std::uint64_t bytes) {
-        return Buffer(device, {label, bytes, MemoryUse::Transient, false});
-    };
+std::vector<SceneStep> loadSteps(gpu::Device& device, const BoardModel& board) {
+    std::vector<SceneStep> steps;
+    const std::size_t layers = board.layerBottomMm.size();
+    steps.emplace_back(device, board, layers);
+    for (const BoardModel& step : board.steps) {
+        steps.emplace_back(device, step, layers);
+    }
+    return steps;
+}
+
+Buffer makeLists(gpu::Device& device, const std::vector<SceneStep>& steps, const std::vector<ModelCopy>& copies,
+                 std::uint64_t most) {
+    std::uint64_t all = 0;
+    std::uint64_t largest = 0;
+    for (const ModelCopy& copy : copies) {
+        all += steps[copy.step].listBytes();
+        largest = std::max(largest, steps[copy.step].listBytes());
+    }
+    return {device, {"draw lists", std::max(largest, std::min(all, most)), MemoryUse::Transient, false}};
+}
+
+/// Hands out parts of a buffer one behind the other.
+class Parts {
+public:
+    Parts(VkBuffer buffer, VkDeviceAddress address, std::uint64_t offset)
+        : m_buffer(buffer), m_address(address), m_offset(offset) {}
+
+    BufferPart take(std::uint64_t size) {
+        const BufferPart part{m_buffer, m_offset, size, m_address + m_offset};
+        m_offset += (size + kAlignment - 1) / kAlignment * kAlignment;
+        return part;
+    }
+    [[nodiscard]] std::uint64_t end() const { return m_offset; }
+
+private:
+    static constexpr std::uint64_t kAlignment = 64;  // lists of different shaders do not share a cache line
+
+    VkBuffer m_buffer;
+    VkDeviceAddress m_address;
+    std::uint64_t m_offset;
+};
+
+DrawLists takeLists(const SceneStep& step, Parts& parts) {
     constexpr std::uint64_t kWord = sizeof(std::uint32_t);
-    TransientBuffers b;
-    b.visibleClusters = make("visibleClusters", (4 + model.clusters.size()) * kWord);
+    const std::uint64_t batches = 1 + step.layers.size();
+    DrawLists lists;
+    lists.visibleClusters = parts.take((4 + std::uint64_t{step.clusterCount}) * kWord);
     // A let is in one of its topology's levels, and any may take all of them.
-    b.visibleLets = make("visibleLets", model.lets.size() * shader::kLevelCount * kWord);
-    const std::uint64_t batches = 1 + model.layerBottomMm.size();
-    b.letDraws = make("letDraws", batches * shader::kBucketCount * sizeof(shader::DrawIndexed));
-    b.visibleInstances = make("visibleInstances", model.instances.size() * kWord);
-    b.capDraws = make("capDraws", model.areaBatches.size() * sizeof(shader::DrawIndexed));
-    b.wallDraws = make("wallDraws", model.areaBatches.size() * sizeof(shader::Draw));
-    return b;
+    lists.visibleLets = parts.take(std::uint64_t{step.letCount} * shader::kLevelCount * kWord);
+    lists.letDraws = parts.take(batches * shader::kBucketCount * sizeof(shader::DrawIndexed));
+    lists.visibleInstances = parts.take(step.instanceCount * kWord);
+    lists.capDraws = parts.take(step.areaDrawCount * sizeof(shader::DrawIndexed));
+    lists.wallDraws = parts.take(step.areaDrawCount * sizeof(shader::Draw));
+    return lists;
 }
 
 }  // namespace
 
-BoardScene::Impl::Impl(gpu::Device& owner, const BoardModel& model)
-    : device(&owner),
-      uploads(owner, 1, "scene updates"),
-      layers(layersOf(model)),
-      letTables(makeLetTables()),
+SceneStep::SceneStep(gpu::Device& device, const BoardModel& model, std::size_t layerCount)
+    : layers(layersOfStep(model, layerCount)),
+      reachMin(model.reachMin),
+      reachMax(model.reachMax),
+      letCount(static_cast<std::uint32_t>(model.lets.size())),
       clusterCount(static_cast<std::uint32_t>(model.clusters.size())),
       instanceCount(static_cast<std::uint32_t>(model.instances.size())),
       areaDrawCount(static_cast<std::uint32_t>(model.areaBatches.size())),
       elementWords((elementCount(model) + 31) / 32),
-      geometry(loadGeometry(owner, model, letTables, elementWords)),
-      transient(makeTransient(owner, model)) {}
+      geometry(loadGeometry(device, model, elementWords)) {}
 
-void BoardScene::Impl::setAddresses(shader::FrameData& data) const {
+std::uint64_t SceneStep::listBytes() const {
+    Parts parts(VK_NULL_HANDLE, 0, 0);
+    takeLists(*this, parts);
+    return isEmpty() ? 0 : parts.end();
+}
+
+DrawLists SceneStep::listsAt(const Buffer& buffer, std::uint64_t offset) const {
+    Parts parts(buffer.handle(), buffer.address(), offset);
+    return takeLists(*this, parts);
+}
+
+void SceneStep::setAddresses(shader::FrameData& data, const DrawLists& lists) const {
     data.clusterCount = clusterCount;
     data.instanceCount = instanceCount;
     data.lets = geometry.lets.address();
@@ -162,16 +226,27 @@ void BoardScene::Impl::setAddresses(shader::FrameData& data) const {
     data.drawOfInstance = geometry.drawOfInstance.address();
     data.bounds = geometry.bounds.address();
     data.highlight = geometry.highlight.address();
-    data.visibleClusters = transient.visibleClusters.address();
-    data.visibleLets = transient.visibleLets.address();
-    data.letDraws = transient.letDraws.address();
-    data.visibleInstances = transient.visibleInstances.address();
-    data.capDraws = transient.capDraws.address();
-    data.wallDraws = transient.wallDraws.address();
+    data.visibleClusters = lists.visibleClusters.address;
+    data.visibleLets = lists.visibleLets.address;
+    data.letDraws = lists.letDraws.address;
+    data.visibleInstances = lists.visibleInstances.address;
+    data.capDraws = lists.capDraws.address;
+    data.wallDraws = lists.wallDraws.address;
     data.standardParts = standard ? standard->records.address() : 0;
 }
 
-BoardScene::BoardScene(gpu::Device& device, const BoardModel& model) : m_impl(std::make_unique<Impl>(device, model)) {}
+BoardScene::Impl::Impl(gpu::Device& owner, const BoardModel& model, std::uint64_t mostListBytes)
+    : device(&owner),
+      uploads(owner, 1, "scene updates"),
+      layers(layersOf(model)),
+      letTables(makeLetTables()),
+      letIndices(SceneLoader(owner).load("letIndices", letTables.indices)),
+      steps(loadSteps(owner, model)),
+      copies(model.copies),
+      lists(makeLists(owner, steps, copies, mostListBytes)) {}
+
+BoardScene::BoardScene(gpu::Device& device, const BoardModel& model, std::uint64_t mostListBytes)
+    : m_impl(std::make_unique<Impl>(device, model, mostListBytes)) {}
 BoardScene::~BoardScene() = default;
 BoardScene::BoardScene(BoardScene&&) noexcept = default;
 BoardScene& BoardScene::operator=(BoardScene&&) noexcept = default;
@@ -181,28 +256,33 @@ void BoardScene::setStyles(std::span<const LayerStyle> styles) {
     m_impl->layers.styles.assign(styles.begin(), styles.end());
 }
 
-void BoardScene::setHighlight(std::span<const model::ElementId> elements) {
-    std::vector<std::uint32_t> words(m_impl->elementWords);
+void BoardScene::setHighlight(std::span<const model::ElementId> elements, std::uint32_t step) {
+    const SceneStep& owner = m_impl->steps[step];
+    std::vector<std::uint32_t> words(owner.elementWords);
     for (const model::ElementId element : elements) {
         // Elements after the last one drawn have no bit: empty areas, say.
         if (element.row() / 32 < words.size()) {
             words[element.row() / 32] |= 1U << (element.row() % 32);
         }
     }
-    gpu::upload(m_impl->uploads, m_impl->geometry.highlight, std::as_bytes(std::span(words)));
+    gpu::upload(m_impl->uploads, owner.geometry.highlight, std::as_bytes(std::span(words)));
+}
+
+std::uint64_t BoardScene::geometryBytes() const {
+    std::uint64_t bytes = m_impl->letIndices.size();
+    for (const SceneStep& step : m_impl->steps) {
+        const GeometryBuffers& g = step.geometry;
+        bytes += step.standard ? step.standard->bytes() : 0;
+        for (const Buffer* buffer : {&g.lets, &g.clusters, &g.vertices, &g.next, &g.indices, &g.instances,
+                                     &g.drawOfInstance, &g.bounds, &g.highlight, &g.capDraws, &g.wallDraws}) {
+            bytes += buffer->size();
+        }
+    }
+    return bytes;
 }
 
 std::uint64_t BoardScene::gpuBytes() const {
-    const GeometryBuffers& g = m_impl->geometry;
-    const TransientBuffers& t = m_impl->transient;
-    std::uint64_t bytes = m_impl->standard ? m_impl->standard->bytes() : 0;
-    for (const Buffer* buffer :
-         {&g.lets, &g.clusters, &g.vertices, &g.next, &g.indices, &g.instances, &g.drawOfInstance, &g.bounds,
-          &g.highlight, &g.capDraws, &g.wallDraws, &g.letIndices, &t.visibleClusters, &t.visibleLets, &t.letDraws,
-          &t.visibleInstances, &t.capDraws, &t.wallDraws}) {
-        bytes += buffer->size();
-    }
-    return bytes;
+    return geometryBytes() + m_impl->lists.size();
 }
 
 }  // namespace render

@@ -30,6 +30,9 @@ constexpr float kNudgeParallel = 0x1p-21F;
 /// outline is 1000 times as long as wide) were seen to stray by that share of depth range over width in pixels.
 constexpr float kPositionRoundingPx = 0x1p-15F;
 
+/// Where the light comes from, seen from above: from over the left shoulder.
+const glm::vec2 kLight = glm::normalize(glm::vec2(-0.55F, 0.83F));
+
 /// Larger than this the sine of the view angle to the board counts as straight.
 constexpr float kStraight = 0.9999995F;
 
@@ -75,11 +78,14 @@ std::vector<SeenFaces> facesOfLayers(const Eye& eye, std::span<const shader::Lay
 
 /// What is seen of any visible layer. Seen edge-on neither face shows: walls alone are no run that starts or ends the
 /// tables, so all are drawn.
-SeenFaces unionOf(std::span<const SeenFaces> faces, std::span<const shader::LayerState> layers) {
+SeenFaces seenOfAny(const FramePlan& plan) {
     SeenFaces all{false, false, false};
-    for (std::size_t i = 0; i < layers.size(); ++i) {
-        if ((layers[i].flags & shader::kLayerVisible) != 0) {
-            all = {all.upper || faces[i].upper, all.walls || faces[i].walls, all.lower || faces[i].lower};
+    for (const LayerPlan* layers : {&plan.upright, &plan.flipped}) {
+        for (std::size_t i = 0; i < layers->states.size(); ++i) {
+            const SeenFaces& faces = layers->faces[i];
+            if ((layers->states[i].flags & shader::kLayerVisible) != 0) {
+                all = {all.upper || faces.upper, all.walls || faces.walls, all.lower || faces.lower};
+            }
         }
     }
     return all.upper || all.lower ? all : SeenFaces{};
@@ -146,14 +152,11 @@ std::vector<std::uint32_t> visibleFromBack(const std::vector<shader::LayerState>
     return order;
 }
 
-std::vector<LayerBatch> makeBatches(const SceneLayers& scene, std::vector<shader::LayerState>& layers,
-                                    bool isSeenFromAbove) {
+std::vector<LayerBatch> makeBatches(std::vector<shader::LayerState>& layers, bool isSeenFromAbove) {
     std::vector<LayerBatch> batches(1);
     const auto add = [&](std::size_t batch, std::uint32_t layer) {
         layers[layer].batch = static_cast<std::uint32_t>(batch);
-        batches[batch].layers.push_back(layer);
-        batches[batch].openLets += scene.layers[layer].openLets;
-        batches[batch].tubes += scene.layers[layer].tubes;
+        batches[batch].push_back(layer);
     };
     // Opaque ones from the front: what they hide is not shaded.
     std::vector<std::uint32_t> opaque = visibleFromBack(layers, false, isSeenFromAbove);
@@ -166,6 +169,37 @@ std::vector<LayerBatch> makeBatches(const SceneLayers& scene, std::vector<shader
         add(batches.size() - 1, layer);
     }
     return batches;
+}
+
+LayerPlan planLayers(const SceneLayers& scene, const ViewSettings& settings, const Eye& eye) {
+    LayerPlan plan;
+    plan.states = layerStates(scene, settings);
+    rankFaces(plan.states, &shader::LayerState::z0, shader::kLayerBottomRankShift);
+    rankFaces(plan.states, &shader::LayerState::z1, shader::kLayerTopRankShift);
+    plan.batches = makeBatches(plan.states, eye.direction.z <= 0.0F);
+    plan.faces = facesOfLayers(eye, plan.states);
+    return plan;
+}
+
+/// Turned over, a layer looks like the one it lies on; one without a counterpart keeps its looks and lies at its mirror
+/// image.
+LayerPlan flippedPlan(const SceneLayers& scene, const LayerPlan& upright, const Eye& eye) {
+    LayerPlan plan;
+    plan.batches.resize(upright.batches.size());
+    for (std::uint32_t row = 0; row < scene.layers.size(); ++row) {
+        const model::LayerId opposite = scene.layers[row].opposite;
+        shader::LayerState state = upright.states[opposite.isValid() ? opposite.row() : row];
+        if (!opposite.isValid()) {
+            state.z0 = scene.facesMm - upright.states[row].z1;
+            state.z1 = scene.facesMm - upright.states[row].z0;
+        }
+        if ((state.flags & shader::kLayerVisible) != 0) {
+            plan.batches[state.batch].push_back(row);
+        }
+        plan.states.push_back(state);
+    }
+    plan.faces = facesOfLayers(eye, plan.states);
+    return plan;
 }
 
 /// Planes of the frustum as combinations of the matrix rows, scaled to millimetres: 0 <= z <= w, -w <= x, y <= w.
@@ -206,12 +240,9 @@ FramePlan planFrame(const SceneLayers& scene, const Camera& camera, const ViewSe
     const auto pixelHeight = static_cast<float>(height);
     const Eye eye = makeEye(camera, static_cast<float>(width) / pixelHeight);
     FramePlan plan;
-    plan.layers = layerStates(scene, settings);
-    rankFaces(plan.layers, &shader::LayerState::z0, shader::kLayerBottomRankShift);
-    rankFaces(plan.layers, &shader::LayerState::z1, shader::kLayerTopRankShift);
-    plan.batches = makeBatches(scene, plan.layers, eye.direction.z <= 0.0F);
-    plan.facesOfLayers = facesOfLayers(eye, plan.layers);
-    plan.faces = unionOf(plan.facesOfLayers, plan.layers);
+    plan.upright = planLayers(scene, settings, eye);
+    plan.flipped = scene.hasFlipped ? flippedPlan(scene, plan.upright, eye) : LayerPlan{};
+    plan.faces = seenOfAny(plan);
 
     shader::FrameData& data = plan.data;
     data.clipFromBoard = glm::mat4(eye.clipFromCentred);
@@ -228,6 +259,7 @@ FramePlan planFrame(const SceneLayers& scene, const Camera& camera, const ViewSe
         eye.isParallel ? std::abs(camera.projection(1.0F)[2][2]) / kNudgeParallel : 1.0F / kNudgePerspective;
     data.sliverNudge = kPositionRoundingPx * depthPerMm / data.pixelsPerMm;
     data.boreProudMm = std::max(kBoreProudMm, kBoreProudSteps * eye.stepMm);
+    data.light = kLight;
     data.flags = flagsOf(settings);
     setTriangleRun(plan.faces, data);
     return plan;

@@ -15,32 +15,33 @@ struct SceneLayers {
     struct Layer {
         float z0 = 0.0F;  ///< before explosion, mm
         float z1 = 0.0F;
-        bool hasAreas = false;
-        std::uint32_t openLets = 0;  ///< lets by topology (ladder.h)
-        std::uint32_t tubes = 0;
-        LayerRun clusters;
-        LayerRun areaBatches;
+        bool hasAreas = false;    ///< in any step
+        model::LayerId opposite;  ///< where the layer of a flipped copy lies; none: at its own mirror image
     };
     std::vector<Layer> layers;
     std::vector<LayerStyle> styles;  ///< one per layer
     float widthMm = 0.0F;            ///< longer side of the board
+    float facesMm = 0.0F;            ///< BoardModel::facesMm
+    bool hasFlipped = false;         ///< some copies are flipped
 };
 
 /// Layers that are drawn together.
-struct LayerBatch {
-    std::vector<std::uint32_t> layers;
-    std::uint32_t openLets = 0;
-    std::uint32_t tubes = 0;
+using LayerBatch = std::vector<std::uint32_t>;
+
+/// The layers of a step as a copy shows them: upright, or flipped on the layers of the other side. Rows are the step's.
+struct LayerPlan {
+    std::vector<shader::LayerState> states;
+    std::vector<LayerBatch> batches;  ///< [0] all opaque layers from the front, then one per translucent layer
+                                      ///< from the back
+    std::vector<SeenFaces> faces;     ///< per layer
 };
 
 /// Everything decided on the CPU before a frame is recorded.
 struct FramePlan {
-    std::vector<shader::LayerState> layers;
-    std::vector<LayerBatch> batches;  ///< [0] all opaque layers from the front, then one per translucent layer
-                                      ///< from the back
-    std::vector<SeenFaces> facesOfLayers;
+    LayerPlan upright;
+    LayerPlan flipped;         ///< empty if nothing is flipped; its batches are those of the layers its own lie on
     SeenFaces faces;           ///< of any layer
-    shader::FrameData data{};  ///< all but the addresses and counts of the scene
+    shader::FrameData data{};  ///< for the board itself, all but the addresses and counts of the scene
 };
 
 /// `width` and `height` of the picture in pixels.

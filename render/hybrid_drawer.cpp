@@ -14,15 +14,20 @@ public:
     HybridDrawer(gpu::Device& device, const TargetFormat& target, Backend lets)
         : m_areas(device, target), m_lets(makeLetBackend(device, target, lets)) {}
 
-    void cull(const Recording& recording) override {
-        // Draw lists are shared by all frames: the one before must be done with them.
-        gpu::memoryBarrier(recording.commands(), gpu::kAnything, gpu::kCopyWrite);
-        m_areas.reset(recording);
-        m_lets->reset(recording);
-        gpu::memoryBarrier(recording.commands(), gpu::kCopyWrite, gpu::kCompute);
-        m_areas.cull(recording);
-        m_lets->cull(recording);
-        gpu::memoryBarrier(recording.commands(), gpu::kCompute, gpu::kAnyRead);
+    void cull(std::span<const Recording> group) override {
+        VkCommandBuffer commands = group.front().commands();
+        // Draw lists are shared by all groups and frames: the one before must be done with them.
+        gpu::memoryBarrier(commands, gpu::kAnything, gpu::kCopyWrite);
+        for (const Recording& recording : group) {
+            m_areas.reset(recording);
+            m_lets->reset(recording);
+        }
+        gpu::memoryBarrier(commands, gpu::kCopyWrite, gpu::kCompute);
+        for (const Recording& recording : group) {
+            m_areas.cull(recording);
+        }
+        m_lets->cull(group);
+        gpu::memoryBarrier(commands, gpu::kCompute, gpu::kAnyRead);
     }
 
     void draw(const Recording& recording, std::uint32_t batch, gpu::Pass pass) override {

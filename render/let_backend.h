@@ -27,11 +27,15 @@ struct TargetFormat {
                                               std::span<const gpu::ShaderStage> stages, bool cullsBackFaces,
                                               const TargetFormat& target);
 
-/// A frame being recorded.
+/// A frame being recorded: one copy of a step on it.
 struct Recording {
     gpu::Frame& frame;
     const FramePlan& plan;
     const BoardScene::Impl& scene;
+    const LayerPlan& layers;  ///< upright or flipped
+    const SceneStep& step;
+    DrawLists lists;
+    bool isMirrored = false;
     VkDeviceAddress frameData = 0;
 
     [[nodiscard]] VkCommandBuffer commands() const { return frame.commands(); }
@@ -44,7 +48,7 @@ public:
     /// Copies that must be done before `cull`.
     virtual void reset(const Recording& recording) = 0;
     /// Compute work before drawing begins.
-    virtual void cull(const Recording& recording) = 0;
+    virtual void cull(std::span<const Recording> recordings) = 0;
     virtual void draw(const Recording& recording, std::uint32_t batch, gpu::Pass pass) = 0;
 };
 

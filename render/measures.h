@@ -16,7 +16,7 @@ namespace render {
 /// Triangles of the frame of this size that was drawn last from `scene`, from the draw lists that the culling pass
 /// left on the device; faces that a layer turns away are not among them, translucent layers count once. In the hybrid
 /// pipeline the frame must have been drawn by the pull back end; the others make the same choices. None if the device
-/// is lost.
+/// is lost, or if the copies of a panel were drawn in several groups.
 [[nodiscard]] std::optional<std::uint64_t> drawnTriangles(BoardScene& scene, const Camera& camera,
                                                           const ViewSettings& settings, std::uint32_t width,
                                                           std::uint32_t height);

@@ -20,14 +20,14 @@ public:
     }
 
     void reset(const Recording&) override {}
-    void cull(const Recording&) override {}
+    void cull(std::span<const Recording>) override {}
 
     void draw(const Recording& recording, std::uint32_t batch, gpu::Pass pass) override {
         m_pipelines[passRow(pass)].bind(recording.commands());
         // Neighbouring layers have neighbouring clusters: runs of visible layers are one draw.
         LayerRun run;
-        for (const std::uint32_t layer : recording.plan.batches[batch].layers) {
-            const LayerRun clusters = recording.scene.layers.layers[layer].clusters;
+        for (const std::uint32_t layer : recording.layers.batches[batch]) {
+            const LayerRun clusters = recording.step.layers[layer].clusters;
             if (clusters.first != run.first + run.count) {
                 drawRun(recording, pass, run);
                 run = {clusters.first, 0};

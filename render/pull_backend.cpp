@@ -8,24 +8,40 @@
 namespace render {
 namespace {
 
+/// Lets of a batch by topology.
+struct LetCounts {
+    std::uint32_t open = 0;
+    std::uint32_t tubes = 0;
+};
+
+LetCounts letsOf(const SceneStep& step, const LayerBatch& batch) {
+    LetCounts counts;
+    for (const std::uint32_t layer : batch) {
+        counts.open += step.layers[layer].openLets;
+        counts.tubes += step.layers[layer].tubes;
+    }
+    return counts;
+}
+
 /// How many lets of a batch a bucket may be asked to hold: all of its topology. Tubes of less than a pixel join the
 /// open quads.
-std::uint32_t capacityOf(const LayerBatch& batch, std::uint32_t topology, std::uint32_t level) {
+std::uint32_t capacityOf(const LetCounts& lets, std::uint32_t topology, std::uint32_t level) {
     if (level == shader::kLevelQuad) {
-        return topology == shader::kTopologyOpen ? batch.openLets + batch.tubes : 0;
+        return topology == shader::kTopologyOpen ? lets.open + lets.tubes : 0;
     }
-    return topology == shader::kTopologyOpen ? batch.openLets : batch.tubes;
+    return topology == shader::kTopologyOpen ? lets.open : lets.tubes;
 }
 
 /// The commands of all batches before culling; `firstInstance` is where a bucket's lets begin in `visibleLets`.
 std::vector<shader::DrawIndexed> emptyDraws(const Recording& recording) {
     std::vector<shader::DrawIndexed> draws;
     std::uint32_t firstInstance = 0;
-    for (const LayerBatch& batch : recording.plan.batches) {
+    for (const LayerBatch& batch : recording.layers.batches) {
+        const LetCounts lets = letsOf(recording.step, batch);
         for (std::uint32_t bucket = 0; bucket < shader::kBucketCount; ++bucket) {
             const IndexRun run = recording.scene.letTables.run(bucket, recording.plan.faces);
             draws.push_back({run.count, 0, run.first, 0, firstInstance});
-            firstInstance += capacityOf(batch, bucket / shader::kLevelCount, bucket % shader::kLevelCount);
+            firstInstance += capacityOf(lets, bucket / shader::kLevelCount, bucket % shader::kLevelCount);
         }
     }
     return draws;
@@ -44,35 +60,41 @@ public:
     void reset(const Recording& recording) override {
         const gpu::Frame::Slice draws =
             recording.frame.put(std::span<const shader::DrawIndexed>(emptyDraws(recording)));
-        const VkBufferCopy region{draws.offset, 0, draws.bytes.size()};
-        const TransientBuffers& lists = recording.scene.transient;
-        vkCmdCopyBuffer(recording.commands(), draws.buffer, lists.letDraws.handle(), 1, &region);
+        const DrawLists& lists = recording.lists;
+        const VkBufferCopy region{draws.offset, lists.letDraws.offset, draws.bytes.size()};
+        vkCmdCopyBuffer(recording.commands(), draws.buffer, lists.letDraws.buffer, 1, &region);
         constexpr std::uint32_t kNoClusters[] = {0, 1, 1, 0};  // a dispatch of no workgroups, then the count
-        vkCmdUpdateBuffer(recording.commands(), lists.visibleClusters.handle(), 0, sizeof(kNoClusters), kNoClusters);
+        vkCmdUpdateBuffer(recording.commands(), lists.visibleClusters.buffer, lists.visibleClusters.offset,
+                          sizeof(kNoClusters), kNoClusters);
     }
 
-    void cull(const Recording& recording) override {
-        const shader::Push push{recording.frameData, 0, 0};
-        m_cullClusters.bind(recording.commands());
-        m_cullClusters.push(recording.commands(), push);
-        const std::uint32_t groups =
-            (recording.scene.clusterCount + shader::kCullGroupSize - 1) / shader::kCullGroupSize;
-        vkCmdDispatch(recording.commands(), groups, 1, 1);
-        gpu::memoryBarrier(recording.commands(), gpu::kCompute, gpu::kAnyRead);
-        m_cullLets.bind(recording.commands());
-        m_cullLets.push(recording.commands(), push);
-        vkCmdDispatchIndirect(recording.commands(), recording.scene.transient.visibleClusters.handle(), 0);
+    void cull(std::span<const Recording> recordings) override {
+        for (const Recording& recording : recordings) {
+            m_cullClusters.bind(recording.commands());
+            m_cullClusters.push(recording.commands(), shader::Push{recording.frameData, 0, 0});
+            const std::uint32_t groups =
+                (recording.step.clusterCount + shader::kCullGroupSize - 1) / shader::kCullGroupSize;
+            vkCmdDispatch(recording.commands(), groups, 1, 1);
+        }
+        gpu::memoryBarrier(recordings.front().commands(), gpu::kCompute, gpu::kAnyRead);
+        for (const Recording& recording : recordings) {
+            m_cullLets.bind(recording.commands());
+            m_cullLets.push(recording.commands(), shader::Push{recording.frameData, 0, 0});
+            vkCmdDispatchIndirect(recording.commands(), recording.lists.visibleClusters.buffer,
+                                  recording.lists.visibleClusters.offset);
+        }
     }
 
     void draw(const Recording& recording, std::uint32_t batch, gpu::Pass pass) override {
         const gpu::Pipeline& pipeline = m_pipelines[passRow(pass)];
         pipeline.bind(recording.commands());
         pipeline.push(recording.commands(), shader::Push{recording.frameData, 0, 0});
-        vkCmdBindIndexBuffer(recording.commands(), recording.scene.geometry.letIndices.handle(), 0,
-                             VK_INDEX_TYPE_UINT32);
+        vkCmdBindIndexBuffer(recording.commands(), recording.scene.letIndices.handle(), 0, VK_INDEX_TYPE_UINT32);
         constexpr std::uint32_t kStride = sizeof(shader::DrawIndexed);
-        vkCmdDrawIndexedIndirect(recording.commands(), recording.scene.transient.letDraws.handle(),
-                                 std::uint64_t{batch} * shader::kBucketCount * kStride, shader::kBucketCount, kStride);
+        vkCmdDrawIndexedIndirect(
+            recording.commands(), recording.lists.letDraws.buffer,
+            recording.lists.letDraws.offset + std::uint64_t{batch} * shader::kBucketCount * kStride,
+            shader::kBucketCount, kStride);
     }
 
 private:

@@ -9,13 +9,13 @@ namespace {
 
 constexpr VkImageAspectFlags kDepthAspects = VK_IMAGE_ASPECT_DEPTH_BIT | VK_IMAGE_ASPECT_STENCIL_BIT;
 
-VkRenderingAttachmentInfo depthAttachment(VkImageView view) {
+VkRenderingAttachmentInfo depthAttachment(VkImageView view, VkAttachmentLoadOp load) {
     auto info = gpu::vkInfo<VkRenderingAttachmentInfo>(VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO);
     info.imageView = view;
     info.imageLayout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
-    info.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
-    info.storeOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
-    info.clearValue.depthStencil = {0.0F, 0};  // reversed: 0 is farthest
+    info.loadOp = load;
+    info.storeOp = VK_ATTACHMENT_STORE_OP_STORE;  // drawing may go on after a pause
+    info.clearValue.depthStencil = {0.0F, 0};     // reversed: 0 is farthest
     return info;
 }
 
@@ -60,18 +60,32 @@ void RenderTarget::makeReady(VkCommandBuffer commands) const {
 
 void RenderTarget::begin(VkCommandBuffer commands, const glm::vec3& background) const {
     makeReady(commands);
+    start(commands, VK_ATTACHMENT_LOAD_OP_CLEAR, background);
+}
+
+void RenderTarget::pause(VkCommandBuffer commands) const {
+    vkCmdEndRendering(commands);
+}
+
+void RenderTarget::resume(VkCommandBuffer commands) const {
+    gpu::memoryBarrier(commands, gpu::kColour, gpu::kColour);
+    gpu::memoryBarrier(commands, gpu::kDepth, gpu::kDepth);
+    start(commands, VK_ATTACHMENT_LOAD_OP_LOAD, {});
+}
+
+void RenderTarget::start(VkCommandBuffer commands, VkAttachmentLoadOp load, const glm::vec3& background) const {
     auto colour = gpu::vkInfo<VkRenderingAttachmentInfo>(VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO);
     colour.imageView = isSmoothed() ? m_samples.view() : m_colour.view();
     colour.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-    colour.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
-    colour.storeOp = isSmoothed() ? VK_ATTACHMENT_STORE_OP_DONT_CARE : VK_ATTACHMENT_STORE_OP_STORE;
+    colour.loadOp = load;
+    colour.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
     colour.clearValue.color = {{background.r, background.g, background.b, 1.0F}};
     if (isSmoothed()) {
         colour.resolveMode = VK_RESOLVE_MODE_AVERAGE_BIT;
         colour.resolveImageView = m_colour.view();
         colour.resolveImageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
     }
-    const VkRenderingAttachmentInfo depth = depthAttachment(m_depth.view());
+    const VkRenderingAttachmentInfo depth = depthAttachment(m_depth.view(), load);
     auto info = gpu::vkInfo<VkRenderingInfo>(VK_STRUCTURE_TYPE_RENDERING_INFO);
     info.renderArea = {{0, 0}, m_extent};
     info.layerCount = 1;
@@ -84,6 +98,7 @@ void RenderTarget::begin(VkCommandBuffer commands, const glm::vec3& background) 
                               0.0F, 1.0F};
     vkCmdSetViewport(commands, 0, 1, &viewport);
     vkCmdSetScissor(commands, 0, 1, &info.renderArea);
+    gpu::Pipeline::setFrontFace(commands, false);
 }
 
 void RenderTarget::end(VkCommandBuffer commands) const {

@@ -21,6 +21,9 @@ public:
 
     /// Starts drawing on a cleared target; `background` is linear.
     void begin(VkCommandBuffer commands, const glm::vec3& background) const;
+    /// Between these two other work may be recorded; what was drawn is kept.
+    void pause(VkCommandBuffer commands) const;
+    void resume(VkCommandBuffer commands) const;
     /// Ends drawing and leaves the picture in `picture()`, ready to be copied from.
     void end(VkCommandBuffer commands) const;
     [[nodiscard]] VkImage picture() const { return m_colour.handle(); }
@@ -28,6 +31,7 @@ public:
 private:
     [[nodiscard]] bool isSmoothed() const { return m_format.samples != VK_SAMPLE_COUNT_1_BIT; }
     void makeReady(VkCommandBuffer commands) const;
+    void start(VkCommandBuffer commands, VkAttachmentLoadOp load, const glm::vec3& background) const;
 
     gpu::Device* m_device;
     VkExtent2D m_extent{};

@@ -5,14 +5,12 @@
 #include <algorithm>
 #include <array>
 
+#include "render/frame_copies.h"
 #include "render/gpu/device_select.h"
 #include "render/scene_drawer.h"
 
 namespace render {
 namespace {
-
-/// Workgroups along x that every device dispatches (Vulkan's required limit).
-constexpr std::uint32_t kMaxDispatch = 65535;
 
 /// The stencil holds the last translucent batch that coloured a sample. With more than 255 of them numbers repeat: then
 /// it is cleared.
@@ -23,14 +21,6 @@ void clearStencil(VkCommandBuffer commands, VkExtent2D extent) {
     what.aspectMask = VK_IMAGE_ASPECT_STENCIL_BIT;
     const VkClearRect where{{{0, 0}, extent}, 0, 1};
     vkCmdClearAttachments(commands, 1, &what, 1, &where);
-}
-
-VkDeviceAddress putFrameData(gpu::Frame& frame, const FramePlan& plan, const BoardScene::Impl& scene) {
-    shader::FrameData data = plan.data;
-    scene.setAddresses(data);
-    data.layers = frame.put(std::span<const shader::LayerState>(plan.layers)).address;
-    data.maxDispatch = kMaxDispatch;
-    return frame.put(std::span<const shader::FrameData>(&data, 1)).address;
 }
 
 glm::vec3 background(const ViewSettings& settings) {
@@ -62,20 +52,73 @@ struct Renderer::Drawers {
           scene(which == Backend::Standard ? makeStandardDrawer(device, target)
                                            : makeHybridDrawer(device, target, which)) {}
 
-    /// Translucent layers one after the other from the back: first which of its surfaces is in front, then that one's
-    /// colour, once per sample. So the picture does not depend on the order of draws inside a layer.
-    void drawTranslucent(const Recording& recording, VkExtent2D extent) const {
-        for (std::uint32_t batch = 1; batch < recording.plan.batches.size(); ++batch) {
-            const std::uint32_t reference = (batch - 1) % kStencilReferences + 1;
-            if (batch > 1 && reference == 1) {
-                clearStencil(recording.commands(), extent);
-            }
-            scene->draw(recording, batch, gpu::Pass::DepthOnly);
-            vkCmdSetStencilReference(recording.commands(), VK_STENCIL_FACE_FRONT_AND_BACK, reference);
-            scene->draw(recording, batch, gpu::Pass::Blend);
+    void drawBatch(std::span<const Recording> group, std::uint32_t batch, gpu::Pass pass) const {
+        for (const Recording& recording : group) {
+            gpu::Pipeline::setFrontFace(recording.commands(), recording.isMirrored);
+            scene->draw(recording, batch, pass);
         }
     }
 };
+
+namespace {
+
+/// A picture being drawn. A single group of copies is looked through once, before drawing begins; several take turns in
+/// the draw lists, and drawing pauses whenever another one comes.
+class Picture {
+public:
+    Picture(const Renderer::Drawers& drawers, const FrameCopies& copies, const RenderTarget& target,
+            VkCommandBuffer commands)
+        : m_drawers(drawers), m_groups(copies.groups()), m_target(target), m_commands(commands) {}
+
+    void begin(const glm::vec3& ground) {
+        if (!m_groups.empty()) {
+            m_drawers.scene->cull(m_groups.front());
+        }
+        m_target.begin(m_commands, ground);
+    }
+
+    void drawOpaque() {
+        forGroups([&](std::span<const Recording> group) { m_drawers.drawBatch(group, 0, gpu::Pass::Opaque); });
+    }
+
+    /// Translucent layers one after the other from the back: first which of its surfaces is in front, then that one's
+    /// colour, once per sample. So the picture does not depend on the order of draws inside a layer.
+    void drawTranslucent(std::size_t batches) {
+        for (std::uint32_t batch = 1; batch < batches; ++batch) {
+            const std::uint32_t reference = (batch - 1) % kStencilReferences + 1;
+            if (batch > 1 && reference == 1) {
+                clearStencil(m_commands, m_target.extent());
+            }
+            forGroups([&](std::span<const Recording> group) {
+                m_drawers.drawBatch(group, batch, gpu::Pass::DepthOnly);
+                vkCmdSetStencilReference(m_commands, VK_STENCIL_FACE_FRONT_AND_BACK, reference);
+                m_drawers.drawBatch(group, batch, gpu::Pass::Blend);
+            });
+        }
+    }
+
+private:
+    template <class Draw>
+    void forGroups(const Draw& draw) {
+        for (std::size_t group = 0; group < m_groups.size(); ++group) {
+            if (group != m_listed) {
+                m_target.pause(m_commands);
+                m_drawers.scene->cull(m_groups[group]);
+                m_target.resume(m_commands);
+                m_listed = group;
+            }
+            draw(m_groups[group]);
+        }
+    }
+
+    const Renderer::Drawers& m_drawers;
+    const std::vector<std::vector<Recording>>& m_groups;
+    const RenderTarget& m_target;
+    VkCommandBuffer m_commands;
+    std::size_t m_listed = 0;  ///< the group whose draw lists are there
+};
+
+}  // namespace
 
 Renderer::Renderer(gpu::Device& device) : m_device(&device) {}
 Renderer::~Renderer() = default;
@@ -123,7 +166,7 @@ Backend Renderer::record(gpu::Frame& frame, RenderTarget& target, VkExtent2D ext
     const bool isSmoothed =
         settings.isSmoothed && !settings.isMono && caps.canSmooth && fitsOn(caps, extent, VK_SAMPLE_COUNT_4_BIT);
     const TargetFormat format{colour, isSmoothed ? VK_SAMPLE_COUNT_4_BIT : VK_SAMPLE_COUNT_1_BIT};
-    const bool isStandard = scene != nullptr && scene->impl().standard.has_value();
+    const bool isStandard = scene != nullptr && scene->impl().steps.front().standard.has_value();
     const Backend backend = isStandard ? Backend::Standard : resolve(settings.backend);
     target.setSize(extent, format);
     if (scene == nullptr) {
@@ -134,11 +177,11 @@ Backend Renderer::record(gpu::Frame& frame, RenderTarget& target, VkExtent2D ext
     }
     const Drawers& drawers = drawersFor(format, backend);
     const FramePlan plan = planFrame(scene->impl().layers, camera, settings, extent.width, extent.height);
-    const Recording recording{frame, plan, scene->impl(), putFrameData(frame, plan, scene->impl())};
-    drawers.scene->cull(recording);
-    target.begin(frame.commands(), background(settings));
-    drawers.scene->draw(recording, 0, gpu::Pass::Opaque);
-    drawers.drawTranslucent(recording, extent);
+    const FrameCopies copies(frame, plan, scene->impl());
+    Picture picture(drawers, copies, target, frame.commands());
+    picture.begin(background(settings));
+    picture.drawOpaque();
+    picture.drawTranslucent(plan.upright.batches.size());
     drawOverlay(frame, format, settings.overlay);
     target.end(frame.commands());
     return backend;

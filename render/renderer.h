@@ -21,8 +21,9 @@ public:
     Backend record(gpu::Frame& frame, RenderTarget& target, VkExtent2D extent, VkFormat colour, BoardScene* scene,
                    const Camera& camera, const ViewSettings& settings);
 
-private:
     struct Drawers;
+
+private:
     Drawers& drawersFor(const TargetFormat& format, Backend backend);
     [[nodiscard]] Backend resolve(Backend wanted);
     void drawOverlay(gpu::Frame& frame, const TargetFormat& format, const Overlay& overlay);

@@ -8,7 +8,7 @@
 
 namespace render {
 
-/// The board on the GPU: one buffer per column, made once.
+/// A step on the GPU: one buffer per column, made once.
 struct GeometryBuffers {
     gpu::Buffer lets;
     gpu::Buffer clusters;
@@ -21,17 +21,25 @@ struct GeometryBuffers {
     gpu::Buffer highlight;
     gpu::Buffer capDraws;  ///< commands without instances: what each frame starts from
     gpu::Buffer wallDraws;
-    gpu::Buffer letIndices;
 };
 
-/// Rewritten by every frame. One set serves all views: they draw one after the other on one queue.
-struct TransientBuffers {
-    gpu::Buffer visibleClusters;
-    gpu::Buffer visibleLets;
-    gpu::Buffer letDraws;
-    gpu::Buffer visibleInstances;
-    gpu::Buffer capDraws;
-    gpu::Buffer wallDraws;
+/// A part of a buffer.
+struct BufferPart {
+    VkBuffer buffer = VK_NULL_HANDLE;
+    std::uint64_t offset = 0;
+    std::uint64_t size = 0;
+    VkDeviceAddress address = 0;
+};
+
+/// What drawing one copy of a step rewrites in every frame: which of its parts are seen, and the commands that draw
+/// them.
+struct DrawLists {
+    BufferPart visibleClusters;
+    BufferPart visibleLets;
+    BufferPart letDraws;
+    BufferPart visibleInstances;
+    BufferPart capDraws;
+    BufferPart wallDraws;
 };
 
 /// The board in the standard pipeline: buffers by part.
@@ -45,23 +53,49 @@ struct StandardBuffers {
     [[nodiscard]] std::uint64_t bytes() const;
 };
 
-struct BoardScene::Impl {
-    gpu::Device* device = nullptr;
-    gpu::FrameRing uploads;  ///< for small changes; its memory stays small
-    SceneLayers layers;
-    LetTables letTables;
+/// A step as the back ends draw it.
+struct SceneStep {
+    struct Layer {
+        std::uint32_t openLets = 0;  ///< lets by topology (ladder.h)
+        std::uint32_t tubes = 0;
+        LayerRun clusters;
+        LayerRun areaBatches;
+    };
+    std::vector<Layer> layers;
+    glm::vec2 reachMin{0.0F};  ///< of everything it draws, mm
+    glm::vec2 reachMax{0.0F};
+    std::uint32_t letCount = 0;
     std::uint32_t clusterCount = 0;
     std::uint32_t instanceCount = 0;
     std::uint32_t areaDrawCount = 0;
     std::uint32_t elementWords = 0;  ///< of the highlight buffer
     GeometryBuffers geometry;
-    TransientBuffers transient;
     std::optional<StandardBuffers> standard;  ///< then there is nothing but this and the highlight
 
-    Impl(gpu::Device& owner, const BoardModel& model);
+    /// `layerCount` of the board; a step has the same rows or fewer.
+    SceneStep(gpu::Device& device, const BoardModel& model, std::size_t layerCount);
+    SceneStep(gpu::Device& device, const StandardModel& model);
+    [[nodiscard]] bool isEmpty() const { return clusterCount == 0 && instanceCount == 0 && !standard; }
+    /// Bytes of the draw lists of one copy.
+    [[nodiscard]] std::uint64_t listBytes() const;
+    [[nodiscard]] DrawLists listsAt(const gpu::Buffer& buffer, std::uint64_t offset) const;
+    /// Fills in where the shaders of a frame find this step.
+    void setAddresses(shader::FrameData& data, const DrawLists& lists) const;
+};
+
+struct BoardScene::Impl {
+    gpu::Device* device = nullptr;
+    gpu::FrameRing uploads;  ///< for small changes; its memory stays small
+    SceneLayers layers;
+    LetTables letTables;
+    gpu::Buffer letIndices;
+    std::vector<SceneStep> steps;  ///< the board itself first
+    std::vector<ModelCopy> copies;
+    /// Draw lists of as many copies as fit. One buffer serves all views: they draw one after the other on one queue.
+    gpu::Buffer lists;
+
+    Impl(gpu::Device& owner, const BoardModel& model, std::uint64_t mostListBytes);
     Impl(gpu::Device& owner, const StandardModel& model);
-    /// Fills in where the shaders of a frame find this scene.
-    void setAddresses(shader::FrameData& data) const;
 };
 
 }  // namespace render

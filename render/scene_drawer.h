@@ -9,8 +9,8 @@ namespace render {
 class SceneDrawer {
 public:
     virtual ~SceneDrawer() = default;
-    /// Work before drawing begins.
-    virtual void cull(const Recording& recording) = 0;
+    /// Work before drawing begins, for copies whose draw lists lie side by side.
+    virtual void cull(std::span<const Recording> group) = 0;
     virtual void draw(const Recording& recording, std::uint32_t batch, gpu::Pass pass) = 0;
 };
 

@@ -12,13 +12,13 @@ public:
         m_pipelines = makePassPipelines(device, "standard", stages, true, target);
     }
 
-    void cull(const Recording&) override {}
+    void cull(std::span<const Recording>) override {}
 
     void draw(const Recording& recording, std::uint32_t batch, gpu::Pass pass) override {
         const gpu::Pipeline& pipeline = m_pipelines[passRow(pass)];
-        const StandardBuffers& buffers = *recording.scene.standard;
+        const StandardBuffers& buffers = *recording.step.standard;
         pipeline.bind(recording.commands());
-        for (const std::uint32_t layer : recording.plan.batches[batch].layers) {
+        for (const std::uint32_t layer : recording.layers.batches[batch]) {
             const LayerRun run = buffers.partsOfLayer[layer];
             for (std::uint32_t part = run.first; part < run.first + run.count; ++part) {
                 pipeline.push(recording.commands(), shader::Push{recording.frameData, part, 0});

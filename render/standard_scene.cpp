@@ -51,13 +51,17 @@ std::uint64_t StandardBuffers::bytes() const {
     return sum;
 }
 
-BoardScene::Impl::Impl(gpu::Device& owner, const StandardModel& model)
-    : device(&owner),
-      uploads(owner, 1, "scene updates"),
-      layers(layersOf(model)),
+SceneStep::SceneStep(gpu::Device& device, const StandardModel& model)
+    : layers(model.layerBottomMm.size()),
       elementWords((model.elementCount + 31) / 32),
-      standard(loadParts(owner, model)) {
-    geometry.highlight = SceneLoader(owner).load("highlight", std::vector<std::uint32_t>(elementWords));
+      standard(loadParts(device, model)) {
+    geometry.highlight = SceneLoader(device).load("highlight", std::vector<std::uint32_t>(elementWords));
+}
+
+BoardScene::Impl::Impl(gpu::Device& owner, const StandardModel& model)
+    : device(&owner), uploads(owner, 1, "scene updates"), layers(layersOf(model)), copies{ModelCopy{}} {
+    steps.emplace_back(owner, model);
+    lists = gpu::Buffer(owner, {"draw lists", steps.front().listBytes(), gpu::MemoryUse::Transient, false});
 }
 
 BoardScene::BoardScene(gpu::Device& device, const StandardModel& model)

@@ -57,10 +57,12 @@ struct Image {
     std::vector<std::uint8_t> rgba;
 };
 
-/// A board model on the GPU. One per document; every view draws from it.
+/// A board model on the GPU, every step of a panel once. One per document; every view draws from it.
 class BoardScene {
 public:
-    BoardScene(gpu::Device& device, const BoardModel& model);
+    /// Lists of what is seen take `mostListBytes` at most, unless one copy alone needs more; where that is too little
+    /// for all copies in view, they are drawn in several groups.
+    BoardScene(gpu::Device& device, const BoardModel& model, std::uint64_t mostListBytes = 128ULL << 20U);
     /// The same board in the pipeline that the hybrid one is compared with; FrameStats::backend is then Standard.
     BoardScene(gpu::Device& device, const StandardModel& model);
     ~BoardScene();
@@ -68,8 +70,12 @@ public:
     BoardScene& operator=(BoardScene&&) noexcept;
 
     void setStyles(std::span<const LayerStyle> styles);
-    /// One bit per element; changes nothing else on the GPU.
-    void setHighlight(std::span<const model::ElementId> elements);
+    /// One bit per element of the board itself or of a step it places (0 = the board, else 1 + row of
+    /// BoardModel::steps), which lights up in all its copies. Changes nothing else on the GPU.
+    void setHighlight(std::span<const model::ElementId> elements, std::uint32_t step = 0);
+    /// Grows with what is different on the board, not with the number of copies.
+    [[nodiscard]] std::uint64_t geometryBytes() const;
+    /// With the lists of what is seen, which grow with the copies up to their limit.
     [[nodiscard]] std::uint64_t gpuBytes() const;
 
     struct Impl;

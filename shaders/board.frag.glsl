@@ -19,7 +19,7 @@ float brightness(vec3 normal) {
     if (normal.z != 0.0) {
         return 1.0;
     }
-    return 0.36 + 0.22 * dot(normal.xy, normalize(vec2(-0.55, 0.83)));
+    return 0.36 + 0.22 * dot(normal.xy, FRAME.light);
 }
 
 void main() {

@@ -70,12 +70,14 @@ public:
             return false;
         }
         setProfile();
+        setLayerProfiles();
         if (!buildLayers(true)) {
             return false;
         }
         addTools();
         addComponents();
         addBody(m_builder);
+        addMissingBody();
         return true;
     }
 
@@ -88,6 +90,7 @@ private:
         diagnostics().append(m_step.eda.diagnostics);
         for (const StepLayer& layer : m_step.layers) {
             diagnostics().append(layer.features.diagnostics);
+            diagnostics().append(layer.profile.diagnostics);
             diagnostics().append(layer.facts.diagnostics);
             diagnostics().append(layer.tools.diagnostics);
             diagnostics().append(layer.components.diagnostics);
@@ -147,6 +150,31 @@ private:
         }
     }
 
+    /// The steps of a panel have the same layers, with laminate or without; where a copy has some, at its heights.
+    void addMissingBody() {
+        if (m_parts.steps.size() == 1 || bodyOf(m_builder.soFar()) != nullptr) {
+            return;
+        }
+        Layer body;
+        body.name = "board";
+        body.type = LayerType::Body;
+        body.side = LayerSide::Through;
+        body.isSynthetic = true;
+        body.thicknessSource = Source::Derived;
+        for (const auto& step : m_builder.soFar().steps) {
+            if (const Layer* copied = bodyOf(*step); copied != nullptr && copied->thickness > 0) {
+                body.z = copied->z;
+                body.thickness = copied->thickness;
+            }
+        }
+        m_builder.addLayer(body);
+    }
+
+    static const Layer* bodyOf(const Document& document) {
+        const auto found = std::ranges::find(document.layers, LayerType::Body, &Layer::type);
+        return found == document.layers.end() ? nullptr : &*found;
+    }
+
     // ---- elements ----
 
     /// All layers whose polarity is `isNegative`; negative ones need the profile, so they come last.
@@ -192,7 +220,8 @@ private:
             reportOwnNegatives(row, scratch.soFar(), maker.negatives());
             return addPainted(m_builder, scratch.soFar(), maker.negatives());
         }
-        const ShapeId profile = m_builder.soFar().profile;
+        const ShapeId own = m_builder.layer(m_layers.id(row)).profile;
+        const ShapeId profile = own.isValid() ? own : m_builder.soFar().profile;
         if (!profile.isValid()) {
             diagnostics().report(
                 Severity::Error, "matrix/matrix", m_matrix.layers[row].line,
@@ -287,6 +316,19 @@ private:
         }
         if (sketch) {
             m_builder.setProfile(m_builder.addShape(*sketch));
+        }
+    }
+
+    /// Outlines of single layers: the flexible ones of a rigid-flex board reach farther than the rigid ones.
+    void setLayerProfiles() {
+        for (const std::size_t row : m_layers.order()) {
+            const Parsed<FeatureFile>& file = m_step.layers[row].profile;
+            if (const std::optional<ShapeSketch> sketch = profileOf(file.value)) {
+                m_builder.layer(m_layers.id(row)).profile = m_builder.addShape(*sketch);
+            } else if (file.isPresent()) {
+                diagnostics().report(Severity::Warning, file.path, 0,
+                                     "the layer's profile holds no outline; the board's is used");
+            }
         }
     }
 

@@ -75,11 +75,7 @@ void LayerTable::reportUnread() {
             diagnostics().report(Severity::Info, path, 0, text);
         }
     };
-    note(step + "/zones", "rigid and flexible zones are not read; every layer covers the whole board");
-    for (const MatrixLayer& layer : m_matrix.layers) {
-        note(step + "/layers/" + layer.name + "/profile",
-             "outlines of single layers are not read; the board's outline is used");
-    }
+    note(step + "/zones", "rigid and flexible zones are not read; only outlines of single layers are");
     if (!m_steps[0].eda.isPresent()) {
         diagnostics().report(Severity::Info, step + "/eda/data", 0,
                              "the step has no eda/data; its elements have no nets");
@@ -200,10 +196,12 @@ void LayerTable::copyTo(DocumentBuilder& builder, const StepData& step) const {
         Layer layer = m_builder.soFar().layer(m_layerOfRow[row]);
         layer.elements = {};
         layer.counts = {};
+        layer.profile = {};
         describeFeatures(step.layers[row], layer);
         builder.addLayer(std::move(layer));
     }
     builder.setBoardThickness(m_builder.soFar().boardThickness);
+    builder.setStackup(m_builder.soFar().stackup);
 }
 
 }  // namespace model::odb

@@ -1,6 +1,7 @@
 #include "model/odb/profile.h"
 
 #include <array>
+#include <numeric>
 
 #include "model/odb/region.h"
 
@@ -16,16 +17,31 @@ Box boxOf(const ShapeSketch& sketch) {
     return box;
 }
 
-/// Calls `visit(box)` for every element on a copper layer.
+bool isBoardCopper(const Layer& layer) {
+    return layer.isCopper() && layer.context == LayerContext::Board;
+}
+
+std::uint64_t copperElements(const Document& step) {
+    std::uint64_t count = 0;
+    for (const Layer& layer : step.layers) {
+        if (isBoardCopper(layer)) {
+            count = std::accumulate(layer.countsWithCopies.begin(), layer.countsWithCopies.end(), count);
+        }
+    }
+    return count;
+}
+
+/// Calls `visit(box, count)` for every element on a copper layer, and for every copy of a step with all its copper.
 template <class Visit>
 void forEachCopper(const Document& document, Visit visit) {
     for (const Layer& layer : document.layers) {
-        if (!layer.isCopper() || layer.context != LayerContext::Board) {
-            continue;
+        for (std::uint32_t i = 0; i < layer.elements.count && isBoardCopper(layer); ++i) {
+            visit(document.boxOf(ElementId{layer.elements.first + i}), 1);
         }
-        for (std::uint32_t i = 0; i < layer.elements.count; ++i) {
-            visit(document.boxOf(ElementId{layer.elements.first + i}));
-        }
+    }
+    for (const StepInstance& instance : document.instances) {
+        const Document& step = *document.steps[instance.step];
+        visit(instance.placement.boxOf(step.board), copperElements(step));
     }
 }
 
@@ -55,18 +71,18 @@ std::optional<ShapeSketch> profileOf(const FeatureFile& file) {
 
 bool fitsCopper(const ShapeSketch& profile, const Document& soFar) {
     const Box box = boxOf(profile).grownBy(1'000'000);
-    std::size_t inside = 0;
-    std::size_t all = 0;
-    forEachCopper(soFar, [&](const Box& element) {
-        ++all;
-        inside += contains(box, element) ? 1 : 0;
+    std::uint64_t inside = 0;
+    std::uint64_t all = 0;
+    forEachCopper(soFar, [&](const Box& element, std::uint64_t count) {
+        all += count;
+        inside += contains(box, element) ? count : 0;
     });
     return 2 * inside >= all;
 }
 
 std::optional<ShapeSketch> profileFromCopper(const Document& soFar) {
     Box box;
-    forEachCopper(soFar, [&](const Box& element) { box.include(element); });
+    forEachCopper(soFar, [&](const Box& element, std::uint64_t) { box.include(element); });
     if (box.isEmpty() || box.width() == 0 || box.height() == 0) {
         return std::nullopt;
     }

@@ -12,7 +12,7 @@ namespace model::odb {
 
 /// Is this the outline of that board? One job's profile is a 3 × 2 mm box for a 90 mm board. It is believed
 /// when at least half of the copper elements built so far have their middle inside its box, grown by a millimetre;
-/// without any copper it always is.
+/// copies of other steps count with all their copper; without any copper it always is.
 [[nodiscard]] bool fitsCopper(const ShapeSketch& profile, const Document& soFar);
 
 /// The box around all copper, as a stand-in for a missing or wrong profile. Nothing without copper.

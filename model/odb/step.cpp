@@ -135,6 +135,7 @@ private:
         const std::string folder = step.folder + "/layers/" + layer.name;
         StepLayer& into = step.layers[row];
         add(folder + "/features", into.features, features);
+        add(folder + "/profile", into.profile, features);
         add(folder + "/attrlist", into.facts,
             [this, &layer](std::string_view text, std::string_view path, Diagnostics& d) {
                 return factsOf(AttributeList(text, path, m_job.defaultUnit, d), layer, path, d);

@@ -28,6 +28,7 @@ struct Parsed {
 /// What a step says about one row of the matrix.
 struct StepLayer {
     Parsed<FeatureFile> features;
+    Parsed<FeatureFile> profile;  ///< where the layer exists (rigid-flex)
     Parsed<std::vector<DrillTool>> tools;
     Parsed<std::vector<PlacedComponent>> components;
     Parsed<LayerFacts> facts;

@@ -116,10 +116,11 @@ Pipeline::Pipeline(Device& device, const GraphicsPipelineOptions& options) {
     auto colour = vkInfo<VkPipelineColorBlendStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO);
     colour.attachmentCount = 1;
     colour.pAttachments = &blend;
+    // Binding a pipeline where a state is fixed undoes what was set: so the front face is dynamic in all of them.
     constexpr VkDynamicState kDynamic[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
-                                           VK_DYNAMIC_STATE_STENCIL_REFERENCE};
+                                           VK_DYNAMIC_STATE_FRONT_FACE, VK_DYNAMIC_STATE_STENCIL_REFERENCE};
     auto dynamic = vkInfo<VkPipelineDynamicStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO);
-    dynamic.dynamicStateCount = options.pass == Pass::Blend ? 3 : 2;
+    dynamic.dynamicStateCount = options.pass == Pass::Blend ? 4 : 3;
     dynamic.pDynamicStates = kDynamic;
     auto rendering = vkInfo<VkPipelineRenderingCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO);
     rendering.colorAttachmentCount = 1;

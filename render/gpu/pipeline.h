@@ -32,14 +32,14 @@ struct GraphicsPipelineOptions {
     std::span<const ShaderStage> stages;  ///< the fragment stage is left out for DepthOnly
     std::uint32_t pushBytes = 0;
     Pass pass = Pass::Opaque;
-    bool cullsBackFaces = false;  ///< counter-clockwise is front
+    bool cullsBackFaces = false;  ///< which side is the front is dynamic
     VkFormat colourFormat = VK_FORMAT_UNDEFINED;
     VkFormat depthFormat = VK_FORMAT_UNDEFINED;
     VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
 };
 
 /// A compute or graphics pipeline. Its only interface to data are push constants (buffers go by address). Viewport,
-/// scissor and stencil reference are dynamic.
+/// scissor, front face and stencil reference are dynamic.
 class Pipeline {
 public:
     Pipeline() = default;
@@ -51,6 +51,10 @@ public:
     template <class T>
     void push(VkCommandBuffer commands, const T& value) const {
         pushBytes(commands, &value, sizeof(T));
+    }
+    /// Counter-clockwise faces are the front ones, in mirrored copies clockwise ones. Holds for all pipelines.
+    static void setFrontFace(VkCommandBuffer commands, bool isMirrored) {
+        vkCmdSetFrontFace(commands, isMirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
     }
     explicit operator bool() const { return static_cast<bool>(m_handle); }
 

@@ -1,4 +1,5 @@
-// What every shader of a frame sees, shared by C++ and GLSL: buffers by address, camera, level-of-detail limits.
+// What every shader of a frame sees, shared by C++ and GLSL: buffers by address, camera, level-of-detail limits. There is one FrameData for each
+// copy of a step that is drawn: everything in it is in the coordinates of that step, so that shaders know nothing of copies.
 #ifndef COPPERSCOPE_SHADERS_SHARED_FRAME_H
 #define COPPERSCOPE_SHADERS_SHARED_FRAME_H
 
@@ -69,6 +70,7 @@ struct FrameData {
     vec4 planes[kPlaneCount];  // of the frustum, pointing inwards, for positions relative to `centre`
     vec4 eye;                  // relative to `centre`; w = 1: a point (perspective), w = 0: the direction to the viewer
     vec3 centre;               // what the camera looks at, mm
+    vec2 light;                // unit vector to where the light comes from
     float pixelsPerMm;         // at w = 1: pixels = mm * pixelsPerMm / w
     float tolerancePx;         // how far a polygon may stray from the true outline
     float quadRadiusPx;        // lets with a smaller pen become quads; 0 = never
@@ -82,7 +84,7 @@ struct FrameData {
     uint clusterCount;
     uint instanceCount;
     uint maxDispatch;          // largest number of workgroups along x
-    uint reserved;
+    uint copy;                 // row of BoardModel::copies; with an element's number it names one element of the board
 
     GPU_ADDRESS(Layers) layers;
     GPU_ADDRESS(Lets) lets;
@@ -101,7 +103,7 @@ struct FrameData {
     GPU_ADDRESS(Words) highlight;              // one bit per element
     GPU_ADDRESS(StandardParts) standardParts;  // null in the hybrid pipeline
 };
-GPU_SIZE(FrameData, 64 + 96 + 16 + 12 + 15 * 4 + 16 * 8);
+GPU_SIZE(FrameData, 64 + 96 + 16 + 12 + 8 + 15 * 4 + 16 * 8);
 
 #ifndef __cplusplus
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Frame { FrameData data; };

@@ -83,6 +83,7 @@ class ShaderLayoutTest : public QObject {
         MEMBER(frameData, FrameData, planes);
         MEMBER(frameData, FrameData, eye);
         MEMBER(frameData, FrameData, centre);
+        MEMBER(frameData, FrameData, light);
         MEMBER(frameData, FrameData, pixelsPerMm);
         MEMBER(frameData, FrameData, tolerancePx);
         MEMBER(frameData, FrameData, quadRadiusPx);
@@ -97,7 +98,7 @@ class ShaderLayoutTest : public QObject {
         MEMBER(frameData, FrameData, clusterCount);
         MEMBER(frameData, FrameData, instanceCount);
         MEMBER(frameData, FrameData, maxDispatch);
-        MEMBER(frameData, FrameData, reserved);
+        MEMBER(frameData, FrameData, copy);
         MEMBER(frameData, FrameData, layers);
         MEMBER(frameData, FrameData, lets);
         MEMBER(frameData, FrameData, clusters);

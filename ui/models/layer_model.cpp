@@ -1,6 +1,7 @@
 #include "ui/models/layer_model.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "model/base/assert.h"
 
@@ -36,7 +37,11 @@ QString layerTip(const model::Layer& layer) {
             '\n' + QStringLiteral("%1 thick (%2), from z = %3")
                        .arg(micrometres(layer.thickness), model::toString(layer.thicknessSource), micrometres(layer.z));
     }
-    return text + '\n' + QStringLiteral("%1 elements").arg(layer.elements.count);
+    if (!layer.addType.empty()) {
+        text += '\n' + QStringLiteral("Made as %1").arg(QString::fromStdString(layer.addType));
+    }
+    const auto all = std::accumulate(layer.countsWithCopies.begin(), layer.countsWithCopies.end(), qulonglong{0});
+    return text + '\n' + QStringLiteral("%1 elements").arg(all);
 }
 
 Qt::CheckState checkState(bool isOn) {

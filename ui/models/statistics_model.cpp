@@ -2,6 +2,7 @@
 
 #include <QFont>
 #include <QLocale>
+#include <numeric>
 
 namespace ui::models {
 
@@ -46,9 +47,10 @@ qulonglong StatisticsModel::number(int row, int column) const {
     }
     const model::Layer& layer = m_document->layer(m_layers[static_cast<std::size_t>(row)]);
     switch (column) {
-        case Elements: return layer.elements.count;
+        case Elements:
+            return std::accumulate(layer.countsWithCopies.begin(), layer.countsWithCopies.end(), qulonglong{0});
         case Features: return layer.featureCount;
-        default: return layer.counts[static_cast<std::size_t>(column - Line)];
+        default: return layer.countsWithCopies[static_cast<std::size_t>(column - Line)];
     }
 }
 

@@ -390,6 +390,9 @@ private slots:
             QVERIFY(step->layers.size() <= d->layers.size());
             for (std::size_t row = 0; row < step->layers.size(); ++row) {
                 QCOMPARE(step->layers[row].name, d->layers[row].name);
+                if (step->layers[row].isSynthetic && step->layers[row].elements.count == 0) {
+                    continue;  // a coupon without a laminate of its own
+                }
                 QCOMPARE(step->layers[row].z, d->layers[row].z);
                 QCOMPARE(step->layers[row].thickness, d->layers[row].thickness);
             }
@@ -450,6 +453,52 @@ private slots:
         const auto d = read(folder.path());
         QCOMPARE(layerOf(*d, "top").thickness, 70'000);
         QCOMPARE(layerOf(*d->steps[0], "top").thickness, 70'000);
+    }
+
+    void aPanelsProfileIsJudgedByItsCardsToo() {
+        Folder folder;
+        folder.copyJob("panel");
+        // All copper of the panel itself is a mark beside it.
+        folder.write("steps/panel/layers/top/features", "UNITS=MM\n$0 r1000\nP -20 1 0 P 0 0\n");
+        const auto d = read(folder.path());
+        QVERIFY(findDiagnostic(d->diagnostics, "does not enclose") == nullptr);
+        QCOMPARE(d->board.width(), 80'000'000);
+    }
+
+    // ---- rigid-flex ----
+
+    void theMatrixSaysWhatLayersAreFor() {
+        using model::LayerUse;
+        const std::vector<std::pair<std::string, LayerUse>> words = {
+            {"", LayerUse::Plain},          {"SIGNAL_FLEX", LayerUse::Flex},        {"COVERLAY", LayerUse::Coverlay},
+            {"PSA", LayerUse::Adhesive},    {"FR4_STIFFENER", LayerUse::Stiffener}, {"BACKDRILL", LayerUse::Backdrill},
+            {"EMBEDDED_R", LayerUse::Other}};
+        for (const auto& [word, use] : words) {
+            Folder folder;
+            writeSmallJob(folder, "UNITS=MM\n");
+            folder.write("matrix/matrix",
+                         "STEP {\nCOL=1\nNAME=BOARD\n}\nLAYER {\nROW=1\nCONTEXT=BOARD\nTYPE=SIGNAL\n"
+                         "NAME=TOP\nADD_TYPE=" +
+                             word + "\n}\n");
+            const auto d = read(folder.path());
+            QCOMPARE(layerOf(*d, "top").use, use);
+            QCOMPARE(layerOf(*d, "top").addType, word);
+        }
+    }
+
+    void aLayersOwnProfileBoundsItsPlane() {
+        Folder folder;
+        writeSmallJob(folder, "UNITS=MM\n$0 r1000\nP 5 5 0 P 0 0\n");
+        std::string matrix = matrixOf({{"SIGNAL", "TOP"}, {"POWER_GROUND", "FLEX"}});
+        matrix.insert(matrix.rfind("NAME=FLEX"), "POLARITY=NEGATIVE\n ");
+        folder.write("matrix/matrix", matrix);
+        folder.write("steps/board/layers/flex/features", "UNITS=MM\n");
+        folder.write("steps/board/layers/flex/profile",
+                     "UNITS=MM\nS P 0\nOB 0 0 I\nOS 30 0\nOS 30 20\nOS 0 20\nOS 0 0\nOE\nSE\n");
+        const auto d = read(folder.path());
+        QVERIFY(layerOf(*d, "flex").profile.isValid());
+        QVERIFY(!layerOf(*d, "top").profile.isValid());
+        QCOMPARE(squareMillimetres(*d, ElementId{layerOf(*d, "flex").elements.first}), 600.0);
     }
 
     void anyStepCanBeChosen() {
