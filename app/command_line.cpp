@@ -25,6 +25,7 @@ void addModellingOptions(CLI::App& command, BoardArguments& board) {
     command.add_option("--chord", board.chordUm, "largest distance between a curve and its chords, in micrometres")
         ->check(CLI::Range(0.5, 50.0))
         ->capture_default_str();
+    command.add_flag("--infer-nets", board.inferNets, "find the nets by following the copper, instead of the job's");
     command.add_flag("--paper-segments", board.paperSegments,
                      "50 segments per circle and 20 per arc, as the paper does");
 }
@@ -43,6 +44,7 @@ void addInfo(CLI::App& parent, InfoArguments& arguments) {
         parent.add_subcommand("info", "Say what is in a board: layers, stack, nets, elements, messages");
     addBoardOptions(*command, arguments.board);
     command->add_flag("--json", arguments.asJson, "as JSON");
+    command->add_flag("--check-nets", arguments.checkNets, "compare the nets with the copper: opens and shorts");
 }
 
 void parseSize(const std::string& text, RenderArguments& arguments) {

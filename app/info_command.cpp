@@ -3,10 +3,12 @@
 #include <cstdio>
 #include <iostream>
 
+#include "app/console_progress.h"
 #include "app/drill_report.h"
 #include "app/exit_code.h"
 #include "app/info_json.h"
 #include "app/stack_report.h"
+#include "model/copies.h"
 
 namespace app {
 
@@ -39,6 +41,22 @@ template <class Count>
 void printCounts(const std::array<Count, model::kElementKindCount>& counts) {
     for (const std::uint64_t count : counts) {
         std::printf(" %7llu", static_cast<unsigned long long>(count));
+    }
+}
+
+void printPackages(const Document& document) {
+    std::vector<std::uint32_t> counts(document.packages.size());
+    for (const model::Component& component : document.components) {
+        if (component.package.isValid()) {
+            ++counts[component.package.row()];
+        }
+    }
+    if (!counts.empty()) {
+        std::printf("\n%-40s %10s %6s\n", "package", "components", "pins");
+    }
+    for (std::size_t row = 0; row < counts.size(); ++row) {
+        const model::Package& package = document.packages[row];
+        std::printf("%-40s %10u %6u\n", package.name.c_str(), counts[row], package.pins.count);
     }
 }
 
@@ -86,17 +104,35 @@ void printModel(const OpenBoard& board) {
                 read.createMs + modelled.createMs, modelled.discretiseMs, modelled.triangulateMs);
 }
 
-void printText(const OpenBoard& board) {
+void printText(const OpenBoard& board, const std::vector<StepCheck>* checks) {
     printJob(*board.document);
     printLayers(*board.document);
     printStackup(board.document->stackup);
     printDrills(*board.document);
+    printPackages(*board.document);
+    if (checks != nullptr) {
+        printConnectivity(*checks);
+    }
     printModel(board);
     if (!board.document->diagnostics.entries().empty() || !board.model.diagnostics.entries().empty()) {
         std::printf("\nmessages\n");
         printDiagnostics(board.document->diagnostics);
         printDiagnostics(board.model.diagnostics);
     }
+}
+
+/// Compares nets and copper of every step. Errors: Cancelled.
+base::Result<std::vector<StepCheck>> checkSteps(const Document& document) {
+    ConsoleProgress console;
+    std::vector<StepCheck> checks;
+    for (const Document* step : model::distinctSteps(document)) {
+        const auto connectivity = model::Connectivity::of(*step, console.progress());
+        if (!connectivity) {
+            return connectivity.error();
+        }
+        checks.push_back({step, connectivity->islandCount(), model::checkNets(*step, *connectivity)});
+    }
+    return checks;
 }
 
 }  // namespace
@@ -106,12 +142,20 @@ int runInfo(const InfoArguments& arguments) {
     if (!board) {
         return fail(board.error());
     }
+    base::Result<std::vector<StepCheck>> checks = std::vector<StepCheck>();
+    if (arguments.checkNets) {
+        checks = checkSteps(*board->document);
+    }
+    if (!checks) {
+        return fail(checks.error());
+    }
+    const std::vector<StepCheck>* checked = arguments.checkNets ? &*checks : nullptr;
     if (arguments.asJson) {
         // Names in jobs may hold bytes that are no UTF-8; readers decode them, and what slips through must not end the
         // report.
-        std::cout << infoJson(*board).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+        std::cout << infoJson(*board, checked).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
     } else {
-        printText(*board);
+        printText(*board, checked);
     }
     std::fflush(stdout);
     return std::cout && std::ferror(stdout) == 0

@@ -7,9 +7,10 @@ namespace app {
 struct InfoArguments {
     BoardArguments board;
     bool asJson = false;
+    bool checkNets = false;
 };
 
-/// `copperscope info BOARD [--json]`: what is in the job, on stdout. Answers an exit code.
+/// `copperscope info BOARD [--json] [--check-nets]`: what is in the job, on stdout. Answers an exit code.
 int runInfo(const InfoArguments& arguments);
 
 }  // namespace app

@@ -97,32 +97,37 @@ std::vector<PlacedStep> placedSteps(const Document& document) {
     return placed;
 }
 
-ordered_json infoJson(const OpenBoard& board) {
+ordered_json infoJson(const OpenBoard& board, const std::vector<StepCheck>* checks) {
     const Document& document = *board.document;
     ordered_json diagnostics = ordered_json::array();
     addDiagnostics(document.diagnostics, diagnostics);
     addDiagnostics(board.model.diagnostics, diagnostics);
-    return {{"job", jobJson(document.job)},
-            {"layers", layersJson(document)},
-            {"stackup", stackupJson(document.stackup)},
-            {"elements", elementsJson(document.elementCounts())},
-            {"elements_with_copies", elementsJson(document.elementCountsWithCopies())},
-            {"placed_steps", placedStepsJson(document)},
-            {"nets", {{"count", document.nets.size()}}},
-            {"components", {{"count", document.components.size()}}},
-            {"drills", drillsJson(document)},
-            {"board",
-             {{"width_nm", document.board.width()},
-              {"height_nm", document.board.height()},
-              {"thickness_nm", document.boardThickness}}},
-            {"triangles",
-             {{"standard_pipeline", board.model.trianglesPaperRule}, {"stored", board.model.indices.size() / 3}}},
-            {"diagnostics", diagnostics},
-            {"timing_ms",
-             {{"parse", document.times.parseMs},
-              {"create", document.times.createMs + board.model.times.createMs},
-              {"discretise", board.model.times.discretiseMs},
-              {"triangulate", board.model.times.triangulateMs}}}};
+    ordered_json json = {
+        {"job", jobJson(document.job)},
+        {"layers", layersJson(document)},
+        {"stackup", stackupJson(document.stackup)},
+        {"elements", elementsJson(document.elementCounts())},
+        {"elements_with_copies", elementsJson(document.elementCountsWithCopies())},
+        {"placed_steps", placedStepsJson(document)},
+        {"nets", netsJson(document)},
+        {"components", componentsJson(document)},
+        {"drills", drillsJson(document)},
+        {"board",
+         {{"width_nm", document.board.width()},
+          {"height_nm", document.board.height()},
+          {"thickness_nm", document.boardThickness}}},
+        {"triangles",
+         {{"standard_pipeline", board.model.trianglesPaperRule}, {"stored", board.model.indices.size() / 3}}},
+        {"diagnostics", diagnostics},
+        {"timing_ms",
+         {{"parse", document.times.parseMs},
+          {"create", document.times.createMs + board.model.times.createMs},
+          {"discretise", board.model.times.discretiseMs},
+          {"triangulate", board.model.times.triangulateMs}}}};
+    if (checks != nullptr) {
+        json["connectivity"] = connectivityJson(*checks);
+    }
+    return json;
 }
 
 }  // namespace app

@@ -3,11 +3,13 @@
 #include <nlohmann/json.hpp>
 
 #include "app/open_board.h"
+#include "app/parts_json.h"
 
 namespace app {
 
-/// The report of `info --json`. Keys are lower_snake_case and stable; lengths carry their unit in the key.
-[[nodiscard]] nlohmann::ordered_json infoJson(const OpenBoard& board);
+/// The report of `info --json`. Keys are lower_snake_case and stable; lengths carry their unit in the key. `checks` are
+/// those of `--check-nets`, nullptr without.
+[[nodiscard]] nlohmann::ordered_json infoJson(const OpenBoard& board, const std::vector<StepCheck>* checks);
 
 /// A step that the board places, at whatever depth.
 struct PlacedStep {

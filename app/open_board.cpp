@@ -51,7 +51,7 @@ base::Result<Board> stacked(const Board& read, const std::filesystem::path& path
 
 base::Result<Board> openDocument(const BoardArguments& arguments, base::Progress& progress) {
     const std::filesystem::path path = arguments.path.empty() ? sampleBoard() : std::filesystem::path(arguments.path);
-    const base::Result<Board> read = model::readBoard(path, {arguments.step}, progress);
+    const base::Result<Board> read = model::readBoard(path, {arguments.step, arguments.inferNets}, progress);
     if (!read) {
         return read.error();
     }

@@ -18,6 +18,7 @@ struct BoardArguments {
     std::vector<std::string> thicknesses;  ///< LAYER=LENGTH, over what the job and the session say
     bool saveSession = false;              ///< keeps them in the session file
     bool noSession = false;                ///< as if there were no session file
+    bool inferNets = false;
 };
 
 /// Reads the board and stacks it as its session file and `thicknesses` say; what of the session is not used is said on

@@ -141,6 +141,11 @@ const char* toString(HoleKind kind) {
     return kNames[static_cast<std::size_t>(kind)];
 }
 
+const char* toString(MountType mount) {
+    constexpr const char* kNames[] = {"unknown", "other", "smt", "through_hole", "press_fit"};
+    return kNames[static_cast<std::size_t>(mount)];
+}
+
 const char* toString(Source source) {
     constexpr const char* kNames[] = {"job", "derived", "assumed", "session"};
     return kNames[static_cast<std::size_t>(source)];

@@ -62,7 +62,8 @@ enum class LayerUse : std::uint8_t {
     Other       ///< anything else; Layer::addType has the word
 };
 
-struct ElementRange {
+/// Consecutive rows of a table.
+struct Range {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
 };
@@ -82,7 +83,7 @@ struct Layer {
     Source thicknessSource = Source::Assumed;
     LayerId spanTop;  ///< drill and rout: first and last copper layer passed, top one first
     LayerId spanBottom;
-    ElementRange elements;                                  ///< elements of a layer are consecutive rows
+    Range elements;                                         ///< elements of a layer are consecutive rows
     std::uint32_t featureCount = 0;                         ///< feature records in the job
     std::array<std::uint32_t, kElementKindCount> counts{};  ///< elements by kind
     /// The same with those of all copies of other steps (Document::instances) that lie on this layer.
@@ -173,6 +174,7 @@ struct ElementTable {
     std::vector<std::uint8_t> flags;
     std::vector<LayerId> layer;
     std::vector<NetId> net;
+    std::vector<SubnetId> subnet;  ///< what it is in its net; none where the job does not say
     std::vector<SymbolId> symbol;
     std::vector<std::uint32_t> geometry;
     std::vector<std::uint32_t> firstFeature;  ///< 0-based ordinal of its (first) feature record in the layer's file
@@ -238,26 +240,102 @@ struct AreaGeometry {
     Placement placement;
 };
 
-struct Net {
-    std::string name;
+/// A name and a value, an attribute or a property of the job; rows of Document::strings.
+struct Property {
+    StringId name;
+    StringId value;
 };
 
-struct Pin {
+struct Net {
     std::string name;
+    Range properties;
+};
+
+/// What a group of a net's elements is.
+enum class SubnetKind : std::uint8_t {
+    Toeprint,  ///< the pads of one component pin
+    Via,
+    Trace,
+    Plane,
+    Other
+};
+
+struct Subnet {
+    NetId net;
+    SubnetKind kind = SubnetKind::Other;
+    PinId pin;               ///< Toeprint: its pin; none if the job names one that is not there
+    char planeFill = 0;      ///< Plane: S solid, H hatched, O outline
+    char planeCutout = 0;    ///< Plane: C circle, R rectangle, O octagon, E exact
+    Nm planeCutoutSize = 0;  ///< Plane
+};
+
+enum class PinKind : std::uint8_t { Through, Blind, Surface };
+
+/// A pin of a package, in package coordinates: as seen from the top, the component not rotated.
+struct PackagePin {
+    StringId name;
+    PinKind kind = PinKind::Surface;
+    Point position;
+    ShapeId outline;  ///< none if the job draws none
+};
+
+/// A kind of component body. Coordinates are the package's own (Component::placement).
+struct Package {
+    std::string name;
+    Nm pitch = 0;  ///< smallest distance between pin centres; 0 unknown
+    Box box;       ///< empty if the job states none
+    ShapeId body;  ///< its outline; none if the job draws none
+    Range pins;    ///< of Document::packagePins
+    Range properties;
+};
+
+/// A pin of a component where it lies on the board.
+struct Pin {
+    StringId name;
     Point position;
     NetId net;
+    ComponentId component;
+    std::uint32_t packagePin = 0xffffffffu;  ///< row of Document::packagePins; all ones if unknown
 };
+
+enum class MountType : std::uint8_t { Unknown, Other, Surface, ThroughHole, PressFit };
 
 struct Component {
     std::string refdes;
     std::string part;
-    std::string package;
-    Point position;
-    double clockwiseDeg = 0.0;
-    bool isMirrored = false;  ///< as the record says; not reliable (odbpp-facts §9)
+    PackageId package;
+    Placement placement;  ///< from package coordinates to the board's; mirrored as the pins are found to lie
     LayerSide side = LayerSide::Top;
+    Nm height = 0;  ///< 0 unknown
+    MountType mount = MountType::Unknown;
+    bool isPopulated = true;
+    Range properties;
     std::uint32_t firstPin = 0;
     std::uint32_t pinCount = 0;
+};
+
+/// Elements the job groups, the strokes of a text for example.
+struct ElementGroup {
+    StringId type;  ///< TEXT, PCB
+    Range properties;
+    Range elements;  ///< of Document::groupElements
+};
+
+enum class NetlistKind : std::uint8_t { Design, Reference, Current };
+
+/// A point of a netlist of the job: where a net can be touched. Coordinates are the board's.
+struct NetPoint {
+    StringId name;  ///< as the netlist writes it
+    NetId net;      ///< the net of that name; none if there is none, or for "no net"
+    Point position;
+    Nm radius = 0;  ///< 0: `width` × `height`
+    Nm width = 0;
+    Nm height = 0;
+    NetlistKind netlist = NetlistKind::Design;
+    LayerSide side = LayerSide::None;  ///< Through: both sides
+    char exposure = 0;                 ///< e exposed, c covered by solder mask, p or s: covered on one side; 0 not said
+    bool isEnd = true;                 ///< an end of its net, not a point on the way
+    bool isVia = false;
 };
 
 /// A row of a drill layer's tool list. Sizes are 0 where the job does not know them.
@@ -328,8 +406,16 @@ struct Document {
     std::vector<Net> nets;
     std::vector<std::uint32_t> netStart;  ///< elements of net n: netElements[netStart[n] .. netStart[n + 1])
     std::vector<ElementId> netElements;
+    std::vector<Subnet> subnets;
+    std::vector<Package> packages;
+    std::vector<PackagePin> packagePins;
     std::vector<Component> components;
     std::vector<Pin> pins;
+    std::vector<ElementGroup> groups;
+    std::vector<ElementId> groupElements;
+    std::vector<NetPoint> netPoints;
+    std::vector<Property> properties;
+    std::vector<std::string> strings{""};  ///< each once; row 0 is empty
     std::vector<DrillTool> tools;
 
     std::vector<std::shared_ptr<const Document>> steps;  ///< placed by `instances`, each once
@@ -345,6 +431,13 @@ struct Document {
     ReadTimes times;
 
     [[nodiscard]] const Layer& layer(LayerId id) const { return layers[id.row()]; }
+    [[nodiscard]] const std::string& text(StringId id) const { return strings[id.isValid() ? id.row() : 0]; }
+    [[nodiscard]] std::span<const Property> propertiesOf(Range range) const {
+        return std::span(properties).subspan(range.first, range.count);
+    }
+    [[nodiscard]] std::span<const Pin> pinsOf(const Component& component) const {
+        return std::span(pins).subspan(component.firstPin, component.pinCount);
+    }
     [[nodiscard]] LayerId findLayer(std::string_view name) const;  ///< case does not matter; none if absent
     [[nodiscard]] NetId findNet(std::string_view name) const;      ///< exact; none if absent
     [[nodiscard]] std::span<const ElementId> elementsOf(NetId net) const;
@@ -368,6 +461,7 @@ struct Document {
 [[nodiscard]] const char* toString(ElementKind kind);  ///< "line", "arc", …
 [[nodiscard]] const char* toString(LayerType type);    ///< as the matrix writes it: "SIGNAL", "POWER_GROUND", …
 [[nodiscard]] const char* toString(LayerSide side);    ///< "top", "inner", …
+[[nodiscard]] const char* toString(MountType mount);   ///< "unknown", "other", "smt", "through_hole", "press_fit"
 [[nodiscard]] const char* toString(LayerUse use);      ///< "plain", "flex", …
 [[nodiscard]] const char* toString(HoleKind kind);     ///< "via", "component", "mounting", "non_plated"
 [[nodiscard]] const char* toString(Source source);     ///< "job", "derived", "assumed", "session"

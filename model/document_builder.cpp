@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "model/base/assert.h"
+#include "model/connectivity/net_inference.h"
 #include "model/geometry/nesting.h"
 
 namespace model {
@@ -12,9 +13,38 @@ LayerId DocumentBuilder::addLayer(Layer layer) {
     return LayerId{m_document->layers.size() - 1};
 }
 
-NetId DocumentBuilder::addNet(std::string name) {
-    m_document->nets.push_back({std::move(name)});
+NetId DocumentBuilder::addNet(std::string name, Range properties) {
+    m_document->nets.push_back({std::move(name), properties});
     return NetId{m_document->nets.size() - 1};
+}
+
+SubnetId DocumentBuilder::addSubnet(const Subnet& subnet) {
+    m_document->subnets.push_back(subnet);
+    return SubnetId{m_document->subnets.size() - 1};
+}
+
+StringId DocumentBuilder::string(std::string_view text) {
+    const auto [place, isNew] = m_strings.try_emplace(std::string(text), StringId{m_document->strings.size()});
+    if (isNew) {
+        m_document->strings.emplace_back(text);
+    }
+    return place->second;
+}
+
+namespace {
+
+/// Appends rows to a table and says where they are.
+template <class T>
+Range append(std::vector<T>& table, std::span<const T> rows) {
+    const Range range{static_cast<std::uint32_t>(table.size()), static_cast<std::uint32_t>(rows.size())};
+    table.insert(table.end(), rows.begin(), rows.end());
+    return range;
+}
+
+}  // namespace
+
+Range DocumentBuilder::addProperties(std::span<const Property> properties) {
+    return append(m_document->properties, properties);
 }
 
 SymbolId DocumentBuilder::symbol(std::string_view name) {
@@ -43,11 +73,26 @@ ShapeId DocumentBuilder::addShape(const ShapeSketch& asWritten) {
 }
 
 ComponentId DocumentBuilder::addComponent(Component component, std::span<const Pin> pins) {
-    component.firstPin = static_cast<std::uint32_t>(m_document->pins.size());
-    component.pinCount = static_cast<std::uint32_t>(pins.size());
-    m_document->pins.insert(m_document->pins.end(), pins.begin(), pins.end());
+    const ComponentId id{m_document->components.size()};
+    const Range range = append(m_document->pins, pins);
+    component.firstPin = range.first;
+    component.pinCount = range.count;
+    for (std::uint32_t i = 0; i < range.count; ++i) {
+        m_document->pins[range.first + i].component = id;
+    }
     m_document->components.push_back(std::move(component));
-    return ComponentId{m_document->components.size() - 1};
+    return id;
+}
+
+PackageId DocumentBuilder::addPackage(Package package, std::span<const PackagePin> pins) {
+    package.pins = append(m_document->packagePins, pins);
+    m_document->packages.push_back(std::move(package));
+    return PackageId{m_document->packages.size() - 1};
+}
+
+void DocumentBuilder::addGroup(ElementGroup group, std::span<const ElementId> elements) {
+    group.elements = append(m_document->groupElements, elements);
+    m_document->groups.push_back(group);
 }
 
 std::uint32_t DocumentBuilder::addStep(std::shared_ptr<const Document> step) {
@@ -73,6 +118,7 @@ ElementId DocumentBuilder::addElement(ElementKind kind, std::size_t geometry, co
     table.flags.push_back(origin.flags);
     table.layer.push_back(m_layer);
     table.net.push_back(origin.net);
+    table.subnet.push_back(origin.subnet);
     table.symbol.push_back(origin.symbol);
     table.geometry.push_back(static_cast<std::uint32_t>(geometry));
     table.firstFeature.push_back(origin.feature);
@@ -133,13 +179,14 @@ ElementId DocumentBuilder::addPaintedArea(const AreaGeometry& area, const Origin
 }
 
 std::shared_ptr<const Document> DocumentBuilder::finish() {
-    linkNets();
+    indexNets(*m_document);
     countCopies();
     measureExtents();
     giveBackReserves();
     std::shared_ptr<const Document> frozen = std::move(m_document);
     m_document = std::make_shared<Document>();
     m_symbols.clear();
+    m_strings = {{"", StringId{0}}};
     m_layer = {};
     return frozen;
 }
@@ -149,29 +196,9 @@ void DocumentBuilder::giveBackReserves() {
     const auto shrink = [](auto&... tables) { (tables.shrink_to_fit(), ...); };
     Document& d = *m_document;
     ElementTable& e = d.elements;
-    shrink(e.kind, e.flags, e.layer, e.net, e.symbol, e.geometry, e.firstFeature, e.line, e.attributes);
+    shrink(e.kind, e.flags, e.layer, e.net, e.subnet, e.symbol, e.geometry, e.firstFeature, e.line, e.attributes);
     shrink(d.lines, d.arcs, d.circles, d.trails, d.trailNodes, d.trailWidths, d.areas);
     shrink(d.shapes.shapes, d.shapes.contours, d.shapes.nodes, d.painted.areas, d.painted.features);
-}
-
-void DocumentBuilder::linkNets() {
-    Document& d = *m_document;
-    d.netStart.assign(d.nets.size() + 1, 0);
-    for (const NetId net : d.elements.net) {
-        if (net.isValid()) {
-            ++d.netStart[net.row() + 1];
-        }
-    }
-    for (std::size_t net = 0; net < d.nets.size(); ++net) {
-        d.netStart[net + 1] += d.netStart[net];
-    }
-    d.netElements.resize(d.netStart.back());
-    std::vector<std::uint32_t> next = d.netStart;
-    for (std::size_t row = 0; row < d.elements.size(); ++row) {
-        if (const NetId net = d.elements.net[row]; net.isValid()) {
-            d.netElements[next[net.row()]++] = ElementId{row};
-        }
-    }
 }
 
 void DocumentBuilder::countCopies() {

@@ -20,6 +20,7 @@ public:
         std::uint32_t feature = 0;
         std::uint32_t line = 0;
         std::uint8_t flags = 0;
+        SubnetId subnet;
     };
 
     JobInfo& job() { return m_document->job; }
@@ -29,7 +30,11 @@ public:
     LayerId addLayer(Layer layer);
     [[nodiscard]] Layer& layer(LayerId id) { return m_document->layers[id.row()]; }
     [[nodiscard]] std::vector<Layer>& layers() { return m_document->layers; }
-    NetId addNet(std::string name);
+    NetId addNet(std::string name, Range properties = {});
+    SubnetId addSubnet(const Subnet& subnet);
+    [[nodiscard]] Subnet& subnet(SubnetId id) { return m_document->subnets[id.row()]; }
+    StringId string(std::string_view text);  ///< row of the text, added on first use
+    Range addProperties(std::span<const Property> properties);
     SymbolId symbol(std::string_view name);  ///< row of the name, added on first use
     /// Row of this set of attributes, added on first use.
     AttributeSetId attributes(const AttributeValues& values) { return m_document->attributes.add(values); }
@@ -37,8 +42,13 @@ public:
     ShapeId addShape(const ShapeSketch& sketch);
     [[nodiscard]] const ShapeTable& shapes() const { return m_document->shapes; }
     void addTool(DrillTool tool) { m_document->tools.push_back(std::move(tool)); }
-    /// `component.firstPin` and `pinCount` are filled in.
+    /// `package.pins` is filled in.
+    PackageId addPackage(Package package, std::span<const PackagePin> pins);
+    /// `component.firstPin`, `pinCount` and the pins' `component` are filled in.
     ComponentId addComponent(Component component, std::span<const Pin> pins);
+    /// `group.elements` is filled in.
+    void addGroup(ElementGroup group, std::span<const ElementId> elements);
+    void addNetPoint(const NetPoint& point) { m_document->netPoints.push_back(point); }
     void setProfile(ShapeId shape) { m_document->profile = shape; }
     void addZone(Zone zone) { m_document->zones.push_back(std::move(zone)); }
     /// A step to place copies of; it must have the same layer rows. Answers its row.
@@ -67,13 +77,13 @@ public:
 
 private:
     ElementId addElement(ElementKind kind, std::size_t geometry, const Origin& origin);
-    void linkNets();
     void giveBackReserves();
     void countCopies();
     void measureExtents();
 
     std::shared_ptr<Document> m_document = std::make_shared<Document>();
     std::unordered_map<std::string, SymbolId> m_symbols;
+    std::unordered_map<std::string, StringId> m_strings{{"", StringId{0}}};
     LayerId m_layer;
 };
 

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "model/connectivity/net_inference.h"
 #include "model/odb/odb_reader.h"
 #include "model/paper/paper_reader.h"
 
@@ -32,10 +33,9 @@ base::Result<std::string> readAll(const fs::path& path) {
     return std::move(text).str();
 }
 
-}  // namespace
+using Board = base::Result<std::shared_ptr<const Document>>;
 
-base::Result<std::shared_ptr<const Document>> readBoard(const fs::path& path, const ReadOptions& options,
-                                                        base::Progress& progress) {
+Board readAsItIs(const fs::path& path, const ReadOptions& options, base::Progress& progress) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (!fs::exists(status)) {
@@ -49,6 +49,13 @@ base::Result<std::shared_ptr<const Document>> readBoard(const fs::path& path, co
         return paper::readModel(*text, path, progress);
     }
     return odb::readJob(path, options, progress);
+}
+
+}  // namespace
+
+Board readBoard(const fs::path& path, const ReadOptions& options, base::Progress& progress) {
+    Board board = readAsItIs(path, options, progress);
+    return board && options.inferNets ? withInferredNets(**board, progress) : board;
 }
 
 }  // namespace model

@@ -11,7 +11,8 @@
 namespace model {
 
 struct ReadOptions {
-    std::string step;  ///< empty: the first step of the matrix that has layers of its own
+    std::string step;        ///< empty: the first step of the matrix that has layers of its own
+    bool inferNets = false;  ///< follow the copper instead of the job's nets (connectivity/net_inference.h)
 };
 
 /// Opens a board of any known format: an ODB++ job (folder, .tgz, .tar.gz, .tar, .zip) or the paper's text format.

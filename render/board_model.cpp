@@ -102,7 +102,7 @@ void makeInstances(const Document& document, const std::vector<model::ShapeId>& 
     std::vector<shader::AreaInstance> ofLayer;
     for (std::size_t layer = 0; layer < document.layers.size(); ++layer) {
         ofLayer.clear();
-        const model::ElementRange range = document.layers[layer].elements;
+        const model::Range range = document.layers[layer].elements;
         for (std::uint32_t row = range.first; row < range.first + range.count; ++row) {
             if (document.elements.kind[row] == ElementKind::Area) {
                 const std::uint32_t shape = rowOfShape[document.areas[document.elements.geometry[row]].shape.row()];

@@ -242,7 +242,7 @@ std::vector<shader::Cluster> cutIntoClusters(const std::vector<shader::Let>& let
 LayerLets makeLets(const model::Document& document, model::LayerId layer, Point origin, double chordToleranceNm) {
     LayerLets out;
     LetMaker maker(document, origin, chordToleranceNm, out);
-    const model::ElementRange range = document.layer(layer).elements;
+    const model::Range range = document.layer(layer).elements;
     for (std::uint32_t i = 0; i < range.count; ++i) {
         maker.add(model::ElementId{range.first + i});
     }

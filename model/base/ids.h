@@ -33,6 +33,10 @@ using NetId = base::Id<struct NetTag>;
 using ComponentId = base::Id<struct ComponentTag>;
 using SymbolId = base::Id<struct SymbolTag>;
 using ShapeId = base::Id<struct ShapeTag>;
+using PackageId = base::Id<struct PackageTag>;
+using PinId = base::Id<struct PinTag>;
+using StringId = base::Id<struct StringTag>;
+using SubnetId = base::Id<struct SubnetTag>;
 
 }  // namespace model
 

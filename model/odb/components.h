@@ -5,9 +5,10 @@
 #include <string_view>
 #include <vector>
 
-#include "model/base/point.h"
 #include "model/diagnostics.h"
+#include "model/document.h"
 #include "model/odb/lengths.h"
+#include "model/odb/record_attributes.h"
 
 namespace model::odb {
 
@@ -19,19 +20,23 @@ struct PlacedPin {
     std::string name;
 };
 
-/// A CMP record with its pins (odb-notes, Stack).
+/// A CMP record with its pins (odb-notes, Nets and parts).
 struct PlacedComponent {
     std::int32_t package = -1;  ///< number of the PKG record in eda/data; -1 unknown
     base::Point position;
     double clockwiseDeg = 0.0;
-    bool isMirrored = false;
+    bool isMirrored = false;  ///< as written; not reliable
     std::string refdes;
     std::string part;
+    Nm height = 0;  ///< .comp_height; 0 unknown
     std::uint32_t line = 0;
+    std::vector<TextProperty> properties;  ///< attributes, then PRP
     std::vector<PlacedPin> pins;
 };
 
+/// Unreadable and unknown records are reported.
 [[nodiscard]] std::vector<PlacedComponent> parseComponents(std::string_view text, std::string_view path,
-                                                           Unit defaultUnit, Diagnostics& diagnostics);
+                                                           Unit defaultUnit, const AttributeTypes& types,
+                                                           Diagnostics& diagnostics);
 
 }  // namespace model::odb

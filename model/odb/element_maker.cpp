@@ -75,14 +75,16 @@ ElementMaker::Resolved& ElementMaker::resolve(std::size_t feature) {
     return resolved;
 }
 
-NetId ElementMaker::netOf(std::size_t feature) const {
-    return feature < m_source.nets.size() ? m_source.nets[feature] : NetId{};
+NetLink ElementMaker::linkOf(std::size_t feature) const {
+    return feature < m_source.links.size() ? m_source.links[feature] : NetLink{};
 }
 
 DocumentBuilder::Origin ElementMaker::originOf(std::size_t feature) {
     const Feature& f = m_source.file->features[feature];
     DocumentBuilder::Origin origin;
-    origin.net = netOf(feature);
+    const NetLink link = linkOf(feature);
+    origin.net = link.net;
+    origin.subnet = link.subnet;
     const bool hasSymbol = f.kind == FeatureKind::Line || f.kind == FeatureKind::Arc || f.kind == FeatureKind::Pad;
     origin.symbol = hasSymbol ? m_resolved[f.index].id : SymbolId{};
     origin.attributes = attributesOf(f);
@@ -163,7 +165,7 @@ bool ElementMaker::continues(std::size_t feature, const PathNode& start) const {
     const Feature& first = m_source.file->features[m_pending.feature];
     const bool mayJoin = m_holes == nullptr || m_holes->joinsStrokes();
     return mayJoin && f.index == first.index && f.isNegative == first.isNegative && f.attributes == first.attributes &&
-           netOf(feature) == netOf(m_pending.feature);
+           linkOf(feature).net == linkOf(m_pending.feature).net;
 }
 
 void ElementMaker::roundStroke(std::size_t feature, Nm width) {

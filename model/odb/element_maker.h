@@ -9,6 +9,7 @@
 #include "model/document_builder.h"
 #include "model/geometry/discretise.h"
 #include "model/odb/holes.h"
+#include "model/odb/net_links.h"
 #include "model/odb/symbols.h"
 #include "model/odb/text_layout.h"
 
@@ -18,7 +19,7 @@ namespace model::odb {
 struct FeatureSource {
     const FeatureFile* file = nullptr;
     std::string_view path;                           ///< for diagnostics
-    std::span<const NetId> nets;                     ///< by feature; empty when the file has no nets
+    std::span<const NetLink> links;                  ///< by feature; empty when the file has no nets
     const AttributeTypes* attributeTypes = nullptr;  ///< none: attributes are not kept
 };
 
@@ -54,7 +55,7 @@ private:
 
     Resolved& resolve(std::size_t feature);
     [[nodiscard]] DocumentBuilder::Origin originOf(std::size_t feature);
-    [[nodiscard]] NetId netOf(std::size_t feature) const;
+    [[nodiscard]] NetLink linkOf(std::size_t feature) const;
     [[nodiscard]] AttributeSetId attributesOf(const Feature& feature);
     Hole drill(std::size_t feature, Nm size, DocumentBuilder::Origin& origin);
 

@@ -12,7 +12,9 @@
 #include "model/odb/element_maker.h"
 #include "model/odb/layer_table.h"
 #include "model/odb/net_links.h"
+#include "model/odb/net_points.h"
 #include "model/odb/painting.h"
+#include "model/odb/parts.h"
 #include "model/odb/profile.h"
 #include "model/odb/records.h"
 #include "model/odb/region.h"
@@ -75,7 +77,9 @@ public:
             return false;
         }
         addTools();
-        addComponents();
+        addParts(m_builder, m_matrix, m_layers, m_step, m_nets);
+        addGroups(m_builder, m_matrix, m_layers, m_step);
+        addNetPoints(m_builder, m_step);
         addBody(m_builder);
         addMissingBody();
         return true;
@@ -94,6 +98,9 @@ private:
             diagnostics().append(layer.facts.diagnostics);
             diagnostics().append(layer.tools.diagnostics);
             diagnostics().append(layer.components.diagnostics);
+        }
+        for (const Parsed<Netlist>& netlist : m_step.netlists) {
+            diagnostics().append(netlist.diagnostics);
         }
     }
 
@@ -202,7 +209,7 @@ private:
         if (layer.isHoles()) {
             holes.emplace(layer, m_step.layers[row].tools.value, m_pins);
         }
-        const FeatureSource source{&features.value, features.path, m_nets.netsOf(row), m_parts.job.attributeTypes};
+        const FeatureSource source{&features.value, features.path, m_nets.linksOf(row), m_parts.job.attributeTypes};
         if (layer.isNegative || features.value.hasNegatives) {
             paintLayer(row, source, holes ? &*holes : nullptr);
         } else {
@@ -281,7 +288,7 @@ private:
     void reportNegativesOfCopies(std::size_t row) {
         const std::vector<Box> copies = copiesOn(row, true);
         const Document& own = m_builder.soFar();
-        const ElementRange range = own.layer(m_layers.id(row)).elements;
+        const Range range = own.layer(m_layers.id(row)).elements;
         for (std::uint32_t i = range.first; i < range.first + range.count && !copies.empty(); ++i) {
             const Box box = own.boxOf(ElementId{i});
             if (std::ranges::any_of(copies, [&](const Box& copy) { return meet(box, copy); })) {
@@ -353,40 +360,6 @@ private:
                 m_builder.addTool(std::move(tool));
             }
         }
-    }
-
-    void addComponents() {
-        for (std::size_t row = 0; row < m_matrix.layers.size(); ++row) {
-            const LayerSide side = m_builder.layer(m_layers.id(row)).side;
-            for (const PlacedComponent& component : m_step.layers[row].components.value) {
-                addComponent(component, side);
-            }
-        }
-    }
-
-    void addComponent(const PlacedComponent& source, LayerSide side) {
-        const std::vector<EdaPackage>& packages = m_step.eda.value.packages;
-        const bool isKnown = source.package >= 0 && static_cast<std::size_t>(source.package) < packages.size();
-        const EdaPackage* package = isKnown ? &packages[static_cast<std::size_t>(source.package)] : nullptr;
-        std::vector<Pin> pins;
-        for (const PlacedPin& pin : source.pins) {
-            pins.push_back({pinName(pin, package), pin.position, m_nets.net(pin.net)});
-        }
-        Component component;
-        component.refdes = source.refdes;
-        component.part = source.part;
-        component.package = package != nullptr ? package->name : "";
-        component.position = source.position;
-        component.clockwiseDeg = source.clockwiseDeg;
-        component.isMirrored = source.isMirrored;
-        component.side = side;
-        m_builder.addComponent(std::move(component), pins);
-    }
-
-    static std::string pinName(const PlacedPin& pin, const EdaPackage* package) {
-        const bool isListed =
-            package != nullptr && pin.number >= 0 && static_cast<std::size_t>(pin.number) < package->pins.size();
-        return pin.name.empty() && isListed ? package->pins[static_cast<std::size_t>(pin.number)] : pin.name;
     }
 
     const JobParts& m_parts;

@@ -123,6 +123,7 @@ DocumentBuilder::Origin originOf(DocumentBuilder& builder, const Document& docum
     const ElementTable& table = document.elements;
     DocumentBuilder::Origin origin;
     origin.net = table.net[row];
+    origin.subnet = table.subnet[row];
     origin.feature = table.firstFeature[row];
     origin.line = table.line[row];
     origin.flags = table.flags[row];

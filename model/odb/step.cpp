@@ -86,8 +86,9 @@ public:
         };
         add(step.folder + "/profile", step.profile, features);
         add(step.folder + "/eda/data", step.eda, [this](std::string_view text, std::string_view path, Diagnostics& d) {
-            return parseEda(text, path, m_layerNames, d);
+            return parseEda(text, path, m_job.defaultUnit, m_layerNames, *m_job.attributeTypes, d);
         });
+        addNetlists(step);
         for (std::size_t i = 0; i < step.layers.size(); ++i) {
             if (isFirstOfName(i)) {
                 addLayer(step, i, features);
@@ -129,6 +130,16 @@ private:
         return true;
     }
 
+    void addNetlists(StepData& step) {
+        constexpr const char* kFolders[] = {"cadnet", "refnet", "curcadnet"};
+        for (std::size_t i = 0; i < step.netlists.size(); ++i) {
+            add(step.folder + "/netlists/" + kFolders[i] + "/netlist", step.netlists[i],
+                [unit = m_job.defaultUnit](std::string_view text, std::string_view path, Diagnostics& d) {
+                    return parseNetlist(text, path, unit, d);
+                });
+        }
+    }
+
     template <class Parse>
     void addLayer(StepData& step, std::size_t row, const Parse& features) {
         const MatrixLayer& layer = m_job.matrix.layers[row];
@@ -146,8 +157,8 @@ private:
         }
         if (layer.type == LayerType::Component) {
             add(folder + "/components", into.components,
-                [unit = m_job.defaultUnit](std::string_view text, std::string_view path, Diagnostics& d) {
-                    return parseComponents(text, path, unit, d);
+                [this](std::string_view text, std::string_view path, Diagnostics& d) {
+                    return parseComponents(text, path, m_job.defaultUnit, *m_job.attributeTypes, d);
                 });
         }
     }

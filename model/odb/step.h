@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "model/odb/features.h"
 #include "model/odb/job_tree.h"
 #include "model/odb/matrix.h"
+#include "model/odb/netlist.h"
 #include "model/odb/step_header.h"
 #include "model/odb/tools.h"
 
@@ -41,7 +43,8 @@ struct StepData {
     Parsed<StepHeader> header;
     Parsed<FeatureFile> profile;
     Parsed<EdaData> eda;
-    std::vector<StepLayer> layers;  ///< by row of Matrix::layers
+    std::array<Parsed<Netlist>, 3> netlists;  ///< by NetlistKind
+    std::vector<StepLayer> layers;            ///< by row of Matrix::layers
 };
 
 /// The chosen step, first, and all steps its STEP-REPEAT blocks bring in.

@@ -13,6 +13,7 @@
 #include "model/odb/job_info.h"
 #include "model/odb/job_tree.h"
 #include "model/odb/matrix.h"
+#include "model/odb/netlist.h"
 #include "model/odb/odb_reader.h"
 #include "model/odb/standard_symbols.h"
 #include "model/odb/step_header.h"
@@ -134,12 +135,18 @@ void symbolName(std::string_view input) {
 
 void components(std::string_view input) {
     Diagnostics diagnostics;
-    static_cast<void>(model::odb::parseComponents(input, kFile, Unit::Inch, diagnostics));
+    static_cast<void>(model::odb::parseComponents(input, kFile, Unit::Inch, {}, diagnostics));
 }
 
 void eda(std::string_view input) {
     Diagnostics diagnostics;
-    static_cast<void>(model::odb::parseEda(input, kFile, {"TOP", "Inner Plane", "BOTTOM"}, diagnostics));
+    static_cast<void>(
+        model::odb::parseEda(input, kFile, Unit::Inch, {"TOP", "Inner Plane", "BOTTOM"}, {}, diagnostics));
+}
+
+void netlist(std::string_view input) {
+    Diagnostics diagnostics;
+    static_cast<void>(model::odb::parseNetlist(input, kFile, Unit::Inch, diagnostics));
 }
 
 void paper(std::string_view input) {
@@ -162,6 +169,7 @@ std::span<const Target> targets() {
         {"job", job, {}, true},
         {"matrix", matrix, {"matrix"}},
         {"member", member},
+        {"netlist", netlist, {"netlist"}},
         {"paper", paper},
         {"profile", profile, {"profile"}},
         {"step_header", stepHeader, {"stephdr"}},

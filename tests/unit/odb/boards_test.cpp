@@ -206,6 +206,38 @@ private slots:
         QVERIFY2(isTold == isKnownToDiffer, qPrintable(QString("off by %1 nm").arg(off)));
     }
 
+    void placedPackagesPutTheirPinsOnTheirRecords_data() { eachBoard(); }
+    void placedPackagesPutTheirPinsOnTheirRecords() {
+        QFETCH(QString, path);
+        const auto d = read(path.toStdString());
+        std::size_t known = 0;
+        for (const model::Component& component : d->components) {
+            for (const model::Pin& pin : d->pinsOf(component)) {
+                if (pin.packagePin == 0xffffffffU) {
+                    continue;
+                }
+                ++known;
+                const model::Point placed = component.placement.apply(d->packagePins[pin.packagePin].position);
+                // KiCad's default precision rounds everything to 0.01 mm or 0.01 inch.
+                const int unit = path.contains("inch.precision2") ? 254'000 : path.contains("precision2") ? 10'000 : 0;
+                const int reach = 1'000 + unit * 3 / 2;
+                QVERIFY2(std::abs(placed.x - pin.position.x) <= reach && std::abs(placed.y - pin.position.y) <= reach,
+                         component.refdes.c_str());
+            }
+        }
+        QVERIFY(known > 0 && known == d->pins.size());
+    }
+
+    void theNetlistNamesTheNetsOfTheBoard_data() { eachBoard(); }
+    void theNetlistNamesTheNetsOfTheBoard() {
+        QFETCH(QString, path);
+        const auto d = read(path.toStdString());
+        const auto named = std::ranges::count_if(d->netPoints, [](const auto& p) { return p.net.isValid(); });
+        QVERIFY(d->netPoints.empty() || named > 0);
+        QVERIFY(findDiagnostic(d->diagnostics, "are not in eda/data") == nullptr);
+        QVERIFY(findDiagnostic(d->diagnostics, "with any origin") == nullptr);
+    }
+
     void thePanelHasThreeCards() {
         if (!fs::exists(kBoards / "ninevoltz_panel.tgz")) {
             QSKIP("the panel is not beside the repository");

@@ -271,16 +271,16 @@ private slots:
         QCOMPARE(u1.refdes, std::string("U1"));
         QCOMPARE(u1.part, std::string("Part_10\xc2\xb5"
                                       "F"));
-        QCOMPARE(u1.package, std::string("SOT"));
-        QCOMPARE(u1.clockwiseDeg, 90.0);
+        QCOMPARE(d->packages[u1.package.row()].name, std::string("SOT"));
+        QCOMPARE(u1.placement.clockwiseDeg, 90.0);
         QCOMPARE(u1.side, LayerSide::Top);
         QCOMPARE(u1.pinCount, 2U);
         QCOMPARE(d->pins[u1.firstPin].net, d->findNet("VCC/+3V3\\x"));
-        QCOMPARE(d->pins[u1.firstPin + 1].name, std::string("2"));  // from the package
+        QCOMPARE(d->text(d->pins[u1.firstPin + 1].name), std::string("2"));  // from the package
         QVERIFY(!d->pins[u1.firstPin + 1].net.isValid());
         QCOMPARE(d->components[1].side, LayerSide::Bottom);
-        QVERIFY(d->components[1].isMirrored);
-        QCOMPARE(d->components[1].position, (Point{2'540'000, 5'080'000}));
+        QVERIFY(d->components[1].placement.isMirrored);  // on the bottom, and no pin says otherwise
+        QCOMPARE(d->components[1].placement.origin, (Point{2'540'000, 5'080'000}));
     }
 
     void whatIsNotReadIsReportedWithItsPlace() {

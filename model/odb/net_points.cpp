@@ -1,0 +1,216 @@
+#include "model/odb/net_points.h"
+
+#include <algorithm>
+#include <map>
+#include <unordered_map>
+
+#include "model/odb/records.h"
+
+namespace model::odb {
+
+namespace {
+
+/// Points and pads are rounded differently by up to a few µm; other pads are farther away.
+constexpr Nm kReach = 20'000;
+/// A shift is looked for with at most this many points, which is plenty.
+constexpr std::size_t kVoters = 500;
+/// Names listed in a message.
+constexpr std::size_t kListed = 5;
+
+/// Middles of pads and holes by net, and of the pins.
+class Landings {
+public:
+    explicit Landings(const Document& document) : m_places(document.nets.size()) {
+        for (std::size_t row = 0; row < document.elements.size(); ++row) {
+            const NetId net = document.elements.net[row];
+            if (net.isValid() && (document.elements.flags[row] & (kPad | kHole)) != 0) {
+                m_places[net.row()].push_back(middleOf(document, row));
+            }
+        }
+        for (const Pin& pin : document.pins) {
+            if (pin.net.isValid()) {
+                m_places[pin.net.row()].push_back(pin.position);
+            }
+        }
+        for (std::vector<Point>& places : m_places) {
+            std::ranges::sort(places);
+            places.erase(std::unique(places.begin(), places.end()), places.end());
+        }
+    }
+
+    [[nodiscard]] const std::vector<Point>& of(NetId net) const { return m_places[net.row()]; }
+
+    [[nodiscard]] bool has(NetId net, Point p) const {
+        const std::vector<Point>& places = of(net);
+        for (auto at = std::ranges::lower_bound(places, Point{p.x - kReach, p.y - kReach});
+             at != places.end() && at->x <= p.x + kReach; ++at) {
+            if (std::abs(at->y - p.y) <= kReach) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+private:
+    static Point middleOf(const Document& document, std::size_t row) {
+        const std::uint32_t geometry = document.elements.geometry[row];
+        switch (document.elements.kind[row]) {
+            case ElementKind::Circle: return document.circles[geometry].centre;
+            case ElementKind::Area: return document.areas[geometry].placement.origin;
+            default: {
+                const Box box = document.boxOf(ElementId{row});
+                return {static_cast<Nm>((std::int64_t{box.min.x} + box.max.x) / 2),
+                        static_cast<Nm>((std::int64_t{box.min.y} + box.max.y) / 2)};
+            }
+        }
+    }
+
+    std::vector<std::vector<Point>> m_places;
+};
+
+class NetPointMaker {
+public:
+    NetPointMaker(DocumentBuilder& builder, const Parsed<Netlist>& file, NetlistKind kind, const Landings& landings,
+                  const std::unordered_map<std::string_view, NetId>& nets)
+        : m_builder(builder), m_file(file), m_kind(kind), m_landings(landings) {
+        for (const std::string& name : file.value.names) {
+            const auto found = nets.find(name);
+            m_nets.push_back(found == nets.end() ? NetId{} : found->second);
+        }
+    }
+
+    void run() {
+        reportUnknownNames();
+        const Point shift = findShift();
+        std::size_t beside = 0;
+        std::uint32_t firstLine = 0;
+        for (const NetlistPoint& from : m_file.value.points) {
+            const NetPoint point = pointFrom(from, shift);
+            if (point.net.isValid() && !m_landings.has(point.net, point.position)) {
+                firstLine = beside++ == 0 ? from.line : firstLine;
+            }
+            m_builder.addNetPoint(point);
+        }
+        if (beside > 0) {
+            report(Severity::Warning, firstLine,
+                   std::to_string(beside) + " of " + std::to_string(m_file.value.points.size()) +
+                       " netlist points lie on no pad or hole of their net");
+        }
+    }
+
+private:
+    void report(Severity severity, std::uint32_t line, const std::string& text) {
+        m_builder.diagnostics().report(severity, m_file.path, line, text);
+    }
+
+    [[nodiscard]] NetId netOf(const NetlistPoint& point) const {
+        return point.net >= 0 && static_cast<std::size_t>(point.net) < m_nets.size()
+                   ? m_nets[static_cast<std::size_t>(point.net)]
+                   : NetId{};
+    }
+
+    void reportUnknownNames() {
+        std::string list;
+        std::size_t unknown = 0;
+        for (std::size_t i = 0; i < m_nets.size(); ++i) {
+            const std::string& name = m_file.value.names[i];
+            if (m_nets[i].isValid() || name.empty() || name == kNoNet) {
+                continue;
+            }
+            if (unknown++ < kListed) {
+                list += (list.empty() ? "" : ", ") + name;
+            }
+        }
+        if (unknown > 0) {
+            report(Severity::Warning, 0,
+                   std::to_string(unknown) + " nets of the netlist are not in eda/data: " + list +
+                       (unknown > kListed ? ", …" : ""));
+        }
+    }
+
+    [[nodiscard]] std::size_t landed(Point shift) const {
+        return static_cast<std::size_t>(std::ranges::count_if(m_file.value.points, [&](const NetlistPoint& point) {
+            const NetId net = netOf(point);
+            return net.isValid() && m_landings.has(net, moved(point.position, shift));
+        }));
+    }
+
+    static Point moved(Point p, Point shift) {
+        const auto sum = [](std::int64_t a, std::int64_t b) {
+            return static_cast<Nm>(std::clamp<std::int64_t>(a + b, -base::kMaxCoordinate, base::kMaxCoordinate));
+        };
+        return {sum(p.x, shift.x), sum(p.y, shift.y)};
+    }
+
+    static Point between(Point from, Point to) { return moved(to, {-from.x, -from.y}); }
+
+    [[nodiscard]] Point findShift() {
+        const auto named = static_cast<std::size_t>(
+            std::ranges::count_if(m_file.value.points, [&](const NetlistPoint& p) { return netOf(p).isValid(); }));
+        if (2 * landed({}) >= named) {
+            return {};
+        }
+        // Every point votes for the shifts that put it on a landing of its net, on a grid coarser than the rounding.
+        std::map<Point, std::pair<std::size_t, Point>> votes;
+        std::size_t voters = 0;
+        for (const NetlistPoint& point : m_file.value.points) {
+            const NetId net = netOf(point);
+            if (!net.isValid() || m_landings.of(net).size() > kVoters || voters++ >= kVoters) {
+                continue;
+            }
+            for (const Point place : m_landings.of(net)) {
+                const Point shift = between(point.position, place);
+                auto& [count, first] = votes[{shift.x / kReach, shift.y / kReach}];
+                first = count++ == 0 ? shift : first;
+            }
+        }
+        const auto best = std::ranges::max_element(votes, {}, [](const auto& vote) { return vote.second.first; });
+        if (best == votes.end() || 2 * landed(best->second.second) < named) {
+            report(Severity::Warning, 0, "most netlist points lie on no pad of their net, with any origin");
+            return {};
+        }
+        report(Severity::Info, 0, "the netlist counts from another origin than the layers; its points were moved");
+        return best->second.second;
+    }
+
+    NetPoint pointFrom(const NetlistPoint& from, Point shift) {
+        NetPoint point;
+        const bool isNamed = from.net >= 0 && static_cast<std::size_t>(from.net) < m_file.value.names.size();
+        point.name = m_builder.string(isNamed ? m_file.value.names[static_cast<std::size_t>(from.net)] : "");
+        point.net = netOf(from);
+        point.position = moved(from.position, shift);
+        point.radius = from.radius;
+        point.width = from.width;
+        point.height = from.height;
+        point.netlist = m_kind;
+        point.side = from.side;
+        point.exposure = from.exposure;
+        point.isEnd = from.isEnd;
+        point.isVia = from.isVia;
+        return point;
+    }
+
+    DocumentBuilder& m_builder;
+    const Parsed<Netlist>& m_file;
+    NetlistKind m_kind;
+    const Landings& m_landings;
+    std::vector<NetId> m_nets;  ///< by number of the name
+};
+
+}  // namespace
+
+void addNetPoints(DocumentBuilder& builder, const StepData& step) {
+    if (std::ranges::all_of(step.netlists, [](const auto& file) { return file.value.points.empty(); })) {
+        return;
+    }
+    const Landings landings(builder.soFar());
+    std::unordered_map<std::string_view, NetId> nets;
+    for (std::size_t row = 0; row < builder.soFar().nets.size(); ++row) {
+        nets.try_emplace(builder.soFar().nets[row].name, NetId{row});
+    }
+    for (std::size_t i = 0; i < step.netlists.size(); ++i) {
+        NetPointMaker(builder, step.netlists[i], static_cast<NetlistKind>(i), landings, nets).run();
+    }
+}
+
+}  // namespace model::odb
