@@ -24,6 +24,13 @@ struct StepTree {
     std::vector<StepCopy> copies;        ///< a copy stands before those it holds
 };
 
+/// One element of the board: its row inside the step of a copy.
+struct BoardElement {
+    std::uint32_t copy = 0;
+    ElementId element;
+    constexpr auto operator<=>(const BoardElement&) const = default;
+};
+
 /// More copies than this are taken for a broken job; readers keep to it.
 inline constexpr std::size_t kMaxCopies = 100'000;
 

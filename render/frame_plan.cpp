@@ -106,7 +106,7 @@ glm::vec4 linearColour(const LayerStyle& style) {
 }
 
 std::vector<shader::LayerState> layerStates(const SceneLayers& scene, const ViewSettings& settings) {
-    const std::vector<ZRange> z = explode(stackOf(scene), settings.explode * kFullSpread * scene.widthMm);
+    const std::vector<ZRange> z = drawnHeights(scene, settings);
     std::vector<shader::LayerState> states(scene.layers.size());
     for (std::size_t i = 0; i < states.size(); ++i) {
         const LayerStyle& style = scene.styles[i];
@@ -233,6 +233,10 @@ void setTriangleRun(SeenFaces faces, shader::FrameData& data) {
 
 float toLinear(float srgb) {
     return srgb <= 0.04045F ? srgb / 12.92F : std::pow((srgb + 0.055F) / 1.055F, 2.4F);
+}
+
+std::vector<ZRange> drawnHeights(const SceneLayers& scene, const ViewSettings& settings) {
+    return explode(stackOf(scene), settings.explode * kFullSpread * scene.widthMm);
 }
 
 FramePlan planFrame(const SceneLayers& scene, const Camera& camera, const ViewSettings& settings, std::uint32_t width,

@@ -44,6 +44,9 @@ struct FramePlan {
     shader::FrameData data{};  ///< for the board itself, all but the addresses and counts of the scene
 };
 
+/// Where layers are drawn: their heights after explosion.
+[[nodiscard]] std::vector<ZRange> drawnHeights(const SceneLayers& scene, const ViewSettings& settings);
+
 /// `width` and `height` of the picture in pixels.
 [[nodiscard]] FramePlan planFrame(const SceneLayers& scene, const Camera& camera, const ViewSettings& settings,
                                   std::uint32_t width, std::uint32_t height);

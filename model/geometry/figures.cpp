@@ -127,6 +127,16 @@ void FigureTable::addDisc(Point centre, double radius) {
     finish();
 }
 
+void FigureTable::addStroke(PointD a, PointD b, double radius) {
+    begin({}, false);
+    Edge edge;
+    edge.a = a;
+    edge.b = b;
+    edge.pen = radius;
+    m_edges.push_back(edge);
+    finish();
+}
+
 void FigureTable::addLine(const Document& document, ElementId element) {
     const LineGeometry& line = document.lines[document.elements.geometry[element.row()]];
     if ((document.elements.flags[element.row()] & kSquarePen) != 0 && line.width > 0) {

@@ -33,6 +33,8 @@ public:
     void add(const Document& document, ElementId element);
     /// Adds a disc that belongs to no element; radius 0 is a point.
     void addDisc(Point centre, double radius);
+    /// The same for a straight stroke; pen radius 0 is a line without width.
+    void addStroke(PointD a, PointD b, double radius);
 
     [[nodiscard]] std::size_t size() const { return m_figures.size(); }
     [[nodiscard]] const Figure& operator[](std::size_t row) const { return m_figures[row]; }

@@ -1,0 +1,247 @@
+#include "model/picking.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <tuple>
+
+#include "model/geometry/distance.h"
+
+namespace model {
+
+namespace {
+
+/// Outlines kept for areas: those of more edges than this, until so many edges are kept (72 bytes each).
+constexpr std::size_t kLargeArea = 256;
+constexpr std::size_t kMostKeptEdges = 4'000'000;
+/// Halvings of a way through a layer: to 1 nm of 1 m.
+constexpr int kHalvings = 30;
+
+PointD toStep(const Placement& placement, PointD p) {
+    const double turn = placement.clockwiseDeg * std::numbers::pi / 180.0;
+    const double x = (placement.isMirrored ? -1.0 : 1.0) * (p.x - placement.origin.x);
+    const double y = p.y - placement.origin.y;
+    return {x * std::cos(turn) - y * std::sin(turn), x * std::sin(turn) + y * std::cos(turn)};
+}
+
+Point rounded(PointD p) {
+    const auto clamp = [](double v) {
+        return static_cast<Nm>(std::lround(std::clamp<double>(v, -base::kMaxCoordinate, base::kMaxCoordinate)));
+    };
+    return {clamp(p.x), clamp(p.y)};
+}
+
+Box boxAround(PointD a, PointD b, double reach) {
+    Box box;
+    box.include(rounded(a));
+    box.include(rounded(b));
+    return box.grownBy(static_cast<Nm>(std::ceil(std::min(reach, 1e8))) + 1);
+}
+
+PointD along(PointD a, PointD b, double part) {
+    return {a.x + (b.x - a.x) * part, a.y + (b.y - a.y) * part};
+}
+
+/// How far the figures are from the stroke from `a` to `b`; more than `reach` counts as infinitely far.
+double gapTo(const FigureTable& figures, PointD a, PointD b, double reach) {
+    FigureTable probe;
+    probe.addStroke(a, b, 0.0);
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t row = 0; row < figures.size(); ++row) {
+        if (const auto gap = gapBetween(figures, row, probe, 0, std::min(least, std::max(reach, kTouchNm)))) {
+            least = std::min(least, gap->distance);
+        }
+    }
+    return least <= kTouchNm ? 0.0 : least;
+}
+
+/// The part of the way from `a` to `b` after which the figures are first touched; they are somewhere on it.
+double firstContact(const FigureTable& figures, PointD a, PointD b) {
+    if (gapTo(figures, a, a, 0.0) == 0.0) {
+        return 0.0;
+    }
+    double before = 0.0;
+    double after = 1.0;
+    for (int i = 0; i < kHalvings; ++i) {
+        const double middle = (before + after) / 2.0;
+        (gapTo(figures, a, along(a, b, middle), 0.0) == 0.0 ? after : before) = middle;
+    }
+    return after;
+}
+
+double sizeOf(const Box& box) {
+    return std::hypot(static_cast<double>(box.width()), static_cast<double>(box.height()));
+}
+
+/// The part of a line of sight between two heights and inside of a box around the board, in steps; empty if first >
+/// last.
+struct Way {
+    double first = 0.0;
+    double last = std::numeric_limits<double>::infinity();
+
+    void keep(double from, double step, double low, double high) {
+        if (step == 0.0) {
+            if (from < low || from > high) {
+                last = -1.0;
+            }
+            return;
+        }
+        const double a = (low - from) / step;
+        const double b = (high - from) / step;
+        first = std::max(first, std::min(a, b));
+        last = std::min(last, std::max(a, b));
+    }
+};
+
+}  // namespace
+
+/// What is asked for: a straight way over the board between two depths.
+struct Picker::Probe {
+    PointD a;
+    PointD b;
+    double reach = 0.0;
+    double depthA = 0.0;
+    double depthB = 0.0;
+    std::span<const PickLayer> layers;
+};
+
+const FigureTable& Picker::figuresOf(std::uint32_t step, ElementId element) {
+    const std::uint64_t key = std::uint64_t{step} << 32U | element.value;
+    if (const auto kept = m_figures.find(key); kept != m_figures.end()) {
+        return kept->second;
+    }
+    FigureTable figures;
+    figures.add(*m_index->tree.steps[step], element);
+    std::size_t edges = 0;
+    for (std::size_t row = 0; row < figures.size(); ++row) {
+        edges += figures[row].edgeCount;
+    }
+    if (edges <= kLargeArea) {
+        m_small = std::move(figures);
+        return m_small;
+    }
+    if (m_keptEdges + edges > kMostKeptEdges) {
+        m_figures.clear();
+        m_keptEdges = 0;
+    }
+    m_keptEdges += edges;
+    return m_figures.emplace(key, std::move(figures)).first->second;
+}
+
+void Picker::collect(const Probe& probe, LayerId only, std::vector<Hit>& hits) {
+    for (std::uint32_t copy = 0; copy < m_index->tree.copies.size(); ++copy) {
+        const StepCopy& placed = m_index->tree.copies[copy];
+        const Document& step = *m_index->tree.steps[placed.step];
+        const PointD a = toStep(placed.placement, probe.a);
+        const PointD b = toStep(placed.placement, probe.b);
+        m_index->elements[placed.step].visit(boxAround(a, b, probe.reach), [&](std::uint32_t row) {
+            const ElementId element{row};
+            const LayerId layer = step.layerOfCopy(step.elements.layer[row], placed.isFlipped);
+            if (!probe.layers[layer.row()].isVisible || (only.isValid() && layer != only)) {
+                return;
+            }
+            const FigureTable& figures = figuresOf(placed.step, element);
+            const double missedBy = gapTo(figures, a, b, probe.reach);
+            if (missedBy > probe.reach) {
+                return;
+            }
+            const double part = missedBy > 0.0 || probe.depthA == probe.depthB ? 0.0 : firstContact(figures, a, b);
+            hits.push_back({{copy, element},
+                            layer,
+                            probe.depthA + (probe.depthB - probe.depthA) * part,
+                            missedBy,
+                            sizeOf(step.boxOf(element))});
+        });
+    }
+}
+
+namespace {
+
+void sortHits(std::vector<Hit>& hits, std::span<const PickLayer> layers) {
+    std::ranges::sort(hits, {}, [&](const Hit& hit) {
+        return std::tuple(layers[hit.layer.row()].isBackground, hit.missedBy > 0.0, hit.depth, hit.size, hit.missedBy,
+                          hit.layer, ~hit.at.element.value, hit.at.copy);
+    });
+}
+
+}  // namespace
+
+std::vector<Hit> Picker::at(PointD place, double reach, std::span<const PickLayer> layers, bool isFromBelow) {
+    std::vector<Hit> hits;
+    collect({place, place, reach, 0.0, 0.0, layers}, {}, hits);
+    double nearest = isFromBelow ? std::numeric_limits<double>::infinity() : -std::numeric_limits<double>::infinity();
+    for (const PickLayer& layer : layers) {
+        nearest = isFromBelow ? std::min(nearest, layer.bottom) : std::max(nearest, layer.top);
+    }
+    for (Hit& hit : hits) {
+        const PickLayer& layer = layers[hit.layer.row()];
+        hit.depth = isFromBelow ? layer.bottom - nearest : nearest - layer.top;
+    }
+    sortHits(hits, layers);
+    return hits;
+}
+
+std::vector<Hit> Picker::along(const SightLine& line, double reach, std::span<const PickLayer> layers) {
+    Box around = m_index->board->extent;
+    around.include(m_index->extents.front());
+    around = around.grownBy(1'000'000);
+    std::vector<Hit> hits;
+    for (std::size_t row = 0; row < layers.size(); ++row) {
+        Way way;
+        way.keep(line.z, -line.down, layers[row].bottom, layers[row].top);
+        way.keep(line.origin.x, line.direction.x, around.min.x, around.max.x);
+        way.keep(line.origin.y, line.direction.y, around.min.y, around.max.y);
+        if (!layers[row].isVisible || way.first > way.last || !std::isfinite(way.last)) {
+            continue;
+        }
+        const PointD end = {line.origin.x + line.direction.x, line.origin.y + line.direction.y};
+        collect({model::along(line.origin, end, way.first), model::along(line.origin, end, way.last), reach, way.first,
+                 way.last, layers},
+                LayerId{row}, hits);
+    }
+    sortHits(hits, layers);
+    return hits;
+}
+
+std::vector<BoardElement> Picker::inside(const Box& box, bool isTouching, std::span<const PickLayer> layers) {
+    const std::array<Point, 4> corners = {box.min, Point{box.max.x, box.min.y}, box.max, Point{box.min.x, box.max.y}};
+    const auto holds = [&](const Box& other) {
+        return other.min.x >= box.min.x && other.min.y >= box.min.y && other.max.x <= box.max.x &&
+               other.max.y <= box.max.y;
+    };
+    std::vector<BoardElement> found;
+    for (std::uint32_t copy = 0; copy < m_index->tree.copies.size(); ++copy) {
+        const StepCopy& placed = m_index->tree.copies[copy];
+        const Document& step = *m_index->tree.steps[placed.step];
+        std::array<PointD, 4> sides;
+        Box local;
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            sides[i] = toStep(placed.placement, base::toDouble(corners[i]));
+            local.include(rounded(sides[i]));
+        }
+        const auto touches = [&](const FigureTable& figures) {
+            bool isTouched = false;
+            for (std::size_t i = 0; i < sides.size() && !isTouched; ++i) {
+                isTouched = gapTo(figures, sides[i], sides[(i + 1) % sides.size()], 0.0) == 0.0;
+            }
+            return isTouched;
+        };
+        m_index->elements[placed.step].visit(local, [&](std::uint32_t row) {
+            const LayerId layer = step.layerOfCopy(step.elements.layer[row], placed.isFlipped);
+            const PickLayer& look = layers[layer.row()];
+            if (!look.isVisible || look.isBackground) {
+                return;
+            }
+            const ElementId element{row};
+            if (holds(placed.placement.boxOf(step.boxOf(element))) ||
+                (isTouching && touches(figuresOf(placed.step, element)))) {
+                found.push_back({copy, element});
+            }
+        });
+    }
+    std::ranges::sort(found);
+    return found;
+}
+
+}  // namespace model

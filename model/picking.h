@@ -1,0 +1,67 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "model/board_index.h"
+#include "model/geometry/figures.h"
+
+namespace model {
+
+/// A layer as a view draws it.
+struct PickLayer {
+    bool isVisible = false;
+    bool isBackground = false;  ///< seen through, like the laminate: picked only where nothing else is
+    double bottom = 0.0;        ///< nm, as drawn (exploded, exaggerated); `top` is not below it
+    double top = 0.0;
+};
+
+/// Lines of sight in nanometres of the board, z up.
+struct SightLine {
+    PointD origin;
+    double z = 0.0;
+    PointD direction;
+    double down = 0.0;  ///< how much z falls per step along the line; negative when looking up
+};
+
+struct Hit {
+    BoardElement at;
+    LayerId layer;        ///< of the board, where a flipped copy has put it
+    double depth = 0.0;   ///< steps along the line of sight; in 2D how far its layer is below the nearest one, nm
+    double missedBy = 0;  ///< nm; 0 where the element covers the place
+    double size = 0.0;    ///< diagonal of its box, nm
+};
+
+/// Which elements a place of the board shows, from the exact geometry: arcs are arcs, holes are filled as far as the
+/// drill reaches. The answer is a list from what is seen first to what lies beneath, so that repeated clicks walk
+/// through it: what covers the place before what only comes near, nearer layers before farther ones, in one plane the
+/// smaller before the larger and then what was drawn later. Background comes last. Equal input gives equal order.
+///
+/// Outlines of large areas are kept once they were asked for; one thread at a time.
+class Picker {
+public:
+    explicit Picker(std::shared_ptr<const BoardIndex> index) : m_index(std::move(index)) {}
+
+    /// `layers` has one entry per layer of the board; `reach` is how far beside an element a place still counts.
+    [[nodiscard]] std::vector<Hit> at(PointD place, double reach, std::span<const PickLayer> layers, bool isFromBelow);
+    [[nodiscard]] std::vector<Hit> along(const SightLine& line, double reach, std::span<const PickLayer> layers);
+    /// Elements of visible layers that lie inside of the box, or with `isTouching` share a place with it; background is
+    /// left out. In the order of copies and ids.
+    [[nodiscard]] std::vector<BoardElement> inside(const Box& box, bool isTouching, std::span<const PickLayer> layers);
+
+    [[nodiscard]] const BoardIndex& index() const { return *m_index; }
+
+private:
+    struct Probe;
+    void collect(const Probe& probe, LayerId only, std::vector<Hit>& hits);
+    const FigureTable& figuresOf(std::uint32_t step, ElementId element);
+
+    std::shared_ptr<const BoardIndex> m_index;
+    std::unordered_map<std::uint64_t, FigureTable> m_figures;
+    FigureTable m_small;  ///< of the element asked for last, if that is not worth keeping
+    std::size_t m_keptEdges = 0;
+};
+
+}  // namespace model

@@ -1,0 +1,205 @@
+// What lies at a place of the board, against fixtures worked out by hand and against gaps measured element by element.
+#include "model/picking.h"
+
+#include <QtTest>
+#include <random>
+#include <set>
+
+#include "model/document_builder.h"
+#include "model/geometry/distance.h"
+
+using namespace model;
+
+namespace {
+
+constexpr Nm kMm = 1'000'000;
+
+std::shared_ptr<const BoardIndex> indexed(std::shared_ptr<const Document> board) {
+    base::Progress progress;
+    return *indexBoard(std::move(board), progress);
+}
+
+/// Two copper layers with a drill through both and a laminate around all; heights in nm.
+struct Board {
+    enum Layer : std::size_t { Top, Bottom, Drill, Laminate };
+    DocumentBuilder builder;
+    std::vector<PickLayer> layers = {
+        {true, false, 1.0e6, 1.1e6}, {true, false, 0.0, 0.1e6}, {true, false, 0.0, 1.1e6}, {true, true, 0.1e6, 1.0e6}};
+    ElementId line, plane, pad, back, hole, body;
+
+    Board() {
+        const LayerId top = builder.addLayer({});
+        const LayerId bottom = builder.addLayer({});
+        const LayerId drill = builder.addLayer({});
+        const LayerId laminate = builder.addLayer({});
+        builder.beginLayer(top);
+        line = builder.addLine({{0, 0}, {10 * kMm, 0}, kMm, 0}, {});
+        plane = builder.addArea({rectangle({-20 * kMm, -20 * kMm}, {20 * kMm, 20 * kMm}), {}}, {});
+        pad = builder.addCircle({{10 * kMm, 0}, 2 * kMm, 0}, {});
+        builder.beginLayer(bottom);
+        back = builder.addLine({{10 * kMm, 0}, {10 * kMm, 5 * kMm}, kMm, 0}, {});
+        builder.beginLayer(drill);
+        DocumentBuilder::Origin origin;
+        origin.flags = kHole;
+        hole = builder.addCircle({{10 * kMm, 0}, kMm, kMm}, origin);
+        builder.beginLayer(laminate);
+        body = builder.addArea({rectangle({-20 * kMm, -20 * kMm}, {20 * kMm, 20 * kMm}), {}}, {});
+    }
+    ShapeId rectangle(Point min, Point max) {
+        ShapeSketch sketch;
+        sketch.addPolygon(std::array<Point, 4>{{min, {max.x, min.y}, max, {min.x, max.y}}}, false);
+        return builder.addShape(sketch);
+    }
+};
+
+std::vector<ElementId> elementsOf(const std::vector<Hit>& hits) {
+    std::vector<ElementId> ids;
+    for (const Hit& hit : hits) {
+        ids.push_back(hit.at.element);
+    }
+    return ids;
+}
+
+}  // namespace
+
+class PickingTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void listGoesFromWhatIsSeenFirstToWhatLiesBeneath() {
+        Board b;
+        Picker picker(indexed(b.builder.finish()));
+        const PointD via{10.0 * kMm, 0.0};
+        QCOMPARE(elementsOf(picker.at(via, 0.0, b.layers, false)),
+                 (std::vector{b.hole, b.pad, b.line, b.plane, b.back, b.body}));
+        QCOMPARE(elementsOf(picker.at(via, 0.0, b.layers, true)),
+                 (std::vector{b.hole, b.back, b.pad, b.line, b.plane, b.body}));
+    }
+
+    void hiddenLayersAreNotPicked() {
+        Board b;
+        Picker picker(indexed(b.builder.finish()));
+        b.layers[Board::Top].isVisible = false;
+        QCOMPARE(elementsOf(picker.at({10.0 * kMm, 0.0}, 0.0, b.layers, false)), (std::vector{b.hole, b.back, b.body}));
+    }
+
+    void edgeCountsToTheNanometreAndReachAddsWhatIsNear() {
+        Board b;
+        b.layers[Board::Laminate].isVisible = false;
+        Picker picker(indexed(b.builder.finish()));
+        const double side = kMm / 2.0;
+        QCOMPARE(elementsOf(picker.at({3.0 * kMm, side}, 0.0, b.layers, false)), (std::vector{b.line, b.plane}));
+        QCOMPARE(elementsOf(picker.at({3.0 * kMm, side + 1}, 0.0, b.layers, false)), (std::vector{b.plane}));
+        const auto near = picker.at({3.0 * kMm, side + 1}, 10.0, b.layers, false);
+        QCOMPARE(elementsOf(near), (std::vector{b.plane, b.line}));
+        QVERIFY(std::abs(near[1].missedBy - 1.0) < 1e-3);
+    }
+
+    void lookingStraightDownIsThePlanView() {
+        Board b;
+        Picker picker(indexed(b.builder.finish()));
+        for (const double x : {-5.0, 3.0, 9.2, 10.0, 10.4, 10.7, 15.0}) {
+            for (const bool isFromBelow : {false, true}) {
+                const SightLine line{{x * kMm, 0.0}, isFromBelow ? -5e6 : 5e6, {0.0, 0.0}, isFromBelow ? -1.0 : 1.0};
+                QCOMPARE(elementsOf(picker.along(line, 0.0, b.layers)),
+                         elementsOf(picker.at({x * kMm, 0.0}, 0.0, b.layers, isFromBelow)));
+            }
+        }
+    }
+
+    void obliqueLinesEnterThroughWalls() {
+        Board b;
+        b.layers[Board::Laminate].isVisible = false;
+        b.layers[Board::Drill].isVisible = false;
+        Picker picker(indexed(b.builder.finish()));
+        // Falls by 1 for each step along x: over the plane's edge at x = 20 mm the line is at z = 1.05 mm.
+        const SightLine line{{25.0 * kMm, 10.0 * kMm}, 1.05e6 + 5e6, {-1.0, 0.0}, 1.0};
+        const auto hits = picker.along(line, 0.0, b.layers);
+        QCOMPARE(elementsOf(hits), (std::vector{b.plane}));
+        QVERIFY2(std::abs(hits[0].depth - 5.0e6) < 2.0, qPrintable(QString::number(hits[0].depth)));
+        // Edge on, within the thickness of the copper.
+        const SightLine level{{25.0 * kMm, 10.0 * kMm}, 1.05e6, {-1.0, 0.0}, 0.0};
+        QCOMPARE(elementsOf(picker.along(level, 0.0, b.layers)), (std::vector{b.plane}));
+        const SightLine above{{25.0 * kMm, 10.0 * kMm}, 1.15e6, {-1.0, 0.0}, 0.0};
+        QVERIFY(picker.along(above, 0.0, b.layers).empty());
+    }
+
+    void boxTakesWhatIsInsideAndWithTouchingWhatReachesIn() {
+        Board b;
+        Picker picker(indexed(b.builder.finish()));
+        const auto ids = [](const std::vector<BoardElement>& found) {
+            std::vector<ElementId> list;
+            for (const BoardElement& element : found) {
+                list.push_back(element.element);
+            }
+            return list;
+        };
+        const Box box{{8 * kMm, -2 * kMm}, {12 * kMm, 2 * kMm}};
+        QCOMPARE(ids(picker.inside(box, false, b.layers)), (std::vector{b.pad, b.hole}));
+        // The plane has no edge here, but covers it.
+        QCOMPARE(ids(picker.inside(box, true, b.layers)), (std::vector{b.line, b.plane, b.pad, b.back, b.hole}));
+        const Box away{{30 * kMm, 30 * kMm}, {40 * kMm, 40 * kMm}};
+        QVERIFY(picker.inside(away, true, b.layers).empty());
+    }
+
+    void copiesArePickedWhereTheyLie() {
+        DocumentBuilder childBuilder;
+        const LayerId childLayer = childBuilder.addLayer({});
+        childBuilder.beginLayer(childLayer);
+        const ElementId pad = childBuilder.addCircle({{kMm, 0}, kMm / 2, 0}, {});
+        const auto child = childBuilder.finish();
+        auto board = std::make_shared<Document>();
+        board->layers.resize(1);
+        board->steps = {child};
+        board->instances = {{0, {{0, 0}, 0.0, false}, false},
+                            {0, {{10 * kMm, 0}, 90.0, false}, false},
+                            {0, {{20 * kMm, 0}, 0.0, true}, false}};
+        board->extent = {{-30 * kMm, -30 * kMm}, {30 * kMm, 30 * kMm}};
+        Picker picker(indexed(board));
+        const std::vector<PickLayer> layers = {{true, false, 0.0, 1e5}};
+        const std::pair<PointD, std::uint32_t> places[] = {
+            {{1.0 * kMm, 0.0}, 1}, {{10.0 * kMm, -1.0 * kMm}, 2}, {{19.0 * kMm, 0.0}, 3}};
+        for (const auto& [place, copy] : places) {
+            const auto hits = picker.at(place, 0.0, layers, false);
+            QCOMPARE(hits.size(), std::size_t{1});
+            QCOMPARE(hits[0].at, (BoardElement{copy, pad}));
+            const SightLine down{place, 1e6, {0.0, 0.0}, 1.0};
+            QCOMPARE(picker.along(down, 0.0, layers).size(), std::size_t{1});
+        }
+        const auto found = picker.inside({{9 * kMm, -2 * kMm}, {11 * kMm, 0}}, false, layers);
+        QCOMPARE(found, (std::vector<BoardElement>{{2, pad}}));
+    }
+
+    void agreesWithGapsMeasuredOneByOne() {
+        std::mt19937 random(7);
+        std::uniform_int_distribution<Nm> place(-10 * kMm, 10 * kMm);
+        DocumentBuilder builder;
+        builder.beginLayer(builder.addLayer({}));
+        for (int i = 0; i < 300; ++i) {
+            const Point a{place(random), place(random)};
+            const Point b{place(random), place(random)};
+            builder.addLine({a, b, kMm / 10, 0}, {});
+        }
+        const auto document = builder.finish();
+        Picker picker(indexed(document));
+        const std::vector<PickLayer> layers = {{true, false, 0.0, 1e5}};
+        for (int i = 0; i < 200; ++i) {
+            const Point at{place(random), place(random)};
+            FigureTable point;
+            point.addDisc(at, 0.0);
+            std::set<ElementId> expected;
+            for (std::size_t row = 0; row < document->elements.size(); ++row) {
+                FigureTable figures;
+                figures.add(*document, ElementId{row});
+                if (gapBetween(figures, 0, point, 0, kTouchNm)) {
+                    expected.insert(ElementId{row});
+                }
+            }
+            const auto hits = elementsOf(picker.at(base::toDouble(at), 0.0, layers, false));
+            QCOMPARE(std::set(hits.begin(), hits.end()), expected);
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(PickingTest)
+#include "picking_test.moc"

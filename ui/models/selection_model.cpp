@@ -1,0 +1,106 @@
+#include "ui/models/selection_model.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace ui::models {
+
+namespace {
+
+template <class T>
+void sortUnique(std::vector<T>& values) {
+    std::ranges::sort(values);
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+template <class T>
+std::vector<T> toggled(const std::vector<T>& before, std::vector<T> changes) {
+    sortUnique(changes);
+    std::vector<T> after;
+    std::ranges::set_symmetric_difference(before, changes, std::back_inserter(after));
+    return after;
+}
+
+}  // namespace
+
+void SelectionModel::setBoard(std::shared_ptr<const model::Document> board) {
+    m_board = std::move(board);
+    m_tree = m_board ? model::unfoldCopies(*m_board) : model::StepTree{};
+    m_hovered.reset();
+    m_current.reset();
+    m_selected.clear();
+    m_nets.clear();
+    emit hoverChanged();
+    emit selectionChanged();
+    emit netsChanged();
+    emit highlightChanged();
+}
+
+void SelectionModel::hover(std::optional<model::BoardElement> element) {
+    if (element != m_hovered) {
+        m_hovered = element;
+        emit hoverChanged();
+        emit highlightChanged();
+    }
+}
+
+void SelectionModel::select(const std::vector<model::BoardElement>& elements, Mode mode) {
+    m_selected = mode == Mode::Toggle ? toggled(m_selected, elements) : elements;
+    sortUnique(m_selected);
+    const auto isSelected = [&](const model::BoardElement& e) { return std::ranges::binary_search(m_selected, e); };
+    if (!elements.empty() && isSelected(elements.back())) {
+        m_current = elements.back();
+    } else if (!m_current || !isSelected(*m_current)) {
+        m_current = m_selected.empty() ? std::nullopt : std::optional(m_selected.back());
+    }
+    emit selectionChanged();
+    emit highlightChanged();
+}
+
+void SelectionModel::setNets(std::vector<model::NetId> nets) {
+    sortUnique(nets);
+    if (nets != m_nets) {
+        m_nets = std::move(nets);
+        emit netsChanged();
+        emit highlightChanged();
+    }
+}
+
+void SelectionModel::toggleNet(model::NetId net) {
+    setNets(toggled(m_nets, {net}));
+}
+
+bool SelectionModel::clearStep() {
+    if (!m_selected.empty()) {
+        select({});
+        return true;
+    }
+    const bool hadNets = !m_nets.empty();
+    setNets({});
+    return hadNets;
+}
+
+const model::Document& SelectionModel::stepOf(const model::BoardElement& element) const {
+    return *m_tree.steps[m_tree.copies[element.copy].step];
+}
+
+std::vector<std::vector<model::ElementId>> SelectionModel::highlight() const {
+    std::vector<std::vector<model::ElementId>> elements(m_tree.steps.size());
+    const auto add = [&](const model::BoardElement& element) {
+        elements[m_tree.copies[element.copy].step].push_back(element.element);
+    };
+    std::ranges::for_each(m_selected, add);
+    if (m_hovered) {
+        add(*m_hovered);
+    }
+    for (const model::NetId net : m_nets) {
+        const auto members = m_board->elementsOf(net);
+        elements.front().insert(elements.front().end(), members.begin(), members.end());
+    }
+    for (std::vector<model::ElementId>& list : elements) {
+        sortUnique(list);
+    }
+    return elements;
+}
+
+}  // namespace ui::models

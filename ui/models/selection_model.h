@@ -1,0 +1,70 @@
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "model/copies.h"
+
+namespace ui::models {
+
+/// What the user points at: the element under the cursor, the selected elements, the highlighted nets. Views, tables and
+/// tools share one of these, so that what is chosen in one is seen in all.
+///
+/// Hovering is fleeting, selecting replaces or adds, nets stay highlighted until they are cleared. `clearStep` takes
+/// back one of them at a time, the most fleeting first.
+class SelectionModel : public QObject {
+    Q_OBJECT
+
+public:
+    using QObject::QObject;
+
+    /// Forgets everything; a null tree is an empty board. The document behind the tree must live as long as it is set.
+    void setBoard(std::shared_ptr<const model::Document> board);
+
+    /// None when the cursor is over nothing.
+    void hover(std::optional<model::BoardElement> element);
+    [[nodiscard]] std::optional<model::BoardElement> hovered() const { return m_hovered; }
+
+    enum class Mode { Replace, Toggle };
+    /// Nothing selected when `elements` is empty and they replace. Toggled ones change sides.
+    void select(const std::vector<model::BoardElement>& elements, Mode mode = Mode::Replace);
+    /// In rising order.
+    [[nodiscard]] const std::vector<model::BoardElement>& selected() const { return m_selected; }
+    /// The one selected last; none when nothing is selected.
+    [[nodiscard]] std::optional<model::BoardElement> current() const { return m_current; }
+
+    /// Nets of the board itself.
+    void setNets(std::vector<model::NetId> nets);
+    void toggleNet(model::NetId net);
+    /// In rising order.
+    [[nodiscard]] const std::vector<model::NetId>& nets() const { return m_nets; }
+
+    /// Clears the selection, or if there is none the highlighted nets. False when there was nothing to clear.
+    bool clearStep();
+
+    [[nodiscard]] const model::StepTree& tree() const { return m_tree; }
+    /// The document an element is a row of.
+    [[nodiscard]] const model::Document& stepOf(const model::BoardElement& element) const;
+    /// All that stands out, per row of `tree().steps`: hovered, selected, and the elements of the nets; in rising order.
+    [[nodiscard]] std::vector<std::vector<model::ElementId>> highlight() const;
+
+signals:
+    void hoverChanged();
+    /// Once per change, however many elements it concerns.
+    void selectionChanged();
+    void netsChanged();
+    /// After each of the above.
+    void highlightChanged();
+
+private:
+    std::shared_ptr<const model::Document> m_board;
+    model::StepTree m_tree;
+    std::optional<model::BoardElement> m_hovered;
+    std::vector<model::BoardElement> m_selected;
+    std::optional<model::BoardElement> m_current;
+    std::vector<model::NetId> m_nets;
+};
+
+}  // namespace ui::models
