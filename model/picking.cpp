@@ -158,10 +158,10 @@ void Picker::collect(const Probe& probe, LayerId only, std::vector<Hit>& hits) {
 
 namespace {
 
-void sortHits(std::vector<Hit>& hits, std::span<const PickLayer> layers) {
-    std::ranges::sort(hits, {}, [&](const Hit& hit) {
-        return std::tuple(layers[hit.layer.row()].isBackground, hit.missedBy > 0.0, hit.depth, hit.size, hit.missedBy,
-                          hit.layer, ~hit.at.element.value, hit.at.copy);
+void sortHits(std::vector<Hit>& hits) {
+    std::ranges::sort(hits, {}, [](const Hit& hit) {
+        return std::tuple(hit.missedBy > 0.0, hit.depth, hit.size, hit.missedBy, hit.layer, ~hit.at.element.value,
+                          hit.at.copy);
     });
 }
 
@@ -178,7 +178,7 @@ std::vector<Hit> Picker::at(PointD place, double reach, std::span<const PickLaye
         const PickLayer& layer = layers[hit.layer.row()];
         hit.depth = isFromBelow ? layer.bottom - nearest : nearest - layer.top;
     }
-    sortHits(hits, layers);
+    sortHits(hits);
     return hits;
 }
 
@@ -200,7 +200,7 @@ std::vector<Hit> Picker::along(const SightLine& line, double reach, std::span<co
                  way.last, layers},
                 LayerId{row}, hits);
     }
-    sortHits(hits, layers);
+    sortHits(hits);
     return hits;
 }
 
@@ -229,8 +229,7 @@ std::vector<BoardElement> Picker::inside(const Box& box, bool isTouching, std::s
         };
         m_index->elements[placed.step].visit(local, [&](std::uint32_t row) {
             const LayerId layer = step.layerOfCopy(step.elements.layer[row], placed.isFlipped);
-            const PickLayer& look = layers[layer.row()];
-            if (!look.isVisible || look.isBackground) {
+            if (!layers[layer.row()].isVisible) {
                 return;
             }
             const ElementId element{row};

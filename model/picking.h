@@ -13,8 +13,7 @@ namespace model {
 /// A layer as a view draws it.
 struct PickLayer {
     bool isVisible = false;
-    bool isBackground = false;  ///< seen through, like the laminate: picked only where nothing else is
-    double bottom = 0.0;        ///< nm, as drawn (exploded, exaggerated); `top` is not below it
+    double bottom = 0.0;  ///< nm, as drawn (exploded, exaggerated); `top` is not below it
     double top = 0.0;
 };
 
@@ -37,7 +36,7 @@ struct Hit {
 /// Which elements a place of the board shows, from the exact geometry: arcs are arcs, holes are filled as far as the
 /// drill reaches. The answer is a list from what is seen first to what lies beneath, so that repeated clicks walk
 /// through it: what covers the place before what only comes near, nearer layers before farther ones, in one plane the
-/// smaller before the larger and then what was drawn later. Background comes last. Equal input gives equal order.
+/// smaller before the larger and then what was drawn later. Equal input gives equal order.
 ///
 /// Outlines of large areas are kept once they were asked for; one thread at a time.
 class Picker {
@@ -47,8 +46,8 @@ public:
     /// `layers` has one entry per layer of the board; `reach` is how far beside an element a place still counts.
     [[nodiscard]] std::vector<Hit> at(PointD place, double reach, std::span<const PickLayer> layers, bool isFromBelow);
     [[nodiscard]] std::vector<Hit> along(const SightLine& line, double reach, std::span<const PickLayer> layers);
-    /// Elements of visible layers that lie inside of the box, or with `isTouching` share a place with it; background is
-    /// left out. In the order of copies and ids.
+    /// Elements of visible layers that lie inside of the box, or with `isTouching` share a place with it, in the order
+    /// of copies and ids.
     [[nodiscard]] std::vector<BoardElement> inside(const Box& box, bool isTouching, std::span<const PickLayer> layers);
 
     [[nodiscard]] const BoardIndex& index() const { return *m_index; }

@@ -256,6 +256,10 @@ void BoardScene::setStyles(std::span<const LayerStyle> styles) {
     m_impl->layers.styles.assign(styles.begin(), styles.end());
 }
 
+std::vector<ZRange> BoardScene::drawnHeights(const ViewSettings& settings) const {
+    return render::drawnHeights(m_impl->layers, settings);
+}
+
 void BoardScene::setHighlight(std::span<const model::ElementId> elements, std::uint32_t step) {
     const SceneStep& owner = m_impl->steps[step];
     std::vector<std::uint32_t> words(owner.elementWords);

@@ -10,6 +10,7 @@
 #include "model/base/result.h"
 #include "render/board_model.h"
 #include "render/camera.h"
+#include "render/explosion.h"
 #include "render/layer_style.h"
 #include "render/standard_model.h"
 
@@ -70,6 +71,8 @@ public:
     BoardScene& operator=(BoardScene&&) noexcept;
 
     void setStyles(std::span<const LayerStyle> styles);
+    /// Lower and upper face of every layer as a view with these settings and the styles set last draws it, mm.
+    [[nodiscard]] std::vector<ZRange> drawnHeights(const ViewSettings& settings) const;
     /// One bit per element of the board itself or of a step it places (0 = the board, else 1 + row of
     /// BoardModel::steps), which lights up in all its copies. Changes nothing else on the GPU.
     void setHighlight(std::span<const model::ElementId> elements, std::uint32_t step = 0);

@@ -20,7 +20,7 @@ constexpr ActionSpec kSpecs[] = {
     {OpenFile, MenuId::File, "&Open…", "Ctrl+O", "Open an ODB++ archive (.tgz, .zip) or a text board"},
     {OpenFolder, MenuId::File, "Open &folder…", "Ctrl+Shift+O", "Open an unpacked ODB++ job"},
     {Reload, MenuId::File, "&Reload", "F5 Ctrl+R", "Read the board again from disk"},
-    {CancelLoading, MenuId::File, "&Cancel loading", "Esc", "Stop reading and keep the board on the screen"},
+    {CancelLoading, MenuId::File, "&Cancel loading", "", "Stop reading and keep the board on the screen"},
     {SavePicture, MenuId::File, "&Save picture…", "Ctrl+Shift+S", "Write what the canvas shows to a PNG file", false,
      kNewGroup},
     {CopyPicture, MenuId::File, "Copy &picture", "Ctrl+Shift+C", "Put what the canvas shows on the clipboard"},
@@ -31,7 +31,7 @@ constexpr ActionSpec kSpecs[] = {
     {LookBottom, MenuId::View, "&Bottom", "B", "Look straight up on the bottom side"},
     {LookIso, MenuId::View, "&Isometric", "I", "Look from a corner"},
     {Flip, MenuId::View, "Turn o&ver", "Space", "Look at the other side of the board"},
-    {ZoomIn, MenuId::View, "Zoom i&n", "+ =", "Come closer", false, kNewGroup},
+    {ZoomIn, MenuId::View, "&Zoom in", "+ =", "Come closer", false, kNewGroup},
     {ZoomOut, MenuId::View, "Zoom o&ut", "-", "Step back from the board"},
     {Orthographic, MenuId::View, "&Orthographic", "O", "Parallel projection instead of perspective", kCheckable},
     {Explode, MenuId::View, "&Explode", "E", "Spread the layers apart", kCheckable},
@@ -40,8 +40,11 @@ constexpr ActionSpec kSpecs[] = {
     {ShowSideBySide, MenuId::Arrangement, "&Side by side", "4", "2D to the left of 3D", kCheckable},
     {ShowStacked, MenuId::Arrangement, "One &above the other", "5", "2D above 3D", kCheckable},
     {ShowLayersDock, MenuId::View, "&Layers", "Ctrl+1", "Show or hide the layers panel", kCheckable, kNewGroup},
+    {ShowNetsDock, MenuId::View, "&Nets", "Ctrl+5", "Show or hide the nets", kCheckable},
+    {ShowElementDock, MenuId::View, "Ele&ment", "Ctrl+4", "Show or hide what is known of the selected element",
+     kCheckable},
     {ShowStatisticsDock, MenuId::View, "&Statistics", "Ctrl+2", "Show or hide the element statistics", kCheckable},
-    {ShowMessagesDock, MenuId::View, "&Messages", "Ctrl+3", "Show or hide what was skipped, repaired or assumed",
+    {ShowMessagesDock, MenuId::View, "Messa&ges", "Ctrl+3", "Show or hide what was skipped, repaired or assumed",
      kCheckable},
     {ShowToolBar, MenuId::View, "Toolba&r", "", "Show or hide the toolbar", kCheckable},
     {ThemeSystem, MenuId::Theme, "As the &system", "", "Colours of the desktop", kCheckable},
@@ -62,6 +65,25 @@ constexpr ActionSpec kSpecs[] = {
     {PreviousLayer, MenuId::Layers, "Layer abo&ve", "PgUp", "Make the visible layer before the current one"},
     {RestoreLayers, MenuId::Layers, "&Default colours", "", "Undo all changes of colour, opacity and visibility"},
 
+    {ClearSelection, MenuId::Select, "&Clear", "Esc",
+     "Stop loading, or else forget the selection, or else the highlighted nets"},
+    {ShowSelection, MenuId::Select, "&Show in both views", "Z", "Bring what is selected to the middle of the views"},
+    {HighlightNet, MenuId::Select, "Highlight &net", "N",
+     "Light up the whole net of the element under the cursor, or of the selected one; again to stop", false, kNewGroup},
+    {DimOthers, MenuId::Select, "&Dim the rest", "D", "Darken everything that is not selected or highlighted",
+     kCheckable},
+    {FollowInSolid, MenuId::Select, "Follow in &3D", "", "The 3D view goes to what is clicked in 2D", kCheckable,
+     kNewGroup},
+    {FollowInFlat, MenuId::Select, "Follow in &2D", "", "The 2D view goes to what is clicked in 3D", kCheckable},
+    {FollowInTables, MenuId::Select, "Follow in &tables", "", "Tables go to the net of what is clicked in a view",
+     kCheckable},
+    {FollowFromTables, MenuId::Select, "Follow t&ables in views", "", "Both views go to what is chosen in a table",
+     kCheckable},
+    {NextUnit, MenuId::Select, "Next &unit", "Q Ctrl+U", "Millimetres, mils, inches", false, kNewGroup},
+    {ShowGrid, MenuId::Select, "&Grid and rulers", "G", "Show a grid and rulers in 2D", kCheckable},
+    {ShowNames, MenuId::Select, "Net na&mes", "W", "Write the names of nets on the copper in 2D, where there is room",
+     kCheckable},
+
     {KeysSheet, MenuId::Help, "&Keys and mouse", "F1 ?", "All keys and mouse gestures on one page"},
     {ResetSettings, MenuId::Help, "&Reset settings…", "", "Forget window places, theme and recent boards", false,
      kNewGroup},
@@ -70,7 +92,7 @@ constexpr ActionSpec kSpecs[] = {
 static_assert(std::size(kSpecs) == kActionCount);
 
 constexpr const char* kMenuTitles[kMenuCount] = {"&File",     "&View",   "&Arrangement", "T&heme",
-                                                 "Bac&k end", "&Layers", "&Help"};
+                                                 "Bac&k end", "&Layers", "&Select",      "&Help"};
 
 bool isChoice(MenuId menu) {
     return menu == MenuId::Arrangement || menu == MenuId::Theme || menu == MenuId::Backend;

@@ -35,6 +35,8 @@ enum class ActionId {
     ShowSideBySide,
     ShowStacked,
     ShowLayersDock,
+    ShowNetsDock,
+    ShowElementDock,
     ShowStatisticsDock,
     ShowMessagesDock,
     ShowToolBar,
@@ -52,6 +54,17 @@ enum class ActionId {
     NextLayer,
     PreviousLayer,
     RestoreLayers,
+    ClearSelection,
+    ShowSelection,
+    HighlightNet,
+    DimOthers,
+    FollowInSolid,
+    FollowInFlat,
+    FollowInTables,
+    FollowFromTables,
+    NextUnit,
+    ShowGrid,
+    ShowNames,
     KeysSheet,
     ResetSettings,
     About,
@@ -60,7 +73,7 @@ enum class ActionId {
 inline constexpr std::size_t kActionCount = static_cast<std::size_t>(ActionId::Count);
 
 /// Where a command is found. Arrangement, Theme and Backend are submenus of View with one choice each.
-enum class MenuId { File, View, Arrangement, Theme, Backend, Layers, Help, Count };
+enum class MenuId { File, View, Arrangement, Theme, Backend, Layers, Select, Help, Count };
 inline constexpr std::size_t kMenuCount = static_cast<std::size_t>(MenuId::Count);
 
 struct ActionSpec {

@@ -80,6 +80,13 @@ void BoardView::setStyles(std::vector<render::LayerStyle> styles) {
     requestFrame();
 }
 
+std::vector<render::ZRange> BoardView::drawnHeights() const {
+    if (m_picture.scene == nullptr) {
+        return {};
+    }
+    return m_picture.scene->drawnHeights(m_picture.frameSettings());
+}
+
 void BoardView::setDimOthers(bool isOn) {
     m_picture.settings.dimOthers = isOn;
     requestFrame();

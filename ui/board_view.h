@@ -49,7 +49,11 @@ public:
     [[nodiscard]] Kind kind() const { return m_kind; }
     [[nodiscard]] CameraController& controller() { return m_controller; }
     [[nodiscard]] const CameraController& controller() const { return m_controller; }
-    [[nodiscard]] const render::ViewSettings& settings() const { return m_picture.settings; }
+    [[nodiscard]] const std::vector<render::LayerStyle>& styles() const { return m_picture.styles; }
+    /// Where layers are drawn, in millimetres; empty without a scene.
+    [[nodiscard]] std::vector<render::ZRange> drawnHeights() const;
+    /// Frames take long: what is not asked for should not be drawn.
+    [[nodiscard]] bool isSlow() const { return m_isSlow; }
     /// The widget or window that takes the input.
     [[nodiscard]] QObject& canvas();
     /// What the canvas shows, drawn to memory in its size times `scale`. Errors: BadUsage, DeviceFailed.

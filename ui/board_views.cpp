@@ -65,9 +65,7 @@ void BoardViews::makeScene() {
         return;  // that was told
     }
     m_scene = std::make_unique<render::BoardScene>(m_context.device(), *m_board->model);
-    if (!m_highlight.empty()) {
-        m_scene->setHighlight(m_highlight);
-    }
+    applyHighlight();
     for (BoardView* view : m_views) {
         view->setScene(m_scene.get(), stylesOf(*view));
     }
@@ -79,10 +77,11 @@ std::vector<render::LayerStyle> BoardViews::stylesOf(const BoardView& view) cons
 }
 
 void BoardViews::setLooks(const std::vector<models::LayerLook>& looks) {
-    m_looks = looks;
-    if (!m_scene) {
+    // Looks of a board that is about to be shown come again with it.
+    if (!m_scene || looks.size() != m_board->document->layers.size()) {
         return;
     }
+    m_looks = looks;
     for (BoardView* view : m_views) {
         view->setStyles(stylesOf(*view));
     }
@@ -95,11 +94,15 @@ void BoardViews::setContrastLayer(model::LayerId layer) {
     }
 }
 
-void BoardViews::setHighlight(std::span<const model::ElementId> elements, bool dimOthers) {
-    m_highlight.assign(elements.begin(), elements.end());
-    if (m_scene) {
-        m_scene->setHighlight(elements);
+void BoardViews::applyHighlight() {
+    for (std::uint32_t step = 0; m_scene && step < m_highlight.size(); ++step) {
+        m_scene->setHighlight(m_highlight[step], step);
     }
+}
+
+void BoardViews::setHighlight(std::vector<std::vector<model::ElementId>> elements, bool dimOthers) {
+    m_highlight = std::move(elements);
+    applyHighlight();
     for (BoardView* view : m_views) {
         view->setDimOthers(dimOthers);
     }

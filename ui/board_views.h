@@ -35,8 +35,8 @@ public:
     /// Spreads the layers of the 3D view apart, or folds them back.
     void explode(bool isOn);
     void requestFrame();
-    /// The elements that stand out; with `dimOthers` all others are darkened.
-    void setHighlight(std::span<const model::ElementId> elements, bool dimOthers);
+    /// The elements that stand out, a list per row of model::StepTree::steps; with `dimOthers` all others are darkened.
+    void setHighlight(std::vector<std::vector<model::ElementId>> elements, bool dimOthers);
 
     [[nodiscard]] BoardView& flat() { return *m_views[0]; }
     [[nodiscard]] BoardView& solid() { return *m_views[1]; }
@@ -58,6 +58,7 @@ protected:
 
 private:
     void makeScene();
+    void applyHighlight();
     void onTimed(const render::FrameStats& stats);
     void onDeviceLost();
     [[nodiscard]] std::vector<render::LayerStyle> stylesOf(const BoardView& view) const;
@@ -66,7 +67,7 @@ private:
     std::unique_ptr<render::BoardScene> m_scene;
     std::optional<LoadedBoard> m_board;
     std::vector<models::LayerLook> m_looks;
-    std::vector<model::ElementId> m_highlight;
+    std::vector<std::vector<model::ElementId>> m_highlight;
     model::LayerId m_contrastLayer;
     QVariantAnimation m_explosion;
     Arrangement m_arrangement = Arrangement::SideBySide;

@@ -20,12 +20,16 @@ struct Gesture {
 
 constexpr Gesture kGestures[] = {
     {"Left drag", "Orbit (3D), select with a box (2D)"},
+    {"Click", "Select; again: what lies beneath; with Ctrl: add or take away"},
+    {"Double click, Alt + click", "Bring it to the middle of the other view"},
+    {"Box from the left, from the right (2D)", "Select what is inside; what is inside or touched"},
     {"Middle drag, right drag, Shift + left drag", "Pan"},
     {"Wheel", "Zoom to the cursor"},
     {"Arrows (canvas)", "Orbit, with Shift pan (3D); pan (2D)"},
     {"Click on a colour (layers)", "Change the colour"},
     {"Drag in an opacity (layers)", "Change the opacity"},
     {"Space (layers)", "Show or hide the selected layers"},
+    {"Enter, double click (nets)", "Bring the net to the middle of both views"},
     {"Ctrl+C (any table)", "Copy the selected rows"},
     {"Drop a file or folder", "Open it"},
 };

@@ -27,8 +27,20 @@ base::Result<LoadedBoard> loadBoard(const LoadRequest& request, base::Progress& 
     if (!boardModel) {
         return boardModel.error();
     }
-    return LoadedBoard{request, *document, std::make_shared<const render::BoardModel>(std::move(*boardModel)),
-                       static_cast<double>(clock.elapsed()) / 1000.0};
+    auto index = model::indexBoard(*document, progress);
+    if (!index) {
+        return index.error();
+    }
+    auto nets = model::measureNets(**document, progress);
+    if (!nets) {
+        return nets.error();
+    }
+    return LoadedBoard{request,
+                       *document,
+                       std::make_shared<const render::BoardModel>(std::move(*boardModel)),
+                       static_cast<double>(clock.elapsed()) / 1000.0,
+                       *index,
+                       std::make_shared<const model::NetStatistics>(std::move(*nets))};
 }
 
 struct Loader::Job {

@@ -10,7 +10,9 @@
 
 #include "model/base/progress.h"
 #include "model/base/result.h"
+#include "model/board_index.h"
 #include "model/document.h"
+#include "model/net_statistics.h"
 #include "render/board_model.h"
 
 namespace ui {
@@ -26,6 +28,8 @@ struct LoadedBoard {
     std::shared_ptr<const model::Document> document;
     std::shared_ptr<const render::BoardModel> model;
     double seconds = 0.0;
+    std::shared_ptr<const model::BoardIndex> index;    ///< may be null: then nothing can be picked
+    std::shared_ptr<const model::NetStatistics> nets;  ///< may be null
 };
 
 /// Reads the board and models it. Errors: those of model::readBoard and render::buildBoardModel.

@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "ui/element_panel.h"
 #include "ui/help_dialogs.h"
 #include "ui/icons.h"
 #include "ui/layers_panel.h"
@@ -20,6 +21,7 @@
 #include "ui/looks.h"
 #include "ui/message_bar.h"
 #include "ui/messages_panel.h"
+#include "ui/nets_panel.h"
 #include "ui/paths.h"
 #include "ui/recent_boards.h"
 #include "ui/start_page.h"
@@ -46,11 +48,12 @@ constexpr ActionId kToolBar[] = {ActionId::OpenFile,   ActionId::Count,   Action
                                  ActionId::Explode,    ActionId::Count,   ActionId::SavePicture};
 /// Commands that need a board.
 constexpr ActionId kBoardActions[] = {
-    ActionId::Reload,         ActionId::SavePicture,  ActionId::CopyPicture,   ActionId::Fit,
-    ActionId::LookTop,        ActionId::LookBottom,   ActionId::LookIso,       ActionId::Flip,
-    ActionId::ZoomIn,         ActionId::ZoomOut,      ActionId::ShowAllLayers, ActionId::HideAllLayers,
-    ActionId::ShowCopperOnly, ActionId::SoloLayer,    ActionId::RestoreLayers, ActionId::Contrast,
-    ActionId::NextLayer,      ActionId::PreviousLayer};
+    ActionId::Reload,         ActionId::SavePicture,   ActionId::CopyPicture,    ActionId::Fit,
+    ActionId::LookTop,        ActionId::LookBottom,    ActionId::LookIso,        ActionId::Flip,
+    ActionId::ZoomIn,         ActionId::ZoomOut,       ActionId::ShowAllLayers,  ActionId::HideAllLayers,
+    ActionId::ShowCopperOnly, ActionId::SoloLayer,     ActionId::RestoreLayers,  ActionId::Contrast,
+    ActionId::NextLayer,      ActionId::PreviousLayer, ActionId::ClearSelection, ActionId::ShowSelection,
+    ActionId::HighlightNet};
 
 }  // namespace
 
@@ -67,10 +70,15 @@ MainWindow::MainWindow(GpuContext& context, Settings& settings, const Loader::Wo
     connectFileActions();
     connectViewActions();
     connectLayerActions();
+    connectSelectActions();
     connectHelpActions();
     connectLoader();
     restoreSettings();
     onIdle();
+}
+
+MainWindow::~MainWindow() {
+    delete m_views;  // its canvases must not draw with painters that are gone
 }
 
 void MainWindow::createCentre() {
@@ -93,6 +101,8 @@ void MainWindow::createCentre() {
         view->canvas().installEventFilter(&m_dropTarget);
     }
     connect(&m_dropTarget, &DropTarget::dropped, this, &MainWindow::openDropped);
+    m_probing = new Probing(*m_views, m_selection, this);
+    m_planPainter = std::make_unique<PlanPainter>(m_views->flat());
     connect(m_views, &BoardViews::timed, m_statusLine, &StatusLine::showFrame);
     connect(m_views, &BoardViews::troubled, m_messageBar, &MessageBar::showError);
     connect(&m_layerModel, &models::LayerModel::looksChanged, this,
@@ -111,10 +121,16 @@ QDockWidget* MainWindow::addDock(Qt::DockWidgetArea area, const char* name, cons
 
 void MainWindow::createDocks() {
     m_layersPanel = new LayersPanel(m_layerModel, m_actions);
+    m_netsPanel = new NetsPanel(m_netModel, m_selection);
+    m_elementPanel = new ElementPanel(m_selection);
     m_statisticsPanel = new StatisticsPanel(m_statisticsModel);
     m_messagesPanel = new MessagesPanel(m_messageModel);
     QDockWidget* layers =
         addDock(Qt::LeftDockWidgetArea, "layers", QStringLiteral("Layers"), m_layersPanel, ActionId::ShowLayersDock);
+    QDockWidget* nets =
+        addDock(Qt::RightDockWidgetArea, "nets", QStringLiteral("Nets"), m_netsPanel, ActionId::ShowNetsDock);
+    QDockWidget* element = addDock(Qt::RightDockWidgetArea, "element", QStringLiteral("Element"), m_elementPanel,
+                                   ActionId::ShowElementDock);
     QDockWidget* statistics = addDock(Qt::BottomDockWidgetArea, "statistics", QStringLiteral("Statistics"),
                                       m_statisticsPanel, ActionId::ShowStatisticsDock);
     QDockWidget* messages = addDock(Qt::BottomDockWidgetArea, "messages", QStringLiteral("Messages"), m_messagesPanel,
@@ -123,7 +139,7 @@ void MainWindow::createDocks() {
     messages->raise();
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     const int line = fontMetrics().height();
-    resizeDocks({layers}, {line * 30}, Qt::Horizontal);
+    resizeDocks({layers, nets, element}, {line * 24, line * 22, line * 22}, Qt::Horizontal);
     resizeDocks({messages}, {line * 13}, Qt::Vertical);
 }
 
@@ -156,6 +172,7 @@ void MainWindow::createMenus() {
     addMenu(*view, MenuId::Theme);
     addMenu(*view, MenuId::Backend);
     addMenu(*menuBar(), MenuId::Layers);
+    addMenu(*menuBar(), MenuId::Select);
     addMenu(*menuBar(), MenuId::Help);
 
     auto* recent = new QMenu(QStringLiteral("Open r&ecent"), this);
@@ -214,6 +231,50 @@ void MainWindow::connectLayerActions() {
     on(ActionId::SoloLayer, [this] { m_layerModel.toggleSolo(m_layersPanel->currentLayer()); });
 }
 
+void MainWindow::connectSelectActions() {
+    on(ActionId::ClearSelection, [this] { m_loader.isLoading() ? m_loader.cancel() : void(m_selection.clearStep()); });
+    on(ActionId::ShowSelection, [this] { m_probing->showInBoth(m_selection.selected()); });
+    on(ActionId::HighlightNet, &MainWindow::highlightNet);
+    on(ActionId::DimOthers, [this](bool isOn) { m_probing->setDimOthers(isOn); });
+    on(ActionId::FollowInSolid, [this](bool isOn) { m_probing->setFollows(BoardView::Kind::Solid, isOn); });
+    on(ActionId::FollowInFlat, [this](bool isOn) { m_probing->setFollows(BoardView::Kind::Flat, isOn); });
+    on(ActionId::FollowInTables, [this](bool isOn) { m_netsPanel->setFollows(isOn); });
+    on(ActionId::FollowFromTables, [this](bool isOn) { m_netsPanel->setShowsChosen(isOn); });
+    m_actions[ActionId::FollowInTables].setChecked(true);
+    connect(m_netsPanel, &NetsPanel::showRequested, m_probing, &Probing::showNet);
+    on(ActionId::NextUnit, [this] { setUnit(models::nextUnit(m_unit)); });
+    on(ActionId::ShowGrid, [this](bool isOn) { m_planPainter->showGrid(isOn); });
+    on(ActionId::ShowNames, [this](bool isOn) { m_planPainter->showNames(isOn); });
+    m_actions[ActionId::ShowGrid].setChecked(true);
+    m_actions[ActionId::ShowNames].setChecked(true);
+    connect(m_probing, &Probing::pointedAt, this,
+            [this](double x, double y) { m_statusLine->showPlace(models::placeText(x, y, m_unit)); });
+    connect(m_probing, &Probing::pointedAway, this, [this] { m_statusLine->showPlace({}); });
+}
+
+void MainWindow::highlightNet() {
+    const auto at = m_selection.hovered() ? m_selection.hovered() : m_selection.current();
+    if (at && at->copy == 0) {
+        const model::NetId net = document()->elements.net[at->element.row()];
+        if (net.isValid()) {
+            m_selection.toggleNet(net);
+            return;
+        }
+    }
+    statusBar()->showMessage(QStringLiteral("Point at an element of a net, or select one, to highlight its net"));
+}
+
+void MainWindow::setUnit(models::LengthUnit unit) {
+    m_unit = unit;
+    m_settings.setUnit(unit);
+    m_probing->setUnit(unit);
+    m_planPainter->setUnit(unit);
+    m_elementPanel->setUnit(unit);
+    m_netModel.setUnit(unit);
+    m_statusLine->showPlace({});
+    statusBar()->showMessage(QStringLiteral("Lengths are in %1").arg(QLatin1String(models::unitName(unit))));
+}
+
 void MainWindow::connectHelpActions() {
     on(ActionId::KeysSheet, [this] { showKeysSheet(*this); });
     on(ActionId::About, [this] { showAbout(*this); });
@@ -240,6 +301,8 @@ void MainWindow::restoreSettings() {
     setTheme(m_settings.theme());
     setBackend(m_settings.backend());
     setArrangement(m_settings.arrangement());
+    setUnit(m_settings.unit());
+    statusBar()->clearMessage();
     m_actions[ActionId::BackendMesh].setEnabled(m_context.device().caps().hasMeshShader);
 }
 
@@ -249,6 +312,7 @@ void MainWindow::resetSettings() {
     setTheme(Theme::System);
     setBackend(render::Backend::Auto);
     setArrangement(Arrangement::SideBySide);
+    setUnit(models::LengthUnit::Millimetre);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -299,6 +363,7 @@ void MainWindow::copyPicture() {
 void MainWindow::onStarted(const LoadRequest& request) {
     m_statusLine->loadBar().begin(displayName(request.path));
     m_actions[ActionId::CancelLoading].setEnabled(true);
+    m_actions[ActionId::ClearSelection].setEnabled(true);
 }
 
 void MainWindow::onIdle() {
@@ -318,6 +383,9 @@ void MainWindow::onLoaded(const LoadedBoard& board) {
     m_statisticsModel.setDocument(board.document);
     m_messageModel.setMessages(board.document, board.model->diagnostics);
     m_views->show(board, m_layerModel.effectiveLooks());
+    m_probing->setBoard(board);
+    m_netModel.setNets(board.document, board.nets);
+    m_planPainter->setBoard(board.index, {board.model->origin});
     updateContrast();
     m_pages->setCurrentWidget(m_views);
     m_messageBar->hide();

@@ -11,16 +11,22 @@
 #include "ui/loader.h"
 #include "ui/models/layer_model.h"
 #include "ui/models/message_model.h"
+#include "ui/models/net_model.h"
+#include "ui/models/selection_model.h"
 #include "ui/models/statistics_model.h"
+#include "ui/plan_painter.h"
+#include "ui/probing.h"
 #include "ui/settings.h"
 
 class QStackedWidget;
 
 namespace ui {
 
+class ElementPanel;
 class LayersPanel;
 class MessageBar;
 class MessagesPanel;
+class NetsPanel;
 class RecentBoards;
 class StatisticsPanel;
 class StatusLine;
@@ -34,6 +40,8 @@ public:
     /// `work` is what loads boards; tests put their own in.
     MainWindow(GpuContext& context, Settings& settings, const Loader::Work& work = loadBoard);
 
+    ~MainWindow() override;
+
     /// Starts to load a file or folder; an empty step means the job's first one.
     void open(const std::filesystem::path& path, const std::string& step = {});
     /// Writes what the canvas shows as PNG; what goes wrong is shown in the message bar.
@@ -46,6 +54,11 @@ public:
     [[nodiscard]] Loader& loader() { return m_loader; }
     [[nodiscard]] models::LayerModel& layers() { return m_layerModel; }
     [[nodiscard]] LayersPanel& layersPanel() { return *m_layersPanel; }
+    [[nodiscard]] models::SelectionModel& selection() { return m_selection; }
+    [[nodiscard]] NetsPanel& netsPanel() { return *m_netsPanel; }
+    [[nodiscard]] models::NetModel& nets() { return m_netModel; }
+    [[nodiscard]] Probing& probing() { return *m_probing; }
+    [[nodiscard]] ElementPanel& elementPanel() { return *m_elementPanel; }
     [[nodiscard]] MessagesPanel& messagesPanel() { return *m_messagesPanel; }
     [[nodiscard]] StatisticsPanel& statisticsPanel() { return *m_statisticsPanel; }
     [[nodiscard]] MessageBar& messageBar() { return *m_messageBar; }
@@ -67,6 +80,7 @@ private:
     void connectFileActions();
     void connectViewActions();
     void connectLayerActions();
+    void connectSelectActions();
     void connectHelpActions();
     void connectLoader();
     void restoreSettings();
@@ -84,6 +98,8 @@ private:
     void setBackend(render::Backend backend);
     void setArrangement(Arrangement arrangement);
     void updateContrast();
+    void highlightNet();
+    void setUnit(models::LengthUnit unit);
     void copyPicture();
 
     GpuContext& m_context;
@@ -91,18 +107,25 @@ private:
     ActionSet m_actions;
     Loader m_loader;
     models::LayerModel m_layerModel;
+    models::NetModel m_netModel;
+    models::SelectionModel m_selection;
     models::StatisticsModel m_statisticsModel;
     models::MessageModel m_messageModel;
     DropTarget m_dropTarget;
 
     std::optional<LoadedBoard> m_board;
+    models::LengthUnit m_unit = models::LengthUnit::Millimetre;
     QByteArray m_defaultState;
 
     // Owned by the window as Qt children.
     BoardViews* m_views = nullptr;
     QStackedWidget* m_pages = nullptr;
     MessageBar* m_messageBar = nullptr;
+    Probing* m_probing = nullptr;
+    std::unique_ptr<PlanPainter> m_planPainter;
     LayersPanel* m_layersPanel = nullptr;
+    NetsPanel* m_netsPanel = nullptr;
+    ElementPanel* m_elementPanel = nullptr;
     StatisticsPanel* m_statisticsPanel = nullptr;
     MessagesPanel* m_messagesPanel = nullptr;
     StatusLine* m_statusLine = nullptr;

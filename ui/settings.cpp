@@ -13,6 +13,7 @@ constexpr auto kState = "window/state";
 constexpr auto kTheme = "view/theme";
 constexpr auto kBackend = "view/backend";
 constexpr auto kArrangement = "view/arrangement";
+constexpr auto kUnit = "view/unit";
 constexpr auto kRecent = "files/recent";
 constexpr auto kFolder = "files/folder";
 
@@ -28,6 +29,8 @@ constexpr std::array<Word<Arrangement>, 4> kArrangements{{{Arrangement::SideBySi
                                                           {Arrangement::Stacked, "stacked"},
                                                           {Arrangement::Flat, "2d"},
                                                           {Arrangement::Solid, "3d"}}};
+constexpr std::array<Word<models::LengthUnit>, 3> kUnits{
+    {{models::LengthUnit::Millimetre, "mm"}, {models::LengthUnit::Mil, "mil"}, {models::LengthUnit::Inch, "inch"}}};
 constexpr std::array<Word<render::Backend>, 3> kBackends{
     {{render::Backend::Auto, "auto"}, {render::Backend::Mesh, "mesh"}, {render::Backend::Pull, "pull"}}};
 
@@ -86,6 +89,14 @@ Arrangement Settings::arrangement() const {
 
 void Settings::setArrangement(Arrangement arrangement) {
     m_store.setValue(kArrangement, toWord(kArrangements, arrangement));
+}
+
+models::LengthUnit Settings::unit() const {
+    return fromWord(kUnits, m_store.value(kUnit).toString());
+}
+
+void Settings::setUnit(models::LengthUnit unit) {
+    m_store.setValue(kUnit, toWord(kUnits, unit));
 }
 
 QStringList Settings::recentBoards() const {

@@ -6,6 +6,7 @@
 #include <QStringList>
 
 #include "render/view.h"
+#include "ui/models/lengths.h"
 
 namespace ui {
 
@@ -31,6 +32,9 @@ public:
 
     [[nodiscard]] Arrangement arrangement() const;
     void setArrangement(Arrangement arrangement);
+
+    [[nodiscard]] models::LengthUnit unit() const;
+    void setUnit(models::LengthUnit unit);
 
     /// Paths, newest first.
     [[nodiscard]] QStringList recentBoards() const;

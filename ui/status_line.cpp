@@ -25,13 +25,16 @@ StatusLine::StatusLine(QStatusBar& bar)
       m_loadBar(new LoadBar),
       m_stepLabel(new QLabel(QStringLiteral("Step"))),
       m_steps(new QComboBox),
+      m_place(new QLabel),
       m_frame(new QLabel) {
     m_steps->setToolTip(QStringLiteral("The part of the job that is shown"));
     m_steps->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_stepLabel->setBuddy(m_steps);
     m_frame->setToolTip(QStringLiteral("Device, how it draws, and the time of the last frame"));
-    for (QWidget* widget : {static_cast<QWidget*>(m_loadBar), static_cast<QWidget*>(m_stepLabel),
-                            static_cast<QWidget*>(m_steps), static_cast<QWidget*>(m_frame)}) {
+    m_place->setToolTip(QStringLiteral("The cursor in the coordinates of the job (Q changes the unit)"));
+    for (QWidget* widget :
+         {static_cast<QWidget*>(m_place), static_cast<QWidget*>(m_loadBar), static_cast<QWidget*>(m_stepLabel),
+          static_cast<QWidget*>(m_steps), static_cast<QWidget*>(m_frame)}) {
         bar.addPermanentWidget(widget);
     }
     m_stepLabel->hide();
@@ -53,6 +56,14 @@ void StatusLine::showSteps(const model::JobInfo& job) {
 void StatusLine::showFrame(const render::FrameStats& stats) {
     const double ms = stats.gpuMs > 0.0 ? stats.gpuMs : stats.cpuMs;
     m_frame->setText(QStringLiteral("%1 · %2 · %3 ms").arg(m_device, backendText(stats.backend)).arg(ms, 0, 'f', 1));
+}
+
+void StatusLine::showPlace(const QString& text) {
+    m_place->setText(text.isEmpty() ? text : text + QStringLiteral("   "));  // apart from the device beside it
+}
+
+QString StatusLine::placeText() const {
+    return m_place->text();
 }
 
 QString StatusLine::frameText() const {

@@ -22,6 +22,9 @@ public:
     void showSteps(const model::JobInfo& job);
     void showDevice(const QString& name) { m_device = name; }
     void showFrame(const render::FrameStats& stats);
+    /// Where the cursor is on the board; empty when it is not.
+    void showPlace(const QString& text);
+    [[nodiscard]] QString placeText() const;
     [[nodiscard]] QString frameText() const;
     [[nodiscard]] QComboBox& stepBox() { return *m_steps; }
 
@@ -33,6 +36,7 @@ private:
     LoadBar* m_loadBar;
     QLabel* m_stepLabel;
     QComboBox* m_steps;
+    QLabel* m_place;
     QLabel* m_frame;
     QString m_device;
 };

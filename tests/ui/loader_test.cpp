@@ -18,7 +18,7 @@ namespace {
 
 LoadedBoard emptyBoard(const LoadRequest& request) {
     model::DocumentBuilder builder;
-    return {request, builder.finish(), std::make_shared<const render::BoardModel>(), 0.0};
+    return {request, builder.finish(), std::make_shared<const render::BoardModel>(), 0.0, {}, {}};
 }
 
 /// Works until it is told to stop.

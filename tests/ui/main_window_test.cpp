@@ -48,7 +48,7 @@ base::Result<LoadedBoard> workWithSteps(const LoadRequest& request, base::Progre
     model::DocumentBuilder builder;
     builder.job().steps = {"pcb", "panel", "broken"};
     builder.job().step = request.step.empty() ? "pcb" : request.step;
-    return LoadedBoard{request, builder.finish(), std::make_shared<const render::BoardModel>(), 0.0};
+    return LoadedBoard{request, builder.finish(), std::make_shared<const render::BoardModel>(), 0.0, {}, {}};
 }
 
 void drop(QWidget& target, const QList<QUrl>& urls) {

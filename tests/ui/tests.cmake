@@ -12,6 +12,7 @@ target_link_libraries(ui_test_support PUBLIC copperscope_ui Qt6::Test)
 copperscope_ui_test(main_window)
 copperscope_ui_test(board_views)
 copperscope_ui_test(panels)
+copperscope_ui_test(probing)
 
 copperscope_test(ui_actions_test ui/actions_test.cpp LABEL ui LINK copperscope_ui)
 copperscope_test(ui_camera_controller_test ui/camera_controller_test.cpp LABEL ui LINK copperscope_ui)

@@ -9,8 +9,8 @@
 
 namespace ui::models {
 
-/// What the user points at: the element under the cursor, the selected elements, the highlighted nets. Views, tables and
-/// tools share one of these, so that what is chosen in one is seen in all.
+/// What the user points at: the element under the cursor, the selected elements, the highlighted nets. Views, tables
+/// and tools share one of these, so that what is chosen in one is seen in all.
 ///
 /// Hovering is fleeting, selecting replaces or adds, nets stay highlighted until they are cleared. `clearStep` takes
 /// back one of them at a time, the most fleeting first.
@@ -47,7 +47,8 @@ public:
     [[nodiscard]] const model::StepTree& tree() const { return m_tree; }
     /// The document an element is a row of.
     [[nodiscard]] const model::Document& stepOf(const model::BoardElement& element) const;
-    /// All that stands out, per row of `tree().steps`: hovered, selected, and the elements of the nets; in rising order.
+    /// All that stands out, per row of `tree().steps`: hovered, selected, and the elements of the nets; in rising
+    /// order.
     [[nodiscard]] std::vector<std::vector<model::ElementId>> highlight() const;
 
 signals:

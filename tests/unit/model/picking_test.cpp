@@ -24,7 +24,7 @@ struct Board {
     enum Layer : std::size_t { Top, Bottom, Drill, Laminate };
     DocumentBuilder builder;
     std::vector<PickLayer> layers = {
-        {true, false, 1.0e6, 1.1e6}, {true, false, 0.0, 0.1e6}, {true, false, 0.0, 1.1e6}, {true, true, 0.1e6, 1.0e6}};
+        {true, 1.0e6, 1.1e6}, {true, 0.0, 0.1e6}, {true, 0.0, 1.1e6}, {true, 0.1e6, 1.0e6}};
     ElementId line, plane, pad, back, hole, body;
 
     Board() {
@@ -71,16 +71,16 @@ private slots:
         Picker picker(indexed(b.builder.finish()));
         const PointD via{10.0 * kMm, 0.0};
         QCOMPARE(elementsOf(picker.at(via, 0.0, b.layers, false)),
-                 (std::vector{b.hole, b.pad, b.line, b.plane, b.back, b.body}));
+                 (std::vector{b.hole, b.pad, b.line, b.plane, b.body, b.back}));
         QCOMPARE(elementsOf(picker.at(via, 0.0, b.layers, true)),
-                 (std::vector{b.hole, b.back, b.pad, b.line, b.plane, b.body}));
+                 (std::vector{b.hole, b.back, b.body, b.pad, b.line, b.plane}));
     }
 
     void hiddenLayersAreNotPicked() {
         Board b;
         Picker picker(indexed(b.builder.finish()));
         b.layers[Board::Top].isVisible = false;
-        QCOMPARE(elementsOf(picker.at({10.0 * kMm, 0.0}, 0.0, b.layers, false)), (std::vector{b.hole, b.back, b.body}));
+        QCOMPARE(elementsOf(picker.at({10.0 * kMm, 0.0}, 0.0, b.layers, false)), (std::vector{b.hole, b.body, b.back}));
     }
 
     void edgeCountsToTheNanometreAndReachAddsWhatIsNear() {
@@ -126,6 +126,7 @@ private slots:
 
     void boxTakesWhatIsInsideAndWithTouchingWhatReachesIn() {
         Board b;
+        b.layers[Board::Laminate].isVisible = false;
         Picker picker(indexed(b.builder.finish()));
         const auto ids = [](const std::vector<BoardElement>& found) {
             std::vector<ElementId> list;
@@ -156,7 +157,7 @@ private slots:
                             {0, {{20 * kMm, 0}, 0.0, true}, false}};
         board->extent = {{-30 * kMm, -30 * kMm}, {30 * kMm, 30 * kMm}};
         Picker picker(indexed(board));
-        const std::vector<PickLayer> layers = {{true, false, 0.0, 1e5}};
+        const std::vector<PickLayer> layers = {{true, 0.0, 1e5}};
         const std::pair<PointD, std::uint32_t> places[] = {
             {{1.0 * kMm, 0.0}, 1}, {{10.0 * kMm, -1.0 * kMm}, 2}, {{19.0 * kMm, 0.0}, 3}};
         for (const auto& [place, copy] : places) {
@@ -182,7 +183,7 @@ private slots:
         }
         const auto document = builder.finish();
         Picker picker(indexed(document));
-        const std::vector<PickLayer> layers = {{true, false, 0.0, 1e5}};
+        const std::vector<PickLayer> layers = {{true, 0.0, 1e5}};
         for (int i = 0; i < 200; ++i) {
             const Point at{place(random), place(random)};
             FigureTable point;

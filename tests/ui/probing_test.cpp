@@ -1,0 +1,341 @@
+#include "ui/probing.h"
+
+#include <QLineEdit>
+#include <QMouseEvent>
+#include <QtTest>
+
+#include "tests/ui/window_fixture.h"
+#include "ui/element_panel.h"
+#include "ui/nets_panel.h"
+#include "ui/status_line.h"
+#include "ui/table_view.h"
+
+using model::BoardElement;
+using ui::ActionId;
+using ui::BoardView;
+
+/// From the cursor to the selection and back into both views, with real mouse events on the sample board.
+class ProbingTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        m_fixture = std::make_unique<WindowFixture>();
+        QVERIFY(m_fixture->openAndWait(QStringLiteral(COPPERSCOPE_SAMPLE)));
+        m_place = window().probing().place();
+    }
+    void init() {
+        while (window().selection().clearStep()) {
+        }
+        views().flat().controller().look(render::NamedView::Top);
+        views().solid().controller().look(render::NamedView::Top);
+    }
+    void cleanupTestCase() {
+        const std::uint32_t errors = m_fixture->context().validationErrors();
+        m_fixture.reset();
+        QCOMPARE(errors, 0U);
+    }
+
+    void aClickSelectsThePadUnderItInEitherView() {
+        const model::ElementId pad = aPad();
+        for (BoardView* view : views().both()) {
+            window().selection().select({});
+            view->controller().show(boxMin(pad), boxMax(pad));
+            click(*view, centreOf(*view, pad));
+            QVERIFY2(!window().selection().selected().empty(), "something is selected");
+            // The pad itself or the hole through it; the other one lies beneath.
+            bool isFound = window().selection().current() == BoardElement{0, pad};
+            if (!isFound) {
+                click(*view, centreOf(*view, pad));
+                isFound = window().selection().current() == BoardElement{0, pad};
+            }
+            QVERIFY(isFound);
+            QVERIFY(!window().elementPanel().fact("Layer").isEmpty());
+            QCOMPARE(window().elementPanel().heading(), "One element");
+        }
+    }
+
+    void selectingLightsTheElementUpInBothViews() {
+        const QImage before[] = {picture(views().flat()), picture(views().solid())};
+        const model::ElementId plane = largestElement();
+        window().selection().select({{0, plane}});
+        QVERIFY(differingPixels(before[0], picture(views().flat())) > 20);
+        QVERIFY(differingPixels(before[1], picture(views().solid())) > 20);
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(window().selection().selected().empty());
+        QCOMPARE(differingPixels(before[0], picture(views().flat())), 0);
+        QCOMPARE(differingPixels(before[1], picture(views().solid())), 0);
+    }
+
+    void repeatedClicksWalkThroughWhatLiesBeneathAndComeBack() {
+        const model::ElementId pad = aPad();
+        BoardView& view = views().flat();
+        view.controller().show(boxMin(pad), boxMax(pad));
+        const QPointF place = centreOf(view, pad);
+        std::vector<BoardElement> seen;
+        do {
+            click(view, place);
+            seen.push_back(*window().selection().current());
+        } while (seen.size() < 50 && (seen.size() < 2 || seen.back() != seen.front()));
+        QVERIFY2(seen.size() > 2, "several layers lie under a pad");
+        QVERIFY2(seen.size() < 50, "the first one comes again");
+        seen.pop_back();
+        std::sort(seen.begin(), seen.end());
+        QVERIFY2(std::adjacent_find(seen.begin(), seen.end()) == seen.end(), "each comes once");
+    }
+
+    void ctrlAddsAndTakesAway() {
+        const model::ElementId pad = aPad();
+        BoardView& view = views().flat();
+        view.controller().show(boxMin(pad), boxMax(pad));
+        click(view, centreOf(view, pad), Qt::ControlModifier);
+        QCOMPARE(window().selection().selected().size(), std::size_t{1});
+        click(view, centreOf(view, pad), Qt::ControlModifier);
+        QVERIFY(window().selection().selected().empty());
+    }
+
+    void aBoxSelectsWhatIsInsideAndDrawnBackwardsWhatItTouches() {
+        BoardView& view = views().flat();
+        const QSizeF size = view.controller().viewport();
+        const QPointF corner(size.width() * 0.35, size.height() * 0.35);
+        const QPointF opposite(size.width() * 0.65, size.height() * 0.65);
+        drag(view, corner, opposite);
+        const auto inside = window().selection().selected();
+        QVERIFY(inside.size() > 10);
+        drag(view, opposite, corner);
+        const auto touched = window().selection().selected();
+        QVERIFY(touched.size() > inside.size());
+        QVERIFY(std::includes(touched.begin(), touched.end(), inside.begin(), inside.end()));
+        QVERIFY(window().elementPanel().heading().contains("elements"));
+    }
+
+    void theBoxIsSeenWhileItIsDrawn() {
+        BoardView& view = views().flat();
+        const QImage before = picture(view);
+        mouse(view, QEvent::MouseButtonPress, Qt::LeftButton, {40, 60});
+        mouse(view, QEvent::MouseMove, Qt::LeftButton, {90, 120});
+        QVERIFY(differingPixels(before, picture(view)) > 100);
+        mouse(view, QEvent::MouseButtonRelease, Qt::LeftButton, {90, 120});
+        window().selection().select({});
+        QCOMPARE(differingPixels(before, picture(view)), 0);
+    }
+
+    void hoveringLightsUpAndLeavingEndsIt() {
+        const model::ElementId pad = aPad();
+        BoardView& view = views().flat();
+        view.controller().show(boxMin(pad), boxMax(pad));
+        mouse(view, QEvent::MouseMove, Qt::NoButton, centreOf(view, pad));
+        QTRY_VERIFY(window().selection().hovered().has_value());
+        QVERIFY(window().statusLine().placeText().contains("mm"));
+        QEvent leave(QEvent::Leave);
+        QCoreApplication::sendEvent(&view.canvas(), &leave);
+        QVERIFY(!window().selection().hovered().has_value());
+        QVERIFY(window().statusLine().placeText().isEmpty());
+    }
+
+    void netKeyLightsUpTheNetAndEscapeTakesBackOneStepAtATime() {
+        const model::ElementId pad = aPad();
+        window().selection().select({{0, pad}});
+        m_fixture->key(Qt::Key_N);
+        QCOMPARE(window().selection().nets(), (std::vector{board().elements.net[pad.row()]}));
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(window().selection().selected().empty());
+        QCOMPARE(window().selection().nets().size(), std::size_t{1});
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(window().selection().nets().empty());
+    }
+
+    void dimmingDarkensTheRestOnlyWhileSomethingIsSelected() {
+        const QImage before = picture(views().flat());
+        m_fixture->key(Qt::Key_D);
+        QCOMPARE(differingPixels(before, picture(views().flat())), 0);
+        window().selection().select({{0, aPad()}});
+        QVERIFY(differingPixels(before, picture(views().flat())) > 1000);
+        m_fixture->key(Qt::Key_D);
+    }
+
+    void doubleClickBringsTheElementToTheOtherView() {
+        const model::ElementId pad = aPad();
+        window().selection().select({{0, pad}});
+        const float before = views().solid().controller().mmPerPixel();
+        mouse(views().flat(), QEvent::MouseButtonDblClick, Qt::LeftButton, {50, 50});
+        QVERIFY(views().solid().controller().mmPerPixel() < before * 0.5F);
+        const QPointF at = centreOf(views().solid(), pad);
+        const QSizeF size = views().solid().controller().viewport();
+        QVERIFY(QLineF(at, QPointF(size.width() / 2, size.height() / 2)).length() < 3.0);
+    }
+
+    void camerasFollowOnlyWhenAsked() {
+        const model::ElementId pad = aPad();
+        views().flat().controller().show(boxMin(pad), boxMax(pad));
+        const float before = views().solid().controller().mmPerPixel();
+        click(views().flat(), centreOf(views().flat(), pad));
+        QCOMPARE(views().solid().controller().mmPerPixel(), before);
+        window().actions()[ActionId::FollowInSolid].trigger();
+        click(views().flat(), centreOf(views().flat(), pad) + QPointF(9, 0));
+        click(views().flat(), centreOf(views().flat(), pad));
+        QVERIFY(views().solid().controller().mmPerPixel() < before * 0.9F);
+        window().actions()[ActionId::FollowInSolid].trigger();
+    }
+
+    void unitKeyChangesWhatIsRead() {
+        window().selection().select({{0, aPad()}});
+        const QString before = window().elementPanel().fact("Extent");
+        QVERIFY(before.contains("mm"));
+        m_fixture->key(Qt::Key_Q);
+        QVERIFY(window().elementPanel().fact("Extent").contains("mil"));
+        m_fixture->key(Qt::Key_Q);
+        m_fixture->key(Qt::Key_Q);
+        QCOMPARE(window().elementPanel().fact("Extent"), before);
+    }
+
+    void netsTableAndViewsShowTheSameNets() {
+        QTRY_VERIFY(window().nets().isArranged());
+        QVERIFY(window().nets().rowCount() > 5);
+        ui::TableView& table = window().netsPanel().table();
+        const QImage before = picture(views().flat());
+        const int row = *window().nets().rowOf(board().elements.net[aPad().row()]);
+        table.scrollTo(window().nets().index(row, 0));
+        QTest::mouseClick(table.viewport(), Qt::LeftButton, {},
+                          table.visualRect(window().nets().index(row, 0)).center());
+        QCOMPARE(window().selection().nets(), (std::vector{board().elements.net[aPad().row()]}));
+        QVERIFY(differingPixels(before, picture(views().flat())) > 20);
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(table.selectionModel()->selectedRows().isEmpty());
+        window().selection().setNets({window().nets().netAt(2)});
+        QCOMPARE(table.selectionModel()->selectedRows().size(), 1);
+        QCOMPARE(table.selectionModel()->selectedRows()[0].row(), 2);
+    }
+
+    void netsAreFilteredByTypingAndHighlightsStay() {
+        QTRY_VERIFY(window().nets().isArranged());
+        const int all = window().nets().rowCount();
+        const model::NetId net = board().elements.net[aPad().row()];
+        window().selection().setNets({net});
+        QTest::keyClicks(&window().netsPanel().filterEdit(), QString::fromStdString(board().nets[net.row()].name));
+        QTRY_VERIFY(window().nets().isArranged() && window().nets().rowCount() < all);
+        QVERIFY(window().nets().rowOf(net).has_value());
+        QVERIFY(window().netsPanel().summary().contains(" of "));
+        QCOMPARE(window().selection().nets(), std::vector{net});
+        window().netsPanel().filterEdit().clear();
+        QTRY_COMPARE(window().nets().rowCount(), all);
+        QCOMPARE(window().selection().nets(), std::vector{net});
+    }
+
+    void enterInTheTableBringsTheNetToBothViews() {
+        QTRY_VERIFY(window().nets().isArranged());
+        const float before = views().flat().controller().mmPerPixel();
+        ui::TableView& table = window().netsPanel().table();
+        table.setCurrentIndex(window().nets().index(*window().nets().rowOf(smallNet()), 0));
+        QTest::keyClick(&table, Qt::Key_Return);
+        QVERIFY(views().flat().controller().mmPerPixel() < before * 0.9F);
+    }
+
+    void gridAndNamesComeAndGo() {
+        const model::ElementId pad = aPad();
+        views().flat().controller().show(boxMin(pad), boxMax(pad));
+        const QImage before = picture(views().flat());
+        for (const Qt::Key key : {Qt::Key_G, Qt::Key_W}) {
+            m_fixture->key(key);
+            QVERIFY(differingPixels(before, picture(views().flat())) > 50);
+            m_fixture->key(key);
+            QCOMPARE(differingPixels(before, picture(views().flat())), 0);
+        }
+    }
+
+    void gridStepsAreRoundNumbersOfTheUnit() {
+        using ui::PlanPainter;
+        using ui::models::LengthUnit;
+        QCOMPARE(PlanPainter::gridStep(1000.0, LengthUnit::Millimetre, 24.0), 5e4);
+        QCOMPARE(PlanPainter::gridStep(1e6 / 20.0, LengthUnit::Millimetre, 20.0), 1e6);
+        QCOMPARE(PlanPainter::gridStep(25400.0, LengthUnit::Mil, 24.0), 50 * 25400.0);
+        for (double scale = 10.0; scale < 1e7; scale *= 1.7) {
+            const double step = PlanPainter::gridStep(scale, LengthUnit::Inch, 24.0);
+            QVERIFY(step >= scale * 24.0 * 0.999 && step <= scale * 24.0 * 2.6);
+        }
+    }
+
+private:
+    ui::MainWindow& window() { return m_fixture->window(); }
+    ui::BoardViews& views() { return window().views(); }
+    const model::Document& board() { return *window().document(); }
+
+    /// A pad on the uppermost copper layer that has a net.
+    model::ElementId aPad() {
+        const auto& elements = board().elements;
+        for (std::size_t row = 0; row < elements.size(); ++row) {
+            const model::Layer& layer = board().layer(elements.layer[row]);
+            if (layer.isCopper() && layer.side == model::LayerSide::Top && (elements.flags[row] & model::kPad) != 0 &&
+                elements.kind[row] == model::ElementKind::Circle && elements.net[row].isValid()) {
+                return model::ElementId{row};
+            }
+        }
+        return {};
+    }
+    /// Of those on the uppermost copper layer that have a net: others may be lines without width, which are not drawn.
+    model::ElementId largestElement() {
+        model::ElementId largest;
+        std::int64_t size = 0;
+        for (std::size_t row = 0; row < board().elements.size(); ++row) {
+            const model::Box box = board().boxOf(model::ElementId{row});
+            if (board().layer(board().elements.layer[row]).side == model::LayerSide::Top &&
+                board().layer(board().elements.layer[row]).isCopper() && board().elements.net[row].isValid() &&
+                box.width() > size) {
+                size = box.width();
+                largest = model::ElementId{row};
+            }
+        }
+        return largest;
+    }
+    /// The net of the smallest extent that has copper.
+    model::NetId smallNet() {
+        model::NetId smallest;
+        std::int64_t size = std::numeric_limits<std::int64_t>::max();
+        for (std::size_t row = 0; row < board().nets.size(); ++row) {
+            model::Box box;
+            for (const model::ElementId element : board().elementsOf(model::NetId{row})) {
+                box.include(board().boxOf(element));
+            }
+            if (!box.isEmpty() && box.width() + box.height() < size) {
+                size = box.width() + box.height();
+                smallest = model::NetId{row};
+            }
+        }
+        return smallest;
+    }
+    glm::vec3 boxMin(model::ElementId element) { return m_place.toModel(base::toDouble(board().boxOf(element).min)); }
+    glm::vec3 boxMax(model::ElementId element) { return m_place.toModel(base::toDouble(board().boxOf(element).max)); }
+    QPointF centreOf(BoardView& view, model::ElementId element) {
+        const model::Layer& layer = board().layer(board().elements.layer[element.row()]);
+        glm::vec3 centre = (boxMin(element) + boxMax(element)) / 2.0F;
+        centre.z = static_cast<float>(base::toMm(layer.z + layer.thickness));
+        return view.controller().screenOf(centre).value_or(QPointF(-1, -1));
+    }
+    static QImage picture(BoardView& view) {
+        base::Result<QImage> image = view.grabPicture();
+        return image ? image->convertToFormat(QImage::Format_RGB32) : QImage();
+    }
+    static void mouse(BoardView& view, QEvent::Type type, Qt::MouseButton button, QPointF at,
+                      Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+        const Qt::MouseButtons held = type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::MouseButtons(button);
+        QMouseEvent event(type, at, view.mapToGlobal(at), type == QEvent::MouseMove ? Qt::NoButton : button, held,
+                          modifiers);
+        QCoreApplication::sendEvent(&view.canvas(), &event);
+    }
+    static void click(BoardView& view, QPointF at, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+        mouse(view, QEvent::MouseButtonPress, Qt::LeftButton, at, modifiers);
+        mouse(view, QEvent::MouseButtonRelease, Qt::LeftButton, at, modifiers);
+    }
+    static void drag(BoardView& view, QPointF from, QPointF to) {
+        mouse(view, QEvent::MouseButtonPress, Qt::LeftButton, from);
+        mouse(view, QEvent::MouseMove, Qt::LeftButton, (from + to) / 2);
+        mouse(view, QEvent::MouseMove, Qt::LeftButton, to);
+        mouse(view, QEvent::MouseButtonRelease, Qt::LeftButton, to);
+    }
+
+    std::unique_ptr<WindowFixture> m_fixture;
+    ui::BoardPlace m_place;
+};
+
+QTEST_MAIN(ProbingTest)
+#include "probing_test.moc"

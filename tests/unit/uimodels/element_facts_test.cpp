@@ -1,0 +1,88 @@
+#include "ui/models/element_facts.h"
+
+#include <QtTest>
+
+#include "model/document_builder.h"
+
+using namespace ui::models;
+using model::BoardElement;
+using model::ElementId;
+
+class ElementFactsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void lengthsAreShortAndExact() {
+        QCOMPARE(lengthText(250'000, LengthUnit::Millimetre), "0.25 mm");
+        QCOMPARE(lengthText(254'000, LengthUnit::Mil), "10 mil");
+        QCOMPARE(lengthText(25'400'000, LengthUnit::Inch), "1 in");
+        QCOMPARE(lengthText(0, LengthUnit::Millimetre), "0 mm");
+        QCOMPARE(lengthText(-100'000'000, LengthUnit::Millimetre), "-100 mm");
+        QCOMPARE(lengthInBoth(254'000, LengthUnit::Millimetre), "0.254 mm (10 mil)");
+        QCOMPARE(lengthInBoth(254'000, LengthUnit::Inch), "0.01 in (0.254 mm)");
+        QCOMPARE(placeText(1'500'000, -250'000, LengthUnit::Millimetre), "1.5000, -0.2500 mm");
+        QCOMPARE(areaText(2e12, LengthUnit::Millimetre), "2 mm²");
+        QCOMPARE(areaText(25.4e6 * 25.4e6, LengthUnit::Mil), "1 in²");
+    }
+
+    void unitsGoRound() {
+        LengthUnit unit = LengthUnit::Millimetre;
+        for (const char* name : {"mil", "in", "mm"}) {
+            unit = nextUnit(unit);
+            QCOMPARE(unitName(unit), name);
+        }
+    }
+
+    void everyKindTellsItsSizesLayerNetAndSource() {
+        model::DocumentBuilder builder;
+        model::Layer layer;
+        layer.name = "top";
+        layer.file = "steps/pcb/layers/top/features";
+        builder.beginLayer(builder.addLayer(layer));
+        model::DocumentBuilder::Origin origin;
+        origin.net = builder.addNet("GND");
+        origin.symbol = builder.symbol("r250");
+        origin.line = 42;
+        builder.addLine({{0, 0}, {3'000'000, 4'000'000}, 250'000, 0}, origin);
+        origin.flags = model::kPad;
+        builder.addCircle({{1'000'000, 0}, 2'000'000, 0}, origin);
+        origin.flags = model::kHole | model::kPlated;
+        builder.addCircle({{1'000'000, 0}, 500'000, 450'000}, origin);
+        model::Pin pin;
+        pin.name = builder.string("7");
+        pin.position = {1'000'000, 0};
+        pin.net = origin.net;
+        model::Component component;
+        component.refdes = "U1";
+        builder.addComponent(component, std::span(&pin, 1));
+        const auto document = builder.finish();
+        const model::StepTree tree = model::unfoldCopies(*document);
+        const auto fact = [&](std::size_t row, const char* name) {
+            for (const auto& [key, value] : factsOf(tree, {0, ElementId{row}}, LengthUnit::Millimetre)) {
+                if (key == QLatin1String(name)) {
+                    return value;
+                }
+            }
+            return QString();
+        };
+        QCOMPARE(fact(0, "Kind"), "Line");
+        QCOMPARE(fact(0, "Layer"), "top");
+        QCOMPARE(fact(0, "Net"), "GND");
+        QCOMPARE(fact(0, "Symbol"), "r250");
+        QCOMPARE(fact(0, "Width"), "0.25 mm (9.84 mil)");
+        QCOMPARE(fact(0, "Length"), "5 mm (196.85 mil)");
+        QCOMPARE(fact(0, "Read from"), "steps/pcb/layers/top/features:42");
+        QCOMPARE(fact(0, "Pin"), "");
+        QCOMPARE(fact(1, "Kind"), "Pad (circle)");
+        QCOMPARE(fact(1, "Area"), "3.1416 mm²");
+        QVERIFY(fact(1, "Pin").startsWith("U1.7"));
+        QCOMPARE(fact(2, "Kind"), "Plated hole (circle)");
+        QCOMPARE(summaryOf(tree, {0, ElementId{std::size_t{0}}}, LengthUnit::Millimetre),
+                 "Line, 0.25 mm wide · top · GND");
+        QCOMPARE(summaryOf(tree, {0, ElementId{std::size_t{1}}}, LengthUnit::Millimetre),
+                 "Pad (circle), 2 mm across · top · GND · U1.7");
+    }
+};
+
+QTEST_APPLESS_MAIN(ElementFactsTest)
+#include "element_facts_test.moc"

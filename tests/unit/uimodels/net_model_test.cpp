@@ -1,0 +1,175 @@
+#include "ui/models/net_model.h"
+
+#include <QAbstractItemModelTester>
+#include <QSignalSpy>
+#include <QtTest>
+#include <ctime>
+
+#include "model/document_builder.h"
+
+using namespace ui::models;
+using model::Nm;
+
+namespace {
+
+constexpr Nm kMm = 1'000'000;
+
+std::shared_ptr<const model::Document> smallBoard() {
+    model::DocumentBuilder builder;
+    model::Layer copper;
+    copper.name = "top";
+    copper.type = model::LayerType::Signal;
+    const model::NetId net10 = builder.addNet("NET10");
+    const model::NetId net2 = builder.addNet("net2");
+    const model::NetId gnd = builder.addNet("GND");
+    builder.beginLayer(builder.addLayer(copper));
+    const auto origin = [](model::NetId net, std::uint8_t flags = 0) {
+        model::DocumentBuilder::Origin o;
+        o.net = net;
+        o.flags = flags;
+        return o;
+    };
+    builder.addLine({{0, 0}, {3 * kMm, 4 * kMm}, kMm, 0}, origin(net2));
+    builder.addLine({{0, 0}, {10 * kMm, 0}, kMm, 0}, origin(net2, model::kPad));
+    builder.addLine({{0, 0}, {1 * kMm, 0}, kMm, 0}, origin(gnd));
+    model::Layer drill;
+    drill.type = model::LayerType::Drill;
+    builder.beginLayer(builder.addLayer(drill));
+    builder.addCircle({{0, 0}, kMm, kMm / 2}, origin(gnd, model::kHole | model::kPlated));
+    builder.addCircle({{0, 0}, kMm, kMm}, origin(gnd, model::kHole));
+    std::vector<model::Pin> pins(4);
+    pins[0].net = pins[1].net = net10;
+    pins[2].net = gnd;
+    builder.addComponent({}, pins);
+    return builder.finish();
+}
+
+std::shared_ptr<const model::NetStatistics> statisticsOf(const model::Document& document) {
+    base::Progress progress;
+    return std::make_shared<const model::NetStatistics>(*model::measureNets(document, progress));
+}
+
+QStringList names(const NetModel& nets) {
+    QStringList list;
+    for (int row = 0; row < nets.rowCount(); ++row) {
+        list += nets.index(row, NetModel::Name).data().toString();
+    }
+    return list;
+}
+
+/// Of this thread: other work on the machine does not count.
+double cpuMs() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
+}
+
+}  // namespace
+
+class NetModelTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void numbersAreThoseOfTheBoard() {
+        const auto board = smallBoard();
+        const auto s = statisticsOf(*board);
+        QCOMPARE(s->pins, (std::vector<std::uint32_t>{2, 0, 1}));
+        QCOMPARE(s->holes, (std::vector<std::uint32_t>{0, 0, 1}));
+        QCOMPARE(s->lengthNm, (std::vector<double>{0.0, 5e6, 1e6}));
+        QVERIFY(s->areaNm2[1] > s->areaNm2[2] && s->areaNm2[0] == 0.0);
+        QCOMPARE(s->nameRank, (std::vector<std::uint32_t>{2, 1, 0}));
+        const auto lengths = model::routedLengths(*board, model::NetId{std::size_t{1}});
+        QCOMPARE(lengths.size(), std::size_t{1});
+        QCOMPARE(lengths[0].second, 5e6);
+    }
+
+    void namesAreInTheOrderPeopleCount() {
+        const char* const ordered[] = {"", "A", "a", "A1", "a01", "a2", "a2b", "A10", "a10_3", "b", "b2"};
+        for (std::size_t i = 0; i < std::size(ordered); ++i) {
+            QVERIFY(!model::isNamedBefore(ordered[i], ordered[i]));
+            for (std::size_t j = i + 1; j < std::size(ordered); ++j) {
+                QVERIFY2(model::isNamedBefore(ordered[i], ordered[j]), ordered[j]);
+                QVERIFY2(!model::isNamedBefore(ordered[j], ordered[i]), ordered[j]);
+            }
+        }
+    }
+
+    void rowsAreFilteredAndSorted() {
+        NetModel nets;
+        QAbstractItemModelTester tester(&nets, QAbstractItemModelTester::FailureReportingMode::QtTest);
+        const auto board = smallBoard();
+        nets.setNets(board, statisticsOf(*board));
+        wait(nets);
+        QCOMPARE(names(nets), (QStringList{"GND", "net2", "NET10"}));
+        nets.sort(NetModel::Length, Qt::DescendingOrder);
+        wait(nets);
+        QCOMPARE(names(nets), (QStringList{"net2", "GND", "NET10"}));
+        QCOMPARE(nets.rowOf(model::NetId{std::size_t{0}}), std::optional(2));
+        const std::tuple<const char*, NetModel::FilterKind, QStringList> filters[] = {
+            {"net", NetModel::FilterKind::Text, {"net2", "NET10"}},
+            {"1 NE", NetModel::FilterKind::Text, {"NET10"}},
+            {"n?t*", NetModel::FilterKind::Wildcard, {"net2", "NET10"}},
+            {"net", NetModel::FilterKind::Wildcard, {}},
+            {"^(gnd|net\\d)$", NetModel::FilterKind::Regex, {"net2", "GND"}},
+            {"", NetModel::FilterKind::Regex, {"net2", "GND", "NET10"}},
+        };
+        for (const auto& [pattern, kind, expected] : filters) {
+            QVERIFY(nets.setFilter(pattern, kind));
+            wait(nets);
+            QCOMPARE(names(nets), expected);
+        }
+        QVERIFY2(!nets.setFilter("(", NetModel::FilterKind::Regex), "half an expression is told");
+        wait(nets);
+        QCOMPARE(nets.rowCount(), 3);
+        QVERIFY(nets.index(0, 0).data(Qt::ToolTipRole).toString().contains("top: 5 mm"));
+        nets.setNets(nullptr, nullptr);
+        QVERIFY(nets.isArranged());
+        QCOMPARE(nets.rowCount(), 0);
+    }
+
+    void lastWishWinsWhateverCameBefore() {
+        NetModel nets;
+        const auto board = smallBoard();
+        nets.setNets(board, statisticsOf(*board));
+        for (const char* pattern : {"n", "ne", "net", "gnd"}) {
+            nets.setFilter(pattern, NetModel::FilterKind::Text);
+        }
+        wait(nets);
+        QCOMPARE(names(nets), QStringList{"GND"});
+    }
+
+    void aMillionNetsNeverHoldTheWindowUp() {
+        auto board = std::make_shared<model::Document>();
+        for (int i = 0; i < 1'000'000; ++i) {
+            board->nets.emplace_back().name = "NET_" + std::to_string((i * 7919L) % 1'000'000);
+        }
+        board->netStart.assign(board->nets.size() + 1, 0);
+        const auto statistics = statisticsOf(*board);
+        NetModel nets;
+        double longest = 0.0;
+        const auto step = [&](const auto& what) {
+            const double start = cpuMs();
+            what();
+            longest = std::max(longest, cpuMs() - start);
+            while (!nets.isArranged()) {
+                const double before = cpuMs();
+                QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+                longest = std::max(longest, cpuMs() - before);
+            }
+        };
+        step([&] { nets.setNets(board, statistics); });
+        QCOMPARE(nets.rowCount(), 1'000'000);
+        QCOMPARE(nets.index(10, 0).data().toString(), "NET_10");
+        step([&] { nets.sort(NetModel::Name, Qt::DescendingOrder); });
+        QCOMPARE(nets.index(0, 0).data().toString(), "NET_999999");
+        step([&] { nets.setFilter("99", NetModel::FilterKind::Text); });
+        step([&] { nets.setFilter("_9*9", NetModel::FilterKind::Regex); });
+        QVERIFY2(longest < 100.0, qPrintable(QStringLiteral("%1 ms").arg(longest)));
+    }
+
+private:
+    static void wait(const NetModel& nets) { QTRY_VERIFY_WITH_TIMEOUT(nets.isArranged(), 20000); }
+};
+
+QTEST_GUILESS_MAIN(NetModelTest)
+#include "net_model_test.moc"

@@ -1,0 +1,77 @@
+#include "ui/element_panel.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QHeaderView>
+#include <QLabel>
+#include <QShortcut>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include "ui/models/element_facts.h"
+
+namespace ui {
+
+ElementPanel::ElementPanel(models::SelectionModel& selection, QWidget* parent)
+    : QWidget(parent), m_selection(selection), m_heading(new QLabel), m_table(new QTableWidget(0, 2)) {
+    m_heading->setWordWrap(true);
+    m_table->horizontalHeader()->hide();
+    m_table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setShowGrid(false);
+    m_table->setAlternatingRowColors(true);
+    auto* copy = new QShortcut(QKeySequence::Copy, m_table, nullptr, nullptr, Qt::WidgetShortcut);
+    connect(copy, &QShortcut::activated, this, [this] {
+        if (const QTableWidgetItem* value = m_table->item(m_table->currentRow(), 1)) {
+            QGuiApplication::clipboard()->setText(value->text());
+        }
+    });
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(2, 2, 2, 2);
+    layout->addWidget(m_heading);
+    layout->addWidget(m_table);
+    connect(&selection, &models::SelectionModel::selectionChanged, this, &ElementPanel::update);
+    update();
+}
+
+void ElementPanel::setUnit(models::LengthUnit unit) {
+    m_unit = unit;
+    update();
+}
+
+void ElementPanel::update() {
+    const std::size_t count = m_selection.selected().size();
+    m_heading->setText(count == 0   ? QStringLiteral("Click an element in a view to see what is known of it.")
+                       : count == 1 ? QStringLiteral("One element")
+                                    : QStringLiteral("%L1 elements; of the last one:").arg(count));
+    models::Facts facts;
+    if (const auto current = m_selection.current()) {
+        facts = models::factsOf(m_selection.tree(), *current, m_unit);
+    }
+    m_table->setRowCount(static_cast<int>(facts.size()));
+    for (int row = 0; row < m_table->rowCount(); ++row) {
+        const auto& [name, value] = facts[static_cast<std::size_t>(row)];
+        m_table->setItem(row, 0, new QTableWidgetItem(name));
+        m_table->setItem(row, 1, new QTableWidgetItem(value));
+        m_table->item(row, 1)->setToolTip(value);
+    }
+}
+
+QString ElementPanel::fact(const QString& name) const {
+    for (int row = 0; row < m_table->rowCount(); ++row) {
+        if (m_table->item(row, 0)->text() == name) {
+            return m_table->item(row, 1)->text();
+        }
+    }
+    return {};
+}
+
+QString ElementPanel::heading() const {
+    return m_heading->text();
+}
+
+}  // namespace ui

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <QAbstractTableModel>
+#include <QThreadPool>
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "model/net_statistics.h"
+#include "ui/models/lengths.h"
+
+namespace ui::models {
+
+/// The nets of a board, filtered and sorted; a row is an id and nothing else. Filtering and sorting run in the
+/// background, so that the window stays usable with a million nets: until they are done the rows stay as they were.
+class NetModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    enum Column { Name, Pins, Holes, Length, Area, ColumnCount };
+    enum class FilterKind { Text, Wildcard, Regex };
+
+    explicit NetModel(QObject* parent = nullptr);
+    ~NetModel() override;
+
+    /// `statistics` may be null: then the numbers are 0 and names are in the order of the job.
+    void setNets(std::shared_ptr<const model::Document> document,
+                 std::shared_ptr<const model::NetStatistics> statistics);
+    void setUnit(LengthUnit unit);
+    /// Case does not matter. Several words of a text must all be in the name; a wildcard has * and ? and fits the whole
+    /// name. False if a regular expression is not one: then all nets are shown.
+    bool setFilter(const QString& pattern, FilterKind kind);
+    /// Filter and order have been worked out for what was asked last.
+    [[nodiscard]] bool isArranged() const { return m_shown == m_wanted; }
+
+    [[nodiscard]] model::NetId netAt(int row) const { return model::NetId{m_rows[static_cast<std::size_t>(row)]}; }
+    /// None if the filter hides it.
+    [[nodiscard]] std::optional<int> rowOf(model::NetId net) const;
+    [[nodiscard]] int total() const;
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    void sort(int column, Qt::SortOrder order) override;
+
+signals:
+    /// The rows are those asked for last.
+    void arranged();
+
+private:
+    struct Task;
+    using Rows = std::vector<std::uint32_t>;
+
+    void arrange();
+    void take(Rows rows, std::uint64_t number);
+    [[nodiscard]] QVariant number(std::size_t net, int column) const;
+    [[nodiscard]] QString text(std::size_t net, int column) const;
+    [[nodiscard]] QString tip(model::NetId net) const;
+
+    std::shared_ptr<const model::Document> m_document;
+    std::shared_ptr<const model::NetStatistics> m_statistics;
+    LengthUnit m_unit = LengthUnit::Millimetre;
+    QString m_pattern;
+    FilterKind m_kind = FilterKind::Text;
+    int m_column = Name;
+    Qt::SortOrder m_order = Qt::AscendingOrder;
+    Rows m_rows;                              ///< row to net
+    std::atomic<std::uint64_t> m_wanted = 0;  ///< number of the task asked for last
+    std::uint64_t m_shown = 0;
+    QThreadPool m_pool;  ///< of one thread; waits for it when it goes
+};
+
+}  // namespace ui::models

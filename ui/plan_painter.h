@@ -1,0 +1,55 @@
+#pragma once
+
+#include <memory>
+
+#include "model/board_index.h"
+#include "ui/board_place.h"
+#include "ui/board_view.h"
+#include "ui/models/lengths.h"
+
+namespace ui {
+
+/// What the 2D view shows over the board: a grid whose step follows the zoom, rulers along two edges, and the names of
+/// nets on copper that is large enough on the screen to hold them.
+class PlanPainter {
+public:
+    /// Paints over `view` from now on; both must live as long as each other.
+    explicit PlanPainter(BoardView& view);
+
+    void setBoard(std::shared_ptr<const model::BoardIndex> index, BoardPlace place);
+    void setUnit(models::LengthUnit unit);
+    void showGrid(bool isOn);
+    void showNames(bool isOn);
+
+    /// The part of the board the view shows, in nm.
+    [[nodiscard]] model::Box shownBox() const;
+    /// Distance of grid lines in nm: 1, 2 or 5 times a power of ten of the unit, at least `pixels` apart.
+    [[nodiscard]] static double gridStep(double nmPerPixel, models::LengthUnit unit, double pixels = 24.0);
+    /// A name and the middle of the place it is written at, in canvas coordinates.
+    struct Label {
+        QPointF middle;
+        double angleDeg = 0.0;
+        double height = 0.0;
+        QString text;
+    };
+    /// Of the copper layer nearest to the viewer: names of what it hides would only confuse.
+    [[nodiscard]] std::vector<Label> labels() const;
+
+private:
+    void paint(QPainter& painter) const;
+    void paintGrid(QPainter& painter, double step) const;
+    void paintRulers(QPainter& painter, double step) const;
+    void paintNames(QPainter& painter) const;
+    [[nodiscard]] model::LayerId namedLayer() const;
+    [[nodiscard]] QPointF screenOf(double x, double y) const;
+    [[nodiscard]] double nmPerPixel() const;
+
+    BoardView& m_view;
+    std::shared_ptr<const model::BoardIndex> m_index;
+    BoardPlace m_place;
+    models::LengthUnit m_unit = models::LengthUnit::Millimetre;
+    bool m_hasGrid = true;
+    bool m_hasNames = true;
+};
+
+}  // namespace ui

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <QObject>
+#include <QRectF>
+#include <QTimer>
+#include <array>
+#include <optional>
+
+#include "model/picking.h"
+#include "ui/board_place.h"
+#include "ui/board_views.h"
+#include "ui/models/lengths.h"
+#include "ui/models/selection_model.h"
+
+namespace ui {
+
+/// Between the cursor in the two views and the selection: hovering lights an element up and tells what it is, a click
+/// selects it, a repeated click what lies beneath, Ctrl adds, a double click or Alt brings it to the middle of the
+/// other view (or of this one if it is alone), a box in 2D selects many. What stands out is seen in both views, always;
+/// cameras move only when asked.
+class Probing : public QObject {
+    Q_OBJECT
+
+public:
+    Probing(BoardViews& views, models::SelectionModel& selection, QObject* parent = nullptr);
+
+    void setBoard(const LoadedBoard& board);
+    void setUnit(models::LengthUnit unit) { m_unit = unit; }
+    /// Darkens everything else while nets are highlighted or elements selected.
+    void setDimOthers(bool isOn);
+    /// Whether the camera of `to` follows what is clicked in the other view.
+    void setFollows(BoardView::Kind to, bool isOn) { m_follows[static_cast<std::size_t>(to)] = isOn; }
+
+    [[nodiscard]] const BoardPlace& place() const { return m_place; }
+    /// What lies under a place of the canvas, see model::Picker.
+    [[nodiscard]] std::vector<model::Hit> hitsAt(const BoardView& view, QPointF position);
+    /// Brings elements to the middle.
+    void show(BoardView& view, std::span<const model::BoardElement> elements);
+    void showInBoth(std::span<const model::BoardElement> elements);
+    void showNet(model::NetId net);
+
+signals:
+    /// The cursor is over a place of the board, in its coordinates in nm.
+    void pointedAt(double x, double y);
+    void pointedAway();
+
+private:
+    void watch(BoardView& view);
+    void hover();
+    void click(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers);
+    void showInOther(BoardView& view);
+    void selectBox(QPointF from, QPointF to, Qt::KeyboardModifiers modifiers);
+    void updateHighlight();
+    void announcePlace(const BoardView& view, QPointF position);
+    [[nodiscard]] std::vector<model::PickLayer> layersOf(const BoardView& view) const;
+    void paintBox(QPainter& painter) const;
+
+    BoardViews& m_views;
+    models::SelectionModel& m_selection;
+    std::optional<model::Picker> m_picker;
+    BoardPlace m_place;
+    models::LengthUnit m_unit = models::LengthUnit::Millimetre;
+    std::array<bool, 2> m_follows{};
+    bool m_isDimming = false;
+
+    QTimer m_rest;  ///< runs out when the cursor has stayed a moment
+    BoardView* m_hoverView = nullptr;
+    QPointF m_hoverAt;
+    std::optional<std::pair<QPointF, QPointF>> m_box;  ///< being drawn in 2D
+
+    /// Where the last click was and what it found, so that the next one there takes what lies beneath.
+    struct LastClick {
+        const BoardView* view = nullptr;
+        QPointF position;
+        std::vector<model::BoardElement> found;
+        std::size_t taken = 0;
+    } m_last;
+};
+
+}  // namespace ui
