@@ -28,7 +28,7 @@ enum class Outline : std::uint8_t {
 /// A part on its way: outlines of its elements, then triangles.
 struct Draft {
     std::uint32_t layer = 0;
-    model::ElementRange elements;
+    model::Range elements;
     PolygonSet outlines;
     std::vector<std::uint32_t> owner;  ///< by polygon: StandardVertex::owner
     std::vector<Outline> kind;         ///< by polygon
@@ -165,7 +165,7 @@ StandardPart extrude(const Draft& draft, model::Point origin) {
 std::vector<Draft> makeDrafts(const Document& document) {
     std::vector<Draft> drafts;
     for (std::uint32_t layer = 0; layer < document.layers.size(); ++layer) {
-        const model::ElementRange all = document.layers[layer].elements;
+        const model::Range all = document.layers[layer].elements;
         for (std::uint32_t done = 0; done < all.count; done += kElementsPerPart) {
             Draft& draft = drafts.emplace_back();
             draft.layer = layer;
