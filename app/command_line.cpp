@@ -37,6 +37,11 @@ void addBoardOptions(CLI::App& command, BoardArguments& board) {
     command.add_option("BOARD", board.path,
                        "ODB++ job (folder, .tgz, .tar.gz, .tar, .zip) or a model of the paper; default: the sample");
     addModellingOptions(command, board);
+    command
+        .add_option("--triangulator", board.triangulator,
+                    "who triangulates areas: auto, cpu, parallel, cgal or gpu; the triangles are the same")
+        ->check(CLI::IsMember({"auto", "cpu", "parallel", "cgal", "gpu"}))
+        ->capture_default_str();
 }
 
 void addInfo(CLI::App& parent, InfoArguments& arguments) {
@@ -107,7 +112,7 @@ void addGenerate(CLI::App& parent, GenerateArguments& arguments) {
 void addBench(CLI::App& parent, BenchArguments& arguments) {
     CLI::App* command =
         parent.add_subcommand("bench", "Measure modelling, memory and frame times (the paper's Tables 2, 4 and 5)");
-    command->add_option("BOARD", arguments.boards, "boards, as for info")->required();
+    command->add_option("BOARD", arguments.boards, "boards, as for info");
     addModellingOptions(*command, arguments.modelling);
     command->add_option("--pipeline", arguments.pipeline, "both, hybrid or standard")
         ->check(CLI::IsMember({"both", "hybrid", "standard"}))
@@ -116,6 +121,28 @@ void addBench(CLI::App& parent, BenchArguments& arguments) {
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     command->add_flag("--json", arguments.asJson, "as JSON");
+}
+
+/// The other thing that `bench` measures, with options of its own.
+void addTriangulationBench(CLI::App* command, bool& isWanted, TriangulationBenchArguments& arguments) {
+    command->add_flag("--triangulation", isWanted,
+                      "all triangulators instead, over areas of boards and generated ones (the paper's Table 6)");
+    command
+        ->add_option(
+            "--triangulators", arguments.triangulators,
+            "only these of cgal, cpu, parallel and gpu, separated by commas; default: all, gpu only if it is hardware")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"cgal", "cpu", "parallel", "gpu"}));
+    command->add_option("--threads", arguments.threads, "numbers of threads, separated by commas; 0 = all cores")
+        ->delimiter(',')
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
+    command->add_option("--repeats", arguments.repeats, "the best of so many runs")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command->add_option("--sets", arguments.sets, "only these generated sets, separated by commas; none: no set")
+        ->delimiter(',');
+    command->add_flag("--huge", arguments.withHuge, "with the generated sets of a million vertices and more");
 }
 
 }  // namespace
@@ -135,8 +162,14 @@ Command parseCommandLine(int argc, char** argv) {
     addRender(parser, render);
     addGenerate(parser, generate);
     addBench(parser, bench);
+    bool isTriangulationBench = false;
+    TriangulationBenchArguments triangulationBench;
+    addTriangulationBench(parser.get_subcommand("bench"), isTriangulationBench, triangulationBench);
     try {
         parser.parse(argc, argv);
+        if (parser.got_subcommand("bench") && bench.boards.empty() && !isTriangulationBench) {
+            throw CLI::RequiredError("BOARD");
+        }
     } catch (const CLI::ParseError& error) {
         return Quit{parser.exit(error) == 0 ? kDone : kWrongUsage};
     }
@@ -150,7 +183,9 @@ Command parseCommandLine(int argc, char** argv) {
         return generate;
     }
     if (parser.got_subcommand("bench")) {
-        return bench;
+        triangulationBench.boards = bench.boards;
+        triangulationBench.asJson = bench.asJson;
+        return isTriangulationBench ? Command(triangulationBench) : Command(bench);
     }
     return workbench;
 }

@@ -8,6 +8,7 @@
 #include "app/generate_command.h"
 #include "app/info_command.h"
 #include "app/render_command.h"
+#include "app/triangulation_bench.h"
 
 namespace app {
 
@@ -22,8 +23,8 @@ struct Quit {
     int code = 0;
 };
 
-using Command =
-    std::variant<WorkbenchArguments, InfoArguments, RenderArguments, GenerateArguments, BenchArguments, Quit>;
+using Command = std::variant<WorkbenchArguments, InfoArguments, RenderArguments, GenerateArguments, BenchArguments,
+                             TriangulationBenchArguments, Quit>;
 
 /// Understands the command line of docs/architecture.md.
 [[nodiscard]] Command parseCommandLine(int argc, char** argv);

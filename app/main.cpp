@@ -15,6 +15,9 @@ struct Run {
     int operator()(const app::RenderArguments& arguments) const { return app::runRender(arguments); }
     int operator()(const app::GenerateArguments& arguments) const { return app::runGenerate(arguments); }
     int operator()(const app::BenchArguments& arguments) const { return app::runBench(arguments); }
+    int operator()(const app::TriangulationBenchArguments& arguments) const {
+        return app::runTriangulationBench(arguments);
+    }
     int operator()(const app::Quit& quit) const { return quit.code; }
 };
 

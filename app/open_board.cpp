@@ -1,8 +1,11 @@
 #include "app/open_board.h"
 
 #include <cstdio>
+#include <optional>
+#include <utility>
 
 #include "app/console_progress.h"
+#include "app/device_triangulator.h"
 #include "app/resources.h"
 #include "model/session/length_text.h"
 #include "model/session/session.h"
@@ -62,14 +65,33 @@ model::Discretisation discretisationOf(const BoardArguments& arguments) {
     return {arguments.chordUm * base::kNmPerUm, arguments.paperSegments};
 }
 
+base::Result<render::BoardModel> modelBoard(const model::Document& document, const BoardArguments& arguments,
+                                            base::Progress& progress) {
+    const tri::Triangulator wanted = tri::triangulatorNamed(arguments.triangulator).value_or(tri::Triangulator::Auto);
+    render::AreaTriangulator areas;
+    std::optional<DeviceTriangulator> device;
+    if (wanted == tri::Triangulator::Gpu) {
+        base::Result<DeviceTriangulator> opened = DeviceTriangulator::open();
+        if (!opened) {
+            return opened.error();
+        }
+        device.emplace(std::move(*opened));
+        areas.onDevice = [&device](std::span<const tri::Polygon> polygons) {
+            return device->get().triangulate(polygons);
+        };
+    } else {
+        areas.triangulator = wanted;
+    }
+    return render::buildBoardModel(document, discretisationOf(arguments), progress, areas);
+}
+
 base::Result<OpenBoard> openBoard(const BoardArguments& arguments) {
     ConsoleProgress console;
     const base::Result<Board> document = openDocument(arguments, console.progress());
     if (!document) {
         return document.error();
     }
-    base::Result<render::BoardModel> model =
-        render::buildBoardModel(**document, discretisationOf(arguments), console.progress());
+    base::Result<render::BoardModel> model = modelBoard(**document, arguments, console.progress());
     if (!model) {
         return model.error();
     }

@@ -19,6 +19,7 @@ struct BoardArguments {
     bool saveSession = false;              ///< keeps them in the session file
     bool noSession = false;                ///< as if there were no session file
     bool inferNets = false;
+    std::string triangulator = "auto";  ///< of areas; as tri::triangulatorNamed
 };
 
 /// Reads the board and stacks it as its session file and `thicknesses` say; what of the session is not used is said on
@@ -34,7 +35,12 @@ struct OpenBoard {
     render::BoardModel model;
 };
 
-/// Opens the document and models it, with progress on stderr. Errors as openDocument.
+/// Lets and triangles, with the triangulator that was asked for. Errors as render::buildBoardModel; DeviceFailed if a
+/// device is to triangulate and there is none.
+[[nodiscard]] base::Result<render::BoardModel> modelBoard(const model::Document& document,
+                                                          const BoardArguments& arguments, base::Progress& progress);
+
+/// Reads and models, with progress on stderr. Errors as openDocument and modelBoard.
 [[nodiscard]] base::Result<OpenBoard> openBoard(const BoardArguments& arguments);
 
 }  // namespace app

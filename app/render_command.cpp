@@ -144,15 +144,15 @@ Result<render::Image> drawModel(const RenderArguments& arguments, Result<Model> 
 
 Result<render::Image> modelAndDraw(const RenderArguments& arguments, const Document& document, const Scenery& scenery) {
     ConsoleProgress console;
-    const model::Discretisation how = discretisationOf(arguments.board);
     if (arguments.pipeline == "standard" && !document.instances.empty()) {
         return base::Error{ErrorCode::BadUsage,
                            "the standard pipeline draws single steps only; choose one with --step"};
     }
     if (arguments.pipeline == "standard") {
+        const model::Discretisation how = discretisationOf(arguments.board);
         return drawModel(arguments, render::buildStandardModel(document, how, console.progress()), scenery);
     }
-    return drawModel(arguments, render::buildBoardModel(document, how, console.progress()), scenery);
+    return drawModel(arguments, modelBoard(document, arguments.board, console.progress()), scenery);
 }
 
 Result<std::shared_ptr<const Document>> readDocument(const RenderArguments& arguments) {

@@ -6,7 +6,6 @@
 
 #include "model/base/parallel.h"
 #include "model/geometry/boolean.h"
-#include "tri/triangulate.h"
 
 namespace render {
 
@@ -16,9 +15,9 @@ using model::PolygonSet;
 namespace {
 
 /// Triangulates every polygon of the set; false if one of them crosses itself or another loop of its own.
-bool triangulateAll(const PolygonSet& set, std::vector<std::uint32_t>& triangles) {
+bool triangulateAll(const PolygonSet& set, tri::Triangulator triangulator, std::vector<std::uint32_t>& triangles) {
     for (std::size_t row = 0; row < set.polygons.size(); ++row) {
-        if (!triangulatePolygon(set, row, triangles)) {
+        if (!triangulatePolygon(set, row, triangles, triangulator)) {
             return false;
         }
     }
@@ -32,37 +31,77 @@ struct WallEdge {
     std::uint32_t from;
 };
 
-void triangulateShape(ShapeMesh& mesh) {
-    if (!triangulateAll(mesh.polygons, mesh.triangles)) {
+void repair(ShapeMesh& mesh, tri::Triangulator triangulator) {
+    mesh.triangles.clear();
+    mesh.polygons = model::unite(mesh.polygons);
+    mesh.wasRepaired = true;
+    mesh.failed = !triangulateAll(mesh.polygons, triangulator, mesh.triangles);
+    if (mesh.failed) {
         mesh.triangles.clear();
-        mesh.polygons = model::unite(mesh.polygons);
-        mesh.wasRepaired = true;
-        mesh.failed = !triangulateAll(mesh.polygons, mesh.triangles);
-        if (mesh.failed) {
-            mesh.triangles.clear();
-        }
+    }
+}
+
+void triangulateShape(ShapeMesh& mesh, tri::Triangulator triangulator) {
+    if (!triangulateAll(mesh.polygons, triangulator, mesh.triangles)) {
+        repair(mesh, triangulator);
     }
     mesh.next = findWalls(mesh.polygons);
 }
 
+/// The polygons of all shapes behind each other, with loops that stay where they are.
+struct Batch {
+    std::vector<tri::Polygon> polygons;
+    std::vector<std::size_t> firstOf;  ///< per shape, and the end
+    std::vector<std::vector<std::uint32_t>> loops;
+    std::vector<std::uint32_t> firstPoint;
+};
+
+Batch collect(const std::vector<ShapeMesh>& meshes) {
+    Batch batch;
+    for (const ShapeMesh& mesh : meshes) {
+        batch.firstOf.push_back(batch.polygons.size());
+        forEachPolygon(mesh.polygons, [&](std::uint32_t first, const tri::Polygon& polygon) {
+            const auto& loops = batch.loops.emplace_back(polygon.loopStart.begin(), polygon.loopStart.end());
+            batch.polygons.push_back({polygon.points, loops});
+            batch.firstPoint.push_back(first);
+        });
+    }
+    batch.firstOf.push_back(batch.polygons.size());
+    return batch;
+}
+
+void triangulateOnDevice(std::vector<ShapeMesh>& meshes, const tri::BatchTriangulator& device) {
+    const Batch batch = collect(meshes);
+    const std::vector<tri::Triangulation> results = device(batch.polygons);
+    base::parallelFor(meshes.size(), [&](std::size_t shape) {
+        ShapeMesh& mesh = meshes[shape];
+        bool isRight = true;
+        for (std::size_t i = batch.firstOf[shape]; i < batch.firstOf[shape + 1]; ++i) {
+            isRight = isRight && results[i].status.outcome != tri::Outcome::Crossing;
+            for (const std::uint32_t corner : results[i].triangles) {
+                mesh.triangles.push_back(corner + batch.firstPoint[i]);
+            }
+        }
+        if (!isRight) {
+            repair(mesh, tri::Triangulator::Auto);
+        }
+        mesh.next = findWalls(mesh.polygons);
+    });
+}
+
 }  // namespace
 
-bool triangulatePolygon(const PolygonSet& set, std::size_t row, std::vector<std::uint32_t>& triangles) {
-    const PolygonSet::Polygon& polygon = set.polygons[row];
-    const std::uint32_t first = set.loopStart[polygon.firstLoop];
-    std::vector<std::uint32_t> loopStart;
-    for (std::uint32_t i = 0; i <= polygon.loopCount; ++i) {
-        loopStart.push_back(set.loopStart[polygon.firstLoop + i] - first);
-    }
-    const std::size_t before = triangles.size();
-    const tri::Polygon input{std::span(set.points).subspan(first, loopStart.back()), loopStart};
-    if (tri::triangulate(input, triangles) == tri::Outcome::Crossing) {
-        return false;
-    }
-    for (std::size_t i = before; i < triangles.size(); ++i) {
-        triangles[i] += first;
-    }
-    return true;
+bool triangulatePolygon(const PolygonSet& set, std::size_t row, std::vector<std::uint32_t>& triangles,
+                        tri::Triangulator triangulator) {
+    bool isRight = false;
+    visitPolygon(set, row, [&](std::uint32_t first, const tri::Polygon& polygon) {
+        const std::size_t before = triangles.size();
+        isRight = tri::triangulate(polygon, triangulator, triangles).outcome != tri::Outcome::Crossing;
+        for (std::size_t i = before; i < triangles.size(); ++i) {
+            triangles[i] += first;
+        }
+    });
+    return isRight;
 }
 
 /// The wall of every contour edge, except where two opposite edges coincide (the bridge of a keyhole contour,
@@ -122,7 +161,11 @@ std::vector<ShapeMesh> discretiseShapes(const model::Document& document, const s
     return meshes;
 }
 
-void triangulateShapes(std::vector<ShapeMesh>& meshes, base::Progress& progress) {
+void triangulateShapes(std::vector<ShapeMesh>& meshes, const AreaTriangulator& how, base::Progress& progress) {
+    if (how.onDevice) {
+        triangulateOnDevice(meshes, how.onDevice);
+        return;
+    }
     std::vector<std::uint32_t> order(meshes.size());
     std::iota(order.begin(), order.end(), 0U);
     std::ranges::stable_sort(order, std::greater{}, [&](std::uint32_t i) { return meshes[i].polygons.points.size(); });
@@ -137,7 +180,7 @@ void triangulateShapes(std::vector<ShapeMesh>& meshes, base::Progress& progress)
         }
         ShapeMesh& mesh = meshes[order[i]];
         const std::size_t size = mesh.polygons.points.size();
-        triangulateShape(mesh);
+        triangulateShape(mesh, how.triangulator);
         progress.setFraction(static_cast<float>(done += size) / static_cast<float>(total));
     });
 }

@@ -6,6 +6,7 @@
 #include "model/base/progress.h"
 #include "model/document.h"
 #include "model/geometry/discretise.h"
+#include "tri/triangulate.h"
 
 namespace render {
 
@@ -30,12 +31,41 @@ struct ShapeMesh {
 /// Triangulates polygon `row` of the set and appends indices into `set.points`; false if it crosses itself or another
 /// loop of its own: then nothing is appended.
 [[nodiscard]] bool triangulatePolygon(const model::PolygonSet& set, std::size_t row,
-                                      std::vector<std::uint32_t>& triangles);
+                                      std::vector<std::uint32_t>& triangles,
+                                      tri::Triangulator triangulator = tri::Triangulator::Auto);
 
 /// Per point of the set, the end of the wall that starts there (ShapeMesh::next).
 [[nodiscard]] std::vector<std::uint32_t> findWalls(const model::PolygonSet& set);
 
-/// Triangulates and finds the walls, one shape per task, largest first (Table 4, "triangulate").
-void triangulateShapes(std::vector<ShapeMesh>& meshes, base::Progress& progress);
+/// Who triangulates: `onDevice` all shapes at once if it is there, else `triangulator` one shape per task, the largest
+/// first. The triangles are the same.
+struct AreaTriangulator {
+    tri::Triangulator triangulator = tri::Triangulator::Auto;
+    tri::BatchTriangulator onDevice;
+};
+
+/// Triangulates and finds the walls (Table 4, "triangulate"). What crosses itself goes through integer booleans and is
+/// tried again, on the CPU.
+void triangulateShapes(std::vector<ShapeMesh>& meshes, const AreaTriangulator& how, base::Progress& progress);
+
+/// Polygon `row` of the set as tri/ takes it: `visit(first point, polygon)`.
+template <class Visit>
+void visitPolygon(const model::PolygonSet& set, std::size_t row, const Visit& visit) {
+    const model::PolygonSet::Polygon& polygon = set.polygons[row];
+    const std::uint32_t first = set.loopStart[polygon.firstLoop];
+    std::vector<std::uint32_t> loopStart;
+    for (std::uint32_t i = 0; i <= polygon.loopCount; ++i) {
+        loopStart.push_back(set.loopStart[polygon.firstLoop + i] - first);
+    }
+    visit(first, tri::Polygon{std::span(set.points).subspan(first, loopStart.back()), loopStart});
+}
+
+/// All of them.
+template <class Visit>
+void forEachPolygon(const model::PolygonSet& set, const Visit& visit) {
+    for (std::size_t row = 0; row < set.polygons.size(); ++row) {
+        visitPolygon(set, row, visit);
+    }
+}
 
 }  // namespace render

@@ -249,7 +249,7 @@ void measureReach(BoardModel& out) {
 
 /// One step by itself.
 base::Result<BoardModel> buildStepModel(const Document& document, const model::Discretisation& how,
-                                        base::Progress& progress) {
+                                        base::Progress& progress, const AreaTriangulator& triangulator) {
     const base::Error cancelled{base::ErrorCode::Cancelled, "cancelled"};
     BoardModel out;
     progress.beginPhase("Modelling traces and pads");
@@ -271,7 +271,7 @@ base::Result<BoardModel> buildStepModel(const Document& document, const model::D
 
     progress.beginPhase("Triangulating copper areas");
     watch = {};
-    triangulateShapes(meshes, progress);
+    triangulateShapes(meshes, triangulator, progress);
     out.times.triangulateMs = watch.milliseconds();
     if (progress.isCancelled()) {
         return cancelled;
@@ -313,8 +313,8 @@ void addTotals(const BoardModel& step, std::uint64_t copies, BoardModel& board) 
 }  // namespace
 
 base::Result<BoardModel> buildBoardModel(const Document& document, const model::Discretisation& how,
-                                         base::Progress& progress) {
-    base::Result<BoardModel> board = buildStepModel(document, how, progress);
+                                         base::Progress& progress, const AreaTriangulator& triangulator) {
+    base::Result<BoardModel> board = buildStepModel(document, how, progress, triangulator);
     if (!board || document.instances.empty()) {
         return board;
     }
@@ -324,7 +324,7 @@ base::Result<BoardModel> buildBoardModel(const Document& document, const model::
         ++copiesOfStep[copy.step];
     }
     for (std::size_t row = 1; row < tree.steps.size(); ++row) {
-        base::Result<BoardModel> step = buildStepModel(*tree.steps[row], how, progress);
+        base::Result<BoardModel> step = buildStepModel(*tree.steps[row], how, progress, triangulator);
         if (!step) {
             return step;
         }

@@ -7,6 +7,7 @@
 #include "model/base/result.h"
 #include "model/document.h"
 #include "model/geometry/discretise.h"
+#include "render/area_meshes.h"
 #include "render/board_frame.h"
 #include "shaders/shared/board.h"
 
@@ -74,9 +75,11 @@ struct BoardModel : BoardFrame {
     model::Diagnostics diagnostics;  ///< what was repaired or dropped here, with file and line
 };
 
-/// Makes lets and triangulates all areas of the board and of every step it places, one area per task over all cores.
-/// Same result with 1 and N threads. The board's `times` and `diagnostics` are those of all steps. Errors: Cancelled.
+/// Makes lets and triangulates all areas of the board and of every step it places, over all cores or on a device. Same
+/// result with 1 and N threads and with every triangulator. The board's `times` and `diagnostics` are those of all
+/// steps. Errors: Cancelled.
 [[nodiscard]] base::Result<BoardModel> buildBoardModel(const model::Document& document,
-                                                       const model::Discretisation& how, base::Progress& progress);
+                                                       const model::Discretisation& how, base::Progress& progress,
+                                                       const AreaTriangulator& triangulator = {});
 
 }  // namespace render

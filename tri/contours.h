@@ -59,8 +59,8 @@ public:
     /// Crossing if two edges that are left run along each other in the same direction. They may still cancel with the
     /// piece of a third one that is not yet split at its vertices.
     [[nodiscard]] const Status& overlap() const { return m_overlap; }
-    /// The contours as they are kept: the vertices after and before this one, or kFree or kBusy; and the ends of edges at
-    /// busy vertices, sorted by vertex.
+    /// The contours as they are kept: the vertices after and before this one, or kFree or kBusy; and the ends of edges
+    /// at busy vertices, sorted by vertex.
     [[nodiscard]] std::uint32_t nextOf(std::uint32_t vertex) const { return m_next[vertex]; }
     [[nodiscard]] std::uint32_t previousOf(std::uint32_t vertex) const { return m_previous[vertex]; }
     [[nodiscard]] std::span<const Ray> rays() const { return m_rays; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "model/base/assert.h"
 #include "tri/cdt_cgal.h"
 #include "tri/cdt_cpu.h"
 #include "tri/cdt_parallel.h"
@@ -15,6 +16,8 @@ namespace {
 /// they get a core each.
 constexpr std::size_t kWorthAllCores = 100'000;
 
+constexpr std::array<std::string_view, 5> kNames = {"auto", "cpu", "parallel", "cgal", "gpu"};
+
 /// Scatters a number over all 64 bits (the finaliser of a xorshift-multiply generator).
 std::uint64_t scatter(std::uint64_t value) {
     value = (value ^ value >> 30) * 0xBF58476D1CE4E5B9U;
@@ -25,8 +28,12 @@ std::uint64_t scatter(std::uint64_t value) {
 }  // namespace
 
 std::string_view nameOf(Triangulator triangulator) {
-    constexpr std::array<std::string_view, 4> kNames = {"auto", "cpu", "parallel", "cgal"};
     return kNames[static_cast<std::size_t>(triangulator)];
+}
+
+std::optional<Triangulator> triangulatorNamed(std::string_view name) {
+    const auto found = std::ranges::find(kNames, name);
+    return found == kNames.end() ? std::nullopt : std::optional(static_cast<Triangulator>(found - kNames.begin()));
 }
 
 Status triangulate(const Polygon& polygon, Triangulator triangulator, std::vector<std::uint32_t>& triangles) {
@@ -34,6 +41,7 @@ Status triangulate(const Polygon& polygon, Triangulator triangulator, std::vecto
         case Triangulator::Cgal: return triangulateCgal(polygon, triangles);
         case Triangulator::Parallel: return triangulateParallel(polygon, triangles);
         case Triangulator::Cpu: return triangulateCpu(polygon, triangles);
+        case Triangulator::Gpu: ASSERT(false && "many polygons at once: tri/gpu/triangulator.h"); break;
         case Triangulator::Auto: break;
     }
     return polygon.points.size() < kWorthAllCores ? triangulateCpu(polygon, triangles)

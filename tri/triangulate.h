@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -58,12 +60,25 @@ enum class Triangulator : std::uint8_t {
     Parallel,  ///< one large polygon over all cores
     Cgal,  ///< CGAL's constrained triangulation with a final pass of perturbed flips: slow, independent; does not name
            ///< crossing edges
+    Gpu,   ///< all polygons of a board at once on a Vulkan device: tri/gpu/triangulator.h, not triangulate()
 };
 
+/// Those that triangulate() takes.
 inline constexpr Triangulator kTriangulators[] = {Triangulator::Auto, Triangulator::Cpu, Triangulator::Parallel,
                                                   Triangulator::Cgal};
 
 [[nodiscard]] std::string_view nameOf(Triangulator triangulator);
+/// By its name ("auto", "cpu", "parallel", "cgal", "gpu").
+[[nodiscard]] std::optional<Triangulator> triangulatorNamed(std::string_view name);
+
+/// One polygon's result, for those who have many.
+struct Triangulation {
+    Status status;
+    std::vector<std::uint32_t> triangles;
+};
+
+/// Something that takes all polygons of a board at once: a device.
+using BatchTriangulator = std::function<std::vector<Triangulation>(std::span<const Polygon>)>;
 
 /// Appends three indices into `polygon.points` per triangle, counter-clockwise; of points at the same position the
 /// lowest index is used. Nothing is appended unless the outcome is Ok. The order of the triangles is not part of the

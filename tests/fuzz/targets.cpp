@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "contours.h"
 #include "model/base/assert.h"
 #include "model/odb/archive.h"
 #include "model/odb/archive_stream.h"
@@ -161,6 +162,7 @@ std::span<const Target> targets() {
         {"archive", archive},
         {"attributes", attributes, {"attrlist"}},
         {"components", components, {"components"}},
+        {"contours", contours},
         {"eda", eda, {"data"}},
         {"elements", elements, {"features"}},
         {"features", features, {"features", "profile"}},

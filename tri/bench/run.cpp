@@ -44,8 +44,22 @@ std::vector<std::size_t> largestFirst(const Set& set) {
     return order;
 }
 
-void triangulateAll(const Set& set, const std::vector<std::size_t>& order, Triangulator triangulator, Triangles& out) {
+void triangulateOnDevice(const Set& set, gpu::Triangulator& device, Triangles& out) {
+    std::vector<Polygon> polygons;
+    std::ranges::transform(set.shapes, std::back_inserter(polygons), &Shape::polygon);
+    std::vector<Triangulation> results = device.triangulate(polygons);
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        out[i] = std::move(results[i].triangles);
+    }
+}
+
+void triangulateAll(const Set& set, const std::vector<std::size_t>& order, Triangulator triangulator,
+                    gpu::Triangulator* device, Triangles& out) {
     out.assign(set.shapes.size(), {});
+    if (triangulator == Triangulator::Gpu) {
+        triangulateOnDevice(set, *device, out);
+        return;
+    }
     const auto one = [&](std::size_t place) {
         const std::size_t i = order[place];
         const Status status = triangulate(set.shapes[i].polygon(), triangulator, out[i]);
@@ -63,14 +77,18 @@ void triangulateAll(const Set& set, const std::vector<std::size_t>& order, Trian
 }
 
 /// In a thread of its own, whose working memory is fresh and gone afterwards.
-double measureBytes(const Set& set, const std::vector<std::size_t>& order, Triangulator triangulator) {
+double measureBytes(const Set& set, const std::vector<std::size_t>& order, Triangulator triangulator,
+                    gpu::Triangulator* device) {
+    if (triangulator == Triangulator::Gpu) {
+        return 0.0;  // a device belongs to one thread, and its memory is its own
+    }
     malloc_trim(0);
     std::ofstream("/proc/self/clear_refs") << "5";  // the peak starts anew
     const double before = statusBytes("VmRSS:");
     std::thread([&] {
         Triangles triangles;
         const base::ThreadLimit limit(1);
-        triangulateAll(set, order, triangulator, triangles);
+        triangulateAll(set, order, triangulator, device, triangles);
     }).join();
     return (statusBytes("VmHWM:") - before) / static_cast<double>(set.vertexCount());
 }
@@ -92,14 +110,14 @@ bool isAllRight(const Set& set, const Triangles& triangles) {
     return true;
 }
 
-Run measureRun(const Set& set, Triangulator triangulator, int threads, int repeats, Triangles& triangles) {
+Run measureRun(const Set& set, Triangulator triangulator, int threads, const Options& options, Triangles& triangles) {
     const base::ThreadLimit limit(threads);
     const std::vector<std::size_t> order = largestFirst(set);
     Run run{triangulator, threads};
-    for (int i = 0; i < repeats; ++i) {
+    for (int i = 0; i < options.repeats; ++i) {
         const double cpuStart = processCpuMs();
         const auto start = std::chrono::steady_clock::now();
-        triangulateAll(set, order, triangulator, triangles);
+        triangulateAll(set, order, triangulator, options.device, triangles);
         const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
         if (i == 0 || ms.count() < run.ms) {
             run.ms = ms.count();
@@ -107,6 +125,12 @@ Run measureRun(const Set& set, Triangulator triangulator, int threads, int repea
         }
     }
     run.hash = hashOf(triangles);
+    if (triangulator == Triangulator::Gpu) {
+        const gpu::Tally& tally = options.device->tally();
+        run.deviceMs = tally.deviceMs;
+        run.onDevice = tally.onDevice;
+        run.flagged = tally.flagged;
+    }
     return run;
 }
 
@@ -126,11 +150,12 @@ std::string format(const char* pattern, auto... values) {
 SetReport measure(const Set& set, const Options& options) {
     SetReport report{set.name, set.shapes.size(), set.vertexCount(), 0, {}};
     for (const Triangulator triangulator : options.triangulators) {
-        const double bytes = measureBytes(set, largestFirst(set), triangulator);
+        const double bytes = measureBytes(set, largestFirst(set), triangulator, options.device);
         bool isVerified = false;
-        for (const int threads : options.threads) {
+        const bool isOnDevice = triangulator == Triangulator::Gpu;
+        for (const int threads : isOnDevice ? std::vector{options.threads.back()} : options.threads) {
             Triangles triangles;
-            Run run = measureRun(set, triangulator, threads, options.repeats, triangles);
+            Run run = measureRun(set, triangulator, threads, options, triangles);
             run.bytesPerVertex = bytes;
             // Equal hashes are equal triangles: verify once per triangulator.
             const bool isKnown = isVerified && run.hash == report.runs.back().hash;
@@ -142,6 +167,13 @@ SetReport measure(const Set& set, const Options& options) {
         }
     }
     return report;
+}
+
+bool isAllEqual(const std::vector<SetReport>& reports) {
+    return std::ranges::all_of(reports, [](const SetReport& report) {
+        return std::ranges::all_of(
+            report.runs, [&](const Run& run) { return run.isVerified && run.hash == report.runs.front().hash; });
+    });
 }
 
 std::string toTable(const std::vector<SetReport>& reports) {
@@ -168,14 +200,18 @@ std::string toJson(const std::vector<SetReport>& reports, const std::string& dev
     for (const SetReport& report : reports) {
         nlohmann::json runs = nlohmann::json::array();
         for (const Run& run : report.runs) {
-            runs.push_back({{"triangulator", nameOf(run.triangulator)},
-                            {"threads", run.threads},
-                            {"ms", run.ms},
-                            {"cpu_ms", run.cpuMs},
-                            {"vertices_per_s", verticesPerSecond(report, run)},
-                            {"bytes_per_vertex", run.bytesPerVertex},
-                            {"hash", format("%016llx", static_cast<unsigned long long>(run.hash))},
-                            {"verified", run.isVerified}});
+            nlohmann::json row = {{"triangulator", nameOf(run.triangulator)},
+                                  {"threads", run.threads},
+                                  {"ms", run.ms},
+                                  {"cpu_ms", run.cpuMs},
+                                  {"vertices_per_s", verticesPerSecond(report, run)},
+                                  {"bytes_per_vertex", run.bytesPerVertex},
+                                  {"hash", format("%016llx", static_cast<unsigned long long>(run.hash))},
+                                  {"verified", run.isVerified}};
+            if (run.triangulator == Triangulator::Gpu) {
+                row.update({{"device_ms", run.deviceMs}, {"on_device", run.onDevice}, {"flagged", run.flagged}});
+            }
+            runs.push_back(std::move(row));
         }
         json["sets"].push_back({{"name", report.name},
                                 {"polygons", report.polygons},

@@ -9,12 +9,6 @@
 
 namespace tri::gpu {
 
-/// The triangulation of one polygon, as triangulate() would give it.
-struct Triangulation {
-    Status status;
-    std::vector<std::uint32_t> triangles;
-};
-
 /// What became of the polygons of a call.
 struct Tally {
     std::size_t onDevice = 0;     ///< triangulated and proven there

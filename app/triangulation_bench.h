@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace app {
+
+struct TriangulationBenchArguments {
+    std::vector<std::string> boards;
+    bool asJson = false;
+    std::vector<std::string> triangulators;  ///< empty: all there are
+    std::vector<int> threads = {1, 0};       ///< 0: all cores
+    int repeats = 3;
+    std::vector<std::string> sets;  ///< empty: all; "none": only the boards
+    bool withHuge = false;
+};
+
+/// `copperscope bench --triangulation [BOARD...]`: every triangulator over the areas of the boards and over generated
+/// sets, in one run; a table or JSON on stdout. Answers an exit code: OutputFailed's if triangulators disagree or the
+/// verifier finds a fault.
+int runTriangulationBench(const TriangulationBenchArguments& arguments);
+
+}  // namespace app
