@@ -11,6 +11,7 @@ void startInBox(Mesh& mesh) {
         box.include(mesh.points[i]);
     }
     box = box.grownBy(static_cast<base::Nm>(std::max(box.width(), box.height()) / 8 + 1));
+    mesh.isCompact = std::max(box.width(), box.height()) < kCompactExtent;
     const std::uint32_t n = mesh.vertexCount;
     const std::array corners = {box.min, Point{box.max.x, box.min.y}, box.max, Point{box.min.x, box.max.y}};
     for (std::uint32_t i = 0; i < kBoxCorners; ++i) {

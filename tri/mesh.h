@@ -39,6 +39,7 @@ struct Mesh {
     Scratch<std::uint32_t> ids;
     std::uint32_t triangleCount = 0;
     std::uint32_t vertexCount = 0;
+    bool isCompact = false;  ///< all points lie within kCompactExtent
 
     [[nodiscard]] Site site(std::uint32_t vertex) const { return {points[vertex], ids[vertex]}; }
     [[nodiscard]] std::int64_t turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
@@ -61,7 +62,8 @@ struct Mesh {
             return false;
         }
         const std::uint32_t apex = triangles[other.triangle()].v[other.corner()];
-        const Int128 exact = inCircle(points[t.v[0]], points[t.v[1]], points[t.v[2]], points[apex]);
+        const Point a = points[t.v[0]], b = points[t.v[1]], c = points[t.v[2]], d = points[apex];
+        const Int128 exact = isCompact ? inCircle<std::int64_t>(a, b, c, d) : inCircle(a, b, c, d);
         if (exact != 0) [[likely]] {
             return exact > 0;  // ids are not even loaded
         }

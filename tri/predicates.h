@@ -21,13 +21,19 @@ constexpr std::int64_t orient(Point a, Point b, Point c) {
            (std::int64_t{b.y} - a.y) * (std::int64_t{c.x} - a.x);
 }
 
-/// For a counter-clockwise triangle (a, b, c): > 0 if d lies inside its circumscribed circle, 0 if it lies on it.
+/// Points that differ by less than this in each axis have lifts (squared distances) that fit into 63 bits.
+inline constexpr std::int64_t kCompactExtent = std::int64_t{1} << 31;
+
+/// For a counter-clockwise triangle (a, b, c): > 0 if d lies inside its circumscribed circle, 0 if it lies on it. For
+/// points within kCompactExtent (2.1 m: any board) `Lift` may be a signed 64-bit number, which makes every product a
+/// single multiplication of the processor.
+template <class Lift = std::uint64_t>
 constexpr Int128 inCircle(Point a, Point b, Point c, Point d) {
     const std::int64_t ax = std::int64_t{a.x} - d.x, ay = std::int64_t{a.y} - d.y;
     const std::int64_t bx = std::int64_t{b.x} - d.x, by = std::int64_t{b.y} - d.y;
     const std::int64_t cx = std::int64_t{c.x} - d.x, cy = std::int64_t{c.y} - d.y;
     const auto lift = [](std::int64_t x, std::int64_t y) {
-        return Int128{static_cast<std::uint64_t>(x * x) + static_cast<std::uint64_t>(y * y)};
+        return Int128{static_cast<Lift>(static_cast<Lift>(x * x) + static_cast<Lift>(y * y))};
     };
     // Each product fits into 128 bits signed (2^64 * 2^62.7), and so does the sum of two of them.
     return lift(ax, ay) * (bx * cy - by * cx) + lift(bx, by) * (cx * ay - cy * ax) + lift(cx, cy) * (ax * by - ay * bx);

@@ -67,6 +67,21 @@ private slots:
         }
     }
 
+    void compactPointsGiveTheSameNumber() {
+        std::mt19937 random(8);
+        for (int i = 0; i < 10'000; ++i) {
+            // The corners of the largest compact square, and anything in it.
+            constexpr std::int64_t kSide = tri::kCompactExtent - 1;
+            const auto number = [&] {
+                const std::int64_t offset = random() % 3 == 0 ? kSide * (random() % 2) : random() % kSide;
+                return static_cast<int>(offset - kSide / 2);
+            };
+            const auto point = [&] { return Point{number(), number()}; };
+            const Point a = point(), b = point(), c = point(), d = point();
+            QVERIFY(inCircle<std::int64_t>(a, b, c, d) == inCircle(a, b, c, d));
+        }
+    }
+
     void perturbationNeverTiesAndIsConsistent() {
         // Four corners of a square in every order of ids: exactly one diagonal is right, whoever asks.
         const std::array<Point, 4> square{{{0, 0}, {10, 0}, {10, 10}, {0, 10}}};
