@@ -17,6 +17,7 @@ public:
     [[nodiscard]] tri::gpu::Triangulator& get() { return *m_triangulator; }
     /// "llvmpipe (LLVM 15.0.6, 256 bits)".
     [[nodiscard]] const std::string& deviceName() const { return m_device->caps().name; }
+    [[nodiscard]] bool isSoftware() const { return m_device->caps().isCpu; }
 
 private:
     DeviceTriangulator(render::gpu::Instance instance, render::gpu::Device device);

@@ -70,9 +70,13 @@ Batch collect(const std::vector<ShapeMesh>& meshes) {
     return batch;
 }
 
-void triangulateOnDevice(std::vector<ShapeMesh>& meshes, const tri::BatchTriangulator& device) {
+void triangulateOnDevice(std::vector<ShapeMesh>& meshes, const tri::BatchTriangulator& device,
+                         base::Progress& progress) {
     const Batch batch = collect(meshes);
-    const std::vector<tri::Triangulation> results = device(batch.polygons);
+    const std::vector<tri::Triangulation> results = device(batch.polygons, progress);
+    if (progress.isCancelled()) {
+        return;
+    }
     base::parallelFor(meshes.size(), [&](std::size_t shape) {
         ShapeMesh& mesh = meshes[shape];
         bool isRight = true;
@@ -163,7 +167,7 @@ std::vector<ShapeMesh> discretiseShapes(const model::Document& document, const s
 
 void triangulateShapes(std::vector<ShapeMesh>& meshes, const AreaTriangulator& how, base::Progress& progress) {
     if (how.onDevice) {
-        triangulateOnDevice(meshes, how.onDevice);
+        triangulateOnDevice(meshes, how.onDevice, progress);
         return;
     }
     std::vector<std::uint32_t> order(meshes.size());

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model/base/point.h"
+#include "model/base/progress.h"
 
 /// Polygons with holes in, triangles out. Knows nothing of boards.
 ///
@@ -77,8 +78,8 @@ struct Triangulation {
     std::vector<std::uint32_t> triangles;
 };
 
-/// Something that takes all polygons of a board at once: a device.
-using BatchTriangulator = std::function<std::vector<Triangulation>(std::span<const Polygon>)>;
+/// Something that takes all polygons of a board at once: a device. What it gives back after a cancel is of no use.
+using BatchTriangulator = std::function<std::vector<Triangulation>(std::span<const Polygon>, base::Progress& progress)>;
 
 /// Appends three indices into `polygon.points` per triangle, counter-clockwise; of points at the same position the
 /// lowest index is used. Nothing is appended unless the outcome is Ok. The order of the triangles is not part of the

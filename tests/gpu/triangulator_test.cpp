@@ -62,7 +62,8 @@ class TriangulatorTest : public QObject {
     /// All of them, through a device: the same as on the CPU, edges of crossings included.
     void compare(const std::vector<Case>& inputs, Eraser eraser = Eraser::Sector) {
         tri::gpu::Triangulator triangulator(*m_device);
-        const auto results = triangulator.triangulate(polygonsOf(inputs), eraser);
+        base::Progress progress;
+        const auto results = triangulator.triangulate(polygonsOf(inputs), progress, eraser);
         m_tally = triangulator.tally();
         for (std::size_t i = 0; i < inputs.size(); ++i) {
             std::vector<std::uint32_t> expected;
@@ -216,6 +217,16 @@ private slots:
         QCOMPARE(m_tally.onDevice, inputs.size());
         QCOMPARE(m_tally.rounds, 0U);
         QVERIFY(m_tally.flips > 100);
+    }
+
+    void cancellingStopsAtOnce() {
+        tri::gpu::Triangulator triangulator(*m_device);
+        base::Progress progress;
+        progress.cancel();
+        const Case input = cases::plane(12);
+        const std::vector<tri::Polygon> polygons{input.polygon()};
+        QVERIFY(triangulator.triangulate(polygons, progress).front().triangles.empty());
+        QCOMPARE(triangulator.tally().steps, 0U);
     }
 
     void nothingInNothingOut() {

@@ -47,7 +47,8 @@ std::vector<std::size_t> largestFirst(const Set& set) {
 void triangulateOnDevice(const Set& set, gpu::Triangulator& device, Triangles& out) {
     std::vector<Polygon> polygons;
     std::ranges::transform(set.shapes, std::back_inserter(polygons), &Shape::polygon);
-    std::vector<Triangulation> results = device.triangulate(polygons);
+    base::Progress progress;
+    std::vector<Triangulation> results = device.triangulate(polygons, progress);
     for (std::size_t i = 0; i < results.size(); ++i) {
         out[i] = std::move(results[i].triangles);
     }
@@ -80,7 +81,7 @@ void triangulateAll(const Set& set, const std::vector<std::size_t>& order, Trian
 double measureBytes(const Set& set, const std::vector<std::size_t>& order, Triangulator triangulator,
                     gpu::Triangulator* device) {
     if (triangulator == Triangulator::Gpu) {
-        return 0.0;  // a device belongs to one thread, and its memory is its own
+        return 0.0;  // its memory is the device's: the tally knows
     }
     malloc_trim(0);
     std::ofstream("/proc/self/clear_refs") << "5";  // the peak starts anew
@@ -130,6 +131,7 @@ Run measureRun(const Set& set, Triangulator triangulator, int threads, const Opt
         run.deviceMs = tally.deviceMs;
         run.onDevice = tally.onDevice;
         run.flagged = tally.flagged;
+        run.bytesPerVertex = static_cast<double>(tally.deviceBytes) / static_cast<double>(set.vertexCount());
     }
     return run;
 }
@@ -156,7 +158,7 @@ SetReport measure(const Set& set, const Options& options) {
         for (const int threads : isOnDevice ? std::vector{options.threads.back()} : options.threads) {
             Triangles triangles;
             Run run = measureRun(set, triangulator, threads, options, triangles);
-            run.bytesPerVertex = bytes;
+            run.bytesPerVertex += bytes;
             // Equal hashes are equal triangles: verify once per triangulator.
             const bool isKnown = isVerified && run.hash == report.runs.back().hash;
             isVerified = isKnown || (options.isVerifying && isAllRight(set, triangles));

@@ -16,7 +16,7 @@ struct Run {
     double ms = 0.0;        ///< best of the repeats, from input to triangles
     double deviceMs = 0.0;  ///< Gpu: time of the kernels in the last repeat
     double cpuMs = 0.0;  ///< processor time of all threads in that repeat; far from ms * threads: the machine was busy
-    /// How much the process grew at its peak, output included. What earlier runs gave back is used again first, so only
+    /// How much the process grew at its peak, output included; for Gpu the device's memory. What earlier runs gave back is used again first, so only
     /// the first run of a process tells all of it.
     double bytesPerVertex = 0.0;
     std::uint64_t hash = 0;    ///< of all triangle sets

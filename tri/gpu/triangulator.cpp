@@ -38,8 +38,9 @@ struct Triangulator::State {
 
     /// A run of polygons that fit into the device's memory together; returns its end.
     [[nodiscard]] std::size_t endOfTurn(std::span<const Polygon> polygons, std::size_t first) const;
-    void turn(std::span<const Polygon> polygons, Eraser eraser, std::span<Triangulation> results);
-    [[nodiscard]] bool grow(const DeviceForest& forest);
+    void turn(std::span<const Polygon> polygons, Eraser eraser, base::Progress& progress,
+              std::span<Triangulation> results);
+    [[nodiscard]] bool grow(const DeviceForest& forest, base::Progress& progress);
     void harvest(const DeviceForest& forest, const ForestData& data, std::span<Triangulation> results);
 };
 
@@ -57,11 +58,11 @@ std::size_t Triangulator::State::endOfTurn(std::span<const Polygon> polygons, st
 }
 
 /// Submits steps until all is done; false if that does not happen.
-bool Triangulator::State::grow(const DeviceForest& forest) {
+bool Triangulator::State::grow(const DeviceForest& forest, base::Progress& progress) {
     kernel::Control control{};
     for (bool isFirst = true; control.phase != kernel::kFinished; isFirst = false) {
         const render::gpu::Frame* frame = ring.begin();
-        if (frame == nullptr || control.step > kMaxSteps) {
+        if (frame == nullptr || control.step > kMaxSteps || progress.isCancelled()) {
             return false;
         }
         if (isFirst) {
@@ -77,6 +78,7 @@ bool Triangulator::State::grow(const DeviceForest& forest) {
         }
         tally.deviceMs += ring.gpuMs();
         control = forest.control();
+        progress.setFraction(static_cast<float>(control.inserted) / static_cast<float>(std::max(control.total, 1U)));
     }
     tally.steps += control.step;
     tally.rounds += control.rounds;
@@ -111,12 +113,14 @@ void Triangulator::State::harvest(const DeviceForest& forest, const ForestData& 
     });
 }
 
-void Triangulator::State::turn(std::span<const Polygon> polygons, Eraser eraser, std::span<Triangulation> results) {
+void Triangulator::State::turn(std::span<const Polygon> polygons, Eraser eraser, base::Progress& progress,
+                               std::span<Triangulation> results) {
     const ForestData data = plant(polygons, eraser);
     tally.withoutTree += static_cast<std::size_t>(
         std::ranges::count_if(data.trees, [](const kernel::Tree& tree) { return tree.vertexCount == 0; }));
     const DeviceForest forest(*device, ring, data);
-    if (grow(forest)) {
+    tally.deviceBytes = std::max(tally.deviceBytes, device->memoryReport().of(render::gpu::MemoryUse::Transient));
+    if (grow(forest, progress)) {
         harvest(forest, data, results);
     }
 }
@@ -130,13 +134,15 @@ const Tally& Triangulator::tally() const {
     return m_state->tally;
 }
 
-std::vector<Triangulation> Triangulator::triangulate(std::span<const Polygon> polygons, Eraser eraser) {
+std::vector<Triangulation> Triangulator::triangulate(std::span<const Polygon> polygons, base::Progress& progress,
+                                                     Eraser eraser) {
     m_state->tally = {};
     std::vector<Triangulation> results(polygons.size(), {{Outcome::Degenerate, kNoEdge, kNoEdge}, {}});
     for (std::size_t first = 0; first < polygons.size();) {
         const std::size_t end = m_state->endOfTurn(polygons, first);
         if (end > first) {
-            m_state->turn(polygons.subspan(first, end - first), eraser, std::span(results).subspan(first, end - first));
+            m_state->turn(polygons.subspan(first, end - first), eraser, progress,
+                          std::span(results).subspan(first, end - first));
         } else {
             ++m_state->tally.withoutTree;  // too large for this device
         }
@@ -149,6 +155,9 @@ std::vector<Triangulation> Triangulator::triangulate(std::span<const Polygon> po
         }
     }
     base::parallelFor(left.size(), [&](std::size_t i) {
+        if (progress.isCancelled()) {
+            return;
+        }
         Triangulation& result = results[left[i]];
         result.status = tri::triangulate(polygons[left[i]], tri::Triangulator::Auto, result.triangles);
     });

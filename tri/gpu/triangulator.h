@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "model/base/progress.h"
 #include "render/gpu/device.h"
 #include "tri/gpu/forest_data.h"
 
@@ -17,7 +18,8 @@ struct Tally {
     std::uint32_t steps = 0;
     std::uint32_t rounds = 0;  ///< steps that inserted vertices
     std::uint32_t flips = 0;
-    double deviceMs = 0.0;  ///< time of the kernels; 0 if the device cannot tell
+    std::uint64_t deviceBytes = 0;  ///< of device memory, at most
+    double deviceMs = 0.0;          ///< time of the kernels; 0 if the device cannot tell
 };
 
 /// Triangulates all polygons of a board in the same dispatches (docs/triangulation.md). The result is the same,
@@ -32,7 +34,8 @@ public:
     Triangulator(Triangulator&&) noexcept;
     Triangulator& operator=(Triangulator&&) noexcept;
 
-    [[nodiscard]] std::vector<Triangulation> triangulate(std::span<const Polygon> polygons,
+    /// Reports how many vertices are in; after a cancel the results are of no use.
+    [[nodiscard]] std::vector<Triangulation> triangulate(std::span<const Polygon> polygons, base::Progress& progress,
                                                          Eraser eraser = Eraser::Sector);
     /// About the last call.
     [[nodiscard]] const Tally& tally() const;
