@@ -76,8 +76,8 @@ base::Result<render::BoardModel> modelBoard(const model::Document& document, con
             return opened.error();
         }
         device.emplace(std::move(*opened));
-        areas.onDevice = [&device](std::span<const tri::Polygon> polygons) {
-            return device->get().triangulate(polygons);
+        areas.onDevice = [&device](std::span<const tri::Polygon> polygons, base::Progress& work) {
+            return device->get().triangulate(polygons, work);
         };
     } else {
         areas.triangulator = wanted;
