@@ -135,229 +135,229 @@ private slots:
                 .exitCode,
             0);
         QCOMPARE(pngSize(picture), QSize(320, 200));
+    }
 
-        void areasComeOutTheSameFromEveryTriangulator() {
-            // Only how the triangles are found differs, so all that is said about the model has to be the same.
-            const auto triangles = [](const QString& triangulator) {
-                const Outcome run = copperscope({"info", COPPERSCOPE_SAMPLE, "--json", "--triangulator", triangulator});
-                return run.exitCode == 0 ? QJsonDocument::fromJson(run.out).object()["triangles"].toObject()
-                                         : QJsonObject();
-            };
-            const QJsonObject expected = triangles("cpu");
-            QVERIFY(expected["stored"].toInt() > 10'000);
-            for (const char* other : {"auto", "parallel", "cgal", "gpu"}) {
-                QCOMPARE(triangles(other), expected);
+    void areasComeOutTheSameFromEveryTriangulator() {
+        // Only how the triangles are found differs, so all that is said about the model has to be the same.
+        const auto triangles = [](const QString& triangulator) {
+            const Outcome run = copperscope({"info", COPPERSCOPE_SAMPLE, "--json", "--triangulator", triangulator});
+            return run.exitCode == 0 ? QJsonDocument::fromJson(run.out).object()["triangles"].toObject()
+                                     : QJsonObject();
+        };
+        const QJsonObject expected = triangles("cpu");
+        QVERIFY(expected["stored"].toInt() > 10'000);
+        for (const char* other : {"auto", "parallel", "cgal", "gpu"}) {
+            QCOMPARE(triangles(other), expected);
+        }
+        QCOMPARE(copperscope({"info", COPPERSCOPE_SAMPLE, "--triangulator", "magic"}).exitCode, 1);
+    }
+
+    void benchMeasuresAllTriangulators() {
+        const Outcome run =
+            copperscope({"bench", "--triangulation", COPPERSCOPE_SAMPLE, "--sets", "areas 1k", "--threads", "1",
+                         "--repeats", "1", "--triangulators", "cgal,cpu,parallel,gpu", "--json"});
+        QVERIFY2(run.exitCode == 0, run.err.constData());
+        const QJsonObject report = QJsonDocument::fromJson(run.out).object();
+        QVERIFY(!report["device"].toString().isEmpty());
+        QVERIFY(report.contains("commit"));
+        const QJsonArray sets = report["sets"].toArray();
+        QCOMPARE(sets.size(), 2);
+        for (const QJsonValue& set : sets) {
+            const QJsonArray runs = set["runs"].toArray();
+            QCOMPARE(runs.size(), 4);
+            for (const QJsonValue& each : runs) {
+                QVERIFY(each["verified"].toBool());
+                QCOMPARE(each["hash"], runs.first()["hash"]);
+                QVERIFY(each["ms"].toDouble() > 0.0);
             }
-            QCOMPARE(copperscope({"info", COPPERSCOPE_SAMPLE, "--triangulator", "magic"}).exitCode, 1);
         }
+        QCOMPARE(copperscope({"bench"}).exitCode, 1);
+        QCOMPARE(copperscope({"bench", "--triangulation", "no-such-board"}).exitCode, 2);
+    }
 
-        void benchMeasuresAllTriangulators() {
-            const Outcome run =
-                copperscope({"bench", "--triangulation", COPPERSCOPE_SAMPLE, "--sets", "areas 1k", "--threads", "1",
-                             "--repeats", "1", "--triangulators", "cgal,cpu,parallel,gpu", "--json"});
-            QVERIFY2(run.exitCode == 0, run.err.constData());
-            const QJsonObject report = QJsonDocument::fromJson(run.out).object();
-            QVERIFY(!report["device"].toString().isEmpty());
-            QVERIFY(report.contains("commit"));
-            const QJsonArray sets = report["sets"].toArray();
-            QCOMPARE(sets.size(), 2);
-            for (const QJsonValue& set : sets) {
-                const QJsonArray runs = set["runs"].toArray();
-                QCOMPARE(runs.size(), 4);
-                for (const QJsonValue& each : runs) {
-                    QVERIFY(each["verified"].toBool());
-                    QCOMPARE(each["hash"], runs.first()["hash"]);
-                    QVERIFY(each["ms"].toDouble() > 0.0);
-                }
+    void elementsAreTheSumOfTheLayers() {
+        const QJsonObject info =
+            QJsonDocument::fromJson(copperscope({"info", COPPERSCOPE_SAMPLE, "--json"}).out).object();
+        int lines = 0;
+        for (const QJsonValue& layer : info["layers"].toArray()) {
+            lines += layer.toObject()["counts"].toObject()["line"].toInt();
+        }
+        const QJsonObject elements = info["elements"].toObject();
+        QCOMPARE(elements["line"].toInt(), lines);
+        QCOMPARE(elements["total"].toInt(), elements["line"].toInt() + elements["arc"].toInt() +
+                                                elements["circle"].toInt() + elements["trail"].toInt() +
+                                                elements["area"].toInt());
+        QVERIFY(elements["total"].toInt() > 1000);
+    }
+
+    void theSampleIsTheDefaultBoard() {
+        const Outcome run = copperscope({"info"});
+        QCOMPARE(run.exitCode, 0);
+        QVERIFY(run.out.contains("layer") && run.out.contains("times"));
+        QVERIFY(run.err.isEmpty());
+    }
+
+    void wrongUsageAnswersOne_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addRow("unknown option") << QStringList{"info", "--frobnicate"};
+        QTest::addRow("no output") << QStringList{"render"};
+        QTest::addRow("unknown layer") << QStringList{"render", "-o", "x.png", "--layers", "no-such-layer"};
+        QTest::addRow("unknown net") << QStringList{"render", "-o", "x.png", "--net", "no-such-net"};
+        QTest::addRow("unknown step") << QStringList{"info", "--step", "no-such-step"};
+        QTest::addRow("bad size") << QStringList{"render", "-o", "x.png", "--size", "12"};
+        QTest::addRow("bad chord") << QStringList{"info", "--chord", "0.1"};
+        QTest::addRow("picture of unknown kind") << QStringList{"render", "-o", "x.bmp"};
+        QTest::addRow("empty window") << QStringList{"render", "-o", "x.png", "--window", "1,1,1,5"};
+        QTest::addRow("2D from the side") << QStringList{"render", "-o", "x.png", "--mode", "2d", "--view", "iso"};
+    }
+    void wrongUsageAnswersOne() {
+        QFETCH(QStringList, arguments);
+        QTemporaryDir folder;
+        const Outcome run = copperscope(arguments, folder.path());
+        QCOMPARE(run.exitCode, 1);
+        QVERIFY(run.out.isEmpty() || run.err.size() > 0);
+        QVERIFY(QDir(folder.path()).isEmpty());
+    }
+
+    void unreadableInputAnswersTwo_data() {
+        QTest::addColumn<QByteArray>("content");
+        QTest::addColumn<QString>("name");
+        QFile sample(COPPERSCOPE_SAMPLE);
+        QVERIFY(sample.open(QIODevice::ReadOnly));
+        const QByteArray whole = sample.readAll();
+        QTest::addRow("empty file") << QByteArray() << "board.tgz";
+        QTest::addRow("no archive") << QByteArray("hello") << "board.tgz";
+        QTest::addRow("truncated archive") << whole.left(whole.size() / 2) << "board.tgz";
+        QTest::addRow("no board") << QByteArray("PK\x05\x06") + QByteArray(18, '\0') << "board.zip";
+    }
+    void unreadableInputAnswersTwo() {
+        QFETCH(QByteArray, content);
+        QFETCH(QString, name);
+        QTemporaryDir folder;
+        QFile file(folder.filePath(name));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(content);
+        file.close();
+        const Outcome run = copperscope({"info", name}, folder.path());
+        QCOMPARE(run.exitCode, 2);
+        QVERIFY2(run.err.contains(name.toUtf8()), run.err.constData());
+        QVERIFY(run.out.isEmpty());
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);
+    }
+
+    void missingInputAnswersTwo() {
+        const Outcome run = copperscope({"info", "/nowhere/board.tgz"});
+        QCOMPARE(run.exitCode, 2);
+        QVERIFY(run.err.contains("/nowhere/board.tgz"));
+    }
+
+    void renderWritesOnlyThePicture_data() {
+        QTest::addColumn<QStringList>("options");
+        QTest::addRow("3D, pull") << QStringList{"--backend", "pull"};
+        QTest::addRow("3D, automatic") << QStringList{};
+        QTest::addRow("bottom") << QStringList{"--view", "bottom"};
+        QTest::addRow("2D") << QStringList{"--mode", "2d"};
+        QTest::addRow("exploded") << QStringList{"--explode", "1"};
+        QTest::addRow("window, mono") << QStringList{"--window", "10,10,20,20", "--mono"};
+    }
+    void renderWritesOnlyThePicture() {
+        QFETCH(QStringList, options);
+        QTemporaryDir folder;
+        const Outcome run =
+            copperscope(QStringList{"render", "-o", "out.png", "--size", "120x80"} + options, folder.path());
+        QVERIFY2(run.exitCode == 0, run.err.constData());
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList{"out.png"});
+        QCOMPARE(pngSize(folder.filePath("out.png")), QSize(120, 80));
+        QVERIFY(run.out.isEmpty());
+    }
+
+    void unwritableOutputAnswersThree() {
+        const Outcome run = copperscope({"render", "-o", "/nowhere/out.png", "--size", "64x64"});
+        QCOMPARE(run.exitCode, 3);
+        QVERIFY(run.err.contains("/nowhere/out.png"));
+    }
+
+    void missingDriverAnswersThreeInWords() {
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert("VK_DRIVER_FILES", "/nowhere/driver.json");
+        environment.insert("VK_ICD_FILENAMES", "/nowhere/driver.json");
+        const Outcome run = copperscope({"render", "-o", "/nowhere/out.png", "--size", "64x64"}, {}, environment);
+        QCOMPARE(run.exitCode, 3);
+        QVERIFY2(run.err.contains("Vulkan"), run.err.constData());
+    }
+
+    // ---- thicknesses ----
+
+    static QJsonObject stackRow(const QByteArray& json, const QString& name) {
+        for (const QJsonValue& row : QJsonDocument::fromJson(json).object()["stackup"].toObject()["rows"].toArray()) {
+            if (row.toObject()["name"].toString() == name) {
+                return row.toObject();
             }
-            QCOMPARE(copperscope({"bench"}).exitCode, 1);
-            QCOMPARE(copperscope({"bench", "--triangulation", "no-such-board"}).exitCode, 2);
         }
+        return {};
+    }
 
-        void elementsAreTheSumOfTheLayers() {
-            const QJsonObject info =
-                QJsonDocument::fromJson(copperscope({"info", COPPERSCOPE_SAMPLE, "--json"}).out).object();
-            int lines = 0;
-            for (const QJsonValue& layer : info["layers"].toArray()) {
-                lines += layer.toObject()["counts"].toObject()["line"].toInt();
-            }
-            const QJsonObject elements = info["elements"].toObject();
-            QCOMPARE(elements["line"].toInt(), lines);
-            QCOMPARE(elements["total"].toInt(), elements["line"].toInt() + elements["arc"].toInt() +
-                                                    elements["circle"].toInt() + elements["trail"].toInt() +
-                                                    elements["area"].toInt());
-            QVERIFY(elements["total"].toInt() > 1000);
-        }
+    void setThicknessesCountAndLeaveNoFile() {
+        QTemporaryDir folder;
+        QVERIFY(QFile::copy(COPPERSCOPE_SAMPLE, folder.filePath("amp.tgz")));
+        const Outcome run = copperscope({"info", "amp.tgz", "--json", "--set-thickness", "dielectric_2=1.5mm",
+                                         "--set-thickness", "L02-INNER_LAYER=2oz"},
+                                        folder.path());
+        QVERIFY2(run.exitCode == 0, run.err.constData());
+        QCOMPARE(stackRow(run.out, "DIELECTRIC_2")["thickness_nm"].toInt(), 1'500'000);
+        QCOMPARE(stackRow(run.out, "DIELECTRIC_2")["thickness_source"].toString(), "session");
+        QCOMPARE(stackRow(run.out, "L02-INNER_LAYER")["thickness_nm"].toInt(), 69'600);
+        QCOMPARE(stackRow(run.out, "DIELECTRIC_1")["thickness_source"].toString(), "job");
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList{"amp.tgz"});
+    }
 
-        void theSampleIsTheDefaultBoard() {
-            const Outcome run = copperscope({"info"});
-            QCOMPARE(run.exitCode, 0);
-            QVERIFY(run.out.contains("layer") && run.out.contains("times"));
-            QVERIFY(run.err.isEmpty());
-        }
+    void savedThicknessesStayUntilIgnored() {
+        QTemporaryDir folder;
+        QVERIFY(QFile::copy(COPPERSCOPE_SAMPLE, folder.filePath("amp.tgz")));
+        const QStringList info{"info", "amp.tgz", "--json"};
+        const QStringList set{"--set-thickness", "DIELECTRIC_2=1500um", "--save-session"};
+        QCOMPARE(copperscope(info + set, folder.path()).exitCode, 0);
+        QVERIFY(QFile::exists(folder.filePath("amp.tgz.copperscope.json")));
+        QCOMPARE(stackRow(copperscope(info, folder.path()).out, "DIELECTRIC_2")["thickness_nm"].toInt(), 1'500'000);
+        const Outcome without = copperscope(info + QStringList{"--no-session"}, folder.path());
+        QCOMPARE(stackRow(without.out, "DIELECTRIC_2")["thickness_nm"].toInt(), 1'122'680);
+        const Outcome picture = copperscope(
+            {"render", "amp.tgz", "-o", "out.png", "--size", "64x64", "--set-thickness", "DIELECTRIC_1=0.3mm"},
+            folder.path());
+        QVERIFY2(picture.exitCode == 0, picture.err.constData());
+    }
 
-        void wrongUsageAnswersOne_data() {
-            QTest::addColumn<QStringList>("arguments");
-            QTest::addRow("unknown option") << QStringList{"info", "--frobnicate"};
-            QTest::addRow("no output") << QStringList{"render"};
-            QTest::addRow("unknown layer") << QStringList{"render", "-o", "x.png", "--layers", "no-such-layer"};
-            QTest::addRow("unknown net") << QStringList{"render", "-o", "x.png", "--net", "no-such-net"};
-            QTest::addRow("unknown step") << QStringList{"info", "--step", "no-such-step"};
-            QTest::addRow("bad size") << QStringList{"render", "-o", "x.png", "--size", "12"};
-            QTest::addRow("bad chord") << QStringList{"info", "--chord", "0.1"};
-            QTest::addRow("picture of unknown kind") << QStringList{"render", "-o", "x.bmp"};
-            QTest::addRow("empty window") << QStringList{"render", "-o", "x.png", "--window", "1,1,1,5"};
-            QTest::addRow("2D from the side") << QStringList{"render", "-o", "x.png", "--mode", "2d", "--view", "iso"};
-        }
-        void wrongUsageAnswersOne() {
-            QFETCH(QStringList, arguments);
-            QTemporaryDir folder;
-            const Outcome run = copperscope(arguments, folder.path());
-            QCOMPARE(run.exitCode, 1);
-            QVERIFY(run.out.isEmpty() || run.err.size() > 0);
-            QVERIFY(QDir(folder.path()).isEmpty());
-        }
-
-        void unreadableInputAnswersTwo_data() {
-            QTest::addColumn<QByteArray>("content");
-            QTest::addColumn<QString>("name");
-            QFile sample(COPPERSCOPE_SAMPLE);
-            QVERIFY(sample.open(QIODevice::ReadOnly));
-            const QByteArray whole = sample.readAll();
-            QTest::addRow("empty file") << QByteArray() << "board.tgz";
-            QTest::addRow("no archive") << QByteArray("hello") << "board.tgz";
-            QTest::addRow("truncated archive") << whole.left(whole.size() / 2) << "board.tgz";
-            QTest::addRow("no board") << QByteArray("PK\x05\x06") + QByteArray(18, '\0') << "board.zip";
-        }
-        void unreadableInputAnswersTwo() {
-            QFETCH(QByteArray, content);
-            QFETCH(QString, name);
-            QTemporaryDir folder;
-            QFile file(folder.filePath(name));
-            QVERIFY(file.open(QIODevice::WriteOnly));
-            file.write(content);
-            file.close();
-            const Outcome run = copperscope({"info", name}, folder.path());
-            QCOMPARE(run.exitCode, 2);
-            QVERIFY2(run.err.contains(name.toUtf8()), run.err.constData());
+    void thicknessesThatMakeNoSenseAnswerOne() {
+        for (const char* text : {"NOWHERE=35um", "DIELECTRIC_2", "DIELECTRIC_2=thick", "DIELECTRIC_2=1oz",
+                                 "DIELECTRIC_2=-1mm", "DIELECTRIC_2=50mm"}) {
+            const Outcome run = copperscope({"info", COPPERSCOPE_SAMPLE, "--set-thickness", text});
+            QVERIFY2(run.exitCode == 1, text);
             QVERIFY(run.out.isEmpty());
-            QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);
+            QVERIFY2(run.err.contains("--set-thickness"), run.err.constData());
         }
+    }
 
-        void missingInputAnswersTwo() {
-            const Outcome run = copperscope({"info", "/nowhere/board.tgz"});
-            QCOMPARE(run.exitCode, 2);
-            QVERIFY(run.err.contains("/nowhere/board.tgz"));
-        }
+    void aStrangeSessionIsToldAndSkipped() {
+        QTemporaryDir folder;
+        QVERIFY(QFile::copy(COPPERSCOPE_SAMPLE, folder.filePath("amp.tgz")));
+        QFile file(folder.filePath("amp.tgz.copperscope.json"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(R"({"copperscope_session": 7})");
+        file.close();
+        const Outcome run = copperscope({"info", "amp.tgz", "--json"}, folder.path());
+        QCOMPARE(run.exitCode, 0);
+        QVERIFY2(run.err.contains("version 7"), run.err.constData());
+        const Outcome save =
+            copperscope({"info", "amp.tgz", "--set-thickness", "DIELECTRIC_2=1mm", "--save-session"}, folder.path());
+        QCOMPARE(save.exitCode, 3);
+    }
 
-        void renderWritesOnlyThePicture_data() {
-            QTest::addColumn<QStringList>("options");
-            QTest::addRow("3D, pull") << QStringList{"--backend", "pull"};
-            QTest::addRow("3D, automatic") << QStringList{};
-            QTest::addRow("bottom") << QStringList{"--view", "bottom"};
-            QTest::addRow("2D") << QStringList{"--mode", "2d"};
-            QTest::addRow("exploded") << QStringList{"--explode", "1"};
-            QTest::addRow("window, mono") << QStringList{"--window", "10,10,20,20", "--mono"};
-        }
-        void renderWritesOnlyThePicture() {
-            QFETCH(QStringList, options);
-            QTemporaryDir folder;
-            const Outcome run =
-                copperscope(QStringList{"render", "-o", "out.png", "--size", "120x80"} + options, folder.path());
-            QVERIFY2(run.exitCode == 0, run.err.constData());
-            QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList{"out.png"});
-            QCOMPARE(pngSize(folder.filePath("out.png")), QSize(120, 80));
-            QVERIFY(run.out.isEmpty());
-        }
+    void helpAndVersionAnswerZero() {
+        QCOMPARE(copperscope({"--help"}).exitCode, 0);
+        QCOMPARE(copperscope({"render", "--help"}).exitCode, 0);
+        QVERIFY(copperscope({"--version"}).out.contains('.'));
+    }
+};
 
-        void unwritableOutputAnswersThree() {
-            const Outcome run = copperscope({"render", "-o", "/nowhere/out.png", "--size", "64x64"});
-            QCOMPARE(run.exitCode, 3);
-            QVERIFY(run.err.contains("/nowhere/out.png"));
-        }
-
-        void missingDriverAnswersThreeInWords() {
-            QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-            environment.insert("VK_DRIVER_FILES", "/nowhere/driver.json");
-            environment.insert("VK_ICD_FILENAMES", "/nowhere/driver.json");
-            const Outcome run = copperscope({"render", "-o", "/nowhere/out.png", "--size", "64x64"}, {}, environment);
-            QCOMPARE(run.exitCode, 3);
-            QVERIFY2(run.err.contains("Vulkan"), run.err.constData());
-        }
-
-        // ---- thicknesses ----
-
-        static QJsonObject stackRow(const QByteArray& json, const QString& name) {
-            for (const QJsonValue& row :
-                 QJsonDocument::fromJson(json).object()["stackup"].toObject()["rows"].toArray()) {
-                if (row.toObject()["name"].toString() == name) {
-                    return row.toObject();
-                }
-            }
-            return {};
-        }
-
-        void setThicknessesCountAndLeaveNoFile() {
-            QTemporaryDir folder;
-            QVERIFY(QFile::copy(COPPERSCOPE_SAMPLE, folder.filePath("amp.tgz")));
-            const Outcome run = copperscope({"info", "amp.tgz", "--json", "--set-thickness", "dielectric_2=1.5mm",
-                                             "--set-thickness", "L02-INNER_LAYER=2oz"},
-                                            folder.path());
-            QVERIFY2(run.exitCode == 0, run.err.constData());
-            QCOMPARE(stackRow(run.out, "DIELECTRIC_2")["thickness_nm"].toInt(), 1'500'000);
-            QCOMPARE(stackRow(run.out, "DIELECTRIC_2")["thickness_source"].toString(), "session");
-            QCOMPARE(stackRow(run.out, "L02-INNER_LAYER")["thickness_nm"].toInt(), 69'600);
-            QCOMPARE(stackRow(run.out, "DIELECTRIC_1")["thickness_source"].toString(), "job");
-            QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList{"amp.tgz"});
-        }
-
-        void savedThicknessesStayUntilIgnored() {
-            QTemporaryDir folder;
-            QVERIFY(QFile::copy(COPPERSCOPE_SAMPLE, folder.filePath("amp.tgz")));
-            const QStringList info{"info", "amp.tgz", "--json"};
-            const QStringList set{"--set-thickness", "DIELECTRIC_2=1500um", "--save-session"};
-            QCOMPARE(copperscope(info + set, folder.path()).exitCode, 0);
-            QVERIFY(QFile::exists(folder.filePath("amp.tgz.copperscope.json")));
-            QCOMPARE(stackRow(copperscope(info, folder.path()).out, "DIELECTRIC_2")["thickness_nm"].toInt(), 1'500'000);
-            const Outcome without = copperscope(info + QStringList{"--no-session"}, folder.path());
-            QCOMPARE(stackRow(without.out, "DIELECTRIC_2")["thickness_nm"].toInt(), 1'122'680);
-            const Outcome picture = copperscope(
-                {"render", "amp.tgz", "-o", "out.png", "--size", "64x64", "--set-thickness", "DIELECTRIC_1=0.3mm"},
-                folder.path());
-            QVERIFY2(picture.exitCode == 0, picture.err.constData());
-        }
-
-        void thicknessesThatMakeNoSenseAnswerOne() {
-            for (const char* text : {"NOWHERE=35um", "DIELECTRIC_2", "DIELECTRIC_2=thick", "DIELECTRIC_2=1oz",
-                                     "DIELECTRIC_2=-1mm", "DIELECTRIC_2=50mm"}) {
-                const Outcome run = copperscope({"info", COPPERSCOPE_SAMPLE, "--set-thickness", text});
-                QVERIFY2(run.exitCode == 1, text);
-                QVERIFY(run.out.isEmpty());
-                QVERIFY2(run.err.contains("--set-thickness"), run.err.constData());
-            }
-        }
-
-        void aStrangeSessionIsToldAndSkipped() {
-            QTemporaryDir folder;
-            QVERIFY(QFile::copy(COPPERSCOPE_SAMPLE, folder.filePath("amp.tgz")));
-            QFile file(folder.filePath("amp.tgz.copperscope.json"));
-            QVERIFY(file.open(QIODevice::WriteOnly));
-            file.write(R"({"copperscope_session": 7})");
-            file.close();
-            const Outcome run = copperscope({"info", "amp.tgz", "--json"}, folder.path());
-            QCOMPARE(run.exitCode, 0);
-            QVERIFY2(run.err.contains("version 7"), run.err.constData());
-            const Outcome save = copperscope(
-                {"info", "amp.tgz", "--set-thickness", "DIELECTRIC_2=1mm", "--save-session"}, folder.path());
-            QCOMPARE(save.exitCode, 3);
-        }
-
-        void helpAndVersionAnswerZero() {
-            QCOMPARE(copperscope({"--help"}).exitCode, 0);
-            QCOMPARE(copperscope({"render", "--help"}).exitCode, 0);
-            QVERIFY(copperscope({"--version"}).out.contains('.'));
-        }
-    };
-
-    QTEST_GUILESS_MAIN(CliTest)
+QTEST_GUILESS_MAIN(CliTest)
 #include "cli_test.moc"
