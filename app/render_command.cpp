@@ -18,7 +18,8 @@ using model::Document;
 namespace {
 
 Result<std::vector<render::LayerStyle>> chooseLayers(const Document& document, const RenderArguments& arguments) {
-    std::vector<render::LayerStyle> styles = render::defaultStyles(document);
+    const render::Look look = arguments.mode == "2d" ? render::Look::Flat : render::Look::Solid;
+    std::vector<render::LayerStyle> styles = render::defaultStyles(document, look);
     if (arguments.layers.empty()) {
         for (std::size_t row = 0; row < styles.size(); ++row) {
             // A raster of shapes is about copper and print, not about the laminate around them.

@@ -6,23 +6,6 @@ namespace model {
 
 namespace {
 
-/// A mirror turns loops round; adding them anew winds them as they must.
-PolygonSet placed(const PolygonSet& polygons, const Placement& placement) {
-    PolygonSet result;
-    std::vector<Point> points;
-    for (const PolygonSet::Polygon& polygon : polygons.polygons) {
-        result.beginPolygon();
-        for (std::uint32_t i = 0; i < polygon.loopCount; ++i) {
-            points.clear();
-            for (const Point& point : polygons.loop(polygon.firstLoop + i)) {
-                points.push_back(placement.apply(point));
-            }
-            result.addLoop(points);
-        }
-    }
-    return result;
-}
-
 /// What copies of one step take away, in that step's coordinates.
 PolygonSet takenBy(const Document& step, const Discretisation& how) {
     if (step.profile.isValid()) {

@@ -10,11 +10,19 @@ std::string causeOf(const Diagnostic& entry) {
     return entry.file + '\n' + entry.text;
 }
 
+std::string sentence(std::string_view text) {
+    std::string words(text);
+    if (!words.empty() && words[0] >= 'a' && words[0] <= 'z') {
+        words[0] = static_cast<char>(words[0] - 'a' + 'A');
+    }
+    return words;
+}
+
 }  // namespace
 
 void Diagnostics::report(Severity severity, std::string_view file, std::uint32_t line, std::string_view text,
                          ElementId element) {
-    add({severity, std::string(file), line, std::string(text), element, 1});
+    add({severity, std::string(file), line, sentence(text), element, 1, {}});
 }
 
 void Diagnostics::append(const Diagnostics& other) {
@@ -31,6 +39,11 @@ Diagnostics Diagnostics::without(const Diagnostics& other) const {
         }
     }
     return rest;
+}
+
+void Diagnostics::locate(std::size_t row, ElementId element, std::optional<base::Point> place) {
+    m_entries[row].element = element;
+    m_entries[row].place = place;
 }
 
 std::size_t Diagnostics::count(Severity severity) const {

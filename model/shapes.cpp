@@ -97,6 +97,21 @@ bool isWithinSweep(double angle, double start, double sweep) {
 
 }  // namespace
 
+bool isIdentity(const Placement& placement) {
+    return placement.origin == Point{} && placement.clockwiseDeg == 0.0 && !placement.isMirrored;
+}
+
+PathNode placed(const PathNode& node, const Placement& placement) {
+    PathNode moved = node;
+    moved.point = placement.apply(node.point);
+    if (node.edge != EdgeKind::Line) {
+        moved.centre = placement.apply(node.centre);
+        const bool isClockwise = (node.edge == EdgeKind::ArcClockwise) != placement.isMirrored;
+        moved.edge = isClockwise ? EdgeKind::ArcClockwise : EdgeKind::ArcCounterClockwise;
+    }
+    return moved;
+}
+
 Box boxOfEdge(const PathNode& from, Point to) {
     Box box;
     box.include(from.point);

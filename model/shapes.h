@@ -94,6 +94,9 @@ struct Placement {
     [[nodiscard]] Placement after(const Placement& inner) const;
 };
 
+[[nodiscard]] bool isIdentity(const Placement& placement);
+[[nodiscard]] PathNode placed(const PathNode& node, const Placement& placement);
+
 /// Smallest box around one edge, arcs included exactly to 1 nm.
 [[nodiscard]] Box boxOfEdge(const PathNode& from, Point to);
 

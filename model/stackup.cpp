@@ -7,7 +7,7 @@
 #include <unordered_map>
 
 #include "model/base/assert.h"
-#include "model/body.h"
+#include "model/solids/solids.h"
 
 namespace model {
 
@@ -449,7 +449,7 @@ void setHeights(Document& document, const Heights& heights,
         document.layers[row].thicknessSource = heights.layers[row].thicknessSource;
     }
     document.boardThickness = thicknessOf(heights.stackup);
-    placeBody(document.layers, document.boardThickness);
+    placeSolids(document);
     for (std::shared_ptr<const Document>& step : document.steps) {
         std::shared_ptr<const Document>& changed = done[step.get()];
         if (!changed) {

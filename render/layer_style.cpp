@@ -88,9 +88,25 @@ void showLaminates(const model::Document& document, std::vector<LayerStyle>& sty
     }
 }
 
+/// What a board looks like: outer copper as metal under a coat of lacquer, which it shows through.
+void makeSolid(const model::Document& document, std::vector<LayerStyle>& styles) {
+    for (std::size_t row = 0; row < styles.size(); ++row) {
+        const Layer& layer = document.layers[row];
+        if (layer.isCopper() && layer.side == LayerSide::Top) {
+            styles[row].colour = rgb(0xe0b050);
+        } else if (layer.isCopper() && layer.side == LayerSide::Bottom) {
+            styles[row].colour = rgb(0xc87850);
+        } else if (layer.isSynthetic && layer.type == LayerType::SolderMask) {
+            styles[row] = {rgb(0x0c6e38), 0.8F, true};
+        } else if (layer.type == LayerType::Body) {
+            styles[row] = {rgb(0x6f7a45), 0.85F, true};
+        }
+    }
+}
+
 }  // namespace
 
-std::vector<LayerStyle> defaultStyles(const model::Document& document) {
+std::vector<LayerStyle> defaultStyles(const model::Document& document, Look look) {
     std::vector<LayerStyle> styles;
     std::size_t innerSeen = 0;
     for (const Layer& layer : document.layers) {
@@ -98,6 +114,9 @@ std::vector<LayerStyle> defaultStyles(const model::Document& document) {
     }
     hideOuterPrints(document, styles);
     showLaminates(document, styles);
+    if (look == Look::Solid) {
+        makeSolid(document, styles);
+    }
     return styles;
 }
 

@@ -14,8 +14,13 @@ struct LayerStyle {
     bool isVisible = true;
 };
 
-/// Colours by layer type as users know them (top copper red, bottom blue, inner layers distinct hues, mask green, silk
-/// white); documentation layers and component layers start hidden.
-[[nodiscard]] std::vector<LayerStyle> defaultStyles(const model::Document& document);
+enum class Look {
+    Flat,  ///< a drawing, seen in 2D: top copper red, bottom blue; lacquer and bodies of components hidden
+    Solid  ///< a board, seen in 3D: bare copper golden under green lacquer
+};
+
+/// Colours by layer type as users know them (inner layers distinct hues, silk white); mask openings, documentation and
+/// component layers start hidden.
+[[nodiscard]] std::vector<LayerStyle> defaultStyles(const model::Document& document, Look look = Look::Solid);
 
 }  // namespace render

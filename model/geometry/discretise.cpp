@@ -80,6 +80,32 @@ void PolygonSet::append(const PolygonSet& other) {
     }
 }
 
+PolygonSet placed(const PolygonSet& polygons, const Placement& placement) {
+    PolygonSet result;
+    std::vector<Point> points;
+    for (const PolygonSet::Polygon& polygon : polygons.polygons) {
+        result.beginPolygon();
+        for (std::uint32_t i = 0; i < polygon.loopCount; ++i) {
+            points.clear();
+            for (const Point& point : polygons.loop(polygon.firstLoop + i)) {
+                points.push_back(placement.apply(point));
+            }
+            result.addLoop(points);
+        }
+    }
+    return result;
+}
+
+ShapeSketch sketchOf(const PolygonSet& polygons) {
+    ShapeSketch sketch;
+    for (const PolygonSet::Polygon& polygon : polygons.polygons) {
+        for (std::uint32_t i = 0; i < polygon.loopCount; ++i) {
+            sketch.addPolygon(polygons.loop(polygon.firstLoop + i), i > 0);
+        }
+    }
+    return sketch;
+}
+
 int chordCount(double radius, double sweep, bool isFullCircle, const Discretisation& how) {
     if (how.paperSegments) {
         return isFullCircle ? Discretisation::kPaperCircleSegments : Discretisation::kPaperArcSegments;

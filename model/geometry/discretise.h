@@ -44,6 +44,11 @@ struct PolygonSet {
     void append(const PolygonSet& other);
 };
 
+/// Laid down elsewhere; mirrored loops are turned round, so that they wind as they must.
+[[nodiscard]] PolygonSet placed(const PolygonSet& polygons, const Placement& placement);
+/// The same region as a shape with straight edges.
+[[nodiscard]] ShapeSketch sketchOf(const PolygonSet& polygons);
+
 /// Twice the signed area of a loop, positive when counter-clockwise; exact for extents up to 2^30.
 [[nodiscard]] __int128 twiceArea(std::span<const Point> loop);
 [[nodiscard]] __int128 twiceArea(const PolygonSet& set);

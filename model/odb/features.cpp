@@ -267,6 +267,7 @@ private:
 
     void endSurface() {
         m_pending.index = m_surface.endSurface(m_line);
+        m_file.surfaceEnds.push_back(m_line);
         m_isInSurface = false;
         m_line = m_pendingLine;
         addFeature(m_pending, m_isPendingGood);

@@ -53,7 +53,8 @@ struct FeatureFile {
     std::vector<SymbolRef> symbols;
     std::vector<Feature> features;
     FeatureAttributes attributes;
-    ShapeTable surfaces;  ///< one shape per S record, in the file's order
+    ShapeTable surfaces;                     ///< one shape per S record, in the file's order
+    std::vector<std::uint32_t> surfaceEnds;  ///< by surface: line of its SE
     std::vector<TextRecord> texts;
     std::vector<BarcodeRecord> barcodes;
     bool hasNegatives = false;

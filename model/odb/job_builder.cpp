@@ -6,11 +6,11 @@
 #include <map>
 
 #include "model/base/parallel.h"
-#include "model/body.h"
 #include "model/copy_outlines.h"
 #include "model/odb/copy_plan.h"
 #include "model/odb/element_maker.h"
 #include "model/odb/layer_table.h"
+#include "model/odb/message_places.h"
 #include "model/odb/net_links.h"
 #include "model/odb/net_points.h"
 #include "model/odb/painting.h"
@@ -18,6 +18,7 @@
 #include "model/odb/profile.h"
 #include "model/odb/records.h"
 #include "model/odb/region.h"
+#include "model/solids/solids.h"
 
 namespace model::odb {
 
@@ -32,6 +33,7 @@ public:
         m_progress.setFraction(static_cast<float>(++m_done) / static_cast<float>(std::max<std::size_t>(m_layers, 1)));
     }
     [[nodiscard]] bool isCancelled() const { return m_progress.isCancelled(); }
+    [[nodiscard]] const base::Progress& inner() const { return m_progress; }
 
 private:
     base::Progress& m_progress;
@@ -80,9 +82,9 @@ public:
         addParts(m_builder, m_matrix, m_layers, m_step, m_nets);
         addGroups(m_builder, m_matrix, m_layers, m_step);
         addNetPoints(m_builder, m_step);
-        addBody(m_builder);
-        addMissingBody();
-        return true;
+        placeMessages(m_builder, m_layers, m_step);
+        const bool isAlone = m_parts.steps.size() == 1;
+        return addSolids(m_builder, isAlone ? LayerOutlines::Follow : LayerOutlines::Ignore, m_parts.progress.inner());
     }
 
 private:
@@ -155,31 +157,6 @@ private:
                                          "through the board");
             }
         }
-    }
-
-    /// The steps of a panel have the same layers, with laminate or without; where a copy has some, at its heights.
-    void addMissingBody() {
-        if (m_parts.steps.size() == 1 || bodyOf(m_builder.soFar()) != nullptr) {
-            return;
-        }
-        Layer body;
-        body.name = "board";
-        body.type = LayerType::Body;
-        body.side = LayerSide::Through;
-        body.isSynthetic = true;
-        body.thicknessSource = Source::Derived;
-        for (const auto& step : m_builder.soFar().steps) {
-            if (const Layer* copied = bodyOf(*step); copied != nullptr && copied->thickness > 0) {
-                body.z = copied->z;
-                body.thickness = copied->thickness;
-            }
-        }
-        m_builder.addLayer(body);
-    }
-
-    static const Layer* bodyOf(const Document& document) {
-        const auto found = std::ranges::find(document.layers, LayerType::Body, &Layer::type);
-        return found == document.layers.end() ? nullptr : &*found;
     }
 
     // ---- elements ----
@@ -417,7 +394,7 @@ bool buildJob(const JobContext& job, const Steps& steps, std::optional<double> b
     }
     for (const auto& document : documents) {
         if (document != nullptr) {
-            builder.diagnostics().append(document->diagnostics);
+            builder.diagnostics().append(messagesOfCopies(*document, builder.soFar()));
         }
     }
     return true;

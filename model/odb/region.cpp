@@ -10,31 +10,6 @@ PolygonSet polygonsOf(const ShapeSketch& sketch, const Discretisation& how) {
     return discretise(scratch.shapes(), shape, how);
 }
 
-ShapeSketch sketchOf(const PolygonSet& polygons) {
-    ShapeSketch sketch;
-    for (const PolygonSet::Polygon& polygon : polygons.polygons) {
-        for (std::uint32_t i = 0; i < polygon.loopCount; ++i) {
-            sketch.addPolygon(polygons.loop(polygon.firstLoop + i), i > 0);
-        }
-    }
-    return sketch;
-}
-
-bool isIdentity(const Placement& placement) {
-    return placement.origin == Point{} && placement.clockwiseDeg == 0.0 && !placement.isMirrored;
-}
-
-PathNode placed(const PathNode& node, const Placement& placement) {
-    PathNode moved = node;
-    moved.point = placement.apply(node.point);
-    if (node.edge != EdgeKind::Line) {
-        moved.centre = placement.apply(node.centre);
-        const bool isClockwise = (node.edge == EdgeKind::ArcClockwise) != placement.isMirrored;
-        moved.edge = isClockwise ? EdgeKind::ArcClockwise : EdgeKind::ArcCounterClockwise;
-    }
-    return moved;
-}
-
 ShapeSketch sketchOf(const ShapeTable& table, std::uint32_t shape, const Placement& placement) {
     ShapeSketch sketch;
     const bool isMoved = !isIdentity(placement);

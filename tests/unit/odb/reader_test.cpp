@@ -82,8 +82,8 @@ private slots:
             names.push_back(layer.name);
         }
         const std::vector<std::string> expected = {
-            "SST", "SPT",        "SMT",   "TOP",   "CORE1", "Inner Plane", "CORE2",      "BOTTOM",
-            "SMB", "COMP_+_TOP", "DRILL", "BLIND", "ROUT",  "NOTES",       "COMP_+_BOT", "board"};
+            "SST",        "SPT",   "SMT",   "TOP",  "CORE1", "Inner Plane", "CORE2",   "BOTTOM", "SMB",
+            "COMP_+_TOP", "DRILL", "BLIND", "ROUT", "NOTES", "COMP_+_BOT",  "board 1", "board 2"};
         QCOMPARE(names, expected);
         QCOMPARE(layerOf(*d, "top").side, LayerSide::Top);
         QCOMPARE(layerOf(*d, "inner plane").side, LayerSide::Inner);
@@ -302,7 +302,7 @@ private slots:
         QCOMPARE(d->board.min, (Point{0, 0}));
         QCOMPARE(d->board.max, (Point{20'000'000, 10'000'000}));
         QCOMPARE(d->shapes.contoursOf(d->profile).size(), std::size_t{2});
-        QCOMPARE(layerOf(*d, "board").counts[4], 1U);
+        QCOMPARE(layerOf(*d, "board 1").counts[4], 1U);
     }
 
     void oneAndManyThreadsGiveTheSameDocument() {

@@ -23,7 +23,7 @@ std::vector<render::LayerStyle> stylesOf(const std::vector<Layer>& layers) {
     for (const Layer& each : layers) {
         builder.addLayer(each);
     }
-    return render::defaultStyles(*builder.finish());
+    return render::defaultStyles(*builder.finish(), render::Look::Flat);
 }
 
 }  // namespace
@@ -50,6 +50,19 @@ private slots:
                       layer(LayerType::SilkScreen, LayerSide::Bottom)});
         QVERIFY(!styles[0].isVisible && styles[1].isVisible);
         QVERIFY(styles[3].isVisible && !styles[4].isVisible);
+    }
+
+    void lacquerIsShownOnASolidBoardOnly() {
+        model::DocumentBuilder builder;
+        Layer mask = layer(LayerType::SolderMask, LayerSide::Top);
+        builder.addLayer(mask);
+        mask.isSynthetic = true;
+        builder.addLayer(mask);
+        const auto document = builder.finish();
+        const auto solid = render::defaultStyles(*document, render::Look::Solid);
+        QVERIFY(!solid[0].isVisible && solid[1].isVisible && solid[1].opacity < 1.0F);
+        const auto flat = render::defaultStyles(*document, render::Look::Flat);
+        QVERIFY(!flat[0].isVisible && !flat[1].isVisible);
     }
 
     void rowsOutsideOfTheBoardStartHidden() {

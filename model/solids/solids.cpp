@@ -1,0 +1,181 @@
+#include "model/solids/solids.h"
+
+#include <algorithm>
+
+#include "model/base/parallel.h"
+#include "model/solids/cut.h"
+#include "model/solids/slabs.h"
+
+namespace model {
+
+namespace {
+
+/// A plate with holes that becomes a layer.
+struct Plate {
+    Layer layer;
+    ShapeId outline;
+    std::vector<LayerId> wholeLayers;  ///< all of their elements are cut out
+    std::vector<LayerId> openHoles;    ///< hole layers, of which those are cut out that lacquer does not close
+    ShapeSketch sketch;                ///< the result
+};
+
+Layer plateLayer(std::string name, LayerType type, LayerSide side, Nm bottom, Nm top, Source source) {
+    Layer layer;
+    layer.name = std::move(name);
+    layer.type = type;
+    layer.side = side;
+    layer.isSynthetic = true;
+    layer.z = bottom;
+    layer.thickness = top - bottom;
+    layer.thicknessSource = source;
+    return layer;
+}
+
+void planBody(const Document& document, LayerOutlines outlines, std::vector<Plate>& plates) {
+    std::vector<Slab> slabs = slabsOf(document, outlines);
+    for (std::size_t i = 0; i < slabs.size(); ++i) {
+        std::string name = slabs.size() == 1 ? "board" : "board " + std::to_string(i + 1);
+        plates.push_back({plateLayer(std::move(name), LayerType::Body, LayerSide::Through, slabs[i].bottom,
+                                     slabs[i].top, Source::Derived),
+                          slabs[i].outline,
+                          std::move(slabs[i].holes),
+                          {},
+                          {}});
+    }
+}
+
+/// Hole layers that come out on the side of the board a mask lies on.
+std::vector<LayerId> holesUnder(const Document& document, const Layer& mask) {
+    std::vector<LayerId> holes;
+    for (std::size_t row = 0; row < document.layers.size(); ++row) {
+        const Layer& layer = document.layers[row];
+        const bool isHoles = layer.type == LayerType::Drill || layer.type == LayerType::Rout;
+        const bool comesOut =
+            mask.side == LayerSide::Top ? layer.z + layer.thickness >= mask.z : layer.z <= mask.z + mask.thickness;
+        if (isHoles && comesOut) {
+            holes.emplace_back(row);
+        }
+    }
+    return holes;
+}
+
+void planCoats(const Document& document, std::vector<Plate>& plates) {
+    for (std::size_t row = 0; row < document.layers.size(); ++row) {
+        const Layer& mask = document.layers[row];
+        if (mask.type != LayerType::SolderMask || mask.context != LayerContext::Board) {
+            continue;
+        }
+        Layer layer = plateLayer(mask.name + " coat", LayerType::SolderMask, mask.side, mask.z, mask.z + mask.thickness,
+                                 mask.thicknessSource);
+        layer.row = mask.row;
+        Plate plate{std::move(layer), mask.profile.isValid() ? mask.profile : document.profile, {}, {}, {}};
+        plate.wholeLayers = {LayerId{row}};
+        plate.openHoles = holesUnder(document, mask);
+        plates.push_back(std::move(plate));
+    }
+}
+
+/// Cuts what a document and, below it, its copies take away. A copy with an outline is cut out whole: it has solids of
+/// its own. One without lies on ours.
+class PlateCutter {
+public:
+    explicit PlateCutter(const Plate& plate) : m_plate(plate) {}
+
+    void take(const Document& document, const Placement& placement, bool isFlipped) {
+        for (std::size_t row = 0; row < document.layers.size(); ++row) {
+            takeLayer(document, LayerId{row}, placement, isFlipped);
+        }
+        for (const StepInstance& instance : document.instances) {
+            const Document& step = *document.steps[instance.step];
+            const Placement place = placement.after(instance.placement);
+            if (step.profile.isValid()) {
+                m_cutouts.add(step.shapes, step.profile, place);
+            } else {
+                take(step, place, isFlipped != instance.isFlipped);
+            }
+        }
+    }
+    [[nodiscard]] const Cutouts& cutouts() const { return m_cutouts; }
+
+private:
+    void takeLayer(const Document& document, LayerId id, const Placement& placement, bool isFlipped) {
+        const LayerId own = document.layerOfCopy(id, isFlipped);
+        const bool isWhole = std::ranges::find(m_plate.wholeLayers, own) != m_plate.wholeLayers.end();
+        const bool isOpen = std::ranges::find(m_plate.openHoles, own) != m_plate.openHoles.end();
+        const ElementRange& range = document.layer(id).elements;
+        for (std::uint32_t i = 0; (isWhole || isOpen) && i < range.count; ++i) {
+            const ElementId element{range.first + i};
+            if (isWhole || !isTented(document, element)) {
+                m_cutouts.add(document, element, placement);
+            }
+        }
+    }
+
+    /// Lacquer closes a plated hole that is small enough. Bare holes and routs are made after it was applied.
+    static bool isTented(const Document& document, ElementId hole) {
+        const Box box = document.boxOf(hole);
+        return (document.elements.flags[hole.row()] & kPlated) != 0 &&
+               std::min(box.width(), box.height()) <= kWidestTent;
+    }
+
+    const Plate& m_plate;
+    Cutouts m_cutouts;
+};
+
+/// A mask without any opening is taken for one the job says nothing about.
+bool isUnknown(const Document& document, const Plate& plate) {
+    return plate.layer.type == LayerType::SolderMask && document.layer(plate.wholeLayers[0]).elements.count == 0;
+}
+
+void cutPlate(const Document& document, Plate& plate, const base::Progress& progress) {
+    if (!plate.outline.isValid() || isUnknown(document, plate)) {
+        return;
+    }
+    PlateCutter cutter(plate);
+    cutter.take(document, {}, false);
+    plate.sketch = cut(document.shapes, plate.outline, cutter.cutouts(), progress);
+}
+
+}  // namespace
+
+bool addSolids(DocumentBuilder& builder, LayerOutlines outlines, const base::Progress& progress) {
+    const Document& document = builder.soFar();
+    const bool hasOutlines = std::ranges::any_of(document.layers, [](const Layer& l) { return l.profile.isValid(); });
+    if (outlines == LayerOutlines::Ignore && hasOutlines) {
+        builder.diagnostics().report(
+            Severity::Info, "", 0, "On a panel the laminate follows the boards' outlines, not those of single layers");
+    }
+    std::vector<Plate> plates;
+    planBody(document, outlines, plates);
+    planCoats(document, plates);
+    base::parallelFor(plates.size(), [&](std::size_t i) { cutPlate(document, plates[i], progress); });
+    for (Plate& plate : plates) {
+        builder.beginLayer(builder.addLayer(std::move(plate.layer)));
+        if (!plate.sketch.isEmpty()) {
+            builder.addArea({builder.addShape(plate.sketch), {}}, {});
+        }
+    }
+    return !progress.isCancelled();
+}
+
+void placeSolids(Document& document) {
+    const auto bodies = std::ranges::count(document.layers, LayerType::Body, &Layer::type);
+    std::vector<Slab> slabs = slabsOf(document, LayerOutlines::Follow);
+    if (std::ssize(slabs) != bodies) {
+        slabs = slabsOf(document, LayerOutlines::Ignore);
+    }
+    auto slab = slabs.begin();
+    for (Layer& layer : document.layers) {
+        if (layer.type == LayerType::Body && layer.isSynthetic && slab != slabs.end()) {
+            layer.z = slab->bottom;
+            layer.thickness = slab->top - slab->bottom;
+            ++slab;
+        } else if (layer.type == LayerType::SolderMask && layer.isSynthetic) {
+            const auto mask = std::ranges::find(document.layers, layer.row, &Layer::row);
+            layer.z = mask->z;
+            layer.thickness = mask->thickness;
+        }
+    }
+}
+
+}  // namespace model

@@ -1,0 +1,131 @@
+#include "model/solids/slabs.h"
+
+#include <QtTest>
+
+#include "model/document_builder.h"
+
+using model::DocumentBuilder;
+using model::Layer;
+using model::LayerOutlines;
+using model::LayerType;
+using model::Nm;
+using model::Slab;
+
+namespace {
+
+/// Four copper layers of 35 µm with 500 µm between them: z = 0, 535, 1070, 1605 µm.
+class Stack {
+public:
+    Stack() {
+        for (int i = 3; i >= 0; --i) {
+            add(LayerType::Signal, static_cast<Nm>(i) * 535'000, 35'000);
+        }
+        m_builder.setProfile(square());
+    }
+    Layer& add(LayerType type, Nm z, Nm thickness) {
+        Layer layer;
+        layer.type = type;
+        layer.z = z;
+        layer.thickness = thickness;
+        return m_builder.layer(m_builder.addLayer(layer));
+    }
+    /// A drill layer with one hole.
+    void drill(Nm bottom, Nm top) {
+        add(LayerType::Drill, bottom, top - bottom);
+        m_builder.beginLayer(model::LayerId{m_builder.layers().size() - 1});
+        DocumentBuilder::Origin origin;
+        origin.flags = model::kHole;
+        m_builder.addCircle({{}, 1000, 1000}, origin);
+    }
+    model::ShapeId square() {
+        model::ShapeSketch sketch;
+        const model::Point corners[] = {{0, 0}, {100, 0}, {100, 100}};
+        sketch.addPolygon(corners, false);
+        return m_builder.addShape(sketch);
+    }
+    std::vector<Slab> slabs(LayerOutlines outlines = LayerOutlines::Follow) const {
+        return model::slabsOf(m_builder.soFar(), outlines);
+    }
+
+private:
+    DocumentBuilder m_builder;
+};
+
+std::vector<std::size_t> rows(const Slab& slab) {
+    std::vector<std::size_t> found;
+    for (const model::LayerId id : slab.holes) {
+        found.push_back(id.row());
+    }
+    return found;
+}
+
+}  // namespace
+
+class SlabsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void throughHolesLeaveOneSlab() {
+        Stack stack;
+        stack.drill(0, 1'640'000);
+        stack.drill(0, 1'640'000);
+        const auto slabs = stack.slabs();
+        QCOMPARE(slabs.size(), std::size_t{1});
+        QCOMPARE(slabs[0].bottom, 35'000);
+        QCOMPARE(slabs[0].top, 1'605'000);
+        QCOMPARE(rows(slabs[0]), (std::vector<std::size_t>{4, 5}));
+    }
+
+    void blindAndBuriedHolesCutOnlyWhatTheyPass() {
+        Stack stack;
+        stack.drill(0, 1'640'000);
+        stack.drill(1'070'000, 1'640'000);  // blind, from the top to the second copper
+        stack.drill(535'000, 1'105'000);    // buried between the inner ones
+        const auto slabs = stack.slabs();
+        QCOMPARE(slabs.size(), std::size_t{4});
+        QCOMPARE(rows(slabs[0]), (std::vector<std::size_t>{4, 5}));
+        QCOMPARE(slabs[0].bottom, 1'105'000);
+        QCOMPARE(rows(slabs[1]), (std::vector<std::size_t>{4, 5, 6}));  // beside the second copper
+        QCOMPARE(slabs[1].bottom, 1'070'000);
+        QCOMPARE(rows(slabs[2]), (std::vector<std::size_t>{4, 6}));
+        QCOMPARE(slabs[2].bottom, 535'000);
+        QCOMPARE(rows(slabs[3]), std::vector<std::size_t>{4});
+        for (std::size_t i = 0; i + 1 < slabs.size(); ++i) {
+            QCOMPARE(slabs[i].bottom, slabs[i + 1].top);
+        }
+    }
+
+    void aDielectricWithItsOwnOutlineIsASlabOfItsOwn() {
+        Stack stack;
+        const model::ShapeId own = stack.square();
+        stack.add(LayerType::Dielectric, 570'000, 500'000).profile = own;
+        const auto slabs = stack.slabs();
+        QCOMPARE(slabs.size(), std::size_t{3});
+        QVERIFY(slabs[0].outline != own);
+        QCOMPARE(slabs[1].outline, own);
+        QCOMPARE(slabs[1].top, 1'070'000);
+        QCOMPARE(slabs[1].bottom, 570'000);
+        QVERIFY(slabs[2].outline != own);
+        QCOMPARE(stack.slabs(LayerOutlines::Ignore).size(), std::size_t{1});
+    }
+
+    void aBoardOfOneCopperLayerLiesOnItsLaminate() {
+        DocumentBuilder builder;
+        Layer copper;
+        copper.type = LayerType::Signal;
+        copper.thickness = 35'000;
+        builder.addLayer(copper);
+        builder.setBoardThickness(1'600'000);
+        model::ShapeSketch sketch;
+        const model::Point corners[] = {{0, 0}, {100, 0}, {100, 100}};
+        sketch.addPolygon(corners, false);
+        builder.setProfile(builder.addShape(sketch));
+        const auto slabs = model::slabsOf(builder.soFar(), LayerOutlines::Follow);
+        QCOMPARE(slabs.size(), std::size_t{1});
+        QCOMPARE(slabs[0].bottom, -1'600'000);
+        QCOMPARE(slabs[0].top, 0);
+    }
+};
+
+QTEST_APPLESS_MAIN(SlabsTest)
+#include "slabs_test.moc"

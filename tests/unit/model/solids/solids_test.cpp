@@ -1,0 +1,173 @@
+#include "model/solids/solids.h"
+
+#include <QtTest>
+
+#include "model/base/parallel.h"
+#include "model/geometry/discretise.h"
+
+using model::DocumentBuilder;
+using model::ElementId;
+using model::Layer;
+using model::LayerType;
+
+namespace {
+
+void addSquare(DocumentBuilder& builder) {
+    model::ShapeSketch outline;
+    const model::Point corners[] = {{0, 0}, {10'000'000, 0}, {10'000'000, 10'000'000}, {0, 10'000'000}};
+    outline.addPolygon(corners, false);
+    builder.setProfile(builder.addShape(outline));
+}
+
+std::shared_ptr<const model::Document> withSolids(DocumentBuilder& builder) {
+    base::Progress progress;
+    return model::addSolids(builder, model::LayerOutlines::Follow, progress) ? builder.finish() : nullptr;
+}
+
+double areaMm2(const model::Document& document, const Layer& layer) {
+    const model::PolygonSet region = model::discretise(document, ElementId{layer.elements.first}, {500.0, false});
+    return static_cast<double>(model::twiceArea(region)) / 2e12;
+}
+
+/// Two copper layers 35 µm thick on either side of 1.53 mm, a 10 × 10 mm outline and one hole of 1 mm, plus one that
+/// touches it.
+std::shared_ptr<const model::Document> boardWithHoles() {
+    DocumentBuilder builder;
+    addSquare(builder);
+    Layer copper;
+    copper.type = LayerType::Signal;
+    copper.thickness = 35'000;
+    copper.z = 1'565'000;
+    builder.addLayer(copper);
+    copper.z = 0;
+    builder.addLayer(copper);
+    Layer drill;
+    drill.type = LayerType::Drill;
+    drill.thickness = 1'600'000;
+    builder.beginLayer(builder.addLayer(drill));
+    DocumentBuilder::Origin hole;
+    hole.flags = model::kHole;
+    builder.addCircle({{5'000'000, 5'000'000}, 1'000'000, 1'000'000}, hole);
+    builder.addLine({{2'000'000, 2'000'000}, {4'000'000, 2'000'000}, 1'000'000, 0}, hole);
+    builder.addCircle({{10'000'000, 5'000'000}, 2'000'000, 2'000'000}, hole);  // a castellation
+    return withSolids(builder);
+}
+
+/// The same square of copper, with a mask of two openings, one routed slot, and a wide and a narrow plated hole.
+std::shared_ptr<const model::Document> boardWithMask() {
+    DocumentBuilder builder;
+    addSquare(builder);
+    Layer copper;
+    copper.type = LayerType::Signal;
+    copper.thickness = 35'000;
+    builder.addLayer(copper);
+    Layer mask;
+    mask.name = "SMT";
+    mask.type = LayerType::SolderMask;
+    mask.side = model::LayerSide::Top;
+    mask.z = 35'000;
+    mask.thickness = 25'000;
+    builder.beginLayer(builder.addLayer(mask));
+    builder.addCircle({{2'000'000, 2'000'000}, 1'000'000, 0}, {});
+    builder.addLine({{4'000'000, 2'000'000}, {6'000'000, 2'000'000}, 1'000'000, 0}, {});
+    Layer holes;
+    holes.thickness = 35'000;
+    DocumentBuilder::Origin hole;
+    hole.flags = model::kHole;
+    holes.type = LayerType::Rout;
+    builder.beginLayer(builder.addLayer(holes));
+    builder.addLine({{2'000'000, 8'000'000}, {4'000'000, 8'000'000}, 1'000'000, 1'000'000}, hole);
+    holes.type = LayerType::Drill;
+    builder.beginLayer(builder.addLayer(holes));
+    hole.flags = model::kHole | model::kPlated;
+    builder.addCircle({{8'000'000, 8'000'000}, 1'000'000, 950'000}, hole);
+    builder.addCircle({{8'000'000, 5'000'000}, 400'000, 350'000}, hole);
+    mask.name = "empty";
+    builder.addLayer(mask);
+    return withSolids(builder);
+}
+
+}  // namespace
+
+class SolidsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void bodyFillsTheSpaceBetweenTheOuterCopperLayers() {
+        const auto document = boardWithHoles();
+        const Layer& body = document->layers.back();
+        QCOMPARE(body.type, LayerType::Body);
+        QVERIFY(body.isSynthetic);
+        QCOMPARE(body.z, 35'000);
+        QCOMPARE(body.thickness, 1'530'000);
+        QCOMPARE(body.elements.count, 1U);
+    }
+
+    void bodyIsTheOutlineMinusTheHoles() {
+        const auto document = boardWithHoles();
+        const ElementId body{document->layers.back().elements.first};
+        const model::PolygonSet region = model::discretise(*document, body, {500.0, false});
+        const double expected = 100.0 - M_PI * 0.25 - (2.0 + M_PI * 0.25) - M_PI / 2;
+        QVERIFY(std::abs(areaMm2(*document, document->layers.back()) - expected) < 0.05);
+        QCOMPARE(region.polygons.size(), 1U);
+        QCOMPARE(region.loopCount(), 3U);
+    }
+
+    void boardWithoutAnOutlineGetsNoBody() {
+        DocumentBuilder builder;
+        QVERIFY(withSolids(builder)->layers.empty());
+    }
+
+    void coatIsTheOutlineMinusOpeningsAndOpenHoles() {
+        const auto document = boardWithMask();
+        const Layer& coat = document->layer(document->findLayer("SMT coat"));
+        QCOMPARE(coat.type, LayerType::SolderMask);
+        QCOMPARE(coat.side, model::LayerSide::Top);
+        QVERIFY(coat.isSynthetic);
+        QCOMPARE(coat.z, 35'000);
+        QCOMPARE(coat.thickness, 25'000);
+        const double slot = 2.0 + M_PI / 4;
+        // The narrow plated hole stays under the lacquer.
+        QVERIFY(std::abs(areaMm2(*document, coat) - (100.0 - M_PI / 2 - slot - slot)) < 0.01);
+        QCOMPARE(document->layer(document->findLayer("empty coat")).elements.count, 0U);
+    }
+
+    void aPanelIsWithoutTheBoardsItHolds() {
+        DocumentBuilder card;
+        addSquare(card);
+        DocumentBuilder panel;
+        model::ShapeSketch outline;
+        const model::Point corners[] = {{0, 0}, {30'000'000, 0}, {30'000'000, 12'000'000}, {0, 12'000'000}};
+        outline.addPolygon(corners, false);
+        panel.setProfile(panel.addShape(outline));
+        panel.setBoardThickness(1'600'000);
+        const std::uint32_t step = panel.addStep(card.finish());
+        panel.addInstance({step, {{1'000'000, 1'000'000}, 0.0, false}, false});
+        panel.addInstance({step, {{29'000'000, 1'000'000}, 0.0, true}, true});
+        const auto document = withSolids(panel);
+        QCOMPARE(areaMm2(*document, document->layers.back()), 360.0 - 200.0);
+    }
+
+    void oneAndManyThreadsAgree() {
+        const auto areas = [] {
+            const auto document = boardWithMask();
+            return std::pair(document->shapes.nodes, document->elements.geometry);
+        };
+        const auto many = areas();
+        const base::ThreadLimit limit(1);
+        QVERIFY(areas() == many);
+    }
+
+    void cancellingStopsTheCutting() {
+        DocumentBuilder builder;
+        addSquare(builder);
+        base::Progress progress;
+        progress.cancel();
+        QVERIFY(!model::addSolids(builder, model::LayerOutlines::Follow, progress));
+    }
+
+    void bodyIsNotCountedAsAnElementOfTheJob() { QCOMPARE(boardWithHoles()->elementCounts()[4], 0U); }
+};
+
+QTEST_APPLESS_MAIN(SolidsTest)
+#include "solids_test.moc"
