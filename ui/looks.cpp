@@ -22,14 +22,32 @@ render::LayerStyle toStyle(const models::LayerLook& look) {
             look.isVisible};
 }
 
+bool isVeil(const model::Layer& layer) {
+    using model::LayerType;
+    return layer.isSynthetic && (layer.type == LayerType::Body || layer.type == LayerType::SolderMask);
+}
+
 }  // namespace
+
+std::vector<render::LayerStyle> solidStyles(const model::Document& document,
+                                            const std::vector<models::LayerLook>& looks) {
+    std::vector<render::LayerStyle> styles = toStyles(looks);
+    const std::vector<models::LayerLook> untouched = defaultLooks(document);
+    const std::vector<render::LayerStyle> material = render::defaultStyles(document, render::Look::Solid);
+    for (std::size_t row = 0; row < styles.size(); ++row) {
+        if (looks[row].colour == untouched[row].colour) {
+            styles[row].colour = material[row].colour;
+        }
+    }
+    return styles;
+}
 
 std::vector<render::LayerStyle> flatStyles(const model::Document& document, const std::vector<models::LayerLook>& looks,
                                            model::LayerId contrastLayer) {
     std::vector<render::LayerStyle> styles = toStyles(looks);
     for (std::size_t row = 0; row < styles.size(); ++row) {
         render::LayerStyle& style = styles[row];
-        style.isVisible = style.isVisible && document.layers[row].type != model::LayerType::Body;
+        style.isVisible = style.isVisible && !isVeil(document.layers[row]);
         if (!contrastLayer.isValid()) {
             continue;
         }
@@ -47,7 +65,9 @@ std::vector<render::LayerStyle> flatStyles(const model::Document& document, cons
 std::vector<models::LayerLook> defaultLooks(const model::Document& document) {
     std::vector<models::LayerLook> looks;
     looks.reserve(document.layers.size());
-    for (const render::LayerStyle& style : render::defaultStyles(document)) {
+    const std::vector<render::LayerStyle> drawing = render::defaultStyles(document, render::Look::Flat);
+    for (render::LayerStyle style : render::defaultStyles(document, render::Look::Solid)) {
+        style.colour = drawing[looks.size()].colour;
         looks.push_back(toLook(style));
     }
     return looks;

@@ -9,10 +9,14 @@
 /// Layer looks between the panel (Qt) and the renderer.
 namespace ui {
 
+/// The colours of a drawing (render::Look::Flat), with everything visible that makes up a solid board.
 [[nodiscard]] std::vector<models::LayerLook> defaultLooks(const model::Document& document);
 [[nodiscard]] std::vector<render::LayerStyle> toStyles(const std::vector<models::LayerLook>& looks);
-/// For the 2D view: without the laminate, which would veil all layers below. A valid `contrastLayer` is shown as it is,
-/// whatever its check mark, and the others are faint and grey.
+/// For the 3D view: layers whose colour nobody changed have that of their material.
+[[nodiscard]] std::vector<render::LayerStyle> solidStyles(const model::Document& document,
+                                                          const std::vector<models::LayerLook>& looks);
+/// For the 2D view: without laminate and lacquer, which would veil all layers below. A valid `contrastLayer` is shown
+/// as it is, whatever its check mark, and the others are faint and grey.
 [[nodiscard]] std::vector<render::LayerStyle> flatStyles(const model::Document& document,
                                                          const std::vector<models::LayerLook>& looks,
                                                          model::LayerId contrastLayer);

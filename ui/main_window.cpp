@@ -20,6 +20,7 @@
 #include "ui/load_summary.h"
 #include "ui/looks.h"
 #include "ui/message_bar.h"
+#include "ui/message_place.h"
 #include "ui/messages_panel.h"
 #include "ui/nets_panel.h"
 #include "ui/paths.h"
@@ -125,6 +126,7 @@ void MainWindow::createDocks() {
     m_elementPanel = new ElementPanel(m_selection);
     m_statisticsPanel = new StatisticsPanel(m_statisticsModel);
     m_messagesPanel = new MessagesPanel(m_messageModel);
+    connect(m_messagesPanel, &MessagesPanel::chosen, this, &MainWindow::goTo);
     QDockWidget* layers =
         addDock(Qt::LeftDockWidgetArea, "layers", QStringLiteral("Layers"), m_layersPanel, ActionId::ShowLayersDock);
     QDockWidget* nets =
@@ -393,6 +395,23 @@ void MainWindow::onLoaded(const LoadedBoard& board) {
     setWindowTitle(QStringLiteral("%1 – Copperscope").arg(displayName(board.request.path)));
     statusBar()->showMessage(loadSummary(board, m_messageModel));
     onIdle();
+}
+
+void MainWindow::goTo(const model::Diagnostic& message) {
+    const std::optional<render::Box3> place = placeOf(message, *m_board->document, *m_board->model);
+    if (!place) {
+        statusBar()->showMessage(QStringLiteral("This message is not about one place on the board"));
+        return;
+    }
+    m_views->setHighlight(std::span(&message.element, message.element.isValid() ? 1 : 0), false);
+    if (message.element.isValid()) {
+        const std::size_t layer = m_board->document->elements.layer[message.element.row()].row();
+        const QModelIndex visible = m_layerModel.index(static_cast<int>(layer), models::LayerModel::Visible);
+        m_layerModel.setData(visible, Qt::Checked, Qt::CheckStateRole);
+    }
+    for (BoardView* view : m_views->both()) {
+        view->controller().show(place->min, place->max);
+    }
 }
 
 void MainWindow::onFailed(const LoadRequest& request, const QString& reason) {

@@ -94,6 +94,8 @@ private:
     void onFailed(const LoadRequest& request, const QString& reason);
     void onCancelled(const LoadRequest& request);
     void onIdle();
+    /// Shows what a message is about: its element lights up, its layer becomes visible.
+    void goTo(const model::Diagnostic& message);
     void setTheme(Theme theme);
     void setBackend(render::Backend backend);
     void setArrangement(Arrangement arrangement);

@@ -46,6 +46,8 @@ MessagesPanel::MessagesPanel(MessageModel& model, QWidget* parent)
     connect(m_severity, &QComboBox::currentIndexChanged, this,
             [this] { m_filter->setLeastSeverity(static_cast<Severity>(m_severity->currentData().toInt())); });
     connect(m_filter, &QAbstractItemModel::modelReset, this, &MessagesPanel::fitColumns);
+    connect(m_table, &QTableView::clicked, this, &MessagesPanel::choose);
+    connect(m_table, &TableView::enterPressed, this, &MessagesPanel::choose);
     for (const auto signal : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved}) {
         connect(m_filter, signal, this, &MessagesPanel::updateSummary);
     }
@@ -59,6 +61,12 @@ MessagesPanel::MessagesPanel(MessageModel& model, QWidget* parent)
     layout->addLayout(row);
     layout->addWidget(m_table);
     fitColumns();
+}
+
+void MessagesPanel::choose(const QModelIndex& index) {
+    if (index.isValid()) {
+        emit chosen(m_model.message(m_filter->mapToSource(index).row()));
+    }
 }
 
 void MessagesPanel::updateSummary() {

@@ -15,7 +15,8 @@ class MessageModel;
 }
 class TableView;
 
-/// What was skipped, repaired or assumed, with file and line; filtered by words and by severity.
+/// What was skipped, repaired or assumed, with file and line; filtered by words and by severity. A click on a message,
+/// or Enter, asks to be shown what it is about.
 class MessagesPanel : public QWidget {
     Q_OBJECT
 
@@ -25,7 +26,11 @@ public:
     [[nodiscard]] QLineEdit& wordsEdit() { return *m_words; }
     [[nodiscard]] QComboBox& severityBox() { return *m_severity; }
 
+signals:
+    void chosen(const model::Diagnostic& message);
+
 private:
+    void choose(const QModelIndex& index);
     void updateSummary();
     void fitColumns();
 

@@ -40,6 +40,9 @@ void TableView::copyAll() const {
 void TableView::keyPressEvent(QKeyEvent* event) {
     if (event->matches(QKeySequence::Copy)) {
         copySelection();
+    } else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+        QTableView::keyPressEvent(event);  // an editable cell opens its editor
+        emit enterPressed(currentIndex());
     } else {
         QTableView::keyPressEvent(event);
     }

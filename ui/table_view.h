@@ -15,6 +15,9 @@ public:
     void copySelection() const;
     void copyAll() const;
 
+signals:
+    void enterPressed(const QModelIndex& current);
+
 protected:
     void keyPressEvent(QKeyEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;

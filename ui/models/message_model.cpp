@@ -47,6 +47,12 @@ QVariant cell(const model::Diagnostic& entry, int column) {
     }
 }
 
+QString tip(const model::Diagnostic& entry) {
+    const bool isOnBoard = entry.element.isValid() || entry.place.has_value();
+    const QString text = QString::fromStdString(entry.text);
+    return isOnBoard ? text + QStringLiteral("\nClick to see the place on the board") : text;
+}
+
 /// Numbers to the right, under headings to the right.
 QVariant alignment(int column) {
     return QVariant::fromValue(
@@ -66,7 +72,7 @@ std::size_t MessageModel::count(model::Severity severity) const {
     return (m_document ? m_document->diagnostics.count(severity) : 0) + m_modelling.count(severity);
 }
 
-const model::Diagnostic& MessageModel::entry(int row) const {
+const model::Diagnostic& MessageModel::message(int row) const {
     const auto position = static_cast<std::size_t>(row);
     return position < readingCount() ? m_document->diagnostics.entries()[position]
                                      : m_modelling.entries()[position - readingCount()];
@@ -84,11 +90,11 @@ QVariant MessageModel::data(const QModelIndex& index, int role) const {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) {
         return {};
     }
-    const model::Diagnostic& diagnostic = entry(index.row());
+    const model::Diagnostic& diagnostic = message(index.row());
     switch (role) {
         case Qt::DisplayRole:
         case Qt::EditRole: return cell(diagnostic, index.column());
-        case Qt::ToolTipRole: return cell(diagnostic, Text);
+        case Qt::ToolTipRole: return tip(diagnostic);
         case Qt::DecorationRole:
             return index.column() == Severity ? QVariant(severityColour(diagnostic.severity)) : QVariant();
         case Qt::TextAlignmentRole: return alignment(index.column());

@@ -19,6 +19,7 @@ public:
 
     using QAbstractTableModel::QAbstractTableModel;
 
+    [[nodiscard]] const model::Diagnostic& message(int row) const;
     void setMessages(std::shared_ptr<const model::Document> document, model::Diagnostics modelling);
     /// How many entries have this severity.
     [[nodiscard]] std::size_t count(model::Severity severity) const;
@@ -30,7 +31,6 @@ public:
 
 private:
     [[nodiscard]] std::size_t readingCount() const { return m_document ? m_document->diagnostics.entries().size() : 0; }
-    [[nodiscard]] const model::Diagnostic& entry(int row) const;
 
     std::shared_ptr<const model::Document> m_document;
     model::Diagnostics m_modelling;

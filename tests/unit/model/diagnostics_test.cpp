@@ -33,6 +33,24 @@ private slots:
         QCOMPARE(first.count(Severity::Error), 1U);
         QCOMPARE(first.count(Severity::Warning), 0U);
     }
+
+    void messagesBeginWithACapital() {
+        Diagnostics diagnostics;
+        diagnostics.report(Severity::Info, "a", 1, "layer x: odd");
+        diagnostics.report(Severity::Info, "a", 2, "Layer x: odd");
+        diagnostics.report(Severity::Info, "a", 3, "");
+        QCOMPARE(diagnostics.entries().size(), 2U);
+        QCOMPARE(diagnostics.entries()[0].text, std::string("Layer x: odd"));
+    }
+
+    void anEntryCanBeLocatedLater() {
+        Diagnostics diagnostics;
+        diagnostics.report(Severity::Info, "a", 1, "odd");
+        diagnostics.locate(0, {}, model::Diagnostic{}.place);
+        QVERIFY(!diagnostics.entries()[0].place);
+        diagnostics.locate(0, {}, base::Point{3, 4});
+        QCOMPARE(diagnostics.entries()[0].place, std::optional(base::Point{3, 4}));
+    }
 };
 
 QTEST_APPLESS_MAIN(DiagnosticsTest)

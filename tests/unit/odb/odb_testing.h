@@ -85,10 +85,11 @@ inline fs::path dataJob(const std::string& name) {
     return fs::path(COPPERSCOPE_TEST_DATA) / "odb" / name;
 }
 
-/// The first diagnostic whose text holds `part`; nullptr if there is none.
+/// The first diagnostic whose text holds `part`, or begins with it but for the capital; nullptr if there is none.
 inline const model::Diagnostic* findDiagnostic(const model::Diagnostics& diagnostics, const std::string& part) {
     for (const model::Diagnostic& entry : diagnostics.entries()) {
-        if (entry.text.find(part) != std::string::npos) {
+        const bool isStart = part.size() > 1 && entry.text.find(part.substr(1)) == 1;
+        if (isStart || entry.text.find(part) != std::string::npos) {
             return &entry;
         }
     }

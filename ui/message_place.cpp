@@ -1,0 +1,32 @@
+#include "ui/message_place.h"
+
+namespace ui {
+
+namespace {
+
+constexpr model::Nm kMargin = 1'000'000;
+
+}  // namespace
+
+std::optional<render::Box3> placeOf(const model::Diagnostic& message, const model::Document& document,
+                                    const render::BoardFrame& frame) {
+    model::Box box;
+    float bottom = frame.boxMin.z;
+    float top = frame.boxMax.z;
+    if (message.element.isValid()) {
+        const std::size_t layer = document.elements.layer[message.element.row()].row();
+        box = document.boxOf(message.element);
+        bottom = frame.layerBottomMm[layer];
+        top = frame.layerTopMm[layer];
+    } else if (message.place) {
+        box.include(*message.place);
+    } else {
+        return std::nullopt;
+    }
+    box = box.grownBy(kMargin);
+    const glm::vec2 low = render::toGpu(base::toDouble(box.min), frame.origin);
+    const glm::vec2 high = render::toGpu(base::toDouble(box.max), frame.origin);
+    return render::Box3{{low, bottom}, {high, top}};
+}
+
+}  // namespace ui
