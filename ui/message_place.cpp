@@ -2,12 +2,6 @@
 
 namespace ui {
 
-namespace {
-
-constexpr model::Nm kMargin = 1'000'000;
-
-}  // namespace
-
 std::optional<render::Box3> placeOf(const model::Diagnostic& message, const model::Document& document,
                                     const render::BoardFrame& frame) {
     model::Box box;
@@ -23,7 +17,6 @@ std::optional<render::Box3> placeOf(const model::Diagnostic& message, const mode
     } else {
         return std::nullopt;
     }
-    box = box.grownBy(kMargin);
     const glm::vec2 low = render::toGpu(base::toDouble(box.min), frame.origin);
     const glm::vec2 high = render::toGpu(base::toDouble(box.max), frame.origin);
     return render::Box3{{low, bottom}, {high, top}};

@@ -128,6 +128,12 @@ void profile(std::string_view input) {
                "=== steps/s/layers/d/features\nUNITS=MM\n$0 r500\nP 5 5 0 P 0 0\nL 0 0 9 0 0 P 0\n");
 }
 
+void font(std::string_view input) {
+    inSmallJob("fonts/standard", input,
+               "=== steps/s/layers/top/features\nUNITS=MM\nT 1 1 standard P 0 1 1 0.5 'L;L x' 1\n"
+               "B 1 1 UPC39 standard P 0 E 0.5 2 Y Y N T 'L1'\n");
+}
+
 /// The input is the name of a symbol.
 void symbolName(std::string_view input) {
     static_cast<void>(model::odb::standardSymbol({std::string(input), Unit::Millimetre, 0}));
@@ -166,6 +172,7 @@ std::span<const Target> targets() {
         {"eda", eda, {"data"}},
         {"elements", elements, {"features"}},
         {"features", features, {"features", "profile"}},
+        {"font", font},
         {"holes", holes, {"features"}},
         {"info", info, {"info"}},
         {"job", job, {}, true},
