@@ -1,6 +1,7 @@
 #include "model/odb/holes.h"
 
 #include <QtTest>
+#include <algorithm>
 
 #include "model/holes.h"
 #include "model/odb/tools.h"
@@ -211,14 +212,27 @@ private slots:
         QVERIFY(findDiagnostic(document->diagnostics, "its span ends at NOWHERE") != nullptr);
     }
 
-    void onlyThroughHolesCutTheLaminate() {
+    void everyHoleCutsTheLaminateItPasses() {
         odb_testing::Folder folder;
         const auto document = drilledBoard(folder);
-        const model::Layer& body = document->layers.back();
-        QCOMPARE(body.type, LayerType::Body);
-        const model::AreaGeometry& area = document->areas[document->elements.geometry[body.elements.first]];
-        // one through hole, one hole without a span, and the routed slot
-        QCOMPARE(document->shapes.shapes[area.shape.row()].contourCount, 1U + 3U);
+        std::vector<std::uint32_t> cuts;
+        for (const model::Layer& slab : document->layers) {
+            if (slab.type != LayerType::Body) {
+                continue;
+            }
+            std::uint32_t passing = 0;
+            for (const model::Layer& layer : document->layers) {
+                const bool isHoles = layer.type == LayerType::Drill || layer.type == LayerType::Rout;
+                const bool passes = layer.z <= slab.z && layer.z + layer.thickness >= slab.z + slab.thickness;
+                // The backdrill lies around the through hole.
+                passing += isHoles && passes && layer.name != "BACK" ? layer.elements.count : 0;
+            }
+            const model::AreaGeometry& area = document->areas[document->elements.geometry[slab.elements.first]];
+            cuts.push_back(document->shapes.shapes[area.shape.row()].contourCount - 1);
+            QCOMPARE(cuts.back(), passing);
+        }
+        QVERIFY(cuts.size() >= 3);
+        QVERIFY(*std::ranges::max_element(cuts) > *std::ranges::min_element(cuts));
     }
 
     void routedSlotsHaveAnInside() {
