@@ -68,7 +68,7 @@ Slab slabBetween(const Document& document, Nm bottom, Nm top, LayerOutlines outl
         }
         if (isHoles(layer)) {
             slab.holes.emplace_back(row);
-        } else if hasOutline (layer, outlines) {
+        } else if (hasOutline(layer, outlines)) {
             slab.outline = layer.profile;
         }
     }
