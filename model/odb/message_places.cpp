@@ -25,7 +25,7 @@ std::size_t recordAt(const FeatureFile& file, std::uint32_t line) {
 }
 
 /// The element of a layer that was made from a record; a trail is made from as many as it has strokes.
-ElementId elementOf(const Document& document, const ElementRange& range, std::size_t record) {
+ElementId elementOf(const Document& document, const Range& range, std::size_t record) {
     const auto first = document.elements.firstFeature.begin() + range.first;
     const auto last = first + range.count;
     auto found = std::lower_bound(first, last, record);

@@ -102,7 +102,7 @@ private:
         const LayerId own = document.layerOfCopy(id, isFlipped);
         const bool isWhole = std::ranges::find(m_plate.wholeLayers, own) != m_plate.wholeLayers.end();
         const bool isOpen = std::ranges::find(m_plate.openHoles, own) != m_plate.openHoles.end();
-        const ElementRange& range = document.layer(id).elements;
+        const Range& range = document.layer(id).elements;
         for (std::uint32_t i = 0; (isWhole || isOpen) && i < range.count; ++i) {
             const ElementId element{range.first + i};
             if (isWhole || !isTented(document, element)) {
