@@ -403,8 +403,9 @@ void MainWindow::goTo(const model::Diagnostic& message) {
         statusBar()->showMessage(QStringLiteral("This message is not about one place on the board"));
         return;
     }
-    m_views->setHighlight(std::span(&message.element, message.element.isValid() ? 1 : 0), false);
+    m_views->setHighlight({}, false);
     if (message.element.isValid()) {
+        m_views->setHighlight({{message.element}}, false);
         const std::size_t layer = m_board->document->elements.layer[message.element.row()].row();
         const QModelIndex visible = m_layerModel.index(static_cast<int>(layer), models::LayerModel::Visible);
         m_layerModel.setData(visible, Qt::Checked, Qt::CheckStateRole);
