@@ -220,33 +220,6 @@ float sumOfFaces(const Document& document) {
     return static_cast<float>(base::toMm(double(low) + high));
 }
 
-void measureReach(BoardModel& out) {
-    glm::vec2 low(1e30F);
-    glm::vec2 high(-1e30F);
-    const auto include = [&](glm::vec2 from, glm::vec2 to) {
-        low = glm::min(low, from);
-        high = glm::max(high, to);
-    };
-    for (const shader::Cluster& cluster : out.clusters) {
-        include(cluster.boxMin, cluster.boxMax);
-    }
-    std::vector<float> radii;  // of the shapes around their own origin
-    for (const shader::ShapeRecord& shape : out.shapes) {
-        float radius = 0.0F;
-        for (std::uint32_t i = shape.firstVertex; i < shape.firstVertex + shape.vertexCount; ++i) {
-            radius = std::max(radius, glm::length(out.vertices[i]));
-        }
-        radii.push_back(radius);
-    }
-    for (const shader::AreaInstance& area : out.instances) {
-        include(area.origin - radii[area.shape], area.origin + radii[area.shape]);
-    }
-    if (low.x <= high.x) {
-        out.reachMin = low;
-        out.reachMax = high;
-    }
-}
-
 /// One step by itself.
 base::Result<BoardModel> buildStepModel(const Document& document, const model::Discretisation& how,
                                         base::Progress& progress, const AreaTriangulator& triangulator) {
@@ -278,7 +251,6 @@ base::Result<BoardModel> buildStepModel(const Document& document, const model::D
     }
     joinMeshes(document, used, meshes, out);
     reportMeshes(document, meshes, out);
-    measureReach(out);
     out.trianglesPaperRule = countStandardTriangles(document, meshes, out, how);
     return out;
 }

@@ -83,6 +83,32 @@ void countLets(const BoardModel& model, SceneStep::Layer& layer) {
     }
 }
 
+/// A box around everything a step draws.
+struct Reach {
+    glm::vec2 min{1e30F};
+    glm::vec2 max{-1e30F};
+
+    void include(glm::vec2 low, glm::vec2 high) {
+        min = glm::min(min, low);
+        max = glm::max(max, high);
+    }
+};
+
+Reach reachOf(const BoardModel& model) {
+    Reach reach;
+    for (const shader::Cluster& cluster : model.clusters) {
+        reach.include(cluster.boxMin, cluster.boxMax);
+    }
+    const std::vector<shader::ShapeBound> bounds = boundsOf(model);
+    for (const shader::AreaInstance& area : model.instances) {
+        // However the area is turned, its circle lies within this far of its origin.
+        const shader::ShapeBound& bound = bounds[area.shape];
+        const float radius = glm::length(bound.centre) + bound.radius;
+        reach.include(area.origin - radius, area.origin + radius);
+    }
+    return reach;
+}
+
 std::vector<SceneStep::Layer> layersOfStep(const BoardModel& model, std::size_t layerCount) {
     ASSERT(model.layerBottomMm.size() <= layerCount);
     std::vector<SceneStep::Layer> layers;
@@ -195,14 +221,16 @@ DrawLists takeLists(const SceneStep& step, Parts& parts) {
 
 SceneStep::SceneStep(gpu::Device& device, const BoardModel& model, std::size_t layerCount)
     : layers(layersOfStep(model, layerCount)),
-      reachMin(model.reachMin),
-      reachMax(model.reachMax),
       letCount(static_cast<std::uint32_t>(model.lets.size())),
       clusterCount(static_cast<std::uint32_t>(model.clusters.size())),
       instanceCount(static_cast<std::uint32_t>(model.instances.size())),
       areaDrawCount(static_cast<std::uint32_t>(model.areaBatches.size())),
       elementWords((elementCount(model) + 31) / 32),
-      geometry(loadGeometry(device, model, elementWords)) {}
+      geometry(loadGeometry(device, model, elementWords)) {
+    const Reach reach = reachOf(model);
+    reachMin = reach.min;
+    reachMax = reach.max;
+}
 
 std::uint64_t SceneStep::listBytes() const {
     Parts parts(VK_NULL_HANDLE, 0, 0);

@@ -9,9 +9,10 @@ namespace {
 constexpr std::uint32_t kMaxDispatch = 65535;
 
 bool isBoxInView(const shader::FrameData& data, const glm::vec3& middle, const glm::vec3& extent) {
-    return std::ranges::all_of(data.planes, [&](const glm::vec4& plane) {
+    // As in_view.glsl does: what cannot be compared is in view.
+    return std::ranges::none_of(data.planes, [&](const glm::vec4& plane) {
         const glm::vec3 normal(plane);
-        return glm::dot(normal, middle) + glm::dot(glm::abs(normal), extent) + plane.w >= 0.0F;
+        return glm::dot(normal, middle) + glm::dot(glm::abs(normal), extent) + plane.w < 0.0F;
     });
 }
 

@@ -111,16 +111,6 @@ std::shared_ptr<const Document> panel() {
                            {{{14 * kMm, 12 * kMm}, 180.0, true}, false}});
 }
 
-model::PathNode placed(model::PathNode node, const Placement& placement) {
-    node.point = placement.apply(node.point);
-    node.centre = placement.apply(node.centre);
-    if (placement.isMirrored && node.edge != model::EdgeKind::Line) {
-        const bool isClockwise = node.edge == model::EdgeKind::ArcClockwise;
-        node.edge = isClockwise ? model::EdgeKind::ArcCounterClockwise : model::EdgeKind::ArcClockwise;
-    }
-    return node;
-}
-
 /// Adds one element of `from` where `placement` puts it.
 void addPlaced(DocumentBuilder& builder, const Document& from, std::size_t row, const Placement& placement,
                model::ShapeId shape) {
@@ -137,7 +127,7 @@ void addPlaced(DocumentBuilder& builder, const Document& from, std::size_t row, 
         }
         case ElementKind::Arc: {
             model::ArcGeometry arc = from.arcs[geometry];
-            arc.node = placed(arc.node, placement);
+            arc.node = model::placed(arc.node, placement);
             arc.end = placement.apply(arc.end);
             builder.addArc(arc, origin);
             break;
@@ -151,7 +141,7 @@ void addPlaced(DocumentBuilder& builder, const Document& from, std::size_t row, 
         case ElementKind::Trail: {
             std::vector<model::PathNode> nodes;
             for (const model::PathNode& node : from.nodesOf(from.trails[geometry])) {
-                nodes.push_back(placed(node, placement));
+                nodes.push_back(model::placed(node, placement));
             }
             builder.addTrail(nodes, from.trails[geometry].width, origin);
             break;
@@ -253,7 +243,8 @@ private slots:
             QTest::addRow("%s, near", name) << int(backend) << int(NamedView::Iso) << false << 6.0F;
         }
     }
-    /// A turned disc is a polygon with its corners elsewhere, so outlines may differ by 0.3 px; no pad is as small as 150 px.
+    /// A turned disc is a polygon with its corners elsewhere, so outlines may differ by 0.3 px; no pad is as small as
+    /// 150 px.
     void copiesLookLikeShapesAtTheSamePlace() {
         QFETCH(int, backend);
         QFETCH(int, view);
