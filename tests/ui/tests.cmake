@@ -1,7 +1,8 @@
 # The workbench, driven by clicks and keys. What touches the window runs on the display of ./test (swapchain) and again without one (through memory).
 function(copperscope_ui_test name)
     copperscope_test(${name}_test ui/${name}_test.cpp LABEL ui LINK copperscope_ui ui_test_support)
-    set_tests_properties(${name}_test PROPERTIES ENVIRONMENT "COPPERSCOPE_VALIDATION=abort")
+    # One at a time: windows on one display take the keyboard from each other.
+    set_tests_properties(${name}_test PROPERTIES ENVIRONMENT "COPPERSCOPE_VALIDATION=abort" RESOURCE_LOCK display)
     add_test(NAME ${name}_offscreen_test COMMAND ${name}_test)
     set_tests_properties(${name}_offscreen_test PROPERTIES LABELS ui TIMEOUT 600
         ENVIRONMENT "QT_QPA_PLATFORM=offscreen;COPPERSCOPE_VALIDATION=abort")
