@@ -18,9 +18,10 @@ struct StandardPart {
     std::vector<std::uint32_t> indices;  ///< three per triangle, counter-clockwise from outside; into `vertices`
 };
 
-/// What the paper compares with ("standard pipeline"): every element, copies and repeated pads included, is inflated by
-/// its pen, its curves become chords, its outline is triangulated, and the prism between its layer's faces goes to the
-/// GPU as triangles: top, bottom and walls.
+/// What the paper compares with ("standard pipeline"): every element of the board itself, repeated pads
+/// included but not those of the steps it places (Document::instances), is inflated by its pen, its curves become
+/// chords, its outline is triangulated, and the prism between its layer's faces goes to the GPU as triangles: top,
+/// bottom and walls.
 struct StandardModel : BoardFrame {
     std::vector<StandardPart> parts;  ///< sorted by layer
     std::vector<bool> hasAreas;       ///< by layer
