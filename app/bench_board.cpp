@@ -228,6 +228,12 @@ base::Result<BoardResult> benchBoard(render::gpu::Device& device, const std::str
     if (!document) {
         return document.error();
     }
+    if (!(*document)->instances.empty() && arguments.pipeline != "hybrid") {
+        return base::Error{base::ErrorCode::BadUsage,
+                           path +
+                               ": the standard pipeline draws single steps only, so this panel cannot be compared; "
+                               "measure it with --pipeline hybrid"};
+    }
     BoardResult out;
     out.name = std::filesystem::path(path).filename().string();
     std::ranges::copy((*document)->elementCounts(), out.elements.begin());
