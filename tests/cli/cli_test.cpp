@@ -5,6 +5,8 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "places.h"
+
 namespace {
 
 struct Outcome {
@@ -20,7 +22,7 @@ Outcome copperscope(const QStringList& arguments, const QString& folder = {},
     if (!folder.isEmpty()) {
         process.setWorkingDirectory(folder);
     }
-    process.start(COPPERSCOPE_PROGRAM, arguments);
+    process.start(places::kProgram, arguments);
     process.waitForFinished(300'000);
     const bool isNormal = process.exitStatus() == QProcess::NormalExit;
     return {isNormal ? process.exitCode() : -1, process.readAllStandardOutput(), process.readAllStandardError()};
@@ -46,7 +48,7 @@ class CliTest : public QObject {
 
 private slots:
     void infoHasTheKeysThatOthersRelyOn() {
-        const Outcome run = copperscope({"info", COPPERSCOPE_SAMPLE, "--json"});
+        const Outcome run = copperscope({"info", places::kSample, "--json"});
         QCOMPARE(run.exitCode, 0);
         const QJsonObject info = QJsonDocument::fromJson(run.out).object();
         const auto hasKeys = [](const QJsonObject& object, const QStringList& keys) {
@@ -81,13 +83,13 @@ private slots:
     }
 
     void benchMeasuresBothPipelines() {
-        const Outcome run = copperscope({"bench", COPPERSCOPE_SAMPLE, "--frames", "1", "--json"});
+        const Outcome run = copperscope({"bench", places::kSample, "--frames", "1", "--json"});
         QCOMPARE(run.exitCode, 0);
         const QJsonObject report = QJsonDocument::fromJson(run.out).object();
         QVERIFY(!report["device"].toString().isEmpty());
         QVERIFY(report.contains("commit"));
         const QJsonObject board = report["boards"].toArray().first().toObject();
-        QCOMPARE(board["name"].toString(), QFileInfo(COPPERSCOPE_SAMPLE).fileName());
+        QCOMPARE(board["name"].toString(), QFileInfo(places::kSample).fileName());
         QVERIFY(board["elements"].toObject()["total"].toInt() > 0);
         for (const char* pipeline : {"hybrid", "standard"}) {
             const QJsonObject result = board["pipelines"].toObject()[pipeline].toObject();
@@ -130,17 +132,16 @@ private slots:
     void theStandardPipelineDrawsToo() {
         const QTemporaryDir folder;
         const QString picture = folder.filePath("board.png");
-        QCOMPARE(
-            copperscope({"render", COPPERSCOPE_SAMPLE, "-o", picture, "--pipeline", "standard", "--size", "320x200"})
-                .exitCode,
-            0);
+        QCOMPARE(copperscope({"render", places::kSample, "-o", picture, "--pipeline", "standard", "--size", "320x200"})
+                     .exitCode,
+                 0);
         QCOMPARE(pngSize(picture), QSize(320, 200));
     }
 
     void areasComeOutTheSameFromEveryTriangulator() {
         // Only how the triangles are found differs, so all that is said about the model has to be the same.
         const auto triangles = [](const QString& triangulator) {
-            const Outcome run = copperscope({"info", COPPERSCOPE_SAMPLE, "--json", "--triangulator", triangulator});
+            const Outcome run = copperscope({"info", places::kSample, "--json", "--triangulator", triangulator});
             return run.exitCode == 0 ? QJsonDocument::fromJson(run.out).object()["triangles"].toObject()
                                      : QJsonObject();
         };
@@ -149,13 +150,12 @@ private slots:
         for (const char* other : {"auto", "parallel", "cgal", "gpu"}) {
             QCOMPARE(triangles(other), expected);
         }
-        QCOMPARE(copperscope({"info", COPPERSCOPE_SAMPLE, "--triangulator", "magic"}).exitCode, 1);
+        QCOMPARE(copperscope({"info", places::kSample, "--triangulator", "magic"}).exitCode, 1);
     }
 
     void benchMeasuresAllTriangulators() {
-        const Outcome run =
-            copperscope({"bench", "--triangulation", COPPERSCOPE_SAMPLE, "--sets", "areas 1k", "--threads", "1",
-                         "--repeats", "1", "--triangulators", "cgal,cpu,parallel,gpu", "--json"});
+        const Outcome run = copperscope({"bench", "--triangulation", places::kSample, "--sets", "areas 1k", "--threads",
+                                         "1", "--repeats", "1", "--triangulators", "cgal,cpu,parallel,gpu", "--json"});
         QVERIFY2(run.exitCode == 0, run.err.constData());
         const QJsonObject report = QJsonDocument::fromJson(run.out).object();
         QVERIFY(!report["device"].toString().isEmpty());
@@ -176,8 +176,7 @@ private slots:
     }
 
     void elementsAreTheSumOfTheLayers() {
-        const QJsonObject info =
-            QJsonDocument::fromJson(copperscope({"info", COPPERSCOPE_SAMPLE, "--json"}).out).object();
+        const QJsonObject info = QJsonDocument::fromJson(copperscope({"info", places::kSample, "--json"}).out).object();
         int lines = 0;
         for (const QJsonValue& layer : info["layers"].toArray()) {
             lines += layer.toObject()["counts"].toObject()["line"].toInt();
@@ -222,7 +221,7 @@ private slots:
     void unreadableInputAnswersTwo_data() {
         QTest::addColumn<QByteArray>("content");
         QTest::addColumn<QString>("name");
-        QFile sample(COPPERSCOPE_SAMPLE);
+        QFile sample(places::kSample);
         QVERIFY(sample.open(QIODevice::ReadOnly));
         const QByteArray whole = sample.readAll();
         QTest::addRow("empty file") << QByteArray() << "board.tgz";
@@ -299,7 +298,7 @@ private slots:
 
     void setThicknessesCountAndLeaveNoFile() {
         QTemporaryDir folder;
-        QVERIFY(QFile::copy(COPPERSCOPE_SAMPLE, folder.filePath("amp.tgz")));
+        QVERIFY(QFile::copy(places::kSample, folder.filePath("amp.tgz")));
         const Outcome run = copperscope({"info", "amp.tgz", "--json", "--set-thickness", "dielectric_2=1.5mm",
                                          "--set-thickness", "L02-INNER_LAYER=2oz"},
                                         folder.path());
@@ -313,7 +312,7 @@ private slots:
 
     void savedThicknessesStayUntilIgnored() {
         QTemporaryDir folder;
-        QVERIFY(QFile::copy(COPPERSCOPE_SAMPLE, folder.filePath("amp.tgz")));
+        QVERIFY(QFile::copy(places::kSample, folder.filePath("amp.tgz")));
         const QStringList info{"info", "amp.tgz", "--json"};
         const QStringList set{"--set-thickness", "DIELECTRIC_2=1500um", "--save-session"};
         QCOMPARE(copperscope(info + set, folder.path()).exitCode, 0);
@@ -330,7 +329,7 @@ private slots:
     void thicknessesThatMakeNoSenseAnswerOne() {
         for (const char* text : {"NOWHERE=35um", "DIELECTRIC_2", "DIELECTRIC_2=thick", "DIELECTRIC_2=1oz",
                                  "DIELECTRIC_2=-1mm", "DIELECTRIC_2=50mm"}) {
-            const Outcome run = copperscope({"info", COPPERSCOPE_SAMPLE, "--set-thickness", text});
+            const Outcome run = copperscope({"info", places::kSample, "--set-thickness", text});
             QVERIFY2(run.exitCode == 1, text);
             QVERIFY(run.out.isEmpty());
             QVERIFY2(run.err.contains("--set-thickness"), run.err.constData());
@@ -339,7 +338,7 @@ private slots:
 
     void aStrangeSessionIsToldAndSkipped() {
         QTemporaryDir folder;
-        QVERIFY(QFile::copy(COPPERSCOPE_SAMPLE, folder.filePath("amp.tgz")));
+        QVERIFY(QFile::copy(places::kSample, folder.filePath("amp.tgz")));
         QFile file(folder.filePath("amp.tgz.copperscope.json"));
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write(R"({"copperscope_session": 7})");

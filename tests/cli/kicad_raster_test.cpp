@@ -10,6 +10,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "places.h"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -89,7 +91,7 @@ private slots:
     void copperIsWhereKicadHasIt_data() {
         QTest::addColumn<QString>("board");
         QTest::addColumn<QString>("layer");
-        const fs::path boards = fs::path(COPPERSCOPE_BOARDS) / "kicad";
+        const fs::path boards = fs::path(places::kBoards) / "kicad";
         if (!fs::exists(boards / "ref")) {
             QSKIP("the boards with rasters of KiCad are not here");
         }
@@ -108,7 +110,7 @@ private slots:
     void copperIsWhereKicadHasIt() {
         QFETCH(QString, board);
         QFETCH(QString, layer);
-        const QString boards = QString(COPPERSCOPE_BOARDS) + "/kicad/";
+        const QString boards = QString(places::kBoards) + "/kicad/";
         Picture reference = readPng((boards + "ref/" + board + "/" + layer + ".png").toStdString());
         QVERIFY(reference.width > 0);
         makeCopperWhite(reference);
@@ -121,7 +123,7 @@ private slots:
         const QTemporaryDir folder;
         const QString out = folder.filePath("out.png");
         QProcess process;
-        process.start(COPPERSCOPE_PROGRAM,
+        process.start(places::kProgram,
                       {"render", boards + board + ".tgz", "-o", out, "--mono", "--layers", layer, "--size",
                        QString("%1x%2").arg(reference.width).arg(reference.height), "--window",
                        QString("%1,%2,%3,%4")

@@ -2,10 +2,7 @@
 # `fuzz` one libFuzzer program per target.
 add_library(copperscope_fuzz_targets STATIC fuzz/contours.cpp fuzz/seeds.cpp fuzz/tar.cpp fuzz/targets.cpp)
 target_link_libraries(copperscope_fuzz_targets PUBLIC copperscope_options copperscope_odb copperscope_paper
-    copperscope_tri_gpu)
-target_compile_definitions(copperscope_fuzz_targets PRIVATE
-    COPPERSCOPE_TEST_DATA="${CMAKE_CURRENT_SOURCE_DIR}/data"
-    COPPERSCOPE_FUZZ_CORPUS="${CMAKE_CURRENT_SOURCE_DIR}/fuzz/corpus")
+    copperscope_tri_gpu PRIVATE copperscope_places)
 
 copperscope_test(hostile_input_test fuzz/hostile_input_test.cpp LABEL unit LINK copperscope_fuzz_targets)
 

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "places.h"
 #include "targets.h"
 
 namespace fuzz {
@@ -13,8 +14,8 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kMark = "=== ";
 
-const fs::path kJobs = fs::path(COPPERSCOPE_TEST_DATA) / "odb";
-const fs::path kCorpus = COPPERSCOPE_FUZZ_CORPUS;
+const fs::path kJobs = fs::path(places::kTestData) / "odb";
+const fs::path kCorpus = places::kFuzzCorpus;
 
 std::string readFile(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);

@@ -4,6 +4,7 @@
 
 #include "model/generate/job_writer.h"
 #include "model/reader.h"
+#include "places.h"
 #include "render/image_difference.h"
 #include "tests/gpu/gpu_fixture.h"
 
@@ -68,11 +69,11 @@ class PipelinesTest : public QObject {
 private slots:
     void picturesAgree_data() {
         QTest::addColumn<QString>("board");
-        QTest::newRow("sample") << COPPERSCOPE_SAMPLE;
-        QTest::newRow("everything") << COPPERSCOPE_TEST_DATA "/odb/everything";
+        QTest::newRow("sample") << places::kSample;
+        QTest::newRow("everything") << places::kTestData + QStringLiteral("/odb/everything");
         QTest::newRow("made up") << "";
         for (const char* board : {"diegocoll_praxis_pdna.tgz", "lx3jl_usb3006.tgz", "paper_t1.txt"}) {
-            QTest::newRow(board) << QStringLiteral(COPPERSCOPE_BOARDS "/") + board;
+            QTest::newRow(board) << places::kBoards + QStringLiteral("/") + board;
         }
     }
     void picturesAgree() {
@@ -104,7 +105,7 @@ private slots:
 
     /// The comparison itself sees what is missing.
     void aMissingLayerShows() {
-        const auto document = read(COPPERSCOPE_SAMPLE);
+        const auto document = read(places::kSample);
         base::Progress progress;
         const auto hybrid = buildBoardModel(*document, {}, progress);
         BoardScene scene(Gpu::get().device, *hybrid);

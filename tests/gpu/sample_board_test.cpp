@@ -1,6 +1,7 @@
 #include <QtTest>
 
 #include "model/reader.h"
+#include "places.h"
 #include "tests/gpu/gpu_fixture.h"
 
 using namespace render;
@@ -24,7 +25,7 @@ class SampleBoardTest : public QObject {
 private slots:
     void initTestCase() {
         base::Progress progress;
-        auto document = model::readBoard(COPPERSCOPE_SAMPLE, {}, progress);
+        auto document = model::readBoard(places::kSample, {}, progress);
         QVERIFY(document);
         m_document = *document;
         auto model = buildBoardModel(*m_document, {}, progress);

@@ -5,6 +5,7 @@
 
 #include "model/base/parallel.h"
 #include "model/odb/job_tree.h"
+#include "places.h"
 #include "tests/reference/document_painter.h"
 #include "tests/reference/odb_painter.h"
 #include "tests/reference/symbols.h"
@@ -188,8 +189,8 @@ private slots:
 
     void copperOfRealBoardsAgrees_data() {
         QTest::addColumn<QString>("file");
-        const fs::path boards = COPPERSCOPE_BOARDS;
-        QTest::newRow("sample") << QString(COPPERSCOPE_SAMPLE);
+        const fs::path boards = places::kBoards;
+        QTest::newRow("sample") << QString(places::kSample);
         for (const char* folder : {"", "kicad", "kicad/variants"}) {
             for (const auto& entry :
                  fs::exists(boards / folder) ? fs::directory_iterator(boards / folder) : fs::directory_iterator{}) {

@@ -4,6 +4,7 @@
 #include <QSignalSpy>
 #include <QtTest>
 
+#include "places.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/layers_panel.h"
 
@@ -18,7 +19,7 @@ class BoardViewsTest : public QObject {
 private slots:
     void initTestCase() {
         m_fixture = std::make_unique<WindowFixture>();
-        QVERIFY(m_fixture->openAndWait(QStringLiteral(COPPERSCOPE_SAMPLE)));
+        QVERIFY(m_fixture->openAndWait(places::kSample));
     }
     void init() {
         window().actions()[ActionId::ShowSideBySide].trigger();

@@ -5,6 +5,7 @@
 #include <QtTest>
 #include <algorithm>
 
+#include "places.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/messages_panel.h"
 #include "ui/models/message_model.h"
@@ -19,7 +20,7 @@ class GoToMessageTest : public QObject {
 private slots:
     void init() {
         m_fixture = std::make_unique<WindowFixture>();
-        QVERIFY(m_fixture->openAndWait(QStringLiteral(COPPERSCOPE_TEST_DATA "/odb/everything")));
+        QVERIFY(m_fixture->openAndWait(places::kTestData + QStringLiteral("/odb/everything")));
     }
     void cleanup() { m_fixture.reset(); }
 

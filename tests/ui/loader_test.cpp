@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "model/document_builder.h"
+#include "places.h"
 
 using base::Error;
 using base::ErrorCode;
@@ -147,7 +148,7 @@ private slots:
             document = board.document;
             boardModel = board.model;
         });
-        loader.open({COPPERSCOPE_SAMPLE, {}});
+        loader.open({places::kSample, {}});
         QTRY_VERIFY_WITH_TIMEOUT(!loader.isLoading(), 60000);
         QVERIFY(document && boardModel);
         QVERIFY(document->elements.size() > 100);

@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "model/document_builder.h"
+#include "places.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/layers_panel.h"
 #include "ui/message_bar.h"
@@ -26,7 +27,7 @@ using ui::LoadRequest;
 
 namespace {
 
-const QString kSample = QStringLiteral(COPPERSCOPE_SAMPLE);
+const QString kSample = places::kSample;
 
 /// Real work, except that boards called "slow" never end until cancelled.
 base::Result<LoadedBoard> workWithSlowBoards(const LoadRequest& request, base::Progress& progress) {

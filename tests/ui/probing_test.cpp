@@ -4,6 +4,7 @@
 #include <QMouseEvent>
 #include <QtTest>
 
+#include "places.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/element_panel.h"
 #include "ui/nets_panel.h"
@@ -21,7 +22,7 @@ class ProbingTest : public QObject {
 private slots:
     void initTestCase() {
         m_fixture = std::make_unique<WindowFixture>();
-        QVERIFY(m_fixture->openAndWait(QStringLiteral(COPPERSCOPE_SAMPLE)));
+        QVERIFY(m_fixture->openAndWait(places::kSample));
         m_place = window().probing().place();
     }
     void init() {

@@ -2,6 +2,8 @@
 
 #include <QtTest>
 
+#include "places.h"
+
 class ReaderTest : public QObject {
     Q_OBJECT
 
@@ -27,7 +29,7 @@ private slots:
 
     void bothFormatsOpenThroughOneDoor() {
         base::Progress progress;
-        const auto job = model::readBoard(COPPERSCOPE_SAMPLE, {}, progress);
+        const auto job = model::readBoard(places::kSample, {}, progress);
         QVERIFY2(job.ok(), job ? "" : job.error().text.c_str());
         QVERIFY((*job)->elements.size() > 1000);
 
@@ -41,7 +43,7 @@ private slots:
     void aCancelledReadSaysSo() {
         base::Progress progress;
         progress.cancel();
-        const auto result = model::readBoard(COPPERSCOPE_SAMPLE, {}, progress);
+        const auto result = model::readBoard(places::kSample, {}, progress);
         QVERIFY(!result);
         QCOMPARE(result.error().code, base::ErrorCode::Cancelled);
     }

@@ -10,6 +10,7 @@
 #include "model/odb/archive_stream.h"
 #include "model/stackup.h"
 #include "odb_testing.h"
+#include "places.h"
 
 using namespace odb_testing;
 using model::Document;
@@ -19,7 +20,7 @@ using model::odb::Archive;
 
 namespace {
 
-const fs::path kBoards = COPPERSCOPE_BOARDS;
+const fs::path kBoards = places::kBoards;
 
 std::vector<fs::path> boardFiles() {
     std::vector<fs::path> files;

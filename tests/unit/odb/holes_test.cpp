@@ -6,6 +6,7 @@
 #include "model/holes.h"
 #include "model/odb/tools.h"
 #include "odb_testing.h"
+#include "places.h"
 
 using model::DrillRow;
 using model::DrillTool;
@@ -248,7 +249,7 @@ private slots:
     }
 
     void theSampleBoardsHolesAreToldApart() {
-        const auto document = odb_testing::read(COPPERSCOPE_SAMPLE);
+        const auto document = odb_testing::read(places::kSample);
         std::uint32_t vias = 0;
         std::uint32_t all = 0;
         for (const DrillRow& row : model::drillTable(*document)) {

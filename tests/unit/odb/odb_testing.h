@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "model/odb/odb_reader.h"
+#include "places.h"
 
 /// Shared by the tests of the ODB++ reader: jobs written on the spot, archives of every kind, short ways to ask a
 /// document.
@@ -40,7 +41,7 @@ public:
     }
     /// Copies a job of tests/data/odb into this folder.
     void copyJob(const std::string& name) const {
-        fs::copy(fs::path(COPPERSCOPE_TEST_DATA) / "odb" / name, path(),
+        fs::copy(fs::path(places::kTestData) / "odb" / name, path(),
                  fs::copy_options::recursive | fs::copy_options::overwrite_existing);
     }
 
@@ -82,7 +83,7 @@ inline std::shared_ptr<const model::Document> read(const fs::path& path, const s
 }
 
 inline fs::path dataJob(const std::string& name) {
-    return fs::path(COPPERSCOPE_TEST_DATA) / "odb" / name;
+    return fs::path(places::kTestData) / "odb" / name;
 }
 
 /// The first diagnostic whose text holds `part`, or begins with it but for the capital; nullptr if there is none.

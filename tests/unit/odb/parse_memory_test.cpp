@@ -7,6 +7,7 @@
 
 #include "model/odb/features.h"
 #include "odb_testing.h"
+#include "places.h"
 
 namespace {
 
@@ -102,7 +103,7 @@ private slots:
 
     /// Of all columns of a document: at most 96 bytes per element, besides the points of contours and trails.
     void aDocumentNeedsFewBytesPerElement() {
-        const auto d = read(COPPERSCOPE_SAMPLE);
+        const auto d = read(places::kSample);
         const model::ElementTable& e = d->elements;
         const std::size_t bytes = bytesOf(e.kind) + bytesOf(e.flags) + bytesOf(e.layer) + bytesOf(e.net) +
                                   bytesOf(e.symbol) + bytesOf(e.geometry) + bytesOf(e.firstFeature) + bytesOf(e.line) +

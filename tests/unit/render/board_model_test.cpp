@@ -7,6 +7,7 @@
 #include "model/base/parallel.h"
 #include "model/document_builder.h"
 #include "model/reader.h"
+#include "places.h"
 
 using model::DocumentBuilder;
 using render::BoardModel;
@@ -43,7 +44,7 @@ class BoardModelTest : public QObject {
 
 private slots:
     void paperModelHasTheNumbersOfTables2And3() {
-        const std::string path = std::string(COPPERSCOPE_BOARDS) + "/paper_t1.txt";
+        const std::string path = std::string(places::kBoards) + "/paper_t1.txt";
         if (!std::filesystem::exists(path)) {
             QSKIP("the paper's model is not here");
         }
@@ -55,7 +56,7 @@ private slots:
     }
 
     void modelDoesNotDependOnTheNumberOfThreads() {
-        const auto document = readBoard(COPPERSCOPE_SAMPLE);
+        const auto document = readBoard(places::kSample);
         QVERIFY(document);
         BoardModel single;
         {
@@ -74,7 +75,7 @@ private slots:
     }
 
     void everyAreaIsAnInstanceOfItsLayer() {
-        const auto document = readBoard(COPPERSCOPE_SAMPLE);
+        const auto document = readBoard(places::kSample);
         const BoardModel model = build(*document);
         QCOMPARE(model.instances.size(), document->areas.size());
         std::size_t seen = 0;
@@ -154,7 +155,7 @@ private slots:
     }
 
     void cancelledModellingSaysSo() {
-        const auto document = readBoard(COPPERSCOPE_SAMPLE);
+        const auto document = readBoard(places::kSample);
         base::Progress progress;
         progress.cancel();
         const auto result = render::buildBoardModel(*document, {}, progress);

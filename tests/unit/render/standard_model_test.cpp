@@ -6,6 +6,7 @@
 #include "model/base/parallel.h"
 #include "model/document_builder.h"
 #include "model/reader.h"
+#include "places.h"
 
 using namespace render;
 
@@ -21,7 +22,7 @@ class StandardModelTest : public QObject {
 
     static std::shared_ptr<const model::Document> sample() {
         base::Progress progress;
-        auto document = model::readBoard(COPPERSCOPE_SAMPLE, {}, progress);
+        auto document = model::readBoard(places::kSample, {}, progress);
         return document ? *document : nullptr;
     }
 
