@@ -1,4 +1,4 @@
-#include "places.h"
+#include "tests/places.h"
 
 namespace places {
 

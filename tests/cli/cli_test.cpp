@@ -5,7 +5,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "places.h"
+#include "tests/places.h"
 
 namespace {
 

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "places.h"
+#include "tests/places.h"
 
 namespace {
 

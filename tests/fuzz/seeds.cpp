@@ -3,8 +3,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "places.h"
 #include "targets.h"
+#include "tests/places.h"
 
 namespace fuzz {
 

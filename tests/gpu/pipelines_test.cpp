@@ -4,9 +4,9 @@
 
 #include "model/generate/job_writer.h"
 #include "model/reader.h"
-#include "places.h"
 #include "render/image_difference.h"
 #include "tests/gpu/gpu_fixture.h"
+#include "tests/places.h"
 
 using namespace render;
 using namespace render::test;

@@ -1,8 +1,8 @@
 #include <QtTest>
 
 #include "model/reader.h"
-#include "places.h"
 #include "tests/gpu/gpu_fixture.h"
+#include "tests/places.h"
 
 using namespace render;
 using namespace render::test;

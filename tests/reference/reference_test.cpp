@@ -5,7 +5,7 @@
 
 #include "model/base/parallel.h"
 #include "model/odb/job_tree.h"
-#include "places.h"
+#include "tests/places.h"
 #include "tests/reference/document_painter.h"
 #include "tests/reference/odb_painter.h"
 #include "tests/reference/symbols.h"

@@ -4,7 +4,7 @@
 #include <QSignalSpy>
 #include <QtTest>
 
-#include "places.h"
+#include "tests/places.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/layers_panel.h"
 

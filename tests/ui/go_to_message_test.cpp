@@ -5,7 +5,7 @@
 #include <QtTest>
 #include <algorithm>
 
-#include "places.h"
+#include "tests/places.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/messages_panel.h"
 #include "ui/models/message_model.h"

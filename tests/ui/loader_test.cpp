@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "model/document_builder.h"
-#include "places.h"
+#include "tests/places.h"
 
 using base::Error;
 using base::ErrorCode;

@@ -14,7 +14,7 @@
 #include <thread>
 
 #include "model/document_builder.h"
-#include "places.h"
+#include "tests/places.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/layers_panel.h"
 #include "ui/message_bar.h"

@@ -4,7 +4,7 @@
 #include <QMouseEvent>
 #include <QtTest>
 
-#include "places.h"
+#include "tests/places.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/element_panel.h"
 #include "ui/nets_panel.h"

@@ -2,7 +2,7 @@
 
 #include <QtTest>
 
-#include "places.h"
+#include "tests/places.h"
 
 class ReaderTest : public QObject {
     Q_OBJECT

@@ -10,7 +10,7 @@
 #include "model/odb/archive_stream.h"
 #include "model/stackup.h"
 #include "odb_testing.h"
-#include "places.h"
+#include "tests/places.h"
 
 using namespace odb_testing;
 using model::Document;

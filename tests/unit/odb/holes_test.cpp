@@ -6,7 +6,7 @@
 #include "model/holes.h"
 #include "model/odb/tools.h"
 #include "odb_testing.h"
-#include "places.h"
+#include "tests/places.h"
 
 using model::DrillRow;
 using model::DrillTool;

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "model/odb/odb_reader.h"
-#include "places.h"
+#include "tests/places.h"
 
 /// Shared by the tests of the ODB++ reader: jobs written on the spot, archives of every kind, short ways to ask a
 /// document.

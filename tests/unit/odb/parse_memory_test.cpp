@@ -7,7 +7,7 @@
 
 #include "model/odb/features.h"
 #include "odb_testing.h"
-#include "places.h"
+#include "tests/places.h"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include "model/base/parallel.h"
 #include "model/document_builder.h"
 #include "model/reader.h"
-#include "places.h"
+#include "tests/places.h"
 
 using model::DocumentBuilder;
 using render::BoardModel;

@@ -6,7 +6,7 @@
 #include "model/base/parallel.h"
 #include "model/document_builder.h"
 #include "model/reader.h"
-#include "places.h"
+#include "tests/places.h"
 
 using namespace render;
 
