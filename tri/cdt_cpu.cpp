@@ -8,7 +8,7 @@ namespace tri {
 
 Status triangulateCpu(const Polygon& polygon, std::vector<std::uint32_t>& triangles) {
     thread_local Workspace workspace;
-    Status status = workspace.start(polygon);
+    Status status = workspace.start(polygon, Cores::One);
     if (status.outcome == Outcome::Ok) {
         Mesh& mesh = workspace.mesh;
         startInBox(mesh);

@@ -1,7 +1,8 @@
 #include "tri/cdt_parallel.h"
 
 #include <algorithm>
-#include <array>
+#include <atomic>
+#include <bit>
 #include <thread>
 
 #include "model/base/parallel.h"
@@ -19,11 +20,33 @@ constexpr std::uint32_t kMinRound = 16384;
 constexpr std::uint32_t kMinPart = 2048;
 constexpr std::uint32_t kMaxParts = 64;
 
+/// A triangle of the mesh near every stretch of the Hilbert curve, to start walks at: entries are triangle numbers.
+class Homes {
+public:
+    static constexpr std::uint32_t kNone = 0xFFFFFFFF;
+
+    explicit Homes(std::uint32_t triangleCount)
+        : m_shift(32 - std::clamp(static_cast<int>(std::bit_width(triangleCount / kTrianglesPerHome)), 1, 24)),
+          m_triangles(std::size_t{1} << (32 - m_shift), kNone) {}
+
+    /// Any of the triangles that are added for a stretch stays; tasks may add at the same time.
+    void add(std::uint32_t key, std::uint32_t triangle) {
+        std::atomic_ref(m_triangles[key >> m_shift]).store(triangle, std::memory_order_relaxed);
+    }
+    /// kNone if no triangle starts on this stretch.
+    [[nodiscard]] std::uint32_t near(std::uint32_t key) const { return m_triangles[key >> m_shift]; }
+
+private:
+    static constexpr std::uint32_t kTrianglesPerHome = 16;
+    int m_shift;
+    std::vector<std::uint32_t> m_triangles;
+};
+
 /// One round of the insertion order, cut into parts.
 class Round {
 public:
     Round(Mesh& mesh, const HilbertGrid& grid, Scratch<std::uint8_t>& partOf, std::uint32_t first, std::uint32_t end)
-        : m_mesh(mesh), m_grid(grid), m_partOf(partOf), m_first(first), m_end(end) {
+        : m_mesh(mesh), m_grid(grid), m_partOf(partOf), m_homes(mesh.triangleCount), m_first(first), m_end(end) {
         const std::uint32_t wanted = 4 * std::max(1U, std::thread::hardware_concurrency());
         m_parts = std::clamp(std::min(wanted, (end - first) / kMinPart), 1U, kMaxParts);
         for (std::uint32_t part = 0; part < m_parts; ++part) {
@@ -54,16 +77,17 @@ private:
         return static_cast<std::uint8_t>(above - m_firstKey.begin() - 1);
     }
 
-    /// A triangle belongs to the part on whose stretch of the curve its first corner lies. The walk of a part starts at
-    /// the triangle that is nearest to the beginning of its stretch.
+    /// A triangle belongs to the part on whose stretch of the curve its first corner lies.
     void cutMesh() {
-        m_start.assign(m_parts, {0xFFFFFFFF, 0});
-        for (std::uint32_t t = 0; t < m_mesh.triangleCount; ++t) {
-            const std::uint32_t key = m_grid.keyOf(m_mesh.points[m_mesh.triangles[t].v[0]]);
-            const std::uint8_t part = partOfKey(key);
-            m_partOf[t] = part;
-            m_start[part] = std::min(m_start[part], {key, t});
-        }
+        const std::uint64_t pieces = piecesFor(Cores::All);
+        base::parallelFor(pieces, [&](std::size_t piece) {
+            const std::size_t end = m_mesh.triangleCount * (piece + 1) / pieces;
+            for (std::size_t t = m_mesh.triangleCount * piece / pieces; t < end; ++t) {
+                const std::uint32_t key = m_grid.keyOf(m_mesh.points[m_mesh.triangles[t].v[0]]);
+                m_partOf[t] = partOfKey(key);
+                m_homes.add(key, static_cast<std::uint32_t>(t));
+            }
+        });
     }
 
     /// Inserts what can be inserted within the part; `left` gets the others. Returns how many slots were used.
@@ -71,21 +95,28 @@ private:
         const std::uint32_t first = firstOf(part);
         const std::uint32_t end = firstOf(part + 1);
         std::uint32_t slot = slotOf(first);
-        if (m_start[part].first == 0xFFFFFFFF) {
-            for (std::uint32_t q = first; q < end; ++q) {
-                left.push_back(q);  // no triangle starts here: all border
-            }
-            return 0;
-        }
-        Insertion insertion(m_mesh, Within{m_partOf.data(), static_cast<std::uint8_t>(part)}, m_start[part].second);
+        const Within area{m_partOf.data(), static_cast<std::uint8_t>(part)};
+        Insertion insertion(m_mesh, area, Homes::kNone);
+        bool isLost = true;  // a walk that ended at the border would start the next one there, maybe in a nook
         for (std::uint32_t q = first; q < end; ++q) {
-            if (insertion.insert(q, slot)) {
-                slot += 2;
-            } else {
+            isLost = (isLost && !goHome(insertion, area, q)) || !insertion.insert(q, slot);
+            if (isLost) {
                 left.push_back(q);
+            } else {
+                slot += 2;
             }
         }
         return slot - slotOf(first);
+    }
+
+    /// Looks for the vertex from a triangle of the area near it; false if there is none.
+    bool goHome(Insertion<Within>& insertion, const Within& area, std::uint32_t vertex) const {
+        const std::uint32_t home = m_homes.near(m_grid.keyOf(m_mesh.points[vertex]));
+        if (home == Homes::kNone || !area.has(home)) {
+            return false;
+        }
+        insertion.restart(home);
+        return true;
     }
 
     /// The vertices that were left fill the slots that were left.
@@ -103,11 +134,11 @@ private:
     Mesh& m_mesh;
     const HilbertGrid& m_grid;
     Scratch<std::uint8_t>& m_partOf;
+    Homes m_homes;
     std::uint32_t m_first;
     std::uint32_t m_end;
     std::uint32_t m_parts = 1;
     std::vector<std::uint32_t> m_firstKey;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> m_start;  ///< key and triangle
 };
 
 void insertRounds(Workspace& workspace) {
@@ -137,7 +168,7 @@ void insertRounds(Workspace& workspace) {
 Status triangulateParallel(const Polygon& polygon, std::vector<std::uint32_t>& triangles) {
     // Not kept by the thread: while it waits for others it may be given another large polygon to work on.
     Workspace workspace;
-    Status status = workspace.start(polygon);
+    Status status = workspace.start(polygon, Cores::All);
     if (status.outcome == Outcome::Ok) {
         startInBox(workspace.mesh);
         insertRounds(workspace);

@@ -34,6 +34,9 @@ public:
     /// Starts looking for the first vertex at triangle `near`, which is in the area.
     Insertion(Mesh& mesh, Area area, std::uint32_t near) : m_mesh(mesh), m_area(area), m_near(near) {}
 
+    /// Looks for the next vertex from triangle `near` on, which is in the area.
+    void restart(std::uint32_t near) { m_near = near; }
+
     /// Inserts vertex q, whose position is new; it takes the triangle slots `slot` and `slot` + 1. False, and the mesh
     /// is as before, if that would change triangles outside the area.
     bool insert(std::uint32_t q, std::uint32_t slot) {

@@ -54,26 +54,28 @@ constexpr std::uint32_t hilbertKey(std::uint32_t x, std::uint32_t y) {
 
 static_assert(hilbertKey(0, 0) == 0 && hilbertKey(65535, 0) == 0xFFFFFFFF, "from corner to corner of one side");
 
-constexpr std::uint32_t kLevels = 8;
-
 /// How many rounds before the last a point goes in: level k with probability 7/8 * 8^-k.
 std::uint32_t levelOf(std::uint32_t index) {
     std::uint32_t hash = index * 0x9E3779B1U;
     hash = (hash ^ hash >> 15) * 0x85EBCA77U;
     hash ^= hash >> 13;
-    return std::min(static_cast<std::uint32_t>(std::countr_zero(hash | 1U << 31)) / 3, kLevels - 1);
+    return std::min(static_cast<std::uint32_t>(std::countr_zero(hash | 1U << 31)) / 3, kRounds - 1);
 }
 
 /// Key in the upper, index in the lower half: sorting by the whole word is stable.
-void writeKeys(std::span<const Point> points, std::uint64_t* keys) {
+void writeKeys(std::span<const Point> points, Cores cores, std::uint64_t* keys) {
     base::Box box;
     for (const Point& p : points) {
         box.include(p);
     }
     const HilbertGrid grid(box);
-    for (std::uint32_t i = 0; i < points.size(); ++i) {
-        keys[i] = std::uint64_t{grid.keyOf(points[i])} << 32 | i;
-    }
+    const std::uint64_t pieces = piecesFor(cores);
+    forEach(cores, pieces, [&](std::size_t piece) {
+        const std::size_t end = points.size() * (piece + 1) / pieces;
+        for (std::size_t i = points.size() * piece / pieces; i < end; ++i) {
+            keys[i] = std::uint64_t{grid.keyOf(points[i])} << 32 | i;
+        }
+    });
 }
 
 /// Sorts by the upper halves, 11 + 11 + 10 bits at a time; returns where the result lies.
@@ -158,29 +160,29 @@ std::uint32_t HilbertGrid::keyOf(Point p) const {
     return hilbertKey(cell(p.x, m_box.min.x, m_box.max.x), cell(p.y, m_box.min.y, m_box.max.y));
 }
 
-VertexOrder orderVertices(std::span<const Point> points, Mesh& mesh, std::uint32_t* vertexOf) {
+VertexOrder orderVertices(std::span<const Point> points, Cores cores, Mesh& mesh, std::uint32_t* vertexOf) {
     // There are no triangles yet: sort in their place (16 of their 48 bytes per vertex).
     static_assert(2 * sizeof(Triangle) >= 2 * sizeof(std::uint64_t) && alignof(Triangle) <= alignof(std::max_align_t));
     auto* keys = reinterpret_cast<std::uint64_t*>(mesh.triangles.data());
-    writeKeys(points, keys);
+    writeKeys(points, cores, keys);
     keys = sortKeys(keys, keys + points.size(), points.size());
-    std::vector<std::uint32_t> merged;
+    VertexOrder order;
+    std::vector<std::uint32_t>& merged = order.merged;
     const std::size_t count = mergeEqual(points, keys, vertexOf, merged);
 
-    std::array<std::uint32_t, kLevels> slot{};
+    std::array<std::uint32_t, kRounds> slot{};
     for (std::size_t i = 0; i < count; ++i) {
-        ++slot[kLevels - 1 - levelOf(static_cast<std::uint32_t>(keys[i]))];
+        ++slot[kRounds - 1 - levelOf(static_cast<std::uint32_t>(keys[i]))];
     }
     std::uint32_t sum = 0;
-    std::vector<std::uint32_t> roundStart;
-    for (std::uint32_t& start : slot) {
-        roundStart.push_back(sum);
-        sum += std::exchange(start, sum);
+    for (std::uint32_t round = 0; round < kRounds; ++round) {
+        order.roundStart[round] = sum;
+        sum += std::exchange(slot[round], sum);
     }
-    roundStart.push_back(sum);
+    order.roundStart[kRounds] = sum;
     for (std::size_t i = 0; i < count; ++i) {
         const auto index = static_cast<std::uint32_t>(keys[i]);
-        const std::uint32_t vertex = slot[kLevels - 1 - levelOf(index)]++;
+        const std::uint32_t vertex = slot[kRounds - 1 - levelOf(index)]++;
         mesh.points[vertex] = points[index];
         mesh.ids[vertex] = index;
         vertexOf[index] = vertex;
@@ -192,7 +194,7 @@ VertexOrder orderVertices(std::span<const Point> points, Mesh& mesh, std::uint32
     }
     std::ranges::sort(merged);
     merged.erase(std::unique(merged.begin(), merged.end()), merged.end());
-    return {std::move(merged), std::move(roundStart)};
+    return order;
 }
 
 }  // namespace tri

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "tri/cores.h"
 #include "tri/mesh.h"
 
 namespace tri {
@@ -20,9 +22,13 @@ private:
     std::uint64_t m_factor;
 };
 
+inline constexpr std::uint32_t kRounds = 8;
+/// First vertex of every round of the insertion order, and the end.
+using RoundStarts = std::array<std::uint32_t, kRounds + 1>;
+
 struct VertexOrder {
-    std::vector<std::uint32_t> merged;      ///< vertices at which several points came together, in rising order
-    std::vector<std::uint32_t> roundStart;  ///< first vertex of every round, and the end
+    std::vector<std::uint32_t> merged;  ///< vertices at which several points came together, in rising order
+    RoundStarts roundStart{};
 };
 
 /// Numbers the vertices of a mesh in the order in which they are to be inserted, and merges equal positions.
@@ -33,6 +39,7 @@ struct VertexOrder {
 ///
 /// `mesh` has room for all points and for two triangles per point; the triangles' room is used to sort in. Sets points,
 /// ids (the lowest index at that position) and vertexCount, and `vertexOf`: the vertex of every index.
-[[nodiscard]] VertexOrder orderVertices(std::span<const Point> points, Mesh& mesh, std::uint32_t* vertexOf);
+[[nodiscard]] VertexOrder orderVertices(std::span<const Point> points, Cores cores, Mesh& mesh,
+                                        std::uint32_t* vertexOf);
 
 }  // namespace tri

@@ -1,12 +1,9 @@
 #include "tri/workspace.h"
 
-#include <utility>
-
 #include "model/base/assert.h"
 #include "tri/constraints.h"
 #include "tri/delaunay.h"
 #include "tri/erase.h"
-#include "tri/insertion_order.h"
 
 namespace tri {
 
@@ -18,7 +15,7 @@ constexpr std::size_t kMaxPoints = (1U << 29) - 8;
 
 }  // namespace
 
-Status Workspace::start(const Polygon& polygon) {
+Status Workspace::start(const Polygon& polygon, Cores cores) {
     const std::size_t count = polygon.points.size();
     ASSERT(polygon.loopStart.empty() || polygon.loopStart.back() == count);
     ASSERT(count <= kMaxPoints);
@@ -28,18 +25,22 @@ Status Workspace::start(const Polygon& polygon) {
     mesh.triangles.room(2 * (count + kBoxCorners));
     mesh.points.room(count + kBoxCorners);
     mesh.ids.room(count + kBoxCorners);
-    VertexOrder order = orderVertices(polygon.points, mesh, vertexOf.room(count));
+    const VertexOrder order = orderVertices(polygon.points, cores, mesh, vertexOf.room(count));
     contours.build(polygon, mesh, vertexOf.data(), order.merged);
-    roundStart = std::move(order.roundStart);
+    roundStart = order.roundStart;
     return {contours.edgeCount() == 0 ? Outcome::Degenerate : Outcome::Ok, kNoEdge, kNoEdge};
 }
 
 Status Workspace::finish(Cores cores, std::vector<std::uint32_t>& triangles) {
-    const Status inserted = insertContours(mesh, contours, cores, states);
-    if (inserted.outcome != Outcome::Ok) {
-        return inserted;
+    Eraser eraser(mesh, contours, cores, states);
+    if (eraser.decide() != contours.edgeCount()) {
+        const Status inserted = insertContours(mesh, contours, cores, states);
+        if (inserted.outcome != Outcome::Ok) {
+            return inserted;
+        }
+        eraser.decide();  // now all are there; write() proves it
     }
-    return eraseOutside(mesh, contours, cores, states, triangles);
+    return eraser.write(triangles);
 }
 
 std::size_t Workspace::bytes() const {

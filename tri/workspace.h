@@ -5,6 +5,7 @@
 
 #include "tri/contours.h"
 #include "tri/cores.h"
+#include "tri/insertion_order.h"
 #include "tri/mesh.h"
 
 namespace tri {
@@ -16,10 +17,10 @@ struct Workspace {
     Contours contours;
     Scratch<std::uint32_t> vertexOf;
     Scratch<std::uint8_t> states;
-    std::vector<std::uint32_t> roundStart;  ///< of the insertion order
+    RoundStarts roundStart{};
 
     /// Orders the polygon's points into the mesh and takes over its contours. Anything but Ok is the final status.
-    [[nodiscard]] Status start(const Polygon& polygon);
+    [[nodiscard]] Status start(const Polygon& polygon, Cores cores);
     /// After the triangulation in the box: contours and erasing.
     [[nodiscard]] Status finish(Cores cores, std::vector<std::uint32_t>& triangles);
 

@@ -69,7 +69,8 @@ private:
         std::fill_n(m_data.treeOf.begin() + sapling.firstVertex, polygon.points.size() + kBoxCorners,
                     static_cast<std::uint32_t>(tree));
         // Contours that run along each other may still cancel with others: the sequential triangulator finds out.
-        if (workspace.start(polygon).outcome == Outcome::Ok && workspace.contours.overlap().outcome == Outcome::Ok) {
+        if (workspace.start(polygon, Cores::One).outcome == Outcome::Ok &&
+            workspace.contours.overlap().outcome == Outcome::Ok) {
             startInBox(workspace.mesh);
             takeOver(workspace, sapling, polygon);
         }
