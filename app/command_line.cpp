@@ -20,12 +20,16 @@ void addStackOptions(CLI::App& command, std::vector<std::string>& thicknesses, b
     command.add_flag("--no-session", noSession, "ignore the session file beside the board");
 }
 
+void addNetOptions(CLI::App& command, bool& inferNets) {
+    command.add_flag("--infer-nets", inferNets, "find the nets by following the copper, instead of the job's");
+}
+
 void addModellingOptions(CLI::App& command, BoardArguments& board) {
     command.add_option("--step", board.step, "the step to open; default: the first one with features of its own");
     command.add_option("--chord", board.chordUm, "largest distance between a curve and its chords, in micrometres")
         ->check(CLI::Range(0.5, 50.0))
         ->capture_default_str();
-    command.add_flag("--infer-nets", board.inferNets, "find the nets by following the copper, instead of the job's");
+    addNetOptions(command, board.inferNets);
     command.add_flag("--paper-segments", board.paperSegments,
                      "50 segments per circle and 20 per arc, as the paper does");
 }
@@ -158,6 +162,8 @@ Command parseCommandLine(int argc, char** argv) {
     BenchArguments bench;
     parser.add_option("BOARD", workbench.path, "the board to open in the workbench; default: the sample");
     parser.add_option("--step", workbench.step, "the step to open");
+    addStackOptions(parser, workbench.thicknesses, workbench.noSession);
+    addNetOptions(parser, workbench.inferNets);
     addInfo(parser, info);
     addRender(parser, render);
     addGenerate(parser, generate);

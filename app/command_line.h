@@ -15,6 +15,9 @@ namespace app {
 struct WorkbenchArguments {
     std::string path;  ///< empty: the bundled sample
     std::string step;
+    std::vector<std::string> thicknesses;  ///< as BoardArguments, and so the rest
+    bool noSession = false;
+    bool inferNets = false;
 };
 
 /// The process should end at once with this code: help was printed, or the arguments make no sense (and were

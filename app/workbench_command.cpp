@@ -8,8 +8,13 @@ namespace app {
 
 int runWorkbench(int argc, char** argv, const WorkbenchArguments& arguments) {
     ui::StartOptions options;
-    options.board = arguments.path.empty() ? sampleBoard() : std::filesystem::path(arguments.path);
-    options.step = arguments.step;
+    options.board = ui::LoadRequest{
+        .path = arguments.path.empty() ? sampleBoard() : std::filesystem::path(arguments.path),
+        .step = arguments.step,
+        .thicknesses = arguments.thicknesses,
+        .noSession = arguments.noSession,
+        .inferNets = arguments.inferNets,
+    };
     return ui::runWorkbench(argc, argv, options);
 }
 

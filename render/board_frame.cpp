@@ -24,6 +24,20 @@ void setHeights(const model::Document& document, BoardFrame& out) {
     }
 }
 
+/// The lower and the upper face of the board: of its copper, and of the laminate below a single copper layer.
+float sumOfFaces(const model::Document& document) {
+    model::Nm low = 0;
+    model::Nm high = document.boardThickness;
+    std::size_t copper = 0;
+    for (const model::Layer& layer : document.layers) {
+        if (layer.isCopper() && layer.context == model::LayerContext::Board) {
+            high = copper++ == 0 ? layer.z + layer.thickness : std::max(high, layer.z + layer.thickness);
+        }
+    }
+    low = copper == 1 ? high - document.boardThickness : low;
+    return static_cast<float>(base::toMm(double(low) + high));
+}
+
 }  // namespace
 
 glm::vec2 toGpu(model::PointD point, model::Point origin) {
@@ -42,6 +56,7 @@ BoardFrame frameOf(const model::Document& document) {
     BoardFrame frame;
     frame.origin = centreOf(document.board.isEmpty() ? document.extent : document.board);
     setHeights(document, frame);
+    frame.facesMm = sumOfFaces(document);
     return frame;
 }
 

@@ -206,20 +206,6 @@ std::uint64_t countStandardTriangles(const Document& document, const std::vector
     return sum;
 }
 
-/// The lower and the upper face of the board: of its copper, and of the laminate below a single copper layer.
-float sumOfFaces(const Document& document) {
-    model::Nm low = 0;
-    model::Nm high = document.boardThickness;
-    std::size_t copper = 0;
-    for (const Layer& layer : document.layers) {
-        if (layer.isCopper() && layer.context == model::LayerContext::Board) {
-            high = copper++ == 0 ? layer.z + layer.thickness : std::max(high, layer.z + layer.thickness);
-        }
-    }
-    low = copper == 1 ? high - document.boardThickness : low;
-    return static_cast<float>(base::toMm(double(low) + high));
-}
-
 /// One step by itself.
 base::Result<BoardModel> buildStepModel(const Document& document, const model::Discretisation& how,
                                         base::Progress& progress, const AreaTriangulator& triangulator) {
@@ -228,7 +214,6 @@ base::Result<BoardModel> buildStepModel(const Document& document, const model::D
     progress.beginPhase("Modelling traces and pads");
     base::Stopwatch watch;
     static_cast<BoardFrame&>(out) = frameOf(document);
-    out.facesMm = sumOfFaces(document);
     makeAllLets(document, how, out);
     const std::vector<model::ShapeId> used = shapesInUse(document);
     makeInstances(document, used, out);

@@ -51,7 +51,6 @@ struct BoardModel : BoardFrame {
     std::vector<BoardModel> steps;                              ///< at whatever depth; they have none themselves
     std::vector<ModelCopy> copies = std::vector<ModelCopy>(1);  ///< rows as in model::StepTree: the board itself first
     std::vector<model::LayerId> opposite;  ///< Layer::opposite per layer; empty where nothing is flipped
-    float facesMm = 0.0F;  ///< z of the board's lower plus z of its upper face: turned over, z is this minus z
 
     std::vector<shader::Let> lets;
     std::vector<shader::Cluster> clusters;  ///< never straddle a layer

@@ -284,6 +284,16 @@ void BoardScene::setStyles(std::span<const LayerStyle> styles) {
     m_impl->layers.styles.assign(styles.begin(), styles.end());
 }
 
+void BoardScene::setHeights(const BoardFrame& frame) {
+    std::vector<SceneLayers::Layer>& layers = m_impl->layers.layers;
+    ASSERT(frame.layerBottomMm.size() == layers.size());
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        layers[i].z0 = frame.layerBottomMm[i];
+        layers[i].z1 = frame.layerTopMm[i];
+    }
+    m_impl->layers.facesMm = frame.facesMm;
+}
+
 std::vector<ZRange> BoardScene::drawnHeights(const ViewSettings& settings) const {
     return render::drawnHeights(m_impl->layers, settings);
 }

@@ -21,7 +21,7 @@ struct SceneLayers {
     std::vector<Layer> layers;
     std::vector<LayerStyle> styles;  ///< one per layer
     float widthMm = 0.0F;            ///< longer side of the board
-    float facesMm = 0.0F;            ///< BoardModel::facesMm
+    float facesMm = 0.0F;            ///< BoardFrame::facesMm
     bool hasFlipped = false;         ///< some copies are flipped
 };
 

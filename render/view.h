@@ -71,6 +71,8 @@ public:
     BoardScene& operator=(BoardScene&&) noexcept;
 
     void setStyles(std::span<const LayerStyle> styles);
+    /// Other heights of the same layers (model::restack); geometry stays as it is.
+    void setHeights(const BoardFrame& frame);
     /// Lower and upper face of every layer as a view with these settings and the styles set last draws it, mm.
     [[nodiscard]] std::vector<ZRange> drawnHeights(const ViewSettings& settings) const;
     /// One bit per element of the board itself or of a step it places (0 = the board, else 1 + row of

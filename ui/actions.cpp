@@ -26,6 +26,9 @@ constexpr ActionSpec kSpecs[] = {
     {CopyPicture, MenuId::File, "Copy &picture", "Ctrl+Shift+C", "Put what the canvas shows on the clipboard"},
     {Quit, MenuId::File, "&Quit", "Ctrl+Q", "Close the workbench", false, kNewGroup},
 
+    {Undo, MenuId::Edit, "&Undo", "Ctrl+Z", "Take the last change of a thickness back"},
+    {Redo, MenuId::Edit, "&Redo", "Ctrl+Shift+Z Ctrl+Y", "Make the change again that was taken back"},
+
     {Fit, MenuId::View, "&Fit", "F Home", "Show the whole board, direction unchanged"},
     {LookTop, MenuId::View, "&Top", "T", "Look straight down on the top side"},
     {LookBottom, MenuId::View, "&Bottom", "B", "Look straight up on the bottom side"},
@@ -43,6 +46,7 @@ constexpr ActionSpec kSpecs[] = {
     {ShowNetsDock, MenuId::View, "&Nets", "Ctrl+5", "Show or hide the nets", kCheckable},
     {ShowElementDock, MenuId::View, "Ele&ment", "Ctrl+4", "Show or hide what is known of the selected element",
      kCheckable},
+    {ShowStackDock, MenuId::View, "Stac&k", "Ctrl+6", "Show or hide the stack and its thicknesses", kCheckable},
     {ShowStatisticsDock, MenuId::View, "&Statistics", "Ctrl+2", "Show or hide the element statistics", kCheckable},
     {ShowMessagesDock, MenuId::View, "Messa&ges", "Ctrl+3", "Show or hide what was skipped, repaired or assumed",
      kCheckable},
@@ -91,8 +95,8 @@ constexpr ActionSpec kSpecs[] = {
 };
 static_assert(std::size(kSpecs) == kActionCount);
 
-constexpr const char* kMenuTitles[kMenuCount] = {"&File",     "&View",   "&Arrangement", "T&heme",
-                                                 "Bac&k end", "&Layers", "&Select",      "&Help"};
+constexpr const char* kMenuTitles[kMenuCount] = {"&File",     "&Edit",   "&View",   "&Arrangement", "T&heme",
+                                                 "Bac&k end", "&Layers", "&Select", "&Help"};
 
 bool isChoice(MenuId menu) {
     return menu == MenuId::Arrangement || menu == MenuId::Theme || menu == MenuId::Backend;

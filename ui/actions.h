@@ -21,6 +21,8 @@ enum class ActionId {
     SavePicture,
     CopyPicture,
     Quit,
+    Undo,
+    Redo,
     Fit,
     LookTop,
     LookBottom,
@@ -37,6 +39,7 @@ enum class ActionId {
     ShowLayersDock,
     ShowNetsDock,
     ShowElementDock,
+    ShowStackDock,
     ShowStatisticsDock,
     ShowMessagesDock,
     ShowToolBar,
@@ -73,7 +76,7 @@ enum class ActionId {
 inline constexpr std::size_t kActionCount = static_cast<std::size_t>(ActionId::Count);
 
 /// Where a command is found. Arrangement, Theme and Backend are submenus of View with one choice each.
-enum class MenuId { File, View, Arrangement, Theme, Backend, Layers, Select, Help, Count };
+enum class MenuId { File, Edit, View, Arrangement, Theme, Backend, Layers, Select, Help, Count };
 inline constexpr std::size_t kMenuCount = static_cast<std::size_t>(MenuId::Count);
 
 struct ActionSpec {

@@ -56,6 +56,18 @@ void BoardViews::show(const LoadedBoard& board, const std::vector<models::LayerL
     solid().controller().look(render::NamedView::Iso);
 }
 
+void BoardViews::setHeights(std::shared_ptr<const model::Document> document) {
+    m_board->document = std::move(document);
+    const render::BoardFrame frame = render::frameOf(*m_board->document);
+    for (BoardView* view : m_views) {
+        view->setBoard(frame.boxMin, frame.boxMax);
+    }
+    if (m_scene) {
+        m_scene->setHeights(frame);
+        requestFrame();
+    }
+}
+
 void BoardViews::makeScene() {
     for (BoardView* view : m_views) {
         view->setScene(nullptr, {});
@@ -65,6 +77,7 @@ void BoardViews::makeScene() {
         return;  // that was told
     }
     m_scene = std::make_unique<render::BoardScene>(m_context.device(), *m_board->model);
+    m_scene->setHeights(render::frameOf(*m_board->document));  // they may have been set since
     applyHighlight();
     for (BoardView* view : m_views) {
         view->setScene(m_scene.get(), stylesOf(*view));

@@ -26,6 +26,8 @@ public:
 
     /// Puts the board on the device and looks at it anew.
     void show(const LoadedBoard& board, const std::vector<models::LayerLook>& looks);
+    /// The same board with other heights: nothing but a few numbers per layer goes to the device.
+    void setHeights(std::shared_ptr<const model::Document> document);
     void setLooks(const std::vector<models::LayerLook>& looks);
     /// In 2D all layers but this one fade into the background; none ends it.
     void setContrastLayer(model::LayerId layer);

@@ -1,122 +1,128 @@
 #include "ui/loader.h"
 
 #include <QElapsedTimer>
-#include <atomic>
 #include <new>
-#include <optional>
-#include <thread>
+#include <utility>
 
 #include "model/reader.h"
+#include "model/session/length_text.h"
 
 namespace ui {
 
+namespace session = model::session;
+
 namespace {
 
-constexpr int kPollMs = 40;
+using Thicknesses = std::vector<model::ThicknessOverride>;
+
+base::Result<Thicknesses> parseAll(const std::vector<std::string>& texts, const model::Stackup& stackup) {
+    Thicknesses all;
+    for (const std::string& text : texts) {
+        const base::Result<model::ThicknessOverride> one = session::parseOverride(text, stackup);
+        if (!one) {
+            return base::Error{one.error().code, "--set-thickness: " + one.error().text};
+        }
+        session::setThickness(all, *one);
+    }
+    return all;
+}
+
+/// Puts the document as its session and the request want it into `board`.
+base::Status stack(const std::shared_ptr<const model::Document>& read, LoadedBoard& board) {
+    const LoadRequest& request = board.request;
+    session::LoadedSession found;
+    if (!request.noSession) {
+        found = session::loadSession(request.path, *read);
+    }
+    base::Result<Thicknesses> once = parseAll(request.thicknesses, read->stackup);
+    if (!once) {
+        return once.error();
+    }
+    board.thicknesses = {std::move(found.session.thicknesses), std::move(*once)};
+    board.sessionNotes = std::move(found.ignored);
+    board.document = session::applySession(read, {board.thicknesses.all()});
+    return base::Done{};
+}
 
 }  // namespace
+
+std::vector<model::ThicknessOverride> SetThicknesses::all() const {
+    std::vector<model::ThicknessOverride> both = kept;
+    for (const model::ThicknessOverride& change : once) {
+        session::setThickness(both, change);
+    }
+    return both;
+}
 
 base::Result<LoadedBoard> loadBoard(const LoadRequest& request, base::Progress& progress) {
     QElapsedTimer clock;
     clock.start();
-    auto document = model::readBoard(request.path, {.step = request.step}, progress);
-    if (!document) {
-        return document.error();
+    const auto read = model::readBoard(request.path, {request.step, request.inferNets}, progress);
+    if (!read) {
+        return read.error();
     }
-    auto boardModel = render::buildBoardModel(**document, {}, progress);
+    LoadedBoard board;
+    board.request = request;
+    if (const base::Status stacked = stack(*read, board); !stacked) {
+        return stacked.error();
+    }
+    auto boardModel = render::buildBoardModel(*board.document, {}, progress);
     if (!boardModel) {
         return boardModel.error();
     }
-    auto index = model::indexBoard(*document, progress);
+    board.model = std::make_shared<const render::BoardModel>(std::move(*boardModel));
+    auto index = model::indexBoard(board.document, progress);
     if (!index) {
         return index.error();
     }
-    auto nets = model::measureNets(**document, progress);
+    board.index = *index;
+    auto nets = model::measureNets(*board.document, progress);
     if (!nets) {
         return nets.error();
     }
-    return LoadedBoard{request,
-                       *document,
-                       std::make_shared<const render::BoardModel>(std::move(*boardModel)),
-                       static_cast<double>(clock.elapsed()) / 1000.0,
-                       *index,
-                       std::make_shared<const model::NetStatistics>(std::move(*nets))};
+    board.nets = std::make_shared<const model::NetStatistics>(std::move(*nets));
+    board.seconds = static_cast<double>(clock.elapsed()) / 1000.0;
+    return board;
 }
-
-struct Loader::Job {
-    LoadRequest request;
-    base::Progress progress;
-    std::optional<base::Result<LoadedBoard>> result;  ///< written by the thread before isDone, read after
-    std::atomic<bool> isDone = false;
-    std::jthread thread;  ///< last, so that it is joined before what it uses goes
-
-    void run(const Work& work) {
-        try {
-            result = work(request, progress);
-        } catch (const std::bad_alloc&) {
-            // A huge board must not take down the window that shows another one.
-            result = base::Error{base::ErrorCode::BadInput, "There is not enough memory for this board"};
-        }
-        isDone = true;
-    }
-};
 
 Loader::Loader(Work work, QObject* parent) : QObject(parent), m_work(std::move(work)) {
-    m_timer.setInterval(kPollMs);
-    connect(&m_timer, &QTimer::timeout, this, &Loader::poll);
-}
-
-Loader::~Loader() {
-    retireCurrent();
+    connect(&m_background, &Background::progressed, this, &Loader::progressed);
+    connect(&m_background, &Background::finished, this, &Loader::deliver);
 }
 
 void Loader::open(LoadRequest request) {
     cancel();
-    m_current = std::make_unique<Job>();
-    Job& job = *m_current;
-    job.request = std::move(request);
-    job.progress.beginPhase("Opening");
-    job.thread = std::jthread([&job, work = m_work] { job.run(work); });
-    m_timer.start();
-    emit started(job.request);
+    m_request = std::move(request);
+    m_answer = std::make_shared<Answer>();
+    m_background.start(
+        [work = m_work, asked = m_request, answer = m_answer](base::Progress& progress) {
+            try {
+                *answer = work(asked, progress);
+            } catch (const std::bad_alloc&) {
+                // A huge board must not take down the window that shows another one.
+                *answer = base::Error{base::ErrorCode::BadInput, "There is not enough memory for this board"};
+            }
+        },
+        "Opening");
+    emit started(m_request);
 }
 
 void Loader::cancel() {
-    if (m_current) {
-        const LoadRequest request = m_current->request;
-        retireCurrent();
-        emit cancelled(request);
+    if (isLoading()) {
+        m_background.cancel();
+        emit cancelled(m_request);
     }
 }
 
-void Loader::retireCurrent() {
-    if (m_current) {
-        m_current->progress.cancel();
-        m_retiring.push_back(std::move(m_current));
-    }
-}
-
-void Loader::poll() {
-    std::erase_if(m_retiring, [](const auto& job) { return job->isDone.load(); });
-    if (m_current && m_current->isDone) {
-        deliver(std::move(m_current));
-    } else if (m_current) {
-        const base::Progress& progress = m_current->progress;
-        emit progressed(QString::fromStdString(progress.phase()), static_cast<double>(progress.fraction()));
-    }
-    if (!m_current && m_retiring.empty()) {
-        m_timer.stop();
-    }
-}
-
-void Loader::deliver(std::unique_ptr<Job> job) {
-    const base::Result<LoadedBoard>& result = *job->result;
+void Loader::deliver() {
+    const std::shared_ptr<Answer> answer = std::move(m_answer);
+    const base::Result<LoadedBoard>& result = **answer;
     if (result) {
         emit loaded(*result);
     } else if (result.error().code == base::ErrorCode::Cancelled) {
-        emit cancelled(job->request);
+        emit cancelled(m_request);
     } else {
-        emit failed(job->request, QString::fromStdString(result.error().text));
+        emit failed(m_request, QString::fromStdString(result.error().text));
     }
 }
 

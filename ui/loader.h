@@ -1,25 +1,39 @@
 #pragma once
 
 #include <QObject>
-#include <QTimer>
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "model/base/progress.h"
 #include "model/base/result.h"
 #include "model/board_index.h"
 #include "model/document.h"
 #include "model/net_statistics.h"
+#include "model/session/session.h"
 #include "render/board_model.h"
+#include "ui/background.h"
 
 namespace ui {
 
 struct LoadRequest {
     std::filesystem::path path;
-    std::string step;  ///< empty: the job's first step
+    std::string step{};                      ///< empty: the job's first step
+    std::vector<std::string> thicknesses{};  ///< LAYER=LENGTH over what job and session say, kept nowhere
+    bool noSession = false;                  ///< as if there were no session file; none is written either
+    bool inferNets = false;                  ///< nets by following the copper, instead of the job's
+};
+
+/// What thicknesses are set over those of the job: those of the session file, and over them those for this time only.
+struct SetThicknesses {
+    std::vector<model::ThicknessOverride> kept{};
+    std::vector<model::ThicknessOverride> once{};
+
+    /// Both, one entry per row of the stack.
+    [[nodiscard]] std::vector<model::ThicknessOverride> all() const;
+    bool operator==(const SetThicknesses&) const = default;
 };
 
 /// A board ready to be shown: frozen document and the arrays for the GPU.
@@ -30,13 +44,16 @@ struct LoadedBoard {
     double seconds = 0.0;
     std::shared_ptr<const model::BoardIndex> index;    ///< may be null: then nothing can be picked
     std::shared_ptr<const model::NetStatistics> nets;  ///< may be null
+    SetThicknesses thicknesses{};                      ///< worked into the document
+    std::vector<std::string> sessionNotes{};           ///< what of the session file is not used, a sentence each
 };
 
-/// Reads the board and models it. Errors: those of model::readBoard and render::buildBoardModel.
+/// Reads the board, stacks it as its session and the request say, and models it. Errors: those of model::readBoard and
+/// render::buildBoardModel; BadUsage for thicknesses.
 [[nodiscard]] base::Result<LoadedBoard> loadBoard(const LoadRequest& request, base::Progress& progress);
 
-/// Loads boards on a thread of its own and reports on the thread it lives on. Opening another board cancels the one
-/// being loaded; its thread winds down unseen. Exactly one of loaded, failed and cancelled follows each started.
+/// Loads boards in the background. Opening another board cancels the one being loaded. Exactly one of loaded, failed
+/// and cancelled follows each started.
 class Loader : public QObject {
     Q_OBJECT
 
@@ -45,31 +62,28 @@ public:
     using Work = std::function<base::Result<LoadedBoard>(const LoadRequest&, base::Progress&)>;
 
     explicit Loader(Work work = loadBoard, QObject* parent = nullptr);
-    ~Loader() override;
 
     void open(LoadRequest request);
     void cancel();
-    [[nodiscard]] bool isLoading() const { return m_current != nullptr; }
+    [[nodiscard]] bool isLoading() const { return m_background.isRunning(); }
 
 signals:
     void started(const ui::LoadRequest& request);
-    /// `fraction` of the phase, 0 to 1; a phase is a few plain words.
+    /// As Background::progressed.
     void progressed(const QString& phase, double fraction);
     void loaded(const ui::LoadedBoard& board);
     void failed(const ui::LoadRequest& request, const QString& reason);
     void cancelled(const ui::LoadRequest& request);
 
 private:
-    struct Job;
+    void deliver();
 
-    void poll();
-    void deliver(std::unique_ptr<Job> job);
-    void retireCurrent();
+    using Answer = std::optional<base::Result<LoadedBoard>>;
 
     Work m_work;
-    std::unique_ptr<Job> m_current;
-    std::vector<std::unique_ptr<Job>> m_retiring;  ///< cancelled, still winding down
-    QTimer m_timer;
+    Background m_background;
+    LoadRequest m_request;
+    std::shared_ptr<Answer> m_answer;  ///< of the load under way; written by its thread
 };
 
 }  // namespace ui

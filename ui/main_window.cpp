@@ -1,20 +1,17 @@
 #include "ui/main_window.h"
 
-#include <QClipboard>
 #include <QCloseEvent>
-#include <QDockWidget>
-#include <QFileInfo>
-#include <QGuiApplication>
 #include <QMenu>
 #include <QMenuBar>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolBar>
 #include <QVBoxLayout>
+#include <map>
 #include <utility>
 
+#include "ui/docks.h"
 #include "ui/element_panel.h"
-#include "ui/help_dialogs.h"
 #include "ui/icons.h"
 #include "ui/layers_panel.h"
 #include "ui/load_summary.h"
@@ -25,24 +22,15 @@
 #include "ui/nets_panel.h"
 #include "ui/paths.h"
 #include "ui/recent_boards.h"
+#include "ui/stack_panel.h"
 #include "ui/start_page.h"
 #include "ui/statistics_panel.h"
 #include "ui/status_line.h"
-#include "ui/theme.h"
 
 namespace ui {
 
 namespace {
 
-constexpr std::pair<ActionId, Theme> kThemes[] = {
-    {ActionId::ThemeSystem, Theme::System}, {ActionId::ThemeDark, Theme::Dark}, {ActionId::ThemeLight, Theme::Light}};
-constexpr std::pair<ActionId, render::Backend> kBackends[] = {{ActionId::BackendAuto, render::Backend::Auto},
-                                                              {ActionId::BackendMesh, render::Backend::Mesh},
-                                                              {ActionId::BackendPull, render::Backend::Pull}};
-constexpr std::pair<ActionId, Arrangement> kArrangements[] = {{ActionId::ShowFlat, Arrangement::Flat},
-                                                              {ActionId::ShowSolid, Arrangement::Solid},
-                                                              {ActionId::ShowSideBySide, Arrangement::SideBySide},
-                                                              {ActionId::ShowStacked, Arrangement::Stacked}};
 /// Toolbar in order; Count stands for a separator.
 constexpr ActionId kToolBar[] = {ActionId::OpenFile,   ActionId::Count,   ActionId::Fit,        ActionId::LookTop,
                                  ActionId::LookBottom, ActionId::LookIso, ActionId::Count,      ActionId::Orthographic,
@@ -68,11 +56,7 @@ MainWindow::MainWindow(GpuContext& context, Settings& settings, const Loader::Wo
     createDocks();
     createToolBar();
     createMenus();
-    connectFileActions();
-    connectViewActions();
-    connectLayerActions();
-    connectSelectActions();
-    connectHelpActions();
+    connectCommands();
     connectLoader();
     restoreSettings();
     onIdle();
@@ -110,39 +94,19 @@ void MainWindow::createCentre() {
             [this] { m_views->setLooks(m_layerModel.effectiveLooks()); });
 }
 
-QDockWidget* MainWindow::addDock(Qt::DockWidgetArea area, const char* name, const QString& title, QWidget* content,
-                                 ActionId toggle) {
-    auto* dock = new QDockWidget(title);
-    dock->setObjectName(QLatin1String(name));  // saveState finds it by this name
-    dock->setWidget(content);
-    addDockWidget(area, dock);
-    m_actions.adopt(toggle, *dock->toggleViewAction());
-    return dock;
-}
-
 void MainWindow::createDocks() {
     m_layersPanel = new LayersPanel(m_layerModel, m_actions);
     m_netsPanel = new NetsPanel(m_netModel, m_selection);
     m_elementPanel = new ElementPanel(m_selection);
+    m_stackPanel = new StackPanel(m_stackModel);
     m_statisticsPanel = new StatisticsPanel(m_statisticsModel);
     m_messagesPanel = new MessagesPanel(m_messageModel);
     connect(m_messagesPanel, &MessagesPanel::chosen, this, &MainWindow::goTo);
-    QDockWidget* layers =
-        addDock(Qt::LeftDockWidgetArea, "layers", QStringLiteral("Layers"), m_layersPanel, ActionId::ShowLayersDock);
-    QDockWidget* nets =
-        addDock(Qt::RightDockWidgetArea, "nets", QStringLiteral("Nets"), m_netsPanel, ActionId::ShowNetsDock);
-    QDockWidget* element = addDock(Qt::RightDockWidgetArea, "element", QStringLiteral("Element"), m_elementPanel,
-                                   ActionId::ShowElementDock);
-    QDockWidget* statistics = addDock(Qt::BottomDockWidgetArea, "statistics", QStringLiteral("Statistics"),
-                                      m_statisticsPanel, ActionId::ShowStatisticsDock);
-    QDockWidget* messages = addDock(Qt::BottomDockWidgetArea, "messages", QStringLiteral("Messages"), m_messagesPanel,
-                                    ActionId::ShowMessagesDock);
-    tabifyDockWidget(messages, statistics);
-    messages->raise();
-    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-    const int line = fontMetrics().height();
-    resizeDocks({layers, nets, element}, {line * 24, line * 22, line * 22}, Qt::Horizontal);
-    resizeDocks({messages}, {line * 13}, Qt::Vertical);
+    const std::map<ActionId, QWidget*> panels = {
+        {ActionId::ShowLayersDock, m_layersPanel},         {ActionId::ShowNetsDock, m_netsPanel},
+        {ActionId::ShowElementDock, m_elementPanel},       {ActionId::ShowStackDock, m_stackPanel},
+        {ActionId::ShowStatisticsDock, m_statisticsPanel}, {ActionId::ShowMessagesDock, m_messagesPanel}};
+    addDocks(*this, m_actions, [&panels](ActionId toggle) { return panels.at(toggle); });
 }
 
 void MainWindow::createToolBar() {
@@ -168,6 +132,7 @@ void MainWindow::createMenus() {
         return menu;
     };
     QMenu* file = addMenu(*menuBar(), MenuId::File);
+    addMenu(*menuBar(), MenuId::Edit);
     QMenu* view = addMenu(*menuBar(), MenuId::View);
     view->addSeparator();
     addMenu(*view, MenuId::Arrangement);
@@ -183,106 +148,6 @@ void MainWindow::createMenus() {
     connect(m_recent, &RecentBoards::chosen, this, [this](const QString& path) { open(toPath(path)); });
 }
 
-template <class Slot>
-void MainWindow::on(ActionId id, Slot slot) {
-    connect(&m_actions[id], &QAction::triggered, this, slot);
-}
-
-void MainWindow::connectFileActions() {
-    on(ActionId::OpenFile, [this] { askForBoardToOpen(BoardForm::File); });
-    on(ActionId::OpenFolder, [this] { askForBoardToOpen(BoardForm::Folder); });
-    on(ActionId::Reload, [this] { open(m_board->request.path, m_board->request.step); });
-    on(ActionId::CancelLoading, [this] { m_loader.cancel(); });
-    on(ActionId::SavePicture, [this] {
-        askForPicturePath(*this, m_settings.lastFolder(), [this](const QString& path) { savePicture(path); });
-    });
-    on(ActionId::CopyPicture, &MainWindow::copyPicture);
-    on(ActionId::Quit, &QWidget::close);
-}
-
-void MainWindow::connectViewActions() {
-    on(ActionId::Fit, [this] { active().fit(); });
-    on(ActionId::ZoomIn, [this] { active().zoomAtCentre(CameraController::kZoomPerNotch); });
-    on(ActionId::ZoomOut, [this] { active().zoomAtCentre(1.0F / CameraController::kZoomPerNotch); });
-    on(ActionId::Flip, [this] { active().flip(); });
-    on(ActionId::LookTop, [this] { active().look(render::NamedView::Top); });
-    on(ActionId::LookBottom, [this] { active().look(render::NamedView::Bottom); });
-    on(ActionId::LookIso, [this] { m_views->solid().controller().look(render::NamedView::Iso); });
-    on(ActionId::Orthographic, [this](bool isOn) { m_views->solid().controller().setOrthographic(isOn); });
-    on(ActionId::Explode, [this](bool isOn) { m_views->explode(isOn); });
-    for (const auto& [id, arrangement] : kArrangements) {
-        on(id, [this, arrangement = arrangement] { setArrangement(arrangement); });
-    }
-    for (const auto& [id, theme] : kThemes) {
-        on(id, [this, theme = theme] { setTheme(theme); });
-    }
-    for (const auto& [id, backend] : kBackends) {
-        on(id, [this, backend = backend] { setBackend(backend); });
-    }
-}
-
-void MainWindow::connectLayerActions() {
-    on(ActionId::ShowAllLayers, [this] { m_layerModel.showAll(); });
-    on(ActionId::HideAllLayers, [this] { m_layerModel.hideAll(); });
-    on(ActionId::ShowCopperOnly, [this] { m_layerModel.showCopperOnly(); });
-    on(ActionId::RestoreLayers, [this] { m_layerModel.restoreDefaults(); });
-    on(ActionId::Contrast, &MainWindow::updateContrast);
-    on(ActionId::NextLayer, [this] { m_layersPanel->step(1); });
-    on(ActionId::PreviousLayer, [this] { m_layersPanel->step(-1); });
-    connect(m_layersPanel, &LayersPanel::currentChanged, this, &MainWindow::updateContrast);
-    on(ActionId::SoloLayer, [this] { m_layerModel.toggleSolo(m_layersPanel->currentLayer()); });
-}
-
-void MainWindow::connectSelectActions() {
-    on(ActionId::ClearSelection, [this] { m_loader.isLoading() ? m_loader.cancel() : void(m_selection.clearStep()); });
-    on(ActionId::ShowSelection, [this] { m_probing->showInBoth(m_selection.selected()); });
-    on(ActionId::HighlightNet, &MainWindow::highlightNet);
-    on(ActionId::DimOthers, [this](bool isOn) { m_probing->setDimOthers(isOn); });
-    on(ActionId::FollowInSolid, [this](bool isOn) { m_probing->setFollows(BoardView::Kind::Solid, isOn); });
-    on(ActionId::FollowInFlat, [this](bool isOn) { m_probing->setFollows(BoardView::Kind::Flat, isOn); });
-    on(ActionId::FollowInTables, [this](bool isOn) { m_netsPanel->setFollows(isOn); });
-    on(ActionId::FollowFromTables, [this](bool isOn) { m_netsPanel->setShowsChosen(isOn); });
-    m_actions[ActionId::FollowInTables].setChecked(true);
-    connect(m_netsPanel, &NetsPanel::showRequested, m_probing, &Probing::showNet);
-    on(ActionId::NextUnit, [this] { setUnit(models::nextUnit(m_unit)); });
-    on(ActionId::ShowGrid, [this](bool isOn) { m_planPainter->showGrid(isOn); });
-    on(ActionId::ShowNames, [this](bool isOn) { m_planPainter->showNames(isOn); });
-    m_actions[ActionId::ShowGrid].setChecked(true);
-    m_actions[ActionId::ShowNames].setChecked(true);
-    connect(m_probing, &Probing::pointedAt, this,
-            [this](double x, double y) { m_statusLine->showPlace(models::placeText(x, y, m_unit)); });
-    connect(m_probing, &Probing::pointedAway, this, [this] { m_statusLine->showPlace({}); });
-}
-
-void MainWindow::highlightNet() {
-    const auto at = m_selection.hovered() ? m_selection.hovered() : m_selection.current();
-    if (at && at->copy == 0) {
-        const model::NetId net = document()->elements.net[at->element.row()];
-        if (net.isValid()) {
-            m_selection.toggleNet(net);
-            return;
-        }
-    }
-    statusBar()->showMessage(QStringLiteral("Point at an element of a net, or select one, to highlight its net"));
-}
-
-void MainWindow::setUnit(models::LengthUnit unit) {
-    m_unit = unit;
-    m_settings.setUnit(unit);
-    m_probing->setUnit(unit);
-    m_planPainter->setUnit(unit);
-    m_elementPanel->setUnit(unit);
-    m_netModel.setUnit(unit);
-    m_statusLine->showPlace({});
-    statusBar()->showMessage(QStringLiteral("Lengths are in %1").arg(QLatin1String(models::unitName(unit))));
-}
-
-void MainWindow::connectHelpActions() {
-    on(ActionId::KeysSheet, [this] { showKeysSheet(*this); });
-    on(ActionId::About, [this] { showAbout(*this); });
-    on(ActionId::ResetSettings, [this] { askToReset(*this, [this] { resetSettings(); }); });
-}
-
 void MainWindow::connectLoader() {
     connect(&m_loader, &Loader::started, this, &MainWindow::onStarted);
     connect(&m_loader, &Loader::loaded, this, &MainWindow::onLoaded);
@@ -291,8 +156,11 @@ void MainWindow::connectLoader() {
     LoadBar& bar = m_statusLine->loadBar();
     connect(&m_loader, &Loader::progressed, &bar, &LoadBar::report);
     connect(&bar, &LoadBar::cancelRequested, &m_loader, &Loader::cancel);
-    connect(m_statusLine, &StatusLine::stepChosen, this,
-            [this](const QString& step) { open(m_board->request.path, step.toStdString()); });
+    connect(m_statusLine, &StatusLine::stepChosen, this, [this](const QString& step) {
+        LoadRequest request = m_thicknesses.request();
+        request.step = step.toStdString();
+        m_loader.open(std::move(request));
+    });
 }
 
 void MainWindow::restoreSettings() {
@@ -324,41 +192,13 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::open(const std::filesystem::path& path, const std::string& step) {
-    m_loader.open({path, step});
+    m_loader.open({.path = path, .step = step});
 }
 
 void MainWindow::openDropped(const QStringList& paths) {
     open(toPath(paths.first()));
     if (paths.size() > 1) {
         statusBar()->showMessage(QStringLiteral("One board at a time: opening the first of %1").arg(paths.size()));
-    }
-}
-
-void MainWindow::askForBoardToOpen(BoardForm form) {
-    askForBoard(*this, form, m_settings.lastFolder(), [this](const QString& path) {
-        m_settings.setLastFolder(QFileInfo(path).absolutePath());
-        open(toPath(path));
-    });
-}
-
-void MainWindow::savePicture(const QString& path) {
-    const base::Result<QImage> picture = m_views->active().grabPicture();
-    if (!picture) {
-        m_messageBar->showError(QString::fromStdString(picture.error().text));
-    } else if (!picture->save(path, "PNG")) {
-        m_messageBar->showError(QStringLiteral("%1 cannot be written").arg(path));
-    } else {
-        statusBar()->showMessage(QStringLiteral("Saved %1").arg(path));
-    }
-}
-
-void MainWindow::copyPicture() {
-    const base::Result<QImage> picture = m_views->active().grabPicture();
-    if (picture) {
-        QGuiApplication::clipboard()->setImage(picture->copy());
-        statusBar()->showMessage(QStringLiteral("The picture is on the clipboard"));
-    } else {
-        m_messageBar->showError(QString::fromStdString(picture.error().text));
     }
 }
 
@@ -383,6 +223,8 @@ void MainWindow::onLoaded(const LoadedBoard& board) {
     m_board = board;
     m_layerModel.setDocument(board.document, defaultLooks(*board.document));
     m_statisticsModel.setDocument(board.document);
+    m_stackModel.setDocument(board.document);
+    m_thicknesses.setBoard(board);
     m_messageModel.setMessages(board.document, board.model->diagnostics);
     m_views->show(board, m_layerModel.effectiveLooks());
     m_probing->setBoard(board);
@@ -390,15 +232,35 @@ void MainWindow::onLoaded(const LoadedBoard& board) {
     m_planPainter->setBoard(board.index, {board.model->origin});
     updateContrast();
     m_pages->setCurrentWidget(m_views);
-    m_messageBar->hide();
+    showNotes(board.sessionNotes);
     m_recent->add(fromPath(board.request.path));
     setWindowTitle(QStringLiteral("%1 – Copperscope").arg(displayName(board.request.path)));
     statusBar()->showMessage(loadSummary(board, m_messageModel));
     onIdle();
 }
 
+void MainWindow::showNotes(const std::vector<std::string>& notes) {
+    QStringList lines;
+    for (const std::string& note : notes) {
+        lines += QString::fromStdString(note);
+    }
+    if (lines.isEmpty()) {
+        m_messageBar->hide();
+    } else {
+        m_messageBar->showError(lines.join('\n'));
+    }
+}
+
+void MainWindow::onRestacked(const std::shared_ptr<const model::Document>& document) {
+    m_board->document = document;
+    m_layerModel.setHeights(document);
+    m_stackModel.setDocument(document);
+    m_messageModel.setMessages(document, m_board->model->diagnostics);
+    m_views->setHeights(document);
+}
+
 void MainWindow::goTo(const model::Diagnostic& message) {
-    const std::optional<render::Box3> place = placeOf(message, *m_board->document, *m_board->model);
+    const std::optional<render::Box3> place = placeOf(message, *m_board->document, render::frameOf(*m_board->document));
     if (!place) {
         statusBar()->showMessage(QStringLiteral("This message is not about one place on the board"));
         return;
@@ -423,35 +285,6 @@ void MainWindow::onFailed(const LoadRequest& request, const QString& reason) {
 void MainWindow::onCancelled(const LoadRequest& request) {
     statusBar()->showMessage(QStringLiteral("Stopped opening %1").arg(displayName(request.path)));
     onIdle();
-}
-
-void MainWindow::setTheme(Theme theme) {
-    for (const auto& [id, value] : kThemes) {
-        m_actions[id].setChecked(value == theme);
-    }
-    m_settings.setTheme(theme);
-    applyTheme(theme);
-}
-
-void MainWindow::setBackend(render::Backend backend) {
-    for (const auto& [id, value] : kBackends) {
-        m_actions[id].setChecked(value == backend);
-    }
-    m_settings.setBackend(backend);
-    m_views->setBackend(backend);
-}
-
-void MainWindow::setArrangement(Arrangement arrangement) {
-    for (const auto& [id, value] : kArrangements) {
-        m_actions[id].setChecked(value == arrangement);
-    }
-    m_settings.setArrangement(arrangement);
-    m_views->setArrangement(arrangement);
-}
-
-void MainWindow::updateContrast() {
-    m_views->setContrastLayer(m_actions[ActionId::Contrast].isChecked() ? m_layersPanel->currentLayer()
-                                                                        : model::LayerId{});
 }
 
 }  // namespace ui

@@ -13,10 +13,12 @@
 #include "ui/models/message_model.h"
 #include "ui/models/net_model.h"
 #include "ui/models/selection_model.h"
+#include "ui/models/stack_model.h"
 #include "ui/models/statistics_model.h"
 #include "ui/plan_painter.h"
 #include "ui/probing.h"
 #include "ui/settings.h"
+#include "ui/thickness_editing.h"
 
 class QStackedWidget;
 
@@ -28,6 +30,7 @@ class MessageBar;
 class MessagesPanel;
 class NetsPanel;
 class RecentBoards;
+class StackPanel;
 class StatisticsPanel;
 class StatusLine;
 
@@ -44,6 +47,7 @@ public:
 
     /// Starts to load a file or folder; an empty step means the job's first one.
     void open(const std::filesystem::path& path, const std::string& step = {});
+    void open(LoadRequest request) { m_loader.open(std::move(request)); }
     /// Writes what the canvas shows as PNG; what goes wrong is shown in the message bar.
     void savePicture(const QString& path);
     /// Back to the state of a first start, except for the board.
@@ -60,6 +64,8 @@ public:
     [[nodiscard]] Probing& probing() { return *m_probing; }
     [[nodiscard]] ElementPanel& elementPanel() { return *m_elementPanel; }
     [[nodiscard]] MessagesPanel& messagesPanel() { return *m_messagesPanel; }
+    [[nodiscard]] StackPanel& stackPanel() { return *m_stackPanel; }
+    [[nodiscard]] models::StackModel& stack() { return m_stackModel; }
     [[nodiscard]] StatisticsPanel& statisticsPanel() { return *m_statisticsPanel; }
     [[nodiscard]] MessageBar& messageBar() { return *m_messageBar; }
     [[nodiscard]] StatusLine& statusLine() { return *m_statusLine; }
@@ -71,16 +77,19 @@ protected:
 private:
     void createCentre();
     void createDocks();
-    QDockWidget* addDock(Qt::DockWidgetArea area, const char* name, const QString& title, QWidget* content,
-                         ActionId toggle);
     void createMenus();
     void createToolBar();
+    /// The rest of this group is in main_window_commands.cpp.
+    void connectCommands();
     template <class Slot>
     void on(ActionId id, Slot slot);
     void connectFileActions();
+    void connectEditActions();
     void connectViewActions();
     void connectLayerActions();
     void connectSelectActions();
+    void connectFollowActions();
+    void connectPlanActions();
     void connectHelpActions();
     void connectLoader();
     void restoreSettings();
@@ -94,6 +103,9 @@ private:
     void onFailed(const LoadRequest& request, const QString& reason);
     void onCancelled(const LoadRequest& request);
     void onIdle();
+    void onRestacked(const std::shared_ptr<const model::Document>& document);
+    /// What of the session is not used.
+    void showNotes(const std::vector<std::string>& notes);
     /// Shows what a message is about: its element lights up, its layer becomes visible.
     void goTo(const model::Diagnostic& message);
     void setTheme(Theme theme);
@@ -111,8 +123,10 @@ private:
     models::LayerModel m_layerModel;
     models::NetModel m_netModel;
     models::SelectionModel m_selection;
+    models::StackModel m_stackModel;
     models::StatisticsModel m_statisticsModel;
     models::MessageModel m_messageModel;
+    ThicknessEditing m_thicknesses;
     DropTarget m_dropTarget;
 
     std::optional<LoadedBoard> m_board;
@@ -128,6 +142,7 @@ private:
     LayersPanel* m_layersPanel = nullptr;
     NetsPanel* m_netsPanel = nullptr;
     ElementPanel* m_elementPanel = nullptr;
+    StackPanel* m_stackPanel = nullptr;
     StatisticsPanel* m_statisticsPanel = nullptr;
     MessagesPanel* m_messagesPanel = nullptr;
     StatusLine* m_statusLine = nullptr;

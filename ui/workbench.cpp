@@ -47,7 +47,7 @@ int runWorkbench(int argc, char** argv, const StartOptions& options) {
     MainWindow window(**context, settings);
     window.show();
     if (options.board) {
-        window.open(*options.board, options.step);
+        window.open(*options.board);
     }
     return QApplication::exec();
 }

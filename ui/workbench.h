@@ -1,16 +1,16 @@
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
+
+#include "ui/loader.h"
 
 /// The door from app/ into the desktop workbench.
 namespace ui {
 
 struct StartOptions {
-    std::optional<std::filesystem::path> board;  ///< opened at the start
-    std::string step;                            ///< empty: the job's first one
-    std::string device;                          ///< part of a Vulkan device's name; empty: the best one
+    std::optional<LoadRequest> board;  ///< opened at the start
+    std::string device;                ///< part of a Vulkan device's name; empty: the best one
 };
 
 /// Shows the window and returns when it is closed. Answers the exit code of the program: 0, or 3 after saying on stderr

@@ -17,8 +17,8 @@ set(architecture_rows
     "shaders          |                                                                    |"
     "render/gpu       | model/base shaders                                                 | vulkan"
     "render           | model model/base tri render/gpu shaders                            | vulkan"
-    "ui/models        | model model/base render/layer_style.h                              | qt"
-    "ui               | model model/base model/session ui/models render render/gpu                          | qt widgets vulkan"
+    "ui/models        | model model/base model/session render/layer_style.h                | qt"
+    "ui               | model model/base model/session ui/models render render/gpu                  | qt widgets vulkan"
     "app              | model model/base model/session model/generate model/odb model/paper tri tri/gpu tri/bench render render/gpu ui ui/models | qt widgets vulkan"
     "tests            | model model/base model/session model/generate model/odb model/paper tri tri/gpu tri/bench shaders render render/gpu ui ui/models app | qt widgets vulkan"
 )

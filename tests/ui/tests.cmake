@@ -15,6 +15,7 @@ copperscope_ui_test(go_to_message)
 copperscope_ui_test(board_views)
 copperscope_ui_test(panels)
 copperscope_ui_test(probing)
+copperscope_ui_test(thickness)
 
 copperscope_test(ui_actions_test ui/actions_test.cpp LABEL ui LINK copperscope_ui)
 copperscope_test(ui_camera_controller_test ui/camera_controller_test.cpp LABEL ui LINK copperscope_ui)

@@ -84,6 +84,10 @@ void LayerModel::setDocument(std::shared_ptr<const model::Document> document, st
     emit looksChanged();
 }
 
+void LayerModel::setHeights(std::shared_ptr<const model::Document> document) {
+    m_document = std::move(document);  // heights are told in tips, which are asked for anew
+}
+
 std::vector<LayerLook> LayerModel::effectiveLooks() const {
     std::vector<LayerLook> looks = m_looks;
     if (m_solo.isValid()) {

@@ -31,6 +31,9 @@ public:
     /// `defaults` has one entry per layer. A null document empties the table.
     void setDocument(std::shared_ptr<const model::Document> document, std::vector<LayerLook> defaults);
 
+    /// The same layers with other heights (model::restack); looks stay.
+    void setHeights(std::shared_ptr<const model::Document> document);
+
     /// What the canvas is to draw: `isVisible` has solo worked in.
     [[nodiscard]] std::vector<LayerLook> effectiveLooks() const;
     [[nodiscard]] model::LayerId soloLayer() const { return m_solo; }

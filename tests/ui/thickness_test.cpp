@@ -1,0 +1,232 @@
+// Thicknesses are edited in the window, undone, redone, and kept in the session file beside the job.
+
+#include <QDirIterator>
+#include <QDockWidget>
+#include <QLineEdit>
+#include <QToolButton>
+#include <QtTest>
+
+#include "model/stackup.h"
+#include "tests/places.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/message_bar.h"
+#include "ui/stack_panel.h"
+#include "ui/table_view.h"
+
+using ui::ActionId;
+using ui::models::StackModel;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// All files of a folder with what is in them.
+QMap<QString, QByteArray> contents(const fs::path& folder) {
+    QMap<QString, QByteArray> files;
+    QDirIterator all(QString::fromStdString(folder.string()), QDir::Files, QDirIterator::Subdirectories);
+    while (all.hasNext()) {
+        QFile file(all.next());
+        files[file.fileName()] = file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("unreadable");
+    }
+    return files;
+}
+
+}  // namespace
+
+class ThicknessTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        m_fixture = std::make_unique<WindowFixture>();
+        m_job = fs::path(m_fixture->folder().toStdString()) / "everything";
+        m_session = m_job.string() + ".copperscope.json";
+        fs::copy(fs::path(places::kTestData) / "odb/everything", m_job, fs::copy_options::recursive);
+        window().findChild<QDockWidget*>("stack")->raise();
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        window().actions()[ActionId::LookIso].trigger();
+    }
+    void cleanup() {
+        const std::uint32_t errors = m_fixture->context().validationErrors();
+        m_fixture.reset();
+        QCOMPARE(errors, 0U);
+    }
+
+    void aTypedThicknessIsSeenInEveryPlace() {
+        const QImage before = m_fixture->picture();
+        QCOMPARE(window().stackPanel().summary(), "5 of 9 thicknesses assumed");
+        type("BOTTOM", "0.5 mm");
+        QCOMPARE(rowOf("BOTTOM").thickness, 500'000);
+        QCOMPARE(rowOf("BOTTOM").source, model::Source::Session);
+        QCOMPARE(textOf("BOTTOM", StackModel::Thickness), "500 µm");
+        QCOMPARE(textOf("BOTTOM", StackModel::From), "set by you");
+        QCOMPARE(textOf("CORE2", StackModel::Thickness), "795.2 µm");  // the board is 1.6 mm thick, says the job
+        QCOMPARE(window().stackPanel().summary(), "4 of 9 thicknesses assumed");
+        QVERIFY(differingPixels(before, m_fixture->picture()) > 500);
+    }
+
+    void undoAndRedoWalkThroughTheEdits() {
+        const QImage first = m_fixture->picture();
+        QVERIFY(!window().actions()[ActionId::Undo].isEnabled());
+        type("CORE1", "2 mm");
+        const QImage second = m_fixture->picture();
+        type("CORE1", "4 mm");
+        m_fixture->key(Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(rowOf("CORE1").thickness, 2'000'000);
+        QCOMPARE(differingPixels(m_fixture->picture(), second), 0);
+        m_fixture->key(Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(rowOf("CORE1").thickness, 200'000);
+        QCOMPARE(rowOf("CORE1").source, model::Source::Job);
+        QCOMPARE(differingPixels(m_fixture->picture(), first), 0);
+        QVERIFY(!fs::exists(m_session));
+        QVERIFY(!window().actions()[ActionId::Undo].isEnabled());
+        m_fixture->key(Qt::Key_Y, Qt::ControlModifier);
+        QCOMPARE(differingPixels(m_fixture->picture(), second), 0);
+        QVERIFY(fs::exists(m_session));
+    }
+
+    void editsOutliveTheWindowAndTheJobIsNotWrittenTo() {
+        const auto before = contents(m_job);
+        type("CORE1", "12 mil");
+        QVERIFY(fs::exists(m_session));
+        QVERIFY(contents(m_job) == before);
+        const QImage edited = m_fixture->picture();
+        m_fixture->restart();
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        QCOMPARE(differingPixels(m_fixture->picture(), edited), 0);  // heights on the device are those of a fresh board
+        QCOMPARE(rowOf("CORE1").thickness, 304'800);
+        QCOMPARE(rowOf("CORE1").source, model::Source::Session);
+        QVERIFY(!window().messageBar().isVisible());
+    }
+
+    void selectionAndCameraStayOverAnEdit() {
+        window().selection().select({{0, model::ElementId{0}}});
+        m_fixture->key(Qt::Key_T);
+        m_fixture->key(Qt::Key_Plus);
+        const float zoom = window().views().solid().controller().camera().mmPerPixel(100.0F);
+        type("CORE1", "0.4 mm");
+        QCOMPARE(window().selection().selected().size(), std::size_t{1});
+        QCOMPARE(window().views().solid().controller().camera().mmPerPixel(100.0F), zoom);
+    }
+
+    void resetTakesRowsBackInOneStep() {
+        type("CORE1", "0.4 mm");
+        type("TOP", "2 oz");
+        window().stackPanel().findChild<QToolButton*>("resetAll")->click();
+        QCOMPARE(rowOf("CORE1").source, model::Source::Job);
+        QCOMPARE(rowOf("TOP").source, model::Source::Job);
+        QVERIFY(!fs::exists(m_session));
+        m_fixture->key(Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(rowOf("CORE1").thickness, 400'000);
+        QCOMPARE(rowOf("TOP").thickness, 69'600);
+    }
+
+    void nonsenseIsRefusedInTheMessageBar() {
+        type("CORE1", "thick");
+        QVERIFY(window().messageBar().isVisible());
+        QVERIFY(window().messageBar().text().contains("thick"));
+        QCOMPARE(rowOf("CORE1").source, model::Source::Job);
+        QVERIFY(!window().actions()[ActionId::Undo].isEnabled());
+    }
+
+    void thicknessesOfTheCommandLineAreNotKeptUntilEdited() {
+        openWith({.path = m_job, .thicknesses = {"CORE1=0.3mm", "TOP=2oz"}});
+        QCOMPARE(rowOf("CORE1").thickness, 300'000);
+        type("TOP", "3 oz");
+        openWith({.path = m_job});
+        QCOMPARE(rowOf("CORE1").source, model::Source::Job);
+        QCOMPARE(rowOf("TOP").thickness, 104'400);
+    }
+
+    void reloadKeepsThicknessesOfTheCommandLine() {
+        openWith({.path = m_job, .thicknesses = {"CORE1=0.3mm"}});
+        m_fixture->key(Qt::Key_F5);
+        QTRY_VERIFY_WITH_TIMEOUT(!window().loader().isLoading(), 60000);
+        QCOMPARE(rowOf("CORE1").thickness, 300'000);
+    }
+
+    void aRowThatIsNotThereIsToldAndTheBoardStays() {
+        openWith({.path = m_job, .thicknesses = {"CORE9=0.3mm"}});
+        QVERIFY(window().messageBar().isVisible());
+        QVERIFY(window().messageBar().text().contains("CORE9"));
+        QCOMPARE(rowOf("CORE1").source, model::Source::Job);
+    }
+
+    void withoutSessionNothingIsReadOrWritten() {
+        type("CORE1", "0.4 mm");
+        const auto before = contents(m_fixture->folder().toStdString());
+        openWith({.path = m_job, .noSession = true});
+        QCOMPARE(rowOf("CORE1").source, model::Source::Job);
+        type("CORE1", "0.5 mm");
+        QVERIFY(contents(m_fixture->folder().toStdString()) == before);
+        m_fixture->key(Qt::Key_F5);
+        QTRY_VERIFY_WITH_TIMEOUT(!window().loader().isLoading(), 60000);
+        QCOMPARE(rowOf("CORE1").thickness, 500'000);
+    }
+
+    void aSessionThatCannotBeWrittenIsToldAndTheEditCounts() {
+        fs::create_directories(m_session / "inside");  // refuses the rename, whoever runs this
+        type("CORE1", "0.4 mm");
+        QCOMPARE(rowOf("CORE1").thickness, 400'000);
+        QVERIFY(window().messageBar().isVisible());
+        QVERIFY(window().messageBar().text().contains(QString::fromStdString(m_session.string())));
+        m_fixture->key(Qt::Key_F5);
+        QTRY_VERIFY_WITH_TIMEOUT(!window().loader().isLoading(), 60000);
+        QCOMPARE(rowOf("CORE1").thickness, 400'000);
+    }
+
+    void whatOfASessionIsNotUsedIsTold() {
+        QFile file(QString::fromStdString(m_session.string()));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(
+            R"({"copperscope_session": 1, "job": "everything", "thickness_nm": {"GONE": 5000, "CORE1": 300000}})");
+        file.close();
+        openWith({.path = m_job});
+        QCOMPARE(rowOf("CORE1").thickness, 300'000);
+        QVERIFY(window().messageBar().isVisible());
+        QVERIFY(window().messageBar().text().contains("GONE"));
+    }
+
+private:
+    ui::MainWindow& window() { return m_fixture->window(); }
+
+    void openWith(ui::LoadRequest request) {
+        window().open(std::move(request));
+        QVERIFY(QTest::qWaitFor([&] { return !window().loader().isLoading(); }, 60000));
+    }
+
+    const model::StackRow& rowOf(const char* name) { return *model::findRow(window().document()->stackup, name); }
+
+    QModelIndex cell(const QString& name, int column) {
+        QAbstractItemModel& rows = window().stack();
+        for (int row = 0; row < rows.rowCount(); ++row) {
+            if (rows.index(row, StackModel::Name).data().toString() == name) {
+                return rows.index(row, column);
+            }
+        }
+        qFatal("the stack has no such row");
+    }
+
+    QString textOf(const QString& name, int column) { return cell(name, column).data().toString(); }
+
+    /// Double-clicks the thickness of a row, types and presses Enter.
+    void type(const QString& row, const QString& text) {
+        QTableView& table = window().stackPanel().table();
+        const QModelIndex at = cell(row, StackModel::Thickness);
+        table.scrollTo(at);
+        const QPoint middle = table.visualRect(at).center();
+        QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, middle);
+        QTest::mouseDClick(table.viewport(), Qt::LeftButton, {}, middle);
+        auto* editor = table.viewport()->findChild<QLineEdit*>();
+        QVERIFY2(editor != nullptr, "a double click opens an editor");
+        QTest::keyClicks(editor, text);
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_VERIFY(table.viewport()->findChild<QLineEdit*>() == nullptr);
+    }
+
+    std::unique_ptr<WindowFixture> m_fixture;
+    fs::path m_job;
+    fs::path m_session;
+};
+
+QTEST_MAIN(ThicknessTest)
+#include "thickness_test.moc"

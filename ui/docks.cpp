@@ -1,0 +1,52 @@
+#include "ui/docks.h"
+
+#include <QDockWidget>
+#include <QMainWindow>
+
+namespace ui {
+
+namespace {
+
+struct DockSpec {
+    ActionId toggle;
+    const char* name;  ///< QMainWindow::saveState finds it by this
+    const char* title;
+    Qt::DockWidgetArea area;
+    const char* behind;  ///< shares the place of this one, which stays in front; null: a place of its own
+    int lines;           ///< width at the sides, height at the bottom, in heights of a line of text
+};
+
+constexpr DockSpec kDocks[] = {
+    {ActionId::ShowLayersDock, "layers", "Layers", Qt::LeftDockWidgetArea, nullptr, 24},
+    {ActionId::ShowNetsDock, "nets", "Nets", Qt::RightDockWidgetArea, nullptr, 22},
+    {ActionId::ShowElementDock, "element", "Element", Qt::RightDockWidgetArea, nullptr, 22},
+    {ActionId::ShowMessagesDock, "messages", "Messages", Qt::BottomDockWidgetArea, nullptr, 13},
+    {ActionId::ShowStackDock, "stack", "Stack", Qt::BottomDockWidgetArea, "messages", 13},
+    {ActionId::ShowStatisticsDock, "statistics", "Statistics", Qt::BottomDockWidgetArea, "messages", 13},
+};
+
+void place(QMainWindow& window, QDockWidget& dock, const DockSpec& spec) {
+    window.addDockWidget(spec.area, &dock);
+    if (spec.behind != nullptr) {
+        auto* front = window.findChild<QDockWidget*>(QLatin1String(spec.behind));
+        window.tabifyDockWidget(front, &dock);
+        front->raise();
+    }
+    const Qt::Orientation way = spec.area == Qt::BottomDockWidgetArea ? Qt::Vertical : Qt::Horizontal;
+    window.resizeDocks({&dock}, {window.fontMetrics().height() * spec.lines}, way);
+}
+
+}  // namespace
+
+void addDocks(QMainWindow& window, ActionSet& actions, const std::function<QWidget*(ActionId)>& panelOf) {
+    for (const DockSpec& spec : kDocks) {
+        auto* dock = new QDockWidget(QLatin1String(spec.title), &window);
+        dock->setObjectName(QLatin1String(spec.name));
+        dock->setWidget(panelOf(spec.toggle));
+        actions.adopt(spec.toggle, *dock->toggleViewAction());
+        place(window, *dock, spec);
+    }
+    window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+}
+
+}  // namespace ui

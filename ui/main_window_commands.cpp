@@ -1,0 +1,222 @@
+// What the commands of the window do.
+
+#include <QClipboard>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QStatusBar>
+#include <utility>
+
+#include "ui/element_panel.h"
+#include "ui/help_dialogs.h"
+#include "ui/layers_panel.h"
+#include "ui/main_window.h"
+#include "ui/message_bar.h"
+#include "ui/nets_panel.h"
+#include "ui/paths.h"
+#include "ui/status_line.h"
+#include "ui/theme.h"
+
+namespace ui {
+
+namespace {
+
+constexpr std::pair<ActionId, Theme> kThemes[] = {
+    {ActionId::ThemeSystem, Theme::System}, {ActionId::ThemeDark, Theme::Dark}, {ActionId::ThemeLight, Theme::Light}};
+constexpr std::pair<ActionId, render::Backend> kBackends[] = {{ActionId::BackendAuto, render::Backend::Auto},
+                                                              {ActionId::BackendMesh, render::Backend::Mesh},
+                                                              {ActionId::BackendPull, render::Backend::Pull}};
+constexpr std::pair<ActionId, Arrangement> kArrangements[] = {{ActionId::ShowFlat, Arrangement::Flat},
+                                                              {ActionId::ShowSolid, Arrangement::Solid},
+                                                              {ActionId::ShowSideBySide, Arrangement::SideBySide},
+                                                              {ActionId::ShowStacked, Arrangement::Stacked}};
+}  // namespace
+
+template <class Slot>
+void MainWindow::on(ActionId id, Slot slot) {
+    connect(&m_actions[id], &QAction::triggered, this, slot);
+}
+
+void MainWindow::connectCommands() {
+    connectFileActions();
+    connectEditActions();
+    connectViewActions();
+    connectLayerActions();
+    connectSelectActions();
+    connectFollowActions();
+    connectPlanActions();
+    connectHelpActions();
+}
+
+void MainWindow::connectFileActions() {
+    on(ActionId::OpenFile, [this] { askForBoardToOpen(BoardForm::File); });
+    on(ActionId::OpenFolder, [this] { askForBoardToOpen(BoardForm::Folder); });
+    on(ActionId::Reload, [this] { m_loader.open(m_thicknesses.request()); });
+    on(ActionId::CancelLoading, [this] { m_loader.cancel(); });
+    on(ActionId::SavePicture, [this] {
+        askForPicturePath(*this, m_settings.lastFolder(), [this](const QString& path) { savePicture(path); });
+    });
+    on(ActionId::CopyPicture, &MainWindow::copyPicture);
+    on(ActionId::Quit, &QWidget::close);
+}
+
+void MainWindow::connectEditActions() {
+    QUndoStack& history = m_thicknesses.history();
+    on(ActionId::Undo, [&history] { history.undo(); });
+    on(ActionId::Redo, [&history] { history.redo(); });
+    connect(&history, &QUndoStack::canUndoChanged, &m_actions[ActionId::Undo], &QAction::setEnabled);
+    connect(&history, &QUndoStack::canRedoChanged, &m_actions[ActionId::Redo], &QAction::setEnabled);
+    m_actions[ActionId::Undo].setEnabled(false);
+    m_actions[ActionId::Redo].setEnabled(false);
+    connect(&m_stackModel, &models::StackModel::edited, &m_thicknesses, &ThicknessEditing::set);
+    connect(&m_stackModel, &models::StackModel::refused, m_messageBar, &MessageBar::showError);
+    connect(&m_thicknesses, &ThicknessEditing::restacked, this, &MainWindow::onRestacked);
+    connect(&m_thicknesses, &ThicknessEditing::notSaved, m_messageBar, &MessageBar::showError);
+}
+
+void MainWindow::connectViewActions() {
+    on(ActionId::Fit, [this] { active().fit(); });
+    on(ActionId::ZoomIn, [this] { active().zoomAtCentre(CameraController::kZoomPerNotch); });
+    on(ActionId::ZoomOut, [this] { active().zoomAtCentre(1.0F / CameraController::kZoomPerNotch); });
+    on(ActionId::Flip, [this] { active().flip(); });
+    on(ActionId::LookTop, [this] { active().look(render::NamedView::Top); });
+    on(ActionId::LookBottom, [this] { active().look(render::NamedView::Bottom); });
+    on(ActionId::LookIso, [this] { m_views->solid().controller().look(render::NamedView::Iso); });
+    on(ActionId::Orthographic, [this](bool isOn) { m_views->solid().controller().setOrthographic(isOn); });
+    on(ActionId::Explode, [this](bool isOn) { m_views->explode(isOn); });
+    for (const auto& [id, arrangement] : kArrangements) {
+        on(id, [this, arrangement = arrangement] { setArrangement(arrangement); });
+    }
+    for (const auto& [id, theme] : kThemes) {
+        on(id, [this, theme = theme] { setTheme(theme); });
+    }
+    for (const auto& [id, backend] : kBackends) {
+        on(id, [this, backend = backend] { setBackend(backend); });
+    }
+}
+
+void MainWindow::connectLayerActions() {
+    on(ActionId::ShowAllLayers, [this] { m_layerModel.showAll(); });
+    on(ActionId::HideAllLayers, [this] { m_layerModel.hideAll(); });
+    on(ActionId::ShowCopperOnly, [this] { m_layerModel.showCopperOnly(); });
+    on(ActionId::RestoreLayers, [this] { m_layerModel.restoreDefaults(); });
+    on(ActionId::Contrast, &MainWindow::updateContrast);
+    on(ActionId::NextLayer, [this] { m_layersPanel->step(1); });
+    on(ActionId::PreviousLayer, [this] { m_layersPanel->step(-1); });
+    connect(m_layersPanel, &LayersPanel::currentChanged, this, &MainWindow::updateContrast);
+    on(ActionId::SoloLayer, [this] { m_layerModel.toggleSolo(m_layersPanel->currentLayer()); });
+}
+
+void MainWindow::connectSelectActions() {
+    on(ActionId::ClearSelection, [this] { m_loader.isLoading() ? m_loader.cancel() : void(m_selection.clearStep()); });
+    on(ActionId::ShowSelection, [this] { m_probing->showInBoth(m_selection.selected()); });
+    on(ActionId::HighlightNet, &MainWindow::highlightNet);
+    on(ActionId::DimOthers, [this](bool isOn) { m_probing->setDimOthers(isOn); });
+    connect(m_netsPanel, &NetsPanel::showRequested, m_probing, &Probing::showNet);
+}
+
+void MainWindow::connectFollowActions() {
+    on(ActionId::FollowInSolid, [this](bool isOn) { m_probing->setFollows(BoardView::Kind::Solid, isOn); });
+    on(ActionId::FollowInFlat, [this](bool isOn) { m_probing->setFollows(BoardView::Kind::Flat, isOn); });
+    on(ActionId::FollowInTables, [this](bool isOn) { m_netsPanel->setFollows(isOn); });
+    on(ActionId::FollowFromTables, [this](bool isOn) { m_netsPanel->setShowsChosen(isOn); });
+    m_actions[ActionId::FollowInTables].setChecked(true);
+}
+
+void MainWindow::connectPlanActions() {
+    on(ActionId::NextUnit, [this] { setUnit(models::nextUnit(m_unit)); });
+    on(ActionId::ShowGrid, [this](bool isOn) { m_planPainter->showGrid(isOn); });
+    on(ActionId::ShowNames, [this](bool isOn) { m_planPainter->showNames(isOn); });
+    m_actions[ActionId::ShowGrid].setChecked(true);
+    m_actions[ActionId::ShowNames].setChecked(true);
+    connect(m_probing, &Probing::pointedAt, this,
+            [this](double x, double y) { m_statusLine->showPlace(models::placeText(x, y, m_unit)); });
+    connect(m_probing, &Probing::pointedAway, this, [this] { m_statusLine->showPlace({}); });
+}
+
+void MainWindow::connectHelpActions() {
+    on(ActionId::KeysSheet, [this] { showKeysSheet(*this); });
+    on(ActionId::About, [this] { showAbout(*this); });
+    on(ActionId::ResetSettings, [this] { askToReset(*this, [this] { resetSettings(); }); });
+}
+
+void MainWindow::askForBoardToOpen(BoardForm form) {
+    askForBoard(*this, form, m_settings.lastFolder(), [this](const QString& path) {
+        m_settings.setLastFolder(QFileInfo(path).absolutePath());
+        open(toPath(path));
+    });
+}
+
+void MainWindow::savePicture(const QString& path) {
+    const base::Result<QImage> picture = m_views->active().grabPicture();
+    if (!picture) {
+        m_messageBar->showError(QString::fromStdString(picture.error().text));
+    } else if (!picture->save(path, "PNG")) {
+        m_messageBar->showError(QStringLiteral("%1 cannot be written").arg(path));
+    } else {
+        statusBar()->showMessage(QStringLiteral("Saved %1").arg(path));
+    }
+}
+
+void MainWindow::copyPicture() {
+    const base::Result<QImage> picture = m_views->active().grabPicture();
+    if (picture) {
+        QGuiApplication::clipboard()->setImage(picture->copy());
+        statusBar()->showMessage(QStringLiteral("The picture is on the clipboard"));
+    } else {
+        m_messageBar->showError(QString::fromStdString(picture.error().text));
+    }
+}
+
+void MainWindow::highlightNet() {
+    const auto at = m_selection.hovered() ? m_selection.hovered() : m_selection.current();
+    if (at && at->copy == 0) {
+        const model::NetId net = document()->elements.net[at->element.row()];
+        if (net.isValid()) {
+            m_selection.toggleNet(net);
+            return;
+        }
+    }
+    statusBar()->showMessage(QStringLiteral("Point at an element of a net, or select one, to highlight its net"));
+}
+
+void MainWindow::setUnit(models::LengthUnit unit) {
+    m_unit = unit;
+    m_settings.setUnit(unit);
+    m_probing->setUnit(unit);
+    m_planPainter->setUnit(unit);
+    m_elementPanel->setUnit(unit);
+    m_netModel.setUnit(unit);
+    m_statusLine->showPlace({});
+    statusBar()->showMessage(QStringLiteral("Lengths are in %1").arg(QLatin1String(models::unitName(unit))));
+}
+
+void MainWindow::setTheme(Theme theme) {
+    for (const auto& [id, value] : kThemes) {
+        m_actions[id].setChecked(value == theme);
+    }
+    m_settings.setTheme(theme);
+    applyTheme(theme);
+}
+
+void MainWindow::setBackend(render::Backend backend) {
+    for (const auto& [id, value] : kBackends) {
+        m_actions[id].setChecked(value == backend);
+    }
+    m_settings.setBackend(backend);
+    m_views->setBackend(backend);
+}
+
+void MainWindow::setArrangement(Arrangement arrangement) {
+    for (const auto& [id, value] : kArrangements) {
+        m_actions[id].setChecked(value == arrangement);
+    }
+    m_settings.setArrangement(arrangement);
+    m_views->setArrangement(arrangement);
+}
+
+void MainWindow::updateContrast() {
+    m_views->setContrastLayer(m_actions[ActionId::Contrast].isChecked() ? m_layersPanel->currentLayer()
+                                                                        : model::LayerId{});
+}
+
+}  // namespace ui
