@@ -1,6 +1,7 @@
 #include "tri/constraints.h"
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 #include "model/base/assert.h"
@@ -11,22 +12,29 @@ namespace tri {
 
 namespace {
 
-/// Marks the vertices whose contour edge is an edge of the mesh: every one is a directed edge of the triangle to its
-/// left. Not the busy ones, where several may start.
-void markPresent(const Mesh& mesh, const Contours& contours, Cores cores, std::uint8_t* isStart) {
+/// Counts the contour edges that are edges of the mesh: every one is a directed edge of the triangle to its left. Marks
+/// the vertices where they start; not the busy ones, where several may start.
+std::size_t markPresent(const Mesh& mesh, const Contours& contours, Cores cores, std::uint8_t* isStart) {
     std::fill_n(isStart, mesh.vertexCount + kBoxCorners, std::uint8_t{0});
     const std::uint64_t pieces = piecesFor(cores);
+    std::vector<std::size_t> counts(pieces, 0);
     forEach(cores, pieces, [&](std::size_t piece) {
+        std::size_t count = 0;
         const std::size_t end = mesh.triangleCount * (piece + 1) / pieces;
         for (std::size_t t = mesh.triangleCount * piece / pieces; t < end; ++t) {
             const auto& v = mesh.triangles[t].v;
             for (std::uint32_t i = 0; i < 3; ++i) {
-                if (!contours.isBusy(v[i]) && contours.has(v[i], v[kNext[i]])) {
-                    isStart[v[i]] = 1;
+                if (contours.has(v[i], v[kNext[i]])) {
+                    ++count;
+                    if (!contours.isBusy(v[i])) {
+                        isStart[v[i]] = 1;
+                    }
                 }
             }
         }
+        counts[piece] = count;
     });
+    return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
 }
 
 /// Edges that flips and corridors leave alone.
@@ -128,7 +136,9 @@ private:
 
 Status insertContours(Mesh& mesh, Contours& contours, Cores cores, Scratch<std::uint8_t>& scratch) {
     std::uint8_t* isStart = scratch.room(mesh.vertexCount + kBoxCorners);
-    markPresent(mesh, contours, cores, isStart);
+    if (markPresent(mesh, contours, cores, isStart) == contours.edgeCount()) {
+        return {};
+    }
     return Inserter(mesh, contours).run(isStart);
 }
 

@@ -11,7 +11,7 @@ using Side = Contours::Side;
 enum State : std::uint8_t { kErased, kStays, kUndecided };
 
 /// Looks from the corners until one of them knows. Only corners without any contour do not.
-State decideOne(const Mesh& mesh, const Contours& contours, const Triangle& t) {
+State decide(const Mesh& mesh, const Contours& contours, const Triangle& t) {
     if (std::max({t.v[0], t.v[1], t.v[2]}) >= mesh.vertexCount) {
         return kErased;
     }
@@ -40,7 +40,7 @@ void flood(const Mesh& mesh, std::uint8_t* states, std::vector<std::uint32_t>& s
 }
 
 /// An edge with an undecided triangle has two free ends, so it is no contour: the other side lies where this one lies.
-void decideByNeighbours(const Mesh& mesh, std::uint8_t* states, const std::vector<std::uint32_t>& undecided) {
+void decideTheRest(const Mesh& mesh, std::uint8_t* states, const std::vector<std::uint32_t>& undecided) {
     std::vector<std::uint32_t> stack;
     for (const std::uint32_t t : undecided) {
         for (const EdgeRef across : mesh.triangles[t].across) {
@@ -53,7 +53,7 @@ void decideByNeighbours(const Mesh& mesh, std::uint8_t* states, const std::vecto
 }
 
 /// A contour edge that does not have the inside on its left and the outside on its right.
-Status findIdleEdge(const Mesh& mesh, const Contours& contours, const Scratch<std::uint8_t>& states) {
+Status findIdleEdge(const Mesh& mesh, const Contours& contours, const std::uint8_t* states) {
     for (std::uint32_t t = 0; t < mesh.triangleCount; ++t) {
         const Triangle& triangle = mesh.triangles[t];
         for (std::uint32_t i = 0; i < 3; ++i) {
@@ -69,91 +69,42 @@ Status findIdleEdge(const Mesh& mesh, const Contours& contours, const Scratch<st
     return {Outcome::Crossing, kNoEdge, kNoEdge};
 }
 
-}  // namespace
+/// The work of one task: a run of triangles.
+struct Chunk {
+    std::uint32_t first = 0;
+    std::uint32_t end = 0;
+    std::size_t staying = 0;
+    std::size_t borders = 0;
+    std::vector<std::uint32_t> undecided;
+    Status status;
+};
 
-Eraser::Eraser(const Mesh& mesh, const Contours& contours, Cores cores, Scratch<std::uint8_t>& states)
-    : m_mesh(mesh), m_contours(contours), m_cores(cores), m_states(states), m_chunks(piecesFor(cores)) {
-    const std::uint64_t pieces = m_chunks.size();
-    for (std::uint64_t i = 0; i < pieces; ++i) {
-        m_chunks[i].first = static_cast<std::uint32_t>(mesh.triangleCount * i / pieces);
-        m_chunks[i].end = static_cast<std::uint32_t>(mesh.triangleCount * (i + 1) / pieces);
-    }
-}
-
-std::size_t Eraser::decide() {
-    m_states.room(m_mesh.triangleCount);
-    forEach(m_cores, m_chunks.size(), [&](std::size_t i) { decideChunk(m_chunks[i]); });
-    std::size_t present = 0;
-    for (const Chunk& chunk : m_chunks) {
-        present += chunk.present;
-    }
-    return present;
-}
-
-void Eraser::decideChunk(Chunk& chunk) {
-    chunk.present = 0;
-    chunk.staying = 0;
-    chunk.undecided.clear();
+/// Sets the states of the chunk's triangles and counts those that stay.
+void decideChunk(const Mesh& mesh, const Contours& contours, std::uint8_t* states, Chunk& chunk) {
     for (std::uint32_t t = chunk.first; t < chunk.end; ++t) {
-        const Triangle& triangle = m_mesh.triangles[t];
-        for (std::uint32_t i = 0; i < 3; ++i) {
-            chunk.present += m_contours.has(triangle.v[i], triangle.v[kNext[i]]) ? 1 : 0;
-        }
-        const State state = decideOne(m_mesh, m_contours, triangle);
-        m_states[t] = state;
-        chunk.staying += state == kStays ? 1 : 0;
-        if (state == kUndecided) {
+        states[t] = decide(mesh, contours, mesh.triangles[t]);
+        chunk.staying += states[t] == kStays ? 1 : 0;
+        if (states[t] == kUndecided) {
             chunk.undecided.push_back(t);
         }
     }
 }
 
-/// Decides the triangles that no corner could tell, and counts them in.
-void Eraser::decideTheRest() {
-    for (const Chunk& chunk : m_chunks) {
-        decideByNeighbours(m_mesh, m_states.data(), chunk.undecided);
-    }
-    for (Chunk& chunk : m_chunks) {
-        chunk.staying += static_cast<std::size_t>(
-            std::ranges::count_if(chunk.undecided, [&](std::uint32_t t) { return m_states[t] == kStays; }));
-    }
-}
-
-Status Eraser::write(std::vector<std::uint32_t>& triangles) {
-    decideTheRest();
-    const std::size_t before = triangles.size();
-    std::size_t end = before;
-    for (Chunk& chunk : m_chunks) {
-        chunk.firstOut = end;
-        end += 3 * chunk.staying;
-    }
-    triangles.resize(end);
-    forEach(m_cores, m_chunks.size(),
-            [&](std::size_t i) { writeChunk(m_chunks[i], triangles.data() + m_chunks[i].firstOut); });
-    Status status = conclude();
-    if (status.outcome != Outcome::Ok) {
-        triangles.resize(before);
-    } else if (end == before) {
-        status.outcome = Outcome::Degenerate;
-    }
-    return status;
-}
-
 /// Writes the chunk's triangles that stay and counts contours along their borders; stops at a border without one.
-void Eraser::writeChunk(Chunk& chunk, std::uint32_t* out) const {
+void writeChunk(const Mesh& mesh, const Contours& contours, const std::uint8_t* states, Chunk& chunk,
+                std::uint32_t* out) {
     for (std::uint32_t t = chunk.first; t < chunk.end; ++t) {
-        if (m_states[t] != kStays) {
+        if (states[t] != kStays) {
             continue;
         }
-        const Triangle& triangle = m_mesh.triangles[t];
+        const Triangle& triangle = mesh.triangles[t];
         for (std::uint32_t i = 0; i < 3; ++i) {
-            *out++ = m_mesh.ids[triangle.v[i]];
-            if (m_states[triangle.across[i].triangle()] != kStays) {
+            *out++ = mesh.ids[triangle.v[i]];
+            if (states[triangle.across[i].triangle()] != kStays) {
                 const std::uint32_t from = triangle.v[kNext[i]];
                 const std::uint32_t to = triangle.v[kPrevious[i]];
-                if (!m_contours.has(from, to)) {
-                    chunk.status = {Outcome::Crossing, m_contours.anyEdgeAt(m_mesh, from),
-                                    m_contours.anyEdgeAt(m_mesh, to)};
+                if (!contours.has(from, to)) {
+                    chunk.status = {Outcome::Crossing, contours.anyEdgeAt(mesh, from), contours.anyEdgeAt(mesh, to)};
                     return;
                 }
                 ++chunk.borders;
@@ -162,16 +113,66 @@ void Eraser::writeChunk(Chunk& chunk, std::uint32_t* out) const {
     }
 }
 
-/// What the chunks found; a status other than Ok is the first one's.
-Status Eraser::conclude() const {
+/// Decides the triangles that no corner could tell, and counts them in.
+void decideTheRest(const Mesh& mesh, std::uint8_t* states, std::vector<Chunk>& chunks) {
+    for (const Chunk& chunk : chunks) {
+        decideTheRest(mesh, states, chunk.undecided);
+    }
+    for (Chunk& chunk : chunks) {
+        chunk.staying += static_cast<std::size_t>(
+            std::ranges::count_if(chunk.undecided, [&](std::uint32_t t) { return states[t] == kStays; }));
+    }
+}
+
+std::vector<Chunk> cut(std::uint32_t triangleCount, std::uint32_t pieces) {
+    std::vector<Chunk> chunks(pieces);
+    for (std::uint32_t i = 0; i < pieces; ++i) {
+        chunks[i].first = static_cast<std::uint32_t>(std::uint64_t{triangleCount} * i / pieces);
+        chunks[i].end = static_cast<std::uint32_t>(std::uint64_t{triangleCount} * (i + 1) / pieces);
+    }
+    return chunks;
+}
+
+/// Writes all chunks behind each other; a status other than Ok is the first one's.
+Status writeAll(const Mesh& mesh, const Contours& contours, const std::uint8_t* states, std::vector<Chunk>& chunks,
+                Cores cores, std::uint32_t* out) {
+    std::vector<std::size_t> start(chunks.size() + 1, 0);
+    for (std::size_t i = 0; i < chunks.size(); ++i) {
+        start[i + 1] = start[i] + 3 * chunks[i].staying;
+    }
+    forEach(cores, chunks.size(),
+            [&](std::size_t i) { writeChunk(mesh, contours, states, chunks[i], out + start[i]); });
     std::size_t borders = 0;
-    for (const Chunk& chunk : m_chunks) {
+    for (const Chunk& chunk : chunks) {
         if (chunk.status.outcome != Outcome::Ok) {
             return chunk.status;
         }
         borders += chunk.borders;
     }
-    return borders == m_contours.edgeCount() ? Status{} : findIdleEdge(m_mesh, m_contours, m_states);
+    return borders == contours.edgeCount() ? Status{} : findIdleEdge(mesh, contours, states);
+}
+
+}  // namespace
+
+Status eraseOutside(const Mesh& mesh, const Contours& contours, Cores cores, Scratch<std::uint8_t>& scratch,
+                    std::vector<std::uint32_t>& triangles) {
+    std::uint8_t* states = scratch.room(mesh.triangleCount);
+    std::vector<Chunk> chunks = cut(mesh.triangleCount, piecesFor(cores));
+    forEach(cores, chunks.size(), [&](std::size_t i) { decideChunk(mesh, contours, states, chunks[i]); });
+    decideTheRest(mesh, states, chunks);
+    std::size_t staying = 0;
+    for (const Chunk& chunk : chunks) {
+        staying += chunk.staying;
+    }
+    const std::size_t before = triangles.size();
+    triangles.resize(before + 3 * staying);
+    Status status = writeAll(mesh, contours, states, chunks, cores, triangles.data() + before);
+    if (status.outcome != Outcome::Ok) {
+        triangles.resize(before);
+    } else if (staying == 0) {
+        status.outcome = Outcome::Degenerate;
+    }
+    return status;
 }
 
 }  // namespace tri

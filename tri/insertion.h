@@ -152,24 +152,52 @@ private:
     }
 
     /// Goes once around the newest vertex, corner 0 of triangle `start`, and flips the edge opposite to it as long as
-    /// that is not Delaunay. All flips of an insertion happen there, so no stack is needed.
+    /// that is not Delaunay. All flips of an insertion happen there, so no stack is needed; and every question is asked
+    /// from there, so of its four points only the one beyond the edge is new.
+    template <class Lift>
     bool legaliseAround(std::uint32_t start) {
+        const Point eye = m_mesh.points[m_mesh.triangles[start].v[0]];
+        const auto seen = [&](std::uint32_t vertex) { return Seen<Lift>::from(eye, m_mesh.points[vertex]); };
         EdgeRef edge = EdgeRef::of(start, 0);
+        Seen<Lift> a = seen(m_mesh.triangles[start].v[1]);
         do {
-            while (m_mesh.isFlipNeeded(edge)) {
-                if constexpr (Area::kIsLimited) {
-                    const EdgeRef other = m_mesh.triangles[edge.triangle()].across[edge.corner()];
-                    if (!m_area.has(other.triangle()) || !isSurrounded(m_mesh.triangles[other.triangle()])) {
-                        undo();
-                        return false;
-                    }
-                    m_flips.emplace_back(edge, other);
+            Seen<Lift> b = seen(m_mesh.triangles[edge.triangle()].v[kPrevious[edge.corner()]]);
+            std::int64_t turnAB = turn(a, b);
+            for (EdgeRef other = beyond(edge); other != kOutside; other = beyond(edge)) {
+                const Seen<Lift> d = seen(m_mesh.triangles[other.triangle()].v[other.corner()]);
+                const std::int64_t turnAD = turn(a, d);
+                const Int128 outside = outsideCircleOfEye(a, b, d, turnAB, turn(b, d), turnAD);
+                if (outside > 0 || (outside == 0 && !m_mesh.isFlipNeededOnCircle(edge))) [[likely]] {
+                    break;
                 }
-                m_mesh.flip(edge);
+                if (!flip(edge, other)) {
+                    return false;
+                }
+                b = d;
+                turnAB = turnAD;
             }
+            a = b;
             const EdgeRef next = m_mesh.triangles[edge.triangle()].across[kNext[edge.corner()]];
             edge = EdgeRef::of(next.triangle(), kNext[next.corner()]);
         } while (edge.triangle() != start);
+        return true;
+    }
+
+    bool legaliseAround(std::uint32_t start) {
+        return m_mesh.isCompact ? legaliseAround<std::int64_t>(start) : legaliseAround<std::uint64_t>(start);
+    }
+
+    [[nodiscard]] EdgeRef beyond(EdgeRef edge) const { return m_mesh.triangles[edge.triangle()].across[edge.corner()]; }
+    /// False, and everything is taken back, if that would change triangles outside the area.
+    bool flip(EdgeRef edge, EdgeRef other) {
+        if constexpr (Area::kIsLimited) {
+            if (!m_area.has(other.triangle()) || !isSurrounded(m_mesh.triangles[other.triangle()])) {
+                undo();
+                return false;
+            }
+            m_flips.emplace_back(edge, other);
+        }
+        m_mesh.flip(edge);
         return true;
     }
 

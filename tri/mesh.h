@@ -67,7 +67,15 @@ struct Mesh {
         if (exact != 0) [[likely]] {
             return exact > 0;  // ids are not even loaded
         }
-        return isInPerturbedCircle(site(t.v[0]), site(t.v[1]), site(t.v[2]), site(apex));
+        return isFlipNeededOnCircle(edge);
+    }
+
+    /// The same, for an apex that lies on the circle.
+    [[nodiscard]] bool isFlipNeededOnCircle(EdgeRef edge) const {
+        const Triangle& t = triangles[edge.triangle()];
+        const EdgeRef other = t.across[edge.corner()];
+        const std::uint32_t apex = triangles[other.triangle()].v[other.corner()];
+        return isInPerturbedCircleOnCircle(site(t.v[0]), site(t.v[1]), site(t.v[2]), site(apex));
     }
 
     /// Replaces the diagonal of the quadrangle around the edge:

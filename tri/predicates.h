@@ -39,20 +39,44 @@ constexpr Int128 inCircle(Point a, Point b, Point c, Point d) {
     return lift(ax, ay) * (bx * cy - by * cx) + lift(bx, by) * (cx * ay - cy * ax) + lift(cx, cy) * (ax * by - ay * bx);
 }
 
+/// A point as seen from another one, lifted; what many in-circle questions about one point have in common. For `Lift`
+/// see inCircle.
+template <class Lift>
+struct Seen {
+    std::int64_t x;
+    std::int64_t y;
+    Lift lift;
+
+    static constexpr Seen from(Point eye, Point p) {
+        const std::int64_t x = std::int64_t{p.x} - eye.x, y = std::int64_t{p.y} - eye.y;
+        return {x, y, static_cast<Lift>(static_cast<Lift>(x * x) + static_cast<Lift>(y * y))};
+    }
+};
+
+/// Twice the signed area of (eye, a, b).
+template <class Lift>
+constexpr std::int64_t turn(const Seen<Lift>& a, const Seen<Lift>& b) {
+    return a.x * b.y - a.y * b.x;
+}
+
+/// -inCircle(eye, a, b, d) from what is seen from the eye: the same number, its terms in another order.
+template <class Lift>
+constexpr Int128 outsideCircleOfEye(const Seen<Lift>& a, const Seen<Lift>& b, const Seen<Lift>& d, std::int64_t turnAB,
+                                    std::int64_t turnBD, std::int64_t turnAD) {
+    return Int128{a.lift} * turnBD - Int128{b.lift} * turnAD + Int128{d.lift} * turnAB;
+}
+
 /// A point with the number that breaks ties between points on one circle.
 struct Site {
     Point at;
     std::uint32_t id;
 };
 
-/// inCircle after lifting every site by an infinitesimal amount, the lowest id by far the most (simulation of
-/// simplicity): never a tie for four different points, which makes the Delaunay triangulation unique. Lifting a site
-/// changes the determinant by its cofactor; three points of a circle are never collinear, so the lowest id decides.
-constexpr bool isInPerturbedCircle(const Site& a, const Site& b, const Site& c, const Site& d) {
-    const Int128 exact = inCircle(a.at, b.at, c.at, d.at);
-    if (exact != 0) [[likely]] {
-        return exact > 0;
-    }
+/// For a counter-clockwise triangle (a, b, c) with d on its circle: is d inside after every site was lifted by an
+/// infinitesimal amount, the lowest id by far the most (simulation of simplicity)? Never a tie for four different
+/// points, which makes the Delaunay triangulation unique. Lifting a site changes the determinant by its cofactor; three
+/// points of a circle are never collinear, so the lowest id decides.
+constexpr bool isInPerturbedCircleOnCircle(const Site& a, const Site& b, const Site& c, const Site& d) {
     const std::uint32_t low = a.id < b.id ? a.id : b.id;
     const std::uint32_t lowest = low < c.id ? low : c.id;
     if (d.id < lowest) {
@@ -61,6 +85,12 @@ constexpr bool isInPerturbedCircle(const Site& a, const Site& b, const Site& c, 
     const Point& p = lowest == a.id ? b.at : (lowest == b.id ? c.at : a.at);
     const Point& q = lowest == a.id ? c.at : (lowest == b.id ? a.at : b.at);
     return orient(p, q, d.at) > 0;
+}
+
+/// inCircle > 0, or isInPerturbedCircleOnCircle where it is 0.
+constexpr bool isInPerturbedCircle(const Site& a, const Site& b, const Site& c, const Site& d) {
+    const Int128 exact = inCircle(a.at, b.at, c.at, d.at);
+    return exact != 0 ? exact > 0 : isInPerturbedCircleOnCircle(a, b, c, d);
 }
 
 }  // namespace tri

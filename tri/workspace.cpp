@@ -32,15 +32,11 @@ Status Workspace::start(const Polygon& polygon, Cores cores) {
 }
 
 Status Workspace::finish(Cores cores, std::vector<std::uint32_t>& triangles) {
-    Eraser eraser(mesh, contours, cores, states);
-    if (eraser.decide() != contours.edgeCount()) {
-        const Status inserted = insertContours(mesh, contours, cores, states);
-        if (inserted.outcome != Outcome::Ok) {
-            return inserted;
-        }
-        eraser.decide();  // now all are there; write() proves it
+    const Status inserted = insertContours(mesh, contours, cores, states);
+    if (inserted.outcome != Outcome::Ok) {
+        return inserted;
     }
-    return eraser.write(triangles);
+    return eraseOutside(mesh, contours, cores, states, triangles);
 }
 
 std::size_t Workspace::bytes() const {

@@ -67,6 +67,25 @@ private slots:
         }
     }
 
+    void theEyeSeesTheSameNumber() {
+        std::mt19937 random(9);
+        const auto number = [&] {
+            const std::int64_t offset =
+                random() % 4 == 0 ? 2 * std::int64_t{kReach} * (random() % 2) : random() % (2 * std::int64_t{kReach});
+            return static_cast<int>(offset - kReach);
+        };
+        const auto point = [&] { return Point{number(), number()}; };
+        for (int i = 0; i < 10'000; ++i) {
+            const Point eye = point(), a = point(), b = point(), d = point();
+            const auto seenA = tri::Seen<std::uint64_t>::from(eye, a);
+            const auto seenB = tri::Seen<std::uint64_t>::from(eye, b);
+            const auto seenD = tri::Seen<std::uint64_t>::from(eye, d);
+            QCOMPARE(tri::turn(seenA, seenB), orient(eye, a, b));
+            QVERIFY(tri::outsideCircleOfEye(seenA, seenB, seenD, tri::turn(seenA, seenB), tri::turn(seenB, seenD),
+                                            tri::turn(seenA, seenD)) == -inCircle(eye, a, b, d));
+        }
+    }
+
     void compactPointsGiveTheSameNumber() {
         std::mt19937 random(8);
         for (int i = 0; i < 10'000; ++i) {
