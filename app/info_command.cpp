@@ -8,12 +8,12 @@
 #include "app/exit_code.h"
 #include "app/info_json.h"
 #include "app/stack_report.h"
-#include "model/copies.h"
 
 namespace app {
 
 using model::Document;
 using model::Layer;
+using model::StepCheck;
 
 namespace {
 
@@ -121,20 +121,6 @@ void printText(const OpenBoard& board, const std::vector<StepCheck>* checks) {
     }
 }
 
-/// Compares nets and copper of every step. Errors: Cancelled.
-base::Result<std::vector<StepCheck>> checkSteps(const Document& document) {
-    ConsoleProgress console;
-    std::vector<StepCheck> checks;
-    for (const Document* step : model::distinctSteps(document)) {
-        const auto connectivity = model::Connectivity::of(*step, console.progress());
-        if (!connectivity) {
-            return connectivity.error();
-        }
-        checks.push_back({step, connectivity->islandCount(), model::checkNets(*step, *connectivity)});
-    }
-    return checks;
-}
-
 }  // namespace
 
 int runInfo(const InfoArguments& arguments) {
@@ -144,7 +130,8 @@ int runInfo(const InfoArguments& arguments) {
     }
     base::Result<std::vector<StepCheck>> checks = std::vector<StepCheck>();
     if (arguments.checkNets) {
-        checks = checkSteps(*board->document);
+        ConsoleProgress console;
+        checks = model::checkAllNets(*board->document, console.progress());
     }
     if (!checks) {
         return fail(checks.error());

@@ -97,7 +97,7 @@ std::vector<PlacedStep> placedSteps(const Document& document) {
     return placed;
 }
 
-ordered_json infoJson(const OpenBoard& board, const std::vector<StepCheck>* checks) {
+ordered_json infoJson(const OpenBoard& board, const std::vector<model::StepCheck>* checks) {
     const Document& document = *board.document;
     ordered_json diagnostics = ordered_json::array();
     addDiagnostics(document.diagnostics, diagnostics);

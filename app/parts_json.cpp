@@ -7,6 +7,7 @@
 namespace app {
 
 using model::Document;
+using model::StepCheck;
 using nlohmann::ordered_json;
 
 namespace {
@@ -44,7 +45,7 @@ ordered_json shortJson(const StepCheck& check, const model::ShortedNets& entry) 
 }
 
 void printOpen(const StepCheck& check, const model::OpenNet& open) {
-    const bool isOpen = hasSeveralPadIslands(check.report, open);
+    const bool isOpen = model::hasSeveralPadIslands(check.report, open);
     std::printf("  %-6s %s: %u islands\n", isOpen ? "open" : "loose", nameOf(*check.step, open.net).c_str(),
                 open.islandCount);
     constexpr std::size_t kShown = 4;
@@ -104,11 +105,6 @@ ordered_json componentsJson(const Document& document) {
     return {{"count", document.components.size()}, {"list", list}};
 }
 
-bool hasSeveralPadIslands(const model::NetReport& report, const model::OpenNet& open) {
-    return std::ranges::count_if(report.islandsOf(open),
-                                 [](const model::NetIsland& island) { return island.padCount > 0; }) > 1;
-}
-
 ordered_json connectivityJson(const std::vector<StepCheck>& checks) {
     std::size_t islands = 0;
     ordered_json opens = ordered_json::array();
@@ -117,7 +113,7 @@ ordered_json connectivityJson(const std::vector<StepCheck>& checks) {
     for (const StepCheck& check : checks) {
         islands += check.islandCount;
         for (const model::OpenNet& open : check.report.opens) {
-            (hasSeveralPadIslands(check.report, open) ? opens : loose).push_back(openJson(check, open));
+            (model::hasSeveralPadIslands(check.report, open) ? opens : loose).push_back(openJson(check, open));
         }
         for (const model::ShortedNets& entry : check.report.shorts) {
             shorts.push_back(shortJson(check, entry));

@@ -12,18 +12,8 @@ namespace app {
 /// `components{count, list[…]}`.
 [[nodiscard]] nlohmann::ordered_json componentsJson(const model::Document& document);
 
-/// What `info --check-nets` found in one step.
-struct StepCheck {
-    const model::Document* step = nullptr;
-    std::size_t islandCount = 0;
-    model::NetReport report;
-};
-
-/// Does a net fall apart where it matters: are there several islands with pads or holes? Else the rest is loose copper.
-[[nodiscard]] bool hasSeveralPadIslands(const model::NetReport& report, const model::OpenNet& open);
-
 /// `connectivity{islands, opens[], loose[], shorts[]}`.
-[[nodiscard]] nlohmann::ordered_json connectivityJson(const std::vector<StepCheck>& checks);
-void printConnectivity(const std::vector<StepCheck>& checks);
+[[nodiscard]] nlohmann::ordered_json connectivityJson(const std::vector<model::StepCheck>& checks);
+void printConnectivity(const std::vector<model::StepCheck>& checks);
 
 }  // namespace app

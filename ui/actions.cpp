@@ -46,6 +46,8 @@ constexpr ActionSpec kSpecs[] = {
     {ShowNetsDock, MenuId::View, "&Nets", "Ctrl+5", "Show or hide the nets", kCheckable},
     {ShowElementDock, MenuId::View, "Ele&ment", "Ctrl+4", "Show or hide what is known of the selected element",
      kCheckable},
+    {ShowNetCheckDock, MenuId::View, "O&pens and shorts", "Ctrl+7", "Show or hide how the copper differs from the nets",
+     kCheckable},
     {ShowStackDock, MenuId::View, "Stac&k", "Ctrl+6", "Show or hide the stack and its thicknesses", kCheckable},
     {ShowStatisticsDock, MenuId::View, "&Statistics", "Ctrl+2", "Show or hide the element statistics", kCheckable},
     {ShowMessagesDock, MenuId::View, "Messa&ges", "Ctrl+3", "Show or hide what was skipped, repaired or assumed",
@@ -69,8 +71,13 @@ constexpr ActionSpec kSpecs[] = {
     {PreviousLayer, MenuId::Layers, "Layer abo&ve", "PgUp", "Make the visible layer before the current one"},
     {RestoreLayers, MenuId::Layers, "&Default colours", "", "Undo all changes of colour, opacity and visibility"},
 
+    {CheckNets, MenuId::Board, "&Check nets", "Ctrl+Shift+N",
+     "Compare the nets with the copper: opens, shorts and loose copper"},
+    {InferNets, MenuId::Board, "&Nets from the copper", "Ctrl+Shift+I",
+     "Read the board again with nets found by following the copper, instead of the job's", kCheckable},
+
     {ClearSelection, MenuId::Select, "&Clear", "Esc",
-     "Stop loading, or else forget the selection, or else the highlighted nets"},
+     "Stop loading or checking, or else forget the selection, or else the highlighted nets"},
     {ShowSelection, MenuId::Select, "&Show in both views", "Z", "Bring what is selected to the middle of the views"},
     {HighlightNet, MenuId::Select, "Highlight &net", "N",
      "Light up the whole net of the element under the cursor, or of the selected one; again to stop", false, kNewGroup},
@@ -95,8 +102,8 @@ constexpr ActionSpec kSpecs[] = {
 };
 static_assert(std::size(kSpecs) == kActionCount);
 
-constexpr const char* kMenuTitles[kMenuCount] = {"&File",     "&Edit",   "&View",   "&Arrangement", "T&heme",
-                                                 "Bac&k end", "&Layers", "&Select", "&Help"};
+constexpr const char* kMenuTitles[kMenuCount] = {"&File",     "&Edit",   "&View",  "&Arrangement", "T&heme",
+                                                 "Bac&k end", "&Layers", "&Board", "&Select",      "&Help"};
 
 bool isChoice(MenuId menu) {
     return menu == MenuId::Arrangement || menu == MenuId::Theme || menu == MenuId::Backend;

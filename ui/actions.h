@@ -39,6 +39,7 @@ enum class ActionId {
     ShowLayersDock,
     ShowNetsDock,
     ShowElementDock,
+    ShowNetCheckDock,
     ShowStackDock,
     ShowStatisticsDock,
     ShowMessagesDock,
@@ -57,6 +58,8 @@ enum class ActionId {
     NextLayer,
     PreviousLayer,
     RestoreLayers,
+    CheckNets,
+    InferNets,
     ClearSelection,
     ShowSelection,
     HighlightNet,
@@ -76,7 +79,7 @@ enum class ActionId {
 inline constexpr std::size_t kActionCount = static_cast<std::size_t>(ActionId::Count);
 
 /// Where a command is found. Arrangement, Theme and Backend are submenus of View with one choice each.
-enum class MenuId { File, Edit, View, Arrangement, Theme, Backend, Layers, Select, Help, Count };
+enum class MenuId { File, Edit, View, Arrangement, Theme, Backend, Layers, Board, Select, Help, Count };
 inline constexpr std::size_t kMenuCount = static_cast<std::size_t>(MenuId::Count);
 
 struct ActionSpec {

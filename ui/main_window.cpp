@@ -7,6 +7,7 @@
 #include <QStatusBar>
 #include <QToolBar>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -19,6 +20,7 @@
 #include "ui/message_bar.h"
 #include "ui/message_place.h"
 #include "ui/messages_panel.h"
+#include "ui/net_check_panel.h"
 #include "ui/nets_panel.h"
 #include "ui/paths.h"
 #include "ui/recent_boards.h"
@@ -42,7 +44,7 @@ constexpr ActionId kBoardActions[] = {
     ActionId::ZoomIn,         ActionId::ZoomOut,       ActionId::ShowAllLayers,  ActionId::HideAllLayers,
     ActionId::ShowCopperOnly, ActionId::SoloLayer,     ActionId::RestoreLayers,  ActionId::Contrast,
     ActionId::NextLayer,      ActionId::PreviousLayer, ActionId::ClearSelection, ActionId::ShowSelection,
-    ActionId::HighlightNet};
+    ActionId::CheckNets,      ActionId::InferNets,     ActionId::HighlightNet};
 
 }  // namespace
 
@@ -98,14 +100,16 @@ void MainWindow::createDocks() {
     m_layersPanel = new LayersPanel(m_layerModel, m_actions);
     m_netsPanel = new NetsPanel(m_netModel, m_selection);
     m_elementPanel = new ElementPanel(m_selection);
+    m_netCheckPanel = new NetCheckPanel(m_netCheckModel, m_actions);
     m_stackPanel = new StackPanel(m_stackModel);
     m_statisticsPanel = new StatisticsPanel(m_statisticsModel);
     m_messagesPanel = new MessagesPanel(m_messageModel);
-    connect(m_messagesPanel, &MessagesPanel::chosen, this, &MainWindow::goTo);
+    connect(m_messagesPanel, &MessagesPanel::chosen, this, qOverload<const model::Diagnostic&>(&MainWindow::goTo));
     const std::map<ActionId, QWidget*> panels = {
-        {ActionId::ShowLayersDock, m_layersPanel},         {ActionId::ShowNetsDock, m_netsPanel},
-        {ActionId::ShowElementDock, m_elementPanel},       {ActionId::ShowStackDock, m_stackPanel},
-        {ActionId::ShowStatisticsDock, m_statisticsPanel}, {ActionId::ShowMessagesDock, m_messagesPanel}};
+        {ActionId::ShowLayersDock, m_layersPanel},     {ActionId::ShowNetsDock, m_netsPanel},
+        {ActionId::ShowElementDock, m_elementPanel},   {ActionId::ShowStackDock, m_stackPanel},
+        {ActionId::ShowNetCheckDock, m_netCheckPanel}, {ActionId::ShowStatisticsDock, m_statisticsPanel},
+        {ActionId::ShowMessagesDock, m_messagesPanel}};
     addDocks(*this, m_actions, [&panels](ActionId toggle) { return panels.at(toggle); });
 }
 
@@ -139,6 +143,7 @@ void MainWindow::createMenus() {
     addMenu(*view, MenuId::Theme);
     addMenu(*view, MenuId::Backend);
     addMenu(*menuBar(), MenuId::Layers);
+    addMenu(*menuBar(), MenuId::Board);
     addMenu(*menuBar(), MenuId::Select);
     addMenu(*menuBar(), MenuId::Help);
 
@@ -155,7 +160,7 @@ void MainWindow::connectLoader() {
     connect(&m_loader, &Loader::cancelled, this, &MainWindow::onCancelled);
     LoadBar& bar = m_statusLine->loadBar();
     connect(&m_loader, &Loader::progressed, &bar, &LoadBar::report);
-    connect(&bar, &LoadBar::cancelRequested, &m_loader, &Loader::cancel);
+    connect(&bar, &LoadBar::cancelRequested, this, &MainWindow::cancelWork);
     connect(m_statusLine, &StatusLine::stepChosen, this, [this](const QString& step) {
         LoadRequest request = m_thicknesses.request();
         request.step = step.toStdString();
@@ -203,7 +208,12 @@ void MainWindow::openDropped(const QStringList& paths) {
 }
 
 void MainWindow::onStarted(const LoadRequest& request) {
-    m_statusLine->loadBar().begin(displayName(request.path));
+    m_netChecker.cancel();
+    onWorking(displayName(request.path));
+}
+
+void MainWindow::onWorking(const QString& what) {
+    m_statusLine->loadBar().begin(what);
     m_actions[ActionId::CancelLoading].setEnabled(true);
     m_actions[ActionId::ClearSelection].setEnabled(true);
 }
@@ -217,6 +227,7 @@ void MainWindow::onIdle() {
     for (const ActionId id : kBoardActions) {
         m_actions[id].setEnabled(m_board.has_value());
     }
+    m_actions[ActionId::InferNets].setChecked(m_board && m_board->request.inferNets);
 }
 
 void MainWindow::onLoaded(const LoadedBoard& board) {
@@ -225,6 +236,7 @@ void MainWindow::onLoaded(const LoadedBoard& board) {
     m_statisticsModel.setDocument(board.document);
     m_stackModel.setDocument(board.document);
     m_thicknesses.setBoard(board);
+    m_netCheckModel.setChecks(nullptr, {});
     m_messageModel.setMessages(board.document, board.model->diagnostics);
     m_views->show(board, m_layerModel.effectiveLooks());
     m_probing->setBoard(board);
@@ -268,13 +280,31 @@ void MainWindow::goTo(const model::Diagnostic& message) {
     m_views->setHighlight({}, false);
     if (message.element.isValid()) {
         m_views->setHighlight({{message.element}}, false);
-        const std::size_t layer = m_board->document->elements.layer[message.element.row()].row();
-        const QModelIndex visible = m_layerModel.index(static_cast<int>(layer), models::LayerModel::Visible);
-        m_layerModel.setData(visible, Qt::Checked, Qt::CheckStateRole);
+        showLayer(m_board->document->elements.layer[message.element.row()]);
     }
     for (BoardView* view : m_views->both()) {
         view->controller().show(place->min, place->max);
     }
+}
+
+void MainWindow::goTo(const models::NetCheckModel::Finding& finding) {
+    const model::StepTree& tree = m_selection.tree();
+    const auto copy = std::ranges::find(tree.copies, finding.step, &model::StepCopy::step);
+    const auto row = static_cast<std::uint32_t>(copy - tree.copies.begin());
+    std::vector<model::BoardElement> elements;
+    for (const model::ElementId element : m_netCheckModel.elementsOf(finding)) {
+        elements.push_back({row, element});
+    }
+    const model::LayerId layer =
+        tree.steps[finding.step]->layerOfCopy(m_netCheckModel.layerOf(finding), copy->isFlipped);
+    showLayer(layer);
+    m_selection.select(elements);
+    m_probing->showPlace(copy->placement.apply(m_netCheckModel.placeOf(finding)), layer);
+}
+
+void MainWindow::showLayer(model::LayerId layer) {
+    const QModelIndex visible = m_layerModel.index(static_cast<int>(layer.row()), models::LayerModel::Visible);
+    m_layerModel.setData(visible, Qt::Checked, Qt::CheckStateRole);
 }
 
 void MainWindow::onFailed(const LoadRequest& request, const QString& reason) {

@@ -11,10 +11,12 @@
 #include "ui/loader.h"
 #include "ui/models/layer_model.h"
 #include "ui/models/message_model.h"
+#include "ui/models/net_check_model.h"
 #include "ui/models/net_model.h"
 #include "ui/models/selection_model.h"
 #include "ui/models/stack_model.h"
 #include "ui/models/statistics_model.h"
+#include "ui/net_checker.h"
 #include "ui/plan_painter.h"
 #include "ui/probing.h"
 #include "ui/settings.h"
@@ -28,6 +30,7 @@ class ElementPanel;
 class LayersPanel;
 class MessageBar;
 class MessagesPanel;
+class NetCheckPanel;
 class NetsPanel;
 class RecentBoards;
 class StackPanel;
@@ -64,6 +67,9 @@ public:
     [[nodiscard]] Probing& probing() { return *m_probing; }
     [[nodiscard]] ElementPanel& elementPanel() { return *m_elementPanel; }
     [[nodiscard]] MessagesPanel& messagesPanel() { return *m_messagesPanel; }
+    [[nodiscard]] NetCheckPanel& netCheckPanel() { return *m_netCheckPanel; }
+    [[nodiscard]] NetChecker& netChecker() { return m_netChecker; }
+    [[nodiscard]] models::NetCheckModel& netCheck() { return m_netCheckModel; }
     [[nodiscard]] StackPanel& stackPanel() { return *m_stackPanel; }
     [[nodiscard]] models::StackModel& stack() { return m_stackModel; }
     [[nodiscard]] StatisticsPanel& statisticsPanel() { return *m_statisticsPanel; }
@@ -87,6 +93,7 @@ private:
     void connectEditActions();
     void connectViewActions();
     void connectLayerActions();
+    void connectBoardActions();
     void connectSelectActions();
     void connectFollowActions();
     void connectPlanActions();
@@ -102,12 +109,19 @@ private:
     void onLoaded(const LoadedBoard& board);
     void onFailed(const LoadRequest& request, const QString& reason);
     void onCancelled(const LoadRequest& request);
+    void onWorking(const QString& what);
     void onIdle();
     void onRestacked(const std::shared_ptr<const model::Document>& document);
     /// What of the session is not used.
     void showNotes(const std::vector<std::string>& notes);
     /// Shows what a message is about: its element lights up, its layer becomes visible.
     void goTo(const model::Diagnostic& message);
+    void goTo(const models::NetCheckModel::Finding& finding);
+    void showLayer(model::LayerId layer);
+    void checkNets();
+    void inferNets(bool isOn);
+    /// Stops loading or checking; false when nothing is under way.
+    bool cancelWork();
     void setTheme(Theme theme);
     void setBackend(render::Backend backend);
     void setArrangement(Arrangement arrangement);
@@ -123,6 +137,8 @@ private:
     models::LayerModel m_layerModel;
     models::NetModel m_netModel;
     models::SelectionModel m_selection;
+    models::NetCheckModel m_netCheckModel;
+    NetChecker m_netChecker;
     models::StackModel m_stackModel;
     models::StatisticsModel m_statisticsModel;
     models::MessageModel m_messageModel;
@@ -142,6 +158,7 @@ private:
     LayersPanel* m_layersPanel = nullptr;
     NetsPanel* m_netsPanel = nullptr;
     ElementPanel* m_elementPanel = nullptr;
+    NetCheckPanel* m_netCheckPanel = nullptr;
     StackPanel* m_stackPanel = nullptr;
     StatisticsPanel* m_statisticsPanel = nullptr;
     MessagesPanel* m_messagesPanel = nullptr;

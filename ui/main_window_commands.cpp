@@ -1,6 +1,7 @@
 // What the commands of the window do.
 
 #include <QClipboard>
+#include <QDockWidget>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QStatusBar>
@@ -11,6 +12,7 @@
 #include "ui/layers_panel.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
+#include "ui/net_check_panel.h"
 #include "ui/nets_panel.h"
 #include "ui/paths.h"
 #include "ui/status_line.h"
@@ -41,6 +43,7 @@ void MainWindow::connectCommands() {
     connectEditActions();
     connectViewActions();
     connectLayerActions();
+    connectBoardActions();
     connectSelectActions();
     connectFollowActions();
     connectPlanActions();
@@ -51,7 +54,7 @@ void MainWindow::connectFileActions() {
     on(ActionId::OpenFile, [this] { askForBoardToOpen(BoardForm::File); });
     on(ActionId::OpenFolder, [this] { askForBoardToOpen(BoardForm::Folder); });
     on(ActionId::Reload, [this] { m_loader.open(m_thicknesses.request()); });
-    on(ActionId::CancelLoading, [this] { m_loader.cancel(); });
+    on(ActionId::CancelLoading, &MainWindow::cancelWork);
     on(ActionId::SavePicture, [this] {
         askForPicturePath(*this, m_settings.lastFolder(), [this](const QString& path) { savePicture(path); });
     });
@@ -106,8 +109,53 @@ void MainWindow::connectLayerActions() {
     on(ActionId::SoloLayer, [this] { m_layerModel.toggleSolo(m_layersPanel->currentLayer()); });
 }
 
+void MainWindow::connectBoardActions() {
+    on(ActionId::CheckNets, &MainWindow::checkNets);
+    on(ActionId::InferNets, &MainWindow::inferNets);
+    LoadBar& bar = m_statusLine->loadBar();
+    connect(&m_netChecker, &NetChecker::progressed, &bar, &LoadBar::report);
+    connect(&m_netChecker, &NetChecker::failed, m_messageBar, &MessageBar::showError);
+    connect(&m_netChecker, &NetChecker::failed, this, &MainWindow::onIdle);
+    connect(&m_netChecker, &NetChecker::checked, this, [this](const auto& board, const auto& checks) {
+        m_netCheckModel.setChecks(board, checks);
+        statusBar()->showMessage(QStringLiteral("Nets against copper: %1").arg(m_netCheckModel.summary()));
+        onIdle();
+    });
+    connect(m_netCheckPanel, &NetCheckPanel::chosen, this,
+            qOverload<const models::NetCheckModel::Finding&>(&MainWindow::goTo));
+}
+
+void MainWindow::checkNets() {
+    m_loader.cancel();
+    auto* dock = qobject_cast<QDockWidget*>(m_netCheckPanel->parentWidget());
+    dock->show();
+    dock->raise();
+    m_netChecker.start(m_board->document);
+    onWorking(QStringLiteral("Nets"));
+}
+
+void MainWindow::inferNets(bool isOn) {
+    LoadRequest request = m_thicknesses.request();
+    request.inferNets = isOn;
+    open(std::move(request));
+}
+
+bool MainWindow::cancelWork() {
+    if (m_loader.isLoading()) {
+        m_loader.cancel();
+        return true;
+    }
+    if (!m_netChecker.isChecking()) {
+        return false;
+    }
+    m_netChecker.cancel();
+    statusBar()->showMessage(QStringLiteral("Stopped checking the nets"));
+    onIdle();
+    return true;
+}
+
 void MainWindow::connectSelectActions() {
-    on(ActionId::ClearSelection, [this] { m_loader.isLoading() ? m_loader.cancel() : void(m_selection.clearStep()); });
+    on(ActionId::ClearSelection, [this] { cancelWork() || m_selection.clearStep(); });
     on(ActionId::ShowSelection, [this] { m_probing->showInBoth(m_selection.selected()); });
     on(ActionId::HighlightNet, &MainWindow::highlightNet);
     on(ActionId::DimOthers, [this](bool isOn) { m_probing->setDimOthers(isOn); });
@@ -186,6 +234,7 @@ void MainWindow::setUnit(models::LengthUnit unit) {
     m_planPainter->setUnit(unit);
     m_elementPanel->setUnit(unit);
     m_netModel.setUnit(unit);
+    m_netCheckModel.setUnit(unit);
     m_statusLine->showPlace({});
     statusBar()->showMessage(QStringLiteral("Lengths are in %1").arg(QLatin1String(models::unitName(unit))));
 }

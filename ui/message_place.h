@@ -8,8 +8,8 @@
 
 namespace ui {
 
-/// The part of the board that a message is about, in the renderer's millimetres; nothing for messages about files or the
-/// whole board.
+/// The part of the board that a message is about, in the renderer's millimetres; nothing for messages about files or
+/// the whole board.
 [[nodiscard]] std::optional<render::Box3> placeOf(const model::Diagnostic& message, const model::Document& document,
                                                   const render::BoardFrame& frame);
 

@@ -211,6 +211,16 @@ void Probing::showNet(model::NetId net) {
     showInBoth(elements);
 }
 
+void Probing::showPlace(base::PointD nm, model::LayerId layer) {
+    constexpr glm::vec3 kAroundMm(1.5F, 1.5F, 0.0F);
+    for (BoardView* view : m_views.both()) {
+        const std::vector<render::ZRange> heights = view->drawnHeights();
+        const render::ZRange z = layer.row() < heights.size() ? heights[layer.row()] : render::ZRange{};
+        const glm::vec3 at = m_place.toModel(nm);
+        view->controller().show(glm::vec3(at.x, at.y, z.z0) - kAroundMm, glm::vec3(at.x, at.y, z.z1) + kAroundMm);
+    }
+}
+
 void Probing::selectBox(QPointF from, QPointF to, Qt::KeyboardModifiers modifiers) {
     m_box.reset();
     m_views.flat().requestFrame();

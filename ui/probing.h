@@ -38,6 +38,8 @@ public:
     void show(BoardView& view, std::span<const model::BoardElement> elements);
     void showInBoth(std::span<const model::BoardElement> elements);
     void showNet(model::NetId net);
+    /// Brings a place of the board to the middle of both views, with a few millimetres around it.
+    void showPlace(base::PointD nm, model::LayerId layer);
 
 signals:
     /// The cursor is over a place of the board, in its coordinates in nm.

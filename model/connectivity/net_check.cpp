@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "model/connectivity/disjoint_sets.h"
+#include "model/copies.h"
 
 namespace model {
 
@@ -123,6 +124,23 @@ private:
 
 NetReport checkNets(const Document& document, const Connectivity& connectivity) {
     return NetChecker(document, connectivity).run();
+}
+
+bool hasSeveralPadIslands(const NetReport& report, const OpenNet& open) {
+    return std::ranges::count_if(report.islandsOf(open), [](const NetIsland& island) { return island.padCount > 0; }) >
+           1;
+}
+
+base::Result<std::vector<StepCheck>> checkAllNets(const Document& board, base::Progress& progress) {
+    std::vector<StepCheck> checks;
+    for (const Document* step : distinctSteps(board)) {
+        const auto connectivity = Connectivity::of(*step, progress);
+        if (!connectivity) {
+            return connectivity.error();
+        }
+        checks.push_back({step, connectivity->islandCount(), checkNets(*step, *connectivity)});
+    }
+    return checks;
 }
 
 }  // namespace model

@@ -45,4 +45,17 @@ struct NetReport {
 
 [[nodiscard]] NetReport checkNets(const Document& document, const Connectivity& connectivity);
 
+/// Does a net fall apart where it matters: are there several islands with pads or holes? Else the rest is loose copper.
+[[nodiscard]] bool hasSeveralPadIslands(const NetReport& report, const OpenNet& open);
+
+/// What the check found in one step.
+struct StepCheck {
+    const Document* step = nullptr;
+    std::size_t islandCount = 0;
+    NetReport report;
+};
+
+/// Checks every step of a board once; rows as in StepTree::steps. Errors: Cancelled.
+[[nodiscard]] base::Result<std::vector<StepCheck>> checkAllNets(const Document& board, base::Progress& progress);
+
 }  // namespace model

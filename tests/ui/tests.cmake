@@ -14,6 +14,7 @@ copperscope_ui_test(main_window)
 copperscope_ui_test(go_to_message)
 copperscope_ui_test(board_views)
 copperscope_ui_test(panels)
+copperscope_ui_test(net_check)
 copperscope_ui_test(probing)
 copperscope_ui_test(thickness)
 

@@ -1,0 +1,155 @@
+// Opens and shorts are found, listed and gone to; nets are inferred from the copper.
+
+#include <QAbstractItemModelTester>
+#include <QLineEdit>
+#include <QStatusBar>
+#include <QToolButton>
+#include <QtTest>
+
+#include "tests/places.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/message_bar.h"
+#include "ui/net_check_panel.h"
+#include "ui/status_line.h"
+#include "ui/table_view.h"
+
+using ui::ActionId;
+using ui::models::NetCheckModel;
+
+class NetCheckTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        m_fixture = std::make_unique<WindowFixture>();
+        QVERIFY(m_fixture->openAndWait(places::kTestData + QStringLiteral("/odb/open_short")));
+    }
+    void cleanup() {
+        const std::uint32_t errors = m_fixture->context().validationErrors();
+        m_fixture.reset();
+        QCOMPARE(errors, 0U);
+    }
+
+    void theCheckListsShortsOpensAndLooseCopper() {
+        QCOMPARE(window().netCheckPanel().summary(), "Not checked yet");
+        check();
+        QCOMPARE(window().netCheckPanel().summary(), "1 short, 1 open net, 1 loose piece of copper");
+        QCOMPARE(rows(), (QStringList{"Short|A, B|Touch in 1 place|TOP|4 mm|5 mm|PCB",
+                                      "Open|SPLIT|Part of the net: 1 piece, 1 pad or hole|TOP|2 mm|2 mm|PCB",
+                                      "Open|SPLIT|Part of the net: 1 piece, 1 pad or hole|TOP|4 mm|2 mm|PCB",
+                                      "Loose|LOOSE|Copper without a pad: 1 piece|BOTTOM|6 mm|8 mm|PCB"}));
+        QAbstractItemModelTester tester(&window().netCheck(), QAbstractItemModelTester::FailureReportingMode::QtTest);
+        window().actions()[ActionId::NextUnit].trigger();
+        QVERIFY2(rows().first().contains("157.48 mil"), qPrintable(rows().first()));
+    }
+
+    void aClickGoesToThePlaceAndSelectsWhatTouches() {
+        check();
+        window().layers().hideAll();
+        click(0);
+        QCOMPARE(window().selection().selected().size(), std::size_t{2});
+        QVERIFY(window().layers().effectiveLooks()[0].isVisible);
+        for (ui::BoardView* view : window().views().both()) {
+            const glm::vec3 target = view->controller().camera().target();
+            // 4, 5 mm on a board of 10 mm; in perspective the near side takes more room.
+            const float off = view == &window().views().flat() ? 0.01F : 1.0F;
+            QVERIFY(std::abs(target.x + 1.0F) < off);
+            QVERIFY(std::abs(target.y) < off);
+        }
+        click(3);
+        QCOMPARE(window().selection().selected().size(), std::size_t{1});
+        QVERIFY(window().layers().effectiveLooks()[1].isVisible);
+    }
+
+    void rowsAreFiltered() {
+        check();
+        QTest::keyClicks(&window().netCheckPanel().filterEdit(), "split");
+        QCOMPARE(window().netCheckPanel().table().model()->rowCount(), 2);
+    }
+
+    void netsFromTheCopperHaveNoOpensAndGoBack() {
+        m_fixture->key(Qt::Key_I, Qt::ControlModifier | Qt::ShiftModifier);
+        waitForBoard();
+        QVERIFY(window().actions()[ActionId::InferNets].isChecked());
+        QCOMPARE(window().document()->nets.size(), std::size_t{5});
+        QCOMPARE(window().netCheckPanel().summary(), "Not checked yet");
+        check();
+        QCOMPARE(window().netCheckPanel().summary(), "no shorts, no open nets, no loose pieces of copper");
+        m_fixture->key(Qt::Key_F5);
+        waitForBoard();
+        QCOMPARE(window().document()->nets.size(), std::size_t{5});
+        window().actions()[ActionId::InferNets].trigger();
+        waitForBoard();
+        QCOMPARE(window().document()->findNet("SPLIT").isValid(), true);
+    }
+
+    void cancelledInferenceKeepsTheJobsNets() {
+        window().actions()[ActionId::InferNets].trigger();
+        QVERIFY(window().loader().isLoading());
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(!window().loader().isLoading());
+        QVERIFY(!window().actions()[ActionId::InferNets].isChecked());
+        QVERIFY(window().document()->findNet("SPLIT").isValid());
+    }
+
+    void aCheckIsStoppedByEscapeAndByItsButton() {
+        window().actions()[ActionId::CheckNets].trigger();
+        QVERIFY(window().netChecker().isChecking());
+        QVERIFY(window().statusLine().loadBar().isVisible());
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(!window().netChecker().isChecking());
+        window().actions()[ActionId::CheckNets].trigger();
+        window().statusLine().loadBar().findChild<QToolButton*>()->click();
+        QVERIFY(!window().netChecker().isChecking());
+        QVERIFY(!window().statusLine().loadBar().isVisible());
+        QTest::qWait(200);
+        QCOMPARE(window().netCheckPanel().summary(), "Not checked yet");
+    }
+
+    void anotherBoardEndsTheCheck() {
+        window().actions()[ActionId::CheckNets].trigger();
+        QVERIFY(m_fixture->openAndWait(places::kTestData + QStringLiteral("/odb/everything")));
+        QVERIFY(!window().netChecker().isChecking());
+        QCOMPARE(window().netCheckPanel().summary(), "Not checked yet");
+        QCOMPARE(window().netCheck().rowCount(), 0);
+    }
+
+private:
+    ui::MainWindow& window() { return m_fixture->window(); }
+
+    void waitForBoard() {
+        QVERIFY(window().loader().isLoading());
+        QTRY_VERIFY_WITH_TIMEOUT(!window().loader().isLoading(), 60000);
+    }
+
+    void check() {
+        m_fixture->key(Qt::Key_N, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(window().netChecker().isChecking());
+        QTRY_VERIFY_WITH_TIMEOUT(!window().netChecker().isChecking(), 60000);
+    }
+
+    void click(int row) {
+        QTableView& table = window().netCheckPanel().table();
+        const QModelIndex at = table.model()->index(row, NetCheckModel::What);
+        table.scrollTo(at);
+        QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, table.visualRect(at).center());
+    }
+
+    QStringList rows() {
+        const QAbstractItemModel& model = *window().netCheckPanel().table().model();
+        QStringList lines;
+        for (int row = 0; row < model.rowCount(); ++row) {
+            QStringList cells;
+            for (int column = 0; column < model.columnCount(); ++column) {
+                cells += model.index(row, column).data().toString();
+            }
+            lines += cells.join('|');
+        }
+        return lines;
+    }
+
+    std::unique_ptr<WindowFixture> m_fixture;
+};
+
+QTEST_MAIN(NetCheckTest)
+#include "net_check_test.moc"

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <optional>
+
+#include "model/connectivity/net_check.h"
+#include "ui/background.h"
+
+namespace ui {
+
+/// Compares the nets of a board with its copper in the background.
+class NetChecker : public QObject {
+    Q_OBJECT
+
+public:
+    explicit NetChecker(QObject* parent = nullptr);
+
+    /// Cancels a check under way.
+    void start(std::shared_ptr<const model::Document> board);
+    /// Nothing is heard of the check after this.
+    void cancel() { m_background.cancel(); }
+    [[nodiscard]] bool isChecking() const { return m_background.isRunning(); }
+
+signals:
+    /// As Background::progressed.
+    void progressed(const QString& phase, double fraction);
+    void checked(const std::shared_ptr<const model::Document>& board, const std::vector<model::StepCheck>& checks);
+    void failed(const QString& reason);
+
+private:
+    void deliver();
+
+    using Answer = std::optional<base::Result<std::vector<model::StepCheck>>>;
+
+    Background m_background;
+    std::shared_ptr<const model::Document> m_board;
+    std::shared_ptr<Answer> m_answer;  ///< of the check under way; written by its thread
+};
+
+}  // namespace ui
