@@ -41,11 +41,26 @@ void repair(ShapeMesh& mesh, tri::Triangulator triangulator) {
     }
 }
 
+/// Cells of round holes have none. They are told by their boxes: no other loop comes near them, repaired or not.
+void findMeshWalls(ShapeMesh& mesh) {
+    mesh.next = findWalls(mesh.polygons);
+    std::vector<Point> cells;
+    std::ranges::transform(mesh.holes, std::back_inserter(cells), [](const RoundHole& h) { return cellOf(h).min; });
+    std::ranges::sort(cells);
+    for (std::size_t loop = 0; loop < mesh.polygons.loopCount() && !cells.empty(); ++loop) {
+        const std::span<const Point> points = mesh.polygons.loop(loop);
+        if (points.size() == 4 && std::ranges::binary_search(cells, *std::ranges::min_element(points))) {
+            const std::uint32_t first = mesh.polygons.loopStart[loop];
+            std::iota(mesh.next.begin() + first, mesh.next.begin() + first + 4, first);
+        }
+    }
+}
+
 void triangulateShape(ShapeMesh& mesh, tri::Triangulator triangulator) {
     if (!triangulateAll(mesh.polygons, triangulator, mesh.triangles)) {
         repair(mesh, triangulator);
     }
-    mesh.next = findWalls(mesh.polygons);
+    findMeshWalls(mesh);
 }
 
 /// The polygons of all shapes behind each other, with loops that stay where they are.
@@ -89,7 +104,7 @@ void triangulateOnDevice(std::vector<ShapeMesh>& meshes, const tri::BatchTriangu
         if (!isRight) {
             repair(mesh, tri::Triangulator::Auto);
         }
-        mesh.next = findWalls(mesh.polygons);
+        findMeshWalls(mesh);
     });
 }
 
@@ -161,6 +176,28 @@ std::vector<ShapeMesh> discretiseShapes(const model::Document& document, const s
         if (!progress.isCancelled()) {
             meshes[i].polygons = model::discretise(document.shapes, shapes[i], how);
         }
+    });
+    return meshes;
+}
+
+std::vector<ShapeMesh> punchShapes(const model::Document& document, const std::vector<model::ShapeId>& shapes,
+                                   const model::Discretisation& how, base::Progress& progress) {
+    std::vector<std::uint32_t> places(document.shapes.size(), 0);
+    for (const model::AreaGeometry& area : document.areas) {
+        ++places[area.shape.row()];
+    }
+    std::vector<ShapeMesh> meshes(shapes.size());
+    base::parallelFor(shapes.size(), [&](std::size_t i) {
+        if (progress.isCancelled()) {
+            return;
+        }
+        if (places[shapes[i].row()] > 1) {
+            meshes[i].polygons = model::discretise(document.shapes, shapes[i], how);
+            return;
+        }
+        PunchedShape shape = punch(document.shapes, shapes[i], how);
+        meshes[i].polygons = std::move(shape.polygons);
+        meshes[i].holes = std::move(shape.holes);
     });
     return meshes;
 }

@@ -6,6 +6,7 @@
 #include "model/base/progress.h"
 #include "model/document.h"
 #include "model/geometry/discretise.h"
+#include "render/round_holes.h"
 #include "tri/triangulate.h"
 
 namespace render {
@@ -13,6 +14,7 @@ namespace render {
 /// A discretised and triangulated shape in its own coordinates (nm).
 struct ShapeMesh {
     model::PolygonSet polygons;
+    std::vector<RoundHole> holes;          ///< what lets fill in; `polygons` has their cells, which get no walls
     std::vector<std::uint32_t> triangles;  ///< three indices into polygons.points each, counter-clockwise
     std::vector<std::uint32_t>
         next;  ///< per point, the end of its wall; itself where two contour edges cancel and no wall stands
@@ -27,6 +29,12 @@ struct ShapeMesh {
 [[nodiscard]] std::vector<ShapeMesh> discretiseShapes(const model::Document& document,
                                                       const std::vector<model::ShapeId>& shapes,
                                                       const model::Discretisation& how, base::Progress& progress);
+
+/// The same with the round holes of shapes that are placed once left to lets. Triangles of a shape that is placed
+/// more than once are shared, lets would not be.
+[[nodiscard]] std::vector<ShapeMesh> punchShapes(const model::Document& document,
+                                                 const std::vector<model::ShapeId>& shapes,
+                                                 const model::Discretisation& how, base::Progress& progress);
 
 /// Triangulates polygon `row` of the set and appends indices into `set.points`; false if it crosses itself or another
 /// loop of its own: then nothing is appended.

@@ -39,10 +39,20 @@ void joinLets(const Document& document, std::vector<LayerLets>& perLayer, BoardM
     }
 }
 
-void makeAllLets(const Document& document, const model::Discretisation& how, BoardModel& out) {
+std::vector<std::uint32_t> rowsOfShapes(const Document& document, const std::vector<model::ShapeId>& used) {
+    std::vector<std::uint32_t> rows(document.shapes.size(), 0);
+    for (std::uint32_t row = 0; row < used.size(); ++row) {
+        rows[used[row].row()] = row;
+    }
+    return rows;
+}
+
+void makeAllLets(const Document& document, const model::Discretisation& how,
+                 const std::vector<std::uint32_t>& rowOfShape, const std::vector<ShapeMesh>& meshes, BoardModel& out) {
     std::vector<LayerLets> perLayer(document.layers.size());
+    const HolesOfShape holesOf = [&](model::ShapeId shape) { return std::span(meshes[rowOfShape[shape.row()]].holes); };
     base::parallelFor(perLayer.size(), [&](std::size_t row) {
-        perLayer[row] = makeLets(document, model::LayerId{row}, out.origin, how.chordToleranceNm);
+        perLayer[row] = makeLets(document, model::LayerId{row}, out.origin, how.chordToleranceNm, holesOf);
     });
     joinLets(document, perLayer, out);
 }
@@ -94,11 +104,7 @@ void addBatches(const std::vector<shader::AreaInstance>& instances, std::uint32_
     out.areaBatchesOfLayer.push_back({firstBatch, static_cast<std::uint32_t>(out.areaBatches.size()) - firstBatch});
 }
 
-void makeInstances(const Document& document, const std::vector<model::ShapeId>& used, BoardModel& out) {
-    std::vector<std::uint32_t> rowOfShape(document.shapes.size(), 0);
-    for (std::uint32_t row = 0; row < used.size(); ++row) {
-        rowOfShape[used[row].row()] = row;
-    }
+void makeInstances(const Document& document, const std::vector<std::uint32_t>& rowOfShape, BoardModel& out) {
     std::vector<shader::AreaInstance> ofLayer;
     for (std::size_t layer = 0; layer < document.layers.size(); ++layer) {
         ofLayer.clear();
@@ -199,8 +205,14 @@ std::uint64_t countStandardTriangles(const Document& document, const std::vector
     }
     for (const shader::AreaInstance& instance : model.instances) {
         const model::PolygonSet& polygons = meshes[instance.shape].polygons;
-        if (!document.layers[instance.layer].isSynthetic) {
-            sum += 4 * polygons.points.size() + 4 * polygons.loopCount() - 8 * polygons.polygons.size();
+        if (document.layers[instance.layer].isSynthetic) {
+            continue;
+        }
+        sum += 4 * polygons.points.size() + 4 * polygons.loopCount() - 8 * polygons.polygons.size();
+        for (const RoundHole& hole : meshes[instance.shape].holes) {
+            constexpr std::uint64_t kCorners = 4;  // of its cell, which is among the polygons' points
+            sum += 4 * (static_cast<std::uint64_t>(model::chordCount(hole.radius, 2 * std::numbers::pi, true, how)) -
+                        kCorners);
         }
     }
     return sum;
@@ -211,21 +223,22 @@ base::Result<BoardModel> buildStepModel(const Document& document, const model::D
                                         base::Progress& progress, const AreaTriangulator& triangulator) {
     const base::Error cancelled{base::ErrorCode::Cancelled, "cancelled"};
     BoardModel out;
-    progress.beginPhase("Modelling traces and pads");
-    base::Stopwatch watch;
-    static_cast<BoardFrame&>(out) = frameOf(document);
-    makeAllLets(document, how, out);
-    const std::vector<model::ShapeId> used = shapesInUse(document);
-    makeInstances(document, used, out);
-    out.times.createMs = watch.milliseconds();
-
     progress.beginPhase("Rounding curves");
-    watch = {};
-    std::vector<ShapeMesh> meshes = discretiseShapes(document, used, how, progress);
+    base::Stopwatch watch;
+    const std::vector<model::ShapeId> used = shapesInUse(document);
+    const std::vector<std::uint32_t> rowOfShape = rowsOfShapes(document, used);
+    std::vector<ShapeMesh> meshes = punchShapes(document, used, how, progress);
     out.times.discretiseMs = watch.milliseconds();
     if (progress.isCancelled()) {
         return cancelled;
     }
+
+    progress.beginPhase("Modelling traces and pads");
+    watch = {};
+    static_cast<BoardFrame&>(out) = frameOf(document);
+    makeAllLets(document, how, rowOfShape, meshes, out);
+    makeInstances(document, rowOfShape, out);
+    out.times.createMs = watch.milliseconds();
 
     progress.beginPhase("Triangulating copper areas");
     watch = {};
@@ -234,7 +247,9 @@ base::Result<BoardModel> buildStepModel(const Document& document, const model::D
     if (progress.isCancelled()) {
         return cancelled;
     }
+    watch = {};
     joinMeshes(document, used, meshes, out);
+    out.times.createMs += watch.milliseconds();
     reportMeshes(document, meshes, out);
     out.trianglesPaperRule = countStandardTriangles(document, meshes, out, how);
     return out;

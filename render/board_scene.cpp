@@ -71,7 +71,7 @@ std::uint32_t elementCount(const BoardModel& model) {
 }
 
 bool isTube(const shader::Let& let) {
-    return (let.meta & shader::kLetKindMask) == shader::kLetStadium && let.p5 > 0.0F;
+    return (let.meta & shader::kLetKindMask) != shader::kLetArc && let.p5 > 0.0F;
 }
 
 void countLets(const BoardModel& model, SceneStep::Layer& layer) {

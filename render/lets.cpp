@@ -17,6 +17,13 @@ using model::Point;
 
 namespace {
 
+/// Lets reach this far over the edges of their cell, so that rounding opens no gap.
+constexpr Nm kCellOverlap = 1'000;
+
+float mm(Nm length) {
+    return static_cast<float>(length / base::kNmPerMm);
+}
+
 float radiusMm(Nm width) {
     return static_cast<float>(width / 2.0 / base::kNmPerMm);
 }
@@ -24,8 +31,9 @@ float radiusMm(Nm width) {
 /// Turns the elements of one layer into lets.
 class LetMaker {
 public:
-    LetMaker(const model::Document& document, Point origin, double chordToleranceNm, LayerLets& out)
-        : m_document(document), m_origin(origin), m_toleranceNm(chordToleranceNm), m_out(out) {}
+    LetMaker(const model::Document& document, Point origin, double chordToleranceNm, const HolesOfShape& holesOf,
+             LayerLets& out)
+        : m_document(document), m_origin(origin), m_toleranceNm(chordToleranceNm), m_holesOf(holesOf), m_out(out) {}
 
     void add(model::ElementId element) {
         const model::ElementTable& table = m_document.elements;
@@ -41,7 +49,7 @@ public:
                 break;
             case ElementKind::Circle: addCircle(m_document.circles[row]); break;
             case ElementKind::Trail: addTrail(m_document.trails[row]); break;
-            case ElementKind::Area: break;  // triangulated instead, see area_meshes.h
+            case ElementKind::Area: addHoles(m_document.areas[row]); break;  // the rest is triangulated
         }
     }
 
@@ -65,6 +73,21 @@ private:
         if ((m_flags & model::kHole) != 0 && innerWidth > 0) {
             push({from.x, from.y, to.x, to.y, radiusMm(innerWidth), 0.0F, shader::kLetStadium | shader::kLetBore,
                   m_element.value});
+        }
+    }
+
+    void addHoles(const model::AreaGeometry& area) {
+        if (!m_holesOf) {
+            return;
+        }
+        const model::Placement turn{{}, area.placement.clockwiseDeg, false};
+        const model::PointD along = turn.apply(model::PointD{1.0, 0.0});
+        for (const RoundHole& hole : m_holesOf(area.shape)) {
+            const glm::vec2 centre = toGpu(area.placement.apply(base::toDouble(hole.centre)), m_origin);
+            // A mirrored square is the square turned the other way.
+            const double sign = area.placement.isMirrored ? -1.0 : 1.0;
+            push({centre.x, centre.y, static_cast<float>(along.x), static_cast<float>(sign * along.y),
+                  mm(hole.cell + kCellOverlap), mm(hole.radius), shader::kLetHole, m_element.value});
         }
     }
 
@@ -161,6 +184,7 @@ private:
     const model::Document& m_document;
     Point m_origin;
     double m_toleranceNm;
+    const HolesOfShape& m_holesOf;
     LayerLets& m_out;
     model::ElementId m_element;
     std::uint8_t m_flags = 0;
@@ -188,6 +212,10 @@ LetBox boxOf(const shader::Let& let) {
     }
     const glm::vec2 a{let.p0, let.p1};
     const glm::vec2 b{let.p2, let.p3};
+    if ((let.meta & shader::kLetKindMask) == shader::kLetHole) {
+        const float reach = let.p4 * (std::abs(b.x) + std::abs(b.y));
+        return {a - reach, a + reach};
+    }
     // A square pen's corner lies a diagonal away, but its sides are axis-parallel: the box is the same.
     return {glm::min(a, b) - let.p4, glm::max(a, b) + let.p4};
 }
@@ -239,9 +267,10 @@ std::vector<shader::Cluster> cutIntoClusters(const std::vector<shader::Let>& let
 
 }  // namespace
 
-LayerLets makeLets(const model::Document& document, model::LayerId layer, Point origin, double chordToleranceNm) {
+LayerLets makeLets(const model::Document& document, model::LayerId layer, Point origin, double chordToleranceNm,
+                   const HolesOfShape& holesOf) {
     LayerLets out;
-    LetMaker maker(document, origin, chordToleranceNm, out);
+    LetMaker maker(document, origin, chordToleranceNm, holesOf, out);
     const model::Range range = document.layer(layer).elements;
     for (std::uint32_t i = 0; i < range.count; ++i) {
         maker.add(model::ElementId{range.first + i});

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
+#include <span>
 #include <vector>
 
 #include "model/document.h"
+#include "render/round_holes.h"
 #include "shaders/shared/board.h"
 
 namespace render {
@@ -17,10 +20,13 @@ struct LayerLets {
     std::uint32_t firstZeroWidthLine = 0;  ///< line of the first one in the layer's file
 };
 
-/// Lets for all lines, arcs, circles and trails of a layer (paper: "Procedural"). A trail gives one let per edge with
-/// its element's id; an arc is split so that `kArcFineChords` chords stay within `chordToleranceNm`. Positions are mm
-/// from `origin`.
+/// The round holes of a shape that lets fill in.
+using HolesOfShape = std::function<std::span<const RoundHole>(model::ShapeId)>;
+
+/// Lets for all lines, arcs, circles and trails of a layer (paper: "Procedural"), and for round holes of its areas. A
+/// trail gives one let per edge with its element's id; an arc is split so that `kArcFineChords` chords stay within
+/// `chordToleranceNm`. Positions are mm from `origin`.
 [[nodiscard]] LayerLets makeLets(const model::Document& document, model::LayerId layer, model::Point origin,
-                                 double chordToleranceNm);
+                                 double chordToleranceNm, const HolesOfShape& holesOf = {});
 
 }  // namespace render

@@ -10,7 +10,7 @@ bool isClusterInView(Cluster cluster, LayerState layer) {
 }
 
 uint topologyOf(Let let) {
-    const bool isTube = (let.meta & kLetKindMask) == kLetStadium && let.p5 > 0.0;
+    const bool isTube = (let.meta & kLetKindMask) != kLetArc && let.p5 > 0.0;
     return isTube ? kTopologyClosed : kTopologyOpen;
 }
 
@@ -24,6 +24,9 @@ vec3 letCircle(Let let) {
     }
     const vec2 a = vec2(let.p0, let.p1);
     const vec2 b = vec2(let.p2, let.p3);
+    if ((let.meta & kLetKindMask) == kLetHole) {
+        return vec3(a, 1.41421357 * let.p4);
+    }
     const float corner = has(let.meta, kLetSquarePen) ? 1.41421357 : 1.0;
     return vec3(0.5 * (a + b), 0.5 * length(b - a) + corner * let.p4);
 }
@@ -38,17 +41,22 @@ float pixelsPerMmAt(vec3 middle, vec3 extent) {
 
 // How far the polygon of a unit circle strays from it, by level: (1 - c) / (1 + c) with c = cos(pi / 2 / (points - 1)).
 const float kEndError[4] = float[](1.5544e-4, 2.7466e-3, 1.26952e-2, 7.17968e-2);
+const float kRingError[4] = float[](1.5060e-4, 2.4135e-3, 9.7005e-3, 3.95662e-2);  // of a hole, whose points go all round
 const float kArcEndError[4] = float[](6.4216e-4, 1.26952e-2, 7.17968e-2, 7.17968e-2);
 
 float letError(Let let, uint level) {
-    if ((let.meta & kLetKindMask) != kLetArc) {
-        return let.p4 * kEndError[level];
+    const uint kind = let.meta & kLetKindMask;
+    if (kind != kLetArc) {
+        return kind == kLetHole ? let.p5 * kRingError[level] : let.p4 * kEndError[level];
     }
     const float quarterChord = sin(0.25 * abs(let.p4) / float(kArcChords[level]));
     return max(let.p5 * kArcEndError[level], 2.0 * (let.p2 + let.p5) * quarterChord * quarterChord);
 }
 
 bool isQuad(Let let, LayerState layer, float pixelsPerMm) {
+    if ((let.meta & kLetKindMask) == kLetHole) {
+        return let.p5 * pixelsPerMm < FRAME.quadRadiusPx;  // what is deep in so small a hole is not seen
+    }
     const float radius = (let.meta & kLetKindMask) == kLetArc ? 1e30 : let.p4;
     // Its walls must be out of sight too: barrels stand far taller than they are wide.
     return radius * pixelsPerMm < FRAME.quadRadiusPx && (layer.z1 - layer.z0) * pixelsPerMm < 1.0;

@@ -62,6 +62,22 @@ vec2 tubePoint(Let let, uint level, uint rung, bool isInner) {
                     has(let.meta, kLetSquarePen), isRight ? along : points - 1u - along, points);
 }
 
+// Rung `rung` of what surrounds a round hole, counter-clockwise: the circle inside, the square outside. Corners of the square are rungs at all levels.
+vec2 holePoint(Let let, uint level, uint rung, bool isInner) {
+    const float rungs = float(2u * kEndPoints[level]);
+    const float angle = 4.0 * kHalfPi * float(rung) / rungs;
+    const vec2 u = vec2(cos(angle), sin(angle));
+    const vec2 local = isInner ? let.p5 * 2.0 / (1.0 + cos(2.0 * kHalfPi / rungs)) * u : let.p4 * u / max(abs(u.x), abs(u.y));
+    const vec2 along = vec2(let.p2, let.p3);
+    return vec2(let.p0, let.p1) + local.x * along + local.y * leftOf(along);
+}
+
+// Less than a pixel: the cell is filled.
+vec2 cellCorner(Let let, uint rung, bool isLeft) {
+    const vec2 along = let.p4 * vec2(let.p2, let.p3);
+    return vec2(let.p0, let.p1) + (rung == 0u ? -along : along) + (isLeft ? 1.0 : -1.0) * leftOf(along);
+}
+
 vec2 arcPoint(Let let, uint level, uint rung, bool isLeft) {
     const vec2 centre = vec2(let.p0, let.p1);
     const uint ends = kArcEndRungs[level];
@@ -88,6 +104,9 @@ vec2 letPoint(Let let, uint level, uint rung, uint side) {
     if ((let.meta & kLetKindMask) == kLetArc) {
         return arcPoint(let, level, rung, side == 0u);
     }
+    if ((let.meta & kLetKindMask) == kLetHole) {
+        return level == kLevelQuad ? cellCorner(let, rung, side == 0u) : holePoint(let, level, rung, side == 0u);
+    }
     // A tube of less than a pixel is drawn as a full quad.
     return let.p5 > 0.0 && level != kLevelQuad ? tubePoint(let, level, rung, side == 0u)
                                                : stadiumPoint(let, level, rung, side == 0u);
@@ -100,8 +119,8 @@ vec3 letPosition(Let let, LayerState layer, uint level, uint code) {
     return vec3(letPoint(let, level, code >> 2u, (code >> 1u) & 1u), z);
 }
 
-// Length over width of a stroke; arcs are cut into short pieces.
+// Length over width of a stroke; arcs are cut into short pieces, cells are square.
 float slendernessOf(Let let) {
-    const bool isArc = (let.meta & kLetKindMask) == kLetArc;
-    return isArc ? 0.0 : distance(vec2(let.p0, let.p1), vec2(let.p2, let.p3)) / (2.0 * let.p4);
+    const bool isStroke = (let.meta & kLetKindMask) == kLetStadium;
+    return !isStroke ? 0.0 : distance(vec2(let.p0, let.p1), vec2(let.p2, let.p3)) / (2.0 * let.p4);
 }

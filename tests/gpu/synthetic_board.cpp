@@ -14,9 +14,10 @@ constexpr float kMmPerUnit = 1e-3F;  // loops are in micrometres
 
 void includeBox(shader::Cluster& cluster, const shader::Let& let) {
     const bool isArc = (let.meta & shader::kLetKindMask) == shader::kLetArc;
-    const float reach = isArc ? let.p2 + let.p5 : let.p4;
+    const bool isHole = (let.meta & shader::kLetKindMask) == shader::kLetHole;
+    const float reach = isArc ? let.p2 + let.p5 : isHole ? 1.5F * let.p4 : let.p4;
     const glm::vec2 a{let.p0, let.p1};
-    const glm::vec2 b = isArc ? a : glm::vec2{let.p2, let.p3};
+    const glm::vec2 b = isArc || isHole ? a : glm::vec2{let.p2, let.p3};
     cluster.boxMin = glm::min(cluster.boxMin, glm::min(a, b) - reach);
     cluster.boxMax = glm::max(cluster.boxMax, glm::max(a, b) + reach);
 }
@@ -77,6 +78,10 @@ std::uint32_t SyntheticBoard::addDisc(glm::vec2 centre, float radius, float inne
 
 std::uint32_t SyntheticBoard::addArc(glm::vec2 centre, float arcRadius, float start, float sweep, float penRadius) {
     return addLet({centre.x, centre.y, arcRadius, start, sweep, penRadius, shader::kLetArc, 0});
+}
+
+std::uint32_t SyntheticBoard::addHole(glm::vec2 centre, float radius, float cell, float turn) {
+    return addLet({centre.x, centre.y, std::cos(turn), std::sin(turn), cell, radius, shader::kLetHole, 0});
 }
 
 std::uint32_t SyntheticBoard::addArea(const std::vector<std::vector<base::Point>>& loops,
@@ -149,6 +154,8 @@ SyntheticBoard everything() {
     board.addDisc({0, 8}, 1.5F);
     board.addDisc({4, 8}, 1.5F, 0.0F, shader::kLetSquarePen);
     board.addDisc({0, 3}, 1.2F, 0.6F);
+    board.addHole({12, 8}, 1.0F, 1.4F, 0.3F);
+    board.addHole({16, 8}, 0.2F, 1.0F);
     board.addArc({2, -4}, 4.0F, 0.0F, kPi / 2, 0.4F);
     board.addArc({2, -4}, 3.0F, kPi, -kPi / 2, 0.3F);
     board.addArc({2, -4}, 0.2F, 1.0F, 1.0F, 0.2F);

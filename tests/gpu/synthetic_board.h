@@ -16,6 +16,8 @@ public:
     std::uint32_t addStroke(glm::vec2 a, glm::vec2 b, float radius, float innerRadius = 0.0F, std::uint32_t flags = 0);
     std::uint32_t addDisc(glm::vec2 centre, float radius, float innerRadius = 0.0F, std::uint32_t flags = 0);
     std::uint32_t addArc(glm::vec2 centre, float arcRadius, float start, float sweep, float penRadius);
+    /// The cell around a round hole, its sides turned counter-clockwise.
+    std::uint32_t addHole(glm::vec2 centre, float radius, float cell, float turn = 0.0F);
     /// One shape placed once or more; loops in micrometres, the outline first, counter-clockwise, holes clockwise.
     std::uint32_t addArea(const std::vector<std::vector<base::Point>>& loops,
                           const std::vector<shader::AreaInstance>& places);
