@@ -129,24 +129,33 @@ void addBench(CLI::App& parent, BenchArguments& arguments) {
 
 /// The other thing that `bench` measures, with options of its own.
 void addTriangulationBench(CLI::App* command, bool& isWanted, TriangulationBenchArguments& arguments) {
-    command->add_flag("--triangulation", isWanted,
-                      "all triangulators instead, over areas of boards and generated ones (the paper's Table 6)");
+    CLI::Option* wanted =
+        command->add_flag("--triangulation", isWanted,
+                          "all triangulators instead, over areas of boards and generated ones (the paper's Table 6)");
+    for (const char* drawing : {"--pipeline", "--frames"}) {
+        wanted->excludes(command->get_option(drawing));
+    }
     command
         ->add_option(
             "--triangulators", arguments.triangulators,
             "only these of cgal, cpu, parallel and gpu, separated by commas; default: all, gpu only if it is hardware")
         ->delimiter(',')
-        ->check(CLI::IsMember({"cgal", "cpu", "parallel", "gpu"}));
+        ->check(CLI::IsMember({"cgal", "cpu", "parallel", "gpu"}))
+        ->needs(wanted);
     command->add_option("--threads", arguments.threads, "numbers of threads, separated by commas; 0 = all cores")
         ->delimiter(',')
         ->check(CLI::Range(0, 1024))
+        ->needs(wanted)
         ->capture_default_str();
     command->add_option("--repeats", arguments.repeats, "the best of so many runs")
         ->check(CLI::Range(1, 1000))
+        ->needs(wanted)
         ->capture_default_str();
     command->add_option("--sets", arguments.sets, "only these generated sets, separated by commas; none: no set")
-        ->delimiter(',');
-    command->add_flag("--huge", arguments.withHuge, "with the generated sets of a million vertices and more");
+        ->delimiter(',')
+        ->needs(wanted);
+    command->add_flag("--huge", arguments.withHuge, "with the generated sets of a million vertices and more")
+        ->needs(wanted);
 }
 
 }  // namespace

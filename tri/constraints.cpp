@@ -1,6 +1,7 @@
 #include "tri/constraints.h"
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 #include <vector>
 
@@ -59,6 +60,9 @@ public:
             }
         });
         const std::vector<DirectedEdge> blocked = insert(edges);
+        if (m_isCertain) {
+            return m_crossing;
+        }
         const std::vector<DirectedEdge> pieces = blocked.empty() ? blocked : split(blocked);
         if (m_contours.overlap().outcome != Outcome::Ok) {
             return m_contours.overlap();
@@ -72,7 +76,7 @@ public:
 
 private:
     /// Inserts the edges that are (still) contours and not there yet. Returns those that are blocked; m_crossing tells
-    /// about the last of them.
+    /// about the last of them. Stops at a crossing that is certain.
     std::vector<DirectedEdge> insert(const std::vector<DirectedEdge>& edges) {
         std::vector<DirectedEdge> blocked;
         for (const DirectedEdge& edge : edges) {
@@ -85,9 +89,39 @@ private:
             } else {
                 blocked.push_back(edge);
                 m_crossing = {Outcome::Crossing, edge.edge, nameOf(m_corridor.blockingEdge())};
+                if (isCertainlyCrossing(edge, m_corridor.blockingEdge())) {
+                    m_isCertain = true;
+                    break;
+                }
             }
         }
         return blocked;
+    }
+
+    /// What two edges do that meet between their ends is a crossing, unless another run along one of them cancels it
+    /// there. Looking for one takes a pass over all contours, so only the 1st, 2nd, 4th, 8th, ... meeting is looked at:
+    /// enough to stop soon where everything crosses everything.
+    bool isCertainlyCrossing(const DirectedEdge& edge, EdgeRef blocking) {
+        if (blocking == kOutside || !std::has_single_bit(++m_meetings)) {
+            return false;
+        }
+        const Triangle& t = m_mesh.triangles[blocking.triangle()];
+        return !hasCompany(edge.from, edge.to) &&
+               !hasCompany(t.v[kNext[blocking.corner()]], t.v[kPrevious[blocking.corner()]]);
+    }
+
+    /// Does any other contour run along a part of this one?
+    [[nodiscard]] bool hasCompany(std::uint32_t from, std::uint32_t to) const {
+        const auto [low, high] = std::minmax(m_mesh.points[from], m_mesh.points[to]);
+        bool found = false;
+        m_contours.forEachEdge(m_mesh, [&](const DirectedEdge& other) {
+            const auto [otherLow, otherHigh] = std::minmax(m_mesh.points[other.from], m_mesh.points[other.to]);
+            const bool isSame = otherLow == low && otherHigh == high;
+            found =
+                found || (!isSame && m_mesh.turn(from, to, other.from) == 0 && m_mesh.turn(from, to, other.to) == 0 &&
+                          std::max(low, otherLow) < std::min(high, otherHigh));
+        });
+        return found;
     }
 
     [[nodiscard]] std::uint32_t nameOf(EdgeRef edge) const {
@@ -130,6 +164,8 @@ private:
     Corridor m_corridor;
     std::vector<EdgeRef> m_dirty;
     Status m_crossing;
+    std::uint64_t m_meetings = 0;  ///< of an edge with one that has to stay
+    bool m_isCertain = false;
 };
 
 }  // namespace

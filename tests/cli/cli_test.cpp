@@ -159,6 +159,11 @@ private slots:
         QCOMPARE(copperscope({"info", places::kSample, "--triangulator", "magic"}).exitCode, 1);
     }
 
+    void benchRefusesOptionsOfTheOtherMeasurement() {
+        QCOMPARE(copperscope({"bench", "--triangulation", "--sets", "none", "--frames", "3"}).exitCode, 1);
+        QCOMPARE(copperscope({"bench", places::kSample, "--repeats", "3"}).exitCode, 1);
+    }
+
     void benchMeasuresAllTriangulators() {
         const Outcome run = copperscope({"bench", "--triangulation", places::kSample, "--sets", "areas 1k", "--threads",
                                          "1", "--repeats", "1", "--triangulators", "cgal,cpu,parallel,gpu", "--json"});

@@ -3,6 +3,7 @@
 #include <QtTest>
 
 #include "tests/unit/tri/cases.h"
+#include "tri/predicates.h"
 #include "tri/verify.h"
 
 using base::Point;
@@ -79,6 +80,28 @@ private slots:
         QCOMPARE(triangles.empty(), input.outcome != Outcome::Ok);
         if (input.outcome == Outcome::Ok) {
             QCOMPARE(tri::verify(input.polygon(), triangles), Fault::None);
+        }
+    }
+
+    void aTangleIsToldFromItsFirstCrossings() {
+        // Each of 200,000 edges crosses thousands of others: looking at all of them would take a minute.
+        std::mt19937 random(3);
+        std::vector<Point> points(200'000);
+        for (Point& p : points) {
+            p = {static_cast<int>(random() >> 2), static_cast<int>(random() >> 2)};
+        }
+        const Case tangle = Case{"tangle"}.loop(points);
+        for (const Triangulator which : {Triangulator::Cpu, Triangulator::Parallel}) {
+            Triangles triangles;
+            const Status status = tri::triangulate(tangle.polygon(), which, triangles);
+            QCOMPARE(status.outcome, Outcome::Crossing);
+            QVERIFY(triangles.empty());
+            const auto from = [&](std::uint32_t edge) { return points[edge]; };
+            const auto to = [&](std::uint32_t edge) { return points[(edge + 1) % points.size()]; };
+            const auto isApart = [&](std::uint32_t e, std::uint32_t f) {
+                return (tri::orient(from(e), to(e), from(f)) > 0) != (tri::orient(from(e), to(e), to(f)) > 0);
+            };
+            QVERIFY(isApart(status.firstEdge, status.secondEdge) && isApart(status.secondEdge, status.firstEdge));
         }
     }
 
