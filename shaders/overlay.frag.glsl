@@ -15,11 +15,10 @@ vec3 toLinear(vec3 srgb) {
 
 void main() {
     const uvec2 at = uvec2(gl_FragCoord.xy);
-    if (at.x >= push.width || at.y >= push.height) {
-        discard;
-    }
-    const vec4 pixel = unpackUnorm4x8(push.pixels.at[at.y * push.width + at.x]);
-    if (pixel.a == 0.0) {
+    // Invocations beside the picture load too, discarded or not (docs/driver-notes.md): they must stay inside.
+    const uvec2 inside = min(at, uvec2(push.width, push.height) - 1u);
+    const vec4 pixel = unpackUnorm4x8(push.pixels.at[inside.y * push.width + inside.x]);
+    if (at != inside || pixel.a == 0.0) {
         discard;
     }
     outColour = vec4(toLinear(pixel.rgb / pixel.a), pixel.a);
