@@ -75,6 +75,10 @@ constexpr ActionSpec kSpecs[] = {
      "Compare the nets with the copper: opens, shorts and loose copper"},
     {InferNets, MenuId::Board, "&Nets from the copper", "Ctrl+Shift+I",
      "Read the board again with nets found by following the copper, instead of the job's", kCheckable},
+    {ExaggerateCopper, MenuId::Board, "E&xaggerate copper", "Ctrl+Shift+X",
+     "In the drawing of the stack, make copper as thick as laminate; off: all to scale", kCheckable, kNewGroup},
+    {ExportStack, MenuId::Board, "Export &stack…", "Ctrl+Shift+E",
+     "Write the stack as a drawing (SVG) or a table (CSV)"},
 
     {ClearSelection, MenuId::Select, "&Clear", "Esc",
      "Stop loading or checking, or else forget the selection, or else the highlighted nets"},

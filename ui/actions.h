@@ -60,6 +60,8 @@ enum class ActionId {
     RestoreLayers,
     CheckNets,
     InferNets,
+    ExaggerateCopper,
+    ExportStack,
     ClearSelection,
     ShowSelection,
     HighlightNet,

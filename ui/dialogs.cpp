@@ -3,8 +3,33 @@
 #include <QAbstractButton>
 #include <QFileDialog>
 #include <QMessageBox>
+#include <QStringList>
 
 namespace ui {
+
+namespace {
+
+struct SaveQuestion {
+    const char* title;
+    QStringList filters;  ///< "Name (*.ending)": the chosen one's ending is added where the name has none
+};
+
+void askWhereToSave(QWidget& parent, const SaveQuestion& question, const QString& startFolder,
+                    const PathAnswer& answer) {
+    auto* dialog = new QFileDialog(&parent, QString::fromUtf8(question.title), startFolder);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setNameFilters(question.filters);
+    const auto takeEnding = [dialog](const QString& filter) {
+        dialog->setDefaultSuffix(filter.section(QStringLiteral("*."), 1).remove(')'));
+    };
+    takeEnding(question.filters.first());
+    QObject::connect(dialog, &QFileDialog::filterSelected, dialog, takeEnding);
+    QObject::connect(dialog, &QFileDialog::fileSelected, &parent, answer);
+    dialog->open();
+}
+
+}  // namespace
 
 void askForBoard(QWidget& parent, BoardForm form, const QString& startFolder, const PathAnswer& answer) {
     const bool isFolder = form == BoardForm::Folder;
@@ -18,13 +43,11 @@ void askForBoard(QWidget& parent, BoardForm form, const QString& startFolder, co
 }
 
 void askForPicturePath(QWidget& parent, const QString& startFolder, const PathAnswer& answer) {
-    auto* dialog =
-        new QFileDialog(&parent, QStringLiteral("Save picture"), startFolder, QStringLiteral("PNG pictures (*.png)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(QStringLiteral("png"));
-    QObject::connect(dialog, &QFileDialog::fileSelected, &parent, answer);
-    dialog->open();
+    askWhereToSave(parent, {"Save picture", {"PNG pictures (*.png)"}}, startFolder, answer);
+}
+
+void askForStackPath(QWidget& parent, const QString& startFolder, const PathAnswer& answer) {
+    askWhereToSave(parent, {"Export the stack", {"Drawings (*.svg)", "Tables (*.csv)"}}, startFolder, answer);
 }
 
 void askToReset(QWidget& parent, const std::function<void()>& confirmed) {

@@ -14,6 +14,7 @@ enum class BoardForm { File, Folder };
 
 void askForBoard(QWidget& parent, BoardForm form, const QString& startFolder, const PathAnswer& answer);
 void askForPicturePath(QWidget& parent, const QString& startFolder, const PathAnswer& answer);
+void askForStackPath(QWidget& parent, const QString& startFolder, const PathAnswer& answer);
 void askToReset(QWidget& parent, const std::function<void()>& confirmed);
 
 }  // namespace ui

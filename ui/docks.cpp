@@ -13,17 +13,22 @@ struct DockSpec {
     const char* title;
     Qt::DockWidgetArea area;
     const char* behind;  ///< shares the place of this one, which stays in front; null: a place of its own
-    int lines;           ///< width at the sides, height at the bottom, in heights of a line of text
+    int lines;  ///< width at the sides, height at the bottom, in heights of a line of text; 0: of the one in front
 };
 
 constexpr DockSpec kDocks[] = {
     {ActionId::ShowLayersDock, "layers", "Layers", Qt::LeftDockWidgetArea, nullptr, 24},
+    {ActionId::ShowStackDock, "stack", "Stack", Qt::LeftDockWidgetArea, "layers", 0},
     {ActionId::ShowNetsDock, "nets", "Nets", Qt::RightDockWidgetArea, nullptr, 22},
     {ActionId::ShowElementDock, "element", "Element", Qt::RightDockWidgetArea, nullptr, 22},
     {ActionId::ShowMessagesDock, "messages", "Messages", Qt::BottomDockWidgetArea, nullptr, 13},
-    {ActionId::ShowNetCheckDock, "netCheck", "Opens and shorts", Qt::BottomDockWidgetArea, "messages", 13},
-    {ActionId::ShowStackDock, "stack", "Stack", Qt::BottomDockWidgetArea, "messages", 13},
-    {ActionId::ShowStatisticsDock, "statistics", "Statistics", Qt::BottomDockWidgetArea, "messages", 13},
+    {ActionId::ShowNetCheckDock, "netCheck", "Opens and shorts", Qt::BottomDockWidgetArea, "messages", 0},
+    {ActionId::ShowStatisticsDock, "statistics", "Statistics", Qt::BottomDockWidgetArea, "messages", 0},
+};
+
+struct Sizes {
+    QList<QDockWidget*> docks;
+    QList<int> sizes;
 };
 
 void place(QMainWindow& window, QDockWidget& dock, const DockSpec& spec) {
@@ -33,21 +38,29 @@ void place(QMainWindow& window, QDockWidget& dock, const DockSpec& spec) {
         window.tabifyDockWidget(front, &dock);
         front->raise();
     }
-    const Qt::Orientation way = spec.area == Qt::BottomDockWidgetArea ? Qt::Vertical : Qt::Horizontal;
-    window.resizeDocks({&dock}, {window.fontMetrics().height() * spec.lines}, way);
 }
 
 }  // namespace
 
 void addDocks(QMainWindow& window, ActionSet& actions, const std::function<QWidget*(ActionId)>& panelOf) {
+    Sizes atSides;
+    Sizes below;
     for (const DockSpec& spec : kDocks) {
         auto* dock = new QDockWidget(QLatin1String(spec.title), &window);
         dock->setObjectName(QLatin1String(spec.name));
         dock->setWidget(panelOf(spec.toggle));
         actions.adopt(spec.toggle, *dock->toggleViewAction());
         place(window, *dock, spec);
+        if (spec.lines > 0) {
+            Sizes& sizes = spec.area == Qt::BottomDockWidgetArea ? below : atSides;
+            sizes.docks += dock;
+            sizes.sizes += window.fontMetrics().height() * spec.lines;
+        }
     }
     window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    // All at once, or one takes from another what it was given.
+    window.resizeDocks(atSides.docks, atSides.sizes, Qt::Horizontal);
+    window.resizeDocks(below.docks, below.sizes, Qt::Vertical);
 }
 
 }  // namespace ui

@@ -25,6 +25,7 @@
 #include "ui/paths.h"
 #include "ui/recent_boards.h"
 #include "ui/stack_panel.h"
+#include "ui/stack_view.h"
 #include "ui/start_page.h"
 #include "ui/statistics_panel.h"
 #include "ui/status_line.h"
@@ -44,13 +45,14 @@ constexpr ActionId kBoardActions[] = {
     ActionId::ZoomIn,         ActionId::ZoomOut,       ActionId::ShowAllLayers,  ActionId::HideAllLayers,
     ActionId::ShowCopperOnly, ActionId::SoloLayer,     ActionId::RestoreLayers,  ActionId::Contrast,
     ActionId::NextLayer,      ActionId::PreviousLayer, ActionId::ClearSelection, ActionId::ShowSelection,
-    ActionId::CheckNets,      ActionId::InferNets,     ActionId::HighlightNet};
+    ActionId::CheckNets,      ActionId::ExportStack,   ActionId::InferNets,      ActionId::HighlightNet};
 
 }  // namespace
 
 MainWindow::MainWindow(GpuContext& context, Settings& settings, const Loader::Work& work)
     : m_context(context), m_settings(settings), m_actions(*this), m_loader(work) {
     setObjectName(QStringLiteral("workbench"));
+    resize(1280, 800);  // before the docks take their shares of it
     setWindowTitle(QStringLiteral("Copperscope"));
     m_statusLine = new StatusLine(*statusBar());
     m_statusLine->showDevice(QString::fromStdString(context.device().caps().name));
@@ -92,8 +94,10 @@ void MainWindow::createCentre() {
     m_planPainter = std::make_unique<PlanPainter>(m_views->flat());
     connect(m_views, &BoardViews::timed, m_statusLine, &StatusLine::showFrame);
     connect(m_views, &BoardViews::troubled, m_messageBar, &MessageBar::showError);
-    connect(&m_layerModel, &models::LayerModel::looksChanged, this,
-            [this] { m_views->setLooks(m_layerModel.effectiveLooks()); });
+    connect(&m_layerModel, &models::LayerModel::looksChanged, this, [this] {
+        m_views->setLooks(m_layerModel.effectiveLooks());
+        colourStack();
+    });
 }
 
 void MainWindow::createDocks() {
@@ -101,7 +105,7 @@ void MainWindow::createDocks() {
     m_netsPanel = new NetsPanel(m_netModel, m_selection);
     m_elementPanel = new ElementPanel(m_selection);
     m_netCheckPanel = new NetCheckPanel(m_netCheckModel, m_actions);
-    m_stackPanel = new StackPanel(m_stackModel);
+    m_stackPanel = new StackPanel(m_stackModel, m_actions);
     m_statisticsPanel = new StatisticsPanel(m_statisticsModel);
     m_messagesPanel = new MessagesPanel(m_messageModel);
     connect(m_messagesPanel, &MessagesPanel::chosen, this, qOverload<const model::Diagnostic&>(&MainWindow::goTo));
@@ -169,7 +173,6 @@ void MainWindow::connectLoader() {
 }
 
 void MainWindow::restoreSettings() {
-    resize(1280, 800);
     m_defaultState = saveState();
     restoreGeometry(m_settings.windowGeometry());
     restoreState(m_settings.windowState());
@@ -236,6 +239,8 @@ void MainWindow::onLoaded(const LoadedBoard& board) {
     m_statisticsModel.setDocument(board.document);
     m_stackModel.setDocument(board.document);
     m_thicknesses.setBoard(board);
+    m_stackPanel->view().setStack(board.document);
+    colourStack();
     m_netCheckModel.setChecks(nullptr, {});
     m_messageModel.setMessages(board.document, board.model->diagnostics);
     m_views->show(board, m_layerModel.effectiveLooks());
@@ -263,10 +268,19 @@ void MainWindow::showNotes(const std::vector<std::string>& notes) {
     }
 }
 
+void MainWindow::colourStack() {
+    std::vector<QColor> colours;
+    for (const models::LayerLook& look : m_layerModel.effectiveLooks()) {
+        colours.push_back(look.colour);
+    }
+    m_stackPanel->view().setLooks(std::move(colours), m_layerModel.soloLayer());
+}
+
 void MainWindow::onRestacked(const std::shared_ptr<const model::Document>& document) {
     m_board->document = document;
     m_layerModel.setHeights(document);
     m_stackModel.setDocument(document);
+    m_stackPanel->view().setStack(document);
     m_messageModel.setMessages(document, m_board->model->diagnostics);
     m_views->setHeights(document);
 }

@@ -53,6 +53,8 @@ public:
     void open(LoadRequest request) { m_loader.open(std::move(request)); }
     /// Writes what the canvas shows as PNG; what goes wrong is shown in the message bar.
     void savePicture(const QString& path);
+    /// Writes the stack as its name's ending says (.svg, .csv).
+    void exportStack(const QString& path);
     /// Back to the state of a first start, except for the board.
     void resetSettings();
 
@@ -94,6 +96,7 @@ private:
     void connectViewActions();
     void connectLayerActions();
     void connectBoardActions();
+    void connectStackActions();
     void connectSelectActions();
     void connectFollowActions();
     void connectPlanActions();
@@ -112,6 +115,7 @@ private:
     void onWorking(const QString& what);
     void onIdle();
     void onRestacked(const std::shared_ptr<const model::Document>& document);
+    void colourStack();
     /// What of the session is not used.
     void showNotes(const std::vector<std::string>& notes);
     /// Shows what a message is about: its element lights up, its layer becomes visible.

@@ -7,6 +7,8 @@
 #include <QStatusBar>
 #include <utility>
 
+#include "model/stack_export.h"
+#include "ui/dialogs.h"
 #include "ui/element_panel.h"
 #include "ui/help_dialogs.h"
 #include "ui/layers_panel.h"
@@ -15,6 +17,8 @@
 #include "ui/net_check_panel.h"
 #include "ui/nets_panel.h"
 #include "ui/paths.h"
+#include "ui/stack_panel.h"
+#include "ui/stack_view.h"
 #include "ui/status_line.h"
 #include "ui/theme.h"
 
@@ -44,6 +48,7 @@ void MainWindow::connectCommands() {
     connectViewActions();
     connectLayerActions();
     connectBoardActions();
+    connectStackActions();
     connectSelectActions();
     connectFollowActions();
     connectPlanActions();
@@ -123,6 +128,27 @@ void MainWindow::connectBoardActions() {
     });
     connect(m_netCheckPanel, &NetCheckPanel::chosen, this,
             qOverload<const models::NetCheckModel::Finding&>(&MainWindow::goTo));
+}
+
+void MainWindow::connectStackActions() {
+    StackView& view = m_stackPanel->view();
+    m_actions[ActionId::ExaggerateCopper].setChecked(view.isExaggerated());
+    on(ActionId::ExaggerateCopper, [&view](bool isOn) { view.setExaggerated(isOn); });
+    on(ActionId::ExportStack,
+       [this] { askForStackPath(*this, m_settings.lastFolder(), [this](const QString& path) { exportStack(path); }); });
+    connect(&view, &StackView::isolateRequested, this, [this](model::LayerId layer) {
+        m_layersPanel->selectRow(static_cast<int>(layer.row()));
+        m_layerModel.toggleSolo(layer);
+    });
+}
+
+void MainWindow::exportStack(const QString& path) {
+    const bool isExaggerated = m_stackPanel->view().isExaggerated();
+    if (const base::Status written = model::writeStack(*m_board->document, toPath(path), isExaggerated); !written) {
+        m_messageBar->showError(QString::fromStdString(written.error().text));
+    } else {
+        statusBar()->showMessage(QStringLiteral("Saved %1").arg(path));
+    }
 }
 
 void MainWindow::checkNets() {

@@ -4,18 +4,42 @@
 #include <QHeaderView>
 #include <QItemSelectionModel>
 #include <QLabel>
+#include <QScrollArea>
+#include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <numeric>
 
+#include "ui/actions.h"
+#include "ui/stack_view.h"
 #include "ui/table_view.h"
 
 namespace ui {
 
 using models::StackModel;
 
-StackPanel::StackPanel(StackModel& model, QWidget* parent)
-    : QWidget(parent), m_model(model), m_table(new TableView), m_summary(new QLabel) {
+namespace {
+
+/// A row of buttons over a widget.
+QWidget* halfOf(QHBoxLayout* row, QWidget* widget) {
+    auto* half = new QWidget;
+    auto* layout = new QVBoxLayout(half);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    layout->addLayout(row);
+    layout->addWidget(widget);
+    return half;
+}
+
+}  // namespace
+
+StackPanel::StackPanel(StackModel& model, const ActionSet& actions, QWidget* parent)
+    : QWidget(parent),
+      m_model(model),
+      m_view(new StackView),
+      m_table(new TableView),
+      m_halves(new QSplitter),
+      m_summary(new QLabel) {
     m_table->setModel(&model);
     m_table->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked |
                              QAbstractItemView::AnyKeyPressed);
@@ -24,18 +48,40 @@ StackPanel::StackPanel(StackModel& model, QWidget* parent)
     connect(&model, &QAbstractItemModel::modelReset, this, &StackPanel::updateSummary);
     connect(&model, &QAbstractItemModel::dataChanged, this, &StackPanel::updateSummary);
 
+    m_halves->addWidget(drawingHalf(actions));
+    m_halves->addWidget(tableHalf());
+    m_halves->setStretchFactor(0, 3);
+    m_halves->setStretchFactor(1, 2);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(2, 2, 2, 2);
+    layout->addWidget(m_halves);
+}
+
+QWidget* StackPanel::drawingHalf(const ActionSet& actions) {
     auto* row = new QHBoxLayout;
-    row->addWidget(button(QStringLiteral("resetSelected"), QStringLiteral("Reset selected"),
+    for (const ActionId id : {ActionId::ExaggerateCopper, ActionId::ExportStack}) {
+        auto* command = new QToolButton;
+        command->setDefaultAction(&actions[id]);
+        command->setAutoRaise(true);
+        row->addWidget(command);
+    }
+    row->addStretch();
+    auto* scroll = new QScrollArea;
+    scroll->setWidget(m_view);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    return halfOf(row, scroll);
+}
+
+QWidget* StackPanel::tableHalf() {
+    auto* row = new QHBoxLayout;
+    row->addWidget(button(QStringLiteral("resetSelected"), QStringLiteral("Reset"),
                           QStringLiteral("The selected layers as thick as the job says"), &StackPanel::resetSelected));
     row->addWidget(button(QStringLiteral("resetAll"), QStringLiteral("Reset all"),
                           QStringLiteral("All layers as thick as the job says"), &StackPanel::resetAll));
-    row->addStretch();
-    row->addWidget(m_summary);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(2, 2, 2, 2);
-    layout->setSpacing(2);
-    layout->addLayout(row);
-    layout->addWidget(m_table);
+    m_summary->setMinimumWidth(1);  // the panel is not made wider for it
+    row->addWidget(m_summary, 1);
+    return halfOf(row, m_table);
 }
 
 QAbstractButton* StackPanel::button(const QString& name, const QString& text, const QString& tip,
@@ -61,6 +107,11 @@ void StackPanel::resetAll() {
     std::vector<int> rows(static_cast<std::size_t>(m_model.rowCount()));
     std::iota(rows.begin(), rows.end(), 0);
     m_model.reset(rows);
+}
+
+void StackPanel::resizeEvent(QResizeEvent* event) {
+    m_halves->setOrientation(width() > 2 * height() ? Qt::Horizontal : Qt::Vertical);
+    QWidget::resizeEvent(event);
 }
 
 void StackPanel::updateSummary() {

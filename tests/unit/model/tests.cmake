@@ -6,3 +6,4 @@ copperscope_test(reader_test unit/model/reader_test.cpp LABEL unit LINK coppersc
 foreach(name cut slabs solids)
     copperscope_test(${name}_test unit/model/solids/${name}_test.cpp LABEL unit LINK copperscope_model)
 endforeach()
+copperscope_test(stack_drawing_test unit/model/stack_drawing_test.cpp LABEL unit LINK copperscope_odb LibArchive::LibArchive)
