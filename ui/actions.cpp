@@ -28,6 +28,8 @@ constexpr ActionSpec kSpecs[] = {
 
     {Undo, MenuId::Edit, "&Undo", "Ctrl+Z", "Take the last change of a thickness back"},
     {Redo, MenuId::Edit, "&Redo", "Ctrl+Shift+Z Ctrl+Y", "Make the change again that was taken back"},
+    {Find, MenuId::Edit, "&Find…", "Ctrl+F", "Find a net, component, pin, layer, place or command", false, kNewGroup},
+    {Commands, MenuId::Edit, "&Commands…", "Ctrl+Shift+P", "Find a command by its name and do it"},
 
     {Fit, MenuId::View, "&Fit", "F Home", "Show the whole board, direction unchanged"},
     {LookTop, MenuId::View, "&Top", "T", "Look straight down on the top side"},

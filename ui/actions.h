@@ -23,6 +23,8 @@ enum class ActionId {
     Quit,
     Undo,
     Redo,
+    Find,
+    Commands,
     Fit,
     LookTop,
     LookBottom,

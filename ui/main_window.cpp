@@ -24,6 +24,7 @@
 #include "ui/nets_panel.h"
 #include "ui/paths.h"
 #include "ui/recent_boards.h"
+#include "ui/search_box.h"
 #include "ui/stack_panel.h"
 #include "ui/stack_view.h"
 #include "ui/start_page.h"
@@ -239,6 +240,7 @@ void MainWindow::onLoaded(const LoadedBoard& board) {
     m_statisticsModel.setDocument(board.document);
     m_stackModel.setDocument(board.document);
     m_thicknesses.setBoard(board);
+    m_searchBox->search().setBoard(board.document);
     m_stackPanel->view().setStack(board.document);
     colourStack();
     m_netCheckModel.setChecks(nullptr, {});
@@ -314,6 +316,39 @@ void MainWindow::goTo(const models::NetCheckModel::Finding& finding) {
     showLayer(layer);
     m_selection.select(elements);
     m_probing->showPlace(copy->placement.apply(m_netCheckModel.placeOf(finding)), layer);
+}
+
+void MainWindow::goTo(const models::Found& found) {
+    const std::vector<model::BoardElement> pads = m_searchBox->search().padsOf(found);
+    switch (found.kind) {
+        case models::FoundKind::Place: m_probing->showPlace(found.place, {}); break;
+        case models::FoundKind::Layer: {
+            const model::LayerId layer{std::size_t{found.row}};
+            showLayer(layer);
+            m_layersPanel->selectRow(static_cast<int>(found.row));
+            break;
+        }
+        case models::FoundKind::Net: {
+            const model::NetId net{std::size_t{found.row}};
+            m_selection.setNets({net});
+            m_probing->showNet(net);
+            break;
+        }
+        case models::FoundKind::Component:
+        case models::FoundKind::Pin: goToPads(found, pads); break;
+    }
+}
+
+void MainWindow::goToPads(const models::Found& found, const std::vector<model::BoardElement>& pads) {
+    m_selection.select(pads);
+    if (!pads.empty()) {
+        m_probing->showInBoth(pads);
+        return;
+    }
+    const model::Document& board = *m_board->document;
+    const base::Point at = found.kind == models::FoundKind::Pin ? board.pins[found.row].position
+                                                                : board.components[found.row].placement.origin;
+    m_probing->showPlace(base::toDouble(at), {});
 }
 
 void MainWindow::showLayer(model::LayerId layer) {

@@ -9,6 +9,7 @@
 #include "ui/dialogs.h"
 #include "ui/drop_target.h"
 #include "ui/loader.h"
+#include "ui/models/board_search.h"
 #include "ui/models/layer_model.h"
 #include "ui/models/message_model.h"
 #include "ui/models/net_check_model.h"
@@ -33,6 +34,7 @@ class MessagesPanel;
 class NetCheckPanel;
 class NetsPanel;
 class RecentBoards;
+class SearchBox;
 class StackPanel;
 class StatisticsPanel;
 class StatusLine;
@@ -72,6 +74,7 @@ public:
     [[nodiscard]] NetCheckPanel& netCheckPanel() { return *m_netCheckPanel; }
     [[nodiscard]] NetChecker& netChecker() { return m_netChecker; }
     [[nodiscard]] models::NetCheckModel& netCheck() { return m_netCheckModel; }
+    [[nodiscard]] SearchBox& searchBox() { return *m_searchBox; }
     [[nodiscard]] StackPanel& stackPanel() { return *m_stackPanel; }
     [[nodiscard]] models::StackModel& stack() { return m_stackModel; }
     [[nodiscard]] StatisticsPanel& statisticsPanel() { return *m_statisticsPanel; }
@@ -121,6 +124,8 @@ private:
     /// Shows what a message is about: its element lights up, its layer becomes visible.
     void goTo(const model::Diagnostic& message);
     void goTo(const models::NetCheckModel::Finding& finding);
+    void goTo(const models::Found& found);
+    void goToPads(const models::Found& found, const std::vector<model::BoardElement>& pads);
     void showLayer(model::LayerId layer);
     void checkNets();
     void inferNets(bool isOn);
@@ -163,6 +168,7 @@ private:
     NetsPanel* m_netsPanel = nullptr;
     ElementPanel* m_elementPanel = nullptr;
     NetCheckPanel* m_netCheckPanel = nullptr;
+    SearchBox* m_searchBox = nullptr;
     StackPanel* m_stackPanel = nullptr;
     StatisticsPanel* m_statisticsPanel = nullptr;
     MessagesPanel* m_messagesPanel = nullptr;

@@ -17,6 +17,7 @@
 #include "ui/net_check_panel.h"
 #include "ui/nets_panel.h"
 #include "ui/paths.h"
+#include "ui/search_box.h"
 #include "ui/stack_panel.h"
 #include "ui/stack_view.h"
 #include "ui/status_line.h"
@@ -68,6 +69,10 @@ void MainWindow::connectFileActions() {
 }
 
 void MainWindow::connectEditActions() {
+    m_searchBox = new SearchBox(m_actions, *this);
+    on(ActionId::Find, [this] { m_searchBox->open({}); });
+    on(ActionId::Commands, [this] { m_searchBox->open(QStringLiteral(">")); });
+    connect(m_searchBox, &SearchBox::chosen, this, qOverload<const models::Found&>(&MainWindow::goTo));
     QUndoStack& history = m_thicknesses.history();
     on(ActionId::Undo, [&history] { history.undo(); });
     on(ActionId::Redo, [&history] { history.redo(); });
@@ -261,6 +266,7 @@ void MainWindow::setUnit(models::LengthUnit unit) {
     m_elementPanel->setUnit(unit);
     m_netModel.setUnit(unit);
     m_netCheckModel.setUnit(unit);
+    m_searchBox->setUnit(unit);
     m_statusLine->showPlace({});
     statusBar()->showMessage(QStringLiteral("Lengths are in %1").arg(QLatin1String(models::unitName(unit))));
 }

@@ -16,6 +16,7 @@ copperscope_ui_test(board_views)
 copperscope_ui_test(panels)
 copperscope_ui_test(net_check)
 copperscope_ui_test(probing)
+copperscope_ui_test(search)
 copperscope_ui_test(stack_view)
 copperscope_ui_test(thickness)
 

@@ -1,0 +1,125 @@
+// One box finds nets, parts, pins, layers, places and commands; keys alone suffice.
+
+#include <QLineEdit>
+#include <QListWidget>
+#include <QtTest>
+
+#include "tests/places.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/layers_panel.h"
+#include "ui/search_box.h"
+
+using ui::ActionId;
+
+class SearchTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        m_fixture = std::make_unique<WindowFixture>();
+        QVERIFY(m_fixture->openAndWait(places::kSample));
+    }
+    void cleanup() {
+        const std::uint32_t errors = m_fixture->context().validationErrors();
+        m_fixture.reset();
+        QCOMPARE(errors, 0U);
+    }
+
+    void aNetIsHighlightedAndShown() {
+        const float before = window().views().flat().controller().mmPerPixel();
+        type("1pps_out");
+        take();
+        QCOMPARE(window().selection().nets(), std::vector{window().document()->findNet("1PPS_OUT")});
+        QVERIFY(window().views().flat().controller().mmPerPixel() != before);
+    }
+
+    void aComponentsPadsAreSelected() {
+        type("u1");
+        take();
+        const auto& pads = window().selection().selected();
+        QVERIFY(!pads.empty());
+        for (const model::BoardElement& pad : pads) {
+            const model::SubnetId subnet = window().document()->elements.subnet[pad.element.row()];
+            const model::PinId pin = window().document()->subnets[subnet.row()].pin;
+            const model::ComponentId part = window().document()->pins[pin.row()].component;
+            QCOMPARE(window().document()->components[part.row()].refdes, std::string("U1"));
+        }
+    }
+
+    void aComponentWithoutPadsOnNetsIsShownAllTheSame() {
+        type("j6");
+        take();
+        QVERIFY(window().selection().selected().empty());
+        const base::PointD middle =
+            window().probing().place().toJob(window().views().flat().controller().camera().target());
+        QVERIFY(std::abs(middle.x - 4.4e6) < 1e4 && std::abs(middle.y - 38.6e6) < 1e4);
+    }
+
+    void aLayerBecomesTheCurrentOne() {
+        window().layers().hideAll();
+        type("l02");
+        take();
+        const model::LayerId layer = window().document()->findLayer("L02-INNER_LAYER");
+        QCOMPARE(window().layersPanel().currentLayer(), layer);
+        QVERIFY(window().layers().effectiveLooks()[layer.row()].isVisible);
+    }
+
+    void aPlaceComesToTheMiddle() {
+        type("10, 20 mm");
+        take();
+        const base::PointD middle =
+            window().probing().place().toJob(window().views().flat().controller().camera().target());
+        QVERIFY(std::abs(middle.x - 10e6) < 1e4 && std::abs(middle.y - 20e6) < 1e4);
+    }
+
+    void arrowsChooseAndEscapeCloses() {
+        type("1pps");
+        QCOMPARE(box().list().currentRow(), 0);
+        QTest::keyClick(&box().line(), Qt::Key_Down);
+        QCOMPARE(box().list().currentRow(), 1);
+        take();
+        QCOMPARE(window().selection().nets(), std::vector{window().document()->findNet("1PPS_OUT")});
+        type("gnd");
+        QTest::keyClick(&box().line(), Qt::Key_Escape);
+        QVERIFY(!box().isVisible());
+        QCOMPARE(window().selection().nets(), std::vector{window().document()->findNet("1PPS_OUT")});
+    }
+
+    void commandsAreFoundAndDone() {
+        m_fixture->key(Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(box().isVisible());
+        const int all = box().list().count();
+        QVERIFY(all > 40);
+        QTest::keyClicks(&box().line(), "ortho");
+        QCOMPARE(box().list().count(), 1);
+        take();
+        QVERIFY(window().actions()[ActionId::Orthographic].isChecked());
+    }
+
+    void aTextThatNamesNothingIsNoHarm() {
+        type("zzzzz");
+        QCOMPARE(box().list().count(), 0);
+        QTest::keyClick(&box().line(), Qt::Key_Return);
+        QVERIFY(box().isVisible());
+        box().close();
+    }
+
+private:
+    ui::MainWindow& window() { return m_fixture->window(); }
+    ui::SearchBox& box() { return window().searchBox(); }
+
+    void type(const QString& text) {
+        m_fixture->key(Qt::Key_F, Qt::ControlModifier);
+        QVERIFY(box().isVisible());
+        QTest::keyClicks(&box().line(), text);
+    }
+    void take() {
+        QTest::keyClick(&box().line(), Qt::Key_Return);
+        QVERIFY(!box().isVisible());
+    }
+
+    std::unique_ptr<WindowFixture> m_fixture;
+};
+
+QTEST_MAIN(SearchTest)
+#include "search_test.moc"

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QString>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "model/copies.h"
+#include "ui/models/lengths.h"
+
+namespace ui::models {
+
+enum class FoundKind : std::uint8_t { Place, Layer, Component, Pin, Net };
+
+/// Something on the board that a text names.
+struct Found {
+    FoundKind kind = FoundKind::Net;
+    std::uint32_t row = 0;  ///< of the kind's table in the document; none for places
+    base::PointD place;     ///< of places, nm in the board's coordinates
+    bool operator==(const Found&) const = default;
+};
+
+/// Finds nets, components, pins, layers and places by what people type: part of a name in any case, "U1.5" or "U1-5"
+/// for a pin, "12.5, 30 mm" for a place. Names are looked through as they lie in the document; nothing is indexed.
+class BoardSearch {
+public:
+    /// Null for no board.
+    void setBoard(std::shared_ptr<const model::Document> board) { m_board = std::move(board); }
+    /// Places first, then names that are the text, that begin with it, that hold it; short ones before long ones.
+    /// Coordinates without a unit are in `unit`.
+    [[nodiscard]] std::vector<Found> find(const QString& text, LengthUnit unit, std::size_t most) const;
+    [[nodiscard]] QString titleOf(const Found& found) const;
+    /// "Net, 5 elements", "Component, 0603 on the top side": what it is.
+    [[nodiscard]] QString detailOf(const Found& found) const;
+    /// What lights up when it is chosen: the pads of pins and components; none for others.
+    [[nodiscard]] std::vector<model::BoardElement> padsOf(const Found& found) const;
+
+private:
+    std::shared_ptr<const model::Document> m_board;
+};
+
+/// Two numbers, with or without a comma and a unit behind each or the last one (mm, mil, in, um); in nm.
+[[nodiscard]] std::optional<base::PointD> parsePlace(const QString& text, LengthUnit unit);
+
+}  // namespace ui::models
