@@ -28,7 +28,7 @@ struct View {
 constexpr View kViews[] = {{"whole", 1.0F}, {"5x", 5.0F}, {"30x", 30.0F}};
 
 const char* nameOf(Backend backend) {
-    constexpr const char* kNames[] = {"auto", "mesh", "pull", "standard"};
+    constexpr const char* kNames[] = {"auto", "mesh", "pull", "impostor", "standard"};
     return kNames[static_cast<std::size_t>(backend)];
 }
 
@@ -40,9 +40,10 @@ render::Camera cameraFor(const render::BoardFrame& frame, const View& view) {
     return camera;
 }
 
-render::ViewSettings settingsFor(Backend backend, bool isCulled) {
+render::ViewSettings settingsFor(Backend backend, render::LevelOfDetail levels, bool isCulled) {
     render::ViewSettings settings;
     settings.backend = backend;
+    settings.levels = levels;
     settings.isSmoothed = false;
     settings.cull = isCulled;
     return settings;
@@ -56,7 +57,12 @@ double medianOf(std::vector<double> values) {
 /// Draws frames of one scene; keeps the standard pipeline's pictures to compare with.
 class FrameBench {
 public:
-    FrameBench(render::gpu::Device& device, int frames) : m_device(device), m_presenter(device), m_frames(frames) {}
+    FrameBench(render::gpu::Device& device, const BenchArguments& arguments)
+        : m_device(device),
+          m_presenter(device),
+          m_levels(levelsOf(arguments.levels)),
+          m_onlyCulled(arguments.onlyCulled),
+          m_frames(arguments.frames) {}
 
     base::Status measure(render::BoardScene& scene, const render::BoardFrame& frame, bool isStandard,
                          std::vector<FrameResult>& out) {
@@ -80,6 +86,9 @@ private:
         }
         for (const Backend backend : backends) {
             for (const bool isCulled : {true, false}) {
+                if (!isCulled && m_onlyCulled) {
+                    continue;
+                }
                 if (base::Status status = measureOne(scene, frame, view, backend, isCulled, out); !status) {
                     return status;
                 }
@@ -91,7 +100,7 @@ private:
     base::Status measureOne(render::BoardScene& scene, const render::BoardFrame& frame, const View& view,
                             Backend backend, bool isCulled, std::vector<FrameResult>& out) {
         const render::Camera camera = cameraFor(frame, view);
-        const render::ViewSettings settings = settingsFor(backend, isCulled);
+        const render::ViewSettings settings = settingsFor(backend, m_levels, isCulled);
         std::vector<double> times;
         render::Image picture;
         for (int i = 0; i < kWarmUp + m_frames; ++i) {
@@ -122,7 +131,7 @@ private:
     /// What Auto takes for a view; asked once.
     Backend autoBackend(render::BoardScene& scene, const render::Camera& camera, const View& view) {
         const auto [place, isNew] = m_auto.try_emplace(view.name, Backend::Auto);
-        if (isNew && m_presenter.render(scene, camera, settingsFor(Backend::Auto, true), kWidth, kHeight)) {
+        if (isNew && m_presenter.render(scene, camera, settingsFor(Backend::Auto, m_levels, true), kWidth, kHeight)) {
             place->second = m_presenter.stats().backend;
         }
         return place->second;
@@ -147,6 +156,8 @@ private:
 
     render::gpu::Device& m_device;
     render::OffscreenPresenter m_presenter;
+    render::LevelOfDetail m_levels;
+    bool m_onlyCulled;
     int m_frames;
     std::map<std::string, render::Image> m_expected;
     std::map<std::string, Backend> m_auto;
@@ -194,7 +205,7 @@ base::Status benchPipelines(render::gpu::Device& device, const model::Document& 
                             const BenchArguments& arguments, BoardResult& out) {
     ConsoleProgress console;
     const model::Discretisation how = discretisationOf(arguments.modelling);
-    FrameBench frames(device, arguments.frames);
+    FrameBench frames(device, arguments);
     if (arguments.pipeline != "hybrid") {
         base::Status status = benchPipeline(
             device, document, render::buildStandardModel(document, how, console.progress()), "standard", frames, out);

@@ -67,6 +67,12 @@ void parseSize(const std::string& text, RenderArguments& arguments) {
     }
 }
 
+void addLevels(CLI::App& command, std::string& levels) {
+    command.add_option("--lod", levels, "level of detail by error in pixels, or the paper's three levels by size")
+        ->check(CLI::IsMember({"error", "paper"}))
+        ->capture_default_str();
+}
+
 void addRender(CLI::App& parent, RenderArguments& arguments) {
     CLI::App* command = parent.add_subcommand("render", "Draw a board to a picture");
     addBoardOptions(*command, arguments.board);
@@ -78,8 +84,8 @@ void addRender(CLI::App& parent, RenderArguments& arguments) {
     command->add_option("--mode", arguments.mode, "2d or 3d")
         ->check(CLI::IsMember({"2d", "3d"}))
         ->capture_default_str();
-    command->add_option("--backend", arguments.backend, "auto, mesh or pull")
-        ->check(CLI::IsMember({"auto", "mesh", "pull"}))
+    command->add_option("--backend", arguments.backend, "auto, mesh, pull or impostor (2D)")
+        ->check(CLI::IsMember({"auto", "mesh", "pull", "impostor"}))
         ->capture_default_str();
     command
         ->add_option("--pipeline", arguments.pipeline,
@@ -97,6 +103,13 @@ void addRender(CLI::App& parent, RenderArguments& arguments) {
         ->add_option("--window", arguments.window, "X0,Y0,X1,Y1 in millimetres of the job's coordinates; draws in 2D")
         ->delimiter(',')
         ->expected(4);
+    command
+        ->add_option("--z-scale", arguments.zScale,
+                     "COPPER,OTHER: draw copper and everything else so many times as thick")
+        ->delimiter(',')
+        ->expected(2)
+        ->check(CLI::Range(0.01, 1000.0));
+    addLevels(*command, arguments.levels);
     command->add_flag("--mono", arguments.isMono, "shapes white on black, neither shaded nor smoothed");
 }
 
@@ -121,6 +134,8 @@ void addBench(CLI::App& parent, BenchArguments& arguments) {
     command->add_option("--pipeline", arguments.pipeline, "both, hybrid or standard")
         ->check(CLI::IsMember({"both", "hybrid", "standard"}))
         ->capture_default_str();
+    addLevels(*command, arguments.levels);
+    command->add_flag("--only-culled", arguments.onlyCulled, "no frames without culling and level of detail");
     command->add_option("--frames", arguments.frames, "frames of which the median is given")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();

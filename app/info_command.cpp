@@ -97,7 +97,7 @@ void printModel(const OpenBoard& board) {
     const model::ReadTimes& read = board.document->times;
     const render::ModelTimes& modelled = board.model.times;
     std::printf(
-        "\nmodel       %zu lets, %zu area shapes in %zu places, %zu triangles stored (standard pipeline: %llu)\n",
+        "\nmodel       %zu lets, %zu pieces of areas in %zu places, %zu triangles stored (standard pipeline: %llu)\n",
         board.model.lets.size(), board.model.shapes.size(), board.model.instances.size(),
         board.model.indices.size() / 3, static_cast<unsigned long long>(board.model.trianglesPaperRule));
     std::printf("times       parse %.1f ms, create %.1f ms, discretise %.1f ms, triangulate %.1f ms\n", read.parseMs,

@@ -98,4 +98,8 @@ base::Result<OpenBoard> openBoard(const BoardArguments& arguments) {
     return OpenBoard{*document, std::move(*model)};
 }
 
+render::LevelOfDetail levelsOf(const std::string& name) {
+    return name == "paper" ? render::LevelOfDetail::Paper : render::LevelOfDetail::Error;
+}
+
 }  // namespace app

@@ -6,6 +6,7 @@
 
 #include "model/reader.h"
 #include "render/board_model.h"
+#include "render/view.h"
 
 namespace app {
 
@@ -42,5 +43,8 @@ struct OpenBoard {
 
 /// Reads and models, with progress on stderr. Errors as openDocument and modelBoard.
 [[nodiscard]] base::Result<OpenBoard> openBoard(const BoardArguments& arguments);
+
+/// What `--lod` says: "error" or "paper".
+[[nodiscard]] render::LevelOfDetail levelsOf(const std::string& name);
 
 }  // namespace app

@@ -79,11 +79,15 @@ Result<render::NamedView> viewOf(const RenderArguments& arguments) {
     return render::NamedView::Iso;
 }
 
+render::ZScale zScaleOf(const RenderArguments& arguments) {
+    return arguments.zScale.empty() ? render::ZScale{} : render::ZScale{arguments.zScale[0], arguments.zScale[1]};
+}
+
 render::Camera cameraFor(const RenderArguments& arguments, const render::BoardFrame& model, render::NamedView view) {
     const float aspect = static_cast<float>(arguments.width) / static_cast<float>(arguments.height);
     render::Camera camera;
     camera.setOrthographic(arguments.mode == "2d");
-    const render::Box3 box = render::explodedBox({model.boxMin, model.boxMax}, arguments.explode);
+    const render::Box3 box = render::explodedBox(render::scaledBox(model, zScaleOf(arguments)), arguments.explode);
     camera.fit(box.min, box.max, view, aspect);
     if (!arguments.window.empty()) {
         const auto corner = [&](double x, double y) {
@@ -97,13 +101,16 @@ render::Camera cameraFor(const RenderArguments& arguments, const render::BoardFr
 
 render::ViewSettings settingsFor(const RenderArguments& arguments) {
     render::ViewSettings settings;
-    settings.backend = arguments.backend == "mesh"   ? render::Backend::Mesh
-                       : arguments.backend == "pull" ? render::Backend::Pull
-                                                     : render::Backend::Auto;
+    settings.backend = arguments.backend == "mesh"       ? render::Backend::Mesh
+                       : arguments.backend == "pull"     ? render::Backend::Pull
+                       : arguments.backend == "impostor" ? render::Backend::Impostor
+                                                         : render::Backend::Auto;
     settings.is2d = arguments.mode == "2d";
     settings.isMono = arguments.isMono;
     settings.isSmoothed = !arguments.isMono;
     settings.explode = arguments.explode;
+    settings.zScale = zScaleOf(arguments);
+    settings.levels = levelsOf(arguments.levels);
     settings.dimOthers = !arguments.nets.empty();
     if (arguments.isMono) {
         settings.background = glm::vec3(0.0F);

@@ -21,7 +21,9 @@ struct RenderArguments {
     std::vector<std::string> layers;  ///< only these, fully opaque; empty: as in the window
     std::vector<std::string> nets;    ///< highlighted, everything else dimmed
     float explode = 0.0F;
-    std::vector<double> window;  ///< x0, y0, x1, y1 in millimetres of the job's coordinates; implies 2D
+    std::vector<float> zScale;     ///< of copper and of everything else; empty: as it is
+    std::string levels = "error";  ///< of detail; or "paper"
+    std::vector<double> window;    ///< x0, y0, x1, y1 in millimetres of the job's coordinates; implies 2D
     bool isMono = false;
 };
 

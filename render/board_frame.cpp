@@ -11,6 +11,7 @@ void setHeights(const model::Document& document, BoardFrame& out) {
     float high = static_cast<float>(base::toMm(document.boardThickness));
     for (const model::Layer& layer : document.layers) {
         out.layerBottomMm.push_back(static_cast<float>(base::toMm(layer.z)));
+        out.isCopper.push_back(layer.isCopper());
         out.layerTopMm.push_back(static_cast<float>(base::toMm(double(layer.z) + layer.thickness)));
         if (layer.isCopper() || layer.type == model::LayerType::Body) {
             low = std::min(low, out.layerBottomMm.back());

@@ -9,6 +9,7 @@
 #include "model/base/stopwatch.h"
 #include "model/copies.h"
 #include "render/area_meshes.h"
+#include "render/area_pieces.h"
 #include "render/lets.h"
 
 namespace render {
@@ -67,7 +68,7 @@ void joinMeshes(const Document& document, const std::vector<model::ShapeId>& use
         const auto firstVertex = static_cast<std::uint32_t>(out.vertices.size());
         out.shapes.push_back({firstVertex, static_cast<std::uint32_t>(mesh.polygons.points.size()),
                               static_cast<std::uint32_t>(out.indices.size()),
-                              static_cast<std::uint32_t>(mesh.triangles.size() / 3)});
+                              static_cast<std::uint32_t>(mesh.triangles.size() / 3), 0, 0});
         for (std::size_t i = 0; i < mesh.polygons.points.size(); ++i) {
             out.vertices.push_back(toGpu(base::toDouble(mesh.polygons.points[i]), centre));
             out.next.push_back(firstVertex + mesh.next[i]);
@@ -249,9 +250,13 @@ base::Result<BoardModel> buildStepModel(const Document& document, const model::D
     }
     watch = {};
     joinMeshes(document, used, meshes, out);
+    out.inLaminate = findInsets(document, out);
     out.times.createMs += watch.milliseconds();
     reportMeshes(document, meshes, out);
     out.trianglesPaperRule = countStandardTriangles(document, meshes, out, how);
+    watch = {};
+    cutIntoPieces(out);
+    out.times.createMs += watch.milliseconds();
     return out;
 }
 

@@ -9,6 +9,7 @@
 #include "model/geometry/discretise.h"
 #include "render/area_meshes.h"
 #include "render/board_frame.h"
+#include "render/insets.h"
 #include "shaders/shared/board.h"
 
 namespace render {
@@ -17,6 +18,17 @@ namespace render {
 struct LayerRun {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
+};
+
+/// A triangulated shape, or a piece of one (area_pieces.h): top vertices, triangles and walls stored once, bottom made
+/// from them.
+struct AreaShape {
+    std::uint32_t firstVertex = 0;
+    std::uint32_t vertexCount = 0;  ///< of the whole shape
+    std::uint32_t firstIndex = 0;   ///< into `indices`, whose values count from firstVertex
+    std::uint32_t triangleCount = 0;
+    std::uint32_t firstWall = 0;  ///< vertex where the first wall starts
+    std::uint32_t wallCount = 0;
 };
 
 /// Areas of one shape on one layer: one instanced draw.
@@ -59,10 +71,11 @@ struct BoardModel : BoardFrame {
     std::vector<glm::vec2> vertices;  ///< top vertices of all shapes, each from its shape's centre
     std::vector<std::uint32_t> next;  ///< per vertex, the vertex its wall leads to; itself where no wall stands
     std::vector<std::uint32_t> indices;
-    std::vector<shader::ShapeRecord> shapes;  ///< only shapes in use
+    std::vector<AreaShape> shapes;  ///< pieces of the shapes in use
     std::vector<shader::AreaInstance> instances;
     std::vector<AreaBatch> areaBatches;
     std::vector<LayerRun> areaBatchesOfLayer;
+    std::vector<LayerInLaminate> inLaminate;  ///< by layer; empty: nothing is known
 
     std::uint64_t trianglesPaperRule =
         0;  ///< triangles the standard pipeline would store for this board with all copies (triangulation-facts §1.3)

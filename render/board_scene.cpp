@@ -10,15 +10,22 @@ namespace {
 using gpu::Buffer;
 using gpu::MemoryUse;
 
-/// The smallest circle around the box of a shape's vertices.
-shader::ShapeBound boundOf(const BoardModel& model, const shader::ShapeRecord& shape) {
+/// The smallest circle around the box of what a piece draws.
+shader::ShapeBound boundOf(const BoardModel& model, const AreaShape& piece) {
     glm::vec2 low(1e30F);
     glm::vec2 high(-1e30F);
-    for (std::uint32_t i = shape.firstVertex; i < shape.firstVertex + shape.vertexCount; ++i) {
-        low = glm::min(low, model.vertices[i]);
-        high = glm::max(high, model.vertices[i]);
+    const auto include = [&](std::uint32_t vertex) {
+        low = glm::min(low, model.vertices[vertex]);
+        high = glm::max(high, model.vertices[vertex]);
+    };
+    for (std::uint32_t i = piece.firstIndex; i < piece.firstIndex + 3 * piece.triangleCount; ++i) {
+        include(piece.firstVertex + model.indices[i]);
     }
-    if (shape.vertexCount == 0) {
+    for (std::uint32_t i = piece.firstWall; i < piece.firstWall + piece.wallCount; ++i) {
+        include(i);
+        include(model.next[i]);
+    }
+    if (low.x > high.x) {
         return {};
     }
     return {0.5F * (low + high), 0.5F * glm::length(high - low), 0};
@@ -27,7 +34,7 @@ shader::ShapeBound boundOf(const BoardModel& model, const shader::ShapeRecord& s
 std::vector<shader::ShapeBound> boundsOf(const BoardModel& model) {
     std::vector<shader::ShapeBound> bounds;
     std::transform(model.shapes.begin(), model.shapes.end(), std::back_inserter(bounds),
-                   [&](const shader::ShapeRecord& shape) { return boundOf(model, shape); });
+                   [&](const AreaShape& shape) { return boundOf(model, shape); });
     return bounds;
 }
 
@@ -43,7 +50,7 @@ std::vector<std::uint32_t> drawOfInstance(const BoardModel& model) {
 std::vector<shader::DrawIndexed> capDraws(const BoardModel& model) {
     std::vector<shader::DrawIndexed> draws;
     for (const AreaBatch& batch : model.areaBatches) {
-        const shader::ShapeRecord& shape = model.shapes[batch.shape];
+        const AreaShape& shape = model.shapes[batch.shape];
         draws.push_back({shape.triangleCount * 3, 0, shape.firstIndex, shape.firstVertex, batch.firstInstance});
     }
     return draws;
@@ -53,8 +60,8 @@ std::vector<shader::Draw> wallDraws(const BoardModel& model) {
     constexpr std::uint32_t kPerEdge = 6;
     std::vector<shader::Draw> draws;
     for (const AreaBatch& batch : model.areaBatches) {
-        const shader::ShapeRecord& shape = model.shapes[batch.shape];
-        draws.push_back({shape.vertexCount * kPerEdge, 0, shape.firstVertex * kPerEdge, batch.firstInstance});
+        const AreaShape& shape = model.shapes[batch.shape];
+        draws.push_back({shape.wallCount * kPerEdge, 0, shape.firstWall * kPerEdge, batch.firstInstance});
     }
     return draws;
 }
@@ -68,19 +75,6 @@ std::uint32_t elementCount(const BoardModel& model) {
         count = std::max(count, instance.element + 1);
     }
     return count;
-}
-
-bool isTube(const shader::Let& let) {
-    return (let.meta & shader::kLetKindMask) != shader::kLetArc && let.p5 > 0.0F;
-}
-
-void countLets(const BoardModel& model, SceneStep::Layer& layer) {
-    for (std::uint32_t c = layer.clusters.first; c < layer.clusters.first + layer.clusters.count; ++c) {
-        const shader::Cluster& cluster = model.clusters[c];
-        for (std::uint32_t i = cluster.firstLet; i < cluster.firstLet + cluster.count; ++i) {
-            ++(isTube(model.lets[i]) ? layer.tubes : layer.openLets);
-        }
-    }
 }
 
 /// A box around everything a step draws.
@@ -116,7 +110,6 @@ std::vector<SceneStep::Layer> layersOfStep(const BoardModel& model, std::size_t 
         SceneStep::Layer layer;
         layer.clusters = model.clustersOfLayer[i];
         layer.areaBatches = model.areaBatchesOfLayer[i];
-        countLets(model, layer);
         layers.push_back(layer);
     }
     layers.resize(layerCount);
@@ -130,6 +123,21 @@ bool hasAreas(const BoardModel& model, std::size_t layer) {
     return hasSome(model) || std::ranges::any_of(model.steps, hasSome);
 }
 
+/// Of the board and all its steps. Layers of flipped copies lie elsewhere: there nothing is said to be hidden.
+std::vector<LayerInLaminate> inLaminate(const BoardModel& model) {
+    std::vector<LayerInLaminate> layers = model.inLaminate;
+    layers.resize(model.layerBottomMm.size());
+    for (const BoardModel& step : model.steps) {
+        for (std::size_t i = 0; i < std::min(layers.size(), step.inLaminate.size()); ++i) {
+            const LayerInLaminate& own = step.inLaminate[i];
+            layers[i].insetMm = std::min(layers[i].insetMm, own.insetMm);
+            layers[i].role = own.role == LayerInLaminate::Role::Content ? layers[i].role : own.role;
+        }
+    }
+    const bool hasFlipped = std::ranges::any_of(model.copies, &ModelCopy::isFlipped);
+    return hasFlipped ? std::vector<LayerInLaminate>(layers.size()) : layers;
+}
+
 SceneLayers layersOf(const BoardModel& model) {
     SceneLayers scene;
     const glm::vec3 size = model.boxMax - model.boxMin;
@@ -138,9 +146,11 @@ SceneLayers layersOf(const BoardModel& model) {
     scene.hasFlipped = std::ranges::any_of(model.copies, &ModelCopy::isFlipped);
     for (std::size_t i = 0; i < model.layerBottomMm.size(); ++i) {
         scene.layers.push_back({model.layerBottomMm[i], model.layerTopMm[i], hasAreas(model, i),
+                                i < model.isCopper.size() && model.isCopper[i],
                                 i < model.opposite.size() ? model.opposite[i] : model::LayerId{}});
     }
     scene.styles.resize(scene.layers.size());
+    scene.inLaminate = inLaminate(model);
     return scene;
 }
 
@@ -208,8 +218,8 @@ DrawLists takeLists(const SceneStep& step, Parts& parts) {
     const std::uint64_t batches = 1 + step.layers.size();
     DrawLists lists;
     lists.visibleClusters = parts.take((4 + std::uint64_t{step.clusterCount}) * kWord);
-    // A let is in one of its topology's levels, and any may take all of them.
-    lists.visibleLets = parts.take(std::uint64_t{step.letCount} * shader::kLevelCount * kWord);
+    lists.letSlots = parts.take(std::uint64_t{step.letCount} * kWord);
+    lists.visibleLets = parts.take(std::uint64_t{step.letCount} * kWord);
     lists.letDraws = parts.take(batches * shader::kBucketCount * sizeof(shader::DrawIndexed));
     lists.visibleInstances = parts.take(step.instanceCount * kWord);
     lists.capDraws = parts.take(step.areaDrawCount * sizeof(shader::DrawIndexed));
@@ -255,6 +265,7 @@ void SceneStep::setAddresses(shader::FrameData& data, const DrawLists& lists) co
     data.bounds = geometry.bounds.address();
     data.highlight = geometry.highlight.address();
     data.visibleClusters = lists.visibleClusters.address;
+    data.letSlots = lists.letSlots.address;
     data.visibleLets = lists.visibleLets.address;
     data.letDraws = lists.letDraws.address;
     data.visibleInstances = lists.visibleInstances.address;

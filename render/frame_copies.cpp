@@ -83,6 +83,7 @@ void FrameCopies::add(const ModelCopy& copy, std::uint32_t row) {
     m_used += bytes;
     step.setAddresses(data, lists);
     data.layers = copy.isFlipped ? m_flipped : m_upright;
+    data.letDrawCount = static_cast<std::uint32_t>(layers.batches.size()) * shader::kBucketCount;
     data.maxDispatch = kMaxDispatch;
     data.copy = row;
     const VkDeviceAddress address = m_frame.put(std::span<const shader::FrameData>(&data, 1)).address;

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "render/explosion.h"
+#include "render/z_scale.h"
 
 namespace render {
 namespace {
@@ -76,6 +77,15 @@ std::vector<SeenFaces> facesOfLayers(const Eye& eye, std::span<const shader::Lay
     return faces;
 }
 
+/// Walls too low to show are not drawn, if the layer's face is.
+void dropThinWalls(float pixelsPerMm, LayerPlan& plan) {
+    for (std::size_t i = 0; i < plan.faces.size(); ++i) {
+        SeenFaces& faces = plan.faces[i];
+        const bool isThin = (plan.states[i].z1 - plan.states[i].z0) * pixelsPerMm < kThinPx;
+        faces.walls = faces.walls && !(isThin && (faces.upper || faces.lower));
+    }
+}
+
 /// What is seen of any visible layer. Seen edge-on neither face shows: walls alone are no run that starts or ends the
 /// tables, so all are drawn.
 SeenFaces seenOfAny(const FramePlan& plan) {
@@ -91,11 +101,15 @@ SeenFaces seenOfAny(const FramePlan& plan) {
     return all.upper || all.lower ? all : SeenFaces{};
 }
 
-std::vector<StackedLayer> stackOf(const SceneLayers& scene) {
+std::vector<StackedLayer> stackOf(const SceneLayers& scene, const ZScale& scale) {
+    std::vector<ScaledLayer> layers;
+    for (const SceneLayers::Layer& layer : scene.layers) {
+        layers.push_back({{layer.z0, layer.z1}, layer.isCopper});
+    }
+    const std::vector<ZRange> heights = scaleHeights(layers, scale);
     std::vector<StackedLayer> stack;
     for (std::size_t i = 0; i < scene.layers.size(); ++i) {
-        const SceneLayers::Layer& layer = scene.layers[i];
-        stack.push_back({{layer.z0, layer.z1}, scene.styles[i].isVisible, !layer.hasAreas});
+        stack.push_back({heights[i], scene.styles[i].isVisible, !scene.layers[i].hasAreas});
     }
     return stack;
 }
@@ -105,11 +119,23 @@ glm::vec4 linearColour(const LayerStyle& style) {
             std::clamp(style.opacity, 0.0F, 1.0F)};
 }
 
+/// While others are dimmed to show a net, the laminate lets inner copper shine through.
+LayerStyle shownStyle(const SceneLayers& scene, const ViewSettings& settings, std::size_t layer) {
+    constexpr float kGlassy = 0.85F;
+    LayerStyle style = scene.styles[layer];
+    const bool isLaminate =
+        !scene.inLaminate.empty() && scene.inLaminate[layer].role == LayerInLaminate::Role::Laminate;
+    if (isLaminate && settings.dimOthers) {
+        style.opacity = std::min(style.opacity, kGlassy);
+    }
+    return style;
+}
+
 std::vector<shader::LayerState> layerStates(const SceneLayers& scene, const ViewSettings& settings) {
     const std::vector<ZRange> z = drawnHeights(scene, settings);
     std::vector<shader::LayerState> states(scene.layers.size());
     for (std::size_t i = 0; i < states.size(); ++i) {
-        const LayerStyle& style = scene.styles[i];
+        const LayerStyle style = shownStyle(scene, settings, i);
         const bool isTranslucent = style.opacity < 1.0F && !settings.isMono;
         states[i].colour = linearColour(style);
         states[i].z0 = z[i].z0;
@@ -171,13 +197,33 @@ std::vector<LayerBatch> makeBatches(std::vector<shader::LayerState>& layers, boo
     return batches;
 }
 
-LayerPlan planLayers(const SceneLayers& scene, const ViewSettings& settings, const Eye& eye) {
+/// The heights of visible layers, from the lowest to the highest.
+ZRange visibleHeights(std::span<const shader::LayerState> states) {
+    ZRange all{1e30F, -1e30F};
+    for (const shader::LayerState& state : states) {
+        if ((state.flags & shader::kLayerVisible) != 0) {
+            all = {std::min(all.z0, state.z0), std::max(all.z1, state.z1)};
+        }
+    }
+    return all;
+}
+
+LayerPlan planLayers(const SceneLayers& scene, const ViewSettings& settings, const Eye& eye, const EyePoint& point) {
     LayerPlan plan;
     plan.states = layerStates(scene, settings);
     rankFaces(plan.states, &shader::LayerState::z0, shader::kLayerBottomRankShift);
     rankFaces(plan.states, &shader::LayerState::z1, shader::kLayerTopRankShift);
+    const ZRange heights = visibleHeights(plan.states);
+    const bool leavesOut = settings.cull && !scene.inLaminate.empty();
+    const Sight sight = leavesOut ? sightOf(point, heights.z0, heights.z1) : Sight{};
+    if (leavesOut) {
+        hideBuried(scene.inLaminate, sight, plan.states);
+    }
     plan.batches = makeBatches(plan.states, eye.direction.z <= 0.0F);
     plan.faces = facesOfLayers(eye, plan.states);
+    if (leavesOut && !settings.isMono) {
+        dropThinWalls(sight.pixelsPerMm, plan);
+    }
     return plan;
 }
 
@@ -217,7 +263,8 @@ void setPlanes(const glm::dmat4& clip, shader::FrameData& data) {
 std::uint32_t flagsOf(const ViewSettings& settings) {
     return (settings.is2d ? shader::kFrameFlat : 0) | (settings.isMono ? shader::kFrameMono : 0) |
            (settings.dimOthers && !settings.isMono ? shader::kFrameDimOthers : 0) |
-           (settings.cull ? shader::kFrameCull : 0);
+           (settings.cull ? shader::kFrameCull : 0) |
+           (settings.levels == LevelOfDetail::Paper ? shader::kFramePaperLevels : 0);
 }
 
 void setTriangleRun(SeenFaces faces, shader::FrameData& data) {
@@ -236,15 +283,16 @@ float toLinear(float srgb) {
 }
 
 std::vector<ZRange> drawnHeights(const SceneLayers& scene, const ViewSettings& settings) {
-    return explode(stackOf(scene), settings.explode * kFullSpread * scene.widthMm);
+    return explode(stackOf(scene, settings.zScale), settings.explode * kFullSpread * scene.widthMm);
 }
 
 FramePlan planFrame(const SceneLayers& scene, const Camera& camera, const ViewSettings& settings, std::uint32_t width,
                     std::uint32_t height) {
     const auto pixelHeight = static_cast<float>(height);
     const Eye eye = makeEye(camera, static_cast<float>(width) / pixelHeight);
+    const float pixelsPerMm = std::abs(camera.projection(1.0F)[1][1]) * pixelHeight / 2.0F;
     FramePlan plan;
-    plan.upright = planLayers(scene, settings, eye);
+    plan.upright = planLayers(scene, settings, eye, {eye.clipFromCentred, glm::dvec3(camera.target()), pixelsPerMm});
     plan.flipped = scene.hasFlipped ? flippedPlan(scene, plan.upright, eye) : LayerPlan{};
     plan.faces = seenOfAny(plan);
 
@@ -253,10 +301,12 @@ FramePlan planFrame(const SceneLayers& scene, const Camera& camera, const ViewSe
     setPlanes(eye.clipFromCentred, data);
     data.centre = camera.target();
     data.eye = eye.isParallel ? glm::vec4(-eye.direction, 0.0F) : glm::vec4(eye.position - camera.target(), 1.0F);
-    data.pixelsPerMm = std::abs(camera.projection(1.0F)[1][1]) * pixelHeight / 2.0F;
+    data.pixelsPerMm = pixelsPerMm;
     data.tolerancePx = settings.isMono ? kMonoTolerancePx : kTolerancePx;
     const bool seesOneFace = plan.faces.upper != plan.faces.lower;
-    data.quadRadiusPx = seesOneFace && !settings.isMono ? kQuadRadiusPx : 0.0F;
+    const bool canFlatten = seesOneFace && !settings.isMono;
+    data.quadRadiusPx = canFlatten ? kQuadRadiusPx : 0.0F;
+    data.thinPx = canFlatten ? kThinPx : 0.0F;
     data.nudgeZ = eye.isParallel ? 0.0F : kNudgePerspective;
     data.nudgeW = eye.isParallel ? kNudgeParallel : 0.0F;
     const float depthPerMm =

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "render/hiding.h"
 #include "render/let_tables.h"
 #include "render/view.h"
 #include "shaders/shared/frame.h"
@@ -15,14 +16,16 @@ struct SceneLayers {
     struct Layer {
         float z0 = 0.0F;  ///< before explosion, mm
         float z1 = 0.0F;
-        bool hasAreas = false;    ///< in any step
+        bool hasAreas = false;  ///< in any step
+        bool isCopper = false;
         model::LayerId opposite;  ///< where the layer of a flipped copy lies; none: at its own mirror image
     };
     std::vector<Layer> layers;
-    std::vector<LayerStyle> styles;  ///< one per layer
-    float widthMm = 0.0F;            ///< longer side of the board
-    float facesMm = 0.0F;            ///< BoardFrame::facesMm
-    bool hasFlipped = false;         ///< some copies are flipped
+    std::vector<LayerInLaminate> inLaminate;  ///< one per layer; the standard pipeline's says nothing
+    std::vector<LayerStyle> styles;           ///< likewise
+    float widthMm = 0.0F;                     ///< longer side of the board
+    float facesMm = 0.0F;                     ///< BoardFrame::facesMm
+    bool hasFlipped = false;                  ///< some copies are flipped
 };
 
 /// Layers that are drawn together.

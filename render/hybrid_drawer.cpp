@@ -6,7 +6,11 @@ namespace render {
 namespace {
 
 std::unique_ptr<LetBackend> makeLetBackend(gpu::Device& device, const TargetFormat& target, Backend which) {
-    return which == Backend::Mesh ? makeMeshBackend(device, target) : makePullBackend(device, target);
+    switch (which) {
+        case Backend::Mesh: return makeMeshBackend(device, target);
+        case Backend::Impostor: return makeImpostorBackend(device, target);
+        default: return makePullBackend(device, target);
+    }
 }
 
 class HybridDrawer : public SceneDrawer {

@@ -99,7 +99,7 @@ void makeSolid(const model::Document& document, std::vector<LayerStyle>& styles)
         } else if (layer.isSynthetic && layer.type == LayerType::SolderMask) {
             styles[row] = {rgb(0x0c6e38), 0.8F, true};
         } else if (layer.type == LayerType::Body) {
-            styles[row] = {rgb(0x6f7a45), 0.85F, true};
+            styles[row] = {rgb(0x6f7a45), 1.0F, true};
         }
     }
 }

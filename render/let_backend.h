@@ -25,7 +25,7 @@ struct TargetFormat {
 
 [[nodiscard]] PassPipelines makePassPipelines(gpu::Device& device, std::string_view label,
                                               std::span<const gpu::ShaderStage> stages, bool cullsBackFaces,
-                                              const TargetFormat& target);
+                                              const TargetFormat& target, bool shapesInFragments = false);
 
 /// A frame being recorded: one copy of a step on it.
 struct Recording {
@@ -57,5 +57,12 @@ public:
 
 /// Compute culling into instanced indirect draws and vertices pulled from the lets; for every device.
 [[nodiscard]] std::unique_ptr<LetBackend> makePullBackend(gpu::Device& device, const TargetFormat& target);
+
+/// The pull back end's culling, and for each let a rectangle whose fragments are cut to its true outline. Draws the one
+/// level face that a frame sees, no walls (canUseImpostors).
+[[nodiscard]] std::unique_ptr<LetBackend> makeImpostorBackend(gpu::Device& device, const TargetFormat& target);
+
+/// Does the frame look straight at one face, in parallel projection?
+[[nodiscard]] bool canUseImpostors(const FramePlan& plan);
 
 }  // namespace render

@@ -19,7 +19,7 @@ public:
         LetTable table;
         table.first = size();
         table.counts[0] = intervals(0, shader::kUpperTriangles);
-        table.counts[1] = m_level == shader::kLevelQuad ? 0 : walls();
+        table.counts[1] = m_level >= shader::kLevelFlat ? 0 : walls();
         table.counts[2] = intervals(shader::kUpperTriangles + shader::kWallTriangles, shader::kUpperTriangles);
         return table;
     }
@@ -73,7 +73,7 @@ private:
 IndexRun LetTables::run(std::uint32_t bucket, SeenFaces faces) const {
     const LetTable& table = tables[bucket];
     const auto [upper, walls, lower] = table.counts;
-    if (bucket % shader::kLevelCount == shader::kLevelQuad) {
+    if (bucket % shader::kLevelCount >= shader::kLevelFlat) {
         return faces.upper ? IndexRun{table.first, upper} : IndexRun{table.first + upper, lower};
     }
     const std::uint32_t skipped = (faces.upper ? 0 : upper) + (faces.upper || faces.walls ? 0 : walls);

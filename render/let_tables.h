@@ -33,7 +33,7 @@ struct LetTables {
     std::vector<std::uint32_t> indices;
     std::array<LetTable, shader::kBucketCount> tables{};  ///< by topology * kLevelCount + level
 
-    /// The run to draw when only `faces` can be seen; quads always show exactly one face.
+    /// The run to draw when only `faces` can be seen; flat levels always show exactly one face.
     [[nodiscard]] IndexRun run(std::uint32_t bucket, SeenFaces faces) const;
 };
 

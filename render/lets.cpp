@@ -7,6 +7,7 @@
 #include "model/base/assert.h"
 #include "model/geometry/discretise.h"
 #include "render/board_frame.h"
+#include "render/morton.h"
 
 namespace render {
 
@@ -192,42 +193,6 @@ private:
     std::uint32_t m_bore = 0;  ///< kLetBore while the inside of a hole is added
 };
 
-struct LetBox {
-    glm::vec2 min;
-    glm::vec2 max;
-};
-
-LetBox boxOf(const shader::Let& let) {
-    if ((let.meta & shader::kLetKindMask) == shader::kLetArc) {
-        // At most a quarter turn: both ends and the middle pushed out to the tangents' corner enclose it.
-        const glm::vec2 centre{let.p0, let.p1};
-        const auto at = [&](float t, float radius) {
-            const float angle = let.p3 + let.p4 * t;
-            return centre + radius * glm::vec2(std::cos(angle), std::sin(angle));
-        };
-        const glm::vec2 corner = at(0.5F, let.p2 / std::cos(let.p4 / 2.0F));
-        const glm::vec2 low = glm::min(glm::min(at(0.0F, let.p2), at(1.0F, let.p2)), corner);
-        const glm::vec2 high = glm::max(glm::max(at(0.0F, let.p2), at(1.0F, let.p2)), corner);
-        return {low - let.p5, high + let.p5};
-    }
-    const glm::vec2 a{let.p0, let.p1};
-    const glm::vec2 b{let.p2, let.p3};
-    if ((let.meta & shader::kLetKindMask) == shader::kLetHole) {
-        const float reach = let.p4 * (std::abs(b.x) + std::abs(b.y));
-        return {a - reach, a + reach};
-    }
-    // A square pen's corner lies a diagonal away, but its sides are axis-parallel: the box is the same.
-    return {glm::min(a, b) - let.p4, glm::max(a, b) + let.p4};
-}
-
-std::uint32_t spreadBits(std::uint32_t v) {
-    v &= 0xffffU;
-    v = (v | (v << 8U)) & 0x00ff00ffU;
-    v = (v | (v << 4U)) & 0x0f0f0f0fU;
-    v = (v | (v << 2U)) & 0x33333333U;
-    return (v | (v << 1U)) & 0x55555555U;
-}
-
 /// Morton order keeps neighbours together, so that clusters are small. Equal keys keep their order: the result does not
 /// depend on the sort.
 void sortAlongMorton(std::vector<shader::Let>& lets) {
@@ -236,13 +201,11 @@ void sortAlongMorton(std::vector<shader::Let>& lets) {
         const LetBox box = boxOf(let);
         all = {glm::min(all.min, box.min), glm::max(all.max, box.max)};
     }
-    const glm::vec2 scale = 65535.0F / glm::max(all.max - all.min, glm::vec2(1e-6F));
+    const MortonCurve curve(all.min, all.max);
     std::vector<std::pair<std::uint32_t, std::uint32_t>> order(lets.size());
     for (std::uint32_t i = 0; i < lets.size(); ++i) {
         const LetBox box = boxOf(lets[i]);
-        const glm::vec2 cell = ((box.min + box.max) / 2.0F - all.min) * scale;
-        order[i] = {
-            spreadBits(static_cast<std::uint32_t>(cell.x)) | (spreadBits(static_cast<std::uint32_t>(cell.y)) << 1U), i};
+        order[i] = {curve.key((box.min + box.max) / 2.0F), i};
     }
     std::ranges::sort(order);
     std::vector<shader::Let> sorted(lets.size());
@@ -266,6 +229,29 @@ std::vector<shader::Cluster> cutIntoClusters(const std::vector<shader::Let>& let
 }
 
 }  // namespace
+
+LetBox boxOf(const shader::Let& let) {
+    if ((let.meta & shader::kLetKindMask) == shader::kLetArc) {
+        // At most a quarter turn: both ends and the middle pushed out to the tangents' corner enclose it.
+        const glm::vec2 centre{let.p0, let.p1};
+        const auto at = [&](float t, float radius) {
+            const float angle = let.p3 + let.p4 * t;
+            return centre + radius * glm::vec2(std::cos(angle), std::sin(angle));
+        };
+        const glm::vec2 corner = at(0.5F, let.p2 / std::cos(let.p4 / 2.0F));
+        const glm::vec2 low = glm::min(glm::min(at(0.0F, let.p2), at(1.0F, let.p2)), corner);
+        const glm::vec2 high = glm::max(glm::max(at(0.0F, let.p2), at(1.0F, let.p2)), corner);
+        return {low - let.p5, high + let.p5};
+    }
+    const glm::vec2 a{let.p0, let.p1};
+    const glm::vec2 b{let.p2, let.p3};
+    if ((let.meta & shader::kLetKindMask) == shader::kLetHole) {
+        const float reach = let.p4 * (std::abs(b.x) + std::abs(b.y));
+        return {a - reach, a + reach};
+    }
+    // A square pen's corner lies a diagonal away, but its sides are axis-parallel: the box is the same.
+    return {glm::min(a, b) - let.p4, glm::max(a, b) + let.p4};
+}
 
 LayerLets makeLets(const model::Document& document, model::LayerId layer, Point origin, double chordToleranceNm,
                    const HolesOfShape& holesOf) {

@@ -20,6 +20,13 @@ struct LayerLets {
     std::uint32_t firstZeroWidthLine = 0;  ///< line of the first one in the layer's file
 };
 
+/// Of a let, in mm.
+struct LetBox {
+    glm::vec2 min;
+    glm::vec2 max;
+};
+[[nodiscard]] LetBox boxOf(const shader::Let& let);
+
 /// The round holes of a shape that lets fill in.
 using HolesOfShape = std::function<std::span<const RoundHole>(model::ShapeId)>;
 

@@ -8,40 +8,13 @@
 namespace render {
 namespace {
 
-/// Lets of a batch by topology.
-struct LetCounts {
-    std::uint32_t open = 0;
-    std::uint32_t tubes = 0;
-};
-
-LetCounts letsOf(const SceneStep& step, const LayerBatch& batch) {
-    LetCounts counts;
-    for (const std::uint32_t layer : batch) {
-        counts.open += step.layers[layer].openLets;
-        counts.tubes += step.layers[layer].tubes;
-    }
-    return counts;
-}
-
-/// How many lets of a batch a bucket may be asked to hold: all of its topology. Tubes of less than a pixel join the
-/// open quads.
-std::uint32_t capacityOf(const LetCounts& lets, std::uint32_t topology, std::uint32_t level) {
-    if (level == shader::kLevelQuad) {
-        return topology == shader::kTopologyOpen ? lets.open + lets.tubes : 0;
-    }
-    return topology == shader::kTopologyOpen ? lets.open : lets.tubes;
-}
-
-/// The commands of all batches before culling; `firstInstance` is where a bucket's lets begin in `visibleLets`.
+/// The commands of all batches before culling.
 std::vector<shader::DrawIndexed> emptyDraws(const Recording& recording) {
     std::vector<shader::DrawIndexed> draws;
-    std::uint32_t firstInstance = 0;
-    for (const LayerBatch& batch : recording.layers.batches) {
-        const LetCounts lets = letsOf(recording.step, batch);
+    for (std::size_t batch = 0; batch < recording.layers.batches.size(); ++batch) {
         for (std::uint32_t bucket = 0; bucket < shader::kBucketCount; ++bucket) {
             const IndexRun run = recording.scene.letTables.run(bucket, recording.plan.faces);
-            draws.push_back({run.count, 0, run.first, 0, firstInstance});
-            firstInstance += capacityOf(lets, bucket / shader::kLevelCount, bucket % shader::kLevelCount);
+            draws.push_back({run.count, 0, run.first, 0, 0});
         }
     }
     return draws;
@@ -49,13 +22,12 @@ std::vector<shader::DrawIndexed> emptyDraws(const Recording& recording) {
 
 class PullBackend : public LetBackend {
 public:
-    PullBackend(gpu::Device& device, const TargetFormat& target)
+    PullBackend(gpu::Device& device, PassPipelines pipelines)
         : m_cullClusters(device, {"cull clusters", shader::spirv::kCullClustersComp, sizeof(shader::Push)}),
-          m_cullLets(device, {"cull lets", shader::spirv::kCullLetsComp, sizeof(shader::Push)}) {
-        const gpu::ShaderStage stages[] = {{VK_SHADER_STAGE_VERTEX_BIT, shader::spirv::kLetPullVert},
-                                           {VK_SHADER_STAGE_FRAGMENT_BIT, shader::spirv::kBoardFrag}};
-        m_pipelines = makePassPipelines(device, "lets (pull)", stages, true, target);
-    }
+          m_cullLets(device, {"cull lets", shader::spirv::kCullLetsComp, sizeof(shader::Push)}),
+          m_lineUpDraws(device, {"line up draws", shader::spirv::kLineUpDrawsComp, sizeof(shader::Push)}),
+          m_placeLets(device, {"place lets", shader::spirv::kPlaceLetsComp, sizeof(shader::Push)}),
+          m_pipelines(std::move(pipelines)) {}
 
     void reset(const Recording& recording) override {
         const gpu::Frame::Slice draws =
@@ -76,13 +48,14 @@ public:
                 (recording.step.clusterCount + shader::kCullGroupSize - 1) / shader::kCullGroupSize;
             vkCmdDispatch(recording.commands(), groups, 1, 1);
         }
+        dispatchForClusters(m_cullLets, recordings);
         gpu::memoryBarrier(recordings.front().commands(), gpu::kCompute, gpu::kAnyRead);
         for (const Recording& recording : recordings) {
-            m_cullLets.bind(recording.commands());
-            m_cullLets.push(recording.commands(), shader::Push{recording.frameData, 0, 0});
-            vkCmdDispatchIndirect(recording.commands(), recording.lists.visibleClusters.buffer,
-                                  recording.lists.visibleClusters.offset);
+            m_lineUpDraws.bind(recording.commands());
+            m_lineUpDraws.push(recording.commands(), shader::Push{recording.frameData, 0, 0});
+            vkCmdDispatch(recording.commands(), 1, 1, 1);
         }
+        dispatchForClusters(m_placeLets, recordings);
     }
 
     void draw(const Recording& recording, std::uint32_t batch, gpu::Pass pass) override {
@@ -98,15 +71,42 @@ public:
     }
 
 private:
+    /// One workgroup for each cluster in view, after all work before.
+    static void dispatchForClusters(const gpu::Pipeline& pipeline, std::span<const Recording> recordings) {
+        gpu::memoryBarrier(recordings.front().commands(), gpu::kCompute, gpu::kAnyRead);
+        for (const Recording& recording : recordings) {
+            pipeline.bind(recording.commands());
+            pipeline.push(recording.commands(), shader::Push{recording.frameData, 0, 0});
+            vkCmdDispatchIndirect(recording.commands(), recording.lists.visibleClusters.buffer,
+                                  recording.lists.visibleClusters.offset);
+        }
+    }
+
     gpu::Pipeline m_cullClusters;
     gpu::Pipeline m_cullLets;
+    gpu::Pipeline m_lineUpDraws;
+    gpu::Pipeline m_placeLets;
     PassPipelines m_pipelines;
 };
 
 }  // namespace
 
 std::unique_ptr<LetBackend> makePullBackend(gpu::Device& device, const TargetFormat& target) {
-    return std::make_unique<PullBackend>(device, target);
+    const gpu::ShaderStage stages[] = {{VK_SHADER_STAGE_VERTEX_BIT, shader::spirv::kLetPullVert},
+                                       {VK_SHADER_STAGE_FRAGMENT_BIT, shader::spirv::kBoardFrag}};
+    return std::make_unique<PullBackend>(device, makePassPipelines(device, "lets (pull)", stages, true, target));
+}
+
+std::unique_ptr<LetBackend> makeImpostorBackend(gpu::Device& device, const TargetFormat& target) {
+    const gpu::ShaderStage stages[] = {{VK_SHADER_STAGE_VERTEX_BIT, shader::spirv::kLetImpostorVert},
+                                       {VK_SHADER_STAGE_FRAGMENT_BIT, shader::spirv::kLetImpostorFrag}};
+    return std::make_unique<PullBackend>(device,
+                                         makePassPipelines(device, "lets (impostor)", stages, true, target, true));
+}
+
+bool canUseImpostors(const FramePlan& plan) {
+    const bool isParallel = plan.data.eye.w == 0.0F;
+    return isParallel && !plan.faces.walls && plan.faces.upper != plan.faces.lower;
 }
 
 }  // namespace render

@@ -31,11 +31,12 @@ glm::vec3 background(const ViewSettings& settings) {
 }  // namespace
 
 PassPipelines makePassPipelines(gpu::Device& device, std::string_view label, std::span<const gpu::ShaderStage> stages,
-                                bool cullsBackFaces, const TargetFormat& target) {
+                                bool cullsBackFaces, const TargetFormat& target, bool shapesInFragments) {
     PassPipelines pipelines;
     for (const gpu::Pass pass : {gpu::Pass::Opaque, gpu::Pass::DepthOnly, gpu::Pass::Blend}) {
-        pipelines[passRow(pass)] = gpu::Pipeline(device, {label, stages, sizeof(shader::Push), pass, cullsBackFaces,
-                                                          target.colour, gpu::kDepthFormat, target.samples});
+        pipelines[passRow(pass)] =
+            gpu::Pipeline(device, {label, stages, sizeof(shader::Push), pass, cullsBackFaces, shapesInFragments,
+                                   target.colour, gpu::kDepthFormat, target.samples});
     }
     return pipelines;
 }
@@ -125,18 +126,44 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-Backend Renderer::resolve(Backend wanted) {
-    const gpu::Caps& caps = m_device->caps();
-    if (wanted == Backend::Mesh && !caps.hasMeshShader) {
-        if (!m_hasWarned) {
-            spdlog::warn("{} has no mesh shaders: drawing with the pull back end instead.", caps.name);
-            m_hasWarned = true;
-        }
-        return Backend::Pull;
-    }
+namespace {
+
+/// The back ends from the best to the one for every device and view.
+struct Choice {
+    Backend backend;
+    const char* name;
+    bool (*suits)(const gpu::Caps&, const FramePlan&);  ///< Auto takes the first that does
+    bool (*canDraw)(const gpu::Caps&, const FramePlan&);
+    const char* needs;
+};
+constexpr Choice kChoices[] = {
+    // Straight from above or below: four vertices per let instead of 16 to 128, and exact outlines at any zoom.
+    {Backend::Impostor, "impostor", [](const gpu::Caps&, const FramePlan& plan) { return canUseImpostors(plan); },
+     [](const gpu::Caps&, const FramePlan& plan) { return canUseImpostors(plan); }, "needs a flat view (2D)"},
     // Software devices run mesh shaders on one thread, compute and vertex shaders on all (vulkan-facts §2).
-    const Backend best = caps.hasMeshShader && !caps.isCpu ? Backend::Mesh : Backend::Pull;
-    return wanted == Backend::Auto ? best : wanted;
+    {Backend::Mesh, "mesh", [](const gpu::Caps& caps, const FramePlan&) { return caps.hasMeshShader && !caps.isCpu; },
+     [](const gpu::Caps& caps, const FramePlan&) { return caps.hasMeshShader; },
+     "needs mesh shaders, which this device does not have"},
+    {Backend::Pull, "pull", [](const gpu::Caps&, const FramePlan&) { return true; },
+     [](const gpu::Caps&, const FramePlan&) { return true; }, ""}};
+
+}  // namespace
+
+Backend Renderer::resolve(Backend wanted, const FramePlan& plan) {
+    const gpu::Caps& caps = m_device->caps();
+    const auto best = std::ranges::find_if(kChoices, [&](const Choice& c) { return c.suits(caps, plan); });
+    const auto asked = std::ranges::find(kChoices, wanted, &Choice::backend);
+    if (asked == std::end(kChoices)) {
+        return best->backend;
+    }
+    if (asked->canDraw(caps, plan)) {
+        return wanted;
+    }
+    if (!m_hasWarned) {
+        spdlog::warn("The {} back end {}: drawing with {} instead.", asked->name, asked->needs, best->name);
+        m_hasWarned = true;
+    }
+    return best->backend;
 }
 
 Renderer::Drawers& Renderer::drawersFor(const TargetFormat& format, Backend backend) {
@@ -167,16 +194,18 @@ Backend Renderer::record(gpu::Frame& frame, RenderTarget& target, VkExtent2D ext
         settings.isSmoothed && !settings.isMono && caps.canSmooth && fitsOn(caps, extent, VK_SAMPLE_COUNT_4_BIT);
     const TargetFormat format{colour, isSmoothed ? VK_SAMPLE_COUNT_4_BIT : VK_SAMPLE_COUNT_1_BIT};
     const bool isStandard = scene != nullptr && scene->impl().steps.front().standard.has_value();
-    const Backend backend = isStandard ? Backend::Standard : resolve(settings.backend);
     target.setSize(extent, format);
     if (scene == nullptr) {
         target.begin(frame.commands(), background(settings));
         drawOverlay(frame, format, settings.overlay);
         target.end(frame.commands());
-        return backend;
+        return settings.backend;
     }
+    FramePlan plan = planFrame(scene->impl().layers, camera, settings, extent.width, extent.height);
+    const Backend backend = isStandard ? Backend::Standard : resolve(settings.backend, plan);
+    plan.data.flags |= (backend == Backend::Impostor ? shader::kFrameImpostors : 0) |
+                       (format.samples != VK_SAMPLE_COUNT_1_BIT ? shader::kFrameSmoothed : 0);
     const Drawers& drawers = drawersFor(format, backend);
-    const FramePlan plan = planFrame(scene->impl().layers, camera, settings, extent.width, extent.height);
     const FrameCopies copies(frame, plan, scene->impl());
     Picture picture(drawers, copies, target, frame.commands());
     picture.begin(background(settings));

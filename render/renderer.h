@@ -25,7 +25,7 @@ public:
 
 private:
     Drawers& drawersFor(const TargetFormat& format, Backend backend);
-    [[nodiscard]] Backend resolve(Backend wanted);
+    [[nodiscard]] Backend resolve(Backend wanted, const FramePlan& plan);
     void drawOverlay(gpu::Frame& frame, const TargetFormat& format, const Overlay& overlay);
 
     gpu::Device* m_device;

@@ -35,6 +35,7 @@ struct BufferPart {
 /// them.
 struct DrawLists {
     BufferPart visibleClusters;
+    BufferPart letSlots;
     BufferPart visibleLets;
     BufferPart letDraws;
     BufferPart visibleInstances;
@@ -56,8 +57,6 @@ struct StandardBuffers {
 /// A step as the back ends draw it.
 struct SceneStep {
     struct Layer {
-        std::uint32_t openLets = 0;  ///< lets by topology (ladder.h)
-        std::uint32_t tubes = 0;
         LayerRun clusters;
         LayerRun areaBatches;
     };

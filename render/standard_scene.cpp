@@ -15,6 +15,7 @@ SceneLayers layersOf(const StandardModel& model) {
         layer.z0 = model.layerBottomMm[i];
         layer.z1 = model.layerTopMm[i];
         layer.hasAreas = model.hasAreas[i];
+        layer.isCopper = model.isCopper[i];
         scene.layers.push_back(layer);
     }
     scene.styles.resize(scene.layers.size());

@@ -13,6 +13,7 @@
 #include "render/explosion.h"
 #include "render/layer_style.h"
 #include "render/standard_model.h"
+#include "render/z_scale.h"
 
 /// The renderer's face to app/ and ui/: a scene on a device, and two ways to present a view of it.
 namespace render {
@@ -21,8 +22,9 @@ namespace gpu {
 class Device;
 }
 
-/// What draws. Standard is no choice: it is what draws a scene of the standard pipeline.
-enum class Backend { Auto, Mesh, Pull, Standard };
+/// What draws (renderer.cpp says what Auto takes and why). Standard is no choice: it is what draws a scene of the
+/// standard pipeline.
+enum class Backend { Auto, Mesh, Pull, Impostor, Standard };
 
 /// A picture laid over the board pixel by pixel, from the upper left corner: grids, names, rubber bands. Rows from the
 /// top, sRGB RGBA of 8 bits, multiplied by alpha; read while a frame is recorded.
@@ -32,6 +34,12 @@ struct Overlay {
     const std::uint8_t* rgba = nullptr;
 };
 
+/// How finely round things are drawn.
+enum class LevelOfDetail {
+    Error,  ///< outlines stray less than a third of a pixel
+    Paper   ///< the paper's fixed three levels by size: 64, 32 or 16 vertices
+};
+
 /// Everything that changes from frame to frame. None of it rebuilds geometry.
 struct ViewSettings {
     Backend backend = Backend::Auto;
@@ -39,7 +47,9 @@ struct ViewSettings {
     bool isMono = false;     ///< white on black, unshaded, unsmoothed: a raster of the visible layers
     bool isSmoothed = true;  ///< 4x multisampling, where the device has it and the picture fits with it
     bool cull = true;        ///< frustum culling and level of detail
+    LevelOfDetail levels = LevelOfDetail::Error;
     float explode = 0.0F;    ///< 0 = real stack; 1 spreads the layers over about half the board's width
+    ZScale zScale;           ///< thicknesses as drawn
     bool dimOthers = false;  ///< darkens what is not highlighted
     glm::vec3 background{0.10F, 0.11F, 0.13F};  ///< sRGB
     Overlay overlay;                            ///< none while it has no pixels

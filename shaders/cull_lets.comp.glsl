@@ -4,14 +4,14 @@
 #include "lib/in_view.glsl"
 #include "lib/level.glsl"
 
-// One workgroup per cluster in view: sorts its lets into the instanced draws of their batch, topology and level. Counts in shared memory,
-// so that no size of a subgroup is assumed and there is one atomic per cluster and draw.
+// One workgroup per cluster in view: finds the draw of each let (batch, topology and level) and its place among that draw's instances. Counts in shared
+// memory, so that no size of a subgroup is assumed and there is one atomic per cluster and draw. place_lets makes the lists.
 layout(local_size_x = kClusterSize) in;
 
 shared uint counts[kBucketCount];
 shared uint starts[kBucketCount];
 
-void sortCluster(Cluster cluster) {
+void countCluster(Cluster cluster) {
     const uint thread = gl_LocalInvocationID.x;
     const LayerState layer = FRAME.layers.at[cluster.layer];
     if (thread < kBucketCount) {
@@ -29,13 +29,11 @@ void sortCluster(Cluster cluster) {
     }
     barrier();
     if (thread < kBucketCount && counts[thread] > 0u) {
-        const uint draw = layer.batch * kBucketCount + thread;
-        starts[thread] = FRAME.letDraws.at[draw].firstInstance +
-                         atomicAdd(FRAME.letDraws.at[draw].instanceCount, counts[thread]);
+        starts[thread] = atomicAdd(FRAME.letDraws.at[layer.batch * kBucketCount + thread].instanceCount, counts[thread]);
     }
     barrier();
-    if (bucket != kNotDrawn) {
-        FRAME.visibleLets.at[starts[bucket] + slot] = index;
+    if (thread < cluster.count) {
+        FRAME.letSlots.at[index] = bucket != kNotDrawn ? bucket << kSlotBits | (starts[bucket] + slot) : kNotDrawn;
     }
     barrier();
 }
@@ -43,6 +41,6 @@ void sortCluster(Cluster cluster) {
 void main() {
     const uint count = FRAME.visibleClusters.count;
     for (uint i = gl_WorkGroupID.x; i < count; i += gl_NumWorkGroups.x) {
-        sortCluster(FRAME.clusters.at[FRAME.visibleClusters.at[i]]);
+        countCluster(FRAME.clusters.at[FRAME.visibleClusters.at[i]]);
     }
 }

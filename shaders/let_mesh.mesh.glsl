@@ -57,8 +57,8 @@ Share shareOf(uint group) {
 }
 
 uint trianglesPerLet(Share share) {
-    if (share.level == kLevelQuad) {
-        return kUpperTriangles;
+    if (share.level >= kLevelFlat) {
+        return share.intervals * kUpperTriangles;
     }
     return share.intervals * FRAME.triangleCount + (share.hasFirstEnd ? kEndTriangleCount : 0u) +
            (share.hasLastEnd ? kEndTriangleCount : 0u);
@@ -76,6 +76,10 @@ uvec3 triangleOf(Share share, uint index) {
     if (share.level == kLevelQuad) {
         digits = kIntervalTriangles[FRAME.quadFace == 0u ? index : index + kIntervalTriangleCount - kUpperTriangles];
         return uvec3(digits >> 8u, digits >> 4u, digits) >> 1u & 3u;
+    }
+    if (share.level == kLevelFlat) {
+        digits = kIntervalTriangles[FRAME.quadFace * (kIntervalTriangleCount - kUpperTriangles) + index % kUpperTriangles];
+        return uvec3(digits >> 8u & 15u, digits >> 4u & 15u, digits & 15u) + 4u * (index / kUpperTriangles);
     }
     const uint inIntervals = share.intervals * FRAME.triangleCount;
     if (index < inIntervals) {

@@ -7,11 +7,15 @@ namespace {
 #include "cull_areas_comp.h"
 #include "cull_clusters_comp.h"
 #include "cull_lets_comp.h"
+#include "let_impostor_frag.h"
+#include "let_impostor_vert.h"
 #include "let_mesh_mesh.h"
 #include "let_mesh_task.h"
 #include "let_pull_vert.h"
+#include "line_up_draws_comp.h"
 #include "overlay_frag.h"
 #include "overlay_vert.h"
+#include "place_lets_comp.h"
 #include "standard_vert.h"
 #include "tri/advance_comp.h"
 #include "tri/claim_corridor_comp.h"
@@ -42,11 +46,15 @@ const Code kBoardFrag(board_frag);
 const Code kCullAreasComp(cull_areas_comp);
 const Code kCullClustersComp(cull_clusters_comp);
 const Code kCullLetsComp(cull_lets_comp);
+const Code kLetImpostorFrag(let_impostor_frag);
+const Code kLetImpostorVert(let_impostor_vert);
 const Code kLetMeshMesh(let_mesh_mesh);
 const Code kLetMeshTask(let_mesh_task);
 const Code kLetPullVert(let_pull_vert);
+const Code kLineUpDrawsComp(line_up_draws_comp);
 const Code kOverlayFrag(overlay_frag);
 const Code kOverlayVert(overlay_vert);
+const Code kPlaceLetsComp(place_lets_comp);
 const Code kStandardVert(standard_vert);
 const Code kTriAdvanceComp(tri_advance_comp);
 const Code kTriClaimCorridorComp(tri_claim_corridor_comp);
@@ -76,11 +84,15 @@ std::span<const Named> all() {
         {"cull_areas.comp", cull_areas_comp},
         {"cull_clusters.comp", cull_clusters_comp},
         {"cull_lets.comp", cull_lets_comp},
+        {"let_impostor.frag", let_impostor_frag},
+        {"let_impostor.vert", let_impostor_vert},
         {"let_mesh.mesh", let_mesh_mesh},
         {"let_mesh.task", let_mesh_task},
         {"let_pull.vert", let_pull_vert},
+        {"line_up_draws.comp", line_up_draws_comp},
         {"overlay.frag", overlay_frag},
         {"overlay.vert", overlay_vert},
+        {"place_lets.comp", place_lets_comp},
         {"standard.vert", standard_vert},
         {"tri/advance.comp", tri_advance_comp},
         {"tri/claim_corridor.comp", tri_claim_corridor_comp},

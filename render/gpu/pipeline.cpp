@@ -86,7 +86,8 @@ Pipeline::Pipeline(Device& device, const GraphicsPipelineOptions& options) {
     std::vector<VkPipelineShaderStageCreateInfo> stages;
     VkShaderStageFlags used = 0;
     for (const ShaderStage& stage : options.stages) {
-        if (stage.stage == VK_SHADER_STAGE_FRAGMENT_BIT && options.pass == Pass::DepthOnly) {
+        const bool onlyColours = options.pass == Pass::DepthOnly && !options.shapesInFragments;
+        if (stage.stage == VK_SHADER_STAGE_FRAGMENT_BIT && onlyColours) {
             continue;
         }
         modules.push_back(createModule(device, stage.shader, options.label));

@@ -32,7 +32,8 @@ struct GraphicsPipelineOptions {
     std::span<const ShaderStage> stages;  ///< the fragment stage is left out for DepthOnly
     std::uint32_t pushBytes = 0;
     Pass pass = Pass::Opaque;
-    bool cullsBackFaces = false;  ///< which side is the front is dynamic
+    bool cullsBackFaces = false;     ///< which side is the front is dynamic
+    bool shapesInFragments = false;  ///< the fragment stage says what is covered: DepthOnly keeps it
     VkFormat colourFormat = VK_FORMAT_UNDEFINED;
     VkFormat depthFormat = VK_FORMAT_UNDEFINED;
     VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;

@@ -64,11 +64,17 @@ bool isQuad(Let let, LayerState layer, float pixelsPerMm) {
 
 const uint kNotDrawn = 0xffffffffu;
 
+// The paper's levels go by size alone.
+uint paperLevel(vec3 circle, float pixelsPerMm) {
+    const float radiusPx = circle.z * pixelsPerMm;
+    return radiusPx > 32.0 ? kLevel64 : radiusPx > 8.0 ? kLevel32 : kLevel16;
+}
+
 // topology * kLevelCount + level, or kNotDrawn: the coarsest level that stays within the tolerance.
 uint letBucket(Let let, LayerState layer) {
     const uint base = topologyOf(let) * kLevelCount;
     if (!has(FRAME.flags, kFrameCull)) {
-        return base + kLevel64;
+        return has(FRAME.flags, kFrameImpostors) ? kLevelQuad : base + kLevel64;
     }
     const vec3 circle = letCircle(let);
     const vec3 middle = middleOf(circle.xy, layer);
@@ -76,13 +82,20 @@ uint letBucket(Let let, LayerState layer) {
     if (!isBoxInView(middle, extent)) {
         return kNotDrawn;
     }
+    if (has(FRAME.flags, kFrameImpostors)) {
+        return kLevelQuad;
+    }
     const float pixelsPerMm = pixelsPerMmAt(middle, extent);
+    if (has(FRAME.flags, kFramePaperLevels)) {
+        return base + paperLevel(circle, pixelsPerMm);
+    }
     if (isQuad(let, layer, pixelsPerMm)) {
         return kLevelQuad;
     }
     for (uint level = kLevel16; level > kLevelFine; --level) {
         if (letError(let, level) * pixelsPerMm <= FRAME.tolerancePx) {
-            return base + level;
+            const bool isThin = (layer.z1 - layer.z0) * pixelsPerMm < FRAME.thinPx;
+            return base + (level == kLevel16 && isThin ? kLevelFlat : level);
         }
     }
     return base + kLevelFine;

@@ -71,15 +71,6 @@ struct LayerState {
 };
 GPU_SIZE(LayerState, 32);
 
-// A triangulated shape: top vertices and triangles stored once, bottom and walls made from them.
-struct ShapeRecord {
-    uint firstVertex;    // into vec2 vertices and the parallel `next` column (absolute index of the vertex the wall leads to, itself for none)
-    uint vertexCount;
-    uint firstIndex;     // into triangle indices, relative to firstVertex
-    uint triangleCount;
-};
-GPU_SIZE(ShapeRecord, 16);
-
 // p' = origin + M(mirror) * R * p with R = (c s; -s c), clockwise by the angle.
 struct AreaInstance {
     vec2 origin;

@@ -62,6 +62,11 @@ GPU_CONST kFrameFlat = 1;       // no lighting
 GPU_CONST kFrameMono = 2;       // everything visible is white
 GPU_CONST kFrameDimOthers = 4;  // what is not highlighted is darkened
 GPU_CONST kFrameCull = 8;       // frustum culling and level of detail
+GPU_CONST kFramePaperLevels = 16;  // none but the paper's three levels of detail
+GPU_CONST kFrameImpostors = 32;    // all lets are quads, whose fragments know the outline
+GPU_CONST kFrameSmoothed = 64;     // four samples per pixel
+
+GPU_CONST kSlotBits = 28;
 
 GPU_CONST kPlaneCount = 6;
 
@@ -74,6 +79,7 @@ struct FrameData {
     float pixelsPerMm;         // at w = 1: pixels = mm * pixelsPerMm / w
     float tolerancePx;         // how far a polygon may stray from the true outline
     float quadRadiusPx;        // lets with a smaller pen become quads; 0 = never
+    float thinPx;              // walls of fewer pixels are left out; 0 = never
     float nudgeZ, nudgeW;      // one step of tie-break moves z by nudgeZ * z + nudgeW * w
     float sliverNudge;         // by how much of itself a step grows for each width a let is long
     float boreProudMm;         // how far the dark inside of a hole stands out of the outer faces
@@ -82,6 +88,7 @@ struct FrameData {
     uint triangleCount;
     uint quadFace;             // 0 = the upper, 1 = the lower face faces the viewer
     uint clusterCount;
+    uint letDrawCount;         // of letDraws
     uint instanceCount;
     uint maxDispatch;          // largest number of workgroups along x
     uint copy;                 // row of BoardModel::copies; with an element's number it names one element of the board
@@ -90,6 +97,7 @@ struct FrameData {
     GPU_ADDRESS(Lets) lets;
     GPU_ADDRESS(Clusters) clusters;
     GPU_ADDRESS(ClusterList) visibleClusters;
+    GPU_ADDRESS(WordList) letSlots;            // by let of a visible cluster: kSlotBits of its place in its draw, above them the bucket
     GPU_ADDRESS(WordList) visibleLets;         // by draw: at[firstInstance + instance]
     GPU_ADDRESS(IndexedDraws) letDraws;        // batch * kBucketCount + topology * kLevelCount + level
     GPU_ADDRESS(Vertices) vertices;
@@ -103,7 +111,7 @@ struct FrameData {
     GPU_ADDRESS(Words) highlight;              // one bit per element
     GPU_ADDRESS(StandardParts) standardParts;  // null in the hybrid pipeline
 };
-GPU_SIZE(FrameData, 64 + 96 + 16 + 12 + 8 + 15 * 4 + 16 * 8);
+GPU_SIZE(FrameData, 64 + 96 + 16 + 12 + 8 + 17 * 4 + 17 * 8);
 
 #ifndef __cplusplus
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Frame { FrameData data; };

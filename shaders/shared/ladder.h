@@ -20,20 +20,22 @@ GPU_CONST kTopologyOpen = 0;
 GPU_CONST kTopologyClosed = 1;
 GPU_CONST kTopologyCount = 2;
 
-// Levels of detail: the paper's three (64, 32 and 16 vertices per solid let), one finer for deep zoom and a flat quad for less than a pixel.
+// Levels of detail: the paper's three (64, 32 and 16 vertices per solid let), one finer for deep zoom, the coarsest without walls for what is thin,
+// and a flat quad for less than a pixel.
 GPU_CONST kLevelFine = 0;
 GPU_CONST kLevel64 = 1;
 GPU_CONST kLevel32 = 2;
 GPU_CONST kLevel16 = 3;
-GPU_CONST kLevelQuad = 4;
-GPU_CONST kLevelCount = 5;
-GPU_CONST kBucketCount = 10;  // kTopologyCount * kLevelCount
+GPU_CONST kLevelFlat = 4;  // from here on only the face that can be seen
+GPU_CONST kLevelQuad = 5;
+GPU_CONST kLevelCount = 6;
+GPU_CONST kBucketCount = 12;  // kTopologyCount * kLevelCount
 
 // Points of one rounded end by level; an open ladder has as many rungs, a tube's outline twice as many points.
-GPU_TABLE kEndPoints[5] = {64, 16, 8, 4, 2};
+GPU_TABLE kEndPoints[6] = {64, 16, 8, 4, 4, 2};
 // Rungs of an arc that round either end, and chords of its body: rungs - 2 * ends + 1.
-GPU_TABLE kArcEndRungs[4] = {16, 4, 2, 2};
-GPU_TABLE kArcChords[4] = {33, 9, 5, 1};
+GPU_TABLE kArcEndRungs[5] = {16, 4, 2, 2, 2};
+GPU_TABLE kArcChords[5] = {33, 9, 5, 1, 1};
 
 // Triangles of an interval by codes relative to its first rung (0-3 that rung, 4-7 the next), counter-clockwise from outside,
 // one hexadecimal digit per corner. Upper, walls, lower: whatever side one looks from, what can be seen is a run.

@@ -1,5 +1,6 @@
 #include <QtTest>
 
+#include "render/image_difference.h"
 #include "tests/gpu/gpu_fixture.h"
 
 using namespace render;
@@ -80,6 +81,44 @@ private slots:
         compare(scene, {});
     }
 
+    /// Outlines of polygons stray up to 0.3 px from the true ones that impostors draw: pixels at outlines differ a
+    /// little, none altogether.
+    void impostorsDrawTheSameFlatPicture_data() {
+        QTest::addColumn<int>("view");
+        QTest::addColumn<bool>("isSmoothed");
+        QTest::newRow("from above") << int(NamedView::Top) << true;
+        QTest::newRow("from above, unsmoothed") << int(NamedView::Top) << false;
+        QTest::newRow("from below") << int(NamedView::Bottom) << true;
+    }
+    void impostorsDrawTheSameFlatPicture() {
+        QFETCH(int, view);
+        QFETCH(bool, isSmoothed);
+        for (const SyntheticBoard& board : {everything(), randomTraces(400, 5)}) {
+            Scene scene(board);
+            scene.camera.setOrthographic(true);
+            scene.camera.fit(scene.model.boxMin, scene.model.boxMax, static_cast<NamedView>(view), 4.0F / 3.0F);
+            ViewSettings how = settings(Backend::Pull);
+            how.is2d = true;
+            how.isSmoothed = isSmoothed;
+            const Image pull = scene.draw(how);
+            how.backend = Backend::Impostor;
+            const Image impostor = scene.draw(how);
+            QCOMPARE(Gpu::get().presenter.stats().backend, Backend::Impostor);
+            QVERIFY(greyMse(pull, impostor) < 0.0005);
+            if (isSmoothed) {
+                constexpr int kNearlyFullContrast = 150;
+                QCOMPARE(differingPixels(pull, impostor, kNearlyFullContrast), std::size_t{0});
+            }
+        }
+    }
+
+    void impostorsLeaveTiltedViewsToOthers() {
+        Scene scene(randomTraces(10, 1));
+        scene.camera.fit(scene.model.boxMin, scene.model.boxMax, NamedView::Iso, 4.0F / 3.0F);
+        scene.draw(settings(Backend::Impostor));
+        QVERIFY(Gpu::get().presenter.stats().backend != Backend::Impostor);
+    }
+
     /// The pull back end's lists of all batches lie side by side in one buffer.
     void tinyLetsOfOneBatchLeaveTheNextOneAlone() {
         SyntheticBoard board;
@@ -138,6 +177,9 @@ private slots:
         scene.draw({});
         const Backend expected = Gpu::get().device.caps().isCpu ? Backend::Pull : Backend::Mesh;
         QCOMPARE(Gpu::get().presenter.stats().backend, expected);
+        scene.lookDown({-10, -10}, {10, 10});
+        scene.draw({});
+        QCOMPARE(Gpu::get().presenter.stats().backend, Backend::Impostor);
     }
 };
 

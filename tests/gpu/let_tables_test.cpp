@@ -26,7 +26,7 @@ class LetTablesTest : public QObject {
     static void addSolids() {
         QTest::addColumn<std::uint32_t>("bucket");
         for (std::uint32_t bucket = 0; bucket < shader::kBucketCount; ++bucket) {
-            if (bucket % shader::kLevelCount != shader::kLevelQuad) {
+            if (bucket % shader::kLevelCount < shader::kLevelFlat) {
                 QTest::addRow("topology %u, level %u", bucket / shader::kLevelCount, bucket % shader::kLevelCount)
                     << bucket;
             }
@@ -79,11 +79,20 @@ private slots:
         }
     }
 
-    void quadsShowOneFaceOnly() {
+    void flatLevelsShowOneFaceOnly_data() {
+        QTest::addColumn<std::uint32_t>("bucket");
+        QTest::addColumn<std::uint32_t>("indices");
+        QTest::newRow("quad") << shader::kLevelQuad << 6U;
+        QTest::newRow("stroke") << shader::kLevelFlat << 18U;
+        QTest::newRow("tube") << shader::kLevelCount + shader::kLevelFlat << 48U;
+    }
+    void flatLevelsShowOneFaceOnly() {
+        QFETCH(std::uint32_t, bucket);
+        QFETCH(std::uint32_t, indices);
         const LetTables tables = makeLetTables();
         for (const SeenFaces faces : {SeenFaces{true, true, false}, SeenFaces{false, true, true}}) {
-            const IndexRun run = tables.run(shader::kLevelQuad, faces);
-            QCOMPARE(run.count, 6U);
+            const IndexRun run = tables.run(bucket, faces);
+            QCOMPARE(run.count, indices);
             for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
                 QCOMPARE((tables.indices[i] & 1U) == 0, faces.upper);
             }

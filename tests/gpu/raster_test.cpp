@@ -37,6 +37,7 @@ class RasterTest : public QObject {
         QTest::addColumn<int>("backend");
         QTest::newRow("pull") << int(Backend::Pull);
         QTest::newRow("mesh") << int(Backend::Mesh);
+        QTest::newRow("impostor") << int(Backend::Impostor);
     }
 
 private slots:

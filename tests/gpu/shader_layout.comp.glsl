@@ -7,7 +7,6 @@ layout(local_size_x = 1) in;
 layout(set = 0, binding = 0, scalar) buffer LetBlock { Let let[2]; };
 layout(set = 0, binding = 1, scalar) buffer ClusterBlock { Cluster cluster[2]; };
 layout(set = 0, binding = 2, scalar) buffer LayerStateBlock { LayerState layerState[2]; };
-layout(set = 0, binding = 3, scalar) buffer ShapeRecordBlock { ShapeRecord shapeRecord[2]; };
 layout(set = 0, binding = 4, scalar) buffer AreaInstanceBlock { AreaInstance areaInstance[2]; };
 layout(set = 0, binding = 5, scalar) buffer ShapeBoundBlock { ShapeBound shapeBound[2]; };
 layout(set = 0, binding = 6, scalar) buffer DrawIndexedBlock { DrawIndexed drawIndexed[2]; };
@@ -22,7 +21,6 @@ void main() {
     let[0] = let[1];
     cluster[0] = cluster[1];
     layerState[0] = layerState[1];
-    shapeRecord[0] = shapeRecord[1];
     areaInstance[0] = areaInstance[1];
     shapeBound[0] = shapeBound[1];
     drawIndexed[0] = drawIndexed[1];

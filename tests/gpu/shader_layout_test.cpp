@@ -57,10 +57,6 @@ class ShaderLayoutTest : public QObject {
         MEMBER(layerState, LayerState, z1);
         MEMBER(layerState, LayerState, flags);
         MEMBER(layerState, LayerState, batch);
-        MEMBER(shapeRecord, ShapeRecord, firstVertex);
-        MEMBER(shapeRecord, ShapeRecord, vertexCount);
-        MEMBER(shapeRecord, ShapeRecord, firstIndex);
-        MEMBER(shapeRecord, ShapeRecord, triangleCount);
         MEMBER(areaInstance, AreaInstance, origin);
         MEMBER(areaInstance, AreaInstance, cosSin);
         MEMBER(areaInstance, AreaInstance, shape);
@@ -87,6 +83,7 @@ class ShaderLayoutTest : public QObject {
         MEMBER(frameData, FrameData, pixelsPerMm);
         MEMBER(frameData, FrameData, tolerancePx);
         MEMBER(frameData, FrameData, quadRadiusPx);
+        MEMBER(frameData, FrameData, thinPx);
         MEMBER(frameData, FrameData, nudgeZ);
         MEMBER(frameData, FrameData, nudgeW);
         MEMBER(frameData, FrameData, sliverNudge);
@@ -96,6 +93,7 @@ class ShaderLayoutTest : public QObject {
         MEMBER(frameData, FrameData, triangleCount);
         MEMBER(frameData, FrameData, quadFace);
         MEMBER(frameData, FrameData, clusterCount);
+        MEMBER(frameData, FrameData, letDrawCount);
         MEMBER(frameData, FrameData, instanceCount);
         MEMBER(frameData, FrameData, maxDispatch);
         MEMBER(frameData, FrameData, copy);
@@ -103,6 +101,7 @@ class ShaderLayoutTest : public QObject {
         MEMBER(frameData, FrameData, lets);
         MEMBER(frameData, FrameData, clusters);
         MEMBER(frameData, FrameData, visibleClusters);
+        MEMBER(frameData, FrameData, letSlots);
         MEMBER(frameData, FrameData, visibleLets);
         MEMBER(frameData, FrameData, letDraws);
         MEMBER(frameData, FrameData, vertices);

@@ -88,7 +88,7 @@ std::uint32_t SyntheticBoard::addArea(const std::vector<std::vector<base::Point>
                                       const std::vector<shader::AreaInstance>& places) {
     std::vector<base::Point> points;
     std::vector<std::uint32_t> starts{0};
-    shader::ShapeRecord shape;
+    AreaShape shape;
     shape.firstVertex = static_cast<std::uint32_t>(m_model.vertices.size());
     shape.firstIndex = static_cast<std::uint32_t>(m_model.indices.size());
     for (const auto& loop : loops) {
@@ -100,7 +100,8 @@ std::uint32_t SyntheticBoard::addArea(const std::vector<std::vector<base::Point>
         }
         starts.push_back(static_cast<std::uint32_t>(points.size()));
     }
-    shape.vertexCount = starts.back();
+    shape.vertexCount = shape.wallCount = starts.back();
+    shape.firstWall = shape.firstVertex;
     const tri::Outcome outcome = tri::triangulate({points, starts}, m_model.indices);
     ASSERT(outcome == tri::Outcome::Ok);
     shape.triangleCount = (static_cast<std::uint32_t>(m_model.indices.size()) - shape.firstIndex) / 3;

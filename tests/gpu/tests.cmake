@@ -22,3 +22,5 @@ target_compile_definitions(shader_layout_test PRIVATE
 copperscope_test(let_tables_test gpu/let_tables_test.cpp LABEL unit LINK copperscope_render)
 copperscope_test(explosion_test gpu/explosion_test.cpp LABEL unit LINK copperscope_render)
 copperscope_test(png_test gpu/png_test.cpp LABEL unit LINK copperscope_render PNG::PNG)
+copperscope_test(hiding_test gpu/hiding_test.cpp LABEL unit LINK copperscope_render)
+copperscope_test(z_scale_test gpu/z_scale_test.cpp LABEL unit LINK copperscope_render)

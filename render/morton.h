@@ -1,0 +1,35 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <glm/glm.hpp>
+
+namespace render {
+
+/// Morton order: places close together have keys close together. Its cells are square, also in a long box.
+class MortonCurve {
+public:
+    MortonCurve() = default;
+    /// Over the box from `low` to `high`.
+    MortonCurve(glm::vec2 low, glm::vec2 high)
+        : m_low(low), m_scale(65535.0F / std::max({high.x - low.x, high.y - low.y, 1e-6F})) {}
+
+    [[nodiscard]] std::uint32_t key(glm::vec2 place) const {
+        const glm::vec2 cell = glm::clamp((place - m_low) * m_scale, 0.0F, 65535.0F);
+        return spread(static_cast<std::uint32_t>(cell.x)) | (spread(static_cast<std::uint32_t>(cell.y)) << 1U);
+    }
+
+private:
+    static std::uint32_t spread(std::uint32_t v) {
+        v &= 0xffffU;
+        v = (v | (v << 8U)) & 0x00ff00ffU;
+        v = (v | (v << 4U)) & 0x0f0f0f0fU;
+        v = (v | (v << 2U)) & 0x33333333U;
+        return (v | (v << 1U)) & 0x55555555U;
+    }
+
+    glm::vec2 m_low{0.0F};
+    float m_scale = 1.0F;
+};
+
+}  // namespace render
