@@ -41,19 +41,53 @@ void repair(ShapeMesh& mesh, tri::Triangulator triangulator) {
     }
 }
 
+/// The wall of every contour edge of loops without the flag `wallless` (empty: none has it), except where two opposite
+/// edges coincide (the bridge of a keyhole contour, odbpp-facts §12).
+std::vector<std::uint32_t> findWalls(const PolygonSet& set, const std::vector<std::uint8_t>& wallless) {
+    std::vector<std::uint32_t> next(set.points.size());
+    std::iota(next.begin(), next.end(), 0U);
+    std::vector<WallEdge> edges;
+    for (std::size_t loop = 0; loop < set.loopCount(); ++loop) {
+        if (!wallless.empty() && wallless[loop] != 0) {
+            continue;
+        }
+        for (std::uint32_t i = set.loopStart[loop]; i < set.loopStart[loop + 1]; ++i) {
+            next[i] = i + 1 < set.loopStart[loop + 1] ? i + 1 : set.loopStart[loop];
+            const Point a = set.points[i];
+            const Point b = set.points[next[i]];
+            edges.push_back({std::min(a, b), std::max(a, b), a < b, i});
+        }
+    }
+    std::ranges::sort(edges, [](const WallEdge& a, const WallEdge& b) {
+        return std::tuple(a.low, a.high, a.isForward, a.from) < std::tuple(b.low, b.high, b.isForward, b.from);
+    });
+    for (std::size_t i = 0; i < edges.size();) {
+        std::size_t end = i;
+        while (end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high) {
+            ++end;
+        }
+        // Backward edges come first: pair them off against the forward ones from the other end.
+        for (std::size_t last = end; i + 1 < last && edges[i].isForward != edges[last - 1].isForward; ++i, --last) {
+            next[edges[i].from] = edges[i].from;
+            next[edges[last - 1].from] = edges[last - 1].from;
+        }
+        i = end;
+    }
+    return next;
+}
+
 /// Cells of round holes have none. They are told by their boxes: no other loop comes near them, repaired or not.
 void findMeshWalls(ShapeMesh& mesh) {
-    mesh.next = findWalls(mesh.polygons);
     std::vector<Point> cells;
     std::ranges::transform(mesh.holes, std::back_inserter(cells), [](const RoundHole& h) { return cellOf(h).min; });
     std::ranges::sort(cells);
-    for (std::size_t loop = 0; loop < mesh.polygons.loopCount() && !cells.empty(); ++loop) {
+    std::vector<std::uint8_t> isCell(mesh.polygons.loopCount(), 0);
+    for (std::size_t loop = 0; loop < isCell.size() && !cells.empty(); ++loop) {
         const std::span<const Point> points = mesh.polygons.loop(loop);
-        if (points.size() == 4 && std::ranges::binary_search(cells, *std::ranges::min_element(points))) {
-            const std::uint32_t first = mesh.polygons.loopStart[loop];
-            std::iota(mesh.next.begin() + first, mesh.next.begin() + first + 4, first);
-        }
+        const bool isSquare = points.size() == 4;
+        isCell[loop] = isSquare && std::ranges::binary_search(cells, *std::ranges::min_element(points)) ? 1 : 0;
     }
+    mesh.next = findWalls(mesh.polygons, isCell);
 }
 
 void triangulateShape(ShapeMesh& mesh, tri::Triangulator triangulator) {
@@ -123,36 +157,8 @@ bool triangulatePolygon(const PolygonSet& set, std::size_t row, std::vector<std:
     return isRight;
 }
 
-/// The wall of every contour edge, except where two opposite edges coincide (the bridge of a keyhole contour,
-/// odbpp-facts §12).
 std::vector<std::uint32_t> findWalls(const PolygonSet& set) {
-    std::vector<std::uint32_t> next(set.points.size());
-    std::vector<WallEdge> edges;
-    edges.reserve(set.points.size());
-    for (std::size_t loop = 0; loop < set.loopCount(); ++loop) {
-        for (std::uint32_t i = set.loopStart[loop]; i < set.loopStart[loop + 1]; ++i) {
-            next[i] = i + 1 < set.loopStart[loop + 1] ? i + 1 : set.loopStart[loop];
-            const Point a = set.points[i];
-            const Point b = set.points[next[i]];
-            edges.push_back({std::min(a, b), std::max(a, b), a < b, i});
-        }
-    }
-    std::ranges::sort(edges, [](const WallEdge& a, const WallEdge& b) {
-        return std::tuple(a.low, a.high, a.isForward, a.from) < std::tuple(b.low, b.high, b.isForward, b.from);
-    });
-    for (std::size_t i = 0; i < edges.size();) {
-        std::size_t end = i;
-        while (end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high) {
-            ++end;
-        }
-        // Backward edges come first: pair them off against the forward ones from the other end.
-        for (std::size_t last = end; i + 1 < last && edges[i].isForward != edges[last - 1].isForward; ++i, --last) {
-            next[edges[i].from] = edges[i].from;
-            next[edges[last - 1].from] = edges[last - 1].from;
-        }
-        i = end;
-    }
-    return next;
+    return findWalls(set, {});
 }
 
 std::vector<model::ShapeId> shapesInUse(const model::Document& document) {

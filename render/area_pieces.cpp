@@ -9,18 +9,6 @@
 namespace render {
 namespace {
 
-/// Rows sorted by key; equal keys stay in order.
-std::vector<std::uint32_t> sortedBy(const std::vector<std::uint32_t>& keys) {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> order(keys.size());
-    for (std::uint32_t i = 0; i < keys.size(); ++i) {
-        order[i] = {keys[i], i};
-    }
-    std::ranges::sort(order);
-    std::vector<std::uint32_t> rows(keys.size());
-    std::ranges::transform(order, rows.begin(), [](const auto& entry) { return entry.second; });
-    return rows;
-}
-
 /// One shape's part of the model's columns.
 class ShapeSorter {
 public:
@@ -57,7 +45,7 @@ private:
             }
         }
         m_shape.firstWall = m_shape.firstVertex;
-        moveVertices(sortedBy(keys));
+        moveVertices(rowsByKey(keys));
     }
 
     /// Old row `order[i]` becomes row i.
@@ -92,7 +80,7 @@ private:
         }
         std::vector<std::uint32_t> sorted;
         sorted.reserve(3 * keys.size());
-        for (const std::uint32_t i : sortedBy(keys)) {
+        for (const std::uint32_t i : rowsByKey(keys)) {
             sorted.insert(sorted.end(), corners + 3 * i, corners + 3 * i + 3);
         }
         std::ranges::copy(sorted, m_model.indices.begin() + m_shape.firstIndex);

@@ -202,14 +202,16 @@ void sortAlongMorton(std::vector<shader::Let>& lets) {
         all = {glm::min(all.min, box.min), glm::max(all.max, box.max)};
     }
     const MortonCurve curve(all.min, all.max);
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> order(lets.size());
-    for (std::uint32_t i = 0; i < lets.size(); ++i) {
-        const LetBox box = boxOf(lets[i]);
-        order[i] = {curve.key((box.min + box.max) / 2.0F), i};
+    std::vector<std::uint32_t> keys(lets.size());
+    std::ranges::transform(lets, keys.begin(), [&](const shader::Let& let) {
+        const LetBox box = boxOf(let);
+        return curve.key((box.min + box.max) / 2.0F);
+    });
+    std::vector<shader::Let> sorted;
+    sorted.reserve(lets.size());
+    for (const std::uint32_t row : rowsByKey(keys)) {
+        sorted.push_back(lets[row]);
     }
-    std::ranges::sort(order);
-    std::vector<shader::Let> sorted(lets.size());
-    std::ranges::transform(order, sorted.begin(), [&](const auto& entry) { return lets[entry.second]; });
     lets = std::move(sorted);
 }
 

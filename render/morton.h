@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <vector>
 
 namespace render {
 
@@ -31,5 +32,18 @@ private:
     glm::vec2 m_low{0.0F};
     float m_scale = 1.0F;
 };
+
+/// Rows in the order of their keys; equal keys stay in order. Key and row are sorted as one number.
+[[nodiscard]] inline std::vector<std::uint32_t> rowsByKey(const std::vector<std::uint32_t>& keys) {
+    std::vector<std::uint64_t> order(keys.size());
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        order[i] = std::uint64_t{keys[i]} << 32U | i;
+    }
+    std::sort(order.begin(), order.end());
+    std::vector<std::uint32_t> rows(keys.size());
+    std::transform(order.begin(), order.end(), rows.begin(),
+                   [](std::uint64_t entry) { return static_cast<std::uint32_t>(entry); });
+    return rows;
+}
 
 }  // namespace render
