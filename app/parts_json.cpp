@@ -87,9 +87,22 @@ ordered_json netsJson(const Document& document) {
     return {{"count", document.nets.size()}, {"list", list}};
 }
 
+/// Nothing for a component without a body.
+ordered_json bodyJson(const model::Body* body) {
+    if (body == nullptr) {
+        return nullptr;
+    }
+    return {{"element", body->element.value}, {"height_nm", body->height}, {"source", model::toString(body->source)}};
+}
+
 ordered_json componentsJson(const Document& document) {
+    std::vector<const model::Body*> bodies(document.components.size());
+    for (const model::Body& body : document.bodies) {
+        bodies[body.component.row()] = &body;
+    }
     ordered_json list = ordered_json::array();
-    for (const model::Component& component : document.components) {
+    for (std::size_t row = 0; row < document.components.size(); ++row) {
+        const model::Component& component = document.components[row];
         list.push_back({{"refdes", component.refdes},
                         {"part", component.part},
                         {"package", component.package.isValid() ? document.packages[component.package.row()].name : ""},
@@ -98,6 +111,7 @@ ordered_json componentsJson(const Document& document) {
                         {"y_nm", component.placement.origin.y},
                         {"clockwise_deg", component.placement.clockwiseDeg},
                         {"height_nm", component.height},
+                        {"body", bodyJson(bodies[row])},
                         {"mount", model::toString(component.mount)},
                         {"populated", component.isPopulated},
                         {"pins", component.pinCount}});

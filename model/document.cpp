@@ -56,6 +56,31 @@ std::span<const std::uint32_t> PaintedSources::of(ElementId element) const {
                      : std::span<const std::uint32_t>{};
 }
 
+ZRange Document::heightsOf(ElementId element) const {
+    const Layer& on = layer(elements.layer[element.row()]);
+    const ZRange all{on.z, on.z + on.thickness};
+    const Body* body = bodyOf(element);
+    if (body == nullptr) {
+        return all;
+    }
+    return on.side == LayerSide::Bottom ? ZRange{all.top - body->height, all.top}
+                                        : ZRange{all.bottom, all.bottom + body->height};
+}
+
+const Body* Document::bodyOf(ElementId element) const {
+    const auto body = std::ranges::lower_bound(bodies, element, {}, &Body::element);
+    return body != bodies.end() && body->element == element ? &*body : nullptr;
+}
+
+PlatedSpan Document::platedSpanOf(ElementId hole) const {
+    const auto left = std::ranges::lower_bound(platedSpans, hole, {}, &PlatedSpan::hole);
+    if (left != platedSpans.end() && left->hole == hole) {
+        return *left;
+    }
+    const Layer& drill = layer(elements.layer[hole.row()]);
+    return {hole, drill.spanTop, drill.spanBottom};
+}
+
 LayerId Document::findLayer(std::string_view name) const {
     const auto found = std::ranges::find_if(layers, [&](const Layer& l) { return equalsIgnoringCase(l.name, name); });
     return found == layers.end() ? LayerId{} : LayerId{static_cast<std::size_t>(found - layers.begin())};
@@ -121,8 +146,9 @@ const char* toString(ElementKind kind) {
 
 const char* toString(LayerType type) {
     constexpr const char* kNames[] = {
-        "SIGNAL", "POWER_GROUND", "MIXED", "DIELECTRIC",       "SOLDER_MASK", "SOLDER_PASTE", "SILK_SCREEN", "DRILL",
-        "ROUT",   "COMPONENT",    "MASK",  "CONDUCTIVE_PASTE", "DOCUMENT",    "PROFILE",      "BODY",        "OTHER"};
+        "SIGNAL",      "POWER_GROUND", "MIXED", "DIELECTRIC",     "SOLDER_MASK", "SOLDER_PASTE",
+        "SILK_SCREEN", "DRILL",        "ROUT",  "COMPONENT",      "MASK",        "CONDUCTIVE_PASTE",
+        "DOCUMENT",    "PROFILE",      "BODY",  "COMPONENT_BODY", "OTHER"};
     return kNames[static_cast<std::size_t>(type)];
 }
 
@@ -132,7 +158,8 @@ const char* toString(LayerSide side) {
 }
 
 const char* toString(LayerUse use) {
-    constexpr const char* kNames[] = {"plain", "flex", "coverlay", "stiffener", "adhesive", "backdrill", "other"};
+    constexpr const char* kNames[] = {"plain",    "flex",      "coverlay",      "stiffener",
+                                      "adhesive", "backdrill", "dual_diameter", "other"};
     return kNames[static_cast<std::size_t>(use)];
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -37,8 +38,9 @@ enum class LayerType : std::uint8_t {
     Mask,
     ConductivePaste,
     Document,
-    Profile,  ///< Profile: the step's outline, which we add as a layer of its own
-    Body,     ///< the laminate: profile minus holes over the whole stack; added by us
+    Profile,        ///< Profile: the step's outline, which we add as a layer of its own
+    Body,           ///< the laminate: profile minus holes over the whole stack; added by us
+    ComponentBody,  ///< the bodies of the components of one side (Document::bodies); added by us
     Other
 };
 enum class LayerSide : std::uint8_t { None, Top, Inner, Bottom, Through };
@@ -53,13 +55,14 @@ enum class Source : std::uint8_t {
 
 /// What a layer is for beyond its type, from the matrix' ADD_TYPE.
 enum class LayerUse : std::uint8_t {
-    Plain,      ///< nothing said
-    Flex,       ///< flexible copper: SIGNAL_FLEX, PG_FLEX, MIXED_FLEX
-    Coverlay,   ///< film or lacquer over flexible copper: COVERLAY, COVERCOAT
-    Stiffener,  ///< a plate glued to a flexible part: STIFFENER, FR4_STIFFENER, …
-    Adhesive,   ///< the glue under it: PSA
-    Backdrill,  ///< drilled from outside to take the plating away again: BACKDRILL
-    Other       ///< anything else; Layer::addType has the word
+    Plain,         ///< nothing said
+    Flex,          ///< flexible copper: SIGNAL_FLEX, PG_FLEX, MIXED_FLEX
+    Coverlay,      ///< film or lacquer over flexible copper: COVERLAY, COVERCOAT
+    Stiffener,     ///< a plate glued to a flexible part: STIFFENER, FR4_STIFFENER, …
+    Adhesive,      ///< the glue under it: PSA
+    Backdrill,     ///< drilled from outside to take the plating away again: BACKDRILL
+    DualDiameter,  ///< the wider part of holes that are drilled with two diameters: DUAL_DIAMETER
+    Other          ///< anything else; Layer::addType has the word
 };
 
 /// Consecutive rows of a table.
@@ -76,7 +79,7 @@ struct Layer {
     LayerSide side = LayerSide::None;
     bool isNegative =
         false;  ///< matrix POLARITY=NEGATIVE: its elements are the copper that is left, features the clearances
-    bool isSynthetic = false;  ///< added by us (Body, Profile), not a row of the matrix
+    bool isSynthetic = false;  ///< added by us (Body, ComponentBody, coats), not a row of the matrix
     int row = 0;               ///< matrix ROW
     Nm z = 0;                  ///< lower face
     Nm thickness = 0;          ///< 0 for layers without a body
@@ -182,6 +185,28 @@ struct ElementTable {
     std::vector<AttributeSetId> attributes;   ///< of that feature: a row of Document::attributes
 
     [[nodiscard]] std::size_t size() const { return kind.size(); }
+};
+
+/// From lower to upper face.
+struct ZRange {
+    Nm bottom = 0;
+    Nm top = 0;
+};
+
+/// The body of a component, an area on the ComponentBody layer of its side. The layer is as thick as the tallest of
+/// them; each stands on the layer's face towards the board with a height of its own.
+struct Body {
+    ElementId element;
+    ComponentId component;
+    Nm height = 0;
+    Source source = Source::Assumed;  ///< of the height
+};
+
+/// What other drills have left of the plating of a hole: from copper layer to copper layer. None if nothing is left.
+struct PlatedSpan {
+    ElementId hole;
+    LayerId top;
+    LayerId bottom;
 };
 
 /// The features that an area made by painting came from: rows of `PaintedSources::features`.
@@ -360,11 +385,14 @@ struct StepInstance {
     bool isFlipped = false;
 };
 
-/// A part of the board with a stack of its own: rigid, flexible, stiffened.
+/// A part of the board with a stack of its own: rigid, flexible, stiffened. What a layer is, and at which height, is
+/// the same in all zones; they differ in which layers are there.
 struct Zone {
     std::string name;
-    std::vector<LayerId> layers;  ///< those that are there
+    std::vector<LayerId> layers;  ///< those that are there, rising
     ShapeId shape;
+
+    [[nodiscard]] bool has(LayerId layer) const { return std::ranges::find(layers, layer) != layers.end(); }
 };
 
 struct JobInfo {
@@ -401,6 +429,8 @@ struct Document {
         trailWidths;  ///< per trail node: width of the stroke that leaves it, 0 for the last node of a trail
     std::vector<AreaGeometry> areas;
     PaintedSources painted;
+    std::vector<Body> bodies;             ///< by element, rising
+    std::vector<PlatedSpan> platedSpans;  ///< by hole, rising; holes that are not here are plated as their layer spans
     AttributeTable attributes;
 
     std::vector<Net> nets;
@@ -424,7 +454,7 @@ struct Document {
 
     ShapeId profile;  ///< the step's outline; none if the job has none and it could not be derived
     Box board;        ///< extent of the profile
-    Box extent;       ///< extent of everything on board layers, copies included
+    Box extent;       ///< of everything on board layers, copies included, bodies of components left out
     Nm boardThickness = 0;
     Stackup stackup;
     Diagnostics diagnostics;
@@ -448,6 +478,11 @@ struct Document {
         return std::span(trailWidths).subspan(trail.firstNode, trail.nodeCount - 1);
     }
     [[nodiscard]] Box boxOf(ElementId element) const;
+    /// Those of its layer, except for bodies of components.
+    [[nodiscard]] ZRange heightsOf(ElementId element) const;
+    [[nodiscard]] const Body* bodyOf(ElementId element) const;  ///< nullptr if it is none
+    /// Which copper a plated hole joins: its layer's span, or what other drills have left of it (top none: nothing).
+    [[nodiscard]] PlatedSpan platedSpanOf(ElementId hole) const;
     /// The layer of this document on which a copy's elements of its layer `id` lie.
     [[nodiscard]] LayerId layerOfCopy(LayerId id, bool isFlipped) const {
         return isFlipped && layer(id).opposite.isValid() ? layer(id).opposite : id;

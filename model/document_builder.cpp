@@ -199,6 +199,7 @@ void DocumentBuilder::giveBackReserves() {
     shrink(e.kind, e.flags, e.layer, e.net, e.subnet, e.symbol, e.geometry, e.firstFeature, e.line, e.attributes);
     shrink(d.lines, d.arcs, d.circles, d.trails, d.trailNodes, d.trailWidths, d.areas);
     shrink(d.shapes.shapes, d.shapes.contours, d.shapes.nodes, d.painted.areas, d.painted.features);
+    shrink(d.bodies, d.platedSpans);
 }
 
 void DocumentBuilder::countCopies() {
@@ -220,7 +221,8 @@ void DocumentBuilder::countCopies() {
 void DocumentBuilder::measureExtents() {
     Document& d = *m_document;
     for (const Layer& l : d.layers) {
-        if (l.context != LayerContext::Board || l.type == LayerType::Document) {
+        // Components may hang far over the board.
+        if (l.context != LayerContext::Board || l.type == LayerType::Document || l.type == LayerType::ComponentBody) {
             continue;
         }
         for (std::uint32_t i = 0; i < l.elements.count; ++i) {

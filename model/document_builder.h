@@ -54,6 +54,8 @@ public:
     /// A step to place copies of; it must have the same layer rows. Answers its row.
     std::uint32_t addStep(std::shared_ptr<const Document> step);
     void addInstance(const StepInstance& instance);
+    void addBody(const Body& body) { m_document->bodies.push_back(body); }
+    void addPlatedSpan(const PlatedSpan& span) { m_document->platedSpans.push_back(span); }
     void setStackup(Stackup stackup) { m_document->stackup = std::move(stackup); }
     void setBoardThickness(Nm thickness) { m_document->boardThickness = thickness; }
 

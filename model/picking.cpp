@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <tuple>
+#include <utility>
 
 #include "model/geometry/distance.h"
 
@@ -96,7 +98,7 @@ struct Way {
 
 }  // namespace
 
-/// What is asked for: a straight way over the board between two depths.
+/// What is asked for: a straight way over the board between two depths. Of a line of sight, the part within a layer.
 struct Picker::Probe {
     PointD a;
     PointD b;
@@ -104,7 +106,32 @@ struct Picker::Probe {
     double depthA = 0.0;
     double depthB = 0.0;
     std::span<const PickLayer> layers;
+    const SightLine* line = nullptr;  ///< nullptr: seen from straight above
+
+    /// The part that passes the board between two heights; none if it does not.
+    [[nodiscard]] std::optional<Probe> between(double low, double high) const {
+        Way way{depthA, depthB};
+        way.keep(line->z, -line->down, low, high);
+        if (way.first > way.last) {
+            return std::nullopt;
+        }
+        const double length = depthB - depthA;
+        const auto at = [&](double depth) { return length > 0.0 ? model::along(a, b, (depth - depthA) / length) : a; };
+        return Probe{at(way.first), at(way.last), reach, way.first, way.last, layers, line};
+    }
 };
+
+namespace {
+
+/// Where a body is drawn within its layer, which may be turned over.
+std::pair<double, double> drawnHeights(const Document& step, ElementId body, bool isFlipped, const PickLayer& drawn) {
+    const Layer& layer = step.layer(step.elements.layer[body.row()]);
+    const ZRange z = step.heightsOf(body);
+    const double below = isFlipped ? double(layer.z) + layer.thickness - z.top : double(z.bottom) - layer.z;
+    return {drawn.bottom + below, drawn.bottom + below + (double(z.top) - z.bottom)};
+}
+
+}  // namespace
 
 const FigureTable& Picker::figuresOf(std::uint32_t step, ElementId element) {
     const std::uint64_t key = std::uint64_t{step} << 32U | element.value;
@@ -133,23 +160,32 @@ void Picker::collect(const Probe& probe, LayerId only, std::vector<Hit>& hits) {
     for (std::uint32_t copy = 0; copy < m_index->tree.copies.size(); ++copy) {
         const StepCopy& placed = m_index->tree.copies[copy];
         const Document& step = *m_index->tree.steps[placed.step];
-        const PointD a = toStep(placed.placement, probe.a);
-        const PointD b = toStep(placed.placement, probe.b);
-        m_index->elements[placed.step].visit(boxAround(a, b, probe.reach), [&](std::uint32_t row) {
+        const Box box = boxAround(toStep(placed.placement, probe.a), toStep(placed.placement, probe.b), probe.reach);
+        m_index->elements[placed.step].visit(box, [&](std::uint32_t row) {
             const ElementId element{row};
             const LayerId layer = step.layerOfCopy(step.elements.layer[row], placed.isFlipped);
             if (!probe.layers[layer.row()].isVisible || (only.isValid() && layer != only)) {
                 return;
             }
+            std::optional<Probe> own = probe;
+            if (probe.line != nullptr && step.bodyOf(element) != nullptr) {
+                const auto [low, high] = drawnHeights(step, element, placed.isFlipped, probe.layers[layer.row()]);
+                own = probe.between(low, high);
+            }
+            if (!own) {
+                return;
+            }
+            const PointD a = toStep(placed.placement, own->a);
+            const PointD b = toStep(placed.placement, own->b);
             const FigureTable& figures = figuresOf(placed.step, element);
             const double missedBy = gapTo(figures, a, b, probe.reach);
             if (missedBy > probe.reach) {
                 return;
             }
-            const double part = missedBy > 0.0 || probe.depthA == probe.depthB ? 0.0 : firstContact(figures, a, b);
+            const double part = missedBy > 0.0 || own->depthA == own->depthB ? 0.0 : firstContact(figures, a, b);
             hits.push_back({{copy, element},
                             layer,
-                            probe.depthA + (probe.depthB - probe.depthA) * part,
+                            own->depthA + (own->depthB - own->depthA) * part,
                             missedBy,
                             sizeOf(step.boxOf(element))});
         });
@@ -197,7 +233,7 @@ std::vector<Hit> Picker::along(const SightLine& line, double reach, std::span<co
         }
         const PointD end = {line.origin.x + line.direction.x, line.origin.y + line.direction.y};
         collect({model::along(line.origin, end, way.first), model::along(line.origin, end, way.last), reach, way.first,
-                 way.last, layers},
+                 way.last, layers, &line},
                 LayerId{row}, hits);
     }
     sortHits(hits);

@@ -2,9 +2,16 @@
 
 #include <algorithm>
 
+#include "shaders/shared/board.h"
+
 namespace render {
 
 namespace {
+
+std::uint32_t growthOf(const model::Layer& layer) {
+    const bool isEven = layer.type != model::LayerType::ComponentBody;
+    return isEven ? 0 : layer.side == model::LayerSide::Bottom ? shader::kLayerHangs : shader::kLayerStands;
+}
 
 void setHeights(const model::Document& document, BoardFrame& out) {
     float low = 0.0F;
@@ -13,6 +20,7 @@ void setHeights(const model::Document& document, BoardFrame& out) {
         out.layerBottomMm.push_back(static_cast<float>(base::toMm(layer.z)));
         out.isCopper.push_back(layer.isCopper());
         out.layerTopMm.push_back(static_cast<float>(base::toMm(double(layer.z) + layer.thickness)));
+        out.layerGrowth.push_back(growthOf(layer));
         if (layer.isCopper() || layer.type == model::LayerType::Body) {
             low = std::min(low, out.layerBottomMm.back());
             high = std::max(high, out.layerTopMm.back());

@@ -13,9 +13,10 @@ struct BoardFrame {
     model::Point origin;               ///< nm, the centre of the board
     std::vector<float> layerBottomMm;  ///< z0 and z1 per layer, before explosion
     std::vector<float> layerTopMm;
-    std::vector<bool> isCopper;  ///< by layer
-    float facesMm = 0.0F;        ///< z of the board's lower plus z of its upper face: turned over, z is this minus z
-    glm::vec3 boxMin{0.0F};      ///< of the board, mm
+    std::vector<std::uint32_t> layerGrowth;  ///< kLayerStands or kLayerHangs where heights differ on a layer, else 0
+    std::vector<bool> isCopper;              ///< by layer
+    float facesMm = 0.0F;    ///< z of the board's lower plus z of its upper face: turned over, z is this minus z
+    glm::vec3 boxMin{0.0F};  ///< of the board, mm
     glm::vec3 boxMax{0.0F};
 };
 

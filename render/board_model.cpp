@@ -89,6 +89,9 @@ shader::AreaInstance instanceOf(const Document& document, model::ElementId eleme
     instance.layer = document.elements.layer[element.row()].value;
     instance.element = element.value;
     instance.isMirrored = area.placement.isMirrored ? 1 : 0;
+    if (const model::Body* body = document.bodyOf(element)) {
+        instance.height = static_cast<float>(base::toMm(body->height));
+    }
     return instance;
 }
 

@@ -147,6 +147,7 @@ SceneLayers layersOf(const BoardModel& model) {
     for (std::size_t i = 0; i < model.layerBottomMm.size(); ++i) {
         scene.layers.push_back({model.layerBottomMm[i], model.layerTopMm[i], hasAreas(model, i),
                                 i < model.isCopper.size() && model.isCopper[i],
+                                i < model.layerGrowth.size() ? model.layerGrowth[i] : 0,
                                 i < model.opposite.size() ? model.opposite[i] : model::LayerId{}});
     }
     scene.styles.resize(scene.layers.size());

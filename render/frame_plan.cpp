@@ -60,6 +60,12 @@ Eye makeEye(const Camera& camera, float aspect) {
     return eye;
 }
 
+constexpr std::uint32_t kUneven = shader::kLayerStands | shader::kLayerHangs;
+
+bool isUneven(const shader::LayerState& layer) {
+    return (layer.flags & kUneven) != 0;
+}
+
 /// Level faces are seen from one side whatever the pixel. From inside a solid neither is: its back would only fight
 /// with what it touches.
 SeenFaces seenFaces(const Eye& eye, const shader::LayerState& layer) {
@@ -67,7 +73,10 @@ SeenFaces seenFaces(const Eye& eye, const shader::LayerState& layer) {
         const float z = eye.direction.z;
         return {z<0.0F, std::abs(z) < kStraight, z> 0.0F};
     }
-    return {eye.position.z > layer.z1, true, eye.position.z < layer.z0};
+    // Where heights differ, a face that is seen may lie anywhere in the layer.
+    const float upper = (layer.flags & shader::kLayerStands) != 0 ? layer.z0 : layer.z1;
+    const float lower = (layer.flags & shader::kLayerHangs) != 0 ? layer.z1 : layer.z0;
+    return {eye.position.z > upper, true, eye.position.z < lower};
 }
 
 std::vector<SeenFaces> facesOfLayers(const Eye& eye, std::span<const shader::LayerState> layers) {
@@ -140,8 +149,8 @@ std::vector<shader::LayerState> layerStates(const SceneLayers& scene, const View
         states[i].colour = linearColour(style);
         states[i].z0 = z[i].z0;
         states[i].z1 = z[i].z1;
-        states[i].flags =
-            (style.isVisible ? shader::kLayerVisible : 0) | (isTranslucent ? shader::kLayerTranslucent : 0);
+        states[i].flags = (style.isVisible ? shader::kLayerVisible : 0) |
+                          (isTranslucent ? shader::kLayerTranslucent : 0) | scene.layers[i].growth;
     }
     return states;
 }
@@ -238,6 +247,7 @@ LayerPlan flippedPlan(const SceneLayers& scene, const LayerPlan& upright, const 
         if (!opposite.isValid()) {
             state.z0 = scene.facesMm - upright.states[row].z1;
             state.z1 = scene.facesMm - upright.states[row].z0;
+            state.flags ^= isUneven(state) ? kUneven : 0;
         }
         if ((state.flags & shader::kLayerVisible) != 0) {
             plan.batches[state.batch].push_back(row);

@@ -18,7 +18,8 @@ struct SceneLayers {
         float z1 = 0.0F;
         bool hasAreas = false;  ///< in any step
         bool isCopper = false;
-        model::LayerId opposite;  ///< where the layer of a flipped copy lies; none: at its own mirror image
+        std::uint32_t growth = 0;  ///< BoardFrame::layerGrowth
+        model::LayerId opposite;   ///< where the layer of a flipped copy lies; none: at its own mirror image
     };
     std::vector<Layer> layers;
     std::vector<LayerInLaminate> inLaminate;  ///< one per layer; the standard pipeline's says nothing

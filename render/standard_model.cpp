@@ -125,24 +125,43 @@ void findDraftWalls(Draft& draft) {
     }
 }
 
+/// Where the faces of an element lie between those of its layer (StandardVertex::face).
+struct Faces {
+    float lower = 0.0F;
+    float upper = 1.0F;
+};
+
+Faces facesOf(const Document& document, ElementId element) {
+    if (document.bodyOf(element) == nullptr) {
+        return {};
+    }
+    const model::Layer& layer = document.layer(document.elements.layer[element.row()]);
+    const model::ZRange z = document.heightsOf(element);
+    const auto part = [&](model::Nm at) {
+        return static_cast<float>(static_cast<double>(at - layer.z) / static_cast<double>(layer.thickness));
+    };
+    return {part(z.bottom), part(z.top)};
+}
+
 /// Vertex 2i is the upper, 2i + 1 the lower end of point i.
-void addVertices(const Draft& draft, model::Point origin, StandardPart& part) {
+void addVertices(const Document& document, const Draft& draft, model::Point origin, StandardPart& part) {
     part.vertices.resize(2 * draft.outlines.points.size());
     for (std::size_t row = 0; row < draft.outlines.polygons.size(); ++row) {
         const PolygonSet::Polygon& polygon = draft.outlines.polygons[row];
         const std::uint32_t end = draft.outlines.loopStart[polygon.firstLoop + polygon.loopCount];
+        const Faces faces = facesOf(document, ElementId{draft.owner[row] & ~shader::kStandardBore});
         for (std::uint32_t i = draft.outlines.loopStart[polygon.firstLoop]; i < end; ++i) {
             const glm::vec2 at = toGpu(base::toDouble(draft.outlines.points[i]), origin);
-            part.vertices[2 * i] = {at.x, at.y, 1.0F, draft.owner[row]};
-            part.vertices[2 * i + 1] = {at.x, at.y, 0.0F, draft.owner[row]};
+            part.vertices[2 * i] = {at.x, at.y, faces.upper, draft.owner[row]};
+            part.vertices[2 * i + 1] = {at.x, at.y, faces.lower, draft.owner[row]};
         }
     }
 }
 
-StandardPart extrude(const Draft& draft, model::Point origin) {
+StandardPart extrude(const Document& document, const Draft& draft, model::Point origin) {
     StandardPart part;
     part.layer = draft.layer;
-    addVertices(draft, origin, part);
+    addVertices(document, draft, origin, part);
     part.indices.reserve(2 * draft.triangles.size() + 6 * draft.next.size());
     for (const std::uint32_t i : draft.triangles) {
         part.indices.push_back(2 * i);
@@ -224,7 +243,7 @@ base::Result<StandardModel> buildStandardModel(const Document& document, const m
                                   [&](std::size_t i) { triangulateDraft(drafts[i]); }) &&
                         forDrafts(drafts, progress, "Making walls", out.times.createMs, [&](std::size_t i) {
                             findDraftWalls(drafts[i]);
-                            out.parts[i] = extrude(drafts[i], out.origin);
+                            out.parts[i] = extrude(document, drafts[i], out.origin);
                             drafts[i] = {};
                         });
     if (!isDone) {

@@ -16,6 +16,7 @@ SceneLayers layersOf(const StandardModel& model) {
         layer.z1 = model.layerTopMm[i];
         layer.hasAreas = model.hasAreas[i];
         layer.isCopper = model.isCopper[i];
+        layer.growth = model.layerGrowth[i];
         scene.layers.push_back(layer);
     }
     scene.styles.resize(scene.layers.size());

@@ -14,7 +14,7 @@ void main() {
     const AreaInstance instance = FRAME.instances.at[FRAME.visibleInstances.at[gl_InstanceIndex]];
     const LayerState layer = FRAME.layers.at[instance.layer];
     const bool isUpper = push.face == 0u;
-    const vec3 position = vec3(placed(instance, FRAME.vertices.at[gl_VertexIndex]), isUpper ? layer.z1 : layer.z0);
+    const vec3 position = vec3(placed(instance, FRAME.vertices.at[gl_VertexIndex]), faceOf(instance, layer, isUpper));
     outPosition = position - FRAME.centre;
     outColour = colourOf(layer, instance.element, false);
     gl_Position = clipPosition(position, layer, instance.element, false, isUpper, 0.0);

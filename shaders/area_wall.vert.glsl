@@ -19,7 +19,7 @@ void main() {
     const bool isNext = (((0x29u >> corner) & 1u) ^ instance.isMirrored) != 0u;
     const bool isUpper = ((0x0bu >> corner) & 1u) != 0u;
     const uint at = isNext ? FRAME.next.at[vertex] : vertex;
-    const vec3 position = vec3(placed(instance, FRAME.vertices.at[at]), isUpper ? layer.z1 : layer.z0);
+    const vec3 position = vec3(placed(instance, FRAME.vertices.at[at]), faceOf(instance, layer, isUpper));
     outPosition = position - FRAME.centre;
     outColour = colourOf(layer, instance.element, false);
     gl_Position = clipPosition(position, layer, instance.element, false, isUpper, 0.0);

@@ -84,7 +84,12 @@ public:
         addNetPoints(m_builder, m_step);
         placeMessages(m_builder, m_layers, m_step);
         const bool isAlone = m_parts.steps.size() == 1;
-        return addSolids(m_builder, isAlone ? LayerOutlines::Follow : LayerOutlines::Ignore, m_parts.progress.inner());
+        const LayerOutlines outlines = isAlone ? LayerOutlines::Follow : LayerOutlines::Ignore;
+        if (!addSolids(m_builder, outlines, m_parts.progress.inner())) {
+            return false;
+        }
+        addBodies(m_builder, tallestParts(m_matrix, m_layers, m_parts.steps, m_builder.soFar()));
+        return true;
     }
 
 private:

@@ -215,6 +215,21 @@ void addParts(DocumentBuilder& builder, const Matrix& matrix, const LayerTable& 
     PartsMaker(builder, matrix, layers, step, nets).run();
 }
 
+TallestBodies tallestParts(const Matrix& matrix, const LayerTable& layers, const Steps& steps,
+                           const Document& document) {
+    TallestBodies tallest;
+    for (const StepData& step : steps) {
+        for (std::size_t row = 0; row < matrix.layers.size(); ++row) {
+            for (const PlacedComponent& component : step.layers[row].components.value) {
+                const bool isBottom = document.layer(layers.id(row)).side == LayerSide::Bottom;
+                Nm& side = isBottom ? tallest.bottom : tallest.top;
+                side = std::max(side, bodyHeight(component.height));
+            }
+        }
+    }
+    return tallest;
+}
+
 void addGroups(DocumentBuilder& builder, const Matrix& matrix, const LayerTable& layers, const StepData& step) {
     const EdaData& eda = step.eda.value;
     const std::vector<std::size_t> rows = matrixRows(matrix, eda);

@@ -3,6 +3,7 @@
 #include "model/document_builder.h"
 #include "model/odb/layer_table.h"
 #include "model/odb/net_links.h"
+#include "model/solids/bodies.h"
 
 namespace model::odb {
 
@@ -14,6 +15,10 @@ namespace model::odb {
 /// way are reported; their pins lie where the records say.
 void addParts(DocumentBuilder& builder, const Matrix& matrix, const LayerTable& layers, const StepData& step,
               const NetLinks& nets);
+
+/// The tallest bodies of the components of all steps.
+[[nodiscard]] TallestBodies tallestParts(const Matrix& matrix, const LayerTable& layers, const Steps& steps,
+                                         const Document& document);
 
 /// Brings groups of features (FGR records) into the document, once all its elements are there.
 void addGroups(DocumentBuilder& builder, const Matrix& matrix, const LayerTable& layers, const StepData& step);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "model/base/parallel.h"
+#include "model/solids/bodies.h"
 #include "model/solids/cut.h"
 #include "model/solids/slabs.h"
 
@@ -176,6 +177,7 @@ void placeSolids(Document& document) {
             layer.thickness = mask->thickness;
         }
     }
+    placeBodies(document);
 }
 
 }  // namespace model

@@ -61,6 +61,8 @@ GPU_SIZE(Cluster, 32);
 // LayerState::flags: bits 0-7 flags, bits 8-15 and 16-23 the tie-break of the lower and the upper face among layers whose faces lie in one plane.
 GPU_CONST kLayerVisible = 1;
 GPU_CONST kLayerTranslucent = 2;  // drawn in its own blended pass
+GPU_CONST kLayerStands = 4;       // areas differ in height: each stands on the lower face
+GPU_CONST kLayerHangs = 8;        // areas differ in height: each hangs from the upper face
 GPU_CONST kLayerBottomRankShift = 8;
 GPU_CONST kLayerTopRankShift = 16;
 struct LayerState {
@@ -79,14 +81,15 @@ struct AreaInstance {
     uint layer;
     uint element;
     uint isMirrored;
+    float height;  // mm, on a layer that stands or hangs; 0 = as high as the layer
 };
-GPU_SIZE(AreaInstance, 32);
+GPU_SIZE(AreaInstance, 36);
 
 // A corner of a prism in the standard pipeline's vertex buffers.
 GPU_CONST kStandardBore = 0x80000000;  // bit of `owner`: the empty inside of a hole (kLetBore)
 struct StandardVertex {
     float x, y;
-    float face;  // 0 = on the lower, 1 = on the upper face of its layer
+    float face;  // 0 = on the lower, 1 = on the upper face of its layer; in between for what is lower than it
     uint owner;  // element and kStandardBore
 };
 GPU_SIZE(StandardVertex, 16);

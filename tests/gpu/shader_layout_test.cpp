@@ -63,6 +63,7 @@ class ShaderLayoutTest : public QObject {
         MEMBER(areaInstance, AreaInstance, layer);
         MEMBER(areaInstance, AreaInstance, element);
         MEMBER(areaInstance, AreaInstance, isMirrored);
+        MEMBER(areaInstance, AreaInstance, height);
         MEMBER(shapeBound, ShapeBound, centre);
         MEMBER(shapeBound, ShapeBound, radius);
         MEMBER(shapeBound, ShapeBound, reserved);

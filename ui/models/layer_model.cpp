@@ -68,6 +68,7 @@ QString layerTypeText(model::LayerType type) {
         case LayerType::Document: return QStringLiteral("Document");
         case LayerType::Profile: return QStringLiteral("Board outline");
         case LayerType::Body: return QStringLiteral("Board body");
+        case LayerType::ComponentBody: return QStringLiteral("Component bodies");
         case LayerType::Other: return QStringLiteral("Other");
     }
     return {};

@@ -124,6 +124,40 @@ private slots:
         QVERIFY(picker.along(above, 0.0, b.layers).empty());
     }
 
+    void bodiesAreAsHighAsTheyAre() {
+        DocumentBuilder builder;
+        model::ShapeSketch square;
+        const Point corners[] = {{0, 0}, {kMm, 0}, {kMm, kMm}, {0, kMm}};
+        square.addPolygon(corners, false);
+        const model::ShapeId shape = builder.addShape(square);
+        std::vector<ElementId> bodies;
+        for (const model::LayerSide side : {model::LayerSide::Top, model::LayerSide::Bottom}) {
+            model::Layer layer;
+            layer.type = model::LayerType::ComponentBody;
+            layer.side = side;
+            layer.thickness = 5 * kMm;
+            builder.beginLayer(builder.addLayer(layer));
+            bodies.push_back(builder.addArea({shape, {}}, {}));
+            builder.addBody({bodies.back(), {}, 2 * kMm});
+        }
+        Picker picker(indexed(builder.finish()));
+        // The layers are drawn from 10 to 15 and from -15 to -10 mm: bodies from 10 to 12 and from -12 to -10 mm.
+        const std::vector<PickLayer> layers = {{true, 10e6, 15e6}, {true, -15e6, -10e6}};
+        const auto at = [&](double zMm) {
+            const SightLine level{{5.0 * kMm, kMm / 2.0}, zMm * 1e6, {-1.0, 0.0}, 0.0};
+            return elementsOf(picker.along(level, 0.0, layers));
+        };
+        QCOMPARE(at(11.5), (std::vector{bodies[0]}));
+        QVERIFY(at(12.5).empty());
+        QCOMPARE(at(-11.5), (std::vector{bodies[1]}));
+        QVERIFY(at(-12.5).empty());
+        const SightLine down{{kMm / 2.0, kMm / 2.0}, 20e6, {0.0, 0.0}, 1.0};
+        const auto hits = picker.along(down, 0.0, layers);
+        QCOMPARE(elementsOf(hits), bodies);
+        QCOMPARE(hits[0].depth, 8e6);
+        QCOMPARE(hits[1].depth, 30e6);
+    }
+
     void boxTakesWhatIsInsideAndWithTouchingWhatReachesIn() {
         Board b;
         b.layers[Board::Laminate].isVisible = false;

@@ -3,7 +3,7 @@ foreach(name connectivity distance measures picking shapes copies discretise nes
 endforeach()
 copperscope_test(paper_reader_test unit/model/paper_reader_test.cpp LABEL unit LINK copperscope_paper)
 copperscope_test(reader_test unit/model/reader_test.cpp LABEL unit LINK copperscope_reader)
-foreach(name cut slabs solids)
+foreach(name bodies cut slabs solids)
     copperscope_test(${name}_test unit/model/solids/${name}_test.cpp LABEL unit LINK copperscope_model)
 endforeach()
 copperscope_test(stack_drawing_test unit/model/stack_drawing_test.cpp LABEL unit LINK copperscope_odb LibArchive::LibArchive)

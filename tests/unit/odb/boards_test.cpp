@@ -8,6 +8,7 @@
 #include "model/base/parallel.h"
 #include "model/odb/archive.h"
 #include "model/odb/archive_stream.h"
+#include "model/solids/bodies.h"
 #include "model/stackup.h"
 #include "odb_testing.h"
 #include "tests/places.h"
@@ -112,6 +113,9 @@ constexpr Expected kExpected[] = {
 
 }  // namespace
 
+/// How far the farthest lead reaches beyond the outline of its body.
+constexpr model::Nm kLead = 3'000'000;
+
 class BoardsTest : public QObject {
     Q_OBJECT
 
@@ -172,6 +176,34 @@ private slots:
         }
         // A few boards have pins beside odd pads; a wrong unit, net or mirror would miss by far more.
         QVERIFY2(onCopper * 100 >= pins * 97, qPrintable(QString("%1 of %2").arg(onCopper).arg(pins)));
+    }
+
+    void bodiesLieOverTheirPins_data() { eachBoard(); }
+    void bodiesLieOverTheirPins() {
+        QFETCH(QString, path);
+        const auto d = read(path.toStdString());
+        const auto populated = std::ranges::count(d->components, true, &model::Component::isPopulated);
+        QCOMPARE(d->bodies.size(), static_cast<std::size_t>(populated));
+        std::size_t outside = 0;
+        std::size_t pins = 0;
+        for (const model::Body& body : d->bodies) {
+            const model::Component& component = d->components[body.component.row()];
+            const Layer& layer = d->layer(d->elements.layer[body.element.row()]);
+            QCOMPARE(layer.side, component.side);
+            const model::ZRange z = d->heightsOf(body.element);
+            QCOMPARE(z.top - z.bottom, component.height > 0 ? component.height : model::kAssumedBody);
+            QVERIFY(component.side == model::LayerSide::Top ? z.bottom >= d->boardThickness : z.top <= 0);
+            // Leads reach out of the body.
+            const model::Box box = d->boxOf(body.element).grownBy(kLead);
+            for (const model::Pin& pin : d->pinsOf(component)) {
+                ++pins;
+                outside += box.min.x <= pin.position.x && pin.position.x <= box.max.x && box.min.y <= pin.position.y &&
+                                   pin.position.y <= box.max.y
+                               ? 0
+                               : 1;
+            }
+        }
+        QVERIFY2(outside == 0, qPrintable(QString("%1 of %2").arg(outside).arg(pins)));
     }
 
     void oneAndManyThreadsGiveTheSameDocument_data() { eachBoard(); }

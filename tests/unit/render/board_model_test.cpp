@@ -8,6 +8,7 @@
 #include "model/base/parallel.h"
 #include "model/document_builder.h"
 #include "model/reader.h"
+#include "render/standard_model.h"
 #include "tests/places.h"
 
 using model::DocumentBuilder;
@@ -96,6 +97,30 @@ private slots:
         }
         QCOMPARE(seen, model.instances.size());
         QCOMPARE(elements.size(), document->areas.size());
+    }
+
+    void bodiesHaveHeightsOfTheirOwn() {
+        DocumentBuilder builder;
+        const model::ShapeId square = builder.addShape(polygonSketch({{0, 0}, {500, 0}, {500, 300}, {0, 300}}));
+        model::Layer layer;
+        layer.type = model::LayerType::ComponentBody;
+        layer.thickness = 3'000'000;
+        for (const model::LayerSide side : {model::LayerSide::Top, model::LayerSide::Bottom}) {
+            layer.side = side;
+            builder.beginLayer(builder.addLayer(layer));
+            builder.addBody({builder.addArea({square, {}}, {}), {}, 750'000});
+        }
+        const auto document = builder.finish();
+        const BoardModel model = build(*document);
+        QCOMPARE(model.layerGrowth, (std::vector<std::uint32_t>{shader::kLayerStands, shader::kLayerHangs}));
+        QCOMPARE(model.instances[0].height, 0.75F);
+        base::Progress progress;
+        const auto standard = render::buildStandardModel(*document, {}, progress);
+        const auto faces = [&](std::size_t part) {
+            return std::pair{standard->parts[part].vertices[1].face, standard->parts[part].vertices[0].face};
+        };
+        QCOMPARE(faces(0), (std::pair{0.0F, 0.25F}));
+        QCOMPARE(faces(1), (std::pair{0.75F, 1.0F}));
     }
 
     void aSymbolUsedOftenIsTriangulatedOnce() {

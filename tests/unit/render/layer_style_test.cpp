@@ -65,6 +65,11 @@ private slots:
         QVERIFY(!flat[0].isVisible && !flat[1].isVisible);
     }
 
+    void bodiesOfComponentsStartHidden() {
+        const Layer bodies = layer(LayerType::ComponentBody, LayerSide::Top);
+        QVERIFY(!stylesOf({bodies})[0].isVisible);
+    }
+
     void rowsOutsideOfTheBoardStartHidden() {
         const auto styles = stylesOf({layer(LayerType::SilkScreen, LayerSide::Top, model::LayerContext::Misc)});
         QVERIFY(!styles[0].isVisible);
