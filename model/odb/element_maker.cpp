@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "model/geometry/boolean.h"
 #include "model/odb/barcode.h"
 #include "model/odb/outlines.h"
 #include "model/odb/region.h"
@@ -347,6 +348,9 @@ void ElementMaker::barcode(std::size_t feature) {
 
 void ElementMaker::addStrokes(std::size_t feature, std::span<const TextStroke> strokes) {
     const Placement placement = placementOf(feature);
+    if (std::ranges::any_of(strokes, &TextStroke::isNegative)) {
+        return paintStrokes(feature, strokes, placement);
+    }
     for (const TextStroke& stroke : strokes) {
         if (stroke.isSquare) {
             flush();
@@ -362,17 +366,45 @@ void ElementMaker::addStrokes(std::size_t feature, std::span<const TextStroke> s
     flush();
 }
 
+/// A text whose characters take something away again becomes one area, strokes painted in their order.
+void ElementMaker::paintStrokes(std::size_t feature, std::span<const TextStroke> strokes, const Placement& placement) {
+    PolygonSet painted;
+    for (const TextStroke& stroke : strokes) {
+        const PolygonSet swept = sweptBy(stroke);
+        if (stroke.isNegative) {
+            painted = subtract(painted, swept);
+        } else {
+            painted.append(swept);
+        }
+    }
+    const ShapeSketch sketch = sketchOf(unite(painted));
+    if (!sketch.isEmpty()) {
+        addArea(feature, m_builder.addShape(sketch), placement, 0);
+    }
+}
+
+/// In the text's own system.
+PolygonSet ElementMaker::sweptBy(const TextStroke& stroke) {
+    ShapeSketch pen;
+    if (stroke.isSquare) {
+        addBox(pen, stroke.width, stroke.width, false);
+    } else {
+        addDisc(pen, stroke.width, false);
+    }
+    return stroke.width > 0 ? sweep(polygonsOf(pen), {rounded(stroke.a), {}, EdgeKind::Line}, rounded(stroke.b))
+                            : PolygonSet{};
+}
+
 void ElementMaker::squareTextStroke(std::size_t feature, const TextStroke& stroke, const Placement& placement) {
     if (isQuarterTurn(placement)) {
         const LineGeometry line{rounded(placement.apply(stroke.a)), rounded(placement.apply(stroke.b)), stroke.width,
                                 0};
         return addLine(feature, line, kSquarePen);
     }
-    ShapeSketch pen;
-    addBox(pen, stroke.width, stroke.width, false);
-    const ShapeSketch swept =
-        sketchOf(sweep(polygonsOf(pen), {rounded(stroke.a), {}, EdgeKind::Line}, rounded(stroke.b)));
-    addArea(feature, m_builder.addShape(swept), placement, 0);
+    const ShapeSketch swept = sketchOf(sweptBy(stroke));
+    if (!swept.isEmpty()) {
+        addArea(feature, m_builder.addShape(swept), placement, 0);
+    }
 }
 
 void ElementMaker::addArea(std::size_t feature, ShapeId shape, const Placement& placement, std::uint8_t flags) {

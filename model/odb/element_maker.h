@@ -79,6 +79,8 @@ private:
     void barcode(std::size_t feature);
     void addStrokes(std::size_t feature, std::span<const TextStroke> strokes);
     void squareTextStroke(std::size_t feature, const TextStroke& stroke, const Placement& placement);
+    void paintStrokes(std::size_t feature, std::span<const TextStroke> strokes, const Placement& placement);
+    [[nodiscard]] static PolygonSet sweptBy(const TextStroke& stroke);
     [[nodiscard]] Placement placementOf(std::size_t feature) const;
     void addArea(std::size_t feature, ShapeId shape, const Placement& placement, std::uint8_t flags);
     void note(std::size_t feature) { m_negatives.push_back(m_source.file->features[feature].isNegative ? 1 : 0); }

@@ -67,7 +67,7 @@ private:
         for (double* value : {&stroke.a.x, &stroke.a.y, &stroke.b.x, &stroke.b.y}) {
             *value = fields.real();
         }
-        const std::string_view polarity = fields.word();
+        stroke.isNegative = fields.word() == "N";
         stroke.isSquare = fields.word() == "S";
         stroke.width = fields.real();
         if (fields.failed() || !m_isKnown) {
@@ -77,9 +77,6 @@ private:
         if (std::max({std::abs(stroke.a.x), std::abs(stroke.a.y), std::abs(stroke.b.x), std::abs(stroke.b.y)}) >
             kLargest) {
             return report("a stroke of a character is absurdly large; it was left out");
-        }
-        if (polarity == "N") {
-            return report("a character takes away what it has drawn (polarity N); that stroke was left out");
         }
         m_font.addStroke(m_character, stroke);
     }

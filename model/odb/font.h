@@ -18,6 +18,7 @@ struct FontStroke {
     PointD b;
     double width = 0.012;  ///< of the pen, in inches, before the text's width factor
     bool isSquare = false;
+    bool isNegative = false;  ///< takes away what the strokes before it have drawn
 };
 
 /// A stroke font, as `fonts/<name>` of a job defines it:

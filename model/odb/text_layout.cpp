@@ -58,7 +58,8 @@ TextLayout layOut(const TextRecord& text, const Font& font) {
             layout.strokes.push_back({{layout.length + stroke.a.x * scaleX, stroke.a.y * scaleY},
                                       {layout.length + stroke.b.x * scaleX, stroke.b.y * scaleY},
                                       static_cast<Nm>(std::llround(std::clamp(pen, 0.0, kMaxPen))),
-                                      stroke.isSquare});
+                                      stroke.isSquare,
+                                      stroke.isNegative});
         }
         layout.length += font.advance() * scaleX;
     }

@@ -18,6 +18,7 @@ struct TextStroke {
     PointD b;
     Nm width = 0;
     bool isSquare = false;
+    bool isNegative = false;  ///< takes away what the strokes before it have drawn
 };
 
 struct TextLayout {

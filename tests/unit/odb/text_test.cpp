@@ -131,8 +131,9 @@ private slots:
             "XSIZE 1\nYSIZE 1\nCHAR A\nLINE 0 0 x 1 P R 0.012\nLINE 0 0 0 1 N R 0.012\n"
             "LINE 0 0 1e9 1 P R 0.012\nNOISE\nLINE 0 0 0 1 P R 0.012\nECHAR\n",
             "fonts/standard", diagnostics);
-        QCOMPARE(font.strokes(U'A').size(), std::size_t{1});
-        QCOMPARE(diagnostics.entries().size(), std::size_t{4});
+        QCOMPARE(font.strokes(U'A').size(), std::size_t{2});
+        QVERIFY(font.strokes(U'A')[0].isNegative && !font.strokes(U'A')[1].isNegative);
+        QCOMPARE(diagnostics.entries().size(), std::size_t{3});
         QCOMPARE(diagnostics.entries()[0].line, 4U);
         QVERIFY(fontOf("XSIZE 0\nYSIZE 1\nCHAR A\nECHAR\n").isEmpty());
         QVERIFY(fontOf("").isEmpty());
@@ -249,6 +250,24 @@ private slots:
         // A square pen that is not upright covers an area.
         QCOMPARE(d->elements.kind[elementOf(*d, "TOP", 3).row()], ElementKind::Area);
         QVERIFY(findDiagnostic(d->diagnostics, "font") == nullptr);
+    }
+
+    void negativeStrokesTakeAwayWhatTheTextHasDrawn() {
+        const Folder folder;
+        writeSmallJob(folder, "UNITS=MM\n$0 r5000\nP 10 20 0 P 0 0\nT 10 20 standard P 0 3.02 3.02 0.5 '=' 1\n");
+        // A stroke of 2 mm, its middle taken away, and a dot put back beside the gap's left end.
+        folder.write("fonts/standard",
+                     "XSIZE 0.302\nYSIZE 0.302\nOFFSET 0\nCHAR =\nLINE -0.1 0 0.1 0 P S 0.012\n"
+                     "LINE -0.05 0 0.05 0 N S 0.012\nLINE 0 0 0 0 P S 0.012\nECHAR\n");
+        const auto d = read(folder.path());
+        const model::ElementId text = elementOf(*d, "TOP", 1);
+        QCOMPARE(d->elements.kind[text.row()], ElementKind::Area);
+        const model::PolygonSet region = model::discretise(*d, text, {});
+        QCOMPARE(region.polygons.size(), std::size_t{3});
+        const double pen = 0.012 * 25.4 * 0.5;
+        QVERIFY(std::abs(static_cast<double>(model::twiceArea(region)) / 2e12 - (pen * 1.0 + pen * pen)) < 1e-5);
+        QVERIFY(elementOf(*d, "TOP", 0).isValid());  // what lies below the text stays
+        QVERIFY(d->diagnostics.entries().empty() || findDiagnostic(d->diagnostics, "character") == nullptr);
     }
 
     void aJobWithoutTheFontGetsTheStandIn() {
