@@ -72,13 +72,31 @@ ordered_json placedStepsJson(const Document& document) {
     return json;
 }
 
-void addDiagnostics(const model::Diagnostics& diagnostics, ordered_json& json) {
+ordered_json pointJson(std::int64_t x, std::int64_t y) {
+    return {{"x_nm", x}, {"y_nm", y}};
+}
+
+/// Where the first occurrence of a message is to be seen; nothing if it concerns no place.
+ordered_json placeJson(const Document& document, const model::Diagnostic& entry) {
+    if (entry.element.isValid()) {
+        const model::Box box = document.boxOf(entry.element);
+        ordered_json json =
+            pointJson((std::int64_t{box.min.x} + box.max.x) / 2, (std::int64_t{box.min.y} + box.max.y) / 2);
+        json["layer"] = document.layer(document.elements.layer[entry.element.row()]).name;
+        json["element"] = entry.element.value;
+        return json;
+    }
+    return entry.place ? pointJson(entry.place->x, entry.place->y) : ordered_json();
+}
+
+void addDiagnostics(const Document& document, const model::Diagnostics& diagnostics, ordered_json& json) {
     for (const model::Diagnostic& entry : diagnostics.entries()) {
         json.push_back({{"severity", model::toString(entry.severity)},
                         {"file", entry.file},
                         {"line", entry.line},
                         {"text", entry.text},
-                        {"count", entry.count}});
+                        {"count", entry.count},
+                        {"place", placeJson(document, entry)}});
     }
 }
 
@@ -100,8 +118,8 @@ std::vector<PlacedStep> placedSteps(const Document& document) {
 ordered_json infoJson(const OpenBoard& board, const std::vector<model::StepCheck>* checks) {
     const Document& document = *board.document;
     ordered_json diagnostics = ordered_json::array();
-    addDiagnostics(document.diagnostics, diagnostics);
-    addDiagnostics(board.model.diagnostics, diagnostics);
+    addDiagnostics(document, document.diagnostics, diagnostics);
+    addDiagnostics(document, board.model.diagnostics, diagnostics);
     ordered_json json = {
         {"job", jobJson(document.job)},
         {"layers", layersJson(document)},

@@ -286,7 +286,12 @@ void addTotals(const BoardModel& step, std::uint64_t copies, BoardModel& board) 
     board.times.createMs += step.times.createMs;
     board.times.discretiseMs += step.times.discretiseMs;
     board.times.triangulateMs += step.times.triangulateMs;
-    board.diagnostics.append(step.diagnostics);
+    // Elements of a step are numbered for themselves.
+    model::Diagnostics messages = step.diagnostics;
+    for (std::size_t row = 0; row < messages.entries().size(); ++row) {
+        messages.locate(row, {}, std::nullopt);
+    }
+    board.diagnostics.append(messages);
     board.trianglesPaperRule += copies * step.trianglesPaperRule;
 }
 

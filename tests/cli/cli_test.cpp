@@ -85,7 +85,7 @@ private slots:
         QVERIFY(prepreg["loss_tangent"].isNull());
         QCOMPARE(stackup["rows"].toArray()[3].toObject()["copper_oz_source"].toString(), "derived");
         QVERIFY(hasKeys(layer["counts"].toObject(), {"line", "arc", "circle", "trail", "area", "features"}));
-        QVERIFY(hasKeys(info["diagnostics"].toArray().first().toObject(), {"severity", "file", "line", "text"}));
+        QVERIFY(hasKeys(info["diagnostics"].toArray().first().toObject(), {"severity", "file", "line", "text", "count", "place"}));
     }
 
     void benchMeasuresBothPipelines() {
