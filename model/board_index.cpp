@@ -23,7 +23,8 @@ std::vector<Box> boxesOf(const Document& document, const base::Progress& progres
 
 }  // namespace
 
-base::Result<std::shared_ptr<const BoardIndex>> indexBoard(std::shared_ptr<const Document> board, base::Progress& progress) {
+base::Result<std::shared_ptr<const BoardIndex>> indexBoard(std::shared_ptr<const Document> board,
+                                                           base::Progress& progress) {
     progress.beginPhase("Indexing elements");
     BoardIndex index;
     index.tree = unfoldCopies(*board);

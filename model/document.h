@@ -94,7 +94,9 @@ struct Layer {
     LayerUse use = LayerUse::Plain;
     std::string addType;  ///< matrix ADD_TYPE as written; empty if there is none
     ShapeId profile;      ///< where this layer exists (rigid-flex); none: all over the board (Document::profile)
-    LayerId opposite;     ///< where this layer of a step lies once the step is turned over; none: its own mirror image
+    /// Layers of one group have one outline, in every step of the job (each step its own); 0: the board's.
+    std::uint32_t outlineGroup = 0;
+    LayerId opposite;  ///< where this layer of a step lies once the step is turned over; none: its own mirror image
 
     [[nodiscard]] bool isCopper() const {
         return type == LayerType::Signal || type == LayerType::PowerGround || type == LayerType::Mixed;

@@ -79,13 +79,24 @@ bool namesBottom(const Layer& layer) {
     return name.find("bot") != std::string::npos || name.starts_with("b.");
 }
 
-Nm surfaceDefault(LayerType type) {
-    switch (type) {
+Nm surfaceDefault(const Layer& layer) {
+    switch (layer.use) {
+        case LayerUse::Coverlay: return kDefaultCoverlay;
+        case LayerUse::Adhesive: return kDefaultAdhesive;
+        case LayerUse::Stiffener: return kDefaultStiffener;
+        default: break;
+    }
+    switch (layer.type) {
         case LayerType::SolderPaste:
         case LayerType::ConductivePaste: return kDefaultPaste;
         case LayerType::SilkScreen: return kDefaultSilk;
         default: return kDefaultMask;
     }
+}
+
+/// Laid or glued onto what is already there, in the order of the matrix, instead of filling gaps beside the copper.
+bool isLaidOn(const Layer& layer) {
+    return layer.use == LayerUse::Coverlay || layer.use == LayerUse::Adhesive || layer.use == LayerUse::Stiffener;
 }
 
 class StackBuilder {
@@ -361,26 +372,82 @@ private:
         return z;
     }
 
-    /// Masks and paste lie on the copper, silk on the mask. Layers of one kind lie side by side.
+    /// Masks and paste lie on the copper, silk on the mask; layers of one kind lie side by side. What is laid or glued
+    /// on (rigid-flex) lies one on the other, from the board outwards.
     void placeSurfaceLayers(Nm top) {
-        bool isAnyAssumed = false;
+        assumeSurfaces();
+        Nm laid = 0;
+        for (auto part = m_parts.rbegin(); part != m_parts.rend(); ++part) {
+            if (!part->isCore && isAbove(*part)) {
+                settle(*part, top + liftOf(*part, laid));
+                layerOf(*part).side = LayerSide::Top;
+            }
+        }
+        laid = 0;
         for (Part& part : m_parts) {
-            if (part.isCore) {
+            if (!part.isCore && isBelow(part)) {
+                settle(part, m_floor - liftOf(part, laid) - part.row.thickness);
+                layerOf(part).side = LayerSide::Bottom;
+            } else if (!part.isCore && !isAbove(part)) {
+                settleWithin(part);
+            }
+        }
+    }
+
+    Layer& layerOf(const Part& part) { return m_layers[part.row.layer.row()]; }
+    [[nodiscard]] bool isAbove(const Part& part) const {
+        return m_first == m_layers.size() || part.row.layer.row() < m_first;
+    }
+    [[nodiscard]] bool isBelow(const Part& part) const { return !isAbove(part) && part.row.layer.row() > m_last; }
+
+    /// Distance from the copper's face; `laid` is how thick what is laid on it is so far.
+    Nm liftOf(const Part& part, Nm& laid) {
+        if (isLaidOn(layerOf(part))) {
+            const Nm lift = laid;
+            laid += part.row.thickness;
+            return lift;
+        }
+        return part.row.type == LayerType::SilkScreen ? kDefaultMask : 0;
+    }
+
+    /// A coverlay between the copper layers of a rigid-flex board: on the flexible copper below it or else under the
+    /// one above it. Where the board is rigid that is within the dielectric.
+    void settleWithin(Part& part) {
+        const std::size_t row = part.row.layer.row();
+        std::size_t above = row;
+        std::size_t below = row;
+        while (!isBoardCopper(m_layers[above])) {
+            --above;
+        }
+        while (!isBoardCopper(m_layers[below])) {
+            ++below;
+        }
+        const bool isOnLower = m_layers[below].use == LayerUse::Flex || m_layers[above].use != LayerUse::Flex;
+        settle(part, isOnLower ? upperFace(m_layers[below]) : m_layers[above].z - part.row.thickness);
+        layerOf(part).side = LayerSide::Inner;
+        report(Severity::Info, "layer " + part.row.name + " lies between copper layers: it is taken to lie on " +
+                                   m_layers[isOnLower ? below : above].name);
+    }
+
+    void assumeSurfaces() {
+        bool isAnyAssumed = false;
+        bool isAnyLaid = false;
+        for (Part& part : m_parts) {
+            if (part.isCore || part.isKnown) {
                 continue;
             }
-            if (!part.isKnown) {
-                part.row.thickness = surfaceDefault(part.row.type);
-                part.row.source = Source::Assumed;
-                isAnyAssumed = true;
-            }
-            const bool isTop = part.row.layer.row() < m_last || m_first == m_layers.size();
-            const Nm lift = part.row.type == LayerType::SilkScreen ? kDefaultMask : 0;
-            settle(part, isTop ? top + lift : m_floor - lift - part.row.thickness);
-            m_layers[part.row.layer.row()].side = isTop ? LayerSide::Top : LayerSide::Bottom;
+            part.row.thickness = surfaceDefault(layerOf(part));
+            part.row.source = Source::Assumed;
+            (isLaidOn(layerOf(part)) ? isAnyLaid : isAnyAssumed) = true;
         }
         if (isAnyAssumed) {
             report(Severity::Info, "thickness of surface layers is assumed: solder mask " + inUm(kDefaultMask) +
                                        ", paste " + inUm(kDefaultPaste) + ", silk screen " + inUm(kDefaultSilk));
+        }
+        if (isAnyLaid) {
+            report(Severity::Info, "thickness of what is laid on the board is assumed: coverlay " +
+                                       inUm(kDefaultCoverlay) + ", adhesive " + inUm(kDefaultAdhesive) +
+                                       ", stiffener " + inUm(kDefaultStiffener));
         }
     }
 

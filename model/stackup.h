@@ -15,6 +15,9 @@ inline constexpr Nm kDefaultCopper = 35'000;
 inline constexpr Nm kDefaultMask = 25'000;
 inline constexpr Nm kDefaultPaste = 100'000;
 inline constexpr Nm kDefaultSilk = 15'000;
+inline constexpr Nm kDefaultCoverlay = 50'000;
+inline constexpr Nm kDefaultAdhesive = 50'000;
+inline constexpr Nm kDefaultStiffener = 200'000;
 /// Thickness of a dielectric when the board's thickness leaves no room for it.
 inline constexpr Nm kLeastDielectric = 50'000;
 /// Beyond these a thickness is taken for a mistake of the job: 10 oz copper is 350 µm, backplanes are 10 mm thick.
@@ -29,7 +32,8 @@ inline constexpr double kOunceTolerance = 0.035;
 /// entry per layer. z = 0 is the lower face of the lowest copper; surface layers lie outside of the outer copper;
 /// drills and routs must have their spans set and reach from the lower face of the lowest to the upper face of the
 /// highest copper they pass; everything else is a plane above or below the board. A board of one copper layer has its
-/// laminate below z = 0.
+/// laminate below z = 0. Coverlays, adhesives and stiffeners lie one on the other, from the board outwards; between
+/// copper layers they lie on the flexible copper next to them.
 ///
 /// What the user set counts most, then the job's own number; what is left of the job's board thickness is shared by
 /// those dielectrics (or, where all of them are known, copper layers) that have no number; defaults come last.

@@ -18,8 +18,8 @@ bool isPlatedHole(std::uint8_t flags) {
     return (flags & kHole) != 0 && (flags & kPlated) != 0;
 }
 
-bool isInSpan(const Layer& drill, LayerId layer) {
-    return drill.spanTop.isValid() && drill.spanBottom.isValid() && drill.spanTop <= layer && layer <= drill.spanBottom;
+bool isInSpan(const PlatedSpan& span, LayerId layer) {
+    return span.top.isValid() && span.bottom.isValid() && span.top <= layer && layer <= span.bottom;
 }
 
 struct Task {
@@ -122,10 +122,10 @@ void Connectivity::touchHoles(const Document& document, std::size_t first, std::
     const Sheet& holes = m_sheets.back();
     const std::uint32_t start = m_start[m_sheets.size() - 1];
     for (std::size_t hole = first; hole < end; ++hole) {
-        const Layer& drill = document.layer(document.elements.layer[holes.figures[hole].element.row()]);
+        const PlatedSpan span = document.platedSpanOf(holes.figures[hole].element);
         for (std::size_t row = 0; row + 1 < m_sheets.size(); ++row) {
             const Sheet& sheet = m_sheets[row];
-            if (!isInSpan(drill, sheet.layer)) {
+            if (!isInSpan(span, sheet.layer)) {
                 continue;
             }
             std::vector<std::uint32_t> near;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "model/back_drills.h"
 #include "model/base/parallel.h"
 #include "model/copy_outlines.h"
 #include "model/odb/copy_plan.h"
@@ -18,6 +19,7 @@
 #include "model/odb/profile.h"
 #include "model/odb/records.h"
 #include "model/odb/region.h"
+#include "model/odb/rigid_flex.h"
 #include "model/solids/solids.h"
 
 namespace model::odb {
@@ -74,18 +76,17 @@ public:
             return false;
         }
         setProfile();
-        setLayerProfiles();
+        addOutlines(m_builder, m_matrix, m_layers, m_step);
         if (!buildLayers(true)) {
             return false;
         }
+        cutPlating(m_builder);
         addTools();
         addParts(m_builder, m_matrix, m_layers, m_step, m_nets);
         addGroups(m_builder, m_matrix, m_layers, m_step);
         addNetPoints(m_builder, m_step);
         placeMessages(m_builder, m_layers, m_step);
-        const bool isAlone = m_parts.steps.size() == 1;
-        const LayerOutlines outlines = isAlone ? LayerOutlines::Follow : LayerOutlines::Ignore;
-        if (!addSolids(m_builder, outlines, m_parts.progress.inner())) {
+        if (!addSolids(m_builder, m_parts.progress.inner())) {
             return false;
         }
         addBodies(m_builder, tallestParts(m_matrix, m_layers, m_parts.steps, m_builder.soFar()));
@@ -98,6 +99,7 @@ private:
     void takeDiagnostics() {
         diagnostics().append(m_step.header.diagnostics);
         diagnostics().append(m_step.profile.diagnostics);
+        diagnostics().append(m_step.zones.diagnostics);
         diagnostics().append(m_step.eda.diagnostics);
         for (const StepLayer& layer : m_step.layers) {
             diagnostics().append(layer.features.diagnostics);
@@ -305,19 +307,6 @@ private:
         }
         if (sketch) {
             m_builder.setProfile(m_builder.addShape(*sketch));
-        }
-    }
-
-    /// Outlines of single layers: the flexible ones of a rigid-flex board reach farther than the rigid ones.
-    void setLayerProfiles() {
-        for (const std::size_t row : m_layers.order()) {
-            const Parsed<FeatureFile>& file = m_step.layers[row].profile;
-            if (const std::optional<ShapeSketch> sketch = profileOf(file.value)) {
-                m_builder.layer(m_layers.id(row)).profile = m_builder.addShape(*sketch);
-            } else if (file.isPresent()) {
-                diagnostics().report(Severity::Warning, file.path, 0,
-                                     "the layer's profile holds no outline; the board's is used");
-            }
         }
     }
 

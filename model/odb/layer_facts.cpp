@@ -68,6 +68,17 @@ LayerFacts factsOf(const AttributeList& attributes, const MatrixLayer& layer, st
     return facts;
 }
 
+std::optional<double> boardThicknessIn(const JobTree& tree, const std::string& path, Unit defaultUnit,
+                                       Diagnostics& diagnostics) {
+    const auto file = tree.read(path, diagnostics);
+    if (!file) {
+        return std::nullopt;
+    }
+    const AttributeList attributes(file->text(), file->path, defaultUnit, diagnostics);
+    const std::optional<double> thickness = attributes.number(".board_thickness", file->path, diagnostics);
+    return thickness ? std::optional(*thickness * static_cast<double>(coordinateNm(attributes.unit()))) : std::nullopt;
+}
+
 void addMatrixFacts(const MatrixLayer& layer, Material& material) {
     material.form = layer.form;
     if (layer.type == LayerType::Dielectric) {

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "model/document.h"
 #include "model/odb/attributes.h"
+#include "model/odb/job_tree.h"
 #include "model/odb/matrix.h"
 
 namespace model::odb {
@@ -13,6 +16,10 @@ namespace model::odb {
 /// µm in mm files. Zero is "not set"; numbers that no material has are reported and left out.
 [[nodiscard]] LayerFacts factsOf(const AttributeList& attributes, const MatrixLayer& layer, std::string_view path,
                                  Diagnostics& diagnostics);
+
+/// The .board_thickness of a file, in nm; nothing if there is no such file or it does not say.
+[[nodiscard]] std::optional<double> boardThicknessIn(const JobTree& tree, const std::string& path, Unit defaultUnit,
+                                                     Diagnostics& diagnostics);
 
 /// What the matrix says about the material of a layer.
 void addMatrixFacts(const MatrixLayer& layer, Material& material);

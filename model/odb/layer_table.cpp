@@ -1,16 +1,21 @@
 #include "model/odb/layer_table.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "model/flip.h"
 #include "model/odb/layer_facts.h"
 #include "model/odb/records.h"
+#include "model/odb/rigid_flex.h"
 #include "model/odb/stackup_xml.h"
 #include "model/stackup.h"
 
 namespace model::odb {
 
 namespace {
+
+/// By how much a step may differ from the layers: it may count the solder mask.
+constexpr double kStepTolerance = 0.05;
 
 void describeFeatures(const StepLayer& source, Layer& layer) {
     layer.file = source.features.path;
@@ -19,9 +24,10 @@ void describeFeatures(const StepLayer& source, Layer& layer) {
 
 LayerUse useOf(std::string_view addType) {
     static constexpr std::pair<std::string_view, LayerUse> kUses[] = {
-        {"SIGNAL_FLEX", LayerUse::Flex},   {"PG_FLEX", LayerUse::Flex},       {"MIXED_FLEX", LayerUse::Flex},
-        {"COVERLAY", LayerUse::Coverlay},  {"COVERCOAT", LayerUse::Coverlay}, {"PSA", LayerUse::Adhesive},
-        {"BACKDRILL", LayerUse::Backdrill}};
+        {"SIGNAL_FLEX", LayerUse::Flex},    {"PG_FLEX", LayerUse::Flex},
+        {"MIXED_FLEX", LayerUse::Flex},     {"COVERLAY", LayerUse::Coverlay},
+        {"COVERCOAT", LayerUse::Coverlay},  {"PSA", LayerUse::Adhesive},
+        {"BACKDRILL", LayerUse::Backdrill}, {"DUAL_DIAMETER", LayerUse::DualDiameter}};
     if (addType.empty()) {
         return LayerUse::Plain;
     }
@@ -50,6 +56,7 @@ void LayerTable::add(std::optional<double> boardNm) {
 
 void LayerTable::addLayers() {
     m_layerOfRow.resize(m_matrix.layers.size());
+    const std::vector<std::uint32_t> groups = outlineGroups(m_steps, m_matrix);
     for (const std::size_t row : m_order) {
         const MatrixLayer& source = m_matrix.layers[row];
         Layer layer;
@@ -60,6 +67,7 @@ void LayerTable::addLayers() {
         layer.row = source.row;
         layer.addType = source.addType;
         layer.use = useOf(source.addType);
+        layer.outlineGroup = groups[row];
         describeFeatures(m_steps[0].layers[row], layer);
         reportMissing(row);
         m_layerOfRow[row] = m_builder.addLayer(std::move(layer));
@@ -70,12 +78,10 @@ void LayerTable::addLayers() {
 
 void LayerTable::reportUnread() {
     const std::string& step = m_steps[0].folder;
-    const auto note = [this](const std::string& path, const char* text) {
-        if (m_job.tree.has(path)) {
-            diagnostics().report(Severity::Info, path, 0, text);
-        }
-    };
-    note(step + "/zones", "rigid and flexible zones are not read; only outlines of single layers are");
+    if (m_job.tree.has(step + "/impedance.xml")) {
+        diagnostics().report(Severity::Info, step + "/impedance.xml", 0,
+                             "impedance requirements are not read; nothing of the board's shape depends on them");
+    }
     if (!m_steps[0].eda.isPresent()) {
         diagnostics().report(Severity::Info, step + "/eda/data", 0,
                              "the step has no eda/data; its elements have no nets");
@@ -176,8 +182,10 @@ LayerFacts LayerTable::factsOf(std::size_t row) const {
 }
 
 void LayerTable::addStackup(std::optional<double> boardNm) {
+    const std::string attributes = m_steps[0].folder + "/attrlist";
+    const std::optional<double> stepNm = boardThicknessIn(m_job.tree, attributes, m_job.defaultUnit, diagnostics());
     StackFacts facts;
-    facts.boardNm = boardNm;
+    facts.boardNm = boardNm && *boardNm > 0 ? boardNm : stepNm;
     for (const std::size_t row : m_order) {
         facts.layers.push_back(factsOf(row));
         addMatrixFacts(m_matrix.layers[row], facts.layers.back().material);
@@ -187,8 +195,21 @@ void LayerTable::addStackup(std::optional<double> boardNm) {
                         diagnostics());
     }
     Stackup stackup = buildStackup(m_builder.layers(), std::move(facts), diagnostics());
+    compareWithStep(stackup, stepNm, attributes);
     m_builder.setBoardThickness(thicknessOf(stackup));
     m_builder.setStackup(std::move(stackup));
+}
+
+/// Where the job and its step disagree about the board, the job counts.
+void LayerTable::compareWithStep(const Stackup& stackup, std::optional<double> stepNm, const std::string& path) {
+    const double stack = thicknessOf(stackup);
+    const bool isCompared = stepNm && *stepNm > 0 && stackup.facts.boardNm != stepNm;
+    if (isCompared && std::abs(*stepNm - stack) > kStepTolerance * stack) {
+        diagnostics().report(Severity::Warning, path, 0,
+                             "the step says the board is " + std::to_string(std::lround(*stepNm / 1000)) +
+                                 " µm thick, but its layers add up to " + std::to_string(std::lround(stack / 1000)) +
+                                 " µm; the layers are used");
+    }
 }
 
 void LayerTable::copyTo(DocumentBuilder& builder, const StepData& step) const {

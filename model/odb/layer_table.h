@@ -39,6 +39,7 @@ private:
     [[nodiscard]] LayerId spanEnd(const std::vector<LayerId>& copper, std::size_t row, const std::string& name,
                                   LayerId otherwise) const;
     void addStackup(std::optional<double> boardNm);
+    void compareWithStep(const Stackup& stackup, std::optional<double> stepNm, const std::string& path);
     [[nodiscard]] Diagnostics& diagnostics() const { return m_builder.diagnostics(); }
 
     const JobContext& m_job;

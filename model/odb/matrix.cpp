@@ -66,13 +66,19 @@ MatrixLayer layerOf(const Block& block, std::string_view path, Diagnostics& diag
     return layer;
 }
 
+/// Films, glue and plates of rigid-flex boards lie anywhere in the stack.
+bool mayLieInside(const MatrixLayer& layer) {
+    return layer.type == LayerType::Dielectric || layer.addType == "COVERLAY" || layer.addType == "COVERCOAT" ||
+           layer.addType == "PSA" || layer.addType.find("STIFFENER") != std::string::npos;
+}
+
 /// Position in `order` behind which copper is out of place: the first surface layer (mask, paste, silk) that follows
 /// copper.
 std::size_t bottomSide(const std::vector<MatrixLayer>& layers, const std::vector<std::size_t>& order) {
     bool isBelowCopper = false;
     for (std::size_t i = 0; i < order.size(); ++i) {
         const MatrixLayer& layer = layers[order[i]];
-        if (isBelowCopper && !layer.isCopper() && layer.type != LayerType::Dielectric) {
+        if (isBelowCopper && !layer.isCopper() && !mayLieInside(layer)) {
             return i;
         }
         isBelowCopper = isBelowCopper || layer.isCopper();

@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "model/base/stopwatch.h"
-#include "model/odb/attributes.h"
 #include "model/odb/job_builder.h"
 #include "model/odb/job_info.h"
+#include "model/odb/layer_facts.h"
 #include "model/odb/records.h"
 
 namespace model::odb {
@@ -25,16 +25,6 @@ base::Error cancelled() {
 MiscInfo readInfo(const JobTree& tree, Diagnostics& diagnostics) {
     const auto file = tree.read("misc/info", diagnostics);
     return file ? parseInfo(file->text(), file->path, diagnostics) : MiscInfo{};
-}
-
-std::optional<double> readBoardThickness(const JobTree& tree, Unit defaultUnit, Diagnostics& diagnostics) {
-    const auto file = tree.read("misc/attrlist", diagnostics);
-    if (!file) {
-        return std::nullopt;
-    }
-    const AttributeList attributes(file->text(), file->path, defaultUnit, diagnostics);
-    const std::optional<double> thickness = attributes.number(".board_thickness", file->path, diagnostics);
-    return thickness ? std::optional(*thickness * static_cast<double>(coordinateNm(attributes.unit()))) : std::nullopt;
 }
 
 bool hasOwnFeatures(const JobTree& tree, const Matrix& matrix, const std::string& step) {
@@ -150,7 +140,8 @@ base::Result<std::shared_ptr<const Document>> readArchive(const Archive& archive
 
     const base::Stopwatch creating;
     progress.beginPhase("Building the board");
-    if (!buildJob(job, steps, readBoardThickness(*tree, job.defaultUnit, diagnostics), builder, progress)) {
+    if (!buildJob(job, steps, boardThicknessIn(*tree, "misc/attrlist", job.defaultUnit, diagnostics), builder,
+                  progress)) {
         return cancelled();
     }
     builder.times().createMs = creating.milliseconds();

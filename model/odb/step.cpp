@@ -85,6 +85,10 @@ public:
             return parseFeatures(text, path, unit, d);
         };
         add(step.folder + "/profile", step.profile, features);
+        add(step.folder + "/zones", step.zones,
+            [unit = m_job.defaultUnit](std::string_view text, std::string_view path, Diagnostics& d) {
+                return parseZones(text, path, unit, d);
+            });
         add(step.folder + "/eda/data", step.eda, [this](std::string_view text, std::string_view path, Diagnostics& d) {
             return parseEda(text, path, m_job.defaultUnit, m_layerNames, *m_job.attributeTypes, d);
         });

@@ -14,6 +14,7 @@
 #include "model/odb/netlist.h"
 #include "model/odb/step_header.h"
 #include "model/odb/tools.h"
+#include "model/odb/zones.h"
 
 namespace model::odb {
 
@@ -42,6 +43,7 @@ struct StepData {
     std::string folder;  ///< "steps/<name>"
     Parsed<StepHeader> header;
     Parsed<FeatureFile> profile;
+    Parsed<ZoneFile> zones;
     Parsed<EdaData> eda;
     std::array<Parsed<Netlist>, 3> netlists;  ///< by NetlistKind
     std::vector<StepLayer> layers;            ///< by row of Matrix::layers

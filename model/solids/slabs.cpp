@@ -20,10 +20,6 @@ bool isStack(const Layer& layer) {
     return layer.context == LayerContext::Board && (layer.isCopper() || layer.type == LayerType::Dielectric);
 }
 
-bool hasOutline(const Layer& layer, LayerOutlines outlines) {
-    return outlines == LayerOutlines::Follow && isStack(layer) && layer.profile.isValid();
-}
-
 bool isHoles(const Layer& layer) {
     return layer.type == LayerType::Drill || layer.type == LayerType::Rout;
 }
@@ -48,10 +44,12 @@ Heights bodyHeights(const Document& document) {
 }
 
 /// Heights at which something about the laminate changes, rising.
-std::set<Nm> planesOf(const Document& document, const Heights& body, LayerOutlines outlines) {
+std::set<Nm> planesOf(const Document& document, const Heights& body) {
+    const bool hasOutlines =
+        std::ranges::any_of(document.layers, [](const Layer& layer) { return layer.outlineGroup > 0; });
     std::set<Nm> planes{body.bottom, body.top};
     for (const Layer& layer : document.layers) {
-        if (isHoles(layer) || hasOutline(layer, outlines)) {
+        if (isHoles(layer) || (hasOutlines && isStack(layer))) {
             planes.insert(std::clamp(layer.z, body.bottom, body.top));
             planes.insert(std::clamp(upperFace(layer), body.bottom, body.top));
         }
@@ -59,17 +57,72 @@ std::set<Nm> planesOf(const Document& document, const Heights& body, LayerOutlin
     return planes;
 }
 
-Slab slabBetween(const Document& document, Nm bottom, Nm top, LayerOutlines outlines) {
-    Slab slab{bottom, top, document.profile, {}};
-    for (std::size_t row = 0; row < document.layers.size(); ++row) {
-        const Layer& layer = document.layers[row];
-        if (layer.z > bottom || upperFace(layer) < top) {
+/// What lies between two heights: a layer of the stack, or else what lies above and below it.
+struct Neighbours {
+    const Layer* here = nullptr;
+    const Layer* above = nullptr;
+    const Layer* below = nullptr;
+};
+
+Neighbours neighboursOf(const Document& document, Nm bottom, Nm top) {
+    Neighbours found;
+    for (const Layer& layer : document.layers) {
+        if (!isStack(layer)) {
             continue;
         }
-        if (isHoles(layer)) {
+        if (layer.z <= bottom && upperFace(layer) >= top) {
+            found.here = &layer;
+        } else if (layer.z >= top) {
+            found.above = found.above == nullptr || layer.z < found.above->z ? &layer : found.above;
+        } else if (upperFace(layer) <= bottom) {
+            found.below = found.below == nullptr || layer.z > found.below->z ? &layer : found.below;
+        }
+    }
+    return found;
+}
+
+/// The layer whose outline a slab has; nullptr for the board's.
+const Layer* bounding(const Neighbours& neighbours) {
+    const bool isGap = neighbours.here == nullptr;
+    for (const Layer* layer :
+         {neighbours.here, isGap ? neighbours.above : nullptr, isGap ? neighbours.below : nullptr}) {
+        if (layer != nullptr && layer->outlineGroup > 0) {
+            return layer;
+        }
+    }
+    return nullptr;
+}
+
+bool isWithin(const Document& document, ShapeId inner, ShapeId outer) {
+    const Box& a = document.shapes.shapes[inner.row()].box;
+    const Box& b = document.shapes.shapes[outer.row()].box;
+    return a.min.x >= b.min.x && a.min.y >= b.min.y && a.max.x <= b.max.x && a.max.y <= b.max.y;
+}
+
+void setOutline(const Document& document, Slab& slab) {
+    const Neighbours neighbours = neighboursOf(document, slab.bottom, slab.top);
+    const Layer* layer = bounding(neighbours);
+    slab.outline = document.profile;
+    if (layer == nullptr) {
+        return;
+    }
+    slab.outlineGroup = layer->outlineGroup;
+    // What joins two layers is only where both are: an outline that reaches beyond the board's does not widen it.
+    const bool isOwn = layer == neighbours.here || !document.profile.isValid();
+    if (layer->profile.isValid() && (isOwn || isWithin(document, layer->profile, document.profile))) {
+        slab.outline = layer->profile;
+    }
+}
+
+Slab slabBetween(const Document& document, Nm bottom, Nm top) {
+    Slab slab;
+    slab.bottom = bottom;
+    slab.top = top;
+    setOutline(document, slab);
+    for (std::size_t row = 0; row < document.layers.size(); ++row) {
+        const Layer& layer = document.layers[row];
+        if (isHoles(layer) && layer.z <= bottom && upperFace(layer) >= top) {
             slab.holes.emplace_back(row);
-        } else if (hasOutline(layer, outlines)) {
-            slab.outline = layer.profile;
         }
     }
     return slab;
@@ -77,15 +130,15 @@ Slab slabBetween(const Document& document, Nm bottom, Nm top, LayerOutlines outl
 
 }  // namespace
 
-std::vector<Slab> slabsOf(const Document& document, LayerOutlines outlines) {
+std::vector<Slab> slabsOf(const Document& document) {
     std::vector<Slab> slabs;
     const Heights body = bodyHeights(document);
     if (body.top <= body.bottom) {
         return slabs;
     }
-    const std::set<Nm> planes = planesOf(document, body, outlines);
+    const std::set<Nm> planes = planesOf(document, body);
     for (auto top = planes.rbegin(), bottom = std::next(top); bottom != planes.rend(); top = bottom++) {
-        Slab slab = slabBetween(document, *bottom, *top, outlines);
+        Slab slab = slabBetween(document, *bottom, *top);
         if (!slabs.empty() && slabs.back().isLike(slab)) {
             slabs.back().bottom = slab.bottom;
         } else {

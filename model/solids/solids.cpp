@@ -32,8 +32,8 @@ Layer plateLayer(std::string name, LayerType type, LayerSide side, Nm bottom, Nm
     return layer;
 }
 
-void planBody(const Document& document, LayerOutlines outlines, std::vector<Plate>& plates) {
-    std::vector<Slab> slabs = slabsOf(document, outlines);
+void planBody(const Document& document, std::vector<Plate>& plates) {
+    std::vector<Slab> slabs = slabsOf(document);
     for (std::size_t i = 0; i < slabs.size(); ++i) {
         std::string name = slabs.size() == 1 ? "board" : "board " + std::to_string(i + 1);
         plates.push_back({plateLayer(std::move(name), LayerType::Body, LayerSide::Through, slabs[i].bottom,
@@ -139,15 +139,10 @@ void cutPlate(const Document& document, Plate& plate, const base::Progress& prog
 
 }  // namespace
 
-bool addSolids(DocumentBuilder& builder, LayerOutlines outlines, const base::Progress& progress) {
+bool addSolids(DocumentBuilder& builder, const base::Progress& progress) {
     const Document& document = builder.soFar();
-    const bool hasOutlines = std::ranges::any_of(document.layers, [](const Layer& l) { return l.profile.isValid(); });
-    if (outlines == LayerOutlines::Ignore && hasOutlines) {
-        builder.diagnostics().report(
-            Severity::Info, "", 0, "On a panel the laminate follows the boards' outlines, not those of single layers");
-    }
     std::vector<Plate> plates;
-    planBody(document, outlines, plates);
+    planBody(document, plates);
     planCoats(document, plates);
     base::parallelFor(plates.size(), [&](std::size_t i) { cutPlate(document, plates[i], progress); });
     for (Plate& plate : plates) {
@@ -160,11 +155,7 @@ bool addSolids(DocumentBuilder& builder, LayerOutlines outlines, const base::Pro
 }
 
 void placeSolids(Document& document) {
-    const auto bodies = std::ranges::count(document.layers, LayerType::Body, &Layer::type);
-    std::vector<Slab> slabs = slabsOf(document, LayerOutlines::Follow);
-    if (std::ssize(slabs) != bodies) {
-        slabs = slabsOf(document, LayerOutlines::Ignore);
-    }
+    const std::vector<Slab> slabs = slabsOf(document);
     auto slab = slabs.begin();
     for (Layer& layer : document.layers) {
         if (layer.type == LayerType::Body && layer.isSynthetic && slab != slabs.end()) {

@@ -21,7 +21,7 @@ inline constexpr Nm kWidestTent = 500'000;
 /// Layers with an outline of their own keep within it. On a panel the outlines of the steps it places are cut out: they
 /// have solids of their own. The layers depend on those of the job only, so that all steps of a panel have the same
 /// rows; they are empty where there is no outline, or a mask has no openings. False when cancelled.
-[[nodiscard]] bool addSolids(DocumentBuilder& builder, LayerOutlines outlines, const base::Progress& progress);
+[[nodiscard]] bool addSolids(DocumentBuilder& builder, const base::Progress& progress);
 
 /// Gives solids that are there already the heights that follow from what the layers of the job now have. Which holes
 /// cut which slab does not change with thicknesses.

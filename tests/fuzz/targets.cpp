@@ -19,6 +19,7 @@
 #include "model/odb/standard_symbols.h"
 #include "model/odb/step_header.h"
 #include "model/odb/tools.h"
+#include "model/odb/zones.h"
 #include "model/paper/paper_reader.h"
 #include "tar.h"
 
@@ -156,6 +157,12 @@ void netlist(std::string_view input) {
     static_cast<void>(model::odb::parseNetlist(input, kFile, Unit::Inch, diagnostics));
 }
 
+void zones(std::string_view input) {
+    Diagnostics diagnostics;
+    static_cast<void>(model::odb::parseZones(input, kFile, Unit::Inch, diagnostics));
+    inSmallJob("steps/s/zones", input, "=== steps/s/layers/top/features\nUNITS=MM\n$0 r500\nP 5 5 0 P 0 0\n");
+}
+
 void paper(std::string_view input) {
     base::Progress progress;
     static_cast<void>(model::paper::readModel(input, kFile, progress));
@@ -185,6 +192,7 @@ std::span<const Target> targets() {
         {"symbol", symbol, {"features"}},
         {"symbol_name", symbolName},
         {"tools", tools, {"tools"}},
+        {"zones", zones, {"zones"}},
     };
     return kTargets;
 }

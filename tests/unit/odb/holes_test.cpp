@@ -213,6 +213,15 @@ private slots:
         QVERIFY(findDiagnostic(document->diagnostics, "its span ends at NOWHERE") != nullptr);
     }
 
+    void aBackDrillShortensThePlatingOfTheHole() {
+        odb_testing::Folder folder;
+        const auto document = drilledBoard(folder);
+        QCOMPARE(document->platedSpans.size(), std::size_t{1});
+        const model::PlatedSpan& left = document->platedSpans.front();
+        QCOMPARE(document->layer(document->elements.layer[left.hole.row()]).name, std::string("THROUGH"));
+        QCOMPARE(document->layer(left.top).name + ">" + document->layer(left.bottom).name, std::string("L1>L2"));
+    }
+
     void everyHoleCutsTheLaminateItPasses() {
         odb_testing::Folder folder;
         const auto document = drilledBoard(folder);

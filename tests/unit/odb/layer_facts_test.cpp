@@ -83,6 +83,26 @@ private slots:
         QVERIFY(findDiagnostic(diagnostics, ".loss_tangent is absurd") != nullptr);
     }
 
+    void aStepMayStateTheBoardsThickness() {
+        const auto readWith = [](const std::string& jobs, const std::string& steps) {
+            odb_testing::Folder folder;
+            odb_testing::writeSmallJob(folder, "UNITS=MM\n$0 r100\nP 1 1 0 P 0 0\n");
+            folder.write("matrix/matrix", odb_testing::matrixOf({{"SIGNAL", "TOP"}, {"SIGNAL", "BOT"}}));
+            folder.write("steps/board/attrlist", "UNITS=MM\n" + steps);
+            folder.write("misc/attrlist", "UNITS=MM\n" + jobs);
+            return odb_testing::read(folder.path());
+        };
+        const auto alone = readWith("", ".board_thickness=2.0\n");
+        QCOMPARE(alone->boardThickness, 2'000'000);
+        QVERIFY(findDiagnostic(alone->diagnostics, "the step says") == nullptr);
+        const auto both = readWith(".board_thickness=1.6\n", ".board_thickness=2.0\n");
+        QCOMPARE(both->boardThickness, 1'600'000);
+        const auto* entry = findDiagnostic(both->diagnostics, "the step says the board is 2000 µm thick");
+        QVERIFY(entry != nullptr && entry->file.ends_with("/attrlist"));
+        const auto same = readWith(".board_thickness=1.6\n", ".board_thickness=1.62\n");
+        QVERIFY(findDiagnostic(same->diagnostics, "the step says") == nullptr);
+    }
+
     void theMatrixNamesMaterials() {
         odb_testing::Folder folder;
         odb_testing::writeSmallJob(folder, "UNITS=MM\n$0 r100\nP 1 1 0 P 0 0\n");

@@ -653,14 +653,14 @@ private slots:
 
     // ---- hostile jobs ----
 
-    void filesWeDoNotReadAreNamed() {
+    void filesThatAreNotReadOrSayNothingAreNamed() {
         Folder folder;
         writeSmallJob(folder, "UNITS=MM\n$0 r1000\nP 1 1 0 P 0 0\n");
-        folder.write("steps/board/zones", "ZONE a\n");
+        folder.write("steps/board/impedance.xml", "<Impedances/>");
         folder.write("steps/board/layers/top/profile", "UNITS=MM\n");
         const auto d = read(folder.path());
-        QVERIFY(findDiagnostic(d->diagnostics, "zones are not read") != nullptr);
-        QVERIFY(findDiagnostic(d->diagnostics, "outlines of single layers") != nullptr);
+        QVERIFY(findDiagnostic(d->diagnostics, "the layer's profile holds no outline") != nullptr);
+        QVERIFY(findDiagnostic(d->diagnostics, "impedance requirements are not read") != nullptr);
         QVERIFY(findDiagnostic(d->diagnostics, "no eda/data") != nullptr);
     }
 

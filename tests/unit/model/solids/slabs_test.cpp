@@ -6,7 +6,6 @@
 
 using model::DocumentBuilder;
 using model::Layer;
-using model::LayerOutlines;
 using model::LayerType;
 using model::Nm;
 using model::Slab;
@@ -43,9 +42,8 @@ public:
         sketch.addPolygon(corners, false);
         return m_builder.addShape(sketch);
     }
-    std::vector<Slab> slabs(LayerOutlines outlines = LayerOutlines::Follow) const {
-        return model::slabsOf(m_builder.soFar(), outlines);
-    }
+    Layer& layer(std::size_t row) { return m_builder.layer(model::LayerId{row}); }
+    std::vector<Slab> slabs() const { return model::slabsOf(m_builder.soFar()); }
 
 private:
     DocumentBuilder m_builder;
@@ -98,7 +96,9 @@ private slots:
     void aDielectricWithItsOwnOutlineIsASlabOfItsOwn() {
         Stack stack;
         const model::ShapeId own = stack.square();
-        stack.add(LayerType::Dielectric, 570'000, 500'000).profile = own;
+        Layer& dielectric = stack.add(LayerType::Dielectric, 570'000, 500'000);
+        dielectric.outlineGroup = 1;
+        dielectric.profile = own;
         const auto slabs = stack.slabs();
         QCOMPARE(slabs.size(), std::size_t{3});
         QVERIFY(slabs[0].outline != own);
@@ -106,7 +106,31 @@ private slots:
         QCOMPARE(slabs[1].top, 1'070'000);
         QCOMPARE(slabs[1].bottom, 570'000);
         QVERIFY(slabs[2].outline != own);
-        QCOMPARE(stack.slabs(LayerOutlines::Ignore).size(), std::size_t{1});
+    }
+
+    void whatLiesBetweenTwoLayersIsWhereBothAre() {
+        Stack stack;
+        const model::ShapeId rigid = stack.square();
+        for (const std::size_t outer : {0, 3}) {
+            stack.layer(outer).outlineGroup = 1;
+            stack.layer(outer).profile = rigid;
+        }
+        const auto slabs = stack.slabs();
+        QCOMPARE(slabs.size(), std::size_t{3});
+        QCOMPARE(slabs[0].outline, rigid);
+        QCOMPARE(slabs[0].bottom, 1'105'000);
+        QVERIFY(slabs[1].outline != rigid);
+        QCOMPARE(slabs[1].bottom, 535'000);
+        QCOMPARE(slabs[2].outline, rigid);
+    }
+
+    void stepsWithoutTheOutlineHaveTheSameSlabs() {
+        Stack stack;
+        Layer& dielectric = stack.add(LayerType::Dielectric, 570'000, 500'000);
+        dielectric.outlineGroup = 1;
+        const auto slabs = stack.slabs();
+        QCOMPARE(slabs.size(), std::size_t{3});
+        QCOMPARE(slabs[1].outline, slabs[0].outline);
     }
 
     void aBoardOfOneCopperLayerLiesOnItsLaminate() {
@@ -120,7 +144,7 @@ private slots:
         const model::Point corners[] = {{0, 0}, {100, 0}, {100, 100}};
         sketch.addPolygon(corners, false);
         builder.setProfile(builder.addShape(sketch));
-        const auto slabs = model::slabsOf(builder.soFar(), LayerOutlines::Follow);
+        const auto slabs = model::slabsOf(builder.soFar());
         QCOMPARE(slabs.size(), std::size_t{1});
         QCOMPARE(slabs[0].bottom, -1'600'000);
         QCOMPARE(slabs[0].top, 0);

@@ -21,7 +21,7 @@ void addSquare(DocumentBuilder& builder) {
 
 std::shared_ptr<const model::Document> withSolids(DocumentBuilder& builder) {
     base::Progress progress;
-    return model::addSolids(builder, model::LayerOutlines::Follow, progress) ? builder.finish() : nullptr;
+    return model::addSolids(builder, progress) ? builder.finish() : nullptr;
 }
 
 double areaMm2(const model::Document& document, const Layer& layer) {
@@ -163,7 +163,7 @@ private slots:
         addSquare(builder);
         base::Progress progress;
         progress.cancel();
-        QVERIFY(!model::addSolids(builder, model::LayerOutlines::Follow, progress));
+        QVERIFY(!model::addSolids(builder, progress));
     }
 
     void bodyIsNotCountedAsAnElementOfTheJob() { QCOMPARE(boardWithHoles()->elementCounts()[4], 0U); }
