@@ -192,6 +192,10 @@ std::vector<ShapeMesh> punchShapes(const model::Document& document, const std::v
     for (const model::AreaGeometry& area : document.areas) {
         ++places[area.shape.row()];
     }
+    // Lets are as high as their layer, bodies are not.
+    for (const model::Body& body : document.bodies) {
+        ++places[document.areas[document.elements.geometry[body.element.row()]].shape.row()];
+    }
     std::vector<ShapeMesh> meshes(shapes.size());
     base::parallelFor(shapes.size(), [&](std::size_t i) {
         if (progress.isCancelled()) {

@@ -31,7 +31,7 @@ struct ShapeMesh {
                                                       const model::Discretisation& how, base::Progress& progress);
 
 /// The same with the round holes of shapes that are placed once left to lets. Triangles of a shape that is placed
-/// more than once are shared, lets would not be.
+/// more than once are shared, lets would not be. Bodies of components keep their holes, too.
 [[nodiscard]] std::vector<ShapeMesh> punchShapes(const model::Document& document,
                                                  const std::vector<model::ShapeId>& shapes,
                                                  const model::Discretisation& how, base::Progress& progress);

@@ -41,6 +41,8 @@ model::ShapeSketch polygonSketch(const std::vector<model::Point>& points) {
 
 }  // namespace
 
+constexpr model::Nm kMm = 1'000'000;
+
 class BoardModelTest : public QObject {
     Q_OBJECT
 
@@ -121,6 +123,20 @@ private slots:
         };
         QCOMPARE(faces(0), (std::pair{0.0F, 0.25F}));
         QCOMPARE(faces(1), (std::pair{0.75F, 1.0F}));
+    }
+
+    void roundHolesOfBodiesAreAsHighAsTheBody() {
+        DocumentBuilder builder;
+        model::ShapeSketch ring = polygonSketch({{0, 0}, {kMm, 0}, {kMm, kMm}, {0, kMm}});
+        ring.addCircle({kMm / 2, kMm / 2}, kMm / 10, true);
+        model::Layer layer;
+        layer.thickness = 3 * kMm;
+        builder.beginLayer(builder.addLayer(layer));
+        builder.addArea({builder.addShape(ring), {}}, {});
+        QCOMPARE(build(*builder.finish()).lets.size(), std::size_t{1});
+        builder.beginLayer(builder.addLayer(layer));
+        builder.addBody({builder.addArea({builder.addShape(ring), {}}, {}), {}, kMm});
+        QVERIFY(build(*builder.finish()).lets.empty());
     }
 
     void aSymbolUsedOftenIsTriangulatedOnce() {
