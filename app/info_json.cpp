@@ -53,6 +53,18 @@ ordered_json layersJson(const Document& document) {
     return json;
 }
 
+ordered_json zonesJson(const Document& document) {
+    ordered_json json = ordered_json::array();
+    for (const model::Zone& zone : document.zones) {
+        ordered_json layers = ordered_json::array();
+        for (const model::LayerId layer : zone.layers) {
+            layers.push_back(document.layer(layer).name);
+        }
+        json.push_back({{"name", zone.name}, {"layers", layers}});
+    }
+    return json;
+}
+
 template <class Count>
 ordered_json elementsJson(const std::array<Count, model::kElementKindCount>& counts) {
     ordered_json json = countsJson(counts);
@@ -124,6 +136,7 @@ ordered_json infoJson(const OpenBoard& board, const std::vector<model::StepCheck
         {"job", jobJson(document.job)},
         {"layers", layersJson(document)},
         {"stackup", stackupJson(document.stackup)},
+        {"zones", zonesJson(document)},
         {"elements", elementsJson(document.elementCounts())},
         {"elements_with_copies", elementsJson(document.elementCountsWithCopies())},
         {"placed_steps", placedStepsJson(document)},

@@ -53,6 +53,26 @@ class CliTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void infoNamesZonesAndThePlacesOfMessages() {
+        const auto info = [](const char* job) {
+            const Outcome run = copperscope({"info", QString(places::kTestData) + "/odb/" + job, "--json"});
+            return QJsonDocument::fromJson(run.out).object();
+        };
+        const QJsonArray zones = info("rigid_flex")["zones"].toArray();
+        QCOMPARE(zones.size(), 3);
+        QCOMPARE(zones[1].toObject()["name"].toString(), QString("Flex"));
+        QCOMPARE(zones[1].toObject()["layers"].toArray(), (QJsonArray{"COVER", "L2", "CORE", "L3"}));
+        const QJsonArray messages = info("drills")["diagnostics"].toArray();
+        const auto found = std::find_if(messages.begin(), messages.end(), [](const QJsonValue& message) {
+            return message.toObject()["text"].toString().contains("takes the plating");
+        });
+        QVERIFY(found != messages.end());
+        const QJsonObject place = (*found).toObject()["place"].toObject();
+        QCOMPARE(place["layer"].toString(), QString("BACK"));
+        QCOMPARE(place["x_nm"].toInt(), 4'000'000);
+        QCOMPARE(place["y_nm"].toInt(), 4'000'000);
+    }
+
     void infoHasTheKeysThatOthersRelyOn() {
         const Outcome run = copperscope({"info", places::kSample, "--json"});
         QCOMPARE(run.exitCode, 0);
@@ -85,7 +105,8 @@ private slots:
         QVERIFY(prepreg["loss_tangent"].isNull());
         QCOMPARE(stackup["rows"].toArray()[3].toObject()["copper_oz_source"].toString(), "derived");
         QVERIFY(hasKeys(layer["counts"].toObject(), {"line", "arc", "circle", "trail", "area", "features"}));
-        QVERIFY(hasKeys(info["diagnostics"].toArray().first().toObject(), {"severity", "file", "line", "text", "count", "place"}));
+        QVERIFY(hasKeys(info["diagnostics"].toArray().first().toObject(),
+                        {"severity", "file", "line", "text", "count", "place"}));
     }
 
     void benchMeasuresBothPipelines() {

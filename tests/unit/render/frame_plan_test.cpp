@@ -1,0 +1,54 @@
+#include "render/frame_plan.h"
+
+#include <QtTest>
+
+#include "render/camera.h"
+
+namespace {
+
+/// A board from 0 to 1.6 mm and a layer of bodies from 2 to 5 mm on its top, one layer turned over with some copy.
+render::SceneLayers sceneWithBodies(std::uint32_t growth) {
+    render::SceneLayers scene;
+    render::SceneLayers::Layer bodies;
+    bodies.z0 = 2.0F;
+    bodies.z1 = 5.0F;
+    bodies.hasAreas = true;
+    bodies.growth = growth;
+    scene.layers.push_back(bodies);
+    scene.styles.resize(1);
+    scene.widthMm = 50.0F;
+    scene.facesMm = 1.6F;
+    scene.hasFlipped = true;
+    return scene;
+}
+
+render::FramePlan planOf(const render::SceneLayers& scene, const render::Camera& camera) {
+    return render::planFrame(scene, camera, {}, 800, 600);
+}
+
+}  // namespace
+
+class FramePlanTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void turnedOverBodiesHangFromTheOtherSide() {
+        const render::FramePlan plan = planOf(sceneWithBodies(shader::kLayerStands), {});
+        const shader::LayerState& upright = plan.upright.states[0];
+        const shader::LayerState& flipped = plan.flipped.states[0];
+        QVERIFY((upright.flags & shader::kLayerStands) != 0 && (upright.flags & shader::kLayerHangs) == 0);
+        QVERIFY((flipped.flags & shader::kLayerStands) == 0 && (flipped.flags & shader::kLayerHangs) != 0);
+        QCOMPARE(flipped.z1, 1.6F - 2.0F);
+        QCOMPARE(flipped.z0, 1.6F - 5.0F);
+    }
+
+    void evenLayersStayEven() {
+        const render::FramePlan plan = planOf(sceneWithBodies(0), {});
+        constexpr std::uint32_t kUneven = shader::kLayerStands | shader::kLayerHangs;
+        QCOMPARE(plan.upright.states[0].flags & kUneven, 0U);
+        QCOMPARE(plan.flipped.states[0].flags & kUneven, 0U);
+    }
+};
+
+QTEST_APPLESS_MAIN(FramePlanTest)
+#include "frame_plan_test.moc"
