@@ -81,10 +81,27 @@ private slots:
         for (const Layer& layer : d->layers) {
             names.push_back(layer.name);
         }
-        const std::vector<std::string> expected = {"SST",         "SPT",     "SMT",      "TOP",     "CORE1",
-                                                   "Inner Plane", "CORE2",   "BOTTOM",   "SMB",     "COMP_+_TOP",
-                                                   "DRILL",       "BLIND",   "ROUT",     "NOTES",   "COMP_+_BOT",
-                                                   "board 1",     "board 2", "SMT coat", "SMB coat"};
+        const std::vector<std::string> expected = {"SST",
+                                                   "SPT",
+                                                   "SMT",
+                                                   "TOP",
+                                                   "CORE1",
+                                                   "Inner Plane",
+                                                   "CORE2",
+                                                   "BOTTOM",
+                                                   "SMB",
+                                                   "COMP_+_TOP",
+                                                   "DRILL",
+                                                   "BLIND",
+                                                   "ROUT",
+                                                   "NOTES",
+                                                   "COMP_+_BOT",
+                                                   "board 1",
+                                                   "board 2",
+                                                   "SMT coat",
+                                                   "SMB coat",
+                                                   "component bodies top",
+                                                   "component bodies bottom"};
         QCOMPARE(names, expected);
         QCOMPARE(layerOf(*d, "top").side, LayerSide::Top);
         QCOMPARE(layerOf(*d, "inner plane").side, LayerSide::Inner);
