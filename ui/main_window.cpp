@@ -13,6 +13,7 @@
 
 #include "ui/docks.h"
 #include "ui/element_panel.h"
+#include "ui/histogram_view.h"
 #include "ui/icons.h"
 #include "ui/layers_panel.h"
 #include "ui/load_summary.h"
@@ -238,6 +239,7 @@ void MainWindow::onLoaded(const LoadedBoard& board) {
     m_board = board;
     m_layerModel.setDocument(board.document, defaultLooks(*board.document));
     m_statisticsModel.setDocument(board.document);
+    m_statisticsPanel->plot().setDocument(board.document);
     m_stackModel.setDocument(board.document);
     m_thicknesses.setBoard(board);
     m_searchBox->search().setBoard(board.document);

@@ -11,6 +11,7 @@
 #include "ui/dialogs.h"
 #include "ui/element_panel.h"
 #include "ui/help_dialogs.h"
+#include "ui/histogram_view.h"
 #include "ui/layers_panel.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
@@ -20,6 +21,7 @@
 #include "ui/search_box.h"
 #include "ui/stack_panel.h"
 #include "ui/stack_view.h"
+#include "ui/statistics_panel.h"
 #include "ui/status_line.h"
 #include "ui/theme.h"
 
@@ -191,6 +193,13 @@ void MainWindow::connectSelectActions() {
     on(ActionId::HighlightNet, &MainWindow::highlightNet);
     on(ActionId::DimOthers, [this](bool isOn) { m_probing->setDimOthers(isOn); });
     connect(m_netsPanel, &NetsPanel::showRequested, m_probing, &Probing::showNet);
+    connect(&m_statisticsPanel->plot(), &HistogramView::chosen, this, [this](const auto& elements) {
+        std::vector<model::BoardElement> selected;
+        for (const model::ElementId element : elements) {
+            selected.push_back({0, element});
+        }
+        m_selection.select(selected);
+    });
 }
 
 void MainWindow::connectFollowActions() {
@@ -266,6 +275,7 @@ void MainWindow::setUnit(models::LengthUnit unit) {
     m_elementPanel->setUnit(unit);
     m_netModel.setUnit(unit);
     m_netCheckModel.setUnit(unit);
+    m_statisticsPanel->plot().setUnit(unit);
     m_searchBox->setUnit(unit);
     m_statusLine->showPlace({});
     statusBar()->showMessage(QStringLiteral("Lengths are in %1").arg(QLatin1String(models::unitName(unit))));
