@@ -63,7 +63,8 @@ void HistogramView::paintEvent(QPaintEvent*) {
         painter.drawText(rect(), Qt::AlignCenter, QStringLiteral("There is nothing of this kind on the board"));
         return;
     }
-    painter.drawText(QRectF(rect()).adjusted(kMargin, kMargin, 0.0, 0.0), QLatin1String(models::unitName(m_unit)));
+    painter.drawText(QRectF(rect()).adjusted(0.0, 2.0, -kMargin, 0.0), Qt::AlignRight,
+                     QLatin1String(models::unitName(m_unit)));
     std::uint32_t highest = 0;
     for (const model::HistogramBar& bar : m_histogram.bars) {
         highest = std::max(highest, bar.elements.count);
