@@ -131,7 +131,7 @@ private slots:
             QVERIFY(bore.bottom > bore.top);
         }
         QCOMPARE(holes, 0U);
-        QCOMPARE(model::boreText(*document, back), "BACK: backdrill, bare, 1 hole of 0.6 mm");
+        QCOMPARE(model::boreText(*document, back), "BACK: backdrill, bare, 1 hole of 1.2 mm");
     }
 
     void svgHasABandPerLayerAndABarPerKindOfHole() {
