@@ -77,7 +77,8 @@ EdgeGrid::EdgeGrid(std::vector<Edge> edges) : m_edges(std::move(edges)) {
     }
     const glm::vec2 extent = m_edges.empty() ? glm::vec2(1.0F) : m_high - m_low;
     constexpr float kCellsPerSide = 128.0F;
-    m_cell = std::max(1e-3F, std::max(extent.x, extent.y) / kCellsPerSide);
+    constexpr float kSmallestCell = 0.5F;  // mm: distances are asked for up to a few millimetres
+    m_cell = std::max(kSmallestCell, std::max(extent.x, extent.y) / kCellsPerSide);
     m_size = glm::ivec2(extent / m_cell) + 1;
     m_cells.resize(static_cast<std::size_t>(m_size.x) * static_cast<std::size_t>(m_size.y));
     m_rows.resize(static_cast<std::size_t>(m_size.y));

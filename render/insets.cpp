@@ -13,6 +13,9 @@
 namespace render {
 namespace {
 
+/// With more windows than this in the laminate it is not worked out which of them areas lie around.
+constexpr std::size_t kMostLoops = 512;
+
 /// Lines closer than this, mm, lie on each other.
 constexpr float kSlack = 2e-3F;
 
@@ -131,8 +134,11 @@ private:
     }
 
     static base::Point toNm(glm::vec2 p) {
-        return {static_cast<base::Nm>(std::llround(double(p.x) * base::kNmPerMm)),
-                static_cast<base::Nm>(std::llround(double(p.y) * base::kNmPerMm))};
+        static constexpr double kMost = 2e9;  // what is farther from the middle of the board is no part of it
+        const auto nm = [](float mm) {
+            return static_cast<base::Nm>(std::llround(std::clamp(double(mm) * base::kNmPerMm, -kMost, kMost)));
+        };
+        return {nm(p.x), nm(p.y)};
     }
 
     [[nodiscard]] std::vector<base::Box> boxes() const {
@@ -215,10 +221,10 @@ private:
     [[nodiscard]] float insetOfLets(std::size_t layer) const {
         float inset = kFarthestInset;
         forClusters(m_model, layer, [&](const shader::Cluster& cluster) {
-            const float distance = m_grid.distance(cluster.boxMin, cluster.boxMax, kFarthestInset);
             if (inset < 0.0F) {
                 return;
             }
+            const float distance = m_grid.distance(cluster.boxMin, cluster.boxMax, inset);
             if (distance >= inset) {
                 inset = lessened(inset, distance, cluster.boxMin);
                 return;
@@ -235,22 +241,25 @@ private:
     [[nodiscard]] float insetOfLet(const shader::Let& let, float inset) const {
         if (kindOf(let) == shader::kLetArc) {
             const LetBox box = boxOf(let);
-            return lessened(inset, m_grid.distance(box.min, box.max, kFarthestInset), box.min);
+            return lessened(inset, m_grid.distance(box.min, box.max, inset), box.min);
         }
         constexpr float kDiagonal = 1.4142136F;
         const float reach = let.p4 * ((let.meta & shader::kLetSquarePen) != 0 ? kDiagonal : 1.0F);
-        const float distance = m_grid.distance({startOf(let), {let.p2, let.p3}}, reach + kFarthestInset) - reach;
+        const float distance = m_grid.distance({startOf(let), {let.p2, let.p3}}, reach + inset) - reach;
         return lessened(inset, distance, startOf(let));
     }
 
     /// Along its walls; an area may also lie around a loop of the laminate without meeting it.
     [[nodiscard]] float insetOfAreas(std::size_t layer) const {
+        if (m_loopPoints.size() > kMostLoops) {
+            return m_model.areaBatchesOfLayer[layer].count == 0 ? kFarthestInset : -1.0F;
+        }
         float inset = kFarthestInset;
         std::vector<std::uint8_t> isAround(m_loopPoints.size(), 0);
         forInstances(m_model, layer, [&](const shader::AreaInstance& instance) {
             const std::vector<Loop> loops = inset < 0.0F ? std::vector<Loop>() : loopsOf(m_model, instance);
             for (const Loop& loop : loops) {
-                inset = std::min(inset, insetOfLoop(loop));
+                inset = std::min(inset, insetOfLoop(loop, inset));
                 for (std::size_t p = 0; p < m_loopPoints.size(); ++p) {
                     isAround[p] = (isAround[p] != 0) != winds(loop, m_loopPoints[p]) ? 1 : 0;
                 }
@@ -261,11 +270,10 @@ private:
         return isAroundAny ? -1.0F : inset;
     }
 
-    [[nodiscard]] float insetOfLoop(const Loop& loop) const {
-        float inset = kFarthestInset;
+    [[nodiscard]] float insetOfLoop(const Loop& loop, float inset) const {
         for (std::size_t i = 0; i < loop.size() && inset >= 0.0F; ++i) {
             const Edge edge{loop[i], loop[(i + 1) % loop.size()]};
-            inset = std::min(inset, m_grid.distance(edge, kFarthestInset));
+            inset = std::min(inset, m_grid.distance(edge, std::max(inset, 2.0F * kSlack)));
             const bool isInside = m_grid.contains(edge.a) || m_grid.distance({edge.a, edge.a}, kSlack) < kSlack;
             if (!isInside || (inset <= kSlack && m_grid.isCrossedBy(edge.a, edge.b, kSlack))) {
                 inset = -1.0F;

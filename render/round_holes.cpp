@@ -28,15 +28,20 @@ double radiusOf(const PathNode& node) {
 
 /// The circle a contour is, if it is one: arcs about one centre that together go round once.
 std::optional<RoundHole> circleOf(std::span<const PathNode> nodes) {
+    if (nodes.empty()) {
+        return std::nullopt;
+    }
     const double radius = radiusOf(nodes[0]);
     constexpr double kSmallest = 10e3;
-    constexpr double kLargest = 1e9;
+    constexpr double kLargest = 1e8;
+    constexpr double kFarthest = 1.9e9;  // a cell there still has coordinates
     constexpr double kRounding = 2.0;
     const auto isPart = [&](const PathNode& node) {
         return node.edge != model::EdgeKind::Line && node.edge == nodes[0].edge && node.centre == nodes[0].centre &&
                std::abs(radiusOf(node) - radius) <= kRounding;
     };
-    if (radius < kSmallest || radius > kLargest || !std::ranges::all_of(nodes, isPart)) {
+    const bool isThere = std::max(std::abs(double(nodes[0].centre.x)), std::abs(double(nodes[0].centre.y))) < kFarthest;
+    if (radius < kSmallest || radius > kLargest || !isThere || !std::ranges::all_of(nodes, isPart)) {
         return std::nullopt;
     }
     double sweep = 0.0;
