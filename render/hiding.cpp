@@ -116,13 +116,15 @@ void hideBuried(std::span<const LayerInLaminate> layers, const Sight& sight, std
     for (const Block& laminate : laminateOf(layers, states, sight.isFromAbove)) {
         for (std::size_t i = 0; i < states.size(); ++i) {
             const Block block = blockOf(states[i], sight.isFromAbove);
+            // Areas stand on a face of such a layer: it has to stay where it is.
+            const bool isUneven = (states[i].flags & (shader::kLayerStands | shader::kLayerHangs)) != 0;
             if (!isVisible(states[i]) || layers[i].role == Role::Laminate ||
                 !hides(laminate, block.bottom, layers[i].insetMm, sight)) {
                 continue;
             }
             if (block.top < laminate.top - kSameHeight) {
                 states[i].flags &= ~shader::kLayerVisible;
-            } else if (block.bottom < laminate.top) {
+            } else if (block.bottom < laminate.top && !isUneven) {
                 cutAt(laminate, sight, states[i]);
             }
         }

@@ -17,11 +17,11 @@ class HidingTest : public QObject {
     static SceneLayers board() {
         SceneLayers scene;
         scene.widthMm = 100.0F;
-        scene.layers = {{1.565F, 1.6F, true, true, {}},
-                        {0.8F, 0.835F, true, true, {}},
-                        {0.0F, 0.035F, true, true, {}},
-                        {0.0F, 1.6F, false, false, {}},
-                        {0.035F, 1.565F, true, false, {}}};
+        scene.layers = {{1.565F, 1.6F, true, true, 0U, {}},
+                        {0.8F, 0.835F, true, true, 0U, {}},
+                        {0.0F, 0.035F, true, true, 0U, {}},
+                        {0.0F, 1.6F, false, false, 0U, {}},
+                        {0.035F, 1.565F, true, false, 0U, {}}};
         scene.inLaminate = {{Role::Content, 0.5F},
                             {Role::Content, 0.5F},
                             {Role::Content, 0.5F},
