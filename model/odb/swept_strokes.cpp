@@ -1,6 +1,7 @@
 #include "model/odb/swept_strokes.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "model/geometry/boolean.h"
@@ -72,6 +73,37 @@ void addSides(PolygonSet& cover, const PolygonSet& pen, Point a, Point b) {
     }
 }
 
+void append(PolygonSet& to, const PolygonSet& from) {
+    for (const PolygonSet::Polygon& polygon : from.polygons) {
+        to.beginPolygon();
+        for (std::uint32_t i = 0; i < polygon.loopCount; ++i) {
+            to.addLoop(from.loop(polygon.firstLoop + i));
+        }
+    }
+}
+
+/// Two by two, then those two by two: a large pen on a long arc covers places hundreds of times, and uniting all at
+/// once would look at every pair of edges there.
+PolygonSet uniteNeighbours(std::vector<PolygonSet> covers) {
+    if (covers.empty()) {
+        return {};
+    }
+    for (PolygonSet& cover : covers) {
+        cover = unite(cover);
+    }
+    while (covers.size() > 1) {
+        for (std::size_t i = 0; i + 1 < covers.size(); i += 2) {
+            append(covers[i], covers[i + 1]);
+            covers[i / 2] = unite(covers[i]);
+        }
+        if (covers.size() % 2 == 1) {
+            covers[covers.size() / 2] = std::move(covers.back());
+        }
+        covers.resize((covers.size() + 1) / 2);
+    }
+    return std::move(covers.front());
+}
+
 }  // namespace
 
 PolygonSet penOf(const SymbolShape& shape) {
@@ -94,15 +126,16 @@ PolygonSet sweep(const PolygonSet& pen, const PathNode& from, Point end) {
     discretiseEdge(from, end, kPenChords, path);
     path.push_back(end);
     const bool convex = isConvex(pen);
-    PolygonSet cover;
+    std::vector<PolygonSet> covers;
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        PolygonSet& cover = covers.emplace_back();
         if (convex) {
             addHull(cover, pen.loop(0), path[i], path[i + 1]);
         } else {
             addSides(cover, pen, path[i], path[i + 1]);
         }
     }
-    return unite(cover);
+    return uniteNeighbours(std::move(covers));
 }
 
 }  // namespace model::odb

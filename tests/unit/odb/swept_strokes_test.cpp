@@ -54,6 +54,17 @@ class SweptStrokesTest : public QObject {
     Q_OBJECT
 
 private slots:
+    /// A ring of radius 1 mm carried around a circle of 3 mm covers everything between 2 and 4 mm: its own hole is
+    /// covered by where it was before. Hundreds of places lie on each other, so this is about time as well.
+    void aRingAroundALongArcLeavesNoHole() {
+        const PathNode start{{3'000'000, 0}, {0, 0}, EdgeKind::ArcCounterClockwise};
+        const PolygonSet cover = sweep(pen("donut_r2000x1000"), start, {3'000'000, 0});
+        const double exact = kPi * (16.0 - 4.0);
+        QVERIFY2(std::abs(areaOf(cover) - exact) < 1e-3 * exact, qPrintable(QString::number(areaOf(cover))));
+        QVERIFY(!covers(cover, {0, 0}) && covers(cover, {0, 3'000'000}) && covers(cover, {-2'500'000, 0}));
+        QVERIFY(!covers(cover, {0, 4'002'000}));
+    }
+
     /// Pen P along a vector v covers |P| + |v| × width of P across v, when P is convex.
     void convexPensCoverTheirAreaAndTheirWidthTimesTheWay_data() {
         QTest::addColumn<QString>("name");
