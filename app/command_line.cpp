@@ -142,6 +142,26 @@ void addBench(CLI::App& parent, BenchArguments& arguments) {
     command->add_flag("--json", arguments.asJson, "as JSON");
 }
 
+void addClearance(CLI::App& parser, ClearanceArguments& arguments) {
+    CLI::App* command = parser.add_subcommand("clearance", "List the narrowest places between nets");
+    command->add_option("BOARD", arguments.board.path, "the board; default: the sample");
+    command->add_option("--step", arguments.board.step,
+                        "the step to open; default: the first one with features of its own");
+    addNetOptions(*command, arguments.board.inferNets);
+    command->add_option("--worst", arguments.worst, "how many of the narrowest")
+        ->check(CLI::Range(1, 1'000'000))
+        ->capture_default_str();
+    command->add_option("--below", arguments.below,
+                        "only what is closer than this, with um, mm, mil or inch; exit code 4 if anything is");
+    command->add_option("--layer", arguments.layer, "only on this copper layer");
+    command->add_option("--nets", arguments.nets, "only between these two, separated by a comma")
+        ->delimiter(',')
+        ->expected(2);
+    command->add_option("--format", arguments.format, "text, json or csv")
+        ->check(CLI::IsMember({"text", "json", "csv"}))
+        ->capture_default_str();
+}
+
 /// The other thing that `bench` measures, with options of its own.
 void addTriangulationBench(CLI::App* command, bool& isWanted, TriangulationBenchArguments& arguments) {
     CLI::Option* wanted =
@@ -184,6 +204,7 @@ Command parseCommandLine(int argc, char** argv) {
     RenderArguments render;
     GenerateArguments generate;
     BenchArguments bench;
+    ClearanceArguments clearance;
     parser.add_option("BOARD", workbench.path, "the board to open in the workbench; default: the sample");
     parser.add_option("--step", workbench.step, "the step to open");
     addStackOptions(parser, workbench.thicknesses, workbench.noSession);
@@ -192,6 +213,7 @@ Command parseCommandLine(int argc, char** argv) {
     addRender(parser, render);
     addGenerate(parser, generate);
     addBench(parser, bench);
+    addClearance(parser, clearance);
     bool isTriangulationBench = false;
     TriangulationBenchArguments triangulationBench;
     addTriangulationBench(parser.get_subcommand("bench"), isTriangulationBench, triangulationBench);
@@ -211,6 +233,9 @@ Command parseCommandLine(int argc, char** argv) {
     }
     if (parser.got_subcommand("generate")) {
         return generate;
+    }
+    if (parser.got_subcommand("clearance")) {
+        return clearance;
     }
     if (parser.got_subcommand("bench")) {
         triangulationBench.boards = bench.boards;

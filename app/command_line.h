@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/bench_command.h"
+#include "app/clearance_command.h"
 #include "app/generate_command.h"
 #include "app/info_command.h"
 #include "app/render_command.h"
@@ -27,7 +28,7 @@ struct Quit {
 };
 
 using Command = std::variant<WorkbenchArguments, InfoArguments, RenderArguments, GenerateArguments, BenchArguments,
-                             TriangulationBenchArguments, Quit>;
+                             TriangulationBenchArguments, ClearanceArguments, Quit>;
 
 /// Understands the command line of docs/architecture.md.
 [[nodiscard]] Command parseCommandLine(int argc, char** argv);

@@ -5,7 +5,7 @@
 namespace app {
 
 /// What the process answers (docs/architecture.md "Exit codes").
-enum ExitCode : int { kDone = 0, kWrongUsage = 1, kBadInput = 2, kFailed = 3 };
+enum ExitCode : int { kDone = 0, kWrongUsage = 1, kBadInput = 2, kFailed = 3, kTooClose = 4 };
 
 /// Prints the error to stderr and says which code it means.
 int fail(const base::Error& error);

@@ -18,6 +18,7 @@ struct Run {
     int operator()(const app::TriangulationBenchArguments& arguments) const {
         return app::runTriangulationBench(arguments);
     }
+    int operator()(const app::ClearanceArguments& arguments) const { return app::runClearance(arguments); }
     int operator()(const app::Quit& quit) const { return quit.code; }
 };
 

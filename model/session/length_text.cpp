@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "model/stackup.h"
 
@@ -18,6 +19,8 @@ struct LengthUnit {
     double nm = 0.0;
     bool isWeight = false;
 };
+
+constexpr double kLongest = 1e9;  ///< nm
 
 constexpr LengthUnit kUnits[] = {{"um", base::kNmPerUm},         {"µm", base::kNmPerUm},   {"μm", base::kNmPerUm},
                                  {"mm", base::kNmPerMm},         {"mil", base::kNmPerMil}, {"mils", base::kNmPerMil},
@@ -42,6 +45,15 @@ const LengthUnit* findUnit(std::string_view name) {
     return nullptr;
 }
 
+/// No unit: the text is not a number with one.
+std::pair<double, const LengthUnit*> numberAndUnit(std::string_view text) {
+    const std::string_view whole = trimmed(text);
+    double value = 0.0;
+    const auto number = std::from_chars(whole.data(), whole.data() + whole.size(), value);
+    const std::string_view rest = trimmed(whole.substr(static_cast<std::size_t>(number.ptr - whole.data())));
+    return {value, number.ec == std::errc() ? findUnit(rest) : nullptr};
+}
+
 bool isCopperRow(const StackRow& row) {
     return copperWeightOf(row).has_value();
 }
@@ -56,13 +68,21 @@ std::string rowNames(const Stackup& stackup) {
 
 }  // namespace
 
+base::Result<Nm> parseLength(std::string_view text) {
+    const auto [value, unit] = numberAndUnit(text);
+    if (unit == nullptr || unit->isWeight) {
+        return wrong(text, "is no length; write a number with um, mm, mil or inch: 100um, 0.2mm, 5mil");
+    }
+    const double nm = value * unit->nm;
+    if (!(nm > 0.0 && nm <= kLongest)) {
+        return wrong(text, "is outside of what can be measured on a board: above 0 to 1 m");
+    }
+    return static_cast<Nm>(std::llround(nm));
+}
+
 base::Result<Nm> parseThickness(std::string_view text, bool isCopper) {
-    const std::string_view whole = trimmed(text);
-    double value = 0.0;
-    const auto number = std::from_chars(whole.data(), whole.data() + whole.size(), value);
-    const std::string_view rest = trimmed(whole.substr(static_cast<std::size_t>(number.ptr - whole.data())));
-    const LengthUnit* unit = findUnit(rest);
-    if (number.ec != std::errc() || unit == nullptr) {
+    const auto [value, unit] = numberAndUnit(text);
+    if (unit == nullptr) {
         return wrong(text,
                      "is no thickness; write a number with um, mm, mil or inch, or oz for copper: 35um, 0.2mm, 1oz");
     }

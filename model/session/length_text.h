@@ -13,6 +13,10 @@ namespace model::session {
 inline constexpr Nm kLeastSet = 1'000;
 inline constexpr Nm kMostSet = 10'000'000;
 
+/// A length as people write it: a number with um, µm, mm, mil, in or inch. Errors: BadUsage when it is no such text, or
+/// not above 0 and at most 1 m.
+[[nodiscard]] base::Result<Nm> parseLength(std::string_view text);
+
 /// A thickness as people write it: a number with um, µm, mm, mil, in or inch, or for copper oz (ounces per square
 /// foot). Errors: BadUsage when it is no such text, is outside of 1 µm to 10 mm, or is a weight where there is no
 /// copper.

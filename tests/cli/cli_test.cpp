@@ -180,6 +180,22 @@ private slots:
         QCOMPARE(copperscope({"info", places::kSample, "--triangulator", "magic"}).exitCode, 1);
     }
 
+    void clearanceTellsABuildWhatIsTooClose() {
+        const Outcome all = copperscope({"clearance", places::kSample, "--worst", "3", "--format", "json"});
+        QVERIFY2(all.exitCode == 0, all.err.constData());
+        const QJsonArray listed = QJsonDocument::fromJson(all.out)["steps"][0]["clearances"].toArray();
+        QCOMPARE(listed.size(), 3);
+        const double narrowest = listed[0]["gap_um"].toDouble();
+        QVERIFY(narrowest > 0.0 && narrowest <= listed[1]["gap_um"].toDouble());
+        const auto below = [&](double um) {
+            return copperscope({"clearance", places::kSample, "--below", QString::number(um, 'f', 3) + "um"}).exitCode;
+        };
+        QCOMPARE(below(narrowest + 1.0), 4);
+        QCOMPARE(below(narrowest - 1.0), 0);
+        QCOMPARE(copperscope({"clearance", places::kSample, "--below", "3 apples"}).exitCode, 1);
+        QCOMPARE(copperscope({"clearance", places::kSample, "--layer", "nowhere"}).exitCode, 1);
+    }
+
     void benchRefusesOptionsOfTheOtherMeasurement() {
         QCOMPARE(copperscope({"bench", "--triangulation", "--sets", "none", "--frames", "3"}).exitCode, 1);
         QCOMPARE(copperscope({"bench", places::kSample, "--repeats", "3"}).exitCode, 1);

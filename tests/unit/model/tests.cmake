@@ -1,4 +1,4 @@
-foreach(name back_drills connectivity distance measures picking shapes copies discretise nesting boolean document_builder diagnostics histogram)
+foreach(name clearance back_drills connectivity distance measures picking shapes copies discretise nesting boolean document_builder diagnostics histogram)
     copperscope_test(${name}_test unit/model/${name}_test.cpp LABEL unit LINK copperscope_model)
 endforeach()
 copperscope_test(paper_reader_test unit/model/paper_reader_test.cpp LABEL unit LINK copperscope_paper)

@@ -1,0 +1,193 @@
+#include "app/clearance_command.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "app/console_progress.h"
+#include "app/exit_code.h"
+#include "model/base/units.h"
+#include "model/clearance/clearance.h"
+#include "model/copies.h"
+#include "model/session/length_text.h"
+
+namespace app {
+
+using model::Clearance;
+using model::Document;
+
+namespace {
+
+/// The narrowest places of one step.
+struct StepClearances {
+    const Document* step = nullptr;
+    std::vector<Clearance> clearances;
+};
+
+base::Error unknown(const char* kind, const std::string& name) {
+    return {base::ErrorCode::BadUsage, "the board has no " + std::string(kind) + " " + name};
+}
+
+base::Result<model::LayerId> copperLayer(const Document& document, const std::string& name) {
+    for (std::size_t row = 0; row < document.layers.size(); ++row) {
+        if (document.layers[row].name == name && document.layers[row].isCopper()) {
+            return model::LayerId{row};
+        }
+    }
+    return unknown("copper layer", name);
+}
+
+base::Result<model::NetId> netNamed(const Document& document, const std::string& name) {
+    for (std::size_t row = 0; row < document.nets.size(); ++row) {
+        if (document.nets[row].name == name) {
+            return model::NetId{row};
+        }
+    }
+    return unknown("net", name);
+}
+
+base::Result<model::ClearanceQuestion> questionFor(const Document& document, const ClearanceArguments& arguments) {
+    model::ClearanceQuestion question;
+    question.count = arguments.worst;
+    if (!arguments.below.empty()) {
+        const base::Result<base::Nm> below = model::session::parseLength(arguments.below);
+        if (!below) {
+            return below.error();
+        }
+        question.below = static_cast<double>(*below);
+    }
+    if (!arguments.layer.empty()) {
+        const base::Result<model::LayerId> layer = copperLayer(document, arguments.layer);
+        if (!layer) {
+            return layer.error();
+        }
+        question.layer = *layer;
+    }
+    if (!arguments.nets.empty()) {
+        const base::Result<model::NetId> a = netNamed(document, arguments.nets.front());
+        const base::Result<model::NetId> b = netNamed(document, arguments.nets.back());
+        if (!a || !b) {
+            return a ? b.error() : a.error();
+        }
+        if (*a == *b) {
+            return base::Error{base::ErrorCode::BadUsage, "a net has no clearance to itself: --nets names two"};
+        }
+        question.between = {*a, *b};
+    }
+    return question;
+}
+
+std::string netName(const Document& document, model::NetId net) {
+    return net.isValid() ? document.nets[net.row()].name : "(no net)";
+}
+
+double micrometres(double nm) {
+    return nm / base::kNmPerUm;
+}
+
+void printText(const StepClearances& found) {
+    const Document& step = *found.step;
+    std::printf("step %s: %zu clearances\n", step.job.step.c_str(), found.clearances.size());
+    if (!found.clearances.empty()) {
+        std::printf("%10s  %-20s %11s %11s  %-32s %s\n", "gap um", "layer", "x mm", "y mm", "net", "net");
+    }
+    for (const Clearance& c : found.clearances) {
+        std::printf("%10.3f  %-20s %11.4f %11.4f  %-32s %s\n", micrometres(c.gap.distance),
+                    step.layer(c.layer).name.c_str(), base::toMm(c.gap.from.x), base::toMm(c.gap.from.y),
+                    netName(step, c.netA).c_str(), netName(step, c.netB).c_str());
+    }
+}
+
+/// A text as a cell of a table (RFC 4180).
+std::string cell(const std::string& text) {
+    std::string quoted = "\"";
+    for (const char c : text) {
+        quoted += c == '"' ? "\"\"" : std::string(1, c);
+    }
+    return quoted + "\"";
+}
+
+void printCsv(const StepClearances& found) {
+    for (const Clearance& c : found.clearances) {
+        std::printf("%s,%s,%.3f,%s,%s,%.6f,%.6f,%.6f,%.6f\n", cell(found.step->job.step).c_str(),
+                    cell(found.step->layer(c.layer).name).c_str(), micrometres(c.gap.distance),
+                    cell(netName(*found.step, c.netA)).c_str(), cell(netName(*found.step, c.netB)).c_str(),
+                    base::toMm(c.gap.from.x), base::toMm(c.gap.from.y), base::toMm(c.gap.to.x), base::toMm(c.gap.to.y));
+    }
+}
+
+nlohmann::ordered_json toJson(const StepClearances& found) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const Clearance& c : found.clearances) {
+        list.push_back({{"gap_um", micrometres(c.gap.distance)},
+                        {"layer", found.step->layer(c.layer).name},
+                        {"nets", {netName(*found.step, c.netA), netName(*found.step, c.netB)}},
+                        {"elements", {c.a.value, c.b.value}},
+                        {"from_mm", {base::toMm(c.gap.from.x), base::toMm(c.gap.from.y)}},
+                        {"to_mm", {base::toMm(c.gap.to.x), base::toMm(c.gap.to.y)}}});
+    }
+    return {{"step", found.step->job.step}, {"clearances", list}};
+}
+
+void print(const std::vector<StepClearances>& found, const std::string& format) {
+    if (format == "json") {
+        nlohmann::ordered_json steps = nlohmann::ordered_json::array();
+        for (const StepClearances& step : found) {
+            steps.push_back(toJson(step));
+        }
+        std::printf("%s\n", nlohmann::ordered_json{{"steps", steps}}.dump(2).c_str());
+        return;
+    }
+    if (format == "csv") {
+        std::printf("step,layer,gap um,net a,net b,x mm on a,y mm on a,x mm on b,y mm on b\n");
+    }
+    for (const StepClearances& step : found) {
+        format == "csv" ? printCsv(step) : printText(step);
+    }
+}
+
+/// Every step once; those without copper have nothing to say.
+base::Result<std::vector<StepClearances>> measureSteps(const Document& board, const ClearanceArguments& arguments,
+                                                       base::Progress& progress) {
+    std::vector<StepClearances> found;
+    bool hasNets = false;
+    for (const Document* step : model::distinctSteps(board)) {
+        hasNets = hasNets || !step->nets.empty();
+        if (step->nets.empty()) {
+            continue;
+        }
+        const base::Result<model::ClearanceQuestion> question = questionFor(*step, arguments);
+        if (!question) {
+            return question.error();
+        }
+        base::Result<std::vector<Clearance>> clearances = model::narrowestClearances(*step, *question, progress);
+        if (!clearances) {
+            return clearances.error();
+        }
+        found.push_back({step, std::move(*clearances)});
+    }
+    if (!hasNets) {
+        return base::Error{base::ErrorCode::BadInput,
+                           "the board has no nets, so nothing can be too close; --infer-nets finds them in the copper"};
+    }
+    return found;
+}
+
+}  // namespace
+
+int runClearance(const ClearanceArguments& arguments) {
+    ConsoleProgress console;
+    const auto board = openDocument(arguments.board, console.progress());
+    if (!board) {
+        return fail(board.error());
+    }
+    const auto found = measureSteps(**board, arguments, console.progress());
+    if (!found) {
+        return fail(found.error());
+    }
+    print(*found, arguments.format);
+    const bool isAnyClose = std::ranges::any_of(*found, [](const StepClearances& s) { return !s.clearances.empty(); });
+    return !arguments.below.empty() && isAnyClose ? kTooClose : kDone;
+}
+
+}  // namespace app

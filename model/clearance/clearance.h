@@ -1,0 +1,45 @@
+#pragma once
+
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "model/base/progress.h"
+#include "model/base/result.h"
+#include "model/document.h"
+#include "model/geometry/edges.h"
+
+/// How close copper of different nets comes to each other.
+namespace model {
+
+/// The narrowest place between two nets on one layer.
+struct Clearance {
+    LayerId layer;
+    NetId netA;  ///< the lower row; copper without a net counts as one more net behind all others ("none")
+    NetId netB;
+    ElementId a;  ///< of netA: copper of the layer, or a plated hole through it
+    ElementId b;
+    Gap gap;  ///< in nanometres; `from` lies on a, `to` on b; distance 0: they touch or overlap
+};
+
+/// Which clearances are asked for. Two nets are one answer per layer, however long they run side by side.
+struct ClearanceQuestion {
+    std::size_t count = 100;                                 ///< so many of the narrowest
+    double below = std::numeric_limits<double>::infinity();  ///< only gaps less than this, in nanometres
+    LayerId layer;                                           ///< only here; none: on all copper layers
+    std::pair<NetId, NetId> between;                         ///< only between these; none: any two
+};
+
+/// The narrowest gaps in the plane of a layer, in rising order. What takes part is the copper of the layer and the
+/// walls of plated holes that pass it, exact arcs and areas included. Left out: pairs of one net, copper without a net
+/// among itself, and copper without a net that touches the other net (it belongs to it). Copies of other steps are not
+/// part of it: they have a document of their own.
+///
+/// Neighbours are looked for within a distance that doubles until there are enough, so the cost follows the number of
+/// elements and of answers, not the number of pairs. The answer does not depend on the number of threads.
+/// Errors: Cancelled.
+[[nodiscard]] base::Result<std::vector<Clearance>> narrowestClearances(const Document& document,
+                                                                       const ClearanceQuestion& question,
+                                                                       base::Progress& progress);
+
+}  // namespace model

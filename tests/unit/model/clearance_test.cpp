@@ -1,0 +1,194 @@
+// How close different nets come: against every pair looked at, on one thread and on all.
+#include "model/clearance/clearance.h"
+
+#include <QtTest>
+#include <map>
+#include <random>
+
+#include "model/base/parallel.h"
+#include "model/document_builder.h"
+#include "model/geometry/distance.h"
+
+using model::Clearance;
+using model::ClearanceQuestion;
+using model::DocumentBuilder;
+using model::ElementId;
+using model::LayerId;
+using model::NetId;
+using model::Nm;
+using model::Point;
+
+namespace {
+
+constexpr Nm kUm = 1'000;
+
+DocumentBuilder::Origin of(NetId net, int flags = 0) {
+    DocumentBuilder::Origin origin;
+    origin.net = net;
+    origin.flags = static_cast<std::uint8_t>(flags);
+    return origin;
+}
+
+LayerId addCopper(DocumentBuilder& builder, const char* name) {
+    model::Layer layer;
+    layer.name = name;
+    layer.type = model::LayerType::Signal;
+    return builder.addLayer(layer);
+}
+
+/// Two layers of random tracks and pads of eight nets and of none.
+std::shared_ptr<const model::Document> randomBoard() {
+    DocumentBuilder builder;
+    const LayerId layers[] = {addCopper(builder, "top"), addCopper(builder, "bottom")};
+    std::vector<NetId> nets(1);  // none
+    for (int i = 0; i < 8; ++i) {
+        nets.push_back(builder.addNet("n" + std::to_string(i)));
+    }
+    std::mt19937 random(7);
+    const auto at = [&] { return static_cast<Nm>(random() % 20'000'000); };
+    for (const LayerId layer : layers) {
+        builder.beginLayer(layer);
+        for (int i = 0; i < 60; ++i) {
+            const NetId net = nets[random() % nets.size()];
+            const Point a{at(), at()};
+            const auto step = [&] { return static_cast<Nm>(random() % 2'000'000) - 1'000'000; };
+            if (i % 2 == 0) {
+                builder.addCircle({a, 200 * kUm, 0}, of(net));
+            } else {
+                builder.addLine({a, {a.x + step(), a.y + step()}, 100 * kUm, 0}, of(net));
+            }
+        }
+    }
+    return builder.finish();
+}
+
+std::vector<Clearance> clearancesOf(const model::Document& document, const ClearanceQuestion& question = {}) {
+    base::Progress progress;
+    return *model::narrowestClearances(document, question, progress);
+}
+
+/// Gap by layer and nets, every pair of elements looked at.
+std::vector<double> bruteForce(const model::Document& document) {
+    std::map<std::tuple<LayerId, NetId, NetId>, double> narrowest;
+    for (std::uint32_t i = 0; i < document.elements.size(); ++i) {
+        for (std::uint32_t j = i + 1; j < document.elements.size(); ++j) {
+            const NetId netI = document.elements.net[i], netJ = document.elements.net[j];
+            if (netI == netJ || document.elements.layer[i] != document.elements.layer[j]) {
+                continue;
+            }
+            const double gap = model::gapBetween(document, ElementId{i}, ElementId{j})->distance;
+            if (gap <= model::kTouchNm && (!netI.isValid() || !netJ.isValid())) {
+                continue;
+            }
+            const auto [low, high] = std::minmax(netI, netJ);
+            const auto [place, isFirst] = narrowest.try_emplace({document.elements.layer[i], low, high}, gap);
+            place->second = std::min(place->second, gap);
+        }
+    }
+    std::vector<double> gaps;
+    std::ranges::transform(narrowest, std::back_inserter(gaps), [](const auto& entry) { return entry.second; });
+    std::ranges::sort(gaps);
+    return gaps;
+}
+
+}  // namespace
+
+class ClearanceTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyPairOfNetsIsFoundAtItsNarrowest() {
+        const auto board = randomBoard();
+        ClearanceQuestion all;
+        all.count = 1'000;
+        const std::vector<Clearance> found = clearancesOf(*board, all);
+        const std::vector<double> expected = bruteForce(*board);
+        QCOMPARE(found.size(), expected.size());
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            QCOMPARE(found[i].gap.distance, expected[i]);
+            QCOMPARE(std::hypot(found[i].gap.to.x - found[i].gap.from.x, found[i].gap.to.y - found[i].gap.from.y) + 1.0,
+                     found[i].gap.distance + 1.0);
+        }
+    }
+
+    void fewOfThemAreTheSameAsTheFirstOfAll() {
+        const auto board = randomBoard();
+        ClearanceQuestion all;
+        all.count = 1'000;
+        const std::vector<Clearance> everything = clearancesOf(*board, all);
+        ClearanceQuestion few;
+        few.count = 5;
+        const base::ThreadLimit oneThread(1);
+        const std::vector<Clearance> found = clearancesOf(*board, few);
+        QCOMPARE(found.size(), std::size_t{5});
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            QCOMPARE(found[i].a, everything[i].a);
+            QCOMPARE(found[i].b, everything[i].b);
+            QCOMPARE(found[i].layer, everything[i].layer);
+        }
+    }
+
+    void questionsNarrowTheAnswer() {
+        const auto board = randomBoard();
+        ClearanceQuestion question;
+        question.count = 1'000;
+        const std::vector<Clearance> everything = clearancesOf(*board, question);
+        question.below = everything[3].gap.distance + 0.001;
+        QCOMPARE(clearancesOf(*board, question).size(), std::size_t{4});
+        question.below = everything.back().gap.distance + 1.0;
+        question.layer = LayerId{std::size_t{1}};
+        for (const Clearance& c : clearancesOf(*board, question)) {
+            QCOMPARE(c.layer, question.layer);
+        }
+        question.layer = {};
+        question.between = {NetId{std::size_t{4}}, NetId{std::size_t{2}}};
+        const std::vector<Clearance> two = clearancesOf(*board, question);
+        QCOMPARE(two.size(), std::size_t{2});  // one per layer
+        QVERIFY(two[0].netA == NetId{std::size_t{2}} && two[0].netB == NetId{std::size_t{4}});
+    }
+
+    void aPlatedHoleIsCopperOfEveryLayerItPasses() {
+        DocumentBuilder builder;
+        const LayerId top = addCopper(builder, "top");
+        const LayerId inner = addCopper(builder, "inner");
+        const LayerId bottom = addCopper(builder, "bottom");
+        model::Layer drill;
+        drill.type = model::LayerType::Drill;
+        drill.spanTop = top;
+        drill.spanBottom = inner;
+        const LayerId blind = builder.addLayer(drill);
+        const NetId a = builder.addNet("a"), b = builder.addNet("b");
+        for (const LayerId layer : {top, inner, bottom}) {
+            builder.beginLayer(layer);
+            if (layer != top) {
+                builder.addCircle({{500 * kUm, 0}, 200 * kUm, 0}, of(b));
+            }
+        }
+        builder.beginLayer(blind);
+        builder.addCircle({{0, 0}, 300 * kUm, 300 * kUm}, of(a, model::kHole | model::kPlated));
+        const std::vector<Clearance> found = clearancesOf(*builder.finish());
+        QCOMPARE(found.size(), std::size_t{1});
+        QCOMPARE(found[0].layer, inner);
+        QCOMPARE(found[0].gap.distance, 250.0 * kUm);
+    }
+
+    void copperOfNobodyThatTouchesANetIsPartOfIt() {
+        DocumentBuilder builder;
+        builder.beginLayer(addCopper(builder, "top"));
+        const NetId a = builder.addNet("a");
+        builder.addCircle({{0, 0}, 200 * kUm, 0}, of(a));
+        builder.addCircle({{100 * kUm, 0}, 200 * kUm, 0}, of({}));
+        const auto touching = builder.finish();
+        QVERIFY(clearancesOf(*touching).empty());
+    }
+
+    void aCancelIsSaid() {
+        base::Progress progress;
+        progress.cancel();
+        QVERIFY(!model::narrowestClearances(*randomBoard(), {}, progress));
+    }
+};
+
+QTEST_GUILESS_MAIN(ClearanceTest)
+
+#include "clearance_test.moc"
