@@ -15,4 +15,7 @@ extern const char* const kFuzzCorpus;
 /// The program itself, for tests of the command line.
 extern const char* const kProgram;
 
+/// Does COPPERSCOPE_THOROUGH ask for everything, where a test of every day takes a sample (docs/testing.md)?
+[[nodiscard]] bool isThorough();
+
 }  // namespace places

@@ -5,11 +5,12 @@
 #include <random>
 
 #include "targets.h"
+#include "tests/places.h"
 
 namespace {
 
 /// All prefixes of short texts; of longer ones this many, evenly spread, and all of the last. With
-/// COPPERSCOPE_EVERY_PREFIX=1 all of all.
+/// COPPERSCOPE_THOROUGH=1 all of all.
 constexpr std::size_t kMostPrefixes = 400;
 constexpr std::size_t kLastPrefixes = 64;
 constexpr int kChanges = 100;
@@ -46,9 +47,7 @@ private slots:
         const fuzz::Target& target = fetchTarget();
         for (const fuzz::File& seed : fuzz::seedsOf(target)) {
             const std::size_t size = seed.text.size();
-            const std::size_t stride = qEnvironmentVariableIsSet("COPPERSCOPE_EVERY_PREFIX")
-                                           ? 1
-                                           : std::max<std::size_t>(size / kMostPrefixes, 1);
+            const std::size_t stride = places::isThorough() ? 1 : std::max<std::size_t>(size / kMostPrefixes, 1);
             for (std::size_t length = 0; length <= size; length += length + kLastPrefixes < size ? stride : 1) {
                 runOn(target, std::string_view(seed.text).substr(0, length));
             }
