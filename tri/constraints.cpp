@@ -46,8 +46,8 @@ struct IsContour {
 
 class Inserter {
 public:
-    Inserter(Mesh& mesh, Contours& contours)
-        : m_mesh(mesh), m_contours(contours), m_triangleAt(trianglesAtVertices(mesh)) {}
+    Inserter(Mesh& mesh, Contours& contours, Scratch<std::uint32_t>& memory)
+        : m_mesh(mesh), m_contours(contours), m_triangleAt(trianglesAtVertices(mesh, memory)) {}
 
     /// `isStart`: from which vertices, of those that are not busy, the contour edge is there.
     Status run(const std::uint8_t* isStart) {
@@ -170,12 +170,13 @@ private:
 
 }  // namespace
 
-Status insertContours(Mesh& mesh, Contours& contours, Cores cores, Scratch<std::uint8_t>& scratch) {
+Status insertContours(Mesh& mesh, Contours& contours, Cores cores, Scratch<std::uint8_t>& scratch,
+                      Scratch<std::uint32_t>& vertexScratch) {
     std::uint8_t* isStart = scratch.room(mesh.vertexCount + kBoxCorners);
     if (markPresent(mesh, contours, cores, isStart) == contours.edgeCount()) {
         return {};
     }
-    return Inserter(mesh, contours).run(isStart);
+    return Inserter(mesh, contours, vertexScratch).run(isStart);
 }
 
 }  // namespace tri

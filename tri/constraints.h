@@ -11,7 +11,8 @@ namespace tri {
 /// contour is made of edges, all other edges are locally Delaunay. Nearly all contour edges of a board are there
 /// already; a missing one replaces the triangles it crosses. A contour edge that runs through vertices is split there
 /// (`contours` afterwards has the pieces). Crossing if two contour edges cross or lie on each other in one direction;
-/// the mesh is of no further use then. `scratch` is overwritten.
-[[nodiscard]] Status insertContours(Mesh& mesh, Contours& contours, Cores cores, Scratch<std::uint8_t>& scratch);
+/// the mesh is of no further use then. `scratch` and `vertexScratch` are overwritten.
+[[nodiscard]] Status insertContours(Mesh& mesh, Contours& contours, Cores cores, Scratch<std::uint8_t>& scratch,
+                                    Scratch<std::uint32_t>& vertexScratch);
 
 }  // namespace tri

@@ -19,8 +19,9 @@ bool isForward(const Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t
 
 }  // namespace
 
-TriangleAt trianglesAtVertices(const Mesh& mesh) {
-    TriangleAt triangleAt(mesh.vertexCount + kBoxCorners);
+TriangleAt trianglesAtVertices(const Mesh& mesh, Scratch<std::uint32_t>& memory) {
+    const std::size_t count = std::size_t{mesh.vertexCount} + kBoxCorners;
+    const TriangleAt triangleAt(memory.room(count), count);
     for (std::uint32_t t = 0; t < mesh.triangleCount; ++t) {
         for (const std::uint32_t vertex : mesh.triangles[t].v) {
             triangleAt[vertex] = t;
@@ -29,7 +30,7 @@ TriangleAt trianglesAtVertices(const Mesh& mesh) {
     return triangleAt;
 }
 
-Ahead lookAhead(const Mesh& mesh, const TriangleAt& triangleAt, std::uint32_t a, std::uint32_t b) {
+Ahead lookAhead(const Mesh& mesh, TriangleAt triangleAt, std::uint32_t a, std::uint32_t b) {
     std::uint32_t at = triangleAt[a];
     for (;;) {
         const Triangle& t = mesh.triangles[at];
@@ -58,8 +59,7 @@ Ahead lookAhead(const Mesh& mesh, EdgeRef crossed, std::uint32_t a, std::uint32_
     return {kNoVertex, EdgeRef::of(entered.triangle(), corner)};
 }
 
-std::vector<std::uint32_t> verticesBetween(const Mesh& mesh, const TriangleAt& triangleAt, std::uint32_t a,
-                                           std::uint32_t b) {
+std::vector<std::uint32_t> verticesBetween(const Mesh& mesh, TriangleAt triangleAt, std::uint32_t a, std::uint32_t b) {
     std::vector<std::uint32_t> between;
     for (std::uint32_t at = a; at != b; between.push_back(at)) {
         Ahead ahead = lookAhead(mesh, triangleAt, at, b);
@@ -172,7 +172,7 @@ void Corridor::connect(Mesh& mesh, const Chain& chain) {
     }
 }
 
-void Corridor::rebuild(Mesh& mesh, TriangleAt& triangleAt, std::vector<EdgeRef>& dirty) {
+void Corridor::rebuild(Mesh& mesh, TriangleAt triangleAt, std::vector<EdgeRef>& dirty) {
     if (m_triangles.empty()) {
         return;
     }

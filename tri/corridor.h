@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "tri/mesh.h"
@@ -8,8 +9,9 @@
 namespace tri {
 
 /// A triangle at every vertex. Kept right while corridors are rebuilt, so that missing edges can start anywhere.
-using TriangleAt = std::vector<std::uint32_t>;
-[[nodiscard]] TriangleAt trianglesAtVertices(const Mesh& mesh);
+using TriangleAt = std::span<std::uint32_t>;
+/// In `memory`.
+[[nodiscard]] TriangleAt trianglesAtVertices(const Mesh& mesh, Scratch<std::uint32_t>& memory);
 
 inline constexpr std::uint32_t kNoVertex = 0xFFFFFFFF;
 
@@ -20,14 +22,14 @@ struct Ahead {
 };
 
 /// What is ahead at a itself; its vertex is b if the edge a-b exists.
-[[nodiscard]] Ahead lookAhead(const Mesh& mesh, const TriangleAt& triangleAt, std::uint32_t a, std::uint32_t b);
+[[nodiscard]] Ahead lookAhead(const Mesh& mesh, TriangleAt triangleAt, std::uint32_t a, std::uint32_t b);
 
 /// What is ahead after crossing an edge.
 [[nodiscard]] Ahead lookAhead(const Mesh& mesh, EdgeRef crossed, std::uint32_t a, std::uint32_t b);
 
 /// Vertices strictly between a and b on the segment, in order.
-[[nodiscard]] std::vector<std::uint32_t> verticesBetween(const Mesh& mesh, const TriangleAt& triangleAt,
-                                                         std::uint32_t a, std::uint32_t b);
+[[nodiscard]] std::vector<std::uint32_t> verticesBetween(const Mesh& mesh, TriangleAt triangleAt, std::uint32_t a,
+                                                         std::uint32_t b);
 
 /// The triangles that the segment from vertex a to vertex b crosses, and what borders on them.
 class Corridor {
@@ -39,7 +41,7 @@ public:
 
     /// Walks from a to b. `isFixed(u, v)` tells which edges have to stay.
     template <class IsFixed>
-    [[nodiscard]] Way explore(const Mesh& mesh, const TriangleAt& triangleAt, std::uint32_t a, std::uint32_t b,
+    [[nodiscard]] Way explore(const Mesh& mesh, TriangleAt triangleAt, std::uint32_t a, std::uint32_t b,
                               const IsFixed& isFixed) {
         m_blocking = kOutside;
         Ahead ahead = lookAhead(mesh, triangleAt, a, b);
@@ -62,7 +64,7 @@ public:
 
     /// After a clear way: replaces the triangles by others that have the edge a-b, and keeps `triangleAt` right.
     /// Appends the edges of the new triangles to `dirty`. Nothing happens if the edge is there already.
-    void rebuild(Mesh& mesh, TriangleAt& triangleAt, std::vector<EdgeRef>& dirty);
+    void rebuild(Mesh& mesh, TriangleAt triangleAt, std::vector<EdgeRef>& dirty);
 
 private:
     /// One side of the corridor: the vertices from a to b, and what happens to the edges between them.

@@ -48,11 +48,11 @@ private:
         if (bytes < 2 * kLargePage) {
             return std::malloc(bytes);
         }
-        const std::size_t whole = (bytes + kLargePage - 1) / kLargePage * kLargePage;
-        void* memory = std::aligned_alloc(kLargePage, whole);
-        if (memory != nullptr) {
-            madvise(memory, whole, MADV_HUGEPAGE);  // a wish: nothing is lost if it is not granted
+        void* memory = nullptr;
+        if (posix_memalign(&memory, kLargePage, bytes) != 0) {
+            return nullptr;
         }
+        madvise(memory, bytes, MADV_HUGEPAGE);  // a wish: nothing is lost if it is not granted
         return memory;
     }
 

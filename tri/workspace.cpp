@@ -25,14 +25,14 @@ Status Workspace::start(const Polygon& polygon, Cores cores) {
     mesh.triangles.room(2 * (count + kBoxCorners));
     mesh.points.room(count + kBoxCorners);
     mesh.ids.room(count + kBoxCorners);
-    const VertexOrder order = orderVertices(polygon.points, cores, mesh, vertexOf.room(count));
+    const VertexOrder order = orderVertices(polygon.points, cores, mesh, vertexOf.room(count + kBoxCorners));
     contours.build(polygon, mesh, vertexOf.data(), order.merged);
     roundStart = order.roundStart;
     return {contours.edgeCount() == 0 ? Outcome::Degenerate : Outcome::Ok, kNoEdge, kNoEdge};
 }
 
 Status Workspace::finish(Cores cores, std::vector<std::uint32_t>& triangles) {
-    const Status inserted = insertContours(mesh, contours, cores, states);
+    const Status inserted = insertContours(mesh, contours, cores, states, vertexOf);
     if (inserted.outcome != Outcome::Ok) {
         return inserted;
     }

@@ -15,7 +15,7 @@ namespace tri {
 struct Workspace {
     Mesh mesh;
     Contours contours;
-    Scratch<std::uint32_t> vertexOf;
+    Scratch<std::uint32_t> vertexOf;  ///< per index; overwritten by finish()
     Scratch<std::uint8_t> states;
     RoundStarts roundStart{};
 
