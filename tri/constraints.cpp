@@ -112,7 +112,8 @@ private:
 
     /// Does any other contour run along a part of this one?
     [[nodiscard]] bool hasCompany(std::uint32_t from, std::uint32_t to) const {
-        const auto [low, high] = std::minmax(m_mesh.points[from], m_mesh.points[to]);
+        const Point low = std::min(m_mesh.points[from], m_mesh.points[to]);
+        const Point high = std::max(m_mesh.points[from], m_mesh.points[to]);
         bool found = false;
         m_contours.forEachEdge(m_mesh, [&](const DirectedEdge& other) {
             const auto [otherLow, otherHigh] = std::minmax(m_mesh.points[other.from], m_mesh.points[other.to]);
