@@ -9,6 +9,7 @@
 #include "model/base/units.h"
 #include "model/clearance/clearance.h"
 #include "model/copies.h"
+#include "model/export_text.h"
 #include "model/session/length_text.h"
 
 namespace app {
@@ -98,21 +99,13 @@ void printText(const StepClearances& found) {
     }
 }
 
-/// A text as a cell of a table (RFC 4180).
-std::string cell(const std::string& text) {
-    std::string quoted = "\"";
-    for (const char c : text) {
-        quoted += c == '"' ? "\"\"" : std::string(1, c);
-    }
-    return quoted + "\"";
-}
-
 void printCsv(const StepClearances& found) {
     for (const Clearance& c : found.clearances) {
-        std::printf("%s,%s,%.3f,%s,%s,%.6f,%.6f,%.6f,%.6f\n", cell(found.step->job.step).c_str(),
-                    cell(found.step->layer(c.layer).name).c_str(), micrometres(c.gap.distance),
-                    cell(netName(*found.step, c.netA)).c_str(), cell(netName(*found.step, c.netB)).c_str(),
-                    base::toMm(c.gap.from.x), base::toMm(c.gap.from.y), base::toMm(c.gap.to.x), base::toMm(c.gap.to.y));
+        std::printf("%s,%s,%.3f,%s,%s,%.6f,%.6f,%.6f,%.6f\n", model::csvField(found.step->job.step).c_str(),
+                    model::csvField(found.step->layer(c.layer).name).c_str(), micrometres(c.gap.distance),
+                    model::csvField(netName(*found.step, c.netA)).c_str(),
+                    model::csvField(netName(*found.step, c.netB)).c_str(), base::toMm(c.gap.from.x),
+                    base::toMm(c.gap.from.y), base::toMm(c.gap.to.x), base::toMm(c.gap.to.y));
     }
 }
 

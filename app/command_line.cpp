@@ -162,6 +162,22 @@ void addClearance(CLI::App& parser, ClearanceArguments& arguments) {
         ->capture_default_str();
 }
 
+void addSection(CLI::App& parser, SectionArguments& arguments) {
+    CLI::App* command = parser.add_subcommand("section", "Cut a board open along a line");
+    addBoardOptions(*command, arguments.board);
+    command->add_option("--line", arguments.line, "X0,Y0,X1,Y1[,X2,Y2...] in millimetres of the job's coordinates")
+        ->delimiter(',')
+        ->required();
+    command->add_option("--layers", arguments.layers, "only these layers, separated by commas")->delimiter(',');
+    command->add_option("--format", arguments.format, "svg, json or csv")
+        ->check(CLI::IsMember({"svg", "json", "csv"}))
+        ->capture_default_str();
+    command
+        ->add_option("--height-times", arguments.heightTimes,
+                     "draw heights so many times larger than lengths; default: as reads well")
+        ->check(CLI::Range(0.01, 10'000.0));
+}
+
 /// The other thing that `bench` measures, with options of its own.
 void addTriangulationBench(CLI::App* command, bool& isWanted, TriangulationBenchArguments& arguments) {
     CLI::Option* wanted =
@@ -205,6 +221,7 @@ Command parseCommandLine(int argc, char** argv) {
     GenerateArguments generate;
     BenchArguments bench;
     ClearanceArguments clearance;
+    SectionArguments section;
     parser.add_option("BOARD", workbench.path, "the board to open in the workbench; default: the sample");
     parser.add_option("--step", workbench.step, "the step to open");
     addStackOptions(parser, workbench.thicknesses, workbench.noSession);
@@ -214,6 +231,7 @@ Command parseCommandLine(int argc, char** argv) {
     addGenerate(parser, generate);
     addBench(parser, bench);
     addClearance(parser, clearance);
+    addSection(parser, section);
     bool isTriangulationBench = false;
     TriangulationBenchArguments triangulationBench;
     addTriangulationBench(parser.get_subcommand("bench"), isTriangulationBench, triangulationBench);
@@ -236,6 +254,9 @@ Command parseCommandLine(int argc, char** argv) {
     }
     if (parser.got_subcommand("clearance")) {
         return clearance;
+    }
+    if (parser.got_subcommand("section")) {
+        return section;
     }
     if (parser.got_subcommand("bench")) {
         triangulationBench.boards = bench.boards;

@@ -9,6 +9,7 @@
 #include "app/generate_command.h"
 #include "app/info_command.h"
 #include "app/render_command.h"
+#include "app/section_command.h"
 #include "app/triangulation_bench.h"
 
 namespace app {
@@ -28,7 +29,7 @@ struct Quit {
 };
 
 using Command = std::variant<WorkbenchArguments, InfoArguments, RenderArguments, GenerateArguments, BenchArguments,
-                             TriangulationBenchArguments, ClearanceArguments, Quit>;
+                             TriangulationBenchArguments, ClearanceArguments, SectionArguments, Quit>;
 
 /// Understands the command line of docs/architecture.md.
 [[nodiscard]] Command parseCommandLine(int argc, char** argv);

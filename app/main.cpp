@@ -19,6 +19,7 @@ struct Run {
         return app::runTriangulationBench(arguments);
     }
     int operator()(const app::ClearanceArguments& arguments) const { return app::runClearance(arguments); }
+    int operator()(const app::SectionArguments& arguments) const { return app::runSection(arguments); }
     int operator()(const app::Quit& quit) const { return quit.code; }
 };
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -19,13 +18,6 @@ constexpr std::size_t kLargeArea = 256;
 constexpr std::size_t kMostKeptEdges = 4'000'000;
 /// Halvings of a way through a layer: to 1 nm of 1 m.
 constexpr int kHalvings = 30;
-
-PointD toStep(const Placement& placement, PointD p) {
-    const double turn = placement.clockwiseDeg * std::numbers::pi / 180.0;
-    const double x = (placement.isMirrored ? -1.0 : 1.0) * (p.x - placement.origin.x);
-    const double y = p.y - placement.origin.y;
-    return {x * std::cos(turn) - y * std::sin(turn), x * std::sin(turn) + y * std::cos(turn)};
-}
 
 Point rounded(PointD p) {
     const auto clamp = [](double v) {
@@ -160,7 +152,8 @@ void Picker::collect(const Probe& probe, LayerId only, std::vector<Hit>& hits) {
     for (std::uint32_t copy = 0; copy < m_index->tree.copies.size(); ++copy) {
         const StepCopy& placed = m_index->tree.copies[copy];
         const Document& step = *m_index->tree.steps[placed.step];
-        const Box box = boxAround(toStep(placed.placement, probe.a), toStep(placed.placement, probe.b), probe.reach);
+        const Box box =
+            boxAround(unplaced(probe.a, placed.placement), unplaced(probe.b, placed.placement), probe.reach);
         m_index->elements[placed.step].visit(box, [&](std::uint32_t row) {
             const ElementId element{row};
             const LayerId layer = step.layerOfCopy(step.elements.layer[row], placed.isFlipped);
@@ -175,8 +168,8 @@ void Picker::collect(const Probe& probe, LayerId only, std::vector<Hit>& hits) {
             if (!own) {
                 return;
             }
-            const PointD a = toStep(placed.placement, own->a);
-            const PointD b = toStep(placed.placement, own->b);
+            const PointD a = unplaced(own->a, placed.placement);
+            const PointD b = unplaced(own->b, placed.placement);
             const FigureTable& figures = figuresOf(placed.step, element);
             const double missedBy = gapTo(figures, a, b, probe.reach);
             if (missedBy > probe.reach) {
@@ -253,7 +246,7 @@ std::vector<BoardElement> Picker::inside(const Box& box, bool isTouching, std::s
         std::array<PointD, 4> sides;
         Box local;
         for (std::size_t i = 0; i < corners.size(); ++i) {
-            sides[i] = toStep(placed.placement, base::toDouble(corners[i]));
+            sides[i] = unplaced(base::toDouble(corners[i]), placed.placement);
             local.include(rounded(sides[i]));
         }
         const auto touches = [&](const FigureTable& figures) {

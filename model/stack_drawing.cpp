@@ -38,20 +38,6 @@ void placeBands(const std::vector<StackRow>& rows, StackDrawing& out) {
     }
 }
 
-/// Moves labels apart as little as needed: down where they overlap, then up again from the lower edge.
-void spreadLabels(double lineHeight, StackDrawing& out) {
-    double free = lineHeight / 2;
-    for (StackBand& band : out.bands) {
-        band.label = std::max(band.label, free);
-        free = band.label + lineHeight;
-    }
-    double last = out.height - lineHeight / 2;
-    for (auto band = out.bands.rbegin(); band != out.bands.rend(); ++band) {
-        band->label = std::min(band->label, last);
-        last = band->label - lineHeight;
-    }
-}
-
 const StackBand* bandOf(const Document& document, const StackDrawing& drawing, LayerId layer) {
     const auto& rows = document.stackup.rows;
     const auto row = std::ranges::find(rows, layer, &StackRow::layer);
@@ -101,6 +87,20 @@ std::string sizesText(const StackBore& bore) {
 }
 
 }  // namespace
+
+/// Down where they overlap, then up again from the lower edge.
+void spreadLabels(double lineHeight, StackDrawing& out) {
+    double free = lineHeight / 2;
+    for (StackBand& band : out.bands) {
+        band.label = std::max(band.label, free);
+        free = band.label + lineHeight;
+    }
+    double last = out.height - lineHeight / 2;
+    for (auto band = out.bands.rbegin(); band != out.bands.rend(); ++band) {
+        band->label = std::min(band->label, last);
+        last = band->label - lineHeight;
+    }
+}
 
 StackDrawing drawStack(const Document& document, const StackLayout& layout) {
     const std::vector<StackRow>& rows = document.stackup.rows;

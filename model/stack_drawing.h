@@ -45,6 +45,9 @@ struct StackDrawing {
 /// Empty for boards that have no stack rows. Holes whose ends are no rows of the stack are left out.
 [[nodiscard]] StackDrawing drawStack(const Document& document, const StackLayout& layout);
 
+/// Moves the labels of bands, which are listed from the top, apart as little as needed to keep each within `height`.
+void spreadLabels(double lineHeight, StackDrawing& drawing);
+
 /// "DRILL: through, plated, 1204 holes of 0.2 to 3.2 mm"
 [[nodiscard]] std::string boreText(const Document& document, const StackBore& bore);
 

@@ -1,10 +1,10 @@
 #include "model/stack_export.h"
 
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <fstream>
 
+#include "model/export_text.h"
 #include "model/stack_drawing.h"
 #include "model/stackup.h"
 
@@ -41,53 +41,14 @@ const char* colourOf(LayerType type) {
     return "#cccccc";
 }
 
-/// Text as XML takes it: no markup, no control characters, and "?" for bytes that are no UTF-8.
-std::string xml(const std::string& text) {
-    std::string out;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const auto byte = static_cast<unsigned char>(text[i]);
-        const std::size_t more = byte >= 0xf0 ? 3 : byte >= 0xe0 ? 2 : byte >= 0xc0 ? 1 : 0;
-        bool isWhole = byte < 0x80 || (more > 0 && byte < 0xf8 && i + more < text.size());
-        for (std::size_t k = 1; isWhole && k <= more; ++k) {
-            isWhole = (static_cast<unsigned char>(text[i + k]) & 0xc0U) == 0x80;
-        }
-        if (!isWhole || byte < 0x20) {
-            out += isWhole ? ' ' : '?';
-        } else if (more > 0) {
-            out += text.substr(i, more + 1);
-            i += more;
-        } else {
-            out += text[i] == '<'   ? "&lt;"
-                   : text[i] == '&' ? "&amp;"
-                   : text[i] == '"' ? "&quot;"
-                                    : std::string(1, text[i]);
-        }
-    }
-    return out;
-}
-
-template <class... Values>
-std::string format(const char* pattern, Values... values) {
-    char text[512];
-    std::snprintf(text, sizeof text, pattern, values...);
-    return text;
-}
-
-std::string svgText(double x, double y, const std::string& text, const char* style = "") {
-    return format("<text x=\"%.1f\" y=\"%.1f\"%s>", x, y, style) + xml(text) + "</text>\n";
-}
-
-std::string lengthText(Nm length) {
-    return length < 1'000'000 ? format("%.5g µm", length / base::kNmPerUm) : format("%.5g mm", base::toMm(length));
-}
-
 std::string svgBand(const StackRow& row, const StackBand& band) {
-    std::string out = format(
+    std::string out = formatted(
         "<rect x=\"%.1f\" y=\"%.3f\" width=\"%.1f\" height=\"%.3f\" fill=\"%s\" stroke=\"#00000040\" "
         "stroke-width=\"0.5\"/>\n",
         kBoardLeft, kTop + band.top, kBoardWidth, band.bottom - band.top, colourOf(row.type));
     const double middle = kTop + (band.top + band.bottom) / 2;
-    out += format("<path d=\"M%.1f %.2f h8 L%.1f %.2f h6\" fill=\"none\" stroke=\"#888888\" stroke-width=\"0.7\"/>\n",
+    out +=
+        formatted("<path d=\"M%.1f %.2f h8 L%.1f %.2f h6\" fill=\"none\" stroke=\"#888888\" stroke-width=\"0.7\"/>\n",
                   kBoardLeft + kBoardWidth, middle, kLabelLeft - 10, kTop + band.label);
     const double base = kTop + band.label + 4;
     const char* style = row.source == Source::Assumed ? " font-style=\"italic\"" : "";
@@ -102,7 +63,7 @@ std::string svgBore(const StackBore& bore, std::size_t number, std::size_t count
     const double x = kBoardLeft + kBoardWidth * (static_cast<double>(number) + 0.5) / static_cast<double>(count);
     const bool isBackdrill = bore.span == HoleSpan::Backdrill;
     const char* wall = bore.isPlated ? "#c8793a" : "#888888";
-    return format(
+    return formatted(
                "<rect x=\"%.1f\" y=\"%.3f\" width=\"%.1f\" height=\"%.3f\" fill=\"%s\" stroke=\"%s\" "
                "stroke-width=\"%.1f\"/>\n",
                x - kBoreWidth / 2, kTop + bore.top, kBoreWidth, bore.bottom - bore.top,
@@ -110,24 +71,14 @@ std::string svgBore(const StackBore& bore, std::size_t number, std::size_t count
            svgText(x, kTop - 6, std::to_string(number + 1), " text-anchor=\"middle\"");
 }
 
-std::string csvField(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) {
-        return text;
-    }
-    std::string quoted = "\"";
-    for (const char c : text) {
-        quoted += c == '"' ? "\"\"" : std::string(1, c);
-    }
-    return quoted + '"';
-}
-
 std::string csvNumber(const std::optional<double>& value) {
-    return value ? format("%.6g", *value) : "";
+    return value ? formatted("%.6g", *value) : "";
 }
 
 std::string titleOf(const Document& document, const StackDrawing& drawing) {
-    const std::string scale =
-        drawing.copperTimes > 1.0 ? format("copper %g times as thick, else to scale", drawing.copperTimes) : "to scale";
+    const std::string scale = drawing.copperTimes > 1.0
+                                  ? formatted("copper %g times as thick, else to scale", drawing.copperTimes)
+                                  : "to scale";
     return document.job.name + ": " + lengthText(document.boardThickness) + ", " + scale;
 }
 
@@ -136,7 +87,7 @@ std::string titleOf(const Document& document, const StackDrawing& drawing) {
 std::string stackSvg(const Document& document, bool isExaggerated) {
     const StackDrawing drawing = drawStack(document, {kHeight, kLine, isExaggerated});
     const double height = kTop + drawing.height + kLine * (static_cast<double>(drawing.bores.size()) + 2.0);
-    std::string out = format(
+    std::string out = formatted(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"%.0f\" height=\"%.0f\" "
         "font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"100%%\" height=\"100%%\" fill=\"#ffffff\"/>\n",
         kWidth, height);

@@ -37,7 +37,8 @@ std::array<PointD, 2> counterClockwiseEnds(const Edge& arc) {
     return arc.isClockwise ? std::array{w, u} : std::array{u, w};
 }
 
-/// Does the arc pass the direction `v` from its centre?
+}  // namespace
+
 bool passes(const Edge& arc, PointD v) {
     if (arc.isFullCircle()) {
         return true;
@@ -52,6 +53,8 @@ bool passes(const Edge& arc, PointD v) {
     const bool isAtMostHalf = turn >= 0;
     return isAtMostHalf ? isBehindStart && isBeforeEnd : isBehindStart || isBeforeEnd;
 }
+
+namespace {
 
 /// The shortest connection found so far between the middles of two edges.
 struct Nearest {
@@ -222,6 +225,13 @@ Edge edgeOf(const PathNode& from, Point to) {
         edge.isClockwise = from.edge == EdgeKind::ArcClockwise;
     }
     return edge;
+}
+
+PointD unplaced(PointD p, const Placement& placement) {
+    const double turn = placement.clockwiseDeg * std::numbers::pi / 180.0;
+    const double x = (placement.isMirrored ? -1.0 : 1.0) * (p.x - placement.origin.x);
+    const double y = p.y - placement.origin.y;
+    return {x * std::cos(turn) - y * std::sin(turn), x * std::sin(turn) + y * std::cos(turn)};
 }
 
 Edge placed(const Edge& edge, const Placement& placement) {

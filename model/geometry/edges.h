@@ -22,6 +22,10 @@ struct Edge {
 
 /// The edge from a path node to the next point.
 [[nodiscard]] Edge edgeOf(const PathNode& from, Point to);
+/// Where a placed point was before: undoes Placement::apply.
+[[nodiscard]] PointD unplaced(PointD p, const Placement& placement);
+/// Does the arc pass the direction `v` from its centre?
+[[nodiscard]] bool passes(const Edge& arc, PointD v);
 /// The same edge laid on the board.
 [[nodiscard]] Edge placed(const Edge& edge, const Placement& placement);
 /// Smallest box around the edge and its pen, rounded outwards.

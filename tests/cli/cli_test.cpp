@@ -3,6 +3,7 @@
 #include <QJsonObject>
 #include <QProcess>
 #include <QTemporaryDir>
+#include <QXmlStreamReader>
 #include <QtTest>
 
 #include "tests/places.h"
@@ -194,6 +195,33 @@ private slots:
         QCOMPARE(below(narrowest - 1.0), 0);
         QCOMPARE(copperscope({"clearance", places::kSample, "--below", "3 apples"}).exitCode, 1);
         QCOMPARE(copperscope({"clearance", places::kSample, "--layer", "nowhere"}).exitCode, 1);
+    }
+
+    void sectionShowsWhatALineCuts() {
+        const Outcome run =
+            copperscope({"section", places::kSample, "--line", "-1000,20,1000,20.5", "--format", "json"});
+        QVERIFY2(run.exitCode == 0, run.err.constData());
+        const QJsonObject section = QJsonDocument::fromJson(run.out).object();
+        QSet<QString> layers;
+        for (const QJsonValue& piece : section["pieces"].toArray()) {
+            layers.insert(piece["layer"].toString());
+            QVERIFY(piece["from_nm"].toDouble() < piece["to_nm"].toDouble());
+            QVERIFY(piece["bottom_nm"].toInt() <= piece["top_nm"].toInt());
+        }
+        QVERIFY2(layers.size() > 3, run.out.constData());
+        QXmlStreamReader svg(copperscope({"section", places::kSample, "--line", "-1000,20,1000,20.5"}).out);
+        while (!svg.atEnd()) {
+            svg.readNext();
+        }
+        QVERIFY2(!svg.hasError(), qPrintable(svg.errorString()));
+        const Outcome beside =
+            copperscope({"section", places::kSample, "--line", "900,900,901,900", "--format", "csv"});
+        QCOMPARE(beside.exitCode, 0);
+        QCOMPARE(beside.out.count('\n'), 1);
+        for (const char* line : {"1,2,3", "1,2,1,2", "1,2", "0,0,5000,0"}) {
+            QCOMPARE(copperscope({"section", places::kSample, "--line", line}).exitCode, 1);
+        }
+        QCOMPARE(copperscope({"section", places::kSample, "--line", "0,0,1,1", "--layers", "nowhere"}).exitCode, 1);
     }
 
     void benchRefusesOptionsOfTheOtherMeasurement() {

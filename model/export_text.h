@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdio>
+#include <string>
+
+#include "model/base/units.h"
+
+/// Words and numbers as files for others want them.
+namespace model {
+
+/// Text as XML takes it: no markup, no control characters, and "?" for bytes that are no UTF-8.
+[[nodiscard]] std::string xmlText(const std::string& text);
+/// A cell of a comma separated table (RFC 4180), in quotes where it needs them.
+[[nodiscard]] std::string csvField(const std::string& text);
+/// "<text>" of SVG; `style` is more attributes with a space before each.
+[[nodiscard]] std::string svgText(double x, double y, const std::string& text, const char* style = "");
+/// "35 µm" below a millimetre, "1.6 mm" from there.
+[[nodiscard]] std::string lengthText(base::Nm length);
+
+/// As printf has it, up to 511 bytes.
+template <class... Values>
+[[nodiscard]] std::string formatted(const char* pattern, Values... values) {
+    char text[512];
+    std::snprintf(text, sizeof text, pattern, values...);
+    return text;
+}
+
+}  // namespace model

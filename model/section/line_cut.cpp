@@ -1,0 +1,267 @@
+#include "model/section/line_cut.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/geometry/figures.h"
+
+namespace model {
+
+namespace {
+
+/// Lines this little apart in direction do not meet on a board.
+constexpr double kParallel = 1e-14;
+
+/// Where a line passes a contour, and how that changes how often the contour winds around the line's points.
+struct Crossing {
+    double at = 0.0;
+    int turn = 0;
+};
+
+/// Adds the places where a line passes the edges of one contour. What decides is on which side of the line vertices
+/// lie, so that the turns of a closed contour add up to nothing, whatever rounding does to the places.
+class ContourCrossings {
+public:
+    explicit ContourCrossings(const CutLine& line) : m_line(line) {}
+
+    void add(const Edge& edge) {
+        const double from = m_line.beside(edge.a);
+        const double to = m_line.beside(edge.b);
+        edge.isArc() ? addArc(edge, from >= 0, to >= 0) : addLine(edge, from, to);
+    }
+
+    /// The places inside of the contour; forgets it.
+    [[nodiscard]] Intervals take() {
+        std::ranges::sort(m_crossings, {}, &Crossing::at);
+        std::vector<Interval> inside;
+        int winding = 0;
+        for (std::size_t i = 0; i + 1 < m_crossings.size(); ++i) {
+            winding += m_crossings[i].turn;
+            if (winding != 0) {
+                inside.push_back({m_crossings[i].at, m_crossings[i + 1].at});
+            }
+        }
+        m_crossings.clear();
+        return united(std::move(inside));
+    }
+
+private:
+    void addLine(const Edge& edge, double from, double to) {
+        if ((from >= 0) == (to >= 0)) {
+            return;
+        }
+        const double a = m_line.along(edge.a);
+        const double b = m_line.along(edge.b);
+        m_crossings.push_back({a + (b - a) * (from / (from - to)), to >= 0 ? 1 : -1});
+    }
+
+    /// An arc is followed over the points where it is farthest from the line; between those it passes the line once at
+    /// most.
+    void addArc(const Edge& arc, bool isFromLeft, bool isToLeft) {
+        const double height = m_line.beside(arc.centre);
+        const PointD left = {-m_line.unit.y, m_line.unit.x};
+        const bool startsAhead = m_line.along(arc.a) >= m_line.along(arc.centre);
+        const bool isTopFirst = startsAhead != arc.isClockwise;
+        bool side = isFromLeft;
+        for (const bool isTop : {isTopFirst, !isTopFirst}) {
+            if (passes(arc, isTop ? left : PointD{-left.x, -left.y})) {
+                side = step(arc, height, side, (isTop ? height + arc.radius : height - arc.radius) >= 0);
+            }
+        }
+        step(arc, height, side, isToLeft);
+    }
+
+    bool step(const Edge& arc, double height, bool isFromLeft, bool isToLeft) {
+        if (isFromLeft != isToLeft) {
+            const double half = std::sqrt(std::max((arc.radius - height) * (arc.radius + height), 0.0));
+            const double foot = m_line.along(arc.centre);
+            m_crossings.push_back({isToLeft != arc.isClockwise ? foot + half : foot - half, isToLeft ? 1 : -1});
+        }
+        return isToLeft;
+    }
+
+    const CutLine& m_line;
+    std::vector<Crossing> m_crossings;
+};
+
+/// Where a line enters or leaves a circle.
+void addCircle(const CutLine& line, PointD centre, double radius, std::vector<double>& breaks) {
+    const double height = line.beside(centre);
+    if (std::abs(height) < radius) {
+        const double half = std::sqrt((radius - height) * (radius + height));
+        breaks.push_back(line.along(centre) - half);
+        breaks.push_back(line.along(centre) + half);
+    }
+}
+
+/// Where a line passes the two straight sides of a stroke.
+void addSides(const CutLine& line, const Edge& stroke, std::vector<double>& breaks) {
+    const CutLine middle = CutLine::through(stroke.a, stroke.b);
+    const double slope = middle.unit.x * line.unit.y - middle.unit.y * line.unit.x;
+    if (std::abs(slope) > kParallel) {
+        const double start = middle.beside(line.origin);
+        breaks.push_back((stroke.pen - start) / slope);
+        breaks.push_back((-stroke.pen - start) / slope);
+    }
+}
+
+bool isDot(const Edge& stroke) {
+    return !stroke.isArc() && stroke.a.x == stroke.b.x && stroke.a.y == stroke.b.y;
+}
+
+/// The places that a round pen covers. Its outline is made of pieces of the circles around its ends and of its two
+/// sides: between two of the places where the line meets those, all is covered or nothing.
+void addStroke(const CutLine& line, const Edge& stroke, std::vector<Interval>& covered) {
+    std::vector<double> breaks;
+    addCircle(line, stroke.a, stroke.pen, breaks);
+    addCircle(line, stroke.b, stroke.pen, breaks);
+    if (stroke.isArc()) {
+        addCircle(line, stroke.centre, stroke.radius + stroke.pen, breaks);
+        addCircle(line, stroke.centre, stroke.radius - stroke.pen, breaks);
+    } else if (!isDot(stroke)) {
+        addSides(line, stroke, breaks);
+    }
+    std::ranges::sort(breaks);
+    for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
+        const double middle = (breaks[i] + breaks[i + 1]) / 2;
+        Edge place;
+        place.a = place.b = {line.origin.x + line.unit.x * middle, line.origin.y + line.unit.y * middle};
+        if (gapBetween(place, stroke).distance <= 0) {
+            covered.push_back({breaks[i], breaks[i + 1]});
+        }
+    }
+}
+
+/// A stroke drawn with the pens that make an element's outside and its inside.
+class PenCut {
+public:
+    explicit PenCut(const CutLine& line) : m_line(line) {}
+
+    void add(Edge middle, double width, double innerWidth) {
+        draw(middle, width, m_covered);
+        draw(middle, innerWidth, m_opening);
+    }
+    [[nodiscard]] ElementCut take() { return {united(std::move(m_covered)), united(std::move(m_opening))}; }
+
+private:
+    void draw(Edge middle, double width, std::vector<Interval>& covered) {
+        middle.pen = width / 2;
+        if (width > 0) {
+            addStroke(m_line, middle, covered);
+        }
+    }
+
+    const CutLine& m_line;
+    std::vector<Interval> m_covered;
+    std::vector<Interval> m_opening;
+};
+
+ElementCut cutSquarePen(const Document& document, ElementId element, const CutLine& line) {
+    FigureTable figures;
+    figures.add(document, element);
+    ContourCrossings crossings(line);
+    for (std::size_t row = 0; row < figures.size(); ++row) {
+        for (const Edge& side : figures.edges(row)) {
+            crossings.add(side);
+        }
+    }
+    return {crossings.take(), {}};
+}
+
+ElementCut cutLineElement(const Document& document, ElementId element, const CutLine& line) {
+    const LineGeometry& stroke = document.lines[document.elements.geometry[element.row()]];
+    if ((document.elements.flags[element.row()] & kSquarePen) != 0 && stroke.width > 0) {
+        return cutSquarePen(document, element, line);
+    }
+    PenCut cut(line);
+    cut.add(edgeOf({stroke.a, {}, EdgeKind::Line}, stroke.b), stroke.width, stroke.innerWidth);
+    return cut.take();
+}
+
+ElementCut cutArc(const ArcGeometry& arc, const CutLine& line) {
+    PenCut cut(line);
+    cut.add(edgeOf(arc.node, arc.end), arc.width, arc.innerWidth);
+    return cut.take();
+}
+
+ElementCut cutCircle(const CircleGeometry& circle, const CutLine& line) {
+    PenCut cut(line);
+    cut.add(edgeOf({circle.centre, {}, EdgeKind::Line}, circle.centre), circle.diameter, circle.innerDiameter);
+    return cut.take();
+}
+
+ElementCut cutTrail(const Document& document, const TrailGeometry& trail, const CutLine& line) {
+    const std::span<const PathNode> nodes = document.nodesOf(trail);
+    const std::span<const Nm> widths = document.widthsOf(trail);
+    PenCut cut(line);
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+        cut.add(edgeOf(nodes[i], nodes[i + 1].point), widths[i], trail.innerWidth);
+    }
+    return cut.take();
+}
+
+/// Islands, each without the holes behind it.
+ElementCut cutArea(const Document& document, ElementId element, const CutLine& onBoard) {
+    const AreaGeometry& area = document.areas[document.elements.geometry[element.row()]];
+    const CutLine line = onBoard.seenFrom(area.placement);
+    ContourCrossings crossings(line);
+    std::vector<Interval> covered;
+    Intervals island;
+    std::vector<Interval> holes;
+    const auto finishIsland = [&] {
+        const Intervals left = subtracted(island, united(std::move(holes)));
+        covered.insert(covered.end(), left.begin(), left.end());
+        holes.clear();
+    };
+    for (const Contour& contour : document.shapes.contoursOf(area.shape)) {
+        const std::span<const PathNode> nodes = document.shapes.nodesOf(contour);
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            crossings.add(edgeOf(nodes[i], nodes[i + 1 < nodes.size() ? i + 1 : 0].point));
+        }
+        const Intervals inside = crossings.take();
+        if (contour.isHole) {
+            holes.insert(holes.end(), inside.begin(), inside.end());
+        } else {
+            finishIsland();
+            island = inside;
+        }
+    }
+    finishIsland();
+    const Intervals all = united(std::move(covered));
+    const bool isHole = (document.elements.flags[element.row()] & kHole) != 0;
+    return {all, isHole ? all : Intervals{}};
+}
+
+}  // namespace
+
+CutLine CutLine::through(PointD a, PointD b) {
+    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    return {a, {(b.x - a.x) / length, (b.y - a.y) / length}};
+}
+
+CutLine CutLine::seenFrom(const Placement& placement) const {
+    const Placement turnOnly = {Point{}, placement.clockwiseDeg, placement.isMirrored};
+    return {unplaced(origin, placement), unplaced(unit, turnOnly)};
+}
+
+bool CutLine::meets(const Box& box) const {
+    const PointD middle = {(double{1} * box.min.x + box.max.x) / 2, (double{1} * box.min.y + box.max.y) / 2};
+    const double reach =
+        (static_cast<double>(box.width()) * std::abs(unit.y) + static_cast<double>(box.height()) * std::abs(unit.x)) /
+        2;
+    return !box.isEmpty() && std::abs(beside(middle)) <= reach + 1.0;
+}
+
+ElementCut cutElement(const Document& document, ElementId element, const CutLine& line) {
+    const std::uint32_t row = document.elements.geometry[element.row()];
+    switch (document.elements.kind[element.row()]) {
+        case ElementKind::Line: return cutLineElement(document, element, line);
+        case ElementKind::Arc: return cutArc(document.arcs[row], line);
+        case ElementKind::Circle: return cutCircle(document.circles[row], line);
+        case ElementKind::Trail: return cutTrail(document, document.trails[row], line);
+        case ElementKind::Area: return cutArea(document, element, line);
+    }
+    return {};
+}
+
+}  // namespace model

@@ -1,0 +1,310 @@
+// Cuts through boards worked out by hand: heights, bores, plating, copies, and what is said where there is nothing.
+#include "model/section/section.h"
+
+#include <QtTest>
+#include <random>
+#include <set>
+
+#include "model/document_builder.h"
+#include "model/picking.h"
+#include "model/reader.h"
+#include "model/section/section_export.h"
+#include "tests/places.h"
+
+using namespace model;
+
+namespace {
+
+constexpr Nm kMm = 1'000'000;
+
+/// Three copper layers of 0.1 mm, 1 mm apart, a laminate with the hole taken out, and a drill through all.
+enum BoardLayer : std::size_t { Top, Inner, Bottom, Drill, Laminate, Print };
+
+void addLayers(DocumentBuilder& builder) {
+    struct Row {
+        const char* name;
+        LayerType type;
+        Nm z, thickness;
+        std::size_t opposite;
+    };
+    for (const Row& row :
+         {Row{"top", LayerType::Signal, 2'200'000, 100'000, Bottom},
+          Row{"inner", LayerType::Signal, 1'100'000, 100'000, Inner}, Row{"bottom", LayerType::Signal, 0, 100'000, Top},
+          Row{"drill", LayerType::Drill, 0, 2'300'000, Drill},
+          Row{"board", LayerType::Body, 100'000, 2'100'000, Laminate},
+          Row{"print", LayerType::SilkScreen, 2'300'000, 0, Print}}) {
+        Layer layer;
+        layer.name = row.name;
+        layer.type = row.type;
+        layer.z = row.z;
+        layer.thickness = row.thickness;
+        layer.thicknessSource = Source::Job;
+        layer.opposite = LayerId{row.opposite};
+        if (layer.type == LayerType::Drill) {
+            layer.spanTop = LayerId{Top};
+            layer.spanBottom = LayerId{Bottom};
+        }
+        builder.addLayer(layer);
+    }
+}
+
+ShapeSketch rectangle(Point min, Point max) {
+    ShapeSketch sketch;
+    sketch.addPolygon(std::array<Point, 4>{{min, {max.x, min.y}, max, {min.x, max.y}}}, false);
+    return sketch;
+}
+
+DocumentBuilder::Origin flagged(int flags) {
+    DocumentBuilder::Origin origin;
+    origin.flags = static_cast<std::uint8_t>(flags);
+    return origin;
+}
+
+/// A pad of 2 mm on top at (0, 0), a plane of 20 mm on the inner layer, a track along y at x = 5 mm on the bottom, and
+/// a plated hole of 1 mm, 0.8 mm open, at (0, 0).
+void addCard(DocumentBuilder& builder, bool isBackDrilled = false) {
+    addLayers(builder);
+    builder.beginLayer(LayerId{Top});
+    builder.addCircle({{0, 0}, 2 * kMm, 0}, {});
+    builder.beginLayer(LayerId{Inner});
+    builder.addArea({builder.addShape(rectangle({-10 * kMm, -10 * kMm}, {10 * kMm, 10 * kMm})), {}}, {});
+    builder.beginLayer(LayerId{Bottom});
+    builder.addLine({{5 * kMm, -kMm}, {5 * kMm, kMm}, kMm, 0}, {});
+    builder.beginLayer(LayerId{Drill});
+    const ElementId hole = builder.addCircle({{0, 0}, kMm, 800'000}, flagged(kHole | kPlated));
+    if (isBackDrilled) {
+        builder.addPlatedSpan({hole, LayerId{Top}, LayerId{Inner}});
+    }
+    builder.beginLayer(LayerId{Laminate});
+    ShapeSketch body = rectangle({-10 * kMm, -10 * kMm}, {10 * kMm, 10 * kMm});
+    body.addCircle({0, 0}, kMm / 2, true);
+    builder.addArea({builder.addShape(body), {}}, {});
+}
+
+std::shared_ptr<const Document> card(bool isBackDrilled = false) {
+    DocumentBuilder builder;
+    addCard(builder, isBackDrilled);
+    return builder.finish();
+}
+
+std::shared_ptr<const BoardIndex> indexed(std::shared_ptr<const Document> board) {
+    base::Progress progress;
+    return *indexBoard(std::move(board), progress);
+}
+
+Section cut(const std::shared_ptr<const Document>& board, std::vector<PointD> line) {
+    return *cutBoard(*indexed(board), {std::move(line), {}});
+}
+
+/// Pieces of a layer as "from-to@bottom-top" in micrometres.
+QStringList textOf(const std::vector<SectionPiece>& pieces, std::size_t layer) {
+    QStringList list;
+    for (const SectionPiece& piece : pieces) {
+        if (piece.layer == LayerId{layer}) {
+            list << QString("%1-%2@%3-%4")
+                        .arg(std::lround(piece.from / 1000))
+                        .arg(std::lround(piece.to / 1000))
+                        .arg(piece.bottom / 1000)
+                        .arg(piece.top / 1000);
+        }
+    }
+    return list;
+}
+
+std::set<BoardElement> elementsAt(const std::vector<SectionPiece>& pieces, double place) {
+    std::set<BoardElement> elements;
+    for (const SectionPiece& piece : pieces) {
+        if (piece.from <= place && place <= piece.to) {
+            elements.insert(piece.at);
+        }
+    }
+    return elements;
+}
+
+/// Everything that picking finds under a place, kept to what a section shows.
+std::set<BoardElement> elementsUnder(Picker& picker, PointD place) {
+    const Document& board = *picker.index().board;
+    const std::vector<PickLayer> layers(board.layers.size(), PickLayer{true, 0.0, 1.0});
+    std::set<BoardElement> elements;
+    for (const Hit& hit : picker.at(place, 0.0, layers, false)) {
+        const Layer& layer = board.layer(hit.layer);
+        if (hasSubstance(layer) && layer.type != LayerType::Drill && layer.type != LayerType::Rout) {
+            elements.insert(hit.at);
+        }
+    }
+    return elements;
+}
+
+/// A place close to where something begins or ends is covered or not by rounding.
+bool isAtAnEnd(const Section& section, double place) {
+    const auto isNear = [&](const SectionPiece& piece) {
+        return std::min(std::abs(piece.from - place), std::abs(piece.to - place)) < 3.0;
+    };
+    return std::ranges::any_of(section.pieces, isNear) || std::ranges::any_of(section.bores, isNear);
+}
+
+}  // namespace
+
+class SectionTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void holesAreTakenOutOfCopperAndTheirWallsStand() {
+        const Section section = cut(card(), {{-20e6, 0}, {20e6, 0}});
+        QCOMPARE(section.stations, (std::vector<double>{0.0, 40e6}));
+        QCOMPARE(textOf(section.pieces, Top), (QStringList{"19000-19500@2200-2300", "20500-21000@2200-2300"}));
+        QCOMPARE(textOf(section.pieces, Inner), (QStringList{"10000-19500@1100-1200", "20500-30000@1100-1200"}));
+        QCOMPARE(textOf(section.pieces, Bottom), (QStringList{"24500-25500@0-100"}));
+        QCOMPARE(textOf(section.pieces, Drill), (QStringList{"19500-19600@0-2300", "20400-20500@0-2300"}));
+        QCOMPARE(textOf(section.pieces, Laminate), (QStringList{"10000-19500@100-2200", "20500-30000@100-2200"}));
+        QCOMPARE(textOf(section.bores, Drill), (QStringList{"19500-20500@0-2300"}));
+        QVERIFY(section.remarks.empty());
+    }
+
+    void aCutThroughTheWallAloneIsAllCopper() {
+        const Section section = cut(card(), {{-20e6, 450'000}, {20e6, 450'000}});
+        QCOMPARE(textOf(section.pieces, Drill).size(), 1);
+        QCOMPARE(textOf(section.pieces, Drill), textOf(section.bores, Drill));
+    }
+
+    void backDrillsShortenTheWall() {
+        const Section section = cut(card(true), {{-20e6, 0}, {20e6, 0}});
+        QCOMPARE(textOf(section.pieces, Drill), (QStringList{"19500-19600@1100-2300", "20400-20500@1100-2300"}));
+    }
+
+    void cornersAddUp() {
+        const Section section = cut(card(), {{-20e6, 0}, {-20e6, 0}, {0, 0}, {0, 20e6}});
+        QCOMPARE(section.stations, (std::vector<double>{0.0, 20e6, 40e6}));
+        QCOMPARE(textOf(section.pieces, Top), (QStringList{"19000-19500@2200-2300", "20500-21000@2200-2300"}));
+        QCOMPARE(textOf(merged(section.pieces), Inner),
+                 (QStringList{"10000-19500@1100-1200", "20500-30000@1100-1200"}));
+        QVERIFY(textOf(section.pieces, Bottom).empty());
+    }
+
+    void slantedLinesMeetTheSame() {
+        const Section section = cut(card(), {{-10e6, -10e6}, {10e6, 10e6}});
+        QCOMPARE(textOf(section.pieces, Top), (QStringList{"13142-13642@2200-2300", "14642-15142@2200-2300"}));
+        QCOMPARE(textOf(section.pieces, Inner).size(), 2);
+    }
+
+    void copiesAreCutWhereTheyLie() {
+        DocumentBuilder builder;
+        addLayers(builder);
+        const std::uint32_t step = builder.addStep(card());
+        builder.addInstance({step, {{30 * kMm, 0}, 90.0, false}, false});
+        builder.addInstance({step, {{60 * kMm, 0}, 0.0, true}, true});
+        const Section section = cut(builder.finish(), {{0, 0}, {100e6, 0}});
+        // Turned a quarter, the track lies across the line and far from it; turned over, it is on top at 60 - 5 mm.
+        QCOMPARE(textOf(section.pieces, Top),
+                 (QStringList{"29000-29500@2200-2300", "30500-31000@2200-2300", "54500-55500@2200-2300"}));
+        QCOMPARE(textOf(section.pieces, Bottom), (QStringList{"59000-59500@0-100", "60500-61000@0-100"}));
+        QCOMPARE(textOf(section.bores, Drill), (QStringList{"29500-30500@0-2300", "59500-60500@0-2300"}));
+        QCOMPARE(section.pieces.front().at.copy, 1U);
+    }
+
+    void aPanelsOwnHolesPassItsSteps() {
+        DocumentBuilder builder;
+        addLayers(builder);
+        const std::uint32_t step = builder.addStep(card());
+        builder.addInstance({step, {{30 * kMm, 0}, 0.0, false}, false});
+        builder.beginLayer(LayerId{Drill});
+        builder.addCircle({{38 * kMm, 0}, kMm, kMm}, flagged(kHole));
+        const Section section = cut(builder.finish(), {{0, 0}, {100e6, 0}});
+        QCOMPARE(textOf(section.pieces, Inner),
+                 (QStringList{"20000-29500@1100-1200", "30500-37500@1100-1200", "38500-40000@1100-1200"}));
+        QCOMPARE(textOf(section.pieces, Drill).size(), 2);  // the bare hole has no wall
+    }
+
+    void onlyChosenLayersAreCut() {
+        std::vector<bool> layers(6, false);
+        layers[Inner] = true;
+        const Section section = *cutBoard(*indexed(card()), {{{-20e6, 0}, {20e6, 0}}, layers});
+        QCOMPARE(textOf(section.pieces, Inner), (QStringList{"10000-19500@1100-1200", "20500-30000@1100-1200"}));
+        QCOMPARE(section.pieces.size(), std::size_t{2});
+    }
+
+    void aRealBoardIsCutWherePickingFindsIt() {
+        base::Progress progress;
+        const auto board = readBoard(places::kSample, {}, progress);
+        QVERIFY(board);
+        const auto index = indexed(*board);
+        Picker picker(index);
+        std::mt19937 random(3);
+        const Box box = (*board)->board;
+        std::uniform_int_distribution<Nm> x(box.min.x, box.max.x);
+        std::uniform_int_distribution<Nm> y(box.min.y, box.max.y);
+        std::size_t compared = 0;
+        for (int round = 0; round < 40; ++round) {
+            const PointD a = {double(x(random)), double(y(random))};
+            const PointD b =
+                round % 2 == 0 ? PointD{double(x(random)), a.y} : PointD{double(x(random)), double(y(random))};
+            const Section section = *cutBoard(*index, {{a, b}, {}});
+            for (int i = 0; i < 25; ++i) {
+                const double part = std::uniform_real_distribution<>(0.0, 1.0)(random);
+                const double place = section.stations.back() * part;
+                std::set<BoardElement> cut = elementsAt(section.pieces, place);
+                if (isAtAnEnd(section, place) || !elementsAt(section.bores, place).empty()) {
+                    continue;
+                }
+                QCOMPARE(cut, elementsUnder(picker, {a.x + (b.x - a.x) * part, a.y + (b.y - a.y) * part}));
+                compared += cut.size();
+            }
+        }
+        QVERIFY(compared > 1000);
+    }
+
+    void drawingsAreToScale() {
+        const auto board = card();
+        const Section section = cut(board, {{-20e6, 0}, {20e6, 0}});
+        const SectionPicture how{std::vector<std::uint32_t>(6, 0x123456), 4.0};
+        const QString svg = QString::fromStdString(sectionSvg(*board, section, how));
+        QCOMPARE(svg.count("fill=\"#123456\""), qsizetype(merged(section.pieces).size()));
+        // The track: 1 mm of 40 mm over 1100 pixels, and 0.1 mm high, four times.
+        QVERIFY(svg.contains("x=\"693.750\""));
+        QVERIFY(svg.contains("width=\"27.500\" height=\"11.000\""));
+        QVERIFY(svg.contains("heights 4 times"));
+    }
+
+    void tablesListEveryPiece() {
+        const auto index = indexed(card());
+        const Section section = *cutBoard(*index, {{{-20e6, 0}, {20e6, 0}}, {}});
+        const QStringList lines = QString::fromStdString(sectionCsv(*index, section)).split("\r\n", Qt::SkipEmptyParts);
+        QCOMPARE(lines.size(), qsizetype(1 + section.pieces.size() + section.bores.size()));
+        QCOMPARE(lines[1], "solid,top,0,0,,19000000.000,19500000.000,2200000,2300000");
+        QVERIFY(lines.last().startsWith("bore,drill,0,3,"));
+    }
+
+    void linesThatCannotBeCutAlongAreRefused() {
+        const auto index = indexed(card());
+        for (const std::vector<PointD>& line :
+             {std::vector<PointD>{}, {{1, 1}}, {{1, 1}, {1, 1}}, {{0, 0}, {2e9, 0}}, {{0, 0}, {std::nan(""), 0}}}) {
+            const auto section = cutBoard(*index, {line, {}});
+            QVERIFY(!section);
+            QCOMPARE(section.error().code, base::ErrorCode::BadUsage);
+        }
+        QVERIFY(!cutBoard(*index, {std::vector<PointD>(kMostCorners + 1), {}}));
+    }
+
+    void aLineBesideTheBoardSaysSo() {
+        const Section section = cut(card(), {{50e6, 0}, {60e6, 0}});
+        QVERIFY(section.pieces.empty());
+        QCOMPARE(section.remarks, std::vector<std::string>{"the line meets nothing of the board"});
+    }
+
+    void missingThicknessesAreNamed() {
+        DocumentBuilder builder;
+        addLayers(builder);
+        builder.layer(LayerId{Top}).thicknessSource = Source::Assumed;
+        builder.beginLayer(LayerId{Top});
+        builder.addCircle({{0, 0}, kMm, 0}, {});
+        builder.beginLayer(LayerId{Print});
+        builder.addCircle({{0, 0}, kMm, 0}, {});
+        const Section section = cut(builder.finish(), {{-1e6, 0}, {1e6, 0}});
+        QCOMPARE(textOf(section.pieces, Print), (QStringList{"500-1500@2300-2300"}));
+        QCOMPARE(section.remarks,
+                 (std::vector<std::string>{"without a thickness, cut as a line: print", "thickness assumed: top"}));
+    }
+};
+
+QTEST_APPLESS_MAIN(SectionTest)
+#include "section_test.moc"
