@@ -27,11 +27,6 @@ struct View {
 };
 constexpr View kViews[] = {{"whole", 1.0F}, {"5x", 5.0F}, {"30x", 30.0F}};
 
-const char* nameOf(Backend backend) {
-    constexpr const char* kNames[] = {"auto", "mesh", "pull", "impostor", "standard"};
-    return kNames[static_cast<std::size_t>(backend)];
-}
-
 render::Camera cameraFor(const render::BoardFrame& frame, const View& view) {
     render::Camera camera;
     camera.fit(frame.boxMin, frame.boxMax, render::NamedView::Iso, kAspect);
@@ -78,13 +73,22 @@ public:
     }
 
 private:
+    /// Those that this device draws tilted views with.
+    [[nodiscard]] std::vector<Backend> backends() const {
+        const render::gpu::Caps& caps = m_device.caps();
+        std::vector<Backend> all = {Backend::Pull};
+        if (caps.hasMeshShader) {
+            all.push_back(Backend::Mesh);
+        }
+        if (caps.canShadeSamples) {
+            all.push_back(Backend::Impostor);
+        }
+        return all;
+    }
+
     base::Status measureAll(render::BoardScene& scene, const render::BoardFrame& frame, const View& view,
                             std::vector<FrameResult>& out) {
-        std::vector<Backend> backends = {Backend::Pull};
-        if (m_device.caps().hasMeshShader) {
-            backends.push_back(Backend::Mesh);
-        }
-        for (const Backend backend : backends) {
+        for (const Backend backend : backends()) {
             for (const bool isCulled : {true, false}) {
                 if (!isCulled && m_onlyCulled) {
                     continue;

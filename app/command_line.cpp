@@ -84,7 +84,7 @@ void addRender(CLI::App& parent, RenderArguments& arguments) {
     command->add_option("--mode", arguments.mode, "2d or 3d")
         ->check(CLI::IsMember({"2d", "3d"}))
         ->capture_default_str();
-    command->add_option("--backend", arguments.backend, "auto, mesh, pull or impostor (2D)")
+    command->add_option("--backend", arguments.backend, "auto, mesh, pull or impostor")
         ->check(CLI::IsMember({"auto", "mesh", "pull", "impostor"}))
         ->capture_default_str();
     command

@@ -1,5 +1,6 @@
 #include "app/render_command.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "app/console_progress.h"
@@ -99,12 +100,15 @@ render::Camera cameraFor(const RenderArguments& arguments, const render::BoardFr
     return camera;
 }
 
+render::Backend backendNamed(const std::string& name) {
+    constexpr render::Backend kChoices[] = {render::Backend::Mesh, render::Backend::Pull, render::Backend::Impostor};
+    const auto* const found = std::ranges::find(kChoices, name, render::nameOf);
+    return found != std::end(kChoices) ? *found : render::Backend::Auto;
+}
+
 render::ViewSettings settingsFor(const RenderArguments& arguments) {
     render::ViewSettings settings;
-    settings.backend = arguments.backend == "mesh"       ? render::Backend::Mesh
-                       : arguments.backend == "pull"     ? render::Backend::Pull
-                       : arguments.backend == "impostor" ? render::Backend::Impostor
-                                                         : render::Backend::Auto;
+    settings.backend = backendNamed(arguments.backend);
     settings.is2d = arguments.mode == "2d";
     settings.isMono = arguments.isMono;
     settings.isSmoothed = !arguments.isMono;

@@ -51,6 +51,10 @@ shader::FrameData frameOfCopy(const shader::FrameData& board, const ModelCopy& c
     }
     data.eye = {turnBack(glm::vec2(board.eye)), board.eye.z, board.eye.w};
     data.centre = {turnBack(glm::dvec2(board.centre) - copy.origin), board.centre.z};
+    for (glm::vec3 shader::FrameData::*way :
+         {&shader::FrameData::screen, &shader::FrameData::screenRight, &shader::FrameData::screenDown}) {
+        data.*way = {turnBack(glm::vec2(board.*way)), (board.*way).z};
+    }
     data.light = turnBack(board.light);
     return data;
 }

@@ -270,6 +270,20 @@ void setPlanes(const glm::dmat4& clip, shader::FrameData& data) {
     }
 }
 
+/// Where sight through a pixel starts: the picture as a rectangle at the camera's target.
+void setScreen(const glm::dmat4& clip, double width, double height, shader::FrameData& data) {
+    const glm::dmat4 back = glm::inverse(clip);
+    const glm::dvec4 target = clip[3];
+    const auto at = [&](double x, double y) {
+        const glm::dvec4 place = back * glm::dvec4(x, y, target.z / target.w, 1.0);
+        return glm::dvec3(place) / place.w;
+    };
+    const glm::dvec3 corner = at(-1.0, -1.0);
+    data.screen = glm::vec3(corner);
+    data.screenRight = glm::vec3((at(1.0, -1.0) - corner) / width);
+    data.screenDown = glm::vec3((at(-1.0, 1.0) - corner) / height);
+}
+
 std::uint32_t flagsOf(const ViewSettings& settings) {
     return (settings.is2d ? shader::kFrameFlat : 0) | (settings.isMono ? shader::kFrameMono : 0) |
            (settings.dimOthers && !settings.isMono ? shader::kFrameDimOthers : 0) |
@@ -309,7 +323,10 @@ FramePlan planFrame(const SceneLayers& scene, const Camera& camera, const ViewSe
     shader::FrameData& data = plan.data;
     data.clipFromBoard = glm::mat4(eye.clipFromCentred);
     setPlanes(eye.clipFromCentred, data);
+    setScreen(eye.clipFromCentred, static_cast<double>(width), static_cast<double>(height), data);
     data.centre = camera.target();
+    data.width = width;
+    data.height = height;
     data.eye = eye.isParallel ? glm::vec4(-eye.direction, 0.0F) : glm::vec4(eye.position - camera.target(), 1.0F);
     data.pixelsPerMm = pixelsPerMm;
     data.tolerancePx = settings.isMono ? kMonoTolerancePx : kTolerancePx;

@@ -25,7 +25,7 @@ struct TargetFormat {
 
 [[nodiscard]] PassPipelines makePassPipelines(gpu::Device& device, std::string_view label,
                                               std::span<const gpu::ShaderStage> stages, bool cullsBackFaces,
-                                              const TargetFormat& target, bool shapesInFragments = false);
+                                              const TargetFormat& target, gpu::Cover cover = gpu::Cover::Triangles);
 
 /// A frame being recorded: one copy of a step on it.
 struct Recording {
@@ -41,7 +41,8 @@ struct Recording {
     [[nodiscard]] VkCommandBuffer commands() const { return frame.commands(); }
 };
 
-/// Draws lets. Both ways take the same buffers, the same prism function and the same fragment shader.
+/// Draws lets. All ways take the same buffers and describe the same prisms: mesh and pull as polygons (lib/prism.glsl),
+/// impostors as true outlines (lib/outline.glsl, lib/sight.glsl).
 class LetBackend {
 public:
     virtual ~LetBackend() = default;
@@ -58,11 +59,11 @@ public:
 /// Compute culling into instanced indirect draws and vertices pulled from the lets; for every device.
 [[nodiscard]] std::unique_ptr<LetBackend> makePullBackend(gpu::Device& device, const TargetFormat& target);
 
-/// The pull back end's culling, and for each let a rectangle whose fragments are cut to its true outline. Draws the one
-/// level face that a frame sees, no walls (canUseImpostors).
+/// The pull back end's culling, and for each let a box (in flat views a rectangle) whose fragments are cut to its true
+/// outline. Needs Caps::canShadeSamples, but for flat views.
 [[nodiscard]] std::unique_ptr<LetBackend> makeImpostorBackend(gpu::Device& device, const TargetFormat& target);
 
 /// Does the frame look straight at one face, in parallel projection?
-[[nodiscard]] bool canUseImpostors(const FramePlan& plan);
+[[nodiscard]] bool isFlatView(const FramePlan& plan);
 
 }  // namespace render

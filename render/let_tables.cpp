@@ -19,7 +19,7 @@ public:
         LetTable table;
         table.first = size();
         table.counts[0] = intervals(0, shader::kUpperTriangles);
-        table.counts[1] = m_level >= shader::kLevelFlat ? 0 : walls();
+        table.counts[1] = m_level == shader::kLevelFlat ? 0 : walls();
         table.counts[2] = intervals(shader::kUpperTriangles + shader::kWallTriangles, shader::kUpperTriangles);
         return table;
     }
@@ -71,11 +71,12 @@ private:
 }  // namespace
 
 IndexRun LetTables::run(std::uint32_t bucket, SeenFaces faces) const {
-    const LetTable& table = tables[bucket];
+    const bool isFlat = bucket % shader::kLevelCount >= shader::kLevelFlat;
+    return runOf(tables[bucket], isFlat ? SeenFaces{faces.upper, false, !faces.upper} : faces);
+}
+
+IndexRun LetTables::runOf(const LetTable& table, SeenFaces faces) {
     const auto [upper, walls, lower] = table.counts;
-    if (bucket % shader::kLevelCount >= shader::kLevelFlat) {
-        return faces.upper ? IndexRun{table.first, upper} : IndexRun{table.first + upper, lower};
-    }
     const std::uint32_t skipped = (faces.upper ? 0 : upper) + (faces.upper || faces.walls ? 0 : walls);
     const std::uint32_t count = (faces.upper ? upper : 0) + (faces.walls ? walls : 0) + (faces.lower ? lower : 0);
     return {table.first + skipped, count};

@@ -35,6 +35,11 @@ struct LetTables {
 
     /// The run to draw when only `faces` can be seen; flat levels always show exactly one face.
     [[nodiscard]] IndexRun run(std::uint32_t bucket, SeenFaces faces) const;
+    /// Likewise of a quad with walls: a box.
+    [[nodiscard]] IndexRun boxRun(SeenFaces faces) const { return runOf(tables[shader::kLevelQuad], faces); }
+
+private:
+    [[nodiscard]] static IndexRun runOf(const LetTable& table, SeenFaces faces);
 };
 
 [[nodiscard]] LetTables makeLetTables();

@@ -13,7 +13,7 @@ gpu::Pipeline makePipeline(gpu::Device& device, const TargetFormat& target) {
                                        {VK_SHADER_STAGE_FRAGMENT_BIT, shader::spirv::kOverlayFrag}};
     return gpu::Pipeline(
         device, gpu::GraphicsPipelineOptions{"overlay", stages, sizeof(shader::OverlayPush), gpu::Pass::Overlay, false,
-                                             false, target.colour, gpu::kDepthFormat, target.samples});
+                                             gpu::Cover::Triangles, target.colour, gpu::kDepthFormat, target.samples});
 }
 
 }  // namespace

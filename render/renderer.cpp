@@ -3,8 +3,8 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <array>
 
+#include "render/backend_choice.h"
 #include "render/frame_copies.h"
 #include "render/gpu/device_select.h"
 #include "render/scene_drawer.h"
@@ -31,12 +31,11 @@ glm::vec3 background(const ViewSettings& settings) {
 }  // namespace
 
 PassPipelines makePassPipelines(gpu::Device& device, std::string_view label, std::span<const gpu::ShaderStage> stages,
-                                bool cullsBackFaces, const TargetFormat& target, bool shapesInFragments) {
+                                bool cullsBackFaces, const TargetFormat& target, gpu::Cover cover) {
     PassPipelines pipelines;
     for (const gpu::Pass pass : {gpu::Pass::Opaque, gpu::Pass::DepthOnly, gpu::Pass::Blend}) {
-        pipelines[passRow(pass)] =
-            gpu::Pipeline(device, {label, stages, sizeof(shader::Push), pass, cullsBackFaces, shapesInFragments,
-                                   target.colour, gpu::kDepthFormat, target.samples});
+        pipelines[passRow(pass)] = gpu::Pipeline(device, {label, stages, sizeof(shader::Push), pass, cullsBackFaces,
+                                                          cover, target.colour, gpu::kDepthFormat, target.samples});
     }
     return pipelines;
 }
@@ -126,44 +125,14 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-namespace {
-
-/// The back ends from the best to the one for every device and view.
-struct Choice {
-    Backend backend;
-    const char* name;
-    bool (*suits)(const gpu::Caps&, const FramePlan&);  ///< Auto takes the first that does
-    bool (*canDraw)(const gpu::Caps&, const FramePlan&);
-    const char* needs;
-};
-constexpr Choice kChoices[] = {
-    // Straight from above or below: four vertices per let instead of 16 to 128, and exact outlines at any zoom.
-    {Backend::Impostor, "impostor", [](const gpu::Caps&, const FramePlan& plan) { return canUseImpostors(plan); },
-     [](const gpu::Caps&, const FramePlan& plan) { return canUseImpostors(plan); }, "needs a flat view (2D)"},
-    // Software devices run mesh shaders on one thread, compute and vertex shaders on all (vulkan-facts §2).
-    {Backend::Mesh, "mesh", [](const gpu::Caps& caps, const FramePlan&) { return caps.hasMeshShader && !caps.isCpu; },
-     [](const gpu::Caps& caps, const FramePlan&) { return caps.hasMeshShader; },
-     "needs mesh shaders, which this device does not have"},
-    {Backend::Pull, "pull", [](const gpu::Caps&, const FramePlan&) { return true; },
-     [](const gpu::Caps&, const FramePlan&) { return true; }, ""}};
-
-}  // namespace
-
 Backend Renderer::resolve(Backend wanted, const FramePlan& plan) {
-    const gpu::Caps& caps = m_device->caps();
-    const auto best = std::ranges::find_if(kChoices, [&](const Choice& c) { return c.suits(caps, plan); });
-    const auto asked = std::ranges::find(kChoices, wanted, &Choice::backend);
-    if (asked == std::end(kChoices)) {
-        return best->backend;
-    }
-    if (asked->canDraw(caps, plan)) {
-        return wanted;
-    }
-    if (!m_hasWarned) {
-        spdlog::warn("The {} back end {}: drawing with {} instead.", asked->name, asked->needs, best->name);
+    const BackendChoice choice = chooseBackend(wanted, m_device->caps(), plan);
+    if (choice.needs != nullptr && !m_hasWarned) {
+        spdlog::warn("The {} back end {}: drawing with {} instead.", nameOf(wanted), choice.needs,
+                     nameOf(choice.backend));
         m_hasWarned = true;
     }
-    return best->backend;
+    return choice.backend;
 }
 
 Renderer::Drawers& Renderer::drawersFor(const TargetFormat& format, Backend backend) {

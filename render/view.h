@@ -22,9 +22,11 @@ namespace gpu {
 class Device;
 }
 
-/// What draws (renderer.cpp says what Auto takes and why). Standard is no choice: it is what draws a scene of the
+/// What draws (backend_choice.cpp says what Auto takes and why). Standard is no choice: it is what draws a scene of the
 /// standard pipeline.
 enum class Backend { Auto, Mesh, Pull, Impostor, Standard };
+/// In lower case, as the command line has it.
+[[nodiscard]] const char* nameOf(Backend backend);
 
 /// A picture laid over the board pixel by pixel, from the upper left corner: grids, names, rubber bands. Rows from the
 /// top, sRGB RGBA of 8 bits, multiplied by alpha; read while a frame is recorded.

@@ -17,5 +17,5 @@ void main() {
     const vec3 position = vec3(placed(instance, FRAME.vertices.at[gl_VertexIndex]), faceOf(instance, layer, isUpper));
     outPosition = position - FRAME.centre;
     outColour = colourOf(layer, instance.element, false);
-    gl_Position = clipPosition(position, layer, instance.element, false, isUpper, 0.0);
+    gl_Position = clipPosition(outPosition, layer, instance.element, false, float(isUpper), 0.0);
 }

@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/frame.glsl"
+#include "lib/shading.glsl"
 
 layout(location = 0) in vec3 inPosition;
 layout(location = 1) flat in vec4 inColour;
@@ -14,17 +15,9 @@ vec3 faceNormal(vec3 toEye) {
     return dot(snapped, toEye) < 0.0 ? -snapped : snapped;
 }
 
-// A headlight seen from over the left shoulder: caps bright, walls clearly darker and different on every side, so that thickness is readable.
-float brightness(vec3 normal) {
-    if (normal.z != 0.0) {
-        return 1.0;
-    }
-    return 0.36 + 0.22 * dot(normal.xy, FRAME.light);
-}
-
 void main() {
     outColour = inColour;
-    if (!has(FRAME.flags, kFrameFlat | kFrameMono)) {
+    if (isShaded()) {
         const vec3 toEye = FRAME.eye.xyz - inPosition * FRAME.eye.w;
         outColour.rgb *= brightness(faceNormal(toEye));
     }

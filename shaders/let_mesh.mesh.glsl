@@ -100,11 +100,11 @@ void writeVertex(Share share, uint vertex) {
     const Let let = FRAME.lets.at[payload.lets[share.firstLet + vertex / perLet]];
     const LayerState layer = FRAME.layers.at[let.meta >> kLetLayerShift];
     const uint code = share.level == kLevelQuad ? local * 2u + FRAME.quadFace : share.firstRung * 4u + local;
-    const vec3 position = letPosition(let, layer, share.level, code);
+    const vec3 position = letPosition(let, layer, share.level, code) - FRAME.centre;
     const bool isBore = has(let.meta, kLetBore);
     gl_MeshVerticesEXT[vertex].gl_Position =
-        clipPosition(position, layer, let.element, isBore, (code & 1u) == 0u, slendernessOf(let));
-    outPosition[vertex] = position - FRAME.centre;
+        clipPosition(position, layer, let.element, isBore, float((code & 1u) == 0u), slendernessOf(let));
+    outPosition[vertex] = position;
     outColour[vertex] = colourOf(layer, let.element, isBore);
 }
 

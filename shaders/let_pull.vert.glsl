@@ -19,5 +19,5 @@ void main() {
     outPosition = position - FRAME.centre;
     const bool isBore = has(let.meta, kLetBore);
     outColour = colourOf(layer, let.element, isBore);
-    gl_Position = clipPosition(position, layer, let.element, isBore, (code & 1u) == 0u, slendernessOf(let));
+    gl_Position = clipPosition(outPosition, layer, let.element, isBore, float((code & 1u) == 0u), slendernessOf(let));
 }

@@ -7,6 +7,8 @@ namespace {
 #include "cull_areas_comp.h"
 #include "cull_clusters_comp.h"
 #include "cull_lets_comp.h"
+#include "let_box_frag.h"
+#include "let_box_vert.h"
 #include "let_impostor_frag.h"
 #include "let_impostor_vert.h"
 #include "let_mesh_mesh.h"
@@ -46,6 +48,8 @@ const Code kBoardFrag(board_frag);
 const Code kCullAreasComp(cull_areas_comp);
 const Code kCullClustersComp(cull_clusters_comp);
 const Code kCullLetsComp(cull_lets_comp);
+const Code kLetBoxFrag(let_box_frag);
+const Code kLetBoxVert(let_box_vert);
 const Code kLetImpostorFrag(let_impostor_frag);
 const Code kLetImpostorVert(let_impostor_vert);
 const Code kLetMeshMesh(let_mesh_mesh);
@@ -84,6 +88,8 @@ std::span<const Named> all() {
         {"cull_areas.comp", cull_areas_comp},
         {"cull_clusters.comp", cull_clusters_comp},
         {"cull_lets.comp", cull_lets_comp},
+        {"let_box.frag", let_box_frag},
+        {"let_box.vert", let_box_vert},
         {"let_impostor.frag", let_impostor_frag},
         {"let_impostor.vert", let_impostor_vert},
         {"let_mesh.mesh", let_mesh_mesh},

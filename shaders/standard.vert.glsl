@@ -18,5 +18,5 @@ void main() {
     const vec3 position = vec3(vertex.x, vertex.y, mix(layer.z0 - proud, layer.z1 + proud, vertex.face));
     outPosition = position - FRAME.centre;
     outColour = colourOf(layer, element, isBore);
-    gl_Position = clipPosition(position, layer, element, isBore, isUpper, 0.0);
+    gl_Position = clipPosition(outPosition, layer, element, isBore, float(isUpper), 0.0);
 }

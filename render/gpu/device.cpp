@@ -77,6 +77,7 @@ VkResult Device::State::createDevice() {
     features.pNext = &v13;
     features.features.multiDrawIndirect = VK_TRUE;
     features.features.drawIndirectFirstInstance = VK_TRUE;
+    features.features.sampleRateShading = choice.caps.canShadeSamples ? VK_TRUE : VK_FALSE;
 
     std::vector<const char*> extensions;
     if (choice.hasSwapchain) {

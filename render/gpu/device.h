@@ -41,6 +41,7 @@ struct Caps {
     bool hasTimestamps = false;
     double timestampPeriodNs = 0.0;
     bool canSmooth = false;           ///< 4x multisampling for our colour and depth formats
+    bool canShadeSamples = false;     ///< fragment shaders for every sample by itself
     std::uint32_t maxImageSize = 0;   ///< pixels along one side
     std::uint32_t maxTaskGroups = 0;  ///< along x, 0 without mesh shaders
     std::uint32_t maxDrawIndirectCount = 0;

@@ -86,7 +86,7 @@ Pipeline::Pipeline(Device& device, const GraphicsPipelineOptions& options) {
     std::vector<VkPipelineShaderStageCreateInfo> stages;
     VkShaderStageFlags used = 0;
     for (const ShaderStage& stage : options.stages) {
-        const bool onlyColours = options.pass == Pass::DepthOnly && !options.shapesInFragments;
+        const bool onlyColours = options.pass == Pass::DepthOnly && options.cover == Cover::Triangles;
         if (stage.stage == VK_SHADER_STAGE_FRAGMENT_BIT && onlyColours) {
             continue;
         }
@@ -112,6 +112,8 @@ Pipeline::Pipeline(Device& device, const GraphicsPipelineOptions& options) {
     auto samples =
         vkInfo<VkPipelineMultisampleStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO);
     samples.rasterizationSamples = options.samples;
+    samples.sampleShadingEnable = options.cover == Cover::Samples ? VK_TRUE : VK_FALSE;
+    samples.minSampleShading = 1.0F;
     const VkPipelineDepthStencilStateCreateInfo depth = depthState(options.pass);
     const VkPipelineColorBlendAttachmentState blend = blendState(options.pass);
     auto colour = vkInfo<VkPipelineColorBlendStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO);

@@ -27,13 +27,20 @@ enum class Pass : std::uint8_t {
     Overlay     ///< over everything, colour blended
 };
 
+/// Who says what a triangle covers.
+enum class Cover : std::uint8_t {
+    Triangles,  ///< the rasteriser
+    Fragments,  ///< the fragment stage too, with discard or a sample mask
+    Samples     ///< likewise, run for every sample by itself (Caps::canShadeSamples)
+};
+
 struct GraphicsPipelineOptions {
     std::string_view label;
-    std::span<const ShaderStage> stages;  ///< the fragment stage is left out for DepthOnly
+    std::span<const ShaderStage> stages;  ///< of Cover::Triangles the fragment stage is left out for DepthOnly
     std::uint32_t pushBytes = 0;
     Pass pass = Pass::Opaque;
-    bool cullsBackFaces = false;     ///< which side is the front is dynamic
-    bool shapesInFragments = false;  ///< the fragment stage says what is covered: DepthOnly keeps it
+    bool cullsBackFaces = false;  ///< which side is the front is dynamic
+    Cover cover = Cover::Triangles;
     VkFormat colourFormat = VK_FORMAT_UNDEFINED;
     VkFormat depthFormat = VK_FORMAT_UNDEFINED;
     VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;

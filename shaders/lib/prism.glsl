@@ -119,6 +119,28 @@ vec3 letPosition(Let let, LayerState layer, uint level, uint code) {
     return vec3(letPoint(let, level, code >> 2u, (code >> 1u) & 1u), z);
 }
 
+// Corner (-1 or 1 each) of the narrowest rectangle around a let, `margin` mm larger than it. What surrounds a hole is that rectangle: its sides are exact.
+vec2 boundCorner(Let let, vec2 corner, float margin) {
+    const vec2 p = vec2(let.p0, let.p1);
+    const uint kind = let.meta & kLetKindMask;
+    if (kind == kLetHole) {
+        const vec2 along = let.p4 * vec2(let.p2, let.p3);
+        return p + corner.x * along + corner.y * leftOf(along);
+    }
+    if (kind == kLetArc) {
+        const float middle = let.p3 + 0.5 * let.p4;
+        const vec2 u = vec2(cos(middle), sin(middle));
+        const float reach = let.p5 + margin;
+        const float low = let.p2 * cos(0.5 * let.p4) - reach;
+        const float high = let.p2 + reach;
+        return p + (corner.x < 0.0 ? low : high) * u + corner.y * (let.p2 * sin(0.5 * abs(let.p4)) + reach) * leftOf(u);
+    }
+    const vec2 q = vec2(let.p2, let.p3);
+    const vec2 d = strokeDirection(p, q);
+    const float reach = let.p4 * (has(let.meta, kLetSquarePen) ? 1.41421357 : 1.0) + margin;
+    return (corner.x < 0.0 ? p : q) + reach * (corner.x * d + corner.y * leftOf(d));
+}
+
 // Length over width of a stroke; arcs are cut into short pieces, cells are square.
 float slendernessOf(Let let) {
     const bool isStroke = (let.meta & kLetKindMask) == kLetStadium;

@@ -21,15 +21,18 @@ vec4 colourOf(LayerState layer, uint element, bool isBore) {
     return has(FRAME.flags, kFrameDimOthers) ? vec4(colour.rgb * 0.12, colour.a) : colour;
 }
 
-// Faces in one plane: the higher layer rank wins, then highlighted elements, and what is solid before the inside of a hole (whose wall may be
-// at the same place). Moves z by so many steps of depth resolution. `slenderness` is length over width: a rasteriser works out the slope of a sliver
-// the worse the thinner it is, and the step grows with that.
-vec4 clipPosition(vec3 position, LayerState layer, uint element, bool isBore, bool isUpper, float slenderness) {
-    const uint shift = isUpper ? kLayerTopRankShift : kLayerBottomRankShift;
-    const int rank = int((layer.flags >> shift) & 0xffu);
-    const int steps = 3 * rank + (isHighlighted(element) ? 1 : 0) - (isBore ? 1 : 0);
-    const float nudge = float(steps) * (1.0 + FRAME.sliverNudge * slenderness);
-    vec4 clip = FRAME.clipFromBoard * vec4(position - FRAME.centre, 1.0);
-    clip.z += nudge * (FRAME.nudgeZ * clip.z + FRAME.nudgeW * clip.w);
+// Moves a clip position nearer by so many steps of depth resolution. `slenderness` is length over width: a rasteriser works out the slope of a sliver the
+// worse the thinner it is, and the step grows with that.
+vec4 nudged(vec4 clip, float steps, float slenderness) {
+    clip.z += steps * (1.0 + FRAME.sliverNudge * slenderness) * (FRAME.nudgeZ * clip.z + FRAME.nudgeW * clip.w);
     return clip;
+}
+
+// Faces in one plane: the higher layer rank wins, then highlighted elements, and what is solid before the inside of a hole (whose wall may be
+// at the same place). `position` is relative to FRAME.centre; `height` goes from 0 on the lower to 1 on the upper face.
+vec4 clipPosition(vec3 position, LayerState layer, uint element, bool isBore, float height, float slenderness) {
+    const float bottom = float((layer.flags >> kLayerBottomRankShift) & 0xffu);
+    const float top = float((layer.flags >> kLayerTopRankShift) & 0xffu);
+    const float steps = 3.0 * mix(bottom, top, height) + (isHighlighted(element) ? 1.0 : 0.0) - (isBore ? 1.0 : 0.0);
+    return nudged(FRAME.clipFromBoard * vec4(position, 1.0), steps, slenderness);
 }

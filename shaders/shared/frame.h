@@ -75,10 +75,14 @@ struct FrameData {
     vec4 planes[kPlaneCount];  // of the frustum, pointing inwards, for positions relative to `centre`
     vec4 eye;                  // relative to `centre`; w = 1: a point (perspective), w = 0: the direction to the viewer
     vec3 centre;               // what the camera looks at, mm
+    // The picture stood up at `centre`, facing the viewer, relative to it: its upper left corner and the way from one pixel to the next, mm.
+    vec3 screen, screenRight, screenDown;
+    uint width, height;        // of the picture, pixels
     vec2 light;                // unit vector to where the light comes from
     float pixelsPerMm;         // at w = 1: pixels = mm * pixelsPerMm / w
     float tolerancePx;         // how far a polygon may stray from the true outline
     float quadRadiusPx;        // lets with a smaller pen become quads; 0 = never
+    float rasterRadiusPx;      // lets with a smaller circle around them are rasterised by compute shaders; 0 = never
     float thinPx;              // walls of fewer pixels are left out; 0 = never
     float nudgeZ, nudgeW;      // one step of tie-break moves z by nudgeZ * z + nudgeW * w
     float sliverNudge;         // by how much of itself a step grows for each width a let is long
@@ -111,7 +115,7 @@ struct FrameData {
     GPU_ADDRESS(Words) highlight;              // one bit per element
     GPU_ADDRESS(StandardParts) standardParts;  // null in the hybrid pipeline
 };
-GPU_SIZE(FrameData, 64 + 96 + 16 + 12 + 8 + 17 * 4 + 17 * 8);
+GPU_SIZE(FrameData, 64 + 96 + 16 + 4 * 12 + 8 + 20 * 4 + 17 * 8);
 
 #ifndef __cplusplus
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Frame { FrameData data; };

@@ -6,6 +6,8 @@
 using namespace render;
 using namespace render::test;
 
+Q_DECLARE_METATYPE(glm::vec3)
+
 /// The two back ends draw the same picture, and culling leaves nothing out.
 class BackendsTest : public QObject {
     Q_OBJECT
@@ -26,6 +28,22 @@ class BackendsTest : public QObject {
         QCOMPARE(Gpu::get().presenter.stats().backend, Backend::Mesh);
         const std::size_t differing = differingPixels(pull, mesh);
         QVERIFY2(differing * 10000 <= std::size_t{pull.width} * pull.height, qPrintable(QString::number(differing)));
+    }
+
+    /// Draws with pull and with `exact`, which knows true outlines.
+    static void compareSolids(Scene& scene, Backend exact, bool isSmoothed, ViewSettings how = {}) {
+        how.isSmoothed = isSmoothed;
+        how.backend = Backend::Pull;
+        const Image pull = scene.draw(how, 320, 240);
+        how.backend = exact;
+        const Image picture = scene.draw(how, 320, 240);
+        QCOMPARE(Gpu::get().presenter.stats().backend, exact);
+        const double mse = greyMse(pull, picture);
+        QVERIFY2(mse < 0.0003, qPrintable(QString::number(mse)));
+        if (isSmoothed) {
+            constexpr int kNearlyFullContrast = 150;
+            QCOMPARE(differingPixels(pull, picture, kNearlyFullContrast), std::size_t{0});
+        }
     }
 
 private slots:
@@ -112,11 +130,53 @@ private slots:
         }
     }
 
-    void impostorsLeaveTiltedViewsToOthers() {
-        Scene scene(randomTraces(10, 1));
+    static void addSolidViews() {
+        QTest::addColumn<bool>("isParallel");
+        QTest::addColumn<int>("view");
+        QTest::addColumn<glm::vec3>("from");
+        QTest::addColumn<glm::vec3>("to");
+        const glm::vec3 low(-20, -15, 0);
+        const glm::vec3 high(20, 15, 1.6F);
+        QTest::newRow("iso") << false << int(NamedView::Iso) << low << high;
+        QTest::newRow("iso, parallel") << true << int(NamedView::Iso) << low << high;
+        QTest::newRow("from above") << false << int(NamedView::Top) << low << high;
+        QTest::newRow("from below") << false << int(NamedView::Bottom) << low << high;
+        QTest::newRow("strokes") << false << int(NamedView::Iso) << glm::vec3(-16, -5, 1.5F) << glm::vec3(-4, 13, 1.6F);
+        QTest::newRow("rings, barrels") << false << int(NamedView::Iso) << glm::vec3(-1.5F, 1.5F, 0)
+                                        << glm::vec3(1.5F, 4.5F, 1.6F);
+        QTest::newRow("hole") << false << int(NamedView::Iso) << glm::vec3(11, 7, 1.5F) << glm::vec3(13, 9, 1.6F);
+        QTest::newRow("arcs") << true << int(NamedView::Iso) << glm::vec3(1, -5, 1.5F) << glm::vec3(7, 1, 1.6F);
+        QTest::newRow("edge") << false << int(NamedView::Iso) << glm::vec3(-5.2F, 11, 1.55F)
+                              << glm::vec3(-4.8F, 11.4F, 1.6F);
+    }
+
+    /// Tilted, impostors are exact and polygons are not: outlines differ a little, nothing else does.
+    void impostorsDrawTheSameSolids_data() { addSolidViews(); }
+    void impostorsDrawTheSameSolids() {
+        QFETCH(bool, isParallel);
+        QFETCH(int, view);
+        QFETCH(glm::vec3, from);
+        QFETCH(glm::vec3, to);
+        for (const SyntheticBoard& board : {everything(), randomTraces(300, 5)}) {
+            Scene scene(board);
+            scene.camera.setOrthographic(isParallel);
+            scene.camera.fit(from, to, static_cast<NamedView>(view), 4.0F / 3.0F);
+            for (const bool isSmoothed : {false, true}) {
+                compareSolids(scene, Backend::Impostor, isSmoothed);
+            }
+        }
+    }
+
+    /// Highlighted, dimmed, exploded: what changes in a frame reaches impostors too.
+    void impostorsFollowWhatChanges() {
+        Scene scene(everything());
         scene.camera.fit(scene.model.boxMin, scene.model.boxMax, NamedView::Iso, 4.0F / 3.0F);
-        scene.draw(settings(Backend::Impostor));
-        QVERIFY(Gpu::get().presenter.stats().backend != Backend::Impostor);
+        const std::vector<model::ElementId> lit{model::ElementId{1}, model::ElementId{3}, model::ElementId{9}};
+        scene.scene.setHighlight(lit);
+        ViewSettings how;
+        how.dimOthers = true;
+        how.explode = 0.3F;
+        compareSolids(scene, Backend::Impostor, true, how);
     }
 
     /// The pull back end's lists of all batches lie side by side in one buffer.
@@ -138,7 +198,7 @@ private slots:
     void pictureIsTheSameEveryTime() {
         Scene scene(everything());
         scene.camera.fit(scene.model.boxMin, scene.model.boxMax, NamedView::Iso, 4.0F / 3.0F);
-        for (const Backend backend : {Backend::Pull, Backend::Mesh}) {
+        for (const Backend backend : {Backend::Pull, Backend::Mesh, Backend::Impostor}) {
             const Image first = scene.draw(settings(backend));
             const Image second = scene.draw(settings(backend));
             QCOMPARE(differingPixels(first, second, 0), std::size_t{0});
@@ -148,10 +208,9 @@ private slots:
     void cullingLeavesNothingOut_data() {
         QTest::addColumn<int>("backend");
         QTest::addColumn<float>("zoom");
-        for (const Backend backend : {Backend::Pull, Backend::Mesh}) {
+        for (const Backend backend : {Backend::Pull, Backend::Mesh, Backend::Impostor}) {
             for (const float zoom : {1.0F, 6.0F, 30.0F}) {
-                QTest::addRow("%s, zoom %g", backend == Backend::Pull ? "pull" : "mesh", static_cast<double>(zoom))
-                    << int(backend) << zoom;
+                QTest::addRow("%s, zoom %g", nameOf(backend), static_cast<double>(zoom)) << int(backend) << zoom;
             }
         }
     }

@@ -48,6 +48,17 @@ private slots:
         }
     }
 
+    void boxesAreClosed() {
+        const LetTables tables = makeLetTables();
+        const IndexRun run = tables.boxRun({});
+        QCOMPARE(run.count, 36U);
+        for (const auto& [edge, count] : edgesOf(tables, run)) {
+            QCOMPARE(count, 1);
+            QVERIFY(edgesOf(tables, run).contains({edge.second, edge.first}));
+        }
+        QCOMPARE(tables.boxRun({true, true, false}).count, 30U);
+    }
+
     void openLaddersHaveThePapersVertexCounts() {
         const LetTables tables = makeLetTables();
         const std::pair<std::uint32_t, std::size_t> expected[] = {

@@ -80,10 +80,16 @@ class ShaderLayoutTest : public QObject {
         MEMBER(frameData, FrameData, planes);
         MEMBER(frameData, FrameData, eye);
         MEMBER(frameData, FrameData, centre);
+        MEMBER(frameData, FrameData, screen);
+        MEMBER(frameData, FrameData, screenRight);
+        MEMBER(frameData, FrameData, screenDown);
+        MEMBER(frameData, FrameData, width);
+        MEMBER(frameData, FrameData, height);
         MEMBER(frameData, FrameData, light);
         MEMBER(frameData, FrameData, pixelsPerMm);
         MEMBER(frameData, FrameData, tolerancePx);
         MEMBER(frameData, FrameData, quadRadiusPx);
+        MEMBER(frameData, FrameData, rasterRadiusPx);
         MEMBER(frameData, FrameData, thinPx);
         MEMBER(frameData, FrameData, nudgeZ);
         MEMBER(frameData, FrameData, nudgeW);

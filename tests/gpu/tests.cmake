@@ -19,6 +19,7 @@ copperscope_test(shader_layout_test gpu/shader_layout_test.cpp LABEL unit LINK c
 target_compile_definitions(shader_layout_test PRIVATE
     COPPERSCOPE_GLSLANG="${GLSLANG_VALIDATOR}"
     COPPERSCOPE_LAYOUT_SHADER="${CMAKE_CURRENT_SOURCE_DIR}/gpu/shader_layout.comp.glsl")
+copperscope_test(backend_choice_test gpu/backend_choice_test.cpp LABEL unit LINK copperscope_render)
 copperscope_test(let_tables_test gpu/let_tables_test.cpp LABEL unit LINK copperscope_render)
 copperscope_test(frame_plan_test unit/render/frame_plan_test.cpp LABEL unit LINK copperscope_render)
 copperscope_test(explosion_test gpu/explosion_test.cpp LABEL unit LINK copperscope_render)

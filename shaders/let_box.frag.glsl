@@ -1,0 +1,29 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/frame.glsl"
+#include "lib/prism.glsl"
+#include "lib/surface.glsl"
+#include "lib/shading.glsl"
+#include "lib/outline.glsl"
+#include "lib/sight.glsl"
+
+// Impostor back end, tilted views: what this sample sees of the let itself.
+layout(location = 0) flat in uint inLet;
+layout(location = 0) out vec4 outColour;
+layout(depth_less) out float gl_FragDepth;
+
+void main() {
+    const Let let = FRAME.lets.at[inLet];
+    const LayerState layer = FRAME.layers.at[let.meta >> kLetLayerShift];
+    const Seen seen = seenOf(let, layer, sightAt(gl_FragCoord.xy));
+    if (!seen.isHit) {
+        discard;
+    }
+    const bool isBore = has(let.meta, kLetBore);
+    const vec4 clip = clipPosition(seen.position, layer, let.element, isBore, seen.height, slendernessOf(let));
+    gl_FragDepth = clip.z / clip.w;
+    outColour = colourOf(layer, let.element, isBore);
+    if (isShaded()) {
+        outColour.rgb *= brightness(seen.normal);
+    }
+}

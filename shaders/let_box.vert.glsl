@@ -1,0 +1,24 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/frame.glsl"
+#include "lib/prism.glsl"
+#include "lib/surface.glsl"
+
+// Impostor back end, tilted views: a box around a let, whose front faces cover all that is seen of it. The index table is that of quads with walls.
+layout(location = 0) flat out uint outLet;
+invariant gl_Position;
+
+void main() {
+    const uint code = uint(gl_VertexIndex) & 0xffffu;
+    outLet = FRAME.visibleLets.at[gl_InstanceIndex];
+    const Let let = FRAME.lets.at[outLet];
+    const LayerState layer = FRAME.layers.at[let.meta >> kLetLayerShift];
+    const float proud = has(let.meta, kLetBore) ? FRAME.boreProudMm : 0.0;
+    const vec2 corner = vec2((code >> 2u) == 0u ? -1.0 : 1.0, (code & 2u) == 0u ? 1.0 : -1.0);
+    const float z = (code & 1u) == 0u ? layer.z1 + proud : layer.z0 - proud;
+    const vec3 position = vec3(boundCorner(let, corner, 0.0), z) - FRAME.centre;
+    // Nearer than all that its fragments find in it, which they promise (depth_less): what is hidden can be left out before they run.
+    const uint top = (layer.flags >> kLayerTopRankShift) & 0xffu;
+    const uint bottom = (layer.flags >> kLayerBottomRankShift) & 0xffu;
+    gl_Position = nudged(FRAME.clipFromBoard * vec4(position, 1.0), 3.0 * float(max(top, bottom)) + 2.0, slendernessOf(let));
+}

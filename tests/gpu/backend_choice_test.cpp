@@ -1,0 +1,93 @@
+#include "render/backend_choice.h"
+
+#include <QtTest>
+
+#include "render/gpu/device.h"
+
+using namespace render;
+
+/// Which back end draws what, on devices of all kinds.
+class BackendChoiceTest : public QObject {
+    Q_OBJECT
+
+    /// A frame of one layer, seen through this camera.
+    static FramePlan planOf(const Camera& camera) {
+        SceneLayers scene;
+        scene.layers.emplace_back().z1 = 1.0F;
+        scene.styles.resize(1);
+        scene.widthMm = 10.0F;
+        return planFrame(scene, camera, {}, 64, 48);
+    }
+
+    static FramePlan tilted() {
+        Camera camera;
+        camera.fit({-5, -5, 0}, {5, 5, 1}, NamedView::Iso, 4.0F / 3.0F);
+        return planOf(camera);
+    }
+
+    static FramePlan flat() {
+        Camera camera;
+        camera.fitWindow({-5, -5}, {5, 5}, 1.0F, 4.0F / 3.0F);
+        return planOf(camera);
+    }
+
+    /// Level with the layer's middle.
+    static FramePlan inside() {
+        Camera camera;
+        camera.fit({-5, -5, 0}, {5, 5, 1}, NamedView::Top, 4.0F / 3.0F);
+        camera.orbit(0.0F, std::asin(-camera.direction().z));
+        return planOf(camera);
+    }
+
+    static gpu::Caps graphicsCard() {
+        gpu::Caps caps;
+        caps.hasMeshShader = true;
+        caps.canShadeSamples = true;
+        return caps;
+    }
+
+    static gpu::Caps softwareDevice() {
+        gpu::Caps caps = graphicsCard();
+        caps.isCpu = true;
+        return caps;
+    }
+
+private slots:
+    void autoGoesByDeviceAndView() {
+        QCOMPARE(chooseBackend(Backend::Auto, graphicsCard(), tilted()).backend, Backend::Mesh);
+        QCOMPARE(chooseBackend(Backend::Auto, softwareDevice(), tilted()).backend, Backend::Pull);
+        QCOMPARE(chooseBackend(Backend::Auto, {}, tilted()).backend, Backend::Pull);
+        QCOMPARE(chooseBackend(Backend::Auto, graphicsCard(), flat()).backend, Backend::Impostor);
+        QCOMPARE(chooseBackend(Backend::Auto, {}, flat()).backend, Backend::Impostor);
+    }
+
+    void whatIsAskedForIsTakenWhereItCan() {
+        for (const Backend backend : {Backend::Mesh, Backend::Pull, Backend::Impostor}) {
+            const BackendChoice choice = chooseBackend(backend, softwareDevice(), tilted());
+            QCOMPARE(choice.backend, backend);
+            QVERIFY(choice.needs == nullptr);
+        }
+    }
+
+    void whatCannotDrawSaysWhatItNeeds() {
+        const BackendChoice mesh = chooseBackend(Backend::Mesh, {}, tilted());
+        QCOMPARE(mesh.backend, Backend::Pull);
+        QVERIFY(QString(mesh.needs).contains("mesh shaders"));
+        const BackendChoice impostor = chooseBackend(Backend::Impostor, {}, tilted());
+        QCOMPARE(impostor.backend, Backend::Pull);
+        QVERIFY(QString(impostor.needs).contains("flat view"));
+    }
+
+    void boxesAreNotLookedAtFromInside() {
+        QCOMPARE(chooseBackend(Backend::Impostor, softwareDevice(), inside()).backend, Backend::Pull);
+    }
+
+    void namesAreThoseOfTheCommandLine() {
+        QCOMPARE(nameOf(Backend::Auto), "auto");
+        QCOMPARE(nameOf(Backend::Impostor), "impostor");
+        QCOMPARE(nameOf(Backend::Standard), "standard");
+    }
+};
+
+QTEST_APPLESS_MAIN(BackendChoiceTest)
+#include "backend_choice_test.moc"
