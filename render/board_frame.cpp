@@ -49,11 +49,6 @@ float sumOfFaces(const model::Document& document) {
 
 }  // namespace
 
-glm::vec2 toGpu(model::PointD point, model::Point origin) {
-    return {static_cast<float>((point.x - origin.x) / base::kNmPerMm),
-            static_cast<float>((point.y - origin.y) / base::kNmPerMm)};
-}
-
 model::Point centreOf(const model::Box& box) {
     if (box.isEmpty()) {
         return {};

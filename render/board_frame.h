@@ -26,6 +26,9 @@ struct BoardFrame {
 [[nodiscard]] model::Point centreOf(const model::Box& box);
 
 /// Position in mm from `origin`.
-[[nodiscard]] glm::vec2 toGpu(model::PointD point, model::Point origin);
+[[nodiscard]] inline glm::vec2 toGpu(model::PointD point, model::Point origin) {
+    return {static_cast<float>((point.x - origin.x) / base::kNmPerMm),
+            static_cast<float>((point.y - origin.y) / base::kNmPerMm)};
+}
 
 }  // namespace render

@@ -5,6 +5,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "model/base/radix_sort.h"
+
 namespace render {
 
 /// Morton order: places close together have keys close together. Its cells are square, also in a long box.
@@ -33,16 +35,16 @@ private:
     float m_scale = 1.0F;
 };
 
-/// Rows in the order of their keys; equal keys stay in order. Key and row are sorted as one number.
+/// Rows in the order of their keys; equal keys stay in order.
 [[nodiscard]] inline std::vector<std::uint32_t> rowsByKey(const std::vector<std::uint32_t>& keys) {
-    std::vector<std::uint64_t> order(keys.size());
+    std::vector<std::uint64_t> words(2 * keys.size());
     for (std::size_t i = 0; i < keys.size(); ++i) {
-        order[i] = std::uint64_t{keys[i]} << 32U | i;
+        words[i] = std::uint64_t{keys[i]} << 32U | i;
     }
-    std::sort(order.begin(), order.end());
+    const std::uint64_t* sorted = base::sortByKey(words.data(), words.data() + keys.size(), keys.size());
     std::vector<std::uint32_t> rows(keys.size());
-    std::transform(order.begin(), order.end(), rows.begin(),
-                   [](std::uint64_t entry) { return static_cast<std::uint32_t>(entry); });
+    std::transform(sorted, sorted + keys.size(), rows.begin(),
+                   [](std::uint64_t word) { return static_cast<std::uint32_t>(word); });
     return rows;
 }
 

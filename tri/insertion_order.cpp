@@ -5,6 +5,8 @@
 #include <bit>
 #include <utility>
 
+#include "model/base/radix_sort.h"
+
 namespace tri {
 
 namespace {
@@ -78,39 +80,6 @@ void writeKeys(std::span<const Point> points, Cores cores, std::uint64_t* keys) 
     });
 }
 
-/// Sorts by the upper halves, 11 + 11 + 10 bits at a time; returns where the result lies.
-std::uint64_t* radixSort(std::uint64_t* from, std::uint64_t* to, std::size_t count) {
-    constexpr std::array<int, 3> kShift = {32, 43, 54};
-    std::array<std::array<std::uint32_t, 2048>, 3> starts{};
-    for (std::size_t i = 0; i < count; ++i) {
-        for (std::size_t pass = 0; pass < 3; ++pass) {
-            ++starts[pass][from[i] >> kShift[pass] & 2047];
-        }
-    }
-    for (std::size_t pass = 0; pass < 3; ++pass) {
-        std::uint32_t sum = 0;
-        for (std::uint32_t& start : starts[pass]) {
-            sum += std::exchange(start, sum);
-        }
-        for (std::size_t i = 0; i < count; ++i) {
-            to[starts[pass][from[i] >> kShift[pass] & 2047]++] = from[i];
-        }
-        std::swap(from, to);
-    }
-    return from;
-}
-
-/// Below this, comparing beats counting into 3 x 2048 buckets.
-constexpr std::size_t kSmall = 1024;
-
-std::uint64_t* sortKeys(std::uint64_t* keys, std::uint64_t* spare, std::size_t count) {
-    if (count <= kSmall) {
-        std::sort(keys, keys + count);
-        return keys;
-    }
-    return radixSort(keys, spare, count);
-}
-
 /// Equal positions have equal keys. Sorts every run of equal keys by position and index, and drops repeats of a
 /// position: `vertexOf` of a repeat becomes the *index* of the first. Returns how many are left.
 std::size_t mergeEqual(std::span<const Point> points, std::uint64_t* keys, std::uint32_t* vertexOf,
@@ -165,7 +134,7 @@ VertexOrder orderVertices(std::span<const Point> points, Cores cores, Mesh& mesh
     static_assert(2 * sizeof(Triangle) >= 2 * sizeof(std::uint64_t) && alignof(Triangle) <= alignof(std::max_align_t));
     auto* keys = reinterpret_cast<std::uint64_t*>(mesh.triangles.data());
     writeKeys(points, cores, keys);
-    keys = sortKeys(keys, keys + points.size(), points.size());
+    keys = base::sortByKey(keys, keys + points.size(), points.size());
     VertexOrder order;
     std::vector<std::uint32_t>& merged = order.merged;
     const std::size_t count = mergeEqual(points, keys, vertexOf, merged);
