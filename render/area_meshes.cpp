@@ -76,18 +76,18 @@ std::vector<std::uint32_t> findWalls(const PolygonSet& set, const std::vector<st
     return next;
 }
 
-/// Cells of round holes have none. They are told by their boxes: no other loop comes near them, repaired or not.
+/// Fields of round holes have none. They are told by their corners: no other loop comes near them, repaired or not.
 void findMeshWalls(ShapeMesh& mesh) {
-    std::vector<Point> cells;
-    std::ranges::transform(mesh.holes, std::back_inserter(cells), [](const RoundHole& h) { return cellOf(h).min; });
-    std::ranges::sort(cells);
-    std::vector<std::uint8_t> isCell(mesh.polygons.loopCount(), 0);
-    for (std::size_t loop = 0; loop < isCell.size() && !cells.empty(); ++loop) {
+    std::vector<Point> corners;
+    std::ranges::transform(mesh.fields, std::back_inserter(corners), &model::Box::min);
+    std::ranges::sort(corners);
+    std::vector<std::uint8_t> isField(mesh.polygons.loopCount(), 0);
+    for (std::size_t loop = 0; loop < isField.size() && !corners.empty(); ++loop) {
         const std::span<const Point> points = mesh.polygons.loop(loop);
-        const bool isSquare = points.size() == 4;
-        isCell[loop] = isSquare && std::ranges::binary_search(cells, *std::ranges::min_element(points)) ? 1 : 0;
+        const bool isBox = points.size() == 4;
+        isField[loop] = isBox && std::ranges::binary_search(corners, *std::ranges::min_element(points)) ? 1 : 0;
     }
-    mesh.next = findWalls(mesh.polygons, isCell);
+    mesh.next = findWalls(mesh.polygons, isField);
 }
 
 void triangulateShape(ShapeMesh& mesh, tri::Triangulator triangulator) {
@@ -208,6 +208,7 @@ std::vector<ShapeMesh> punchShapes(const model::Document& document, const std::v
         PunchedShape shape = punch(document.shapes, shapes[i], how);
         meshes[i].polygons = std::move(shape.polygons);
         meshes[i].holes = std::move(shape.holes);
+        meshes[i].fields = std::move(shape.fields);
     });
     return meshes;
 }

@@ -14,7 +14,8 @@ namespace render {
 /// A discretised and triangulated shape in its own coordinates (nm).
 struct ShapeMesh {
     model::PolygonSet polygons;
-    std::vector<RoundHole> holes;          ///< what lets fill in; `polygons` has their cells, which get no walls
+    std::vector<RoundHole> holes;          ///< what lets fill in
+    std::vector<model::Box> fields;        ///< where; `polygons` has them as loops, which get no walls
     std::vector<std::uint32_t> triangles;  ///< three indices into polygons.points each, counter-clockwise
     std::vector<std::uint32_t>
         next;  ///< per point, the end of its wall; itself where two contour edges cancel and no wall stands

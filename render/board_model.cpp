@@ -21,16 +21,17 @@ using model::Layer;
 namespace {
 
 void joinLets(const Document& document, std::vector<LayerLets>& perLayer, BoardModel& out) {
+    std::size_t letCount = 0;
+    for (const LayerLets& layer : perLayer) {
+        letCount += layer.lets.size();
+    }
+    out.lets.reserve(letCount);
+    out.clusters.reserve(letCount / shader::kClusterSize + perLayer.size());
     for (std::size_t row = 0; row < perLayer.size(); ++row) {
-        LayerLets& layer = perLayer[row];
-        const auto firstLet = static_cast<std::uint32_t>(out.lets.size());
-        out.clustersOfLayer.push_back(
-            {static_cast<std::uint32_t>(out.clusters.size()), static_cast<std::uint32_t>(layer.clusters.size())});
-        for (shader::Cluster& cluster : layer.clusters) {
-            cluster.firstLet += firstLet;
-        }
-        out.lets.insert(out.lets.end(), layer.lets.begin(), layer.lets.end());
-        out.clusters.insert(out.clusters.end(), layer.clusters.begin(), layer.clusters.end());
+        const LayerLets& layer = perLayer[row];
+        const auto firstCluster = static_cast<std::uint32_t>(out.clusters.size());
+        appendLets(layer, model::LayerId{row}, out.lets, out.clusters);
+        out.clustersOfLayer.push_back({firstCluster, static_cast<std::uint32_t>(out.clusters.size()) - firstCluster});
         if (layer.zeroWidthStrokes > 0) {
             out.diagnostics.report(model::Severity::Info, document.layers[row].file, layer.firstZeroWidthLine,
                                    "layer " + document.layers[row].name + ": " +
@@ -208,15 +209,16 @@ std::uint64_t countStandardTriangles(const Document& document, const std::vector
         sum += document.layer(document.elements.layer[row]).isSynthetic ? 0 : trianglesOf(document, row, how);
     }
     for (const shader::AreaInstance& instance : model.instances) {
-        const model::PolygonSet& polygons = meshes[instance.shape].polygons;
+        const ShapeMesh& mesh = meshes[instance.shape];
         if (document.layers[instance.layer].isSynthetic) {
             continue;
         }
-        sum += 4 * polygons.points.size() + 4 * polygons.loopCount() - 8 * polygons.polygons.size();
-        for (const RoundHole& hole : meshes[instance.shape].holes) {
-            constexpr std::uint64_t kCorners = 4;  // of its cell, which is among the polygons' points
-            sum += 4 * (static_cast<std::uint64_t>(model::chordCount(hole.radius, 2 * std::numbers::pi, true, how)) -
-                        kCorners);
+        constexpr std::uint64_t kCorners = 4;  // of a field of round holes, which is among the polygons' loops
+        const std::uint64_t points = mesh.polygons.points.size() - kCorners * mesh.fields.size();
+        const std::uint64_t loops = mesh.polygons.loopCount() - mesh.fields.size() + mesh.holes.size();
+        sum += 4 * points + 4 * loops - 8 * mesh.polygons.polygons.size();
+        for (const RoundHole& hole : mesh.holes) {
+            sum += 4 * static_cast<std::uint64_t>(model::chordCount(hole.radius, 2 * std::numbers::pi, true, how));
         }
     }
     return sum;

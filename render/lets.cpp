@@ -1,6 +1,7 @@
 #include "render/lets.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -27,6 +28,52 @@ float mm(Nm length) {
 
 float radiusMm(Nm width) {
     return static_cast<float>(width / 2.0 / base::kNmPerMm);
+}
+
+/// How far a cell reaches from the centre of its hole, nm.
+struct Reaches {
+    Nm left;
+    Nm right;
+    Nm down;
+    Nm up;
+};
+
+Reaches reachesOf(const RoundHole& hole) {
+    return {hole.centre.x - hole.cell.min.x, hole.cell.max.x - hole.centre.x, hole.centre.y - hole.cell.min.y,
+            hole.cell.max.y - hole.centre.y};
+}
+
+/// Two reaches as kLetHole has them, each a little longer.
+float packed(Nm back, Nm forth) {
+    constexpr Nm kUnit = static_cast<Nm>(base::kNmPerMm) / static_cast<Nm>(shader::kCellUnitsPerMm);
+    const auto units = [](Nm reach) { return static_cast<std::uint32_t>((reach + kCellOverlap + kUnit - 1) / kUnit); };
+    return std::bit_cast<float>(units(back) | units(forth) << 16U);
+}
+
+std::pair<float, float> unpacked(float reach) {
+    const auto bits = std::bit_cast<std::uint32_t>(reach);
+    const auto toMm = [](std::uint32_t units) { return static_cast<float>(units) / shader::kCellUnitsPerMm; };
+    return {toMm(bits & 0xffffU), toMm(bits >> 16U)};
+}
+
+/// The axes of cells after placing. A half turn is taken by exchanging the reaches, so that the angle stays within a
+/// quarter turn; a mirror turns the y axis over.
+struct CellFrame {
+    float tanHalfAngle;
+    bool isTurned;
+    bool isMirrored;
+
+    [[nodiscard]] Reaches turned(Reaches r) const {
+        r = isMirrored ? Reaches{r.left, r.right, r.up, r.down} : r;
+        return isTurned ? Reaches{r.right, r.left, r.up, r.down} : r;
+    }
+};
+
+/// `along`: where the x axis of the shape points on the board.
+CellFrame cellFrame(model::PointD along, bool isMirrored) {
+    const bool isTurned = along.x < 0.0;
+    const double sign = isTurned ? -1.0 : 1.0;
+    return {static_cast<float>(sign * along.y / (1.0 + sign * along.x)), isTurned, isMirrored};
 }
 
 /// Turns the elements of one layer into lets.
@@ -78,17 +125,14 @@ private:
     }
 
     void addHoles(const model::AreaGeometry& area) {
-        if (!m_holesOf) {
-            return;
-        }
-        const model::Placement turn{{}, area.placement.clockwiseDeg, false};
-        const model::PointD along = turn.apply(model::PointD{1.0, 0.0});
-        for (const RoundHole& hole : m_holesOf(area.shape)) {
+        const std::span<const RoundHole> holes = m_holesOf ? m_holesOf(area.shape) : std::span<const RoundHole>();
+        const model::Placement turn{{}, area.placement.clockwiseDeg, area.placement.isMirrored};
+        const CellFrame frame = cellFrame(turn.apply(model::PointD{1.0, 0.0}), area.placement.isMirrored);
+        for (const RoundHole& hole : holes) {
             const glm::vec2 centre = toGpu(area.placement.apply(base::toDouble(hole.centre)), m_origin);
-            // A mirrored square is the square turned the other way.
-            const double sign = area.placement.isMirrored ? -1.0 : 1.0;
-            push({centre.x, centre.y, static_cast<float>(along.x), static_cast<float>(sign * along.y),
-                  mm(hole.cell + kCellOverlap), mm(hole.radius), shader::kLetHole, m_element.value});
+            const Reaches reaches = frame.turned(reachesOf(hole));
+            push({centre.x, centre.y, packed(reaches.left, reaches.right), packed(reaches.down, reaches.up),
+                  frame.tanHalfAngle, mm(hole.radius), shader::kLetHole, m_element.value});
         }
     }
 
@@ -193,41 +237,49 @@ private:
     std::uint32_t m_bore = 0;  ///< kLetBore while the inside of a hole is added
 };
 
-/// Morton order keeps neighbours together, so that clusters are small. Equal keys keep their order: the result does not
-/// depend on the sort.
-void sortAlongMorton(std::vector<shader::Let>& lets) {
+/// Neighbours come together, so that clusters are small.
+std::vector<std::uint32_t> orderAlongMorton(const std::vector<shader::Let>& lets) {
     LetBox all{glm::vec2(1e30F), glm::vec2(-1e30F)};
+    std::vector<glm::vec2> middles;
+    middles.reserve(lets.size());
     for (const shader::Let& let : lets) {
         const LetBox box = boxOf(let);
         all = {glm::min(all.min, box.min), glm::max(all.max, box.max)};
+        middles.push_back((box.min + box.max) / 2.0F);
     }
     const MortonCurve curve(all.min, all.max);
     std::vector<std::uint32_t> keys(lets.size());
-    std::ranges::transform(lets, keys.begin(), [&](const shader::Let& let) {
-        const LetBox box = boxOf(let);
-        return curve.key((box.min + box.max) / 2.0F);
-    });
-    std::vector<shader::Let> sorted;
-    sorted.reserve(lets.size());
-    for (const std::uint32_t row : rowsByKey(keys)) {
-        sorted.push_back(lets[row]);
-    }
-    lets = std::move(sorted);
+    std::ranges::transform(middles, keys.begin(), [&](glm::vec2 middle) { return curve.key(middle); });
+    return rowsByKey(keys);
 }
 
-std::vector<shader::Cluster> cutIntoClusters(const std::vector<shader::Let>& lets, std::uint32_t layer) {
-    std::vector<shader::Cluster> clusters;
-    for (std::uint32_t first = 0; first < lets.size(); first += shader::kClusterSize) {
-        const std::uint32_t count = std::min(shader::kClusterSize, static_cast<std::uint32_t>(lets.size()) - first);
-        shader::Cluster cluster{glm::vec2(1e30F), glm::vec2(-1e30F), first, count, layer, 0};
-        for (std::uint32_t i = first; i < first + count; ++i) {
-            const LetBox box = boxOf(lets[i]);
-            cluster.boxMin = glm::min(cluster.boxMin, box.min);
-            cluster.boxMax = glm::max(cluster.boxMax, box.max);
+/// About how many lets the elements of a layer become: so much room is kept for them.
+std::size_t expectedLets(const model::Document& document, model::Range elements, const HolesOfShape& holesOf) {
+    std::size_t sum = 0;
+    for (std::uint32_t row = elements.first; row < elements.first + elements.count; ++row) {
+        const std::uint32_t geometry = document.elements.geometry[row];
+        const bool isHole = (document.elements.flags[row] & model::kHole) != 0;
+        switch (document.elements.kind[row]) {
+            case ElementKind::Trail: sum += document.trails[geometry].nodeCount; break;
+            case ElementKind::Area: sum += holesOf ? holesOf(document.areas[geometry].shape).size() : 0; break;
+            default: sum += isHole ? 2 : 1; break;
         }
-        clusters.push_back(cluster);
     }
-    return clusters;
+    return sum;
+}
+
+LetBox boxOfCell(const shader::Let& let) {
+    const float t = let.p4;
+    const glm::vec2 along = glm::vec2(1.0F - t * t, 2.0F * t) / (1.0F + t * t);
+    const auto [left, right] = unpacked(let.p2);
+    const auto [down, up] = unpacked(let.p3);
+    LetBox box{glm::vec2(1e30F), glm::vec2(-1e30F)};
+    for (const glm::vec2& corner : {glm::vec2(-left, -down), {right, -down}, {right, up}, {-left, up}}) {
+        const glm::vec2 p{let.p0 + corner.x * along.x - corner.y * along.y,
+                          let.p1 + corner.x * along.y + corner.y * along.x};
+        box = {glm::min(box.min, p), glm::max(box.max, p)};
+    }
+    return box;
 }
 
 }  // namespace
@@ -248,8 +300,7 @@ LetBox boxOf(const shader::Let& let) {
     const glm::vec2 a{let.p0, let.p1};
     const glm::vec2 b{let.p2, let.p3};
     if ((let.meta & shader::kLetKindMask) == shader::kLetHole) {
-        const float reach = let.p4 * (std::abs(b.x) + std::abs(b.y));
-        return {a - reach, a + reach};
+        return boxOfCell(let);
     }
     // A square pen's corner lies a diagonal away, but its sides are axis-parallel: the box is the same.
     return {glm::min(a, b) - let.p4, glm::max(a, b) + let.p4};
@@ -258,14 +309,34 @@ LetBox boxOf(const shader::Let& let) {
 LayerLets makeLets(const model::Document& document, model::LayerId layer, Point origin, double chordToleranceNm,
                    const HolesOfShape& holesOf) {
     LayerLets out;
-    LetMaker maker(document, origin, chordToleranceNm, holesOf, out);
     const model::Range range = document.layer(layer).elements;
+    out.lets.reserve(expectedLets(document, range, holesOf));
+    LetMaker maker(document, origin, chordToleranceNm, holesOf, out);
     for (std::uint32_t i = 0; i < range.count; ++i) {
         maker.add(model::ElementId{range.first + i});
     }
-    sortAlongMorton(out.lets);
-    out.clusters = cutIntoClusters(out.lets, layer.value);
+    out.order = orderAlongMorton(out.lets);
     return out;
+}
+
+void appendLets(const LayerLets& made, model::LayerId layer, std::vector<shader::Let>& lets,
+                std::vector<shader::Cluster>& clusters) {
+    for (std::size_t done = 0; done < made.order.size(); done += shader::kClusterSize) {
+        const std::size_t count = std::min<std::size_t>(shader::kClusterSize, made.order.size() - done);
+        shader::Cluster cluster{glm::vec2(1e30F),
+                                glm::vec2(-1e30F),
+                                static_cast<std::uint32_t>(lets.size()),
+                                static_cast<std::uint32_t>(count),
+                                layer.value,
+                                0};
+        for (std::size_t i = done; i < done + count; ++i) {
+            const shader::Let& let = lets.emplace_back(made.lets[made.order[i]]);
+            const LetBox box = boxOf(let);
+            cluster.boxMin = glm::min(cluster.boxMin, box.min);
+            cluster.boxMax = glm::max(cluster.boxMax, box.max);
+        }
+        clusters.push_back(cluster);
+    }
 }
 
 }  // namespace render

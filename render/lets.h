@@ -12,10 +12,10 @@
 
 namespace render {
 
-/// The lets of one layer in Morton order, cut into clusters whose `firstLet` counts from the layer's first let.
+/// The lets of one layer as its elements have them, and the order in which they are drawn.
 struct LayerLets {
     std::vector<shader::Let> lets;
-    std::vector<shader::Cluster> clusters;
+    std::vector<std::uint32_t> order;      ///< rows of `lets` along a Morton curve
     std::uint32_t zeroWidthStrokes = 0;    ///< strokes without a width: nothing to draw
     std::uint32_t firstZeroWidthLine = 0;  ///< line of the first one in the layer's file
 };
@@ -35,5 +35,9 @@ using HolesOfShape = std::function<std::span<const RoundHole>(model::ShapeId)>;
 /// `chordToleranceNm`. Positions are mm from `origin`.
 [[nodiscard]] LayerLets makeLets(const model::Document& document, model::LayerId layer, model::Point origin,
                                  double chordToleranceNm, const HolesOfShape& holesOf = {});
+
+/// Appends a layer's lets in their order, cut into clusters.
+void appendLets(const LayerLets& made, model::LayerId layer, std::vector<shader::Let>& lets,
+                std::vector<shader::Cluster>& clusters);
 
 }  // namespace render

@@ -28,6 +28,13 @@ bool boxesTouch(Point a, Point b, const Box& box, double margin) {
            std::min(a.y, b.y) <= box.max.y + margin && std::max(a.y, b.y) >= box.min.y - margin;
 }
 
+/// Does the whole box lie on one side of the line through a and b?
+bool isBeside(const Box& box, Point a, Point b) {
+    const int side = turn(a, b, box.min);
+    return side != 0 && turn(a, b, box.max) == side && turn(a, b, {box.min.x, box.max.y}) == side &&
+           turn(a, b, {box.max.x, box.min.y}) == side;
+}
+
 template <class Visit>
 void forEachEdge(const PolygonSet& set, std::span<const PolygonSet::Polygon> polygons, const Visit& visit) {
     for (const PolygonSet::Polygon& polygon : polygons) {
@@ -131,6 +138,18 @@ bool EdgeStrips::contains(Point p) const {
         isIn ^= isCrossed(edge.a, edge.b, p);
     }
     return isIn;
+}
+
+bool EdgeStrips::meets(const Box& box) const {
+    const std::size_t last = stripOf(box.max.y);
+    for (std::size_t i = stripOf(box.min.y); i <= last; ++i) {
+        for (const Edge& edge : m_strips[i]) {
+            if (boxesTouch(edge.a, edge.b, box, 0.0) && !isBeside(box, edge.a, edge.b)) {
+                return true;
+            }
+        }
+    }
+    return false;
 }
 
 bool EdgeStrips::comesNear(const PolygonSet& set, std::span<const PolygonSet::Polygon> polygons, const Box& box,

@@ -25,6 +25,8 @@ public:
 
     /// Is the point in the region (even-odd)?
     [[nodiscard]] bool contains(Point p) const;
+    /// Does an edge of the region share a point with the box?
+    [[nodiscard]] bool meets(const Box& box) const;
     /// Does an edge of the region come closer than `margin` nm to one of these polygons, whose box is `box`?
     [[nodiscard]] bool comesNear(const PolygonSet& set, std::span<const PolygonSet::Polygon> polygons, const Box& box,
                                  double margin) const;

@@ -1,5 +1,7 @@
 // Which lets are in view, and how finely they must be drawn. Needs in_view.glsl.
 
+#include "cell.glsl"
+
 bool isClusterInView(Cluster cluster, LayerState layer) {
     if (!has(layer.flags, kLayerVisible)) {
         return false;
@@ -25,7 +27,9 @@ vec3 letCircle(Let let) {
     const vec2 a = vec2(let.p0, let.p1);
     const vec2 b = vec2(let.p2, let.p3);
     if ((let.meta & kLetKindMask) == kLetHole) {
-        return vec3(a, 1.41421357 * let.p4);
+        const vec2 x = cellReach(let.p2);
+        const vec2 y = cellReach(let.p3);
+        return vec3(a, length(vec2(max(x.x, x.y), max(y.x, y.y))));
     }
     const float corner = has(let.meta, kLetSquarePen) ? 1.41421357 : 1.0;
     return vec3(0.5 * (a + b), 0.5 * length(b - a) + corner * let.p4);

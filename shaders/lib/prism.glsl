@@ -1,4 +1,6 @@
 // The one place where a let becomes points: vertices of both back ends come from here. See ladder.h for rungs, sides and codes.
+#include "cell.glsl"
+
 const float kHalfPi = 1.57079632679;
 
 vec2 leftOf(vec2 direction) {
@@ -62,20 +64,22 @@ vec2 tubePoint(Let let, uint level, uint rung, bool isInner) {
                     has(let.meta, kLetSquarePen), isRight ? along : points - 1u - along, points);
 }
 
-// Rung `rung` of what surrounds a round hole, counter-clockwise: the circle inside, the square outside. Corners of the square are rungs at all levels.
+// Rung `rung` of what surrounds a round hole, counter-clockwise: the circle inside, the cell outside. Corners of the cell are rungs at all levels.
 vec2 holePoint(Let let, uint level, uint rung, bool isInner) {
     const float rungs = float(2u * kEndPoints[level]);
     const float angle = 4.0 * kHalfPi * float(rung) / rungs;
     const vec2 u = vec2(cos(angle), sin(angle));
-    const vec2 local = isInner ? let.p5 * 2.0 / (1.0 + cos(2.0 * kHalfPi / rungs)) * u : let.p4 * u / max(abs(u.x), abs(u.y));
-    const vec2 along = vec2(let.p2, let.p3);
+    if (!isInner) {
+        return placeInCell(let, u / max(abs(u.x), abs(u.y)));
+    }
+    const vec2 local = let.p5 * 2.0 / (1.0 + cos(2.0 * kHalfPi / rungs)) * u;
+    const vec2 along = cellAlong(let);
     return vec2(let.p0, let.p1) + local.x * along + local.y * leftOf(along);
 }
 
 // Less than a pixel: the cell is filled.
 vec2 cellCorner(Let let, uint rung, bool isLeft) {
-    const vec2 along = let.p4 * vec2(let.p2, let.p3);
-    return vec2(let.p0, let.p1) + (rung == 0u ? -along : along) + (isLeft ? 1.0 : -1.0) * leftOf(along);
+    return placeInCell(let, vec2(rung == 0u ? -1.0 : 1.0, isLeft ? 1.0 : -1.0));
 }
 
 vec2 arcPoint(Let let, uint level, uint rung, bool isLeft) {
@@ -124,8 +128,7 @@ vec2 boundCorner(Let let, vec2 corner, float margin) {
     const vec2 p = vec2(let.p0, let.p1);
     const uint kind = let.meta & kLetKindMask;
     if (kind == kLetHole) {
-        const vec2 along = let.p4 * vec2(let.p2, let.p3);
-        return p + corner.x * along + corner.y * leftOf(along);
+        return placeInCell(let, corner);
     }
     if (kind == kLetArc) {
         const float middle = let.p3 + 0.5 * let.p4;
@@ -141,7 +144,7 @@ vec2 boundCorner(Let let, vec2 corner, float margin) {
     return (corner.x < 0.0 ? p : q) + reach * (corner.x * d + corner.y * leftOf(d));
 }
 
-// Length over width of a stroke; arcs are cut into short pieces, cells are square.
+// Length over width of a stroke; arcs are cut into short pieces, and cells keep clear of others.
 float slendernessOf(Let let) {
     const bool isStroke = (let.meta & kLetKindMask) == kLetStadium;
     return !isStroke ? 0.0 : distance(vec2(let.p0, let.p1), vec2(let.p2, let.p3)) / (2.0 * let.p4);

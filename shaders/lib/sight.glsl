@@ -83,10 +83,12 @@ Span inStroke(Let let, float radius, vec2 o, vec2 d) {
 // The cell around a hole, larger by what hides the rounding between it and the area it is part of.
 Span inCell(Let let, vec2 o, vec2 d) {
     const vec2 q = o - vec2(let.p0, let.p1);
-    const vec2 u = vec2(let.p2, let.p3);
+    const vec2 u = cellAlong(let);
     const vec2 left = vec2(-u.y, u.x);
-    const float reach = let.p4 + 1e-3 / FRAME.pixelsPerMm;
-    return overlap(inStrip(dot(q, u), dot(d, u), reach), inStrip(dot(q, left), dot(d, left), reach));
+    const vec2 x = cellReach(let.p2) + 1e-3 / FRAME.pixelsPerMm;
+    const vec2 y = cellReach(let.p3) + 1e-3 / FRAME.pixelsPerMm;
+    return overlap(inStrip(dot(q, u) - 0.5 * (x.y - x.x), dot(d, u), 0.5 * (x.x + x.y)),
+                   inStrip(dot(q, left) - 0.5 * (y.y - y.x), dot(d, left), 0.5 * (y.x + y.y)));
 }
 
 // Where in `slab` a line comes into an arc, or kFar.

@@ -25,8 +25,10 @@ using mat4 = glm::mat4;
 // What a let is made of. The paper's LineLet and CircleLet are one shape here: a circle is a line with equal ends.
 GPU_CONST kLetStadium = 0;  // p0,p1 = a   p2,p3 = b   p4 = pen radius   p5 = inner radius (0 = solid, else a tube)
 GPU_CONST kLetArc = 1;      // p0,p1 = centre   p2 = arc radius   p3 = start angle   p4 = signed sweep (rad)   p5 = pen radius
-GPU_CONST kLetHole = 2;     // what is left of a square cell around a round hole: p0,p1 = centre   p2,p3 = unit vector along a side
-                            // p4 = half a side   p5 = radius of the hole
+GPU_CONST kLetHole = 2;     // what is left of a rectangular cell around a round hole: p0,p1 = centre   p5 = radius of the hole
+                            // p4 = tan(a/2) of the angle a of its x axis, -1..1   p2 = how far it reaches back and forth along x, p3 = along y:
+                            // two 16-bit numbers in units of kCellUnitsPerMm, the lower one back (lib/cell.glsl)
+GPU_CONST kCellUnitsPerMm = 1000;
 GPU_CONST kLetKindCount = 3;
 // Chords along one arc let in the finest of the paper's three levels (ladder.h): 2 * (9 + 1) points on its two sides and 6 more round each end are
 // 32 points per face. Longer arcs are split on the CPU, so that no let needs more.

@@ -19,6 +19,19 @@ std::uint32_t kindOf(const Let& let) {
     return let.meta & shader::kLetKindMask;
 }
 
+/// One layer's lets as they are drawn.
+struct Drawn {
+    std::vector<Let> lets;
+    std::vector<shader::Cluster> clusters;
+};
+
+Drawn drawn(const model::Document& document) {
+    Drawn result;
+    render::appendLets(render::makeLets(document, model::LayerId{0UL}, {}, 5000.0), model::LayerId{0UL}, result.lets,
+                       result.clusters);
+    return result;
+}
+
 /// A thousand strokes and pads of all kinds.
 std::shared_ptr<const model::Document> manyElements() {
     DocumentBuilder builder;
@@ -54,7 +67,7 @@ private slots:
 
     void clustersHoldAllLetsOnceWithinTheirBoxes() {
         const auto document = manyElements();
-        const render::LayerLets made = render::makeLets(*document, model::LayerId{0UL}, {}, 5000.0);
+        const Drawn made = drawn(*document);
         std::uint32_t next = 0;
         for (const shader::Cluster& cluster : made.clusters) {
             QCOMPARE(cluster.firstLet, next);
