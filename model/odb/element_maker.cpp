@@ -243,7 +243,14 @@ void ElementMaker::sweptStroke(std::size_t feature, Resolved& pen) {
     if (pen.pen.polygons.empty()) {
         pen.pen = penOf(*pen.shape);
     }
-    const ShapeSketch sketch = sketchOf(sweep(pen.pen, start, f.b));
+    const SweptStroke swept = sweep(*pen.shape, pen.pen, start, f.b);
+    if (swept.chordNm == 0.0) {
+        return report(Severity::Warning, feature, "a stroke whose pen has too many sides; it draws nothing");
+    }
+    if (swept.chordNm > kFinestSweep.chordToleranceNm) {
+        report(Severity::Info, feature, "a stroke whose pen has many sides; drawn with chords up to 50 µm off");
+    }
+    const ShapeSketch sketch = sketchOf(swept.cover);
     if (sketch.isEmpty()) {
         return report(Severity::Warning, feature, "a stroke with a pen too small to draw anything");
     }

@@ -65,6 +65,7 @@ struct Rule {
     SymbolShape (*make)(const SymbolValues&);
     std::size_t resizable = 0;      ///< leading lengths, the outer sizes: a resize is added to them; 0: none has one
     std::size_t mayBeNegative = 0;  ///< bit set of lengths that may be negative
+    std::size_t counts = 0;         ///< bit set of values that count pieces (gaps, rings, rows)
 };
 
 constexpr auto kRules = std::to_array<Rule>({
@@ -94,26 +95,26 @@ constexpr auto kRules = std::to_array<Rule>({
     {"donut_s#x#xr#x%", roundedSquareRing, 1},
     {"donut_sr#x#", squareRoundRing, 1},
     {"donut_o#x#x#", ovalRing, 2},
-    {"thr#x#x@x@x#", roundThermalRoundEnds, 1},
-    {"ths#x#x@x@x#", roundThermalSquareEnds, 1},
-    {"s_ths#x#x@x@x#", squareThermal, 1},
-    {"s_ths#x#x@x@x#xr#", squareThermal, 1},
-    {"s_ths#x#x@x@x#xr#x%", squareThermal, 1},
-    {"s_tho#x#x@x@x#", squareThermalOpenCorners, 1},
-    {"s_tho#x#x@x@x#xr#", squareThermalOpenCorners, 1},
-    {"s_tho#x#x@x@x#xr#x%", squareThermalOpenCorners, 1},
+    {"thr#x#x@x@x#", roundThermalRoundEnds, 1, 0, 0b1000},
+    {"ths#x#x@x@x#", roundThermalSquareEnds, 1, 0, 0b1000},
+    {"s_ths#x#x@x@x#", squareThermal, 1, 0, 0b1000},
+    {"s_ths#x#x@x@x#xr#", squareThermal, 1, 0, 0b1000},
+    {"s_ths#x#x@x@x#xr#x%", squareThermal, 1, 0, 0b1000},
+    {"s_tho#x#x@x@x#", squareThermalOpenCorners, 1, 0, 0b1000},
+    {"s_tho#x#x@x@x#xr#", squareThermalOpenCorners, 1, 0, 0b1000},
+    {"s_tho#x#x@x@x#xr#x%", squareThermalOpenCorners, 1, 0, 0b1000},
     {"s_thr#x#x45x4x#", lineThermal, 1},
-    {"sr_ths#x#x@x@x#", squareRoundThermal, 1},
-    {"rc_ths#x#x@x@x#x#", rectangleThermal, 2},
-    {"rc_ths#x#x@x@x#x#xr#", rectangleThermal, 2},
-    {"rc_ths#x#x@x@x#x#xr#x%", rectangleThermal, 2},
-    {"rc_tho#x#x@x@x#x#", rectangleThermalOpenCorners, 2},
-    {"rc_tho#x#x@x@x#x#xr#", rectangleThermalOpenCorners, 2},
-    {"rc_tho#x#x@x@x#x#xr#x%", rectangleThermalOpenCorners, 2},
-    {"o_ths#x#x@x@x#x#", ovalThermal, 2},
-    {"oblong_ths#x#x@x@x#x#xr", ovalThermal, 2},
-    {"oblong_ths#x#x@x@x#x#xs", oblongThermalStraight, 2},
-    {"moire#x#x@x#x#x@", moire},
+    {"sr_ths#x#x@x@x#", squareRoundThermal, 1, 0, 0b1000},
+    {"rc_ths#x#x@x@x#x#", rectangleThermal, 2, 0, 0b1000},
+    {"rc_ths#x#x@x@x#x#xr#", rectangleThermal, 2, 0, 0b1000},
+    {"rc_ths#x#x@x@x#x#xr#x%", rectangleThermal, 2, 0, 0b1000},
+    {"rc_tho#x#x@x@x#x#", rectangleThermalOpenCorners, 2, 0, 0b1000},
+    {"rc_tho#x#x@x@x#x#xr#", rectangleThermalOpenCorners, 2, 0, 0b1000},
+    {"rc_tho#x#x@x@x#x#xr#x%", rectangleThermalOpenCorners, 2, 0, 0b1000},
+    {"o_ths#x#x@x@x#x#", ovalThermal, 2, 0, 0b1000},
+    {"oblong_ths#x#x@x@x#x#xr", ovalThermal, 2, 0, 0b1000},
+    {"oblong_ths#x#x@x@x#x#xs", oblongThermalStraight, 2, 0, 0b1000},
+    {"moire#x#x@x#x#x@", moire, 0, 0, 0b100},
     {"hole#xpx@x@", roundShape, 1},
     {"hole#xnx@x@", roundShape, 1},
     {"hole#xvx@x@", roundShape, 1},
@@ -135,13 +136,20 @@ constexpr auto kRules = std::to_array<Rule>({
     {"dogbone#x#x#x#x@xrx#", dogboneRound, 2},
     {"dogbone#x#x#x#x@xs", dogboneSquare, 2},
     {"dogbone#x#x#x#x@xsx#", dogboneSquare, 2},
-    {"dpack#x#x#x#x@x@", padGrid, 2},
-    {"dpack#x#x#x#x@x@x#", padGrid, 2},
+    {"dpack#x#x#x#x@x@", padGrid, 2, 0, 0b110000},
+    {"dpack#x#x#x#x@x@x#", padGrid, 2, 0, 0b110000},
     {"null@", nothing},
 });
 
 /// Half a metre: symbols placed anywhere in the coordinate range then stay within 32 bits.
 constexpr double kMaxSymbol = base::kMaxCoordinate / 2.0;
+
+/// So many gaps, rings, rows or columns at most: a limit of ours, far from what boards use.
+constexpr double kMostPieces = 100.0;
+
+bool isBadCount(double pieces) {
+    return pieces < 0 || pieces > kMostPieces;
+}
 
 /// A reason why these sizes cannot be drawn, or nothing.
 std::string_view badSize(const SymbolValues& values, const Rule& rule) {
@@ -152,6 +160,9 @@ std::string_view badSize(const SymbolValues& values, const Rule& rule) {
         }
         if (isLength && values[i] < 0 && (rule.mayBeNegative >> i & 1U) == 0) {
             return "has a negative size; it draws nothing";
+        }
+        if ((rule.counts >> i & 1U) != 0 && isBadCount(values[i])) {
+            return "counts pieces below 0 or above 100; it draws nothing";
         }
     }
     return {};

@@ -206,8 +206,8 @@ SymbolShape dogboneSquare(const SymbolValues& v) {
 
 /// dpack W × H, horizontal and vertical gap, columns and rows, then the corner radius of each pad.
 SymbolShape padGrid(const SymbolValues& v) {
-    const int columns = std::clamp(static_cast<int>(std::lround(v[4])), 0, 100);
-    const int rows = std::clamp(static_cast<int>(std::lround(v[5])), 0, 100);
+    const int columns = static_cast<int>(std::lround(v[4]));
+    const int rows = static_cast<int>(std::lround(v[5]));
     const double width = (v[0] - v[2] * (columns - 1)) / std::max(columns, 1);
     const double height = (v[1] - v[3] * (rows - 1)) / std::max(rows, 1);
     ShapeSketch sketch;

@@ -12,7 +12,15 @@ namespace model::odb {
 
 namespace {
 
-constexpr Discretisation kPenChords{500.0, false};
+/// Sides of a pen times chords of a way: about a second of work at most.
+constexpr std::size_t kMostSides = 50'000;
+
+std::vector<Point> wayOf(const PathNode& from, Point end, const Discretisation& chords) {
+    std::vector<Point> way;
+    discretiseEdge(from, end, chords, way);
+    way.push_back(end);
+    return way;
+}
 
 Point shifted(Point p, Point by) {
     return {p.x + by.x, p.y + by.y};
@@ -36,7 +44,6 @@ bool isConvex(const PolygonSet& pen) {
     return hull.size() >= 3 && twiceArea(hull) == twiceArea(loop);
 }
 
-/// A convex pen covers the hull of its two ends.
 void addHull(PolygonSet& cover, std::span<const Point> pen, Point a, Point b) {
     std::vector<Point> corners = shifted(pen, a);
     const std::vector<Point> other = shifted(pen, b);
@@ -54,32 +61,61 @@ void addPen(PolygonSet& cover, const PolygonSet& pen, Point at) {
     }
 }
 
-/// Any other pen covers both ends and whatever its boundary passes: a parallelogram per side.
-void addSides(PolygonSet& cover, const PolygonSet& pen, Point a, Point b) {
-    addPen(cover, pen, a);
-    addPen(cover, pen, b);
+/// 1 if the way from `a` to `b` leads to the left of a direction, -1 to its right, 0 along it.
+int sideOf(Point direction, Point a, Point b) {
+    const std::int64_t cross = direction.x * (std::int64_t{b.y} - a.y) - direction.y * (std::int64_t{b.x} - a.x);
+    return cross > 0 ? 1 : cross < 0 ? -1 : 0;
+}
+
+/// How many chords, from the first on, lead to one side of a direction.
+std::size_t chordsToOneSide(Point direction, std::span<const Point> way) {
+    int side = 0;
+    for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+        const int next = sideOf(direction, way[i], way[i + 1]);
+        if (next * side < 0) {
+            return i;
+        }
+        side = next != 0 ? next : side;
+    }
+    return way.size() - 1;
+}
+
+/// What one side of a pen passes. As long as the way leads to one side of it that is a polygon without crossings.
+PolygonSet passedBy(Point from, Point to, std::span<const Point> way) {
+    PolygonSet passed;
+    const Point direction{to.x - from.x, to.y - from.y};
+    while (way.size() > 1) {
+        const std::size_t chords = chordsToOneSide(direction, way);
+        std::vector<Point> loop = shifted(way.first(chords + 1), from);
+        const std::vector<Point> back = shifted(way.first(chords + 1), to);
+        loop.insert(loop.end(), back.rbegin(), back.rend());
+        passed.beginPolygon();
+        passed.addLoop(loop);
+        way = way.subspan(chords);
+    }
+    return passed;
+}
+
+/// Any pen covers its start and whatever its boundary passes.
+std::vector<PolygonSet> coversOfSides(const PolygonSet& pen, std::span<const Point> way) {
+    std::vector<PolygonSet> covers(1);
+    addPen(covers.front(), pen, way.front());
     for (std::size_t l = 0; l < pen.loopCount(); ++l) {
         const std::span<const Point> loop = pen.loop(l);
         for (std::size_t i = 0; i < loop.size(); ++i) {
-            const Point from = loop[i];
-            const Point to = loop[(i + 1) % loop.size()];
-            const std::vector<Point> side =
-                convexHull({shifted(from, a), shifted(to, a), shifted(to, b), shifted(from, b)});
-            if (side.size() >= 3) {
-                cover.beginPolygon();
-                cover.addLoop(side);
-            }
+            covers.push_back(passedBy(loop[i], loop[(i + 1) % loop.size()], way));
         }
     }
+    return covers;
 }
 
-void append(PolygonSet& to, const PolygonSet& from) {
-    for (const PolygonSet::Polygon& polygon : from.polygons) {
-        to.beginPolygon();
-        for (std::uint32_t i = 0; i < polygon.loopCount; ++i) {
-            to.addLoop(from.loop(polygon.firstLoop + i));
-        }
+/// A convex pen covers the hull of both ends of each chord.
+std::vector<PolygonSet> coversOfChords(const PolygonSet& pen, std::span<const Point> way) {
+    std::vector<PolygonSet> covers(way.size() - 1);
+    for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+        addHull(covers[i], pen.loop(0), way[i], way[i + 1]);
     }
+    return covers;
 }
 
 /// Two by two, then those two by two: a large pen on a long arc covers places hundreds of times, and uniting all at
@@ -93,7 +129,7 @@ PolygonSet uniteNeighbours(std::vector<PolygonSet> covers) {
     }
     while (covers.size() > 1) {
         for (std::size_t i = 0; i + 1 < covers.size(); i += 2) {
-            append(covers[i], covers[i + 1]);
+            covers[i].append(covers[i + 1]);
             covers[i / 2] = unite(covers[i]);
         }
         if (covers.size() % 2 == 1) {
@@ -106,7 +142,7 @@ PolygonSet uniteNeighbours(std::vector<PolygonSet> covers) {
 
 }  // namespace
 
-PolygonSet penOf(const SymbolShape& shape) {
+PolygonSet penOf(const SymbolShape& shape, const Discretisation& chords) {
     ShapeSketch sketch = shape.region;
     switch (shape.kind) {
         case SymbolShape::Kind::Nothing: return {};
@@ -118,24 +154,28 @@ PolygonSet penOf(const SymbolShape& shape) {
         case SymbolShape::Kind::Oval: addOval(sketch, shape.width, shape.height, false); break;
         case SymbolShape::Kind::Region: break;
     }
-    return polygonsOf(sketch, kPenChords);
+    return polygonsOf(sketch, chords);
 }
 
-PolygonSet sweep(const PolygonSet& pen, const PathNode& from, Point end) {
-    std::vector<Point> path;
-    discretiseEdge(from, end, kPenChords, path);
-    path.push_back(end);
-    const bool convex = isConvex(pen);
-    std::vector<PolygonSet> covers;
-    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-        PolygonSet& cover = covers.emplace_back();
-        if (convex) {
-            addHull(cover, pen.loop(0), path[i], path[i + 1]);
-        } else {
-            addSides(cover, pen, path[i], path[i + 1]);
+PolygonSet sweep(const PolygonSet& pen, const PathNode& from, Point end, const Discretisation& chords) {
+    const std::vector<Point> way = wayOf(from, end, chords);
+    return uniteNeighbours(isConvex(pen) ? coversOfChords(pen, way) : coversOfSides(pen, way));
+}
+
+SweptStroke sweep(const SymbolShape& shape, const PolygonSet& finestPen, const PathNode& from, Point end) {
+    const auto isTooMuch = [&](const PolygonSet& pen, const Discretisation& chords) {
+        return pen.points.size() * wayOf(from, end, chords).size() > kMostSides;
+    };
+    if (!isTooMuch(finestPen, kFinestSweep)) {
+        return {sweep(finestPen, from, end), kFinestSweep.chordToleranceNm};
+    }
+    for (Discretisation chords = kFinestSweep; (chords.chordToleranceNm *= 10) <= Discretisation::kMaxChordNm;) {
+        const PolygonSet pen = penOf(shape, chords);
+        if (!isTooMuch(pen, chords)) {
+            return {sweep(pen, from, end, chords), chords.chordToleranceNm};
         }
     }
-    return uniteNeighbours(std::move(covers));
+    return {};
 }
 
 }  // namespace model::odb

@@ -7,11 +7,24 @@
 
 namespace model::odb {
 
-/// What a symbol draws, as polygons no further than 0.5 µm from it: the pen of a stroke.
-[[nodiscard]] PolygonSet penOf(const SymbolShape& shape);
+/// Chords within 0.5 µm for pens and ways alike, so outlines are exact within 1 µm.
+inline constexpr Discretisation kFinestSweep{Discretisation::kMinChordNm, false};
+
+/// What a symbol draws, as polygons: the pen of a stroke.
+[[nodiscard]] PolygonSet penOf(const SymbolShape& shape, const Discretisation& chords = kFinestSweep);
 
 /// What a pen covers on its way along one edge, `from.point` to `end`, without turning: the Minkowski sum of pen and
-/// path. Arcs are taken as chords within 0.5 µm, so together with the pen the outline is exact within 1 µm.
-[[nodiscard]] PolygonSet sweep(const PolygonSet& pen, const PathNode& from, Point end);
+/// path.
+[[nodiscard]] PolygonSet sweep(const PolygonSet& pen, const PathNode& from, Point end,
+                               const Discretisation& chords = kFinestSweep);
+
+struct SweptStroke {
+    PolygonSet cover;
+    double chordNm = 0.0;  ///< tolerance of the chords; 0 if the pen is too intricate for its way to be drawn at all
+};
+
+/// The same for a symbol (`finestPen` is its penOf): where pen and way have so many sides that the work would take
+/// longer than about a second, chords get coarser, up to 50 µm.
+[[nodiscard]] SweptStroke sweep(const SymbolShape& shape, const PolygonSet& finestPen, const PathNode& from, Point end);
 
 }  // namespace model::odb

@@ -59,6 +59,8 @@ struct SymbolValues {
 [[nodiscard]] SymbolShape rectangleThermalOpenCorners(const SymbolValues& v);
 [[nodiscard]] SymbolShape lineThermal(const SymbolValues& v);
 [[nodiscard]] SymbolShape oblongThermalStraight(const SymbolValues& v);
+
+// moire.cpp
 [[nodiscard]] SymbolShape moire(const SymbolValues& v);
 
 // stencil_shapes.cpp

@@ -1,4 +1,4 @@
-// Thermals and other symbols that are cut by polygon booleans.
+// Thermals: rings with gaps.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,10 +24,10 @@ double radiansOf(double degrees) {
 
 /// Directions of the gaps of a thermal in radians: `first` degrees, then evenly all around.
 std::vector<double> gapAngles(double first, double count) {
-    const int gaps = std::clamp(static_cast<int>(std::lround(count)), 0, 360);
+    const long gaps = std::lround(count);
     std::vector<double> angles;
-    for (int i = 0; i < gaps; ++i) {
-        angles.push_back(radiansOf(first + 360.0 * i / gaps));
+    for (long i = 0; i < gaps; ++i) {
+        angles.push_back(radiansOf(first + 360.0 * static_cast<double>(i) / static_cast<double>(gaps)));
     }
     return angles;
 }
@@ -222,29 +222,6 @@ SymbolShape ovalThermal(const SymbolValues& v) {
         addOval(ring, v[0] - 2 * v[5], v[1] - 2 * v[5], true);
     }
     return cutByGaps(ring, centralGaps(v[2], v[3]), v[4], v[0] + v[1]);
-}
-
-/// moire: ring width, ring gap, rings, then the cross: line width, length, angle. A dot as wide as the rings is in the
-/// middle; the lines of the cross have round ends at their length.
-SymbolShape moire(const SymbolValues& v) {
-    PolygonSet all;
-    const int rings = std::clamp(static_cast<int>(std::lround(v[2])), 0, 100);
-    ShapeSketch dot;
-    addDisc(dot, v[0], false);
-    all.append(polygonsOf(dot));
-    for (int i = 0; i < rings; ++i) {
-        const double inner = v[0] + 2 * v[1] + 2 * (v[0] + v[1]) * i;
-        ShapeSketch ring;
-        addDisc(ring, inner + 2 * v[0], false);
-        addDisc(ring, inner, true);
-        all.append(polygonsOf(ring));
-    }
-    for (const double angle : {radiansOf(v[5]), radiansOf(v[5] + 90.0)}) {
-        ShapeSketch line;
-        addCapsule(line, polar(angle, -v[4] / 2), polar(angle, v[4] / 2), v[3]);
-        all.append(polygonsOf(line));
-    }
-    return regionShape(sketchOf(unite(all)));
 }
 
 }  // namespace model::odb

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/geometry/discretise.h"
 #include "model/odb/odb_reader.h"
 #include "tests/places.h"
 
@@ -216,6 +217,23 @@ inline std::string fingerprint(const model::Document& d) {
         put(entry.line, entry.count);
     }
     return text;
+}
+
+/// Is the point in the region? By the winding number of all loops.
+inline bool covers(const model::PolygonSet& set, model::Point p) {
+    int winding = 0;
+    for (std::size_t l = 0; l < set.loopCount(); ++l) {
+        const auto loop = set.loop(l);
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const model::Point a = loop[i];
+            const model::Point b = loop[(i + 1) % loop.size()];
+            const __int128 side = static_cast<__int128>(b.x - std::int64_t{a.x}) * (p.y - std::int64_t{a.y}) -
+                                  static_cast<__int128>(b.y - std::int64_t{a.y}) * (p.x - std::int64_t{a.x});
+            winding += a.y <= p.y && b.y > p.y && side > 0 ? 1 : 0;
+            winding -= a.y > p.y && b.y <= p.y && side < 0 ? 1 : 0;
+        }
+    }
+    return winding > 0;
 }
 
 }  // namespace odb_testing

@@ -1,20 +1,24 @@
 #include "model/odb/standard_symbols.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <random>
 #include <vector>
 
 #include "model/odb/region.h"
 #include "odb_testing.h"
 
 using model::Box;
+using model::Nm;
 using model::Point;
 using model::ShapeSketch;
 using model::odb::standardSymbol;
 using model::odb::SymbolRef;
 using model::odb::SymbolShape;
 using model::odb::Unit;
+using odb_testing::covers;
 using Kind = model::odb::SymbolShape::Kind;
 
 namespace {
@@ -40,6 +44,25 @@ Box boxOf(const ShapeSketch& sketch) {
 /// In mm².
 double areaOf(const ShapeSketch& sketch) {
     return static_cast<double>(model::twiceArea(model::odb::polygonsOf(sketch))) / 2e12;
+}
+
+/// Of a point in nm from what a moire with these values (µm, rings and degrees as in its name) covers, in mm; negative
+/// inside.
+double distanceToMoire(Point p, const std::array<double, 6>& v) {
+    const double x = p.x / 1e6, y = p.y / 1e6;
+    const double d = std::hypot(x, y);
+    const double width = v[0] / 1e3, gap = v[1] / 1e3;
+    double distance = width > 0 ? d - width / 2 : 1.0;
+    for (int ring = 1; ring <= v[2] && width > 0; ++ring) {
+        const double outer = width / 2 + ring * (width + gap);
+        distance = std::min(distance, std::max(d - outer, outer - width - d));
+    }
+    for (const double degrees : {v[5], v[5] + 90}) {
+        const double c = std::cos(degrees * kPi / 180), s = std::sin(degrees * kPi / 180);
+        const double past = std::max(std::abs(x * c + y * s) - v[4] / 2e3, 0.0);
+        distance = v[3] > 0 ? std::min(distance, std::hypot(past, y * c - x * s) - v[3] / 2e3) : distance;
+    }
+    return distance;
 }
 
 }  // namespace
@@ -311,6 +334,57 @@ private slots:
         const double arms = 4 * (1.0 - 0.05 - 0.2) * 0.05 + kPi * 0.05 * 0.05 / 4 * 2;
         QVERIFY2(std::abs(areaOf(shape.region) - rings - arms) < 0.005,
                  qPrintable(QString::number(areaOf(shape.region))));
+    }
+
+    /// Wherever the cross ends, every point is where the definition says: in the dot, a ring or the cross.
+    void moiresCoverDotRingsAndCross_data() {
+        QTest::addColumn<std::array<double, 6>>("v");
+        QTest::newRow("cross beyond the rings") << std::array<double, 6>{100, 200, 3, 50, 3000, 0};
+        QTest::newRow("turned") << std::array<double, 6>{100, 200, 3, 50, 3000, 33};
+        QTest::newRow("cross ends in a gap") << std::array<double, 6>{100, 400, 3, 60, 1500, 10};
+        QTest::newRow("cross ends in a ring") << std::array<double, 6>{200, 200, 3, 60, 900, 10};
+        QTest::newRow("round end on a circle") << std::array<double, 6>{100, 200, 3, 300, 560, 45};
+        QTest::newRow("cross within the dot") << std::array<double, 6>{400, 200, 2, 50, 100, 0};
+        QTest::newRow("lines as wide as gaps") << std::array<double, 6>{100, 200, 3, 500, 2500, 0};
+        QTest::newRow("lines wider than long") << std::array<double, 6>{100, 200, 3, 700, 300, 20};
+        QTest::newRow("a disc for a cross") << std::array<double, 6>{100, 200, 3, 700, 0, 0};
+        QTest::newRow("no cross") << std::array<double, 6>{100, 200, 3, 0, 2000, 0};
+        QTest::newRow("no rings") << std::array<double, 6>{100, 200, 0, 50, 2000, 0};
+        QTest::newRow("rings without width") << std::array<double, 6>{0, 200, 40, 50, 2000, 0};
+        QTest::newRow("rings without gaps") << std::array<double, 6>{100, 0, 4, 50, 2000, 0};
+        QTest::newRow("wide cross, no dot to see") << std::array<double, 6>{20, 30, 30, 900, 2600, 15};
+    }
+    void moiresCoverDotRingsAndCross() {
+        using Values = std::array<double, 6>;
+        QFETCH(Values, v);
+        QString name = "moire%1x%2x%3x%4x%5x%6";
+        for (const double value : v) {
+            name = name.arg(value);
+        }
+        const model::PolygonSet region = model::odb::polygonsOf(shapeOf(name.toStdString()).region, {500.0, false});
+        std::mt19937 random(5);
+        int unsure = 0;
+        for (int i = 0; i < 4000; ++i) {
+            const Point p{static_cast<Nm>(random() % 3'400'000) - 1'700'000,
+                          static_cast<Nm>(random() % 3'400'000) - 1'700'000};
+            const double distance = distanceToMoire(p, v);
+            unsure += std::abs(distance) < 0.002 ? 1 : 0;
+            if (std::abs(distance) >= 0.002) {
+                QVERIFY2(covers(region, p) == (distance < 0),
+                         qPrintable(QString("%1 at %2, %3").arg(name).arg(p.x).arg(p.y)));
+            }
+        }
+        QVERIFY(unsure < 800);
+    }
+
+    void symbolsOfMoreThanAHundredPiecesDrawNothing() {
+        QVERIFY(shapeOf("moire10x10x100x5x1000x0").problem.empty());
+        for (const char* name : {"moire10x10x101x5x1000x0", "thr2000x1000x45x200x100", "s_ths2000x1000x45x-4x100",
+                                 "dpack9000x9000x10x10x101x2"}) {
+            const SymbolShape shape = shapeOf(name);
+            QCOMPARE(shape.kind, Kind::Nothing);
+            QVERIFY2(shape.problem.find("draws nothing") != std::string::npos, name);
+        }
     }
 
     void butterfliesFillTheTopLeftAndTheBottomRight() {

@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
 
+#include "model/odb/outlines.h"
 #include "odb_testing.h"
 
 using model::EdgeKind;
@@ -12,7 +14,9 @@ using model::PolygonSet;
 using model::odb::penOf;
 using model::odb::standardSymbol;
 using model::odb::sweep;
+using model::odb::SymbolShape;
 using model::odb::Unit;
+using odb_testing::covers;
 
 namespace {
 
@@ -29,23 +33,6 @@ double areaOf(const PolygonSet& set) {
 
 PathNode lineFrom(Point p) {
     return {p, {}, EdgeKind::Line};
-}
-
-/// Is the point in the region? By the winding number of all loops.
-bool covers(const PolygonSet& set, Point p) {
-    int winding = 0;
-    for (std::size_t l = 0; l < set.loopCount(); ++l) {
-        const auto loop = set.loop(l);
-        for (std::size_t i = 0; i < loop.size(); ++i) {
-            const Point a = loop[i];
-            const Point b = loop[(i + 1) % loop.size()];
-            const __int128 side = static_cast<__int128>(b.x - std::int64_t{a.x}) * (p.y - std::int64_t{a.y}) -
-                                  static_cast<__int128>(b.y - std::int64_t{a.y}) * (p.x - std::int64_t{a.x});
-            winding += a.y <= p.y && b.y > p.y && side > 0 ? 1 : 0;
-            winding -= a.y > p.y && b.y <= p.y && side < 0 ? 1 : 0;
-        }
-    }
-    return winding > 0;
 }
 
 }  // namespace
@@ -104,6 +91,51 @@ private slots:
         QVERIFY(!covers(swept, {3'400'000, 0}));
         QVERIFY(covers(swept, {400'000, 0}));
         QVERIFY(std::abs(areaOf(swept) - (0.8 - 0.2 + 3 * 0.8)) < 1e-5);
+    }
+
+    /// A concave pen along an arc against the pen laid down at many places of it.
+    void aConcavePenAlongAnArcCoversWhatItsPlacesCover() {
+        const PolygonSet notched = pen("rhplate1000x800x500");
+        const PathNode start{{2'000'000, 0}, {0, 0}, EdgeKind::ArcCounterClockwise};
+        const Point end{-1'414'214, 1'414'214};
+        const PolygonSet swept = sweep(notched, start, end);
+        std::mt19937 random(3);
+        for (int i = 0; i < 500; ++i) {
+            const Point p{static_cast<int>(random() % 6'000'000) - 3'000'000,
+                          static_cast<int>(random() % 4'000'000) - 1'000'000};
+            int seen = 0;  // places that cover p; a hair's breadth is neither inside nor outside
+            for (int place = 0; place <= 3000; ++place) {
+                const double angle = 0.75 * kPi * place / 3000;
+                seen += covers(notched, {p.x - static_cast<int>(std::lround(2e6 * std::cos(angle))),
+                                         p.y - static_cast<int>(std::lround(2e6 * std::sin(angle)))})
+                            ? 1
+                            : 0;
+            }
+            QVERIFY2(seen == 0 || seen > 2 ? covers(swept, p) == (seen > 0) : true,
+                     qPrintable(QString("%1, %2: %3 places").arg(p.x).arg(p.y).arg(seen)));
+        }
+    }
+
+    /// 3,000 sides around a circle of 40 mm: finer chords than needed would take minutes.
+    void manySidesAreSweptByCoarserChords() {
+        SymbolShape comb;
+        comb.kind = SymbolShape::Kind::Region;
+        std::vector<model::PointD> points;
+        for (int tooth = 0; tooth < 1500; ++tooth) {
+            points.push_back({tooth * 1'000.0, 0.0});
+            points.push_back({tooth * 1'000.0 + 500.0, 1'000'000.0});
+        }
+        points.push_back({1'500'000.0, -100'000.0});
+        points.push_back({0.0, -100'000.0});
+        model::odb::addLoop(comb.region, points, false);
+        const PathNode start{{40'000'000, 0}, {0, 0}, EdgeKind::ArcCounterClockwise};
+        const auto swept = sweep(comb, penOf(comb), start, start.point);
+        QVERIFY(swept.chordNm == 0.0);  // 50 µm chords are still too many
+        const auto across = sweep(comb, penOf(comb), {{0, 0}, {500'000, 0}, EdgeKind::ArcCounterClockwise}, {0, 0});
+        QVERIFY2(across.chordNm > 500.0, qPrintable(QString::number(across.chordNm)));
+        QVERIFY(covers(across.cover, {500'000, 900'000}));
+        QVERIFY(covers(across.cover, {500'000, -550'000}));
+        QVERIFY(!covers(across.cover, {500'000, -650'000}));
     }
 
     void arcsAreSweptAlongTheArcWithoutTurning() {
