@@ -101,6 +101,10 @@ struct Layer {
     [[nodiscard]] bool isCopper() const {
         return type == LayerType::Signal || type == LayerType::PowerGround || type == LayerType::Mixed;
     }
+    /// Does the span of a drill layer hold this one? Layers are in physical order, so a span is a run of rows.
+    [[nodiscard]] bool spans(LayerId id) const {
+        return spanTop.isValid() && spanBottom.isValid() && spanTop <= id && id <= spanBottom;
+    }
 };
 
 /// What a job says a layer is made of. Empty or absent: the job does not say.
@@ -173,6 +177,11 @@ enum class HoleKind : std::uint8_t { Via, Component, Mounting, NonPlated };
                                      : HoleKind::Mounting;
 }
 
+/// Is the element the plated wall of a hole?
+[[nodiscard]] constexpr bool isPlatedHole(std::uint8_t flags) {
+    return (flags & kHole) != 0 && (flags & kPlated) != 0;
+}
+
 /// One row per element, columns side by side. `geometry` is a row of the table of the element's kind.
 struct ElementTable {
     std::vector<ElementKind> kind;
@@ -209,6 +218,10 @@ struct PlatedSpan {
     ElementId hole;
     LayerId top;
     LayerId bottom;
+
+    [[nodiscard]] bool joins(LayerId layer) const {
+        return top.isValid() && bottom.isValid() && top <= layer && layer <= bottom;
+    }
 };
 
 /// The features that an area made by painting came from: rows of `PaintedSources::features`.

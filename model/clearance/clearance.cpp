@@ -23,14 +23,6 @@ constexpr std::size_t kFiguresPerTask = 512;
 /// By layer and nets.
 using Narrowest = std::map<std::tuple<LayerId, NetId, NetId>, Clearance>;
 
-bool isPlatedHole(std::uint8_t flags) {
-    return (flags & kHole) != 0 && (flags & kPlated) != 0;
-}
-
-bool passes(const Layer& drill, LayerId layer) {
-    return drill.spanTop.isValid() && drill.spanBottom.isValid() && drill.spanTop <= layer && layer <= drill.spanBottom;
-}
-
 bool isNarrower(const Clearance& a, const Clearance& b) {
     const auto rank = [](const Clearance& c) { return std::tuple(c.gap.distance, c.layer, c.netA, c.netB, c.a, c.b); };
     return rank(a) < rank(b);
@@ -48,10 +40,13 @@ void keep(Narrowest& narrowest, const Clearance& found) {
 class Sheet {
 public:
     Sheet(const Document& document, LayerId layer) : m_document(document), m_layer(layer) {
-        add(document.layer(layer), [](std::uint8_t) { return true; });
+        add(document.layer(layer), [](ElementId) { return true; });
         for (const Layer& drill : document.layers) {
-            if (passes(drill, layer)) {
-                add(drill, isPlatedHole);
+            if (drill.spans(layer)) {
+                add(drill, [&](ElementId hole) {
+                    return isPlatedHole(document.elements.flags[hole.row()]) &&
+                           document.platedSpanOf(hole).joins(layer);
+                });
             }
         }
         for (std::size_t i = 0; i < m_figures.size(); ++i) {
@@ -89,7 +84,7 @@ private:
     template <class IsWanted>
     void add(const Layer& layer, const IsWanted& isWanted) {
         for (std::uint32_t i = layer.elements.first; i < layer.elements.first + layer.elements.count; ++i) {
-            if (isWanted(m_document.elements.flags[i])) {
+            if (isWanted(ElementId{i})) {
                 m_figures.add(m_document, ElementId{i});
             }
         }

@@ -31,7 +31,8 @@ struct ClearanceQuestion {
 };
 
 /// The narrowest gaps in the plane of a layer, in rising order. What takes part is the copper of the layer and the
-/// walls of plated holes that pass it, exact arcs and areas included. Left out: pairs of one net, copper without a net
+/// walls of plated holes that reach it after back-drilling (Document::platedSpanOf), exact arcs and areas included.
+/// Copper that a bare hole takes away counts as there. Left out: pairs of one net, copper without a net
 /// among itself, and copper without a net that touches the other net (it belongs to it). Copies of other steps are not
 /// part of it: they have a document of their own.
 ///

@@ -14,14 +14,6 @@ namespace {
 /// Pieces per task: small enough to share out one heavy layer, large enough to be worth a task.
 constexpr std::size_t kPiecesPerTask = 512;
 
-bool isPlatedHole(std::uint8_t flags) {
-    return (flags & kHole) != 0 && (flags & kPlated) != 0;
-}
-
-bool isInSpan(const PlatedSpan& span, LayerId layer) {
-    return span.top.isValid() && span.bottom.isValid() && span.top <= layer && layer <= span.bottom;
-}
-
 struct Task {
     std::size_t sheet = 0;
     std::size_t first = 0;
@@ -125,7 +117,7 @@ void Connectivity::touchHoles(const Document& document, std::size_t first, std::
         const PlatedSpan span = document.platedSpanOf(holes.figures[hole].element);
         for (std::size_t row = 0; row + 1 < m_sheets.size(); ++row) {
             const Sheet& sheet = m_sheets[row];
-            if (!isInSpan(span, sheet.layer)) {
+            if (!span.joins(sheet.layer)) {
                 continue;
             }
             std::vector<std::uint32_t> near;

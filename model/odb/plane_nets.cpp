@@ -13,11 +13,6 @@ Point middleOf(const Document& document, std::size_t row) {
             static_cast<Nm>((std::int64_t{box.min.y} + box.max.y) / 2)};
 }
 
-/// Layers are in physical order from the top, so a span is a run of rows.
-bool passes(const Layer& holes, LayerId layer) {
-    return holes.spanTop.isValid() && holes.spanBottom.isValid() && holes.spanTop <= layer && layer <= holes.spanBottom;
-}
-
 /// Finds the polygon around a point. Edges are sorted into rows of y, so a point asks only those at its height.
 class PieceLocator {
 public:
@@ -108,7 +103,7 @@ PieceNet winner(const std::map<NetId, std::size_t>& counts) {
 std::vector<NetVote> votesOn(const Document& document, LayerId layer, const Document& ownFeatures) {
     std::vector<NetVote> votes;
     for (const Layer& holes : document.layers) {
-        for (std::uint32_t i = 0; passes(holes, layer) && i < holes.elements.count; ++i) {
+        for (std::uint32_t i = 0; holes.spans(layer) && i < holes.elements.count; ++i) {
             const std::size_t row = holes.elements.first + i;
             const NetId net = document.elements.net[row];
             if ((document.elements.flags[row] & kPlated) != 0 && net.isValid()) {

@@ -147,7 +147,13 @@ private slots:
         QVERIFY(two[0].netA == NetId{std::size_t{2}} && two[0].netB == NetId{std::size_t{4}});
     }
 
-    void aPlatedHoleIsCopperOfEveryLayerItPasses() {
+    void aPlatedHoleIsCopperOfEveryLayerItJoins_data() {
+        QTest::addColumn<bool>("isBackDrilled");
+        QTest::newRow("as drilled") << false;
+        QTest::newRow("back-drilled") << true;
+    }
+    void aPlatedHoleIsCopperOfEveryLayerItJoins() {
+        QFETCH(bool, isBackDrilled);
         DocumentBuilder builder;
         const LayerId top = addCopper(builder, "top");
         const LayerId inner = addCopper(builder, "inner");
@@ -165,11 +171,17 @@ private slots:
             }
         }
         builder.beginLayer(blind);
-        builder.addCircle({{0, 0}, 300 * kUm, 300 * kUm}, of(a, model::kHole | model::kPlated));
+        const model::ElementId hole =
+            builder.addCircle({{0, 0}, 300 * kUm, 300 * kUm}, of(a, model::kHole | model::kPlated));
+        if (isBackDrilled) {
+            builder.addPlatedSpan({hole, top, top});
+        }
         const std::vector<Clearance> found = clearancesOf(*builder.finish());
-        QCOMPARE(found.size(), std::size_t{1});
-        QCOMPARE(found[0].layer, inner);
-        QCOMPARE(found[0].gap.distance, 250.0 * kUm);
+        QCOMPARE(found.size(), isBackDrilled ? std::size_t{0} : std::size_t{1});
+        if (!isBackDrilled) {
+            QCOMPARE(found[0].layer, inner);
+            QCOMPARE(found[0].gap.distance, 250.0 * kUm);
+        }
     }
 
     void copperOfNobodyThatTouchesANetIsPartOfIt() {
