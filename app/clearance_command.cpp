@@ -29,24 +29,6 @@ base::Error unknown(const char* kind, const std::string& name) {
     return {base::ErrorCode::BadUsage, "the board has no " + std::string(kind) + " " + name};
 }
 
-base::Result<model::LayerId> copperLayer(const Document& document, const std::string& name) {
-    for (std::size_t row = 0; row < document.layers.size(); ++row) {
-        if (document.layers[row].name == name && document.layers[row].isCopper()) {
-            return model::LayerId{row};
-        }
-    }
-    return unknown("copper layer", name);
-}
-
-base::Result<model::NetId> netNamed(const Document& document, const std::string& name) {
-    for (std::size_t row = 0; row < document.nets.size(); ++row) {
-        if (document.nets[row].name == name) {
-            return model::NetId{row};
-        }
-    }
-    return unknown("net", name);
-}
-
 base::Result<model::ClearanceQuestion> questionFor(const Document& document, const ClearanceArguments& arguments) {
     model::ClearanceQuestion question;
     question.count = arguments.worst;
@@ -58,22 +40,21 @@ base::Result<model::ClearanceQuestion> questionFor(const Document& document, con
         question.below = static_cast<double>(*below);
     }
     if (!arguments.layer.empty()) {
-        const base::Result<model::LayerId> layer = copperLayer(document, arguments.layer);
-        if (!layer) {
-            return layer.error();
+        question.layer = document.findLayer(arguments.layer);
+        if (!question.layer.isValid() || !document.layer(question.layer).isCopper()) {
+            return unknown("copper layer", arguments.layer);
         }
-        question.layer = *layer;
     }
     if (!arguments.nets.empty()) {
-        const base::Result<model::NetId> a = netNamed(document, arguments.nets.front());
-        const base::Result<model::NetId> b = netNamed(document, arguments.nets.back());
-        if (!a || !b) {
-            return a ? b.error() : a.error();
+        const model::NetId a = document.findNet(arguments.nets.front());
+        const model::NetId b = document.findNet(arguments.nets.back());
+        if (!a.isValid() || !b.isValid()) {
+            return unknown("net", a.isValid() ? arguments.nets.back() : arguments.nets.front());
         }
-        if (*a == *b) {
+        if (a == b) {
             return base::Error{base::ErrorCode::BadUsage, "a net has no clearance to itself: --nets names two"};
         }
-        question.between = {*a, *b};
+        question.between = {a, b};
     }
     return question;
 }
