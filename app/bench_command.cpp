@@ -4,24 +4,22 @@
 
 #include "app/bench_report.h"
 #include "app/exit_code.h"
+#include "app/headless_device.h"
 
 namespace app {
 
 namespace {
 
 base::Result<BenchReport> measure(const BenchArguments& arguments) {
-    base::Result<render::gpu::Instance> instance = render::gpu::Instance::create({});
-    if (!instance) {
-        return instance.error();
+    base::Result<HeadlessDevice> opened = HeadlessDevice::open();
+    if (!opened) {
+        return opened.error();
     }
-    base::Result<render::gpu::Device> device = render::gpu::Device::create(*instance);
-    if (!device) {
-        return device.error();
-    }
+    render::gpu::Device& device = *opened->device;
     BenchReport report;
-    report.device = device->caps().name + ", " + device->caps().driver;
+    report.device = device.caps().name + ", " + device.caps().driver;
     for (const std::string& path : arguments.boards) {
-        base::Result<BoardResult> board = benchBoard(*device, path, arguments);
+        base::Result<BoardResult> board = benchBoard(device, path, arguments);
         if (!board) {
             return board.error();
         }

@@ -5,20 +5,14 @@
 namespace app {
 
 base::Result<DeviceTriangulator> DeviceTriangulator::open() {
-    base::Result<render::gpu::Instance> instance = render::gpu::Instance::create({});
-    if (!instance) {
-        return instance.error();
-    }
-    base::Result<render::gpu::Device> device = render::gpu::Device::create(*instance);
+    base::Result<HeadlessDevice> device = HeadlessDevice::open();
     if (!device) {
         return device.error();
     }
-    return DeviceTriangulator(std::move(*instance), std::move(*device));
+    return DeviceTriangulator(std::move(*device));
 }
 
-DeviceTriangulator::DeviceTriangulator(render::gpu::Instance instance, render::gpu::Device device)
-    : m_instance(std::make_unique<render::gpu::Instance>(std::move(instance))),
-      m_device(std::make_unique<render::gpu::Device>(std::move(device))),
-      m_triangulator(std::make_unique<tri::gpu::Triangulator>(*m_device)) {}
+DeviceTriangulator::DeviceTriangulator(HeadlessDevice device)
+    : m_device(std::move(device)), m_triangulator(std::make_unique<tri::gpu::Triangulator>(*m_device.device)) {}
 
 }  // namespace app

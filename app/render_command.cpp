@@ -5,10 +5,9 @@
 
 #include "app/console_progress.h"
 #include "app/exit_code.h"
+#include "app/headless_device.h"
 #include "model/copies.h"
 #include "render/explosion.h"
-#include "render/gpu/device.h"
-#include "render/gpu/instance.h"
 
 namespace app {
 
@@ -131,20 +130,17 @@ struct Scenery {
 
 template <class Model>
 Result<render::Image> draw(const RenderArguments& arguments, const Model& board, const Scenery& scenery) {
-    Result<render::gpu::Instance> instance = render::gpu::Instance::create({});
-    if (!instance) {
-        return instance.error();
+    Result<HeadlessDevice> opened = HeadlessDevice::open();
+    if (!opened) {
+        return opened.error();
     }
-    Result<render::gpu::Device> device = render::gpu::Device::create(*instance);
-    if (!device) {
-        return device.error();
-    }
-    render::BoardScene scene(*device, board);
+    render::gpu::Device& device = *opened->device;
+    render::BoardScene scene(device, board);
     scene.setStyles(scenery.styles);
     for (std::uint32_t step = 0; step < scenery.highlights.size(); ++step) {
         scene.setHighlight(scenery.highlights[step], step);
     }
-    render::OffscreenPresenter presenter(*device);
+    render::OffscreenPresenter presenter(device);
     return presenter.render(scene, cameraFor(arguments, board, scenery.view), settingsFor(arguments), arguments.width,
                             arguments.height);
 }
