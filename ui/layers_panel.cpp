@@ -5,7 +5,6 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 #include "ui/actions.h"
 #include "ui/layer_delegate.h"
@@ -44,11 +43,7 @@ LayersPanel::LayersPanel(LayerModel& model, const ActionSet& actions, QWidget* p
     connect(m_table, &QTableView::clicked, this, &LayersPanel::chooseColour);
     connect(&model, &QAbstractItemModel::modelReset, this, &LayersPanel::fitColumns);
     connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &LayersPanel::currentChanged);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(2, 2, 2, 2);
-    layout->setSpacing(2);
-    layout->addLayout(buttonRow(actions));
-    layout->addWidget(m_table);
+    layOut(*this, buttonRow(actions), m_table);
     fitColumns();
 }
 

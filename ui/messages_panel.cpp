@@ -5,7 +5,6 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
-#include <QVBoxLayout>
 
 #include "ui/models/message_model.h"
 #include "ui/table_view.h"
@@ -55,11 +54,7 @@ MessagesPanel::MessagesPanel(MessageModel& model, QWidget* parent)
     row->addWidget(m_words, 1);
     row->addWidget(m_severity);
     row->addWidget(m_summary);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(2, 2, 2, 2);
-    layout->setSpacing(2);
-    layout->addLayout(row);
-    layout->addWidget(m_table);
+    layOut(*this, row, m_table);
     fitColumns();
 }
 

@@ -6,7 +6,6 @@
 #include <QLineEdit>
 #include <QSortFilterProxyModel>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 #include "ui/actions.h"
 #include "ui/table_view.h"
@@ -45,11 +44,7 @@ NetCheckPanel::NetCheckPanel(NetCheckModel& model, const ActionSet& actions, QWi
     }
     row->addWidget(m_filterEdit, 1);
     row->addWidget(m_summary);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(2, 2, 2, 2);
-    layout->setSpacing(2);
-    layout->addLayout(row);
-    layout->addWidget(m_table);
+    layOut(*this, row, m_table);
     onReset();
 }
 

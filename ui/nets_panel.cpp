@@ -6,7 +6,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QScopedValueRollback>
-#include <QVBoxLayout>
 
 #include "ui/table_view.h"
 
@@ -52,11 +51,7 @@ NetsPanel::NetsPanel(NetModel& model, models::SelectionModel& selection, QWidget
     row->addWidget(m_filter, 1);
     row->addWidget(m_kind);
     row->addWidget(m_summary);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(2, 2, 2, 2);
-    layout->setSpacing(2);
-    layout->addLayout(row);
-    layout->addWidget(m_table);
+    layOut(*this, row, m_table);
 }
 
 void NetsPanel::applyFilter() {

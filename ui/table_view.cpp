@@ -6,6 +6,7 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QMenu>
+#include <QVBoxLayout>
 
 #include "ui/models/table_text.h"
 
@@ -54,6 +55,14 @@ void TableView::contextMenuEvent(QContextMenuEvent* event) {
     copy->setEnabled(selectionModel() != nullptr && selectionModel()->hasSelection());
     menu.addAction(QStringLiteral("Copy &all with headings"), this, &TableView::copyAll);
     menu.exec(event->globalPos());
+}
+
+void layOut(QWidget& panel, QLayout* controls, TableView* table) {
+    auto* layout = new QVBoxLayout(&panel);
+    layout->setContentsMargins(2, 2, 2, 2);
+    layout->setSpacing(2);
+    layout->addLayout(controls);
+    layout->addWidget(table);
 }
 
 }  // namespace ui

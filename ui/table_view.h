@@ -2,6 +2,8 @@
 
 #include <QTableView>
 
+class QLayout;
+
 namespace ui {
 
 /// A table that looks and copies alike in all panels: whole rows, no grid, Ctrl+C and a context menu that put rows on
@@ -22,5 +24,8 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
 };
+
+/// A panel of one table under one row of controls.
+void layOut(QWidget& panel, QLayout* controls, TableView* table);
 
 }  // namespace ui
