@@ -109,6 +109,12 @@ void addRender(CLI::App& parent, RenderArguments& arguments) {
         ->delimiter(',')
         ->expected(2)
         ->check(CLI::Range(0.01, 1000.0));
+    command
+        ->add_option("--clip", arguments.cut,
+                     "X0,Y0,X1,Y1 in millimetres: cut the board open along this line; what is to its left is left out "
+                     "(3D)")
+        ->delimiter(',')
+        ->expected(4);
     addLevels(*command, arguments.levels);
     command->add_flag("--mono", arguments.isMono, "shapes white on black, neither shaded nor smoothed");
 }

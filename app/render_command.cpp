@@ -121,11 +121,33 @@ render::ViewSettings settingsFor(const RenderArguments& arguments) {
     return settings;
 }
 
+/// None if the board is to be whole.
+Result<std::shared_ptr<const render::Cut>> cutOf(const RenderArguments& arguments,
+                                                 const std::shared_ptr<const Document>& document) {
+    if (arguments.cut.empty()) {
+        return std::shared_ptr<const render::Cut>();
+    }
+    base::Progress progress;
+    const auto index = model::indexBoard(document, progress);
+    if (!index) {
+        return index.error();
+    }
+    const auto place = [&](std::size_t i) {
+        return base::PointD{arguments.cut[i] * base::kNmPerMm, arguments.cut[i + 1] * base::kNmPerMm};
+    };
+    Result<render::Cut> cut = render::cutThrough(**index, render::frameOf(*document).origin, place(0), place(2));
+    if (!cut) {
+        return cut.error();
+    }
+    return std::make_shared<const render::Cut>(std::move(*cut));
+}
+
 /// What is drawn, beside the camera.
 struct Scenery {
     std::vector<render::LayerStyle> styles;
     Highlights highlights;
     render::NamedView view;
+    std::shared_ptr<const render::Cut> cut;
 };
 
 template <class Model>
@@ -141,7 +163,9 @@ Result<render::Image> draw(const RenderArguments& arguments, const Model& board,
         scene.setHighlight(scenery.highlights[step], step);
     }
     render::OffscreenPresenter presenter(device);
-    return presenter.render(scene, cameraFor(arguments, board, scenery.view), settingsFor(arguments), arguments.width,
+    render::ViewSettings settings = settingsFor(arguments);
+    settings.cut = scenery.cut;
+    return presenter.render(scene, cameraFor(arguments, board, scenery.view), settings, arguments.width,
                             arguments.height);
 }
 
@@ -178,6 +202,9 @@ base::Status checkArguments(const RenderArguments& arguments) {
         (arguments.window[0] == arguments.window[2] || arguments.window[1] == arguments.window[3])) {
         return base::Error{ErrorCode::BadUsage, "the window is empty"};
     }
+    if (!arguments.cut.empty() && arguments.mode == "2d") {
+        return base::Error{ErrorCode::BadUsage, "--clip cuts the board open in 3D; see copperscope section"};
+    }
     return base::Done{};
 }
 
@@ -201,7 +228,11 @@ base::Status renderToFile(const RenderArguments& arguments) {
     if (!highlight) {
         return highlight.error();
     }
-    const Result<render::Image> image = modelAndDraw(arguments, **document, {*styles, *highlight, *view});
+    const Result<std::shared_ptr<const render::Cut>> cut = cutOf(arguments, *document);
+    if (!cut) {
+        return cut.error();
+    }
+    const Result<render::Image> image = modelAndDraw(arguments, **document, {*styles, *highlight, *view, *cut});
     if (!image) {
         return image.error();
     }

@@ -21,7 +21,9 @@ bool isInsideLayer(const LayerPlan& layers, bool isParallel) {
 
 bool canDrawBoxes(const gpu::Caps& caps, const FramePlan& plan) {
     const bool isParallel = plan.data.eye.w == 0.0F;
-    return caps.canShadeSamples && !isInsideLayer(plan.upright, isParallel) && !isInsideLayer(plan.flipped, isParallel);
+    // A line of sight that meets a let where it is cut away may meet it again behind the cut.
+    return caps.canShadeSamples && !plan.isCut && !isInsideLayer(plan.upright, isParallel) &&
+           !isInsideLayer(plan.flipped, isParallel);
 }
 
 /// The back ends from the best to the one for every device and view.
@@ -36,7 +38,7 @@ constexpr Row kRows[] = {
     // views of it are for who asks: lines of sight cost software devices more than polygons do (docs/performance.md).
     {Backend::Impostor, [](const gpu::Caps&, const FramePlan& plan) { return isFlatView(plan); },
      [](const gpu::Caps& caps, const FramePlan& plan) { return isFlatView(plan) || canDrawBoxes(caps, plan); },
-     "needs a flat view (2D), or shading by sample and an eye outside all layers"},
+     "needs a flat view (2D), or a whole board, shading by sample and an eye outside all layers"},
     // Software devices run mesh shaders on one thread, compute and vertex shaders on all (vulkan-facts §2).
     {Backend::Mesh, [](const gpu::Caps& caps, const FramePlan&) { return caps.hasMeshShader && !caps.isCpu; },
      [](const gpu::Caps& caps, const FramePlan&) { return caps.hasMeshShader; },

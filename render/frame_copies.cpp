@@ -56,6 +56,7 @@ shader::FrameData frameOfCopy(const shader::FrameData& board, const ModelCopy& c
         data.*way = {turnBack(glm::vec2(board.*way)), (board.*way).z};
     }
     data.light = turnBack(board.light);
+    data.cut = {turnBack(glm::vec2(board.cut)), board.cut.z};
     return data;
 }
 

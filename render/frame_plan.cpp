@@ -300,6 +300,12 @@ void setTriangleRun(SeenFaces faces, shader::FrameData& data) {
     data.quadFace = faces.upper ? 0 : 1;
 }
 
+/// Left of the plane's line, for places relative to the camera's target.
+glm::vec3 cutOf(const CutPlane& plane, const glm::vec3& centre) {
+    const glm::dvec2 left(-plane.direction.y, plane.direction.x);
+    return {left, glm::dot(left, plane.start - glm::dvec2(centre))};
+}
+
 }  // namespace
 
 float toLinear(float srgb) {
@@ -341,6 +347,8 @@ FramePlan planFrame(const SceneLayers& scene, const Camera& camera, const ViewSe
     data.sliverNudge = kPositionRoundingPx * depthPerMm / data.pixelsPerMm;
     data.boreProudMm = std::max(kBoreProudMm, kBoreProudSteps * eye.stepMm);
     data.light = kLight;
+    plan.isCut = settings.cut != nullptr && !settings.is2d;
+    data.cut = plan.isCut ? cutOf(settings.cut->plane, data.centre) : glm::vec3(0.0F);
     data.flags = flagsOf(settings);
     setTriangleRun(plan.faces, data);
     return plan;

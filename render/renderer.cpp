@@ -34,8 +34,9 @@ PassPipelines makePassPipelines(gpu::Device& device, std::string_view label, std
                                 bool cullsBackFaces, const TargetFormat& target, gpu::Cover cover) {
     PassPipelines pipelines;
     for (const gpu::Pass pass : {gpu::Pass::Opaque, gpu::Pass::DepthOnly, gpu::Pass::Blend}) {
-        pipelines[passRow(pass)] = gpu::Pipeline(device, {label, stages, sizeof(shader::Push), pass, cullsBackFaces,
-                                                          cover, target.colour, gpu::kDepthFormat, target.samples});
+        pipelines[passRow(pass)] =
+            gpu::Pipeline(device, {label, stages, sizeof(shader::Push), pass, cullsBackFaces, cover, target.colour,
+                                   gpu::kDepthFormat, target.samples, target.cuts});
     }
     return pipelines;
 }
@@ -144,16 +145,21 @@ Renderer::Drawers& Renderer::drawersFor(const TargetFormat& format, Backend back
     return *m_drawers.emplace_back(std::make_unique<Drawers>(*m_device, format, backend));
 }
 
-void Renderer::drawOverlay(gpu::Frame& frame, const TargetFormat& format, const Overlay& overlay) {
-    if (overlay.rgba == nullptr) {
-        return;
-    }
+/// The one for this format, made when it is first asked for.
+template <class Drawer>
+const Drawer& Renderer::drawerFor(std::vector<std::unique_ptr<Drawer>>& drawers, const TargetFormat& format) {
     const auto fits = [&](const auto& drawer) { return drawer->format() == format; };
-    auto drawer = std::find_if(m_overlays.begin(), m_overlays.end(), fits);
-    if (drawer == m_overlays.end()) {
-        drawer = m_overlays.insert(drawer, std::make_unique<OverlayDrawer>(*m_device, format));
+    auto drawer = std::ranges::find_if(drawers, fits);
+    if (drawer == drawers.end()) {
+        drawer = drawers.insert(drawer, std::make_unique<Drawer>(*m_device, format));
     }
-    (*drawer)->draw(frame, overlay);
+    return **drawer;
+}
+
+void Renderer::drawOverlay(gpu::Frame& frame, const TargetFormat& format, const Overlay& overlay) {
+    if (overlay.rgba != nullptr) {
+        drawerFor(m_overlays, format).draw(frame, overlay);
+    }
 }
 
 Backend Renderer::record(gpu::Frame& frame, RenderTarget& target, VkExtent2D extent, VkFormat colour, BoardScene* scene,
@@ -174,11 +180,14 @@ Backend Renderer::record(gpu::Frame& frame, RenderTarget& target, VkExtent2D ext
     const Backend backend = isStandard ? Backend::Standard : resolve(settings.backend, plan);
     plan.data.flags |= (backend == Backend::Impostor ? shader::kFrameImpostors : 0) |
                        (format.samples != VK_SAMPLE_COUNT_1_BIT ? shader::kFrameSmoothed : 0);
-    const Drawers& drawers = drawersFor(format, backend);
+    const Drawers& drawers = drawersFor({format.colour, format.samples, plan.isCut}, backend);
     const FrameCopies copies(frame, plan, scene->impl());
     Picture picture(drawers, copies, target, frame.commands());
     picture.begin(background(settings));
     picture.drawOpaque();
+    if (plan.isCut) {
+        drawerFor(m_cuts, format).draw(frame, plan, scene->impl().layers, *settings.cut);
+    }
     picture.drawTranslucent(plan.upright.batches.size());
     drawOverlay(frame, format, settings.overlay);
     target.end(frame.commands());

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "render/cut_drawer.h"
 #include "render/overlay_drawer.h"
 #include "render/render_target.h"
 
@@ -26,11 +27,14 @@ public:
 private:
     Drawers& drawersFor(const TargetFormat& format, Backend backend);
     [[nodiscard]] Backend resolve(Backend wanted, const FramePlan& plan);
+    template <class Drawer>
+    const Drawer& drawerFor(std::vector<std::unique_ptr<Drawer>>& drawers, const TargetFormat& format);
     void drawOverlay(gpu::Frame& frame, const TargetFormat& format, const Overlay& overlay);
 
     gpu::Device* m_device;
     std::vector<std::unique_ptr<Drawers>> m_drawers;
     std::vector<std::unique_ptr<OverlayDrawer>> m_overlays;
+    std::vector<std::unique_ptr<CutDrawer>> m_cuts;
     bool m_hasWarned = false;
 };
 

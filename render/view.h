@@ -10,6 +10,7 @@
 #include "model/base/result.h"
 #include "render/board_model.h"
 #include "render/camera.h"
+#include "render/cut.h"
 #include "render/explosion.h"
 #include "render/layer_style.h"
 #include "render/standard_model.h"
@@ -50,9 +51,10 @@ struct ViewSettings {
     bool isSmoothed = true;  ///< 4x multisampling, where the device has it and the picture fits with it
     bool cull = true;        ///< frustum culling and level of detail
     LevelOfDetail levels = LevelOfDetail::Error;
-    float explode = 0.0F;    ///< 0 = real stack; 1 spreads the layers over about half the board's width
-    ZScale zScale;           ///< thicknesses as drawn
-    bool dimOthers = false;  ///< darkens what is not highlighted
+    float explode = 0.0F;            ///< 0 = real stack; 1 spreads the layers over about half the board's width
+    ZScale zScale;                   ///< thicknesses as drawn
+    std::shared_ptr<const Cut> cut;  ///< cuts the board open in 3D; none: it is whole
+    bool dimOthers = false;          ///< darkens what is not highlighted
     glm::vec3 background{0.10F, 0.11F, 0.13F};  ///< sRGB
     Overlay overlay;                            ///< none while it has no pixels
 };

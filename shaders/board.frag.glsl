@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/frame.glsl"
+#include "lib/cut.glsl"
 #include "lib/shading.glsl"
 
 layout(location = 0) in vec3 inPosition;
@@ -20,5 +21,8 @@ void main() {
     if (isShaded()) {
         const vec3 toEye = FRAME.eye.xyz - inPosition * FRAME.eye.w;
         outColour.rgb *= brightness(faceNormal(toEye));
+    }
+    if (isCutAway(inPosition)) {
+        discard;
     }
 }

@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/frame.glsl"
+#include "lib/cut.glsl"
 #include "lib/outline.glsl"
 
 // Impostor back end: which samples of a pixel lie in the let, from its true outline. The face looks straight at the viewer.
@@ -26,7 +27,7 @@ void main() {
     } else {
         mask = outside(let, place) <= 0.0 ? 1 : 0;
     }
-    if (mask == 0) {
+    if (mask == 0 || isCutAway(vec3(inPlace, 0.0))) {
         discard;
     }
     gl_SampleMask[0] = mask;

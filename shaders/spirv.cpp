@@ -7,6 +7,8 @@ namespace {
 #include "cull_areas_comp.h"
 #include "cull_clusters_comp.h"
 #include "cull_lets_comp.h"
+#include "cut_face_frag.h"
+#include "cut_face_vert.h"
 #include "let_box_frag.h"
 #include "let_box_vert.h"
 #include "let_impostor_frag.h"
@@ -48,6 +50,8 @@ const Code kBoardFrag(board_frag);
 const Code kCullAreasComp(cull_areas_comp);
 const Code kCullClustersComp(cull_clusters_comp);
 const Code kCullLetsComp(cull_lets_comp);
+const Code kCutFaceFrag(cut_face_frag);
+const Code kCutFaceVert(cut_face_vert);
 const Code kLetBoxFrag(let_box_frag);
 const Code kLetBoxVert(let_box_vert);
 const Code kLetImpostorFrag(let_impostor_frag);

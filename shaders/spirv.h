@@ -14,6 +14,8 @@ extern const Code kBoardFrag;
 extern const Code kCullAreasComp;
 extern const Code kCullClustersComp;
 extern const Code kCullLetsComp;
+extern const Code kCutFaceFrag;
+extern const Code kCutFaceVert;
 extern const Code kLetBoxFrag;
 extern const Code kLetBoxVert;
 extern const Code kLetImpostorFrag;

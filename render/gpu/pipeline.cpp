@@ -82,16 +82,20 @@ Pipeline::Pipeline(Device& device, const ComputePipelineOptions& options)
 }
 
 Pipeline::Pipeline(Device& device, const GraphicsPipelineOptions& options) {
+    const VkBool32 cuts = options.cuts ? VK_TRUE : VK_FALSE;
+    const VkSpecializationMapEntry cutsConstant{0, 0, sizeof cuts};
+    const VkSpecializationInfo constants{1, &cutsConstant, sizeof cuts, &cuts};
     std::vector<Unique<VkShaderModule>> modules;
     std::vector<VkPipelineShaderStageCreateInfo> stages;
     VkShaderStageFlags used = 0;
     for (const ShaderStage& stage : options.stages) {
-        const bool onlyColours = options.pass == Pass::DepthOnly && options.cover == Cover::Triangles;
+        const bool onlyColours = options.pass == Pass::DepthOnly && options.cover == Cover::Triangles && !options.cuts;
         if (stage.stage == VK_SHADER_STAGE_FRAGMENT_BIT && onlyColours) {
             continue;
         }
         modules.push_back(createModule(device, stage.shader, options.label));
         stages.push_back(stageInfo(stage.stage, modules.back().get()));
+        stages.back().pSpecializationInfo = stage.stage == VK_SHADER_STAGE_FRAGMENT_BIT ? &constants : nullptr;
         used |= static_cast<VkShaderStageFlags>(stage.stage);
     }
     createLayout(device, used, options.pushBytes, options.label);

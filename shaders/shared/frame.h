@@ -84,6 +84,8 @@ struct FrameData {
     float quadRadiusPx;        // lets with a smaller pen become quads; 0 = never
     float rasterRadiusPx;      // lets with a smaller circle around them are rasterised by compute shaders; 0 = never
     float thinPx;              // walls of fewer pixels are left out; 0 = never
+    vec3 cut;                  // p relative to `centre` is cut away where dot(cut.xy, p.xy) > cut.z (lib/cut.glsl)
+    uint reserved;
     float nudgeZ, nudgeW;      // one step of tie-break moves z by nudgeZ * z + nudgeW * w
     float sliverNudge;         // by how much of itself a step grows for each width a let is long
     float boreProudMm;         // how far the dark inside of a hole stands out of the outer faces
@@ -115,7 +117,7 @@ struct FrameData {
     GPU_ADDRESS(Words) highlight;              // one bit per element
     GPU_ADDRESS(StandardParts) standardParts;  // null in the hybrid pipeline
 };
-GPU_SIZE(FrameData, 64 + 96 + 16 + 4 * 12 + 8 + 20 * 4 + 17 * 8);
+GPU_SIZE(FrameData, 64 + 96 + 16 + 4 * 12 + 8 + 16 + 20 * 4 + 17 * 8);
 
 #ifndef __cplusplus
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Frame { FrameData data; };

@@ -78,6 +78,13 @@ private slots:
         QVERIFY(QString(impostor.needs).contains("flat view"));
     }
 
+    void boardsCutOpenAreNotDrawnAsBoxes() {
+        FramePlan cut = tilted();
+        cut.isCut = true;
+        QCOMPARE(chooseBackend(Backend::Impostor, softwareDevice(), cut).backend, Backend::Pull);
+        QCOMPARE(chooseBackend(Backend::Impostor, graphicsCard(), cut).backend, Backend::Mesh);
+    }
+
     void boxesAreNotLookedAtFromInside() {
         QCOMPARE(chooseBackend(Backend::Impostor, softwareDevice(), inside()).backend, Backend::Pull);
     }

@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "../../shaders/lib/frame.glsl"
+#include "../../shaders/shared/cut.h"
 
 // Every struct that crosses between C++ and GLSL, in blocks of their own: shader_layout_test reads their offsets off the reflection.
 layout(local_size_x = 1) in;
@@ -15,6 +16,7 @@ layout(set = 0, binding = 8, scalar) buffer FrameDataBlock { FrameData frameData
 layout(set = 0, binding = 9, scalar) buffer PushStructBlock { Push pushStruct[2]; };
 layout(set = 0, binding = 10, scalar) buffer StandardVertexBlock { StandardVertex standardVertex[2]; };
 layout(set = 0, binding = 11, scalar) buffer StandardPartBlock { StandardPartRecord standardPart[2]; };
+layout(set = 0, binding = 12, scalar) buffer CutRectangleBlock { CutRectangle cutRectangle[2]; };
 
 void main() {
     // Reflection lists what is used.
@@ -29,4 +31,5 @@ void main() {
     pushStruct[0] = pushStruct[1];
     standardVertex[0] = standardVertex[1];
     standardPart[0] = standardPart[1];
+    cutRectangle[0] = cutRectangle[1];
 }

@@ -4,6 +4,7 @@
 #include <QtTest>
 #include <cstddef>
 
+#include "shaders/shared/cut.h"
 #include "shaders/shared/frame.h"
 #include "shaders/spirv.h"
 
@@ -92,6 +93,8 @@ class ShaderLayoutTest : public QObject {
         MEMBER(frameData, FrameData, rasterRadiusPx);
         MEMBER(frameData, FrameData, thinPx);
         MEMBER(frameData, FrameData, nudgeZ);
+        MEMBER(frameData, FrameData, cut);
+        MEMBER(frameData, FrameData, reserved);
         MEMBER(frameData, FrameData, nudgeW);
         MEMBER(frameData, FrameData, sliverNudge);
         MEMBER(frameData, FrameData, boreProudMm);
@@ -128,6 +131,12 @@ class ShaderLayoutTest : public QObject {
         MEMBER(standardPart, StandardPartRecord, vertices);
         MEMBER(standardPart, StandardPartRecord, layer);
         MEMBER(standardPart, StandardPartRecord, reserved);
+        MEMBER(cutRectangle, CutRectangle, colour);
+        MEMBER(cutRectangle, CutRectangle, rank);
+        MEMBER(cutRectangle, CutRectangle, from);
+        MEMBER(cutRectangle, CutRectangle, to);
+        MEMBER(cutRectangle, CutRectangle, bottom);
+        MEMBER(cutRectangle, CutRectangle, top);
         MEMBER(pushStruct, Push, frame);
         MEMBER(pushStruct, Push, first);
         MEMBER(pushStruct, Push, face);

@@ -1,0 +1,26 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_buffer_reference : require
+#extension GL_EXT_scalar_block_layout : require
+#include "shared/cut.h"
+
+// Rectangles in the cut, six vertices each.
+layout(push_constant, scalar) uniform PushBlock {
+    CutPush push;
+};
+layout(location = 0) flat out vec3 outColour;
+
+// Steps of tie-break between ranks: rectangles are up to thousands of times as long as high, and depths of slivers stray.
+const float kStepsPerRank = 8.0;
+
+void main() {
+    const CutRectangle face = push.rectangles.at[gl_VertexIndex / 6];
+    const uint corner = gl_VertexIndex % 6;
+    const bool isAtEnd = ((0x0eu >> corner) & 1u) != 0u;
+    const bool isUpper = ((0x1cu >> corner) & 1u) != 0u;
+    const vec3 place = vec3(isAtEnd ? face.to : face.from, isUpper ? face.top : face.bottom);
+    vec4 clip = push.frame.data.clipFromBoard * vec4(place - push.frame.data.centre, 1.0);
+    clip.z += kStepsPerRank * float(face.rank) * (push.frame.data.nudgeZ * clip.z + push.frame.data.nudgeW * clip.w);
+    outColour = face.colour;
+    gl_Position = clip;
+}

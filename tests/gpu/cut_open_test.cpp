@@ -1,0 +1,230 @@
+// Boards cut open: what is on the one side is gone, the rest is as it was, and the cut shows what lies in it.
+#include <QtTest>
+#include <set>
+
+#include "model/document_builder.h"
+#include "model/reader.h"
+#include "tests/gpu/gpu_fixture.h"
+#include "tests/places.h"
+
+using namespace render;
+using namespace render::test;
+using model::Document;
+using model::PointD;
+
+namespace {
+
+constexpr std::uint32_t kWidth = 800;
+constexpr std::uint32_t kHeight = 600;
+constexpr float kAspect = 4.0F / 3.0F;
+constexpr model::Nm kMm = 1'000'000;
+
+/// A board on the device, with what cutting it takes.
+struct Board {
+    std::shared_ptr<const Document> document;
+    BoardModel model;
+    std::vector<LayerStyle> styles;
+    BoardScene scene;
+
+    explicit Board(const std::shared_ptr<const Document>& from)
+        : document(from), model(modelOf(*from)), styles(defaultStyles(*from)), scene(Gpu::get().device, model) {
+        scene.setStyles(styles);
+    }
+    static BoardModel modelOf(const Document& document) {
+        base::Progress progress;
+        return *buildBoardModel(document, {}, progress);
+    }
+    /// Millimetres from the middle of the board.
+    [[nodiscard]] std::shared_ptr<const Cut> cut(glm::dvec2 a, glm::dvec2 b) const {
+        base::Progress progress;
+        const auto nm = [&](glm::dvec2 p) { return PointD{p.x * 1e6 + model.origin.x, p.y * 1e6 + model.origin.y}; };
+        return std::make_shared<Cut>(*cutThrough(**model::indexBoard(document, progress), model.origin, nm(a), nm(b)));
+    }
+    Image draw(const Camera& camera, const ViewSettings& settings) {
+        return *Gpu::get().presenter.render(scene, camera, settings, kWidth, kHeight);
+    }
+    [[nodiscard]] Camera seen(NamedView view, bool isParallel) const {
+        Camera camera;
+        camera.setOrthographic(isParallel);
+        camera.fit(model.boxMin, model.boxMax, view, kAspect);
+        return camera;
+    }
+};
+
+std::shared_ptr<const Document> sample() {
+    base::Progress progress;
+    return *model::readBoard(places::kSample, {}, progress);
+}
+
+/// A plate of 30 mm with a pad, placed upright, turned and turned over.
+std::shared_ptr<const Document> panel() {
+    const auto addLayers = [](model::DocumentBuilder& builder) {
+        for (int i = 0; i < 2; ++i) {
+            model::Layer layer;
+            layer.name = i == 0 ? "top" : "bottom";
+            layer.type = model::LayerType::Signal;
+            layer.side = i == 0 ? model::LayerSide::Top : model::LayerSide::Bottom;
+            layer.z = i == 0 ? kMm : 0;
+            layer.thickness = 100'000;
+            layer.opposite = model::LayerId{std::size_t(1 - i)};
+            builder.addLayer(layer);
+        }
+        builder.setBoardThickness(1'100'000);
+    };
+    model::DocumentBuilder step;
+    addLayers(step);
+    step.beginLayer(model::LayerId{0});
+    model::ShapeSketch plate;
+    plate.addPolygon(std::array<model::Point, 4>{{{0, 0}, {30 * kMm, 0}, {30 * kMm, 20 * kMm}, {0, 20 * kMm}}}, false);
+    step.addArea({step.addShape(plate), {}}, {});
+    step.beginLayer(model::LayerId{1});
+    step.addLine({{5 * kMm, 5 * kMm}, {25 * kMm, 15 * kMm}, 3 * kMm, 0}, {});
+    model::DocumentBuilder board;
+    addLayers(board);
+    const std::uint32_t row = board.addStep(step.finish());
+    board.addInstance({row, {{-20 * kMm, -25 * kMm}, 0.0, false}, false});
+    board.addInstance({row, {{-10 * kMm, 30 * kMm}, 90.0, false}, false});
+    board.addInstance({row, {{45 * kMm, 5 * kMm}, 20.0, true}, true});
+    model::ShapeSketch outline;
+    outline.addPolygon(
+        std::array<model::Point, 4>{
+            {{-50 * kMm, -40 * kMm}, {50 * kMm, -40 * kMm}, {50 * kMm, 40 * kMm}, {-50 * kMm, 40 * kMm}}},
+        false);
+    board.setProfile(board.addShape(outline));
+    return board.finish();
+}
+
+/// Pixels of two pictures on one side of the vertical line at `x` that differ; those next to it do not count.
+std::size_t differingBeside(const Image& a, const Image& b, std::uint32_t from, std::uint32_t to) {
+    std::size_t count = 0;
+    for (std::uint32_t y = 0; y < a.height; ++y) {
+        for (std::uint32_t x = from; x < to; ++x) {
+            count += distance(pixel(a, x, y), pixel(b, x, y)) > 8 ? 1 : 0;
+        }
+    }
+    return count;
+}
+
+Rgb bytesOf(const glm::vec3& colour) {
+    const glm::vec3 bytes = glm::round(colour * 255.0F);
+    return {int(bytes.r), int(bytes.g), int(bytes.b)};
+}
+
+}  // namespace
+
+class CutOpenTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void oneSideIsGoneAndTheOtherAsItWas_data() {
+        QTest::addColumn<bool>("isPanel");
+        QTest::addColumn<int>("backend");
+        for (const bool isPanel : {false, true}) {
+            QTest::addRow("pull, %s", isPanel ? "panel" : "sample") << isPanel << int(Backend::Pull);
+            QTest::addRow("impostor, %s", isPanel ? "panel" : "sample") << isPanel << int(Backend::Impostor);
+            QTest::addRow("mesh, %s", isPanel ? "panel" : "sample") << isPanel << int(Backend::Mesh);
+        }
+    }
+    void oneSideIsGoneAndTheOtherAsItWas() {
+        QFETCH(bool, isPanel);
+        QFETCH(int, backend);
+        if (backend == int(Backend::Mesh) && !Gpu::get().device.caps().hasMeshShader) {
+            QSKIP("the device has no mesh shaders");
+        }
+        Board board(isPanel ? panel() : sample());
+        const Camera camera = board.seen(NamedView::Top, true);
+        ViewSettings settings;
+        settings.backend = static_cast<Backend>(backend);
+        settings.background = glm::vec3(0.0F, 0.0F, 0.4F);
+        const Image whole = board.draw(camera, settings);
+        settings.cut = board.cut({0, 1}, {0, 0});  // downwards: the right half goes
+        const Image open = board.draw(camera, settings);
+        constexpr std::uint32_t kMiddle = kWidth / 2;
+        QVERIFY(differingBeside(open, whole, 0, kMiddle - 1) < 20);
+        const Rgb ground = bytesOf(settings.background);
+        std::size_t shown = 0;
+        for (std::uint32_t y = 0; y < kHeight; ++y) {
+            for (std::uint32_t x = kMiddle + 1; x < kWidth; ++x) {
+                QVERIFY(distance(pixel(open, x, y), ground) <= 1);
+                shown += distance(pixel(whole, x, y), ground) > 8 ? 1 : 0;
+            }
+        }
+        QVERIFY(shown > 10000);  // there was something
+    }
+
+    void theCutHasTheColoursOfWhatLiesInIt() {
+        Board board(sample());
+        Camera camera = board.seen(NamedView::Iso, false);
+        camera.zoom(1.3F, {0.0F, 0.0F}, kAspect);
+        ViewSettings settings;
+        settings.zScale = {20.0F, 3.0F};
+        settings.cut = board.cut({1, 0}, {0, 0});
+        const Image open = board.draw(camera, settings);
+        const std::vector<ZRange> heights = board.scene.drawnHeights(settings);
+        const glm::mat4 clip = camera.projection(kAspect) * camera.view();
+        const double pixelsPerMm = 0.5 / double(camera.mmPerPixel(kHeight));  // seen at a slant
+        int checked = 0;
+        std::set<std::size_t> layers;
+        for (const CutFace& face : settings.cut->faces) {
+            const std::size_t row = face.layer.row();
+            const bool isWhole =
+                face.bottom == board.model.layerBottomMm[row] && face.top == board.model.layerTopMm[row];
+            if (!face.isInside || !isWhole || !board.styles[row].isVisible) {
+                continue;
+            }
+            const glm::dvec2 place =
+                settings.cut->plane.start + 0.5 * (face.from + face.to) * settings.cut->plane.direction;
+            const auto at = [&](float z) {
+                const glm::vec4 p = clip * glm::vec4(glm::vec2(place), z, 1.0F);
+                return glm::vec2((p.x / p.w + 1.0F) * 0.5F * kWidth, (p.y / p.w + 1.0F) * 0.5F * kHeight);
+            };
+            const glm::vec2 low = at(heights[row].z0);
+            const glm::vec2 high = at(heights[row].z1);
+            const glm::vec2 middle = 0.5F * (low + high);
+            const glm::vec2 inside = glm::abs(middle - glm::vec2(kWidth, kHeight) * 0.5F);
+            const bool isSmall = glm::length(low - high) < 3.0F || (face.to - face.from) * pixelsPerMm < 4.0;
+            if (isSmall || inside.x > kWidth * 0.49F || inside.y > kHeight * 0.49F) {
+                continue;
+            }
+            const Rgb seen = pixel(open, std::uint32_t(middle.x), std::uint32_t(middle.y));
+            QVERIFY2(distance(seen, bytesOf(board.styles[row].colour)) <= 2,
+                     qPrintable(QString("layer %1: %2").arg(row).arg(describe(seen).c_str())));
+            layers.insert(row);
+            ++checked;
+        }
+        QVERIFY2(checked >= 5 && layers.size() >= 3, qPrintable(QString::number(checked)));
+    }
+
+    void hiddenLayersAreNotInTheCut() {
+        Board board(sample());
+        for (LayerStyle& style : board.styles) {
+            style.isVisible = false;
+        }
+        board.scene.setStyles(board.styles);
+        ViewSettings settings;
+        settings.cut = board.cut({1, 0}, {0, 0});
+        const Image open = board.draw(board.seen(NamedView::Iso, false), settings);
+        settings.cut = nullptr;
+        QCOMPARE(differingPixels(open, board.draw(board.seen(NamedView::Iso, false), settings), 0), std::size_t{0});
+    }
+
+    void aLineBesideTheBoardLeavesAllOrNothing() {
+        Board board(sample());
+        const Camera camera = board.seen(NamedView::Iso, false);
+        ViewSettings settings;
+        const Image whole = board.draw(camera, settings);
+        settings.cut = board.cut({200, 1}, {200, 0});
+        QVERIFY(settings.cut->faces.empty());
+        QCOMPARE(differingPixels(board.draw(camera, settings), whole, 0), std::size_t{0});
+        settings.cut = board.cut({-200, 1}, {-200, 0});
+        const Image none = board.draw(camera, settings);
+        QCOMPARE(differingPixels(none, board.draw(camera, settings), 0), std::size_t{0});
+        QVERIFY(differingPixels(none, whole) > 10000);
+        base::Progress progress;
+        const auto index = *model::indexBoard(board.document, progress);
+        QVERIFY(!cutThrough(*index, board.model.origin, {5, 5}, {5, 5}));
+    }
+};
+
+QTEST_APPLESS_MAIN(CutOpenTest)
+#include "cut_open_test.moc"
