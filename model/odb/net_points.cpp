@@ -4,6 +4,7 @@
 #include <map>
 #include <unordered_map>
 
+#include "model/geometry/distance.h"
 #include "model/odb/records.h"
 
 namespace model::odb {
@@ -68,33 +69,76 @@ private:
     std::vector<std::vector<Point>> m_places;
 };
 
+/// Some jobs have several nets of one name; the netlist then lists it as often, in another order.
+using NetsByName = std::unordered_map<std::string_view, std::vector<NetId>>;
+
+/// What lies under a point, off the middles of all pads of its net.
+enum class Ground { Nothing, NoNet, OwnNet };
+
+bool holds(const Box& box, Point p) {
+    return box.min.x <= p.x && p.x <= box.max.x && box.min.y <= p.y && p.y <= box.max.y;
+}
+
+/// Looks for what covers points: exact, by a pass over all elements.
+std::vector<Ground> groundsOf(const Document& document, const std::vector<NetPoint>& points) {
+    FigureTable discs;
+    for (const NetPoint& point : points) {
+        discs.addDisc(point.position, 0.0);
+    }
+    std::vector<Ground> grounds(points.size(), Ground::Nothing);
+    const auto look = [&](ElementId element, const Box& box, std::size_t i) {
+        const NetId net = document.elements.net[element.row()];
+        if (grounds[i] == Ground::OwnNet || (net.isValid() && net != points[i].net) ||
+            !holds(box, points[i].position)) {
+            return;
+        }
+        FigureTable figures;
+        figures.add(document, element);
+        for (std::size_t row = 0; row < figures.size(); ++row) {
+            if (gapBetween(figures, row, discs, i, kTouchNm)) {
+                grounds[i] = net.isValid() ? Ground::OwnNet : Ground::NoNet;
+            }
+        }
+    };
+    for (std::size_t row = 0; row < document.elements.size(); ++row) {
+        if (document.layer(document.elements.layer[row]).isCopper()) {
+            const Box box = document.boxOf(ElementId{row});
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                look(ElementId{row}, box, i);
+            }
+        }
+    }
+    return grounds;
+}
+
 class NetPointMaker {
 public:
     NetPointMaker(DocumentBuilder& builder, const Parsed<Netlist>& file, NetlistKind kind, const Landings& landings,
-                  const std::unordered_map<std::string_view, NetId>& nets)
+                  const NetsByName& nets)
         : m_builder(builder), m_file(file), m_kind(kind), m_landings(landings) {
         for (const std::string& name : file.value.names) {
             const auto found = nets.find(name);
-            m_nets.push_back(found == nets.end() ? NetId{} : found->second);
+            m_nets.push_back(found == nets.end() ? std::span<const NetId>{} : found->second);
         }
     }
 
     void run() {
         reportUnknownNames();
         const Point shift = findShift();
-        std::size_t beside = 0;
-        std::uint32_t firstLine = 0;
+        std::vector<NetPoint> beside;
+        std::vector<std::uint32_t> lines;
         for (const NetlistPoint& from : m_file.value.points) {
             const NetPoint point = pointFrom(from, shift);
             if (point.net.isValid() && !m_landings.has(point.net, point.position)) {
-                firstLine = beside++ == 0 ? from.line : firstLine;
+                beside.push_back(point);
+                lines.push_back(from.line);
             }
             m_builder.addNetPoint(point);
         }
-        if (beside > 0) {
-            report(Severity::Warning, firstLine,
-                   std::to_string(beside) + " of " + std::to_string(m_file.value.points.size()) +
-                       " netlist points lie on no pad or hole of their net");
+        if (2 * beside.size() <= m_file.value.points.size()) {  // else that is told already
+            const std::vector<Ground> grounds = groundsOf(m_builder.soFar(), beside);
+            reportGround(grounds, Ground::NoNet, lines, "lie on copper that eda/data gives no net");
+            reportGround(grounds, Ground::Nothing, lines, "lie on no copper of their net");
         }
     }
 
@@ -103,10 +147,33 @@ private:
         m_builder.diagnostics().report(severity, m_file.path, line, text);
     }
 
-    [[nodiscard]] NetId netOf(const NetlistPoint& point) const {
+    void reportGround(const std::vector<Ground>& grounds, Ground ground, const std::vector<std::uint32_t>& lines,
+                      const char* what) {
+        const auto count = std::ranges::count(grounds, ground);
+        if (count > 0) {
+            const auto first = std::ranges::find(grounds, ground) - grounds.begin();
+            report(Severity::Warning, lines[static_cast<std::size_t>(first)],
+                   std::to_string(count) + " of " + std::to_string(m_file.value.points.size()) + " netlist points " +
+                       what);
+        }
+    }
+
+    [[nodiscard]] std::span<const NetId> netsOf(const NetlistPoint& point) const {
         return point.net >= 0 && static_cast<std::size_t>(point.net) < m_nets.size()
                    ? m_nets[static_cast<std::size_t>(point.net)]
-                   : NetId{};
+                   : std::span<const NetId>{};
+    }
+
+    [[nodiscard]] NetId netOf(const NetlistPoint& point) const {
+        const std::span<const NetId> nets = netsOf(point);
+        return nets.empty() ? NetId{} : nets.front();
+    }
+
+    /// Of several nets of its name the one that has something at the place.
+    [[nodiscard]] NetId netAt(const NetlistPoint& point, Point place) const {
+        const std::span<const NetId> nets = netsOf(point);
+        const auto there = std::ranges::find_if(nets, [&](NetId net) { return m_landings.has(net, place); });
+        return there == nets.end() ? netOf(point) : *there;
     }
 
     void reportUnknownNames() {
@@ -114,7 +181,7 @@ private:
         std::size_t unknown = 0;
         for (std::size_t i = 0; i < m_nets.size(); ++i) {
             const std::string& name = m_file.value.names[i];
-            if (m_nets[i].isValid() || name.empty() || name == kNoNet) {
+            if (!m_nets[i].empty() || name.empty() || name == kNoNet) {
                 continue;
             }
             if (unknown++ < kListed) {
@@ -177,8 +244,8 @@ private:
         NetPoint point;
         const bool isNamed = from.net >= 0 && static_cast<std::size_t>(from.net) < m_file.value.names.size();
         point.name = m_builder.string(isNamed ? m_file.value.names[static_cast<std::size_t>(from.net)] : "");
-        point.net = netOf(from);
         point.position = moved(from.position, shift);
+        point.net = netAt(from, point.position);
         point.radius = from.radius;
         point.width = from.width;
         point.height = from.height;
@@ -194,7 +261,7 @@ private:
     const Parsed<Netlist>& m_file;
     NetlistKind m_kind;
     const Landings& m_landings;
-    std::vector<NetId> m_nets;  ///< by number of the name
+    std::vector<std::span<const NetId>> m_nets;  ///< by number of the name
 };
 
 }  // namespace
@@ -204,9 +271,9 @@ void addNetPoints(DocumentBuilder& builder, const StepData& step) {
         return;
     }
     const Landings landings(builder.soFar());
-    std::unordered_map<std::string_view, NetId> nets;
+    NetsByName nets;
     for (std::size_t row = 0; row < builder.soFar().nets.size(); ++row) {
-        nets.try_emplace(builder.soFar().nets[row].name, NetId{row});
+        nets[builder.soFar().nets[row].name].push_back(NetId{row});
     }
     for (std::size_t i = 0; i < step.netlists.size(); ++i) {
         NetPointMaker(builder, step.netlists[i], static_cast<NetlistKind>(i), landings, nets).run();
