@@ -109,6 +109,19 @@ inline model::ElementId elementOf(const model::Document& document, const std::st
     return {};
 }
 
+/// In mm².
+inline double squareMillimetres(const model::Document& d, model::ElementId id) {
+    return static_cast<double>(model::twiceArea(model::discretise(d, id, {500.0, false}))) / 2e12;
+}
+
+inline const model::Layer& layerOf(const model::Document& d, const char* name) {
+    const model::LayerId id = d.findLayer(name);
+    if (!id.isValid()) {
+        qFatal("no layer %s", name);
+    }
+    return d.layer(id);
+}
+
 enum class Packing { Plain, Gzip, Compress };
 enum class Container { V7Tar, Ustar, Zip, Raw };
 

@@ -233,7 +233,8 @@ private slots:
         QCOMPARE(d->text(d->netPoints[3].name), std::string("STRANGER"));
         QVERIFY(!d->netPoints[3].net.isValid());
         QVERIFY(findDiagnostic(d->diagnostics, "not in eda/data: STRANGER") != nullptr);
-        const model::Diagnostic* beside = findDiagnostic(d->diagnostics, "1 of 4 netlist points lie on no copper of their net");
+        const model::Diagnostic* beside =
+            findDiagnostic(d->diagnostics, "1 of 4 netlist points lie on no copper of their net");
         QVERIFY(beside != nullptr);
         QCOMPARE(beside->line, 7U);
     }
@@ -251,15 +252,16 @@ private slots:
         QVERIFY(findDiagnostic(d->diagnostics, "netlist points lie on") == nullptr);
     }
 
-    /// A point need not be in the middle of a pad: it may be anywhere on copper of its net. Copper without a net is told
-    /// apart from none.
+    /// A point need not be in the middle of a pad: it may be anywhere on copper of its net. Copper without a net is
+    /// told apart from none.
     void pointsAreLookedForOnTheCopperItself() {
         const Folder folder;
         writeParts(folder, "", "",
                    "UNITS=MM\n$0 A\n$1 B\n0 1 9 20 T e e\n1 1 50 50 T e e\n1 1 50.3 50.3 T e e\n0 1 9.45 20 T e e\n"
                    "1 1 5 5 T e e\n1 1 9 20 T e e\n0 1 9 20 B e e\n1 1 50 50 B e e\n");
         const auto d = read(folder.path());
-        const model::Diagnostic* noNet = findDiagnostic(d->diagnostics, "1 of 8 netlist points lie on copper that eda/data");
+        const model::Diagnostic* noNet =
+            findDiagnostic(d->diagnostics, "1 of 8 netlist points lie on copper that eda/data");
         QVERIFY(noNet != nullptr);
         QCOMPARE(noNet->line, 8U);
         const model::Diagnostic* nothing = findDiagnostic(d->diagnostics, "1 of 8 netlist points lie on no copper");
