@@ -83,6 +83,9 @@ private:
         if (caps.canShadeSamples) {
             all.push_back(Backend::Impostor);
         }
+        if (caps.hasAtomic64) {
+            all.push_back(Backend::Raster);
+        }
         return all;
     }
 

@@ -84,8 +84,8 @@ void addRender(CLI::App& parent, RenderArguments& arguments) {
     command->add_option("--mode", arguments.mode, "2d or 3d")
         ->check(CLI::IsMember({"2d", "3d"}))
         ->capture_default_str();
-    command->add_option("--backend", arguments.backend, "auto, mesh, pull or impostor")
-        ->check(CLI::IsMember({"auto", "mesh", "pull", "impostor"}))
+    command->add_option("--backend", arguments.backend, "auto, mesh, pull, impostor or raster (unsmoothed)")
+        ->check(CLI::IsMember({"auto", "mesh", "pull", "impostor", "raster"}))
         ->capture_default_str();
     command
         ->add_option("--pipeline", arguments.pipeline,

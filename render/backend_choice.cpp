@@ -19,11 +19,14 @@ bool isInsideLayer(const LayerPlan& layers, bool isParallel) {
     return false;
 }
 
-bool canDrawBoxes(const gpu::Caps& caps, const FramePlan& plan) {
+/// May lets be seen by lines of sight? One that meets a let where it is cut away may meet it again behind the cut.
+bool castsSight(const FramePlan& plan) {
     const bool isParallel = plan.data.eye.w == 0.0F;
-    // A line of sight that meets a let where it is cut away may meet it again behind the cut.
-    return caps.canShadeSamples && !plan.isCut && !isInsideLayer(plan.upright, isParallel) &&
-           !isInsideLayer(plan.flipped, isParallel);
+    return !plan.isCut && !isInsideLayer(plan.upright, isParallel) && !isInsideLayer(plan.flipped, isParallel);
+}
+
+bool canRasterise(const gpu::Caps& caps, const FramePlan& plan) {
+    return caps.hasAtomic64 && castsSight(plan) && rasterBytes(plan) <= caps.maxAllocationBytes;
 }
 
 /// The back ends from the best to the one for every device and view.
@@ -37,8 +40,13 @@ constexpr Row kRows[] = {
     // Straight from above or below: four vertices per let instead of 16 to 128, and exact outlines at any zoom. Tilted
     // views of it are for who asks: lines of sight cost software devices more than polygons do (docs/performance.md).
     {Backend::Impostor, [](const gpu::Caps&, const FramePlan& plan) { return isFlatView(plan); },
-     [](const gpu::Caps& caps, const FramePlan& plan) { return isFlatView(plan) || canDrawBoxes(caps, plan); },
+     [](const gpu::Caps& caps, const FramePlan& plan) {
+         return isFlatView(plan) || (caps.canShadeSamples && castsSight(plan));
+     },
      "needs a flat view (2D), or a whole board, shading by sample and an eye outside all layers"},
+    // For devices whose compute dwarfs their raster units. None has been measured yet, so nobody gets it unasked.
+    {Backend::Raster, [](const gpu::Caps&, const FramePlan&) { return false; }, canRasterise,
+     "needs 64-bit atomics, a whole board, an eye outside all layers and eight bytes per pixel"},
     // Software devices run mesh shaders on one thread, compute and vertex shaders on all (vulkan-facts §2).
     {Backend::Mesh, [](const gpu::Caps& caps, const FramePlan&) { return caps.hasMeshShader && !caps.isCpu; },
      [](const gpu::Caps& caps, const FramePlan&) { return caps.hasMeshShader; },
@@ -49,7 +57,7 @@ constexpr Row kRows[] = {
 }  // namespace
 
 const char* nameOf(Backend backend) {
-    constexpr const char* kNames[] = {"auto", "mesh", "pull", "impostor", "standard"};
+    constexpr const char* kNames[] = {"auto", "mesh", "pull", "impostor", "raster", "standard"};
     return kNames[static_cast<std::size_t>(backend)];
 }
 

@@ -9,6 +9,7 @@ std::unique_ptr<LetBackend> makeLetBackend(gpu::Device& device, const TargetForm
     switch (which) {
         case Backend::Mesh: return makeMeshBackend(device, target);
         case Backend::Impostor: return makeImpostorBackend(device, target);
+        case Backend::Raster: return makeRasterBackend(device, target);
         default: return makePullBackend(device, target);
     }
 }
@@ -38,6 +39,8 @@ public:
         m_areas.draw(recording, batch, pass);
         m_lets->draw(recording, batch, pass);
     }
+
+    void finishOpaque(std::span<const Recording> group) override { m_lets->finishOpaque(group); }
 
 private:
     AreaDrawer m_areas;

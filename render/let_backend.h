@@ -52,6 +52,8 @@ public:
     /// Compute work before drawing begins.
     virtual void cull(std::span<const Recording> recordings) = 0;
     virtual void draw(const Recording& recording, std::uint32_t batch, gpu::Pass pass) = 0;
+    /// After the opaque batches of all copies that were culled together.
+    virtual void finishOpaque(std::span<const Recording>) {}
 };
 
 /// Task and mesh shaders (the paper's way). Needs Caps::hasMeshShader.
@@ -63,6 +65,15 @@ public:
 /// The pull back end's culling, and for each let a box (in flat views a rectangle) whose fragments are cut to its true
 /// outline. Needs Caps::canShadeSamples, but for flat views.
 [[nodiscard]] std::unique_ptr<LetBackend> makeImpostorBackend(gpu::Device& device, const TargetFormat& target);
+
+/// Compute shaders find the nearest of all small opaque lets for every pixel, by the same lines of sight as impostors,
+/// and a pass over the picture adds them; larger and translucent ones are drawn as pull draws them. Needs
+/// Caps::hasAtomic64 and one sample per pixel. Lets at one depth are told apart by their rows: the picture does not
+/// depend on the order of drawing.
+[[nodiscard]] std::unique_ptr<LetBackend> makeRasterBackend(gpu::Device& device, const TargetFormat& target);
+
+/// Device memory that the raster back end takes for a picture.
+[[nodiscard]] std::uint64_t rasterBytes(const FramePlan& plan);
 
 /// Does the frame look straight at one face, in parallel projection?
 [[nodiscard]] bool isFlatView(const FramePlan& plan);

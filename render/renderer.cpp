@@ -16,6 +16,9 @@ namespace {
 /// it is cleared.
 constexpr std::uint32_t kStencilReferences = 255;
 
+/// Lets within a circle of this radius are left to compute shaders, where there is a choice (docs/performance.md).
+constexpr float kRasterRadiusPx = 4.0F;
+
 void clearStencil(VkCommandBuffer commands, VkExtent2D extent) {
     VkClearAttachment what{};
     what.aspectMask = VK_IMAGE_ASPECT_STENCIL_BIT;
@@ -79,7 +82,10 @@ public:
     }
 
     void drawOpaque() {
-        forGroups([&](std::span<const Recording> group) { m_drawers.drawBatch(group, 0, gpu::Pass::Opaque); });
+        forGroups([&](std::span<const Recording> group) {
+            m_drawers.drawBatch(group, 0, gpu::Pass::Opaque);
+            m_drawers.scene->finishOpaque(group);
+        });
     }
 
     /// Translucent layers one after the other from the back: first which of its surfaces is in front, then that one's
@@ -162,27 +168,37 @@ void Renderer::drawOverlay(gpu::Frame& frame, const TargetFormat& format, const 
     }
 }
 
+TargetFormat Renderer::formatOf(VkFormat colour, VkExtent2D extent, Backend backend,
+                                const ViewSettings& settings) const {
+    const gpu::Caps& caps = m_device->caps();
+    const bool isSmoothed = settings.isSmoothed && !settings.isMono && backend != Backend::Raster && caps.canSmooth &&
+                            fitsOn(caps, extent, VK_SAMPLE_COUNT_4_BIT);
+    return {colour, isSmoothed ? VK_SAMPLE_COUNT_4_BIT : VK_SAMPLE_COUNT_1_BIT};
+}
+
+void Renderer::recordEmpty(gpu::Frame& frame, RenderTarget& target, const ViewSettings& settings) {
+    target.begin(frame.commands(), background(settings));
+    drawOverlay(frame, target.format(), settings.overlay);
+    target.end(frame.commands());
+}
+
 Backend Renderer::record(gpu::Frame& frame, RenderTarget& target, VkExtent2D extent, VkFormat colour, BoardScene* scene,
                          const Camera& camera, const ViewSettings& settings) {
-    const gpu::Caps& caps = m_device->caps();
-    const bool isSmoothed =
-        settings.isSmoothed && !settings.isMono && caps.canSmooth && fitsOn(caps, extent, VK_SAMPLE_COUNT_4_BIT);
-    const TargetFormat format{colour, isSmoothed ? VK_SAMPLE_COUNT_4_BIT : VK_SAMPLE_COUNT_1_BIT};
-    const bool isStandard = scene != nullptr && scene->impl().steps.front().standard.has_value();
-    target.setSize(extent, format);
     if (scene == nullptr) {
-        target.begin(frame.commands(), background(settings));
-        drawOverlay(frame, format, settings.overlay);
-        target.end(frame.commands());
+        target.setSize(extent, formatOf(colour, extent, settings.backend, settings));
+        recordEmpty(frame, target, settings);
         return settings.backend;
     }
     FramePlan plan = planFrame(scene->impl().layers, camera, settings, extent.width, extent.height);
+    const bool isStandard = scene->impl().steps.front().standard.has_value();
     const Backend backend = isStandard ? Backend::Standard : resolve(settings.backend, plan);
+    const TargetFormat format = formatOf(colour, extent, backend, settings);
+    target.setSize(extent, format);
     plan.data.flags |= (backend == Backend::Impostor ? shader::kFrameImpostors : 0) |
                        (format.samples != VK_SAMPLE_COUNT_1_BIT ? shader::kFrameSmoothed : 0);
-    const Drawers& drawers = drawersFor({format.colour, format.samples, plan.isCut}, backend);
+    plan.data.rasterRadiusPx = backend == Backend::Raster ? kRasterRadiusPx : 0.0F;
     const FrameCopies copies(frame, plan, scene->impl());
-    Picture picture(drawers, copies, target, frame.commands());
+    Picture picture(drawersFor({format.colour, format.samples, plan.isCut}, backend), copies, target, frame.commands());
     picture.begin(background(settings));
     picture.drawOpaque();
     if (plan.isCut) {

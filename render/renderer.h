@@ -29,6 +29,9 @@ private:
     [[nodiscard]] Backend resolve(Backend wanted, const FramePlan& plan);
     template <class Drawer>
     const Drawer& drawerFor(std::vector<std::unique_ptr<Drawer>>& drawers, const TargetFormat& format);
+    [[nodiscard]] TargetFormat formatOf(VkFormat colour, VkExtent2D extent, Backend backend,
+                                        const ViewSettings& settings) const;
+    void recordEmpty(gpu::Frame& frame, RenderTarget& target, const ViewSettings& settings);
     void drawOverlay(gpu::Frame& frame, const TargetFormat& format, const Overlay& overlay);
 
     gpu::Device* m_device;

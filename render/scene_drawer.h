@@ -12,6 +12,8 @@ public:
     /// Work before drawing begins, for copies whose draw lists lie side by side.
     virtual void cull(std::span<const Recording> group) = 0;
     virtual void draw(const Recording& recording, std::uint32_t batch, gpu::Pass pass) = 0;
+    /// After the opaque batches of all copies that were culled together.
+    virtual void finishOpaque(std::span<const Recording>) {}
 };
 
 /// Lets by one of their back ends (not Auto), areas by AreaDrawer.

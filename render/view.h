@@ -25,7 +25,7 @@ class Device;
 
 /// What draws (backend_choice.cpp says what Auto takes and why). Standard is no choice: it is what draws a scene of the
 /// standard pipeline.
-enum class Backend { Auto, Mesh, Pull, Impostor, Standard };
+enum class Backend { Auto, Mesh, Pull, Impostor, Raster, Standard };
 /// In lower case, as the command line has it.
 [[nodiscard]] const char* nameOf(Backend backend);
 
@@ -48,7 +48,7 @@ struct ViewSettings {
     Backend backend = Backend::Auto;
     bool is2d = false;       ///< flat colours, seen straight down
     bool isMono = false;     ///< white on black, unshaded, unsmoothed: a raster of the visible layers
-    bool isSmoothed = true;  ///< 4x multisampling, where the device has it and the picture fits with it
+    bool isSmoothed = true;  ///< 4x multisampling, where device and back end have it and the picture fits with it
     bool cull = true;        ///< frustum culling and level of detail
     LevelOfDetail levels = LevelOfDetail::Error;
     float explode = 0.0F;            ///< 0 = real stack; 1 spreads the layers over about half the board's width

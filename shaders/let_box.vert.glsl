@@ -15,8 +15,11 @@ void main() {
     const LayerState layer = FRAME.layers.at[let.meta >> kLetLayerShift];
     const float proud = has(let.meta, kLetBore) ? FRAME.boreProudMm : 0.0;
     const vec2 corner = vec2((code >> 2u) == 0u ? -1.0 : 1.0, (code & 2u) == 0u ? 1.0 : -1.0);
-    const float z = (code & 1u) == 0u ? layer.z1 + proud : layer.z0 - proud;
-    const vec3 position = vec3(boundCorner(let, corner, 0.0), z) - FRAME.centre;
+    const bool isUpper = (code & 1u) == 0u;
+    const vec3 middle = vec3(let.p0, let.p1, isUpper ? layer.z1 : layer.z0) - FRAME.centre;
+    const float margin = kSnapPx * abs((FRAME.clipFromBoard * vec4(middle, 1.0)).w) / FRAME.pixelsPerMm;
+    const float z = isUpper ? layer.z1 + proud + margin : layer.z0 - proud - margin;
+    const vec3 position = vec3(boundCorner(let, corner, margin), z) - FRAME.centre;
     // Nearer than all that its fragments find in it, which they promise (depth_less): what is hidden can be left out before they run.
     const uint top = (layer.flags >> kLayerTopRankShift) & 0xffu;
     const uint bottom = (layer.flags >> kLayerBottomRankShift) & 0xffu;

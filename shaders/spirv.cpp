@@ -20,6 +20,8 @@ namespace {
 #include "overlay_frag.h"
 #include "overlay_vert.h"
 #include "place_lets_comp.h"
+#include "raster_lets_comp.h"
+#include "raster_resolve_frag.h"
 #include "standard_vert.h"
 #include "tri/advance_comp.h"
 #include "tri/claim_corridor_comp.h"
@@ -63,6 +65,8 @@ const Code kLineUpDrawsComp(line_up_draws_comp);
 const Code kOverlayFrag(overlay_frag);
 const Code kOverlayVert(overlay_vert);
 const Code kPlaceLetsComp(place_lets_comp);
+const Code kRasterLetsComp(raster_lets_comp);
+const Code kRasterResolveFrag(raster_resolve_frag);
 const Code kStandardVert(standard_vert);
 const Code kTriAdvanceComp(tri_advance_comp);
 const Code kTriClaimCorridorComp(tri_claim_corridor_comp);
@@ -103,6 +107,8 @@ std::span<const Named> all() {
         {"overlay.frag", overlay_frag},
         {"overlay.vert", overlay_vert},
         {"place_lets.comp", place_lets_comp},
+        {"raster_lets.comp", raster_lets_comp},
+        {"raster_resolve.frag", raster_resolve_frag},
         {"standard.vert", standard_vert},
         {"tri/advance.comp", tri_advance_comp},
         {"tri/claim_corridor.comp", tri_claim_corridor_comp},

@@ -27,6 +27,8 @@ extern const Code kLineUpDrawsComp;
 extern const Code kOverlayFrag;
 extern const Code kOverlayVert;
 extern const Code kPlaceLetsComp;
+extern const Code kRasterLetsComp;
+extern const Code kRasterResolveFrag;
 extern const Code kStandardVert;
 extern const Code kTriAdvanceComp;
 extern const Code kTriClaimCorridorComp;

@@ -14,6 +14,7 @@ QString backendText(render::Backend backend) {
         case render::Backend::Mesh: return QStringLiteral("mesh shaders");
         case render::Backend::Pull: return QStringLiteral("vertex pulling");
         case render::Backend::Impostor: return QStringLiteral("exact outlines");
+        case render::Backend::Raster: return QStringLiteral("compute shaders");
         case render::Backend::Standard: return QStringLiteral("stored triangles");
     }
     return {};

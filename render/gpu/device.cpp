@@ -68,6 +68,7 @@ VkResult Device::State::createDevice() {
     v12.bufferDeviceAddress = VK_TRUE;
     v12.scalarBlockLayout = VK_TRUE;
     v12.timelineSemaphore = VK_TRUE;
+    v12.shaderBufferInt64Atomics = choice.caps.hasAtomic64 ? VK_TRUE : VK_FALSE;
     auto v13 = vkInfo<VkPhysicalDeviceVulkan13Features>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES);
     v13.pNext = &v12;
     v13.dynamicRendering = VK_TRUE;
@@ -77,6 +78,7 @@ VkResult Device::State::createDevice() {
     features.pNext = &v13;
     features.features.multiDrawIndirect = VK_TRUE;
     features.features.drawIndirectFirstInstance = VK_TRUE;
+    features.features.shaderInt64 = choice.caps.hasAtomic64 ? VK_TRUE : VK_FALSE;
     features.features.sampleRateShading = choice.caps.canShadeSamples ? VK_TRUE : VK_FALSE;
 
     std::vector<const char*> extensions;

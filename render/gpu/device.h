@@ -38,6 +38,7 @@ struct Caps {
     std::string driver;          ///< driver and version in the driver's own words
     bool isCpu = false;          ///< a software device
     bool hasMeshShader = false;  ///< task and mesh shaders, enabled
+    bool hasAtomic64 = false;    ///< 64-bit atomics on buffers, enabled
     bool hasTimestamps = false;
     double timestampPeriodNs = 0.0;
     bool canSmooth = false;           ///< 4x multisampling for our colour and depth formats

@@ -181,6 +181,8 @@ std::optional<DeviceChoice> examine(VkPhysicalDevice device, VkSurfaceKHR presen
     choice.hasMemoryBudget = has(extensions, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
     choice.caps = capsOf(device, extensions, asksMesh && features.mesh.taskShader && features.mesh.meshShader);
     choice.caps.hasTimestamps = family->hasTimestamps;
+    choice.caps.hasAtomic64 =
+        features.core.features.shaderInt64 == VK_TRUE && features.v12.shaderBufferInt64Atomics == VK_TRUE;
     choice.caps.canShadeSamples = features.core.features.sampleRateShading == VK_TRUE;
     return choice;
 }

@@ -90,6 +90,9 @@ uint letBucket(Let let, LayerState layer) {
         return kLevelQuad;
     }
     const float pixelsPerMm = pixelsPerMmAt(middle, extent);
+    if (max(circle.z, extent.z) * pixelsPerMm < FRAME.rasterRadiusPx && layer.batch == 0u) {
+        return kBucketRaster;
+    }
     if (has(FRAME.flags, kFramePaperLevels)) {
         return base + paperLevel(circle, pixelsPerMm);
     }

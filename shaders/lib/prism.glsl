@@ -3,6 +3,9 @@
 
 const float kHalfPi = 1.57079632679;
 
+// Rasterisers move corners by up to half of 1/256 of a pixel: what must not be missed at edges is larger by this.
+const float kSnapPx = 0.01;
+
 vec2 leftOf(vec2 direction) {
     return vec2(-direction.y, direction.x);
 }

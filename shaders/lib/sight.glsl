@@ -1,4 +1,4 @@
-// Lines of sight: where they meet the exact prism over a let's outline. Needs outline.glsl and surface.glsl.
+// Lines of sight: where they meet the exact prism over a let's outline. Needs prism.glsl and outline.glsl.
 //
 // In plan a line of sight is o + t * d. A convex shape holds it between two values of t, xy of a Span; what it misses has none (x > y).
 
@@ -80,13 +80,13 @@ Span inStroke(Let let, float radius, vec2 o, vec2 d) {
     return has(let.meta, kLetSquarePen) ? inSquare(a, b, radius, o, d) : inRound(a, b, radius, o, d);
 }
 
-// The cell around a hole, larger by what hides the rounding between it and the area it is part of.
-Span inCell(Let let, vec2 o, vec2 d) {
+// The cell around a hole, larger by `seam`, which hides the rounding between it and the area it is part of.
+Span inCell(Let let, float seam, vec2 o, vec2 d) {
     const vec2 q = o - vec2(let.p0, let.p1);
     const vec2 u = cellAlong(let);
     const vec2 left = vec2(-u.y, u.x);
-    const vec2 x = cellReach(let.p2) + 1e-3 / FRAME.pixelsPerMm;
-    const vec2 y = cellReach(let.p3) + 1e-3 / FRAME.pixelsPerMm;
+    const vec2 x = cellReach(let.p2) + seam;
+    const vec2 y = cellReach(let.p3) + seam;
     return overlap(inStrip(dot(q, u) - 0.5 * (x.y - x.x), dot(d, u), 0.5 * (x.x + x.y)),
                    inStrip(dot(q, left) - 0.5 * (y.y - y.x), dot(d, left), 0.5 * (y.x + y.y)));
 }
@@ -121,14 +121,14 @@ float intoRing(Span outer, Span inner, Span slab) {
     return !isInHole ? meets.x : inner.y <= meets.y ? inner.y : kFar;
 }
 
-float intoLet(Let let, vec2 o, vec2 d, Span slab) {
+float intoLet(Let let, float seam, vec2 o, vec2 d, Span slab) {
     const uint kind = let.meta & kLetKindMask;
     if (kind == kLetArc) {
         return intoArc(let, o, d, slab);
     }
     if (kind == kLetHole) {
         // Its sides are no walls: sight enters by the face or not at all.
-        const Span cell = inCell(let, o, d);
+        const Span cell = inCell(let, seam, o, d);
         return cell.x <= slab.x ? intoRing(cell, inDisc(vec2(let.p0, let.p1), let.p5, o, d), slab) : kFar;
     }
     const Span inner = let.p5 > 0.0 ? inStroke(let, let.p5, o, d) : kNowhere;
@@ -161,13 +161,15 @@ Seen seenOf(Let let, LayerState layer, Sight sight) {
     const Let near = aroundCentre(let);
     // Counted from beside the let, where numbers are small.
     const vec3 toLet = vec3(near.p0, near.p1, 0.5 * (z0 + z1)) - sight.start;
-    const vec3 o = sight.start + dot(toLet, sight.along) / dot(sight.along, sight.along) * sight.along;
+    const float toO = dot(toLet, sight.along) / dot(sight.along, sight.along);
+    const vec3 o = sight.start + toO * sight.along;
+    const float pixelMm = length(FRAME.screenRight) * (FRAME.eye.w == 0.0 ? 1.0 : 1.0 + toO);
     const bool fromAbove = sight.along.z < 0.0;
     const Span slab = inStrip(o.z - 0.5 * (z0 + z1), sight.along.z, 0.5 * (z1 - z0));
     // Straight down a line of sight is a point in plan: it is given a way that leads nowhere.
     const bool isStraight = dot(sight.along.xy, sight.along.xy) < 1e-24;
     const vec2 d = isStraight ? vec2(1e-12, 0.0) : sight.along.xy;
-    const float t = isEmpty(slab) ? kFar : intoLet(near, o.xy, d, slab);
+    const float t = isEmpty(slab) ? kFar : intoLet(near, kSnapPx * pixelMm, o.xy, d, slab);
     Seen seen;
     seen.isHit = t < kFar;
     seen.position = o + t * sight.along;

@@ -30,6 +30,8 @@ GPU_CONST kLevelFlat = 4;  // from here on only the face that can be seen
 GPU_CONST kLevelQuad = 5;
 GPU_CONST kLevelCount = 6;
 GPU_CONST kBucketCount = 12;  // kTopologyCount * kLevelCount
+// Quads are open, so the last bucket is free: lets that the raster back end draws without triangles.
+GPU_CONST kBucketRaster = 11;
 
 // Points of one rounded end by level; an open ladder has as many rungs, a tube's outline twice as many points.
 GPU_TABLE kEndPoints[6] = {64, 16, 8, 4, 4, 2};

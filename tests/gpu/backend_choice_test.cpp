@@ -43,6 +43,8 @@ class BackendChoiceTest : public QObject {
         gpu::Caps caps;
         caps.hasMeshShader = true;
         caps.canShadeSamples = true;
+        caps.hasAtomic64 = true;
+        caps.maxAllocationBytes = 1U << 30U;
         return caps;
     }
 
@@ -62,7 +64,7 @@ private slots:
     }
 
     void whatIsAskedForIsTakenWhereItCan() {
-        for (const Backend backend : {Backend::Mesh, Backend::Pull, Backend::Impostor}) {
+        for (const Backend backend : {Backend::Mesh, Backend::Pull, Backend::Impostor, Backend::Raster}) {
             const BackendChoice choice = chooseBackend(backend, softwareDevice(), tilted());
             QCOMPARE(choice.backend, backend);
             QVERIFY(choice.needs == nullptr);
@@ -83,9 +85,22 @@ private slots:
         cut.isCut = true;
         QCOMPARE(chooseBackend(Backend::Impostor, softwareDevice(), cut).backend, Backend::Pull);
         QCOMPARE(chooseBackend(Backend::Impostor, graphicsCard(), cut).backend, Backend::Mesh);
+        QCOMPARE(chooseBackend(Backend::Raster, softwareDevice(), cut).backend, Backend::Pull);
+    }
+
+    void rasterNeedsAtomicsAndRoomForItsPixels() {
+        for (const auto& spoil : {+[](gpu::Caps& caps) { caps.hasAtomic64 = false; },
+                                  +[](gpu::Caps& caps) { caps.maxAllocationBytes = 8 * 64 * 48 - 1; }}) {
+            gpu::Caps caps = softwareDevice();
+            spoil(caps);
+            const BackendChoice choice = chooseBackend(Backend::Raster, caps, tilted());
+            QCOMPARE(choice.backend, Backend::Pull);
+            QVERIFY(QString(choice.needs).contains("64-bit atomics"));
+        }
     }
 
     void boxesAreNotLookedAtFromInside() {
+        QCOMPARE(chooseBackend(Backend::Raster, softwareDevice(), inside()).backend, Backend::Pull);
         QCOMPARE(chooseBackend(Backend::Impostor, softwareDevice(), inside()).backend, Backend::Pull);
     }
 

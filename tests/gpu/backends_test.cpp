@@ -124,8 +124,9 @@ private slots:
             QCOMPARE(Gpu::get().presenter.stats().backend, Backend::Impostor);
             QVERIFY(greyMse(pull, impostor) < 0.0005);
             if (isSmoothed) {
+                // A gap between two shapes may close on both sides.
                 constexpr int kNearlyFullContrast = 150;
-                QCOMPARE(differingPixels(pull, impostor, kNearlyFullContrast), std::size_t{0});
+                QVERIFY(differingPixels(pull, impostor, kNearlyFullContrast) <= 2);
             }
         }
     }
@@ -150,9 +151,9 @@ private slots:
                               << glm::vec3(-4.8F, 11.4F, 1.6F);
     }
 
-    /// Tilted, impostors are exact and polygons are not: outlines differ a little, nothing else does.
-    void impostorsDrawTheSameSolids_data() { addSolidViews(); }
-    void impostorsDrawTheSameSolids() {
+    /// Tilted, lines of sight are exact and polygons are not: outlines differ a little, nothing else does.
+    void trueOutlinesMakeTheSameSolids_data() { addSolidViews(); }
+    void trueOutlinesMakeTheSameSolids() {
         QFETCH(bool, isParallel);
         QFETCH(int, view);
         QFETCH(glm::vec3, from);
@@ -164,11 +165,12 @@ private slots:
             for (const bool isSmoothed : {false, true}) {
                 compareSolids(scene, Backend::Impostor, isSmoothed);
             }
+            compareSolids(scene, Backend::Raster, false);
         }
     }
 
-    /// Highlighted, dimmed, exploded: what changes in a frame reaches impostors too.
-    void impostorsFollowWhatChanges() {
+    /// Highlighted, dimmed, exploded: what changes in a frame reaches lines of sight too.
+    void trueOutlinesFollowWhatChanges() {
         Scene scene(everything());
         scene.camera.fit(scene.model.boxMin, scene.model.boxMax, NamedView::Iso, 4.0F / 3.0F);
         const std::vector<model::ElementId> lit{model::ElementId{1}, model::ElementId{3}, model::ElementId{9}};
@@ -177,6 +179,35 @@ private slots:
         how.dimOthers = true;
         how.explode = 0.3F;
         compareSolids(scene, Backend::Impostor, true, how);
+        compareSolids(scene, Backend::Raster, false, how);
+    }
+
+    /// Both cast the same lines of sight, one in fragment shaders, one in compute shaders. Small lets, so that it is
+    /// those that are compared; walls of a fiftieth of a pixel are left out of the boxes.
+    void rasterAndImpostorsAgree() {
+        Scene scene(randomTraces(2000, 3));
+        scene.camera.fit(scene.model.boxMin, scene.model.boxMax, NamedView::Iso, 4.0F / 3.0F);
+        scene.camera.zoom(0.25F, {0.0F, 0.0F}, 4.0F / 3.0F);
+        ViewSettings how = settings(Backend::Raster);
+        how.isSmoothed = false;
+        const Image raster = scene.draw(how, 320, 240);
+        QCOMPARE(Gpu::get().presenter.stats().backend, Backend::Raster);
+        how.backend = Backend::Impostor;
+        const std::size_t differing = differingPixels(raster, scene.draw(how, 320, 240));
+        QVERIFY2(differing <= 20, qPrintable(QString::number(differing)));
+    }
+
+    /// More pixels than the last picture had, then fewer again.
+    void rasterFollowsTheSizeOfThePicture() {
+        Scene scene(randomTraces(300, 8));
+        for (const std::uint32_t width : {40U, 320U, 97U}) {
+            scene.camera.fit(scene.model.boxMin, scene.model.boxMax, NamedView::Iso, 1.0F);
+            ViewSettings how = settings(Backend::Pull);
+            how.isSmoothed = false;
+            const Image pull = scene.draw(how, width, width);
+            how.backend = Backend::Raster;
+            QVERIFY(greyMse(pull, scene.draw(how, width, width)) < 0.002);
+        }
     }
 
     /// The pull back end's lists of all batches lie side by side in one buffer.
@@ -198,7 +229,7 @@ private slots:
     void pictureIsTheSameEveryTime() {
         Scene scene(everything());
         scene.camera.fit(scene.model.boxMin, scene.model.boxMax, NamedView::Iso, 4.0F / 3.0F);
-        for (const Backend backend : {Backend::Pull, Backend::Mesh, Backend::Impostor}) {
+        for (const Backend backend : {Backend::Pull, Backend::Mesh, Backend::Impostor, Backend::Raster}) {
             const Image first = scene.draw(settings(backend));
             const Image second = scene.draw(settings(backend));
             QCOMPARE(differingPixels(first, second, 0), std::size_t{0});

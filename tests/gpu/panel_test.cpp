@@ -235,7 +235,7 @@ private slots:
         QTest::addColumn<int>("view");
         QTest::addColumn<bool>("is2d");
         QTest::addColumn<float>("zoom");
-        for (const Backend backend : {Backend::Pull, Backend::Mesh, Backend::Impostor}) {
+        for (const Backend backend : {Backend::Pull, Backend::Mesh, Backend::Impostor, Backend::Raster}) {
             const char* name = nameOf(backend);
             QTest::addRow("%s, top", name) << int(backend) << int(NamedView::Top) << true << 1.0F;
             QTest::addRow("%s, bottom", name) << int(backend) << int(NamedView::Bottom) << true << 1.0F;

@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "../../shaders/lib/frame.glsl"
 #include "../../shaders/shared/cut.h"
+#include "../../shaders/shared/raster.h"
 
 // Every struct that crosses between C++ and GLSL, in blocks of their own: shader_layout_test reads their offsets off the reflection.
 layout(local_size_x = 1) in;
@@ -17,6 +18,8 @@ layout(set = 0, binding = 9, scalar) buffer PushStructBlock { Push pushStruct[2]
 layout(set = 0, binding = 10, scalar) buffer StandardVertexBlock { StandardVertex standardVertex[2]; };
 layout(set = 0, binding = 11, scalar) buffer StandardPartBlock { StandardPartRecord standardPart[2]; };
 layout(set = 0, binding = 12, scalar) buffer CutRectangleBlock { CutRectangle cutRectangle[2]; };
+layout(set = 0, binding = 13, scalar) buffer RasterCopyBlock { RasterCopy rasterCopy[2]; };
+layout(set = 0, binding = 14, scalar) buffer RasterPushBlock { RasterPush rasterPush[2]; };
 
 void main() {
     // Reflection lists what is used.
@@ -30,6 +33,8 @@ void main() {
     frameData[0] = frameData[1];
     pushStruct[0] = pushStruct[1];
     standardVertex[0] = standardVertex[1];
+    rasterCopy[0] = rasterCopy[1];
+    rasterPush[0] = rasterPush[1];
     standardPart[0] = standardPart[1];
     cutRectangle[0] = cutRectangle[1];
 }

@@ -6,6 +6,7 @@
 
 #include "shaders/shared/cut.h"
 #include "shaders/shared/frame.h"
+#include "shaders/shared/raster.h"
 #include "shaders/spirv.h"
 
 /// C++ and GLSL agree on every struct that crosses; the compiled shaders are valid.
@@ -137,6 +138,13 @@ class ShaderLayoutTest : public QObject {
         MEMBER(cutRectangle, CutRectangle, to);
         MEMBER(cutRectangle, CutRectangle, bottom);
         MEMBER(cutRectangle, CutRectangle, top);
+        MEMBER(rasterCopy, RasterCopy, frame);
+        MEMBER(rasterCopy, RasterCopy, firstId);
+        MEMBER(rasterCopy, RasterCopy, reserved);
+        MEMBER(rasterPush, RasterPush, pixels);
+        MEMBER(rasterPush, RasterPush, copies);
+        MEMBER(rasterPush, RasterPush, copy);
+        MEMBER(rasterPush, RasterPush, copyCount);
         MEMBER(pushStruct, Push, frame);
         MEMBER(pushStruct, Push, first);
         MEMBER(pushStruct, Push, face);

@@ -1,9 +1,11 @@
 #include "tests/gpu/synthetic_board.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <random>
 
+#include "render/lets.h"
 #include "tri/triangulate.h"
 
 namespace render::test {
@@ -12,16 +14,6 @@ namespace {
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kMmPerUnit = 1e-3F;  // loops are in micrometres
 
-void includeBox(shader::Cluster& cluster, const shader::Let& let) {
-    const bool isArc = (let.meta & shader::kLetKindMask) == shader::kLetArc;
-    const bool isHole = (let.meta & shader::kLetKindMask) == shader::kLetHole;
-    const float reach = isArc ? let.p2 + let.p5 : isHole ? 1.5F * let.p4 : let.p4;
-    const glm::vec2 a{let.p0, let.p1};
-    const glm::vec2 b = isArc || isHole ? a : glm::vec2{let.p2, let.p3};
-    cluster.boxMin = glm::min(cluster.boxMin, glm::min(a, b) - reach);
-    cluster.boxMax = glm::max(cluster.boxMax, glm::max(a, b) + reach);
-}
-
 void appendLets(BoardModel& model, const std::vector<shader::Let>& lets, std::uint32_t layer) {
     const auto firstCluster = static_cast<std::uint32_t>(model.clusters.size());
     for (std::size_t i = 0; i < lets.size(); i += shader::kClusterSize) {
@@ -29,7 +21,9 @@ void appendLets(BoardModel& model, const std::vector<shader::Let>& lets, std::ui
         shader::Cluster cluster{
             glm::vec2(1e30F), glm::vec2(-1e30F), static_cast<std::uint32_t>(model.lets.size()), count, layer, 0};
         for (std::size_t k = i; k < i + count; ++k) {
-            includeBox(cluster, lets[k]);
+            const LetBox box = boxOf(lets[k]);
+            cluster.boxMin = glm::min(cluster.boxMin, box.min);
+            cluster.boxMax = glm::max(cluster.boxMax, box.max);
             model.lets.push_back(lets[k]);
         }
         model.clusters.push_back(cluster);
@@ -81,7 +75,9 @@ std::uint32_t SyntheticBoard::addArc(glm::vec2 centre, float arcRadius, float st
 }
 
 std::uint32_t SyntheticBoard::addHole(glm::vec2 centre, float radius, float cell, float turn) {
-    return addLet({centre.x, centre.y, std::cos(turn), std::sin(turn), cell, radius, shader::kLetHole, 0});
+    const auto reach = static_cast<std::uint32_t>(cell * static_cast<float>(shader::kCellUnitsPerMm));
+    const float reaches = std::bit_cast<float>(reach | reach << 16U);
+    return addLet({centre.x, centre.y, reaches, reaches, std::tan(0.5F * turn), radius, shader::kLetHole, 0});
 }
 
 std::uint32_t SyntheticBoard::addArea(const std::vector<std::vector<base::Point>>& loops,
