@@ -8,6 +8,7 @@
 #include "app/exit_code.h"
 #include "app/info_json.h"
 #include "app/stack_report.h"
+#include "render/standard_triangles.h"
 
 namespace app {
 
@@ -99,7 +100,8 @@ void printModel(const OpenBoard& board) {
     std::printf(
         "\nmodel       %zu lets, %zu pieces of areas in %zu places, %zu triangles stored (standard pipeline: %llu)\n",
         board.model.lets.size(), board.model.shapes.size(), board.model.instances.size(),
-        board.model.indices.size() / 3, static_cast<unsigned long long>(board.model.trianglesPaperRule));
+        board.model.indices.size() / 3,
+        static_cast<unsigned long long>(render::countStandardTriangles(*board.document, board.how)));
     std::printf("times       parse %.1f ms, create %.1f ms, discretise %.1f ms, triangulate %.1f ms\n", read.parseMs,
                 read.createMs + modelled.createMs, modelled.discretiseMs, modelled.triangulateMs);
 }

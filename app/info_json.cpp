@@ -5,6 +5,7 @@
 #include "app/drill_report.h"
 #include "app/stack_report.h"
 #include "model/copies.h"
+#include "render/standard_triangles.h"
 
 namespace app {
 
@@ -132,29 +133,29 @@ ordered_json infoJson(const OpenBoard& board, const std::vector<model::StepCheck
     ordered_json diagnostics = ordered_json::array();
     addDiagnostics(document, document.diagnostics, diagnostics);
     addDiagnostics(document, board.model.diagnostics, diagnostics);
-    ordered_json json = {
-        {"job", jobJson(document.job)},
-        {"layers", layersJson(document)},
-        {"stackup", stackupJson(document.stackup)},
-        {"zones", zonesJson(document)},
-        {"elements", elementsJson(document.elementCounts())},
-        {"elements_with_copies", elementsJson(document.elementCountsWithCopies())},
-        {"placed_steps", placedStepsJson(document)},
-        {"nets", netsJson(document)},
-        {"components", componentsJson(document)},
-        {"drills", drillsJson(document)},
-        {"board",
-         {{"width_nm", document.board.width()},
-          {"height_nm", document.board.height()},
-          {"thickness_nm", document.boardThickness}}},
-        {"triangles",
-         {{"standard_pipeline", board.model.trianglesPaperRule}, {"stored", board.model.indices.size() / 3}}},
-        {"diagnostics", diagnostics},
-        {"timing_ms",
-         {{"parse", document.times.parseMs},
-          {"create", document.times.createMs + board.model.times.createMs},
-          {"discretise", board.model.times.discretiseMs},
-          {"triangulate", board.model.times.triangulateMs}}}};
+    ordered_json json = {{"job", jobJson(document.job)},
+                         {"layers", layersJson(document)},
+                         {"stackup", stackupJson(document.stackup)},
+                         {"zones", zonesJson(document)},
+                         {"elements", elementsJson(document.elementCounts())},
+                         {"elements_with_copies", elementsJson(document.elementCountsWithCopies())},
+                         {"placed_steps", placedStepsJson(document)},
+                         {"nets", netsJson(document)},
+                         {"components", componentsJson(document)},
+                         {"drills", drillsJson(document)},
+                         {"board",
+                          {{"width_nm", document.board.width()},
+                           {"height_nm", document.board.height()},
+                           {"thickness_nm", document.boardThickness}}},
+                         {"triangles",
+                          {{"standard_pipeline", render::countStandardTriangles(document, board.how)},
+                           {"stored", board.model.indices.size() / 3}}},
+                         {"diagnostics", diagnostics},
+                         {"timing_ms",
+                          {{"parse", document.times.parseMs},
+                           {"create", document.times.createMs + board.model.times.createMs},
+                           {"discretise", board.model.times.discretiseMs},
+                           {"triangulate", board.model.times.triangulateMs}}}};
     if (checks != nullptr) {
         json["connectivity"] = connectivityJson(*checks);
     }

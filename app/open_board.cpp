@@ -95,7 +95,7 @@ base::Result<OpenBoard> openBoard(const BoardArguments& arguments) {
     if (!model) {
         return model.error();
     }
-    return OpenBoard{*document, std::move(*model)};
+    return OpenBoard{*document, std::move(*model), discretisationOf(arguments)};
 }
 
 render::LevelOfDetail levelsOf(const std::string& name) {

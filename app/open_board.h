@@ -34,6 +34,7 @@ struct BoardArguments {
 struct OpenBoard {
     std::shared_ptr<const model::Document> document;
     render::BoardModel model;
+    model::Discretisation how;  ///< what it was modelled with
 };
 
 /// Lets and triangles, with the triangulator that was asked for. Errors as render::buildBoardModel; DeviceFailed if a

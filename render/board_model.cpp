@@ -147,83 +147,6 @@ void reportMeshes(const Document& document, const std::vector<ShapeMesh>& meshes
     }
 }
 
-/// Triangles of a prism over n vertices and h holes: n + 2h - 2 on top and bottom, 2n on the sides (triangulation-facts
-/// §1.3).
-std::uint64_t prismTriangles(std::uint64_t vertices, std::uint64_t holes) {
-    return 4 * vertices + 4 * holes - 4;
-}
-
-std::uint64_t capsuleTriangles(model::Nm width, const model::Discretisation& how) {
-    const int chords = model::chordCount(width / 2.0, std::numbers::pi, false, how);
-    return prismTriangles(2 * (static_cast<std::uint64_t>(chords) + 1), 0);
-}
-
-std::uint64_t strokeTriangles(const model::PathNode& node, model::Point end, model::Nm width,
-                              const model::Discretisation& how) {
-    if (node.edge == model::EdgeKind::Line) {
-        return capsuleTriangles(width, how);
-    }
-    const double radius = std::hypot(double(node.point.x) - node.centre.x, double(node.point.y) - node.centre.y);
-    const double sweep = model::sweepOf(node, end);
-    const bool isFull = node.point == end;
-    const auto sides =
-        static_cast<std::uint64_t>(model::chordCount(radius + width / 2.0, sweep, isFull, how)) +
-        static_cast<std::uint64_t>(model::chordCount(std::max(1.0, radius - width / 2.0), sweep, isFull, how));
-    const auto cap = static_cast<std::uint64_t>(model::chordCount(width / 2.0, std::numbers::pi, false, how));
-    return isFull ? prismTriangles(sides, 1) : prismTriangles(sides + 2 * cap, 0);
-}
-
-std::uint64_t trianglesOf(const Document& document, std::size_t row, const model::Discretisation& how) {
-    const std::uint32_t geometry = document.elements.geometry[row];
-    switch (document.elements.kind[row]) {
-        case ElementKind::Line: return capsuleTriangles(document.lines[geometry].width, how);
-        case ElementKind::Arc:
-            return strokeTriangles(document.arcs[geometry].node, document.arcs[geometry].end,
-                                   document.arcs[geometry].width, how);
-        case ElementKind::Circle: {
-            const model::CircleGeometry& circle = document.circles[geometry];
-            const auto outer =
-                static_cast<std::uint64_t>(model::chordCount(circle.diameter / 2.0, 2 * std::numbers::pi, true, how));
-            const bool isRing = circle.innerDiameter > 0;
-            return prismTriangles(isRing ? 2 * outer : outer, isRing ? 1 : 0);
-        }
-        case ElementKind::Trail: {
-            std::uint64_t sum = 0;
-            const model::TrailGeometry& trail = document.trails[geometry];
-            const std::span<const model::PathNode> nodes = document.nodesOf(trail);
-            const std::span<const model::Nm> widths = document.widthsOf(trail);
-            for (std::size_t i = 0; i < widths.size(); ++i) {
-                sum += strokeTriangles(nodes[i], nodes[i + 1].point, widths[i], how);
-            }
-            return sum;
-        }
-        case ElementKind::Area: return 0;  // by its mesh, below
-    }
-    return 0;
-}
-
-std::uint64_t countStandardTriangles(const Document& document, const std::vector<ShapeMesh>& meshes,
-                                     const BoardModel& model, const model::Discretisation& how) {
-    std::uint64_t sum = 0;
-    for (std::size_t row = 0; row < document.elements.size(); ++row) {
-        sum += document.layer(document.elements.layer[row]).isSynthetic ? 0 : trianglesOf(document, row, how);
-    }
-    for (const shader::AreaInstance& instance : model.instances) {
-        const ShapeMesh& mesh = meshes[instance.shape];
-        if (document.layers[instance.layer].isSynthetic) {
-            continue;
-        }
-        constexpr std::uint64_t kCorners = 4;  // of a field of round holes, which is among the polygons' loops
-        const std::uint64_t points = mesh.polygons.points.size() - kCorners * mesh.fields.size();
-        const std::uint64_t loops = mesh.polygons.loopCount() - mesh.fields.size() + mesh.holes.size();
-        sum += 4 * points + 4 * loops - 8 * mesh.polygons.polygons.size();
-        for (const RoundHole& hole : mesh.holes) {
-            sum += 4 * static_cast<std::uint64_t>(model::chordCount(hole.radius, 2 * std::numbers::pi, true, how));
-        }
-    }
-    return sum;
-}
-
 /// One step by itself.
 base::Result<BoardModel> buildStepModel(const Document& document, const model::Discretisation& how,
                                         base::Progress& progress, const AreaTriangulator& triangulator) {
@@ -258,7 +181,6 @@ base::Result<BoardModel> buildStepModel(const Document& document, const model::D
     out.inLaminate = findInsets(document, out);
     out.times.createMs += watch.milliseconds();
     reportMeshes(document, meshes, out);
-    out.trianglesPaperRule = countStandardTriangles(document, meshes, out, how);
     watch = {};
     cutIntoPieces(out);
     out.times.createMs += watch.milliseconds();
@@ -284,7 +206,7 @@ std::vector<ModelCopy> placeCopies(const model::StepTree& tree, const BoardModel
 }
 
 /// Takes what is said about a step over into what is said about the board.
-void addTotals(const BoardModel& step, std::uint64_t copies, BoardModel& board) {
+void addTotals(const BoardModel& step, BoardModel& board) {
     board.times.createMs += step.times.createMs;
     board.times.discretiseMs += step.times.discretiseMs;
     board.times.triangulateMs += step.times.triangulateMs;
@@ -294,7 +216,6 @@ void addTotals(const BoardModel& step, std::uint64_t copies, BoardModel& board) 
         messages.locate(row, {}, std::nullopt);
     }
     board.diagnostics.append(messages);
-    board.trianglesPaperRule += copies * step.trianglesPaperRule;
 }
 
 }  // namespace
@@ -306,16 +227,12 @@ base::Result<BoardModel> buildBoardModel(const Document& document, const model::
         return board;
     }
     const model::StepTree tree = model::unfoldCopies(document);
-    std::vector<std::uint64_t> copiesOfStep(tree.steps.size(), 0);
-    for (const model::StepCopy& copy : tree.copies) {
-        ++copiesOfStep[copy.step];
-    }
     for (std::size_t row = 1; row < tree.steps.size(); ++row) {
         base::Result<BoardModel> step = buildStepModel(*tree.steps[row], how, progress, triangulator);
         if (!step) {
             return step;
         }
-        addTotals(*step, copiesOfStep[row], *board);
+        addTotals(*step, *board);
         board->steps.push_back(std::move(*step));
     }
     board->copies = placeCopies(tree, *board);

@@ -77,8 +77,6 @@ struct BoardModel : BoardFrame {
     std::vector<LayerRun> areaBatchesOfLayer;
     std::vector<LayerInLaminate> inLaminate;  ///< by layer; empty: nothing is known
 
-    std::uint64_t trianglesPaperRule =
-        0;  ///< triangles the standard pipeline would store for this board with all copies (triangulation-facts §1.3)
     std::uint32_t repairedAreas = 0;  ///< areas whose outline crossed itself and went through integer booleans
     std::uint32_t emptyAreas = 0;     ///< areas without any area
     ModelTimes times;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace render {
 namespace {
@@ -80,15 +81,80 @@ EdgeGrid::EdgeGrid(std::vector<Edge> edges) : m_edges(std::move(edges)) {
     constexpr float kSmallestCell = 0.5F;  // mm: distances are asked for up to a few millimetres
     m_cell = std::max(kSmallestCell, std::max(extent.x, extent.y) / kCellsPerSide);
     m_size = glm::ivec2(extent / m_cell) + 1;
-    m_cells.resize(static_cast<std::size_t>(m_size.x) * static_cast<std::size_t>(m_size.y));
-    m_rows.resize(static_cast<std::size_t>(m_size.y));
-    for (std::uint32_t i = 0; i < m_edges.size(); ++i) {
-        const glm::ivec2 from = cellAt(glm::min(m_edges[i].a, m_edges[i].b));
-        const glm::ivec2 to = cellAt(glm::max(m_edges[i].a, m_edges[i].b));
+    const auto rows = static_cast<std::size_t>(m_size.y);
+    m_rows = sortInto(rows, [this](const Edge& edge, const auto& add) {
+        const int last = cellAt(glm::max(edge.a, edge.b)).y;
+        for (int y = cellAt(glm::min(edge.a, edge.b)).y; y <= last; ++y) {
+            add(static_cast<std::size_t>(y));
+        }
+    });
+    m_cells = sortInto(rows * static_cast<std::size_t>(m_size.x), [this](const Edge& edge, const auto& add) {
+        const glm::ivec2 from = cellAt(glm::min(edge.a, edge.b));
+        const glm::ivec2 to = cellAt(glm::max(edge.a, edge.b));
         for (int y = from.y; y <= to.y; ++y) {
-            m_rows[static_cast<std::size_t>(y)].push_back(i);
             for (int x = from.x; x <= to.x; ++x) {
-                m_cells[static_cast<std::size_t>(y * m_size.x + x)].push_back(i);
+                add(rowOf({x, y}));
+            }
+        }
+    });
+    measureClearance();
+    markInside();
+}
+
+template <class ForLists>
+EdgeGrid::Lists EdgeGrid::sortInto(std::size_t count, const ForLists& forLists) const {
+    Lists lists;
+    lists.start.assign(count + 1, 0);
+    for (const Edge& edge : m_edges) {
+        forLists(edge, [&](std::size_t list) { ++lists.start[list + 1]; });
+    }
+    std::partial_sum(lists.start.begin(), lists.start.end(), lists.start.begin());
+    lists.ids.resize(lists.start.back());
+    std::vector<std::uint32_t> next(lists.start.begin(), lists.start.end() - 1);
+    for (std::uint32_t i = 0; i < m_edges.size(); ++i) {
+        forLists(m_edges[i], [&](std::size_t list) { lists.ids[next[list]++] = i; });
+    }
+    return lists;
+}
+
+/// Once forward, once backward: each cell is a step farther than its nearest neighbour.
+void EdgeGrid::measureClearance() {
+    constexpr int kMost = 255;
+    m_clearance.resize(m_cells.start.size() - 1);
+    for (std::size_t i = 0; i < m_clearance.size(); ++i) {
+        m_clearance[i] = m_cells[i].empty() ? kMost : 0;
+    }
+    const auto approach = [this](glm::ivec2 cell, glm::ivec2 step) {
+        const glm::ivec2 other = cell + step;
+        if (other.x >= 0 && other.y >= 0 && other.x < m_size.x && other.y < m_size.y) {
+            std::uint8_t& own = m_clearance[rowOf(cell)];
+            own = static_cast<std::uint8_t>(std::min<int>(own, m_clearance[rowOf(other)] + 1));
+        }
+    };
+    constexpr glm::ivec2 kBefore[] = {{-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
+    for (int i = 0; i < m_size.x * m_size.y; ++i) {
+        std::ranges::for_each(kBefore, [&](glm::ivec2 step) { approach({i % m_size.x, i / m_size.x}, step); });
+    }
+    for (int i = m_size.x * m_size.y - 1; i >= 0; --i) {
+        std::ranges::for_each(kBefore, [&](glm::ivec2 step) { approach({i % m_size.x, i / m_size.x}, -step); });
+    }
+}
+
+/// Cells without edges are inside or outside as a whole, and neighbours among them alike.
+void EdgeGrid::markInside() {
+    m_isInside.assign(m_clearance.size(), 0);
+    for (int y = 0; y < m_size.y; ++y) {
+        for (int x = 0; x < m_size.x; ++x) {
+            const std::size_t cell = rowOf({x, y});
+            if (m_clearance[cell] == 0) {
+                continue;
+            }
+            if (x > 0 && m_clearance[cell - 1] > 0) {
+                m_isInside[cell] = m_isInside[cell - 1];
+            } else if (y > 0 && m_clearance[rowOf({x, y - 1})] > 0) {
+                m_isInside[cell] = m_isInside[rowOf({x, y - 1})];
+            } else {
+                m_isInside[cell] = crossesOddly(m_low + m_cell * (glm::vec2(x, y) + 0.5F)) ? 1 : 0;
             }
         }
     }
@@ -105,31 +171,54 @@ void EdgeGrid::forEdgesNear(glm::vec2 low, glm::vec2 high, const Visit& visit) c
     const glm::ivec2 to = cellAt(high);
     for (int y = from.y; y <= to.y; ++y) {
         for (int x = from.x; x <= to.x; ++x) {
-            for (const std::uint32_t i : m_cells[static_cast<std::size_t>(y * m_size.x + x)]) {
+            for (const std::uint32_t i : m_cells[rowOf({x, y})]) {
                 visit(m_edges[i]);
             }
         }
     }
 }
 
+/// Is every edge `reach` or more from the box for sure, by the clearance around its middle?
+bool EdgeGrid::isFarFrom(glm::vec2 low, glm::vec2 high, float reach) const {
+    const glm::vec2 middle = 0.5F * (low + high);
+    if (glm::any(glm::lessThan(middle, m_low)) || glm::any(glm::greaterThan(middle, m_high))) {
+        return false;
+    }
+    const auto steps = static_cast<float>(m_clearance[rowOf(cellAt(middle))]);
+    // Between a place in a cell and an edge n steps away lie n - 1 whole cells; a little less for rounding.
+    return (steps - 1.01F) * m_cell >= reach + 0.5F * glm::length(high - low);
+}
+
 float EdgeGrid::distance(glm::vec2 low, glm::vec2 high, float reach) const {
     float nearest = reach;
-    forEdgesNear(low - reach, high + reach,
-                 [&](const Edge& edge) { nearest = std::min(nearest, edgeToBox(edge, low, high)); });
+    if (!isFarFrom(low, high, reach)) {
+        forEdgesNear(low - reach, high + reach,
+                     [&](const Edge& edge) { nearest = std::min(nearest, edgeToBox(edge, low, high)); });
+    }
     return nearest;
 }
 
 float EdgeGrid::distance(const Edge& line, float reach) const {
+    const glm::vec2 low = glm::min(line.a, line.b);
+    const glm::vec2 high = glm::max(line.a, line.b);
     float nearest = reach;
-    forEdgesNear(glm::min(line.a, line.b) - reach, glm::max(line.a, line.b) + reach,
-                 [&](const Edge& edge) { nearest = std::min(nearest, edgeToEdge(edge, line)); });
+    if (!isFarFrom(low, high, reach)) {
+        forEdgesNear(low - reach, high + reach,
+                     [&](const Edge& edge) { nearest = std::min(nearest, edgeToEdge(edge, line)); });
+    }
     return nearest;
 }
 
 bool EdgeGrid::contains(glm::vec2 p) const {
-    if (m_edges.empty() || p.y < m_low.y || p.y > m_high.y) {
+    if (m_edges.empty() || glm::any(glm::lessThan(p, m_low)) || glm::any(glm::greaterThan(p, m_high))) {
         return false;
     }
+    const std::size_t cell = rowOf(cellAt(p));
+    return m_clearance[cell] > 0 ? m_isInside[cell] != 0 : crossesOddly(p);
+}
+
+/// Does a ray to the right cross an odd number of edges?
+bool EdgeGrid::crossesOddly(glm::vec2 p) const {
     bool isIn = false;
     for (const std::uint32_t i : m_rows[static_cast<std::size_t>(cellAt(p).y)]) {
         const auto [a, b] = m_edges[i];

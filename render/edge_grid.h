@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <span>
 #include <vector>
 
 namespace render {
@@ -11,7 +12,8 @@ struct Edge {
     glm::vec2 b;
 };
 
-/// Closed loops of edges, mm, in square cells, so that questions about a place look at few of them.
+/// Closed loops of edges, mm, in square cells, so that questions about a place look at few of them, and at none where
+/// no edge is near.
 class EdgeGrid {
 public:
     explicit EdgeGrid(std::vector<Edge> edges);
@@ -26,17 +28,39 @@ public:
     [[nodiscard]] bool isCrossedBy(glm::vec2 a, glm::vec2 b, float slack) const;
 
 private:
+    /// Lists of edges one behind the other: list i is ids[start[i] .. start[i + 1]).
+    struct Lists {
+        std::vector<std::uint32_t> start;
+        std::vector<std::uint32_t> ids;
+
+        [[nodiscard]] std::span<const std::uint32_t> operator[](std::size_t list) const {
+            return std::span(ids).subspan(start[list], start[list + 1] - start[list]);
+        }
+    };
+
     template <class Visit>
     void forEdgesNear(glm::vec2 low, glm::vec2 high, const Visit& visit) const;
+    /// `forLists(edge, add)` calls add(list) for every list that the edge is in.
+    template <class ForLists>
+    [[nodiscard]] Lists sortInto(std::size_t count, const ForLists& forLists) const;
+    void measureClearance();
+    void markInside();
+    [[nodiscard]] bool isFarFrom(glm::vec2 low, glm::vec2 high, float reach) const;
+    [[nodiscard]] bool crossesOddly(glm::vec2 p) const;
     [[nodiscard]] glm::ivec2 cellAt(glm::vec2 p) const;
+    [[nodiscard]] std::size_t rowOf(glm::ivec2 cell) const {
+        return static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(m_size.x) + static_cast<std::size_t>(cell.x);
+    }
 
     std::vector<Edge> m_edges;
     glm::vec2 m_low{1e30F};
     glm::vec2 m_high{-1e30F};
     glm::ivec2 m_size{1};
     float m_cell = 1.0F;
-    std::vector<std::vector<std::uint32_t>> m_cells;  ///< by y * size.x + x: edges whose box meets the cell
-    std::vector<std::vector<std::uint32_t>> m_rows;   ///< by y
+    Lists m_cells;                          ///< by y * size.x + x: edges whose box meets the cell
+    Lists m_rows;                           ///< by y
+    std::vector<std::uint8_t> m_clearance;  ///< by cell: steps to the nearest one with edges, diagonal ones included
+    std::vector<std::uint8_t> m_isInside;   ///< by cell without edges
 };
 
 }  // namespace render

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 
 #include "model/base/parallel.h"
-#include "model/geometry/box_index.h"
 #include "render/board_model.h"
 #include "render/edge_grid.h"
 #include "render/lets.h"
@@ -85,74 +85,60 @@ void forLets(const BoardModel& model, const shader::Cluster& cluster, const Visi
 /// The straight holes and slots of a board: what fills the laminate's holes.
 class Plugs {
 public:
-    Plugs(const BoardModel& model, const std::vector<std::size_t>& holeLayers) {
+    Plugs(const BoardModel& model, const std::vector<std::size_t>& holeLayers) : m_lets(model.lets) {
         for (const std::size_t layer : holeLayers) {
             forClusters(model, layer, [&](const shader::Cluster& cluster) {
-                forLets(model, cluster, [&](const shader::Let& let) {
+                for (std::uint32_t i = cluster.firstLet; i < cluster.firstLet + cluster.count; ++i) {
+                    const shader::Let& let = m_lets[i];
                     if (kindOf(let) == shader::kLetStadium && (let.meta & shader::kLetBore) == 0) {
-                        m_plugs.push_back(let);
+                        m_places.push_back({0.5F * (let.p0 + let.p2), 0.5F * (let.p1 + let.p3), i});
                     }
-                });
+                }
             });
         }
-        std::ranges::sort(m_plugs, [](const shader::Let& a, const shader::Let& b) { return keyOf(a) < keyOf(b); });
+        std::ranges::sort(m_places);
     }
 
     /// The layer of the hole that a round cutout comes from: they have the same centre to the last bit.
     [[nodiscard]] std::optional<std::uint32_t> layerOfCircle(const shader::Let& hole) const {
-        const auto isLess = [](const shader::Let& a, const shader::Let& b) {
-            return std::pair(a.p0, a.p1) < std::pair(b.p0, b.p1);
-        };
-        const auto [first, last] = std::equal_range(m_plugs.begin(), m_plugs.end(), hole, isLess);
-        for (auto plug = first; plug != last; ++plug) {
-            const bool isRound = plug->p0 == plug->p2 && plug->p1 == plug->p3;
-            if (isRound && std::abs(plug->p4 - hole.p5) < kSlack) {
-                return plug->meta >> shader::kLetLayerShift;
+        for (auto place = std::ranges::lower_bound(m_places, Place{hole.p0, hole.p1, 0});
+             place != m_places.end() && place->x == hole.p0 && place->y == hole.p1; ++place) {
+            const shader::Let& plug = m_lets[place->let];
+            const bool isRound = plug.p0 == plug.p2 && plug.p1 == plug.p3;
+            if (isRound && std::abs(plug.p4 - hole.p5) < kSlack) {
+                return plug.meta >> shader::kLetLayerShift;
             }
         }
         return std::nullopt;
     }
 
     /// The same for a loop of chords.
-    [[nodiscard]] std::optional<std::uint32_t> layerOfLoop(const Loop& loop) {
-        if (!m_index) {
-            m_index.emplace(boxes());
+    [[nodiscard]] std::optional<std::uint32_t> layerOfLoop(const Loop& loop) const {
+        constexpr float kChords = 0.06F;  // mm: so far chords may shift the middle
+        glm::vec2 low(1e30F);
+        glm::vec2 high(-1e30F);
+        for (const glm::vec2& p : loop) {
+            low = glm::min(low, p);
+            high = glm::max(high, p);
         }
-        const base::Point p = toNm(loop.front());
-        std::optional<std::uint32_t> layer;
-        m_index->visit(base::Box{p, p}, [&](std::uint32_t row) {
-            if (!layer && fills(m_plugs[row], loop)) {
-                layer = m_plugs[row].meta >> shader::kLetLayerShift;
+        const glm::vec2 middle = 0.5F * (low + high);
+        for (auto place = std::ranges::lower_bound(m_places, middle.x - kChords, {}, &Place::x);
+             place != m_places.end() && place->x <= middle.x + kChords; ++place) {
+            if (std::abs(place->y - middle.y) <= kChords && fills(m_lets[place->let], loop)) {
+                return m_lets[place->let].meta >> shader::kLetLayerShift;
             }
-        });
-        return layer;
+        }
+        return std::nullopt;
     }
 
 private:
-    static std::tuple<float, float, float, std::uint32_t> keyOf(const shader::Let& let) {
-        return {let.p0, let.p1, let.p4, let.element};
-    }
-
-    static base::Point toNm(glm::vec2 p) {
-        static constexpr double kMost = 2e9;  // what is farther from the middle of the board is no part of it
-        const auto nm = [](float mm) {
-            return static_cast<base::Nm>(std::llround(std::clamp(double(mm) * base::kNmPerMm, -kMost, kMost)));
-        };
-        return {nm(p.x), nm(p.y)};
-    }
-
-    [[nodiscard]] std::vector<base::Box> boxes() const {
-        std::vector<base::Box> result;
-        for (const shader::Let& plug : m_plugs) {
-            base::Box box;
-            box.include(toNm(startOf(plug) - plug.p4 - kSlack));
-            box.include(toNm(startOf(plug) + plug.p4 + kSlack));
-            box.include(toNm(glm::vec2(plug.p2, plug.p3) - plug.p4 - kSlack));
-            box.include(toNm(glm::vec2(plug.p2, plug.p3) + plug.p4 + kSlack));
-            result.push_back(box);
-        }
-        return result;
-    }
+    /// The middle of a plug.
+    struct Place {
+        float x;
+        float y;
+        std::uint32_t let;
+        auto operator<=>(const Place&) const = default;
+    };
 
     /// Do all corners lie on the outline of the hole?
     static bool fills(const shader::Let& plug, const Loop& loop) {
@@ -165,8 +151,8 @@ private:
         });
     }
 
-    std::vector<shader::Let> m_plugs;  ///< by place
-    std::optional<model::BoxIndex> m_index;
+    std::span<const shader::Let> m_lets;
+    std::vector<Place> m_places;
 };
 
 /// A slab of the laminate: its edges, and one point of each loop.
@@ -303,7 +289,7 @@ public:
 
     std::vector<LayerInLaminate> run() {
         std::vector<SlabInsets> slabs;
-        Plugs plugs(m_model, m_holeLayers);
+        const Plugs plugs(m_model, m_holeLayers);
         for (std::size_t layer = 0; layer < m_result.size(); ++layer) {
             if (m_result[layer].role == Role::Laminate) {
                 slabs.emplace_back(m_model, slabOf(plugs, layer));
@@ -325,7 +311,7 @@ public:
     }
 
 private:
-    Slab slabOf(Plugs& plugs, std::size_t layer) {
+    Slab slabOf(const Plugs& plugs, std::size_t layer) {
         Slab slab;
         const auto addUnlessPlugged = [&](std::optional<std::uint32_t> plug, const Loop& loop) {
             if (plug) {

@@ -273,13 +273,13 @@ LetBox boxOfCell(const shader::Let& let) {
     const glm::vec2 along = glm::vec2(1.0F - t * t, 2.0F * t) / (1.0F + t * t);
     const auto [left, right] = unpacked(let.p2);
     const auto [down, up] = unpacked(let.p3);
-    LetBox box{glm::vec2(1e30F), glm::vec2(-1e30F)};
-    for (const glm::vec2& corner : {glm::vec2(-left, -down), {right, -down}, {right, up}, {-left, up}}) {
-        const glm::vec2 p{let.p0 + corner.x * along.x - corner.y * along.y,
-                          let.p1 + corner.x * along.y + corner.y * along.x};
-        box = {glm::min(box.min, p), glm::max(box.max, p)};
-    }
-    return box;
+    const auto ends = [](float back, float forth, float slope) { return std::minmax({-back * slope, forth * slope}); };
+    const auto xAlongX = ends(left, right, along.x);
+    const auto xAlongY = ends(left, right, along.y);
+    const auto yAlongX = ends(down, up, -along.y);
+    const auto yAlongY = ends(down, up, along.x);
+    return {{let.p0 + xAlongX.first + yAlongX.first, let.p1 + xAlongY.first + yAlongY.first},
+            {let.p0 + xAlongX.second + yAlongX.second, let.p1 + xAlongY.second + yAlongY.second}};
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "model/document_builder.h"
 #include "model/reader.h"
 #include "render/standard_model.h"
+#include "render/standard_triangles.h"
 #include "tests/places.h"
 
 using model::DocumentBuilder;
@@ -55,7 +56,7 @@ private slots:
         const auto document = readBoard(path);
         QCOMPARE(document->elementCounts(), (std::array<std::uint32_t, 5>{539, 0, 1395, 529, 823}));
         const BoardModel model = build(*document, {5000.0, true});
-        QCOMPARE(model.trianglesPaperRule, 1'130'956U);
+        QCOMPARE(render::countStandardTriangles(*document, {5000.0, true}), 1'130'956U);
         QCOMPARE(model.repairedAreas, 0U);
     }
 
