@@ -35,7 +35,7 @@ struct PipelineResult {
     std::vector<FrameResult> frames;
 
     /// Modelling after parsing.
-    [[nodiscard]] double modellingMs() const { return createMs + discretiseMs + triangulateMs; }
+    [[nodiscard]] double modellingMs() const { return createMs + discretiseMs + triangulateMs + uploadMs; }
 };
 
 struct BoardResult {
