@@ -17,7 +17,7 @@ namespace {
 constexpr std::uint32_t kStencilReferences = 255;
 
 /// Lets within a circle of this radius are left to compute shaders, where there is a choice (docs/performance.md).
-constexpr float kRasterRadiusPx = 4.0F;
+constexpr float kRasterRadiusPx = 2.0F;
 
 void clearStencil(VkCommandBuffer commands, VkExtent2D extent) {
     VkClearAttachment what{};

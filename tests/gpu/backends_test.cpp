@@ -262,6 +262,23 @@ private slots:
         QVERIFY2(missing <= 4, qPrintable(QString::number(missing)));
     }
 
+    /// A step of a hundredth of zoom moves all outlines. A level of detail that strays from the exact outlines by much
+    /// less than that is not seen to come or go.
+    void changesOfLevelAreNotSeen() {
+        Scene scene(randomTraces(250, 21));
+        scene.camera.fit(scene.model.boxMin, scene.model.boxMax, NamedView::Iso, 4.0F / 3.0F);
+        double strays = 0.0;
+        double moves = 0.0;
+        for (int i = 0; i < 14; ++i) {
+            scene.camera.zoom(1.15F, {0.1F, 0.1F}, 4.0F / 3.0F);
+            const Image exact = scene.draw(settings(Backend::Impostor), 160, 120);
+            strays += greyMse(exact, scene.draw(settings(Backend::Pull), 160, 120));
+            scene.camera.zoom(1.01F, {0.1F, 0.1F}, 4.0F / 3.0F);
+            moves += greyMse(exact, scene.draw(settings(Backend::Impostor), 160, 120));
+        }
+        QVERIFY2(strays < 0.09 * moves, qPrintable(QString::number(strays / moves)));
+    }
+
     void autoTakesWhatSuitsTheDevice() {
         Scene scene(randomTraces(10, 1));
         scene.draw({});
