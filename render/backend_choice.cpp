@@ -19,10 +19,10 @@ bool isInsideLayer(const LayerPlan& layers, bool isParallel) {
     return false;
 }
 
-/// May lets be seen by lines of sight? One that meets a let where it is cut away may meet it again behind the cut.
+/// May lets be seen by lines of sight?
 bool castsSight(const FramePlan& plan) {
     const bool isParallel = plan.data.eye.w == 0.0F;
-    return !plan.isCut && !isInsideLayer(plan.upright, isParallel) && !isInsideLayer(plan.flipped, isParallel);
+    return !isInsideLayer(plan.upright, isParallel) && !isInsideLayer(plan.flipped, isParallel);
 }
 
 bool canRasterise(const gpu::Caps& caps, const FramePlan& plan) {
@@ -43,10 +43,10 @@ constexpr Row kRows[] = {
      [](const gpu::Caps& caps, const FramePlan& plan) {
          return isFlatView(plan) || (caps.canShadeSamples && castsSight(plan));
      },
-     "needs a flat view (2D), or a whole board, shading by sample and an eye outside all layers"},
+     "needs a flat view (2D), or shading by sample and an eye outside all layers"},
     // For devices whose compute dwarfs their raster units. None has been measured yet, so nobody gets it unasked.
     {Backend::Raster, [](const gpu::Caps&, const FramePlan&) { return false; }, canRasterise,
-     "needs 64-bit atomics, a whole board, an eye outside all layers and eight bytes per pixel"},
+     "needs 64-bit atomics, an eye outside all layers and eight bytes per pixel"},
     // Software devices run mesh shaders on one thread, compute and vertex shaders on all (vulkan-facts §2).
     {Backend::Mesh, [](const gpu::Caps& caps, const FramePlan&) { return caps.hasMeshShader && !caps.isCpu; },
      [](const gpu::Caps& caps, const FramePlan&) { return caps.hasMeshShader; },

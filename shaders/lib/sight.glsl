@@ -146,6 +146,16 @@ Let aroundCentre(Let let) {
     return let;
 }
 
+// What a cut through the board leaves of a line.
+Span keptOf(vec2 o, vec2 d) {
+    const float beyond = dot(FRAME.cut.xy, o) - FRAME.cut.z;
+    const float slope = dot(FRAME.cut.xy, d);
+    if (slope == 0.0) {
+        return beyond <= 0.0 ? Span(-kFar, kFar) : kNowhere;
+    }
+    return slope > 0.0 ? Span(-kFar, -beyond / slope) : Span(-beyond / slope, kFar);
+}
+
 // What is seen of a let.
 struct Seen {
     bool isHit;
@@ -169,9 +179,11 @@ Seen seenOf(Let let, LayerState layer, Sight sight) {
     // Straight down a line of sight is a point in plan: it is given a way that leads nowhere.
     const bool isStraight = dot(sight.along.xy, sight.along.xy) < 1e-24;
     const vec2 d = isStraight ? vec2(1e-12, 0.0) : sight.along.xy;
-    const float t = isEmpty(slab) ? kFar : intoLet(near, kSnapPx * pixelMm, o.xy, d, slab);
+    const Span kept = overlap(slab, keptOf(o.xy, d));
+    const float t = isEmpty(kept) ? kFar : intoLet(near, kSnapPx * pixelMm, o.xy, d, kept);
     Seen seen;
-    seen.isHit = t < kFar;
+    // What starts at a cut is its face, which is drawn by itself (cut_face.vert).
+    seen.isHit = t < kFar && (t > kept.x || kept.x == slab.x);
     seen.position = o + t * sight.along;
     if (t == slab.x) {
         seen.position.z = fromAbove ? z1 : z0;

@@ -80,14 +80,6 @@ private slots:
         QVERIFY(QString(impostor.needs).contains("flat view"));
     }
 
-    void boardsCutOpenAreNotDrawnAsBoxes() {
-        FramePlan cut = tilted();
-        cut.isCut = true;
-        QCOMPARE(chooseBackend(Backend::Impostor, softwareDevice(), cut).backend, Backend::Pull);
-        QCOMPARE(chooseBackend(Backend::Impostor, graphicsCard(), cut).backend, Backend::Mesh);
-        QCOMPARE(chooseBackend(Backend::Raster, softwareDevice(), cut).backend, Backend::Pull);
-    }
-
     void rasterNeedsAtomicsAndRoomForItsPixels() {
         for (const auto& spoil : {+[](gpu::Caps& caps) { caps.hasAtomic64 = false; },
                                   +[](gpu::Caps& caps) { caps.maxAllocationBytes = 8 * 64 * 48 - 1; }}) {

@@ -4,6 +4,7 @@
 
 #include "model/document_builder.h"
 #include "model/reader.h"
+#include "render/image_difference.h"
 #include "tests/gpu/gpu_fixture.h"
 #include "tests/places.h"
 
@@ -193,6 +194,27 @@ private slots:
             ++checked;
         }
         QVERIFY2(checked >= 5 && layers.size() >= 3, qPrintable(QString::number(checked)));
+    }
+
+    void linesOfSightAreCutToo() {
+        for (const bool isPanel : {false, true}) {
+            Board board(isPanel ? panel() : sample());
+            const Camera camera = board.seen(NamedView::Iso, isPanel);
+            ViewSettings settings;
+            settings.isSmoothed = false;
+            settings.zScale = {20.0F, 3.0F};
+            const Image whole = board.draw(camera, settings);
+            settings.cut = board.cut({1, 0.3}, {0, 0});
+            settings.backend = Backend::Pull;
+            const Image pull = board.draw(camera, settings);
+            QVERIFY(greyMse(pull, whole) > 0.01);
+            for (const Backend backend : {Backend::Impostor, Backend::Raster}) {
+                settings.backend = backend;
+                const double mse = greyMse(pull, board.draw(camera, settings));
+                QCOMPARE(Gpu::get().presenter.stats().backend, backend);
+                QVERIFY2(mse < 0.0005, qPrintable(QString::number(mse)));
+            }
+        }
     }
 
     void hiddenLayersAreNotInTheCut() {
