@@ -329,6 +329,8 @@ private slots:
     void renderWritesOnlyThePicture_data() {
         QTest::addColumn<QStringList>("options");
         QTest::addRow("3D, pull") << QStringList{"--backend", "pull"};
+        QTest::addRow("3D, impostor") << QStringList{"--backend", "impostor"};
+        QTest::addRow("3D, raster") << QStringList{"--backend", "raster"};
         QTest::addRow("3D, automatic") << QStringList{};
         QTest::addRow("bottom") << QStringList{"--view", "bottom"};
         QTest::addRow("2D") << QStringList{"--mode", "2d"};
