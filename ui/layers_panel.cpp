@@ -4,11 +4,11 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
-#include <QToolButton>
 
 #include "ui/actions.h"
 #include "ui/layer_delegate.h"
 #include "ui/table_view.h"
+#include "ui/tool_button.h"
 
 namespace ui {
 
@@ -22,10 +22,7 @@ constexpr ActionId kButtons[] = {ActionId::ShowAllLayers, ActionId::HideAllLayer
 QHBoxLayout* buttonRow(const ActionSet& actions) {
     auto* row = new QHBoxLayout;
     for (const ActionId id : kButtons) {
-        auto* button = new QToolButton;
-        button->setDefaultAction(&actions[id]);
-        button->setAutoRaise(true);
-        row->addWidget(button);
+        row->addWidget(toolButton(actions[id]));
     }
     row->addStretch();
     return row;

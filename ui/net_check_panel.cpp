@@ -5,10 +5,10 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QSortFilterProxyModel>
-#include <QToolButton>
 
 #include "ui/actions.h"
 #include "ui/table_view.h"
+#include "ui/tool_button.h"
 
 namespace ui {
 
@@ -37,10 +37,7 @@ NetCheckPanel::NetCheckPanel(NetCheckModel& model, const ActionSet& actions, QWi
 
     auto* row = new QHBoxLayout;
     for (const ActionId id : {ActionId::CheckNets, ActionId::InferNets}) {
-        auto* button = new QToolButton;
-        button->setDefaultAction(&actions[id]);
-        button->setAutoRaise(true);
-        row->addWidget(button);
+        row->addWidget(toolButton(actions[id]));
     }
     row->addWidget(m_filterEdit, 1);
     row->addWidget(m_summary);

@@ -6,13 +6,13 @@
 #include <QLabel>
 #include <QScrollArea>
 #include <QSplitter>
-#include <QToolButton>
 #include <QVBoxLayout>
 #include <numeric>
 
 #include "ui/actions.h"
 #include "ui/stack_view.h"
 #include "ui/table_view.h"
+#include "ui/tool_button.h"
 
 namespace ui {
 
@@ -60,10 +60,7 @@ StackPanel::StackPanel(StackModel& model, const ActionSet& actions, QWidget* par
 QWidget* StackPanel::drawingHalf(const ActionSet& actions) {
     auto* row = new QHBoxLayout;
     for (const ActionId id : {ActionId::ExaggerateCopper, ActionId::ExportStack}) {
-        auto* command = new QToolButton;
-        command->setDefaultAction(&actions[id]);
-        command->setAutoRaise(true);
-        row->addWidget(command);
+        row->addWidget(toolButton(actions[id]));
     }
     row->addStretch();
     auto* scroll = new QScrollArea;
