@@ -38,16 +38,16 @@ base::Result<Board> stacked(const Board& read, const std::filesystem::path& path
     for (const std::string& text : found.ignored) {
         std::fprintf(stderr, "copperscope: %s\n", text.c_str());
     }
-    session::Session wanted = found.session;
-    if (const base::Status added = addThicknesses(arguments.thicknesses, read->stackup, wanted.thicknesses); !added) {
+    std::vector<model::ThicknessOverride>& wanted = found.session.thicknesses;
+    if (const base::Status added = addThicknesses(arguments.thicknesses, read->stackup, wanted); !added) {
         return added.error();
     }
     if (arguments.saveSession) {
-        if (const base::Status saved = session::saveSession(path, *read, wanted); !saved) {
+        if (const base::Status saved = session::saveThicknesses(path, *read, wanted); !saved) {
             return saved.error();
         }
     }
-    return session::applySession(read, wanted);
+    return session::applyThicknesses(read, wanted);
 }
 
 }  // namespace

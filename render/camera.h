@@ -7,6 +7,16 @@ namespace render {
 
 enum class NamedView { Top, Bottom, Iso };
 
+/// Where a camera is and looks.
+struct CameraPose {
+    glm::vec3 target{0.0F};
+    float distance = 100.0F;  ///< mm from the eye to the target; also sets the size of an orthographic view
+    float yaw = 0.0F;         ///< rad, 0 looks along +y
+    float pitch = 0.0F;       ///< rad, -π/2 looks straight down
+    bool isOrthographic = false;
+    bool operator==(const CameraPose&) const = default;
+};
+
 /// Orbit camera in board model coordinates (mm, z up). Pure arithmetic; input handling lives in ui/.
 class Camera {
 public:
@@ -32,8 +42,12 @@ public:
     void focusOn(const glm::vec3& point);
     /// The same for the place where the line of sight meets height `z`; does nothing when it does not.
     void focusOnHeight(float z);
-    void setOrthographic(bool isOrthographic) { m_isOrthographic = isOrthographic; }
-    [[nodiscard]] bool isOrthographic() const { return m_isOrthographic; }
+    void setOrthographic(bool isOrthographic) { m_pose.isOrthographic = isOrthographic; }
+    [[nodiscard]] bool isOrthographic() const { return m_pose.isOrthographic; }
+
+    [[nodiscard]] const CameraPose& pose() const { return m_pose; }
+    /// Takes a pose over, within what the camera can do.
+    void setPose(const CameraPose& pose);
 
     [[nodiscard]] glm::mat4 view() const;
     /// Reversed z (near = 1, far = 0), y down as Vulkan wants it.
@@ -42,18 +56,14 @@ public:
     [[nodiscard]] glm::vec3 direction() const;  ///< from the eye into the scene, unit length
     /// Millimetres per pixel at the target.
     [[nodiscard]] float mmPerPixel(float height) const;
-    [[nodiscard]] glm::vec3 target() const { return m_target; }
+    [[nodiscard]] glm::vec3 target() const { return m_pose.target; }
 
 private:
     [[nodiscard]] float distanceToSee(const std::array<glm::vec3, 8>& corners, float aspect) const;
     void centre(const std::array<glm::vec3, 8>& corners);
 
-    glm::vec3 m_target{0.0F};
-    float m_distance = 100.0F;  ///< mm from the eye to the target; also sets the size of an orthographic view
-    float m_yaw = 0.0F;         ///< rad, 0 looks along +y
-    float m_pitch = 0.0F;       ///< rad, -π/2 looks straight down
-    float m_radius = 100.0F;    ///< mm, of the scene: near and far planes enclose it
-    bool m_isOrthographic = false;
+    CameraPose m_pose;
+    float m_radius = 100.0F;  ///< mm, of the scene: near and far planes enclose it
 };
 
 }  // namespace render

@@ -81,6 +81,19 @@ void CameraController::setOrthographic(bool isOrthographic) {
     emit moved();
 }
 
+void CameraController::setPose(const render::CameraPose& pose) {
+    m_camera.setPose(pose);
+    if (m_isPlan) {
+        const bool isFromBelow = pose.pitch > 0.0F;
+        render::CameraPose straight = pose;
+        straight.yaw = isFromBelow ? std::numbers::pi_v<float> : 0.0F;
+        straight.pitch = std::numbers::pi_v<float> * (isFromBelow ? 0.5F : -0.5F);
+        straight.isOrthographic = true;
+        m_camera.setPose(straight);
+    }
+    announceUserMove();
+}
+
 void CameraController::zoomAt(QPointF position, float factor) {
     focusAt(position);
     m_camera.zoom(factor, ndcOf(position), aspect());
@@ -225,6 +238,9 @@ bool CameraController::wheel(const QWheelEvent& event) {
 }
 
 bool CameraController::key(const QKeyEvent& event) {
+    if ((event.modifiers() & (Qt::AltModifier | Qt::ControlModifier)) != 0) {
+        return false;  // a command's
+    }
     QPointF way;
     switch (event.key()) {
         case Qt::Key_Left: way = {-kArrowPixels, 0.0}; break;

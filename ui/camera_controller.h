@@ -44,6 +44,8 @@ public:
     /// Brings a part of the board to the middle, large enough to be looked at.
     void show(const glm::vec3& boxMin, const glm::vec3& boxMax);
     void setOrthographic(bool isOrthographic);
+    /// Looks as told; a plan stays straight.
+    void setPose(const render::CameraPose& pose);
     /// Zooms by `factor` (> 1 is closer) and keeps the point at `position` where it is on the screen.
     void zoomAt(QPointF position, float factor);
     void zoomAtCentre(float factor);

@@ -21,6 +21,7 @@ constexpr DockSpec kDocks[] = {
     {ActionId::ShowStackDock, "stack", "Stack", Qt::LeftDockWidgetArea, "layers", 0},
     {ActionId::ShowNetsDock, "nets", "Nets", Qt::RightDockWidgetArea, nullptr, 22},
     {ActionId::ShowElementDock, "element", "Element", Qt::RightDockWidgetArea, nullptr, 22},
+    {ActionId::ShowViewsDock, "views", "Views", Qt::RightDockWidgetArea, "element", 0},
     {ActionId::ShowMessagesDock, "messages", "Messages", Qt::BottomDockWidgetArea, nullptr, 13},
     {ActionId::ShowNetCheckDock, "netCheck", "Opens and shorts", Qt::BottomDockWidgetArea, "messages", 0},
     {ActionId::ShowStatisticsDock, "statistics", "Statistics", Qt::BottomDockWidgetArea, "messages", 0},

@@ -39,8 +39,9 @@ base::Status stack(const std::shared_ptr<const model::Document>& read, LoadedBoa
         return once.error();
     }
     board.thicknesses = {std::move(found.session.thicknesses), std::move(*once)};
+    board.views = std::move(found.session.views);
     board.sessionNotes = std::move(found.ignored);
-    board.document = session::applySession(read, {board.thicknesses.all()});
+    board.document = session::applyThicknesses(read, board.thicknesses.all());
     return base::Done{};
 }
 

@@ -45,6 +45,7 @@ struct LoadedBoard {
     std::shared_ptr<const model::BoardIndex> index;    ///< may be null: then nothing can be picked
     std::shared_ptr<const model::NetStatistics> nets;  ///< may be null
     SetThicknesses thicknesses{};                      ///< worked into the document
+    std::vector<model::session::KeptView> views{};     ///< kept in the session, those of other steps too
     std::vector<std::string> sessionNotes{};           ///< what of the session file is not used, a sentence each
 };
 

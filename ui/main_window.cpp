@@ -31,6 +31,7 @@
 #include "ui/start_page.h"
 #include "ui/statistics_panel.h"
 #include "ui/status_line.h"
+#include "ui/views_panel.h"
 
 namespace ui {
 
@@ -47,7 +48,8 @@ constexpr ActionId kBoardActions[] = {
     ActionId::ZoomIn,         ActionId::ZoomOut,       ActionId::ShowAllLayers,  ActionId::HideAllLayers,
     ActionId::ShowCopperOnly, ActionId::SoloLayer,     ActionId::RestoreLayers,  ActionId::Contrast,
     ActionId::NextLayer,      ActionId::PreviousLayer, ActionId::ClearSelection, ActionId::ShowSelection,
-    ActionId::CheckNets,      ActionId::ExportStack,   ActionId::InferNets,      ActionId::HighlightNet};
+    ActionId::CheckNets,      ActionId::ExportStack,   ActionId::InferNets,      ActionId::HighlightNet,
+    ActionId::ViewBack,       ActionId::ViewForward,   ActionId::KeepView};
 
 }  // namespace
 
@@ -69,6 +71,7 @@ MainWindow::MainWindow(GpuContext& context, Settings& settings, const Loader::Wo
 }
 
 MainWindow::~MainWindow() {
+    hide();          // an editor that is open commits while all it needs is still there
     delete m_views;  // its canvases must not draw with painters that are gone
 }
 
@@ -110,12 +113,14 @@ void MainWindow::createDocks() {
     m_stackPanel = new StackPanel(m_stackModel, m_actions);
     m_statisticsPanel = new StatisticsPanel(m_statisticsModel);
     m_messagesPanel = new MessagesPanel(m_messageModel);
+    m_viewKeeping = new ViewKeeping(*m_views, m_layerModel, m_thicknesses.history(), this);
+    m_viewsPanel = new ViewsPanel(m_viewKeeping->list(), m_actions);
     connect(m_messagesPanel, &MessagesPanel::chosen, this, qOverload<const model::Diagnostic&>(&MainWindow::goTo));
     const std::map<ActionId, QWidget*> panels = {
         {ActionId::ShowLayersDock, m_layersPanel},     {ActionId::ShowNetsDock, m_netsPanel},
         {ActionId::ShowElementDock, m_elementPanel},   {ActionId::ShowStackDock, m_stackPanel},
         {ActionId::ShowNetCheckDock, m_netCheckPanel}, {ActionId::ShowStatisticsDock, m_statisticsPanel},
-        {ActionId::ShowMessagesDock, m_messagesPanel}};
+        {ActionId::ShowMessagesDock, m_messagesPanel}, {ActionId::ShowViewsDock, m_viewsPanel}};
     addDocks(*this, m_actions, [&panels](ActionId toggle) { return panels.at(toggle); });
 }
 
@@ -248,6 +253,10 @@ void MainWindow::onLoaded(const LoadedBoard& board) {
     m_netCheckModel.setChecks(nullptr, {});
     m_messageModel.setMessages(board.document, board.model->diagnostics);
     m_views->show(board, m_layerModel.effectiveLooks());
+    m_viewKeeping->setBoard(board);
+    for (ViewHistory* history : m_viewHistories) {
+        history->clear();
+    }
     m_probing->setBoard(board);
     m_netModel.setNets(board.document, board.nets);
     m_planPainter->setBoard(board.index, {board.model->origin});

@@ -22,6 +22,8 @@
 #include "ui/probing.h"
 #include "ui/settings.h"
 #include "ui/thickness_editing.h"
+#include "ui/view_history.h"
+#include "ui/view_keeping.h"
 
 class QStackedWidget;
 
@@ -38,6 +40,7 @@ class SearchBox;
 class StackPanel;
 class StatisticsPanel;
 class StatusLine;
+class ViewsPanel;
 
 /// The workbench: one board, its 3D view, and panels beside it. Boards are read in the background; the one on the
 /// screen stays usable until the new one is ready, and stays for good if that fails.
@@ -78,6 +81,8 @@ public:
     [[nodiscard]] StackPanel& stackPanel() { return *m_stackPanel; }
     [[nodiscard]] models::StackModel& stack() { return m_stackModel; }
     [[nodiscard]] StatisticsPanel& statisticsPanel() { return *m_statisticsPanel; }
+    [[nodiscard]] ViewsPanel& viewsPanel() { return *m_viewsPanel; }
+    [[nodiscard]] ViewKeeping& viewKeeping() { return *m_viewKeeping; }
     [[nodiscard]] MessageBar& messageBar() { return *m_messageBar; }
     [[nodiscard]] StatusLine& statusLine() { return *m_statusLine; }
     [[nodiscard]] ActionSet& actions() { return m_actions; }
@@ -97,6 +102,7 @@ private:
     void connectFileActions();
     void connectEditActions();
     void connectViewActions();
+    void connectViewKeeping();
     void connectLayerActions();
     void connectBoardActions();
     void connectStackActions();
@@ -172,6 +178,9 @@ private:
     StackPanel* m_stackPanel = nullptr;
     StatisticsPanel* m_statisticsPanel = nullptr;
     MessagesPanel* m_messagesPanel = nullptr;
+    ViewsPanel* m_viewsPanel = nullptr;
+    ViewKeeping* m_viewKeeping = nullptr;
+    std::array<ViewHistory*, 2> m_viewHistories{};  ///< as BoardViews::both
     StatusLine* m_statusLine = nullptr;
     RecentBoards* m_recent = nullptr;
 };

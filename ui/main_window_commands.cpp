@@ -24,6 +24,7 @@
 #include "ui/statistics_panel.h"
 #include "ui/status_line.h"
 #include "ui/theme.h"
+#include "ui/views_panel.h"
 
 namespace ui {
 
@@ -49,6 +50,7 @@ void MainWindow::connectCommands() {
     connectFileActions();
     connectEditActions();
     connectViewActions();
+    connectViewKeeping();
     connectLayerActions();
     connectBoardActions();
     connectStackActions();
@@ -107,6 +109,32 @@ void MainWindow::connectViewActions() {
     for (const auto& [id, backend] : kBackends) {
         on(id, [this, backend = backend] { setBackend(backend); });
     }
+}
+
+void MainWindow::connectViewKeeping() {
+    for (std::size_t i = 0; i < m_viewHistories.size(); ++i) {
+        m_viewHistories[i] = new ViewHistory(m_views->both()[i]->controller(), this);
+    }
+    const auto history = [this]() -> ViewHistory& {
+        return *m_viewHistories[&m_views->active() == &m_views->flat() ? 0 : 1];
+    };
+    on(ActionId::ViewBack, [history] { history().back(); });
+    on(ActionId::ViewForward, [history] { history().forward(); });
+    on(ActionId::KeepView, [this] {
+        m_viewKeeping->keep();
+        const auto& views = m_viewKeeping->list().views();
+        statusBar()->showMessage(QStringLiteral("Kept as %1").arg(QString::fromStdString(views.back().name)));
+    });
+    connect(m_viewsPanel, &ViewsPanel::chosen, m_viewKeeping, &ViewKeeping::goTo);
+    connect(m_viewsPanel, &ViewsPanel::forgotten, m_viewKeeping, &ViewKeeping::forget);
+    connect(m_viewKeeping, &ViewKeeping::notSaved, m_messageBar, &MessageBar::showError);
+    connect(m_viewKeeping, &ViewKeeping::shown, this, [this](const QString& name) {
+        m_actions[ActionId::Orthographic].setChecked(m_views->solid().controller().camera().isOrthographic());
+        statusBar()->showMessage(name);
+    });
+    connect(m_viewKeeping, &ViewKeeping::otherStep, this, [this](const QString& name, const QString& step) {
+        statusBar()->showMessage(QStringLiteral("%1 shows step %2, which is not open").arg(name, step));
+    });
 }
 
 void MainWindow::connectLayerActions() {

@@ -48,7 +48,7 @@ void ThicknessEditing::set(const std::vector<model::ThicknessOverride>& changes)
 
 void ThicknessEditing::apply(const SetThicknesses& state) {
     m_state = state;
-    m_document = session::applySession(m_document, {state.all()});
+    m_document = session::applyThicknesses(m_document, state.all());
     save();
     emit restacked(m_document);
 }
@@ -57,7 +57,7 @@ void ThicknessEditing::save() {
     if (m_request.noSession) {
         return;
     }
-    const base::Status saved = session::saveSession(m_request.path, *m_document, {m_state.kept});
+    const base::Status saved = session::saveThicknesses(m_request.path, *m_document, m_state.kept);
     m_isSaved = saved.ok();
     if (!saved) {
         emit notSaved(QStringLiteral("%1. The thicknesses count until another board is opened.")

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
@@ -24,6 +25,9 @@ namespace {
 constexpr const char* kVersionKey = "copperscope_session";
 constexpr const char* kJobKey = "job";
 constexpr const char* kThicknessKey = "thickness_nm";
+constexpr const char* kViewsKey = "views";
+/// No camera is farther from a board, in mm.
+constexpr double kFarthest = 1e6;
 /// No session is this large; something else is.
 constexpr std::uintmax_t kMostBytes = 1 << 20;
 
@@ -74,6 +78,80 @@ void readThicknesses(const ordered_json& json, const Stackup& stackup, LoadedSes
                                   " is no number of nanometres from 1 µm to 10 mm");
         } else {
             setThickness(out.session.thicknesses, {row->name, value.get<Nm>()});
+        }
+    }
+}
+
+bool isNumber(const ordered_json& value) {
+    return value.is_number() && std::abs(value.get<double>()) <= kFarthest;
+}
+
+std::optional<Pose> poseFrom(const ordered_json& json) {
+    if (!json.is_object()) {
+        return std::nullopt;
+    }
+    const ordered_json target = json.value("target_mm", ordered_json());
+    const ordered_json distance = json.value("distance_mm", ordered_json());
+    const ordered_json yaw = json.value("yaw_deg", ordered_json());
+    const ordered_json pitch = json.value("pitch_deg", ordered_json());
+    const ordered_json parallel = json.value("parallel", ordered_json());
+    const bool isPose = target.is_array() && target.size() == 3 && std::ranges::all_of(target, isNumber) &&
+                        isNumber(distance) && distance.get<double>() > 0 && isNumber(yaw) && isNumber(pitch) &&
+                        parallel.is_boolean();
+    if (!isPose) {
+        return std::nullopt;
+    }
+    return Pose{{target[0].get<double>(), target[1].get<double>(), target[2].get<double>()},
+                distance.get<double>(),
+                yaw.get<double>(),
+                pitch.get<double>(),
+                parallel.get<bool>()};
+}
+
+ordered_json jsonOf(const Pose& pose) {
+    return {{"target_mm", pose.target},
+            {"distance_mm", pose.distance},
+            {"yaw_deg", pose.yawDeg},
+            {"pitch_deg", pose.pitchDeg},
+            {"parallel", pose.isParallel}};
+}
+
+std::optional<KeptView> viewFrom(const ordered_json& json) {
+    if (!json.is_object()) {
+        return std::nullopt;
+    }
+    const ordered_json name = json.value("name", ordered_json());
+    const ordered_json step = json.value("step", ordered_json());
+    const ordered_json layers = json.value("layers", ordered_json());
+    const std::optional<Pose> flat = poseFrom(json.value("flat", ordered_json()));
+    const std::optional<Pose> solid = poseFrom(json.value("solid", ordered_json()));
+    const auto isText = [](const ordered_json& value) { return value.is_string(); };
+    if (!name.is_string() || !step.is_string() || !layers.is_array() || !std::ranges::all_of(layers, isText) || !flat ||
+        !solid) {
+        return std::nullopt;
+    }
+    return KeptView{name.get<std::string>(), step.get<std::string>(), *flat, *solid,
+                    layers.get<std::vector<std::string>>()};
+}
+
+ordered_json jsonOf(const KeptView& view) {
+    return {{"name", view.name},
+            {"step", view.step},
+            {"layers", view.layers},
+            {"flat", jsonOf(view.flat)},
+            {"solid", jsonOf(view.solid)}};
+}
+
+void readViews(const ordered_json& json, LoadedSession& out) {
+    if (!json.is_array()) {
+        out.ignored.push_back(std::string(kViewsKey) + " is not a list of views");
+        return;
+    }
+    for (std::size_t i = 0; i < json.size(); ++i) {
+        if (std::optional<KeptView> view = viewFrom(json[i])) {
+            out.session.views.push_back(std::move(*view));
+        } else {
+            out.ignored.push_back("view " + std::to_string(i + 1) + ", which is no view");
         }
     }
 }
@@ -130,6 +208,26 @@ bool holdsNothing(const ordered_json& json) {
                                [](const auto& item) { return item.key() == kVersionKey || item.key() == kJobKey; });
 }
 
+/// Sets one part of the file, or removes it when it is null.
+base::Status savePart(const fs::path& board, const Document& document, const char* key, const ordered_json& part) {
+    const fs::path path = sessionPath(board);
+    std::string problem;
+    ordered_json json = readJson(path, problem).value_or(ordered_json::object());
+    if (!problem.empty()) {
+        return cannotWrite(path, "the file there " + problem);
+    }
+    json[kVersionKey] = kVersion;
+    json[kJobKey] = document.job.name;
+    json.erase(key);
+    if (!part.is_null()) {
+        json[key] = part;
+    }
+    if (holdsNothing(json)) {
+        return removeFile(path);
+    }
+    return replaceFile(path, json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+}
+
 }  // namespace
 
 fs::path sessionPath(const fs::path& board) {
@@ -157,6 +255,8 @@ LoadedSession loadSession(const fs::path& board, const Document& document) {
     for (const auto& [key, value] : json->items()) {
         if (key == kThicknessKey) {
             readThicknesses(value, document.stackup, out);
+        } else if (key == kViewsKey) {
+            readViews(value, out);
         } else if (key != kVersionKey && key != kJobKey) {
             out.ignored.push_back("\"" + key + "\" is not known");
         }
@@ -167,27 +267,26 @@ LoadedSession loadSession(const fs::path& board, const Document& document) {
     return out;
 }
 
-base::Status saveSession(const fs::path& board, const Document& document, const Session& session) {
-    const fs::path path = sessionPath(board);
-    std::string problem;
-    ordered_json json = readJson(path, problem).value_or(ordered_json::object());
-    if (!problem.empty()) {
-        return cannotWrite(path, "the file there " + problem);
+base::Status saveThicknesses(const fs::path& board, const Document& document,
+                             const std::vector<ThicknessOverride>& thicknesses) {
+    ordered_json json;
+    for (const ThicknessOverride& set : thicknesses) {
+        json[set.layer] = set.thickness;
     }
-    json[kVersionKey] = kVersion;
-    json[kJobKey] = document.job.name;
-    json.erase(kThicknessKey);
-    for (const ThicknessOverride& set : session.thicknesses) {
-        json[kThicknessKey][set.layer] = set.thickness;
-    }
-    if (holdsNothing(json)) {
-        return removeFile(path);
-    }
-    return replaceFile(path, json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+    return savePart(board, document, kThicknessKey, json);
 }
 
-std::shared_ptr<const Document> applySession(std::shared_ptr<const Document> document, const Session& session) {
-    return session.thicknesses == document->stackup.facts.set ? document : restack(*document, session.thicknesses);
+base::Status saveViews(const fs::path& board, const Document& document, const std::vector<KeptView>& views) {
+    ordered_json json;
+    for (const KeptView& view : views) {
+        json.push_back(jsonOf(view));
+    }
+    return savePart(board, document, kViewsKey, json);
+}
+
+std::shared_ptr<const Document> applyThicknesses(std::shared_ptr<const Document> document,
+                                                 const std::vector<ThicknessOverride>& thicknesses) {
+    return thicknesses == document->stackup.facts.set ? document : restack(*document, thicknesses);
 }
 
 void setThickness(std::vector<ThicknessOverride>& list, const ThicknessOverride& change) {

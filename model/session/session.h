@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -10,13 +11,36 @@
 /// What a user has set for a board, over what the job says. It lies in a file of its own beside the job, which is never
 /// written to. The file holds only what was changed:
 ///
-///     {"copperscope_session": 1, "job": "amp", "thickness_nm": {"TOP": 70000}}
+///     {"copperscope_session": 1, "job": "amp", "thickness_nm": {"TOP": 70000},
+///      "views": [{"name": "U1", "step": "pcb", "layers": ["TOP"], "flat": {"target_mm": [1, 2, 0], "distance_mm": 30,
+///                 "yaw_deg": 0, "pitch_deg": -90, "parallel": true}, "solid": {…}}]}
 namespace model::session {
 
 inline constexpr int kVersion = 1;
 
+/// How a camera looks at the board. Lengths are millimetres from the middle of the board.
+struct Pose {
+    std::array<double, 3> target{};
+    double distance = 100.0;  ///< from the eye to the target, above 0
+    double yawDeg = 0.0;      ///< 0 looks along +y
+    double pitchDeg = 0.0;    ///< -90 looks straight down
+    bool isParallel = false;
+    bool operator==(const Pose&) const = default;
+};
+
+/// A way of looking at the board that the user kept.
+struct KeptView {
+    std::string name;
+    std::string step;                 ///< the one it shows
+    Pose flat;                        ///< of the 2D view
+    Pose solid;                       ///< of the 3D view
+    std::vector<std::string> layers;  ///< the visible ones
+    bool operator==(const KeptView&) const = default;
+};
+
 struct Session {
     std::vector<ThicknessOverride> thicknesses;
+    std::vector<KeptView> views;
     bool operator==(const Session&) const = default;
 };
 
@@ -34,16 +58,18 @@ struct LoadedSession {
 /// error.
 [[nodiscard]] LoadedSession loadSession(const std::filesystem::path& board, const Document& document);
 
-/// Writes the session: all of it or nothing (a file beside it is written out and then renamed). An empty session
-/// removes the file. What the file holds and we do not know is kept. Errors: OutputFailed with the path and the reason
-/// when the folder or the disk refuses, or when the file there is of a later version or no session; it is then as
-/// before.
-[[nodiscard]] base::Status saveSession(const std::filesystem::path& board, const Document& document,
-                                       const Session& session);
+/// Writes one part of the session; the others, and what the file holds and we do not know, are kept. All of the file is
+/// written or nothing (a file beside it is written out and then renamed); a session without anything removes it.
+/// Errors: OutputFailed with the path and the reason when the folder or the disk refuses, or when the file there is of
+/// a later version or no session; it is then as before.
+[[nodiscard]] base::Status saveThicknesses(const std::filesystem::path& board, const Document& document,
+                                           const std::vector<ThicknessOverride>& thicknesses);
+[[nodiscard]] base::Status saveViews(const std::filesystem::path& board, const Document& document,
+                                     const std::vector<KeptView>& views);
 
-/// The document with the session's thicknesses in it.
-[[nodiscard]] std::shared_ptr<const Document> applySession(std::shared_ptr<const Document> document,
-                                                           const Session& session);
+/// The document with these thicknesses in it.
+[[nodiscard]] std::shared_ptr<const Document> applyThicknesses(std::shared_ptr<const Document> document,
+                                                               const std::vector<ThicknessOverride>& thicknesses);
 
 /// Sets `change` in the list; a thickness of 0 takes the row back to what the job says.
 void setThickness(std::vector<ThicknessOverride>& list, const ThicknessOverride& change);

@@ -120,6 +120,21 @@ void LayerModel::showCopperOnly() {
     setVisibility([](const model::Layer& layer) { return layer.isCopper(); });
 }
 
+void LayerModel::showOnly(const std::vector<std::string>& names) {
+    setVisibility([&](const model::Layer& layer) { return std::ranges::find(names, layer.name) != names.end(); });
+}
+
+std::vector<std::string> LayerModel::visibleNames() const {
+    std::vector<std::string> names;
+    const std::vector<LayerLook> looks = effectiveLooks();
+    for (std::size_t row = 0; row < looks.size(); ++row) {
+        if (looks[row].isVisible) {
+            names.push_back(m_document->layers[row].name);
+        }
+    }
+    return names;
+}
+
 void LayerModel::restoreDefaults() {
     m_solo = {};
     m_looks = m_defaults;

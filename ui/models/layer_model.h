@@ -3,6 +3,7 @@
 #include <QAbstractTableModel>
 #include <QColor>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "model/document.h"
@@ -41,6 +42,9 @@ public:
     void showAll();
     void hideAll();
     void showCopperOnly();
+    /// By name; names that no layer has are passed over.
+    void showOnly(const std::vector<std::string>& names);
+    [[nodiscard]] std::vector<std::string> visibleNames() const;
     /// Back to the looks the document was opened with.
     void restoreDefaults();
     /// Shows `layer` alone; the same layer again, or none, ends it.

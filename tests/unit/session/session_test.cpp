@@ -8,14 +8,27 @@
 #include "model/stackup.h"
 #include "tests/unit/odb/odb_testing.h"
 
+using model::session::KeptView;
 using model::session::LoadedSession;
 using model::session::loadSession;
-using model::session::saveSession;
+using model::session::saveThicknesses;
+using model::session::saveViews;
 using model::session::Session;
 using model::session::sessionPath;
 namespace fs = std::filesystem;
 
 namespace {
+
+const std::vector<model::ThicknessOverride> kOneThickness = {{"TOP", 70'000}};
+const std::vector<model::ThicknessOverride> kNoThickness;
+
+KeptView viewNamed(const char* name) {
+    return {name,
+            "pcb",
+            {{1.5, -2.25, 0.1}, 30.0, 0.0, -90.0, true},
+            {{0, 0, 0}, 80.5, 33.0, -40.0, false},
+            {"TOP", "SMT"}};
+}
 
 /// A board beside which sessions may lie.
 struct Place {
@@ -24,7 +37,12 @@ struct Place {
     std::shared_ptr<const model::Document> document = odb_testing::read(odb_testing::dataJob("everything"));
 
     [[nodiscard]] LoadedSession load() const { return loadSession(board, *document); }
-    [[nodiscard]] base::Status save(const Session& session) const { return saveSession(board, *document, session); }
+    [[nodiscard]] base::Status save(const std::vector<model::ThicknessOverride>& thicknesses) const {
+        return saveThicknesses(board, *document, thicknesses);
+    }
+    [[nodiscard]] base::Status save(const std::vector<KeptView>& views) const {
+        return saveViews(board, *document, views);
+    }
     [[nodiscard]] std::string file() const { return odb_testing::readFile(sessionPath(board)); }
     void write(const std::string& text) const { odb_testing::writeFile(sessionPath(board), text); }
 };
@@ -97,22 +115,26 @@ private slots:
     void whatIsSavedIsLoaded() {
         const Place place;
         QVERIFY(place.load().session == Session() && place.load().ignored.empty());
-        const Session session{{{"TOP", 70'000}, {"CORE1", 300'000}}};
-        QVERIFY(place.save(session).ok());
+        const Session session{{{"TOP", 70'000}, {"CORE1", 300'000}}, {viewNamed("Über \"U1\""), viewNamed("")}};
+        QVERIFY(place.save(session.thicknesses).ok());
+        QVERIFY(place.save(session.views).ok());
         QVERIFY(place.load().session == session);
         QVERIFY(place.load().ignored.empty());
-        const auto document = model::session::applySession(place.document, session);
+        const auto document = model::session::applyThicknesses(place.document, session.thicknesses);
         QCOMPARE(model::findRow(document->stackup, "CORE1")->thickness, 300'000);
         QCOMPARE(model::findRow(document->stackup, "CORE1")->source, model::Source::Session);
-        QVERIFY(model::session::applySession(place.document, {}) == place.document);
+        QVERIFY(model::session::applyThicknesses(place.document, {}) == place.document);
     }
 
     void nothingChangedIsNoFile() {
         const Place place;
-        QVERIFY(place.save({{{"TOP", 70'000}}}).ok());
-        QVERIFY(place.save({}).ok());
+        QVERIFY(place.save(kOneThickness).ok());
+        QVERIFY(place.save(std::vector{viewNamed("a")}).ok());
+        QVERIFY(place.save(kNoThickness).ok());
+        QCOMPARE(place.load().session.views.size(), std::size_t{1});
+        QVERIFY(place.save(std::vector<KeptView>()).ok());
         QVERIFY(!fs::exists(sessionPath(place.board)));
-        QVERIFY(place.save({}).ok());
+        QVERIFY(place.save(kNoThickness).ok());
         QVERIFY(fs::is_empty(place.folder.path()));
     }
 
@@ -121,16 +143,39 @@ private slots:
         place.write(R"({"copperscope_session": 1, "job": "everything", "bookmarks": [1, 2],)"
                     R"("thickness_nm": {"TOP": 70000, "GONE": 5000, "CORE1": "thick", "CORE2": 5, "SMT": 1e99}})");
         const LoadedSession found = place.load();
-        QVERIFY((found.session == Session{{{"TOP", 70'000}}}));
+        QVERIFY((found.session == Session{kOneThickness, {}}));
         QCOMPARE(found.ignored.size(), std::size_t{5});
         for (const char* part : {"bookmarks", "GONE", "CORE1", "CORE2", "SMT"}) {
             QVERIFY2(std::ranges::any_of(found.ignored,
                                          [&](const std::string& text) { return text.find(part) != std::string::npos; }),
                      part);
         }
-        QVERIFY(place.save({}).ok());
+        QVERIFY(place.save(kNoThickness).ok());
         QVERIFY(place.file().find("bookmarks") != std::string::npos);
         QVERIFY(place.file().find("thickness_nm") == std::string::npos);
+    }
+
+    void whatIsNoViewIsNamed() {
+        const Place place;
+        const std::string pose =
+            R"({"target_mm": [1, 2, 3], "distance_mm": 5, "yaw_deg": 0, "pitch_deg": 0, "parallel": true})";
+        const std::string far =
+            R"({"target_mm": [1, 2, 1e300], "distance_mm": 5, "yaw_deg": 0, "pitch_deg": 0, "parallel": true})";
+        const std::string inside =
+            R"({"target_mm": [1, 2, 3], "distance_mm": 0, "yaw_deg": 0, "pitch_deg": 0, "parallel": true})";
+        const auto view = [](const std::string& flat, const std::string& solid, const char* layers = "[]") {
+            return R"({"name": "a", "step": "pcb", "layers": )" + std::string(layers) + R"(, "flat": )" + flat +
+                   R"(, "solid": )" + solid + "}";
+        };
+        place.write(R"({"copperscope_session": 1, "job": "everything", "views": [)" + view(pose, pose) + ", 7, " +
+                    view(far, pose) + ", " + view(pose, inside) + ", " + view(pose, "[]") + ", " +
+                    view(pose, pose, "[1]") + "]}");
+        const LoadedSession found = place.load();
+        QCOMPARE(found.session.views.size(), std::size_t{1});
+        QCOMPARE(found.ignored.size(), std::size_t{5});
+        QVERIFY(found.ignored[0].find("view 2") != std::string::npos);
+        place.write(R"({"copperscope_session": 1, "job": "everything", "views": {"name": "a"}})");
+        QCOMPARE(place.load().ignored.size(), std::size_t{1});
     }
 
     void anotherBoardsSessionIsIgnored() {
@@ -159,7 +204,7 @@ private slots:
         place.write(text.toStdString());
         QVERIFY(place.load().session == Session());
         QCOMPARE(place.load().ignored.size(), std::size_t{1});
-        const auto saved = place.save({{{"TOP", 70'000}}});
+        const auto saved = place.save(kOneThickness);
         QVERIFY(!saved);
         QCOMPARE(saved.error().code, base::ErrorCode::OutputFailed);
         QCOMPARE(place.file(), text.toStdString());
@@ -170,10 +215,10 @@ private slots:
             QSKIP("root may write everywhere");
         }
         const Place place;
-        QVERIFY(place.save({{{"TOP", 70'000}}}).ok());
+        QVERIFY(place.save(kOneThickness).ok());
         const std::string before = place.file();
         fs::permissions(place.folder.path(), fs::perms::owner_write, fs::perm_options::remove);
-        const auto saved = place.save({{{"TOP", 80'000}}});
+        const auto saved = place.save(kNoThickness);
         fs::permissions(place.folder.path(), fs::perms::owner_write, fs::perm_options::add);
         QVERIFY(!saved);
         QVERIFY(saved.error().text.find(sessionPath(place.board).string()) != std::string::npos);
@@ -184,7 +229,7 @@ private slots:
         const Place place;
         // A folder where the file should be refuses the rename, whoever runs this.
         fs::create_directories(sessionPath(place.board) / "inside");
-        QVERIFY(!place.save({{{"TOP", 80'000}}}));
+        QVERIFY(!place.save(kOneThickness));
         std::size_t entries = 0;
         for (const auto& entry : fs::directory_iterator(place.folder.path())) {
             entries += entry.path() != sessionPath(place.board) ? 1 : 0;

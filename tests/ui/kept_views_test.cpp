@@ -1,0 +1,148 @@
+// Views are kept, renamed, forgotten and looked at again; Back and Forward walk through where one has been.
+
+#include <QDockWidget>
+#include <QLineEdit>
+#include <QtTest>
+
+#include "model/session/session.h"
+#include "tests/places.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/message_bar.h"
+#include "ui/table_view.h"
+#include "ui/views_panel.h"
+
+using ui::ActionId;
+namespace fs = std::filesystem;
+
+class KeptViewsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        m_fixture = std::make_unique<WindowFixture>();
+        m_job = fs::path(m_fixture->folder().toStdString()) / "everything";
+        fs::copy(fs::path(places::kTestData) / "odb/everything", m_job, fs::copy_options::recursive);
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        window().findChild<QDockWidget*>("views")->raise();
+    }
+    void cleanup() {
+        const std::uint32_t errors = m_fixture->context().validationErrors();
+        m_fixture.reset();
+        QCOMPARE(errors, 0U);
+    }
+
+    void aKeptViewIsLookedAtAgain() {
+        window().views().setActive(window().views().solid());
+        m_fixture->key(Qt::Key_I);
+        solid().zoomAt({300, 200}, 2.5F);
+        window().layers().showOnly({"TOP"});
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier);
+        const render::CameraPose kept = solid().camera().pose();
+        const QImage before = m_fixture->picture();
+        window().layers().showAll();
+        m_fixture->key(Qt::Key_B);  // from below
+        QVERIFY(solid().camera().pose() != kept);
+        choose(0);
+        QVERIFY(isNear(solid().camera().pose(), kept));
+        QCOMPARE(window().layers().visibleNames(), std::vector<std::string>{"TOP"});
+        QVERIFY(differingPixels(m_fixture->picture(), before) < 50);
+    }
+
+    void keptViewsAreInTheSessionOfTheBoard() {
+        const auto jobFiles = QDir(QString::fromStdString(m_job.string())).entryList();
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier);
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier);
+        rename(1, "U1 from the corner");
+        QTRY_COMPARE(names(), (QStringList{"View 1", "U1 from the corner"}));  // the editor answers a little later
+        m_fixture->restart();
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        QCOMPARE(names(), (QStringList{"View 1", "U1 from the corner"}));
+        QCOMPARE(QDir(QString::fromStdString(m_job.string())).entryList(), jobFiles);
+    }
+
+    void whatIsForgottenComesBackByUndo() {
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier);
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier);
+        table().setFocus();
+        table().setCurrentIndex(table().model()->index(0, 0));
+        QTest::keyClick(&table(), Qt::Key_Delete);
+        QCOMPARE(names(), QStringList{"View 2"});
+        window().actions()[ActionId::Undo].trigger();
+        QCOMPARE(names(), (QStringList{"View 1", "View 2"}));
+        window().actions()[ActionId::Undo].trigger();
+        window().actions()[ActionId::Undo].trigger();
+        QVERIFY(names().isEmpty());
+        QVERIFY(!fs::exists(model::session::sessionPath(m_job)));
+        window().actions()[ActionId::Redo].trigger();
+        QCOMPARE(names(), QStringList{"View 1"});
+    }
+
+    void aSessionThatCannotBeWrittenIsTold() {
+        fs::create_directories(model::session::sessionPath(m_job) / "in the way");
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier);
+        QVERIFY(window().messageBar().isVisible());
+        QCOMPARE(names(), QStringList{"View 1"});
+    }
+
+    void backAndForwardWalkThroughPlaces() {
+        rest();
+        const render::CameraPose first = solid().camera().pose();
+        solid().zoomAt({100, 100}, 3.0F);
+        rest();
+        const render::CameraPose second = solid().camera().pose();
+        solid().zoomAt({200, 100}, 2.0F);  // has not rested: Back counts it all the same
+        const render::CameraPose third = solid().camera().pose();
+        m_fixture->key(Qt::Key_Left, Qt::AltModifier);
+        QVERIFY(isNear(solid().camera().pose(), second));
+        m_fixture->key(Qt::Key_Left, Qt::AltModifier);
+        QVERIFY(isNear(solid().camera().pose(), first));
+        m_fixture->key(Qt::Key_Left, Qt::AltModifier);  // nothing before
+        QVERIFY(isNear(solid().camera().pose(), first));
+        m_fixture->key(Qt::Key_Right, Qt::AltModifier);
+        m_fixture->key(Qt::Key_Right, Qt::AltModifier);
+        QVERIFY(isNear(solid().camera().pose(), third));
+        m_fixture->key(Qt::Key_Left, Qt::AltModifier);
+        solid().zoomAt({50, 50}, 1.5F);  // elsewhere: the third place is forgotten
+        rest();
+        m_fixture->key(Qt::Key_Right, Qt::AltModifier);
+        QVERIFY(!isNear(solid().camera().pose(), third));
+    }
+
+private:
+    ui::MainWindow& window() { return m_fixture->window(); }
+    ui::CameraController& solid() { return window().views().solid().controller(); }
+    ui::TableView& table() { return window().viewsPanel().table(); }
+    static void rest() { QTest::qWait(ui::ViewHistory::kRestMs + 100); }
+    static bool isNear(const render::CameraPose& a, const render::CameraPose& b) {
+        return glm::length(a.target - b.target) < 1e-3F && std::abs(a.distance - b.distance) < 1e-3F &&
+               std::abs(a.yaw - b.yaw) < 1e-4F && std::abs(a.pitch - b.pitch) < 1e-4F &&
+               a.isOrthographic == b.isOrthographic;
+    }
+    QStringList names() {
+        QStringList names;
+        for (const auto& view : window().viewKeeping().list().views()) {
+            names += QString::fromStdString(view.name);
+        }
+        return names;
+    }
+    void choose(int row) {
+        const QRect cell = table().visualRect(table().model()->index(row, 0));
+        QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, cell.center());
+    }
+    void rename(int row, const QString& name) {
+        table().setFocus();
+        table().setCurrentIndex(table().model()->index(row, 0));
+        QTest::keyClick(&table(), Qt::Key_F2);
+        auto* editor = table().findChild<QLineEdit*>();
+        QVERIFY(editor != nullptr);
+        editor->selectAll();
+        QTest::keyClicks(editor, name);
+        QTest::keyClick(editor, Qt::Key_Return);
+    }
+
+    std::unique_ptr<WindowFixture> m_fixture;
+    fs::path m_job;
+};
+
+QTEST_MAIN(KeptViewsTest)
+#include "kept_views_test.moc"
