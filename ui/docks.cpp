@@ -17,7 +17,7 @@ struct DockSpec {
 };
 
 constexpr DockSpec kDocks[] = {
-    {ActionId::ShowLayersDock, "layers", "Layers", Qt::LeftDockWidgetArea, nullptr, 24},
+    {ActionId::ShowLayersDock, "layers", "Layers", Qt::LeftDockWidgetArea, nullptr, 27},
     {ActionId::ShowStackDock, "stack", "Stack", Qt::LeftDockWidgetArea, "layers", 0},
     {ActionId::ShowNetsDock, "nets", "Nets", Qt::RightDockWidgetArea, nullptr, 22},
     {ActionId::ShowElementDock, "element", "Element", Qt::RightDockWidgetArea, nullptr, 22},

@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <algorithm>
 
 #include "ui/actions.h"
 #include "ui/layer_delegate.h"
@@ -47,8 +48,11 @@ LayersPanel::LayersPanel(LayerModel& model, const ActionSet& actions, QWidget* p
 void LayersPanel::fitColumns() {
     m_table->resizeColumnsToContents();
     QHeaderView& header = *m_table->horizontalHeader();
-    header.setSectionResizeMode(LayerModel::Name, QHeaderView::Stretch);
-    header.setMinimumSectionSize(fontMetrics().horizontalAdvance('0') * 5);
+    const int letter = fontMetrics().horizontalAdvance('0');
+    header.setMinimumSectionSize(letter * 5);
+    // Names come first, up to a length; types take what is left and are in the tips.
+    m_table->setColumnWidth(LayerModel::Name, std::min(m_table->columnWidth(LayerModel::Name), letter * 16));
+    header.setSectionResizeMode(LayerModel::Type, QHeaderView::Stretch);
     m_table->setColumnWidth(LayerModel::Opacity, fontMetrics().horizontalAdvance(QStringLiteral("  Opacity  ")));
 }
 

@@ -35,10 +35,12 @@ NetsPanel::NetsPanel(NetModel& model, models::SelectionModel& selection, QWidget
     m_table->setModel(&model);
     m_table->setSortingEnabled(true);
     m_table->sortByColumn(NetModel::Name, Qt::AscendingOrder);
-    m_table->horizontalHeader()->setSectionResizeMode(NetModel::Name, QHeaderView::Stretch);
+    const int letter = fontMetrics().horizontalAdvance('0');
+    m_table->setColumnWidth(NetModel::Name, letter * 15);
     for (int column = NetModel::Pins; column < NetModel::ColumnCount; ++column) {
-        m_table->setColumnWidth(column, fontMetrics().horizontalAdvance('0') * (column < NetModel::Length ? 7 : 12));
+        m_table->setColumnWidth(column, letter * (column < NetModel::Length ? 7 : 12));
     }
+    m_table->horizontalHeader()->setStretchLastSection(true);
     connect(m_filter, &QLineEdit::textChanged, this, &NetsPanel::applyFilter);
     connect(m_kind, &QComboBox::currentIndexChanged, this, &NetsPanel::applyFilter);
     connect(&model, &NetModel::arranged, this, &NetsPanel::onArranged);
