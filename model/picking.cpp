@@ -221,6 +221,12 @@ std::vector<Hit> Picker::along(const SightLine& line, double reach, std::span<co
         way.keep(line.z, -line.down, layers[row].bottom, layers[row].top);
         way.keep(line.origin.x, line.direction.x, around.min.x, around.max.x);
         way.keep(line.origin.y, line.direction.y, around.min.y, around.max.y);
+        if (line.kept) {
+            const auto [at, outward] = *line.kept;
+            way.keep((line.origin.x - at.x) * outward.x + (line.origin.y - at.y) * outward.y,
+                     line.direction.x * outward.x + line.direction.y * outward.y,
+                     -std::numeric_limits<double>::infinity(), 0.0);
+        }
         if (!layers[row].isVisible || way.first > way.last || !std::isfinite(way.last)) {
             continue;
         }

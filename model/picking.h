@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -17,12 +18,19 @@ struct PickLayer {
     double top = 0.0;
 };
 
+/// What is left of a board that is cut open: what does not lie beyond a line.
+struct KeptSide {
+    PointD at;
+    PointD outward;  ///< across the line, to what is gone
+};
+
 /// Lines of sight in nanometres of the board, z up.
 struct SightLine {
     PointD origin;
     double z = 0.0;
     PointD direction;
-    double down = 0.0;  ///< how much z falls per step along the line; negative when looking up
+    double down = 0.0;               ///< how much z falls per step along the line; negative when looking up
+    std::optional<KeptSide> kept{};  ///< none: the board is whole
 };
 
 struct Hit {

@@ -56,13 +56,16 @@ base::Result<Cut> cutThrough(const model::BoardIndex& index, model::Point origin
     const PointD start = question.line.front();
     cut.plane = {{base::toMm(start.x - origin.x), base::toMm(start.y - origin.y)}, {unit.x, unit.y}};
     for (const model::SectionPiece& piece : model::merged(section->pieces)) {
-        if (piece.bottom < piece.top) {
-            const model::LayerType type = index.board->layer(piece.layer).type;
-            const bool isLaminate = type == model::LayerType::Body || type == model::LayerType::Dielectric;
-            cut.faces.push_back({piece.layer, base::toMm(piece.from), base::toMm(piece.to),
-                                 static_cast<float>(base::toMm(piece.bottom)),
-                                 static_cast<float>(base::toMm(piece.top)), !isLaminate});
+        const model::Layer& layer = index.board->layer(piece.layer);
+        if (piece.bottom >= piece.top || layer.thickness <= 0) {
+            continue;
         }
+        const auto part = [&](model::Nm z) {
+            return static_cast<float>((double{1} * z - layer.z) / static_cast<double>(layer.thickness));
+        };
+        const bool isLaminate = layer.type == model::LayerType::Body || layer.type == model::LayerType::Dielectric;
+        cut.faces.push_back({piece.layer, base::toMm(piece.from), base::toMm(piece.to), part(piece.bottom),
+                             part(piece.top), !isLaminate});
     }
     return cut;
 }

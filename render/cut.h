@@ -19,8 +19,8 @@ struct CutFace {
     model::LayerId layer;
     double from = 0.0;  ///< along the plane from its start, mm
     double to = 0.0;
-    float bottom = 0.0F;  ///< mm, in the real stack
-    float top = 0.0F;
+    float bottom = 0.0F;  ///< of its layer: 0 the lower, 1 the upper face; so it stays when the stack changes
+    float top = 1.0F;
     bool isInside = false;  ///< may lie in a laminate, and is then seen
 };
 

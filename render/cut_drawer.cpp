@@ -22,17 +22,17 @@ gpu::Pipeline makePipeline(gpu::Device& device, const TargetFormat& target) {
     return gpu::Pipeline(device, options);
 }
 
-/// Heights in the real stack as they are drawn. Bodies of components keep theirs, on whichever face they stand;
+/// Where a face is drawn. Bodies of components keep their heights, on whichever face of their layer they stand;
 /// everything else grows with its layer.
 ZRange drawn(const CutFace& face, const SceneLayers::Layer& real, const shader::LayerState& state) {
+    const float thickness = real.z1 - real.z0;
     if ((state.flags & shader::kLayerStands) != 0) {
-        return {state.z0 + face.bottom - real.z0, state.z0 + face.top - real.z0};
+        return {state.z0 + face.bottom * thickness, state.z0 + face.top * thickness};
     }
     if ((state.flags & shader::kLayerHangs) != 0) {
-        return {state.z1 + face.bottom - real.z1, state.z1 + face.top - real.z1};
+        return {state.z1 - (1.0F - face.bottom) * thickness, state.z1 - (1.0F - face.top) * thickness};
     }
-    const float times = real.z1 > real.z0 ? (state.z1 - state.z0) / (real.z1 - real.z0) : 1.0F;
-    return {state.z0 + (face.bottom - real.z0) * times, state.z0 + (face.top - real.z0) * times};
+    return {glm::mix(state.z0, state.z1, face.bottom), glm::mix(state.z0, state.z1, face.top)};
 }
 
 std::vector<shader::CutRectangle> rectangles(const FramePlan& plan, const SceneLayers& scene, const Cut& cut) {

@@ -44,6 +44,15 @@ constexpr ActionSpec kSpecs[] = {
      "Keep both cameras and the visible layers under a name, in the session file beside the board"},
     {Orthographic, MenuId::View, "&Orthographic", "O", "Parallel projection instead of perspective", kCheckable},
     {Explode, MenuId::View, "&Explode", "E", "Spread the layers apart", kCheckable},
+    {ThickCopper, MenuId::Solid, "Thick &copper", "C", "In 3D, draw copper ten times as thick as it is", kCheckable},
+    {ThickDielectric, MenuId::Solid, "Thick &laminate", "V",
+     "In 3D, draw all that is no copper five times as thick as it is", kCheckable},
+    {CutOpen, MenuId::Solid, "Cut &open", "X",
+     "In 3D, cut the board open through the cursor, or through its middle; again to make it whole", kCheckable,
+     kNewGroup},
+    {TurnCut, MenuId::Solid, "&Turn the cut", "Shift+X", "Turn the cut by 45 degrees"},
+    {CutForth, MenuId::Solid, "Cut &deeper", ".", "Move the cut, so that less of the board is left"},
+    {CutBack, MenuId::Solid, "Cut &back", ",", "Move the cut, so that more of the board is left"},
     {ShowFlat, MenuId::Arrangement, "&2D alone", "2", "Show the flat view and nothing else", kCheckable},
     {ShowSolid, MenuId::Arrangement, "&3D alone", "3", "Show the solid view and nothing else", kCheckable},
     {ShowSideBySide, MenuId::Arrangement, "&Side by side", "4", "2D to the left of 3D", kCheckable},
@@ -113,8 +122,9 @@ constexpr ActionSpec kSpecs[] = {
 };
 static_assert(std::size(kSpecs) == kActionCount);
 
-constexpr const char* kMenuTitles[kMenuCount] = {"&File",     "&Edit",   "&View",  "&Arrangement", "T&heme",
-                                                 "Bac&k end", "&Layers", "&Board", "&Select",      "&Help"};
+constexpr const char* kMenuTitles[kMenuCount] = {"&File",        "&Edit",   "&View",     "&Cut and thickness",
+                                                 "&Arrangement", "T&heme",  "Bac&k end", "&Layers",
+                                                 "&Board",       "&Select", "&Help"};
 
 bool isChoice(MenuId menu) {
     return menu == MenuId::Arrangement || menu == MenuId::Theme || menu == MenuId::Backend;

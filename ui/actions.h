@@ -37,6 +37,12 @@ enum class ActionId {
     KeepView,
     Orthographic,
     Explode,
+    ThickCopper,
+    ThickDielectric,
+    CutOpen,
+    TurnCut,
+    CutForth,
+    CutBack,
     ShowFlat,
     ShowSolid,
     ShowSideBySide,
@@ -86,8 +92,9 @@ enum class ActionId {
 };
 inline constexpr std::size_t kActionCount = static_cast<std::size_t>(ActionId::Count);
 
-/// Where a command is found. Arrangement, Theme and Backend are submenus of View with one choice each.
-enum class MenuId { File, Edit, View, Arrangement, Theme, Backend, Layers, Board, Select, Help, Count };
+/// Where a command is found. Solid (what the 3D view draws otherwise) is a submenu of View; so are Arrangement, Theme
+/// and Backend, with one choice each.
+enum class MenuId { File, Edit, View, Solid, Arrangement, Theme, Backend, Layers, Board, Select, Help, Count };
 inline constexpr std::size_t kMenuCount = static_cast<std::size_t>(MenuId::Count);
 
 struct ActionSpec {

@@ -127,6 +127,16 @@ void BoardView::setExplode(float explode) {
     requestMovingFrame();
 }
 
+void BoardView::setZScale(const render::ZScale& scale) {
+    m_picture.settings.zScale = scale;
+    requestFrame();
+}
+
+void BoardView::setCut(std::shared_ptr<const render::Cut> cut) {
+    m_picture.settings.cut = std::move(cut);
+    requestMovingFrame();
+}
+
 void BoardView::updateBox() {
     const render::Box3 box = render::explodedBox({m_boxMin, m_boxMax}, m_picture.settings.explode);
     m_controller.setBox(box.min, box.max);

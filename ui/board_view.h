@@ -44,6 +44,11 @@ public:
     void addPainter(Painter painter) { m_painters.push_back(std::move(painter)); }
     /// 0 to 1, see render::ViewSettings.
     void setExplode(float explode);
+    /// The caller sets a box of these heights too.
+    void setZScale(const render::ZScale& scale);
+    /// Cuts the board open (3D); null: it is whole.
+    void setCut(std::shared_ptr<const render::Cut> cut);
+    [[nodiscard]] const render::Cut* cut() const { return m_picture.settings.cut.get(); }
     void requestFrame();
 
     [[nodiscard]] Kind kind() const { return m_kind; }

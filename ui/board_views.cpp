@@ -48,8 +48,8 @@ void BoardViews::show(const LoadedBoard& board, const std::vector<models::LayerL
     m_highlight.clear();
     m_contrastLayer = {};
     makeScene();
+    applyHeights();
     for (BoardView* view : m_views) {
-        view->setBoard(board.model->boxMin, board.model->boxMax);
         view->setDimOthers(false);
     }
     flat().controller().look(render::NamedView::Top);
@@ -58,14 +58,26 @@ void BoardViews::show(const LoadedBoard& board, const std::vector<models::LayerL
 
 void BoardViews::setHeights(std::shared_ptr<const model::Document> document) {
     m_board->document = std::move(document);
-    const render::BoardFrame frame = render::frameOf(*m_board->document);
-    for (BoardView* view : m_views) {
-        view->setBoard(frame.boxMin, frame.boxMax);
-    }
+    applyHeights();
     if (m_scene) {
-        m_scene->setHeights(frame);
+        m_scene->setHeights(render::frameOf(*m_board->document));
         requestFrame();
     }
+}
+
+void BoardViews::setZScale(const render::ZScale& scale) {
+    m_zScale = scale;
+    solid().setZScale(scale);
+    if (m_board) {
+        applyHeights();
+    }
+}
+
+void BoardViews::applyHeights() {
+    const render::BoardFrame frame = render::frameOf(*m_board->document);
+    flat().setBoard(frame.boxMin, frame.boxMax);
+    const render::Box3 scaled = render::scaledBox(frame, m_zScale);
+    solid().setBoard(scaled.min, scaled.max);
 }
 
 void BoardViews::makeScene() {

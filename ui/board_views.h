@@ -36,6 +36,10 @@ public:
     [[nodiscard]] Arrangement arrangement() const { return m_arrangement; }
     /// Spreads the layers of the 3D view apart, or folds them back.
     void explode(bool isOn);
+    /// Thicknesses as the 3D view draws them.
+    void setZScale(const render::ZScale& scale);
+    /// Cuts the board of the 3D view open; null: it is whole.
+    void setCut(std::shared_ptr<const render::Cut> cut) { solid().setCut(std::move(cut)); }
     void requestFrame();
     /// The elements that stand out, a list per row of model::StepTree::steps; with `dimOthers` all others are darkened.
     void setHighlight(std::vector<std::vector<model::ElementId>> elements, bool dimOthers);
@@ -60,6 +64,7 @@ protected:
 
 private:
     void makeScene();
+    void applyHeights();
     void applyHighlight();
     void onTimed(const render::FrameStats& stats);
     void onDeviceLost();
@@ -71,6 +76,7 @@ private:
     std::vector<models::LayerLook> m_looks;
     std::vector<std::vector<model::ElementId>> m_highlight;
     model::LayerId m_contrastLayer;
+    render::ZScale m_zScale;
     QVariantAnimation m_explosion;
     Arrangement m_arrangement = Arrangement::SideBySide;
     bool m_isUntried = false;  ///< the device was renewed and has not finished a frame since

@@ -150,6 +150,7 @@ void MainWindow::createMenus() {
     addMenu(*menuBar(), MenuId::Edit);
     QMenu* view = addMenu(*menuBar(), MenuId::View);
     view->addSeparator();
+    addMenu(*view, MenuId::Solid);
     addMenu(*view, MenuId::Arrangement);
     addMenu(*view, MenuId::Theme);
     addMenu(*view, MenuId::Backend);
@@ -258,6 +259,8 @@ void MainWindow::onLoaded(const LoadedBoard& board) {
         history->clear();
     }
     m_probing->setBoard(board);
+    m_cutting->setBoard(board);
+    m_actions[ActionId::CutOpen].setChecked(false);
     m_netModel.setNets(board.document, board.nets);
     m_planPainter->setBoard(board.index, {board.model->origin});
     updateContrast();

@@ -6,6 +6,7 @@
 
 #include "ui/actions.h"
 #include "ui/board_views.h"
+#include "ui/cutting.h"
 #include "ui/dialogs.h"
 #include "ui/drop_target.h"
 #include "ui/loader.h"
@@ -103,6 +104,7 @@ private:
     void connectEditActions();
     void connectViewActions();
     void connectViewKeeping();
+    void connectSolidActions();
     void connectLayerActions();
     void connectBoardActions();
     void connectStackActions();
@@ -170,6 +172,7 @@ private:
     MessageBar* m_messageBar = nullptr;
     Probing* m_probing = nullptr;
     std::unique_ptr<PlanPainter> m_planPainter;
+    std::unique_ptr<Cutting> m_cutting;
     LayersPanel* m_layersPanel = nullptr;
     NetsPanel* m_netsPanel = nullptr;
     ElementPanel* m_elementPanel = nullptr;

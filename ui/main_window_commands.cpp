@@ -30,6 +30,12 @@ namespace ui {
 
 namespace {
 
+/// How far a key moves the cut, as a part of the board's larger side.
+constexpr double kCutStep = 0.02;
+/// How many times as thick layers are drawn when they are to be seen.
+constexpr float kThickCopper = 10.0F;
+constexpr float kThickDielectric = 5.0F;
+
 constexpr std::pair<ActionId, Theme> kThemes[] = {
     {ActionId::ThemeSystem, Theme::System}, {ActionId::ThemeDark, Theme::Dark}, {ActionId::ThemeLight, Theme::Light}};
 constexpr std::pair<ActionId, render::Backend> kBackends[] = {{ActionId::BackendAuto, render::Backend::Auto},
@@ -51,6 +57,7 @@ void MainWindow::connectCommands() {
     connectEditActions();
     connectViewActions();
     connectViewKeeping();
+    connectSolidActions();
     connectLayerActions();
     connectBoardActions();
     connectStackActions();
@@ -135,6 +142,27 @@ void MainWindow::connectViewKeeping() {
     connect(m_viewKeeping, &ViewKeeping::otherStep, this, [this](const QString& name, const QString& step) {
         statusBar()->showMessage(QStringLiteral("%1 shows step %2, which is not open").arg(name, step));
     });
+}
+
+void MainWindow::connectSolidActions() {
+    m_cutting = std::make_unique<Cutting>(*m_views);
+    connect(m_probing, &Probing::pointedAt, this, [this](double x, double y) {
+        m_cutting->pointAt(base::PointD{x, y});
+    });
+    connect(m_probing, &Probing::pointedAway, this, [this] { m_cutting->pointAt(std::nullopt); });
+    on(ActionId::CutOpen, [this](bool isOn) {
+        m_cutting->setOn(isOn);
+        m_actions[ActionId::CutOpen].setChecked(m_cutting->isOn());
+    });
+    on(ActionId::TurnCut, [this] { m_cutting->turn(); });
+    on(ActionId::CutForth, [this] { m_cutting->move(kCutStep); });
+    on(ActionId::CutBack, [this] { m_cutting->move(-kCutStep); });
+    const auto setThick = [this] {
+        m_views->setZScale({m_actions[ActionId::ThickCopper].isChecked() ? kThickCopper : 1.0F,
+                            m_actions[ActionId::ThickDielectric].isChecked() ? kThickDielectric : 1.0F});
+    };
+    on(ActionId::ThickCopper, setThick);
+    on(ActionId::ThickDielectric, setThick);
 }
 
 void MainWindow::connectLayerActions() {

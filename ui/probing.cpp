@@ -115,9 +115,13 @@ std::vector<model::Hit> Probing::hitsAt(const BoardView& view, QPointF position)
     }
     // Steps of a length that keeps numbers near 1.
     const glm::dvec3 step = glm::normalize(glm::dvec3(direction)) * base::kNmPerMm;
-    return m_picker->along(
-        {m_place.toJob(origin), static_cast<double>(origin.z) * base::kNmPerMm, {step.x, step.y}, -step.z}, reach,
-        layers);
+    model::SightLine line{
+        m_place.toJob(origin), static_cast<double>(origin.z) * base::kNmPerMm, {step.x, step.y}, -step.z};
+    if (const render::Cut* cut = view.cut()) {
+        const glm::dvec2 along = cut->plane.direction;
+        line.kept = {m_place.toJob(glm::vec3(glm::vec2(cut->plane.start), 0.0F)), {-along.y, along.x}};
+    }
+    return m_picker->along(line, reach, layers);
 }
 
 void Probing::hover() {

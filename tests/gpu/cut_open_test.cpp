@@ -168,8 +168,7 @@ private slots:
         std::set<std::size_t> layers;
         for (const CutFace& face : settings.cut->faces) {
             const std::size_t row = face.layer.row();
-            const bool isWhole =
-                face.bottom == board.model.layerBottomMm[row] && face.top == board.model.layerTopMm[row];
+            const bool isWhole = face.bottom == 0.0F && face.top == 1.0F;
             if (!face.isInside || !isWhole || !board.styles[row].isVisible) {
                 continue;
             }

@@ -161,6 +161,40 @@ private slots:
         QTRY_VERIFY(differingPixels(before, m_fixture->picture()) < before.width() * before.height() / 10000);
     }
 
+    void boardsAreCutOpenAndWholeAgain() {
+        QVERIFY(m_fixture->openAndWait(kSample));
+        const QImage whole = m_fixture->picture();
+        m_fixture->key(Qt::Key_X);
+        QVERIFY(window().actions()[ActionId::CutOpen].isChecked());
+        const render::Cut* cut = window().views().solid().cut();
+        QVERIFY(cut != nullptr && !cut->faces.empty());
+        const QImage open = m_fixture->picture();
+        QVERIFY(differingPixels(whole, open) > 5000);
+        const glm::dvec2 direction = cut->plane.direction;
+        m_fixture->key(Qt::Key_X, Qt::ShiftModifier);
+        QVERIFY(std::abs(glm::dot(window().views().solid().cut()->plane.direction, direction) - std::sqrt(0.5)) < 1e-9);
+        m_fixture->key(Qt::Key_Period);
+        m_fixture->key(Qt::Key_Comma);
+        m_fixture->key(Qt::Key_X);
+        QVERIFY(window().views().solid().cut() == nullptr);
+        QTRY_COMPARE(differingPixels(whole, m_fixture->picture()), 0);
+    }
+
+    void layersAreThickAndThinAgain() {
+        QVERIFY(m_fixture->openAndWait(kSample));
+        const auto thickness = [&] {
+            const std::vector<render::ZRange> heights = window().views().solid().drawnHeights();
+            const auto& layers = window().document()->layers;
+            const auto copper = std::ranges::find_if(layers, &model::Layer::isCopper) - layers.begin();
+            return heights[std::size_t(copper)].z1 - heights[std::size_t(copper)].z0;
+        };
+        const float before = thickness();
+        m_fixture->key(Qt::Key_C);
+        QVERIFY(std::abs(thickness() / before - 10.0F) < 0.01F);
+        m_fixture->key(Qt::Key_C);
+        QVERIFY(std::abs(thickness() / before - 1.0F) < 0.001F);
+    }
+
     void nothingIsDrawnWhileNothingChanges() {
         QVERIFY(m_fixture->openAndWait(kSample));
         QTest::qWait(300);

@@ -1,0 +1,63 @@
+#include "ui/cutting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ui {
+
+namespace {
+
+base::PointD directionOf(int eighths) {
+    const double angle = eighths * std::numbers::pi / 4.0;
+    // Against x at first: what lies to the left of that, nearer to an isometric view's eye, goes.
+    return {-std::cos(angle), -std::sin(angle)};
+}
+
+}  // namespace
+
+void Cutting::setBoard(const LoadedBoard& board) {
+    m_index = board.index;
+    m_origin = board.model->origin;
+    m_cursor.reset();
+    m_isOn = false;
+    apply();
+}
+
+void Cutting::setOn(bool isOn) {
+    m_isOn = isOn && m_index != nullptr;
+    m_through = m_cursor.value_or(base::toDouble(m_origin));
+    m_eighths = 0;
+    apply();
+}
+
+void Cutting::turn() {
+    m_eighths = (m_eighths + 1) % 8;
+    apply();
+}
+
+void Cutting::move(double part) {
+    if (!m_isOn) {
+        return;
+    }
+    const base::Box& board = m_index->board->board;
+    const double way = part * static_cast<double>(std::max(board.width(), board.height()));
+    const base::PointD direction = directionOf(m_eighths);
+    m_through = {m_through.x + direction.y * way, m_through.y - direction.x * way};  // to its right
+    apply();
+}
+
+void Cutting::apply() {
+    std::shared_ptr<const render::Cut> cut;
+    if (m_isOn) {
+        const base::PointD direction = directionOf(m_eighths);
+        const base::PointD ahead = {m_through.x + direction.x * base::kNmPerMm,
+                                    m_through.y + direction.y * base::kNmPerMm};
+        if (base::Result<render::Cut> made = render::cutThrough(*m_index, m_origin, m_through, ahead)) {
+            cut = std::make_shared<const render::Cut>(std::move(*made));
+        }
+    }
+    m_views.setCut(std::move(cut));
+}
+
+}  // namespace ui
