@@ -189,7 +189,11 @@ base::Status benchModel(render::gpu::Device& device, const model::Document& docu
     out.cpuBytes = render::cpuBytes(model);
     out.triangles = storedTriangles(model);
     const base::Stopwatch upload;
-    render::BoardScene scene(device, model);
+    base::Result<render::BoardScene> made = render::BoardScene::make(device, model);
+    if (!made) {
+        return made.error();
+    }
+    render::BoardScene& scene = *made;
     device.waitIdle();
     out.uploadMs = upload.milliseconds();
     out.gpuBytes = scene.gpuBytes();
@@ -245,12 +249,6 @@ base::Result<BoardResult> benchBoard(render::gpu::Device& device, const std::str
     const auto document = read(path, arguments);
     if (!document) {
         return document.error();
-    }
-    if (!(*document)->instances.empty() && arguments.pipeline != "hybrid") {
-        return base::Error{base::ErrorCode::BadUsage,
-                           path +
-                               ": the standard pipeline draws single steps only, so this panel cannot be compared; "
-                               "measure it with --pipeline hybrid"};
     }
     BoardResult out;
     out.name = std::filesystem::path(path).filename().string();

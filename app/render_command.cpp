@@ -157,7 +157,11 @@ Result<render::Image> draw(const RenderArguments& arguments, const Model& board,
         return opened.error();
     }
     render::gpu::Device& device = *opened->device;
-    render::BoardScene scene(device, board);
+    Result<render::BoardScene> made = render::BoardScene::make(device, board);
+    if (!made) {
+        return made.error();
+    }
+    render::BoardScene& scene = *made;
     scene.setStyles(scenery.styles);
     for (std::uint32_t step = 0; step < scenery.highlights.size(); ++step) {
         scene.setHighlight(scenery.highlights[step], step);
@@ -176,10 +180,6 @@ Result<render::Image> drawModel(const RenderArguments& arguments, Result<Model> 
 
 Result<render::Image> modelAndDraw(const RenderArguments& arguments, const Document& document, const Scenery& scenery) {
     ConsoleProgress console;
-    if (arguments.pipeline == "standard" && !document.instances.empty()) {
-        return base::Error{ErrorCode::BadUsage,
-                           "the standard pipeline draws single steps only; choose one with --step"};
-    }
     if (arguments.pipeline == "standard") {
         const model::Discretisation how = discretisationOf(arguments.board);
         return drawModel(arguments, render::buildStandardModel(document, how, console.progress()), scenery);

@@ -3,7 +3,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "model/document.h"
+#include "model/copies.h"
 
 namespace render {
 
@@ -19,6 +19,19 @@ struct BoardFrame {
     glm::vec3 boxMin{0.0F};  ///< of the board, mm
     glm::vec3 boxMax{0.0F};
 };
+
+/// A step drawn somewhere on the board (model::StepCopy in the GPU's terms): p' = origin + turn * p, in the plane only.
+/// A flipped copy lies on the opposite layers.
+struct ModelCopy {
+    std::uint32_t step = 0;  ///< 0 = the board itself, else 1 + row of its model's steps
+    glm::dvec2 origin{0.0};  ///< mm, in the board's model coordinates
+    glm::dmat2 turn{1.0};    ///< rotation and mirror
+    bool isMirrored = false;
+    bool isFlipped = false;
+};
+
+/// Where copies lie, from nanometres in documents to millimetres in models; rows as in the tree.
+[[nodiscard]] std::vector<ModelCopy> placeCopies(const model::StepTree& tree);
 
 [[nodiscard]] BoardFrame frameOf(const model::Document& document);
 

@@ -187,24 +187,6 @@ base::Result<BoardModel> buildStepModel(const Document& document, const model::D
     return out;
 }
 
-/// Where copies lie, from nanometres in documents to millimetres in models.
-std::vector<ModelCopy> placeCopies(const model::StepTree& tree, const BoardModel& board) {
-    std::vector<ModelCopy> copies;
-    for (const model::StepCopy& copy : tree.copies) {
-        const BoardModel& step = copy.step == 0 ? board : board.steps[copy.step - 1];
-        const model::PointD origin = copy.placement.apply(base::toDouble(step.origin));
-        const model::Placement turn{{}, copy.placement.clockwiseDeg, copy.placement.isMirrored};
-        const model::PointD x = turn.apply(model::PointD{1.0, 0.0});
-        const model::PointD y = turn.apply(model::PointD{0.0, 1.0});
-        copies.push_back({copy.step,
-                          {base::toMm(origin.x - board.origin.x), base::toMm(origin.y - board.origin.y)},
-                          {{x.x, x.y}, {y.x, y.y}},
-                          copy.placement.isMirrored,
-                          copy.isFlipped});
-    }
-    return copies;
-}
-
 /// Takes what is said about a step over into what is said about the board.
 void addTotals(const BoardModel& step, BoardModel& board) {
     board.times.createMs += step.times.createMs;
@@ -235,7 +217,7 @@ base::Result<BoardModel> buildBoardModel(const Document& document, const model::
         addTotals(*step, *board);
         board->steps.push_back(std::move(*step));
     }
-    board->copies = placeCopies(tree, *board);
+    board->copies = placeCopies(tree);
     std::ranges::transform(document.layers, std::back_inserter(board->opposite), &Layer::opposite);
     return board;
 }

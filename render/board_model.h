@@ -46,16 +46,6 @@ struct ModelTimes {
     double triangulateMs = 0.0;
 };
 
-/// A step drawn somewhere on the board (model::StepCopy in the GPU's terms): p' = origin + turn * p, in the plane only.
-/// A flipped copy lies on the opposite layers.
-struct ModelCopy {
-    std::uint32_t step = 0;  ///< 0 = the board itself, else 1 + row of BoardModel::steps
-    glm::dvec2 origin{0.0};  ///< mm, in the board's model coordinates
-    glm::dmat2 turn{1.0};    ///< rotation and mirror
-    bool isMirrored = false;
-    bool isFlipped = false;
-};
-
 /// What a document becomes before it goes to the GPU, as plain arrays (paper: "hybrid pipeline"): lets for lines, arcs,
 /// circles and trails, triangles for areas. Lengths in mm relative to `origin`. Everything is sorted by layer, so that
 /// a layer is a run. The steps that a panel places are models of their own, made once however often they are drawn.

@@ -1,6 +1,9 @@
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "render/gpu/check.h"
 #include "render/scene_buffers.h"
 #include "render/scene_loader.h"
 
@@ -246,7 +249,7 @@ SceneStep::SceneStep(gpu::Device& device, const BoardModel& model, std::size_t l
 std::uint64_t SceneStep::listBytes() const {
     Parts parts(VK_NULL_HANDLE, 0, 0);
     takeLists(*this, parts);
-    return isEmpty() ? 0 : parts.end();
+    return isEmpty() || standard ? 0 : parts.end();
 }
 
 DrawLists SceneStep::listsAt(const Buffer& buffer, std::uint64_t offset) const {
@@ -291,6 +294,44 @@ BoardScene::~BoardScene() = default;
 BoardScene::BoardScene(BoardScene&&) noexcept = default;
 BoardScene& BoardScene::operator=(BoardScene&&) noexcept = default;
 
+namespace {
+
+constexpr std::uint64_t kManyLists = 128ULL << 20U;
+constexpr std::uint64_t kFewLists = 4ULL << 20U;
+
+/// Calls `make`, with what it throws and a lost device as errors.
+template <class Make>
+base::Result<BoardScene> tryToMake(gpu::Device& device, const Make& make) {
+    const std::string& name = device.caps().name;
+    try {
+        BoardScene scene = make();
+        if (device.isLost()) {
+            return base::Error{base::ErrorCode::DeviceFailed,
+                               "The Vulkan device " + name + " was lost while the board was loaded."};
+        }
+        return scene;
+    } catch (const gpu::OutOfMemory& lack) {
+        device.waitIdle();  // frees what was made before
+        return base::Error{base::ErrorCode::DeviceFailed, "The board does not fit in the memory of " + name +
+                                                              ": there is no room for " + lack.what + "."};
+    }
+}
+
+}  // namespace
+
+base::Result<BoardScene> BoardScene::make(gpu::Device& device, const BoardModel& model) {
+    base::Result<BoardScene> scene = tryToMake(device, [&] { return BoardScene(device, model, kManyLists); });
+    if (scene || device.isLost()) {
+        return scene;
+    }
+    spdlog::warn("{} Trying with shorter lists of what is seen.", scene.error().text);
+    return tryToMake(device, [&] { return BoardScene(device, model, kFewLists); });
+}
+
+base::Result<BoardScene> BoardScene::make(gpu::Device& device, const StandardModel& model) {
+    return tryToMake(device, [&] { return BoardScene(device, model); });
+}
+
 void BoardScene::setStyles(std::span<const LayerStyle> styles) {
     ASSERT(styles.size() == m_impl->layers.layers.size());
     m_impl->layers.styles.assign(styles.begin(), styles.end());
@@ -319,7 +360,12 @@ void BoardScene::setHighlight(std::span<const model::ElementId> elements, std::u
             words[element.row() / 32] |= 1U << (element.row() % 32);
         }
     }
-    gpu::upload(m_impl->uploads, owner.geometry.highlight, std::as_bytes(std::span(words)));
+    try {
+        gpu::upload(m_impl->uploads, owner.geometry.highlight, std::as_bytes(std::span(words)));
+    } catch (const gpu::OutOfMemory& lack) {
+        spdlog::error("{} has no memory for {}.", m_impl->device->caps().name, lack.what);
+        m_impl->device->markLost();  // the next frame says so to its caller
+    }
 }
 
 std::uint64_t BoardScene::geometryBytes() const {

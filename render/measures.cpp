@@ -2,6 +2,7 @@
 
 #include "render/frame_copies.h"
 #include "render/gpu/barrier.h"
+#include "render/gpu/check.h"
 #include "render/scene_buffers.h"
 
 namespace render {
@@ -36,9 +37,9 @@ std::optional<std::vector<T>> readBack(gpu::Device& device, const BufferPart& pa
     return values;
 }
 
-std::uint64_t standardTriangles(const FramePlan& plan, const StandardBuffers& buffers) {
+std::uint64_t standardTriangles(const LayerPlan& plan, const StandardBuffers& buffers) {
     std::uint64_t sum = 0;
-    for (const LayerBatch& batch : plan.upright.batches) {
+    for (const LayerBatch& batch : plan.batches) {
         for (const std::uint32_t layer : batch) {
             const LayerRun run = buffers.partsOfLayer[layer];
             for (std::uint32_t part = run.first; part < run.first + run.count; ++part) {
@@ -115,6 +116,9 @@ std::uint64_t cpuBytes(const StandardModel& model) {
     for (const StandardPart& part : model.parts) {
         sum += sizeOf(part.vertices, part.indices);
     }
+    for (const StandardModel& step : model.steps) {
+        sum += cpuBytes(step);
+    }
     return sum;
 }
 
@@ -122,16 +126,24 @@ std::optional<std::uint64_t> drawnTriangles(BoardScene& board, const Camera& cam
                                             std::uint32_t width, std::uint32_t height) {
     BoardScene::Impl& scene = board.impl();
     const FramePlan plan = planFrame(scene.layers, camera, settings, width, height);
-    if (const auto& standard = scene.steps.front().standard) {
-        return standardTriangles(plan, *standard);
+    if (scene.steps.front().standard) {
+        std::uint64_t sum = 0;
+        for (const ModelCopy& copy : scene.copies) {
+            sum += standardTriangles(copy.isFlipped ? plan.flipped : plan.upright, *scene.steps[copy.step].standard);
+        }
+        return sum;
     }
-    gpu::FrameRing ring(*scene.device, 1, "measures");
-    gpu::Frame* frame = ring.begin();
-    if (frame == nullptr) {
+    try {
+        gpu::FrameRing ring(*scene.device, 1, "measures");
+        gpu::Frame* frame = ring.begin();
+        if (frame == nullptr) {
+            return std::nullopt;
+        }
+        const std::optional<std::uint64_t> sum = hybridTriangles(FrameCopies(*frame, plan, scene));
+        return ring.end() && ring.wait() ? sum : std::nullopt;
+    } catch (const gpu::OutOfMemory&) {
         return std::nullopt;
     }
-    const std::optional<std::uint64_t> sum = hybridTriangles(FrameCopies(*frame, plan, scene));
-    return ring.end() && ring.wait() ? sum : std::nullopt;
 }
 
 }  // namespace render

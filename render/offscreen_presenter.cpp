@@ -2,6 +2,7 @@
 
 #include "model/base/stopwatch.h"
 #include "render/gpu/barrier.h"
+#include "render/gpu/check.h"
 #include "render/gpu/device_select.h"
 #include "render/renderer.h"
 
@@ -12,6 +13,11 @@ constexpr std::uint64_t kBytesPerPixel = 4;
 
 base::Error lostDevice() {
     return {base::ErrorCode::DeviceFailed, "The Vulkan device was lost while drawing."};
+}
+
+base::Error noMemory(const gpu::Device& device, const gpu::OutOfMemory& lack) {
+    return {base::ErrorCode::DeviceFailed, "The picture does not fit in the memory of " + device.caps().name +
+                                               ": there is no room for " + lack.what + "."};
 }
 
 base::Status checkSize(std::uint32_t width, std::uint32_t height, const gpu::Caps& caps) {
@@ -56,6 +62,23 @@ struct OffscreenPresenter::Impl {
         gpu::memoryBarrier(commands, gpu::kCopyWrite, gpu::kHostRead);
     }
 
+    base::Result<Image> draw(BoardScene& scene, const Camera& camera, const ViewSettings& settings, VkExtent2D extent) {
+        const base::Stopwatch watch;
+        gpu::Frame* frame = ring.begin();
+        if (frame == nullptr) {
+            return lostDevice();
+        }
+        stats.backend = renderer.record(*frame, target, extent, gpu::kColourFormat, &scene, camera, settings);
+        copyPicture(frame->commands());
+        const bool isSubmitted = ring.end();
+        stats.cpuMs = watch.milliseconds();
+        if (!isSubmitted || !ring.wait()) {
+            return lostDevice();
+        }
+        stats.gpuMs = ring.gpuMs();
+        return takePicture();
+    }
+
     [[nodiscard]] Image takePicture() const {
         Image image{target.extent().width, target.extent().height, {}};
         image.rgba.resize(std::size_t{image.width} * image.height * kBytesPerPixel);
@@ -75,21 +98,12 @@ base::Result<Image> OffscreenPresenter::render(BoardScene& scene, const Camera& 
     if (base::Status size = checkSize(width, height, impl.device->caps()); !size) {
         return size.error();
     }
-    const base::Stopwatch watch;
-    gpu::Frame* frame = impl.ring.begin();
-    if (frame == nullptr) {
-        return lostDevice();
+    try {
+        return impl.draw(scene, camera, settings, {width, height});
+    } catch (const gpu::OutOfMemory& lack) {
+        impl.device->waitIdle();  // what was begun is freed
+        return noMemory(*impl.device, lack);
     }
-    impl.stats.backend =
-        impl.renderer.record(*frame, impl.target, {width, height}, gpu::kColourFormat, &scene, camera, settings);
-    impl.copyPicture(frame->commands());
-    const bool isSubmitted = impl.ring.end();
-    impl.stats.cpuMs = watch.milliseconds();
-    if (!isSubmitted || !impl.ring.wait()) {
-        return lostDevice();
-    }
-    impl.stats.gpuMs = impl.ring.gpuMs();
-    return impl.takePicture();
 }
 
 FrameStats OffscreenPresenter::stats() const {

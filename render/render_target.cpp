@@ -34,15 +34,20 @@ void RenderTarget::setSize(VkExtent2D extent, const TargetFormat& format) {
     if (extent.width == m_extent.width && extent.height == m_extent.height && format == m_format) {
         return;
     }
-    m_extent = extent;
-    m_format = format;
+    m_extent = {};  // nothing is whole until all of it is made
+    m_colour = gpu::Image();
+    m_samples = gpu::Image();
+    m_depth = gpu::Image();
     m_colour = gpu::Image(*m_device, {"colour", format.colour, extent,
                                       VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
-    m_samples = isSmoothed() ? gpu::Image(*m_device, {"samples", format.colour, extent,
-                                                      VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, format.samples})
-                             : gpu::Image();
+    m_samples = format.samples != VK_SAMPLE_COUNT_1_BIT
+                    ? gpu::Image(*m_device, {"samples", format.colour, extent, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT,
+                                             format.samples})
+                    : gpu::Image();
     m_depth = gpu::Image(*m_device, {"depth", gpu::kDepthFormat, extent, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
                                      format.samples, kDepthAspects});
+    m_extent = extent;
+    m_format = format;
 }
 
 void RenderTarget::makeReady(VkCommandBuffer commands) const {

@@ -15,6 +15,7 @@ class RenderTarget {
 public:
     explicit RenderTarget(gpu::Device& device) : m_device(&device) {}
 
+    /// Throws gpu::OutOfMemory; there is no target then.
     void setSize(VkExtent2D extent, const TargetFormat& format);
     [[nodiscard]] VkExtent2D extent() const { return m_extent; }
     [[nodiscard]] const TargetFormat& format() const { return m_format; }

@@ -6,6 +6,7 @@
 
 #include "render/backend_choice.h"
 #include "render/frame_copies.h"
+#include "render/gpu/check.h"
 #include "render/gpu/device_select.h"
 #include "render/scene_drawer.h"
 
@@ -168,12 +169,23 @@ void Renderer::drawOverlay(gpu::Frame& frame, const TargetFormat& format, const 
     }
 }
 
-TargetFormat Renderer::formatOf(VkFormat colour, VkExtent2D extent, Backend backend,
-                                const ViewSettings& settings) const {
+TargetFormat Renderer::makeTarget(RenderTarget& target, VkExtent2D extent, VkFormat colour, Backend backend,
+                                  const ViewSettings& settings) {
     const gpu::Caps& caps = m_device->caps();
-    const bool isSmoothed = settings.isSmoothed && !settings.isMono && backend != Backend::Raster && caps.canSmooth &&
-                            fitsOn(caps, extent, VK_SAMPLE_COUNT_4_BIT);
-    return {colour, isSmoothed ? VK_SAMPLE_COUNT_4_BIT : VK_SAMPLE_COUNT_1_BIT};
+    const TargetFormat plain{colour, VK_SAMPLE_COUNT_1_BIT};
+    const TargetFormat smooth{colour, VK_SAMPLE_COUNT_4_BIT};
+    if (settings.isSmoothed && !settings.isMono && backend != Backend::Raster && caps.canSmooth && !m_isShortOfMemory &&
+        fitsOn(caps, extent, VK_SAMPLE_COUNT_4_BIT)) {
+        try {
+            target.setSize(extent, smooth);
+            return smooth;
+        } catch (const gpu::OutOfMemory& lack) {
+            spdlog::warn("{} has no memory for {}: drawing without smoothing from now on.", caps.name, lack.what);
+            m_isShortOfMemory = true;
+        }
+    }
+    target.setSize(extent, plain);
+    return plain;
 }
 
 void Renderer::recordEmpty(gpu::Frame& frame, RenderTarget& target, const ViewSettings& settings) {
@@ -185,15 +197,14 @@ void Renderer::recordEmpty(gpu::Frame& frame, RenderTarget& target, const ViewSe
 Backend Renderer::record(gpu::Frame& frame, RenderTarget& target, VkExtent2D extent, VkFormat colour, BoardScene* scene,
                          const Camera& camera, const ViewSettings& settings) {
     if (scene == nullptr) {
-        target.setSize(extent, formatOf(colour, extent, settings.backend, settings));
+        makeTarget(target, extent, colour, settings.backend, settings);
         recordEmpty(frame, target, settings);
         return settings.backend;
     }
     FramePlan plan = planFrame(scene->impl().layers, camera, settings, extent.width, extent.height);
     const bool isStandard = scene->impl().steps.front().standard.has_value();
     const Backend backend = isStandard ? Backend::Standard : resolve(settings.backend, plan);
-    const TargetFormat format = formatOf(colour, extent, backend, settings);
-    target.setSize(extent, format);
+    const TargetFormat format = makeTarget(target, extent, colour, backend, settings);
     plan.data.flags |= (backend == Backend::Impostor ? shader::kFrameImpostors : 0) |
                        (format.samples != VK_SAMPLE_COUNT_1_BIT ? shader::kFrameSmoothed : 0);
     plan.data.rasterRadiusPx = backend == Backend::Raster ? kRasterRadiusPx : 0.0F;

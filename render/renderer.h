@@ -18,7 +18,8 @@ public:
     Renderer& operator=(Renderer&&) noexcept;
 
     /// Records the picture of `scene` (may be null) into `target`, whose size and format are set here.
-    /// Returns the back end that draws.
+    /// Returns the back end that draws. Where smoothing has no room, it goes without; throws gpu::OutOfMemory if that
+    /// is not enough.
     Backend record(gpu::Frame& frame, RenderTarget& target, VkExtent2D extent, VkFormat colour, BoardScene* scene,
                    const Camera& camera, const ViewSettings& settings);
 
@@ -29,8 +30,9 @@ private:
     [[nodiscard]] Backend resolve(Backend wanted, const FramePlan& plan);
     template <class Drawer>
     const Drawer& drawerFor(std::vector<std::unique_ptr<Drawer>>& drawers, const TargetFormat& format);
-    [[nodiscard]] TargetFormat formatOf(VkFormat colour, VkExtent2D extent, Backend backend,
-                                        const ViewSettings& settings) const;
+    /// Smoothed if asked for, where there is room.
+    TargetFormat makeTarget(RenderTarget& target, VkExtent2D extent, VkFormat colour, Backend backend,
+                            const ViewSettings& settings);
     void recordEmpty(gpu::Frame& frame, RenderTarget& target, const ViewSettings& settings);
     void drawOverlay(gpu::Frame& frame, const TargetFormat& format, const Overlay& overlay);
 
@@ -39,6 +41,7 @@ private:
     std::vector<std::unique_ptr<OverlayDrawer>> m_overlays;
     std::vector<std::unique_ptr<CutDrawer>> m_cuts;
     bool m_hasWarned = false;
+    bool m_isShortOfMemory = false;  ///< there was no room for a smoothed target
 };
 
 }  // namespace render

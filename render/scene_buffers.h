@@ -73,9 +73,9 @@ struct SceneStep {
 
     /// `layerCount` of the board; a step has the same rows or fewer.
     SceneStep(gpu::Device& device, const BoardModel& model, std::size_t layerCount);
-    SceneStep(gpu::Device& device, const StandardModel& model);
+    SceneStep(gpu::Device& device, const StandardModel& model, std::size_t layerCount);
     [[nodiscard]] bool isEmpty() const { return clusterCount == 0 && instanceCount == 0 && !standard; }
-    /// Bytes of the draw lists of one copy.
+    /// Bytes of the draw lists of one copy; the standard pipeline has none.
     [[nodiscard]] std::uint64_t listBytes() const;
     [[nodiscard]] DrawLists listsAt(const gpu::Buffer& buffer, std::uint64_t offset) const;
     /// Fills in where the shaders of a frame find this step.

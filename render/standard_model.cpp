@@ -211,27 +211,11 @@ bool forDrafts(std::vector<Draft>& drafts, base::Progress& progress, std::string
     return !progress.isCancelled();
 }
 
-}  // namespace
-
-std::uint64_t StandardModel::triangles() const {
-    std::uint64_t sum = 0;
-    for (const StandardPart& part : parts) {
-        sum += part.indices.size() / 3;
-    }
-    return sum;
-}
-
-std::uint64_t StandardModel::bytes() const {
-    std::uint64_t sum = 0;
-    for (const StandardPart& part : parts) {
-        sum += part.vertices.size() * sizeof(shader::StandardVertex) + part.indices.size() * sizeof(std::uint32_t);
-    }
-    return sum;
-}
-
-base::Result<StandardModel> buildStandardModel(const Document& document, const model::Discretisation& how,
-                                               base::Progress& progress) {
-    StandardModel out{frameOf(document), {}, {}, static_cast<std::uint32_t>(document.elements.size()), {}};
+base::Result<StandardModel> buildStep(const Document& document, const model::Discretisation& how,
+                                      base::Progress& progress) {
+    StandardModel out;
+    static_cast<BoardFrame&>(out) = frameOf(document);
+    out.elementCount = static_cast<std::uint32_t>(document.elements.size());
     for (const model::Layer& layer : document.layers) {
         out.hasAreas.push_back(layer.counts[static_cast<std::size_t>(model::ElementKind::Area)] > 0);
     }
@@ -250,6 +234,56 @@ base::Result<StandardModel> buildStandardModel(const Document& document, const m
         return base::Error{base::ErrorCode::Cancelled, "cancelled"};
     }
     return out;
+}
+
+void addTimes(const StandardModel::Times& times, StandardModel::Times& sum) {
+    sum.createMs += times.createMs;
+    sum.discretiseMs += times.discretiseMs;
+    sum.triangulateMs += times.triangulateMs;
+}
+
+}  // namespace
+
+std::uint64_t StandardModel::triangles() const {
+    std::uint64_t sum = 0;
+    for (const StandardPart& part : parts) {
+        sum += part.indices.size() / 3;
+    }
+    for (const StandardModel& step : steps) {
+        sum += step.triangles();
+    }
+    return sum;
+}
+
+std::uint64_t StandardModel::bytes() const {
+    std::uint64_t sum = 0;
+    for (const StandardPart& part : parts) {
+        sum += part.vertices.size() * sizeof(shader::StandardVertex) + part.indices.size() * sizeof(std::uint32_t);
+    }
+    for (const StandardModel& step : steps) {
+        sum += step.bytes();
+    }
+    return sum;
+}
+
+base::Result<StandardModel> buildStandardModel(const Document& document, const model::Discretisation& how,
+                                               base::Progress& progress) {
+    base::Result<StandardModel> board = buildStep(document, how, progress);
+    if (!board || document.instances.empty()) {
+        return board;
+    }
+    const model::StepTree tree = model::unfoldCopies(document);
+    for (std::size_t row = 1; row < tree.steps.size(); ++row) {
+        base::Result<StandardModel> step = buildStep(*tree.steps[row], how, progress);
+        if (!step) {
+            return step;
+        }
+        addTimes(step->times, board->times);
+        board->steps.push_back(std::move(*step));
+    }
+    board->copies = placeCopies(tree);
+    std::ranges::transform(document.layers, std::back_inserter(board->opposite), &model::Layer::opposite);
+    return board;
 }
 
 }  // namespace render

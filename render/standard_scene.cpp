@@ -6,15 +6,25 @@
 namespace render {
 namespace {
 
+bool hasAreas(const StandardModel& model, std::size_t layer) {
+    const auto hasSome = [layer](const StandardModel& step) {
+        return layer < step.hasAreas.size() && step.hasAreas[layer];
+    };
+    return hasSome(model) || std::ranges::any_of(model.steps, hasSome);
+}
+
 SceneLayers layersOf(const StandardModel& model) {
     SceneLayers scene;
+    scene.facesMm = model.facesMm;
+    scene.hasFlipped = std::ranges::any_of(model.copies, &ModelCopy::isFlipped);
     const glm::vec3 size = model.boxMax - model.boxMin;
     scene.widthMm = std::max(size.x, size.y);
     for (std::size_t i = 0; i < model.layerBottomMm.size(); ++i) {
         SceneLayers::Layer layer;
         layer.z0 = model.layerBottomMm[i];
         layer.z1 = model.layerTopMm[i];
-        layer.hasAreas = model.hasAreas[i];
+        layer.hasAreas = hasAreas(model, i);
+        layer.opposite = i < model.opposite.size() ? model.opposite[i] : model::LayerId{};
         layer.isCopper = model.isCopper[i];
         layer.growth = model.layerGrowth[i];
         scene.layers.push_back(layer);
@@ -23,10 +33,10 @@ SceneLayers layersOf(const StandardModel& model) {
     return scene;
 }
 
-StandardBuffers loadParts(gpu::Device& device, const StandardModel& model) {
+StandardBuffers loadParts(gpu::Device& device, const StandardModel& model, std::size_t layerCount) {
     SceneLoader loader(device);
     StandardBuffers buffers;
-    buffers.partsOfLayer.resize(model.layerBottomMm.size());
+    buffers.partsOfLayer.resize(layerCount);
     std::vector<shader::StandardPartRecord> records;
     for (std::uint32_t i = 0; i < model.parts.size(); ++i) {
         const StandardPart& part = model.parts[i];
@@ -53,16 +63,17 @@ std::uint64_t StandardBuffers::bytes() const {
     return sum;
 }
 
-SceneStep::SceneStep(gpu::Device& device, const StandardModel& model)
-    : layers(model.layerBottomMm.size()),
-      elementWords((model.elementCount + 31) / 32),
-      standard(loadParts(device, model)) {
+SceneStep::SceneStep(gpu::Device& device, const StandardModel& model, std::size_t layerCount)
+    : layers(layerCount), elementWords((model.elementCount + 31) / 32), standard(loadParts(device, model, layerCount)) {
     geometry.highlight = SceneLoader(device).load("highlight", std::vector<std::uint32_t>(elementWords));
 }
 
 BoardScene::Impl::Impl(gpu::Device& owner, const StandardModel& model)
-    : device(&owner), uploads(owner, 1, "scene updates"), layers(layersOf(model)), copies{ModelCopy{}} {
-    steps.emplace_back(owner, model);
+    : device(&owner), uploads(owner, 1, "scene updates"), layers(layersOf(model)), copies(model.copies) {
+    steps.emplace_back(owner, model, layers.layers.size());
+    for (const StandardModel& step : model.steps) {
+        steps.emplace_back(owner, step, layers.layers.size());
+    }
     lists = gpu::Buffer(owner, {"draw lists", steps.front().listBytes(), gpu::MemoryUse::Transient, false});
 }
 

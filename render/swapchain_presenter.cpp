@@ -1,8 +1,11 @@
 #include "render/swapchain_presenter.h"
 
+#include <spdlog/spdlog.h>
+
 #include <chrono>
 
 #include "render/gpu/barrier.h"
+#include "render/gpu/check.h"
 #include "render/gpu/swapchain.h"
 #include "render/renderer.h"
 
@@ -40,17 +43,19 @@ void copyToWindow(VkCommandBuffer commands, const RenderTarget& target, VkImage 
 }  // namespace
 
 struct SwapchainPresenter::Impl {
+    gpu::Device* device;
     gpu::Swapchain swapchain;
     gpu::FrameRing ring;
     Renderer renderer;
     RenderTarget target;
     FrameStats stats;
 
-    Impl(gpu::Device& device, VkSurfaceKHR surface)
-        : swapchain(device, surface),
-          ring(device, kFramesInFlight, "window frames"),
-          renderer(device),
-          target(device) {}
+    Impl(gpu::Device& owner, VkSurfaceKHR surface)
+        : device(&owner),
+          swapchain(owner, surface),
+          ring(owner, kFramesInFlight, "window frames"),
+          renderer(owner),
+          target(owner) {}
 
     Outcome draw(BoardScene* scene, const Camera& camera, const ViewSettings& settings) {
         gpu::Swapchain::Target image;
@@ -83,9 +88,16 @@ void SwapchainPresenter::resize(std::uint32_t width, std::uint32_t height) {
 
 SwapchainPresenter::Outcome SwapchainPresenter::draw(BoardScene* scene, const Camera& camera,
                                                      const ViewSettings& settings) {
-    const Outcome outcome = m_impl->draw(scene, camera, settings);
-    // A window resized between drawing and presenting takes no picture of its old size: once more with the new one.
-    return outcome == Outcome::Skipped ? m_impl->draw(scene, camera, settings) : outcome;
+    try {
+        const Outcome outcome = m_impl->draw(scene, camera, settings);
+        // A window resized between drawing and presenting takes no picture of its old size: once more with the new one.
+        return outcome == Outcome::Skipped ? m_impl->draw(scene, camera, settings) : outcome;
+    } catch (const gpu::OutOfMemory& lack) {
+        // The frame that was begun holds an image of the window: only a device made anew gives it back.
+        spdlog::error("{} has no memory for {}.", m_impl->device->caps().name, lack.what);
+        m_impl->device->markLost();
+        return Outcome::DeviceLost;
+    }
 }
 
 std::optional<FrameStats> SwapchainPresenter::finishedStats() {

@@ -18,7 +18,7 @@ public:
     enum class Outcome {
         Drawn,
         Skipped,    ///< nothing to draw on: the window has no size yet, or the surface is gone
-        DeviceLost  ///< make a new device
+        DeviceLost  ///< or out of memory, without smoothing too: make a new device
     };
 
     SwapchainPresenter(gpu::Device& device, VkSurfaceKHR surface);

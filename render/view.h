@@ -75,6 +75,13 @@ struct Image {
 /// A board model on the GPU, every step of a panel once. One per document; every view draws from it.
 class BoardScene {
 public:
+    /// Where there is no room for it, tries with short lists of what is seen, which only makes frames slower. Errors:
+    /// DeviceFailed, saying what there was no room for, or that the device was lost on the way.
+    [[nodiscard]] static base::Result<BoardScene> make(gpu::Device& device, const BoardModel& model);
+    [[nodiscard]] static base::Result<BoardScene> make(gpu::Device& device, const StandardModel& model);
+
+    /// Both throw gpu::OutOfMemory (render/gpu/check.h).
+    ///
     /// Lists of what is seen take `mostListBytes` at most, unless one copy alone needs more; where that is too little
     /// for all copies in view, they are drawn in several groups.
     BoardScene(gpu::Device& device, const BoardModel& model, std::uint64_t mostListBytes = 128ULL << 20U);

@@ -88,7 +88,12 @@ void BoardViews::makeScene() {
     if (m_context.device().isLost()) {
         return;  // that was told
     }
-    m_scene = std::make_unique<render::BoardScene>(m_context.device(), *m_board->model);
+    base::Result<render::BoardScene> scene = render::BoardScene::make(m_context.device(), *m_board->model);
+    if (!scene) {
+        emit troubled(QString::fromStdString(scene.error().text));
+        return;
+    }
+    m_scene = std::make_unique<render::BoardScene>(std::move(*scene));
     m_scene->setHeights(render::frameOf(*m_board->document));  // they may have been set since
     applyHighlight();
     for (BoardView* view : m_views) {

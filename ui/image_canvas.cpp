@@ -54,6 +54,7 @@ void ImageCanvas::draw(QSize pixels) {
         emit drawn();
         emit timed(m_presenter->stats());
     } else if (image.error().code == base::ErrorCode::DeviceFailed) {
+        m_context.device().markLost();  // or it has no memory left: a device made anew may have
         emit deviceLost();
     }
 }

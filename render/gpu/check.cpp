@@ -32,6 +32,9 @@ const char* toString(VkResult result) {
 }
 
 void failCall(VkResult result, const char* call, const char* file, int line) {
+    if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY) {
+        throw OutOfMemory{call};
+    }
     spdlog::critical("{}:{}: {} answered {} ({})", file, line, call, toString(result), static_cast<int>(result));
     spdlog::shutdown();
     std::abort();

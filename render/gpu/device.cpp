@@ -35,6 +35,7 @@ struct Device::State {
     VkSemaphore timeline = VK_NULL_HANDLE;
     std::uint64_t submitted = 0;
     bool isLost = false;
+    Faults faults;
     PFN_vkSetDebugUtilsObjectNameEXT setName = nullptr;
     std::unique_ptr<Graveyard> graveyard;
 
@@ -173,6 +174,18 @@ void Device::markLost() {
 bool Device::isLost() const {
     return m_state->isLost;
 }
+void Device::inject(const Faults& faults) {
+    m_state->faults = faults;
+}
+bool Device::mayAllocate(std::uint64_t bytes) {
+    Faults& faults = m_state->faults;
+    const bool isFault = faults.failAllocation == 1;
+    faults.failAllocation -= faults.failAllocation > (faults.failsFromThere ? 1U : 0U) ? 1 : 0;
+    return !isFault && bytes <= caps().maxAllocationBytes;
+}
+const Faults& Device::faults() const {
+    return m_state->faults;
+}
 
 bool Device::canPresentTo(VkSurfaceKHR surface) const {
     VkBool32 supported = VK_FALSE;
@@ -182,6 +195,9 @@ bool Device::canPresentTo(VkSurfaceKHR surface) const {
 }
 
 std::uint64_t Device::submit(const Submission& submission) {
+    if (m_state->faults.loseAtSubmission > 0 && --m_state->faults.loseAtSubmission == 0) {
+        markLost();
+    }
     if (isLost()) {
         return 0;
     }

@@ -50,6 +50,13 @@ struct Caps {
     std::uint64_t memoryBudgetBytes = 0;   ///< of the largest device-local heap, when the device was made
 };
 
+/// Faults to order, for tests. Both count from when they are set, the next one being 1; 0: none.
+struct Faults {
+    std::uint64_t failAllocation = 0;    ///< has no memory
+    bool failsFromThere = false;         ///< nor has any after it
+    std::uint64_t loseAtSubmission = 0;  ///< finds the device lost
+};
+
 /// One submission to the queue.
 struct Submission {
     VkCommandBuffer commands = VK_NULL_HANDLE;
@@ -88,6 +95,11 @@ public:
     /// Notes that a call answered VK_ERROR_DEVICE_LOST; from now on submit and wait fail.
     void markLost();
     [[nodiscard]] bool isLost() const;
+    void inject(const Faults& faults);
+    /// Those to come.
+    [[nodiscard]] const Faults& faults() const;
+    /// Counts an allocation of device memory; false if the device cannot have it: too large for one, or a fault.
+    [[nodiscard]] bool mayAllocate(std::uint64_t bytes);
 
     /// Where resources go when their owners drop them: freed after the submissions that may use them.
     [[nodiscard]] Graveyard& graveyard() const;

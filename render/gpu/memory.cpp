@@ -1,5 +1,6 @@
 #include "render/gpu/memory.h"
 
+#include <cstdio>
 #include <vector>
 
 #include "render/gpu/check.h"
@@ -24,6 +25,13 @@ std::vector<std::uint32_t> typesFor(VkPhysicalDevice device, const MemoryOptions
     return types;
 }
 
+std::string describe(const MemoryOptions& options) {
+    char text[128];
+    std::snprintf(text, sizeof text, "%.*s (%.1f MB)", static_cast<int>(options.label.size()), options.label.data(),
+                  static_cast<double>(options.requirements.size) * 1e-6);
+    return text;
+}
+
 }  // namespace
 
 Unique<VkDeviceMemory> allocate(Device& device, const MemoryOptions& options) {
@@ -34,6 +42,9 @@ Unique<VkDeviceMemory> allocate(Device& device, const MemoryOptions& options) {
     info.allocationSize = options.requirements.size;
     VkDeviceMemory memory = VK_NULL_HANDLE;
     VkResult result = VK_ERROR_OUT_OF_DEVICE_MEMORY;
+    if (!device.mayAllocate(options.requirements.size)) {
+        throw OutOfMemory{describe(options)};
+    }
     for (const std::uint32_t type : typesFor(device.physical(), options)) {
         info.memoryTypeIndex = type;
         result = vkAllocateMemory(device.handle(), &info, nullptr, &memory);
@@ -41,7 +52,9 @@ Unique<VkDeviceMemory> allocate(Device& device, const MemoryOptions& options) {
             break;
         }
     }
-    VK_CHECK(result);
+    if (result != VK_SUCCESS) {
+        throw OutOfMemory{describe(options)};
+    }
     device.graveyard().noteAllocation(memory, options.use, options.requirements.size);
     return {device, memory, options.label};
 }

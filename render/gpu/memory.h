@@ -15,8 +15,8 @@ struct MemoryOptions {
     std::string_view label;
 };
 
-/// One allocation per resource: we have tens of resources, devices allow thousands of allocations. Aborts when no
-/// memory is left at all.
+/// One allocation per resource: we have tens of resources, devices allow thousands of allocations. Throws
+/// OutOfMemory when none is left.
 [[nodiscard]] Unique<VkDeviceMemory> allocate(Device& device, const MemoryOptions& options);
 
 }  // namespace render::gpu

@@ -72,7 +72,9 @@ private slots:
         QTest::newRow("sample") << places::kSample;
         QTest::newRow("everything") << places::kTestData + QStringLiteral("/odb/everything");
         QTest::newRow("made up") << "";
-        for (const char* board : {"diegocoll_praxis_pdna.tgz", "lx3jl_usb3006.tgz", "paper_t1.txt"}) {
+        QTest::newRow("panel") << places::kTestData + QStringLiteral("/odb/panel");
+        for (const char* board :
+             {"ninevoltz_panel.tgz", "diegocoll_praxis_pdna.tgz", "lx3jl_usb3006.tgz", "paper_t1.txt"}) {
             QTest::newRow(board) << places::kBoards + QStringLiteral("/") + board;
         }
     }

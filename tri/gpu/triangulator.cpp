@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "model/base/parallel.h"
+#include "render/gpu/check.h"
 #include "tri/gpu/device_forest.h"
 
 namespace tri::gpu {
@@ -118,10 +119,14 @@ void Triangulator::State::turn(std::span<const Polygon> polygons, Eraser eraser,
     const ForestData data = plant(polygons, eraser);
     tally.withoutTree += static_cast<std::size_t>(
         std::ranges::count_if(data.trees, [](const kernel::Tree& tree) { return tree.vertexCount == 0; }));
-    const DeviceForest forest(*device, ring, data);
-    tally.deviceBytes = std::max(tally.deviceBytes, device->memoryReport().of(render::gpu::MemoryUse::Transient));
-    if (grow(forest, progress)) {
-        harvest(forest, data, results);
+    try {
+        const DeviceForest forest(*device, ring, data);
+        tally.deviceBytes = std::max(tally.deviceBytes, device->memoryReport().of(render::gpu::MemoryUse::Transient));
+        if (grow(forest, progress)) {
+            harvest(forest, data, results);
+        }
+    } catch (const render::gpu::OutOfMemory&) {
+        device->waitIdle();  // frees what was made; the CPU takes this turn
     }
 }
 

@@ -25,7 +25,8 @@ struct Tally {
 /// Triangulates all polygons of a board in the same dispatches (docs/triangulation.md). The result is the same,
 /// triangle by triangle, as that of every other triangulator; what the device cannot do goes to the CPU and is counted.
 /// Memory: about 230 bytes per vertex on the device; what does not fit goes there in several turns. Use it from the
-/// device's thread. If the device is lost, the CPU does everything.
+/// device's thread. If the device is lost or has no memory left, the CPU
+/// does what is left.
 class Triangulator {
 public:
     /// Makes the pipelines. `device` has to outlive this.

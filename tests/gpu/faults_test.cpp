@@ -1,0 +1,115 @@
+// A device that has no memory left, or is lost, at every place where that can happen: a picture or a plain error, and
+// nothing left behind.
+#include <QtTest>
+
+#include "tests/gpu/gpu_fixture.h"
+
+using namespace render;
+using namespace render::test;
+
+namespace {
+
+constexpr std::uint32_t kWidth = 160;
+constexpr std::uint32_t kHeight = 120;
+/// More than one normal run makes of either.
+constexpr std::uint64_t kMost = 200;
+
+/// Loads a board and draws it once.
+base::Result<Image> loadAndDraw(gpu::Device& device, const SyntheticBoard& board) {
+    const BoardModel model = board.build();
+    base::Result<BoardScene> scene = BoardScene::make(device, model);
+    if (!scene) {
+        return scene.error();
+    }
+    scene->setStyles(board.styles());
+    scene->setHighlight({});
+    Camera camera;
+    camera.fit(model.boxMin, model.boxMax, NamedView::Iso, 4.0F / 3.0F);
+    ViewSettings settings;
+    settings.backend = Backend::Pull;
+    OffscreenPresenter presenter(device);
+    return presenter.render(*scene, camera, settings, kWidth, kHeight);
+}
+
+gpu::Device freshDevice() {
+    return std::move(*gpu::Device::create(Gpu::get().instance));
+}
+
+bool isPlain(const base::Error& error) {
+    const std::string& text = error.text;
+    return error.code == base::ErrorCode::DeviceFailed && text.size() > 20 && text.ends_with(".") &&
+           text.find("VK_") == std::string::npos && text.find("vk") == std::string::npos;
+}
+
+}  // namespace
+
+class FaultsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void wheneverMemoryRunsOutThereIsAPictureOrAnError_data() {
+        QTest::addColumn<bool>("isLasting");
+        QTest::newRow("once") << false;
+        QTest::newRow("for good") << true;
+    }
+    void wheneverMemoryRunsOutThereIsAPictureOrAnError() {
+        QFETCH(bool, isLasting);
+        const SyntheticBoard board = everything();
+        gpu::Device device = freshDevice();
+        const base::Result<Image> expected = loadAndDraw(device, board);
+        QVERIFY(expected);
+        device.waitIdle();
+        const std::uint64_t atRest = device.memoryReport().total();
+        int failures = 0;
+        int rescues = 0;
+        std::uint64_t n = 1;
+        for (bool wasReached = true; wasReached; ++n) {
+            QVERIFY(n < kMost);
+            device.inject({n, isLasting, 0});
+            const base::Result<Image> image = loadAndDraw(device, board);
+            wasReached = isLasting ? !image : device.faults().failAllocation == 0;
+            device.inject({});
+            if (!image) {
+                QVERIFY2(isPlain(image.error()), image.error().text.c_str());
+                QVERIFY(wasReached);
+                ++failures;
+            } else {
+                QCOMPARE(image->rgba.size(), expected->rgba.size());
+                rescues += wasReached ? 1 : 0;
+            }
+            if (device.isLost()) {
+                device = freshDevice();
+            }
+            device.waitIdle();
+            QCOMPARE(device.memoryReport().total(), atRest);
+        }
+        qInfo() << n - 2 << "allocations," << failures << "errors," << rescues << "pictures with less";
+        QVERIFY(isLasting ? failures > 10 : failures > 1 && rescues > 8);
+        const base::Result<Image> again = loadAndDraw(device, board);
+        QVERIFY(again);
+        QCOMPARE(differingPixels(*again, *expected, 0), std::size_t{0});
+    }
+
+    void wheneverTheDeviceIsLostThereIsAnError() {
+        const SyntheticBoard board = everything();
+        std::uint64_t n = 1;
+        for (bool wasReached = true; wasReached; ++n) {
+            QVERIFY(n < kMost);
+            gpu::Device device = freshDevice();
+            device.inject({0, false, n});
+            const base::Result<Image> image = loadAndDraw(device, board);
+            wasReached = device.faults().loseAtSubmission == 0;
+            QCOMPARE(!image, wasReached);
+            QCOMPARE(device.isLost(), wasReached);
+            if (!image) {
+                QVERIFY2(isPlain(image.error()), image.error().text.c_str());
+                QVERIFY(image.error().text.find("lost") != std::string::npos);
+            }
+        }
+        qInfo() << n - 2 << "submissions";
+        QVERIFY(n > 2);
+    }
+};
+
+QTEST_APPLESS_MAIN(FaultsTest)
+#include "faults_test.moc"
