@@ -181,7 +181,8 @@ bool Device::mayAllocate(std::uint64_t bytes) {
     Faults& faults = m_state->faults;
     const bool isFault = faults.failAllocation == 1;
     faults.failAllocation -= faults.failAllocation > (faults.failsFromThere ? 1U : 0U) ? 1 : 0;
-    return !isFault && bytes <= caps().maxAllocationBytes;
+    const bool isTooMuch = faults.mostBytes > 0 && bytes > faults.mostBytes;
+    return !isFault && !isTooMuch && bytes <= caps().maxAllocationBytes;
 }
 const Faults& Device::faults() const {
     return m_state->faults;

@@ -50,11 +50,12 @@ struct Caps {
     std::uint64_t memoryBudgetBytes = 0;   ///< of the largest device-local heap, when the device was made
 };
 
-/// Faults to order, for tests. Both count from when they are set, the next one being 1; 0: none.
+/// Faults to order, for tests. Counts begin when they are set, the next one being 1; 0: none.
 struct Faults {
     std::uint64_t failAllocation = 0;    ///< has no memory
     bool failsFromThere = false;         ///< nor has any after it
     std::uint64_t loseAtSubmission = 0;  ///< finds the device lost
+    std::uint64_t mostBytes = 0;         ///< of one allocation, where that is less than the device can
 };
 
 /// One submission to the queue.

@@ -90,6 +90,32 @@ private slots:
         QCOMPARE(differingPixels(*again, *expected, 0), std::size_t{0});
     }
 
+    /// Devices limit what one buffer may hold. Buffers are read by address, so no smaller limit of storage buffers
+    /// counts (no descriptors are made).
+    void aBufferThatMayNotBeSoLargeIsAnErrorOrAPictureWithLess() {
+        const SyntheticBoard board = everything();
+        gpu::Device device = freshDevice();
+        const base::Result<Image> expected = loadAndDraw(device, board);
+        int errors = 0;
+        int pictures = 0;
+        for (std::uint64_t most = 64; most <= 128ULL << 20U; most *= 2) {
+            device.inject({.mostBytes = most});
+            const base::Result<Image> image = loadAndDraw(device, board);
+            errors += image ? 0 : 1;
+            pictures += image ? 1 : 0;
+            QVERIFY2(image || isPlain(image.error()), image ? "" : image.error().text.c_str());
+            QVERIFY(image || pictures == 0);  // more room never does worse
+            if (most == 128ULL << 20U) {
+                QCOMPARE(differingPixels(*image, *expected, 0), std::size_t{0});
+            }
+            if (device.isLost()) {
+                device = freshDevice();
+            }
+        }
+        qInfo() << errors << "errors," << pictures << "pictures";
+        QVERIFY(errors > 3 && pictures > 3);
+    }
+
     void wheneverTheDeviceIsLostThereIsAnError() {
         const SyntheticBoard board = everything();
         std::uint64_t n = 1;
