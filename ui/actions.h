@@ -62,6 +62,8 @@ enum class ActionId {
     BackendAuto,
     BackendMesh,
     BackendPull,
+    BackendImpostor,
+    BackendRaster,
     ShowAllLayers,
     HideAllLayers,
     ShowCopperOnly,

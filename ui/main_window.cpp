@@ -190,6 +190,7 @@ void MainWindow::restoreSettings() {
     setUnit(m_settings.unit());
     statusBar()->clearMessage();
     m_actions[ActionId::BackendMesh].setEnabled(m_context.device().caps().hasMeshShader);
+    m_actions[ActionId::BackendRaster].setEnabled(m_context.device().caps().hasAtomic64);
 }
 
 void MainWindow::resetSettings() {

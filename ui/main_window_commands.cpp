@@ -40,7 +40,9 @@ constexpr std::pair<ActionId, Theme> kThemes[] = {
     {ActionId::ThemeSystem, Theme::System}, {ActionId::ThemeDark, Theme::Dark}, {ActionId::ThemeLight, Theme::Light}};
 constexpr std::pair<ActionId, render::Backend> kBackends[] = {{ActionId::BackendAuto, render::Backend::Auto},
                                                               {ActionId::BackendMesh, render::Backend::Mesh},
-                                                              {ActionId::BackendPull, render::Backend::Pull}};
+                                                              {ActionId::BackendPull, render::Backend::Pull},
+                                                              {ActionId::BackendImpostor, render::Backend::Impostor},
+                                                              {ActionId::BackendRaster, render::Backend::Raster}};
 constexpr std::pair<ActionId, Arrangement> kArrangements[] = {{ActionId::ShowFlat, Arrangement::Flat},
                                                               {ActionId::ShowSolid, Arrangement::Solid},
                                                               {ActionId::ShowSideBySide, Arrangement::SideBySide},

@@ -31,8 +31,11 @@ constexpr std::array<Word<Arrangement>, 4> kArrangements{{{Arrangement::SideBySi
                                                           {Arrangement::Solid, "3d"}}};
 constexpr std::array<Word<models::LengthUnit>, 3> kUnits{
     {{models::LengthUnit::Millimetre, "mm"}, {models::LengthUnit::Mil, "mil"}, {models::LengthUnit::Inch, "inch"}}};
-constexpr std::array<Word<render::Backend>, 3> kBackends{
-    {{render::Backend::Auto, "auto"}, {render::Backend::Mesh, "mesh"}, {render::Backend::Pull, "pull"}}};
+constexpr std::array<Word<render::Backend>, 5> kBackends{{{render::Backend::Auto, "auto"},
+                                                          {render::Backend::Mesh, "mesh"},
+                                                          {render::Backend::Pull, "pull"},
+                                                          {render::Backend::Impostor, "impostor"},
+                                                          {render::Backend::Raster, "raster"}}};
 
 /// The first entry stands for whatever is not in the table: settings may come from another version.
 template <class Table>

@@ -298,7 +298,7 @@ private slots:
         window().resize(780, 640);  // fits on the screen of the offscreen platform, 800 pixels wide
         window().actions()[ActionId::ShowStatisticsDock].trigger();
         window().actions()[ActionId::ThemeDark].trigger();
-        window().actions()[ActionId::BackendPull].trigger();
+        window().actions()[ActionId::BackendImpostor].trigger();
         const QSize size = window().size();
         window().close();
 
@@ -307,7 +307,8 @@ private slots:
         QVERIFY(second.findChild<QDockWidget*>("statistics")->isHidden());
         QVERIFY(!second.findChild<QDockWidget*>("layers")->isHidden());
         QVERIFY(second.actions()[ActionId::ThemeDark].isChecked());
-        QVERIFY(second.actions()[ActionId::BackendPull].isChecked());
+        QVERIFY(second.actions()[ActionId::BackendImpostor].isChecked());
+        QVERIFY(!second.actions()[ActionId::BackendPull].isChecked());
         QCOMPARE(m_fixture->settings().recentBoards(), QStringList(QFileInfo(kSample).absoluteFilePath()));
 
         second.resetSettings();
