@@ -11,7 +11,7 @@ struct BenchArguments {
     std::vector<std::string> boards;
     BoardArguments modelling;       ///< step and chords; its path is not used
     std::string pipeline = "both";  ///< or "hybrid", "standard"
-    std::string levels = "error";   ///< of detail; or "paper"
+    std::string levels = "error";   ///< of detail; or "paper", "coarse"
     bool onlyCulled = false;        ///< leaves out frames without culling and level of detail
     int frames = 7;                 ///< per median
     bool asJson = false;

@@ -68,8 +68,11 @@ void parseSize(const std::string& text, RenderArguments& arguments) {
 }
 
 void addLevels(CLI::App& command, std::string& levels) {
-    command.add_option("--lod", levels, "level of detail by error in pixels, or the paper's three levels by size")
-        ->check(CLI::IsMember({"error", "paper"}))
+    command
+        .add_option(
+            "--lod", levels,
+            "level of detail by error in pixels, the paper's three levels by size, or coarse as while a view moves")
+        ->check(CLI::IsMember({"error", "paper", "coarse"}))
         ->capture_default_str();
 }
 

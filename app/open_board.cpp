@@ -99,7 +99,9 @@ base::Result<OpenBoard> openBoard(const BoardArguments& arguments) {
 }
 
 render::LevelOfDetail levelsOf(const std::string& name) {
-    return name == "paper" ? render::LevelOfDetail::Paper : render::LevelOfDetail::Error;
+    return name == "paper"    ? render::LevelOfDetail::Paper
+           : name == "coarse" ? render::LevelOfDetail::Coarse
+                              : render::LevelOfDetail::Error;
 }
 
 }  // namespace app

@@ -22,7 +22,7 @@ struct RenderArguments {
     std::vector<std::string> nets;    ///< highlighted, everything else dimmed
     float explode = 0.0F;
     std::vector<float> zScale;     ///< of copper and of everything else; empty: as it is
-    std::string levels = "error";  ///< of detail; or "paper"
+    std::string levels = "error";  ///< of detail; or "paper", "coarse"
     std::vector<double> window;    ///< x0, y0, x1, y1 in millimetres of the job's coordinates; implies 2D
     std::vector<double> cut;       ///< x0, y0, x1, y1 likewise: cut open there, what is to the left is gone
     bool isMono = false;

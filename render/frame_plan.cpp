@@ -15,6 +15,7 @@ namespace {
 // level are then below what an eye sees, and a raster of a layer (mono) is right to a tenth of a pixel.
 constexpr float kTolerancePx = 0.3F;
 constexpr float kMonoTolerancePx = 0.1F;
+constexpr float kCoarseTolerancePx = 2.0F;
 /// Lets whose pen radius is below this many pixels become quads (vulkan-facts, recipes).
 constexpr float kQuadRadiusPx = 0.7F;
 /// The inside of a hole stands out by 2 µm, or by 16 steps of tie-break where depth resolves less: enough to win
@@ -291,6 +292,13 @@ std::uint32_t flagsOf(const ViewSettings& settings) {
            (settings.levels == LevelOfDetail::Paper ? shader::kFramePaperLevels : 0);
 }
 
+float toleranceOf(const ViewSettings& settings) {
+    if (settings.isMono) {
+        return kMonoTolerancePx;
+    }
+    return settings.levels == LevelOfDetail::Coarse ? kCoarseTolerancePx : kTolerancePx;
+}
+
 void setTriangleRun(SeenFaces faces, shader::FrameData& data) {
     data.firstTriangle = faces.upper   ? 0
                          : faces.walls ? shader::kUpperTriangles
@@ -335,7 +343,7 @@ FramePlan planFrame(const SceneLayers& scene, const Camera& camera, const ViewSe
     data.height = height;
     data.eye = eye.isParallel ? glm::vec4(-eye.direction, 0.0F) : glm::vec4(eye.position - camera.target(), 1.0F);
     data.pixelsPerMm = pixelsPerMm;
-    data.tolerancePx = settings.isMono ? kMonoTolerancePx : kTolerancePx;
+    data.tolerancePx = toleranceOf(settings);
     const bool seesOneFace = plan.faces.upper != plan.faces.lower;
     const bool canFlatten = seesOneFace && !settings.isMono;
     data.quadRadiusPx = canFlatten ? kQuadRadiusPx : 0.0F;

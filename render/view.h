@@ -40,7 +40,8 @@ struct Overlay {
 /// How finely round things are drawn.
 enum class LevelOfDetail {
     Error,  ///< outlines stray less than a third of a pixel
-    Paper   ///< the paper's fixed three levels by size: 64, 32 or 16 vertices
+    Paper,  ///< the paper's fixed three levels by size: 64, 32 or 16 vertices
+    Coarse  ///< outlines stray up to two pixels: for frames while a slow view moves
 };
 
 /// Everything that changes from frame to frame. None of it rebuilds geometry.

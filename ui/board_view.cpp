@@ -15,6 +15,12 @@ namespace {
 constexpr double kSlowMs = 50.0;  // 20 frames a second: below that a drag feels sticky
 constexpr int kRestMs = 250;
 
+/// As frames are while a slow view moves.
+void setCoarse(render::ViewSettings& settings, bool isCoarse) {
+    settings.isSmoothed = !isCoarse;
+    settings.levels = isCoarse ? render::LevelOfDetail::Coarse : render::LevelOfDetail::Error;
+}
+
 }  // namespace
 
 BoardView::BoardView(GpuContext& context, Kind kind, QWidget* parent)
@@ -152,14 +158,14 @@ void BoardView::requestFrame() {
 
 void BoardView::requestMovingFrame() {
     if (m_isSlow) {
-        m_picture.settings.isSmoothed = false;
+        setCoarse(m_picture.settings, true);
         m_rest.start();
     }
     requestFrame();
 }
 
 void BoardView::requestRestingFrame() {
-    m_picture.settings.isSmoothed = true;
+    setCoarse(m_picture.settings, false);
     requestFrame();
 }
 
@@ -179,7 +185,7 @@ base::Result<QImage> BoardView::grabPicture(double scale) {
     render::OffscreenPresenter presenter(m_context.device());
     const QSize pixels = (QSizeF(size()) * devicePixelRatioF() * scale).toSize();
     Picture resting = m_picture;
-    resting.settings.isSmoothed = true;
+    setCoarse(resting.settings, false);
     paintOverlay(resting, pixels);
     return drawPicture(presenter, resting, m_controller.camera(), pixels);
 }
