@@ -24,7 +24,9 @@ std::optional<NetlistPoint> pointOf(std::string_view line, std::uint32_t number,
     point.position = fields.point(nm);
     const std::string_view side = fields.word();
     point.side = sideOf(side);
-    if (point.radius == 0) {
+    // A pad has a size instead of a radius; a via whose radius was rounded to 0 (KiCad) has neither.
+    const bool hasSize = parseReal(Fields(fields).optionalWord()).has_value();
+    if (point.radius == 0 && hasSize) {
         point.width = fields.length(nm);
         point.height = fields.length(nm);
     }

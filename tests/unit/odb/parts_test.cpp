@@ -195,10 +195,11 @@ private slots:
             "UNITS=MM\nH optimize n staggered n\n$0 $NONE$\n$1 A+B\n#\n"
             "1 0.5 10 -20 T e e staggered 0 0 0 v\n1 0 1 2 D 0.25 0.5 m c staggered 0 0 0\n0 1 1 2 B e s\n-1 1 1 2 I e "
             "s t\n"
+            "1 0.0 3 4 B e c staggered 0 0 0 v\n"
             "1 x\nfoo\n$99999 far\n",
             "netlist", Unit::Inch, diagnostics);
         QCOMPARE(netlist.names, (std::vector<std::string>{"$NONE$", "A+B"}));
-        QCOMPARE(netlist.points.size(), std::size_t{4});
+        QCOMPARE(netlist.points.size(), std::size_t{5});
         QCOMPARE(netlist.points[0].position, (Point{10'000'000, -20'000'000}));
         QCOMPARE(netlist.points[0].radius, 500'000);
         QVERIFY(netlist.points[0].isVia && netlist.points[0].isEnd && netlist.points[0].side == LayerSide::Top);
@@ -209,6 +210,7 @@ private slots:
         QCOMPARE(netlist.points[2].side, LayerSide::Through);
         QCOMPARE(netlist.points[2].exposure, 's');
         QCOMPARE(netlist.points[3].side, LayerSide::Inner);
+        QVERIFY(netlist.points[4].isVia && netlist.points[4].width == 0 && netlist.points[4].exposure == 'c');
         QCOMPARE(diagnostics.entries().size(), std::size_t{3});
     }
 
