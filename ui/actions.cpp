@@ -23,6 +23,8 @@ constexpr ActionSpec kSpecs[] = {
     {CancelLoading, MenuId::File, "&Cancel loading", "", "Stop reading and keep the board on the screen"},
     {SavePicture, MenuId::File, "&Save picture…", "Ctrl+Shift+S", "Write what the canvas shows to a PNG file", false,
      kNewGroup},
+    {SaveLargePicture, MenuId::File, "Save picture of any si&ze…", "Ctrl+Alt+S",
+     "Write what the canvas shows to a PNG file, with as many pixels as you like"},
     {CopyPicture, MenuId::File, "Copy &picture", "Ctrl+Shift+C", "Put what the canvas shows on the clipboard"},
     {Quit, MenuId::File, "&Quit", "Ctrl+Q", "Close the workbench", false, kNewGroup},
 

@@ -19,6 +19,7 @@ enum class ActionId {
     Reload,
     CancelLoading,
     SavePicture,
+    SaveLargePicture,
     CopyPicture,
     Quit,
     Undo,

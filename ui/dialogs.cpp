@@ -2,6 +2,7 @@
 
 #include <QAbstractButton>
 #include <QFileDialog>
+#include <QInputDialog>
 #include <QMessageBox>
 #include <QStringList>
 
@@ -44,6 +45,18 @@ void askForBoard(QWidget& parent, BoardForm form, const QString& startFolder, co
 
 void askForPicturePath(QWidget& parent, const QString& startFolder, const PathAnswer& answer) {
     askWhereToSave(parent, {"Save picture", {"PNG pictures (*.png)"}}, startFolder, answer);
+}
+
+void askForWidth(QWidget& parent, int width, int most, const std::function<void(int)>& answer) {
+    auto* dialog = new QInputDialog(&parent);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setInputMode(QInputDialog::IntInput);
+    dialog->setWindowTitle(QStringLiteral("Save picture of any size"));
+    dialog->setLabelText(QStringLiteral("Width in pixels; the height follows from the view:"));
+    dialog->setIntRange(16, most);
+    dialog->setIntValue(width);
+    QObject::connect(dialog, &QInputDialog::intValueSelected, &parent, answer);
+    dialog->open();
 }
 
 void askForStackPath(QWidget& parent, const QString& startFolder, const PathAnswer& answer) {

@@ -14,6 +14,8 @@ enum class BoardForm { File, Folder };
 
 void askForBoard(QWidget& parent, BoardForm form, const QString& startFolder, const PathAnswer& answer);
 void askForPicturePath(QWidget& parent, const QString& startFolder, const PathAnswer& answer);
+/// How wide a picture is to be, in pixels; `width` is proposed, `most` the limit.
+void askForWidth(QWidget& parent, int width, int most, const std::function<void(int)>& answer);
 void askForStackPath(QWidget& parent, const QString& startFolder, const PathAnswer& answer);
 void askToReset(QWidget& parent, const std::function<void()>& confirmed);
 

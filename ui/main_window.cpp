@@ -43,13 +43,13 @@ constexpr ActionId kToolBar[] = {ActionId::OpenFile,   ActionId::Count,   Action
                                  ActionId::Explode,    ActionId::Count,   ActionId::SavePicture};
 /// Commands that need a board.
 constexpr ActionId kBoardActions[] = {
-    ActionId::Reload,         ActionId::SavePicture,   ActionId::CopyPicture,    ActionId::Fit,
-    ActionId::LookTop,        ActionId::LookBottom,    ActionId::LookIso,        ActionId::Flip,
-    ActionId::ZoomIn,         ActionId::ZoomOut,       ActionId::ShowAllLayers,  ActionId::HideAllLayers,
-    ActionId::ShowCopperOnly, ActionId::SoloLayer,     ActionId::RestoreLayers,  ActionId::Contrast,
-    ActionId::NextLayer,      ActionId::PreviousLayer, ActionId::ClearSelection, ActionId::ShowSelection,
-    ActionId::CheckNets,      ActionId::ExportStack,   ActionId::InferNets,      ActionId::HighlightNet,
-    ActionId::ViewBack,       ActionId::ViewForward,   ActionId::KeepView};
+    ActionId::Reload,           ActionId::SavePicture,   ActionId::CopyPicture,    ActionId::Fit,
+    ActionId::LookTop,          ActionId::LookBottom,    ActionId::LookIso,        ActionId::Flip,
+    ActionId::ZoomIn,           ActionId::ZoomOut,       ActionId::ShowAllLayers,  ActionId::HideAllLayers,
+    ActionId::ShowCopperOnly,   ActionId::SoloLayer,     ActionId::RestoreLayers,  ActionId::Contrast,
+    ActionId::NextLayer,        ActionId::PreviousLayer, ActionId::ClearSelection, ActionId::ShowSelection,
+    ActionId::CheckNets,        ActionId::ExportStack,   ActionId::InferNets,      ActionId::HighlightNet,
+    ActionId::SaveLargePicture, ActionId::ViewBack,      ActionId::ViewForward,    ActionId::KeepView};
 
 }  // namespace
 

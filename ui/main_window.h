@@ -57,8 +57,9 @@ public:
     /// Starts to load a file or folder; an empty step means the job's first one.
     void open(const std::filesystem::path& path, const std::string& step = {});
     void open(LoadRequest request) { m_loader.open(std::move(request)); }
-    /// Writes what the canvas shows as PNG; what goes wrong is shown in the message bar.
-    void savePicture(const QString& path);
+    /// Writes what the canvas shows as PNG, `width` pixels wide (0: as on the screen); what goes wrong is shown in the
+    /// message bar.
+    void savePicture(const QString& path, int width = 0);
     /// Writes the stack as its name's ending says (.svg, .csv).
     void exportStack(const QString& path);
     /// Back to the state of a first start, except for the board.

@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QStatusBar>
+#include <algorithm>
 #include <utility>
 
 #include "model/stack_export.h"
@@ -35,6 +36,8 @@ constexpr double kCutStep = 0.02;
 /// How many times as thick layers are drawn when they are to be seen.
 constexpr float kThickCopper = 10.0F;
 constexpr float kThickDielectric = 5.0F;
+
+constexpr int kLargeWidth = 3840;  ///< proposed for pictures of any size
 
 constexpr std::pair<ActionId, Theme> kThemes[] = {
     {ActionId::ThemeSystem, Theme::System}, {ActionId::ThemeDark, Theme::Dark}, {ActionId::ThemeLight, Theme::Light}};
@@ -76,6 +79,13 @@ void MainWindow::connectFileActions() {
     on(ActionId::CancelLoading, &MainWindow::cancelWork);
     on(ActionId::SavePicture, [this] {
         askForPicturePath(*this, m_settings.lastFolder(), [this](const QString& path) { savePicture(path); });
+    });
+    on(ActionId::SaveLargePicture, [this] {
+        const int most = static_cast<int>(m_context.device().caps().maxImageSize);
+        askForWidth(*this, std::min(kLargeWidth, most), most, [this](int width) {
+            askForPicturePath(*this, m_settings.lastFolder(),
+                              [this, width](const QString& path) { savePicture(path, width); });
+        });
     });
     on(ActionId::CopyPicture, &MainWindow::copyPicture);
     on(ActionId::Quit, &QWidget::close);
@@ -292,14 +302,17 @@ void MainWindow::askForBoardToOpen(BoardForm form) {
     });
 }
 
-void MainWindow::savePicture(const QString& path) {
-    const base::Result<QImage> picture = m_views->active().grabPicture();
+void MainWindow::savePicture(const QString& path, int width) {
+    BoardView& view = m_views->active();
+    const double shown = view.width() * view.devicePixelRatioF();
+    const base::Result<QImage> picture = view.grabPicture(width > 0 ? width / shown : 1.0);
     if (!picture) {
         m_messageBar->showError(QString::fromStdString(picture.error().text));
     } else if (!picture->save(path, "PNG")) {
         m_messageBar->showError(QStringLiteral("%1 cannot be written").arg(path));
     } else {
-        statusBar()->showMessage(QStringLiteral("Saved %1").arg(path));
+        statusBar()->showMessage(
+            QStringLiteral("Saved %1, %2 × %3 pixels").arg(path).arg(picture->width()).arg(picture->height()));
     }
 }
 

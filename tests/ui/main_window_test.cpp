@@ -5,7 +5,9 @@
 #include <QDialog>
 #include <QDockWidget>
 #include <QDropEvent>
+#include <QFileDialog>
 #include <QGuiApplication>
+#include <QInputDialog>
 #include <QMimeData>
 #include <QSignalSpy>
 #include <QToolButton>
@@ -335,6 +337,28 @@ private slots:
         QVERIFY(!window().messageBar().isVisible());
         window().savePicture(m_fixture->folder() + "/no/such/folder/picture.png");
         QVERIFY(window().messageBar().isVisible());
+    }
+
+    void picturesOfAnySizeShowTheSame() {
+        QVERIFY(m_fixture->openAndWait(kSample));
+        window().actions()[ActionId::SaveLargePicture].trigger();
+        auto* question = window().findChild<QInputDialog*>();
+        QVERIFY(question != nullptr && question->isVisible());
+        QCOMPARE(question->intValue(), 3840);
+        question->setIntValue(1'700);
+        question->accept();
+        QVERIFY(QTest::qWaitFor([this] { return window().findChild<QFileDialog*>() != nullptr; }));
+        window().findChild<QFileDialog*>()->reject();
+        const QString path = m_fixture->folder() + "/large.png";
+        window().savePicture(path, 1'700);
+        const QImage saved = QImage(path).convertToFormat(QImage::Format_RGB32);
+        QCOMPARE(saved.width(), 1'700);
+        const QImage shown = m_fixture->picture();
+        QVERIFY(std::abs(saved.height() - 1'700.0 * shown.height() / shown.width()) <= 1.0);
+        QVERIFY(std::abs(inkOf(saved) - inkOf(shown)) < 0.02);
+        window().savePicture(path, 10'000'000);  // more than a device can
+        QVERIFY(window().messageBar().isVisible());
+        QCOMPARE(QImage(path).width(), 1'700);
     }
 
     void copiedPictureIsOnTheClipboard() {
