@@ -120,6 +120,8 @@ constexpr ActionSpec kSpecs[] = {
     {ShowGrid, MenuId::Select, "&Grid and rulers", "G", "Show a grid and rulers in 2D", kCheckable},
     {ShowNames, MenuId::Select, "Net na&mes", "W", "Write the names of nets on the copper in 2D, where there is room",
      kCheckable},
+    {MeasureFrom, MenuId::Select, "Measure &from here", "M",
+     "Show how far the cursor is from where it is now; again to stop", kCheckable},
 
     {KeysSheet, MenuId::Help, "&Keys and mouse", "F1 ?", "All keys and mouse gestures on one page"},
     {ResetSettings, MenuId::Help, "&Reset settings…", "", "Forget window places, theme and recent boards", false,

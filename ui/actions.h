@@ -88,6 +88,7 @@ enum class ActionId {
     NextUnit,
     ShowGrid,
     ShowNames,
+    MeasureFrom,
     KeysSheet,
     ResetSettings,
     About,

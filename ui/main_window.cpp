@@ -97,6 +97,7 @@ void MainWindow::createCentre() {
     connect(&m_dropTarget, &DropTarget::dropped, this, &MainWindow::openDropped);
     m_probing = new Probing(*m_views, m_selection, this);
     m_planPainter = std::make_unique<PlanPainter>(m_views->flat());
+    m_placeReadout = new PlaceReadout(*m_probing, *m_planPainter, *m_statusLine, this);
     connect(m_views, &BoardViews::timed, m_statusLine, &StatusLine::showFrame);
     connect(m_views, &BoardViews::troubled, m_messageBar, &MessageBar::showError);
     connect(&m_layerModel, &models::LayerModel::looksChanged, this, [this] {
@@ -264,6 +265,8 @@ void MainWindow::onLoaded(const LoadedBoard& board) {
     m_actions[ActionId::CutOpen].setChecked(false);
     m_netModel.setNets(board.document, board.nets);
     m_planPainter->setBoard(board.index, {board.model->origin});
+    m_actions[ActionId::MeasureFrom].setChecked(false);
+    m_placeReadout->measureFromCursor(false);
     updateContrast();
     m_pages->setCurrentWidget(m_views);
     showNotes(board.sessionNotes);

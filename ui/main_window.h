@@ -19,6 +19,7 @@
 #include "ui/models/stack_model.h"
 #include "ui/models/statistics_model.h"
 #include "ui/net_checker.h"
+#include "ui/place_readout.h"
 #include "ui/plan_painter.h"
 #include "ui/probing.h"
 #include "ui/settings.h"
@@ -173,6 +174,7 @@ private:
     MessageBar* m_messageBar = nullptr;
     Probing* m_probing = nullptr;
     std::unique_ptr<PlanPainter> m_planPainter;
+    PlaceReadout* m_placeReadout = nullptr;
     std::unique_ptr<Cutting> m_cutting;
     LayersPanel* m_layersPanel = nullptr;
     NetsPanel* m_netsPanel = nullptr;

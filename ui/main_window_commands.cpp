@@ -284,9 +284,12 @@ void MainWindow::connectPlanActions() {
     on(ActionId::ShowNames, [this](bool isOn) { m_planPainter->showNames(isOn); });
     m_actions[ActionId::ShowGrid].setChecked(true);
     m_actions[ActionId::ShowNames].setChecked(true);
-    connect(m_probing, &Probing::pointedAt, this,
-            [this](double x, double y) { m_statusLine->showPlace(models::placeText(x, y, m_unit)); });
-    connect(m_probing, &Probing::pointedAway, this, [this] { m_statusLine->showPlace({}); });
+    on(ActionId::MeasureFrom, [this](bool isOn) {
+        if (!m_placeReadout->measureFromCursor(isOn)) {
+            m_actions[ActionId::MeasureFrom].setChecked(false);
+            statusBar()->showMessage(QStringLiteral("Point at the board to measure from there"));
+        }
+    });
 }
 
 void MainWindow::connectHelpActions() {
@@ -348,7 +351,7 @@ void MainWindow::setUnit(models::LengthUnit unit) {
     m_netCheckModel.setUnit(unit);
     m_statisticsPanel->plot().setUnit(unit);
     m_searchBox->setUnit(unit);
-    m_statusLine->showPlace({});
+    m_placeReadout->setUnit(unit);
     statusBar()->showMessage(QStringLiteral("Lengths are in %1").arg(QLatin1String(models::unitName(unit))));
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "model/board_index.h"
 #include "ui/board_place.h"
@@ -20,6 +21,8 @@ public:
     void setUnit(models::LengthUnit unit);
     void showGrid(bool isOn);
     void showNames(bool isOn);
+    /// A cross at a place of the board, in nm; none takes it away.
+    void showMark(std::optional<base::PointD> place);
 
     /// The part of the board the view shows, in nm.
     [[nodiscard]] model::Box shownBox() const;
@@ -40,6 +43,7 @@ private:
     void paintGrid(QPainter& painter, double step) const;
     void paintRulers(QPainter& painter, double step) const;
     void paintNames(QPainter& painter) const;
+    void paintMark(QPainter& painter) const;
     [[nodiscard]] model::LayerId namedLayer() const;
     [[nodiscard]] QPointF screenOf(double x, double y) const;
     [[nodiscard]] double nmPerPixel() const;
@@ -50,6 +54,7 @@ private:
     models::LengthUnit m_unit = models::LengthUnit::Millimetre;
     bool m_hasGrid = true;
     bool m_hasNames = true;
+    std::optional<base::PointD> m_mark;
 };
 
 }  // namespace ui

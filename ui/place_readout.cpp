@@ -1,0 +1,46 @@
+#include "ui/place_readout.h"
+
+#include <cmath>
+
+namespace ui {
+
+PlaceReadout::PlaceReadout(Probing& probing, PlanPainter& plan, StatusLine& line, QObject* parent)
+    : QObject(parent), m_plan(plan), m_line(line) {
+    connect(&probing, &Probing::pointedAt, this, [this](double x, double y) {
+        m_cursor = base::PointD{x, y};
+        show();
+    });
+    connect(&probing, &Probing::pointedAway, this, [this] {
+        m_cursor.reset();
+        show();
+    });
+}
+
+void PlaceReadout::setUnit(models::LengthUnit unit) {
+    m_unit = unit;
+    show();
+}
+
+bool PlaceReadout::measureFromCursor(bool isOn) {
+    m_from = isOn ? m_cursor : std::nullopt;
+    m_plan.showMark(m_from);
+    show();
+    return m_from.has_value() || !isOn;
+}
+
+void PlaceReadout::show() {
+    if (!m_cursor) {
+        m_line.showPlace({});
+        return;
+    }
+    QString text = models::placeText(m_cursor->x, m_cursor->y, m_unit);
+    if (m_from) {
+        const double dx = m_cursor->x - m_from->x;
+        const double dy = m_cursor->y - m_from->y;
+        text += QStringLiteral("   Δ %1   %2")
+                    .arg(models::placeText(dx, dy, m_unit), models::lengthText(std::hypot(dx, dy), m_unit));
+    }
+    m_line.showPlace(text);
+}
+
+}  // namespace ui
