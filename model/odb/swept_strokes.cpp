@@ -140,6 +140,10 @@ PolygonSet uniteNeighbours(std::vector<PolygonSet> covers) {
     return std::move(covers.front());
 }
 
+PolygonSet sweptAlong(const PolygonSet& pen, std::span<const Point> way) {
+    return uniteNeighbours(isConvex(pen) ? coversOfChords(pen, way) : coversOfSides(pen, way));
+}
+
 }  // namespace
 
 PolygonSet penOf(const SymbolShape& shape, const Discretisation& chords) {
@@ -157,23 +161,21 @@ PolygonSet penOf(const SymbolShape& shape, const Discretisation& chords) {
     return polygonsOf(sketch, chords);
 }
 
-PolygonSet sweep(const PolygonSet& pen, const PathNode& from, Point end, const Discretisation& chords) {
-    const std::vector<Point> way = wayOf(from, end, chords);
-    return uniteNeighbours(isConvex(pen) ? coversOfChords(pen, way) : coversOfSides(pen, way));
+PolygonSet sweep(const PolygonSet& pen, const PathNode& from, Point end) {
+    return sweptAlong(pen, wayOf(from, end, kFinestSweep));
 }
 
 SweptStroke sweep(const SymbolShape& shape, const PolygonSet& finestPen, const PathNode& from, Point end) {
-    const auto isTooMuch = [&](const PolygonSet& pen, const Discretisation& chords) {
-        return pen.points.size() * wayOf(from, end, chords).size() > kMostSides;
-    };
-    if (!isTooMuch(finestPen, kFinestSweep)) {
-        return {sweep(finestPen, from, end), kFinestSweep.chordToleranceNm};
-    }
-    for (Discretisation chords = kFinestSweep; (chords.chordToleranceNm *= 10) <= Discretisation::kMaxChordNm;) {
-        const PolygonSet pen = penOf(shape, chords);
-        if (!isTooMuch(pen, chords)) {
-            return {sweep(pen, from, end, chords), chords.chordToleranceNm};
+    PolygonSet coarsePen;
+    const PolygonSet* pen = &finestPen;
+    for (Discretisation chords = kFinestSweep; chords.chordToleranceNm <= Discretisation::kMaxChordNm;) {
+        const std::vector<Point> way = wayOf(from, end, chords);
+        if (pen->points.size() * way.size() <= kMostSides) {
+            return {sweptAlong(*pen, way), chords.chordToleranceNm};
         }
+        chords.chordToleranceNm *= 10;
+        coarsePen = penOf(shape, chords);
+        pen = &coarsePen;
     }
     return {};
 }

@@ -15,8 +15,7 @@ inline constexpr Discretisation kFinestSweep{Discretisation::kMinChordNm, false}
 
 /// What a pen covers on its way along one edge, `from.point` to `end`, without turning: the Minkowski sum of pen and
 /// path.
-[[nodiscard]] PolygonSet sweep(const PolygonSet& pen, const PathNode& from, Point end,
-                               const Discretisation& chords = kFinestSweep);
+[[nodiscard]] PolygonSet sweep(const PolygonSet& pen, const PathNode& from, Point end);
 
 struct SweptStroke {
     PolygonSet cover;
