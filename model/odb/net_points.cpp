@@ -81,6 +81,9 @@ bool holds(const Box& box, Point p) {
 
 /// Looks for what covers points: exact, by a pass over all elements.
 std::vector<Ground> groundsOf(const Document& document, const std::vector<NetPoint>& points) {
+    if (points.empty()) {
+        return {};
+    }
     FigureTable discs;
     for (const NetPoint& point : points) {
         discs.addDisc(point.position, 0.0);
