@@ -75,6 +75,7 @@ public:
 
     std::vector<SectionPiece> pieces;
     std::vector<SectionPiece> bores;
+    std::size_t wallless = 0;  ///< plated areas met, whose walls are not known
 
 private:
     const Document& board() const { return *m_index.board; }
@@ -115,8 +116,10 @@ private:
             add(m_bored, piece, boreOf(layer), found.covered, leg);
         }
         if (m_layers[layer.row()] && (!isHole || (flags & kPlated) != 0)) {
+            const Intervals solid = subtracted(found.covered, found.opening);
+            wallless += isHole && solid.empty() && !found.covered.empty() ? 1 : 0;
             const auto heights = isHole ? platingOf(placed, element) : heightsOf(placed, element, layer);
-            add(m_found, piece, heights, subtracted(found.covered, found.opening), leg);
+            add(m_found, piece, heights, solid, leg);
         }
     }
 
@@ -263,7 +266,11 @@ std::string cutLayers(const Document& board, const std::vector<SectionPiece>& pi
     return listed(names);
 }
 
-void addRemarks(const Document& board, Section& section) {
+void addRemarks(const Document& board, std::size_t wallless, Section& section) {
+    if (wallless > 0) {
+        section.remarks.push_back("plated holes whose wall has no known thickness, cut without it: " +
+                                  std::to_string(wallless));
+    }
     if (section.pieces.empty() && section.bores.empty()) {
         section.remarks.push_back("the line meets nothing of the board");
     }
@@ -324,7 +331,7 @@ base::Result<Section> cutBoard(const BoardIndex& index, const SectionQuestion& q
     section.bores = std::move(cutter.bores);
     sort(section.pieces);
     sort(section.bores);
-    addRemarks(*index.board, section);
+    addRemarks(*index.board, cutter.wallless, section);
     return section;
 }
 

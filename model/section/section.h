@@ -41,7 +41,8 @@ struct Section {
 /// the whole height between the outer copper layers, also where inner copper lies in it. A wall reaches as far as
 /// Document::platedSpanOf says. The cost follows what lies near the line.
 ///
-/// A line beside the board gives no pieces and a remark, as do layers without a thickness or with an assumed one.
+/// A line beside the board gives no pieces and a remark, as do layers without a thickness or with an assumed one, and
+/// plated holes whose wall has no thickness (routed areas): they are cut without it.
 /// Errors: BadUsage for a line without length, of more than kMostCorners corners, or off the coordinates of boards.
 [[nodiscard]] base::Result<Section> cutBoard(const BoardIndex& index, const SectionQuestion& question);
 

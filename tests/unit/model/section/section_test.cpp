@@ -291,6 +291,20 @@ private slots:
         QCOMPARE(section.remarks, std::vector<std::string>{"the line meets nothing of the board"});
     }
 
+    void platedHolesWithoutAKnownWallAreNamed() {
+        DocumentBuilder builder;
+        addLayers(builder);
+        builder.beginLayer(LayerId{Drill});
+        builder.addArea({builder.addShape(rectangle({-kMm, -kMm}, {kMm, kMm})), {}}, flagged(kHole | kPlated));
+        const auto board = builder.finish();
+        const Section section = cut(board, {{-5e6, 0}, {5e6, 0}});
+        QVERIFY(section.pieces.empty());
+        QCOMPARE(textOf(section.bores, Drill), (QStringList{"4000-6000@0-2300"}));
+        QCOMPARE(section.remarks,
+                 (std::vector<std::string>{"plated holes whose wall has no known thickness, cut without it: 1"}));
+        QVERIFY(cut(board, {{-5e6, 2e6}, {5e6, 2e6}}).remarks.front().starts_with("the line meets nothing"));
+    }
+
     void missingThicknessesAreNamed() {
         DocumentBuilder builder;
         addLayers(builder);
