@@ -14,7 +14,7 @@ void main() {
     const Let let = FRAME.lets.at[outLet];
     const LayerState layer = FRAME.layers.at[let.meta >> kLetLayerShift];
     const float proud = has(let.meta, kLetBore) ? FRAME.boreProudMm : 0.0;
-    const vec2 corner = vec2((code >> 2u) == 0u ? -1.0 : 1.0, (code & 2u) == 0u ? 1.0 : -1.0);
+    const vec2 corner = quadCorner(code);
     const bool isUpper = (code & 1u) == 0u;
     const vec3 middle = vec3(let.p0, let.p1, isUpper ? layer.z1 : layer.z0) - FRAME.centre;
     const float margin = kSnapPx * abs((FRAME.clipFromBoard * vec4(middle, 1.0)).w) / FRAME.pixelsPerMm;

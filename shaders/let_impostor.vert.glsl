@@ -18,7 +18,7 @@ void main() {
     const bool isBore = has(let.meta, kLetBore);
     const bool isUpper = (code & 1u) == 0u;
     const float proud = isBore ? FRAME.boreProudMm : 0.0;
-    const vec2 corner = vec2((code >> 2u) == 0u ? -1.0 : 1.0, (code & 2u) == 0u ? 1.0 : -1.0);
+    const vec2 corner = quadCorner(code);
     const float z = isUpper ? layer.z1 + proud : layer.z0 - proud;
     const vec3 position = vec3(boundCorner(let, corner, 1.0 / FRAME.pixelsPerMm), z) - FRAME.centre;
     outPlace = position.xy;

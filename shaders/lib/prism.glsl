@@ -126,6 +126,11 @@ vec3 letPosition(Let let, LayerState layer, uint level, uint code) {
     return vec3(letPoint(let, level, code >> 2u, (code >> 1u) & 1u), z);
 }
 
+// Corner (-1 or 1 each) that a vertex code of a quad means.
+vec2 quadCorner(uint code) {
+    return vec2((code >> 2u) == 0u ? -1.0 : 1.0, (code & 2u) == 0u ? 1.0 : -1.0);
+}
+
 // Corner (-1 or 1 each) of the narrowest rectangle around a let, `margin` mm larger than it. What surrounds a hole is that rectangle: its sides are exact.
 vec2 boundCorner(Let let, vec2 corner, float margin) {
     const vec2 p = vec2(let.p0, let.p1);
