@@ -5,6 +5,7 @@
 #include "app/bench_report.h"
 #include "app/exit_code.h"
 #include "app/headless_device.h"
+#include "app/json_text.h"
 
 namespace app {
 
@@ -35,7 +36,7 @@ int runBench(const BenchArguments& arguments) {
     if (!report) {
         return fail(report.error());
     }
-    const std::string text = arguments.asJson ? benchJson(*report).dump(2) + "\n" : benchTable(*report);
+    const std::string text = arguments.asJson ? jsonText(benchJson(*report)) : benchTable(*report);
     std::fputs(text.c_str(), stdout);
     return kDone;
 }

@@ -6,6 +6,7 @@
 
 #include "app/console_progress.h"
 #include "app/exit_code.h"
+#include "app/json_text.h"
 #include "model/base/units.h"
 #include "model/clearance/clearance.h"
 #include "model/copies.h"
@@ -109,7 +110,7 @@ void print(const std::vector<StepClearances>& found, const std::string& format) 
         for (const StepClearances& step : found) {
             steps.push_back(toJson(step));
         }
-        std::printf("%s\n", nlohmann::ordered_json{{"steps", steps}}.dump(2).c_str());
+        std::fputs(jsonText({{"steps", steps}}).c_str(), stdout);
         return;
     }
     if (format == "csv") {
@@ -120,13 +121,24 @@ void print(const std::vector<StepClearances>& found, const std::string& format) 
     }
 }
 
+/// Has the step copper that no net says anything about?
+bool isCopperWithoutNets(const Document& step) {
+    return step.nets.empty() && std::ranges::any_of(step.layers, [](const model::Layer& layer) {
+               return layer.isCopper() && layer.elements.count > 0;
+           });
+}
+
 /// Every step once; those without copper have nothing to say.
 base::Result<std::vector<StepClearances>> measureSteps(const Document& board, const ClearanceArguments& arguments,
                                                        base::Progress& progress) {
     std::vector<StepClearances> found;
     bool hasNets = false;
+    std::vector<std::string> unmeasured;
     for (const Document* step : model::distinctSteps(board)) {
         hasNets = hasNets || !step->nets.empty();
+        if (isCopperWithoutNets(*step)) {
+            unmeasured.push_back(step->job.step);
+        }
         if (step->nets.empty()) {
             continue;
         }
@@ -143,6 +155,9 @@ base::Result<std::vector<StepClearances>> measureSteps(const Document& board, co
     if (!hasNets) {
         return base::Error{base::ErrorCode::BadInput,
                            "the board has no nets, so nothing can be too close; --infer-nets finds them in the copper"};
+    }
+    for (const std::string& name : unmeasured) {
+        std::fprintf(stderr, "copperscope: step %s has copper but no nets; it was not measured\n", name.c_str());
     }
     return found;
 }

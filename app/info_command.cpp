@@ -7,6 +7,7 @@
 #include "app/drill_report.h"
 #include "app/exit_code.h"
 #include "app/info_json.h"
+#include "app/json_text.h"
 #include "app/stack_report.h"
 #include "render/standard_triangles.h"
 
@@ -142,7 +143,7 @@ int runInfo(const InfoArguments& arguments) {
     if (arguments.asJson) {
         // Names in jobs may hold bytes that are no UTF-8; readers decode them, and what slips through must not end the
         // report.
-        std::cout << infoJson(*board, checked).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+        std::cout << jsonText(infoJson(*board, checked));
     } else {
         printText(*board, checked);
     }

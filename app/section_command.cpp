@@ -6,6 +6,7 @@
 
 #include "app/console_progress.h"
 #include "app/exit_code.h"
+#include "app/json_text.h"
 #include "model/section/section_export.h"
 
 namespace app {
@@ -70,7 +71,7 @@ std::string sectionJson(const model::BoardIndex& index, const Section& section) 
                                         {"pieces", piecesJson(index, section.pieces)},
                                         {"bores", piecesJson(index, section.bores)},
                                         {"remarks", section.remarks}};
-    return all.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    return jsonText(all);
 }
 
 base::Result<std::string> sectionText(const SectionArguments& arguments) {
