@@ -1,28 +1,13 @@
 #include "ui/thickness_editing.h"
 
-#include <QUndoCommand>
 #include <utility>
 
 #include "model/session/length_text.h"
+#include "ui/state_edit.h"
 
 namespace ui {
 
 namespace session = model::session;
-
-/// Holds both lists whole: they are short, and so undoing cannot miss anything.
-class ThicknessEditing::Edit : public QUndoCommand {
-public:
-    Edit(ThicknessEditing& owner, const QString& what, SetThicknesses after)
-        : QUndoCommand(what), m_owner(owner), m_before(owner.m_state), m_after(std::move(after)) {}
-
-    void undo() override { m_owner.apply(m_before); }
-    void redo() override { m_owner.apply(m_after); }
-
-private:
-    ThicknessEditing& m_owner;
-    SetThicknesses m_before;
-    SetThicknesses m_after;
-};
 
 void ThicknessEditing::setBoard(const LoadedBoard& board) {
     m_history.clear();
@@ -42,7 +27,8 @@ void ThicknessEditing::set(const std::vector<model::ThicknessOverride>& changes)
         const QString what = changes.size() == 1
                                  ? QStringLiteral("thickness of %1").arg(QString::fromStdString(changes.front().layer))
                                  : QStringLiteral("thicknesses");
-        m_history.push(new Edit(*this, what, std::move(after)));
+        m_history.push(new StateEdit<SetThicknesses>(what, m_state, std::move(after),
+                                                     [this](const SetThicknesses& state) { apply(state); }));
     }
 }
 

@@ -31,8 +31,6 @@ signals:
     void notSaved(const QString& reason);
 
 private:
-    class Edit;
-
     void apply(const SetThicknesses& state);
     void save();
 

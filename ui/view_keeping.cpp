@@ -1,9 +1,10 @@
 #include "ui/view_keeping.h"
 
-#include <QUndoCommand>
 #include <algorithm>
 #include <glm/trigonometric.hpp>
 #include <utility>
+
+#include "ui/state_edit.h"
 
 namespace ui {
 
@@ -30,30 +31,19 @@ render::CameraPose cameraPose(const session::Pose& pose) {
 
 }  // namespace
 
-/// Holds both lists whole: they are short.
-class ViewKeeping::Edit : public QUndoCommand {
-public:
-    Edit(ViewKeeping& owner, const QString& what, List after)
-        : QUndoCommand(what), m_owner(owner), m_before(owner.m_list.views()), m_after(std::move(after)) {}
-
-    void undo() override { m_owner.apply(m_before); }
-    void redo() override { m_owner.apply(m_after); }
-
-private:
-    ViewKeeping& m_owner;
-    List m_before;
-    List m_after;
-};
-
 ViewKeeping::ViewKeeping(BoardViews& views, models::LayerModel& layers, QUndoStack& history, QObject* parent)
     : QObject(parent), m_views(views), m_layers(layers), m_history(history) {
     connect(&m_list, &models::ViewListModel::renamed, this, &ViewKeeping::rename);
 }
 
 void ViewKeeping::setBoard(const LoadedBoard& board) {
+    const bool isSameBoard = board.request.path == m_request.path;
     m_request = board.request;
     m_document = board.document;
-    m_list.setViews(board.views);
+    if (m_isSaved || !isSameBoard) {  // else they stand here and in no file
+        m_isSaved = true;
+        m_list.setViews(board.views);
+    }
 }
 
 void ViewKeeping::keep() {
@@ -92,15 +82,19 @@ void ViewKeeping::goTo(int row) {
 }
 
 void ViewKeeping::change(const QString& what, List after) {
-    m_history.push(new Edit(*this, what, std::move(after)));
+    m_history.push(
+        new StateEdit<List>(what, m_list.views(), std::move(after), [this](const List& views) { apply(views); }));
 }
 
 void ViewKeeping::apply(const List& views) {
     m_list.setViews(views);
+    m_isSaved = false;
     if (m_request.noSession) {
         return;
     }
-    if (const base::Status saved = session::saveViews(m_request.path, *m_document, views); !saved) {
+    const base::Status saved = session::saveViews(m_request.path, *m_document, views);
+    m_isSaved = saved.ok();
+    if (!saved) {
         emit notSaved(QStringLiteral("%1. The views count until another board is opened.")
                           .arg(QString::fromStdString(saved.error().text)));
     }

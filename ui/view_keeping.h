@@ -32,7 +32,6 @@ signals:
     void notSaved(const QString& reason);
 
 private:
-    class Edit;
     using List = std::vector<model::session::KeptView>;
 
     void change(const QString& what, List after);
@@ -45,6 +44,7 @@ private:
     models::ViewListModel m_list;
     LoadRequest m_request;
     std::shared_ptr<const model::Document> m_document;
+    bool m_isSaved = true;
 };
 
 }  // namespace ui

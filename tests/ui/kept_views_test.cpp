@@ -84,6 +84,17 @@ private slots:
         QCOMPARE(names(), QStringList{"View 1"});
     }
 
+    void viewsThatStandInNoFileOutliveAReload() {
+        fs::create_directories(model::session::sessionPath(m_job) / "in the way");
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier);
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        QCOMPARE(names(), QStringList{"View 1"});
+        fs::remove_all(model::session::sessionPath(m_job));
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier);  // now all are saved
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        QCOMPARE(names(), (QStringList{"View 1", "View 2"}));
+    }
+
     void backAndForwardWalkThroughPlaces() {
         rest();
         const render::CameraPose first = solid().camera().pose();
