@@ -100,7 +100,8 @@ render::Camera cameraFor(const RenderArguments& arguments, const render::BoardFr
 }
 
 render::Backend backendNamed(const std::string& name) {
-    constexpr render::Backend kChoices[] = {render::Backend::Mesh, render::Backend::Pull, render::Backend::Impostor, render::Backend::Raster};
+    constexpr render::Backend kChoices[] = {render::Backend::Mesh, render::Backend::Pull, render::Backend::Impostor,
+                                            render::Backend::Raster};
     const auto* const found = std::ranges::find(kChoices, name, render::nameOf);
     return found != std::end(kChoices) ? *found : render::Backend::Auto;
 }
