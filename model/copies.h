@@ -31,6 +31,13 @@ struct BoardElement {
     constexpr auto operator<=>(const BoardElement&) const = default;
 };
 
+/// One net of the board: its row inside a document of the tree. It lies wherever that document is placed.
+struct BoardNet {
+    std::uint32_t step = 0;  ///< row of StepTree::steps
+    NetId net;
+    constexpr auto operator<=>(const BoardNet&) const = default;
+};
+
 /// More copies than this are taken for a broken job; readers keep to it.
 inline constexpr std::size_t kMaxCopies = 100'000;
 

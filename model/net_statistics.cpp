@@ -66,7 +66,7 @@ void measure(const Document& document, NetId net, NetStatistics& out) {
     for (const ElementId element : document.elementsOf(net)) {
         const std::uint8_t flags = document.elements.flags[element.row()];
         if ((flags & kHole) != 0) {
-            out.holes[row] += (flags & kPlated) != 0 ? 1 : 0;
+            out.vias[row] += holeKind(flags) == HoleKind::Via ? 1 : 0;
         } else if (document.layer(document.elements.layer[element.row()]).isCopper()) {
             out.areaNm2[row] += areaOf(document, element);
             out.lengthNm[row] += isRouted(document, element) ? lengthOf(document, element) : 0.0;
@@ -97,7 +97,7 @@ base::Result<NetStatistics> measureNets(const Document& document, base::Progress
     const std::size_t count = document.nets.size();
     NetStatistics out;
     out.pins.resize(count);
-    out.holes.resize(count);
+    out.vias.resize(count);
     out.lengthNm.resize(count);
     out.areaNm2.resize(count);
     for (const Pin& pin : document.pins) {

@@ -77,11 +77,13 @@ base::Result<LoadedBoard> loadBoard(const LoadRequest& request, base::Progress& 
         return index.error();
     }
     board.index = *index;
-    auto nets = model::measureNets(*board.document, progress);
-    if (!nets) {
-        return nets.error();
+    for (const model::Document* step : board.index->tree.steps) {
+        auto nets = model::measureNets(*step, progress);
+        if (!nets) {
+            return nets.error();
+        }
+        board.nets.push_back(std::make_shared<const model::NetStatistics>(std::move(*nets)));
     }
-    board.nets = std::make_shared<const model::NetStatistics>(std::move(*nets));
     board.seconds = static_cast<double>(clock.elapsed()) / 1000.0;
     return board;
 }

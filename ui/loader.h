@@ -42,11 +42,12 @@ struct LoadedBoard {
     std::shared_ptr<const model::Document> document;
     std::shared_ptr<const render::BoardModel> model;
     double seconds = 0.0;
-    std::shared_ptr<const model::BoardIndex> index;    ///< may be null: then nothing can be picked
-    std::shared_ptr<const model::NetStatistics> nets;  ///< may be null
-    SetThicknesses thicknesses{};                      ///< worked into the document
-    std::vector<model::session::KeptView> views{};     ///< kept in the session, those of other steps too
-    std::vector<std::string> sessionNotes{};           ///< what of the session file is not used, a sentence each
+    std::shared_ptr<const model::BoardIndex> index;  ///< may be null: then nothing can be picked
+    /// Per row of model::StepTree::steps, or empty.
+    std::vector<std::shared_ptr<const model::NetStatistics>> nets{};
+    SetThicknesses thicknesses{};                   ///< worked into the document
+    std::vector<model::session::KeptView> views{};  ///< kept in the session, those of other steps too
+    std::vector<std::string> sessionNotes{};        ///< what of the session file is not used, a sentence each
 };
 
 /// Reads the board, stacks it as its session and the request say, and models it. Errors: those of model::readBoard and

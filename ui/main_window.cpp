@@ -263,7 +263,7 @@ void MainWindow::onLoaded(const LoadedBoard& board) {
     m_probing->setBoard(board);
     m_cutting->setBoard(board);
     m_actions[ActionId::CutOpen].setChecked(false);
-    m_netModel.setNets(board.document, board.nets);
+    m_netsPanel->setBoard(board.document, board.nets);
     m_planPainter->setBoard(board.index, {board.model->origin});
     m_actions[ActionId::MeasureFrom].setChecked(false);
     m_placeReadout->measureFromCursor(false);
@@ -347,9 +347,8 @@ void MainWindow::goTo(const models::Found& found) {
             break;
         }
         case models::FoundKind::Net: {
-            const model::NetId net{std::size_t{found.row}};
-            m_selection.setNets({net});
-            m_probing->showNet(net);
+            m_selection.setNets({{0, model::NetId{std::size_t{found.row}}}});
+            m_probing->showNets(m_selection.nets());
             break;
         }
         case models::FoundKind::Component:

@@ -260,7 +260,7 @@ void MainWindow::connectSelectActions() {
     on(ActionId::ShowSelection, [this] { m_probing->showInBoth(m_selection.selected()); });
     on(ActionId::HighlightNet, &MainWindow::highlightNet);
     on(ActionId::DimOthers, [this](bool isOn) { m_probing->setDimOthers(isOn); });
-    connect(m_netsPanel, &NetsPanel::showRequested, m_probing, &Probing::showNet);
+    connect(m_netsPanel, &NetsPanel::showRequested, m_probing, [this](const auto& nets) { m_probing->showNets(nets); });
     connect(&m_statisticsPanel->plot(), &HistogramView::chosen, this, [this](const auto& elements) {
         std::vector<model::BoardElement> selected;
         for (const model::ElementId element : elements) {
@@ -331,12 +331,9 @@ void MainWindow::copyPicture() {
 
 void MainWindow::highlightNet() {
     const auto at = m_selection.hovered() ? m_selection.hovered() : m_selection.current();
-    if (at && at->copy == 0) {
-        const model::NetId net = document()->elements.net[at->element.row()];
-        if (net.isValid()) {
-            m_selection.toggleNet(net);
-            return;
-        }
+    if (const auto net = at ? m_selection.netOf(*at) : std::nullopt) {
+        m_selection.toggleNet(*net);
+        return;
     }
     statusBar()->showMessage(QStringLiteral("Point at an element of a net, or select one, to highlight its net"));
 }
@@ -347,7 +344,7 @@ void MainWindow::setUnit(models::LengthUnit unit) {
     m_probing->setUnit(unit);
     m_planPainter->setUnit(unit);
     m_elementPanel->setUnit(unit);
-    m_netModel.setUnit(unit);
+    m_netsPanel->setUnit(unit);
     m_netCheckModel.setUnit(unit);
     m_statisticsPanel->plot().setUnit(unit);
     m_searchBox->setUnit(unit);

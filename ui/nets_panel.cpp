@@ -6,7 +6,11 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QScopedValueRollback>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <iterator>
 
+#include "ui/models/net_text.h"
 #include "ui/table_view.h"
 
 namespace ui {
@@ -16,6 +20,23 @@ namespace {
 using models::NetModel;
 
 constexpr const char* kKinds[] = {"Text", "Wildcard", "Regex"};
+constexpr std::pair<const char*, std::optional<model::NetGrouping>> kGroupings[] = {
+    {"No groups", std::nullopt},
+    {"By class", model::NetGrouping::Class},
+    {"By pair", model::NetGrouping::DifferentialPair},
+    {"By bus", model::NetGrouping::Bus},
+    {"By supply", model::NetGrouping::Supply},
+};
+
+/// Rows that follow each other become one range: a million of them would be slow.
+void addRow(QItemSelection& rows, const NetModel& model, int row) {
+    const int last = NetModel::ColumnCount - 1;
+    if (!rows.empty() && rows.back().bottom() == row - 1) {
+        rows.back() = QItemSelectionRange(rows.back().topLeft(), model.index(row, last));
+    } else {
+        rows.select(model.index(row, 0), model.index(row, last));
+    }
+}
 
 }  // namespace
 
@@ -25,13 +46,11 @@ NetsPanel::NetsPanel(NetModel& model, models::SelectionModel& selection, QWidget
       m_selection(selection),
       m_filter(new QLineEdit),
       m_kind(new QComboBox),
+      m_group(new QComboBox),
+      m_step(new QComboBox),
       m_summary(new QLabel),
+      m_details(new QLabel),
       m_table(new TableView) {
-    m_filter->setPlaceholderText(QStringLiteral("Filter nets by name"));
-    m_filter->setClearButtonEnabled(true);
-    for (const char* kind : kKinds) {
-        m_kind->addItem(QString::fromLatin1(kind));
-    }
     m_table->setModel(&model);
     m_table->setSortingEnabled(true);
     m_table->sortByColumn(NetModel::Name, Qt::AscendingOrder);
@@ -41,19 +60,82 @@ NetsPanel::NetsPanel(NetModel& model, models::SelectionModel& selection, QWidget
         m_table->setColumnWidth(column, letter * (column < NetModel::Length ? 7 : 12));
     }
     m_table->horizontalHeader()->setStretchLastSection(true);
+    layOutControls();
     connect(m_filter, &QLineEdit::textChanged, this, &NetsPanel::applyFilter);
     connect(m_kind, &QComboBox::currentIndexChanged, this, &NetsPanel::applyFilter);
+    connect(m_group, &QComboBox::currentIndexChanged, this, &NetsPanel::applyGrouping);
+    connect(m_step, &QComboBox::currentIndexChanged, this, &NetsPanel::applyStep);
     connect(&model, &NetModel::arranged, this, &NetsPanel::onArranged);
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &NetsPanel::takeFromTable);
     connect(m_table, &QTableView::activated, this,
-            [this](const QModelIndex& index) { emit showRequested(m_model.netAt(index.row())); });
+            [this](const QModelIndex& index) { emit showRequested(netsIn(index.row(), index.row())); });
     connect(&selection, &models::SelectionModel::netsChanged, this, &NetsPanel::showInTable);
+    connect(&selection, &models::SelectionModel::netsChanged, this, &NetsPanel::showDetails);
     connect(&selection, &models::SelectionModel::selectionChanged, this, &NetsPanel::scrollToSelected);
-    auto* row = new QHBoxLayout;
-    row->addWidget(m_filter, 1);
-    row->addWidget(m_kind);
-    row->addWidget(m_summary);
-    layOut(*this, row, m_table);
+}
+
+void NetsPanel::layOutControls() {
+    m_filter->setPlaceholderText(QStringLiteral("Filter nets by name"));
+    m_filter->setClearButtonEnabled(true);
+    for (const char* kind : kKinds) {
+        m_kind->addItem(QString::fromLatin1(kind));
+    }
+    for (const auto& [name, grouping] : kGroupings) {
+        m_group->addItem(QString::fromLatin1(name));
+    }
+    m_group->setToolTip(
+        QStringLiteral("Groups by what the job says of its nets; pairs, buses and supplies also by their names"));
+    m_step->setToolTip(QStringLiteral("Whose nets are listed: the board's own, or those of a step it places"));
+    m_step->hide();
+    m_details->setWordWrap(true);
+    m_details->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_details->hide();
+    auto* rows = new QVBoxLayout;
+    auto* first = new QHBoxLayout;
+    first->addWidget(m_filter, 1);
+    first->addWidget(m_kind);
+    auto* second = new QHBoxLayout;
+    second->addWidget(m_step);
+    second->addWidget(m_group);
+    second->addStretch();
+    second->addWidget(m_summary);
+    rows->addLayout(first);
+    rows->addLayout(second);
+    layOut(*this, rows, m_table);
+    layout()->addWidget(m_details);
+}
+
+void NetsPanel::setBoard(std::shared_ptr<const model::Document> board, Statistics statistics) {
+    m_board = std::move(board);
+    m_statistics = std::move(statistics);
+    const QSignalBlocker blocker(m_step);
+    m_step->clear();
+    const auto& steps = m_selection.tree().steps;
+    for (std::uint32_t row = 0; row < steps.size(); ++row) {
+        if (!steps[row]->nets.empty()) {
+            m_step->addItem(QString::fromStdString(steps[row]->job.step), row);
+        }
+    }
+    m_step->setVisible(m_step->count() > 1 || step() > 0);
+    applyStep();
+}
+
+void NetsPanel::setUnit(models::LengthUnit unit) {
+    m_unit = unit;
+    m_model.setUnit(unit);
+    showDetails();
+}
+
+std::uint32_t NetsPanel::step() const {
+    return m_step->currentData().toUInt();  // 0 while there is none
+}
+
+void NetsPanel::applyStep() {
+    if (m_board) {
+        const std::shared_ptr<const model::Document> listed(m_board, m_selection.tree().steps[step()]);
+        m_model.setNets(listed, step() < m_statistics.size() ? m_statistics[step()] : nullptr);
+    }
+    showDetails();
 }
 
 void NetsPanel::applyFilter() {
@@ -66,26 +148,57 @@ void NetsPanel::applyFilter() {
     m_filter->setPalette(colours);
 }
 
-void NetsPanel::onArranged() {
-    m_summary->setText(QStringLiteral("%L1 of %L2").arg(m_model.rowCount()).arg(m_model.total()));
-    showInTable();
+void NetsPanel::applyGrouping() {
+    m_model.setGrouping(kGroupings[m_group->currentIndex()].second);
 }
 
-void NetsPanel::takeFromTable() {
+void NetsPanel::onArranged() {
+    m_summary->setText(QStringLiteral("%L1 of %L2").arg(m_model.shown()).arg(m_model.total()));
+    showInTable();
+    if (std::exchange(m_isToScroll, false)) {
+        scrollToSelected();
+    }
+}
+
+std::vector<model::BoardNet> NetsPanel::netsIn(int firstRow, int lastRow) const {
+    std::vector<model::BoardNet> nets;
+    for (int row = firstRow; row <= lastRow; ++row) {
+        const int end = m_model.isHeading(row) ? m_model.endOfGroup(row) : row + 1;
+        for (int member = m_model.isHeading(row) ? row + 1 : row; member < end; ++member) {
+            nets.push_back({step(), m_model.netAt(member)});
+        }
+    }
+    return nets;
+}
+
+void NetsPanel::takeFromTable(const QItemSelection& selected, const QItemSelection& deselected) {
     if (m_isSyncing) {
         return;
     }
-    const QScopedValueRollback guard(m_isSyncing, true);
-    std::vector<model::NetId> nets;
+    std::vector<model::BoardNet> nets;
+    const auto add = [&](int first, int last) { std::ranges::copy(netsIn(first, last), std::back_inserter(nets)); };
     for (const QItemSelectionRange& range : m_table->selectionModel()->selection()) {
         for (int row = range.top(); row <= range.bottom(); ++row) {
-            nets.push_back(m_model.netAt(row));
+            // A heading that was selected before stands for what is left of its group.
+            if (!m_model.isHeading(row) || selected.contains(m_model.index(row, 0))) {
+                add(row, row);
+            }
         }
+    }
+    // A heading taken back takes its nets with it; one that something else was chosen instead of does not.
+    const int row = m_table->currentIndex().row();
+    const bool isTakenBack = deselected.size() == 1 && deselected.front().height() == 1 &&
+                             deselected.front().top() == row && m_model.isHeading(row);
+    if (isTakenBack) {
+        std::vector<model::BoardNet> gone = netsIn(row, row);
+        std::ranges::sort(gone);
+        std::erase_if(nets, [&](const model::BoardNet& net) { return std::ranges::binary_search(gone, net); });
     }
     const bool isOne = nets.size() == 1;
     m_selection.setNets(std::move(nets));
+    showInTable();  // a heading and its nets go together
     if (m_showsChosen && isOne) {
-        emit showRequested(m_selection.nets().front());
+        emit showRequested(m_selection.nets());
     }
 }
 
@@ -94,23 +207,57 @@ void NetsPanel::showInTable() {
         return;
     }
     const QScopedValueRollback guard(m_isSyncing, true);
+    const auto isLit = [&](int row) {
+        return std::ranges::binary_search(m_selection.nets(), model::BoardNet{step(), m_model.netAt(row)});
+    };
     QItemSelection rows;
-    for (const model::NetId net : m_selection.nets()) {
-        if (const std::optional<int> row = m_model.rowOf(net)) {
-            rows.select(m_model.index(*row, 0), m_model.index(*row, NetModel::ColumnCount - 1));
+    for (int row = 0; !m_selection.nets().empty() && row < m_model.rowCount(); ++row) {
+        if (!m_model.isHeading(row)) {
+            if (isLit(row)) {
+                addRow(rows, m_model, row);
+            }
+            continue;
+        }
+        int member = row + 1;
+        const int end = m_model.endOfGroup(row);
+        while (member < end && isLit(member)) {
+            ++member;
+        }
+        if (member == end) {
+            addRow(rows, m_model, row);
         }
     }
     m_table->selectionModel()->select(rows, QItemSelectionModel::ClearAndSelect);
 }
 
+void NetsPanel::showDetails() {
+    std::vector<model::NetId> nets;
+    for (const model::BoardNet& net : m_selection.nets()) {
+        if (net.step == step()) {
+            nets.push_back(net.net);
+        }
+    }
+    QString text;
+    if (m_board && !nets.empty()) {
+        const auto statistics = step() < m_statistics.size() ? m_statistics[step()] : nullptr;
+        text = models::netsText(*m_selection.tree().steps[step()], statistics.get(), nets, m_unit);
+    }
+    m_details->setText(text);
+    m_details->setVisible(!text.isEmpty());
+}
+
 void NetsPanel::scrollToSelected() {
     const auto current = m_selection.current();
-    if (!m_follows || !current || current->copy != 0) {
+    const auto net = m_follows && current ? m_selection.netOf(*current) : std::nullopt;
+    if (!net) {
         return;
     }
-    const model::NetId net = m_selection.stepOf(*current).elements.net[current->element.row()];
-    const std::optional<int> row = net.isValid() ? m_model.rowOf(net) : std::nullopt;
-    if (row) {
+    if (net->step != step()) {
+        m_isToScroll = true;
+        m_step->setCurrentIndex(m_step->findData(net->step));
+        return;
+    }
+    if (const std::optional<int> row = m_model.rowOf(net->net)) {
         m_table->selectionModel()->setCurrentIndex(m_model.index(*row, NetModel::Name), QItemSelectionModel::NoUpdate);
         m_table->scrollTo(m_model.index(*row, NetModel::Name));
     }
@@ -118,6 +265,10 @@ void NetsPanel::scrollToSelected() {
 
 QString NetsPanel::summary() const {
     return m_summary->text();
+}
+
+QString NetsPanel::details() const {
+    return m_details->text();
 }
 
 }  // namespace ui

@@ -2,10 +2,12 @@
 
 #include <QWidget>
 
+#include "model/copies.h"
 #include "ui/models/net_model.h"
 #include "ui/models/selection_model.h"
 
 class QComboBox;
+class QItemSelection;
 class QLabel;
 class QLineEdit;
 
@@ -13,14 +15,20 @@ namespace ui {
 
 class TableView;
 
-/// The nets of the board: filter, sort, highlight. Selected rows are the highlighted nets, both ways; Enter or a double
-/// click asks to see the net.
+/// The nets of the board, or of a step it places: filter, sort, group, highlight. Selected rows are the highlighted
+/// nets, both ways, and a heading stands for all nets under it; Enter or a double click asks to see them. Below the
+/// table stands what is known of the highlighted ones.
 class NetsPanel : public QWidget {
     Q_OBJECT
 
 public:
+    using Statistics = std::vector<std::shared_ptr<const model::NetStatistics>>;  ///< as LoadedBoard::nets
+
     NetsPanel(models::NetModel& model, models::SelectionModel& selection, QWidget* parent = nullptr);
 
+    /// The selection must be of this board already.
+    void setBoard(std::shared_ptr<const model::Document> board, Statistics statistics);
+    void setUnit(models::LengthUnit unit);
     /// Whether the table follows the net of what is selected in the views.
     void setFollows(bool isOn) { m_follows = isOn; }
     /// Whether choosing a row also asks to see the net.
@@ -28,25 +36,44 @@ public:
     [[nodiscard]] TableView& table() { return *m_table; }
     [[nodiscard]] QLineEdit& filterEdit() { return *m_filter; }
     [[nodiscard]] QComboBox& kindBox() { return *m_kind; }
+    [[nodiscard]] QComboBox& groupBox() { return *m_group; }
+    /// Hidden while only the board itself has nets.
+    [[nodiscard]] QComboBox& stepBox() { return *m_step; }
     [[nodiscard]] QString summary() const;
+    /// What is known of the highlighted nets; empty for none.
+    [[nodiscard]] QString details() const;
 
 signals:
-    void showRequested(model::NetId net);
+    void showRequested(const std::vector<model::BoardNet>& nets);
 
 private:
+    void layOutControls();
     void applyFilter();
+    void applyGrouping();
+    void applyStep();
     void onArranged();
-    void takeFromTable();
+    void takeFromTable(const QItemSelection& selected, const QItemSelection& deselected);
     void showInTable();
+    void showDetails();
     void scrollToSelected();
+    /// Row of model::StepTree::steps whose nets are listed.
+    [[nodiscard]] std::uint32_t step() const;
+    [[nodiscard]] std::vector<model::BoardNet> netsIn(int firstRow, int lastRow) const;
 
     models::NetModel& m_model;
     models::SelectionModel& m_selection;
+    std::shared_ptr<const model::Document> m_board;
+    Statistics m_statistics;
+    models::LengthUnit m_unit = models::LengthUnit::Millimetre;
     QLineEdit* m_filter;
     QComboBox* m_kind;
+    QComboBox* m_group;
+    QComboBox* m_step;
     QLabel* m_summary;
+    QLabel* m_details;
     TableView* m_table;
-    bool m_isSyncing = false;  ///< the table is being changed to show what is highlighted
+    bool m_isSyncing = false;   ///< the table is being changed to show what is highlighted
+    bool m_isToScroll = false;  ///< to the selected element's net, once the rows are arranged
     bool m_follows = true;
     bool m_showsChosen = false;
 };

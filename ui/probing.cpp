@@ -207,10 +207,15 @@ void Probing::showInBoth(std::span<const model::BoardElement> elements) {
     }
 }
 
-void Probing::showNet(model::NetId net) {
+void Probing::showNets(std::span<const model::BoardNet> nets) {
+    const model::StepTree& tree = m_selection.tree();
     std::vector<model::BoardElement> elements;
-    for (const model::ElementId element : m_selection.tree().steps.front()->elementsOf(net)) {
-        elements.push_back({0, element});
+    for (const model::BoardNet& net : nets) {
+        // Of steps that are placed often, the first copy.
+        const auto copy = std::ranges::find(tree.copies, net.step, &model::StepCopy::step);
+        for (const model::ElementId element : tree.steps[net.step]->elementsOf(net.net)) {
+            elements.push_back({static_cast<std::uint32_t>(copy - tree.copies.begin()), element});
+        }
     }
     showInBoth(elements);
 }

@@ -37,7 +37,7 @@ public:
     /// Brings elements to the middle.
     void show(BoardView& view, std::span<const model::BoardElement> elements);
     void showInBoth(std::span<const model::BoardElement> elements);
-    void showNet(model::NetId net);
+    void showNets(std::span<const model::BoardNet> nets);
     /// Brings a place of the board to the middle of both views, with a few millimetres around it.
     void showPlace(base::PointD nm, model::LayerId layer);
 

@@ -164,7 +164,7 @@ private slots:
         const model::ElementId pad = aPad();
         window().selection().select({{0, pad}});
         m_fixture->key(Qt::Key_N);
-        QCOMPARE(window().selection().nets(), (std::vector{board().elements.net[pad.row()]}));
+        QCOMPARE(window().selection().nets(), (std::vector{boardNet(board().elements.net[pad.row()])}));
         m_fixture->key(Qt::Key_Escape);
         QVERIFY(window().selection().selected().empty());
         QCOMPARE(window().selection().nets().size(), std::size_t{1});
@@ -225,11 +225,11 @@ private slots:
         table.scrollTo(window().nets().index(row, 0));
         QTest::mouseClick(table.viewport(), Qt::LeftButton, {},
                           table.visualRect(window().nets().index(row, 0)).center());
-        QCOMPARE(window().selection().nets(), (std::vector{board().elements.net[aPad().row()]}));
+        QCOMPARE(window().selection().nets(), (std::vector{boardNet(board().elements.net[aPad().row()])}));
         QVERIFY(differingPixels(before, picture(views().flat())) > 20);
         m_fixture->key(Qt::Key_Escape);
         QVERIFY(table.selectionModel()->selectedRows().isEmpty());
-        window().selection().setNets({window().nets().netAt(2)});
+        window().selection().setNets({boardNet(window().nets().netAt(2))});
         QCOMPARE(table.selectionModel()->selectedRows().size(), 1);
         QCOMPARE(table.selectionModel()->selectedRows()[0].row(), 2);
     }
@@ -238,15 +238,15 @@ private slots:
         QTRY_VERIFY(window().nets().isArranged());
         const int all = window().nets().rowCount();
         const model::NetId net = board().elements.net[aPad().row()];
-        window().selection().setNets({net});
+        window().selection().setNets({boardNet(net)});
         QTest::keyClicks(&window().netsPanel().filterEdit(), QString::fromStdString(board().nets[net.row()].name));
         QTRY_VERIFY(window().nets().isArranged() && window().nets().rowCount() < all);
         QVERIFY(window().nets().rowOf(net).has_value());
         QVERIFY(window().netsPanel().summary().contains(" of "));
-        QCOMPARE(window().selection().nets(), std::vector{net});
+        QCOMPARE(window().selection().nets(), std::vector{boardNet(net)});
         window().netsPanel().filterEdit().clear();
         QTRY_COMPARE(window().nets().rowCount(), all);
-        QCOMPARE(window().selection().nets(), std::vector{net});
+        QCOMPARE(window().selection().nets(), std::vector{boardNet(net)});
     }
 
     void enterInTheTableBringsTheNetToBothViews() {
@@ -314,6 +314,7 @@ private:
         }
         return largest;
     }
+    static model::BoardNet boardNet(model::NetId net) { return {0, net}; }
     /// The net of the smallest extent that has copper.
     model::NetId smallNet() {
         model::NetId smallest;

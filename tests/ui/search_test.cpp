@@ -29,7 +29,8 @@ private slots:
         const float before = window().views().flat().controller().mmPerPixel();
         type("1pps_out");
         take();
-        QCOMPARE(window().selection().nets(), std::vector{window().document()->findNet("1PPS_OUT")});
+        QCOMPARE(window().selection().nets(),
+                 (std::vector{model::BoardNet{0, window().document()->findNet("1PPS_OUT")}}));
         QVERIFY(window().views().flat().controller().mmPerPixel() != before);
     }
 
@@ -78,11 +79,13 @@ private slots:
         QTest::keyClick(&box().line(), Qt::Key_Down);
         QCOMPARE(box().list().currentRow(), 1);
         take();
-        QCOMPARE(window().selection().nets(), std::vector{window().document()->findNet("1PPS_OUT")});
+        QCOMPARE(window().selection().nets(),
+                 (std::vector{model::BoardNet{0, window().document()->findNet("1PPS_OUT")}}));
         type("gnd");
         QTest::keyClick(&box().line(), Qt::Key_Escape);
         QVERIFY(!box().isVisible());
-        QCOMPARE(window().selection().nets(), std::vector{window().document()->findNet("1PPS_OUT")});
+        QCOMPARE(window().selection().nets(),
+                 (std::vector{model::BoardNet{0, window().document()->findNet("1PPS_OUT")}}));
     }
 
     void commandsAreFoundAndDone() {

@@ -1,8 +1,10 @@
 #include "ui/models/net_model.h"
 
+#include <QFont>
 #include <QRegularExpression>
 #include <algorithm>
-#include <numeric>
+
+#include "ui/models/net_text.h"
 
 namespace ui::models {
 
@@ -16,7 +18,7 @@ struct ColumnText {
 constexpr ColumnText kColumns[NetModel::ColumnCount] = {
     {"Net", "Name in the job"},
     {"Pins", "Pins of components on the net"},
-    {"Holes", "Plated holes: vias, and pins that go through the board"},
+    {"Vias", "Plated holes that are there to join layers; not those of pins"},
     {"Length", "Middle lines of all strokes on copper layers, pads left out"},
     {"Copper", "Area of what is drawn on copper layers; where elements overlap it counts twice"},
 };
@@ -66,11 +68,20 @@ QString withThousands(qulonglong value) {
 
 }  // namespace
 
+struct NetModel::Arranged {
+    Rows rows;
+    Groups groups;
+    std::optional<model::NetGrouping> groupedBy;
+    int nets = 0;
+};
+
 /// What is worked out in the background, from frozen tables alone.
 struct NetModel::Task {
     std::shared_ptr<const model::Document> document;
     std::shared_ptr<const model::NetStatistics> statistics;
     Filter filter;
+    std::optional<model::NetGrouping> grouping;
+    Groups groups;  ///< known from before, or null
     int column = Name;
     Qt::SortOrder order = Qt::AscendingOrder;
 
@@ -78,7 +89,7 @@ struct NetModel::Task {
     [[nodiscard]] double keyOf(std::uint32_t net) const {
         switch (column) {
             case Pins: return statistics->pins[net];
-            case Holes: return statistics->holes[net];
+            case Vias: return statistics->vias[net];
             case Length: return statistics->lengthNm[net];
             case Area: return statistics->areaNm2[net];
             default: return statistics->nameRank[net];
@@ -86,31 +97,57 @@ struct NetModel::Task {
     }
 
     template <class IsWanted>
-    [[nodiscard]] Rows run(const IsWanted& isWanted) const {
-        Rows rows;
+    [[nodiscard]] Arranged run(const IsWanted& isWanted) const {
+        Arranged out;
         for (std::uint32_t net = 0; net < document->nets.size(); ++net) {
             if (net % kCheckEvery == 0 && !isWanted()) {
                 return {};
             }
             if (filter.takes(document->nets[net].name)) {
-                rows.push_back(net);
+                out.rows.push_back(net);
             }
         }
-        if (statistics) {
-            sort(rows);
+        out.nets = static_cast<int>(out.rows.size());
+        if (grouping) {
+            out.groupedBy = grouping;
+            out.groups = groups ? groups : std::make_shared<model::NetGroups>(model::groupNets(*document, *grouping));
         }
-        return rows;
+        sort(out);
+        if (out.groups) {
+            addHeadings(out);
+        }
+        return out;
     }
 
-    void sort(Rows& rows) const {
-        std::ranges::sort(rows, [&](std::uint32_t a, std::uint32_t b) {
-            const double ka = keyOf(a);
-            const double kb = keyOf(b);
+    void sort(Arranged& out) const {
+        const auto groupOf = [&](std::uint32_t net) { return out.groups ? out.groups->groupOf[net] : 0; };
+        const auto rank = [&](std::uint32_t net) { return statistics ? statistics->nameRank[net] : net; };
+        std::ranges::sort(out.rows, [&](std::uint32_t a, std::uint32_t b) {
+            if (groupOf(a) != groupOf(b)) {
+                return groupOf(a) < groupOf(b);
+            }
+            const double ka = statistics ? keyOf(a) : 0.0;
+            const double kb = statistics ? keyOf(b) : 0.0;
             if (ka != kb) {
                 return order == Qt::AscendingOrder ? ka < kb : ka > kb;
             }
-            return statistics->nameRank[a] < statistics->nameRank[b];
+            return rank(a) < rank(b);
         });
+    }
+
+    static void addHeadings(Arranged& out) {
+        Rows rows;
+        std::optional<std::uint32_t> last;
+        for (const std::uint32_t net : out.rows) {
+            const auto rest = static_cast<std::uint32_t>(out.groups->names.size());
+            const std::uint32_t group = std::min(out.groups->groupOf[net], rest);
+            if (group != last) {
+                rows.push_back(kHeading | group);
+                last = group;
+            }
+            rows.push_back(net);
+        }
+        out.rows = std::move(rows);
     }
 };
 
@@ -130,6 +167,9 @@ void NetModel::setNets(std::shared_ptr<const model::Document> document,
     m_document = std::move(document);
     m_statistics = std::move(statistics);
     m_rows.clear();
+    m_groups.reset();
+    m_groupedBy.reset();
+    m_shownNets = 0;
     endResetModel();
     arrange();
 }
@@ -149,6 +189,11 @@ bool NetModel::setFilter(const QString& pattern, FilterKind kind) {
     return isValid;
 }
 
+void NetModel::setGrouping(std::optional<model::NetGrouping> grouping) {
+    m_grouping = grouping;
+    arrange();
+}
+
 void NetModel::sort(int column, Qt::SortOrder order) {
     m_column = column;
     m_order = order;
@@ -158,30 +203,45 @@ void NetModel::sort(int column, Qt::SortOrder order) {
 void NetModel::arrange() {
     const std::uint64_t number = ++m_wanted;
     if (!m_document) {
-        take({}, number);
+        take(Arranged{}, number);
         return;
     }
     m_pool.clear();  // what has not begun is not wanted any more
-    m_pool.start([this, number, task = Task{m_document, m_statistics, Filter(m_pattern, m_kind), m_column, m_order}] {
-        const auto isWanted = [&] { return m_wanted == number; };
-        Rows rows = task.run(isWanted);
-        if (isWanted()) {
-            QMetaObject::invokeMethod(
-                this, [this, number, rows = std::move(rows)]() mutable { take(std::move(rows), number); },
-                Qt::QueuedConnection);
-        }
-    });
+    const Groups known = m_groupedBy == m_grouping ? m_groups : nullptr;
+    m_pool.start(
+        [this, number,
+         task = Task{m_document, m_statistics, Filter(m_pattern, m_kind), m_grouping, known, m_column, m_order}] {
+            const auto isWanted = [&] { return m_wanted == number; };
+            Arranged out = task.run(isWanted);
+            if (isWanted()) {
+                QMetaObject::invokeMethod(
+                    this, [this, number, out = std::move(out)]() mutable { take(std::move(out), number); },
+                    Qt::QueuedConnection);
+            }
+        });
 }
 
-void NetModel::take(Rows rows, std::uint64_t number) {
+void NetModel::take(Arranged arranged, std::uint64_t number) {
     if (number != m_wanted) {
         return;
     }
     beginResetModel();
-    m_rows = std::move(rows);
+    m_rows = std::move(arranged.rows);
+    m_groups = std::move(arranged.groups);
+    m_groupedBy = arranged.groupedBy;
+    m_shownNets = arranged.nets;
     m_shown = number;
     endResetModel();
-    emit arranged();
+    emit this->arranged();
+}
+
+model::NetId NetModel::netAt(int row) const {
+    return isHeading(row) ? model::NetId{} : model::NetId{m_rows[static_cast<std::size_t>(row)]};
+}
+
+int NetModel::endOfGroup(int heading) const {
+    const auto isHeading = [](std::uint32_t row) { return (row & kHeading) != 0; };
+    return static_cast<int>(std::find_if(m_rows.begin() + heading + 1, m_rows.end(), isHeading) - m_rows.begin());
 }
 
 std::optional<int> NetModel::rowOf(model::NetId net) const {
@@ -207,7 +267,7 @@ QVariant NetModel::number(std::size_t net, int column) const {
     }
     switch (column) {
         case Pins: return m_statistics->pins[net];
-        case Holes: return m_statistics->holes[net];
+        case Vias: return m_statistics->vias[net];
         case Length: return m_statistics->lengthNm[net] / nmPer(m_unit);
         default: return m_statistics->areaNm2[net] / (base::kNmPerMm * base::kNmPerMm);
     }
@@ -219,24 +279,36 @@ QString NetModel::text(std::size_t net, int column) const {
     }
     switch (column) {
         case Pins: return withThousands(m_statistics->pins[net]);
-        case Holes: return withThousands(m_statistics->holes[net]);
+        case Vias: return withThousands(m_statistics->vias[net]);
         case Length: return lengthText(m_statistics->lengthNm[net], m_unit);
         default: return areaText(m_statistics->areaNm2[net], m_unit);
     }
 }
 
-QString NetModel::tip(model::NetId net) const {
-    QString tip = QString::fromStdString(m_document->nets[net.row()].name);
-    for (const auto& [layer, length] : model::routedLengths(*m_document, net)) {
-        tip += QStringLiteral("\n%1: %2")
-                   .arg(QString::fromStdString(m_document->layer(layer).name), lengthInBoth(length, m_unit));
+QVariant NetModel::heading(int row, int column, int role) const {
+    const std::uint32_t group = m_rows[static_cast<std::size_t>(row)] & ~kHeading;
+    if (role == Qt::FontRole) {
+        QFont font;
+        font.setBold(true);
+        return font;
     }
-    return tip;
+    if (column != Name || (role != Qt::DisplayRole && role != Qt::ToolTipRole)) {
+        return {};
+    }
+    if (role == Qt::ToolTipRole) {
+        return QStringLiteral("Select it to light up all nets of the group");
+    }
+    const bool isRest = group == m_groups->names.size();
+    const QString name = isRest ? QStringLiteral("Other nets") : QString::fromStdString(m_groups->names[group]);
+    return QStringLiteral("%1  (%L2)").arg(name).arg(endOfGroup(row) - row - 1);
 }
 
 QVariant NetModel::data(const QModelIndex& index, int role) const {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) {
         return {};
+    }
+    if (isHeading(index.row())) {
+        return heading(index.row(), index.column(), role);
     }
     const model::NetId net = netAt(index.row());
     const bool isName = index.column() == Name;
@@ -249,7 +321,7 @@ QVariant NetModel::data(const QModelIndex& index, int role) const {
             return role == Qt::EditRole ? number(net.row(), index.column()) : text(net.row(), index.column());
         case Qt::TextAlignmentRole:
             return QVariant::fromValue(Qt::Alignment(Qt::AlignVCenter | (isName ? Qt::AlignLeft : Qt::AlignRight)));
-        case Qt::ToolTipRole: return tip(net);
+        case Qt::ToolTipRole: return netsText(*m_document, m_statistics.get(), std::span(&net, 1), m_unit);
         default: return {};
     }
 }

@@ -7,18 +7,20 @@
 #include <optional>
 #include <vector>
 
+#include "model/net_groups.h"
 #include "model/net_statistics.h"
 #include "ui/models/lengths.h"
 
 namespace ui::models {
 
-/// The nets of a board, filtered and sorted; a row is an id and nothing else. Filtering and sorting run in the
-/// background, so that the window stays usable with a million nets: until they are done the rows stay as they were.
+/// The nets of a board or of a step it places, filtered, sorted and under headings of groups if asked for; a row is an
+/// id and nothing else. All that runs in the background, so that the window stays usable with a million nets: until it
+/// is done the rows stay as they were.
 class NetModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
-    enum Column { Name, Pins, Holes, Length, Area, ColumnCount };
+    enum Column { Name, Pins, Vias, Length, Area, ColumnCount };
     enum class FilterKind { Text, Wildcard, Regex };
 
     explicit NetModel(QObject* parent = nullptr);
@@ -31,10 +33,18 @@ public:
     /// Case does not matter. Several words of a text must all be in the name; a wildcard has * and ? and fits the whole
     /// name. False if a regular expression is not one: then all nets are shown.
     bool setFilter(const QString& pattern, FilterKind kind);
+    /// Groups come in the order people count, each under a heading, what is in none of them last.
+    void setGrouping(std::optional<model::NetGrouping> grouping);
     /// Filter and order have been worked out for what was asked last.
     [[nodiscard]] bool isArranged() const { return m_shown == m_wanted; }
 
-    [[nodiscard]] model::NetId netAt(int row) const { return model::NetId{m_rows[static_cast<std::size_t>(row)]}; }
+    [[nodiscard]] bool isHeading(int row) const { return (m_rows[static_cast<std::size_t>(row)] & kHeading) != 0; }
+    /// None for headings.
+    [[nodiscard]] model::NetId netAt(int row) const;
+    /// One behind the last row under a heading.
+    [[nodiscard]] int endOfGroup(int heading) const;
+    /// Of all rows, headings left out.
+    [[nodiscard]] int shown() const { return m_shownNets; }
     /// None if the filter hides it.
     [[nodiscard]] std::optional<int> rowOf(model::NetId net) const;
     [[nodiscard]] int total() const;
@@ -52,12 +62,15 @@ signals:
 private:
     struct Task;
     using Rows = std::vector<std::uint32_t>;
+    using Groups = std::shared_ptr<const model::NetGroups>;
+    struct Arranged;
+    static constexpr std::uint32_t kHeading = 1U << 31U;  ///< with the row of the group, or their number for the rest
 
     void arrange();
-    void take(Rows rows, std::uint64_t number);
+    void take(Arranged arranged, std::uint64_t number);
     [[nodiscard]] QVariant number(std::size_t net, int column) const;
     [[nodiscard]] QString text(std::size_t net, int column) const;
-    [[nodiscard]] QString tip(model::NetId net) const;
+    [[nodiscard]] QVariant heading(int row, int column, int role) const;
 
     std::shared_ptr<const model::Document> m_document;
     std::shared_ptr<const model::NetStatistics> m_statistics;
@@ -66,7 +79,11 @@ private:
     FilterKind m_kind = FilterKind::Text;
     int m_column = Name;
     Qt::SortOrder m_order = Qt::AscendingOrder;
-    Rows m_rows;                              ///< row to net
+    std::optional<model::NetGrouping> m_grouping;
+    Rows m_rows;      ///< row to net, or to a heading
+    Groups m_groups;  ///< those of the rows; null without grouping
+    std::optional<model::NetGrouping> m_groupedBy;
+    int m_shownNets = 0;
     std::atomic<std::uint64_t> m_wanted = 0;  ///< number of the task asked for last
     std::uint64_t m_shown = 0;
     QThreadPool m_pool;  ///< of one thread; waits for it when it goes

@@ -57,7 +57,7 @@ void SelectionModel::select(const std::vector<model::BoardElement>& elements, Mo
     emit highlightChanged();
 }
 
-void SelectionModel::setNets(std::vector<model::NetId> nets) {
+void SelectionModel::setNets(std::vector<model::BoardNet> nets) {
     sortUnique(nets);
     if (nets != m_nets) {
         m_nets = std::move(nets);
@@ -66,8 +66,13 @@ void SelectionModel::setNets(std::vector<model::NetId> nets) {
     }
 }
 
-void SelectionModel::toggleNet(model::NetId net) {
+void SelectionModel::toggleNet(const model::BoardNet& net) {
     setNets(toggled(m_nets, {net}));
+}
+
+std::optional<model::BoardNet> SelectionModel::netOf(const model::BoardElement& element) const {
+    const model::NetId net = stepOf(element).elements.net[element.element.row()];
+    return net.isValid() ? std::optional(model::BoardNet{m_tree.copies[element.copy].step, net}) : std::nullopt;
 }
 
 bool SelectionModel::clearStep() {
@@ -93,9 +98,9 @@ std::vector<std::vector<model::ElementId>> SelectionModel::highlight() const {
     if (m_hovered) {
         add(*m_hovered);
     }
-    for (const model::NetId net : m_nets) {
-        const auto members = m_board->elementsOf(net);
-        elements.front().insert(elements.front().end(), members.begin(), members.end());
+    for (const model::BoardNet& net : m_nets) {
+        const auto members = m_tree.steps[net.step]->elementsOf(net.net);
+        elements[net.step].insert(elements[net.step].end(), members.begin(), members.end());
     }
     for (std::vector<model::ElementId>& list : elements) {
         sortUnique(list);

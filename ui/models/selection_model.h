@@ -35,11 +35,12 @@ public:
     /// The one selected last; none when nothing is selected.
     [[nodiscard]] std::optional<model::BoardElement> current() const { return m_current; }
 
-    /// Nets of the board itself.
-    void setNets(std::vector<model::NetId> nets);
-    void toggleNet(model::NetId net);
-    /// In rising order.
-    [[nodiscard]] const std::vector<model::NetId>& nets() const { return m_nets; }
+    void setNets(std::vector<model::BoardNet> nets);
+    void toggleNet(const model::BoardNet& net);
+    /// In rising order. A net of a step that is placed often lights up in all its copies.
+    [[nodiscard]] const std::vector<model::BoardNet>& nets() const { return m_nets; }
+    /// The net of an element; none if it has none.
+    [[nodiscard]] std::optional<model::BoardNet> netOf(const model::BoardElement& element) const;
 
     /// Clears the selection, or if there is none the highlighted nets. False when there was nothing to clear.
     bool clearStep();
@@ -65,7 +66,7 @@ private:
     std::optional<model::BoardElement> m_hovered;
     std::vector<model::BoardElement> m_selected;
     std::optional<model::BoardElement> m_current;
-    std::vector<model::NetId> m_nets;
+    std::vector<model::BoardNet> m_nets;
 };
 
 }  // namespace ui::models

@@ -6,6 +6,7 @@
 #include <ctime>
 
 #include "model/document_builder.h"
+#include "ui/models/net_text.h"
 
 using namespace ui::models;
 using model::Nm;
@@ -35,7 +36,8 @@ std::shared_ptr<const model::Document> smallBoard() {
     model::Layer drill;
     drill.type = model::LayerType::Drill;
     builder.beginLayer(builder.addLayer(drill));
-    builder.addCircle({{0, 0}, kMm, kMm / 2}, origin(gnd, model::kHole | model::kPlated));
+    builder.addCircle({{0, 0}, kMm, kMm / 2}, origin(gnd, model::kHole | model::kPlated | model::kVia));
+    builder.addCircle({{0, 0}, kMm, kMm / 2}, origin(gnd, model::kHole | model::kPlated | model::kPinHole));
     builder.addCircle({{0, 0}, kMm, kMm}, origin(gnd, model::kHole));
     std::vector<model::Pin> pins(4);
     pins[0].net = pins[1].net = net10;
@@ -74,7 +76,7 @@ private slots:
         const auto board = smallBoard();
         const auto s = statisticsOf(*board);
         QCOMPARE(s->pins, (std::vector<std::uint32_t>{2, 0, 1}));
-        QCOMPARE(s->holes, (std::vector<std::uint32_t>{0, 0, 1}));
+        QCOMPARE(s->vias, (std::vector<std::uint32_t>{0, 0, 1}));
         QCOMPARE(s->lengthNm, (std::vector<double>{0.0, 5e6, 1e6}));
         QVERIFY(s->areaNm2[1] > s->areaNm2[2] && s->areaNm2[0] == 0.0);
         QCOMPARE(s->nameRank, (std::vector<std::uint32_t>{2, 1, 0}));
@@ -122,9 +124,53 @@ private slots:
         wait(nets);
         QCOMPARE(nets.rowCount(), 3);
         QVERIFY(nets.index(0, 0).data(Qt::ToolTipRole).toString().contains("top: 5 mm"));
+        QVERIFY(nets.index(1, 0).data(Qt::ToolTipRole).toString().contains("1 pin · 1 via · 1 mm"));
         nets.setNets(nullptr, nullptr);
         QVERIFY(nets.isArranged());
         QCOMPARE(nets.rowCount(), 0);
+    }
+
+    void groupsStandUnderHeadings() {
+        NetModel nets;
+        QAbstractItemModelTester tester(&nets, QAbstractItemModelTester::FailureReportingMode::QtTest);
+        model::DocumentBuilder builder;
+        for (const char* name : {"GND", "B_N", "A_P", "X", "B_P", "A_N"}) {
+            builder.addNet(name);
+        }
+        const auto board = builder.finish();
+        nets.setNets(board, statisticsOf(*board));
+        nets.setGrouping(model::NetGrouping::DifferentialPair);
+        wait(nets);
+        QCOMPARE(names(nets),
+                 (QStringList{"A_P/N  (2)", "A_N", "A_P", "B_P/N  (2)", "B_N", "B_P", "Other nets  (2)", "GND", "X"}));
+        QCOMPARE(nets.shown(), 6);
+        QVERIFY(nets.isHeading(3) && !nets.netAt(3).isValid() && !nets.isHeading(4));
+        QCOMPARE(nets.endOfGroup(3), 6);
+        QCOMPARE(nets.endOfGroup(6), 9);
+        nets.sort(NetModel::Name, Qt::DescendingOrder);
+        wait(nets);
+        QCOMPARE(names(nets).mid(0, 4), (QStringList{"A_P/N  (2)", "A_P", "A_N", "B_P/N  (2)"}));
+        QVERIFY(nets.setFilter("b_", NetModel::FilterKind::Text));
+        wait(nets);
+        QCOMPARE(names(nets), (QStringList{"B_P/N  (2)", "B_P", "B_N"}));
+        QVERIFY(nets.setFilter("none", NetModel::FilterKind::Text));
+        wait(nets);
+        QCOMPARE(nets.rowCount(), 0);
+        nets.setGrouping(std::nullopt);
+        QVERIFY(nets.setFilter("", NetModel::FilterKind::Text));
+        wait(nets);
+        QCOMPARE(nets.rowCount(), 6);
+    }
+
+    void severalNetsAreToldTogether() {
+        const auto board = smallBoard();
+        const auto statistics = statisticsOf(*board);
+        const std::vector<model::NetId> two{model::NetId{std::size_t{1}}, model::NetId{std::size_t{2}}};
+        const QString text = netsText(*board, statistics.get(), two, LengthUnit::Millimetre);
+        QVERIFY(text.startsWith("2 nets\n1 pin · 1 via · 6 mm"));
+        QVERIFY(text.contains("differ by 4 mm"));
+        QVERIFY(text.contains("top: 6 mm"));
+        QVERIFY(netsText(*board, nullptr, {}, LengthUnit::Mil).isEmpty());
     }
 
     void lastWishWinsWhateverCameBefore() {
@@ -162,6 +208,9 @@ private slots:
         QCOMPARE(nets.index(10, 0).data().toString(), "NET_10");
         step([&] { nets.sort(NetModel::Name, Qt::DescendingOrder); });
         QCOMPARE(nets.index(0, 0).data().toString(), "NET_999999");
+        step([&] { nets.setGrouping(model::NetGrouping::Bus); });
+        step([&] { nets.setGrouping(model::NetGrouping::DifferentialPair); });
+        QCOMPARE(nets.index(0, 0).data().toString().left(10), "Other nets");
         step([&] { nets.setFilter("99", NetModel::FilterKind::Text); });
         step([&] { nets.setFilter("_9*9", NetModel::FilterKind::Regex); });
         QVERIFY2(longest < 100.0, qPrintable(QStringLiteral("%1 ms").arg(longest)));

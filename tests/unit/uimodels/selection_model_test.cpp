@@ -6,6 +6,7 @@
 #include "model/document_builder.h"
 
 using model::BoardElement;
+using model::BoardNet;
 using model::ElementId;
 using model::NetId;
 using ui::models::SelectionModel;
@@ -54,7 +55,7 @@ private slots:
     void everythingThatIsPointedAtStandsOutOnce() {
         m_model->hover(at(5));
         m_model->select({at(3), at(0)});
-        m_model->setNets({NetId{0}});
+        m_model->setNets({{0, NetId{0}}});
         QCOMPARE(m_model->highlight(), (Lists{rows({0, 1, 2, 3, 5})}));
         m_model->hover(std::nullopt);
         QCOMPARE(m_model->highlight(), (Lists{rows({0, 1, 2, 3})}));
@@ -75,7 +76,7 @@ private slots:
 
     void clearingTakesOneStepAtATime() {
         m_model->select({at(0)});
-        m_model->setNets({NetId{1}});
+        m_model->setNets({{0, NetId{1}}});
         QVERIFY(m_model->clearStep());
         QVERIFY(m_model->selected().empty());
         QCOMPARE(m_model->nets().size(), std::size_t{1});
@@ -85,11 +86,11 @@ private slots:
     }
 
     void netsToggle() {
-        m_model->toggleNet(NetId{1});
-        m_model->toggleNet(NetId{0});
-        QCOMPARE(m_model->nets(), (std::vector{NetId{0}, NetId{1}}));
-        m_model->toggleNet(NetId{1});
-        QCOMPARE(m_model->nets(), (std::vector{NetId{0}}));
+        m_model->toggleNet({0, NetId{1}});
+        m_model->toggleNet({0, NetId{0}});
+        QCOMPARE(m_model->nets(), (std::vector<BoardNet>{{0, NetId{0}}, {0, NetId{1}}}));
+        m_model->toggleNet({0, NetId{1}});
+        QCOMPARE(m_model->nets(), (std::vector<BoardNet>{{0, NetId{0}}}));
     }
 
     void oneSignalPerChangeAndNoneWithout() {
@@ -99,8 +100,8 @@ private slots:
         m_model->hover(at(1));
         QCOMPARE(hovered.count(), 1);
         m_model->select({at(0), at(1), at(2)});
-        m_model->setNets({NetId{0}});
-        m_model->setNets({NetId{0}, NetId{0}});
+        m_model->setNets({{0, NetId{0}}});
+        m_model->setNets({{0, NetId{0}}, {0, NetId{0}}});
         QCOMPARE(changed.count(), 3);
     }
 
@@ -114,10 +115,22 @@ private slots:
         QCOMPARE(&m_model->stepOf(at(4, 2)), panel->steps[0].get());
     }
 
+    void netsOfPlacedStepsStandOutThere() {
+        auto panel = std::make_shared<model::Document>();
+        panel->steps = {board()};
+        panel->instances = {{0, {}, false}, {0, {{5, 5}, 0.0, false}, false}};
+        m_model->setBoard(panel);
+        const auto net = m_model->netOf(at(4, 2));
+        QCOMPARE(net, std::optional(BoardNet{1, NetId{1}}));
+        QVERIFY(!m_model->netOf(at(5, 1)));
+        m_model->toggleNet(*net);
+        QCOMPARE(m_model->highlight(), (Lists{rows({}), rows({3, 4})}));
+    }
+
     void anotherBoardForgetsEverything() {
         m_model->hover(at(0));
         m_model->select({at(1)});
-        m_model->setNets({NetId{0}});
+        m_model->setNets({{0, NetId{0}}});
         m_model->setBoard(nullptr);
         QVERIFY(!m_model->hovered() && m_model->selected().empty() && !m_model->current() && m_model->nets().empty());
         QVERIFY(m_model->highlight().empty());
