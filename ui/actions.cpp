@@ -6,6 +6,7 @@
 #include <QWidget>
 
 #include "model/base/assert.h"
+#include "ui/key_presets.h"
 
 namespace ui {
 
@@ -20,7 +21,7 @@ constexpr ActionSpec kSpecs[] = {
     {OpenFile, MenuId::File, "&Open…", "Ctrl+O", "Open an ODB++ archive (.tgz, .zip) or a text board"},
     {OpenFolder, MenuId::File, "Open &folder…", "Ctrl+Shift+O", "Open an unpacked ODB++ job"},
     {Reload, MenuId::File, "&Reload", "F5 Ctrl+R", "Read the board again from disk"},
-    {CancelLoading, MenuId::File, "&Cancel loading", "", "Stop reading and keep the board on the screen"},
+    {CancelLoading, MenuId::File, "&Cancel loading", "Ctrl+.", "Stop reading and keep the board on the screen"},
     {SavePicture, MenuId::File, "&Save picture…", "Ctrl+Shift+S", "Write what the canvas shows to a PNG file", false,
      kNewGroup},
     {SaveLargePicture, MenuId::File, "Save picture of any si&ze…", "Ctrl+Alt+S",
@@ -59,29 +60,37 @@ constexpr ActionSpec kSpecs[] = {
     {ShowSolid, MenuId::Arrangement, "&3D alone", "3", "Show the solid view and nothing else", kCheckable},
     {ShowSideBySide, MenuId::Arrangement, "&Side by side", "4", "2D to the left of 3D", kCheckable},
     {ShowStacked, MenuId::Arrangement, "One &above the other", "5", "2D above 3D", kCheckable},
-    {ShowLayersDock, MenuId::View, "&Layers", "Ctrl+1", "Show or hide the layers panel", kCheckable, kNewGroup},
-    {ShowNetsDock, MenuId::View, "&Nets", "Ctrl+5", "Show or hide the nets", kCheckable},
-    {ShowElementDock, MenuId::View, "Ele&ment", "Ctrl+4", "Show or hide what is known of the selected element",
+    {ShowLayersDock, MenuId::Panels, "&Layers", "Ctrl+1", "Show or hide the layers panel", kCheckable},
+    {ShowNetsDock, MenuId::Panels, "&Nets", "Ctrl+5", "Show or hide the nets", kCheckable},
+    {ShowElementDock, MenuId::Panels, "Ele&ment", "Ctrl+4", "Show or hide what is known of the selected element",
      kCheckable},
-    {ShowNetCheckDock, MenuId::View, "O&pens and shorts", "Ctrl+7", "Show or hide how the copper differs from the nets",
+    {ShowNetCheckDock, MenuId::Panels, "O&pens and shorts", "Ctrl+7",
+     "Show or hide how the copper differs from the nets", kCheckable},
+    {ShowStackDock, MenuId::Panels, "Stac&k", "Ctrl+6", "Show or hide the stack and its thicknesses", kCheckable},
+    {ShowStatisticsDock, MenuId::Panels, "&Statistics", "Ctrl+2", "Show or hide the element statistics", kCheckable},
+    {ShowViewsDock, MenuId::Panels, "Kept vie&ws", "Ctrl+8", "Show or hide the views that were kept", kCheckable},
+    {ShowMessagesDock, MenuId::Panels, "Messa&ges", "Ctrl+3", "Show or hide what was skipped, repaired or assumed",
      kCheckable},
-    {ShowStackDock, MenuId::View, "Stac&k", "Ctrl+6", "Show or hide the stack and its thicknesses", kCheckable},
-    {ShowStatisticsDock, MenuId::View, "&Statistics", "Ctrl+2", "Show or hide the element statistics", kCheckable},
-    {ShowViewsDock, MenuId::View, "Kept vie&ws", "Ctrl+8", "Show or hide the views that were kept", kCheckable},
-    {ShowMessagesDock, MenuId::View, "Messa&ges", "Ctrl+3", "Show or hide what was skipped, repaired or assumed",
+    {ShowToolBar, MenuId::Panels, "Toolba&r", "Ctrl+K,B", "Show or hide the toolbar", kCheckable},
+    {NextPanel, MenuId::Panels, "Ne&xt panel", "F6", "Put the keyboard into the next view or panel", false, kNewGroup},
+    {PreviousPanel, MenuId::Panels, "Pre&vious panel", "Shift+F6", "Put the keyboard into the view or panel before"},
+    {ThemeSystem, MenuId::Theme, "As the &system", "Ctrl+K,S", "Colours of the desktop", kCheckable},
+    {ThemeDark, MenuId::Theme, "&Dark", "Ctrl+K,D", "Light text on dark panels", kCheckable},
+    {ThemeLight, MenuId::Theme, "&Light", "Ctrl+K,L", "Dark text on light panels", kCheckable},
+    {BackendAuto, MenuId::Backend, "&Automatic", "Ctrl+K,A", "The one that suits this device", kCheckable},
+    {BackendMesh, MenuId::Backend, "&Mesh shaders", "Ctrl+K,M", "Task and mesh shaders; the device must have them",
      kCheckable},
-    {ShowToolBar, MenuId::View, "Toolba&r", "", "Show or hide the toolbar", kCheckable},
-    {ThemeSystem, MenuId::Theme, "As the &system", "", "Colours of the desktop", kCheckable},
-    {ThemeDark, MenuId::Theme, "&Dark", "", "Light text on dark panels", kCheckable},
-    {ThemeLight, MenuId::Theme, "&Light", "", "Dark text on light panels", kCheckable},
-    {BackendAuto, MenuId::Backend, "&Automatic", "", "The one that suits this device", kCheckable},
-    {BackendMesh, MenuId::Backend, "&Mesh shaders", "", "Task and mesh shaders; the device must have them", kCheckable},
-    {BackendPull, MenuId::Backend, "&Vertex pulling", "", "Compute culling and indirect draws; works on every device",
-     kCheckable},
-    {BackendImpostor, MenuId::Backend, "&Exact outlines", "",
+    {BackendPull, MenuId::Backend, "&Vertex pulling", "Ctrl+K,P",
+     "Compute culling and indirect draws; works on every device", kCheckable},
+    {BackendImpostor, MenuId::Backend, "&Exact outlines", "Ctrl+K,O",
      "Impostors: boxes whose pixels are cut by the true outlines; works on every device", kCheckable},
-    {BackendRaster, MenuId::Backend, "&Compute rasterising", "",
+    {BackendRaster, MenuId::Backend, "&Compute rasterising", "Ctrl+K,R",
      "Compute shaders draw what is small, unsmoothed; the device must have 64-bit atomics", kCheckable},
+    {KeysCopperscope, MenuId::Keys, "&Copperscope", "Ctrl+K,F1", "The keys this program comes with", kCheckable},
+    {KeysKiCad, MenuId::Keys, "&KiCad", "Ctrl+K,F2", "Keys as in KiCad's board editor, where it has them", kCheckable},
+    {KeysAltium, MenuId::Keys, "&Altium", "Ctrl+K,F3", "Keys as in Altium Designer, where it has them", kCheckable},
+    {KeysAllegro, MenuId::Keys, "Alle&gro", "Ctrl+K,F4", "Keys as in Allegro, where it has them", kCheckable},
+    {KeysKLayout, MenuId::Keys, "K&Layout", "Ctrl+K,F5", "Keys as in KLayout, where it has them", kCheckable},
 
     {ShowAllLayers, MenuId::Layers, "Show &all", "Ctrl+Shift+A", "Draw every layer"},
     {HideAllLayers, MenuId::Layers, "&Hide all", "Ctrl+Shift+H", "Draw no layer"},
@@ -91,7 +100,8 @@ constexpr ActionSpec kSpecs[] = {
      "In 2D, show the current layer of the panel brightly and all others faintly", kCheckable},
     {NextLayer, MenuId::Layers, "Layer &below", "PgDown", "Make the next visible layer the current one"},
     {PreviousLayer, MenuId::Layers, "Layer abo&ve", "PgUp", "Make the visible layer before the current one"},
-    {RestoreLayers, MenuId::Layers, "&Default colours", "", "Undo all changes of colour, opacity and visibility"},
+    {RestoreLayers, MenuId::Layers, "&Default colours", "Ctrl+Shift+D",
+     "Undo all changes of colour, opacity and visibility"},
 
     {CheckNets, MenuId::Board, "&Check nets", "Ctrl+Shift+N",
      "Compare the nets with the copper: opens, shorts and loose copper"},
@@ -109,13 +119,14 @@ constexpr ActionSpec kSpecs[] = {
      "Light up the whole net of the element under the cursor, or of the selected one; again to stop", false, kNewGroup},
     {DimOthers, MenuId::Select, "&Dim the rest", "D", "Darken everything that is not selected or highlighted",
      kCheckable},
-    {FollowInSolid, MenuId::Select, "Follow in &3D", "", "The 3D view goes to what is clicked in 2D", kCheckable,
-     kNewGroup},
-    {FollowInFlat, MenuId::Select, "Follow in &2D", "", "The 2D view goes to what is clicked in 3D", kCheckable},
-    {FollowInTables, MenuId::Select, "Follow in &tables", "", "Tables go to the net of what is clicked in a view",
+    {FollowInSolid, MenuId::Select, "Follow in &3D", "Ctrl+K,3", "The 3D view goes to what is clicked in 2D",
+     kCheckable, kNewGroup},
+    {FollowInFlat, MenuId::Select, "Follow in &2D", "Ctrl+K,2", "The 2D view goes to what is clicked in 3D",
      kCheckable},
-    {FollowFromTables, MenuId::Select, "Follow t&ables in views", "", "Both views go to what is chosen in a table",
-     kCheckable},
+    {FollowInTables, MenuId::Select, "Follow in &tables", "Ctrl+K,T",
+     "Tables go to the net of what is clicked in a view", kCheckable},
+    {FollowFromTables, MenuId::Select, "Follow t&ables in views", "Ctrl+K,V",
+     "Both views go to what is chosen in a table", kCheckable},
     {NextUnit, MenuId::Select, "Next &unit", "Q Ctrl+U", "Millimetres, mils, inches", false, kNewGroup},
     {ShowGrid, MenuId::Select, "&Grid and rulers", "G", "Show a grid and rulers in 2D", kCheckable},
     {ShowNames, MenuId::Select, "Net na&mes", "W", "Write the names of nets on the copper in 2D, where there is room",
@@ -124,28 +135,24 @@ constexpr ActionSpec kSpecs[] = {
      "Show how far the cursor is from where it is now; again to stop", kCheckable},
 
     {KeysSheet, MenuId::Help, "&Keys and mouse", "F1 ?", "All keys and mouse gestures on one page"},
-    {ResetSettings, MenuId::Help, "&Reset settings…", "", "Forget window places, theme and recent boards", false,
-     kNewGroup},
-    {About, MenuId::Help, "&About Copperscope", "", "Version and licence", false, kNewGroup},
+    {ResetSettings, MenuId::Help, "&Reset settings…", "Ctrl+K,Delete", "Forget window places, theme and recent boards",
+     false, kNewGroup},
+    {About, MenuId::Help, "&About Copperscope", "Shift+F1", "Version and licence", false, kNewGroup},
 };
 static_assert(std::size(kSpecs) == kActionCount);
 
-constexpr const char* kMenuTitles[kMenuCount] = {"&File",        "&Edit",   "&View",     "&Cut and thickness",
-                                                 "&Arrangement", "T&heme",  "Bac&k end", "&Layers",
-                                                 "&Board",       "&Select", "&Help"};
+constexpr const char* kMenuTitles[kMenuCount] = {"&File",        "&Edit",   "&View",  "&Cut and thickness",
+                                                 "A&rrangement", "Pa&nels", "The&me", "Bac&k end",
+                                                 "Ke&ys as in",  "&Layers", "&Board", "&Select",
+                                                 "&Help"};
 
 bool isChoice(MenuId menu) {
-    return menu == MenuId::Arrangement || menu == MenuId::Theme || menu == MenuId::Backend;
+    return menu == MenuId::Arrangement || menu == MenuId::Theme || menu == MenuId::Backend || menu == MenuId::Keys;
 }
 
-/// "Come closer (+, =)"
-QString tipWithKeys(const ActionSpec& spec) {
-    QStringList keys;
-    for (const QKeySequence& key : shortcutsOf(spec)) {
-        keys += key.toString(QKeySequence::NativeText);
-    }
-    const QString tip = QString::fromUtf8(spec.tip);
-    return keys.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, keys.join(QStringLiteral(", ")));
+/// "Come closer (+ or =)"
+QString tipWithKeys(const ActionSpec& spec, const QList<QKeySequence>& keys) {
+    return QStringLiteral("%1 (%2)").arg(QString::fromUtf8(spec.tip), keysText(keys, QStringLiteral(" or ")));
 }
 
 }  // namespace
@@ -158,9 +165,9 @@ const char* menuTitle(MenuId menu) {
     return kMenuTitles[static_cast<std::size_t>(menu)];
 }
 
-QList<QKeySequence> shortcutsOf(const ActionSpec& spec) {
+QList<QKeySequence> keysFrom(const char* shortcuts) {
     QList<QKeySequence> keys;
-    for (const QString& key : QString::fromUtf8(spec.shortcuts).split(' ', Qt::SkipEmptyParts)) {
+    for (const QString& key : QString::fromUtf8(shortcuts).split(' ', Qt::SkipEmptyParts)) {
         keys += QKeySequence::fromString(key, QKeySequence::PortableText);
     }
     return keys;
@@ -183,11 +190,23 @@ ActionSet::ActionSet(QWidget& window) : m_window(window) {
 void ActionSet::apply(const ActionSpec& spec, QAction& action) const {
     ASSERT(&spec == &kSpecs[static_cast<std::size_t>(spec.id)]);
     action.setText(QString::fromUtf8(spec.text));
-    action.setShortcuts(shortcutsOf(spec));
-    action.setToolTip(tipWithKeys(spec));
     action.setStatusTip(QString::fromUtf8(spec.tip));
     action.setCheckable(spec.isCheckable);
+    applyKeys(spec, action);
     m_window.addAction(&action);
+}
+
+void ActionSet::applyKeys(const ActionSpec& spec, QAction& action) const {
+    const QList<QKeySequence> keys = keysOf(spec, m_keys);
+    action.setShortcuts(keys);
+    action.setToolTip(tipWithKeys(spec, keys));
+}
+
+void ActionSet::setKeys(KeyPreset keys) {
+    m_keys = keys;
+    for (const ActionSpec& spec : kSpecs) {
+        applyKeys(spec, (*this)[spec.id]);
+    }
 }
 
 void ActionSet::adopt(ActionId id, QAction& action) {

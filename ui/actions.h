@@ -57,6 +57,8 @@ enum class ActionId {
     ShowViewsDock,
     ShowMessagesDock,
     ShowToolBar,
+    NextPanel,
+    PreviousPanel,
     ThemeSystem,
     ThemeDark,
     ThemeLight,
@@ -65,6 +67,11 @@ enum class ActionId {
     BackendPull,
     BackendImpostor,
     BackendRaster,
+    KeysCopperscope,
+    KeysKiCad,
+    KeysAltium,
+    KeysAllegro,
+    KeysKLayout,
     ShowAllLayers,
     HideAllLayers,
     ShowCopperOnly,
@@ -96,16 +103,31 @@ enum class ActionId {
 };
 inline constexpr std::size_t kActionCount = static_cast<std::size_t>(ActionId::Count);
 
-/// Where a command is found. Solid (what the 3D view draws otherwise) is a submenu of View; so are Arrangement, Theme
-/// and Backend, with one choice each.
-enum class MenuId { File, Edit, View, Solid, Arrangement, Theme, Backend, Layers, Board, Select, Help, Count };
+/// Where a command is found. Solid (what the 3D view draws otherwise) and Panels are submenus of View; so are
+/// Arrangement, Theme, Backend and Keys, with one choice each.
+enum class MenuId {
+    File,
+    Edit,
+    View,
+    Solid,
+    Arrangement,
+    Panels,
+    Theme,
+    Backend,
+    Keys,
+    Layers,
+    Board,
+    Select,
+    Help,
+    Count
+};
 inline constexpr std::size_t kMenuCount = static_cast<std::size_t>(MenuId::Count);
 
 struct ActionSpec {
     ActionId id;
     MenuId menu;
     const char* text;       ///< with & before the mnemonic
-    const char* shortcuts;  ///< portable text, several separated by blanks; empty for none
+    const char* shortcuts;  ///< portable text, several separated by blanks; "Ctrl+K,D" are two keys one after the other
     const char* tip;
     bool isCheckable = false;
     bool beginsGroup = false;  ///< a separator goes before it
@@ -114,7 +136,11 @@ struct ActionSpec {
 /// The table, in menu order; row n has id n.
 [[nodiscard]] std::span<const ActionSpec> actionSpecs();
 [[nodiscard]] const char* menuTitle(MenuId menu);
-[[nodiscard]] QList<QKeySequence> shortcutsOf(const ActionSpec& spec);
+/// Keys written as in ActionSpec::shortcuts.
+[[nodiscard]] QList<QKeySequence> keysFrom(const char* shortcuts);
+
+/// Which program the keys of the workbench are like, see key_presets.h.
+enum class KeyPreset { Copperscope, KiCad, Altium, Allegro, KLayout };
 
 /// The live actions of one window.
 class ActionSet {
@@ -127,11 +153,16 @@ public:
     void adopt(ActionId id, QAction& action);
     /// Appends the actions of `menu` in table order.
     void fill(QMenu& menu, MenuId id) const;
+    /// Gives all actions the keys of another program, in tips too.
+    void setKeys(KeyPreset keys);
+    [[nodiscard]] KeyPreset keys() const { return m_keys; }
 
 private:
     void apply(const ActionSpec& spec, QAction& action) const;
+    void applyKeys(const ActionSpec& spec, QAction& action) const;
 
     QWidget& m_window;
+    KeyPreset m_keys = KeyPreset::Copperscope;
     std::array<QAction*, kActionCount> m_actions{};
 };
 

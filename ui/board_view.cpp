@@ -174,6 +174,13 @@ void BoardView::onTimed(const render::FrameStats& stats) {
     emit timed(stats);
 }
 
+void BoardView::takeKeyboard() {
+    setFocus(Qt::ShortcutFocusReason);
+    if (m_window != nullptr) {
+        m_window->requestActivate();
+    }
+}
+
 QObject& BoardView::canvas() {
     return m_window != nullptr ? static_cast<QObject&>(*m_window) : *m_image;
 }

@@ -17,9 +17,9 @@ class ImageCanvas;
 class VulkanCanvas;
 
 /// A viewport: a camera, its input, and a canvas of the kind the platform can show. Draws only when something changed,
-/// and once however much changed since the last frame. Where frames are slow (software Vulkan), outlines are coarser and
-/// edges not smoothed while the view moves, and are again as soon as it rests. A 2D view looks straight at the board
-/// with flat colours, a 3D view from anywhere.
+/// and once however much changed since the last frame. Where frames are slow (software Vulkan), outlines are coarser
+/// and edges not smoothed while the view moves, and are again as soon as it rests. A 2D view looks straight at the
+/// board with flat colours, a 3D view from anywhere.
 class BoardView : public QWidget {
     Q_OBJECT
 
@@ -50,6 +50,8 @@ public:
     void setCut(std::shared_ptr<const render::Cut> cut);
     [[nodiscard]] const render::Cut* cut() const { return m_picture.settings.cut.get(); }
     void requestFrame();
+    /// Keys go to the canvas from now on.
+    void takeKeyboard();
 
     [[nodiscard]] Kind kind() const { return m_kind; }
     [[nodiscard]] CameraController& controller() { return m_controller; }

@@ -3,8 +3,10 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace ui {
 
@@ -12,11 +14,6 @@ namespace {
 
 constexpr double kWheelNotch = 120.0;  // QWheelEvent: eighths of a degree, 15 degrees a notch
 constexpr double kArrowPixels = 40.0;  // an arrow key moves as much as a drag of this length
-
-/// What a button does with these modifiers held.
-bool isPan(const QMouseEvent& event) {
-    return event.button() != Qt::LeftButton || event.modifiers().testFlag(Qt::ShiftModifier);
-}
 
 bool isUse(QEvent::Type type) {
     return type == QEvent::MouseButtonPress || type == QEvent::Wheel || type == QEvent::ShortcutOverride;
@@ -104,6 +101,15 @@ void CameraController::zoomAtCentre(float factor) {
     zoomAt(centre(), factor);
 }
 
+void CameraController::zoomToBox(QPointF from, QPointF to) {
+    const QPointF way = to - from;
+    const double ratio = std::min(m_viewport.width() / std::max(std::abs(way.x()), 1.0),
+                                  m_viewport.height() / std::max(std::abs(way.y()), 1.0));
+    const bool isInto = way.x() > 0.0 && way.y() > 0.0;
+    panBy(centre() - (from + to) / 2.0);
+    zoomAtCentre(static_cast<float>(isInto ? ratio : 1.0 / ratio));
+}
+
 glm::vec2 CameraController::ndcOf(QPointF position) const {
     return {static_cast<float>(2.0 * position.x() / m_viewport.width() - 1.0),
             static_cast<float>(1.0 - 2.0 * position.y() / m_viewport.height())};
@@ -174,6 +180,22 @@ bool CameraController::dispatch(QEvent& event) {
     }
 }
 
+/// What a drag with this button and these modifiers is.
+CameraController::Drag CameraController::kindOf(const QMouseEvent& event) const {
+    const bool isShifted = event.modifiers().testFlag(Qt::ShiftModifier);
+    const bool isRight = event.button() == Qt::RightButton;
+    if (isRight && m_isPlan && m_habits.rightDragZooms && !isShifted) {
+        return Drag::ZoomBox;
+    }
+    if (isRight && !m_isPlan && m_habits.shiftRightDragOrbits && isShifted) {
+        return Drag::Orbit;
+    }
+    if (event.button() != Qt::LeftButton || isShifted) {
+        return Drag::Pan;
+    }
+    return m_isPlan ? Drag::Box : Drag::Orbit;
+}
+
 bool CameraController::press(const QMouseEvent& event) {
     if (m_button != Qt::NoButton) {
         return true;  // one drag at a time: a second button does not disturb the first
@@ -181,9 +203,9 @@ bool CameraController::press(const QMouseEvent& event) {
     m_button = event.button();
     m_pressed = m_last = event.position();
     m_drag = Drag::Undecided;
-    m_dragKind = isPan(event) ? Drag::Pan : m_isPlan ? Drag::Box : Drag::Orbit;
+    m_dragKind = kindOf(event);
     // A pan keeps the board under the cursor; an orbit turns about what is in the middle of the canvas.
-    if (m_dragKind != Drag::Box) {
+    if (m_dragKind == Drag::Pan || m_dragKind == Drag::Orbit) {
         focusAt(m_dragKind == Drag::Pan ? m_pressed : centre());
     }
     return true;
@@ -216,11 +238,13 @@ bool CameraController::release(const QMouseEvent& event) {
         return false;
     }
     const bool wasClick = m_drag == Drag::Undecided && m_button == Qt::LeftButton;
-    const bool wasBox = m_drag == Drag::Box;
-    m_drag = Drag::None;
+    const Drag drag = std::exchange(m_drag, Drag::None);
     m_button = Qt::NoButton;
-    if (wasBox) {
+    if (drag == Drag::Box) {
         emit boxFinished(m_pressed, event.position(), event.modifiers());
+    } else if (drag == Drag::ZoomBox) {
+        zoomToBox(m_pressed, event.position());
+        emit zoomedToBox();
     }
     if (wasClick) {
         emit clicked(m_pressed, event.modifiers());

@@ -14,6 +14,12 @@ class QWheelEvent;
 
 namespace ui {
 
+/// What drags of the right button do otherwise than pan.
+struct MouseHabits {
+    bool rightDragZooms = false;        ///< in a plan: into a box, or out of it; with Shift it pans
+    bool shiftRightDragOrbits = false;  ///< but in a plan, where it pans
+};
+
 /// Turns mouse, wheel and arrow keys into camera moves; knows nothing of the kind of widget that receives them.
 /// Positions are logical pixels.
 ///
@@ -29,6 +35,7 @@ public:
 
     using QObject::QObject;
 
+    void setHabits(const MouseHabits& habits) { m_habits = habits; }
     /// Looks straight at the board and stays so: parallel, from above or below.
     void setPlan();
     [[nodiscard]] bool isPlan() const { return m_isPlan; }
@@ -49,6 +56,9 @@ public:
     /// Zooms by `factor` (> 1 is closer) and keeps the point at `position` where it is on the screen.
     void zoomAt(QPointF position, float factor);
     void zoomAtCentre(float factor);
+    /// Zooms until a box of the canvas fills it, or drawn to another corner than the lower right one, until the canvas
+    /// fits into the box.
+    void zoomToBox(QPointF from, QPointF to);
 
     /// Takes the event if it is one of the gestures above; the answer says so.
     bool handle(QEvent& event);
@@ -80,12 +90,15 @@ signals:
     /// A box being drawn, and the same once it is done. In a drawn box left and right may be exchanged.
     void boxDrawn(QPointF from, QPointF to);
     void boxFinished(QPointF from, QPointF to, Qt::KeyboardModifiers modifiers);
+    /// The box that was drawn was one to zoom to, and is gone.
+    void zoomedToBox();
     /// A button, a wheel or a key: this is the canvas in use.
     void used();
 
 private:
-    enum class Drag { None, Undecided, Orbit, Pan, Box };
+    enum class Drag { None, Undecided, Orbit, Pan, Box, ZoomBox };
 
+    [[nodiscard]] Drag kindOf(const QMouseEvent& event) const;
     bool press(const QMouseEvent& event);
     bool move(const QMouseEvent& event);
     bool release(const QMouseEvent& event);
@@ -108,6 +121,7 @@ private:
     QSizeF m_viewport{1.0, 1.0};
     bool m_isFitted = true;
     bool m_isPlan = false;
+    MouseHabits m_habits;
     Drag m_drag = Drag::None;
     Drag m_dragKind = Drag::None;  ///< what the drag becomes once it is one
     Qt::MouseButton m_button = Qt::NoButton;

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "ui/actions.h"
+#include "ui/key_presets.h"
 
 namespace ui {
 
@@ -23,7 +24,6 @@ constexpr Gesture kGestures[] = {
     {"Click", "Select; again: what lies beneath; with Ctrl: add or take away"},
     {"Double click, Alt + click", "Bring it to the middle of the other view"},
     {"Box from the left, from the right (2D)", "Select what is inside; what is inside or touched"},
-    {"Middle drag, right drag, Shift + left drag", "Pan"},
     {"Wheel", "Zoom to the cursor"},
     {"Arrows (canvas)", "Orbit, with Shift pan (3D); pan (2D)"},
     {"Click on a colour (layers)", "Change the colour"},
@@ -43,23 +43,29 @@ QString section(const QString& title, const QString& rows) {
     return rows.isEmpty() ? QString() : QStringLiteral("<h3>%1</h3><table>%2</table>").arg(title.toHtmlEscaped(), rows);
 }
 
-QString keysOf(const ActionSpec& spec) {
-    QStringList keys;
-    for (const QKeySequence& key : shortcutsOf(spec)) {
-        keys += key.toString(QKeySequence::NativeText);
-    }
-    return keys.join(QStringLiteral(" or "));
-}
-
-QString rowsOf(MenuId menu) {
+QString rowsOf(MenuId menu, KeyPreset preset) {
     QString rows;
     for (const ActionSpec& spec : actionSpecs()) {
-        const QString keys = keysOf(spec);
-        if (spec.menu == menu && !keys.isEmpty()) {
-            rows += row(keys, QString::fromUtf8(spec.tip));
+        if (spec.menu == menu) {
+            rows += row(keysText(keysOf(spec, preset), QStringLiteral(" or ")), QString::fromUtf8(spec.tip));
         }
     }
     return rows;
+}
+
+/// What drags of the right button do; the middle button always pans.
+QString dragRows(const MouseHabits& habits) {
+    const QString pan = QStringLiteral("Pan");
+    if (habits.rightDragZooms) {
+        return row(QStringLiteral("Middle drag, Shift + left or right drag, right drag (3D)"), pan) +
+               row(QStringLiteral("Right drag down and right (2D)"), QStringLiteral("Zoom into the box")) +
+               row(QStringLiteral("Right drag in another direction (2D)"), QStringLiteral("Zoom out of the box"));
+    }
+    if (habits.shiftRightDragOrbits) {
+        return row(QStringLiteral("Middle drag, right drag, Shift + left drag"), pan) +
+               row(QStringLiteral("Shift + right drag (3D)"), QStringLiteral("Orbit"));
+    }
+    return row(QStringLiteral("Middle drag, right drag, Shift + left drag"), pan);
 }
 
 /// A dialog that may stay open beside the window; there is at most one of each name.
@@ -79,22 +85,22 @@ void showDialog(QWidget& parent, const QString& name, const QString& title, QWid
 
 }  // namespace
 
-QString keysSheetText() {
-    QString gestures;
+QString keysSheetText(KeyPreset keys) {
+    QString gestures = dragRows(mouseHabitsOf(keys));
     for (const Gesture& gesture : kGestures) {
         gestures += row(QString::fromUtf8(gesture.how), QString::fromUtf8(gesture.what));
     }
     QString text = section(QStringLiteral("Mouse and canvas"), gestures);
     for (std::size_t menu = 0; menu < kMenuCount; ++menu) {
         const auto id = static_cast<MenuId>(menu);
-        text += section(QString::fromUtf8(menuTitle(id)).remove('&'), rowsOf(id));
+        text += section(QString::fromUtf8(menuTitle(id)).remove('&'), rowsOf(id, keys));
     }
     return text;
 }
 
-void showKeysSheet(QWidget& parent) {
+void showKeysSheet(QWidget& parent, KeyPreset keys) {
     auto* sheet = new QTextBrowser;
-    sheet->setHtml(keysSheetText());
+    sheet->setHtml(keysSheetText(keys));
     sheet->setMinimumSize(sheet->fontMetrics().averageCharWidth() * 80, sheet->fontMetrics().height() * 32);
     showDialog(parent, QStringLiteral("keysSheet"), QStringLiteral("Keys and mouse"), *sheet);
 }

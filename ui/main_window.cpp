@@ -15,6 +15,7 @@
 #include "ui/element_panel.h"
 #include "ui/histogram_view.h"
 #include "ui/icons.h"
+#include "ui/keyboard.h"
 #include "ui/layers_panel.h"
 #include "ui/load_summary.h"
 #include "ui/looks.h"
@@ -153,8 +154,10 @@ void MainWindow::createMenus() {
     view->addSeparator();
     addMenu(*view, MenuId::Solid);
     addMenu(*view, MenuId::Arrangement);
+    addMenu(*view, MenuId::Panels);
     addMenu(*view, MenuId::Theme);
     addMenu(*view, MenuId::Backend);
+    addMenu(*view, MenuId::Keys);
     addMenu(*menuBar(), MenuId::Layers);
     addMenu(*menuBar(), MenuId::Board);
     addMenu(*menuBar(), MenuId::Select);
@@ -189,6 +192,7 @@ void MainWindow::restoreSettings() {
     setBackend(m_settings.backend());
     setArrangement(m_settings.arrangement());
     setUnit(m_settings.unit());
+    m_keyboard->setPreset(m_settings.keys());
     statusBar()->clearMessage();
     m_actions[ActionId::BackendMesh].setEnabled(m_context.device().caps().hasMeshShader);
     m_actions[ActionId::BackendRaster].setEnabled(m_context.device().caps().hasAtomic64);
@@ -201,6 +205,7 @@ void MainWindow::resetSettings() {
     setBackend(render::Backend::Auto);
     setArrangement(Arrangement::SideBySide);
     setUnit(models::LengthUnit::Millimetre);
+    m_keyboard->setPreset(KeyPreset::Copperscope);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

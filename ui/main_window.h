@@ -32,6 +32,7 @@ class QStackedWidget;
 namespace ui {
 
 class ElementPanel;
+class Keyboard;
 class LayersPanel;
 class MessageBar;
 class MessagesPanel;
@@ -187,6 +188,7 @@ private:
     ViewsPanel* m_viewsPanel = nullptr;
     ViewKeeping* m_viewKeeping = nullptr;
     std::array<ViewHistory*, 2> m_viewHistories{};  ///< as BoardViews::both
+    Keyboard* m_keyboard = nullptr;
     StatusLine* m_statusLine = nullptr;
     RecentBoards* m_recent = nullptr;
 };

@@ -13,6 +13,7 @@
 #include "ui/element_panel.h"
 #include "ui/help_dialogs.h"
 #include "ui/histogram_view.h"
+#include "ui/keyboard.h"
 #include "ui/layers_panel.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
@@ -256,7 +257,7 @@ bool MainWindow::cancelWork() {
 }
 
 void MainWindow::connectSelectActions() {
-    on(ActionId::ClearSelection, [this] { cancelWork() || m_selection.clearStep(); });
+    on(ActionId::ClearSelection, [this] { cancelWork() || m_keyboard->returnToView() || m_selection.clearStep(); });
     on(ActionId::ShowSelection, [this] { m_probing->showInBoth(m_selection.selected()); });
     on(ActionId::HighlightNet, &MainWindow::highlightNet);
     on(ActionId::DimOthers, [this](bool isOn) { m_probing->setDimOthers(isOn); });
@@ -293,7 +294,8 @@ void MainWindow::connectPlanActions() {
 }
 
 void MainWindow::connectHelpActions() {
-    on(ActionId::KeysSheet, [this] { showKeysSheet(*this); });
+    m_keyboard = new Keyboard(*this, m_actions, *m_views, m_settings);
+    on(ActionId::KeysSheet, [this] { showKeysSheet(*this, m_actions.keys()); });
     on(ActionId::About, [this] { showAbout(*this); });
     on(ActionId::ResetSettings, [this] { askToReset(*this, [this] { resetSettings(); }); });
 }

@@ -45,6 +45,7 @@ Probing::Probing(BoardViews& views, SelectionModel& selection, QObject* parent)
         m_views.flat().requestFrame();
     });
     connect(&flat, &CameraController::boxFinished, this, &Probing::selectBox);
+    connect(&flat, &CameraController::zoomedToBox, this, [this] { m_box.reset(); });
     views.flat().addPainter([this](QPainter& painter) { paintBox(painter); });
 }
 

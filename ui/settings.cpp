@@ -14,6 +14,7 @@ constexpr auto kTheme = "view/theme";
 constexpr auto kBackend = "view/backend";
 constexpr auto kArrangement = "view/arrangement";
 constexpr auto kUnit = "view/unit";
+constexpr auto kKeys = "view/keys";
 constexpr auto kRecent = "files/recent";
 constexpr auto kFolder = "files/folder";
 
@@ -36,6 +37,11 @@ constexpr std::array<Word<render::Backend>, 5> kBackends{{{render::Backend::Auto
                                                           {render::Backend::Pull, "pull"},
                                                           {render::Backend::Impostor, "impostor"},
                                                           {render::Backend::Raster, "raster"}}};
+constexpr std::array<Word<KeyPreset>, 5> kKeyPresets{{{KeyPreset::Copperscope, "copperscope"},
+                                                      {KeyPreset::KiCad, "kicad"},
+                                                      {KeyPreset::Altium, "altium"},
+                                                      {KeyPreset::Allegro, "allegro"},
+                                                      {KeyPreset::KLayout, "klayout"}}};
 
 /// The first entry stands for whatever is not in the table: settings may come from another version.
 template <class Table>
@@ -100,6 +106,14 @@ models::LengthUnit Settings::unit() const {
 
 void Settings::setUnit(models::LengthUnit unit) {
     m_store.setValue(kUnit, toWord(kUnits, unit));
+}
+
+KeyPreset Settings::keys() const {
+    return fromWord(kKeyPresets, m_store.value(kKeys).toString());
+}
+
+void Settings::setKeys(KeyPreset keys) {
+    m_store.setValue(kKeys, toWord(kKeyPresets, keys));
 }
 
 QStringList Settings::recentBoards() const {

@@ -6,6 +6,7 @@
 #include <QStringList>
 
 #include "render/view.h"
+#include "ui/actions.h"
 #include "ui/models/lengths.h"
 
 namespace ui {
@@ -35,6 +36,9 @@ public:
 
     [[nodiscard]] models::LengthUnit unit() const;
     void setUnit(models::LengthUnit unit);
+
+    [[nodiscard]] KeyPreset keys() const;
+    void setKeys(KeyPreset keys);
 
     /// Paths, newest first.
     [[nodiscard]] QStringList recentBoards() const;

@@ -7,9 +7,17 @@
 
 #include "ui/help_dialogs.h"
 #include "ui/icons.h"
+#include "ui/key_presets.h"
 
 using ui::ActionId;
 using ui::ActionSpec;
+
+namespace {
+
+constexpr ui::KeyPreset kPresets[] = {ui::KeyPreset::Copperscope, ui::KeyPreset::KiCad, ui::KeyPreset::Altium,
+                                      ui::KeyPreset::Allegro, ui::KeyPreset::KLayout};
+
+}  // namespace
 
 class ActionsTest : public QObject {
     Q_OBJECT
@@ -32,14 +40,57 @@ private slots:
         }
     }
 
-    void shortcutsAreValidAndNoTwoCommandsShareOne() {
-        std::set<QString> taken;
-        for (const ActionSpec& spec : ui::actionSpecs()) {
-            for (const QKeySequence& key : ui::shortcutsOf(spec)) {
-                QVERIFY2(!key.isEmpty() && key[0].key() != Qt::Key_unknown, spec.text);
-                QVERIFY2(taken.insert(key.toString()).second, spec.text);
+    void everyCommandHasAKeyInEveryPreset() {
+        for (const ui::KeyPreset preset : kPresets) {
+            for (const ActionSpec& spec : ui::actionSpecs()) {
+                QVERIFY2(!ui::keysOf(spec, preset).isEmpty(), spec.text);
             }
         }
+    }
+
+    void noTwoCommandsOfAPresetShareAKeyOrBeginAlike() {
+        for (const ui::KeyPreset preset : kPresets) {
+            QList<QKeySequence> taken;
+            for (const ActionSpec& spec : ui::actionSpecs()) {
+                for (const QKeySequence& key : ui::keysOf(spec, preset)) {
+                    for (const QKeySequence& other : taken) {
+                        const QString both = key.toString() + " and " + other.toString() + " of " + spec.text;
+                        QVERIFY2(key.matches(other) == QKeySequence::NoMatch, qPrintable(both));
+                        QVERIFY2(other.matches(key) == QKeySequence::NoMatch, qPrintable(both));
+                    }
+                    taken += key;
+                }
+            }
+        }
+    }
+
+    void keysCanBeTyped() {
+        for (const ui::KeyPreset preset : kPresets) {
+            for (const ActionSpec& spec : ui::actionSpecs()) {
+                for (const QKeySequence& key : ui::keysOf(spec, preset)) {
+                    for (int i = 0; i < key.count(); ++i) {
+                        const Qt::Key typed = key[static_cast<uint>(i)].key();
+                        QVERIFY2(typed != Qt::Key_unknown && typed != Qt::Key_QuoteLeft, spec.text);
+                    }
+                }
+            }
+        }
+        QCOMPARE(ui::keysFrom("Ctrl+K,F1 ,").size(), 2);
+        QCOMPARE(ui::keysFrom("Ctrl+K,F1 ,")[0].count(), 2);
+        QCOMPARE(ui::keysFrom("Ctrl+K,F1 ,")[1].toString(), QString(","));
+    }
+
+    void presetsGiveTheKeysOfTheirPrograms() {
+        QWidget window;
+        ui::ActionSet actions(window);
+        actions.setKeys(ui::KeyPreset::KLayout);
+        QCOMPARE(actions[ActionId::Fit].shortcut(), QKeySequence("F2"));
+        QVERIFY(actions[ActionId::Fit].toolTip().contains("F2"));
+        actions.setKeys(ui::KeyPreset::Altium);
+        QVERIFY(actions[ActionId::Flip].shortcuts().contains(QKeySequence("Ctrl+F")));
+        QVERIFY(!actions[ActionId::Find].shortcuts().contains(QKeySequence("Ctrl+F")));
+        actions.setKeys(ui::KeyPreset::Copperscope);
+        QCOMPARE(actions[ActionId::Find].shortcut(), QKeySequence("Ctrl+F"));
     }
 
     void menusHoldTheTable() {
@@ -75,12 +126,16 @@ private slots:
     }
 
     void keysSheetListsEveryShortcut() {
-        const QString sheet = ui::keysSheetText();
-        for (const ActionSpec& spec : ui::actionSpecs()) {
-            for (const QKeySequence& key : ui::shortcutsOf(spec)) {
-                QVERIFY2(sheet.contains(key.toString(QKeySequence::NativeText).toHtmlEscaped()), spec.text);
+        for (const ui::KeyPreset preset : kPresets) {
+            const QString sheet = ui::keysSheetText(preset);
+            for (const ActionSpec& spec : ui::actionSpecs()) {
+                for (const QKeySequence& key : ui::keysOf(spec, preset)) {
+                    QVERIFY2(sheet.contains(key.toString(QKeySequence::NativeText).toHtmlEscaped()), spec.text);
+                }
             }
         }
+        QVERIFY(ui::keysSheetText(ui::KeyPreset::KLayout).contains("Zoom into the box"));
+        QVERIFY(!ui::keysSheetText(ui::KeyPreset::Copperscope).contains("Zoom into the box"));
     }
 
     void iconsAreDrawnInTheirSize() {

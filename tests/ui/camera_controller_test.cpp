@@ -118,6 +118,33 @@ private slots:
         QVERIFY(glm::length(m_controller->camera().direction() - direction) < 1e-6F);
     }
 
+    void rightDragZoomsIntoABoxAndOutOfIt() {
+        m_controller->setPlan();
+        m_controller->setHabits({.rightDragZooms = true});
+        QSignalSpy zoomed(m_controller.get(), &CameraController::zoomedToBox);
+        QSignalSpy boxes(m_controller.get(), &CameraController::boxFinished);
+        const glm::vec3 middle = m_controller->rayAt({300, 250}).origin;
+        const float before = m_controller->mmPerPixel();
+        drag(*m_controller, {200, 175}, {400, 325}, Qt::RightButton);  // a quarter of 800 x 600
+        QVERIFY(std::abs(m_controller->mmPerPixel() / before - 0.25F) < 1e-4F);
+        QVERIFY(glm::distance(glm::vec2(m_controller->rayAt({400, 300}).origin), glm::vec2(middle)) < 0.01F);
+        drag(*m_controller, {500, 375}, {300, 225}, Qt::RightButton);
+        QVERIFY(std::abs(m_controller->mmPerPixel() / before - 1.0F) < 1e-4F);
+        QCOMPARE(zoomed.count(), 2);
+        QCOMPARE(boxes.count(), 0);
+        drag(*m_controller, {200, 175}, {400, 325}, Qt::RightButton, Qt::ShiftModifier);  // pans
+        QVERIFY(std::abs(m_controller->mmPerPixel() / before - 1.0F) < 1e-4F);
+    }
+
+    void shiftAndRightDragOrbitsWhereThatIsTheHabit() {
+        const glm::vec3 direction = m_controller->camera().direction();
+        drag(*m_controller, {400, 300}, {460, 300}, Qt::RightButton, Qt::ShiftModifier);
+        QVERIFY(glm::length(m_controller->camera().direction() - direction) < 1e-6F);
+        m_controller->setHabits({.shiftRightDragOrbits = true});
+        drag(*m_controller, {400, 300}, {460, 300}, Qt::RightButton, Qt::ShiftModifier);
+        QVERIFY(glm::length(m_controller->camera().direction() - direction) > 0.1F);
+    }
+
     void shortPressIsAClickAndMovesNothing() {
         QSignalSpy clicked(m_controller.get(), &CameraController::clicked);
         const glm::vec3 eye = m_controller->camera().eye();

@@ -26,6 +26,7 @@ private slots:
             settings.setTheme(ui::Theme::Dark);
             settings.setBackend(render::Backend::Pull);
             settings.setArrangement(ui::Arrangement::Stacked);
+            settings.setKeys(ui::KeyPreset::Allegro);
             settings.setWindow("geometry", "state");
             settings.setLastFolder("/boards");
         }
@@ -33,6 +34,7 @@ private slots:
         QCOMPARE(settings.theme(), ui::Theme::Dark);
         QCOMPARE(settings.backend(), render::Backend::Pull);
         QCOMPARE(settings.arrangement(), ui::Arrangement::Stacked);
+        QCOMPARE(settings.keys(), ui::KeyPreset::Allegro);
         QCOMPARE(settings.windowGeometry(), QByteArray("geometry"));
         QCOMPARE(settings.windowState(), QByteArray("state"));
         QCOMPARE(settings.lastFolder(), "/boards");

@@ -1,0 +1,175 @@
+// The window is used with keys alone, and with keys of other programs.
+
+#include <QApplication>
+#include <QClipboard>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QtTest>
+
+#include "tests/places.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/element_panel.h"
+#include "ui/layers_panel.h"
+#include "ui/nets_panel.h"
+#include "ui/search_box.h"
+#include "ui/table_view.h"
+#include "ui/views_panel.h"
+
+using ui::ActionId;
+namespace fs = std::filesystem;
+
+class KeyboardTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        m_fixture = std::make_unique<WindowFixture>();
+        m_job = fs::path(m_fixture->folder().toStdString()) / "everything";
+        fs::copy(fs::path(places::kTestData) / "odb/everything", m_job, fs::copy_options::recursive);
+    }
+    void cleanup() {
+        const std::uint32_t errors = m_fixture->context().validationErrors();
+        m_fixture.reset();
+        QCOMPARE(errors, 0U);
+    }
+
+    void aBoardIsLookedIntoByKeysAlone() {
+        openByKeys();
+        find("GND");
+        QCOMPARE(window().selection().nets().size(), std::size_t{1});
+        find("U1");
+        QVERIFY(!window().selection().selected().empty());
+        QVERIFY(!window().elementPanel().fact("Layer").isEmpty());
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(window().selection().selected().empty());
+
+        walkTo("layers");
+        QWidget* layers = QApplication::focusWidget();
+        QVERIFY(window().layersPanel().isAncestorOf(layers));
+        QTest::keyClick(layers, Qt::Key_Down);
+        QTest::keyClick(layers, Qt::Key_Down);
+        const model::LayerId chosen = window().layersPanel().currentLayer();
+        QVERIFY(chosen.isValid());
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_H);
+        QCOMPARE(window().layers().soloLayer(), chosen);
+        QTest::keyClick(layers, Qt::Key_Escape);
+        QTRY_VERIFY(dockWithKeyboard().isEmpty());
+        QCOMPARE(window().selection().nets().size(), std::size_t{1});  // Esc only went back to the view
+
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier);
+        QCOMPARE(window().viewKeeping().list().rowCount(), 1);
+        m_fixture->key(Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(window().viewKeeping().list().rowCount(), 0);
+    }
+
+    void panelsTakeTurns() {
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        QStringList forth;
+        for (int i = 0; i < 12; ++i) {
+            step(ActionId::NextPanel);
+            forth += dockWithKeyboard();
+        }
+        for (const QDockWidget* dock : window().findChildren<QDockWidget*>()) {
+            if (!dock->isHidden()) {
+                QVERIFY2(forth.contains(dock->objectName()), qPrintable(dock->objectName()));
+            }
+        }
+        step(ActionId::PreviousPanel);
+        QCOMPARE(dockWithKeyboard(), forth[forth.size() - 2]);
+    }
+
+    void keysThatMoveInATableStayThere() {
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        walkTo("nets");
+        auto* table = window().netsPanel().findChild<ui::TableView*>();
+        table->setFocus();
+        const glm::vec3 direction = window().views().active().controller().camera().direction();
+        QTest::keyClick(table, Qt::Key_PageDown);
+        QCOMPARE(table->currentIndex().row(), table->model()->rowCount() - 1);
+        QTest::keyClick(table, Qt::Key_PageUp);
+        QCOMPARE(table->currentIndex().row(), 0);
+        QTest::keyClick(table, Qt::Key_Space);  // turns the board over on the canvas
+        QCOMPARE(window().views().active().controller().camera().direction(), direction);
+    }
+
+    void presetsAreKeptAndWork() {
+        window().actions()[ActionId::KeysKLayout].trigger();
+        m_fixture->restart();
+        QVERIFY(window().actions()[ActionId::KeysKLayout].isChecked());
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        ui::CameraController& solid = window().views().solid().controller();
+        window().views().setActive(window().views().solid());
+        const float fitted = solid.mmPerPixel();
+        m_fixture->key(Qt::Key_Return);
+        QVERIFY(solid.mmPerPixel() < fitted * 0.9F);
+        m_fixture->key(Qt::Key_F2);
+        QVERIFY(std::abs(solid.mmPerPixel() / fitted - 1.0F) < 1e-3F);
+        window().resetSettings();
+        QVERIFY(window().actions()[ActionId::KeysCopperscope].isChecked());
+        m_fixture->key(Qt::Key_Return);
+        QVERIFY(std::abs(solid.mmPerPixel() / fitted - 1.0F) < 1e-3F);
+    }
+
+    void keysMayBeTypedOneAfterTheOther() {
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        m_fixture->key(Qt::Key_K, Qt::ControlModifier);
+        m_fixture->key(Qt::Key_D);
+        QVERIFY(window().actions()[ActionId::ThemeDark].isChecked());
+        m_fixture->key(Qt::Key_K, Qt::ControlModifier);
+        m_fixture->key(Qt::Key_S);
+        QVERIFY(window().actions()[ActionId::ThemeSystem].isChecked());
+    }
+
+private:
+    ui::MainWindow& window() { return m_fixture->window(); }
+
+    void openByKeys() {
+        QVERIFY(QTest::qWaitForWindowActive(&window()));
+        QTest::keyClick(&window(), Qt::Key_O, Qt::ControlModifier | Qt::ShiftModifier);
+        QTRY_VERIFY(window().findChild<QFileDialog*>() != nullptr);
+        auto* dialog = window().findChild<QFileDialog*>();
+        QGuiApplication::clipboard()->setText(QString::fromStdString(m_job.string()));
+        QTest::keyClick(dialog->findChild<QLineEdit*>(), Qt::Key_V, Qt::ControlModifier);
+        QTest::keyClick(dialog->findChild<QLineEdit*>(), Qt::Key_Return);
+        QTRY_VERIFY(window().document() != nullptr);
+        QVERIFY(QTest::qWaitForWindowActive(&window()));  // again, after the dialog
+        QTRY_VERIFY(window().views().isVisible());
+    }
+
+    void find(const QString& text) {
+        m_fixture->key(Qt::Key_F, Qt::ControlModifier);
+        auto* line = window().searchBox().findChild<QLineEdit*>();
+        QTRY_VERIFY(line->isVisible());
+        QTest::keyClicks(line, text);
+        QTest::keyClick(line, Qt::Key_Return);
+    }
+
+    QString dockWithKeyboard() {
+        for (const QDockWidget* dock : window().findChildren<QDockWidget*>()) {
+            if (QApplication::focusWidget() != nullptr && dock->isAncestorOf(QApplication::focusWidget())) {
+                return dock->objectName();
+            }
+        }
+        return {};
+    }
+
+    /// One panel on; the display needs a moment to move the keyboard between windows.
+    void step(ActionId way) {
+        window().actions()[way].trigger();
+        QTest::qWait(30);
+    }
+
+    void walkTo(const QString& dock) {
+        for (int i = 0; i < 12 && dockWithKeyboard() != dock; ++i) {
+            step(ActionId::NextPanel);
+        }
+        QCOMPARE(dockWithKeyboard(), dock);
+    }
+
+    std::unique_ptr<WindowFixture> m_fixture;
+    fs::path m_job;
+};
+
+QTEST_MAIN(KeyboardTest)
+#include "keyboard_test.moc"
