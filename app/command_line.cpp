@@ -119,6 +119,7 @@ void addRender(CLI::App& parent, RenderArguments& arguments) {
         ->delimiter(',')
         ->expected(4);
     addLevels(*command, arguments.levels);
+    command->add_flag("--outlines", arguments.isOutlined, "in 2D, outlines and nothing in them");
     command->add_flag("--mono", arguments.isMono, "shapes white on black, neither shaded nor smoothed");
 }
 

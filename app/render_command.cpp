@@ -41,8 +41,8 @@ Result<std::vector<render::LayerStyle>> chooseLayers(const Document& document, c
     return styles;
 }
 
-/// What to light up in the board itself and in each step it places, rows as in BoardScene::setHighlight.
-using Highlights = std::vector<std::vector<model::ElementId>>;
+/// What to light up in the board itself and in each step it places, rows as in BoardScene::setStates.
+using Highlights = std::vector<render::ElementStates>;
 
 /// A net of a panel is that of all its steps.
 Result<Highlights> elementsOfNets(const Document& document, const std::vector<std::string>& names) {
@@ -53,7 +53,7 @@ Result<Highlights> elementsOfNets(const Document& document, const std::vector<st
         for (std::size_t step = 0; step < steps.size(); ++step) {
             if (const model::NetId net = steps[step]->findNet(name); net.isValid()) {
                 const std::span<const model::ElementId> own = steps[step]->elementsOf(net);
-                elements[step].insert(elements[step].end(), own.begin(), own.end());
+                elements[step].add(own, render::kLit);
                 isAnywhere = true;
             }
         }
@@ -111,11 +111,12 @@ render::ViewSettings settingsFor(const RenderArguments& arguments) {
     settings.backend = backendNamed(arguments.backend);
     settings.is2d = arguments.mode == "2d";
     settings.isMono = arguments.isMono;
+    settings.isOutlined = arguments.isOutlined;
     settings.isSmoothed = !arguments.isMono;
     settings.explode = arguments.explode;
     settings.zScale = zScaleOf(arguments);
     settings.levels = levelsOf(arguments.levels);
-    settings.dimOthers = !arguments.nets.empty();
+    settings.dim = arguments.nets.empty() ? 0.0F : render::kDimRest;
     if (arguments.isMono) {
         settings.background = glm::vec3(0.0F);
     }
@@ -165,7 +166,7 @@ Result<render::Image> draw(const RenderArguments& arguments, const Model& board,
     render::BoardScene& scene = *made;
     scene.setStyles(scenery.styles);
     for (std::uint32_t step = 0; step < scenery.highlights.size(); ++step) {
-        scene.setHighlight(scenery.highlights[step], step);
+        scene.setStates(scenery.highlights[step].bytes(), step);
     }
     render::OffscreenPresenter presenter(device);
     render::ViewSettings settings = settingsFor(arguments);

@@ -26,6 +26,7 @@ struct RenderArguments {
     std::vector<double> window;    ///< x0, y0, x1, y1 in millimetres of the job's coordinates; implies 2D
     std::vector<double> cut;       ///< x0, y0, x1, y1 likewise: cut open there, what is to the left is gone
     bool isMono = false;
+    bool isOutlined = false;
 };
 
 /// `copperscope render BOARD -o out.png`: a picture. Answers an exit code.

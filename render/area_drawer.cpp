@@ -54,7 +54,8 @@ AreaDrawer::AreaDrawer(gpu::Device& device, const TargetFormat& target)
     : m_maxDraws(device.caps().maxDrawIndirectCount),
       m_cull(device, {"cull areas", shader::spirv::kCullAreasComp, sizeof(shader::Push)}),
       m_caps(makePipelines(device, "area caps", shader::spirv::kAreaCapVert, false, target)),
-      m_walls(makePipelines(device, "area walls", shader::spirv::kAreaWallVert, true, target)) {}
+      m_walls(makePipelines(device, "area walls", shader::spirv::kAreaWallVert, true, target)),
+      m_outlines(makePipelines(device, "area outlines", shader::spirv::kAreaOutlineVert, false, target)) {}
 
 void AreaDrawer::reset(const Recording& recording) const {
     copyTo(recording.commands(), recording.step.geometry.capDraws, recording.lists.capDraws);
@@ -69,9 +70,14 @@ void AreaDrawer::cull(const Recording& recording) const {
 }
 
 void AreaDrawer::draw(const Recording& recording, std::uint32_t batch, gpu::Pass pass) const {
+    const bool seesUpper = recording.plan.data.quadFace == 0;
+    if ((recording.plan.data.flags & shader::kFrameOutlines) != 0) {
+        drawEdges(recording, pass, batch, m_outlines, seesUpper ? &SeenFaces::upper : &SeenFaces::lower);
+        return;
+    }
     drawCaps(recording, pass, batch, 0);
     drawCaps(recording, pass, batch, 1);
-    drawWalls(recording, pass, batch);
+    drawEdges(recording, pass, batch, m_walls, &SeenFaces::walls);
 }
 
 void AreaDrawer::drawCaps(const Recording& recording, gpu::Pass pass, std::uint32_t batch, std::uint32_t face) const {
@@ -88,12 +94,13 @@ void AreaDrawer::drawCaps(const Recording& recording, gpu::Pass pass, std::uint3
               });
 }
 
-void AreaDrawer::drawWalls(const Recording& recording, gpu::Pass pass, std::uint32_t batch) const {
-    const gpu::Pipeline& pipeline = m_walls[passRow(pass)];
+void AreaDrawer::drawEdges(const Recording& recording, gpu::Pass pass, std::uint32_t batch,
+                           const PassPipelines& pipelines, bool SeenFaces::*side) const {
+    const gpu::Pipeline& pipeline = pipelines[passRow(pass)];
     pipeline.bind(recording.commands());
     pipeline.push(recording.commands(), shader::Push{recording.frameData, 0, 0});
     constexpr std::uint32_t kStride = sizeof(shader::Draw);
-    forPieces(runsOf(recording, batch, &SeenFaces::walls), m_maxDraws, [&](std::uint32_t first, std::uint32_t count) {
+    forPieces(runsOf(recording, batch, side), m_maxDraws, [&](std::uint32_t first, std::uint32_t count) {
         vkCmdDrawIndirect(recording.commands(), recording.lists.wallDraws.buffer,
                           recording.lists.wallDraws.offset + std::uint64_t{first} * kStride, count, kStride);
     });

@@ -62,6 +62,9 @@ const char* nameOf(Backend backend) {
 }
 
 BackendChoice chooseBackend(Backend wanted, const gpu::Caps& caps, const FramePlan& plan) {
+    if ((plan.data.flags & shader::kFrameOutlines) != 0) {
+        return {Backend::Impostor};
+    }
     const auto best = std::ranges::find_if(kRows, [&](const Row& row) { return row.suits(caps, plan); });
     const auto asked = std::ranges::find(kRows, wanted, &Row::backend);
     if (asked == std::end(kRows)) {

@@ -158,7 +158,7 @@ SceneLayers layersOf(const BoardModel& model) {
     return scene;
 }
 
-GeometryBuffers loadGeometry(gpu::Device& device, const BoardModel& model, std::uint32_t elementWords) {
+GeometryBuffers loadGeometry(gpu::Device& device, const BoardModel& model, const std::vector<ElementState>& states) {
     SceneLoader loader(device);
     GeometryBuffers b;
     b.lets = loader.load("lets", model.lets);
@@ -169,7 +169,7 @@ GeometryBuffers loadGeometry(gpu::Device& device, const BoardModel& model, std::
     b.instances = loader.load("instances", model.instances);
     b.drawOfInstance = loader.load("drawOfInstance", drawOfInstance(model));
     b.bounds = loader.load("bounds", boundsOf(model));
-    b.highlight = loader.load("highlight", std::vector<std::uint32_t>(elementWords));
+    b.elementStates = loader.load("element states", states);
     b.capDraws = loader.load("capDraws", capDraws(model));
     b.wallDraws = loader.load("wallDraws", wallDraws(model));
     return b;
@@ -194,6 +194,26 @@ Buffer makeLists(gpu::Device& device, const std::vector<SceneStep>& steps, const
         largest = std::max(largest, steps[copy.step].listBytes());
     }
     return {device, {"draw lists", std::max(largest, std::min(all, most)), MemoryUse::Transient, false}};
+}
+
+/// The words of a list that differ, in bytes.
+struct Change {
+    std::size_t from = 0;
+    std::size_t count = 0;
+};
+
+Change changeBetween(const std::vector<ElementState>& before, const std::vector<ElementState>& after) {
+    const auto first = static_cast<std::size_t>(std::ranges::mismatch(before, after).in1 - before.begin());
+    if (first == before.size()) {
+        return {};
+    }
+    std::size_t end = before.size();
+    while (before[end - 1] == after[end - 1]) {
+        --end;
+    }
+    constexpr std::size_t kWord = shader::kElementsPerWord;
+    const std::size_t from = first / kWord * kWord;
+    return {from, (end + kWord - 1) / kWord * kWord - from};
 }
 
 /// Hands out parts of a buffer one behind the other.
@@ -239,8 +259,8 @@ SceneStep::SceneStep(gpu::Device& device, const BoardModel& model, std::size_t l
       clusterCount(static_cast<std::uint32_t>(model.clusters.size())),
       instanceCount(static_cast<std::uint32_t>(model.instances.size())),
       areaDrawCount(static_cast<std::uint32_t>(model.areaBatches.size())),
-      elementWords((elementCount(model) + 31) / 32),
-      geometry(loadGeometry(device, model, elementWords)) {
+      states(plainStates(elementCount(model))),
+      geometry(loadGeometry(device, model, states)) {
     const Reach reach = reachOf(model);
     reachMin = reach.min;
     reachMax = reach.max;
@@ -267,7 +287,7 @@ void SceneStep::setAddresses(shader::FrameData& data, const DrawLists& lists) co
     data.instances = geometry.instances.address();
     data.drawOfInstance = geometry.drawOfInstance.address();
     data.bounds = geometry.bounds.address();
-    data.highlight = geometry.highlight.address();
+    data.elementStates = geometry.elementStates.address();
     data.visibleClusters = lists.visibleClusters.address;
     data.letSlots = lists.letSlots.address;
     data.visibleLets = lists.visibleLets.address;
@@ -351,21 +371,26 @@ std::vector<ZRange> BoardScene::drawnHeights(const ViewSettings& settings) const
     return render::drawnHeights(m_impl->layers, settings);
 }
 
-void BoardScene::setHighlight(std::span<const model::ElementId> elements, std::uint32_t step) {
-    const SceneStep& owner = m_impl->steps[step];
-    std::vector<std::uint32_t> words(owner.elementWords);
-    for (const model::ElementId element : elements) {
-        // Elements after the last one drawn have no bit: empty areas, say.
-        if (element.row() / 32 < words.size()) {
-            words[element.row() / 32] |= 1U << (element.row() % 32);
-        }
-    }
+void BoardScene::setStates(std::span<const ElementState> states, std::uint32_t step) {
+    SceneStep& owner = m_impl->steps[step];
+    // Elements after the last one drawn have no state: empty areas, say.
+    std::vector<ElementState> wanted(states.begin(), states.end());
+    wanted.resize(owner.states.size());
+    const Change change = changeBetween(owner.states, wanted);
+    owner.states = std::move(wanted);
     try {
-        gpu::upload(m_impl->uploads, owner.geometry.highlight, std::as_bytes(std::span(words)));
+        const auto bytes = std::as_bytes(std::span(owner.states)).subspan(change.from, change.count);
+        gpu::upload(m_impl->uploads, owner.geometry.elementStates, bytes, change.from);
     } catch (const gpu::OutOfMemory& lack) {
         spdlog::error("{} has no memory for {}.", m_impl->device->caps().name, lack.what);
         m_impl->device->markLost();  // the next frame says so to its caller
     }
+}
+
+void BoardScene::setPalette(std::span<const glm::vec3> colours) {
+    ASSERT(colours.size() <= shader::kElementColourCount);
+    m_impl->layers.palette.fill({});
+    std::ranges::transform(colours, m_impl->layers.palette.begin(), toLinear);
 }
 
 std::uint64_t BoardScene::geometryBytes() const {
@@ -374,7 +399,7 @@ std::uint64_t BoardScene::geometryBytes() const {
         const GeometryBuffers& g = step.geometry;
         bytes += step.standard ? step.standard->bytes() : 0;
         for (const Buffer* buffer : {&g.lets, &g.clusters, &g.vertices, &g.next, &g.indices, &g.instances,
-                                     &g.drawOfInstance, &g.bounds, &g.highlight, &g.capDraws, &g.wallDraws}) {
+                                     &g.drawOfInstance, &g.bounds, &g.elementStates, &g.capDraws, &g.wallDraws}) {
             bytes += buffer->size();
         }
     }

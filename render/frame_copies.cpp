@@ -65,7 +65,8 @@ FrameCopies::FrameCopies(gpu::Frame& frame, const FramePlan& plan, const BoardSc
       m_plan(plan),
       m_scene(scene),
       m_upright(putStates(frame, plan.upright)),
-      m_flipped(scene.layers.hasFlipped ? putStates(frame, plan.flipped) : m_upright) {
+      m_flipped(scene.layers.hasFlipped ? putStates(frame, plan.flipped) : m_upright),
+      m_palette(frame.put(std::span<const glm::vec3>(scene.layers.palette)).address) {
     for (std::uint32_t row = 0; row < scene.copies.size(); ++row) {
         add(scene.copies[row], row);
     }
@@ -88,6 +89,7 @@ void FrameCopies::add(const ModelCopy& copy, std::uint32_t row) {
     m_used += bytes;
     step.setAddresses(data, lists);
     data.layers = copy.isFlipped ? m_flipped : m_upright;
+    data.palette = m_palette;
     data.letDrawCount = static_cast<std::uint32_t>(layers.batches.size()) * shader::kBucketCount;
     data.maxDispatch = kMaxDispatch;
     data.copy = row;

@@ -24,6 +24,7 @@ private:
     const BoardScene::Impl& m_scene;
     VkDeviceAddress m_upright;
     VkDeviceAddress m_flipped;
+    VkDeviceAddress m_palette;
     std::uint64_t m_used = 0;  ///< of the scene's lists by the last group
     std::vector<std::vector<Recording>> m_groups;
 };

@@ -125,8 +125,7 @@ std::vector<StackedLayer> stackOf(const SceneLayers& scene, const ZScale& scale)
 }
 
 glm::vec4 linearColour(const LayerStyle& style) {
-    return {toLinear(style.colour.r), toLinear(style.colour.g), toLinear(style.colour.b),
-            std::clamp(style.opacity, 0.0F, 1.0F)};
+    return {toLinear(style.colour), std::clamp(style.opacity, 0.0F, 1.0F)};
 }
 
 /// While others are dimmed to show a net, the laminate lets inner copper shine through.
@@ -135,7 +134,7 @@ LayerStyle shownStyle(const SceneLayers& scene, const ViewSettings& settings, st
     LayerStyle style = scene.styles[layer];
     const bool isLaminate =
         !scene.inLaminate.empty() && scene.inLaminate[layer].role == LayerInLaminate::Role::Laminate;
-    if (isLaminate && settings.dimOthers) {
+    if (isLaminate && settings.dim > 0.0F) {
         style.opacity = std::min(style.opacity, kGlassy);
     }
     return style;
@@ -287,7 +286,6 @@ void setScreen(const glm::dmat4& clip, double width, double height, shader::Fram
 
 std::uint32_t flagsOf(const ViewSettings& settings) {
     return (settings.is2d ? shader::kFrameFlat : 0) | (settings.isMono ? shader::kFrameMono : 0) |
-           (settings.dimOthers && !settings.isMono ? shader::kFrameDimOthers : 0) |
            (settings.cull ? shader::kFrameCull : 0) |
            (settings.levels == LevelOfDetail::Paper ? shader::kFramePaperLevels : 0);
 }
@@ -316,8 +314,16 @@ glm::vec3 cutOf(const CutPlane& plane, const glm::vec3& centre) {
 
 }  // namespace
 
-float toLinear(float srgb) {
-    return srgb <= 0.04045F ? srgb / 12.92F : std::pow((srgb + 0.055F) / 1.055F, 2.4F);
+bool isFlatView(const FramePlan& plan) {
+    const bool isParallel = plan.data.eye.w == 0.0F;
+    return isParallel && !plan.faces.walls && plan.faces.upper != plan.faces.lower;
+}
+
+glm::vec3 toLinear(const glm::vec3& srgb) {
+    const auto light = [](float part) {
+        return part <= 0.04045F ? part / 12.92F : std::pow((part + 0.055F) / 1.055F, 2.4F);
+    };
+    return {light(srgb.r), light(srgb.g), light(srgb.b)};
 }
 
 std::vector<ZRange> drawnHeights(const SceneLayers& scene, const ViewSettings& settings) {
@@ -357,7 +363,8 @@ FramePlan planFrame(const SceneLayers& scene, const Camera& camera, const ViewSe
     data.light = kLight;
     plan.isCut = settings.cut != nullptr && !settings.is2d;
     data.cut = plan.isCut ? cutOf(settings.cut->plane, data.centre) : glm::vec3(0.0F);
-    data.flags = flagsOf(settings);
+    data.restBrightness = 1.0F - std::clamp(settings.dim, 0.0F, 1.0F);
+    data.flags = flagsOf(settings) | (settings.isOutlined && isFlatView(plan) ? shader::kFrameOutlines : 0);
     setTriangleRun(plan.faces, data);
     return plan;
 }

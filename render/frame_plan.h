@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -24,9 +25,10 @@ struct SceneLayers {
     std::vector<Layer> layers;
     std::vector<LayerInLaminate> inLaminate;  ///< one per layer; the standard pipeline's says nothing
     std::vector<LayerStyle> styles;           ///< likewise
-    float widthMm = 0.0F;                     ///< longer side of the board
-    float facesMm = 0.0F;                     ///< BoardFrame::facesMm
-    bool hasFlipped = false;                  ///< some copies are flipped
+    std::array<glm::vec3, shader::kElementColourCount> palette{};  ///< linear; colours of single elements
+    float widthMm = 0.0F;                                          ///< longer side of the board
+    float facesMm = 0.0F;                                          ///< BoardFrame::facesMm
+    bool hasFlipped = false;                                       ///< some copies are flipped
 };
 
 /// Layers that are drawn together.
@@ -56,7 +58,10 @@ struct FramePlan {
 [[nodiscard]] FramePlan planFrame(const SceneLayers& scene, const Camera& camera, const ViewSettings& settings,
                                   std::uint32_t width, std::uint32_t height);
 
-/// One sRGB colour component, 0 to 1, as light.
-[[nodiscard]] float toLinear(float srgb);
+/// Does the frame look straight at one face, in parallel projection?
+[[nodiscard]] bool isFlatView(const FramePlan& plan);
+
+/// An sRGB colour, 0 to 1, as light.
+[[nodiscard]] glm::vec3 toLinear(const glm::vec3& srgb);
 
 }  // namespace render

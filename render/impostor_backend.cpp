@@ -45,9 +45,4 @@ std::unique_ptr<LetBackend> makeImpostorBackend(gpu::Device& device, const Targe
     return std::make_unique<ImpostorBackend>(device, target);
 }
 
-bool isFlatView(const FramePlan& plan) {
-    const bool isParallel = plan.data.eye.w == 0.0F;
-    return isParallel && !plan.faces.walls && plan.faces.upper != plan.faces.lower;
-}
-
 }  // namespace render

@@ -75,7 +75,4 @@ public:
 /// Device memory that the raster back end takes for a picture.
 [[nodiscard]] std::uint64_t rasterBytes(const FramePlan& plan);
 
-/// Does the frame look straight at one face, in parallel projection?
-[[nodiscard]] bool isFlatView(const FramePlan& plan);
-
 }  // namespace render

@@ -28,8 +28,7 @@ void clearStencil(VkCommandBuffer commands, VkExtent2D extent) {
 }
 
 glm::vec3 background(const ViewSettings& settings) {
-    const glm::vec3 srgb = settings.isMono ? glm::vec3(0.0F) : settings.background;
-    return {toLinear(srgb.r), toLinear(srgb.g), toLinear(srgb.b)};
+    return toLinear(settings.isMono ? glm::vec3(0.0F) : settings.background);
 }
 
 }  // namespace

@@ -18,8 +18,8 @@ struct GeometryBuffers {
     gpu::Buffer instances;
     gpu::Buffer drawOfInstance;
     gpu::Buffer bounds;
-    gpu::Buffer highlight;
-    gpu::Buffer capDraws;  ///< commands without instances: what each frame starts from
+    gpu::Buffer elementStates;  ///< a byte per element, ElementState
+    gpu::Buffer capDraws;       ///< commands without instances: what each frame starts from
     gpu::Buffer wallDraws;
 };
 
@@ -67,9 +67,9 @@ struct SceneStep {
     std::uint32_t clusterCount = 0;
     std::uint32_t instanceCount = 0;
     std::uint32_t areaDrawCount = 0;
-    std::uint32_t elementWords = 0;  ///< of the highlight buffer
+    std::vector<ElementState> states;  ///< what `geometry.elementStates` holds
     GeometryBuffers geometry;
-    std::optional<StandardBuffers> standard;  ///< then there is nothing but this and the highlight
+    std::optional<StandardBuffers> standard;  ///< then there is nothing but this and the states of elements
 
     /// `layerCount` of the board; a step has the same rows or fewer.
     SceneStep(gpu::Device& device, const BoardModel& model, std::size_t layerCount);

@@ -64,8 +64,8 @@ std::uint64_t StandardBuffers::bytes() const {
 }
 
 SceneStep::SceneStep(gpu::Device& device, const StandardModel& model, std::size_t layerCount)
-    : layers(layerCount), elementWords((model.elementCount + 31) / 32), standard(loadParts(device, model, layerCount)) {
-    geometry.highlight = SceneLoader(device).load("highlight", std::vector<std::uint32_t>(elementWords));
+    : layers(layerCount), states(plainStates(model.elementCount)), standard(loadParts(device, model, layerCount)) {
+    geometry.elementStates = SceneLoader(device).load("element states", states);
 }
 
 BoardScene::Impl::Impl(gpu::Device& owner, const StandardModel& model)

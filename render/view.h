@@ -11,6 +11,7 @@
 #include "render/board_model.h"
 #include "render/camera.h"
 #include "render/cut.h"
+#include "render/element_state.h"
 #include "render/explosion.h"
 #include "render/layer_style.h"
 #include "render/standard_model.h"
@@ -55,7 +56,9 @@ struct ViewSettings {
     float explode = 0.0F;            ///< 0 = real stack; 1 spreads the layers over about half the board's width
     ZScale zScale;                   ///< thicknesses as drawn
     std::shared_ptr<const Cut> cut;  ///< cuts the board open in 3D; none: it is whole
-    bool dimOthers = false;          ///< darkens what is not highlighted
+    float dim = 0.0F;                ///< by how much what does not stand out is darkened; 1 = to black
+    bool isOutlined =
+        false;  ///< outlines and nothing in them, in flat views; Impostor draws them, whatever `backend` says
     glm::vec3 background{0.10F, 0.11F, 0.13F};  ///< sRGB
     Overlay overlay;                            ///< none while it has no pixels
 };
@@ -97,9 +100,11 @@ public:
     void setHeights(const BoardFrame& frame);
     /// Lower and upper face of every layer as a view with these settings and the styles set last draws it, mm.
     [[nodiscard]] std::vector<ZRange> drawnHeights(const ViewSettings& settings) const;
-    /// One bit per element of the board itself or of a step it places (0 = the board, else 1 + row of
-    /// BoardModel::steps), which lights up in all its copies. Changes nothing else on the GPU.
-    void setHighlight(std::span<const model::ElementId> elements, std::uint32_t step = 0);
+    /// How elements of the board itself or of a step it places (0 = the board, else 1 + row of BoardModel::steps) look
+    /// in all its copies, by row; those beyond the list are plain. What did not change is not sent again.
+    void setStates(std::span<const ElementState> states, std::uint32_t step = 0);
+    /// The colours that states name, sRGB; shader::kElementColourCount at most.
+    void setPalette(std::span<const glm::vec3> colours);
     /// Grows with what is different on the board, not with the number of copies.
     [[nodiscard]] std::uint64_t geometryBytes() const;
     /// With the lists of what is seen, which grow with the copies up to their limit.

@@ -2,13 +2,14 @@
 #extension GL_GOOGLE_include_directive : require
 #include "lib/frame.glsl"
 #include "lib/area.glsl"
+#include "lib/element.glsl"
 #include "lib/in_view.glsl"
 
 // One thread per area instance: lists those in view for the two draws (caps and walls) of their batch.
 layout(local_size_x = kCullGroupSize) in;
 
 bool isInView(AreaInstance instance, LayerState layer) {
-    if (!has(layer.flags, kLayerVisible)) {
+    if (!has(layer.flags, kLayerVisible) || isHidden(instance.element)) {
         return false;
     }
     const ShapeBound bound = FRAME.bounds.at[instance.shape];

@@ -22,10 +22,10 @@ void main() {
     int mask = 0;
     if (has(FRAME.flags, kFrameSmoothed)) {
         for (int i = 0; i < 4; ++i) {
-            mask |= outside(let, place + kSamples[i].x * right + kSamples[i].y * down) <= 0.0 ? 1 << i : 0;
+            mask |= isDrawn(let, place + kSamples[i].x * right + kSamples[i].y * down) ? 1 << i : 0;
         }
     } else {
-        mask = outside(let, place) <= 0.0 ? 1 : 0;
+        mask = isDrawn(let, place) ? 1 : 0;
     }
     if (mask == 0 || isCutAway(vec3(inPlace, 0.0))) {
         discard;

@@ -2,6 +2,7 @@
 
 namespace {
 #include "area_cap_vert.h"
+#include "area_outline_vert.h"
 #include "area_wall_vert.h"
 #include "board_frag.h"
 #include "cull_areas_comp.h"
@@ -47,6 +48,7 @@ namespace {
 namespace shader::spirv {
 
 const Code kAreaCapVert(area_cap_vert);
+const Code kAreaOutlineVert(area_outline_vert);
 const Code kAreaWallVert(area_wall_vert);
 const Code kBoardFrag(board_frag);
 const Code kCullAreasComp(cull_areas_comp);
@@ -91,6 +93,7 @@ const Code kTriWriteKeptComp(tri_write_kept_comp);
 std::span<const Named> all() {
     static const Named kAll[] = {
         {"area_cap.vert", area_cap_vert},
+        {"area_outline.vert", area_outline_vert},
         {"area_wall.vert", area_wall_vert},
         {"board.frag", board_frag},
         {"cull_areas.comp", cull_areas_comp},

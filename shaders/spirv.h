@@ -9,6 +9,7 @@ namespace shader::spirv {
 using Code = std::span<const std::uint32_t>;
 
 extern const Code kAreaCapVert;
+extern const Code kAreaOutlineVert;
 extern const Code kAreaWallVert;
 extern const Code kBoardFrag;
 extern const Code kCullAreasComp;

@@ -18,5 +18,6 @@ void main() {
     const vec3 position = vec3(vertex.x, vertex.y, mix(layer.z0 - proud, layer.z1 + proud, vertex.face));
     outPosition = position - FRAME.centre;
     outColour = colourOf(layer, element, isBore);
-    gl_Position = clipPosition(outPosition, layer, element, isBore, float(isUpper), 0.0);
+    gl_Position = isHidden(element) ? vec4(0.0, 0.0, -1.0, 1.0)  // behind the far end
+                                    : clipPosition(outPosition, layer, element, isBore, float(isUpper), 0.0);
 }

@@ -131,6 +131,7 @@ constexpr ActionSpec kSpecs[] = {
     {ShowGrid, MenuId::Select, "&Grid and rulers", "G", "Show a grid and rulers in 2D", kCheckable},
     {ShowNames, MenuId::Select, "Net na&mes", "W", "Write the names of nets on the copper in 2D, where there is room",
      kCheckable},
+    {ShowOutlines, MenuId::Select, "O&utlines alone", "S", "In 2D, draw outlines and nothing in them", kCheckable},
     {MeasureFrom, MenuId::Select, "Measure &from here", "M",
      "Show how far the cursor is from where it is now; again to stop", kCheckable},
 

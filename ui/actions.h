@@ -95,6 +95,7 @@ enum class ActionId {
     NextUnit,
     ShowGrid,
     ShowNames,
+    ShowOutlines,
     MeasureFrom,
     KeysSheet,
     ResetSettings,

@@ -93,8 +93,13 @@ std::vector<render::ZRange> BoardView::drawnHeights() const {
     return m_picture.scene->drawnHeights(m_picture.frameSettings());
 }
 
-void BoardView::setDimOthers(bool isOn) {
-    m_picture.settings.dimOthers = isOn;
+void BoardView::setDim(float dim) {
+    m_picture.settings.dim = dim;
+    requestFrame();
+}
+
+void BoardView::setOutlined(bool isOn) {
+    m_picture.settings.isOutlined = isOn;
     requestFrame();
 }
 

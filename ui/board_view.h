@@ -38,8 +38,10 @@ public:
     void setBoard(const glm::vec3& boxMin, const glm::vec3& boxMax);
     void setStyles(std::vector<render::LayerStyle> styles);
     void setBackend(render::Backend backend);
-    /// Darkens what is not highlighted.
-    void setDimOthers(bool isOn);
+    /// Darkens what does not stand out, see render::ViewSettings.
+    void setDim(float dim);
+    /// Outlines and nothing in them; in 2D.
+    void setOutlined(bool isOn);
     /// Painters paint in the order in which they were added, before every frame.
     void addPainter(Painter painter) { m_painters.push_back(std::move(painter)); }
     /// 0 to 1, see render::ViewSettings.

@@ -50,7 +50,7 @@ void BoardViews::show(const LoadedBoard& board, const std::vector<models::LayerL
     makeScene();
     applyHeights();
     for (BoardView* view : m_views) {
-        view->setDimOthers(false);
+        view->setDim(0.0F);
     }
     flat().controller().look(render::NamedView::Top);
     solid().controller().look(render::NamedView::Iso);
@@ -126,7 +126,9 @@ void BoardViews::setContrastLayer(model::LayerId layer) {
 
 void BoardViews::applyHighlight() {
     for (std::uint32_t step = 0; m_scene && step < m_highlight.size(); ++step) {
-        m_scene->setHighlight(m_highlight[step], step);
+        render::ElementStates states;
+        states.add(m_highlight[step], render::kLit);
+        m_scene->setStates(states.bytes(), step);
     }
 }
 
@@ -134,7 +136,7 @@ void BoardViews::setHighlight(std::vector<std::vector<model::ElementId>> element
     m_highlight = std::move(elements);
     applyHighlight();
     for (BoardView* view : m_views) {
-        view->setDimOthers(dimOthers);
+        view->setDim(dimOthers ? render::kDimRest : 0.0F);
     }
 }
 

@@ -282,6 +282,7 @@ void MainWindow::connectFollowActions() {
 void MainWindow::connectPlanActions() {
     on(ActionId::NextUnit, [this] { setUnit(models::nextUnit(m_unit)); });
     on(ActionId::ShowGrid, [this](bool isOn) { m_planPainter->showGrid(isOn); });
+    on(ActionId::ShowOutlines, [this](bool isOn) { m_views->flat().setOutlined(isOn); });
     on(ActionId::ShowNames, [this](bool isOn) { m_planPainter->showNames(isOn); });
     m_actions[ActionId::ShowGrid].setChecked(true);
     m_actions[ActionId::ShowNames].setChecked(true);

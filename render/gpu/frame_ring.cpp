@@ -115,8 +115,8 @@ bool FrameRing::wait() {
     return finish(m_frames[m_current]);
 }
 
-bool upload(FrameRing& ring, const Buffer& to, std::span<const std::byte> bytes) {
-    ASSERT(bytes.size() <= to.size());
+bool upload(FrameRing& ring, const Buffer& to, std::span<const std::byte> bytes, std::uint64_t at) {
+    ASSERT(at + bytes.size() <= to.size());
     for (std::uint64_t done = 0; done < bytes.size(); done += kUploadPiece) {
         Frame* frame = ring.begin();
         if (frame == nullptr) {
@@ -125,7 +125,7 @@ bool upload(FrameRing& ring, const Buffer& to, std::span<const std::byte> bytes)
         const std::span<const std::byte> piece = bytes.subspan(done, std::min(kUploadPiece, bytes.size() - done));
         const Frame::Slice staging = frame->put(piece);
         memoryBarrier(frame->commands(), kAnything, kCopyWrite);
-        const VkBufferCopy region{staging.offset, done, piece.size()};
+        const VkBufferCopy region{staging.offset, at + done, piece.size()};
         vkCmdCopyBuffer(frame->commands(), staging.buffer, to.handle(), 1, &region);
         memoryBarrier(frame->commands(), kCopyWrite, kAnything);
         if (!ring.end()) {

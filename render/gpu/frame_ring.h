@@ -75,8 +75,8 @@ private:
     double m_gpuMs = 0.0;
 };
 
-/// Copies `bytes` to the start of `to`, in pieces through the ring's frames. The copy is ordered after all earlier work
-/// and before all later work.
-bool upload(FrameRing& ring, const Buffer& to, std::span<const std::byte> bytes);
+/// Copies `bytes` to `to` from byte `at` on (both multiples of 4), in pieces through the ring's frames. The copy is
+/// ordered after all earlier work and before all later work.
+bool upload(FrameRing& ring, const Buffer& to, std::span<const std::byte> bytes, std::uint64_t at = 0);
 
 }  // namespace render::gpu

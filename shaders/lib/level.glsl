@@ -1,6 +1,7 @@
 // Which lets are in view, and how finely they must be drawn. Needs in_view.glsl.
 
 #include "cell.glsl"
+#include "element.glsl"
 
 bool isClusterInView(Cluster cluster, LayerState layer) {
     if (!has(layer.flags, kLayerVisible)) {
@@ -77,6 +78,9 @@ uint paperLevel(vec3 circle, float pixelsPerMm) {
 // topology * kLevelCount + level, or kNotDrawn: the coarsest level that stays within the tolerance.
 uint letBucket(Let let, LayerState layer) {
     const uint base = topologyOf(let) * kLevelCount;
+    if (isHidden(let.element)) {
+        return kNotDrawn;
+    }
     if (!has(FRAME.flags, kFrameCull)) {
         return has(FRAME.flags, kFrameImpostors) ? kLevelQuad : base + kLevel64;
     }

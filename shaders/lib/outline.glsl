@@ -3,6 +3,9 @@
 // The functions from...() answer with xy: the way from the outline to p or on from it, a normal pointing outwards, not of unit length; z: how far outside p lies, mm,
 // negative inside, exact in its sign.
 
+// How wide outlines are where nothing but outlines is drawn.
+const float kOutlinePx = 1.25;
+
 // Whether q, relative to the centre, lies in the sector of an arc.
 bool isInSector(Let let, vec2 q) {
     const float middle = let.p3 + 0.5 * let.p4;
@@ -81,4 +84,14 @@ vec3 fromOutline(Let let, vec2 p) {
 
 float outside(Let let, vec2 p) {
     return fromOutline(let, p).z;
+}
+
+// Whether p is drawn: it lies in the let, or in outline mode along the inside of its outline. Arcs may be pieces of longer ones: their ends are no outlines then.
+bool isDrawn(Let let, vec2 p) {
+    const float beyond = outside(let, p);
+    if (!has(FRAME.flags, kFrameOutlines)) {
+        return beyond <= 0.0;
+    }
+    const bool isEnd = (let.meta & kLetKindMask) == kLetArc && !isInSector(let, p - vec2(let.p0, let.p1));
+    return beyond <= 0.0 && beyond > -kOutlinePx / FRAME.pixelsPerMm && !isEnd;
 }

@@ -75,6 +75,13 @@ struct LayerState {
 };
 GPU_SIZE(LayerState, 32);
 
+// How an element differs from the style of its layer: a byte each, four to a word.
+GPU_CONST kElementLit = 0x80;         // stands out: its hue at full brightness, on top of what lies in one plane with it
+GPU_CONST kElementHidden = 0x40;      // is not drawn
+GPU_CONST kElementColourMask = 0x3f;  // 0 = the layer's colour, else 1 + row of the palette
+GPU_CONST kElementColourCount = 63;
+GPU_CONST kElementsPerWord = 4;
+
 // p' = origin + M(mirror) * R * p with R = (c s; -s c), clockwise by the angle.
 struct AreaInstance {
     vec2 origin;

@@ -51,6 +51,7 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Ver
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Words { uint at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Instances { AreaInstance at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Bounds { ShapeBound at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Colours { vec3 at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) buffer WordList { uint at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) buffer IndexedDraws { DrawIndexed at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Draws { Draw at[]; };
@@ -60,7 +61,7 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) buffer ClusterList 
 
 GPU_CONST kFrameFlat = 1;       // no lighting
 GPU_CONST kFrameMono = 2;       // everything visible is white
-GPU_CONST kFrameDimOthers = 4;  // what is not highlighted is darkened
+GPU_CONST kFrameOutlines = 4;  // flat views: outlines, and nothing in them
 GPU_CONST kFrameCull = 8;       // frustum culling and level of detail
 GPU_CONST kFramePaperLevels = 16;  // none but the paper's three levels of detail
 GPU_CONST kFrameImpostors = 32;    // all lets are quads, whose fragments know the outline
@@ -85,7 +86,7 @@ struct FrameData {
     float rasterRadiusPx;      // lets with a smaller circle around them are rasterised by compute shaders; 0 = never
     float thinPx;              // walls of fewer pixels are left out; 0 = never
     vec3 cut;                  // p relative to `centre` is cut away where dot(cut.xy, p.xy) > cut.z (lib/cut.glsl)
-    uint reserved;
+    float restBrightness;      // of what neither is lit nor has a colour of its own, 0 to 1
     float nudgeZ, nudgeW;      // one step of tie-break moves z by nudgeZ * z + nudgeW * w
     float sliverNudge;         // by how much of itself a step grows for each width a let is long
     float boreProudMm;         // how far the dark inside of a hole stands out of the outer faces
@@ -114,10 +115,11 @@ struct FrameData {
     GPU_ADDRESS(WordList) visibleInstances;    // by draw: at[firstInstance + instance]
     GPU_ADDRESS(IndexedDraws) capDraws;
     GPU_ADDRESS(Draws) wallDraws;
-    GPU_ADDRESS(Words) highlight;              // one bit per element
+    GPU_ADDRESS(Words) elementStates;          // a byte per element
+    GPU_ADDRESS(Colours) palette;              // colours of elements, linear
     GPU_ADDRESS(StandardParts) standardParts;  // null in the hybrid pipeline
 };
-GPU_SIZE(FrameData, 64 + 96 + 16 + 4 * 12 + 8 + 16 + 20 * 4 + 17 * 8);
+GPU_SIZE(FrameData, 64 + 96 + 16 + 4 * 12 + 8 + 16 + 20 * 4 + 18 * 8);
 
 #ifndef __cplusplus
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Frame { FrameData data; };

@@ -174,9 +174,9 @@ private slots:
         Scene scene(everything());
         scene.camera.fit(scene.model.boxMin, scene.model.boxMax, NamedView::Iso, 4.0F / 3.0F);
         const std::vector<model::ElementId> lit{model::ElementId{1}, model::ElementId{3}, model::ElementId{9}};
-        scene.scene.setHighlight(lit);
+        scene.scene.setStates(statesOf(lit));
         ViewSettings how;
-        how.dimOthers = true;
+        how.dim = kDimRest;
         how.explode = 0.3F;
         compareSolids(scene, Backend::Impostor, true, how);
         compareSolids(scene, Backend::Raster, false, how);

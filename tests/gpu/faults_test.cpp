@@ -22,7 +22,7 @@ base::Result<Image> loadAndDraw(gpu::Device& device, const SyntheticBoard& board
         return scene.error();
     }
     scene->setStyles(board.styles());
-    scene->setHighlight({});
+    scene->setStates(statesOf(std::array{model::ElementId{1}}));
     Camera camera;
     camera.fit(model.boxMin, model.boxMax, NamedView::Iso, 4.0F / 3.0F);
     ViewSettings settings;

@@ -45,6 +45,12 @@ void Scene::lookDown(glm::vec2 min, glm::vec2 max) {
     camera.fitWindow(min, max, model.boxMax.z, (max.x - min.x) / (max.y - min.y));
 }
 
+std::vector<ElementState> statesOf(std::span<const model::ElementId> lit) {
+    ElementStates states;
+    states.add(lit, kLit);
+    return {states.bytes().begin(), states.bytes().end()};
+}
+
 Rgb pixel(const Image& image, std::uint32_t x, std::uint32_t y) {
     const std::size_t at = (std::size_t{y} * image.width + x) * 4;
     return {image.rgba[at], image.rgba[at + 1], image.rgba[at + 2]};

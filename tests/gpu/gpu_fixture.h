@@ -33,6 +33,9 @@ struct Scene {
     void lookDown(glm::vec2 min, glm::vec2 max);
 };
 
+/// These elements lit, all others plain.
+[[nodiscard]] std::vector<ElementState> statesOf(std::span<const model::ElementId> lit);
+
 /// sRGB bytes of a pixel.
 struct Rgb {
     int r = 0;

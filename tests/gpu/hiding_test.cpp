@@ -84,7 +84,7 @@ private slots:
             case 2: scene.styles[Drill].isVisible = false; break;
             case 3: scene.inLaminate[Inner].insetMm = -1.0F; break;
             case 4: settings.cull = false; break;
-            case 5: settings.dimOthers = true; break;
+            case 5: settings.dim = kDimRest; break;
             default: settings.explode = 1.0F; break;
         }
         QVERIFY(isDrawn(plan(scene, NamedView::Iso, settings), Inner));

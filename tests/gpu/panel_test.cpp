@@ -313,7 +313,7 @@ private slots:
         ViewSettings settings;
         settings.is2d = true;
         const Image before = board.draw(settings, NamedView::Top);
-        board.scene.setHighlight(std::array{model::ElementId{1}}, 1);
+        board.scene.setStates(statesOf(std::array{model::ElementId{1}}), 1);
         const Image after = board.draw(settings, NamedView::Top);
         std::size_t left = 0;
         std::size_t right = 0;

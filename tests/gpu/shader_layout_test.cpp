@@ -95,7 +95,7 @@ class ShaderLayoutTest : public QObject {
         MEMBER(frameData, FrameData, thinPx);
         MEMBER(frameData, FrameData, nudgeZ);
         MEMBER(frameData, FrameData, cut);
-        MEMBER(frameData, FrameData, reserved);
+        MEMBER(frameData, FrameData, restBrightness);
         MEMBER(frameData, FrameData, nudgeW);
         MEMBER(frameData, FrameData, sliverNudge);
         MEMBER(frameData, FrameData, boreProudMm);
@@ -123,7 +123,8 @@ class ShaderLayoutTest : public QObject {
         MEMBER(frameData, FrameData, visibleInstances);
         MEMBER(frameData, FrameData, capDraws);
         MEMBER(frameData, FrameData, wallDraws);
-        MEMBER(frameData, FrameData, highlight);
+        MEMBER(frameData, FrameData, elementStates);
+        MEMBER(frameData, FrameData, palette);
         MEMBER(frameData, FrameData, standardParts);
         MEMBER(standardVertex, StandardVertex, x);
         MEMBER(standardVertex, StandardVertex, y);

@@ -196,7 +196,7 @@ private slots:
         how.backend = static_cast<Backend>(backend);
         const Image before = scene.draw(how, 200, 200);
         const model::ElementId highlighted[] = {model::ElementId{disc}, model::ElementId{1000000}};
-        scene.scene.setHighlight(highlighted);
+        scene.scene.setStates(statesOf(highlighted));
         const Image after = scene.draw(how, 200, 200);
         for (std::uint32_t y = 0; y < 200; ++y) {
             for (std::uint32_t x = 0; x < 200; ++x) {
@@ -208,7 +208,7 @@ private slots:
                 }
             }
         }
-        scene.scene.setHighlight({});
+        scene.scene.setStates({});
         QCOMPARE(differingPixels(before, scene.draw(how, 200, 200), 0), std::size_t{0});
     }
 
@@ -220,9 +220,9 @@ private slots:
         Scene scene(board);
         scene.lookDown({-1, -1}, {1, 1});
         ViewSettings how = flat();
-        how.dimOthers = true;
+        how.dim = kDimRest;
         const model::ElementId highlighted[] = {model::ElementId{left}};
-        scene.scene.setHighlight(highlighted);
+        scene.scene.setStates(statesOf(highlighted));
         const Image image = scene.draw(how, 200, 200);
         QVERIFY(pixel(image, 50, 100).r > 204);
         QVERIFY(pixel(image, 150, 100).r < 100);

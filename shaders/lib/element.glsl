@@ -1,0 +1,18 @@
+// How single elements look.
+#ifndef COPPERSCOPE_SHADERS_LIB_ELEMENT_GLSL
+#define COPPERSCOPE_SHADERS_LIB_ELEMENT_GLSL
+
+uint stateOf(uint element) {
+    const uint word = FRAME.elementStates.at[element / kElementsPerWord];
+    return word >> (8u * (element % kElementsPerWord)) & 0xffu;
+}
+
+bool standsOut(uint state) {
+    return (state & (kElementLit | kElementColourMask)) != 0u;
+}
+
+bool isHidden(uint element) {
+    return has(stateOf(element), kElementHidden);
+}
+
+#endif
