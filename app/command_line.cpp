@@ -188,6 +188,21 @@ void addSection(CLI::App& parser, SectionArguments& arguments) {
         ->check(CLI::Range(0.01, 10'000.0));
 }
 
+void addMeasure(CLI::App& parser, MeasureArguments& arguments) {
+    CLI::App* command = parser.add_subcommand("measure", "Measure how far two things of a board are apart");
+    addBoardOptions(*command, arguments.board);
+    const char* forms = "net:NAME, part:NAME, pin:PART.PIN, element:NUMBER, at:X,Y[,LAYER] with units, or edge";
+    command->add_option("--from", arguments.from, forms)->required();
+    command->add_option("--to", arguments.to, "the same")->required();
+    CLI::Option* path = command->add_option("--path", arguments.path, "the way along the copper of this net instead");
+    command
+        ->add_option("--below", arguments.below, "exit code 4 if they are closer than this, with um, mm, mil or inch")
+        ->excludes(path);
+    command->add_option("--format", arguments.format, "text, json or csv")
+        ->check(CLI::IsMember({"text", "json", "csv"}))
+        ->capture_default_str();
+}
+
 /// The other thing that `bench` measures, with options of its own.
 void addTriangulationBench(CLI::App* command, bool& isWanted, TriangulationBenchArguments& arguments) {
     CLI::Option* wanted =
@@ -232,6 +247,7 @@ Command parseCommandLine(int argc, char** argv) {
     BenchArguments bench;
     ClearanceArguments clearance;
     SectionArguments section;
+    MeasureArguments measure;
     parser.add_option("BOARD", workbench.path, "the board to open in the workbench; default: the sample");
     parser.add_option("--step", workbench.step, "the step to open");
     addStackOptions(parser, workbench.thicknesses, workbench.noSession);
@@ -242,6 +258,7 @@ Command parseCommandLine(int argc, char** argv) {
     addBench(parser, bench);
     addClearance(parser, clearance);
     addSection(parser, section);
+    addMeasure(parser, measure);
     bool isTriangulationBench = false;
     TriangulationBenchArguments triangulationBench;
     addTriangulationBench(parser.get_subcommand("bench"), isTriangulationBench, triangulationBench);
@@ -264,6 +281,9 @@ Command parseCommandLine(int argc, char** argv) {
     }
     if (parser.got_subcommand("clearance")) {
         return clearance;
+    }
+    if (parser.got_subcommand("measure")) {
+        return measure;
     }
     if (parser.got_subcommand("section")) {
         return section;

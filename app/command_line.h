@@ -8,6 +8,7 @@
 #include "app/clearance_command.h"
 #include "app/generate_command.h"
 #include "app/info_command.h"
+#include "app/measure_command.h"
 #include "app/render_command.h"
 #include "app/section_command.h"
 #include "app/triangulation_bench.h"
@@ -29,7 +30,7 @@ struct Quit {
 };
 
 using Command = std::variant<WorkbenchArguments, InfoArguments, RenderArguments, GenerateArguments, BenchArguments,
-                             TriangulationBenchArguments, ClearanceArguments, SectionArguments, Quit>;
+                             TriangulationBenchArguments, ClearanceArguments, SectionArguments, MeasureArguments, Quit>;
 
 /// Understands the command line of docs/architecture.md.
 [[nodiscard]] Command parseCommandLine(int argc, char** argv);

@@ -20,6 +20,7 @@ struct Run {
     }
     int operator()(const app::ClearanceArguments& arguments) const { return app::runClearance(arguments); }
     int operator()(const app::SectionArguments& arguments) const { return app::runSection(arguments); }
+    int operator()(const app::MeasureArguments& arguments) const { return app::runMeasure(arguments); }
     int operator()(const app::Quit& quit) const { return quit.code; }
 };
 

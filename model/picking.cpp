@@ -13,9 +13,6 @@ namespace model {
 
 namespace {
 
-/// Outlines kept for areas: those of more edges than this, until so many edges are kept (72 bytes each).
-constexpr std::size_t kLargeArea = 256;
-constexpr std::size_t kMostKeptEdges = 4'000'000;
 /// Halvings of a way through a layer: to 1 nm of 1 m.
 constexpr int kHalvings = 30;
 
@@ -125,29 +122,6 @@ std::pair<double, double> drawnHeights(const Document& step, ElementId body, boo
 
 }  // namespace
 
-const FigureTable& Picker::figuresOf(std::uint32_t step, ElementId element) {
-    const std::uint64_t key = std::uint64_t{step} << 32U | element.value;
-    if (const auto kept = m_figures.find(key); kept != m_figures.end()) {
-        return kept->second;
-    }
-    FigureTable figures;
-    figures.add(*m_index->tree.steps[step], element);
-    std::size_t edges = 0;
-    for (std::size_t row = 0; row < figures.size(); ++row) {
-        edges += figures[row].edgeCount;
-    }
-    if (edges <= kLargeArea) {
-        m_small = std::move(figures);
-        return m_small;
-    }
-    if (m_keptEdges + edges > kMostKeptEdges) {
-        m_figures.clear();
-        m_keptEdges = 0;
-    }
-    m_keptEdges += edges;
-    return m_figures.emplace(key, std::move(figures)).first->second;
-}
-
 void Picker::collect(const Probe& probe, LayerId only, std::vector<Hit>& hits) {
     for (std::uint32_t copy = 0; copy < m_index->tree.copies.size(); ++copy) {
         const StepCopy& placed = m_index->tree.copies[copy];
@@ -170,7 +144,7 @@ void Picker::collect(const Probe& probe, LayerId only, std::vector<Hit>& hits) {
             }
             const PointD a = unplaced(own->a, placed.placement);
             const PointD b = unplaced(own->b, placed.placement);
-            const FigureTable& figures = figuresOf(placed.step, element);
+            const FigureTable& figures = m_figures.of(*m_index, placed.step, element);
             const double missedBy = gapTo(figures, a, b, probe.reach);
             if (missedBy > probe.reach) {
                 return;
@@ -269,7 +243,7 @@ std::vector<BoardElement> Picker::inside(const Box& box, bool isTouching, std::s
             }
             const ElementId element{row};
             if (holds(placed.placement.boxOf(step.boxOf(element))) ||
-                (isTouching && touches(figuresOf(placed.step, element)))) {
+                (isTouching && touches(m_figures.of(*m_index, placed.step, element)))) {
                 found.push_back({copy, element});
             }
         });

@@ -3,11 +3,10 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 #include "model/board_index.h"
-#include "model/geometry/figures.h"
+#include "model/figure_cache.h"
 
 namespace model {
 
@@ -63,12 +62,9 @@ public:
 private:
     struct Probe;
     void collect(const Probe& probe, LayerId only, std::vector<Hit>& hits);
-    const FigureTable& figuresOf(std::uint32_t step, ElementId element);
 
     std::shared_ptr<const BoardIndex> m_index;
-    std::unordered_map<std::uint64_t, FigureTable> m_figures;
-    FigureTable m_small;  ///< of the element asked for last, if that is not worth keeping
-    std::size_t m_keptEdges = 0;
+    FigureCache m_figures;
 };
 
 }  // namespace model

@@ -122,6 +122,35 @@ private:
     int m_holes = 0;
 };
 
+void descend(const Levels& levels, std::size_t level, std::size_t index, const Box& box,
+             const std::function<void(const Edge&)>& visit) {
+    if (apart(levels.box(level, index), box) > 0) {
+        return;
+    }
+    const auto [first, end] = levels.children(level, index);
+    for (std::size_t i = first; i < end; ++i) {
+        level > 0 ? descend(levels, level - 1, i, box, visit) : visit(levels.edges[i]);
+    }
+}
+
+/// The nearest distance from a point to the edges below a box, or `best` if that is less.
+double nearest(const Levels& levels, std::size_t level, std::size_t index, const Edge& dot, double best) {
+    if (apart(levels.box(level, index), boxOf(dot)) >= best) {
+        return best;
+    }
+    const auto [first, end] = levels.children(level, index);
+    for (std::size_t i = first; i < end; ++i) {
+        if (level > 0) {
+            best = nearest(levels, level - 1, i, dot, best);
+        } else {
+            Edge edge = levels.edges[i];
+            edge.pen = 0;
+            best = std::min(best, gapBetween(edge, dot).distance);
+        }
+    }
+    return best;
+}
+
 std::optional<Gap> closer(const std::optional<Gap>& a, const std::optional<Gap>& b) {
     return !a || (b && b->distance < a->distance) ? b : a;
 }
@@ -130,6 +159,20 @@ std::optional<Gap> closer(const std::optional<Gap>& a, const std::optional<Gap>&
 
 bool isInside(const FigureTable& table, std::size_t row, PointD p) {
     return table[row].isFilled && RayToTheRight(Levels(table, row), p).isInside();
+}
+
+double distanceToEdges(const FigureTable& table, std::size_t row, PointD p) {
+    Edge dot;
+    dot.a = dot.b = p;
+    const Levels levels(table, row);
+    // Boxes hold pens and are rounded outwards, so they never cut a nearer edge off.
+    return nearest(levels, levels.top, 0, dot, std::numeric_limits<double>::infinity());
+}
+
+void visitEdges(const FigureTable& table, std::size_t row, const Box& box,
+                const std::function<void(const Edge&)>& visit) {
+    const Levels levels(table, row);
+    descend(levels, levels.top, 0, box, visit);
 }
 
 std::optional<Gap> gapBetween(const FigureTable& a, std::size_t rowA, const FigureTable& b, std::size_t rowB,

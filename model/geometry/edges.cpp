@@ -93,9 +93,13 @@ PointD nearestOnArc(const Edge& arc, PointD p) {
     return dot(toA, toA) <= dot(toB, toB) ? arc.a : arc.b;
 }
 
+}  // namespace
+
 PointD nearestOn(const Edge& edge, PointD p) {
     return edge.isArc() ? nearestOnArc(edge, p) : nearestOnLine(edge, p);
 }
+
+namespace {
 
 void offerEnds(const Edge& e, const Edge& f, Nearest& nearest) {
     nearest.offer(e.a, nearestOn(f, e.a));
@@ -121,8 +125,9 @@ Nearest lineToLine(const Edge& e, const Edge& f) {
     return nearest;
 }
 
-/// Offers the points where a line meets an arc.
-void offerCrossings(const Edge& line, const Edge& arc, Nearest& nearest) {
+/// Calls `meet` for the points where a line meets an arc.
+template <class Meet>
+void meetLineAndArc(const Edge& line, const Edge& arc, const Meet& meet) {
     const PointD way = minus(line.b, line.a);
     const double full = length(way);
     if (full == 0) {
@@ -139,20 +144,39 @@ void offerCrossings(const Edge& line, const Edge& arc, Nearest& nearest) {
     for (const double t : {foot - std::sqrt(halfSquared), foot + std::sqrt(halfSquared)}) {
         const PointD crossing = along(line.a, unit, t);
         if (t >= 0 && t <= full && passes(arc, minus(crossing, arc.centre))) {
-            nearest.offer(crossing, crossing);
+            meet(crossing);
         }
     }
 }
 
 Nearest lineToArc(const Edge& line, const Edge& arc) {
     Nearest nearest;
-    offerCrossings(line, arc, nearest);
+    meetLineAndArc(line, arc, [&](PointD crossing) { nearest.offer(crossing, crossing); });
     if (nearest.squared > 0) {
         offerEnds(line, arc, nearest);
         const PointD foot = nearestOnLine(line, arc.centre);
         nearest.offer(foot, nearestOnArc(arc, foot));
     }
     return nearest;
+}
+
+/// Calls `meet` for the points where two arcs meet.
+template <class Meet>
+void meetArcs(const Edge& e, const Edge& f, const Meet& meet) {
+    const PointD way = minus(f.centre, e.centre);
+    const double apart = length(way);
+    if (apart == 0) {
+        return;
+    }
+    const PointD unit = {way.x / apart, way.y / apart};
+    const double x = (apart * apart + (e.radius - f.radius) * (e.radius + f.radius)) / (2 * apart);
+    const double squared = (e.radius - x) * (e.radius + x);
+    for (const double y : {std::sqrt(std::max(squared, 0.0)), -std::sqrt(std::max(squared, 0.0))}) {
+        const PointD meeting = {e.centre.x + unit.x * x - unit.y * y, e.centre.y + unit.y * x + unit.x * y};
+        if (squared >= 0 && passes(e, minus(meeting, e.centre)) && passes(f, minus(meeting, f.centre))) {
+            meet(meeting);
+        }
+    }
 }
 
 /// Offers the points where two arcs meet, and those on the line through both centres.
@@ -174,14 +198,7 @@ void offerAcrossCentres(const Edge& e, const Edge& f, Nearest& nearest) {
             nearest.offer(nearestOnArc(e, q), q);
         }
     }
-    const double x = (apart * apart + (e.radius - f.radius) * (e.radius + f.radius)) / (2 * apart);
-    const double squared = (e.radius - x) * (e.radius + x);
-    for (const double y : {std::sqrt(std::max(squared, 0.0)), -std::sqrt(std::max(squared, 0.0))}) {
-        const PointD meeting = {e.centre.x + unit.x * x - unit.y * y, e.centre.y + unit.y * x + unit.x * y};
-        if (squared >= 0 && passes(e, minus(meeting, e.centre)) && passes(f, minus(meeting, f.centre))) {
-            nearest.offer(meeting, meeting);
-        }
-    }
+    meetArcs(e, f, [&](PointD meeting) { nearest.offer(meeting, meeting); });
 }
 
 Nearest arcToArc(const Edge& e, const Edge& f) {
@@ -272,6 +289,58 @@ Gap gapBetween(const Edge& a, const Edge& b) {
     const double to = std::min(a.pen, middles);
     const PointD place = middles > 0 ? along(nearest.p, way, (from + to) / 2 / middles) : nearest.p;
     return {0.0, place, place};
+}
+
+std::vector<PointD> crossingsOf(const Edge& a, const Edge& b) {
+    std::vector<PointD> crossings;
+    const auto meet = [&](PointD p) { crossings.push_back(p); };
+    if (a.isArc() && b.isArc()) {
+        meetArcs(a, b, meet);
+    } else if (a.isArc()) {
+        meetLineAndArc(b, a, meet);
+    } else if (b.isArc()) {
+        meetLineAndArc(a, b, meet);
+    } else if (cross(minus(a.b, a.a), minus(b.b, b.a)) != 0) {
+        const Nearest nearest = lineToLine(a, b);
+        if (nearest.squared < 0.25) {  // ends on the other line are rounded to whole nanometres
+            meet(nearest.p);
+        }
+    }
+    return crossings;
+}
+
+namespace {
+
+/// The angle from one direction to another, 0 to 2π, counter-clockwise.
+double turnBetween(PointD from, PointD to) {
+    const double turn = std::atan2(cross(from, to), dot(from, to));
+    return turn < 0 ? turn + 2 * std::numbers::pi : turn;
+}
+
+}  // namespace
+
+double lengthTo(const Edge& edge, PointD on) {
+    if (!edge.isArc()) {
+        return length(minus(on, edge.a));
+    }
+    const PointD start = minus(edge.a, edge.centre);
+    const PointD end = minus(on, edge.centre);
+    return edge.radius * (edge.isClockwise ? turnBetween(end, start) : turnBetween(start, end));
+}
+
+double lengthOf(const Edge& edge) {
+    return edge.isFullCircle() ? 2 * std::numbers::pi * edge.radius : lengthTo(edge, edge.b);
+}
+
+PointD pointAt(const Edge& edge, double way) {
+    if (!edge.isArc()) {
+        const double full = lengthOf(edge);
+        return full > 0 ? along(edge.a, minus(edge.b, edge.a), way / full) : edge.a;
+    }
+    const double turn = (edge.isClockwise ? -way : way) / edge.radius;
+    const PointD v = minus(edge.a, edge.centre);
+    return {edge.centre.x + v.x * std::cos(turn) - v.y * std::sin(turn),
+            edge.centre.y + v.x * std::sin(turn) + v.y * std::cos(turn)};
 }
 
 int windingAround(const Edge& edge, PointD p) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "model/shapes.h"
 
 namespace model {
@@ -41,6 +43,17 @@ struct Gap {
 /// The gap between two strokes; 0 when they touch or overlap. Errors stay below 1e-3 nm: coordinates are integers of at
 /// most 2^30, and double keeps 53 bits of their differences and products.
 [[nodiscard]] Gap gapBetween(const Edge& a, const Edge& b);
+
+/// The point of the middle line that is nearest to `p`.
+[[nodiscard]] PointD nearestOn(const Edge& edge, PointD p);
+/// Where two middle lines cross or touch: at most two points; none for lines that run along each other.
+[[nodiscard]] std::vector<PointD> crossingsOf(const Edge& a, const Edge& b);
+/// Length of the middle line from `a` to a point on it, in the sense in which it runs.
+[[nodiscard]] double lengthTo(const Edge& edge, PointD on);
+/// Length of the whole middle line.
+[[nodiscard]] double lengthOf(const Edge& edge);
+/// The point so far along the middle line.
+[[nodiscard]] PointD pointAt(const Edge& edge, double way);
 
 /// How often the edge, closed by nothing else, contributes to the winding number of its contour around `p`: sum over
 /// the contour is 0 outside. Points on a chord count to one side in every edge alike.

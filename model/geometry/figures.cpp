@@ -46,6 +46,17 @@ std::vector<PointD> sweptSquare(const LineGeometry& line) {
             {b.x + r, b.y + r}, {a.x + r, a.y + r}, {a.x - r, a.y + r}};
 }
 
+/// Moves edges to where they are placed. Turned over, a contour runs the other way round.
+void lay(std::span<Edge> edges, const Placement& placement) {
+    if (isIdentity(placement)) {
+        return;
+    }
+    for (Edge& edge : edges) {
+        edge = placed(edge, placement);
+        edge.winding = static_cast<std::int8_t>(placement.isMirrored ? -edge.winding : edge.winding);
+    }
+}
+
 }  // namespace
 
 void FigureTable::begin(ElementId element, bool isFilled) {
@@ -64,8 +75,9 @@ void FigureTable::finish() {
         m_figures.pop_back();
         return;
     }
-    figure.anchor = m_edges[figure.firstEdge].a;
     const auto edges = std::span(m_edges).subspan(figure.firstEdge);
+    lay(edges, m_placement);
+    figure.anchor = edges.front().a;
     if (edges.back().isHole) {
         std::ranges::stable_sort(edges, {}, [](const Edge& edge) { return mortonOf(edge.a); });
     }
@@ -98,7 +110,13 @@ void FigureTable::addStroke(Edge edge, double width) {
     }
 }
 
-void FigureTable::add(const Document& document, ElementId element) {
+void FigureTable::add(const Document& document, ElementId element, const Placement& placement) {
+    m_placement = placement;
+    addElement(document, element);
+    m_placement = {};
+}
+
+void FigureTable::addElement(const Document& document, ElementId element) {
     const std::uint32_t row = document.elements.geometry[element.row()];
     const bool isHole = (document.elements.flags[element.row()] & kHole) != 0;
     if (document.elements.kind[element.row()] == ElementKind::Area) {
@@ -117,6 +135,14 @@ void FigureTable::add(const Document& document, ElementId element) {
         case ElementKind::Area: break;
     }
     finish();
+}
+
+void FigureTable::addOutline(const ShapeTable& shapes, ShapeId shape) {
+    for (const Contour& contour : shapes.contoursOf(shape)) {
+        begin({}, false);
+        addContour(shapes.nodesOf(contour), false, {});
+        finish();
+    }
 }
 
 void FigureTable::addDisc(Point centre, double radius) {

@@ -29,8 +29,11 @@ public:
 
     static constexpr std::uint32_t kBranch = 8;
 
-    /// Adds the figures of an element. Strokes without width cover nothing and add none.
-    void add(const Document& document, ElementId element);
+    /// Adds the figures of an element, laid on the board by `placement`. Strokes without width cover nothing and add
+    /// none.
+    void add(const Document& document, ElementId element, const Placement& placement = {});
+    /// Adds the contours of a shape as lines without width, a figure each: an outline that covers nothing.
+    void addOutline(const ShapeTable& shapes, ShapeId shape);
     /// Adds a disc that belongs to no element; radius 0 is a point.
     void addDisc(Point centre, double radius);
     /// The same for a straight stroke; pen radius 0 is a line without width.
@@ -49,6 +52,7 @@ public:
     }
 
 private:
+    void addElement(const Document& document, ElementId element);
     void addLine(const Document& document, ElementId element);
     void addSquareStroke(const LineGeometry& line);
     void addCircle(const CircleGeometry& circle, bool isHole);
@@ -62,6 +66,7 @@ private:
     std::vector<Figure> m_figures;
     std::vector<Edge> m_edges;
     std::vector<Box> m_boxes;
+    Placement m_placement;  ///< of what is being added
 };
 
 }  // namespace model

@@ -197,6 +197,62 @@ private slots:
         QCOMPARE(copperscope({"clearance", places::kSample, "--layer", "nowhere"}).exitCode, 1);
     }
 
+    void measureTellsHowFarThingsAreApart() {
+        const auto measure = [](const QStringList& rest) {
+            return copperscope(QStringList{"measure", places::kSample} + rest);
+        };
+        // The narrowest clearance of the board is the distance of its two nets, and of its two elements.
+        const Outcome all = copperscope({"clearance", places::kSample, "--worst", "1", "--format", "json"});
+        const QJsonObject narrowest = onlyOne(QJsonDocument::fromJson(all.out)["steps"][0]["clearances"]);
+        const double gap = narrowest["gap_um"].toDouble() * 1000.0;
+        const auto thing = [&](const char* prefix, const char* list, int row) {
+            return prefix + narrowest[list][row].toVariant().toString();
+        };
+        for (const auto& [prefix, list] : {std::pair("net:", "nets"), std::pair("element:", "elements")}) {
+            const Outcome run =
+                measure({"--from", thing(prefix, list, 0), "--to", thing(prefix, list, 1), "--format", "json"});
+            QVERIFY2(run.exitCode == 0, run.err.constData());
+            const QJsonObject way = QJsonDocument::fromJson(run.out)["on_layer"].toObject();
+            QVERIFY2(std::abs(way["distance_nm"].toDouble() - gap) < 0.01, run.out.constData());
+            QCOMPARE(way["ends"][0]["layer"], narrowest["layer"]);
+            QCOMPARE(way["relation"].toString(), QString("apart"));
+        }
+        const QStringList nets = {"--from", thing("net:", "nets", 0), "--to", thing("net:", "nets", 1)};
+        QCOMPARE(measure(nets + QStringList{"--below", QString::number(gap / 1000 + 1) + "um"}).exitCode, 4);
+        QCOMPARE(measure(nets + QStringList{"--below", QString::number(gap / 1000 - 1) + "um"}).exitCode, 0);
+        const Outcome csv = measure(nets + QStringList{"--format", "csv"});
+        QVERIFY(csv.out.startsWith("way,distance um") && csv.out.count('\n') == 4);
+        QVERIFY(measure({"--from", "part:U1", "--to", "edge"}).out.contains("on one layer"));
+        QVERIFY(measure({"--from", "at:1mm,-2mm", "--to", "at:4mm,2mm"}).out.contains("5.000000 mm"));
+    }
+
+    void measureSaysWhatItDoesNotKnow() {
+        const auto measure = [](const QString& from) {
+            return copperscope({"measure", places::kSample, "--from", from, "--to", "edge"});
+        };
+        for (const auto& [from, why] :
+             {std::pair("net:GNDD", "did you mean GND"), std::pair("pin:U1.999", "no pin of U1"),
+              std::pair("element:99999999", "numbered from 0"), std::pair("at:1,2", "a number with um"),
+              std::pair("at:1mm", "X,Y"), std::pair("apple", "names nothing"), std::pair("7/net:GND", "no copy 7"),
+              std::pair("at:1mm,1mm,nowhere", "no layer nowhere")}) {
+            const Outcome run = measure(from);
+            QVERIFY2(run.exitCode == 1 && run.err.contains(why), run.err.constData());
+        }
+        QVERIFY(measure("edge").out.contains("both are the same"));
+    }
+
+    void measureFollowsNets() {
+        const auto path = [](const QStringList& rest) {
+            return copperscope(QStringList{"measure", places::kSample, "--path", "GND"} + rest);
+        };
+        const Outcome run = path({"--from", "net:GND", "--to", "net:GND", "--format", "json"});
+        QVERIFY2(run.exitCode == 0, run.err.constData());
+        QCOMPARE(QJsonDocument::fromJson(run.out)["length_nm"].toDouble(), 0.0);
+        const Outcome off = path({"--from", "edge", "--to", "net:GND"});
+        QVERIFY2(off.exitCode == 1 && off.err.contains("has no copper of net GND"), off.err.constData());
+        QCOMPARE(path({"--from", "edge", "--to", "net:GND", "--below", "1mm"}).exitCode, 1);
+    }
+
     void sectionShowsWhatALineCuts() {
         const Outcome run =
             copperscope({"section", places::kSample, "--line", "-1000,20,1000,20.5", "--format", "json"});

@@ -1,0 +1,306 @@
+#include "model/measure/separation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "model/geometry/box_index.h"
+#include "model/geometry/distance.h"
+#include "model/geometry/overlap.h"
+
+namespace model {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// So many overlapping pairs of two things are looked at for the deepest.
+constexpr std::size_t kMostOverlaps = 256;
+
+double apart(Nm highOfLower, Nm lowOfUpper) {
+    return std::max(0.0, static_cast<double>(lowOfUpper) - highOfLower);
+}
+
+double heightBetween(const Piece& a, const Piece& b) {
+    return std::max(apart(a.z.top, b.z.bottom), apart(b.z.top, a.z.bottom));
+}
+
+/// Which pairs of pieces count, and how far apart their heights are.
+using Heights = std::function<std::optional<double>(const Piece&, const Piece&)>;
+
+std::optional<double> inPlane(const Piece&, const Piece&) {
+    return 0.0;
+}
+
+std::optional<double> onLayer(const Piece& a, const Piece& b) {
+    return a.sharesLayerWith(b) ? std::optional(0.0) : std::nullopt;
+}
+
+std::optional<double> throughStack(const Piece& a, const Piece& b) {
+    return a.hasHeights && b.hasHeights ? std::optional(heightBetween(a, b)) : std::nullopt;
+}
+
+Box grown(const Box& box, double reach) {
+    return box.grownBy(static_cast<Nm>(std::min(std::ceil(reach), double{base::kMaxCoordinate} / 2)) + 1);
+}
+
+PointD middleOf(const Box& box) {
+    return {(double(box.min.x) + box.max.x) / 2, (double(box.min.y) + box.max.y) / 2};
+}
+
+/// Looks for the closest pair of pieces of two things.
+class ClosestPieces {
+public:
+    ClosestPieces(const Pieces& a, const Pieces& b, const BoxIndex& indexOfB, base::Progress& progress)
+        : m_a(a), m_b(b), m_indexOfB(indexOfB), m_progress(progress) {}
+
+    std::optional<Way> find(const Heights& heights) {
+        m_best.reset();
+        m_limit = kInfinity;
+        if (!guess(heights)) {
+            return std::nullopt;
+        }
+        m_meeting.clear();
+        std::vector<std::uint32_t> near;
+        for (std::size_t i = 0; i < m_a.pieces.size() && !m_progress.isCancelled(); ++i) {
+            near.clear();
+            m_indexOfB.visit(grown(m_a.figures.box(i), m_limit), [&](std::uint32_t j) { near.push_back(j); });
+            std::ranges::sort(near);
+            for (const std::uint32_t j : near) {
+                compare(i, j, heights);
+            }
+        }
+        if (m_best) {
+            tellRelation();
+        }
+        return m_best;
+    }
+
+private:
+    /// A first limit, so that the search begins with little: from one piece to what is near it, and back. False if no
+    /// pair counts.
+    bool guess(const Heights& heights) {
+        std::size_t a = 0;
+        std::size_t b = m_b.pieces.size();
+        for (; a < m_a.pieces.size() && b == m_b.pieces.size(); ++a) {
+            b = nearestTo(m_a.figures.box(a), m_b, m_a.pieces[a], heights);
+        }
+        if (b == m_b.pieces.size()) {
+            return false;
+        }
+        --a;
+        for (int round = 0; round < 3; ++round) {
+            compare(a, b, heights);
+            a = nearestTo(m_b.figures.box(b), m_a, m_b.pieces[b], heights);
+            b = nearestTo(m_a.figures.box(a), m_b, m_a.pieces[a], heights);
+        }
+        return true;
+    }
+
+    static std::size_t nearestTo(const Box& from, const Pieces& to, const Piece& piece, const Heights& heights) {
+        std::size_t nearest = to.pieces.size();
+        double least = kInfinity;
+        const PointD middle = middleOf(from);
+        for (std::size_t row = 0; row < to.pieces.size(); ++row) {
+            const PointD other = middleOf(to.figures.box(row));
+            const double distance = std::hypot(other.x - middle.x, other.y - middle.y);
+            if (distance < least && heights(piece, to.pieces[row])) {
+                least = distance;
+                nearest = row;
+            }
+        }
+        return nearest;
+    }
+
+    void compare(std::size_t i, std::size_t j, const Heights& heights) {
+        const std::optional<double> dz = heights(m_a.pieces[i], m_b.pieces[j]);
+        if (!dz || *dz > m_limit) {
+            return;
+        }
+        const double limit = m_limit == kInfinity ? kInfinity : std::sqrt(m_limit * m_limit - *dz * *dz);
+        const std::optional<Gap> gap = gapBetween(m_a.figures, i, m_b.figures, j, std::max(limit, kTouchNm));
+        if (!gap) {
+            return;
+        }
+        const double distance = *dz > 0 ? std::hypot(gap->distance, *dz) : gap->distance;
+        if (*dz == 0 && distance <= kTouchNm && m_meeting.size() <= kMostOverlaps) {
+            m_meeting.push_back({i, j, gap->from});
+        }
+        if (!m_best || distance < m_best->distance) {
+            m_best = Way{*gap, *dz, distance, m_a.pieces[i], m_b.pieces[j], Relation::Apart, 0.0, true};
+            m_limit = std::max(distance, kTouchNm);
+        }
+    }
+
+    /// Touching, or overlapping and by how much: the deepest of all pairs that meet.
+    void tellRelation() {
+        for (const Meeting& pair : m_meeting) {
+            const Overlap overlap = overlapBetween(m_a.figures, pair.a, m_b.figures, pair.b, pair.place);
+            if (m_best->relation == Relation::Apart || overlap.depth > m_best->overlap) {
+                m_best->relation = overlap.depth > kTouchNm ? Relation::Overlapping : Relation::Touching;
+                m_best->overlap = overlap.depth;
+                m_best->isOverlapExact = overlap.isExact;
+                m_best->gap = {0.0, pair.place, pair.place};
+                m_best->distance = 0.0;
+                m_best->from = m_a.pieces[pair.a];
+                m_best->to = m_b.pieces[pair.b];
+            }
+        }
+        const bool isOnePair = m_a.pieces.size() == 1 && m_b.pieces.size() == 1;
+        m_best->isOverlapExact = m_best->isOverlapExact && isOnePair;
+    }
+
+    struct Meeting {
+        std::size_t a = 0;
+        std::size_t b = 0;
+        PointD place;
+    };
+
+    const Pieces& m_a;
+    const Pieces& m_b;
+    const BoxIndex& m_indexOfB;
+    base::Progress& m_progress;
+    std::optional<Way> m_best;
+    double m_limit = kInfinity;
+    std::vector<Meeting> m_meeting;
+};
+
+BoxIndex indexOf(const FigureTable& figures) {
+    std::vector<Box> boxes;
+    for (std::size_t row = 0; row < figures.size(); ++row) {
+        boxes.push_back(figures.box(row));
+    }
+    return BoxIndex(boxes);
+}
+
+std::string joined(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) {
+        text += (text.empty() ? "" : ", ") + name;
+    }
+    return text;
+}
+
+/// Says why there is nothing to measure; empty if there is.
+std::string whyNothing(const BoardIndex& index, const Thing& a, const Thing& b) {
+    const std::vector<BoardElement> inA = elementsOf(index, a);
+    const std::vector<BoardElement> inB = elementsOf(index, b);
+    std::vector<BoardElement> both;
+    std::ranges::set_intersection(inA, inB, std::back_inserter(both));
+    const bool areEdges = std::holds_alternative<BoardEdge>(a) && std::holds_alternative<BoardEdge>(b);
+    if ((!both.empty() && both.size() == inA.size() && both.size() == inB.size()) || areEdges) {
+        return "both are the same: " + nameOf(index, a);
+    }
+    if (!both.empty() && (both.size() == inA.size() || both.size() == inB.size())) {
+        const bool isAPart = both.size() == inA.size();
+        return nameOf(index, isAPart ? a : b) + " is part of " + nameOf(index, isAPart ? b : a);
+    }
+    return both.empty() ? "" : nameOf(index, a) + " and " + nameOf(index, b) + " share copper";
+}
+
+void remarkOnEmpty(const BoardIndex& index, const Thing& thing, const Pieces& pieces, Separation& separation) {
+    if (pieces.pieces.empty()) {
+        const bool isEdge = std::holds_alternative<BoardEdge>(thing);
+        const bool isPart = std::holds_alternative<PartOfCopy>(thing) || std::holds_alternative<PinOfCopy>(thing);
+        separation.remarks.push_back(isEdge   ? "the board has no outline"
+                                     : isPart ? "the job ties no copper to " + nameOf(index, thing)
+                                              : nameOf(index, thing) + " covers nothing, so it has no distance");
+    } else if (!pieces.empty.empty()) {
+        separation.remarks.push_back(std::to_string(pieces.empty.size()) + " strokes of " + nameOf(index, thing) +
+                                     " have no width and were left out");
+    }
+}
+
+/// One net, no common layer, no heights, assumed thicknesses.
+void remarkOnStack(const BoardIndex& index, const Thing& a, const Thing& b, Separation& separation) {
+    const NetId netA = netOf(index, separation.inPlane->from.at);
+    const NetId netB = netOf(index, separation.inPlane->to.at);
+    const bool isOneStep = separation.inPlane->from.at.copy == separation.inPlane->to.at.copy;
+    if (netA.isValid() && netA == netB && isOneStep) {
+        const NetOfCopy net{separation.inPlane->from.at.copy, netA};
+        separation.remarks.push_back("both are of " + nameOf(index, net));
+    }
+    if (!separation.onLayer) {
+        separation.remarks.push_back(nameOf(index, a) + " and " + nameOf(index, b) + " have no common layer");
+    }
+    if (!separation.throughStack) {
+        separation.remarks.push_back("one of them has no place in the stack, so the distance is in the plane only");
+        return;
+    }
+    const Way& way = *separation.throughStack;
+    if (way.dz > 0) {
+        const Nm low = std::min(way.from.z.top, way.to.z.top);
+        const Nm high = std::max(way.from.z.bottom, way.to.z.bottom);
+        if (const auto assumed = assumedBetween(*index.board, low, high); !assumed.empty()) {
+            separation.remarks.push_back("the height rests on assumed thicknesses: " + joined(assumed));
+        }
+    }
+}
+
+void remarkOnEdge(const BoardIndex& index, const Thing& edge, const Way& way, bool isFromEdge,
+                  std::vector<std::string>& remarks) {
+    const Document& board = *index.board;
+    if (!std::holds_alternative<BoardEdge>(edge) || way.relation != Relation::Apart) {
+        return;
+    }
+    const PointD place = isFromEdge ? way.gap.to : way.gap.from;
+    int winding = 0;
+    for (const Contour& contour : board.shapes.contoursOf(board.profile)) {
+        const auto nodes = board.shapes.nodesOf(contour);
+        int around = 0;
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            around += windingAround(edgeOf(nodes[i], nodes[(i + 1) % nodes.size()].point), place);
+        }
+        winding += around != 0 ? (contour.isHole ? -1 : 1) : 0;
+    }
+    if (winding <= 0) {
+        remarks.push_back("it lies outside of the board");
+    }
+}
+
+}  // namespace
+
+const char* toString(Relation relation) {
+    constexpr const char* kNames[] = {"apart", "touching", "overlapping"};
+    return kNames[static_cast<std::size_t>(relation)];
+}
+
+std::vector<std::string> assumedBetween(const Document& board, Nm low, Nm high) {
+    std::vector<std::string> names;
+    for (const StackRow& row : board.stackup.rows) {
+        if (row.source == Source::Assumed && row.z < high && row.z + row.thickness > low) {
+            names.push_back(row.name);
+        }
+    }
+    return names;
+}
+
+base::Result<Separation> separationOf(const BoardIndex& index, const Thing& a, const Thing& b,
+                                      base::Progress& progress) {
+    progress.beginPhase("Measuring");
+    Separation separation;
+    if (std::string why = whyNothing(index, a, b); !why.empty()) {
+        separation.remarks.push_back(std::move(why));
+        return separation;
+    }
+    const Pieces piecesA = piecesOf(index, a);
+    const Pieces piecesB = piecesOf(index, b);
+    remarkOnEmpty(index, a, piecesA, separation);
+    remarkOnEmpty(index, b, piecesB, separation);
+    if (piecesA.pieces.empty() || piecesB.pieces.empty()) {
+        return separation;
+    }
+    const BoxIndex indexOfB = indexOf(piecesB.figures);
+    ClosestPieces closest(piecesA, piecesB, indexOfB, progress);
+    separation.inPlane = closest.find(inPlane);
+    separation.onLayer = closest.find(onLayer);
+    separation.throughStack = closest.find(throughStack);
+    if (progress.isCancelled()) {
+        return base::Error{base::ErrorCode::Cancelled, "cancelled"};
+    }
+    remarkOnStack(index, a, b, separation);
+    remarkOnEdge(index, a, *separation.inPlane, true, separation.remarks);
+    remarkOnEdge(index, b, *separation.inPlane, false, separation.remarks);
+    return separation;
+}
+
+}  // namespace model

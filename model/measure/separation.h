@@ -1,0 +1,56 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/base/progress.h"
+#include "model/base/result.h"
+#include "model/geometry/edges.h"
+#include "model/measure/things.h"
+
+/// How far two things of a board are apart.
+namespace model {
+
+enum class Relation : std::uint8_t { Apart, Touching, Overlapping };
+[[nodiscard]] const char* toString(Relation relation);  ///< "apart", "touching", "overlapping"
+
+/// The shortest way between two pieces, straight or through the stack. Lengths in nm.
+struct Way {
+    Gap gap;                ///< in the plane; 0 with both ends in a common place if one lies over the other
+    double dz = 0.0;        ///< between the faces that look at each other; 0 where their heights meet
+    double distance = 0.0;  ///< of gap and dz together
+    Piece from;             ///< of the first thing
+    Piece to;
+    Relation relation = Relation::Apart;
+    /// Overlapping: how far one would have to move in the plane so that they only touch (geometry/overlap.h); of things
+    /// of several pieces that of the deepest pair.
+    double overlap = 0.0;
+    bool isOverlapExact = true;  ///< else they overlap by that much at least
+};
+
+/// The answer. Elements are upright prisms, so the shortest way in space is the gap in the plane and the difference of
+/// heights of one pair of pieces, exactly.
+struct Separation {
+    std::optional<Way> inPlane;        ///< as seen from above, whatever the layers
+    std::optional<Way> onLayer;        ///< between pieces that lie on one layer; none: there is no common layer
+    std::optional<Way> throughStack;   ///< shortest in space; none: one of them has no heights
+    std::vector<std::string> remarks;  ///< what must be known to read it, in plain words
+
+    /// What people mean by "the distance": on one layer if there is one, else through the stack, else from above.
+    [[nodiscard]] const Way* main() const {
+        return onLayer ? &*onLayer : throughStack ? &*throughStack : inPlane ? &*inPlane : nullptr;
+    }
+};
+
+/// Measures two things. Holes count as filled as far as the drill reaches, copper that a bare hole takes away as there.
+/// There is no number, but a remark, if both are the same thing, one is part of the other, or one covers nothing. The
+/// cost follows what lies near the shortest way, so nets of thousands of elements take milliseconds; equal input gives
+/// equal output. Errors: Cancelled.
+[[nodiscard]] base::Result<Separation> separationOf(const BoardIndex& index, const Thing& a, const Thing& b,
+                                                    base::Progress& progress);
+
+/// The stack rows between two heights whose thickness the job does not state, for remarks; empty if all are known.
+[[nodiscard]] std::vector<std::string> assumedBetween(const Document& board, Nm low, Nm high);
+
+}  // namespace model

@@ -1,0 +1,101 @@
+#include "model/measure/sizes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "model/measures.h"
+
+namespace model {
+
+namespace {
+
+constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
+
+Sizes sizesOfArc(const ArcGeometry& arc) {
+    const Edge edge = edgeOf(arc.node, arc.end);
+    Sizes sizes;
+    sizes.width = arc.width;
+    sizes.length = lengthOf(edge);
+    if (edge.isArc()) {
+        sizes.radius = edge.radius;
+        sizes.sweepDeg = lengthOf(edge) / edge.radius * kDegreesPerRadian;
+    }
+    return sizes;
+}
+
+Sizes sizesOfCircle(const CircleGeometry& circle, bool isHole) {
+    Sizes sizes;
+    sizes.diameter = circle.diameter;
+    sizes.radius = circle.diameter / 2.0;
+    if (circle.innerDiameter > 0 && (!isHole || circle.innerDiameter < circle.diameter)) {
+        sizes.innerDiameter = circle.innerDiameter;
+    }
+    return sizes;
+}
+
+bool isStraight(const Edge& edge) {
+    return !edge.isArc() && lengthOf(edge) > 0;
+}
+
+bool isStroke(const BoardIndex& index, BoardElement at) {
+    const ElementKind kind = index.tree.steps[index.tree.copies[at.copy].step]->elements.kind[at.element.row()];
+    return kind == ElementKind::Line || kind == ElementKind::Trail;
+}
+
+/// The strokes of two tables whose middles are nearest to each other.
+std::pair<Edge, Edge> nearestEdges(const FigureTable& a, const FigureTable& b) {
+    std::pair<Edge, Edge> nearest;
+    double least = std::numeric_limits<double>::infinity();
+    for (Edge e : a.edges(0)) {
+        for (Edge f : b.edges(0)) {
+            e.pen = f.pen = 0.0;
+            if (const double distance = gapBetween(e, f).distance; distance < least) {
+                least = distance;
+                nearest = {e, f};
+            }
+        }
+    }
+    return nearest;
+}
+
+}  // namespace
+
+Sizes sizesOf(const Document& document, ElementId element) {
+    const std::uint32_t row = document.elements.geometry[element.row()];
+    Sizes sizes;
+    switch (document.elements.kind[element.row()]) {
+        case ElementKind::Line: sizes.width = document.lines[row].width; break;
+        case ElementKind::Trail: sizes.width = document.trails[row].width; break;
+        case ElementKind::Arc: return sizesOfArc(document.arcs[row]);
+        case ElementKind::Circle:
+            return sizesOfCircle(document.circles[row], (document.elements.flags[element.row()] & kHole) != 0);
+        case ElementKind::Area: return sizes;
+    }
+    sizes.length = lengthOf(document, element);
+    return sizes;
+}
+
+std::optional<double> angleBetween(const BoardIndex& index, BoardElement a, BoardElement b) {
+    if (!isStroke(index, a) || !isStroke(index, b)) {
+        return std::nullopt;
+    }
+    const Pieces piecesA = piecesOf(index, std::array{a});
+    const Pieces piecesB = piecesOf(index, std::array{b});
+    if (piecesA.pieces.empty() || piecesB.pieces.empty() || piecesA.figures[0].isFilled ||
+        piecesB.figures[0].isFilled) {
+        return std::nullopt;
+    }
+    const auto [e, f] = nearestEdges(piecesA.figures, piecesB.figures);
+    if (!isStraight(e) || !isStraight(f)) {
+        return std::nullopt;
+    }
+    const PointD u = {e.b.x - e.a.x, e.b.y - e.a.y};
+    const PointD v = {f.b.x - f.a.x, f.b.y - f.a.y};
+    const double cross = u.x * v.y - u.y * v.x;
+    const double dot = u.x * v.x + u.y * v.y;
+    return std::atan2(std::abs(cross), std::abs(dot)) * kDegreesPerRadian;
+}
+
+}  // namespace model

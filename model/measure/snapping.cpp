@@ -1,0 +1,214 @@
+#include "model/measure/snapping.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "model/geometry/distance.h"
+
+namespace model {
+
+namespace {
+
+/// Edges whose crossings are looked for; where more are near nobody can tell them apart.
+constexpr std::size_t kMostCrossing = 64;
+/// Points nearer to each other are in one place.
+constexpr double kOnePlaceNm = 1.0;
+
+double distance(PointD a, PointD b) {
+    return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+Box boxAround(PointD place, double reach) {
+    const auto clamp = [](double v) {
+        return static_cast<Nm>(std::clamp<double>(v, -base::kMaxCoordinate, base::kMaxCoordinate));
+    };
+    Box box;
+    box.include(Point{clamp(std::floor(place.x - reach)), clamp(std::floor(place.y - reach))});
+    box.include(Point{clamp(std::ceil(place.x + reach)), clamp(std::ceil(place.y + reach))});
+    return box;
+}
+
+/// An edge near the cursor, on the board.
+struct NearEdge {
+    Edge edge;
+    BoardElement element;
+    LayerId layer;
+};
+
+/// Weighs points against each other.
+class BestPoint {
+public:
+    BestPoint(const BoardIndex& index, PointD place, double reach, std::span<const PickLayer> layers, bool isFromBelow)
+        : m_index(index), m_place(place), m_reach(reach), m_layers(layers), m_isFromBelow(isFromBelow) {
+        m_best.at = place;
+    }
+
+    void offer(SnapKind kind, PointD at, BoardElement element, LayerId layer) {
+        const SnapPoint point{kind, at, element, layer, distance(at, m_place)};
+        if (point.missedBy <= m_reach && (m_best.kind == SnapKind::Free || isBetter(point, m_best))) {
+            m_best = point;
+        }
+    }
+    [[nodiscard]] const SnapPoint& best() const { return m_best; }
+
+private:
+    [[nodiscard]] bool isBetter(const SnapPoint& a, const SnapPoint& b) const {
+        if (a.kind != b.kind) {
+            return a.kind < b.kind;
+        }
+        if (distance(a.at, b.at) > kOnePlaceNm && a.missedBy != b.missedBy) {
+            return a.missedBy < b.missedBy;
+        }
+        const auto rank = [&](const SnapPoint& p) {
+            const PickLayer& layer = m_layers[p.layer.row()];
+            return std::tuple(!isNetted(p.element), m_isFromBelow ? layer.bottom : -layer.top, p.element);
+        };
+        return rank(a) < rank(b);
+    }
+    [[nodiscard]] bool isNetted(BoardElement at) const {
+        return m_index.tree.steps[m_index.tree.copies[at.copy].step]->elements.net[at.element.row()].isValid();
+    }
+
+    const BoardIndex& m_index;
+    PointD m_place;
+    double m_reach;
+    std::span<const PickLayer> m_layers;
+    bool m_isFromBelow;
+    SnapPoint m_best;
+};
+
+/// The centre of what people take for a dot: a disc, a hole, a pad of any shape.
+std::optional<PointD> centreOf(const Document& step, ElementId element) {
+    const std::uint32_t row = step.elements.geometry[element.row()];
+    const bool isPad = (step.elements.flags[element.row()] & (kPad | kHole)) != 0;
+    switch (step.elements.kind[element.row()]) {
+        case ElementKind::Circle: return base::toDouble(step.circles[row].centre);
+        case ElementKind::Line: {
+            const LineGeometry& line = step.lines[row];
+            return isPad ? std::optional(
+                               PointD{(double{1} * line.a.x + line.b.x) / 2, (double{1} * line.a.y + line.b.y) / 2})
+                         : std::nullopt;
+        }
+        case ElementKind::Area:
+            return isPad ? std::optional(base::toDouble(step.areas[row].placement.origin)) : std::nullopt;
+        default: return std::nullopt;
+    }
+}
+
+/// Looks at everything near one place.
+class Search {
+public:
+    Search(const BoardIndex& index, FigureCache& figures, BestPoint& best, PointD place, double reach,
+           std::span<const PickLayer> layers)
+        : m_index(index), m_figures(figures), m_best(best), m_place(place), m_reach(reach), m_layers(layers) {}
+
+    void run() {
+        for (std::uint32_t copy = 0; copy < m_index.tree.copies.size(); ++copy) {
+            searchCopy(copy);
+        }
+        offerCrossings();
+    }
+
+private:
+    void searchCopy(std::uint32_t copy) {
+        const StepCopy& how = m_index.tree.copies[copy];
+        const Document& step = *m_index.tree.steps[how.step];
+        const Box box = boxAround(unplaced(m_place, how.placement), m_reach);
+        m_index.elements[how.step].visit(box, [&](std::uint32_t row) {
+            const ElementId element{row};
+            const LayerId layer = step.layerOfCopy(step.elements.layer[row], how.isFlipped);
+            if (!m_layers[layer.row()].isVisible) {
+                return;
+            }
+            const std::optional<PointD> centre = centreOf(step, element);
+            if (centre) {
+                m_best.offer(SnapKind::Centre, how.placement.apply(*centre), {copy, element}, layer);
+            }
+            const FigureTable& figures = m_figures.of(m_index, how.step, element);
+            for (std::size_t figure = 0; figure < figures.size(); ++figure) {
+                visitEdges(figures, figure, box, [&](const Edge& edge) {
+                    offerEdge({placed(edge, how.placement), {copy, element}, layer}, figures[figure].isFilled,
+                              centre.has_value());
+                });
+            }
+        });
+    }
+
+    /// `isDot`: the middle line of a pad is nothing that anybody sees.
+    void offerEdge(const NearEdge& near, bool isFilled, bool isDot) {
+        const auto& [edge, element, layer] = near;
+        const PointD onMiddle = nearestOn(edge, m_place);
+        const double beside = distance(onMiddle, m_place);
+        if (edge.isArc()) {
+            m_best.offer(SnapKind::ArcCentre, edge.centre, element, layer);
+        }
+        if (beside > m_reach + edge.pen) {
+            return;
+        }
+        offerRim(near, onMiddle, beside);
+        if (isDot && !isFilled) {
+            return;
+        }
+        if (!edge.isFullCircle()) {
+            m_best.offer(SnapKind::End, edge.a, element, layer);
+            m_best.offer(SnapKind::End, edge.b, element, layer);
+        }
+        if (const double full = lengthOf(edge); full > 0 && !edge.isFullCircle()) {
+            m_best.offer(SnapKind::Middle, pointAt(edge, full / 2), element, layer);
+        }
+        if (beside <= m_reach && m_near.size() < kMostCrossing) {
+            m_near.push_back(near);
+        }
+    }
+
+    /// The nearest point of the edge that is seen: a boundary itself, or the rim of a stroke.
+    void offerRim(const NearEdge& near, PointD onMiddle, double beside) {
+        PointD rim = onMiddle;
+        if (near.edge.pen > 0 && beside > 0) {
+            const double part = near.edge.pen / beside;
+            rim = {onMiddle.x + (m_place.x - onMiddle.x) * part, onMiddle.y + (m_place.y - onMiddle.y) * part};
+        }
+        if (near.edge.pen == 0 || beside > 0) {
+            m_best.offer(SnapKind::Edge, rim, near.element, near.layer);
+        }
+    }
+
+    void offerCrossings() {
+        for (std::size_t i = 0; i < m_near.size(); ++i) {
+            for (std::size_t j = i + 1; j < m_near.size(); ++j) {
+                const NearEdge& a = m_near[i];
+                const NearEdge& b = m_near[j];
+                if (a.layer != b.layer || a.element == b.element) {
+                    continue;
+                }
+                for (const PointD at : crossingsOf(a.edge, b.edge)) {
+                    m_best.offer(SnapKind::Crossing, at, std::min(a.element, b.element), a.layer);
+                }
+            }
+        }
+    }
+
+    const BoardIndex& m_index;
+    FigureCache& m_figures;
+    BestPoint& m_best;
+    PointD m_place;
+    double m_reach;
+    std::span<const PickLayer> m_layers;
+    std::vector<NearEdge> m_near;
+};
+
+}  // namespace
+
+const char* toString(SnapKind kind) {
+    constexpr const char* kNames[] = {"centre", "end", "arc centre", "middle", "crossing", "edge", "free"};
+    return kNames[static_cast<std::size_t>(kind)];
+}
+
+SnapPoint Snapper::at(PointD place, double reach, std::span<const PickLayer> layers, bool isFromBelow) {
+    BestPoint best(*m_index, place, reach, layers, isFromBelow);
+    Search(*m_index, m_figures, best, place, reach, layers).run();
+    return best.best();
+}
+
+}  // namespace model

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "model/figure_cache.h"
+#include "model/picking.h"
+
+namespace model {
+
+/// What a cursor can snap to, the most wanted first.
+enum class SnapKind : std::uint8_t {
+    Centre,     ///< of a pad, a disc or a hole
+    End,        ///< of a stroke, a corner of an outline
+    ArcCentre,  ///< of an arc, stroke or outline
+    Middle,     ///< of a stroke or a side
+    Crossing,   ///< where middle lines of strokes or sides of outlines of one layer cross
+    Edge,       ///< the nearest point on an edge of what is drawn
+    Free        ///< nothing near
+};
+[[nodiscard]] const char* toString(SnapKind kind);  ///< "centre", "end", "arc centre", …
+
+struct SnapPoint {
+    SnapKind kind = SnapKind::Free;
+    PointD at;              ///< nm of the board
+    BoardElement element;   ///< whose point it is; none: of nothing
+    LayerId layer;          ///< of the board; of a hole: its drill layer
+    double missedBy = 0.0;  ///< nm from the place asked for
+};
+
+/// Finds what is near a cursor. One thread at a time.
+class Snapper {
+public:
+    explicit Snapper(std::shared_ptr<const BoardIndex> index) : m_index(std::move(index)) {}
+
+    /// The best point within `reach` nm: the kind decides, then how near it is; of points in one place that of a net,
+    /// then that of the layer nearer to the viewer, then the lower element. Only visible layers count (`layers` has one
+    /// entry per layer of the board). A Free point where nothing is near: the place itself.
+    [[nodiscard]] SnapPoint at(PointD place, double reach, std::span<const PickLayer> layers, bool isFromBelow = false);
+
+private:
+    std::shared_ptr<const BoardIndex> m_index;
+    FigureCache m_figures;
+};
+
+}  // namespace model

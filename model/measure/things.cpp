@@ -1,0 +1,238 @@
+#include "model/measure/things.h"
+
+#include <algorithm>
+
+namespace model {
+
+namespace {
+
+const Document& stepOf(const BoardIndex& index, std::uint32_t copy) {
+    return *index.tree.steps[index.tree.copies[copy].step];
+}
+
+/// Elements of one copy.
+std::vector<BoardElement> inCopy(std::uint32_t copy, std::span<const ElementId> elements) {
+    std::vector<BoardElement> all;
+    for (const ElementId element : elements) {
+        all.push_back({copy, element});
+    }
+    std::ranges::sort(all);
+    return all;
+}
+
+/// Copper pads and plated holes of a pin's net at the pin: for pins to which the job ties no copper, as those of two
+/// parts on the same pads.
+void addPadsAt(const Document& step, std::uint32_t copy, const Pin& pin, std::vector<BoardElement>& pads) {
+    if (!pin.net.isValid()) {
+        return;
+    }
+    for (const ElementId element : step.elementsOf(pin.net)) {
+        const std::uint8_t flags = step.elements.flags[element.row()];
+        const bool isPad = (flags & kPad) != 0 && step.layer(step.elements.layer[element.row()]).isCopper();
+        const Box box = step.boxOf(element);
+        const bool isThere = box.min.x <= pin.position.x && pin.position.x <= box.max.x &&
+                             box.min.y <= pin.position.y && pin.position.y <= box.max.y;
+        if ((isPad || isPlatedHole(flags)) && isThere) {
+            pads.push_back({copy, element});
+        }
+    }
+}
+
+/// The pads of consecutive pins: their toeprints on copper and in plated holes.
+std::vector<BoardElement> padsOf(const BoardIndex& index, std::uint32_t copy, std::uint32_t first,
+                                 std::uint32_t count) {
+    const Document& step = stepOf(index, copy);
+    std::vector<BoardElement> pads;
+    std::vector<bool> isTied(count);
+    for (std::size_t row = 0; count > 0 && row < step.elements.size(); ++row) {
+        const SubnetId subnet = step.elements.subnet[row];
+        const PinId pin = subnet.isValid() ? step.subnets[subnet.row()].pin : PinId{};
+        if (pin.isValid() && pin.row() >= first && pin.row() < first + count) {
+            pads.push_back({copy, ElementId{row}});
+            isTied[pin.row() - first] = true;
+        }
+    }
+    for (std::uint32_t i = 0; i < count; ++i) {
+        if (!isTied[i]) {
+            addPadsAt(step, copy, step.pins[first + i], pads);
+        }
+    }
+    std::ranges::sort(pads);
+    pads.erase(std::ranges::unique(pads).begin(), pads.end());
+    return pads;
+}
+
+/// Is the layer at a height of its own, or just a drawing?
+bool isInStack(const Layer& layer) {
+    switch (layer.type) {
+        case LayerType::Signal:
+        case LayerType::PowerGround:
+        case LayerType::Mixed:
+        case LayerType::Dielectric:
+        case LayerType::SolderMask:
+        case LayerType::SolderPaste:
+        case LayerType::SilkScreen:
+        case LayerType::ConductivePaste:
+        case LayerType::Drill:
+        case LayerType::Rout:
+        case LayerType::Body:
+        case LayerType::ComponentBody: return layer.context == LayerContext::Board;
+        default: return false;
+    }
+}
+
+/// The layers a hole joins, or passes if it is not plated; of the step, top one first.
+PlatedSpan spanOf(const Document& step, ElementId element) {
+    const std::uint8_t flags = step.elements.flags[element.row()];
+    const LayerId own = step.elements.layer[element.row()];
+    if (isPlatedHole(flags)) {
+        return step.platedSpanOf(element);
+    }
+    const Layer& layer = step.layer(own);
+    const bool isHole = (flags & kHole) != 0 && layer.spanTop.isValid() && layer.spanBottom.isValid();
+    return isHole ? PlatedSpan{element, layer.spanTop, layer.spanBottom} : PlatedSpan{element, own, own};
+}
+
+/// Where a body stands within its layer, which may be turned over.
+ZRange turned(ZRange z, const Layer& from, const Layer& to) {
+    const Nm above = from.z + from.thickness - z.top;
+    return {to.z + above, to.z + above + (z.top - z.bottom)};
+}
+
+Piece pieceOf(const BoardIndex& index, BoardElement at) {
+    const StepCopy& copy = index.tree.copies[at.copy];
+    const Document& step = *index.tree.steps[copy.step];
+    const LayerId own = step.elements.layer[at.element.row()];
+    Piece piece;
+    piece.at = at;
+    piece.layer = step.layerOfCopy(own, copy.isFlipped);
+    const PlatedSpan span = spanOf(step, at.element);
+    piece.top = span.top.isValid() ? step.layerOfCopy(span.top, copy.isFlipped) : LayerId{};
+    piece.bottom = span.bottom.isValid() ? step.layerOfCopy(span.bottom, copy.isFlipped) : LayerId{};
+    if (piece.bottom < piece.top) {
+        std::swap(piece.top, piece.bottom);
+    }
+    const Document& board = *index.board;
+    piece.hasHeights = isInStack(board.layer(piece.layer));
+    if (isPlatedHole(step.elements.flags[at.element.row()]) && piece.top.isValid()) {
+        const Layer& top = board.layer(piece.top);
+        piece.z = {board.layer(piece.bottom).z, top.z + top.thickness};
+    } else if (step.bodyOf(at.element) != nullptr) {
+        const ZRange z = step.heightsOf(at.element);
+        piece.z = copy.isFlipped ? turned(z, step.layer(own), board.layer(piece.layer)) : z;
+    } else {
+        const Layer& layer = board.layer(piece.layer);
+        piece.z = {layer.z, layer.z + layer.thickness};
+    }
+    return piece;
+}
+
+std::string pinName(const Document& step, PinId id) {
+    const Pin& pin = step.pins[id.row()];
+    const std::string part = pin.component.isValid() ? step.components[pin.component.row()].refdes + "." : "";
+    return "pin " + part + step.text(pin.name);
+}
+
+/// Says what a thing is called.
+struct Namer {
+    const BoardIndex& index;
+
+    std::string operator()(BoardElement at) const {
+        const StepCopy& copy = index.tree.copies[at.copy];
+        const Document& step = *index.tree.steps[copy.step];
+        const LayerId layer = step.layerOfCopy(step.elements.layer[at.element.row()], copy.isFlipped);
+        return "element " + std::to_string(at.element.value) + " (" + index.board->layer(layer).name + ")";
+    }
+    std::string operator()(NetOfCopy at) const { return "net " + stepOf(index, at.copy).nets[at.net.row()].name; }
+    std::string operator()(PartOfCopy at) const { return stepOf(index, at.copy).components[at.component.row()].refdes; }
+    std::string operator()(PinOfCopy at) const { return pinName(stepOf(index, at.copy), at.pin); }
+    std::string operator()(BoardEdge) const { return "the board's edge"; }
+    std::string operator()(const Place&) const { return "the place"; }
+};
+
+/// Collects the elements of a thing.
+struct Collector {
+    const BoardIndex& index;
+
+    std::vector<BoardElement> operator()(BoardElement at) const { return {at}; }
+    std::vector<BoardElement> operator()(NetOfCopy at) const {
+        const Document& step = stepOf(index, at.copy);
+        std::vector<BoardElement> copper = inCopy(at.copy, step.elementsOf(at.net));
+        std::erase_if(copper, [&](BoardElement of) {
+            return !step.layer(step.elements.layer[of.element.row()]).isCopper() &&
+                   !isPlatedHole(step.elements.flags[of.element.row()]);
+        });
+        return copper;
+    }
+    std::vector<BoardElement> operator()(PartOfCopy at) const {
+        const Component& component = stepOf(index, at.copy).components[at.component.row()];
+        return padsOf(index, at.copy, component.firstPin, component.pinCount);
+    }
+    std::vector<BoardElement> operator()(PinOfCopy at) const { return padsOf(index, at.copy, at.pin.value, 1); }
+    std::vector<BoardElement> operator()(BoardEdge) const { return {}; }
+    std::vector<BoardElement> operator()(const Place&) const { return {}; }
+};
+
+void addEdge(const BoardIndex& index, Pieces& pieces) {
+    if (!index.board->profile.isValid()) {
+        return;
+    }
+    pieces.figures.addOutline(index.board->shapes, index.board->profile);
+    Piece edge;
+    edge.hasHeights = true;
+    edge.z = {base::kMaxCoordinate * -1, base::kMaxCoordinate};
+    pieces.pieces.resize(pieces.figures.size(), edge);
+}
+
+void addPlace(const BoardIndex& index, const Place& place, Pieces& pieces) {
+    pieces.figures.addStroke(place.at, place.at, 0.0);
+    Piece piece;
+    if (place.layer.isValid()) {
+        const Layer& layer = index.board->layer(place.layer);
+        piece.layer = piece.top = piece.bottom = place.layer;
+        piece.hasHeights = isInStack(layer);
+        piece.z = {layer.z, layer.z + layer.thickness};
+    }
+    pieces.pieces.push_back(piece);
+}
+
+}  // namespace
+
+std::vector<BoardElement> elementsOf(const BoardIndex& index, const Thing& thing) {
+    return std::visit(Collector{index}, thing);
+}
+
+NetId netOf(const BoardIndex& index, BoardElement at) {
+    return at.element.isValid() ? stepOf(index, at.copy).elements.net[at.element.row()] : NetId{};
+}
+
+std::string nameOf(const BoardIndex& index, const Thing& thing) {
+    return std::visit(Namer{index}, thing);
+}
+
+Pieces piecesOf(const BoardIndex& index, std::span<const BoardElement> elements) {
+    Pieces pieces;
+    for (const BoardElement at : elements) {
+        const StepCopy& copy = index.tree.copies[at.copy];
+        const std::size_t before = pieces.figures.size();
+        pieces.figures.add(*index.tree.steps[copy.step], at.element, copy.placement);
+        if (pieces.figures.size() == before) {
+            pieces.empty.push_back(at);
+        } else {
+            pieces.pieces.resize(pieces.figures.size(), pieceOf(index, at));
+        }
+    }
+    return pieces;
+}
+
+Pieces piecesOf(const BoardIndex& index, const Thing& thing) {
+    Pieces pieces = piecesOf(index, elementsOf(index, thing));
+    if (std::holds_alternative<BoardEdge>(thing)) {
+        addEdge(index, pieces);
+    } else if (const Place* place = std::get_if<Place>(&thing)) {
+        addPlace(index, *place, pieces);
+    }
+    return pieces;
+}
+
+}  // namespace model

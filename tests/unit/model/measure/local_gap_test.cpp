@@ -1,0 +1,69 @@
+// The gap at a cursor: between which pieces, and square to their edges.
+#include "model/measure/local_gap.h"
+
+#include <QtTest>
+#include <cmath>
+
+#include "tests/unit/model/measure/measure_fixture.h"
+
+using namespace model;
+using namespace measuring;
+
+class LocalGapTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void betweenParallelTracksItIsSquareToThem() {
+        DocumentBuilder builder;
+        addLayers(builder);
+        builder.beginLayer(LayerId{Top});
+        const ElementId low = builder.addLine({{0, 0}, {20 * kMm, 10 * kMm}, 200'000, 0}, {});
+        const ElementId high = builder.addLine({{-kMm, 2 * kMm}, {19 * kMm, 12 * kMm}, 200'000, 0}, {});
+        const auto index = indexed(builder.finish());
+        // 2.236 mm between the middles; asked for in the middle of the board, nearer to the lower one.
+        const auto gap = at(index, {9.7e6, 5.6e6});
+        QVERIFY(gap.has_value());
+        QVERIFY2(std::abs(gap->gap.distance - (std::sqrt(5.0) * 1e6 - 200'000)) < 1e-2,
+                 qPrintable(QString::number(gap->gap.distance)));
+        QCOMPARE(gap->to.element, low);
+        QCOMPARE(gap->from.element, high);
+        QVERIFY(std::hypot(gap->gap.to.x - 9.7e6, gap->gap.to.y - 5.6e6) < 1e6);
+    }
+
+    void whatIsOfOneNetOrTouchesIsNoGap() {
+        DocumentBuilder builder;
+        addLayers(builder);
+        const NetId net = builder.addNet("A");
+        builder.beginLayer(LayerId{Top});
+        builder.addCircle({{0, 0}, kMm, 0}, of(net));
+        builder.addCircle({{2 * kMm, 0}, kMm, 0}, of(net));
+        const ElementId other = builder.addCircle({{0, 5 * kMm}, kMm, 0}, {});
+        builder.addCircle({{kMm / 2, 0}, kMm, 0}, {});  // touches the first
+        const auto index = indexed(builder.finish());
+        const auto gap = at(index, {-100'000, 0});
+        QVERIFY(gap.has_value());
+        QCOMPARE(gap->from.element, other);
+        // From the point of the other disc that is nearest to the cursor, so a little more than 4 mm.
+        QVERIFY(gap->gap.distance > 4e6 && gap->gap.distance < 4.001e6);
+    }
+
+    void onlyOneLayerAtATimeCounts() {
+        DocumentBuilder builder;
+        addLayers(builder);
+        builder.beginLayer(LayerId{Top});
+        builder.addCircle({{0, 0}, kMm, 0}, {});
+        builder.beginLayer(LayerId{Bottom});
+        builder.addCircle({{2 * kMm, 0}, kMm, 0}, {});
+        QVERIFY(!at(indexed(builder.finish()), {kMm, 0}));
+    }
+
+private:
+    static std::optional<LocalGap> at(const std::shared_ptr<const BoardIndex>& index, PointD place) {
+        std::vector<PickLayer> layers(index->board->layers.size(), PickLayer{true, 0.0, 0.0});
+        Picker picker(index);
+        return gapAt(picker, place, layers);
+    }
+};
+
+QTEST_APPLESS_MAIN(LocalGapTest)
+#include "local_gap_test.moc"

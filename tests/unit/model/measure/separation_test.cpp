@@ -1,0 +1,558 @@
+// Distances of any two things: against a reference of its own in long double, on boards worked out by hand, and what is
+// said where there is no number.
+#include "model/measure/separation.h"
+
+#include <QtTest>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "model/geometry/distance.h"
+#include "model/reader.h"
+#include "tests/places.h"
+#include "tests/unit/model/measure/measure_fixture.h"
+
+using namespace model;
+using namespace measuring;
+
+namespace {
+
+using Real = long double;
+
+struct P {
+    Real x = 0;
+    Real y = 0;
+};
+
+/// A straight or circular piece of a curve, by a parameter from 0 to 1.
+struct Curve {
+    P a, b, centre;
+    Real radius = 0;
+    Real start = 0, sweep = 0;
+    Real pen = 0;
+
+    [[nodiscard]] P at(Real t) const {
+        if (radius == 0) {
+            return {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t};
+        }
+        return {centre.x + radius * std::cos(start + sweep * t), centre.y + radius * std::sin(start + sweep * t)};
+    }
+};
+
+Curve straight(P a, P b, Real pen = 0) {
+    return {a, b, {}, 0, 0, 0, pen};
+}
+
+Curve arc(P centre, Real radius, Real start, Real sweep, Real pen = 0) {
+    return {{}, {}, centre, radius, start, sweep, pen};
+}
+
+Real apart(P p, P q) {
+    return std::hypot(p.x - q.x, p.y - q.y);
+}
+
+/// What the reference knows of an element: curves with pens, and whether they bound something.
+struct Shape {
+    std::vector<Curve> curves;
+    bool isFilled = false;
+
+    [[nodiscard]] bool holds(P p) const {
+        Real turned = 0;
+        for (const Curve& curve : curves) {
+            constexpr int kSteps = 400;
+            P before = curve.at(0);
+            for (int i = 1; i <= kSteps; ++i) {
+                const P next = curve.at(Real(i) / kSteps);
+                turned += std::atan2((before.x - p.x) * (next.y - p.y) - (before.y - p.y) * (next.x - p.x),
+                                     (before.x - p.x) * (next.x - p.x) + (before.y - p.y) * (next.y - p.y));
+                before = next;
+            }
+        }
+        return isFilled && std::abs(turned) > std::numbers::pi_v<Real>;
+    }
+};
+
+/// Least distance of two curves: all pairs of samples, then a search around the best ones with shrinking steps.
+Real between(const Curve& c, const Curve& d) {
+    constexpr int kSteps = 48;
+    std::vector<std::pair<Real, std::pair<Real, Real>>> starts;
+    for (int i = 0; i <= kSteps; ++i) {
+        for (int j = 0; j <= kSteps; ++j) {
+            starts.push_back(
+                {apart(c.at(Real(i) / kSteps), d.at(Real(j) / kSteps)), {Real(i) / kSteps, Real(j) / kSteps}});
+        }
+    }
+    std::partial_sort(starts.begin(), starts.begin() + 12, starts.end(),
+                      [](const auto& x, const auto& y) { return x.first < y.first; });
+    Real best = starts.front().first;
+    for (int s = 0; s < 12; ++s) {
+        auto [value, at] = starts[static_cast<std::size_t>(s)];
+        for (Real step = Real(1) / kSteps; step > 1e-13L; step /= 2) {
+            for (bool isBetter = true; isBetter;) {
+                isBetter = false;
+                for (const auto& [u, v] :
+                     {std::pair<Real, Real>{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}, {1, -1}, {-1, 1}}) {
+                    const Real t = std::clamp<Real>(at.first + u * step, 0, 1);
+                    const Real w = std::clamp<Real>(at.second + v * step, 0, 1);
+                    if (const Real next = apart(c.at(t), d.at(w)); next < value) {
+                        value = next;
+                        at = {t, w};
+                        isBetter = true;
+                    }
+                }
+            }
+        }
+        best = std::min(best, value);
+    }
+    return best - c.pen - d.pen;
+}
+
+Real between(const Shape& a, const Shape& b) {
+    Real best = 1e18L;
+    for (const Curve& c : a.curves) {
+        for (const Curve& d : b.curves) {
+            best = std::min(best, between(c, d));
+        }
+    }
+    if (a.holds(b.curves.front().at(0)) || b.holds(a.curves.front().at(0))) {
+        best = 0;
+    }
+    return std::max<Real>(best, 0);
+}
+
+P real(Point p) {
+    return {Real(p.x), Real(p.y)};
+}
+
+Curve arcOf(Point from, Point centre, Point to, bool isClockwise, Real pen) {
+    const P c = real(centre);
+    const Real start = std::atan2(from.y - c.y, from.x - c.x);
+    Real sweep = std::atan2(to.y - c.y, to.x - c.x) - start;
+    const Real turn = 2 * std::numbers::pi_v<Real>;
+    sweep = isClockwise ? (sweep >= 0 ? sweep - turn : sweep) : (sweep <= 0 ? sweep + turn : sweep);
+    return arc(c, (apart(real(from), c) + apart(real(to), c)) / 2, start, sweep, pen);
+}
+
+constexpr const char* kKinds[] = {"line", "arc", "disc", "ring", "trail", "area", "round area", "square pen"};
+constexpr std::size_t kKindCount = std::size(kKinds);
+
+/// Makes elements at random, each with its reference.
+class Maker {
+public:
+    Maker(DocumentBuilder& builder, unsigned seed) : m_builder(builder), m_random(seed) {}
+
+    /// `around` ± 0.2 mm.
+    std::pair<ElementId, Shape> make(std::size_t kind, Point around) {
+        m_around = around;
+        switch (kind) {
+            case 0: return line();
+            case 1: return arcStroke();
+            case 2: return disc();
+            case 3: return ring();
+            case 4: return trail();
+            case 5: return polygon();
+            case 6: return roundArea();
+            default: return squarePen();
+        }
+    }
+
+private:
+    Nm number(Nm from, Nm to) { return std::uniform_int_distribution<Nm>(from, to)(m_random); }
+    Point point() { return {m_around.x + number(-200'000, 200'000), m_around.y + number(-200'000, 200'000)}; }
+    Nm even(Nm from, Nm to) { return number(from, to) / 2 * 2; }
+
+    std::pair<ElementId, Shape> line() {
+        const Point a = point();
+        const Point b = point();
+        const Nm width = even(2'000, 60'000);
+        return {m_builder.addLine({a, b, width, 0}, {}), {{straight(real(a), real(b), width / 2)}, false}};
+    }
+    std::pair<ElementId, Shape> arcStroke() {
+        // Ends on the axes through the centre, so that both radii are equal.
+        const Point centre = point();
+        const Nm r = number(20'000, 150'000);
+        const Point ends[4] = {
+            {centre.x + r, centre.y}, {centre.x, centre.y + r}, {centre.x - r, centre.y}, {centre.x, centre.y - r}};
+        const Point a = ends[number(0, 3)];
+        const Point b = ends[number(0, 3)];
+        const Nm width = even(2'000, 30'000);
+        const bool isClockwise = number(0, 1) == 1;
+        const EdgeKind way = isClockwise ? EdgeKind::ArcClockwise : EdgeKind::ArcCounterClockwise;
+        return {m_builder.addArc({PathNode{a, centre, way}, b, width}, {}),
+                {{arcOf(a, centre, b, isClockwise, width / 2)}, false}};
+    }
+    std::pair<ElementId, Shape> disc() {
+        const Point centre = point();
+        const Nm diameter = even(20'000, 200'000);
+        return {m_builder.addCircle({centre, diameter, 0}, {}), {{circleAround(centre, diameter / 2)}, true}};
+    }
+    std::pair<ElementId, Shape> ring() {
+        const Point centre = point();
+        const Nm outer = even(100'000, 300'000);
+        const Nm inner = even(20'000, 90'000);
+        // The reference sees two circles around what is filled, not a stroke.
+        return {
+            m_builder.addCircle({centre, outer, inner}, {}),
+            {{circleAround(centre, outer / 2), arc(real(centre), inner / 2, 0, -2 * std::numbers::pi_v<Real>)}, true}};
+    }
+    static Curve circleAround(Point centre, Nm radius) {
+        return arc(real(centre), radius, 0, 2 * std::numbers::pi_v<Real>);
+    }
+    std::pair<ElementId, Shape> trail() {
+        const std::array<Point, 4> points = {point(), point(), point(), point()};
+        const Nm width = even(2'000, 40'000);
+        std::vector<PathNode> nodes;
+        Shape shape;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            nodes.push_back({points[i], {}, EdgeKind::Line});
+            if (i > 0) {
+                shape.curves.push_back(straight(real(points[i - 1]), real(points[i]), width / 2));
+            }
+        }
+        return {m_builder.addTrail(nodes, width, {}), shape};
+    }
+    std::pair<ElementId, Shape> polygon() {
+        // A star with a hole in the middle.
+        const Point centre = point();
+        std::vector<Point> corners;
+        for (int i = 0; i < 7; ++i) {
+            const double angle = 2 * std::numbers::pi * i / 7;
+            const double r = number(80'000, 200'000);
+            corners.push_back({centre.x + Nm(r * std::cos(angle)), centre.y + Nm(r * std::sin(angle))});
+        }
+        std::vector<Point> hole = {{centre.x - 20'000, centre.y - 20'000},
+                                   {centre.x + 20'000, centre.y - 20'000},
+                                   {centre.x, centre.y + 25'000}};
+        ShapeSketch sketch;
+        sketch.addPolygon(corners, false);
+        sketch.addPolygon(hole, true);
+        Shape shape;
+        shape.isFilled = true;
+        std::ranges::reverse(hole);
+        for (const auto& loop : {corners, hole}) {
+            for (std::size_t i = 0; i < loop.size(); ++i) {
+                shape.curves.push_back(straight(real(loop[i]), real(loop[(i + 1) % loop.size()])));
+            }
+        }
+        return {m_builder.addArea({m_builder.addShape(sketch), {}}, {}), shape};
+    }
+    std::pair<ElementId, Shape> roundArea() {
+        // A half disc with a bite out of its straight side.
+        const Point c = point();
+        const Nm r = number(80'000, 200'000);
+        const Nm bite = number(10'000, 60'000);
+        ShapeSketch sketch;
+        sketch.beginContour(false);
+        sketch.addNode({{c.x, c.y - r}, c, EdgeKind::ArcCounterClockwise});
+        sketch.addNode(Point{c.x, c.y + r});
+        sketch.addNode({{c.x, c.y + bite}, c, EdgeKind::ArcClockwise});
+        sketch.addNode(Point{c.x, c.y - bite});
+        return {m_builder.addArea({m_builder.addShape(sketch), {}}, {}),
+                {{arcOf({c.x, c.y - r}, c, {c.x, c.y + r}, false, 0),
+                  straight(real({c.x, c.y + r}), real({c.x, c.y + bite})),
+                  arcOf({c.x, c.y + bite}, c, {c.x, c.y - bite}, true, 0),
+                  straight(real({c.x, c.y - bite}), real({c.x, c.y - r}))},
+                 true}};
+    }
+    std::pair<ElementId, Shape> squarePen() {
+        const Point a = point();
+        const Point b = {a.x + number(10'000, 150'000), a.y};
+        const Nm r = number(1'000, 30'000);
+        const P corners[4] = {real({a.x - r, a.y - r}), real({b.x + r, a.y - r}), real({b.x + r, a.y + r}),
+                              real({a.x - r, a.y + r})};
+        Shape shape;
+        shape.isFilled = true;
+        for (int i = 0; i < 4; ++i) {
+            shape.curves.push_back(straight(corners[i], corners[(i + 1) % 4]));
+        }
+        return {m_builder.addLine({a, b, 2 * r, 0}, of({}, kSquarePen)), shape};
+    }
+
+    DocumentBuilder& m_builder;
+    std::mt19937 m_random;
+    Point m_around;
+};
+
+Separation measured(const BoardIndex& index, const Thing& a, const Thing& b) {
+    base::Progress progress;
+    return *separationOf(index, a, b, progress);
+}
+
+bool says(const Separation& separation, const QString& what) {
+    return std::ranges::any_of(separation.remarks,
+                               [&](const std::string& text) { return QString::fromStdString(text).contains(what); });
+}
+
+BoardElement own(ElementId element) {
+    return {0, element};
+}
+
+bool isNear(double a, double b, double within = 1.0) {
+    return std::abs(a - b) <= within;
+}
+
+}  // namespace
+
+class SeparationTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyTwoKindsAgreeWithTheReference() {
+        int apartCount = 0;
+        int together = 0;
+        for (std::size_t kindA = 0; kindA < kKindCount; ++kindA) {
+            for (std::size_t kindB = kindA; kindB < kKindCount; ++kindB) {
+                DocumentBuilder builder;
+                addLayers(builder);
+                builder.beginLayer(LayerId{Top});
+                Maker maker(builder, static_cast<unsigned>(100 * kindA + kindB));
+                std::vector<std::tuple<ElementId, ElementId, double>> pairs;
+                for (int round = 0; round < 8; ++round) {
+                    const auto a = maker.make(kindA, {0, 0});
+                    const auto b = maker.make(kindB, {round * 50'000, round * 25'000});
+                    pairs.emplace_back(a.first, b.first, static_cast<double>(between(a.second, b.second)));
+                }
+                const auto index = indexed(builder.finish());
+                for (const auto& [a, b, expected] : pairs) {
+                    const Separation s = measured(*index, own(a), own(b));
+                    const Way& way = *s.inPlane;
+                    const QString what = QString("%1 and %2: %3, not %4")
+                                             .arg(kKinds[kindA])
+                                             .arg(kKinds[kindB])
+                                             .arg(way.distance)
+                                             .arg(expected);
+                    QVERIFY2(isNear(way.distance, expected), qPrintable(what));
+                    QVERIFY2((way.relation == Relation::Apart) == (expected > kTouchNm), qPrintable(what));
+                    QVERIFY(isNear(std::hypot(way.gap.to.x - way.gap.from.x, way.gap.to.y - way.gap.from.y),
+                                   way.distance, 1e-3));
+                    const Separation back = measured(*index, own(b), own(a));
+                    QVERIFY(isNear(back.inPlane->distance, way.distance, 1e-3));
+                    QVERIFY(isNear(back.inPlane->overlap, way.overlap, 1e-3) || !way.isOverlapExact);
+                    QCOMPARE(s.onLayer->distance, way.distance);
+                    (expected > kTouchNm ? apartCount : together)++;
+                }
+            }
+        }
+        QVERIFY2(apartCount > 60 && together > 60, qPrintable(QString("%1 %2").arg(apartCount).arg(together)));
+    }
+
+    void turningTheBoardChangesNothing() {
+        // Copies turned by quarters and turned over: the same distances as in the step itself.
+        DocumentBuilder builder;
+        addLayers(builder);
+        builder.beginLayer(LayerId{Top});
+        Maker maker(builder, 5);
+        std::vector<std::pair<ElementId, ElementId>> pairs;
+        for (std::size_t kind = 0; kind < kKindCount; ++kind) {
+            const ElementId a = maker.make(kind, {0, 0}).first;
+            pairs.emplace_back(a, maker.make(kKindCount - 1 - kind, {500'000, 300'000}).first);
+        }
+        const auto step = builder.finish();
+        DocumentBuilder panel;
+        addLayers(panel);
+        const std::uint32_t row = panel.addStep(step);
+        for (int i = 0; i < 8; ++i) {
+            panel.addInstance({row, {{i * 5 * kMm, 7}, 90.0 * (i % 4), i >= 4}, i >= 4});
+        }
+        const auto index = indexed(panel.finish());
+        const auto alone = indexed(step);
+        for (const auto& [a, b] : pairs) {
+            const double expected = measured(*alone, own(a), own(b)).inPlane->distance;
+            for (std::uint32_t copy = 1; copy <= 8; ++copy) {
+                const Separation s = measured(*index, BoardElement{copy, a}, BoardElement{copy, b});
+                QVERIFY(isNear(s.inPlane->distance, expected, 1e-3));
+                QCOMPARE(s.inPlane->from.layer, LayerId{copy > 4 ? std::size_t{Bottom} : std::size_t{Top}});
+            }
+        }
+        // From copy to copy: discs, whose centres tell.
+        const ElementId disc = pairs[2].first;
+        const CircleGeometry& circle = step->circles[step->elements.geometry[disc.row()]];
+        const Point here = index->tree.copies[1].placement.apply(circle.centre);
+        const Point there = index->tree.copies[6].placement.apply(circle.centre);
+        const Separation across = measured(*index, BoardElement{1, disc}, BoardElement{6, disc});
+        const double centres = std::hypot(double(here.x) - there.x, double(here.y) - there.y);
+        QVERIFY(isNear(across.inPlane->distance, centres - circle.diameter, 1e-3));
+        QVERIFY(!across.onLayer);
+    }
+
+    void heightsComeFromTheStack() {
+        DocumentBuilder builder;
+        addLayers(builder);
+        const NetId a = builder.addNet("A");
+        const NetId b = builder.addNet("B");
+        builder.beginLayer(LayerId{Top});
+        const ElementId top = builder.addCircle({{0, 0}, kMm, 0}, of(a));
+        builder.beginLayer(LayerId{Inner});
+        const ElementId inner = builder.addCircle({{3 * kMm, 0}, kMm, 0}, of(b));
+        builder.beginLayer(LayerId{Bottom});
+        const ElementId bottom = builder.addCircle({{0, 0}, kMm, 0}, of(b));
+        builder.beginLayer(LayerId{Drawing});
+        const ElementId text = builder.addLine({{0, 2 * kMm}, {kMm, 2 * kMm}, 100'000, 0}, {});
+        const auto index = indexed(builder.finish());
+
+        const Separation aside = measured(*index, own(top), own(inner));
+        QVERIFY(!aside.onLayer && says(aside, "no common layer"));
+        QCOMPARE(aside.inPlane->distance, 2.0 * kMm);
+        QCOMPARE(aside.throughStack->dz, 1.0 * kMm);
+        QVERIFY(isNear(aside.throughStack->distance, std::hypot(2e6, 1e6), 1e-3));
+        QVERIFY(says(aside, "assumed thicknesses: below top"));
+        QCOMPARE(aside.main(), &*aside.throughStack);
+
+        const Separation below = measured(*index, own(top), own(bottom));
+        QCOMPARE(below.inPlane->relation, Relation::Overlapping);
+        QVERIFY(isNear(below.inPlane->overlap, kMm, 1e-3));
+        QCOMPARE(below.throughStack->distance, 2.1e6);
+        QCOMPARE(below.throughStack->relation, Relation::Apart);
+
+        const Separation known = measured(*index, own(inner), own(bottom));
+        QVERIFY(!says(known, "assumed") && says(known, "both are of net B"));
+
+        const Separation drawn = measured(*index, own(top), own(text));
+        QVERIFY(!drawn.throughStack && says(drawn, "no place in the stack"));
+        QCOMPARE(drawn.inPlane->distance, 2.0 * kMm - 500'000 - 50'000);
+
+        // Nets: the nearest pair in space is not the nearest in the plane.
+        const Separation nets = measured(*index, NetOfCopy{0, a}, NetOfCopy{0, b});
+        QCOMPARE(nets.inPlane->to.at.element, bottom);
+        QCOMPARE(nets.throughStack->to.at.element, bottom);
+        QCOMPARE(nets.throughStack->distance, 2.1e6);
+    }
+
+    void holesReachAllTheirLayers() {
+        DocumentBuilder builder;
+        addLayers(builder);
+        builder.beginLayer(LayerId{Inner});
+        const ElementId track = builder.addLine({{-kMm, kMm}, {kMm, kMm}, 200'000, 0}, {});
+        builder.beginLayer(LayerId{Drill});
+        const ElementId via = builder.addCircle({{0, 0}, 600'000, 400'000}, of({}, kHole | kPlated | kVia));
+        const ElementId cut = builder.addCircle({{5 * kMm, 0}, 600'000, 400'000}, of({}, kHole | kPlated | kVia));
+        builder.addPlatedSpan({cut, LayerId{Bottom}, LayerId{Bottom}});
+        const auto index = indexed(builder.finish());
+        const Separation s = measured(*index, own(track), own(via));
+        QCOMPARE(s.onLayer->distance, 600'000.0);
+        QCOMPARE(s.throughStack->dz, 0.0);
+        // Drilled away down to the bottom copper.
+        const Separation gone = measured(*index, own(track), own(cut));
+        QVERIFY(!gone.onLayer);
+        QCOMPARE(gone.throughStack->dz, 1e6);
+    }
+
+    void theEdgeOfTheBoardIsALine() {
+        DocumentBuilder builder;
+        addLayers(builder);
+        builder.setProfile(builder.addShape(rectangle({0, 0}, {20 * kMm, 10 * kMm})));
+        builder.beginLayer(LayerId{Top});
+        const ElementId inside = builder.addCircle({{2 * kMm, 5 * kMm}, kMm, 0}, {});
+        const ElementId across = builder.addCircle({{20 * kMm, 5 * kMm}, kMm, 0}, {});
+        const ElementId outside = builder.addCircle({{-2 * kMm, 5 * kMm}, kMm, 0}, {});
+        const auto index = indexed(builder.finish());
+        const Separation s = measured(*index, own(inside), BoardEdge{});
+        QCOMPARE(s.main()->distance, 1.5 * kMm);
+        QCOMPARE(s.main()->gap.to.x, 0.0);
+        QVERIFY(!says(s, "outside"));
+        QCOMPARE(measured(*index, BoardEdge{}, own(across)).main()->relation, Relation::Overlapping);
+        const Separation beyond = measured(*index, own(outside), BoardEdge{});
+        QCOMPARE(beyond.main()->distance, 1.5 * kMm);
+        QVERIFY(says(beyond, "outside of the board"));
+        QVERIFY(says(measured(*index, BoardEdge{}, BoardEdge{}), "the same"));
+    }
+
+    void partsAndPinsAreTheirPads() {
+        DocumentBuilder builder;
+        addLayers(builder);
+        const NetId net = builder.addNet("N");
+        const std::array<Pin, 3> pins = {Pin{builder.string("1"), {0, 0}, net, {}, 0},
+                                         Pin{builder.string("2"), {4 * kMm, 0}, {}, {}, 1},
+                                         Pin{builder.string("3"), {100, 0}, net, {}, 2}};
+        Component component;
+        component.refdes = "U1";
+        const ComponentId part = builder.addComponent(component, pins);
+        builder.beginLayer(LayerId{Top});
+        const auto pad = [&](std::size_t pin, Nm x, NetId of) {
+            DocumentBuilder::Origin origin;
+            origin.net = of;
+            origin.flags = kPad;
+            origin.subnet = builder.addSubnet({of, SubnetKind::Toeprint, PinId{pin}, 0, 0, 0});
+            return builder.addCircle({{x, 0}, kMm, 0}, origin);
+        };
+        pad(0, 0, net);
+        pad(1, 4 * kMm, {});
+        const ElementId far = builder.addCircle({{7 * kMm, 0}, kMm, 0}, {});
+        const auto index = indexed(builder.finish());
+        QCOMPARE(measured(*index, PartOfCopy{0, part}, own(far)).main()->distance, 2.0 * kMm);
+        QCOMPARE(measured(*index, PinOfCopy{0, PinId{std::size_t{0}}}, own(far)).main()->distance, 6.0 * kMm);
+        QCOMPARE(
+            measured(*index, PinOfCopy{0, PinId{std::size_t{0}}}, PinOfCopy{0, PinId{std::size_t{1}}}).main()->distance,
+            3.0 * kMm);
+        // The third pin shares the pad of the first, which the job ties to that one only.
+        QCOMPARE(measured(*index, PinOfCopy{0, PinId{std::size_t{2}}}, own(far)).main()->distance, 6.0 * kMm);
+        const Separation within = measured(*index, PinOfCopy{0, PinId{std::size_t{0}}}, NetOfCopy{0, net});
+        QVERIFY(within.main() == nullptr && says(within, "the same"));
+        const Separation part2 = measured(*index, PinOfCopy{0, PinId{std::size_t{0}}}, PartOfCopy{0, part});
+        QVERIFY(part2.main() == nullptr && says(part2, "pin U1.1 is part of U1"));
+        QCOMPARE(measured(*index, Place{{7e6, 3e6}, {}}, own(far)).main()->distance, 2.5 * kMm);
+    }
+
+    void nothingIsNeverANumber() {
+        DocumentBuilder builder;
+        addLayers(builder);
+        builder.beginLayer(LayerId{Top});
+        const ElementId thin = builder.addLine({{0, 0}, {kMm, 0}, 0, 0}, {});
+        const ElementId disc = builder.addCircle({{5 * kMm, 0}, kMm, 0}, {});
+        const auto index = indexed(builder.finish());
+        const Separation s = measured(*index, own(thin), own(disc));
+        QVERIFY(s.main() == nullptr && says(s, "covers nothing"));
+        const Separation same = measured(*index, own(disc), own(disc));
+        QVERIFY(same.main() == nullptr && says(same, "both are the same"));
+        QVERIFY(says(measured(*index, BoardEdge{}, own(disc)), "no outline"));
+    }
+
+    void aCancelIsHeeded() {
+        DocumentBuilder builder;
+        addLayers(builder);
+        builder.beginLayer(LayerId{Top});
+        const ElementId a = builder.addCircle({{0, 0}, kMm, 0}, {});
+        const ElementId b = builder.addCircle({{5 * kMm, 0}, kMm, 0}, {});
+        const auto index = indexed(builder.finish());
+        base::Progress progress;
+        progress.cancel();
+        QCOMPARE(separationOf(*index, own(a), own(b), progress).error().code, base::ErrorCode::Cancelled);
+    }
+
+    void netsAreMeasuredAsAllTheirPairsWouldBe() {
+        base::Progress progress;
+        const auto board = readBoard(places::kSample, {}, progress);
+        QVERIFY(board.ok());
+        const auto index = indexed(*board);
+        std::mt19937 random(9);
+        for (int round = 0; round < 12; ++round) {
+            const NetId a{random() % (*board)->nets.size()};
+            const NetId b{random() % (*board)->nets.size()};
+            const Separation s = measured(*index, NetOfCopy{0, a}, NetOfCopy{0, b});
+            const Pieces inA = piecesOf(*index, NetOfCopy{0, a});
+            const Pieces inB = piecesOf(*index, NetOfCopy{0, b});
+            if (a == b || inA.pieces.empty() || inB.pieces.empty()) {
+                QVERIFY(s.main() == nullptr);
+                continue;
+            }
+            double expected[3] = {1e18, 1e18, 1e18};
+            for (std::size_t i = 0; i < inA.pieces.size(); ++i) {
+                for (std::size_t j = 0; j < inB.pieces.size(); ++j) {
+                    const double gap = gapBetween(inA.figures, i, inB.figures, j)->distance;
+                    const Piece& p = inA.pieces[i];
+                    const Piece& q = inB.pieces[j];
+                    const double dz = std::max({0.0, double(p.z.bottom) - q.z.top, double(q.z.bottom) - p.z.top});
+                    expected[0] = std::min(expected[0], gap);
+                    expected[1] = std::min(expected[1], p.sharesLayerWith(q) ? gap : 1e18);
+                    expected[2] = std::min(expected[2], std::hypot(gap, dz));
+                }
+            }
+            QCOMPARE(s.inPlane->distance, expected[0]);
+            QCOMPARE(s.onLayer ? s.onLayer->distance : 1e18, expected[1]);
+            QVERIFY(isNear(s.throughStack->distance, expected[2], 1e-3));
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(SeparationTest)
+#include "separation_test.moc"
