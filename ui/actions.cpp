@@ -47,6 +47,8 @@ constexpr ActionSpec kSpecs[] = {
      "Keep both cameras and the visible layers under a name, in the session file beside the board"},
     {Orthographic, MenuId::View, "&Orthographic", "O", "Parallel projection instead of perspective", kCheckable},
     {Explode, MenuId::View, "&Explode", "E", "Spread the layers apart", kCheckable},
+    {ShowViewCube, MenuId::View, "Vie&w cube", "K", "In 3D, show a cube whose sides can be clicked to look from there",
+     kCheckable},
     {ThickCopper, MenuId::Solid, "Thick &copper", "C", "In 3D, draw copper ten times as thick as it is", kCheckable},
     {ThickDielectric, MenuId::Solid, "Thick &laminate", "V",
      "In 3D, draw all that is no copper five times as thick as it is", kCheckable},
@@ -131,7 +133,7 @@ constexpr ActionSpec kSpecs[] = {
     {ShowGrid, MenuId::Select, "&Grid and rulers", "G", "Show a grid and rulers in 2D", kCheckable},
     {ShowNames, MenuId::Select, "Net na&mes", "W", "Write the names of nets on the copper in 2D, where there is room",
      kCheckable},
-    {ShowOutlines, MenuId::Select, "O&utlines alone", "S", "In 2D, draw outlines and nothing in them", kCheckable},
+    {ShowOutlines, MenuId::Select, "Out&lines alone", "S", "In 2D, draw outlines and nothing in them", kCheckable},
     {MeasureFrom, MenuId::Select, "Measure &from here", "M",
      "Show how far the cursor is from where it is now; again to stop", kCheckable},
 

@@ -38,6 +38,7 @@ enum class ActionId {
     KeepView,
     Orthographic,
     Explode,
+    ShowViewCube,
     ThickCopper,
     ThickDielectric,
     CutOpen,

@@ -32,7 +32,7 @@ BoardView::BoardView(GpuContext& context, Kind kind, QWidget* parent)
     m_rest.setInterval(kRestMs);
     connect(&m_rest, &QTimer::timeout, this, &BoardView::requestRestingFrame);
     connect(&m_controller, &CameraController::moved, this, &BoardView::requestMovingFrame);
-    m_picture.prepare = [this](QSize pixels) { paintOverlay(m_picture, pixels); };
+    m_picture.prepare = [this](QSize pixels) { paintOverlay(m_picture, pixels, Shown::OnCanvas); };
     if (kind == Kind::Flat) {
         m_picture.settings.is2d = true;
         m_controller.setPlan();
@@ -103,7 +103,7 @@ void BoardView::setOutlined(bool isOn) {
     requestFrame();
 }
 
-void BoardView::paintOverlay(Picture& picture, QSize pixels) const {
+void BoardView::paintOverlay(Picture& picture, QSize pixels, Shown where) const {
     if (picture.overlay.size() != pixels) {
         picture.overlay = m_painters.empty() ? QImage() : QImage(pixels, QImage::Format_RGBA8888_Premultiplied);
     }
@@ -114,10 +114,12 @@ void BoardView::paintOverlay(Picture& picture, QSize pixels) const {
     QPainter painter(&picture.overlay);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.scale(pixels.width() / m_controller.viewport().width(), pixels.height() / m_controller.viewport().height());
-    for (const Painter& paint : m_painters) {
-        painter.save();
-        paint(painter);
-        painter.restore();
+    for (const auto& [paint, shown] : m_painters) {
+        if (where == Shown::OnCanvas || shown == Shown::Everywhere) {
+            painter.save();
+            paint(painter);
+            painter.restore();
+        }
     }
 }
 
@@ -198,7 +200,7 @@ base::Result<QImage> BoardView::grabPicture(double scale) {
     const QSize pixels = (QSizeF(size()) * devicePixelRatioF() * scale).toSize();
     Picture resting = m_picture;
     setCoarse(resting.settings, false);
-    paintOverlay(resting, pixels);
+    paintOverlay(resting, pixels, Shown::Everywhere);
     return drawPicture(presenter, resting, m_controller.camera(), pixels);
 }
 

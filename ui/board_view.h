@@ -3,6 +3,7 @@
 #include <QTimer>
 #include <QWidget>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "ui/camera_controller.h"
@@ -27,6 +28,7 @@ public:
     enum class Kind { Flat, Solid };  ///< 2D, 3D
     /// Paints over the board, in logical pixels of the canvas.
     using Painter = std::function<void(QPainter&)>;
+    enum class Shown { Everywhere, OnCanvas };  ///< the latter not in pictures that are saved
 
     BoardView(GpuContext& context, Kind kind, QWidget* parent = nullptr);
     ~BoardView() override;
@@ -43,7 +45,9 @@ public:
     /// Outlines and nothing in them; in 2D.
     void setOutlined(bool isOn);
     /// Painters paint in the order in which they were added, before every frame.
-    void addPainter(Painter painter) { m_painters.push_back(std::move(painter)); }
+    void addPainter(Painter painter, Shown shown = Shown::Everywhere) {
+        m_painters.emplace_back(std::move(painter), shown);
+    }
     /// 0 to 1, see render::ViewSettings.
     void setExplode(float explode);
     /// The caller sets a box of these heights too.
@@ -55,6 +59,7 @@ public:
     /// Keys go to the canvas from now on.
     void takeKeyboard();
 
+    [[nodiscard]] bool hasScene() const { return m_picture.scene != nullptr; }
     [[nodiscard]] Kind kind() const { return m_kind; }
     [[nodiscard]] CameraController& controller() { return m_controller; }
     [[nodiscard]] const CameraController& controller() const { return m_controller; }
@@ -84,12 +89,12 @@ private:
     void requestRestingFrame();
     void onTimed(const render::FrameStats& stats);
     void updateBox();
-    void paintOverlay(Picture& picture, QSize pixels) const;
+    void paintOverlay(Picture& picture, QSize pixels, Shown where) const;
 
     GpuContext& m_context;
     Kind m_kind;
     CameraController m_controller;
-    std::vector<Painter> m_painters;
+    std::vector<std::pair<Painter, Shown>> m_painters;
     Picture m_picture;
     glm::vec3 m_boxMin{-1.0F};
     glm::vec3 m_boxMax{1.0F};

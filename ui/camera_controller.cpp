@@ -65,6 +65,25 @@ void CameraController::flip() {
     emit moved();
 }
 
+void CameraController::lookFrom(const glm::vec3& side) {
+    if (!m_isFitted) {
+        focusAt(centre());
+    }
+    const glm::vec3 along = -glm::normalize(side);
+    render::CameraPose pose = m_camera.pose();
+    pose.pitch = std::asin(along.z);
+    // From straight above and below the other named views say what is up.
+    const bool isUpright = side.x == 0.0F && side.y == 0.0F;
+    pose.yaw = !isUpright ? std::atan2(along.x, along.y) : side.z > 0.0F ? 0.0F : std::numbers::pi_v<float>;
+    m_camera.setPose(pose);
+    m_isFitted ? fit() : emit moved();
+}
+
+void CameraController::orbit(QPointF pixels) {
+    focusAt(centre());
+    orbitBy(pixels);
+}
+
 void CameraController::show(const glm::vec3& boxMin, const glm::vec3& boxMax) {
     const glm::vec3 middle = (boxMin + boxMax) / 2.0F;
     const glm::vec3 half =
@@ -159,6 +178,9 @@ void CameraController::focusAt(QPointF position) {
 bool CameraController::handle(QEvent& event) {
     if (isUse(event.type())) {
         emit used();
+    }
+    if (m_taker && m_button == Qt::NoButton && m_taker(event)) {
+        return true;
     }
     return dispatch(event);
 }

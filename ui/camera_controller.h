@@ -3,7 +3,9 @@
 #include <QObject>
 #include <QPointF>
 #include <QSizeF>
+#include <functional>
 #include <optional>
+#include <utility>
 
 #include "render/camera.h"
 
@@ -60,6 +62,15 @@ public:
     /// fits into the box.
     void zoomToBox(QPointF from, QPointF to);
 
+    /// Looks at the board from a side, an edge or a corner of it (x right, y up, z above the top), at what is in the
+    /// middle of the canvas now; all of the board stays in sight if it was shown whole.
+    void lookFrom(const glm::vec3& side);
+    /// Turns the board as a drag of so many pixels does.
+    void orbit(QPointF pixels);
+
+    /// Something over the canvas that gets mouse events first; true: it was for that and is over.
+    using Taker = std::function<bool(QEvent&)>;
+    void setTaker(Taker taker) { m_taker = std::move(taker); }
     /// Takes the event if it is one of the gestures above; the answer says so.
     bool handle(QEvent& event);
 
@@ -122,6 +133,7 @@ private:
     bool m_isFitted = true;
     bool m_isPlan = false;
     MouseHabits m_habits;
+    Taker m_taker;
     Drag m_drag = Drag::None;
     Drag m_dragKind = Drag::None;  ///< what the drag becomes once it is one
     Qt::MouseButton m_button = Qt::NoButton;

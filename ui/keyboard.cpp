@@ -119,7 +119,9 @@ void Keyboard::step(int by) {
 }
 
 void Keyboard::goTo(QWidget* stop) {
-    if (auto* dock = qobject_cast<QDockWidget*>(stop)) {
+    auto* dock = qobject_cast<QDockWidget*>(stop);
+    m_visited = dock;
+    if (dock != nullptr) {
         dock->raise();
         dock->activateWindow();  // takes the keyboard from the window of a canvas
         innerFocus(*dock->widget())->setFocus(Qt::ShortcutFocusReason);
@@ -131,7 +133,7 @@ void Keyboard::goTo(QWidget* stop) {
 }
 
 bool Keyboard::returnToView() {
-    if (qobject_cast<QDockWidget*>(current()) == nullptr || !m_views.isVisible()) {
+    if (m_visited == nullptr || current() != m_visited || !m_views.isVisible()) {
         return false;
     }
     goTo(&m_views.active());

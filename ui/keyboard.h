@@ -19,7 +19,7 @@ public:
     Keyboard(QMainWindow& window, ActionSet& actions, BoardViews& views, Settings& settings);
 
     void setPreset(KeyPreset preset);
-    /// Moves from a panel to the view in use; false when no panel has the keyboard.
+    /// Moves from a panel that was reached with keys to the view in use; false when none has the keyboard.
     bool returnToView();
 
 protected:
@@ -36,7 +36,8 @@ private:
     ActionSet& m_actions;
     BoardViews& m_views;
     Settings& m_settings;
-    QList<QDockWidget*> m_docks;  ///< in the order they were made, which raising one would change among siblings
+    QWidget* m_visited = nullptr;  ///< the panel that was reached with keys
+    QList<QDockWidget*> m_docks;   ///< in the order they were made, which raising one would change among siblings
 };
 
 }  // namespace ui

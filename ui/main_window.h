@@ -43,6 +43,7 @@ class SearchBox;
 class StackPanel;
 class StatisticsPanel;
 class StatusLine;
+class ViewCube;
 class ViewsPanel;
 
 /// The workbench: one board, its 3D view, and panels beside it. Boards are read in the background; the one on the
@@ -86,6 +87,7 @@ public:
     [[nodiscard]] models::StackModel& stack() { return m_stackModel; }
     [[nodiscard]] StatisticsPanel& statisticsPanel() { return *m_statisticsPanel; }
     [[nodiscard]] ViewsPanel& viewsPanel() { return *m_viewsPanel; }
+    [[nodiscard]] ViewCube& viewCube() { return *m_viewCube; }
     [[nodiscard]] ViewKeeping& viewKeeping() { return *m_viewKeeping; }
     [[nodiscard]] MessageBar& messageBar() { return *m_messageBar; }
     [[nodiscard]] StatusLine& statusLine() { return *m_statusLine; }
@@ -177,6 +179,7 @@ private:
     std::unique_ptr<PlanPainter> m_planPainter;
     PlaceReadout* m_placeReadout = nullptr;
     std::unique_ptr<Cutting> m_cutting;
+    ViewCube* m_viewCube = nullptr;
     LayersPanel* m_layersPanel = nullptr;
     NetsPanel* m_netsPanel = nullptr;
     ElementPanel* m_elementPanel = nullptr;

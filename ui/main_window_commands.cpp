@@ -26,6 +26,7 @@
 #include "ui/statistics_panel.h"
 #include "ui/status_line.h"
 #include "ui/theme.h"
+#include "ui/view_cube.h"
 #include "ui/views_panel.h"
 
 namespace ui {
@@ -158,6 +159,9 @@ void MainWindow::connectViewKeeping() {
 }
 
 void MainWindow::connectSolidActions() {
+    m_viewCube = new ViewCube(m_views->solid(), this);
+    on(ActionId::ShowViewCube, [this](bool isOn) { m_viewCube->setOn(isOn); });
+    m_actions[ActionId::ShowViewCube].setChecked(true);
     m_cutting = std::make_unique<Cutting>(*m_views);
     connect(m_probing, &Probing::pointedAt, this, [this](double x, double y) {
         m_cutting->pointAt(base::PointD{x, y});

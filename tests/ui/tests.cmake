@@ -23,6 +23,7 @@ copperscope_ui_test(probing)
 copperscope_ui_test(search)
 copperscope_ui_test(stack_view)
 copperscope_ui_test(thickness)
+copperscope_ui_test(view_cube)
 
 copperscope_test(ui_actions_test ui/actions_test.cpp LABEL ui LINK copperscope_ui)
 copperscope_test(ui_camera_controller_test ui/camera_controller_test.cpp LABEL ui LINK copperscope_ui)
