@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "app/console_progress.h"
 #include "app/exit_code.h"
 #include "app/json_text.h"
+#include "app/rule_report.h"
 #include "model/base/units.h"
 #include "model/clearance/clearance.h"
 #include "model/copies.h"
@@ -162,6 +165,35 @@ base::Result<std::vector<StepClearances>> measureSteps(const Document& board, co
     return found;
 }
 
+base::Result<model::RuleTable> readRules(const std::string& path) {
+    if (path == "default") {
+        return model::defaultRules();
+    }
+    std::ifstream file(path, std::ios::binary);
+    if (!file) {
+        return base::Error{base::ErrorCode::BadInput, path + " cannot be read"};
+    }
+    return model::parseRules(std::string(std::istreambuf_iterator<char>(file), {}));
+}
+
+int runRules(const ClearanceArguments& arguments, const Document& board, base::Progress& progress) {
+    const base::Result<model::RuleTable> table = readRules(arguments.rules);
+    if (!table) {
+        return fail(table.error());
+    }
+    std::vector<StepRules> steps;
+    for (const Document* step : model::distinctSteps(board)) {
+        base::Result<model::RuleReport> report = model::checkRules(*step, *table, progress);
+        if (!report) {
+            return fail(report.error());
+        }
+        steps.push_back({step, std::move(*report)});
+    }
+    printRules(*table, steps, arguments.format, arguments.worst);
+    const bool isPassed = std::ranges::all_of(steps, [](const StepRules& s) { return s.report.isPassed(); });
+    return isPassed ? kDone : kTooClose;
+}
+
 }  // namespace
 
 int runClearance(const ClearanceArguments& arguments) {
@@ -169,6 +201,9 @@ int runClearance(const ClearanceArguments& arguments) {
     const auto board = openDocument(arguments.board, console.progress());
     if (!board) {
         return fail(board.error());
+    }
+    if (!arguments.rules.empty()) {
+        return runRules(arguments, **board, console.progress());
     }
     const auto found = measureSteps(**board, arguments, console.progress());
     if (!found) {

@@ -161,6 +161,8 @@ void addClearance(CLI::App& parser, ClearanceArguments& arguments) {
     command->add_option("--worst", arguments.worst, "how many of the narrowest")
         ->check(CLI::Range(1, 1'000'000))
         ->capture_default_str();
+    command->add_option("--rules", arguments.rules,
+                        "check the rules of this JSON file, or \"default\"; exit code 4 if one is broken");
     command->add_option("--below", arguments.below,
                         "only what is closer than this, with um, mm, mil or inch; exit code 4 if anything is");
     command->add_option("--layer", arguments.layer, "only on this copper layer");

@@ -133,9 +133,9 @@ void descend(const Levels& levels, std::size_t level, std::size_t index, const B
     }
 }
 
-/// The nearest distance from a point to the edges below a box, or `best` if that is less.
-double nearest(const Levels& levels, std::size_t level, std::size_t index, const Edge& dot, double best) {
-    if (apart(levels.box(level, index), boxOf(dot)) >= best) {
+/// The nearest way from a point to the edges below a box, or `best` if that is shorter.
+Gap nearest(const Levels& levels, std::size_t level, std::size_t index, const Edge& dot, Gap best) {
+    if (apart(levels.box(level, index), boxOf(dot)) >= best.distance) {
         return best;
     }
     const auto [first, end] = levels.children(level, index);
@@ -145,7 +145,8 @@ double nearest(const Levels& levels, std::size_t level, std::size_t index, const
         } else {
             Edge edge = levels.edges[i];
             edge.pen = 0;
-            best = std::min(best, gapBetween(edge, dot).distance);
+            const Gap gap = gapBetween(dot, edge);
+            best = gap.distance < best.distance ? gap : best;
         }
     }
     return best;
@@ -161,12 +162,12 @@ bool isInside(const FigureTable& table, std::size_t row, PointD p) {
     return table[row].isFilled && RayToTheRight(Levels(table, row), p).isInside();
 }
 
-double distanceToEdges(const FigureTable& table, std::size_t row, PointD p) {
+Gap gapToEdges(const FigureTable& table, std::size_t row, PointD p) {
     Edge dot;
     dot.a = dot.b = p;
     const Levels levels(table, row);
     // Boxes hold pens and are rounded outwards, so they never cut a nearer edge off.
-    return nearest(levels, levels.top, 0, dot, std::numeric_limits<double>::infinity());
+    return nearest(levels, levels.top, 0, dot, {std::numeric_limits<double>::infinity(), p, p});
 }
 
 void visitEdges(const FigureTable& table, std::size_t row, const Box& box,

@@ -25,8 +25,8 @@ inline constexpr double kTouchNm = 0.5;
 /// Is the point inside of a filled figure? Never for strokes.
 [[nodiscard]] bool isInside(const FigureTable& table, std::size_t row, PointD p);
 
-/// From a point to the nearest edge of a figure, pen and inside left out of account.
-[[nodiscard]] double distanceToEdges(const FigureTable& table, std::size_t row, PointD p);
+/// The shortest way from a point to an edge of a figure, pen and inside left out of account.
+[[nodiscard]] Gap gapToEdges(const FigureTable& table, std::size_t row, PointD p);
 
 /// Calls `visit` for the edges of a figure that may come into the box, and for some that lie beside it.
 void visitEdges(const FigureTable& table, std::size_t row, const Box& box,

@@ -165,7 +165,7 @@ double depthBetween(const Convex& a, const Convex& b) {
 /// The largest disc around a point that the figure covers.
 double discAt(const FigureTable& table, std::size_t row, PointD p) {
     if (table[row].isFilled) {
-        return isInside(table, row, p) ? distanceToEdges(table, row, p) : 0.0;
+        return isInside(table, row, p) ? gapToEdges(table, row, p).distance : 0.0;
     }
     double largest = 0.0;
     Edge place;

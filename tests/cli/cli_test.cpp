@@ -197,6 +197,28 @@ private slots:
         QCOMPARE(copperscope({"clearance", places::kSample, "--layer", "nowhere"}).exitCode, 1);
     }
 
+    void rulesTellABuildWhatIsBroken() {
+        QTemporaryDir folder;
+        const auto check = [&](const char* um) {
+            QFile file(folder.filePath("rules.json"));
+            file.open(QIODevice::WriteOnly);
+            file.write(R"({"copperscope_rules": 1, "rules": [{"kind": "copper-copper", "least_um": )");
+            file.write(um + QByteArray("}]}"));
+            file.close();
+            return copperscope({"clearance", places::kSample, "--rules", file.fileName(), "--format", "json"});
+        };
+        QCOMPARE(check("1").exitCode, 0);
+        const Outcome broken = check("5000");
+        QCOMPARE(broken.exitCode, 4);
+        const QJsonValue rule = QJsonDocument::fromJson(broken.out)["steps"][0]["rules"][0];
+        QCOMPARE(rule["passed"].toBool(true), false);
+        QCOMPARE(rule["findings"].toArray().size(), std::min(100, rule["count"].toInt()));
+        QVERIFY(rule["findings"][0]["gap_um"].toDouble() < 5000.0);
+        QCOMPARE(check("-1").exitCode, 2);
+        QVERIFY(check("-1").err.contains("least_um"));
+        QCOMPARE(copperscope({"clearance", places::kSample, "--rules", "/nowhere.json"}).exitCode, 2);
+    }
+
     void measureTellsHowFarThingsAreApart() {
         const auto measure = [](const QStringList& rest) {
             return copperscope(QStringList{"measure", places::kSample} + rest);

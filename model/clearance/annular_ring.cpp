@@ -1,0 +1,83 @@
+#include "model/clearance/annular_ring.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "model/base/parallel.h"
+#include "model/clearance/sheet.h"
+#include "model/geometry/distance.h"
+
+namespace model {
+
+namespace {
+
+/// The way from a point inside of a figure to its nearest edge; nothing if the point lies outside.
+std::optional<Gap> wayOut(const FigureTable& table, std::size_t row, PointD p) {
+    if (table[row].isFilled) {
+        return isInside(table, row, p) ? std::optional(gapToEdges(table, row, p)) : std::nullopt;
+    }
+    Edge dot;
+    dot.a = dot.b = p;
+    // Of a stroke: across it, where its middle line is nearest.
+    std::optional<Gap> farthest;
+    for (Edge edge : table.edges(row)) {
+        const double pen = std::exchange(edge.pen, 0.0);
+        Gap gap = gapBetween(dot, edge);
+        const double deep = pen - gap.distance;
+        if (deep > 0 && (!farthest || deep > farthest->distance)) {
+            const double scale = gap.distance > 0 ? pen / gap.distance : 0.0;
+            const PointD out{gap.to.x + scale * (p.x - gap.to.x), gap.to.y + scale * (p.y - gap.to.y)};
+            farthest = Gap{deep, p, scale > 0 ? out : PointD{p.x + pen, p.y}};
+        }
+    }
+    return farthest;
+}
+
+std::optional<AnnularRing> ringOf(const Document& document, const Sheet& copper, ElementId hole) {
+    const CircleGeometry& circle = document.circles[document.elements.geometry[hole.row()]];
+    const PointD centre = base::toDouble(circle.centre);
+    std::optional<AnnularRing> widest;
+    copper.visitNear(document.boxOf(hole), 0.0, [&](std::uint32_t row) {
+        const ElementId element = copper.elementOf(row);
+        if (document.elements.net[element.row()] != document.elements.net[hole.row()]) {
+            return;
+        }
+        const std::optional<Gap> out = wayOut(copper.figures(), row, centre);
+        const double width = out ? std::max(0.0, out->distance - circle.diameter / 2.0) : 0.0;
+        if (out && (!widest || width > widest->width.distance)) {
+            const double part = out->distance > 0 ? (circle.diameter / 2.0) / out->distance : 0.0;
+            const PointD edge{centre.x + part * (out->to.x - centre.x), centre.y + part * (out->to.y - centre.y)};
+            widest = AnnularRing{hole, element, {width, width > 0 ? edge : out->to, out->to}};
+        }
+    });
+    return widest;
+}
+
+}  // namespace
+
+std::vector<AnnularRing> annularRings(const Document& document, LayerId layer, double below) {
+    const Sheet copper = layerSheet(document, layer);
+    std::vector<ElementId> holes;
+    for (const Layer& drill : document.layers) {
+        for (std::uint32_t i = drill.elements.first;
+             drill.spans(layer) && i < drill.elements.first + drill.elements.count; ++i) {
+            const ElementId hole{i};
+            if (isPlatedHole(document.elements.flags[i]) && document.elements.kind[i] == ElementKind::Circle &&
+                document.elements.net[i].isValid() && document.platedSpanOf(hole).joins(layer)) {
+                holes.push_back(hole);
+            }
+        }
+    }
+    std::vector<std::optional<AnnularRing>> rings(holes.size());
+    base::parallelFor(holes.size(), [&](std::size_t i) { rings[i] = ringOf(document, copper, holes[i]); });
+    std::vector<AnnularRing> narrow;
+    for (const std::optional<AnnularRing>& ring : rings) {
+        if (ring && ring->width.distance < below) {
+            narrow.push_back(*ring);
+        }
+    }
+    return narrow;
+}
+
+}  // namespace model

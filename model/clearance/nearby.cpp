@@ -1,0 +1,83 @@
+#include "model/clearance/nearby.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "model/clearance/sheet.h"
+
+namespace model {
+
+namespace {
+
+bool isNearer(const Nearby& a, const Nearby& b) {
+    return std::tuple(a.gap.distance, a.element) < std::tuple(b.gap.distance, b.element);
+}
+
+/// Which elements are targets, and which have a net of theirs.
+class Sides {
+public:
+    Sides(const Document& document, std::span<const ElementId> targets)
+        : m_document(document), m_isTarget(document.elements.size()), m_hasTarget(document.nets.size()) {
+        for (const ElementId element : targets) {
+            m_isTarget[element.row()] = true;
+            if (const NetId net = document.elements.net[element.row()]; net.isValid()) {
+                m_hasTarget[net.row()] = true;
+            }
+        }
+    }
+
+    [[nodiscard]] bool isTarget(ElementId element) const { return m_isTarget[element.row()]; }
+    [[nodiscard]] bool isOther(ElementId element) const {
+        const NetId net = m_document.elements.net[element.row()];
+        return !m_isTarget[element.row()] && !(net.isValid() && m_hasTarget[net.row()]);
+    }
+
+private:
+    const Document& m_document;
+    std::vector<bool> m_isTarget;
+    std::vector<bool> m_hasTarget;  ///< by net
+};
+
+void addNear(const Document& document, LayerId layer, const Sides& sides, double reach, base::Progress& progress,
+             std::vector<Nearby>& found) {
+    const Sheet targets = copperSheet(document, layer, [&](ElementId e) { return sides.isTarget(e); });
+    if (targets.size() == 0) {
+        return;
+    }
+    const Sheet others = copperSheet(document, layer, [&](ElementId e) { return sides.isOther(e); });
+    PairQuestion question;
+    question.reach = reach;
+    question.isWanted = [](std::uint32_t, std::uint32_t) { return true; };
+    question.mayTouch = question.isWanted;
+    question.groupOf = [&](std::uint32_t other, std::uint32_t) { return others.elementOf(other).value; };
+    for (const FigurePair& pair : narrowestPairs(others, targets, question, progress)) {
+        found.push_back({others.elementOf(pair.a), layer, pair.gap});
+    }
+}
+
+}  // namespace
+
+base::Result<std::vector<Nearby>> copperNear(const Document& document, std::span<const ElementId> targets, double reach,
+                                             base::Progress& progress) {
+    const Sides sides(document, targets);
+    std::vector<Nearby> found;
+    for (std::size_t row = 0; row < document.layers.size() && !progress.isCancelled(); ++row) {
+        if (document.layers[row].isCopper()) {
+            addNear(document, LayerId{row}, sides, reach, progress, found);
+        }
+        progress.setFraction(static_cast<float>(row + 1) / static_cast<float>(document.layers.size()));
+    }
+    if (progress.isCancelled()) {
+        return base::Error{base::ErrorCode::Cancelled, "cancelled"};
+    }
+    std::ranges::stable_sort(found, isNearer);  // of one element the upper layer first
+    std::vector<bool> isKnown(document.elements.size());
+    std::erase_if(found, [&](const Nearby& near) {
+        const bool wasKnown = isKnown[near.element.row()];
+        isKnown[near.element.row()] = true;
+        return wasKnown;
+    });
+    return found;
+}
+
+}  // namespace model

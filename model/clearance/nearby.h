@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "model/base/progress.h"
+#include "model/base/result.h"
+#include "model/document.h"
+#include "model/geometry/edges.h"
+
+/// What lies near something: the clearance lens.
+namespace model {
+
+/// Copper of another net, at its narrowest place on any layer.
+struct Nearby {
+    ElementId element;
+    LayerId layer;
+    Gap gap;  ///< from the element to what it is near to, nm
+};
+
+/// Copper and plated holes that come within `reach` (nm) of any of the targets on a copper layer, once each, the
+/// nearest first. Left out: the targets themselves and what is of the same net as one of them. Targets that lie on no
+/// copper layer have nothing near them. Over all cores, the same with any number of threads. Errors: Cancelled.
+[[nodiscard]] base::Result<std::vector<Nearby>> copperNear(const Document& document, std::span<const ElementId> targets,
+                                                           double reach, base::Progress& progress);
+
+}  // namespace model

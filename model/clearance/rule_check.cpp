@@ -1,0 +1,304 @@
+#include "model/clearance/rule_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <tuple>
+
+#include "model/clearance/annular_ring.h"
+#include "model/clearance/sheet.h"
+#include "model/geometry/distance.h"
+
+namespace model {
+
+namespace {
+
+constexpr Nm kConcentric = 1000;  ///< holes this near to each other's middle are one hole, drilled twice
+
+bool areConcentric(const Box& a, const Box& b) {
+    const auto twice = [](const Box& box) {
+        return base::PointD{double{1} * box.min.x + box.max.x, double{1} * box.min.y + box.max.y};
+    };
+    return std::hypot(twice(a).x - twice(b).x, twice(a).y - twice(b).y) <= 2 * kConcentric;
+}
+
+std::uint64_t both(std::uint32_t a, std::uint32_t b) {
+    return std::uint64_t{a} << 32U | b;
+}
+
+/// Which rule holds between two nets.
+class ClassRules {
+public:
+    ClassRules(const Document& document, const RuleTable& table) : m_table(table), m_classes(document.nets.size()) {
+        for (std::size_t row = 0; row < table.classes.size(); ++row) {
+            for (std::size_t net = 0; net < m_classes.size(); ++net) {
+                const bool isIn = std::ranges::any_of(table.classes[row].nets, [&](const std::string& pattern) {
+                    return fitsWildcard(document.nets[net].name, pattern);
+                });
+                m_classes[net] |= (isIn ? std::uint64_t{1} : 0) << row;
+            }
+        }
+        for (std::size_t row = 0; row < table.rules.size(); ++row) {
+            if (table.rules[row].kind == RuleKind::CopperToCopper) {
+                m_rules.push_back({row, maskOf(table.rules[row].classes[0]), maskOf(table.rules[row].classes[1])});
+            }
+        }
+    }
+
+    /// None if no rule fits.
+    [[nodiscard]] std::optional<std::size_t> between(NetId a, NetId b) const {
+        const std::uint64_t ofA = classesOf(a);
+        const std::uint64_t ofB = classesOf(b);
+        std::optional<std::size_t> last;
+        for (const Fit& rule : m_rules) {
+            const bool fits = ((ofA & rule.first) != 0 && (ofB & rule.second) != 0) ||
+                              ((ofA & rule.second) != 0 && (ofB & rule.first) != 0);
+            last = fits ? rule.row : last;
+        }
+        return last;
+    }
+
+    [[nodiscard]] double reach() const {
+        Nm most = 0;
+        for (const Fit& rule : m_rules) {
+            most = std::max(most, m_table.rules[rule.row].least);
+        }
+        return most;
+    }
+
+private:
+    struct Fit {
+        std::size_t row;
+        std::uint64_t first;
+        std::uint64_t second;
+    };
+
+    [[nodiscard]] std::uint64_t maskOf(const std::string& name) const {
+        const auto at = std::ranges::find(m_table.classes, name, &NetClass::name);
+        return name.empty() ? ~std::uint64_t{0} : std::uint64_t{1} << (at - m_table.classes.begin());
+    }
+    /// A net of no class, and copper without a net, fit "any" alone; its mask has all bits, theirs must have one.
+    [[nodiscard]] std::uint64_t classesOf(NetId net) const {
+        constexpr std::uint64_t kAny = std::uint64_t{1} << 63U;
+        return kAny | (net.isValid() ? m_classes[net.row()] : 0);
+    }
+
+    const RuleTable& m_table;
+    std::vector<std::uint64_t> m_classes;  ///< by net
+    std::vector<Fit> m_rules;
+};
+
+class Check {
+public:
+    Check(const Document& document, const RuleTable& table, base::Progress& progress)
+        : m_document(document), m_table(table), m_classRules(document, table), m_progress(progress) {}
+
+    [[nodiscard]] RuleReport run() {
+        m_report.counts.resize(m_table.rules.size());
+        for (std::size_t row = 0; row < m_document.layers.size() && !m_progress.isCancelled(); ++row) {
+            const LayerId layer{row};
+            if (m_document.layers[row].isCopper()) {
+                checkCopper(layer);
+            } else if (m_document.layers[row].type == LayerType::SolderMask && !m_document.layers[row].isSynthetic) {
+                checkMask(layer);
+            }
+            m_progress.setFraction(static_cast<float>(row + 1) / static_cast<float>(m_document.layers.size()));
+        }
+        checkHoles();
+        remark();
+        std::ranges::sort(m_report.findings, {},
+                          [](const RuleFinding& f) { return std::tuple(f.rule, f.gap.distance, f.layer, f.a, f.b); });
+        for (const RuleFinding& finding : m_report.findings) {
+            ++m_report.counts[finding.rule];
+        }
+        return std::move(m_report);
+    }
+
+private:
+    [[nodiscard]] NetId netOf(ElementId element) const { return m_document.elements.net[element.row()]; }
+
+    /// The last rule of a kind; none if the table has none.
+    [[nodiscard]] std::optional<std::size_t> ruleOf(RuleKind kind) const {
+        const auto last = std::ranges::find(m_table.rules.rbegin(), m_table.rules.rend(), kind, &Rule::kind);
+        return last == m_table.rules.rend() ? std::nullopt
+                                            : std::optional<std::size_t>(m_table.rules.rend() - last - 1);
+    }
+
+    void add(std::size_t rule, LayerId layer, ElementId a, ElementId b, const Gap& gap) {
+        if (gap.distance < m_table.rules[rule].least) {
+            m_report.findings.push_back({rule, layer, a, b, gap});
+        }
+    }
+
+    void checkCopper(LayerId layer) {
+        const Sheet copper = copperSheet(m_document, layer);
+        checkNets(layer, copper);
+        checkToHoles(layer);
+        checkToEdge(layer, copper);
+        if (const auto rule = ruleOf(RuleKind::AnnularRing)) {
+            for (const AnnularRing& ring : annularRings(m_document, layer, m_table.rules[*rule].least)) {
+                add(*rule, layer, ring.hole, ring.pad, ring.width);
+            }
+        }
+    }
+
+    void checkNets(LayerId layer, const Sheet& copper) {
+        const auto net = [&](std::uint32_t row) { return netOf(copper.elementOf(row)); };
+        PairQuestion question;
+        question.reach = m_classRules.reach();
+        question.isWanted = [&](std::uint32_t a, std::uint32_t b) {
+            return net(a) != net(b) && m_classRules.between(net(a), net(b));
+        };
+        question.groupOf = [&](std::uint32_t a, std::uint32_t b) {
+            const auto [low, high] = std::minmax({net(a), net(b)});
+            return both(low.value, high.value);
+        };
+        // Copper without a net that touches a net belongs to it.
+        question.mayTouch = [&](std::uint32_t a, std::uint32_t b) { return net(a).isValid() && net(b).isValid(); };
+        if (question.reach <= 0) {
+            return;
+        }
+        for (const FigurePair& pair : narrowestPairs(copper, copper, question, m_progress)) {
+            add(*m_classRules.between(net(pair.a), net(pair.b)), layer, copper.elementOf(pair.a),
+                copper.elementOf(pair.b), pair.gap);
+        }
+    }
+
+    void checkToHoles(LayerId layer) {
+        const auto rule = ruleOf(RuleKind::CopperToHole);
+        if (!rule) {
+            return;
+        }
+        const Sheet copper = layerSheet(m_document, layer);
+        const Sheet holes = holeSheet(m_document, layer);
+        PairQuestion question;
+        question.reach = m_table.rules[*rule].least;
+        question.isWanted = [&](std::uint32_t a, std::uint32_t b) {
+            const ElementId hole = holes.elementOf(b);
+            const bool isPlated = isPlatedHole(m_document.elements.flags[hole.row()]);
+            return !isPlated || netOf(copper.elementOf(a)) != netOf(hole);
+        };
+        question.groupOf = [&](std::uint32_t a, std::uint32_t b) {
+            return both(copper.elementOf(a).value, holes.elementOf(b).value);
+        };
+        question.mayTouch = [](std::uint32_t, std::uint32_t) { return true; };
+        for (const FigurePair& pair : narrowestPairs(copper, holes, question, m_progress)) {
+            add(*rule, layer, copper.elementOf(pair.a), holes.elementOf(pair.b), pair.gap);
+        }
+    }
+
+    void checkToEdge(LayerId layer, const Sheet& copper) {
+        const auto rule = ruleOf(RuleKind::CopperToEdge);
+        if (!rule || !m_document.profile.isValid()) {
+            return;
+        }
+        const Sheet edge = edgeSheet(m_document);
+        PairQuestion question;
+        question.reach = m_table.rules[*rule].least;
+        question.isWanted = [](std::uint32_t, std::uint32_t) { return true; };
+        question.mayTouch = question.isWanted;
+        question.groupOf = [&](std::uint32_t a, std::uint32_t) { return copper.elementOf(a).value; };
+        for (const FigurePair& pair : narrowestPairs(copper, edge, question, m_progress)) {
+            add(*rule, layer, copper.elementOf(pair.a), {}, pair.gap);
+        }
+    }
+
+    void checkMask(LayerId layer) {
+        const auto rule = ruleOf(RuleKind::MaskSliver);
+        if (!rule) {
+            return;
+        }
+        const Sheet openings = layerSheet(m_document, layer);
+        PairQuestion question;
+        question.reach = m_table.rules[*rule].least;
+        question.isWanted = [](std::uint32_t, std::uint32_t) { return true; };
+        question.mayTouch = [](std::uint32_t, std::uint32_t) { return false; };  // they are one opening
+        question.groupOf = [&](std::uint32_t a, std::uint32_t b) {
+            return both(openings.elementOf(a).value, openings.elementOf(b).value);
+        };
+        for (const FigurePair& pair : narrowestPairs(openings, openings, question, m_progress)) {
+            if (!isOpenBetween(openings, pair.gap)) {
+                add(*rule, layer, openings.elementOf(pair.a), openings.elementOf(pair.b), pair.gap);
+            }
+        }
+    }
+
+    /// A third opening may leave nothing of what is between two.
+    static bool isOpenBetween(const Sheet& openings, const Gap& gap) {
+        FigureTable middle;
+        middle.addStroke(gap.from, gap.to, 0.0);
+        FigureTable point;
+        const PointD half{(gap.from.x + gap.to.x) / 2, (gap.from.y + gap.to.y) / 2};
+        point.addStroke(half, half, 0.0);
+        bool isOpen = false;
+        openings.visitNear(middle.box(0), 0.0, [&](std::uint32_t row) {
+            isOpen = isOpen || gapBetween(point, 0, openings.figures(), row, kTouchNm).has_value();
+        });
+        return isOpen;
+    }
+
+    void checkHoles() {
+        const auto rule = ruleOf(RuleKind::HoleToHole);
+        if (!rule) {
+            return;
+        }
+        Sheet holes;
+        for (const Layer& layer : m_document.layers) {
+            for (std::uint32_t i = layer.elements.first; i < layer.elements.first + layer.elements.count; ++i) {
+                if ((m_document.elements.flags[i] & kHole) != 0) {
+                    holes.add(m_document, ElementId{i});
+                }
+            }
+        }
+        holes.finish();
+        PairQuestion question;
+        question.reach = m_table.rules[*rule].least;
+        question.isWanted = [&](std::uint32_t a, std::uint32_t b) { return areApart(holes, a, b); };
+        question.mayTouch = [](std::uint32_t, std::uint32_t) { return true; };
+        question.groupOf = [&](std::uint32_t a, std::uint32_t b) {
+            return both(holes.elementOf(a).value, holes.elementOf(b).value);
+        };
+        for (const FigurePair& pair : narrowestPairs(holes, holes, question, m_progress)) {
+            const ElementId hole = holes.elementOf(pair.a);
+            add(*rule, m_document.elements.layer[hole.row()], hole, holes.elementOf(pair.b), pair.gap);
+        }
+    }
+
+    /// Two holes, not one that is drilled twice, and both pass some layer.
+    [[nodiscard]] bool areApart(const Sheet& holes, std::uint32_t a, std::uint32_t b) const {
+        const Layer& layerA = m_document.layer(m_document.elements.layer[holes.elementOf(a).row()]);
+        const Layer& layerB = m_document.layer(m_document.elements.layer[holes.elementOf(b).row()]);
+        const bool isStacked = layerA.spanTop.isValid() && layerB.spanTop.isValid() &&
+                               (layerA.spanBottom < layerB.spanTop || layerB.spanBottom < layerA.spanTop);
+        return holes.elementOf(a) != holes.elementOf(b) && !isStacked &&
+               !areConcentric(holes.figures().box(a), holes.figures().box(b));
+    }
+
+    void remark() {
+        if (m_document.nets.empty() && m_classRules.reach() > 0) {
+            m_report.remarks.emplace_back("the board has no nets, so copper was not held against copper");
+        }
+        if (!m_document.profile.isValid() && ruleOf(RuleKind::CopperToEdge)) {
+            m_report.remarks.emplace_back("the board has no outline, so copper was not held against its edge");
+        }
+    }
+
+    const Document& m_document;
+    const RuleTable& m_table;
+    ClassRules m_classRules;
+    base::Progress& m_progress;
+    RuleReport m_report;
+};
+
+}  // namespace
+
+base::Result<RuleReport> checkRules(const Document& document, const RuleTable& table, base::Progress& progress) {
+    progress.beginPhase("Checking rules");
+    RuleReport report = Check(document, table, progress).run();
+    if (progress.isCancelled()) {
+        return base::Error{base::ErrorCode::Cancelled, "cancelled"};
+    }
+    return report;
+}
+
+}  // namespace model

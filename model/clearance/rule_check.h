@@ -1,0 +1,31 @@
+#pragma once
+
+#include "model/base/progress.h"
+#include "model/clearance/rules.h"
+#include "model/geometry/edges.h"
+
+namespace model {
+
+/// A place where a rule is broken.
+struct RuleFinding {
+    std::size_t rule = 0;  ///< row of RuleTable::rules
+    LayerId layer;         ///< the first one where this is so
+    ElementId a;
+    ElementId b;  ///< none for the edge of the board
+    Gap gap;      ///< nm; 0: they touch or overlap. Of a ring: from the hole's edge to the pad's
+};
+
+struct RuleReport {
+    std::vector<RuleFinding> findings;  ///< by rule, then narrowest first
+    std::vector<std::size_t> counts;    ///< of findings by rule
+    std::vector<std::string> remarks;   ///< what was not checked, in plain words
+    [[nodiscard]] bool isPassed() const { return findings.empty(); }
+};
+
+/// Checks a step's own elements against all rules; copies of other steps have a document of their own. One finding per
+/// layer and pair: of nets for copper, of elements for everything else. The answer does not depend on the number of
+/// threads. Errors: Cancelled.
+[[nodiscard]] base::Result<RuleReport> checkRules(const Document& document, const RuleTable& table,
+                                                  base::Progress& progress);
+
+}  // namespace model

@@ -1,0 +1,165 @@
+#include "model/clearance/rules.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "model/base/units.h"
+
+namespace model {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+constexpr const char* kVersionKey = "copperscope_rules";
+constexpr int kVersion = 1;
+constexpr double kMostUm = 1e5;  ///< nothing on a board is asked to stay a decimetre apart
+constexpr std::array<const char*, kRuleKindCount> kNames = {"copper-copper", "copper-hole",  "copper-edge",
+                                                            "hole-hole",     "annular-ring", "mask-sliver"};
+
+base::Error bad(const std::string& what) {
+    return {base::ErrorCode::BadInput, "the rules cannot be used: " + what};
+}
+
+base::Result<NetClass> parseClass(const std::string& name, const ordered_json& nets) {
+    if (name.empty() || !nets.is_array()) {
+        return bad("class \"" + name + "\" needs a name and a list of nets");
+    }
+    NetClass netClass{name, {}};
+    for (const ordered_json& net : nets) {
+        if (!net.is_string()) {
+            return bad("class \"" + name + "\" lists something that is no name");
+        }
+        netClass.nets.push_back(net);
+    }
+    return netClass;
+}
+
+base::Status parseBetween(const ordered_json& between, const RuleTable& table, const std::string& where, Rule& rule) {
+    const bool isPair = between.is_array() && between.size() == 2 && between[0].is_string() && between[1].is_string();
+    if (!isPair || rule.kind != RuleKind::CopperToCopper) {
+        return bad(where + ": \"between\" names two net classes of a copper-copper rule");
+    }
+    for (std::size_t i = 0; i < 2; ++i) {
+        rule.classes[i] = between[i];
+        if (!rule.classes[i].empty() &&
+            std::ranges::find(table.classes, rule.classes[i], &NetClass::name) == table.classes.end()) {
+            return bad(where + ": there is no net class \"" + rule.classes[i] + "\"");
+        }
+    }
+    return base::Done{};
+}
+
+base::Result<Rule> parseRule(const ordered_json& json, const RuleTable& table, std::size_t row) {
+    const std::string where = "rule " + std::to_string(row + 1);
+    if (!json.is_object() || !json.contains("kind") || !json["kind"].is_string() || !json.contains("least_um") ||
+        !json["least_um"].is_number()) {
+        return bad(where + " needs a \"kind\" and a number \"least_um\"");
+    }
+    const auto kind =
+        std::ranges::find(kNames, json["kind"].get<std::string>(), [](const char* name) { return std::string(name); });
+    if (kind == kNames.end()) {
+        return bad(where + ": there is no kind \"" + json["kind"].get<std::string>() + "\"");
+    }
+    const double least = json["least_um"];
+    if (!(least > 0 && least <= kMostUm)) {
+        return bad(where + ": \"least_um\" must be above 0 and at most 100000");
+    }
+    Rule rule{static_cast<RuleKind>(kind - kNames.begin()), static_cast<Nm>(std::lround(least * base::kNmPerUm)), {}};
+    if (json.contains("between")) {
+        if (const base::Status known = parseBetween(json["between"], table, where, rule); !known) {
+            return known.error();
+        }
+    }
+    return rule;
+}
+
+}  // namespace
+
+const char* nameOf(RuleKind kind) {
+    return kNames[static_cast<std::size_t>(kind)];
+}
+
+RuleTable defaultRules() {
+    constexpr Nm kUm = 1000;
+    return {{},
+            {{RuleKind::CopperToCopper, 100 * kUm, {}},
+             {RuleKind::CopperToHole, 200 * kUm, {}},
+             {RuleKind::CopperToEdge, 250 * kUm, {}},
+             {RuleKind::HoleToHole, 250 * kUm, {}},
+             {RuleKind::AnnularRing, 100 * kUm, {}},
+             {RuleKind::MaskSliver, 75 * kUm, {}}}};
+}
+
+base::Result<RuleTable> parseRules(std::string_view text) {
+    const ordered_json json = ordered_json::parse(text, nullptr, false);
+    if (!json.is_object() || json.value(kVersionKey, ordered_json()) != kVersion) {
+        return bad("this is no file of Copperscope's rules of version 1");
+    }
+    const ordered_json classes = json.value("classes", ordered_json::object());
+    const ordered_json rules = json.value("rules", ordered_json::array());
+    if (!classes.is_object() || !rules.is_array()) {
+        return bad("\"classes\" must be an object and \"rules\" a list");
+    }
+    RuleTable table;
+    for (const auto& [name, nets] : classes.items()) {
+        base::Result<NetClass> netClass = parseClass(name, nets);
+        if (!netClass) {
+            return netClass.error();
+        }
+        table.classes.push_back(std::move(*netClass));
+    }
+    if (table.classes.size() > kMostNetClasses) {
+        return bad("there are more than " + std::to_string(kMostNetClasses) + " net classes");
+    }
+    for (const ordered_json& rule : rules) {
+        base::Result<Rule> parsed = parseRule(rule, table, table.rules.size());
+        if (!parsed) {
+            return parsed.error();
+        }
+        table.rules.push_back(*parsed);
+    }
+    return table.rules.empty() ? base::Result<RuleTable>(bad("there are none")) : table;
+}
+
+std::string toJson(const RuleTable& table) {
+    ordered_json classes = ordered_json::object();
+    for (const NetClass& netClass : table.classes) {
+        classes[netClass.name] = netClass.nets;
+    }
+    ordered_json rules = ordered_json::array();
+    for (const Rule& rule : table.rules) {
+        ordered_json json{{"kind", nameOf(rule.kind)}, {"least_um", rule.least / base::kNmPerUm}};
+        if (rule.classes != std::array<std::string, 2>{}) {
+            json["between"] = rule.classes;
+        }
+        rules.push_back(json);
+    }
+    const ordered_json file{{kVersionKey, kVersion}, {"classes", classes}, {"rules", rules}};
+    return file.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+bool fitsWildcard(std::string_view name, std::string_view pattern) {
+    // The last star seen takes more and more of the name until what follows it fits.
+    std::size_t at = 0;
+    std::size_t p = 0;
+    std::size_t star = std::string_view::npos;
+    std::size_t afterStar = 0;
+    while (at < name.size()) {
+        if (p < pattern.size() && (pattern[p] == '?' || (pattern[p] != '*' && pattern[p] == name[at]))) {
+            ++at;
+            ++p;
+        } else if (p < pattern.size() && pattern[p] == '*') {
+            star = p++;
+            afterStar = at;
+        } else if (star != std::string_view::npos) {
+            p = star + 1;
+            at = ++afterStar;
+        } else {
+            return false;
+        }
+    }
+    return pattern.find_first_not_of('*', p) == std::string_view::npos;
+}
+
+}  // namespace model

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/base/result.h"
+#include "model/document.h"
+
+/// What a board must keep: distances and rings, by net class.
+namespace model {
+
+enum class RuleKind : std::uint8_t {
+    CopperToCopper,  ///< between nets, on one layer; walls of plated holes count as copper
+    CopperToHole,    ///< from copper to holes as drilled: bare ones, and plated ones of other nets
+    CopperToEdge,    ///< from copper to the board's outline and cut-outs
+    HoleToHole,      ///< between holes as drilled that pass a common copper layer
+    AnnularRing,     ///< what is left of a pad around a plated hole, on every layer where it has one
+    MaskSliver       ///< what is left of solder mask between two openings
+};
+inline constexpr std::size_t kRuleKindCount = 6;
+/// As rule files and tables have it: "copper-copper", "copper-hole", …
+[[nodiscard]] const char* nameOf(RuleKind kind);
+
+/// Nets that share rules.
+struct NetClass {
+    std::string name;
+    std::vector<std::string> nets;  ///< names, with * for any text and ? for any letter
+    bool operator==(const NetClass&) const = default;
+};
+
+struct Rule {
+    RuleKind kind = RuleKind::CopperToCopper;
+    Nm least = 0;
+    /// CopperToCopper: between nets of these classes only, either way round; empty: any net.
+    std::array<std::string, 2> classes;
+    bool operator==(const Rule&) const = default;
+};
+
+/// Of several rules of one kind that fit a pair of nets the last one holds.
+struct RuleTable {
+    std::vector<NetClass> classes;
+    std::vector<Rule> rules;
+    bool operator==(const RuleTable&) const = default;
+};
+
+inline constexpr std::size_t kMostNetClasses = 63;
+
+/// A rule of every kind, as common fabricators ask for without extra cost.
+[[nodiscard]] RuleTable defaultRules();
+
+/// From JSON:
+///
+///     {"copperscope_rules": 1, "classes": {"power": ["VCC*", "GND"]},
+///      "rules": [{"kind": "copper-copper", "least_um": 100}, {"kind": "copper-copper", "least_um": 250,
+///                 "between": ["power", ""]}]}
+///
+/// Errors: BadInput, saying what is wrong with which rule.
+[[nodiscard]] base::Result<RuleTable> parseRules(std::string_view json);
+[[nodiscard]] std::string toJson(const RuleTable& table);
+
+/// Does a name fit a pattern with * and ?; letters count as they are.
+[[nodiscard]] bool fitsWildcard(std::string_view name, std::string_view pattern);
+
+}  // namespace model

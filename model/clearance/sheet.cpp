@@ -1,0 +1,173 @@
+#include "model/clearance/sheet.h"
+
+#include <algorithm>
+#include <tuple>
+#include <unordered_map>
+
+#include "model/base/parallel.h"
+#include "model/geometry/distance.h"
+
+namespace model {
+
+namespace {
+
+/// Figures per task: small enough to share out one heavy layer, large enough to be worth a task.
+constexpr std::size_t kFiguresPerTask = 512;
+
+using Narrowest = std::unordered_map<std::uint64_t, FigurePair>;
+
+bool isNarrower(const FigurePair& x, const FigurePair& y) {
+    return std::tuple(x.gap.distance, x.a, x.b) < std::tuple(y.gap.distance, y.a, y.b);
+}
+
+void keep(Narrowest& narrowest, std::uint64_t group, const FigurePair& found) {
+    const auto [place, isFirst] = narrowest.try_emplace(group, found);
+    if (!isFirst && isNarrower(found, place->second)) {
+        place->second = found;
+    }
+}
+
+class PairSearch {
+public:
+    PairSearch(const Sheet& a, const Sheet& b, const PairQuestion& question) : m_a(a), m_b(b), m_question(question) {}
+
+    /// Between figures first … end - 1 of the first sheet and those of the second.
+    void search(std::size_t first, std::size_t end, Narrowest& found) const {
+        std::vector<std::uint32_t> near;
+        for (std::size_t i = first; i < end; ++i) {
+            const auto row = static_cast<std::uint32_t>(i);
+            near.clear();
+            m_b.visitNear(m_a.figures().box(i), m_question.reach, [&](std::uint32_t j) {
+                if ((&m_a != &m_b || j > row) && m_question.isWanted(row, j)) {
+                    near.push_back(j);
+                }
+            });
+            std::ranges::sort(near);
+            for (const std::uint32_t j : near) {
+                measure(row, j, found);
+            }
+        }
+    }
+
+private:
+    void measure(std::uint32_t i, std::uint32_t j, Narrowest& found) const {
+        const std::uint64_t group = m_question.groupOf(i, j);
+        const auto known = found.find(group);
+        const double limit = known == found.end() ? m_question.reach : known->second.gap.distance;
+        const std::optional<Gap> gap = gapBetween(m_a.figures(), i, m_b.figures(), j, limit);
+        if (gap && (gap->distance > kTouchNm || m_question.mayTouch(i, j))) {
+            keep(found, group, {i, j, *gap});
+        }
+    }
+
+    const Sheet& m_a;
+    const Sheet& m_b;
+    const PairQuestion& m_question;
+};
+
+void addLayer(Sheet& sheet, const Document& document, const Layer& layer, const ElementFilter& isWanted) {
+    for (std::uint32_t i = layer.elements.first; i < layer.elements.first + layer.elements.count; ++i) {
+        if (isWanted(ElementId{i})) {
+            sheet.add(document, ElementId{i});
+        }
+    }
+}
+
+}  // namespace
+
+void Sheet::addOutlines(const Document& document, ShapeId shape) {
+    m_figures.addOutline(document.shapes, shape);
+}
+
+void Sheet::finish() {
+    std::vector<Box> boxes;
+    for (std::size_t row = 0; row < size(); ++row) {
+        boxes.push_back(m_figures.box(row));
+    }
+    m_index = std::make_shared<const BoxIndex>(boxes);
+}
+
+Box Sheet::extent() const {
+    Box extent;
+    for (std::size_t row = 0; row < size(); ++row) {
+        extent.include(m_figures.box(row));
+    }
+    return extent;
+}
+
+void Sheet::visitNear(const Box& box, double reach, const std::function<void(std::uint32_t)>& visit) const {
+    m_index->visit(box.grownBy(static_cast<Nm>(reach) + 1), visit);
+}
+
+bool isAnyElement(ElementId) {
+    return true;
+}
+
+Sheet copperSheet(const Document& document, LayerId layer, const ElementFilter& isWanted) {
+    Sheet sheet;
+    addLayer(sheet, document, document.layer(layer), isWanted);
+    for (const Layer& drill : document.layers) {
+        if (drill.spans(layer)) {
+            addLayer(sheet, document, drill, [&](ElementId hole) {
+                return isPlatedHole(document.elements.flags[hole.row()]) && document.platedSpanOf(hole).joins(layer) &&
+                       isWanted(hole);
+            });
+        }
+    }
+    sheet.finish();
+    return sheet;
+}
+
+Sheet holeSheet(const Document& document, LayerId layer) {
+    Sheet sheet;
+    for (const Layer& drill : document.layers) {
+        if (drill.spans(layer)) {
+            addLayer(sheet, document, drill,
+                     [&](ElementId hole) { return (document.elements.flags[hole.row()] & kHole) != 0; });
+        }
+    }
+    sheet.finish();
+    return sheet;
+}
+
+Sheet layerSheet(const Document& document, LayerId layer) {
+    Sheet sheet;
+    addLayer(sheet, document, document.layer(layer), isAnyElement);
+    sheet.finish();
+    return sheet;
+}
+
+Sheet edgeSheet(const Document& document) {
+    Sheet sheet;
+    if (document.profile.isValid()) {
+        sheet.addOutlines(document, document.profile);
+    }
+    sheet.finish();
+    return sheet;
+}
+
+std::vector<FigurePair> narrowestPairs(const Sheet& a, const Sheet& b, const PairQuestion& question,
+                                       base::Progress& progress) {
+    const PairSearch search(a, b, question);
+    std::vector<Narrowest> found((a.size() + kFiguresPerTask - 1) / kFiguresPerTask);
+    base::parallelFor(found.size(), [&](std::size_t task) {
+        if (!progress.isCancelled()) {
+            const std::size_t first = task * kFiguresPerTask;
+            search.search(first, std::min(first + kFiguresPerTask, a.size()), found[task]);
+        }
+    });
+    Narrowest all;
+    for (const Narrowest& part : found) {
+        for (const auto& [group, pair] : part) {
+            keep(all, group, pair);
+        }
+    }
+    std::vector<FigurePair> pairs;
+    for (const auto& [group, pair] : all) {
+        pairs.push_back(pair);
+    }
+    std::ranges::sort(pairs, isNarrower);
+    return pairs;
+}
+
+}  // namespace model

@@ -1,0 +1,234 @@
+// Design rules: each kind on a board made for it, at exactly its limit and just below.
+#include "model/clearance/rules.h"
+
+#include <QtTest>
+
+#include "model/base/parallel.h"
+#include "model/clearance/rule_check.h"
+#include "model/document_builder.h"
+
+using model::DocumentBuilder;
+using model::ElementId;
+using model::LayerId;
+using model::NetId;
+using model::Nm;
+using model::Rule;
+using model::RuleKind;
+using model::RuleReport;
+using model::RuleTable;
+
+namespace {
+
+constexpr Nm kUm = 1'000;
+
+DocumentBuilder::Origin of(NetId net, int flags = 0) {
+    DocumentBuilder::Origin origin;
+    origin.net = net;
+    origin.flags = static_cast<std::uint8_t>(flags);
+    return origin;
+}
+
+/// Two copper layers, a mask on top, a drill through both.
+struct Board {
+    DocumentBuilder builder;
+    LayerId mask = add("mask", model::LayerType::SolderMask);
+    LayerId top = add("top", model::LayerType::Signal);
+    LayerId bottom = add("bottom", model::LayerType::Signal);
+    LayerId drill = addDrill();
+    NetId a = builder.addNet("A");
+    NetId b = builder.addNet("B1");
+
+    LayerId add(const char* name, model::LayerType type) {
+        model::Layer layer;
+        layer.name = name;
+        layer.type = type;
+        return builder.addLayer(layer);
+    }
+    LayerId addDrill() {
+        model::Layer layer;
+        layer.name = "drill";
+        layer.type = model::LayerType::Drill;
+        layer.spanTop = top;
+        layer.spanBottom = bottom;
+        return builder.addLayer(layer);
+    }
+};
+
+RuleReport check(const model::Document& board, const RuleTable& table) {
+    base::Progress progress;
+    return *model::checkRules(board, table, progress);
+}
+
+RuleReport check(const model::Document& board, RuleKind kind, Nm least) {
+    return check(board, RuleTable{{}, {{kind, least, {}}}});
+}
+
+constexpr int kBare = model::kHole;
+constexpr int kWall = model::kHole | model::kPlated;
+
+}  // namespace
+
+class RulesTest : public QObject {
+    Q_OBJECT
+
+    /// One finding below the width, none at it.
+    static void verifyNarrowest(const model::Document& board, RuleKind kind, Nm width) {
+        QVERIFY(check(board, kind, width).isPassed());
+        const RuleReport broken = check(board, kind, width + 1);
+        QCOMPARE(broken.findings.size(), std::size_t{1});
+        QCOMPARE(broken.counts.front(), std::size_t{1});
+        QVERIFY2(std::abs(broken.findings.front().gap.distance - width) < 0.001,
+                 qPrintable(QString::number(broken.findings.front().gap.distance)));
+    }
+
+private slots:
+    void copperKeepsItsDistanceToOtherNets() {
+        Board board;
+        board.builder.beginLayer(board.top);
+        board.builder.addCircle({{0, 0}, 200 * kUm, 0}, of(board.a));
+        board.builder.addCircle({{300 * kUm, 0}, 200 * kUm, 0}, of(board.b));
+        board.builder.addCircle({{150 * kUm, 0}, 50 * kUm, 0}, of(board.a));  // of one of both nets
+        verifyNarrowest(*board.builder.finish(), RuleKind::CopperToCopper, 25 * kUm);
+    }
+
+    void theLastRuleThatFitsTheClassesHolds() {
+        Board board;
+        board.builder.beginLayer(board.top);
+        board.builder.addCircle({{0, 0}, 200 * kUm, 0}, of(board.a));
+        board.builder.addCircle({{300 * kUm, 0}, 200 * kUm, 0}, of(board.b));  // 100 um apart
+        const auto document = board.builder.finish();
+        const Rule any{RuleKind::CopperToCopper, 90 * kUm, {}};
+        const Rule special{RuleKind::CopperToCopper, 120 * kUm, {"bus", ""}};
+        const std::vector<model::NetClass> classes{{"bus", {"B?"}}, {"none", {"C*"}}};
+        QVERIFY(check(*document, RuleTable{classes, {any}}).isPassed());
+        const RuleReport broken = check(*document, RuleTable{classes, {any, special}});
+        QCOMPARE(broken.findings.size(), std::size_t{1});
+        QCOMPARE(broken.findings.front().rule, std::size_t{1});
+        QVERIFY(check(*document, RuleTable{classes, {special, any}}).isPassed());
+        const Rule twice{RuleKind::CopperToCopper, 120 * kUm, {"bus", "bus"}};
+        QVERIFY(check(*document, RuleTable{classes, {any, twice}}).isPassed());
+        const Rule nobody{RuleKind::CopperToCopper, 120 * kUm, {"none", ""}};
+        QVERIFY(check(*document, RuleTable{classes, {any, nobody}}).isPassed());
+    }
+
+    void holesKeepCopperAway() {
+        Board board;
+        board.builder.beginLayer(board.top);
+        board.builder.addCircle({{500 * kUm, 0}, 200 * kUm, 0}, of(board.a));
+        board.builder.beginLayer(board.drill);
+        board.builder.addCircle({{0, 0}, 300 * kUm, 0}, of({}, kBare));
+        board.builder.addCircle({{500 * kUm, 0}, 100 * kUm, 100 * kUm}, of(board.a, kWall));  // its own
+        verifyNarrowest(*board.builder.finish(), RuleKind::CopperToHole, 250 * kUm);
+    }
+
+    void holesKeepApartUnlessDrilledTwice() {
+        Board board;
+        board.builder.beginLayer(board.drill);
+        board.builder.addCircle({{0, 0}, 300 * kUm, 0}, of({}, kBare));
+        board.builder.addCircle({{0, 0}, 500 * kUm, 0}, of({}, kBare));
+        board.builder.addCircle({{700 * kUm, 0}, 100 * kUm, 0}, of({}, kBare));
+        const auto document = board.builder.finish();
+        const RuleReport broken = check(*document, RuleKind::HoleToHole, 500 * kUm + 1);
+        QCOMPARE(broken.findings.size(), std::size_t{2});
+        QCOMPARE(broken.findings.front().gap.distance, 400.0 * kUm);
+        QVERIFY(check(*document, RuleKind::HoleToHole, 400 * kUm).isPassed());
+    }
+
+    void ringsAreAsWideAsTheWidestCopperLeavesThem() {
+        Board board;
+        board.builder.beginLayer(board.top);
+        board.builder.addLine({{-900 * kUm, 0}, {0, 0}, 320 * kUm, 0}, of(board.a));
+        board.builder.addCircle({{10 * kUm, 0}, 600 * kUm, 0}, of(board.a, model::kPad));  // not quite centred
+        board.builder.addCircle({{0, 0}, 900 * kUm, 0}, of(board.b, model::kPad));         // not its own
+        board.builder.beginLayer(board.drill);
+        board.builder.addCircle({{0, 0}, 300 * kUm, 300 * kUm}, of(board.a, kWall));
+        verifyNarrowest(*board.builder.finish(), RuleKind::AnnularRing, 140 * kUm);
+    }
+
+    void aHoleBesideItsPadBreaksOut() {
+        Board board;
+        board.builder.beginLayer(board.bottom);
+        board.builder.addCircle({{100 * kUm, 0}, 400 * kUm, 0}, of(board.a, model::kPad));
+        board.builder.beginLayer(board.drill);
+        board.builder.addCircle({{0, 0}, 300 * kUm, 300 * kUm}, of(board.a, kWall));
+        const RuleReport broken = check(*board.builder.finish(), RuleKind::AnnularRing, 1);
+        QCOMPARE(broken.findings.size(), std::size_t{1});
+        QCOMPARE(broken.findings.front().gap.distance, 0.0);
+        QCOMPARE(broken.findings.front().layer, board.bottom);
+    }
+
+    void openingsThatMeetLeaveNoSliver() {
+        Board board;
+        board.builder.beginLayer(board.mask);
+        board.builder.addCircle({{0, 0}, 200 * kUm, 0}, of({}));
+        board.builder.addCircle({{100 * kUm, 0}, 200 * kUm, 0}, of({}));
+        board.builder.addCircle({{350 * kUm, 0}, 200 * kUm, 0}, of({}));
+        verifyNarrowest(*board.builder.finish(), RuleKind::MaskSliver, 50 * kUm);
+    }
+
+    void aThirdOpeningTakesTheSliverAway() {
+        Board board;
+        board.builder.beginLayer(board.mask);
+        board.builder.addCircle({{0, 0}, 200 * kUm, 0}, of({}));
+        board.builder.addCircle({{250 * kUm, 0}, 200 * kUm, 0}, of({}));
+        board.builder.addLine({{0, 0}, {250 * kUm, 0}, 20 * kUm, 0}, of({}));
+        QVERIFY(check(*board.builder.finish(), RuleKind::MaskSliver, 1000 * kUm).isPassed());
+    }
+
+    void whatCannotBeCheckedIsSaid() {
+        DocumentBuilder builder;
+        const RuleReport report = check(*builder.finish(), model::defaultRules());
+        QVERIFY(report.isPassed());
+        QCOMPARE(report.remarks.size(), std::size_t{2});  // neither nets nor outline
+    }
+
+    void rulesOutliveTheirFile() {
+        RuleTable table = model::defaultRules();
+        table.classes = {{"power", {"VCC*", "GND"}}, {"clk", {"CLK?"}}};
+        table.rules.push_back({RuleKind::CopperToCopper, 123'456, {"power", "clk"}});
+        table.rules.push_back({RuleKind::CopperToCopper, 200 * kUm, {"", "power"}});
+        const auto again = model::parseRules(model::toJson(table));
+        QVERIFY2(again, again ? "" : again.error().text.c_str());
+        QVERIFY(*again == table);
+    }
+
+    void badRulesAreNamed_data() {
+        QTest::addColumn<QByteArray>("json");
+        QTest::addColumn<QByteArray>("word");
+        QTest::newRow("no JSON") << QByteArray("{") << QByteArray("no file");
+        QTest::newRow("other version") << QByteArray(R"({"copperscope_rules": 2})") << QByteArray("version");
+        QTest::newRow("empty") << QByteArray(R"({"copperscope_rules": 1})") << QByteArray("none");
+        const auto rules = [](const char* rule) {
+            return QByteArray(R"({"copperscope_rules": 1, "classes": {"p": ["V*"]}, "rules": [)") + rule + "]}";
+        };
+        QTest::newRow("no kind") << rules(R"({"least_um": 1})") << QByteArray("rule 1");
+        QTest::newRow("unknown") << rules(R"({"kind": "copper-sky", "least_um": 1})") << QByteArray("copper-sky");
+        QTest::newRow("negative") << rules(R"({"kind": "hole-hole", "least_um": -1})") << QByteArray("least_um");
+        QTest::newRow("vast") << rules(R"({"kind": "hole-hole", "least_um": 1e300})") << QByteArray("least_um");
+        QTest::newRow("class") << rules(R"({"kind": "copper-copper", "least_um": 1, "between": ["p", "q"]})")
+                               << QByteArray("\"q\"");
+        QTest::newRow("kind of class") << rules(R"({"kind": "hole-hole", "least_um": 1, "between": ["p", ""]})")
+                                       << QByteArray("copper-copper");
+        QTest::newRow("list") << QByteArray(R"({"copperscope_rules": 1, "classes": {"p": "V"}, "rules": []})")
+                              << QByteArray("\"p\"");
+        QTest::newRow("odd classes") << QByteArray(R"({"copperscope_rules": 1, "classes": 3, "rules": 4})")
+                                     << QByteArray("rules");
+    }
+    void badRulesAreNamed() {
+        QFETCH(QByteArray, json);
+        QFETCH(QByteArray, word);
+        const auto table = model::parseRules(json.toStdString());
+        QVERIFY(!table);
+        QVERIFY2(table.error().text.find(word.toStdString()) != std::string::npos, table.error().text.c_str());
+    }
+
+    void wildcards() {
+        const auto fits = model::fitsWildcard;
+        QVERIFY(fits("VCC3V3", "VCC*") && fits("VCC", "VCC*") && fits("a.b.c", "*.c") && fits("abcbc", "a*bc"));
+        QVERIFY(fits("D0", "D?") && fits("", "*") && fits("", "") && fits("ab", "**b*"));
+        QVERIFY(!fits("D10", "D?") && !fits("VC", "VCC*") && !fits("x", "") && !fits("abcb", "a*bc"));
+    }
+};
+
+QTEST_GUILESS_MAIN(RulesTest)
+#include "rules_test.moc"
