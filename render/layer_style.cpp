@@ -1,6 +1,8 @@
 #include "render/layer_style.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace render {
 
@@ -15,9 +17,36 @@ constexpr glm::vec3 rgb(unsigned value) {
             static_cast<float>(value & 0xffU) / 255.0F};
 }
 
-// Inner copper layers: hues apart from each other and from the red and blue of the outer ones.
-constexpr glm::vec3 kInnerColours[] = {rgb(0xd8b030), rgb(0x3fa76b), rgb(0xb56cc8), rgb(0xe08040), rgb(0x46b3b8),
-                                       rgb(0x9aa83c), rgb(0xd86a92), rgb(0x7f86d0), rgb(0x58a040), rgb(0xc08a60)};
+struct Colours {
+    // Of a drawing.
+    glm::vec3 top;
+    glm::vec3 bottom;
+    std::array<glm::vec3, 10> inner;  ///< apart from each other and from the outer ones
+    // Of a board.
+    glm::vec3 topMetal;
+    glm::vec3 bottomMetal;
+    glm::vec3 lacquer;
+    glm::vec3 laminate;
+};
+
+constexpr Colours kColours[] = {{rgb(0xd04a3c),
+                                 rgb(0x3d78d8),
+                                 {rgb(0xd8b030), rgb(0x3fa76b), rgb(0xb56cc8), rgb(0xe08040), rgb(0x46b3b8),
+                                  rgb(0x9aa83c), rgb(0xd86a92), rgb(0x7f86d0), rgb(0x58a040), rgb(0xc08a60)},
+                                 rgb(0xe0b050),
+                                 rgb(0xc87850),
+                                 rgb(0x0c6e38),
+                                 rgb(0x6f7a45)},
+                                // Orange, blue, yellow, sky, purple, green, moved until the layers of a board with six
+                                // are as far apart as layer_style_test states.
+                                {rgb(0xc67b01),
+                                 rgb(0x0654b9),
+                                 {rgb(0xf0d837), rgb(0x63d1ff), rgb(0x7b2b70), rgb(0x05a65a), rgb(0xf4b6a0),
+                                  rgb(0x8a5a2a), rgb(0xb4e4c8), rgb(0x3a2f6e), rgb(0xa39a3c), rgb(0xe48fc0)},
+                                 rgb(0xf0c860),
+                                 rgb(0xd09040),
+                                 rgb(0x0a4878),
+                                 rgb(0x8c8468)}};
 
 struct TypeStyle {
     LayerType type;
@@ -35,21 +64,38 @@ const TypeStyle kTypeStyles[] = {
     {LayerType::Other, {rgb(0x9aa0a6), 1.0F, false}},       {LayerType::ComponentBody, {rgb(0x4a4d52), 1.0F, false}},
 };
 
-LayerStyle copperStyle(const Layer& layer, std::size_t& innerSeen) {
+/// Colours of types that the palette for the colour-blind has otherwise.
+constexpr std::pair<LayerType, glm::vec3> kSafeTypeColours[] = {{LayerType::SolderMask, rgb(0x2a6fa8)},
+                                                                {LayerType::SilkScreen, rgb(0xffffff)},
+                                                                {LayerType::Drill, rgb(0x40362c)},
+                                                                {LayerType::Rout, rgb(0x75706a)},
+                                                                {LayerType::Body, rgb(0x6a6450)}};
+
+glm::vec3 colourOfType(const TypeStyle& entry, Palette palette) {
+    for (const auto& [type, colour] : kSafeTypeColours) {
+        if (palette == Palette::ColourBlindSafe && type == entry.type) {
+            return colour;
+        }
+    }
+    return entry.style.colour;
+}
+
+LayerStyle copperStyle(const Layer& layer, const Colours& colours, std::size_t& innerSeen) {
     switch (layer.side) {
-        case LayerSide::Top: return {rgb(0xd04a3c), 1.0F, true};
-        case LayerSide::Bottom: return {rgb(0x3d78d8), 1.0F, true};
+        case LayerSide::Top: return {colours.top, 1.0F, true};
+        case LayerSide::Bottom: return {colours.bottom, 1.0F, true};
         case LayerSide::Through: return {rgb(0xcfa050), 1.0F, true};
-        default: return {kInnerColours[innerSeen++ % std::size(kInnerColours)], 1.0F, true};
+        default: return {colours.inner[innerSeen++ % colours.inner.size()], 1.0F, true};
     }
 }
 
-LayerStyle styleOfType(const Layer& layer) {
+LayerStyle styleOfType(const Layer& layer, Palette palette) {
     for (const TypeStyle& entry : kTypeStyles) {
         if (entry.type == layer.type) {
             LayerStyle style = entry.style;
+            style.colour = colourOfType(entry, palette);
             if (layer.side == LayerSide::Bottom) {
-                style.colour *= 0.8F;
+                style.colour *= palette == Palette::Standard ? 0.8F : 0.7F;
             }
             // Rows outside of the board (drawings, notes) start hidden whatever their type.
             style.isVisible = style.isVisible && layer.context == model::LayerContext::Board;
@@ -89,33 +135,34 @@ void showLaminates(const model::Document& document, std::vector<LayerStyle>& sty
 }
 
 /// What a board looks like: outer copper as metal under a coat of lacquer, which it shows through.
-void makeSolid(const model::Document& document, std::vector<LayerStyle>& styles) {
+void makeSolid(const model::Document& document, const Colours& colours, std::vector<LayerStyle>& styles) {
     for (std::size_t row = 0; row < styles.size(); ++row) {
         const Layer& layer = document.layers[row];
         if (layer.isCopper() && layer.side == LayerSide::Top) {
-            styles[row].colour = rgb(0xe0b050);
+            styles[row].colour = colours.topMetal;
         } else if (layer.isCopper() && layer.side == LayerSide::Bottom) {
-            styles[row].colour = rgb(0xc87850);
+            styles[row].colour = colours.bottomMetal;
         } else if (layer.isSynthetic && layer.type == LayerType::SolderMask) {
-            styles[row] = {rgb(0x0c6e38), 0.8F, true};
+            styles[row] = {colours.lacquer, 0.8F, true};
         } else if (layer.type == LayerType::Body) {
-            styles[row] = {rgb(0x6f7a45), 1.0F, true};
+            styles[row] = {colours.laminate, 1.0F, true};
         }
     }
 }
 
 }  // namespace
 
-std::vector<LayerStyle> defaultStyles(const model::Document& document, Look look) {
+std::vector<LayerStyle> defaultStyles(const model::Document& document, Look look, Palette palette) {
+    const Colours& colours = kColours[static_cast<std::size_t>(palette)];
     std::vector<LayerStyle> styles;
     std::size_t innerSeen = 0;
     for (const Layer& layer : document.layers) {
-        styles.push_back(layer.isCopper() ? copperStyle(layer, innerSeen) : styleOfType(layer));
+        styles.push_back(layer.isCopper() ? copperStyle(layer, colours, innerSeen) : styleOfType(layer, palette));
     }
     hideOuterPrints(document, styles);
     showLaminates(document, styles);
     if (look == Look::Solid) {
-        makeSolid(document, styles);
+        makeSolid(document, colours, styles);
     }
     return styles;
 }

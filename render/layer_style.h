@@ -19,8 +19,14 @@ enum class Look {
     Solid  ///< a board, seen in 3D: bare copper golden under green lacquer
 };
 
+enum class Palette {
+    Standard,        ///< as in other programs: top red, bottom blue, lacquer green
+    ColourBlindSafe  ///< after Okabe and Ito, with steps of lightness; told apart with protanopia and deuteranopia too
+};
+
 /// Colours by layer type as users know them (inner layers distinct hues, silk white); mask openings, documentation and
 /// component layers start hidden.
-[[nodiscard]] std::vector<LayerStyle> defaultStyles(const model::Document& document, Look look = Look::Solid);
+[[nodiscard]] std::vector<LayerStyle> defaultStyles(const model::Document& document, Look look = Look::Solid,
+                                                    Palette palette = Palette::Standard);
 
 }  // namespace render

@@ -104,6 +104,8 @@ constexpr ActionSpec kSpecs[] = {
     {PreviousLayer, MenuId::Layers, "Layer abo&ve", "PgUp", "Make the visible layer before the current one"},
     {RestoreLayers, MenuId::Layers, "&Default colours", "Ctrl+Shift+D",
      "Undo all changes of colour, opacity and visibility"},
+    {SafeColours, MenuId::Layers, "Colour-&blind safe", "Ctrl+K,C",
+     "Colours that are told apart without telling red from green", kCheckable},
 
     {CheckNets, MenuId::Board, "&Check nets", "Ctrl+Shift+N",
      "Compare the nets with the copper: opens, shorts and loose copper"},

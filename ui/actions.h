@@ -81,6 +81,7 @@ enum class ActionId {
     NextLayer,
     PreviousLayer,
     RestoreLayers,
+    SafeColours,
     CheckNets,
     InferNets,
     ExaggerateCopper,

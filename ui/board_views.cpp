@@ -102,7 +102,7 @@ void BoardViews::makeScene() {
 }
 
 std::vector<render::LayerStyle> BoardViews::stylesOf(const BoardView& view) const {
-    return view.kind() == BoardView::Kind::Solid ? solidStyles(*m_board->document, m_looks)
+    return view.kind() == BoardView::Kind::Solid ? solidStyles(*m_board->document, m_looks, m_palette)
                                                  : flatStyles(*m_board->document, m_looks, m_contrastLayer);
 }
 

@@ -29,6 +29,8 @@ public:
     /// The same board with other heights: nothing but a few numbers per layer goes to the device.
     void setHeights(std::shared_ptr<const model::Document> document);
     void setLooks(const std::vector<models::LayerLook>& looks);
+    /// What layers look like in 3D whose colour nobody changed; `setLooks` comes after it.
+    void setPalette(render::Palette palette) { m_palette = palette; }
     /// In 2D all layers but this one fade into the background; none ends it.
     void setContrastLayer(model::LayerId layer);
     void setBackend(render::Backend backend);
@@ -75,6 +77,7 @@ private:
     std::optional<LoadedBoard> m_board;
     std::vector<models::LayerLook> m_looks;
     std::vector<std::vector<model::ElementId>> m_highlight;
+    render::Palette m_palette = render::Palette::Standard;
     model::LayerId m_contrastLayer;
     render::ZScale m_zScale;
     QVariantAnimation m_explosion;

@@ -30,10 +30,10 @@ bool isVeil(const model::Layer& layer) {
 }  // namespace
 
 std::vector<render::LayerStyle> solidStyles(const model::Document& document,
-                                            const std::vector<models::LayerLook>& looks) {
+                                            const std::vector<models::LayerLook>& looks, render::Palette palette) {
     std::vector<render::LayerStyle> styles = toStyles(looks);
-    const std::vector<models::LayerLook> untouched = defaultLooks(document);
-    const std::vector<render::LayerStyle> material = render::defaultStyles(document, render::Look::Solid);
+    const std::vector<models::LayerLook> untouched = defaultLooks(document, palette);
+    const std::vector<render::LayerStyle> material = render::defaultStyles(document, render::Look::Solid, palette);
     for (std::size_t row = 0; row < styles.size(); ++row) {
         if (looks[row].colour == untouched[row].colour) {
             styles[row].colour = material[row].colour;
@@ -62,11 +62,11 @@ std::vector<render::LayerStyle> flatStyles(const model::Document& document, cons
     return styles;
 }
 
-std::vector<models::LayerLook> defaultLooks(const model::Document& document) {
+std::vector<models::LayerLook> defaultLooks(const model::Document& document, render::Palette palette) {
     std::vector<models::LayerLook> looks;
     looks.reserve(document.layers.size());
-    const std::vector<render::LayerStyle> drawing = render::defaultStyles(document, render::Look::Flat);
-    for (render::LayerStyle style : render::defaultStyles(document, render::Look::Solid)) {
+    const std::vector<render::LayerStyle> drawing = render::defaultStyles(document, render::Look::Flat, palette);
+    for (render::LayerStyle style : render::defaultStyles(document, render::Look::Solid, palette)) {
         style.colour = drawing[looks.size()].colour;
         looks.push_back(toLook(style));
     }

@@ -10,11 +10,12 @@
 namespace ui {
 
 /// The colours of a drawing (render::Look::Flat), with everything visible that makes up a solid board.
-[[nodiscard]] std::vector<models::LayerLook> defaultLooks(const model::Document& document);
+[[nodiscard]] std::vector<models::LayerLook> defaultLooks(const model::Document& document, render::Palette palette);
 [[nodiscard]] std::vector<render::LayerStyle> toStyles(const std::vector<models::LayerLook>& looks);
 /// For the 3D view: layers whose colour nobody changed have that of their material.
 [[nodiscard]] std::vector<render::LayerStyle> solidStyles(const model::Document& document,
-                                                          const std::vector<models::LayerLook>& looks);
+                                                          const std::vector<models::LayerLook>& looks,
+                                                          render::Palette palette);
 /// For the 2D view: without laminate and lacquer, which would veil all layers below. A valid `contrastLayer` is shown
 /// as it is, whatever its check mark, and the others are faint and grey.
 [[nodiscard]] std::vector<render::LayerStyle> flatStyles(const model::Document& document,

@@ -184,30 +184,6 @@ void MainWindow::connectLoader() {
     });
 }
 
-void MainWindow::restoreSettings() {
-    m_defaultState = saveState();
-    restoreGeometry(m_settings.windowGeometry());
-    restoreState(m_settings.windowState());
-    setTheme(m_settings.theme());
-    setBackend(m_settings.backend());
-    setArrangement(m_settings.arrangement());
-    setUnit(m_settings.unit());
-    m_keyboard->setPreset(m_settings.keys());
-    statusBar()->clearMessage();
-    m_actions[ActionId::BackendMesh].setEnabled(m_context.device().caps().hasMeshShader);
-    m_actions[ActionId::BackendRaster].setEnabled(m_context.device().caps().hasAtomic64);
-}
-
-void MainWindow::resetSettings() {
-    m_settings.reset();
-    restoreState(m_defaultState);
-    setTheme(Theme::System);
-    setBackend(render::Backend::Auto);
-    setArrangement(Arrangement::SideBySide);
-    setUnit(models::LengthUnit::Millimetre);
-    m_keyboard->setPreset(KeyPreset::Copperscope);
-}
-
 void MainWindow::closeEvent(QCloseEvent* event) {
     m_loader.cancel();
     m_settings.setWindow(saveGeometry(), saveState());
@@ -250,7 +226,7 @@ void MainWindow::onIdle() {
 
 void MainWindow::onLoaded(const LoadedBoard& board) {
     m_board = board;
-    m_layerModel.setDocument(board.document, defaultLooks(*board.document));
+    m_layerModel.setDocument(board.document, defaultLooks(*board.document, m_settings.palette()));
     m_statisticsModel.setDocument(board.document);
     m_statisticsPanel->plot().setDocument(board.document);
     m_stackModel.setDocument(board.document);

@@ -108,6 +108,7 @@ private:
     void connectFileActions();
     void connectEditActions();
     void connectViewActions();
+    void connectChoices();
     void connectViewKeeping();
     void connectSolidActions();
     void connectLayerActions();
@@ -118,7 +119,7 @@ private:
     void connectPlanActions();
     void connectHelpActions();
     void connectLoader();
-    void restoreSettings();
+    void restoreSettings();  ///< this one and choices: main_window_choices.cpp
 
     [[nodiscard]] CameraController& active() { return m_views->active().controller(); }
     void askForBoardToOpen(BoardForm form);
@@ -150,6 +151,7 @@ private:
     void updateContrast();
     void highlightNet();
     void setUnit(models::LengthUnit unit);
+    void setPalette(render::Palette palette);
     void copyPicture();
 
     GpuContext& m_context;

@@ -25,7 +25,6 @@
 #include "ui/stack_view.h"
 #include "ui/statistics_panel.h"
 #include "ui/status_line.h"
-#include "ui/theme.h"
 #include "ui/view_cube.h"
 #include "ui/views_panel.h"
 
@@ -41,17 +40,6 @@ constexpr float kThickDielectric = 5.0F;
 
 constexpr int kLargeWidth = 3840;  ///< proposed for pictures of any size
 
-constexpr std::pair<ActionId, Theme> kThemes[] = {
-    {ActionId::ThemeSystem, Theme::System}, {ActionId::ThemeDark, Theme::Dark}, {ActionId::ThemeLight, Theme::Light}};
-constexpr std::pair<ActionId, render::Backend> kBackends[] = {{ActionId::BackendAuto, render::Backend::Auto},
-                                                              {ActionId::BackendMesh, render::Backend::Mesh},
-                                                              {ActionId::BackendPull, render::Backend::Pull},
-                                                              {ActionId::BackendImpostor, render::Backend::Impostor},
-                                                              {ActionId::BackendRaster, render::Backend::Raster}};
-constexpr std::pair<ActionId, Arrangement> kArrangements[] = {{ActionId::ShowFlat, Arrangement::Flat},
-                                                              {ActionId::ShowSolid, Arrangement::Solid},
-                                                              {ActionId::ShowSideBySide, Arrangement::SideBySide},
-                                                              {ActionId::ShowStacked, Arrangement::Stacked}};
 }  // namespace
 
 template <class Slot>
@@ -63,6 +51,7 @@ void MainWindow::connectCommands() {
     connectFileActions();
     connectEditActions();
     connectViewActions();
+    connectChoices();
     connectViewKeeping();
     connectSolidActions();
     connectLayerActions();
@@ -121,15 +110,6 @@ void MainWindow::connectViewActions() {
     on(ActionId::LookIso, [this] { m_views->solid().controller().look(render::NamedView::Iso); });
     on(ActionId::Orthographic, [this](bool isOn) { m_views->solid().controller().setOrthographic(isOn); });
     on(ActionId::Explode, [this](bool isOn) { m_views->explode(isOn); });
-    for (const auto& [id, arrangement] : kArrangements) {
-        on(id, [this, arrangement = arrangement] { setArrangement(arrangement); });
-    }
-    for (const auto& [id, theme] : kThemes) {
-        on(id, [this, theme = theme] { setTheme(theme); });
-    }
-    for (const auto& [id, backend] : kBackends) {
-        on(id, [this, backend = backend] { setBackend(backend); });
-    }
 }
 
 void MainWindow::connectViewKeeping() {
@@ -343,44 +323,6 @@ void MainWindow::highlightNet() {
         return;
     }
     statusBar()->showMessage(QStringLiteral("Point at an element of a net, or select one, to highlight its net"));
-}
-
-void MainWindow::setUnit(models::LengthUnit unit) {
-    m_unit = unit;
-    m_settings.setUnit(unit);
-    m_probing->setUnit(unit);
-    m_planPainter->setUnit(unit);
-    m_elementPanel->setUnit(unit);
-    m_netsPanel->setUnit(unit);
-    m_netCheckModel.setUnit(unit);
-    m_statisticsPanel->plot().setUnit(unit);
-    m_searchBox->setUnit(unit);
-    m_placeReadout->setUnit(unit);
-    statusBar()->showMessage(QStringLiteral("Lengths are in %1").arg(QLatin1String(models::unitName(unit))));
-}
-
-void MainWindow::setTheme(Theme theme) {
-    for (const auto& [id, value] : kThemes) {
-        m_actions[id].setChecked(value == theme);
-    }
-    m_settings.setTheme(theme);
-    applyTheme(theme);
-}
-
-void MainWindow::setBackend(render::Backend backend) {
-    for (const auto& [id, value] : kBackends) {
-        m_actions[id].setChecked(value == backend);
-    }
-    m_settings.setBackend(backend);
-    m_views->setBackend(backend);
-}
-
-void MainWindow::setArrangement(Arrangement arrangement) {
-    for (const auto& [id, value] : kArrangements) {
-        m_actions[id].setChecked(value == arrangement);
-    }
-    m_settings.setArrangement(arrangement);
-    m_views->setArrangement(arrangement);
 }
 
 void MainWindow::updateContrast() {

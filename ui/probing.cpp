@@ -16,7 +16,7 @@ constexpr int kRestMs = 30;
 constexpr int kSlowRestMs = 300;  // where a frame takes long, only a cursor that has come to rest lights anything up
 constexpr double kReachPixels = 4.0;
 constexpr QColor kInsideColour(90, 160, 255);
-constexpr QColor kTouchingColour(110, 210, 120);
+constexpr QColor kTouchingColour(235, 165, 60);
 
 /// The laminate and what else we put around the copper is looked through.
 bool isPickable(const model::Layer& layer, const render::LayerStyle& style) {

@@ -14,6 +14,7 @@ constexpr auto kTheme = "view/theme";
 constexpr auto kBackend = "view/backend";
 constexpr auto kArrangement = "view/arrangement";
 constexpr auto kUnit = "view/unit";
+constexpr auto kPalette = "view/palette";
 constexpr auto kKeys = "view/keys";
 constexpr auto kRecent = "files/recent";
 constexpr auto kFolder = "files/folder";
@@ -37,6 +38,8 @@ constexpr std::array<Word<render::Backend>, 5> kBackends{{{render::Backend::Auto
                                                           {render::Backend::Pull, "pull"},
                                                           {render::Backend::Impostor, "impostor"},
                                                           {render::Backend::Raster, "raster"}}};
+constexpr std::array<Word<render::Palette>, 2> kPalettes{
+    {{render::Palette::Standard, "standard"}, {render::Palette::ColourBlindSafe, "colour-blind safe"}}};
 constexpr std::array<Word<KeyPreset>, 5> kKeyPresets{{{KeyPreset::Copperscope, "copperscope"},
                                                       {KeyPreset::KiCad, "kicad"},
                                                       {KeyPreset::Altium, "altium"},
@@ -106,6 +109,14 @@ models::LengthUnit Settings::unit() const {
 
 void Settings::setUnit(models::LengthUnit unit) {
     m_store.setValue(kUnit, toWord(kUnits, unit));
+}
+
+render::Palette Settings::palette() const {
+    return fromWord(kPalettes, m_store.value(kPalette).toString());
+}
+
+void Settings::setPalette(render::Palette palette) {
+    m_store.setValue(kPalette, toWord(kPalettes, palette));
 }
 
 KeyPreset Settings::keys() const {

@@ -5,6 +5,7 @@
 #include <QString>
 #include <QStringList>
 
+#include "render/layer_style.h"
 #include "render/view.h"
 #include "ui/actions.h"
 #include "ui/models/lengths.h"
@@ -37,6 +38,8 @@ public:
     [[nodiscard]] models::LengthUnit unit() const;
     void setUnit(models::LengthUnit unit);
 
+    [[nodiscard]] render::Palette palette() const;
+    void setPalette(render::Palette palette);
     [[nodiscard]] KeyPreset keys() const;
     void setKeys(KeyPreset keys);
 

@@ -390,6 +390,30 @@ private slots:
         sheet->close();
     }
 
+    void safeColoursAreKeptAndLeaveChosenOnesAlone() {
+        QVERIFY(m_fixture->openAndWait(places::kSample));
+        const std::vector<ui::models::LayerLook> standard = window().layers().effectiveLooks();
+        const QModelIndex chosen = window().layers().index(0, ui::models::LayerModel::Colour);
+        window().layers().setData(chosen, QColor(1, 2, 3), Qt::EditRole);
+        const QImage before = m_fixture->picture();
+        window().actions()[ActionId::SafeColours].trigger();
+        const std::vector<ui::models::LayerLook> safe = window().layers().effectiveLooks();
+        QCOMPARE(safe[0].colour, QColor(1, 2, 3));
+        int changed = 0;
+        for (std::size_t row = 1; row < safe.size(); ++row) {
+            changed += safe[row].colour != standard[row].colour ? 1 : 0;
+            QCOMPARE(safe[row].isVisible, standard[row].isVisible);
+        }
+        QVERIFY(changed > 3);
+        QVERIFY(differingPixels(before, m_fixture->picture()) > 1000);  // lacquer and metal too
+        m_fixture->restart();
+        QVERIFY(window().actions()[ActionId::SafeColours].isChecked());
+        QVERIFY(m_fixture->openAndWait(places::kSample));
+        QCOMPARE(window().layers().effectiveLooks()[1].colour, safe[1].colour);
+        window().actions()[ActionId::SafeColours].trigger();
+        QCOMPARE(window().layers().effectiveLooks()[1].colour, standard[1].colour);
+    }
+
 private:
     ui::MainWindow& window() { return m_fixture->window(); }
 

@@ -135,6 +135,17 @@ std::vector<std::string> LayerModel::visibleNames() const {
     return names;
 }
 
+void LayerModel::setDefaults(std::vector<LayerLook> defaults) {
+    ASSERT(defaults.size() == m_looks.size());
+    for (std::size_t row = 0; row < m_looks.size(); ++row) {
+        if (m_looks[row].colour == m_defaults[row].colour) {
+            m_looks[row].colour = defaults[row].colour;
+        }
+    }
+    m_defaults = std::move(defaults);
+    announceAllChanged();
+}
+
 void LayerModel::restoreDefaults() {
     m_solo = {};
     m_looks = m_defaults;

@@ -45,6 +45,8 @@ public:
     /// By name; names that no layer has are passed over.
     void showOnly(const std::vector<std::string>& names);
     [[nodiscard]] std::vector<std::string> visibleNames() const;
+    /// Other colours to begin with: layers whose colour nobody changed take them.
+    void setDefaults(std::vector<LayerLook> defaults);
     /// Back to the looks the document was opened with.
     void restoreDefaults();
     /// Shows `layer` alone; the same layer again, or none, ends it.

@@ -1,6 +1,9 @@
 #include "render/layer_style.h"
 
 #include <QtTest>
+#include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "model/document_builder.h"
 
@@ -18,12 +21,65 @@ Layer layer(LayerType type, LayerSide side, model::LayerContext context = model:
     return made;
 }
 
-std::vector<render::LayerStyle> stylesOf(const std::vector<Layer>& layers) {
+/// What a colour is with missing cones: Machado, Oliveira and Fernandes 2009, severity 1, on linear sRGB. Rows are r, g
+/// and b.
+struct Vision {
+    const char* name;
+    std::array<glm::dvec3, 3> rows;
+};
+constexpr Vision kVisions[] = {
+    {"normal", {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}},
+    {"protanopia",
+     {{{0.152286, 1.052583, -0.204868}, {0.114503, 0.786281, 0.099216}, {-0.003882, -0.048116, 1.051998}}}},
+    {"deuteranopia",
+     {{{0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}}}}};
+
+double linear(double part) {
+    return part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4);
+}
+
+/// CIE L*a*b* with the white of sRGB: distances of 2 to 3 are just seen side by side.
+glm::dvec3 labOf(const glm::vec3& colour, const Vision& vision) {
+    const glm::dvec3 rgb(linear(colour.r), linear(colour.g), linear(colour.b));
+    glm::dvec3 seen;
+    for (int row = 0; row < 3; ++row) {
+        seen[row] = std::clamp(glm::dot(vision.rows[static_cast<std::size_t>(row)], rgb), 0.0, 1.0);
+    }
+    const auto f = [](double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116.0; };
+    const double x = f(glm::dot(glm::dvec3(0.4124, 0.3576, 0.1805), seen) / 0.95047);
+    const double y = f(glm::dot(glm::dvec3(0.2126, 0.7152, 0.0722), seen));
+    const double z = f(glm::dot(glm::dvec3(0.0193, 0.1192, 0.9505), seen) / 1.08883);
+    return {116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)};
+}
+
+/// Of the two styles that are hardest to tell apart.
+double leastDistance(const std::vector<render::LayerStyle>& styles, const Vision& vision) {
+    double least = 1e9;
+    for (std::size_t i = 0; i < styles.size(); ++i) {
+        for (std::size_t j = i + 1; j < styles.size(); ++j) {
+            least = std::min(least, glm::distance(labOf(styles[i].colour, vision), labOf(styles[j].colour, vision)));
+        }
+    }
+    return least;
+}
+
+std::vector<Layer> boardWithSixLayers() {
+    std::vector<Layer> layers{layer(LayerType::SilkScreen, LayerSide::Top), layer(LayerType::Signal, LayerSide::Top)};
+    layers.insert(layers.end(), 4, layer(LayerType::Signal, LayerSide::Inner));
+    layers.push_back(layer(LayerType::Signal, LayerSide::Bottom));
+    layers.push_back(layer(LayerType::SilkScreen, LayerSide::Bottom));
+    layers.push_back(layer(LayerType::Drill, LayerSide::Through));
+    layers.push_back(layer(LayerType::Rout, LayerSide::Through));
+    return layers;
+}
+
+std::vector<render::LayerStyle> stylesOf(const std::vector<Layer>& layers,
+                                         render::Palette palette = render::Palette::Standard) {
     model::DocumentBuilder builder;
     for (const Layer& each : layers) {
         builder.addLayer(each);
     }
-    return render::defaultStyles(*builder.finish(), render::Look::Flat);
+    return render::defaultStyles(*builder.finish(), render::Look::Flat, palette);
 }
 
 }  // namespace
@@ -40,6 +96,33 @@ private slots:
             for (std::size_t j = i + 1; j < styles.size(); ++j) {
                 QVERIFY(glm::distance(styles[i].colour, styles[j].colour) > 0.2F);
             }
+        }
+    }
+
+    void safeLayersAreToldApartWithAnyVision() {
+        constexpr double kLeast = 20.0;
+        const auto safe = stylesOf(boardWithSixLayers(), render::Palette::ColourBlindSafe);
+        QCOMPARE(safe.size(), std::size_t{10});
+        for (const Vision& vision : kVisions) {
+            const double least = leastDistance(safe, vision);
+            QVERIFY2(least > kLeast, qPrintable(QString("%1: %2").arg(vision.name).arg(least)));
+        }
+        const auto standard = stylesOf(boardWithSixLayers());
+        QVERIFY(leastDistance(standard, kVisions[2]) < kLeast);  // why there is another palette
+    }
+
+    void safeCopperStandsOutFromLacquerAndLaminate() {
+        model::DocumentBuilder builder;
+        Layer mask = layer(LayerType::SolderMask, LayerSide::Top);
+        mask.isSynthetic = true;
+        builder.addLayer(mask);
+        builder.addLayer(layer(LayerType::Signal, LayerSide::Top));
+        builder.addLayer(layer(LayerType::Body, LayerSide::Through));
+        builder.addLayer(layer(LayerType::Signal, LayerSide::Bottom));
+        const auto styles =
+            render::defaultStyles(*builder.finish(), render::Look::Solid, render::Palette::ColourBlindSafe);
+        for (const Vision& vision : kVisions) {
+            QVERIFY(leastDistance(styles, vision) > 15.0);
         }
     }
 
