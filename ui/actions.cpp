@@ -104,7 +104,7 @@ constexpr ActionSpec kSpecs[] = {
     {PreviousLayer, MenuId::Layers, "Layer abo&ve", "PgUp", "Make the visible layer before the current one"},
     {RestoreLayers, MenuId::Layers, "&Default colours", "Ctrl+Shift+D",
      "Undo all changes of colour, opacity and visibility"},
-    {SafeColours, MenuId::Layers, "Colour-&blind safe", "Ctrl+K,C",
+    {SafeColours, MenuId::Layers, "Colo&ur-blind safe", "Ctrl+K,C",
      "Colours that are told apart without telling red from green", kCheckable},
 
     {CheckNets, MenuId::Board, "&Check nets", "Ctrl+Shift+N",
