@@ -122,6 +122,14 @@ std::pair<double, double> drawnHeights(const Document& step, ElementId body, boo
 
 }  // namespace
 
+bool Picker::isHidden(std::uint32_t step, ElementId element) const {
+    if (step >= m_hiddenNets.size()) {
+        return false;
+    }
+    const NetId net = m_index->tree.steps[step]->elements.net[element.row()];
+    return net.isValid() && net.row() < m_hiddenNets[step].size() && m_hiddenNets[step][net.row()];
+}
+
 void Picker::collect(const Probe& probe, LayerId only, std::vector<Hit>& hits) {
     for (std::uint32_t copy = 0; copy < m_index->tree.copies.size(); ++copy) {
         const StepCopy& placed = m_index->tree.copies[copy];
@@ -131,7 +139,8 @@ void Picker::collect(const Probe& probe, LayerId only, std::vector<Hit>& hits) {
         m_index->elements[placed.step].visit(box, [&](std::uint32_t row) {
             const ElementId element{row};
             const LayerId layer = step.layerOfCopy(step.elements.layer[row], placed.isFlipped);
-            if (!probe.layers[layer.row()].isVisible || (only.isValid() && layer != only)) {
+            const bool isOther = only.isValid() && layer != only;
+            if (!probe.layers[layer.row()].isVisible || isOther || isHidden(placed.step, element)) {
                 return;
             }
             std::optional<Probe> own = probe;
@@ -238,10 +247,10 @@ std::vector<BoardElement> Picker::inside(const Box& box, bool isTouching, std::s
         };
         m_index->elements[placed.step].visit(local, [&](std::uint32_t row) {
             const LayerId layer = step.layerOfCopy(step.elements.layer[row], placed.isFlipped);
-            if (!layers[layer.row()].isVisible) {
+            const ElementId element{row};
+            if (!layers[layer.row()].isVisible || isHidden(placed.step, element)) {
                 return;
             }
-            const ElementId element{row};
             if (holds(placed.placement.boxOf(step.boxOf(element))) ||
                 (isTouching && touches(m_figures.of(*m_index, placed.step, element)))) {
                 found.push_back({copy, element});

@@ -57,13 +57,18 @@ public:
     /// of copies and ids.
     [[nodiscard]] std::vector<BoardElement> inside(const Box& box, bool isTouching, std::span<const PickLayer> layers);
 
+    /// Elements of these nets are not there; per row of StepTree::steps one entry per net, short lists are filled up.
+    void hideNets(std::vector<std::vector<bool>> nets) { m_hiddenNets = std::move(nets); }
+
     [[nodiscard]] const BoardIndex& index() const { return *m_index; }
 
 private:
     struct Probe;
+    [[nodiscard]] bool isHidden(std::uint32_t step, ElementId element) const;
     void collect(const Probe& probe, LayerId only, std::vector<Hit>& hits);
 
     std::shared_ptr<const BoardIndex> m_index;
+    std::vector<std::vector<bool>> m_hiddenNets;
     FigureCache m_figures;
 };
 

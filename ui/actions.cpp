@@ -107,6 +107,15 @@ constexpr ActionSpec kSpecs[] = {
     {SafeColours, MenuId::Layers, "Colo&ur-blind safe", "Ctrl+K,C",
      "Colours that are told apart without telling red from green", kCheckable},
 
+    {ColourNet, MenuId::Nets, "&Colour the net", "U",
+     "Give the highlighted nets, or the one under the cursor, a colour that stays; again to take it away"},
+    {ChooseNetColour, MenuId::Nets, "C&hoose a colour…", "Shift+U",
+     "Choose the colour of the highlighted nets, or of the one under the cursor"},
+    {HideNet, MenuId::Nets, "H&ide the net", "Shift+N",
+     "Do not draw the highlighted nets, or the one under the cursor, nor let them be clicked"},
+    {ShowAllNets, MenuId::Nets, "&Show all nets", "Ctrl+Alt+N", "Draw all nets that were hidden", false, kNewGroup},
+    {ClearNetColours, MenuId::Nets, "C&lear colours", "Ctrl+Alt+U", "Draw all nets in the colours of their layers"},
+
     {CheckNets, MenuId::Board, "&Check nets", "Ctrl+Shift+N",
      "Compare the nets with the copper: opens, shorts and loose copper"},
     {InferNets, MenuId::Board, "&Nets from the copper", "Ctrl+Shift+I",
@@ -119,6 +128,10 @@ constexpr ActionSpec kSpecs[] = {
     {ClearSelection, MenuId::Select, "&Clear", "Esc",
      "Stop loading or checking, or else forget the selection, or else the highlighted nets"},
     {ShowSelection, MenuId::Select, "&Show in both views", "Z", "Bring what is selected to the middle of the views"},
+    {SelectComponent, MenuId::Select, "Select the com&ponent", "P",
+     "Select all pads, holes and the body of the component under the cursor, or of the selected element"},
+    {SelectPin, MenuId::Select, "Select the p&in", "Shift+P",
+     "Select all pads and the hole of the pin under the cursor, or of the selected element"},
     {HighlightNet, MenuId::Select, "Highlight &net", "N",
      "Light up the whole net of the element under the cursor, or of the selected one; again to stop", false, kNewGroup},
     {DimOthers, MenuId::Select, "&Dim the rest", "D", "Darken everything that is not selected or highlighted",
@@ -136,6 +149,8 @@ constexpr ActionSpec kSpecs[] = {
     {ShowNames, MenuId::Select, "Net na&mes", "W", "Write the names of nets on the copper in 2D, where there is room",
      kCheckable},
     {ShowOutlines, MenuId::Select, "Out&lines alone", "S", "In 2D, draw outlines and nothing in them", kCheckable},
+    {ShowPinNames, MenuId::Select, "Pin nam&es", "Shift+W",
+     "Write the names of pins on their pads in 2D, where there is room", kCheckable},
     {MeasureFrom, MenuId::Select, "Measure &from here", "M",
      "Show how far the cursor is from where it is now; again to stop", kCheckable},
 
@@ -148,8 +163,8 @@ static_assert(std::size(kSpecs) == kActionCount);
 
 constexpr const char* kMenuTitles[kMenuCount] = {"&File",        "&Edit",   "&View",  "&Cut and thickness",
                                                  "A&rrangement", "Pa&nels", "The&me", "Bac&k end",
-                                                 "Ke&ys as in",  "&Layers", "&Board", "&Select",
-                                                 "&Help"};
+                                                 "Ke&ys as in",  "&Layers", "&Nets",  "&Board",
+                                                 "&Select",      "&Help"};
 
 bool isChoice(MenuId menu) {
     return menu == MenuId::Arrangement || menu == MenuId::Theme || menu == MenuId::Backend || menu == MenuId::Keys;

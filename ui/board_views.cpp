@@ -45,7 +45,8 @@ BoardViews::~BoardViews() {
 void BoardViews::show(const LoadedBoard& board, const std::vector<models::LayerLook>& looks) {
     m_board = board;
     m_looks = looks;
-    m_highlight.clear();
+    m_states.clear();
+    m_elementColours.clear();
     m_contrastLayer = {};
     makeScene();
     applyHeights();
@@ -95,7 +96,7 @@ void BoardViews::makeScene() {
     }
     m_scene = std::make_unique<render::BoardScene>(std::move(*scene));
     m_scene->setHeights(render::frameOf(*m_board->document));  // they may have been set since
-    applyHighlight();
+    applyStates();
     for (BoardView* view : m_views) {
         view->setScene(m_scene.get(), stylesOf(*view));
     }
@@ -124,19 +125,29 @@ void BoardViews::setContrastLayer(model::LayerId layer) {
     }
 }
 
-void BoardViews::applyHighlight() {
-    for (std::uint32_t step = 0; m_scene && step < m_highlight.size(); ++step) {
-        render::ElementStates states;
-        states.add(m_highlight[step], render::kLit);
-        m_scene->setStates(states.bytes(), step);
+void BoardViews::applyStates() {
+    if (!m_scene) {
+        return;
+    }
+    m_scene->setPalette(m_elementColours);
+    for (std::uint32_t step = 0; step < m_states.size(); ++step) {
+        m_scene->setStates(m_states[step].bytes(), step);
     }
 }
 
-void BoardViews::setHighlight(std::vector<std::vector<model::ElementId>> elements, bool dimOthers) {
-    m_highlight = std::move(elements);
-    applyHighlight();
+void BoardViews::setStates(ElementStateLists states) {
+    m_states = std::move(states);
+    applyStates();
+    requestFrame();
+}
+
+void BoardViews::setElementColours(std::vector<glm::vec3> colours) {
+    m_elementColours = std::move(colours);
+}
+
+void BoardViews::setDim(float dim) {
     for (BoardView* view : m_views) {
-        view->setDim(dimOthers ? render::kDimRest : 0.0F);
+        view->setDim(dim);
     }
 }
 

@@ -14,6 +14,9 @@ class QSplitter;
 
 namespace ui {
 
+/// Per row of model::StepTree::steps.
+using ElementStateLists = std::vector<render::ElementStates>;
+
 /// The 2D and the 3D view of one board: one scene on the device, one set of ids, two cameras. Either alone, side by
 /// side, or one above the other. Commands go to the view in use: the one last clicked, scrolled or typed in, which has
 /// a coloured edge.
@@ -43,8 +46,11 @@ public:
     /// Cuts the board of the 3D view open; null: it is whole.
     void setCut(std::shared_ptr<const render::Cut> cut) { solid().setCut(std::move(cut)); }
     void requestFrame();
-    /// The elements that stand out, a list per row of model::StepTree::steps; with `dimOthers` all others are darkened.
-    void setHighlight(std::vector<std::vector<model::ElementId>> elements, bool dimOthers);
+    /// How elements look otherwise than their layers; the colours that they name, 63 at most.
+    void setStates(ElementStateLists states);
+    void setElementColours(std::vector<glm::vec3> colours);
+    /// By how much what does not stand out is darkened, 0 to 1.
+    void setDim(float dim);
 
     [[nodiscard]] BoardView& flat() { return *m_views[0]; }
     [[nodiscard]] BoardView& solid() { return *m_views[1]; }
@@ -67,7 +73,7 @@ protected:
 private:
     void makeScene();
     void applyHeights();
-    void applyHighlight();
+    void applyStates();
     void onTimed(const render::FrameStats& stats);
     void onDeviceLost();
     [[nodiscard]] std::vector<render::LayerStyle> stylesOf(const BoardView& view) const;
@@ -76,7 +82,8 @@ private:
     std::unique_ptr<render::BoardScene> m_scene;
     std::optional<LoadedBoard> m_board;
     std::vector<models::LayerLook> m_looks;
-    std::vector<std::vector<model::ElementId>> m_highlight;
+    ElementStateLists m_states;
+    std::vector<glm::vec3> m_elementColours;
     render::Palette m_palette = render::Palette::Standard;
     model::LayerId m_contrastLayer;
     render::ZScale m_zScale;

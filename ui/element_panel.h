@@ -2,6 +2,7 @@
 
 #include <QWidget>
 
+#include "ui/models/element_facts.h"
 #include "ui/models/lengths.h"
 #include "ui/models/selection_model.h"
 
@@ -11,7 +12,7 @@ class QTableWidget;
 namespace ui {
 
 /// Everything known of the element selected last, one line per fact; a line copies with Ctrl+C. Says how many are
-/// selected when there are several.
+/// selected when there are several. A click on its layer, net, pin or component, or Enter there, goes on to that.
 class ElementPanel : public QWidget {
     Q_OBJECT
 
@@ -22,9 +23,21 @@ public:
     /// Empty when there is no such line.
     [[nodiscard]] QString fact(const QString& name) const;
     [[nodiscard]] QString heading() const;
+    [[nodiscard]] QTableWidget& table() { return *m_table; }
+
+    enum class Link { Layer, Net, Pin, Component };
+
+signals:
+    /// Of the element selected last.
+    void followed(ui::ElementPanel::Link link);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void update();
+    void fill(const models::Facts& facts);
+    void follow(int row);
 
     models::SelectionModel& m_selection;
     models::LengthUnit m_unit = models::LengthUnit::Millimetre;

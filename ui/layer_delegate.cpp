@@ -1,11 +1,11 @@
 #include "ui/layer_delegate.h"
 
-#include <QApplication>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QSpinBox>
 #include <algorithm>
 
+#include "ui/cell_painting.h"
 #include "ui/models/layer_model.h"
 
 namespace ui {
@@ -14,23 +14,8 @@ namespace {
 
 using models::LayerModel;
 
-QRect inner(const QRect& cell) {
-    return cell.adjusted(4, 3, -4, -3);
-}
-
-void paintGround(QPainter& painter, const QStyleOptionViewItem& option) {
-    const QStyle& style = option.widget != nullptr ? *option.widget->style() : *QApplication::style();
-    style.drawPrimitive(QStyle::PE_PanelItemViewItem, &option, &painter, option.widget);
-}
-
-void paintSwatch(QPainter& painter, const QStyleOptionViewItem& option, const QColor& colour) {
-    painter.fillRect(inner(option.rect), colour);
-    painter.setPen(option.palette.color(QPalette::Mid));
-    painter.drawRect(inner(option.rect).adjusted(0, 0, -1, -1));
-}
-
 void paintOpacity(QPainter& painter, const QStyleOptionViewItem& option, int percent) {
-    const QRect whole = inner(option.rect);
+    const QRect whole = innerOf(option.rect);
     QRect filled = whole;
     filled.setWidth(whole.width() * percent / 100);
     QColor tone = option.palette.color(QPalette::Text);
@@ -44,31 +29,12 @@ void paintOpacity(QPainter& painter, const QStyleOptionViewItem& option, int per
     painter.drawText(whole, Qt::AlignCenter, QStringLiteral("%1 %").arg(percent));
 }
 
-/// A box with a tick, in the text's colour: the styles' own boxes vanish on a dark ground.
-void paintCheck(QPainter& painter, const QStyleOptionViewItem& option, bool isChecked) {
-    const bool isSelected = option.state.testFlag(QStyle::State_Selected);
-    const QColor tone = option.palette.color(isSelected ? QPalette::HighlightedText : QPalette::Text);
-    const double side = std::min(inner(option.rect).height(), inner(option.rect).width());
-    QRectF box(0.0, 0.0, side, side);
-    box.moveCenter(QRectF(option.rect).center());
-    painter.setRenderHint(QPainter::Antialiasing);
-    QColor faint = tone;
-    faint.setAlpha(110);
-    painter.setPen(QPen(faint, 1.0));
-    painter.drawRoundedRect(box, 2.0, 2.0);
-    if (isChecked) {
-        const auto at = [&](double x, double y) { return box.topLeft() + QPointF(x, y) * side; };
-        painter.setPen(QPen(tone, side / 7.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-        painter.drawPolyline(QPolygonF{at(0.22, 0.52), at(0.42, 0.74), at(0.78, 0.28)});
-    }
-}
-
 bool isCheckColumn(int column) {
     return column == LayerModel::Visible || column == LayerModel::Solo;
 }
 
 int percentAt(const QRect& cell, double x) {
-    const QRect whole = inner(cell);
+    const QRect whole = innerOf(cell);
     return std::clamp(static_cast<int>((x - whole.left()) * 100.0 / std::max(whole.width() - 1, 1)), 0, 100);
 }
 

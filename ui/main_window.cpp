@@ -44,13 +44,15 @@ constexpr ActionId kToolBar[] = {ActionId::OpenFile,   ActionId::Count,   Action
                                  ActionId::Explode,    ActionId::Count,   ActionId::SavePicture};
 /// Commands that need a board.
 constexpr ActionId kBoardActions[] = {
-    ActionId::Reload,           ActionId::SavePicture,   ActionId::CopyPicture,    ActionId::Fit,
-    ActionId::LookTop,          ActionId::LookBottom,    ActionId::LookIso,        ActionId::Flip,
-    ActionId::ZoomIn,           ActionId::ZoomOut,       ActionId::ShowAllLayers,  ActionId::HideAllLayers,
-    ActionId::ShowCopperOnly,   ActionId::SoloLayer,     ActionId::RestoreLayers,  ActionId::Contrast,
-    ActionId::NextLayer,        ActionId::PreviousLayer, ActionId::ClearSelection, ActionId::ShowSelection,
-    ActionId::CheckNets,        ActionId::ExportStack,   ActionId::InferNets,      ActionId::HighlightNet,
-    ActionId::SaveLargePicture, ActionId::ViewBack,      ActionId::ViewForward,    ActionId::KeepView};
+    ActionId::Reload,          ActionId::SavePicture,     ActionId::CopyPicture,    ActionId::Fit,
+    ActionId::LookTop,         ActionId::LookBottom,      ActionId::LookIso,        ActionId::Flip,
+    ActionId::ZoomIn,          ActionId::ZoomOut,         ActionId::ShowAllLayers,  ActionId::HideAllLayers,
+    ActionId::ShowCopperOnly,  ActionId::SoloLayer,       ActionId::RestoreLayers,  ActionId::Contrast,
+    ActionId::NextLayer,       ActionId::PreviousLayer,   ActionId::ClearSelection, ActionId::ShowSelection,
+    ActionId::ColourNet,       ActionId::ChooseNetColour, ActionId::HideNet,        ActionId::ShowAllNets,
+    ActionId::ClearNetColours, ActionId::SelectComponent, ActionId::SelectPin,      ActionId::CheckNets,
+    ActionId::ExportStack,     ActionId::InferNets,       ActionId::HighlightNet,   ActionId::SaveLargePicture,
+    ActionId::ViewBack,        ActionId::ViewForward,     ActionId::KeepView};
 
 }  // namespace
 
@@ -96,8 +98,10 @@ void MainWindow::createCentre() {
         view->canvas().installEventFilter(&m_dropTarget);
     }
     connect(&m_dropTarget, &DropTarget::dropped, this, &MainWindow::openDropped);
-    m_probing = new Probing(*m_views, m_selection, this);
+    m_probing = new Probing(*m_views, m_selection, m_netLooks, this);
+    m_elementLooks = new ElementLooks(*m_views, m_selection, m_netLooks, this);
     m_planPainter = std::make_unique<PlanPainter>(m_views->flat());
+    m_planPainter->setLooks(m_netLooks);
     m_placeReadout = new PlaceReadout(*m_probing, *m_planPainter, *m_statusLine, this);
     connect(m_views, &BoardViews::timed, m_statusLine, &StatusLine::showFrame);
     connect(m_views, &BoardViews::troubled, m_messageBar, &MessageBar::showError);
@@ -109,7 +113,9 @@ void MainWindow::createCentre() {
 
 void MainWindow::createDocks() {
     m_layersPanel = new LayersPanel(m_layerModel, m_actions);
-    m_netsPanel = new NetsPanel(m_netModel, m_selection);
+    m_netModel.setLooks(m_netLooks);
+    m_netsPanel = new NetsPanel(m_netModel, m_selection, m_netLooks, m_actions);
+    m_netLookEditing = new NetLookEditing(m_netLooks, m_thicknesses.history(), this);
     m_elementPanel = new ElementPanel(m_selection);
     m_netCheckPanel = new NetCheckPanel(m_netCheckModel, m_actions);
     m_stackPanel = new StackPanel(m_stackModel, m_actions);
@@ -159,6 +165,7 @@ void MainWindow::createMenus() {
     addMenu(*view, MenuId::Backend);
     addMenu(*view, MenuId::Keys);
     addMenu(*menuBar(), MenuId::Layers);
+    addMenu(*menuBar(), MenuId::Nets);
     addMenu(*menuBar(), MenuId::Board);
     addMenu(*menuBar(), MenuId::Select);
     addMenu(*menuBar(), MenuId::Help);
@@ -242,8 +249,10 @@ void MainWindow::onLoaded(const LoadedBoard& board) {
         history->clear();
     }
     m_probing->setBoard(board);
+    m_parts->forgetBoard();
     m_cutting->setBoard(board);
     m_actions[ActionId::CutOpen].setChecked(false);
+    m_netLookEditing->setBoard(board);
     m_netsPanel->setBoard(board.document, board.nets);
     m_planPainter->setBoard(board.index, {board.model->origin});
     m_actions[ActionId::MeasureFrom].setChecked(false);
@@ -292,9 +301,9 @@ void MainWindow::goTo(const model::Diagnostic& message) {
         statusBar()->showMessage(QStringLiteral("This message is not about one place on the board"));
         return;
     }
-    m_views->setHighlight({}, false);
+    m_selection.select({});
     if (message.element.isValid()) {
-        m_views->setHighlight({{message.element}}, false);
+        m_selection.select({{0, message.element}});
         showLayer(m_board->document->elements.layer[message.element.row()]);
     }
     for (BoardView* view : m_views->both()) {
@@ -318,7 +327,6 @@ void MainWindow::goTo(const models::NetCheckModel::Finding& finding) {
 }
 
 void MainWindow::goTo(const models::Found& found) {
-    const std::vector<model::BoardElement> pads = m_searchBox->search().padsOf(found);
     switch (found.kind) {
         case models::FoundKind::Place: m_probing->showPlace(found.place, {}); break;
         case models::FoundKind::Layer: {
@@ -333,20 +341,20 @@ void MainWindow::goTo(const models::Found& found) {
             break;
         }
         case models::FoundKind::Component:
-        case models::FoundKind::Pin: goToPads(found, pads); break;
+        case models::FoundKind::Pin: goToPart(found); break;
     }
 }
 
-void MainWindow::goToPads(const models::Found& found, const std::vector<model::BoardElement>& pads) {
-    m_selection.select(pads);
-    if (!pads.empty()) {
-        m_probing->showInBoth(pads);
+void MainWindow::goToPart(const models::Found& found) {
+    const std::size_t row = found.row;
+    const bool isPin = found.kind == models::FoundKind::Pin;
+    m_selection.select({});
+    if (isPin ? m_parts->selectPin(model::PinId{row}) : m_parts->selectComponent(model::ComponentId{row})) {
+        m_probing->showInBoth(m_selection.selected());
         return;
     }
     const model::Document& board = *m_board->document;
-    const base::Point at = found.kind == models::FoundKind::Pin ? board.pins[found.row].position
-                                                                : board.components[found.row].placement.origin;
-    m_probing->showPlace(base::toDouble(at), {});
+    m_probing->showPlace(base::toDouble(isPin ? board.pins[row].position : board.components[row].placement.origin), {});
 }
 
 void MainWindow::showLayer(model::LayerId layer) {

@@ -9,16 +9,20 @@
 #include "ui/cutting.h"
 #include "ui/dialogs.h"
 #include "ui/drop_target.h"
+#include "ui/element_looks.h"
 #include "ui/loader.h"
 #include "ui/models/board_search.h"
 #include "ui/models/layer_model.h"
 #include "ui/models/message_model.h"
 #include "ui/models/net_check_model.h"
+#include "ui/models/net_looks.h"
 #include "ui/models/net_model.h"
 #include "ui/models/selection_model.h"
 #include "ui/models/stack_model.h"
 #include "ui/models/statistics_model.h"
 #include "ui/net_checker.h"
+#include "ui/net_look_editing.h"
+#include "ui/part_picking.h"
 #include "ui/place_readout.h"
 #include "ui/plan_painter.h"
 #include "ui/probing.h"
@@ -31,12 +35,13 @@ class QStackedWidget;
 
 namespace ui {
 
-class ElementPanel;
 class Keyboard;
 class LayersPanel;
+class ElementPanel;
 class MessageBar;
 class MessagesPanel;
 class NetCheckPanel;
+class NetCommands;
 class NetsPanel;
 class RecentBoards;
 class SearchBox;
@@ -76,6 +81,7 @@ public:
     [[nodiscard]] models::SelectionModel& selection() { return m_selection; }
     [[nodiscard]] NetsPanel& netsPanel() { return *m_netsPanel; }
     [[nodiscard]] models::NetModel& nets() { return m_netModel; }
+    [[nodiscard]] models::NetLooks& netLooks() { return m_netLooks; }
     [[nodiscard]] Probing& probing() { return *m_probing; }
     [[nodiscard]] ElementPanel& elementPanel() { return *m_elementPanel; }
     [[nodiscard]] MessagesPanel& messagesPanel() { return *m_messagesPanel; }
@@ -139,7 +145,7 @@ private:
     void goTo(const model::Diagnostic& message);
     void goTo(const models::NetCheckModel::Finding& finding);
     void goTo(const models::Found& found);
-    void goToPads(const models::Found& found, const std::vector<model::BoardElement>& pads);
+    void goToPart(const models::Found& found);
     void showLayer(model::LayerId layer);
     void checkNets();
     void inferNets(bool isOn);
@@ -149,7 +155,6 @@ private:
     void setBackend(render::Backend backend);
     void setArrangement(Arrangement arrangement);
     void updateContrast();
-    void highlightNet();
     void setUnit(models::LengthUnit unit);
     void setPalette(render::Palette palette);
     void copyPicture();
@@ -161,6 +166,7 @@ private:
     models::LayerModel m_layerModel;
     models::NetModel m_netModel;
     models::SelectionModel m_selection;
+    models::NetLooks m_netLooks;
     models::NetCheckModel m_netCheckModel;
     NetChecker m_netChecker;
     models::StackModel m_stackModel;
@@ -178,12 +184,16 @@ private:
     QStackedWidget* m_pages = nullptr;
     MessageBar* m_messageBar = nullptr;
     Probing* m_probing = nullptr;
+    ElementLooks* m_elementLooks = nullptr;
     std::unique_ptr<PlanPainter> m_planPainter;
     PlaceReadout* m_placeReadout = nullptr;
     std::unique_ptr<Cutting> m_cutting;
     ViewCube* m_viewCube = nullptr;
     LayersPanel* m_layersPanel = nullptr;
     NetsPanel* m_netsPanel = nullptr;
+    NetLookEditing* m_netLookEditing = nullptr;
+    NetCommands* m_netCommands = nullptr;
+    PartPicking* m_parts = nullptr;
     ElementPanel* m_elementPanel = nullptr;
     NetCheckPanel* m_netCheckPanel = nullptr;
     SearchBox* m_searchBox = nullptr;

@@ -18,6 +18,7 @@
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
 #include "ui/net_check_panel.h"
+#include "ui/net_commands.h"
 #include "ui/nets_panel.h"
 #include "ui/paths.h"
 #include "ui/search_box.h"
@@ -243,8 +244,16 @@ bool MainWindow::cancelWork() {
 void MainWindow::connectSelectActions() {
     on(ActionId::ClearSelection, [this] { cancelWork() || m_keyboard->returnToView() || m_selection.clearStep(); });
     on(ActionId::ShowSelection, [this] { m_probing->showInBoth(m_selection.selected()); });
-    on(ActionId::HighlightNet, &MainWindow::highlightNet);
-    on(ActionId::DimOthers, [this](bool isOn) { m_probing->setDimOthers(isOn); });
+    m_netCommands = new NetCommands(m_actions, m_selection, m_netLooks, *m_netsPanel, this);
+    connect(m_netCommands, &NetCommands::missed, this, [this](const QString& what) { statusBar()->showMessage(what); });
+    connect(m_netLookEditing, &NetLookEditing::notSaved, m_messageBar, &MessageBar::showError);
+    m_elementLooks->obey(m_actions[ActionId::DimOthers], m_netsPanel->dimSlider());
+    m_parts = new PartPicking(m_actions, m_selection, this);
+    connect(m_parts, &PartPicking::missed, this, [this](const QString& what) { statusBar()->showMessage(what); });
+    connect(m_probing, &Probing::componentAsked, m_parts, &PartPicking::selectComponentOf);
+    connect(m_elementPanel, &ElementPanel::followed, m_parts, &PartPicking::follow);
+    connect(m_parts, &PartPicking::layerChosen, this,
+            [this](model::LayerId layer) { m_layersPanel->selectRow(static_cast<int>(layer.row())); });
     connect(m_netsPanel, &NetsPanel::showRequested, m_probing, [this](const auto& nets) { m_probing->showNets(nets); });
     connect(&m_statisticsPanel->plot(), &HistogramView::chosen, this, [this](const auto& elements) {
         std::vector<model::BoardElement> selected;
@@ -268,8 +277,10 @@ void MainWindow::connectPlanActions() {
     on(ActionId::ShowGrid, [this](bool isOn) { m_planPainter->showGrid(isOn); });
     on(ActionId::ShowOutlines, [this](bool isOn) { m_views->flat().setOutlined(isOn); });
     on(ActionId::ShowNames, [this](bool isOn) { m_planPainter->showNames(isOn); });
+    on(ActionId::ShowPinNames, [this](bool isOn) { m_planPainter->showPinNames(isOn); });
     m_actions[ActionId::ShowGrid].setChecked(true);
     m_actions[ActionId::ShowNames].setChecked(true);
+    m_actions[ActionId::ShowPinNames].setChecked(true);
     on(ActionId::MeasureFrom, [this](bool isOn) {
         if (!m_placeReadout->measureFromCursor(isOn)) {
             m_actions[ActionId::MeasureFrom].setChecked(false);
@@ -314,15 +325,6 @@ void MainWindow::copyPicture() {
     } else {
         m_messageBar->showError(QString::fromStdString(picture.error().text));
     }
-}
-
-void MainWindow::highlightNet() {
-    const auto at = m_selection.hovered() ? m_selection.hovered() : m_selection.current();
-    if (const auto net = at ? m_selection.netOf(*at) : std::nullopt) {
-        m_selection.toggleNet(*net);
-        return;
-    }
-    statusBar()->showMessage(QStringLiteral("Point at an element of a net, or select one, to highlight its net"));
 }
 
 void MainWindow::updateContrast() {

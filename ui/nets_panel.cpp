@@ -1,17 +1,23 @@
 #include "ui/nets_panel.h"
 
+#include <QColorDialog>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QScopedValueRollback>
+#include <QSlider>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <iterator>
 
+#include "ui/actions.h"
 #include "ui/models/net_text.h"
+#include "ui/net_delegate.h"
 #include "ui/table_view.h"
+#include "ui/tool_button.h"
 
 namespace ui {
 
@@ -28,6 +34,12 @@ constexpr std::pair<const char*, std::optional<model::NetGrouping>> kGroupings[]
     {"By supply", model::NetGrouping::Supply},
 };
 
+/// In letters.
+constexpr std::pair<NetModel::Column, int> kWidths[] = {
+    {NetModel::Name, 15}, {NetModel::Pins, 6},   {NetModel::Vias, 6},  {NetModel::Length, 12},
+    {NetModel::Area, 12}, {NetModel::Colour, 6}, {NetModel::Shown, 5},
+};
+
 /// Rows that follow each other become one range: a million of them would be slow.
 void addRow(QItemSelection& rows, const NetModel& model, int row) {
     const int last = NetModel::ColumnCount - 1;
@@ -40,41 +52,57 @@ void addRow(QItemSelection& rows, const NetModel& model, int row) {
 
 }  // namespace
 
-NetsPanel::NetsPanel(NetModel& model, models::SelectionModel& selection, QWidget* parent)
+NetsPanel::NetsPanel(NetModel& model, models::SelectionModel& selection, models::NetLooks& looks,
+                     const ActionSet& actions, QWidget* parent)
     : QWidget(parent),
       m_model(model),
       m_selection(selection),
+      m_looks(looks),
       m_filter(new QLineEdit),
       m_kind(new QComboBox),
       m_group(new QComboBox),
       m_step(new QComboBox),
+      m_dim(new QSlider(Qt::Horizontal)),
       m_summary(new QLabel),
       m_details(new QLabel),
       m_table(new TableView) {
-    m_table->setModel(&model);
-    m_table->setSortingEnabled(true);
-    m_table->sortByColumn(NetModel::Name, Qt::AscendingOrder);
-    const int letter = fontMetrics().horizontalAdvance('0');
-    m_table->setColumnWidth(NetModel::Name, letter * 15);
-    for (int column = NetModel::Pins; column < NetModel::ColumnCount; ++column) {
-        m_table->setColumnWidth(column, letter * (column < NetModel::Length ? 7 : 12));
-    }
-    m_table->horizontalHeader()->setStretchLastSection(true);
-    layOutControls();
+    setUpTable();
+    layOutControls(actions);
     connect(m_filter, &QLineEdit::textChanged, this, &NetsPanel::applyFilter);
     connect(m_kind, &QComboBox::currentIndexChanged, this, &NetsPanel::applyFilter);
     connect(m_group, &QComboBox::currentIndexChanged, this, &NetsPanel::applyGrouping);
     connect(m_step, &QComboBox::currentIndexChanged, this, &NetsPanel::applyStep);
     connect(&model, &NetModel::arranged, this, &NetsPanel::onArranged);
-    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &NetsPanel::takeFromTable);
-    connect(m_table, &QTableView::activated, this,
-            [this](const QModelIndex& index) { emit showRequested(netsIn(index.row(), index.row())); });
     connect(&selection, &models::SelectionModel::netsChanged, this, &NetsPanel::showInTable);
     connect(&selection, &models::SelectionModel::netsChanged, this, &NetsPanel::showDetails);
     connect(&selection, &models::SelectionModel::selectionChanged, this, &NetsPanel::scrollToSelected);
 }
 
-void NetsPanel::layOutControls() {
+void NetsPanel::setUpTable() {
+    m_table->setModel(&m_model);
+    m_table->setItemDelegate(new NetDelegate(m_table));
+    m_table->setButtonColumns({NetModel::Shown, NetModel::Colour});
+    m_table->setTextElideMode(Qt::ElideMiddle);  // long names differ at their ends
+    m_table->setSortingEnabled(true);
+    m_table->sortByColumn(NetModel::Name, Qt::AscendingOrder);
+    const int letter = fontMetrics().horizontalAdvance('0');
+    for (const auto& [column, letters] : kWidths) {
+        m_table->setColumnWidth(column, letter * letters);
+    }
+    m_table->horizontalHeader()->moveSection(NetModel::Colour, 0);
+    m_table->horizontalHeader()->moveSection(NetModel::Shown, 0);
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->installEventFilter(this);
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &NetsPanel::takeFromTable);
+    connect(m_table, &QTableView::clicked, this, &NetsPanel::onClicked);
+    connect(m_table, &QTableView::activated, this, [this](const QModelIndex& index) {
+        if (index.column() != NetModel::Shown && index.column() != NetModel::Colour) {
+            emit showRequested(m_model.netsAt(index.row()));
+        }
+    });
+}
+
+void NetsPanel::layOutControls(const ActionSet& actions) {
     m_filter->setPlaceholderText(QStringLiteral("Filter nets by name"));
     m_filter->setClearButtonEnabled(true);
     for (const char* kind : kKinds) {
@@ -87,22 +115,86 @@ void NetsPanel::layOutControls() {
         QStringLiteral("Groups by what the job says of its nets; pairs, buses and supplies also by their names"));
     m_step->setToolTip(QStringLiteral("Whose nets are listed: the board's own, or those of a step it places"));
     m_step->hide();
+    m_dim->setRange(0, 100);
+    m_dim->setToolTip(QStringLiteral("How far everything else is darkened while nets or elements stand out"));
     m_details->setWordWrap(true);
     m_details->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_details->hide();
+    auto* filter = new QHBoxLayout;
+    filter->addWidget(m_filter, 1);
+    filter->addWidget(m_kind);
+    auto* groups = new QHBoxLayout;
+    groups->addWidget(m_step);
+    groups->addWidget(m_group);
+    groups->addStretch();
+    groups->addWidget(m_summary);
+    auto* looks = new QHBoxLayout;
+    looks->addWidget(toolButton(actions[ActionId::ShowAllNets]));
+    looks->addWidget(toolButton(actions[ActionId::ClearNetColours]));
+    looks->addWidget(new QLabel(QStringLiteral("Dim")));
+    looks->addWidget(m_dim, 1);
     auto* rows = new QVBoxLayout;
-    auto* first = new QHBoxLayout;
-    first->addWidget(m_filter, 1);
-    first->addWidget(m_kind);
-    auto* second = new QHBoxLayout;
-    second->addWidget(m_step);
-    second->addWidget(m_group);
-    second->addStretch();
-    second->addWidget(m_summary);
-    rows->addLayout(first);
-    rows->addLayout(second);
+    for (QHBoxLayout* row : {filter, groups, looks}) {
+        rows->addLayout(row);
+    }
     layOut(*this, rows, m_table);
     layout()->addWidget(m_details);
+}
+
+bool NetsPanel::eventFilter(QObject* watched, QEvent* event) {
+    if (watched != m_table || event->type() != QEvent::KeyPress) {
+        return QWidget::eventFilter(watched, event);
+    }
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    const QModelIndex current = m_table->currentIndex();
+    const bool isEnter = key == Qt::Key_Return || key == Qt::Key_Enter;
+    if (key == Qt::Key_Space) {
+        toggleSelected();
+    } else if (isEnter && current.column() == NetModel::Colour) {
+        chooseColour(m_model.netsAt(current.row()));
+    } else {
+        return QWidget::eventFilter(watched, event);
+    }
+    return true;
+}
+
+void NetsPanel::toggleSelected() {
+    // All follow the first, so that a mixed selection becomes uniform.
+    const auto& nets = m_selection.nets();
+    if (!nets.empty()) {
+        m_looks.hide(nets, !m_looks.isHidden(nets.front()));
+    }
+}
+
+void NetsPanel::onClicked(const QModelIndex& index) {
+    if (index.column() != NetModel::Colour) {
+        return;
+    }
+    const std::vector<model::BoardNet> nets = m_model.netsAt(index.row());
+    const bool isColoured = nets.size() == 1 && m_looks.of(nets.front()).colour.has_value();
+    if (isColoured) {
+        chooseColour(nets);
+    } else {
+        m_looks.colourAnew(nets);
+    }
+}
+
+void NetsPanel::chooseColour(std::vector<model::BoardNet> nets) {
+    if (nets.empty() || findChild<QColorDialog*>() != nullptr) {
+        return;
+    }
+    const QColor before = QColor(m_looks.of(nets.front()).colour.value_or(0xffffffffU));
+    auto* dialog = new QColorDialog(before, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(QStringLiteral("Colour of the net"));
+    // The board may be replaced while the dialog is open.
+    connect(dialog, &QColorDialog::colorSelected, this,
+            [this, nets = std::move(nets), board = std::weak_ptr(m_board)](const QColor& colour) {
+                if (board.lock() == m_board) {
+                    m_looks.colour(nets, colour.rgb());
+                }
+            });
+    dialog->open();
 }
 
 void NetsPanel::setBoard(std::shared_ptr<const model::Document> board, Statistics statistics) {
@@ -133,7 +225,7 @@ std::uint32_t NetsPanel::step() const {
 void NetsPanel::applyStep() {
     if (m_board) {
         const std::shared_ptr<const model::Document> listed(m_board, m_selection.tree().steps[step()]);
-        m_model.setNets(listed, step() < m_statistics.size() ? m_statistics[step()] : nullptr);
+        m_model.setNets(listed, step() < m_statistics.size() ? m_statistics[step()] : nullptr, step());
     }
     showDetails();
 }
@@ -160,28 +252,16 @@ void NetsPanel::onArranged() {
     }
 }
 
-std::vector<model::BoardNet> NetsPanel::netsIn(int firstRow, int lastRow) const {
-    std::vector<model::BoardNet> nets;
-    for (int row = firstRow; row <= lastRow; ++row) {
-        const int end = m_model.isHeading(row) ? m_model.endOfGroup(row) : row + 1;
-        for (int member = m_model.isHeading(row) ? row + 1 : row; member < end; ++member) {
-            nets.push_back({step(), m_model.netAt(member)});
-        }
-    }
-    return nets;
-}
-
 void NetsPanel::takeFromTable(const QItemSelection& selected, const QItemSelection& deselected) {
     if (m_isSyncing) {
         return;
     }
     std::vector<model::BoardNet> nets;
-    const auto add = [&](int first, int last) { std::ranges::copy(netsIn(first, last), std::back_inserter(nets)); };
     for (const QItemSelectionRange& range : m_table->selectionModel()->selection()) {
         for (int row = range.top(); row <= range.bottom(); ++row) {
             // A heading that was selected before stands for what is left of its group.
             if (!m_model.isHeading(row) || selected.contains(m_model.index(row, 0))) {
-                add(row, row);
+                std::ranges::copy(m_model.netsAt(row), std::back_inserter(nets));
             }
         }
     }
@@ -190,7 +270,7 @@ void NetsPanel::takeFromTable(const QItemSelection& selected, const QItemSelecti
     const bool isTakenBack = deselected.size() == 1 && deselected.front().height() == 1 &&
                              deselected.front().top() == row && m_model.isHeading(row);
     if (isTakenBack) {
-        std::vector<model::BoardNet> gone = netsIn(row, row);
+        std::vector<model::BoardNet> gone = m_model.netsAt(row);
         std::ranges::sort(gone);
         std::erase_if(nets, [&](const model::BoardNet& net) { return std::ranges::binary_search(gone, net); });
     }

@@ -7,24 +7,28 @@
 #include "ui/models/selection_model.h"
 
 class QComboBox;
+class QSlider;
 class QItemSelection;
 class QLabel;
 class QLineEdit;
 
 namespace ui {
 
+class ActionSet;
 class TableView;
 
 /// The nets of the board, or of a step it places: filter, sort, group, highlight. Selected rows are the highlighted
-/// nets, both ways, and a heading stands for all nets under it; Enter or a double click asks to see them. Below the
-/// table stands what is known of the highlighted ones.
+/// nets, both ways, and a heading stands for all nets under it; Enter or a double click asks to see them. In front of
+/// each stands whether it is drawn and its colour. Below the table stands what is known of the highlighted ones.
 class NetsPanel : public QWidget {
     Q_OBJECT
 
 public:
     using Statistics = std::vector<std::shared_ptr<const model::NetStatistics>>;  ///< as LoadedBoard::nets
 
-    NetsPanel(models::NetModel& model, models::SelectionModel& selection, QWidget* parent = nullptr);
+    /// The commands are those of the menu Nets.
+    NetsPanel(models::NetModel& model, models::SelectionModel& selection, models::NetLooks& looks,
+              const ActionSet& actions, QWidget* parent = nullptr);
 
     /// The selection must be of this board already.
     void setBoard(std::shared_ptr<const model::Document> board, Statistics statistics);
@@ -40,14 +44,24 @@ public:
     /// Hidden while only the board itself has nets.
     [[nodiscard]] QComboBox& stepBox() { return *m_step; }
     [[nodiscard]] QString summary() const;
+    /// By how much the rest is darkened, in percent.
+    [[nodiscard]] QSlider& dimSlider() { return *m_dim; }
+    /// Opens the dialog for the colour of these nets; not with none.
+    void chooseColour(std::vector<model::BoardNet> nets);
     /// What is known of the highlighted nets; empty for none.
     [[nodiscard]] QString details() const;
 
 signals:
     void showRequested(const std::vector<model::BoardNet>& nets);
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
-    void layOutControls();
+    void setUpTable();
+    void layOutControls(const ActionSet& actions);
+    void onClicked(const QModelIndex& index);
+    void toggleSelected();
     void applyFilter();
     void applyGrouping();
     void applyStep();
@@ -58,10 +72,10 @@ private:
     void scrollToSelected();
     /// Row of model::StepTree::steps whose nets are listed.
     [[nodiscard]] std::uint32_t step() const;
-    [[nodiscard]] std::vector<model::BoardNet> netsIn(int firstRow, int lastRow) const;
 
     models::NetModel& m_model;
     models::SelectionModel& m_selection;
+    models::NetLooks& m_looks;
     std::shared_ptr<const model::Document> m_board;
     Statistics m_statistics;
     models::LengthUnit m_unit = models::LengthUnit::Millimetre;
@@ -69,6 +83,7 @@ private:
     QComboBox* m_kind;
     QComboBox* m_group;
     QComboBox* m_step;
+    QSlider* m_dim;
     QLabel* m_summary;
     QLabel* m_details;
     TableView* m_table;

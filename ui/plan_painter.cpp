@@ -12,6 +12,8 @@ constexpr double kRulerPixels = 18.0;
 constexpr double kTickPixels = 64.0;   // between numbers of the rulers
 constexpr double kSmallestName = 8.0;  // pixels high; smaller ones cannot be read
 constexpr double kLargestName = 18.0;
+constexpr double kFilled = 0.7;       // of the width of a stroke by letters
+constexpr double kLineHeight = 1.15;  // of two lines, in heights of letters
 /// More elements than this in sight are too small to be named.
 constexpr std::size_t kMostInSight = 4000;
 constexpr std::size_t kMostNames = 400;
@@ -74,6 +76,17 @@ std::optional<Stretch> stretchOf(const model::Document& document, model::Element
     return std::nullopt;
 }
 
+/// Pixels that letters may be high, so that the lines fit across a stroke and along the room there is.
+double heightOf(const QStringList& lines, double width, double room) {
+    qsizetype longest = 1;
+    for (const QString& line : lines) {
+        longest = std::max(longest, line.size());
+    }
+    const double across = width * kFilled / (lines.size() > 1 ? kLineHeight * static_cast<double>(lines.size()) : 1.0);
+    // Letters are about 0.6 as wide as high.
+    return std::min({across, kLargestName, room * 0.9 / (0.6 * static_cast<double>(longest))});
+}
+
 }  // namespace
 
 PlanPainter::PlanPainter(BoardView& view) : m_view(view) {
@@ -82,6 +95,10 @@ PlanPainter::PlanPainter(BoardView& view) : m_view(view) {
 
 void PlanPainter::setBoard(std::shared_ptr<const model::BoardIndex> index, BoardPlace place) {
     m_index = std::move(index);
+    m_pins.reset();
+    if (m_index) {
+        m_pins.emplace(*m_index->board);
+    }
     m_place = place;
     m_view.requestFrame();
 }
@@ -99,6 +116,15 @@ void PlanPainter::showGrid(bool isOn) {
 void PlanPainter::showNames(bool isOn) {
     m_hasNames = isOn;
     m_view.requestFrame();
+}
+
+void PlanPainter::showPinNames(bool isOn) {
+    m_hasPinNames = isOn;
+    m_view.requestFrame();
+}
+
+void PlanPainter::setLooks(const models::NetLooks& looks) {
+    m_looks = &looks;
 }
 
 double PlanPainter::nmPerPixel() const {
@@ -155,7 +181,7 @@ void PlanPainter::paint(QPainter& painter) const {
     if (m_hasGrid) {
         paintGrid(painter, gridStep(nmPerPixel(), m_unit));
     }
-    if (m_hasNames) {
+    if (m_hasNames || m_hasPinNames) {
         paintNames(painter);
     }
     if (m_mark) {
@@ -225,41 +251,81 @@ model::LayerId PlanPainter::namedLayer() const {
     return nearest;
 }
 
-std::vector<PlanPainter::Label> PlanPainter::labels() const {
-    const model::Document& board = *m_index->board;
+std::vector<model::ElementId> PlanPainter::namedElements() const {
+    const model::ElementTable& elements = m_index->board->elements;
     const model::LayerId layer = namedLayer();
+    const auto isNamed = [&](std::uint32_t row) {
+        const model::NetId net = elements.net[row];
+        const bool isHidden = m_looks != nullptr && net.isValid() && m_looks->isHidden({0, net});
+        return elements.layer[row] == layer && !isHidden && (net.isValid() || (elements.flags[row] & model::kPad) != 0);
+    };
     std::vector<model::ElementId> inSight;
     m_index->elements.front().visit(shownBox(), [&](std::uint32_t row) {
-        if (board.elements.layer[row] == layer && board.elements.net[row].isValid() && inSight.size() <= kMostInSight) {
+        if (inSight.size() <= kMostInSight && isNamed(row)) {
             inSight.emplace_back(row);
         }
     });
-    std::vector<Label> labels;
     if (inSight.size() > kMostInSight) {
-        return labels;
+        return {};
     }
     std::ranges::sort(inSight);  // ids do not depend on how the index was walked
+    return inSight;
+}
+
+/// "U1.5", and "5" where there is no room for that; empty for what is no pad of one pin.
+QStringList PlanPainter::pinNames(model::ElementId element) const {
+    const model::Document& board = *m_index->board;
+    const std::vector<model::PinId> pins = m_hasPinNames ? m_pins->pinsOf(element) : std::vector<model::PinId>();
+    if (pins.size() != 1 || !board.pins[pins.front().row()].component.isValid()) {
+        return {};
+    }
+    const model::Pin& pin = board.pins[pins.front().row()];
+    const QString name = QString::fromStdString(board.text(pin.name));
+    return {QString::fromStdString(board.components[pin.component.row()].refdes) + '.' + name, name};
+}
+
+/// What may be written on an element, line by line, the most telling first.
+std::vector<QStringList> PlanPainter::textsFor(model::ElementId element) const {
+    const model::Document& board = *m_index->board;
+    const model::NetId id = board.elements.net[element.row()];
+    const QString net = m_hasNames && id.isValid() ? QString::fromStdString(board.nets[id.row()].name) : QString();
+    const QStringList pins = pinNames(element);
+    std::vector<QStringList> texts;
+    if (!net.isEmpty()) {
+        for (const QString& pin : pins) {
+            texts.push_back({pin, net});
+        }
+        texts.push_back({net});
+    }
+    for (const QString& pin : pins) {
+        texts.push_back({pin});
+    }
+    return texts;
+}
+
+std::vector<PlanPainter::Label> PlanPainter::labels() const {
+    std::vector<Label> labels;
     const double perPixel = nmPerPixel();
-    for (const model::ElementId element : inSight) {
-        const std::optional<Stretch> stretch = stretchOf(board, element);
-        if (!stretch || labels.size() >= kMostNames) {
+    for (const model::ElementId element : namedElements()) {
+        const std::optional<Stretch> stretch = stretchOf(*m_index->board, element);
+        if (!stretch || stretch->width / perPixel * kFilled < kSmallestName || labels.size() >= kMostNames) {
             continue;
         }
-        Label label;
-        label.text = QString::fromStdString(board.nets[board.elements.net[element.row()].row()].name);
         const QPointF a = screenOf(stretch->a.x, stretch->a.y);
         const QPointF b = screenOf(stretch->b.x, stretch->b.y);
         const double room = std::max(QLineF(a, b).length(), stretch->width / perPixel);
-        // Letters are about 0.6 as wide as high.
-        label.height = std::min({stretch->width / perPixel * 0.7, kLargestName,
-                                 room * 0.9 / (0.6 * static_cast<double>(std::max<qsizetype>(1, label.text.size())))});
-        if (label.height < kSmallestName) {
-            continue;
-        }
+        Label label;
         label.middle = (a + b) / 2.0;
         label.angleDeg = std::atan2(b.y() - a.y(), b.x() - a.x()) * 180.0 / M_PI;
         label.angleDeg += label.angleDeg > 90.0 ? -180.0 : label.angleDeg <= -90.0 ? 180.0 : 0.0;
-        labels.push_back(std::move(label));
+        for (const QStringList& lines : textsFor(element)) {
+            label.height = heightOf(lines, stretch->width / perPixel, room);
+            if (label.height >= kSmallestName) {
+                label.text = lines.join('\n');
+                labels.push_back(label);
+                break;
+            }
+        }
     }
     return labels;
 }
@@ -274,7 +340,7 @@ void PlanPainter::paintNames(QPainter& painter) const {
         painter.setFont(font);
         painter.translate(label.middle);
         painter.rotate(label.angleDeg);
-        const QRectF room(-500.0, -label.height, 1000.0, label.height * 2.0);
+        const QRectF room(-500.0, -label.height * 2.0, 1000.0, label.height * 4.0);
         painter.setPen(QColor(0, 0, 0, 190));
         painter.drawText(room.translated(1.0, 1.0), Qt::AlignCenter, label.text);
         painter.setPen(Qt::white);

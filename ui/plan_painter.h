@@ -1,17 +1,20 @@
 #pragma once
 
+#include <QStringList>
 #include <memory>
 #include <optional>
 
 #include "model/board_index.h"
+#include "model/pin_finder.h"
 #include "ui/board_place.h"
 #include "ui/board_view.h"
 #include "ui/models/lengths.h"
+#include "ui/models/net_looks.h"
 
 namespace ui {
 
 /// What the 2D view shows over the board: a grid whose step follows the zoom, rulers along two edges, and the names of
-/// nets on copper that is large enough on the screen to hold them.
+/// nets and pins on copper that is large enough on the screen to hold them.
 class PlanPainter {
 public:
     /// Paints over `view` from now on; both must live as long as each other.
@@ -21,6 +24,9 @@ public:
     void setUnit(models::LengthUnit unit);
     void showGrid(bool isOn);
     void showNames(bool isOn);
+    void showPinNames(bool isOn);
+    /// What is hidden is not named.
+    void setLooks(const models::NetLooks& looks);
     /// A cross at a place of the board, in nm; none takes it away.
     void showMark(std::optional<base::PointD> place);
 
@@ -32,8 +38,8 @@ public:
     struct Label {
         QPointF middle;
         double angleDeg = 0.0;
-        double height = 0.0;
-        QString text;
+        double height = 0.0;  ///< of the letters, in pixels
+        QString text;         ///< one line, or a pin and below it its net
     };
     /// Of the copper layer nearest to the viewer: names of what it hides would only confuse.
     [[nodiscard]] std::vector<Label> labels() const;
@@ -45,6 +51,9 @@ private:
     void paintNames(QPainter& painter) const;
     void paintMark(QPainter& painter) const;
     [[nodiscard]] model::LayerId namedLayer() const;
+    [[nodiscard]] std::vector<model::ElementId> namedElements() const;
+    [[nodiscard]] QStringList pinNames(model::ElementId element) const;
+    [[nodiscard]] std::vector<QStringList> textsFor(model::ElementId element) const;
     [[nodiscard]] QPointF screenOf(double x, double y) const;
     [[nodiscard]] double nmPerPixel() const;
 
@@ -54,6 +63,9 @@ private:
     models::LengthUnit m_unit = models::LengthUnit::Millimetre;
     bool m_hasGrid = true;
     bool m_hasNames = true;
+    bool m_hasPinNames = true;
+    const models::NetLooks* m_looks = nullptr;
+    std::optional<model::PinFinder> m_pins;
     std::optional<base::PointD> m_mark;
 };
 

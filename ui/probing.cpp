@@ -31,11 +31,11 @@ std::vector<model::BoardElement> elementsOf(const std::vector<model::Hit>& hits)
 
 }  // namespace
 
-Probing::Probing(BoardViews& views, SelectionModel& selection, QObject* parent)
-    : QObject(parent), m_views(views), m_selection(selection) {
+Probing::Probing(BoardViews& views, SelectionModel& selection, models::NetLooks& nets, QObject* parent)
+    : QObject(parent), m_views(views), m_selection(selection), m_nets(nets) {
     m_rest.setSingleShot(true);
     connect(&m_rest, &QTimer::timeout, this, &Probing::hover);
-    connect(&selection, &SelectionModel::highlightChanged, this, &Probing::updateHighlight);
+    connect(&nets, &models::NetLooks::changed, this, &Probing::hideNets);
     for (BoardView* view : views.both()) {
         watch(*view);
     }
@@ -80,14 +80,20 @@ void Probing::setBoard(const LoadedBoard& board) {
     m_selection.setBoard(board.document);
 }
 
-void Probing::setDimOthers(bool isOn) {
-    m_isDimming = isOn;
-    updateHighlight();
-}
-
-void Probing::updateHighlight() {
-    const bool hasLasting = !m_selection.selected().empty() || !m_selection.nets().empty();
-    m_views.setHighlight(m_selection.highlight(), m_isDimming && hasLasting);
+void Probing::hideNets() {
+    if (!m_picker) {
+        return;
+    }
+    const auto& steps = m_picker->index().tree.steps;
+    std::vector<std::vector<bool>> hidden(steps.size());
+    for (const models::NetLook& look : m_nets.state()) {
+        if (look.isHidden) {
+            hidden[look.net.step].resize(steps[look.net.step]->nets.size());
+            hidden[look.net.step][look.net.net.row()] = true;
+        }
+    }
+    m_picker->hideNets(std::move(hidden));
+    m_last = {};
 }
 
 std::vector<model::PickLayer> Probing::layersOf(const BoardView& view) const {
@@ -155,7 +161,9 @@ void Probing::announcePlace(const BoardView& view, QPointF position) {
 void Probing::click(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers) {
     std::vector<model::BoardElement> found = elementsOf(hitsAt(view, position));
     if (modifiers.testFlag(Qt::ControlModifier)) {
-        if (!found.empty()) {
+        if (!found.empty() && modifiers.testFlag(Qt::ShiftModifier)) {
+            emit componentAsked(found.front());
+        } else if (!found.empty()) {
             m_selection.select({found.front()}, SelectionModel::Mode::Toggle);
         }
         return;

@@ -10,6 +10,7 @@
 #include "ui/board_place.h"
 #include "ui/board_views.h"
 #include "ui/models/lengths.h"
+#include "ui/models/net_looks.h"
 #include "ui/models/selection_model.h"
 
 namespace ui {
@@ -22,12 +23,11 @@ class Probing : public QObject {
     Q_OBJECT
 
 public:
-    Probing(BoardViews& views, models::SelectionModel& selection, QObject* parent = nullptr);
+    /// What `nets` hides is looked through.
+    Probing(BoardViews& views, models::SelectionModel& selection, models::NetLooks& nets, QObject* parent = nullptr);
 
     void setBoard(const LoadedBoard& board);
     void setUnit(models::LengthUnit unit) { m_unit = unit; }
-    /// Darkens everything else while nets are highlighted or elements selected.
-    void setDimOthers(bool isOn);
     /// Whether the camera of `to` follows what is clicked in the other view.
     void setFollows(BoardView::Kind to, bool isOn) { m_follows[static_cast<std::size_t>(to)] = isOn; }
 
@@ -45,25 +45,27 @@ signals:
     /// The cursor is over a place of the board, in its coordinates in nm.
     void pointedAt(double x, double y);
     void pointedAway();
+    /// Ctrl+Shift and a click: the component of an element is wanted.
+    void componentAsked(const model::BoardElement& at);
 
 private:
     void watch(BoardView& view);
+    void hideNets();
     void hover();
     void click(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers);
     void showInOther(BoardView& view);
     void selectBox(QPointF from, QPointF to, Qt::KeyboardModifiers modifiers);
-    void updateHighlight();
     void announcePlace(const BoardView& view, QPointF position);
     [[nodiscard]] std::vector<model::PickLayer> layersOf(const BoardView& view) const;
     void paintBox(QPainter& painter) const;
 
     BoardViews& m_views;
     models::SelectionModel& m_selection;
+    models::NetLooks& m_nets;
     std::optional<model::Picker> m_picker;
     BoardPlace m_place;
     models::LengthUnit m_unit = models::LengthUnit::Millimetre;
     std::array<bool, 2> m_follows{};
-    bool m_isDimming = false;
 
     QTimer m_rest;  ///< runs out when the cursor has stayed a moment
     BoardView* m_hoverView = nullptr;

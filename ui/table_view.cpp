@@ -6,7 +6,9 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QMenu>
+#include <QMouseEvent>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/models/table_text.h"
 
@@ -55,6 +57,12 @@ void TableView::contextMenuEvent(QContextMenuEvent* event) {
     copy->setEnabled(selectionModel() != nullptr && selectionModel()->hasSelection());
     menu.addAction(QStringLiteral("Copy &all with headings"), this, &TableView::copyAll);
     menu.exec(event->globalPos());
+}
+
+QItemSelectionModel::SelectionFlags TableView::selectionCommand(const QModelIndex& index, const QEvent* event) const {
+    const bool isMouse = dynamic_cast<const QMouseEvent*>(event) != nullptr;
+    const bool isButton = std::ranges::find(m_buttonColumns, index.column()) != m_buttonColumns.end();
+    return isMouse && isButton ? QItemSelectionModel::NoUpdate : QTableView::selectionCommand(index, event);
 }
 
 void layOut(QWidget& panel, QLayout* controls, TableView* table) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QTableView>
+#include <vector>
 
 class QLayout;
 
@@ -14,6 +15,8 @@ class TableView : public QTableView {
 public:
     explicit TableView(QWidget* parent = nullptr);
 
+    /// A click into these columns does what their cells do and leaves the selection as it is.
+    void setButtonColumns(std::vector<int> columns) { m_buttonColumns = std::move(columns); }
     void copySelection() const;
     void copyAll() const;
 
@@ -23,6 +26,11 @@ signals:
 protected:
     void keyPressEvent(QKeyEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
+    [[nodiscard]] QItemSelectionModel::SelectionFlags selectionCommand(const QModelIndex& index,
+                                                                       const QEvent* event) const override;
+
+private:
+    std::vector<int> m_buttonColumns;
 };
 
 /// A panel of one table under one row of controls.

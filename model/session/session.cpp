@@ -26,6 +26,7 @@ constexpr const char* kVersionKey = "copperscope_session";
 constexpr const char* kJobKey = "job";
 constexpr const char* kThicknessKey = "thickness_nm";
 constexpr const char* kViewsKey = "views";
+constexpr const char* kNetsKey = "nets";
 /// No camera is farther from a board, in mm.
 constexpr double kFarthest = 1e6;
 /// No session is this large; something else is.
@@ -156,6 +157,59 @@ void readViews(const ordered_json& json, LoadedSession& out) {
     }
 }
 
+std::optional<KeptNet> netFrom(const ordered_json& json) {
+    if (!json.is_object()) {
+        return std::nullopt;
+    }
+    const ordered_json name = json.value("name", ordered_json());
+    const ordered_json step = json.value("step", ordered_json());
+    const ordered_json colour = json.value("colour", ordered_json(""));
+    const ordered_json hidden = json.value("hidden", ordered_json(false));
+    if (!name.is_string() || !step.is_string() || !colour.is_string() || !hidden.is_boolean()) {
+        return std::nullopt;
+    }
+    KeptNet net{name.get<std::string>(), step.get<std::string>(), colourFrom(colour.get<std::string>()),
+                hidden.get<bool>()};
+    const bool isColour = net.colour || colour.get<std::string>().empty();
+    return isColour ? std::optional(std::move(net)) : std::nullopt;
+}
+
+ordered_json jsonOf(const KeptNet& net) {
+    ordered_json json{{"name", net.name}, {"step", net.step}};
+    if (net.colour) {
+        json["colour"] = colourText(*net.colour);
+    }
+    if (net.isHidden) {
+        json["hidden"] = true;
+    }
+    return json;
+}
+
+void readNets(const ordered_json& json, const Document& document, LoadedSession& out) {
+    if (!json.is_array()) {
+        out.ignored.push_back(std::string(kNetsKey) + " is not a list of nets");
+        return;
+    }
+    for (std::size_t i = 0; i < json.size(); ++i) {
+        if (std::optional<KeptNet> net = netFrom(json[i])) {
+            out.session.nets.push_back(std::move(*net));
+        } else {
+            out.ignored.push_back("net " + std::to_string(i + 1) +
+                                  ", which has no name and step, or no colour #rrggbb");
+        }
+    }
+    const StepTree tree = unfoldCopies(document);
+    const auto found = findNets(tree, out.session.nets);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const KeptNet& net = out.session.nets[i];
+        const bool isHere =
+            std::ranges::any_of(tree.steps, [&](const Document* step) { return step->job.step == net.step; });
+        if (!found[i] && isHere) {
+            out.ignored.push_back("net " + net.name + ": step " + net.step + " has no such net");
+        }
+    }
+}
+
 std::string reason() {
     return std::strerror(errno);
 }
@@ -257,6 +311,8 @@ LoadedSession loadSession(const fs::path& board, const Document& document) {
             readThicknesses(value, document.stackup, out);
         } else if (key == kViewsKey) {
             readViews(value, out);
+        } else if (key == kNetsKey) {
+            readNets(value, document, out);
         } else if (key != kVersionKey && key != kJobKey) {
             out.ignored.push_back("\"" + key + "\" is not known");
         }
@@ -282,6 +338,14 @@ base::Status saveViews(const fs::path& board, const Document& document, const st
         json.push_back(jsonOf(view));
     }
     return savePart(board, document, kViewsKey, json);
+}
+
+base::Status saveNets(const fs::path& board, const Document& document, const std::vector<KeptNet>& nets) {
+    ordered_json json;
+    for (const KeptNet& net : nets) {
+        json.push_back(jsonOf(net));
+    }
+    return savePart(board, document, kNetsKey, json);
 }
 
 std::shared_ptr<const Document> applyThicknesses(std::shared_ptr<const Document> document,

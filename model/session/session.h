@@ -7,13 +7,15 @@
 
 #include "model/base/result.h"
 #include "model/document.h"
+#include "model/session/kept_nets.h"
 
 /// What a user has set for a board, over what the job says. It lies in a file of its own beside the job, which is never
 /// written to. The file holds only what was changed:
 ///
 ///     {"copperscope_session": 1, "job": "amp", "thickness_nm": {"TOP": 70000},
 ///      "views": [{"name": "U1", "step": "pcb", "layers": ["TOP"], "flat": {"target_mm": [1, 2, 0], "distance_mm": 30,
-///                 "yaw_deg": 0, "pitch_deg": -90, "parallel": true}, "solid": {…}}]}
+///                 "yaw_deg": 0, "pitch_deg": -90, "parallel": true}, "solid": {…}}],
+///      "nets": [{"name": "GND", "step": "pcb", "colour": "#e69f00", "hidden": true}]}
 namespace model::session {
 
 inline constexpr int kVersion = 1;
@@ -41,6 +43,8 @@ struct KeptView {
 struct Session {
     std::vector<ThicknessOverride> thicknesses;
     std::vector<KeptView> views;
+    std::vector<KeptNet>
+        nets{};  ///< also those that this board does not have: nothing is lost when it is written again
     bool operator==(const Session&) const = default;
 };
 
@@ -66,6 +70,8 @@ struct LoadedSession {
                                            const std::vector<ThicknessOverride>& thicknesses);
 [[nodiscard]] base::Status saveViews(const std::filesystem::path& board, const Document& document,
                                      const std::vector<KeptView>& views);
+[[nodiscard]] base::Status saveNets(const std::filesystem::path& board, const Document& document,
+                                    const std::vector<KeptNet>& nets);
 
 /// The document with these thicknesses in it.
 [[nodiscard]] std::shared_ptr<const Document> applyThicknesses(std::shared_ptr<const Document> document,

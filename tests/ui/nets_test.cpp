@@ -1,6 +1,9 @@
-// The Nets panel in the window: groups, what is known of nets, and nets of steps that a panel places.
+// The Nets panel in the window: groups, what is known of nets, nets of steps that a panel places, colours and hiding.
 
+#include <QColorDialog>
 #include <QComboBox>
+#include <QMouseEvent>
+#include <QSlider>
 #include <QtTest>
 
 #include "tests/places.h"
@@ -36,8 +39,9 @@ private slots:
         click(0);
         click(1);
         QCOMPARE(window().selection().nets(), (std::vector<BoardNet>{{0, nets().netAt(1)}}));
+        window().views().solid().takeKeyboard();
         m_fixture->key(Qt::Key_Escape);
-        QVERIFY(table().selectionModel()->selectedRows().isEmpty());
+        QTRY_VERIFY(table().selectionModel()->selectedRows().isEmpty());
     }
 
     void whatIsKnownOfTheHighlightedNetsStandsBelow() {
@@ -87,7 +91,98 @@ private slots:
         }
     }
 
+    void aColourStaysUntilItIsTakenBack() {
+        openCopy();
+        const QImage before = m_fixture->picture();
+        window().selection().setNets({gnd()});
+        m_fixture->key(Qt::Key_U);
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(window().selection().nets().empty());
+        QVERIFY(window().netLooks().of(gnd()).colour.has_value());
+        const QImage coloured = m_fixture->picture();
+        QVERIFY(differingPixels(before, coloured) > 50);
+        window().actions()[ActionId::Undo].trigger();
+        QCOMPARE(differingPixels(before, m_fixture->picture()), 0);
+        window().actions()[ActionId::Redo].trigger();
+        QCOMPARE(differingPixels(coloured, m_fixture->picture()), 0);
+        m_fixture->restart();
+        openCopy();
+        QVERIFY2(window().netLooks().of(gnd()).colour.has_value(), "it is in the session file");
+        QVERIFY(differingPixels(before, m_fixture->picture()) > 50);
+        window().actions()[ActionId::ClearNetColours].trigger();
+        QCOMPARE(differingPixels(before, m_fixture->picture()), 0);
+        QVERIFY(!std::filesystem::exists(model::session::sessionPath(m_job)));
+    }
+
+    void hiddenNetsAreNeitherDrawnNorClicked() {
+        open(places::kSample);
+        window().layers().showCopperOnly();
+        const model::ElementId pad = aPadOf(gnd());
+        BoardView& view = window().views().flat();
+        view.controller().show(place(pad) - glm::vec3(1.0F), place(pad) + glm::vec3(1.0F));
+        const QPointF at = *view.controller().screenOf(place(pad));
+        click(view, at);
+        QCOMPARE(window().selection().netOf(*window().selection().current()), std::optional(gnd()));
+        const QImage before = picture(view);
+        m_fixture->key(Qt::Key_N, Qt::ShiftModifier);  // of what is selected
+        QVERIFY(window().netLooks().isHidden(gnd()));
+        window().selection().select({});
+        QVERIFY(differingPixels(before, picture(view)) > 200);
+        click(view, at);
+        const auto found = window().selection().current();
+        QVERIFY(!found || window().selection().netOf(*found) != gnd());
+        for (const auto& hit : window().probing().hitsAt(view, at)) {
+            QVERIFY(window().selection().netOf(hit.at) != gnd());
+        }
+        window().actions()[ActionId::ShowAllNets].trigger();
+        QVERIFY(!window().netLooks().isHidden(gnd()));
+        QVERIFY(!window().probing().hitsAt(view, at).empty());
+        window().actions()[ActionId::Undo].trigger();
+        window().actions()[ActionId::Undo].trigger();
+        QVERIFY(window().netLooks().state().empty());
+    }
+
+    void cellsOfThePanelHideAndColour() {
+        openCopy();
+        const int row = *nets().rowOf(gnd().net);
+        click(row, Qt::NoModifier, NetModel::Shown);
+        QVERIFY(window().netLooks().isHidden(gnd()));
+        QVERIFY2(window().selection().nets().empty(), "a box is no row to be chosen");
+        click(row, Qt::NoModifier, NetModel::Shown);
+        QVERIFY(!window().netLooks().isHidden(gnd()));
+        click(row, Qt::NoModifier, NetModel::Colour);
+        QVERIFY(nets().index(row, NetModel::Colour).data(Qt::EditRole).value<QColor>().isValid());
+        panel().chooseColour({gnd()});
+        auto* dialog = panel().findChild<QColorDialog*>();
+        QVERIFY(dialog != nullptr);
+        dialog->setCurrentColor(QColor(1, 2, 3));
+        dialog->accept();
+        QCOMPARE(window().netLooks().of(gnd()).colour, std::optional(qRgb(1, 2, 3)));
+        click(row);
+        QTest::keyClick(&table(), Qt::Key_Space);
+        QVERIFY(window().netLooks().isHidden(gnd()));
+    }
+
+    void theRestIsDimmedAsFarAsTheSliderSays() {
+        openCopy();
+        const QImage before = m_fixture->picture();
+        m_fixture->key(Qt::Key_D);
+        QCOMPARE(differingPixels(before, m_fixture->picture()), 0);
+        window().selection().setNets({gnd()});
+        std::vector<double> lights;
+        for (const int percent : {0, 50, 100}) {
+            panel().dimSlider().setValue(percent);
+            lights.push_back(lightOf(m_fixture->picture()));
+        }
+        QVERIFY(lights[0] > lights[1] + 0.1 && lights[1] > lights[2] + 0.1);
+        m_fixture->key(Qt::Key_D);
+        QVERIFY(std::abs(lightOf(m_fixture->picture()) - lights[0]) < 1e-6);
+    }
+
 private:
+    using ActionId = ui::ActionId;
+    using BoardView = ui::BoardView;
+
     ui::MainWindow& window() { return m_fixture->window(); }
     ui::NetsPanel& panel() { return window().netsPanel(); }
     NetModel& nets() { return window().nets(); }
@@ -96,13 +191,61 @@ private:
         QVERIFY(m_fixture->openAndWait(path));
         QTRY_VERIFY(nets().isArranged());
     }
-    void click(int row, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
-        table().scrollTo(nets().index(row, NetModel::Name));
+    /// A copy that a session may lie beside.
+    void openCopy() {
+        m_job = std::filesystem::path(m_fixture->folder().toStdString()) / "everything";
+        if (!std::filesystem::exists(m_job)) {
+            std::filesystem::copy(std::filesystem::path(places::kTestData) / "odb/everything", m_job,
+                                  std::filesystem::copy_options::recursive);
+        }
+        open(QString::fromStdString(m_job.string()));
+    }
+    BoardNet gnd() { return {0, window().document()->findNet("GND")}; }
+    void click(int row, Qt::KeyboardModifiers modifiers = Qt::NoModifier, int column = NetModel::Name) {
+        table().scrollTo(nets().index(row, column));
         QTest::mouseClick(table().viewport(), Qt::LeftButton, modifiers,
-                          table().visualRect(nets().index(row, NetModel::Name)).center());
+                          table().visualRect(nets().index(row, column)).center());
+    }
+    /// On the uppermost copper layer.
+    model::ElementId aPadOf(const BoardNet& net) {
+        const model::Document& board = *window().document();
+        for (const model::ElementId element : board.elementsOf(net.net)) {
+            const model::Layer& layer = board.layer(board.elements.layer[element.row()]);
+            if (layer.isCopper() && layer.side == model::LayerSide::Top &&
+                (board.elements.flags[element.row()] & model::kPad) != 0) {
+                return element;
+            }
+        }
+        return {};
+    }
+    glm::vec3 place(model::ElementId element) {
+        const model::Box box = window().document()->boxOf(element);
+        return window().probing().place().toModel(
+            {(double(box.min.x) + box.max.x) / 2.0, (double(box.min.y) + box.max.y) / 2.0});
+    }
+    static QImage picture(BoardView& view) {
+        base::Result<QImage> image = view.grabPicture();
+        return image ? image->convertToFormat(QImage::Format_RGB32) : QImage();
+    }
+    static void click(BoardView& view, QPointF at) {
+        for (const auto type : {QEvent::MouseButtonPress, QEvent::MouseButtonRelease}) {
+            QMouseEvent event(type, at, view.mapToGlobal(at), Qt::LeftButton,
+                              type == QEvent::MouseButtonPress ? Qt::LeftButton : Qt::NoButton, Qt::NoModifier);
+            QCoreApplication::sendEvent(&view.canvas(), &event);
+        }
+    }
+    static double lightOf(const QImage& picture) {
+        double sum = 0.0;
+        for (int y = 0; y < picture.height(); ++y) {
+            for (int x = 0; x < picture.width(); ++x) {
+                sum += qGray(picture.pixel(x, y));
+            }
+        }
+        return sum / (picture.width() * picture.height());
     }
 
     std::unique_ptr<WindowFixture> m_fixture;
+    std::filesystem::path m_job;
 };
 
 QTEST_MAIN(NetsTest)

@@ -227,8 +227,9 @@ private slots:
                           table.visualRect(window().nets().index(row, 0)).center());
         QCOMPARE(window().selection().nets(), (std::vector{boardNet(board().elements.net[aPad().row()])}));
         QVERIFY(differingPixels(before, picture(views().flat())) > 20);
+        views().solid().takeKeyboard();
         m_fixture->key(Qt::Key_Escape);
-        QVERIFY(table.selectionModel()->selectedRows().isEmpty());
+        QTRY_VERIFY(table.selectionModel()->selectedRows().isEmpty());
         window().selection().setNets({boardNet(window().nets().netAt(2))});
         QCOMPARE(table.selectionModel()->selectedRows().size(), 1);
         QCOMPARE(table.selectionModel()->selectedRows()[0].row(), 2);
@@ -262,10 +263,11 @@ private slots:
         const model::ElementId pad = aPad();
         views().flat().controller().show(boxMin(pad), boxMax(pad));
         const QImage before = picture(views().flat());
-        for (const Qt::Key key : {Qt::Key_G, Qt::Key_W}) {
-            m_fixture->key(key);
+        for (const QKeyCombination keys :
+             {QKeyCombination(Qt::Key_G), QKeyCombination(Qt::Key_W), Qt::SHIFT | Qt::Key_W}) {
+            m_fixture->key(keys.key(), keys.keyboardModifiers());
             QVERIFY(differingPixels(before, picture(views().flat())) > 50);
-            m_fixture->key(key);
+            m_fixture->key(keys.key(), keys.keyboardModifiers());
             QCOMPARE(differingPixels(before, picture(views().flat())), 0);
         }
     }

@@ -180,22 +180,4 @@ QString BoardSearch::detailOf(const Found& found) const {
     return {};
 }
 
-std::vector<model::BoardElement> BoardSearch::padsOf(const Found& found) const {
-    std::uint32_t first = found.row;
-    std::uint32_t count = found.kind == FoundKind::Pin ? 1 : 0;
-    if (found.kind == FoundKind::Component) {
-        first = m_board->components[found.row].firstPin;
-        count = m_board->components[found.row].pinCount;
-    }
-    std::vector<model::BoardElement> pads;
-    for (std::size_t row = 0; count > 0 && row < m_board->elements.size(); ++row) {
-        const model::SubnetId subnet = m_board->elements.subnet[row];
-        const model::PinId pin = subnet.isValid() ? m_board->subnets[subnet.row()].pin : model::PinId{};
-        if (pin.isValid() && pin.row() >= first && pin.row() < first + count) {
-            pads.push_back({0, model::ElementId{row}});
-        }
-    }
-    return pads;
-}
-
 }  // namespace ui::models

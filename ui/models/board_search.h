@@ -32,8 +32,6 @@ public:
     [[nodiscard]] QString titleOf(const Found& found) const;
     /// "Net, 5 elements", "Component, 0603 on the top side": what it is.
     [[nodiscard]] QString detailOf(const Found& found) const;
-    /// What lights up when it is chosen: the pads of pins and components; none for others.
-    [[nodiscard]] std::vector<model::BoardElement> padsOf(const Found& found) const;
 
 private:
     std::shared_ptr<const model::Document> m_board;

@@ -1,6 +1,7 @@
 #include "ui/models/element_facts.h"
 
 #include <QStringList>
+#include <algorithm>
 
 #include "model/measures.h"
 
@@ -101,21 +102,48 @@ void addMeasures(const Subject& s, Facts& facts) {
 }
 
 /// Pins that lie on the element's net inside of its box: what a pad belongs to.
-void addPins(const Subject& s, Facts& facts) {
+std::vector<const model::Pin*> pinsOf(const Subject& s) {
+    std::vector<const model::Pin*> pins;
+    if (!s.has(model::kPad) && !s.has(model::kHole)) {
+        return pins;
+    }
     const model::NetId net = s.step.elements.net[s.element.row()];
     const model::Box box = s.step.boxOf(s.element);
-    if (!s.has(model::kPad) && !s.has(model::kHole)) {
-        return;
+    for (const model::Pin& pin : s.step.pins) {
+        if (pin.net == net && pin.component.isValid() && pin.position.x >= box.min.x && pin.position.x <= box.max.x &&
+            pin.position.y >= box.min.y && pin.position.y <= box.max.y) {
+            pins.push_back(&pin);
+        }
     }
-    for (const model::Component& component : s.step.components) {
-        for (std::uint32_t i = component.firstPin; i < component.firstPin + component.pinCount; ++i) {
-            const model::Pin& pin = s.step.pins[i];
-            if (pin.net == net && pin.position.x >= box.min.x && pin.position.x <= box.max.x &&
-                pin.position.y >= box.min.y && pin.position.y <= box.max.y) {
-                facts.emplace_back(
-                    QStringLiteral("Pin"),
-                    QString::fromStdString(component.refdes + '.' + s.step.text(pin.name) + "  " + component.part));
-            }
+    return pins;
+}
+
+QString partText(const Subject& s, const model::Component& component) {
+    QStringList words{QString::fromStdString(component.refdes)};
+    if (!component.part.empty()) {
+        words += QString::fromStdString(component.part);
+    }
+    if (component.package.isValid()) {
+        words += QString::fromStdString(s.step.packages[component.package.row()].name);
+    }
+    return words.join(QStringLiteral("  "));
+}
+
+/// Pins, and the components they are of; of a body its component.
+void addParts(const Subject& s, Facts& facts) {
+    std::vector<model::ComponentId> parts;
+    for (const model::Pin* pin : pinsOf(s)) {
+        const std::string& refdes = s.step.components[pin->component.row()].refdes;
+        facts.emplace_back(QStringLiteral("Pin"), QString::fromStdString(refdes + '.' + s.step.text(pin->name)));
+        parts.push_back(pin->component);
+    }
+    if (const model::Body* body = s.step.bodyOf(s.element)) {
+        parts.push_back(body->component);
+    }
+    parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+    for (const model::ComponentId part : parts) {
+        if (part.isValid()) {
+            facts.emplace_back(QStringLiteral("Component"), partText(s, s.step.components[part.row()]));
         }
     }
 }
@@ -150,7 +178,7 @@ Facts factsOf(const model::StepTree& tree, const model::BoardElement& at, Length
     if (elements.net[row].isValid()) {
         facts.emplace_back(QStringLiteral("Net"), QString::fromStdString(s.step.nets[elements.net[row].row()].name));
     }
-    addPins(s, facts);
+    addParts(s, facts);
     if (elements.symbol[row].isValid()) {
         facts.emplace_back(QStringLiteral("Symbol"),
                            QString::fromStdString(s.step.symbols[elements.symbol[row].row()]));
@@ -183,10 +211,12 @@ QString summaryOf(const model::StepTree& tree, const model::BoardElement& at, Le
     if (elements.net[row].isValid()) {
         words += QString::fromStdString(s.step.nets[elements.net[row].row()].name);
     }
-    Facts pins;
-    addPins(s, pins);
-    for (const auto& [name, value] : pins) {
-        words += value.section(QStringLiteral("  "), 0, 0);
+    Facts parts;
+    addParts(s, parts);
+    for (const auto& [name, value] : parts) {
+        if (name == QLatin1String("Pin") || parts.size() == 1) {  // pins name their components
+            words += value.section(QStringLiteral("  "), 0, 0);
+        }
     }
     return words.join(QStringLiteral(" · "));
 }

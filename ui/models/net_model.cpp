@@ -21,6 +21,8 @@ constexpr ColumnText kColumns[NetModel::ColumnCount] = {
     {"Vias", "Plated holes that are there to join layers; not those of pins"},
     {"Length", "Middle lines of all strokes on copper layers, pads left out"},
     {"Copper", "Area of what is drawn on copper layers; where elements overlap it counts twice"},
+    {"Colour", "The net's own colour; a click gives it one, or changes it"},
+    {"Show", "Whether the net is drawn"},
 };
 
 constexpr std::size_t kCheckEvery = 4096;  // nets between two looks at whether the answer is still wanted
@@ -162,8 +164,9 @@ NetModel::~NetModel() {
 }
 
 void NetModel::setNets(std::shared_ptr<const model::Document> document,
-                       std::shared_ptr<const model::NetStatistics> statistics) {
+                       std::shared_ptr<const model::NetStatistics> statistics, std::uint32_t step) {
     beginResetModel();
+    m_step = step;
     m_document = std::move(document);
     m_statistics = std::move(statistics);
     m_rows.clear();
@@ -172,6 +175,15 @@ void NetModel::setNets(std::shared_ptr<const model::Document> document,
     m_shownNets = 0;
     endResetModel();
     arrange();
+}
+
+void NetModel::setLooks(NetLooks& looks) {
+    m_looks = &looks;
+    connect(&looks, &NetLooks::changed, this, [this] {
+        if (!m_rows.empty()) {
+            emit dataChanged(index(0, Colour), index(rowCount() - 1, Shown));
+        }
+    });
 }
 
 void NetModel::setUnit(LengthUnit unit) {
@@ -285,6 +297,51 @@ QString NetModel::text(std::size_t net, int column) const {
     }
 }
 
+std::vector<model::BoardNet> NetModel::netsAt(int row) const {
+    const int first = isHeading(row) ? row + 1 : row;
+    const int end = isHeading(row) ? endOfGroup(row) : row + 1;
+    std::vector<model::BoardNet> nets;
+    for (int member = first; member < end; ++member) {
+        nets.push_back({m_step, netAt(member)});
+    }
+    return nets;
+}
+
+QVariant NetModel::look(int row, int column, int role) const {
+    if (column == Shown && role == Qt::CheckStateRole) {
+        const bool isAnyHidden =
+            m_looks != nullptr && !m_looks->state().empty() &&
+            std::ranges::any_of(netsAt(row), [&](const model::BoardNet& net) { return m_looks->isHidden(net); });
+        return isAnyHidden ? Qt::Unchecked : Qt::Checked;
+    }
+    if (column != Colour || m_looks == nullptr || isHeading(row)) {
+        return {};
+    }
+    const std::optional<QRgb> colour = m_looks->of({m_step, netAt(row)}).colour;
+    if (!colour) {
+        return {};
+    }
+    return role == Qt::EditRole      ? QVariant(QColor(*colour))
+           : role == Qt::DisplayRole ? QVariant(QColor(*colour).name())
+                                     : QVariant();
+}
+
+bool NetModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    if (m_looks == nullptr || !checkIndex(index, CheckIndexOption::IndexIsValid)) {
+        return false;
+    }
+    if (index.column() == Shown && role == Qt::CheckStateRole) {
+        m_looks->hide(netsAt(index.row()), value.toInt() == Qt::Unchecked);
+        return true;
+    }
+    if (index.column() == Colour && role == Qt::EditRole) {
+        const auto colour = value.value<QColor>();
+        m_looks->colour(netsAt(index.row()), colour.isValid() ? std::optional(colour.rgb()) : std::nullopt);
+        return true;
+    }
+    return false;
+}
+
 QVariant NetModel::heading(int row, int column, int role) const {
     const std::uint32_t group = m_rows[static_cast<std::size_t>(row)] & ~kHeading;
     if (role == Qt::FontRole) {
@@ -306,6 +363,9 @@ QVariant NetModel::heading(int row, int column, int role) const {
 QVariant NetModel::data(const QModelIndex& index, int role) const {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) {
         return {};
+    }
+    if (index.column() == Colour || index.column() == Shown) {
+        return look(index.row(), index.column(), role);
     }
     if (isHeading(index.row())) {
         return heading(index.row(), index.column(), role);

@@ -7,9 +7,11 @@
 #include <optional>
 #include <vector>
 
+#include "model/copies.h"
 #include "model/net_groups.h"
 #include "model/net_statistics.h"
 #include "ui/models/lengths.h"
+#include "ui/models/net_looks.h"
 
 namespace ui::models {
 
@@ -20,15 +22,18 @@ class NetModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
-    enum Column { Name, Pins, Vias, Length, Area, ColumnCount };
+    enum Column { Name, Pins, Vias, Length, Area, Colour, Shown, ColumnCount };
     enum class FilterKind { Text, Wildcard, Regex };
 
     explicit NetModel(QObject* parent = nullptr);
     ~NetModel() override;
 
-    /// `statistics` may be null: then the numbers are 0 and names are in the order of the job.
+    /// `statistics` may be null: then the numbers are 0 and names are in the order of the job. `step` is the row of the
+    /// document in model::StepTree::steps.
     void setNets(std::shared_ptr<const model::Document> document,
-                 std::shared_ptr<const model::NetStatistics> statistics);
+                 std::shared_ptr<const model::NetStatistics> statistics, std::uint32_t step = 0);
+    /// Colours and whether nets are shown: read here, and asked for where a cell is edited.
+    void setLooks(NetLooks& looks);
     void setUnit(LengthUnit unit);
     /// Case does not matter. Several words of a text must all be in the name; a wildcard has * and ? and fits the whole
     /// name. False if a regular expression is not one: then all nets are shown.
@@ -41,6 +46,9 @@ public:
     [[nodiscard]] bool isHeading(int row) const { return (m_rows[static_cast<std::size_t>(row)] & kHeading) != 0; }
     /// None for headings.
     [[nodiscard]] model::NetId netAt(int row) const;
+    /// The net of a row, or all that stand under a heading.
+    [[nodiscard]] std::vector<model::BoardNet> netsAt(int row) const;
+    [[nodiscard]] std::uint32_t step() const { return m_step; }
     /// One behind the last row under a heading.
     [[nodiscard]] int endOfGroup(int heading) const;
     /// Of all rows, headings left out.
@@ -52,6 +60,7 @@ public:
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
     void sort(int column, Qt::SortOrder order) override;
 
@@ -71,9 +80,12 @@ private:
     [[nodiscard]] QVariant number(std::size_t net, int column) const;
     [[nodiscard]] QString text(std::size_t net, int column) const;
     [[nodiscard]] QVariant heading(int row, int column, int role) const;
+    [[nodiscard]] QVariant look(int row, int column, int role) const;
 
     std::shared_ptr<const model::Document> m_document;
     std::shared_ptr<const model::NetStatistics> m_statistics;
+    NetLooks* m_looks = nullptr;
+    std::uint32_t m_step = 0;
     LengthUnit m_unit = LengthUnit::Millimetre;
     QString m_pattern;
     FilterKind m_kind = FilterKind::Text;

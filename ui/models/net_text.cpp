@@ -44,12 +44,12 @@ QString layersText(const model::Document& document, std::span<const model::NetId
             lengths[layer] += length;
         }
     }
-    QString text;
+    QStringList texts;
     for (const auto& [layer, length] : lengths) {
-        text += QStringLiteral("\n%1: %2")
-                    .arg(QString::fromStdString(document.layer(layer).name), lengthInBoth(length, unit));
+        texts +=
+            QStringLiteral("%1: %2").arg(QString::fromStdString(document.layer(layer).name), lengthText(length, unit));
     }
-    return text;
+    return texts.isEmpty() ? QString() : '\n' + texts.join(QStringLiteral(" · "));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace ui::models {
 
@@ -29,6 +30,7 @@ void SelectionModel::setBoard(std::shared_ptr<const model::Document> board) {
     m_hovered.reset();
     m_current.reset();
     m_selected.clear();
+    m_title.clear();
     m_nets.clear();
     emit hoverChanged();
     emit selectionChanged();
@@ -44,7 +46,13 @@ void SelectionModel::hover(std::optional<model::BoardElement> element) {
     }
 }
 
+void SelectionModel::selectAs(const QString& title, const std::vector<model::BoardElement>& elements) {
+    m_nextTitle = title;
+    select(elements);
+}
+
 void SelectionModel::select(const std::vector<model::BoardElement>& elements, Mode mode) {
+    m_title = std::exchange(m_nextTitle, QString());
     m_selected = mode == Mode::Toggle ? toggled(m_selected, elements) : elements;
     sortUnique(m_selected);
     const auto isSelected = [&](const model::BoardElement& e) { return std::ranges::binary_search(m_selected, e); };

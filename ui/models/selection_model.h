@@ -30,6 +30,10 @@ public:
     enum class Mode { Replace, Toggle };
     /// Nothing selected when `elements` is empty and they replace. Toggled ones change sides.
     void select(const std::vector<model::BoardElement>& elements, Mode mode = Mode::Replace);
+    /// Elements that are one thing together, and what it is: "Component U1".
+    void selectAs(const QString& title, const std::vector<model::BoardElement>& elements);
+    /// What is selected, if it is more than its elements; else empty.
+    [[nodiscard]] const QString& title() const { return m_title; }
     /// In rising order.
     [[nodiscard]] const std::vector<model::BoardElement>& selected() const { return m_selected; }
     /// The one selected last; none when nothing is selected.
@@ -65,6 +69,8 @@ private:
     model::StepTree m_tree;
     std::optional<model::BoardElement> m_hovered;
     std::vector<model::BoardElement> m_selected;
+    QString m_title;
+    QString m_nextTitle;  ///< of the selection that is being made
     std::optional<model::BoardElement> m_current;
     std::vector<model::BoardNet> m_nets;
 };

@@ -221,6 +221,39 @@ private slots:
         QCOMPARE(found, (std::vector<BoardElement>{{2, pad}}));
     }
 
+    void hiddenNetsAreLookedThrough() {
+        DocumentBuilder builder;
+        DocumentBuilder::Origin origin;
+        origin.net = builder.addNet("A");
+        builder.beginLayer(builder.addLayer({}));
+        const ElementId pad = builder.addCircle({{0, 0}, kMm, 0}, origin);
+        const ElementId below = builder.addCircle({{0, 0}, 2 * kMm, 0}, {});
+        const auto step = builder.finish();
+        auto board = std::make_shared<Document>();
+        board->layers.emplace_back();
+        board->steps = {step};
+        board->instances = {{0, {}, false}};
+        board->extent = {{-kMm, -kMm}, {kMm, kMm}};
+        Picker picker(indexed(board));
+        const std::vector<PickLayer> layers = {{true, 0.0, 1e5}};
+        const SightLine down{{0.0, 0.0}, 1e6, {0.0, 0.0}, 1.0};
+        const Box box{{-2 * kMm, -2 * kMm}, {2 * kMm, 2 * kMm}};
+        const auto expect = [&](const std::vector<BoardElement>& elements) {
+            const auto found = picker.at({0.0, 0.0}, 0.0, layers, false);
+            QCOMPARE(found.size(), elements.size());
+            QCOMPARE(found.front().at, elements.front());
+            QCOMPARE(picker.along(down, 0.0, layers).front().at, elements.front());
+            QCOMPARE(picker.inside(box, true, layers), elements);
+        };
+        expect({{1, pad}, {1, below}});
+        picker.hideNets({{true}});  // of the board itself, which has none
+        expect({{1, pad}, {1, below}});
+        picker.hideNets({{}, {true}});
+        expect({{1, below}});
+        picker.hideNets({});
+        expect({{1, pad}, {1, below}});
+    }
+
     void agreesWithGapsMeasuredOneByOne() {
         std::mt19937 random(7);
         std::uniform_int_distribution<Nm> place(-10 * kMm, 10 * kMm);

@@ -8,9 +8,14 @@
 #include "model/stackup.h"
 #include "tests/unit/odb/odb_testing.h"
 
+using model::session::colourFrom;
+using model::session::colourText;
+using model::session::findNets;
+using model::session::KeptNet;
 using model::session::KeptView;
 using model::session::LoadedSession;
 using model::session::loadSession;
+using model::session::saveNets;
 using model::session::saveThicknesses;
 using model::session::saveViews;
 using model::session::Session;
@@ -185,6 +190,47 @@ private slots:
         QVERIFY(found.session == Session());
         QCOMPARE(found.ignored.size(), std::size_t{1});
         QVERIFY(found.ignored[0].find("other") != std::string::npos);
+    }
+
+    void looksOfNetsAreKeptByName() {
+        const Place place;
+        const std::vector<KeptNet> nets = {{"GND", "BOARD", 0x00e69f00, false},
+                                           {"LOST", "BOARD", std::nullopt, true},
+                                           {"GND", "another step", 0x00000001, true}};
+        QVERIFY(saveNets(place.board, *place.document, nets).ok());
+        LoadedSession found = place.load();
+        QCOMPARE(found.session.nets, nets);
+        QVERIFY2(found.ignored.empty(), "nets of steps that are not shown are no matter");
+        model::StepTree tree = model::unfoldCopies(*place.document);
+        const auto at = findNets(tree, nets);
+        QCOMPARE(at[0], std::optional(model::BoardNet{0, place.document->findNet("GND")}));
+        QVERIFY(at[1] && !at[2]);
+        QVERIFY(saveNets(place.board, *place.document, {}).ok());
+        QVERIFY(!fs::exists(sessionPath(place.board)));
+    }
+
+    void netsThatAreNotThereAreToldAndNotLost() {
+        const Place place;
+        std::string text =
+            "{'copperscope_session': 1, 'job': 'everything', 'nets': ["
+            "{'name': 'GONE', 'step': 'BOARD', 'hidden': true}, {'name': 'GND'}, 7,"
+            "{'name': 'GND', 'step': 'BOARD', 'colour': 'red'},"
+            "{'name': 'GND', 'step': 'BOARD', 'colour': '#12345g'}]}";
+        std::ranges::replace(text, '\'', '"');
+        place.write(text);
+        const LoadedSession found = place.load();
+        QCOMPARE(found.session.nets, (std::vector<KeptNet>{{"GONE", "BOARD", std::nullopt, true}}));
+        QCOMPARE(found.ignored.size(), std::size_t{5});
+        QVERIFY(found.ignored.back().find("GONE") != std::string::npos);
+    }
+
+    void coloursAreWrittenAsTheyAreRead() {
+        for (const std::uint32_t colour : {0x000000U, 0x000001U, 0xe69f00U, 0xffffffU}) {
+            QCOMPARE(colourFrom(colourText(colour)), std::optional(colour));
+        }
+        for (const char* text : {"", "#", "#12345", "#1234567", "1234567", "#-12345", "#00000x"}) {
+            QVERIFY(!colourFrom(text));
+        }
     }
 
     void whatIsNoSessionIsNeitherReadNorOverwritten_data() {

@@ -47,18 +47,6 @@ private slots:
         }
     }
 
-    void padsAreThoseOfTheToeprints() {
-        const Found part = only("U1");
-        std::size_t expected = 0;
-        for (const model::SubnetId subnet : m_board->elements.subnet) {
-            const model::PinId pin = subnet.isValid() ? m_board->subnets[subnet.row()].pin : model::PinId{};
-            expected += pin.isValid() && m_board->pins[pin.row()].component.row() == part.row ? 1 : 0;
-        }
-        QVERIFY(expected > 0);
-        QCOMPARE(m_search.padsOf(part).size(), expected);
-        QVERIFY(m_search.padsOf(only("SW")).empty());
-    }
-
     void placesAreRead_data() {
         QTest::addColumn<QString>("text");
         QTest::addColumn<double>("x");

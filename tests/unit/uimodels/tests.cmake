@@ -5,5 +5,6 @@ copperscope_test(uimodels_statistics_model unit/uimodels/statistics_model_test.c
 copperscope_test(uimodels_element_facts unit/uimodels/element_facts_test.cpp LABEL unit LINK copperscope_ui_models)
 copperscope_test(uimodels_selection_model unit/uimodels/selection_model_test.cpp LABEL unit LINK copperscope_ui_models)
 copperscope_test(uimodels_net_model unit/uimodels/net_model_test.cpp LABEL unit LINK copperscope_ui_models)
+copperscope_test(uimodels_net_looks unit/uimodels/net_looks_test.cpp LABEL unit LINK copperscope_ui_models)
 copperscope_test(uimodels_stack_model unit/uimodels/stack_model_test.cpp LABEL unit LINK copperscope_ui_models)
 copperscope_test(uimodels_board_search unit/uimodels/board_search_test.cpp LABEL unit LINK copperscope_ui_models copperscope_odb LibArchive::LibArchive)

@@ -1,0 +1,188 @@
+// From an element in a view to its pin, its component, its net and its layer, with real clicks and keys.
+
+#include <QMouseEvent>
+#include <QTableWidget>
+#include <QtTest>
+
+#include "tests/places.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/element_panel.h"
+#include "ui/layers_panel.h"
+
+using model::BoardElement;
+using model::ElementId;
+
+class PartsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        m_fixture = std::make_unique<WindowFixture>();
+        QVERIFY(m_fixture->openAndWait(places::kSample));
+        m_finder.emplace(board());
+        m_pad = aPadOfAPart();
+        QVERIFY(m_pad.isValid());
+    }
+    void init() {
+        while (window().selection().clearStep()) {
+        }
+        window().layers().restoreDefaults();
+        window().views().flat().controller().look(render::NamedView::Top);
+        window().views().solid().controller().look(render::NamedView::Top);
+    }
+    void cleanupTestCase() {
+        const std::uint32_t errors = m_fixture->context().validationErrors();
+        m_fixture.reset();
+        QCOMPARE(errors, 0U);
+    }
+
+    void theComponentOfAPadLightsUpInBothViews() {
+        const QImage before[] = {picture(flat()), picture(solid())};
+        window().selection().select({{0, m_pad}});
+        m_fixture->key(Qt::Key_P);
+        QCOMPARE(selectedIds(), m_finder->elementsOf(part()));
+        QVERIFY(selectedIds().size() > 2);
+        QCOMPARE(window().selection().current(), std::optional(BoardElement{0, m_pad}));
+        QVERIFY(panel().heading().startsWith("Component " + refdes() + ","));
+        QVERIFY(differingPixels(before[0], picture(flat())) > 20);
+        QVERIFY(differingPixels(before[1], picture(solid())) > 20);
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(window().selection().selected().empty() && window().selection().title().isEmpty());
+        QCOMPARE(differingPixels(before[0], picture(flat())), 0);
+    }
+
+    void thePinOfAPadIsAllOfItsPadsAndItsHole() {
+        window().selection().select({{0, m_pad}});
+        m_fixture->key(Qt::Key_P, Qt::ShiftModifier);
+        QCOMPARE(selectedIds(), m_finder->elementsOf(m_finder->pinsOf(m_pad).front()));
+        QVERIFY(panel().heading().startsWith("Pin " + refdes() + "."));
+    }
+
+    void ctrlShiftAndAClickSelectTheComponent() {
+        flat().controller().show(centre(m_pad) - glm::vec3(1.0F), centre(m_pad) + glm::vec3(1.0F));
+        click(flat(), *flat().controller().screenOf(centre(m_pad)), Qt::ControlModifier | Qt::ShiftModifier);
+        QCOMPARE(selectedIds(), m_finder->elementsOf(part()));
+    }
+
+    void aBodyIsClickedIn3DAndBringsItsPads() {
+        const model::Body* body = aTopBody();
+        QVERIFY(body != nullptr);
+        window().layers().showOnly({board().layer(board().elements.layer[body->element.row()]).name});
+        solid().controller().show(centre(body->element) - glm::vec3(2.0F), centre(body->element) + glm::vec3(2.0F));
+        glm::vec3 top = centre(body->element);
+        top.z = static_cast<float>(base::toMm(board().heightsOf(body->element).top));
+        click(solid(), *solid().controller().screenOf(top));
+        QCOMPARE(window().selection().current(), std::optional(BoardElement{0, body->element}));
+        const std::string& refdesOfBody = board().components[body->component.row()].refdes;
+        QVERIFY(panel().fact("Component").startsWith(QString::fromStdString(refdesOfBody)));
+        m_fixture->key(Qt::Key_P);
+        QCOMPARE(selectedIds(), m_finder->elementsOf(body->component));
+    }
+
+    void whatBelongsToNothingIsTold() {
+        for (std::size_t row = 0; row < board().elements.size(); ++row) {
+            if (!m_finder->componentOf(ElementId{row}).isValid()) {
+                window().selection().select({{0, ElementId{row}}});
+                break;
+            }
+        }
+        const auto before = window().selection().selected();
+        QCOMPARE(before.size(), std::size_t{1});
+        m_fixture->key(Qt::Key_P);
+        m_fixture->key(Qt::Key_P, Qt::ShiftModifier);
+        QCOMPARE(window().selection().selected(), before);
+    }
+
+    void linksOfTheElementPanelGoOn() {
+        window().selection().select({{0, m_pad}});
+        clickFact("Layer");
+        QCOMPARE(window().layersPanel().currentLayer(), board().elements.layer[m_pad.row()]);
+        clickFact("Net");
+        QCOMPARE(window().selection().nets(), (std::vector<model::BoardNet>{{0, board().elements.net[m_pad.row()]}}));
+        clickFact("Component");
+        QCOMPARE(selectedIds(), m_finder->elementsOf(part()));
+        clickFact("Pin");
+        QVERIFY(window().selection().title().startsWith("Pin "));
+        window().selection().select({{0, m_pad}});
+        panel().table().setCurrentCell(rowOf("Component"), 1);
+        QTest::keyClick(&panel().table(), Qt::Key_Return);
+        QCOMPARE(selectedIds(), m_finder->elementsOf(part()));
+    }
+
+private:
+    ui::MainWindow& window() { return m_fixture->window(); }
+    ui::ElementPanel& panel() { return window().elementPanel(); }
+    ui::BoardView& flat() { return window().views().flat(); }
+    ui::BoardView& solid() { return window().views().solid(); }
+    const model::Document& board() { return *window().document(); }
+    model::ComponentId part() { return m_finder->componentOf(m_pad); }
+    QString refdes() { return QString::fromStdString(board().components[part().row()].refdes); }
+
+    /// On the uppermost copper layer, on a net, of one pin of a component of several.
+    ElementId aPadOfAPart() {
+        for (std::size_t row = 0; row < board().elements.size(); ++row) {
+            const ElementId element{row};
+            const model::Layer& layer = board().layer(board().elements.layer[row]);
+            if (layer.isCopper() && layer.side == model::LayerSide::Top && board().elements.net[row].isValid() &&
+                m_finder->pinsOf(element).size() == 1 &&
+                m_finder->elementsOf(m_finder->componentOf(element)).size() > 4) {
+                return element;
+            }
+        }
+        return {};
+    }
+    const model::Body* aTopBody() {
+        for (const model::Body& body : board().bodies) {
+            const model::Layer& layer = board().layer(board().elements.layer[body.element.row()]);
+            if (layer.side == model::LayerSide::Top && m_finder->elementsOf(body.component).size() > 2) {
+                return &body;
+            }
+        }
+        return nullptr;
+    }
+    std::vector<ElementId> selectedIds() {
+        std::vector<ElementId> ids;
+        for (const BoardElement& at : window().selection().selected()) {
+            ids.push_back(at.element);
+        }
+        return ids;
+    }
+    glm::vec3 centre(ElementId element) {
+        const model::Box box = board().boxOf(element);
+        return window().probing().place().toModel(
+            {(double(box.min.x) + box.max.x) / 2.0, (double(box.min.y) + box.max.y) / 2.0});
+    }
+    int rowOf(const char* fact) {
+        for (int row = 0; row < panel().table().rowCount(); ++row) {
+            if (panel().table().item(row, 0)->text() == QLatin1String(fact)) {
+                return row;
+            }
+        }
+        return -1;
+    }
+    void clickFact(const char* fact) {
+        QTableWidget& table = panel().table();
+        const int row = rowOf(fact);
+        QVERIFY(row >= 0);
+        table.scrollToItem(table.item(row, 1));
+        QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, table.visualItemRect(table.item(row, 1)).center());
+    }
+    static QImage picture(ui::BoardView& view) {
+        base::Result<QImage> image = view.grabPicture();
+        return image ? image->convertToFormat(QImage::Format_RGB32) : QImage();
+    }
+    static void click(ui::BoardView& view, QPointF at, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+        for (const auto type : {QEvent::MouseButtonPress, QEvent::MouseButtonRelease}) {
+            QMouseEvent event(type, at, view.mapToGlobal(at), Qt::LeftButton,
+                              type == QEvent::MouseButtonPress ? Qt::LeftButton : Qt::NoButton, modifiers);
+            QCoreApplication::sendEvent(&view.canvas(), &event);
+        }
+    }
+
+    std::unique_ptr<WindowFixture> m_fixture;
+    std::optional<model::PinFinder> m_finder;
+    ElementId m_pad;
+};
+
+QTEST_MAIN(PartsTest)
+#include "parts_test.moc"

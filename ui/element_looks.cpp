@@ -1,0 +1,79 @@
+#include "ui/element_looks.h"
+
+#include <QAction>
+#include <QSlider>
+
+namespace ui {
+
+namespace {
+
+std::vector<glm::vec3> coloursOf(const std::vector<QRgb>& palette) {
+    constexpr float kMost = 255.0F;
+    std::vector<glm::vec3> colours;
+    for (const QRgb colour : palette) {
+        colours.emplace_back(static_cast<float>(qRed(colour)) / kMost, static_cast<float>(qGreen(colour)) / kMost,
+                             static_cast<float>(qBlue(colour)) / kMost);
+    }
+    return colours;
+}
+
+}  // namespace
+
+ElementLooks::ElementLooks(BoardViews& views, models::SelectionModel& selection, models::NetLooks& nets,
+                           QObject* parent)
+    : QObject(parent), m_views(views), m_selection(selection), m_nets(nets) {
+    connect(&selection, &models::SelectionModel::highlightChanged, this, &ElementLooks::update);
+    connect(&nets, &models::NetLooks::changed, this, &ElementLooks::onNetsChanged);
+}
+
+void ElementLooks::obey(QAction& isOn, QSlider& amount) {
+    connect(&isOn, &QAction::triggered, this, &ElementLooks::setDimming);
+    connect(&amount, &QSlider::valueChanged, this,
+            [this](int percent) { setDim(static_cast<float>(percent) / 100.0F); });
+    amount.setValue(qRound(render::kDimRest * 100.0F));
+    // Whoever moves it wants to see what it does.
+    connect(&amount, &QSlider::sliderMoved, &isOn, [&isOn] {
+        if (!isOn.isChecked()) {
+            isOn.trigger();
+        }
+    });
+}
+
+void ElementLooks::setDimming(bool isOn) {
+    m_isDimming = isOn;
+    update();
+}
+
+void ElementLooks::setDim(float dim) {
+    m_dim = dim;
+    update();
+}
+
+void ElementLooks::onNetsChanged() {
+    const model::StepTree& tree = m_selection.tree();
+    const std::vector<QRgb> palette = m_nets.palette();
+    m_ofNets.assign(tree.steps.size(), {});
+    for (const models::NetLook& look : m_nets.state()) {
+        render::ElementState state = look.isHidden ? render::kHidden : render::kPlain;
+        if (look.colour) {
+            state |= render::inColour(static_cast<std::uint32_t>(models::nearestColour(palette, *look.colour)));
+        }
+        m_ofNets[look.net.step].add(tree.steps[look.net.step]->elementsOf(look.net.net), state);
+    }
+    m_views.setElementColours(coloursOf(palette));
+    update();
+}
+
+void ElementLooks::update() {
+    const auto lit = m_selection.highlight();
+    ElementStateLists states = m_ofNets;
+    states.resize(lit.size());
+    for (std::size_t step = 0; step < lit.size(); ++step) {
+        states[step].add(lit[step], render::kLit);
+    }
+    m_views.setStates(std::move(states));
+    const bool standsOut = !m_selection.selected().empty() || !m_selection.nets().empty() || m_nets.hasColours();
+    m_views.setDim(m_isDimming && standsOut ? m_dim : 0.0F);
+}
+
+}  // namespace ui

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QObject>
+
+#include "ui/board_views.h"
+#include "ui/models/net_looks.h"
+#include "ui/models/selection_model.h"
+
+class QAction;
+class QSlider;
+
+namespace ui {
+
+/// From what is pointed at and the looks of nets to what the views draw: lit, in a colour, or not at all. While
+/// anything stands out (selected, highlighted, coloured) the rest may be darkened.
+class ElementLooks : public QObject {
+    Q_OBJECT
+
+public:
+    ElementLooks(BoardViews& views, models::SelectionModel& selection, models::NetLooks& nets,
+                 QObject* parent = nullptr);
+
+    /// Darkens the rest while `isOn` is checked, by so many percent as `amount` says.
+    void obey(QAction& isOn, QSlider& amount);
+
+private:
+    void setDimming(bool isOn);
+    void setDim(float dim);
+    void onNetsChanged();
+    void update();
+
+    BoardViews& m_views;
+    models::SelectionModel& m_selection;
+    models::NetLooks& m_nets;
+    ElementStateLists m_ofNets;  ///< colours and hiding alone; kept, because the cursor changes the rest all the time
+    bool m_isDimming = false;
+    float m_dim = render::kDimRest;
+};
+
+}  // namespace ui

@@ -1,0 +1,75 @@
+#include "ui/net_look_editing.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "ui/state_edit.h"
+
+namespace ui {
+
+namespace session = model::session;
+using models::NetLook;
+using models::NetLooks;
+
+NetLookEditing::NetLookEditing(NetLooks& looks, QUndoStack& history, QObject* parent)
+    : QObject(parent), m_looks(looks), m_history(history) {
+    connect(&looks, &NetLooks::asked, this, [this](const QString& what, const NetLooks::State& after) {
+        if (after != m_looks.state()) {
+            m_history.push(new StateEdit<NetLooks::State>(what, m_looks.state(), after,
+                                                          [this](const NetLooks::State& state) { apply(state); }));
+        }
+    });
+}
+
+void NetLookEditing::setBoard(const LoadedBoard& board) {
+    const bool isAgain = board.request.path == m_request.path && !m_isSaved;
+    // What stands in no file is taken along by name, like what a file holds.
+    const std::vector<session::KeptNet> nets = isAgain ? kept(m_looks.state()) : board.keptNets;
+    m_isSaved = !isAgain;
+    m_request = board.request;
+    m_document = board.document;
+    m_tree = model::unfoldCopies(*board.document);
+    m_elsewhere.clear();
+    const auto found = session::findNets(m_tree, nets);
+    NetLooks::State state;
+    for (std::size_t i = 0; i < nets.size(); ++i) {
+        if (found[i]) {
+            const std::optional<QRgb> colour =
+                nets[i].colour ? std::optional<QRgb>(0xff000000U | *nets[i].colour) : std::nullopt;
+            state.push_back({*found[i], colour, nets[i].isHidden});
+        } else {
+            m_elsewhere.push_back(nets[i]);
+        }
+    }
+    std::ranges::sort(state, {}, &NetLook::net);
+    const auto [first, last] = std::ranges::unique(state, {}, &NetLook::net);
+    state.erase(first, last);
+    m_looks.setState(std::move(state));
+}
+
+std::vector<session::KeptNet> NetLookEditing::kept(const NetLooks::State& state) const {
+    std::vector<session::KeptNet> nets = m_elsewhere;
+    for (const NetLook& look : state) {
+        const model::Document& step = *m_tree.steps[look.net.step];
+        const std::optional<std::uint32_t> colour =
+            look.colour ? std::optional<std::uint32_t>(*look.colour & 0xffffffU) : std::nullopt;
+        nets.push_back({step.nets[look.net.net.row()].name, step.job.step, colour, look.isHidden});
+    }
+    return nets;
+}
+
+void NetLookEditing::apply(const NetLooks::State& state) {
+    m_looks.setState(state);
+    m_isSaved = false;
+    if (m_request.noSession) {
+        return;
+    }
+    const base::Status saved = session::saveNets(m_request.path, *m_document, kept(state));
+    m_isSaved = saved.ok();
+    if (!saved) {
+        emit notSaved(QStringLiteral("%1. The colours of nets count until another board is opened.")
+                          .arg(QString::fromStdString(saved.error().text)));
+    }
+}
+
+}  // namespace ui
