@@ -41,6 +41,7 @@ base::Status stack(const std::shared_ptr<const model::Document>& read, LoadedBoa
     board.thicknesses = {std::move(found.session.thicknesses), std::move(*once)};
     board.views = std::move(found.session.views);
     board.keptNets = std::move(found.session.nets);
+    board.desk = std::move(found.session.desk);
     board.sessionNotes = std::move(found.ignored);
     board.document = session::applyThicknesses(read, board.thicknesses.all());
     return base::Done{};

@@ -48,6 +48,7 @@ struct LoadedBoard {
     SetThicknesses thicknesses{};                     ///< worked into the document
     std::vector<model::session::KeptView> views{};    ///< kept in the session, those of other steps too
     std::vector<model::session::KeptNet> keptNets{};  ///< how nets look by the session, by name
+    std::optional<model::session::Desk> desk{};       ///< what the window is to show, if that was saved
     std::vector<std::string> sessionNotes{};          ///< what of the session file is not used, a sentence each
 };
 

@@ -52,7 +52,8 @@ constexpr ActionId kBoardActions[] = {
     ActionId::ColourNet,       ActionId::ChooseNetColour, ActionId::HideNet,        ActionId::ShowAllNets,
     ActionId::ClearNetColours, ActionId::SelectComponent, ActionId::SelectPin,      ActionId::CheckNets,
     ActionId::ExportStack,     ActionId::InferNets,       ActionId::HighlightNet,   ActionId::SaveLargePicture,
-    ActionId::ViewBack,        ActionId::ViewForward,     ActionId::KeepView};
+    ActionId::ViewBack,        ActionId::ViewForward,     ActionId::KeepView,       ActionId::KeepSelection,
+    ActionId::SaveSession};
 
 }  // namespace
 
@@ -121,7 +122,7 @@ void MainWindow::createDocks() {
     m_stackPanel = new StackPanel(m_stackModel, m_actions);
     m_statisticsPanel = new StatisticsPanel(m_statisticsModel);
     m_messagesPanel = new MessagesPanel(m_messageModel);
-    m_viewKeeping = new ViewKeeping(*m_views, m_layerModel, m_thicknesses.history(), this);
+    m_viewKeeping = new ViewKeeping(*m_views, m_layerModel, m_selection, m_thicknesses.history(), this);
     m_viewsPanel = new ViewsPanel(m_viewKeeping->list(), m_actions);
     connect(m_messagesPanel, &MessagesPanel::chosen, this, qOverload<const model::Diagnostic&>(&MainWindow::goTo));
     const std::map<ActionId, QWidget*> panels = {
@@ -259,6 +260,9 @@ void MainWindow::onLoaded(const LoadedBoard& board) {
     m_placeReadout->measureFromCursor(false);
     updateContrast();
     m_pages->setCurrentWidget(m_views);
+    if (const auto unit = m_viewKeeping->restoreDesk(board)) {
+        setUnit(*unit);
+    }
     showNotes(board.sessionNotes);
     m_recent->add(fromPath(board.request.path));
     setWindowTitle(QStringLiteral("%1 – Copperscope").arg(displayName(board.request.path)));

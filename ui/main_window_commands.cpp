@@ -127,6 +127,13 @@ void MainWindow::connectViewKeeping() {
         const auto& views = m_viewKeeping->list().views();
         statusBar()->showMessage(QStringLiteral("Kept as %1").arg(QString::fromStdString(views.back().name)));
     });
+    on(ActionId::KeepSelection, [this] { m_viewKeeping->keepSelection(); });
+    on(ActionId::SaveSession, [this] { m_viewKeeping->saveDesk(m_unit); });
+    connect(m_viewKeeping, &ViewKeeping::deskSaved, this,
+            [this](const QString& path) { statusBar()->showMessage(QStringLiteral("Saved %1").arg(path)); });
+    connect(m_viewKeeping, &ViewKeeping::notKept, this,
+            [this](const QString& reason) { statusBar()->showMessage(reason); });
+    connect(m_viewKeeping, &ViewKeeping::missed, m_messageBar, &MessageBar::showError);
     connect(m_viewsPanel, &ViewsPanel::chosen, m_viewKeeping, &ViewKeeping::goTo);
     connect(m_viewsPanel, &ViewsPanel::forgotten, m_viewKeeping, &ViewKeeping::forget);
     connect(m_viewKeeping, &ViewKeeping::notSaved, m_messageBar, &MessageBar::showError);

@@ -31,8 +31,9 @@ render::CameraPose cameraPose(const session::Pose& pose) {
 
 }  // namespace
 
-ViewKeeping::ViewKeeping(BoardViews& views, models::LayerModel& layers, QUndoStack& history, QObject* parent)
-    : QObject(parent), m_views(views), m_layers(layers), m_history(history) {
+ViewKeeping::ViewKeeping(BoardViews& views, models::LayerModel& layers, models::SelectionModel& selection,
+                         QUndoStack& history, QObject* parent)
+    : QObject(parent), m_views(views), m_layers(layers), m_selection(selection), m_history(history) {
     connect(&m_list, &models::ViewListModel::renamed, this, &ViewKeeping::rename);
 }
 
@@ -51,9 +52,27 @@ void ViewKeeping::keep() {
         return;
     }
     List after = m_list.views();
-    after.push_back({freeName(), m_document->job.step, poseOf(m_views.flat().controller()),
-                     poseOf(m_views.solid().controller()), m_layers.visibleNames()});
+    after.push_back({freeName("View"), m_document->job.step, poseOf(m_views.flat().controller()),
+                     poseOf(m_views.solid().controller()), m_layers.visibleNames(), std::nullopt});
     change(QStringLiteral("keeping a view"), std::move(after));
+}
+
+void ViewKeeping::keepSelection() {
+    if (m_selection.selected().empty() && m_selection.nets().empty()) {
+        emit notKept(QStringLiteral("Select elements or highlight nets to keep them"));
+        return;
+    }
+    if (m_selection.selected().size() > session::kMostKeptElements) {
+        emit notKept(QStringLiteral("%L1 elements are too many to keep, %L2 is the most; highlight nets instead")
+                         .arg(m_selection.selected().size())
+                         .arg(session::kMostKeptElements));
+        return;
+    }
+    session::KeptView kept{freeName("Selection"), m_document->job.step, {}, {}, {}, std::nullopt};
+    kept.selection = session::keepSelection(m_selection.tree(), m_selection.selected(), m_selection.nets());
+    List after = m_list.views();
+    after.push_back(std::move(kept));
+    change(QStringLiteral("keeping a selection"), std::move(after));
 }
 
 void ViewKeeping::rename(int row, const QString& name) {
@@ -75,10 +94,58 @@ void ViewKeeping::goTo(int row) {
         emit otherStep(name, QString::fromStdString(view.step));
         return;
     }
+    if (view.selection) {
+        select(view);
+        return;
+    }
     m_layers.showOnly(view.layers);
     m_views.flat().controller().setPose(cameraPose(view.flat));
     m_views.solid().controller().setPose(cameraPose(view.solid));
     emit shown(name);
+}
+
+void ViewKeeping::select(const session::KeptView& kept) {
+    session::FoundSelection found = session::findSelection(m_selection.tree(), *kept.selection);
+    m_selection.setNets(std::move(found.nets));
+    m_selection.select(found.elements);
+    QStringList missing;
+    for (const std::string& net : found.missingNets) {
+        missing += QStringLiteral("net %1").arg(QString::fromStdString(net));
+    }
+    if (found.missingElements > 0) {
+        missing +=
+            QStringLiteral("%L1 of %L2 elements").arg(found.missingElements).arg(kept.selection->elements.size());
+    }
+    if (!missing.isEmpty()) {
+        emit missed(QStringLiteral("%1: not on this board: %2")
+                        .arg(QString::fromStdString(kept.name), missing.join(QStringLiteral(", "))));
+    }
+    emit shown(QString::fromStdString(kept.name));
+}
+
+void ViewKeeping::saveDesk(models::LengthUnit unit) {
+    if (m_request.noSession) {
+        emit notSaved(QStringLiteral("This board was opened without its session, so nothing is saved."));
+        return;
+    }
+    const session::Desk desk{m_document->job.step, poseOf(m_views.flat().controller()),
+                             poseOf(m_views.solid().controller()), models::unitName(unit), m_layers.states()};
+    if (const base::Status saved = session::saveDesk(m_request.path, *m_document, desk); !saved) {
+        emit notSaved(QString::fromStdString(saved.error().text));
+    } else {
+        emit deskSaved(QString::fromStdString(session::sessionPath(m_request.path).string()));
+    }
+}
+
+std::optional<models::LengthUnit> ViewKeeping::restoreDesk(const LoadedBoard& board) {
+    if (!board.desk || board.desk->step != board.document->job.step) {
+        return std::nullopt;
+    }
+    m_layers.setStates(board.desk->layers);
+    m_views.flat().controller().setPose(cameraPose(board.desk->flat));
+    m_views.solid().controller().setPose(cameraPose(board.desk->solid));
+    emit shown({});
+    return models::unitNamed(board.desk->unit);
 }
 
 void ViewKeeping::change(const QString& what, List after) {
@@ -100,9 +167,9 @@ void ViewKeeping::apply(const List& views) {
     }
 }
 
-std::string ViewKeeping::freeName() const {
+std::string ViewKeeping::freeName(const std::string& word) const {
     for (std::size_t number = m_list.views().size() + 1;; ++number) {
-        const std::string name = "View " + std::to_string(number);
+        const std::string name = word + " " + std::to_string(number);
         if (std::ranges::find(m_list.views(), name, &session::KeptView::name) == m_list.views().end()) {
             return name;
         }

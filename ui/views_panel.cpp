@@ -18,7 +18,7 @@ ViewsPanel::ViewsPanel(models::ViewListModel& list, const ActionSet& actions, QW
     m_table->horizontalHeader()->setStretchLastSection(true);
     m_forget->setShortcut(QKeySequence::Delete);
     m_forget->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    m_forget->setToolTip(QStringLiteral("Forget the chosen view (Del)"));
+    m_forget->setToolTip(QStringLiteral("Forget the chosen view or selection (Del)"));
     addAction(m_forget);
     connect(m_forget, &QAction::triggered, this, [this] {
         if (m_table->currentIndex().isValid()) {
@@ -35,6 +35,7 @@ ViewsPanel::ViewsPanel(models::ViewListModel& list, const ActionSet& actions, QW
 
     auto* row = new QHBoxLayout;
     row->addWidget(toolButton(actions[ActionId::KeepView]));
+    row->addWidget(toolButton(actions[ActionId::KeepSelection]));
     row->addWidget(toolButton(*m_forget));
     row->addStretch(1);
     layOut(*this, row, m_table);

@@ -13,6 +13,7 @@
 #include <optional>
 
 #include "model/session/length_text.h"
+#include "model/session/session_json.h"
 #include "model/stackup.h"
 
 namespace model::session {
@@ -27,10 +28,9 @@ constexpr const char* kJobKey = "job";
 constexpr const char* kThicknessKey = "thickness_nm";
 constexpr const char* kViewsKey = "views";
 constexpr const char* kNetsKey = "nets";
-/// No camera is farther from a board, in mm.
-constexpr double kFarthest = 1e6;
+constexpr const char* kDeskKey = "desk";
 /// No session is this large; something else is.
-constexpr std::uintmax_t kMostBytes = 1 << 20;
+constexpr std::uintmax_t kMostBytes = 16 << 20;
 
 base::Error cannotWrite(const fs::path& path, const std::string& why) {
     return {base::ErrorCode::OutputFailed, path.string() + " cannot be written: " + why};
@@ -81,66 +81,6 @@ void readThicknesses(const ordered_json& json, const Stackup& stackup, LoadedSes
             setThickness(out.session.thicknesses, {row->name, value.get<Nm>()});
         }
     }
-}
-
-bool isNumber(const ordered_json& value) {
-    return value.is_number() && std::abs(value.get<double>()) <= kFarthest;
-}
-
-std::optional<Pose> poseFrom(const ordered_json& json) {
-    if (!json.is_object()) {
-        return std::nullopt;
-    }
-    const ordered_json target = json.value("target_mm", ordered_json());
-    const ordered_json distance = json.value("distance_mm", ordered_json());
-    const ordered_json yaw = json.value("yaw_deg", ordered_json());
-    const ordered_json pitch = json.value("pitch_deg", ordered_json());
-    const ordered_json parallel = json.value("parallel", ordered_json());
-    const bool isPose = target.is_array() && target.size() == 3 && std::ranges::all_of(target, isNumber) &&
-                        isNumber(distance) && distance.get<double>() > 0 && isNumber(yaw) && isNumber(pitch) &&
-                        parallel.is_boolean();
-    if (!isPose) {
-        return std::nullopt;
-    }
-    return Pose{{target[0].get<double>(), target[1].get<double>(), target[2].get<double>()},
-                distance.get<double>(),
-                yaw.get<double>(),
-                pitch.get<double>(),
-                parallel.get<bool>()};
-}
-
-ordered_json jsonOf(const Pose& pose) {
-    return {{"target_mm", pose.target},
-            {"distance_mm", pose.distance},
-            {"yaw_deg", pose.yawDeg},
-            {"pitch_deg", pose.pitchDeg},
-            {"parallel", pose.isParallel}};
-}
-
-std::optional<KeptView> viewFrom(const ordered_json& json) {
-    if (!json.is_object()) {
-        return std::nullopt;
-    }
-    const ordered_json name = json.value("name", ordered_json());
-    const ordered_json step = json.value("step", ordered_json());
-    const ordered_json layers = json.value("layers", ordered_json());
-    const std::optional<Pose> flat = poseFrom(json.value("flat", ordered_json()));
-    const std::optional<Pose> solid = poseFrom(json.value("solid", ordered_json()));
-    const auto isText = [](const ordered_json& value) { return value.is_string(); };
-    if (!name.is_string() || !step.is_string() || !layers.is_array() || !std::ranges::all_of(layers, isText) || !flat ||
-        !solid) {
-        return std::nullopt;
-    }
-    return KeptView{name.get<std::string>(), step.get<std::string>(), *flat, *solid,
-                    layers.get<std::vector<std::string>>()};
-}
-
-ordered_json jsonOf(const KeptView& view) {
-    return {{"name", view.name},
-            {"step", view.step},
-            {"layers", view.layers},
-            {"flat", jsonOf(view.flat)},
-            {"solid", jsonOf(view.solid)}};
 }
 
 void readViews(const ordered_json& json, LoadedSession& out) {
@@ -208,6 +148,25 @@ void readNets(const ordered_json& json, const Document& document, LoadedSession&
             out.ignored.push_back("net " + net.name + ": step " + net.step + " has no such net");
         }
     }
+}
+
+/// Layers that the board does not have are named and left out.
+void readDesk(const ordered_json& json, const Document& document, LoadedSession& out) {
+    std::optional<Desk> desk = deskFrom(json);
+    if (!desk) {
+        out.ignored.push_back(std::string(kDeskKey) + ", which is not what a window shows");
+        return;
+    }
+    std::string missing;
+    std::erase_if(desk->layers, [&](const LayerState& state) {
+        const bool isThere = std::ranges::find(document.layers, state.layer, &Layer::name) != document.layers.end();
+        missing += isThere ? "" : (missing.empty() ? "" : ", ") + state.layer;
+        return !isThere;
+    });
+    if (!missing.empty()) {
+        out.ignored.push_back("the look of layers that the board does not have: " + missing);
+    }
+    out.session.desk = std::move(*desk);
 }
 
 std::string reason() {
@@ -279,7 +238,11 @@ base::Status savePart(const fs::path& board, const Document& document, const cha
     if (holdsNothing(json)) {
         return removeFile(path);
     }
-    return replaceFile(path, json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+    const std::string text = json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+    if (text.size() > kMostBytes) {
+        return cannotWrite(path, "it would be larger than a session may be");
+    }
+    return replaceFile(path, text);
 }
 
 }  // namespace
@@ -313,6 +276,8 @@ LoadedSession loadSession(const fs::path& board, const Document& document) {
             readViews(value, out);
         } else if (key == kNetsKey) {
             readNets(value, document, out);
+        } else if (key == kDeskKey) {
+            readDesk(value, document, out);
         } else if (key != kVersionKey && key != kJobKey) {
             out.ignored.push_back("\"" + key + "\" is not known");
         }
@@ -346,6 +311,10 @@ base::Status saveNets(const fs::path& board, const Document& document, const std
         json.push_back(jsonOf(net));
     }
     return savePart(board, document, kNetsKey, json);
+}
+
+base::Status saveDesk(const fs::path& board, const Document& document, const Desk& desk) {
+    return savePart(board, document, kDeskKey, jsonOf(desk));
 }
 
 std::shared_ptr<const Document> applyThicknesses(std::shared_ptr<const Document> document,

@@ -1,21 +1,28 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "model/base/result.h"
 #include "model/document.h"
 #include "model/session/kept_nets.h"
+#include "model/session/kept_selection.h"
 
 /// What a user has set for a board, over what the job says. It lies in a file of its own beside the job, which is never
 /// written to. The file holds only what was changed:
 ///
 ///     {"copperscope_session": 1, "job": "amp", "thickness_nm": {"TOP": 70000},
 ///      "views": [{"name": "U1", "step": "pcb", "layers": ["TOP"], "flat": {"target_mm": [1, 2, 0], "distance_mm": 30,
-///                 "yaw_deg": 0, "pitch_deg": -90, "parallel": true}, "solid": {…}}],
-///      "nets": [{"name": "GND", "step": "pcb", "colour": "#e69f00", "hidden": true}]}
+///                 "yaw_deg": 0, "pitch_deg": -90, "parallel": true}, "solid": {…}},
+///                {"name": "Clocks", "step": "pcb", "selection": {"nets": [["pcb", "CLK"]],
+///                 "elements": [["TOP", "line", 0, 0, 1500000, 200000]]}}],
+///      "nets": [{"name": "GND", "step": "pcb", "colour": "#e69f00", "hidden": true}],
+///      "desk": {"step": "pcb", "flat": {…}, "solid": {…}, "unit": "mm",
+///               "layers": [{"name": "TOP", "visible": true, "opacity_percent": 80, "colour": "#ff8000"}]}}
 namespace model::session {
 
 inline constexpr int kVersion = 1;
@@ -30,14 +37,35 @@ struct Pose {
     bool operator==(const Pose&) const = default;
 };
 
-/// A way of looking at the board that the user kept.
+/// A way of looking at the board that the user kept, or a selection.
 struct KeptView {
     std::string name;
     std::string step;                 ///< the one it shows
     Pose flat;                        ///< of the 2D view
     Pose solid;                       ///< of the 3D view
     std::vector<std::string> layers;  ///< the visible ones
+    /// Then it is a selection, and neither cameras nor layers count.
+    std::optional<KeptSelection> selection{};
     bool operator==(const KeptView&) const = default;
+};
+
+/// How a layer is drawn.
+struct LayerState {
+    std::string layer;
+    bool isVisible = true;
+    int opacityPercent = 100;
+    std::optional<std::uint32_t> rgb{};  ///< 0xrrggbb; none: as the program draws it
+    bool operator==(const LayerState&) const = default;
+};
+
+/// What the window showed when the user saved it.
+struct Desk {
+    std::string step;
+    Pose flat;
+    Pose solid;
+    std::string unit;  ///< of lengths: "mm", "mil", "in"
+    std::vector<LayerState> layers;
+    bool operator==(const Desk&) const = default;
 };
 
 struct Session {
@@ -45,6 +73,7 @@ struct Session {
     std::vector<KeptView> views;
     std::vector<KeptNet>
         nets{};  ///< also those that this board does not have: nothing is lost when it is written again
+    std::optional<Desk> desk{};
     bool operator==(const Session&) const = default;
 };
 
@@ -72,6 +101,7 @@ struct LoadedSession {
                                      const std::vector<KeptView>& views);
 [[nodiscard]] base::Status saveNets(const std::filesystem::path& board, const Document& document,
                                     const std::vector<KeptNet>& nets);
+[[nodiscard]] base::Status saveDesk(const std::filesystem::path& board, const Document& document, const Desk& desk);
 
 /// The document with these thicknesses in it.
 [[nodiscard]] std::shared_ptr<const Document> applyThicknesses(std::shared_ptr<const Document> document,

@@ -119,6 +119,70 @@ private slots:
         QVERIFY(!isNear(solid().camera().pose(), third));
     }
 
+    void whatTheWindowShowsIsSavedOnlyWhenAsked() {
+        solid().zoomAt({300, 200}, 2.5F);
+        window().layers().showOnly({"TOP"});
+        const QModelIndex colour = window().layers().index(0, ui::models::LayerModel::Colour);
+        window().layers().setData(colour, QColor(10, 20, 30), Qt::EditRole);
+        m_fixture->restart();
+        QVERIFY(!fs::exists(model::session::sessionPath(m_job)));
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        QVERIFY(window().layers().visibleNames().size() > 1);
+
+        window().layers().setData(window().layers().index(0, ui::models::LayerModel::Colour), QColor(10, 20, 30),
+                                  Qt::EditRole);
+        window().layers().showOnly({"TOP"});
+        solid().zoomAt({300, 200}, 2.5F);
+        const render::CameraPose saved = solid().camera().pose();
+        m_fixture->key(Qt::Key_S, Qt::ControlModifier);
+        QVERIFY(fs::exists(model::session::sessionPath(m_job)));
+        m_fixture->restart();
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        QVERIFY(isNear(solid().camera().pose(), saved));
+        QCOMPARE(window().layers().visibleNames(), std::vector<std::string>{"TOP"});
+        QCOMPARE(window().layers().effectiveLooks()[0].colour, QColor(10, 20, 30));
+        window().layers().restoreDefaults();
+        QVERIFY(window().layers().effectiveLooks()[0].colour != QColor(10, 20, 30));
+    }
+
+    void aSelectionIsKeptAndSelectedAgain() {
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(names().isEmpty());  // nothing is selected
+        const std::vector<model::BoardElement> chosen{{0, model::ElementId{std::size_t{1}}},
+                                                      {0, model::ElementId{std::size_t{4}}}};
+        const std::vector<model::BoardNet> nets{{0, model::NetId{std::size_t{1}}}};
+        window().selection().select(chosen);
+        window().selection().setNets(nets);
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier);
+        QCOMPARE(names(), QStringList{"Selection 1"});
+        m_fixture->restart();
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        window().findChild<QDockWidget*>("views")->raise();
+        QVERIFY(window().selection().selected().empty());
+        const render::CameraPose before = solid().camera().pose();
+        choose(0);
+        QCOMPARE(window().selection().selected(), chosen);
+        QCOMPARE(window().selection().nets(), nets);
+        QVERIFY(isNear(solid().camera().pose(), before));
+        QVERIFY(!window().messageBar().isVisible());
+    }
+
+    void whatASelectionNoLongerFindsIsTold() {
+        window().selection().select({{0, model::ElementId{std::size_t{1}}}, {0, model::ElementId{std::size_t{4}}}});
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier);
+        std::vector<model::session::KeptView> views = window().viewKeeping().list().views();
+        views[0].selection->elements[0].box.max.x += 12345;  // as in another version of the board
+        views[0].selection->nets.push_back({"pcb", "GONE"});
+        QVERIFY(model::session::saveViews(m_job, *window().document(), views).ok());
+        m_fixture->restart();
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        window().findChild<QDockWidget*>("views")->raise();
+        choose(0);
+        QCOMPARE(window().selection().selected().size(), std::size_t{1});
+        QTRY_VERIFY(window().messageBar().isVisible());
+        QVERIFY(window().messageBar().text().contains("net GONE, 1 of 2 elements"));
+    }
+
 private:
     ui::MainWindow& window() { return m_fixture->window(); }
     ui::CameraController& solid() { return window().views().solid().controller(); }

@@ -135,6 +135,32 @@ std::vector<std::string> LayerModel::visibleNames() const {
     return names;
 }
 
+std::vector<model::session::LayerState> LayerModel::states() const {
+    std::vector<model::session::LayerState> states;
+    for (std::size_t row = 0; row < m_looks.size(); ++row) {
+        const LayerLook& look = m_looks[row];
+        states.push_back({m_document->layers[row].name, look.isVisible, look.opacityPercent, std::nullopt});
+        if (look.colour != m_defaults[row].colour) {
+            states.back().rgb = look.colour.rgb() & 0xffffffU;
+        }
+    }
+    return states;
+}
+
+void LayerModel::setStates(const std::vector<model::session::LayerState>& states) {
+    m_solo = {};
+    for (const model::session::LayerState& state : states) {
+        for (std::size_t row = 0; row < m_looks.size(); ++row) {
+            if (m_document->layers[row].name == state.layer) {
+                m_looks[row].isVisible = state.isVisible;
+                m_looks[row].opacityPercent = state.opacityPercent;
+                m_looks[row].colour = state.rgb ? QColor::fromRgb(*state.rgb) : m_defaults[row].colour;
+            }
+        }
+    }
+    announceAllChanged();
+}
+
 void LayerModel::setDefaults(std::vector<LayerLook> defaults) {
     ASSERT(defaults.size() == m_looks.size());
     for (std::size_t row = 0; row < m_looks.size(); ++row) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/document.h"
+#include "model/session/session.h"
 
 namespace ui::models {
 
@@ -45,6 +46,9 @@ public:
     /// By name; names that no layer has are passed over.
     void showOnly(const std::vector<std::string>& names);
     [[nodiscard]] std::vector<std::string> visibleNames() const;
+    /// As a session keeps them: colours only where they were changed. Names that no layer has are passed over.
+    [[nodiscard]] std::vector<model::session::LayerState> states() const;
+    void setStates(const std::vector<model::session::LayerState>& states);
     /// Other colours to begin with: layers whose colour nobody changed take them.
     void setDefaults(std::vector<LayerLook> defaults);
     /// Back to the looks the document was opened with.

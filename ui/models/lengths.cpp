@@ -1,6 +1,7 @@
 #include "ui/models/lengths.h"
 
 #include <QLocale>
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -38,6 +39,12 @@ QString shortest(double value, int digits) {
 
 const char* unitName(LengthUnit unit) {
     return of(unit).name;
+}
+
+LengthUnit unitNamed(const std::string& name) {
+    const auto* const at =
+        std::find_if(kUnits.begin(), kUnits.end(), [&](const Unit& unit) { return name == unit.name; });
+    return at == kUnits.end() ? LengthUnit::Millimetre : static_cast<LengthUnit>(at - kUnits.begin());
 }
 
 LengthUnit nextUnit(LengthUnit unit) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QString>
+#include <string>
 
 #include "model/base/units.h"
 
@@ -10,6 +11,8 @@ namespace ui::models {
 enum class LengthUnit { Millimetre, Mil, Inch };
 
 [[nodiscard]] const char* unitName(LengthUnit unit);  ///< "mm", "mil", "in"
+/// The unit of that name; millimetres for no name of a unit.
+[[nodiscard]] LengthUnit unitNamed(const std::string& name);
 [[nodiscard]] LengthUnit nextUnit(LengthUnit unit);
 [[nodiscard]] double nmPer(LengthUnit unit);
 

@@ -28,6 +28,11 @@ QVariant ViewListModel::data(const QModelIndex& index, int role) const {
         return {};
     }
     const model::session::KeptView& view = m_views[static_cast<std::size_t>(index.row())];
+    if (view.selection && (role == Qt::ToolTipRole || index.column() == Layers)) {
+        return QStringLiteral("%L1 nets, %L2 elements")
+            .arg(view.selection->nets.size())
+            .arg(view.selection->elements.size());
+    }
     if (role == Qt::ToolTipRole || index.column() == Layers) {
         QStringList names;
         for (const std::string& layer : view.layers) {
@@ -42,7 +47,7 @@ QVariant ViewListModel::headerData(int section, Qt::Orientation orientation, int
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole) {
         return {};
     }
-    return section == Name ? QStringLiteral("View") : QStringLiteral("Layers");
+    return section == Name ? QStringLiteral("Name") : QStringLiteral("Holds");
 }
 
 Qt::ItemFlags ViewListModel::flags(const QModelIndex& index) const {

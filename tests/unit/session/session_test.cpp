@@ -28,11 +28,25 @@ const std::vector<model::ThicknessOverride> kOneThickness = {{"TOP", 70'000}};
 const std::vector<model::ThicknessOverride> kNoThickness;
 
 KeptView viewNamed(const char* name) {
-    return {name,
-            "pcb",
+    return {
+        name,           "pcb",       {{1.5, -2.25, 0.1}, 30.0, 0.0, -90.0, true}, {{0, 0, 0}, 80.5, 33.0, -40.0, false},
+        {"TOP", "SMT"}, std::nullopt};
+}
+
+model::session::Desk desk() {
+    return {"pcb",
             {{1.5, -2.25, 0.1}, 30.0, 0.0, -90.0, true},
             {{0, 0, 0}, 80.5, 33.0, -40.0, false},
-            {"TOP", "SMT"}};
+            "mil",
+            {{"TOP", false, 40, 0x0a80ffU}, {"SMT", true, 100, std::nullopt}}};
+}
+
+KeptView selectionOf(std::vector<model::session::KeptElement> elements) {
+    KeptView kept;
+    kept.name = "Clocks";
+    kept.step = "pcb";
+    kept.selection = {{{"pcb", "CLK"}}, std::move(elements)};
+    return kept;
 }
 
 /// A board beside which sessions may lie.
@@ -120,7 +134,8 @@ private slots:
     void whatIsSavedIsLoaded() {
         const Place place;
         QVERIFY(place.load().session == Session() && place.load().ignored.empty());
-        const Session session{{{"TOP", 70'000}, {"CORE1", 300'000}}, {viewNamed("Über \"U1\""), viewNamed("")}};
+        const Session session{
+            {{"TOP", 70'000}, {"CORE1", 300'000}}, {viewNamed("Über \"U1\""), viewNamed("")}, {}, std::nullopt};
         QVERIFY(place.save(session.thicknesses).ok());
         QVERIFY(place.save(session.views).ok());
         QVERIFY(place.load().session == session);
@@ -181,6 +196,103 @@ private slots:
         QVERIFY(found.ignored[0].find("view 2") != std::string::npos);
         place.write(R"({"copperscope_session": 1, "job": "everything", "views": {"name": "a"}})");
         QCOMPARE(place.load().ignored.size(), std::size_t{1});
+    }
+
+    void whatTheWindowShowedIsLoaded() {
+        const Place place;
+        QVERIFY(model::session::saveDesk(place.board, *place.document, desk()).ok());
+        QVERIFY(place.save(kOneThickness).ok());
+        const LoadedSession found = place.load();
+        QVERIFY(found.session.desk == desk());
+        QCOMPARE(found.session.thicknesses, kOneThickness);
+        QVERIFY(found.ignored.empty());
+    }
+
+    void layersThatAreGoneAreNamed() {
+        const Place place;
+        model::session::Desk other = desk();
+        other.layers.push_back({"INNER9", true, 100, std::nullopt});
+        other.layers.push_back({"INNER7", true, 100, std::nullopt});
+        QVERIFY(model::session::saveDesk(place.board, *place.document, other).ok());
+        const LoadedSession found = place.load();
+        QVERIFY(found.session.desk == desk());
+        QCOMPARE(found.ignored.size(), std::size_t{1});
+        QVERIFY(found.ignored[0].find("INNER9, INNER7") != std::string::npos);
+    }
+
+    void whatIsNoDeskIsNamed() {
+        const Place place;
+        QVERIFY(model::session::saveDesk(place.board, *place.document, desk()).ok());
+        const std::string good = place.file();
+        const std::pair<const char*, const char*> faults[] = {{"\"mil\"", "\"furlong\""},
+                                                              {"#0a80ff", "#0a80f"},
+                                                              {"#0a80ff", "#0a80fff"},
+                                                              {"#0a80ff", "orange"},
+                                                              {": 40", ": 101"},
+                                                              {": 40", ": \"40\""},
+                                                              {"false", "0"},
+                                                              {": 80.5", ": 0"},
+                                                              {"\"TOP\"", "7"}};
+        for (const auto& [from, to] : faults) {
+            std::string bad = good;
+            const std::size_t at = bad.find(from);
+            QVERIFY2(at != std::string::npos, from);
+            place.write(bad.replace(at, std::string(from).size(), to));
+            QVERIFY2(!place.load().session.desk, to);
+            QCOMPARE(place.load().ignored.size(), std::size_t{1});
+        }
+    }
+
+    void selectionsAreKeptAmongTheViews() {
+        const Place place;
+        const std::vector<KeptView> both{viewNamed("a"),
+                                         selectionOf({{"TOP", model::ElementKind::Trail, {{-5, 0}, {1'000'000, 7}}}})};
+        QVERIFY(place.save(both).ok());
+        QVERIFY(place.load().session.views == both);
+        std::string bad = place.file();
+        place.write(bad.replace(bad.find("trail"), 5, "snail"));
+        QCOMPARE(place.load().session.views.size(), std::size_t{1});
+        QCOMPARE(place.load().ignored.size(), std::size_t{1});
+    }
+
+    void elementsAreFoundWhereTheyWere_data() {
+        QTest::addColumn<QString>("job");
+        QTest::newRow("board") << "everything";
+        QTest::newRow("panel") << "panel";
+    }
+    void elementsAreFoundWhereTheyWere() {
+        QFETCH(QString, job);
+        const auto document = odb_testing::read(odb_testing::dataJob(job.toStdString().c_str()));
+        const model::StepTree tree = model::unfoldCopies(*document);
+        std::vector<model::BoardElement> some;
+        for (std::uint32_t copy = 0; copy < tree.copies.size(); ++copy) {
+            const std::size_t count = tree.steps[tree.copies[copy].step]->elements.size();
+            for (std::size_t i = 0; i < count; ++i) {
+                some.push_back({copy, model::ElementId{i}});
+            }
+        }
+        QVERIFY(some.size() > 5);
+        model::session::KeptSelection kept = model::session::keepSelection(tree, some, {});
+        QCOMPARE(kept.elements.size(), some.size());
+        QCOMPARE(model::session::findSelection(tree, kept).elements, some);
+        kept.elements[0].box.min.x -= 1;
+        kept.elements[1].layer = "NO_SUCH";
+        const model::session::FoundSelection found = model::session::findSelection(tree, kept);
+        QCOMPARE(found.missingElements, std::size_t{2});
+        QCOMPARE(found.elements.size(), some.size() - 2);
+    }
+
+    void netsAreFoundByTheirNames() {
+        const auto document = odb_testing::read(odb_testing::dataJob("everything"));
+        const model::StepTree tree = model::unfoldCopies(*document);
+        const std::vector<model::BoardNet> nets{{0, model::NetId{std::size_t{0}}}, {0, model::NetId{std::size_t{1}}}};
+        model::session::KeptSelection kept = model::session::keepSelection(tree, {}, nets);
+        QCOMPARE(model::session::findSelection(tree, kept).nets, nets);
+        kept.nets[0].name = "NO_SUCH";
+        kept.nets.push_back({"another step", kept.nets[1].name});
+        const model::session::FoundSelection found = model::session::findSelection(tree, kept);
+        QCOMPARE(found.nets, std::vector{nets[1]});
+        QCOMPARE(found.missingNets, (std::vector<std::string>{"NO_SUCH", kept.nets[1].name}));
     }
 
     void anotherBoardsSessionIsIgnored() {

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "model/session/session.h"
+
+/// Parts of a session as JSON and back. What is not as session.h shows it is none.
+namespace model::session {
+
+[[nodiscard]] std::optional<KeptView> viewFrom(const nlohmann::ordered_json& json);
+[[nodiscard]] nlohmann::ordered_json jsonOf(const KeptView& view);
+[[nodiscard]] std::optional<Desk> deskFrom(const nlohmann::ordered_json& json);
+[[nodiscard]] nlohmann::ordered_json jsonOf(const Desk& desk);
+
+}  // namespace model::session
