@@ -32,3 +32,11 @@ copperscope_test(ui_loader_test ui/loader_test.cpp LABEL ui LINK copperscope_ui)
 copperscope_test(ui_settings_test ui/settings_test.cpp LABEL ui LINK copperscope_ui)
 set_tests_properties(ui_actions_test ui_camera_controller_test ui_loader_test ui_settings_test PROPERTIES
     ENVIRONMENT "QT_QPA_PLATFORM=offscreen")
+
+# The window on screens whose pixels are finer than its coordinates.
+copperscope_test(hidpi_test ui/hidpi_test.cpp LABEL ui LINK copperscope_ui ui_test_support)
+set_tests_properties(hidpi_test PROPERTIES RESOURCE_LOCK display
+    ENVIRONMENT "COPPERSCOPE_VALIDATION=abort;QT_SCALE_FACTOR=1.5")
+add_test(NAME hidpi_offscreen_test COMMAND hidpi_test)
+set_tests_properties(hidpi_offscreen_test PROPERTIES LABELS ui TIMEOUT 600
+    ENVIRONMENT "QT_QPA_PLATFORM=offscreen;COPPERSCOPE_VALIDATION=abort;QT_SCALE_FACTOR=2")
