@@ -42,8 +42,8 @@ void NetLookEditing::setBoard(const LoadedBoard& board) {
         }
     }
     std::ranges::sort(state, {}, &NetLook::net);
-    const auto [first, last] = std::ranges::unique(state, {}, &NetLook::net);
-    state.erase(first, last);
+    const auto isSame = [](const NetLook& a, const NetLook& b) { return a.net == b.net; };
+    state.erase(std::unique(state.begin(), state.end(), isSame), state.end());
     m_looks.setState(std::move(state));
 }
 

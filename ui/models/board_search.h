@@ -17,7 +17,6 @@ struct Found {
     FoundKind kind = FoundKind::Net;
     std::uint32_t row = 0;  ///< of the kind's table in the document; none for places
     base::PointD place;     ///< of places, nm in the board's coordinates
-    bool operator==(const Found&) const = default;
 };
 
 /// Finds nets, components, pins, layers and places by what people type: part of a name in any case, "U1.5" or "U1-5"
