@@ -63,6 +63,19 @@ void askForStackPath(QWidget& parent, const QString& startFolder, const PathAnsw
     askWhereToSave(parent, {"Export the stack", {"Drawings (*.svg)", "Tables (*.csv)"}}, startFolder, answer);
 }
 
+void askForRulesToOpen(QWidget& parent, const QString& startFolder, const PathAnswer& answer) {
+    auto* dialog = new QFileDialog(&parent, QStringLiteral("Open rules"), startFolder,
+                                   QStringLiteral("Rules (*.json);;All files (*)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    QObject::connect(dialog, &QFileDialog::fileSelected, &parent, answer);
+    dialog->open();
+}
+
+void askForRulesPath(QWidget& parent, const QString& startFolder, const PathAnswer& answer) {
+    askWhereToSave(parent, {"Save rules", {"Rules (*.json)"}}, startFolder, answer);
+}
+
 void askToReset(QWidget& parent, const std::function<void()>& confirmed) {
     auto* question =
         new QMessageBox(QMessageBox::Question, QStringLiteral("Reset settings"),

@@ -17,6 +17,8 @@ void askForPicturePath(QWidget& parent, const QString& startFolder, const PathAn
 /// How wide a picture is to be, in pixels; `width` is proposed, `most` the limit.
 void askForWidth(QWidget& parent, int width, int most, const std::function<void(int)>& answer);
 void askForStackPath(QWidget& parent, const QString& startFolder, const PathAnswer& answer);
+void askForRulesToOpen(QWidget& parent, const QString& startFolder, const PathAnswer& answer);
+void askForRulesPath(QWidget& parent, const QString& startFolder, const PathAnswer& answer);
 void askToReset(QWidget& parent, const std::function<void()>& confirmed);
 
 }  // namespace ui

@@ -24,6 +24,7 @@ constexpr DockSpec kDocks[] = {
     {ActionId::ShowViewsDock, "views", "Views", Qt::RightDockWidgetArea, "element", 0},
     {ActionId::ShowMessagesDock, "messages", "Messages", Qt::BottomDockWidgetArea, nullptr, 13},
     {ActionId::ShowNetCheckDock, "netCheck", "Opens and shorts", Qt::BottomDockWidgetArea, "messages", 0},
+    {ActionId::ShowClearanceDock, "clearances", "Clearances", Qt::BottomDockWidgetArea, "messages", 0},
     {ActionId::ShowStatisticsDock, "statistics", "Statistics", Qt::BottomDockWidgetArea, "messages", 0},
 };
 

@@ -43,17 +43,20 @@ constexpr ActionId kToolBar[] = {ActionId::OpenFile,   ActionId::Count,   Action
                                  ActionId::LookBottom, ActionId::LookIso, ActionId::Count,      ActionId::Orthographic,
                                  ActionId::Explode,    ActionId::Count,   ActionId::SavePicture};
 /// Commands that need a board.
+// clang-format off: one name a line would fill the page
 constexpr ActionId kBoardActions[] = {
-    ActionId::Reload,          ActionId::SavePicture,     ActionId::CopyPicture,    ActionId::Fit,
-    ActionId::LookTop,         ActionId::LookBottom,      ActionId::LookIso,        ActionId::Flip,
-    ActionId::ZoomIn,          ActionId::ZoomOut,         ActionId::ShowAllLayers,  ActionId::HideAllLayers,
-    ActionId::ShowCopperOnly,  ActionId::SoloLayer,       ActionId::RestoreLayers,  ActionId::Contrast,
-    ActionId::NextLayer,       ActionId::PreviousLayer,   ActionId::ClearSelection, ActionId::ShowSelection,
-    ActionId::ColourNet,       ActionId::ChooseNetColour, ActionId::HideNet,        ActionId::ShowAllNets,
-    ActionId::ClearNetColours, ActionId::SelectComponent, ActionId::SelectPin,      ActionId::CheckNets,
-    ActionId::ExportStack,     ActionId::InferNets,       ActionId::HighlightNet,   ActionId::SaveLargePicture,
-    ActionId::ViewBack,        ActionId::ViewForward,     ActionId::KeepView,       ActionId::KeepSelection,
-    ActionId::SaveSession};
+    ActionId::Reload, ActionId::SavePicture, ActionId::CopyPicture, ActionId::Fit,
+    ActionId::LookTop, ActionId::LookBottom, ActionId::LookIso, ActionId::Flip,
+    ActionId::ZoomIn, ActionId::ZoomOut, ActionId::ShowAllLayers, ActionId::HideAllLayers,
+    ActionId::ShowCopperOnly, ActionId::SoloLayer, ActionId::RestoreLayers, ActionId::Contrast,
+    ActionId::NextLayer, ActionId::PreviousLayer, ActionId::ClearSelection, ActionId::ShowSelection,
+    ActionId::ColourNet, ActionId::ChooseNetColour, ActionId::HideNet, ActionId::ShowAllNets,
+    ActionId::ClearNetColours, ActionId::SelectComponent, ActionId::SelectPin, ActionId::CheckNets,
+    ActionId::ExportStack, ActionId::InferNets, ActionId::HighlightNet, ActionId::SaveLargePicture,
+    ActionId::ViewBack, ActionId::ViewForward, ActionId::KeepView, ActionId::KeepSelection,
+    ActionId::SaveSession, ActionId::FindGaps, ActionId::NextGap, ActionId::PreviousGap,
+    ActionId::Lens};
+// clang-format on
 
 }  // namespace
 
@@ -103,6 +106,7 @@ void MainWindow::createCentre() {
     m_elementLooks = new ElementLooks(*m_views, m_selection, m_netLooks, this);
     m_planPainter = std::make_unique<PlanPainter>(m_views->flat());
     m_planPainter->setLooks(m_netLooks);
+    m_clearances = new Clearances(*m_views, *m_probing, m_selection, *m_planPainter, m_actions, this);
     m_placeReadout = new PlaceReadout(*m_probing, *m_planPainter, *m_statusLine, this);
     connect(m_views, &BoardViews::timed, m_statusLine, &StatusLine::showFrame);
     connect(m_views, &BoardViews::troubled, m_messageBar, &MessageBar::showError);
@@ -125,11 +129,15 @@ void MainWindow::createDocks() {
     m_viewKeeping = new ViewKeeping(*m_views, m_layerModel, m_selection, m_thicknesses.history(), this);
     m_viewsPanel = new ViewsPanel(m_viewKeeping->list(), m_actions);
     connect(m_messagesPanel, &MessagesPanel::chosen, this, qOverload<const model::Diagnostic&>(&MainWindow::goTo));
-    const std::map<ActionId, QWidget*> panels = {
-        {ActionId::ShowLayersDock, m_layersPanel},     {ActionId::ShowNetsDock, m_netsPanel},
-        {ActionId::ShowElementDock, m_elementPanel},   {ActionId::ShowStackDock, m_stackPanel},
-        {ActionId::ShowNetCheckDock, m_netCheckPanel}, {ActionId::ShowStatisticsDock, m_statisticsPanel},
-        {ActionId::ShowMessagesDock, m_messagesPanel}, {ActionId::ShowViewsDock, m_viewsPanel}};
+    const std::map<ActionId, QWidget*> panels = {{ActionId::ShowLayersDock, m_layersPanel},
+                                                 {ActionId::ShowNetsDock, m_netsPanel},
+                                                 {ActionId::ShowElementDock, m_elementPanel},
+                                                 {ActionId::ShowStackDock, m_stackPanel},
+                                                 {ActionId::ShowNetCheckDock, m_netCheckPanel},
+                                                 {ActionId::ShowStatisticsDock, m_statisticsPanel},
+                                                 {ActionId::ShowMessagesDock, m_messagesPanel},
+                                                 {ActionId::ShowViewsDock, m_viewsPanel},
+                                                 {ActionId::ShowClearanceDock, &m_clearances->panel()}};
     addDocks(*this, m_actions, [&panels](ActionId toggle) { return panels.at(toggle); });
 }
 
@@ -211,6 +219,7 @@ void MainWindow::openDropped(const QStringList& paths) {
 
 void MainWindow::onStarted(const LoadRequest& request) {
     m_netChecker.cancel();
+    m_clearances->cancel();
     onWorking(displayName(request.path));
 }
 
@@ -255,6 +264,7 @@ void MainWindow::onLoaded(const LoadedBoard& board) {
     m_actions[ActionId::CutOpen].setChecked(false);
     m_netLookEditing->setBoard(board);
     m_netsPanel->setBoard(board.document, board.nets);
+    m_clearances->setBoard(board);
     m_planPainter->setBoard(board.index, {board.model->origin});
     m_actions[ActionId::MeasureFrom].setChecked(false);
     m_placeReadout->measureFromCursor(false);

@@ -6,6 +6,7 @@
 
 #include "ui/actions.h"
 #include "ui/board_views.h"
+#include "ui/clearances.h"
 #include "ui/cutting.h"
 #include "ui/dialogs.h"
 #include "ui/drop_target.h"
@@ -83,6 +84,7 @@ public:
     [[nodiscard]] models::NetModel& nets() { return m_netModel; }
     [[nodiscard]] models::NetLooks& netLooks() { return m_netLooks; }
     [[nodiscard]] Probing& probing() { return *m_probing; }
+    [[nodiscard]] Clearances& clearances() { return *m_clearances; }
     [[nodiscard]] ElementPanel& elementPanel() { return *m_elementPanel; }
     [[nodiscard]] MessagesPanel& messagesPanel() { return *m_messagesPanel; }
     [[nodiscard]] NetCheckPanel& netCheckPanel() { return *m_netCheckPanel; }
@@ -119,6 +121,7 @@ private:
     void connectSolidActions();
     void connectLayerActions();
     void connectBoardActions();
+    void connectClearances();
     void connectStackActions();
     void connectSelectActions();
     void connectFollowActions();
@@ -148,6 +151,8 @@ private:
     void goToPart(const models::Found& found);
     void showLayer(model::LayerId layer);
     void checkNets();
+    /// Brings the panel to the front.
+    static void raise(QWidget& panel);
     void inferNets(bool isOn);
     /// Stops loading or checking; false when nothing is under way.
     bool cancelWork();
@@ -185,6 +190,7 @@ private:
     MessageBar* m_messageBar = nullptr;
     Probing* m_probing = nullptr;
     ElementLooks* m_elementLooks = nullptr;
+    Clearances* m_clearances = nullptr;
     std::unique_ptr<PlanPainter> m_planPainter;
     PlaceReadout* m_placeReadout = nullptr;
     std::unique_ptr<Cutting> m_cutting;

@@ -57,6 +57,7 @@ void MainWindow::connectCommands() {
     connectSolidActions();
     connectLayerActions();
     connectBoardActions();
+    connectClearances();
     connectStackActions();
     connectSelectActions();
     connectFollowActions();
@@ -219,11 +220,53 @@ void MainWindow::exportStack(const QString& path) {
     }
 }
 
-void MainWindow::checkNets() {
-    m_loader.cancel();
-    auto* dock = qobject_cast<QDockWidget*>(m_netCheckPanel->parentWidget());
+void MainWindow::connectClearances() {
+    Clearances& clearances = *m_clearances;
+    on(ActionId::FindGaps, [this, &clearances] {
+        m_loader.cancel();
+        raise(clearances.panel());
+        clearances.measure();
+    });
+    on(ActionId::NextGap, [&clearances] { clearances.step(1); });
+    on(ActionId::PreviousGap, [&clearances] { clearances.step(-1); });
+    on(ActionId::Lens, [this, &clearances](bool isOn) {
+        raise(clearances.panel());
+        clearances.lens().setOn(isOn);
+    });
+    clearances.setCurrentLayer([this] { return m_layersPanel->currentLayer(); });
+    connect(&clearances, &Clearances::started, this, [this] { onWorking(QStringLiteral("Clearances")); });
+    connect(&clearances, &Clearances::progressed, &m_statusLine->loadBar(), &LoadBar::report);
+    connect(&clearances, &Clearances::failed, m_messageBar, &MessageBar::showError);
+    connect(&clearances, &Clearances::failed, this, &MainWindow::onIdle);
+    connect(&clearances, &Clearances::finished, this, [this](const QString& summary) {
+        statusBar()->showMessage(QStringLiteral("Clearances: %1").arg(summary));
+        onIdle();
+    });
+    connect(&clearances, &Clearances::layerWanted, this, &MainWindow::showLayer);
+    const auto tell = [this](const base::Status& done) {
+        if (!done) {
+            m_messageBar->showError(QString::fromStdString(done.error().text));
+        }
+    };
+    connect(&clearances.panel(), &ClearancePanel::rulesAsked, this, [this, &clearances, tell] {
+        askForRulesToOpen(*this, m_settings.lastFolder(),
+                          [&clearances, tell](const QString& path) { tell(clearances.openRules(path)); });
+    });
+    connect(&clearances.panel(), &ClearancePanel::rulesSaved, this, [this, &clearances, tell] {
+        askForRulesPath(*this, m_settings.lastFolder(),
+                        [&clearances, tell](const QString& path) { tell(clearances.saveRules(path)); });
+    });
+}
+
+void MainWindow::raise(QWidget& panel) {
+    auto* dock = qobject_cast<QDockWidget*>(panel.parentWidget());
     dock->show();
     dock->raise();
+}
+
+void MainWindow::checkNets() {
+    m_loader.cancel();
+    raise(*m_netCheckPanel);
     m_netChecker.start(m_board->document);
     onWorking(QStringLiteral("Nets"));
 }
@@ -239,11 +282,12 @@ bool MainWindow::cancelWork() {
         m_loader.cancel();
         return true;
     }
-    if (!m_netChecker.isChecking()) {
+    if (!m_netChecker.isChecking() && !m_clearances->isMeasuring()) {
         return false;
     }
     m_netChecker.cancel();
-    statusBar()->showMessage(QStringLiteral("Stopped checking the nets"));
+    m_clearances->cancel();
+    statusBar()->showMessage(QStringLiteral("Stopped"));
     onIdle();
     return true;
 }

@@ -31,6 +31,7 @@ public:
     void search(double reach, base::Progress& progress, std::vector<Clearance>& found) const {
         PairQuestion pairs;
         pairs.reach = reach;
+        pairs.within = m_question.within;
         pairs.isWanted = [this](std::uint32_t a, std::uint32_t b) { return isWanted(netOf(a), netOf(b)); };
         pairs.groupOf = [this](std::uint32_t a, std::uint32_t b) {
             const auto [low, high] = std::minmax({netOf(a), netOf(b)});

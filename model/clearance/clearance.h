@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct ClearanceQuestion {
     double below = std::numeric_limits<double>::infinity();  ///< only gaps less than this, in nanometres
     LayerId layer;                                           ///< only here; none: on all copper layers
     std::pair<NetId, NetId> between;                         ///< only between these; none: any two
+    std::optional<Box> within;                               ///< only elements whose narrowest place has an end in here
 };
 
 /// The narrowest gaps in the plane of a layer, in rising order. What takes part is the copper of the layer and the

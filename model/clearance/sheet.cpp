@@ -27,6 +27,10 @@ void keep(Narrowest& narrowest, std::uint64_t group, const FigurePair& found) {
     }
 }
 
+bool holds(const Box& box, PointD p) {
+    return box.min.x <= p.x && p.x <= box.max.x && box.min.y <= p.y && p.y <= box.max.y;
+}
+
 class PairSearch {
 public:
     PairSearch(const Sheet& a, const Sheet& b, const PairQuestion& question) : m_a(a), m_b(b), m_question(question) {}
@@ -50,12 +54,16 @@ public:
     }
 
 private:
+    [[nodiscard]] bool isInside(const Gap& gap) const {
+        return !m_question.within || holds(*m_question.within, gap.from) || holds(*m_question.within, gap.to);
+    }
+
     void measure(std::uint32_t i, std::uint32_t j, Narrowest& found) const {
         const std::uint64_t group = m_question.groupOf(i, j);
         const auto known = found.find(group);
         const double limit = known == found.end() ? m_question.reach : known->second.gap.distance;
         const std::optional<Gap> gap = gapBetween(m_a.figures(), i, m_b.figures(), j, limit);
-        if (gap && (gap->distance > kTouchNm || m_question.mayTouch(i, j))) {
+        if (gap && isInside(*gap) && (gap->distance > kTouchNm || m_question.mayTouch(i, j))) {
             keep(found, group, {i, j, *gap});
         }
     }

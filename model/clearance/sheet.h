@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "model/base/progress.h"
@@ -64,6 +65,8 @@ struct PairQuestion {
     std::function<std::uint64_t(std::uint32_t a, std::uint32_t b)> groupOf;
     /// May a gap of 0 be the answer? Asked of pairs that touch or overlap.
     std::function<bool(std::uint32_t a, std::uint32_t b)> mayTouch;
+    /// Only pairs whose narrowest place has an end in here.
+    std::optional<Box> within{};
 };
 
 /// The narrowest pair of every group, in rising order of width, then rows. With the same sheet twice every pair is

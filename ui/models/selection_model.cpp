@@ -32,6 +32,7 @@ void SelectionModel::setBoard(std::shared_ptr<const model::Document> board) {
     m_selected.clear();
     m_title.clear();
     m_nets.clear();
+    m_nearby.clear();
     emit hoverChanged();
     emit selectionChanged();
     emit netsChanged();
@@ -74,6 +75,14 @@ void SelectionModel::setNets(std::vector<model::BoardNet> nets) {
     }
 }
 
+void SelectionModel::setNearby(std::vector<model::BoardElement> elements) {
+    sortUnique(elements);
+    if (elements != m_nearby) {
+        m_nearby = std::move(elements);
+        emit highlightChanged();
+    }
+}
+
 void SelectionModel::toggleNet(const model::BoardNet& net) {
     setNets(toggled(m_nets, {net}));
 }
@@ -103,6 +112,7 @@ std::vector<std::vector<model::ElementId>> SelectionModel::highlight() const {
         elements[m_tree.copies[element.copy].step].push_back(element.element);
     };
     std::ranges::for_each(m_selected, add);
+    std::ranges::for_each(m_nearby, add);
     if (m_hovered) {
         add(*m_hovered);
     }

@@ -43,6 +43,9 @@ public:
     void toggleNet(const model::BoardNet& net);
     /// In rising order. A net of a step that is placed often lights up in all its copies.
     [[nodiscard]] const std::vector<model::BoardNet>& nets() const { return m_nets; }
+    /// What lies near what is selected or highlighted (the clearance lens); in rising order.
+    void setNearby(std::vector<model::BoardElement> elements);
+    [[nodiscard]] const std::vector<model::BoardElement>& nearby() const { return m_nearby; }
     /// The net of an element; none if it has none.
     [[nodiscard]] std::optional<model::BoardNet> netOf(const model::BoardElement& element) const;
 
@@ -73,6 +76,7 @@ private:
     QString m_nextTitle;  ///< of the selection that is being made
     std::optional<model::BoardElement> m_current;
     std::vector<model::BoardNet> m_nets;
+    std::vector<model::BoardElement> m_nearby;
 };
 
 }  // namespace ui::models

@@ -1,0 +1,202 @@
+#include "ui/clearances.h"
+
+#include <QAbstractItemModelTester>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QSlider>
+#include <QtTest>
+
+#include "tests/places.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/layers_panel.h"
+#include "ui/message_bar.h"
+#include "ui/table_view.h"
+
+using ui::ActionId;
+using ui::ClearancePanel;
+using ui::models::ClearanceModel;
+
+/// From the keys to the narrow place on the screen, on the sample board.
+class ClearancesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        m_fixture = std::make_unique<WindowFixture>();
+        QVERIFY(m_fixture->openAndWait(places::kSample));
+    }
+    void init() {
+        while (window().selection().clearStep()) {
+        }
+        panel().whatBox().setCurrentIndex(static_cast<int>(ClearancePanel::What::Narrowest));
+        panel().whereBox().setCurrentIndex(static_cast<int>(ClearancePanel::Where::Board));
+        if (window().actions()[ActionId::Lens].isChecked()) {
+            window().actions()[ActionId::Lens].trigger();
+        }
+    }
+    void cleanupTestCase() {
+        const std::uint32_t errors = m_fixture->context().validationErrors();
+        m_fixture.reset();
+        QCOMPARE(errors, 0U);
+    }
+
+    void modelsKeepTheirPromises() {
+        const QAbstractItemModelTester places(&clearances().places());
+        const QAbstractItemModelTester rules(&clearances().rules());
+        measure();
+        QVERIFY(clearances().places().rowCount() > 3);
+    }
+
+    void theNarrowestIsShownInBothViewsAndWalkedThrough() {
+        measure();
+        const ClearanceModel& places = clearances().places();
+        double last = 0.0;
+        for (int row = 0; row < places.rowCount(); ++row) {
+            const double gap = places.data(places.index(row, ClearanceModel::Gap), Qt::EditRole).toDouble();
+            QVERIFY(gap >= last);
+            last = gap;
+        }
+        const QImage before = window().views().flat().grabPicture()->copy();
+        m_fixture->key(Qt::Key_F8);
+        const model::RuleFinding& first = places.place(0).found;
+        const std::vector<model::BoardElement> sides{{0, std::min(first.a, first.b)}, {0, std::max(first.a, first.b)}};
+        QCOMPARE(window().selection().selected(), sides);
+        QVERIFY(differingPixels(before, *window().views().flat().grabPicture()) > 100);
+        for (ui::BoardView* view : window().views().both()) {
+            const auto at =
+                view->controller().screenOf(window().probing().place().toModel(first.gap.from, heightOf(first.layer)));
+            QVERIFY(at && QRectF(QPointF(), view->controller().viewport()).contains(*at));
+        }
+        m_fixture->key(Qt::Key_F8);
+        QCOMPARE(panel().table().currentIndex().row(), 1);
+        m_fixture->key(Qt::Key_F8, Qt::ShiftModifier);
+        m_fixture->key(Qt::Key_F8, Qt::ShiftModifier);
+        QCOMPARE(panel().table().currentIndex().row(), places.rowCount() - 1);  // round the corner
+    }
+
+    void questionsAreNarrowedToLayerViewAndNets() {
+        measure();
+        const ClearanceModel& places = clearances().places();
+        const ClearanceModel::Place first = places.place(0);
+        const int all = places.rowCount();
+        const auto nets = [&] {
+            const model::Document& board = *window().document();
+            return std::vector<model::BoardNet>{{0, board.elements.net[first.found.a.row()]},
+                                                {0, board.elements.net[first.found.b.row()]}};
+        }();
+
+        window().layersPanel().selectRow(static_cast<int>(first.found.layer.row()));
+        ask(ClearancePanel::Where::Layer);
+        QVERIFY(places.rowCount() > 0 && places.rowCount() < all);
+        for (int row = 0; row < places.rowCount(); ++row) {
+            QCOMPARE(places.place(row).found.layer, first.found.layer);
+        }
+        window().selection().setNets(nets);
+        ask(ClearancePanel::Where::Nets);
+        QVERIFY(places.rowCount() >= 1);
+        QCOMPARE(places.place(0).found.gap.distance, first.found.gap.distance);
+
+        window().probing().showPlace(first.found.gap.from, first.found.layer);
+        ask(ClearancePanel::Where::View);
+        QVERIFY(places.rowCount() > 0 && places.rowCount() < all);
+        QCOMPARE(places.place(0).found.gap.distance, first.found.gap.distance);
+    }
+
+    void aQuestionThatCannotBeAskedIsTold() {
+        window().selection().setNets({});
+        panel().whereBox().setCurrentIndex(static_cast<int>(ClearancePanel::Where::Nets));
+        window().messageBar().hide();
+        window().actions()[ActionId::FindGaps].trigger();
+        QVERIFY(window().messageBar().isVisible());
+        QVERIFY(!clearances().isMeasuring());
+        window().messageBar().hide();
+    }
+
+    void rulesAreEditedCheckedAndKeptInAFile() {
+        panel().whatBox().setCurrentIndex(static_cast<int>(ClearancePanel::What::Rules));
+        ui::models::RuleModel& rules = clearances().rules();
+        const QModelIndex least = rules.index(0, ui::models::RuleModel::Least);
+        QVERIFY(rules.setData(least, "5 mm", Qt::EditRole));
+        QVERIFY(!rules.setData(least, "-3", Qt::EditRole));
+        QVERIFY(!rules.setData(least, "apple", Qt::EditRole));
+        measure();
+        QVERIFY(rules.index(0, ui::models::RuleModel::Result).data().toString().startsWith("broken"));
+        const ClearanceModel& places = clearances().places();
+        QVERIFY(places.index(0, ClearanceModel::Rule).data().toString().startsWith("copper copper"));
+
+        const QString path = m_fixture->folder() + "/rules.json";
+        QVERIFY(clearances().saveRules(path));
+        const model::RuleTable saved = rules.rules();
+        QVERIFY(rules.setData(least, "1 um", Qt::EditRole));
+        QVERIFY(clearances().openRules(path));
+        QVERIFY(rules.rules() == saved);
+        QVERIFY(!clearances().openRules(places::kSample));
+        QVERIFY(rules.rules() == saved);
+        QVERIFY(!clearances().saveRules("/nowhere/rules.json"));
+    }
+
+    void theLensFollowsSliderAndSelection() {
+        measure();
+        const model::RuleFinding found = clearances().places().place(0).found;
+        window().selection().select({{0, found.a}});
+        m_fixture->key(Qt::Key_L);
+        QVERIFY(clearances().lens().isOn());
+        QTRY_VERIFY(!clearances().lens().isSearching());
+        panel().lensSlider().setFocus();
+        std::size_t last = 0;
+        bool hasOther = false;
+        for (int value = panel().lensSlider().minimum(); value <= panel().lensSlider().maximum(); value += 20) {
+            panel().lensSlider().setValue(value);
+            const auto lit = clearances().lens().lit();
+            QVERIFY(lit.size() >= last);
+            QCOMPARE(window().selection().nearby().size(), lit.size());
+            for (const model::Nearby& near : lit) {
+                QVERIFY(near.gap.distance <= panel().lensReach());
+                hasOther = hasOther || near.element == found.b;
+            }
+            last = lit.size();
+        }
+        QVERIFY(hasOther);
+        const QImage withLens = *window().views().flat().grabPicture();
+        m_fixture->key(Qt::Key_L);
+        QVERIFY(window().selection().nearby().empty());
+        QVERIFY(differingPixels(withLens, *window().views().flat().grabPicture()) > 10);
+    }
+
+    void aReloadForgetsWhatWasFound() {
+        measure();
+        QVERIFY(m_fixture->openAndWait(places::kSample));
+        QCOMPARE(clearances().places().rowCount(), 0);
+        QCOMPARE(panel().summary(), "Nothing was measured yet");
+        m_fixture->key(Qt::Key_F8);  // nothing to step to
+    }
+
+    void aReloadWhileMeasuringEndsTheSearch() {
+        window().actions()[ActionId::FindGaps].trigger();
+        QVERIFY(m_fixture->openAndWait(places::kSample));
+        QTest::qWait(100);
+        QVERIFY(!clearances().isMeasuring());
+        QCOMPARE(clearances().places().rowCount(), 0);
+    }
+
+private:
+    [[nodiscard]] ui::MainWindow& window() { return m_fixture->window(); }
+    [[nodiscard]] ui::Clearances& clearances() { return window().clearances(); }
+    [[nodiscard]] ClearancePanel& panel() { return clearances().panel(); }
+
+    double heightOf(model::LayerId layer) { return window().document()->layer(layer).z; }
+
+    void measure() {
+        m_fixture->key(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
+        QTRY_VERIFY(!clearances().isMeasuring());
+    }
+    void ask(ClearancePanel::Where where) {
+        panel().whereBox().setCurrentIndex(static_cast<int>(where));
+        measure();
+    }
+
+    std::unique_ptr<WindowFixture> m_fixture;
+};
+
+QTEST_MAIN(ClearancesTest)
+#include "clearances_test.moc"

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <optional>
+
+#include "model/clearance/clearance.h"
+#include "model/clearance/rule_check.h"
+#include "ui/background.h"
+#include "ui/models/clearance_model.h"
+
+namespace ui {
+
+/// What is looked for: the narrowest places, or where rules are broken.
+struct ClearanceRequest {
+    bool isOfRules = false;
+    model::ClearanceQuestion question;  ///< of the narrowest places
+    model::RuleTable rules;
+};
+
+struct ClearanceAnswer {
+    std::vector<models::StepGaps> gaps;
+    std::vector<std::size_t> counts;  ///< by rule, over all steps
+    std::vector<std::string> remarks;
+};
+
+/// Looks for narrow places of a board and all its steps in the background.
+class ClearanceChecker : public QObject {
+    Q_OBJECT
+
+public:
+    explicit ClearanceChecker(QObject* parent = nullptr);
+
+    /// Cancels a search under way. Layers and nets in the request are the board's own; placed steps are searched only
+    /// when neither is named.
+    void start(std::shared_ptr<const model::Document> board, ClearanceRequest request);
+    /// Nothing is heard of the search after this.
+    void cancel() { m_background.cancel(); }
+    [[nodiscard]] bool isChecking() const { return m_background.isRunning(); }
+
+signals:
+    /// As Background::progressed.
+    void progressed(const QString& phase, double fraction);
+    void found(const std::shared_ptr<const model::Document>& board, const ClearanceRequest& request,
+               const ClearanceAnswer& answer);
+    void failed(const QString& reason);
+
+private:
+    void deliver();
+
+    using Outcome = std::optional<base::Result<ClearanceAnswer>>;
+
+    Background m_background;
+    std::shared_ptr<const model::Document> m_board;
+    ClearanceRequest m_request;
+    std::shared_ptr<Outcome> m_outcome;  ///< of the search under way; written by its thread
+};
+
+}  // namespace ui

@@ -1,0 +1,141 @@
+#include "ui/clearance_panel.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QSortFilterProxyModel>
+#include <QSplitter>
+
+#include "ui/actions.h"
+#include "ui/table_view.h"
+#include "ui/tool_button.h"
+
+namespace ui {
+
+namespace {
+
+constexpr int kLensSteps = 200;
+constexpr double kLensStepNm = 5'000.0;  // up to a millimetre
+constexpr int kLensStart = 30;
+
+}  // namespace
+
+ClearancePanel::ClearancePanel(models::ClearanceModel& places, models::RuleModel& rules, const ActionSet& actions,
+                               QWidget* parent)
+    : QWidget(parent),
+      m_places(places),
+      m_sorted(new QSortFilterProxyModel(this)),
+      m_what(new QComboBox),
+      m_where(new QComboBox),
+      m_summary(new QLabel),
+      m_table(new TableView),
+      m_ruleTable(new TableView),
+      m_ruleButtons(new QWidget),
+      m_lens(new QSlider(Qt::Horizontal)),
+      m_lensText(new QLabel) {
+    m_what->addItems({QStringLiteral("Narrowest gaps"), QStringLiteral("Rules")});
+    m_where->addItems({QStringLiteral("of the board"), QStringLiteral("of the current layer"),
+                       QStringLiteral("in the 2D view"), QStringLiteral("between the two highlighted nets")});
+    m_sorted->setSourceModel(&places);
+    m_sorted->setSortRole(Qt::EditRole);
+    m_table->setModel(m_sorted);
+    m_table->horizontalHeader()->setSortIndicator(-1, Qt::AscendingOrder);  // as found: by rule, narrowest first
+    m_table->setSortingEnabled(true);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_ruleTable->setModel(&rules);
+    m_ruleTable->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
+    m_ruleTable->horizontalHeader()->setStretchLastSection(true);
+    m_lens->setRange(1, kLensSteps);
+    m_lens->setValue(kLensStart);
+    m_lens->setMaximumWidth(220);
+    m_lens->setToolTip(QStringLiteral("How near copper must come to be lit by the lens"));
+
+    auto* load = new QPushButton(QStringLiteral("Open rules…"));
+    auto* save = new QPushButton(QStringLiteral("Save rules…"));
+    auto* buttons = new QHBoxLayout(m_ruleButtons);
+    buttons->setContentsMargins(0, 0, 0, 0);
+    buttons->addWidget(load);
+    buttons->addWidget(save);
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_what);
+    row->addWidget(m_where);
+    row->addWidget(toolButton(actions[ActionId::FindGaps]));
+    row->addWidget(m_ruleButtons);
+    row->addWidget(m_summary, 1);
+    row->addWidget(toolButton(actions[ActionId::Lens]));
+    row->addWidget(m_lens);
+    row->addWidget(m_lensText);
+    auto* tables = new QSplitter;
+    tables->addWidget(m_ruleTable);
+    tables->addWidget(m_table);
+    tables->setStretchFactor(1, 2);
+    tables->setChildrenCollapsible(false);
+    auto* all = new QVBoxLayout(this);
+    all->setContentsMargins(4, 4, 4, 4);
+    all->addLayout(row);
+    all->addWidget(tables, 1);
+
+    connect(m_what, &QComboBox::currentIndexChanged, this, &ClearancePanel::onWhat);
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &ClearancePanel::choose);
+    connect(m_table, &QTableView::clicked, this, &ClearancePanel::choose);
+    connect(m_table, &TableView::enterPressed, this, &ClearancePanel::choose);
+    connect(&places, &QAbstractItemModel::modelReset, this, &ClearancePanel::onReset);
+    connect(&rules, &QAbstractItemModel::dataChanged, m_ruleTable, &QTableView::resizeColumnsToContents);
+    connect(m_lens, &QSlider::valueChanged, this, [this] { emit lensMoved(lensReach()); });
+    connect(load, &QPushButton::clicked, this, &ClearancePanel::rulesAsked);
+    connect(save, &QPushButton::clicked, this, &ClearancePanel::rulesSaved);
+    onWhat();
+    onReset();
+}
+
+ClearancePanel::What ClearancePanel::what() const {
+    return static_cast<What>(m_what->currentIndex());
+}
+
+ClearancePanel::Where ClearancePanel::where() const {
+    return static_cast<Where>(m_where->currentIndex());
+}
+
+double ClearancePanel::lensReach() const {
+    return m_lens->value() * kLensStepNm;
+}
+
+void ClearancePanel::showLens(const QString& text) {
+    m_lensText->setText(text);
+}
+
+QString ClearancePanel::summary() const {
+    return m_summary->text();
+}
+
+void ClearancePanel::setUnit(models::LengthUnit) {
+    m_summary->setText(m_places.summary());
+    m_table->resizeColumnsToContents();
+}
+
+void ClearancePanel::choose(const QModelIndex& index) {
+    if (index.isValid()) {
+        emit chosen(m_places.place(m_sorted->mapToSource(index).row()));
+    }
+}
+
+void ClearancePanel::onWhat() {
+    const bool isOfRules = what() == What::Rules;
+    m_where->setVisible(!isOfRules);
+    m_ruleTable->setVisible(isOfRules);
+    m_ruleButtons->setVisible(isOfRules);
+    m_ruleTable->resizeColumnsToContents();
+}
+
+void ClearancePanel::onReset() {
+    m_summary->setText(m_places.summary());
+    m_table->setColumnHidden(models::ClearanceModel::Rule, what() == What::Narrowest);
+    m_table->resizeColumnsToContents();
+}
+
+}  // namespace ui

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <QWidget>
+
+#include "ui/models/clearance_model.h"
+#include "ui/models/rule_model.h"
+
+class QComboBox;
+class QLabel;
+class QSlider;
+class QSortFilterProxyModel;
+
+namespace ui {
+
+class ActionSet;
+class TableView;
+
+/// Where copper is narrow: the narrowest gaps or broken rules, one row each, to step through; and the slider of the
+/// lens. A row that becomes the current one asks to be shown, so the arrow keys walk through all places.
+class ClearancePanel : public QWidget {
+    Q_OBJECT
+
+public:
+    enum class What { Narrowest, Rules };
+    enum class Where { Board, Layer, View, Nets };
+
+    ClearancePanel(models::ClearanceModel& places, models::RuleModel& rules, const ActionSet& actions,
+                   QWidget* parent = nullptr);
+
+    [[nodiscard]] What what() const;
+    [[nodiscard]] Where where() const;
+    void setUnit(models::LengthUnit unit);
+    /// How far the lens reaches, nm.
+    [[nodiscard]] double lensReach() const;
+    /// What the lens shows, beside its slider.
+    void showLens(const QString& text);
+
+    [[nodiscard]] TableView& table() { return *m_table; }
+    [[nodiscard]] TableView& ruleTable() { return *m_ruleTable; }
+    [[nodiscard]] QComboBox& whatBox() { return *m_what; }
+    [[nodiscard]] QComboBox& whereBox() { return *m_where; }
+    [[nodiscard]] QSlider& lensSlider() { return *m_lens; }
+    [[nodiscard]] QString summary() const;
+
+signals:
+    void chosen(const models::ClearanceModel::Place& place);
+    void lensMoved(double nm);
+    void rulesAsked();
+    void rulesSaved();
+
+private:
+    void choose(const QModelIndex& index);
+    void onReset();
+    void onWhat();
+
+    models::ClearanceModel& m_places;
+    QSortFilterProxyModel* m_sorted;
+    QComboBox* m_what;
+    QComboBox* m_where;
+    QLabel* m_summary;
+    TableView* m_table;
+    TableView* m_ruleTable;
+    QWidget* m_ruleButtons;
+    QSlider* m_lens;
+    QLabel* m_lensText;
+};
+
+}  // namespace ui

@@ -1,0 +1,186 @@
+#include "ui/clearances.h"
+
+#include <QFile>
+#include <QPainter>
+#include <QSaveFile>
+#include <algorithm>
+
+#include "ui/table_view.h"
+
+namespace ui {
+
+namespace {
+
+constexpr QColor kInk(255, 235, 120);
+constexpr QColor kGround(24, 26, 31, 220);
+constexpr double kBesidePixels = 10.0;
+constexpr std::size_t kNarrowest = 500;  ///< more than anybody steps through
+
+}  // namespace
+
+Clearances::Clearances(BoardViews& views, Probing& probing, models::SelectionModel& selection, const PlanPainter& plan,
+                       const ActionSet& actions, QObject* parent)
+    : QObject(parent),
+      m_views(views),
+      m_probing(probing),
+      m_selection(selection),
+      m_plan(plan),
+      m_lens(views, selection),
+      m_panel(new ClearancePanel(m_places, m_rules, actions)) {
+    connect(&m_checker, &ClearanceChecker::progressed, this, &Clearances::progressed);
+    connect(&m_checker, &ClearanceChecker::found, this, &Clearances::take);
+    connect(&m_checker, &ClearanceChecker::failed, this, &Clearances::failed);
+    connect(m_panel, &ClearancePanel::chosen, this, &Clearances::show);
+    connect(m_panel, &ClearancePanel::lensMoved, &m_lens, &Lens::setReach);
+    connect(&m_lens, &Lens::told, m_panel, &ClearancePanel::showLens);
+    m_lens.setReach(m_panel->lensReach());
+    views.flat().addPainter([this](QPainter& painter) { paint(painter); });
+}
+
+void Clearances::setBoard(const LoadedBoard& board) {
+    m_checker.cancel();
+    m_board = board.document;
+    m_shown.reset();
+    m_places.setGaps(nullptr, {}, {});
+    m_rules.setCounts({});
+    m_lens.setBoard(board);
+}
+
+void Clearances::setUnit(models::LengthUnit unit) {
+    m_unit = unit;
+    m_places.setUnit(unit);
+    m_rules.setUnit(unit);
+    m_panel->setUnit(unit);
+}
+
+std::optional<ClearanceRequest> Clearances::request() {
+    ClearanceRequest request;
+    request.isOfRules = m_panel->what() == ClearancePanel::What::Rules;
+    request.rules = m_rules.rules();
+    request.question.count = kNarrowest;
+    if (request.isOfRules) {
+        return request;
+    }
+    switch (m_panel->where()) {
+        case ClearancePanel::Where::Board: break;
+        case ClearancePanel::Where::View: request.question.within = m_plan.shownBox(); break;
+        case ClearancePanel::Where::Layer: {
+            const model::LayerId layer = m_currentLayer();
+            if (!layer.isValid() || !m_board->layer(layer).isCopper()) {
+                emit failed(QStringLiteral("The current layer is no copper layer; choose one in the Layers panel."));
+                return std::nullopt;
+            }
+            request.question.layer = layer;
+            break;
+        }
+        case ClearancePanel::Where::Nets: {
+            const std::vector<model::BoardNet>& nets = m_selection.nets();
+            if (nets.size() != 2 || nets[0].step != 0 || nets[1].step != 0) {
+                emit failed(
+                    QStringLiteral("Highlight two nets of the board first: N over their copper, or Ctrl and a "
+                                   "click in the Nets panel."));
+                return std::nullopt;
+            }
+            request.question.between = {nets[0].net, nets[1].net};
+            break;
+        }
+    }
+    return request;
+}
+
+void Clearances::measure() {
+    if (std::optional<ClearanceRequest> asked = m_board ? request() : std::nullopt) {
+        m_checker.start(m_board, std::move(*asked));
+        emit started();
+    }
+}
+
+void Clearances::take(const std::shared_ptr<const model::Document>& board, const ClearanceRequest& request,
+                      const ClearanceAnswer& answer) {
+    m_shown.reset();
+    m_places.setGaps(board, answer.gaps, request.isOfRules ? request.rules : model::RuleTable{});
+    if (request.isOfRules && m_rules.rules() == request.rules) {
+        m_rules.setCounts(answer.counts);
+    }
+    QStringList words{m_places.summary()};
+    for (const std::string& remark : answer.remarks) {
+        words += QString::fromStdString(remark);
+    }
+    emit finished(words.join(QStringLiteral("; ")));
+}
+
+void Clearances::step(int by) {
+    const QAbstractItemModel& rows = *m_panel->table().model();
+    if (rows.rowCount() == 0) {
+        return;
+    }
+    const int now = m_panel->table().currentIndex().row();  // -1: none
+    const int next = now < 0 ? (by > 0 ? 0 : rows.rowCount() - 1) : now + by;
+    m_panel->table().setCurrentIndex(rows.index((next + rows.rowCount()) % rows.rowCount(), 0));
+}
+
+void Clearances::show(const models::ClearanceModel::Place& place) {
+    const model::StepTree& tree = m_selection.tree();
+    const auto copy = std::ranges::find(tree.copies, place.step, &model::StepCopy::step);
+    const auto row = static_cast<std::uint32_t>(copy - tree.copies.begin());
+    std::vector<model::BoardElement> sides{{row, place.found.a}};
+    if (place.found.b.isValid()) {
+        sides.push_back({row, place.found.b});
+    }
+    const model::LayerId layer = tree.steps[place.step]->layerOfCopy(place.found.layer, copy->isFlipped);
+    const model::Gap& gap = place.found.gap;
+    m_shown = {gap.distance, copy->placement.apply(gap.from), copy->placement.apply(gap.to)};
+    emit layerWanted(layer);
+    m_selection.select(sides);
+    m_probing.showPlace({(m_shown->from.x + m_shown->to.x) / 2, (m_shown->from.y + m_shown->to.y) / 2}, layer);
+}
+
+void Clearances::paint(QPainter& painter) const {
+    const CameraController& controller = m_views.flat().controller();
+    const auto screenOf = [&](base::PointD nm) { return controller.screenOf(m_probing.place().toModel(nm)); };
+    const auto from = m_shown ? screenOf(m_shown->from) : std::nullopt;
+    const auto to = m_shown ? screenOf(m_shown->to) : std::nullopt;
+    if (!from || !to) {
+        return;
+    }
+    painter.setPen(QPen(kInk, 2.0));
+    painter.drawLine(*from, *to);
+    painter.setBrush(kInk);
+    for (const QPointF& end : {*from, *to}) {
+        painter.drawEllipse(end, 2.5, 2.5);
+    }
+    const QString text = models::lengthInBoth(m_shown->distance, m_unit);
+    QRectF box = painter.fontMetrics().boundingRect(text);
+    box.moveTopLeft((*from + *to) / 2.0 + QPointF(kBesidePixels, kBesidePixels));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(kGround);
+    painter.drawRoundedRect(box.adjusted(-4, -2, 4, 2), 3, 3);
+    painter.setPen(kInk);
+    painter.drawText(box, Qt::AlignCenter, text);
+}
+
+base::Status Clearances::openRules(const QString& path) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) {
+        return base::Error{base::ErrorCode::BadInput,
+                           (path + QStringLiteral(" cannot be read: ") + file.errorString()).toStdString()};
+    }
+    base::Result<model::RuleTable> rules = model::parseRules(file.readAll().toStdString());
+    if (!rules) {
+        return rules.error();
+    }
+    m_rules.setRules(std::move(*rules));
+    return base::Done{};
+}
+
+base::Status Clearances::saveRules(const QString& path) const {
+    QSaveFile file(path);
+    const QByteArray json = QByteArray::fromStdString(model::toJson(m_rules.rules()));
+    if (!file.open(QIODevice::WriteOnly) || file.write(json) != json.size() || !file.commit()) {
+        return base::Error{base::ErrorCode::OutputFailed,
+                           (path + QStringLiteral(" cannot be written: ") + file.errorString()).toStdString()};
+    }
+    return base::Done{};
+}
+
+}  // namespace ui

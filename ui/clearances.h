@@ -1,0 +1,76 @@
+#pragma once
+
+#include <QObject>
+#include <functional>
+
+#include "ui/clearance_checker.h"
+#include "ui/clearance_panel.h"
+#include "ui/lens.h"
+#include "ui/plan_painter.h"
+#include "ui/probing.h"
+
+namespace ui {
+
+/// Where copper is narrow, from the question to the place on the screen: searches in the background, a panel to step
+/// through what was found with both views following, rules with their files, and the lens.
+class Clearances : public QObject {
+    Q_OBJECT
+
+public:
+    Clearances(BoardViews& views, Probing& probing, models::SelectionModel& selection, const PlanPainter& plan,
+               const ActionSet& actions, QObject* parent = nullptr);
+
+    void setBoard(const LoadedBoard& board);
+    void setUnit(models::LengthUnit unit);
+    /// Asked when the current layer is searched.
+    void setCurrentLayer(std::function<model::LayerId()> layer) { m_currentLayer = std::move(layer); }
+
+    /// Looks for what the panel asks for.
+    void measure();
+    void cancel() { m_checker.cancel(); }
+    [[nodiscard]] bool isMeasuring() const { return m_checker.isChecking(); }
+    /// Shows the next place of the table, or with -1 the one before.
+    void step(int by);
+    /// Errors: BadInput, OutputFailed; the rules are then what they were.
+    [[nodiscard]] base::Status openRules(const QString& path);
+    [[nodiscard]] base::Status saveRules(const QString& path) const;
+
+    /// Belongs to whoever shows it.
+    [[nodiscard]] ClearancePanel& panel() { return *m_panel; }
+    [[nodiscard]] models::ClearanceModel& places() { return m_places; }
+    [[nodiscard]] models::RuleModel& rules() { return m_rules; }
+    [[nodiscard]] Lens& lens() { return m_lens; }
+
+signals:
+    void started();
+    void progressed(const QString& phase, double fraction);
+    /// A search is over: what came out, in words.
+    void finished(const QString& summary);
+    void failed(const QString& reason);
+    /// A place on this layer is shown.
+    void layerWanted(model::LayerId layer);
+
+private:
+    /// None if the question cannot be asked; that was told.
+    [[nodiscard]] std::optional<ClearanceRequest> request();
+    void take(const std::shared_ptr<const model::Document>& board, const ClearanceRequest& request,
+              const ClearanceAnswer& answer);
+    void show(const models::ClearanceModel::Place& place);
+    void paint(QPainter& painter) const;
+
+    BoardViews& m_views;
+    Probing& m_probing;
+    models::SelectionModel& m_selection;
+    const PlanPainter& m_plan;
+    models::ClearanceModel m_places;
+    models::RuleModel m_rules;
+    ClearanceChecker m_checker;
+    Lens m_lens;
+    ClearancePanel* m_panel;
+    std::function<model::LayerId()> m_currentLayer;
+    std::shared_ptr<const model::Document> m_board;
+    std::optional<model::Gap> m_shown;  ///< in coordinates of the board
+    models::LengthUnit m_unit = models::LengthUnit::Millimetre;
+};
+
+}  // namespace ui

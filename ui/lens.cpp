@@ -1,0 +1,123 @@
+#include "ui/lens.h"
+
+#include <QPainter>
+#include <algorithm>
+
+namespace ui {
+
+namespace {
+
+constexpr QColor kGapColour(255, 90, 60);
+constexpr double kGapPixels = 2.0;
+constexpr std::size_t kMostGaps = 2000;  ///< more would hide the board
+
+}  // namespace
+
+Lens::Lens(BoardViews& views, models::SelectionModel& selection, QObject* parent)
+    : QObject(parent), m_views(views), m_selection(selection) {
+    connect(&selection, &models::SelectionModel::selectionChanged, this, &Lens::search);
+    connect(&selection, &models::SelectionModel::netsChanged, this, &Lens::search);
+    connect(&m_background, &Background::finished, this, &Lens::deliver);
+    views.flat().addPainter([this](QPainter& painter) { paint(painter); });
+}
+
+void Lens::setBoard(const LoadedBoard& board) {
+    m_background.cancel();
+    m_board = board.document;
+    m_place.origin = board.model->origin;
+    m_near.clear();
+    search();
+}
+
+void Lens::setOn(bool isOn) {
+    m_isOn = isOn;
+    search();
+}
+
+void Lens::setReach(double nm) {
+    m_reach = std::min(nm, kMostReach);
+    apply();
+}
+
+/// Of the board itself: copies of other steps have no neighbours beyond their own step.
+std::vector<model::ElementId> Lens::targets() const {
+    std::vector<model::ElementId> elements;
+    for (const model::BoardElement& at : m_selection.selected()) {
+        if (at.copy == 0) {
+            elements.push_back(at.element);
+        }
+    }
+    for (const model::BoardNet& net : m_selection.nets()) {
+        if (net.step == 0) {
+            const auto own = m_board->elementsOf(net.net);
+            elements.insert(elements.end(), own.begin(), own.end());
+        }
+    }
+    return elements;
+}
+
+void Lens::search() {
+    m_background.cancel();
+    m_near.clear();
+    if (!m_isOn || !m_board) {
+        apply();
+        return;
+    }
+    std::vector<model::ElementId> elements = targets();
+    if (elements.empty()) {
+        apply();
+        return;
+    }
+    m_answer = std::make_shared<Answer>();
+    m_background.start(
+        [board = m_board, elements = std::move(elements), answer = m_answer](base::Progress& progress) {
+            *answer = model::copperNear(*board, elements, kMostReach, progress);
+        },
+        "Looking around");
+    emit told(QStringLiteral("looking…"));
+}
+
+void Lens::deliver() {
+    const std::shared_ptr<Answer> answer = std::move(m_answer);
+    if (answer && *answer && **answer) {
+        m_near = std::move(***answer);
+    }
+    apply();
+}
+
+std::span<const model::Nearby> Lens::lit() const {
+    return std::span(m_near).first(m_litCount);
+}
+
+void Lens::apply() {
+    const auto end =
+        std::ranges::upper_bound(m_near, m_reach, {}, [](const model::Nearby& n) { return n.gap.distance; });
+    m_litCount = static_cast<std::size_t>(end - m_near.begin());
+    std::vector<model::BoardElement> elements;
+    for (const model::Nearby& near : lit()) {
+        elements.push_back({0, near.element});
+    }
+    m_selection.setNearby(std::move(elements));
+    m_views.flat().requestFrame();
+    if (!m_isOn) {
+        emit told({});
+    } else if (m_selection.selected().empty() && m_selection.nets().empty()) {
+        emit told(QStringLiteral("select something"));
+    } else if (!isSearching()) {
+        emit told(QStringLiteral("%L1 within %2 mm").arg(m_litCount).arg(m_reach / base::kNmPerMm, 0, 'f', 3));
+    }
+}
+
+void Lens::paint(QPainter& painter) const {
+    painter.setPen(QPen(kGapColour, kGapPixels, Qt::SolidLine, Qt::RoundCap));
+    const CameraController& controller = m_views.flat().controller();
+    for (const model::Nearby& near : lit().first(std::min(kMostGaps, m_litCount))) {
+        const auto from = controller.screenOf(m_place.toModel(near.gap.from));
+        const auto to = controller.screenOf(m_place.toModel(near.gap.to));
+        if (from && to) {
+            painter.drawLine(*from, *to);
+        }
+    }
+}
+
+}  // namespace ui

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <optional>
+
+#include "model/clearance/nearby.h"
+#include "ui/background.h"
+#include "ui/board_views.h"
+#include "ui/models/selection_model.h"
+#include "ui/plan_painter.h"
+
+namespace ui {
+
+/// The clearance lens: lights everything up that comes closer to what is selected or highlighted than a distance. All
+/// that lies within a millimetre is found once in the background; moving the distance then only cuts a list. In 2D the
+/// gaps themselves are drawn.
+class Lens : public QObject {
+    Q_OBJECT
+
+public:
+    Lens(BoardViews& views, models::SelectionModel& selection, QObject* parent = nullptr);
+
+    void setBoard(const LoadedBoard& board);
+    void setOn(bool isOn);
+    /// nm, at most kMostReach.
+    void setReach(double nm);
+    [[nodiscard]] bool isOn() const { return m_isOn; }
+    [[nodiscard]] bool isSearching() const { return m_background.isRunning(); }
+    /// What is lit, nearest first; of the board's own elements.
+    [[nodiscard]] std::span<const model::Nearby> lit() const;
+
+    static constexpr double kMostReach = 1e6;
+
+signals:
+    /// "12 nearer than 0.2 mm", "nothing selected", …
+    void told(const QString& text);
+
+private:
+    void search();
+    void deliver();
+    void apply();
+    void paint(QPainter& painter) const;
+    [[nodiscard]] std::vector<model::ElementId> targets() const;
+
+    using Answer = std::optional<base::Result<std::vector<model::Nearby>>>;
+
+    BoardViews& m_views;
+    models::SelectionModel& m_selection;
+    Background m_background;
+    std::shared_ptr<const model::Document> m_board;
+    BoardPlace m_place;
+    std::shared_ptr<Answer> m_answer;  ///< of the search under way; written by its thread
+    std::vector<model::Nearby> m_near;
+    std::size_t m_litCount = 0;
+    double m_reach = 150'000.0;
+    bool m_isOn = false;
+};
+
+}  // namespace ui

@@ -1,0 +1,142 @@
+#include "ui/models/clearance_model.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace ui::models {
+
+namespace {
+
+struct ColumnText {
+    const char* heading;
+    const char* tip;
+};
+
+constexpr ColumnText kColumns[ClearanceModel::ColumnCount] = {
+    {"Gap", "How far apart; 0: they touch or overlap"},
+    {"Rule", "The rule that is broken there"},
+    {"Layer", "Where it is"},
+    {"First", "The net of the one side"},
+    {"Second", "The net of the other side"},
+    {"X", "Where it is, in the coordinates of the step"},
+    {"Y", "Where it is, in the coordinates of the step"},
+    {"Step", "The step it is on; seen in all its copies"},
+};
+
+}  // namespace
+
+void ClearanceModel::setGaps(std::shared_ptr<const model::Document> board, std::vector<StepGaps> gaps,
+                             model::RuleTable rules) {
+    beginResetModel();
+    m_board = std::move(board);
+    m_tree = m_board ? model::unfoldCopies(*m_board) : model::StepTree{};
+    m_rules = std::move(rules);
+    m_places.clear();
+    for (const StepGaps& step : gaps) {
+        for (const model::RuleFinding& found : step.places) {
+            m_places.push_back({step.step, found});
+        }
+    }
+    std::ranges::stable_sort(m_places, {},
+                             [](const Place& p) { return std::tuple(p.found.rule, p.found.gap.distance); });
+    endResetModel();
+}
+
+void ClearanceModel::setUnit(LengthUnit unit) {
+    m_unit = unit;
+    if (!m_places.empty()) {
+        emit dataChanged(index(0, Gap), index(rowCount() - 1, Y));
+    }
+}
+
+QString ClearanceModel::summary() const {
+    if (!m_board) {
+        return QStringLiteral("Nothing was measured yet");
+    }
+    if (m_places.empty()) {
+        return m_rules.rules.empty() ? QStringLiteral("Nothing found") : QStringLiteral("All rules are kept");
+    }
+    const auto narrowest = std::ranges::min_element(m_places, {}, [](const Place& p) { return p.found.gap.distance; });
+    return QStringLiteral("%L1 %2, the narrowest %3")
+        .arg(m_places.size())
+        .arg(m_places.size() == 1 ? QStringLiteral("place") : QStringLiteral("places"),
+             lengthText(narrowest->found.gap.distance, m_unit));
+}
+
+int ClearanceModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(m_places.size());
+}
+
+int ClearanceModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : ColumnCount;
+}
+
+QString ClearanceModel::sideOf(const Place& place, model::ElementId element) const {
+    if (!element.isValid()) {
+        return QStringLiteral("edge of the board");
+    }
+    const model::Document& step = *m_tree.steps[place.step];
+    const model::NetId net = step.elements.net[element.row()];
+    return net.isValid() ? QString::fromStdString(step.nets[net.row()].name) : QStringLiteral("no net");
+}
+
+QString ClearanceModel::text(const Place& place, int column) const {
+    const model::Document& step = *m_tree.steps[place.step];
+    const model::RuleFinding& found = place.found;
+    switch (column) {
+        case Gap: return lengthText(found.gap.distance, m_unit);
+        case Rule: return m_rules.rules.empty() ? QString() : titleOf(m_rules.rules[found.rule]);
+        case Layer: return QString::fromStdString(step.layer(found.layer).name);
+        case First: return sideOf(place, found.a);
+        case Second: return sideOf(place, found.b);
+        case X: return lengthText(found.gap.from.x, m_unit);
+        case Y: return lengthText(found.gap.from.y, m_unit);
+        case Step: return QString::fromStdString(step.job.step);
+        default: return {};
+    }
+}
+
+double ClearanceModel::number(const Place& place, int column) const {
+    const model::Gap& gap = place.found.gap;
+    return column == Gap ? gap.distance : column == X ? gap.from.x : gap.from.y;
+}
+
+QVariant ClearanceModel::data(const QModelIndex& index, int role) const {
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) {
+        return {};
+    }
+    const Place& at = place(index.row());
+    const bool isNumber = index.column() == Gap || index.column() == X || index.column() == Y;
+    if (role == Qt::EditRole && isNumber) {  // for sorting
+        return number(at, index.column());
+    }
+    if (role == Qt::TextAlignmentRole && isNumber) {
+        return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+    }
+    return role == Qt::DisplayRole || role == Qt::EditRole ? QVariant(text(at, index.column())) : QVariant();
+}
+
+QVariant ClearanceModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal || section < 0 || section >= ColumnCount) {
+        return {};
+    }
+    switch (role) {
+        case Qt::DisplayRole: return QLatin1String(kColumns[section].heading);
+        case Qt::ToolTipRole: return QString::fromUtf8(kColumns[section].tip);
+        default: return {};
+    }
+}
+
+QString titleOf(const model::Rule& rule) {
+    const QString kind = QString::fromUtf8(model::nameOf(rule.kind)).replace('-', ' ');
+    if (rule.classes == std::array<std::string, 2>{}) {
+        return kind;
+    }
+    const auto word = [](const std::string& name) {
+        return name.empty() ? QStringLiteral("any net") : QString::fromStdString(name);
+    };
+    return QStringLiteral("%1, %2 and %3").arg(kind, word(rule.classes[0]), word(rule.classes[1]));
+}
+
+}  // namespace ui::models
