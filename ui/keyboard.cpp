@@ -21,8 +21,8 @@ constexpr std::pair<ActionId, KeyPreset> kPresets[] = {{ActionId::KeysCopperscop
                                                        {ActionId::KeysKLayout, KeyPreset::KLayout}};
 
 /// Keys that lists, buttons and fields work with.
-constexpr Qt::Key kPanelKeys[] = {Qt::Key_Space,  Qt::Key_Return,   Qt::Key_Enter, Qt::Key_Home,  Qt::Key_End,
-                                  Qt::Key_PageUp, Qt::Key_PageDown, Qt::Key_F2};
+constexpr Qt::Key kPanelKeys[] = {Qt::Key_Space, Qt::Key_Return, Qt::Key_Enter,    Qt::Key_Home,
+                                  Qt::Key_End,   Qt::Key_PageUp, Qt::Key_PageDown, Qt::Key_F2};
 
 bool isPanelKey(const QKeyEvent& event) {
     const bool isPlain = (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) == 0;
