@@ -44,4 +44,10 @@ base::Result<std::shared_ptr<const BoardIndex>> indexBoard(std::shared_ptr<const
     return std::make_shared<const BoardIndex>(std::move(index));
 }
 
+std::shared_ptr<const BoardIndex> withHeights(const BoardIndex& index, std::shared_ptr<const Document> board) {
+    StepTree tree = unfoldCopies(*board);
+    return std::make_shared<const BoardIndex>(
+        BoardIndex{std::move(board), std::move(tree), index.elements, index.extents});
+}
+
 }  // namespace model

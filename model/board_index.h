@@ -22,4 +22,8 @@ struct BoardIndex {
 [[nodiscard]] base::Result<std::shared_ptr<const BoardIndex>> indexBoard(std::shared_ptr<const Document> board,
                                                                          base::Progress& progress);
 
+/// The same for a board that differs in heights only (model::restack); next to no cost.
+[[nodiscard]] std::shared_ptr<const BoardIndex> withHeights(const BoardIndex& index,
+                                                            std::shared_ptr<const Document> board);
+
 }  // namespace model

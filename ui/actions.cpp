@@ -32,7 +32,7 @@ constexpr ActionSpec kSpecs[] = {
     {CopyPicture, MenuId::File, "Copy &picture", "Ctrl+Shift+C", "Put what the canvas shows on the clipboard"},
     {Quit, MenuId::File, "&Quit", "Ctrl+Q", "Close the workbench", false, kNewGroup},
 
-    {Undo, MenuId::Edit, "&Undo", "Ctrl+Z", "Take the last change of a thickness or a kept view back"},
+    {Undo, MenuId::Edit, "&Undo", "Ctrl+Z", "Take the last change of a thickness, a kept view or a measurement back"},
     {Redo, MenuId::Edit, "&Redo", "Ctrl+Shift+Z Ctrl+Y", "Make the change again that was taken back"},
     {Find, MenuId::Edit, "&Find…", "Ctrl+F", "Find a net, component, pin, layer, place or command", false, kNewGroup},
     {Commands, MenuId::Edit, "&Commands…", "Ctrl+Shift+P", "Find a command by its name and do it"},
@@ -76,6 +76,7 @@ constexpr ActionSpec kSpecs[] = {
     {ShowViewsDock, MenuId::Panels, "Kept vie&ws", "Ctrl+8", "Show or hide the views that were kept", kCheckable},
     {ShowClearanceDock, MenuId::Panels, "&Clearances", "Ctrl+9", "Show or hide narrow gaps, rules and the lens",
      kCheckable},
+    {ShowMeasurementsDock, MenuId::Panels, "Meas&urements", "Ctrl+0", "Show or hide what was measured", kCheckable},
     {ShowMessagesDock, MenuId::Panels, "Messa&ges", "Ctrl+3", "Show or hide what was skipped, repaired or assumed",
      kCheckable},
     {ShowToolBar, MenuId::Panels, "Toolba&r", "Ctrl+K,B", "Show or hide the toolbar", kCheckable},
@@ -137,8 +138,17 @@ constexpr ActionSpec kSpecs[] = {
     {Lens, MenuId::Board, "Clearance &lens", "L",
      "Light up all copper of other nets that comes near what is selected or highlighted", kCheckable},
 
+    {MeasurePoints, MenuId::Measure, "&Point to point", "M",
+     "Click two points in 2D or 3D to measure from one to the other; again to stop", kCheckable},
+    {MeasureObjects, MenuId::Measure, "&Edge to edge", "Shift+M",
+     "Click two elements to measure the gap between them, through the stack too; again to stop", kCheckable},
+    {MeasureGap, MenuId::Measure, "&Gap at the cursor", "R",
+     "Measure from the copper nearest to the cursor to the next copper on its layer"},
+    {ExportMeasurements, MenuId::Measure, "E&xport measurements…", "Ctrl+Alt+M",
+     "Write all measurements as a table (CSV)", false, kNewGroup},
+
     {ClearSelection, MenuId::Select, "&Clear", "Esc",
-     "Stop loading or checking, or else forget the selection, or else the highlighted nets"},
+     "Stop loading or checking, or else measuring, or else forget the selection, or else the highlighted nets"},
     {ShowSelection, MenuId::Select, "&Show in both views", "Z", "Bring what is selected to the middle of the views"},
     {SelectComponent, MenuId::Select, "Select the com&ponent", "P",
      "Select all pads, holes and the body of the component under the cursor, or of the selected element"},
@@ -165,8 +175,6 @@ constexpr ActionSpec kSpecs[] = {
     {ShowOutlines, MenuId::Select, "Out&lines alone", "S", "In 2D, draw outlines and nothing in them", kCheckable},
     {ShowPinNames, MenuId::Select, "Pin nam&es", "Shift+W",
      "Write the names of pins on their pads in 2D, where there is room", kCheckable},
-    {MeasureFrom, MenuId::Select, "Measure &from here", "M",
-     "Show how far the cursor is from where it is now; again to stop", kCheckable},
 
     {KeysSheet, MenuId::Help, "&Keys and mouse", "F1 ?", "All keys and mouse gestures on one page"},
     {ResetSettings, MenuId::Help, "&Reset settings…", "Ctrl+K,Delete", "Forget window places, theme and recent boards",
@@ -175,10 +183,9 @@ constexpr ActionSpec kSpecs[] = {
 };
 static_assert(std::size(kSpecs) == kActionCount);
 
-constexpr const char* kMenuTitles[kMenuCount] = {"&File",        "&Edit",   "&View",  "&Cut and thickness",
-                                                 "A&rrangement", "Pa&nels", "The&me", "Bac&k end",
-                                                 "Ke&ys as in",  "&Layers", "&Nets",  "&Board",
-                                                 "&Select",      "&Help"};
+constexpr const char* kMenuTitles[kMenuCount] = {
+    "&File",   "&Edit", "&View",  "&Cut and thickness", "A&rrangement", "Pa&nels", "The&me", "Bac&k end", "Ke&ys as in",
+    "&Layers", "&Nets", "&Board", "&Measure",           "&Select",      "&Help"};
 
 bool isChoice(MenuId menu) {
     return menu == MenuId::Arrangement || menu == MenuId::Theme || menu == MenuId::Backend || menu == MenuId::Keys;

@@ -59,6 +59,10 @@ void askForWidth(QWidget& parent, int width, int most, const std::function<void(
     dialog->open();
 }
 
+void askForTablePath(QWidget& parent, const QString& startFolder, const PathAnswer& answer) {
+    askWhereToSave(parent, {"Export a table", {"Tables (*.csv)"}}, startFolder, answer);
+}
+
 void askForStackPath(QWidget& parent, const QString& startFolder, const PathAnswer& answer) {
     askWhereToSave(parent, {"Export the stack", {"Drawings (*.svg)", "Tables (*.csv)"}}, startFolder, answer);
 }

@@ -16,6 +16,7 @@ void askForBoard(QWidget& parent, BoardForm form, const QString& startFolder, co
 void askForPicturePath(QWidget& parent, const QString& startFolder, const PathAnswer& answer);
 /// How wide a picture is to be, in pixels; `width` is proposed, `most` the limit.
 void askForWidth(QWidget& parent, int width, int most, const std::function<void(int)>& answer);
+void askForTablePath(QWidget& parent, const QString& startFolder, const PathAnswer& answer);
 void askForStackPath(QWidget& parent, const QString& startFolder, const PathAnswer& answer);
 void askForRulesToOpen(QWidget& parent, const QString& startFolder, const PathAnswer& answer);
 void askForRulesPath(QWidget& parent, const QString& startFolder, const PathAnswer& answer);

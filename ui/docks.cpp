@@ -25,6 +25,7 @@ constexpr DockSpec kDocks[] = {
     {ActionId::ShowMessagesDock, "messages", "Messages", Qt::BottomDockWidgetArea, nullptr, 13},
     {ActionId::ShowNetCheckDock, "netCheck", "Opens and shorts", Qt::BottomDockWidgetArea, "messages", 0},
     {ActionId::ShowClearanceDock, "clearances", "Clearances", Qt::BottomDockWidgetArea, "messages", 0},
+    {ActionId::ShowMeasurementsDock, "measurements", "Measurements", Qt::BottomDockWidgetArea, "messages", 0},
     {ActionId::ShowStatisticsDock, "statistics", "Statistics", Qt::BottomDockWidgetArea, "messages", 0},
 };
 

@@ -42,6 +42,7 @@ base::Status stack(const std::shared_ptr<const model::Document>& read, LoadedBoa
     board.views = std::move(found.session.views);
     board.keptNets = std::move(found.session.nets);
     board.desk = std::move(found.session.desk);
+    board.measurements = std::move(found.session.measurements);
     board.sessionNotes = std::move(found.ignored);
     board.document = session::applyThicknesses(read, board.thicknesses.all());
     return base::Done{};

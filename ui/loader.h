@@ -45,11 +45,12 @@ struct LoadedBoard {
     std::shared_ptr<const model::BoardIndex> index;  ///< may be null: then nothing can be picked
     /// Per row of model::StepTree::steps, or empty.
     std::vector<std::shared_ptr<const model::NetStatistics>> nets{};
-    SetThicknesses thicknesses{};                     ///< worked into the document
-    std::vector<model::session::KeptView> views{};    ///< kept in the session, those of other steps too
-    std::vector<model::session::KeptNet> keptNets{};  ///< how nets look by the session, by name
-    std::optional<model::session::Desk> desk{};       ///< what the window is to show, if that was saved
-    std::vector<std::string> sessionNotes{};          ///< what of the session file is not used, a sentence each
+    SetThicknesses thicknesses{};                             ///< worked into the document
+    std::vector<model::session::KeptView> views{};            ///< kept in the session, those of other steps too
+    std::vector<model::session::KeptNet> keptNets{};          ///< how nets look by the session, by name
+    std::optional<model::session::Desk> desk{};               ///< what the window is to show, if that was saved
+    std::vector<model::session::Measurement> measurements{};  ///< kept in the session, those of other steps too
+    std::vector<std::string> sessionNotes{};                  ///< what of the session file is not used, a sentence each
 };
 
 /// Reads the board, stacks it as its session and the request say, and models it. Errors: those of model::readBoard and

@@ -19,6 +19,7 @@
 #include "ui/layers_panel.h"
 #include "ui/load_summary.h"
 #include "ui/looks.h"
+#include "ui/measurements_panel.h"
 #include "ui/message_bar.h"
 #include "ui/message_place.h"
 #include "ui/messages_panel.h"
@@ -55,7 +56,8 @@ constexpr ActionId kBoardActions[] = {
     ActionId::ExportStack, ActionId::InferNets, ActionId::HighlightNet, ActionId::SaveLargePicture,
     ActionId::ViewBack, ActionId::ViewForward, ActionId::KeepView, ActionId::KeepSelection,
     ActionId::SaveSession, ActionId::FindGaps, ActionId::NextGap, ActionId::PreviousGap,
-    ActionId::Lens};
+    ActionId::Lens, ActionId::MeasurePoints, ActionId::MeasureObjects, ActionId::MeasureGap,
+    ActionId::ExportMeasurements};
 // clang-format on
 
 }  // namespace
@@ -107,7 +109,9 @@ void MainWindow::createCentre() {
     m_planPainter = std::make_unique<PlanPainter>(m_views->flat());
     m_planPainter->setLooks(m_netLooks);
     m_clearances = new Clearances(*m_views, *m_probing, m_selection, *m_planPainter, m_actions, this);
-    m_placeReadout = new PlaceReadout(*m_probing, *m_planPainter, *m_statusLine, this);
+    m_placeReadout = new PlaceReadout(*m_probing, *m_statusLine, this);
+    m_measurements = new MeasurementKeeping(m_thicknesses.history(), this);
+    m_measuring = new Measuring(*m_views, *m_probing, *m_measurements, this);
     connect(m_views, &BoardViews::timed, m_statusLine, &StatusLine::showFrame);
     connect(m_views, &BoardViews::troubled, m_messageBar, &MessageBar::showError);
     connect(&m_layerModel, &models::LayerModel::looksChanged, this, [this] {
@@ -128,6 +132,7 @@ void MainWindow::createDocks() {
     m_messagesPanel = new MessagesPanel(m_messageModel);
     m_viewKeeping = new ViewKeeping(*m_views, m_layerModel, m_selection, m_thicknesses.history(), this);
     m_viewsPanel = new ViewsPanel(m_viewKeeping->list(), m_actions);
+    m_measurementsPanel = new MeasurementsPanel(m_measurements->list(), m_actions);
     connect(m_messagesPanel, &MessagesPanel::chosen, this, qOverload<const model::Diagnostic&>(&MainWindow::goTo));
     const std::map<ActionId, QWidget*> panels = {{ActionId::ShowLayersDock, m_layersPanel},
                                                  {ActionId::ShowNetsDock, m_netsPanel},
@@ -137,7 +142,8 @@ void MainWindow::createDocks() {
                                                  {ActionId::ShowStatisticsDock, m_statisticsPanel},
                                                  {ActionId::ShowMessagesDock, m_messagesPanel},
                                                  {ActionId::ShowViewsDock, m_viewsPanel},
-                                                 {ActionId::ShowClearanceDock, &m_clearances->panel()}};
+                                                  {ActionId::ShowMeasurementsDock, m_measurementsPanel},
+                                                  {ActionId::ShowClearanceDock, &m_clearances->panel()}};
     addDocks(*this, m_actions, [&panels](ActionId toggle) { return panels.at(toggle); });
 }
 
@@ -176,6 +182,7 @@ void MainWindow::createMenus() {
     addMenu(*menuBar(), MenuId::Layers);
     addMenu(*menuBar(), MenuId::Nets);
     addMenu(*menuBar(), MenuId::Board);
+    addMenu(*menuBar(), MenuId::Measure);
     addMenu(*menuBar(), MenuId::Select);
     addMenu(*menuBar(), MenuId::Help);
 
@@ -266,8 +273,8 @@ void MainWindow::onLoaded(const LoadedBoard& board) {
     m_netsPanel->setBoard(board.document, board.nets);
     m_clearances->setBoard(board);
     m_planPainter->setBoard(board.index, {board.model->origin});
-    m_actions[ActionId::MeasureFrom].setChecked(false);
-    m_placeReadout->measureFromCursor(false);
+    m_measurements->setBoard(board);
+    m_measuring->setBoard(board);
     updateContrast();
     m_pages->setCurrentWidget(m_views);
     if (const auto unit = m_viewKeeping->restoreDesk(board)) {
@@ -285,11 +292,7 @@ void MainWindow::showNotes(const std::vector<std::string>& notes) {
     for (const std::string& note : notes) {
         lines += QString::fromStdString(note);
     }
-    if (lines.isEmpty()) {
-        m_messageBar->hide();
-    } else {
-        m_messageBar->showError(lines.join('\n'));
-    }
+    lines.isEmpty() ? m_messageBar->hide() : m_messageBar->showError(lines.join('\n'));
 }
 
 void MainWindow::colourStack() {
@@ -307,6 +310,7 @@ void MainWindow::onRestacked(const std::shared_ptr<const model::Document>& docum
     m_stackPanel->view().setStack(document);
     m_messageModel.setMessages(document, m_board->model->diagnostics);
     m_views->setHeights(document);
+    m_measuring->setHeights(document);
 }
 
 void MainWindow::goTo(const model::Diagnostic& message) {

@@ -12,6 +12,8 @@
 #include "ui/drop_target.h"
 #include "ui/element_looks.h"
 #include "ui/loader.h"
+#include "ui/measurement_keeping.h"
+#include "ui/measuring.h"
 #include "ui/models/board_search.h"
 #include "ui/models/layer_model.h"
 #include "ui/models/message_model.h"
@@ -39,6 +41,7 @@ namespace ui {
 class Keyboard;
 class LayersPanel;
 class ElementPanel;
+class MeasurementsPanel;
 class MessageBar;
 class MessagesPanel;
 class NetCheckPanel;
@@ -71,6 +74,8 @@ public:
     void savePicture(const QString& path, int width = 0);
     /// Writes the stack as its name's ending says (.svg, .csv).
     void exportStack(const QString& path);
+    /// Writes all measurements as a table.
+    void exportMeasurements(const QString& path);
     /// Back to the state of a first start, except for the board.
     void resetSettings();
 
@@ -97,6 +102,9 @@ public:
     [[nodiscard]] ViewsPanel& viewsPanel() { return *m_viewsPanel; }
     [[nodiscard]] ViewCube& viewCube() { return *m_viewCube; }
     [[nodiscard]] ViewKeeping& viewKeeping() { return *m_viewKeeping; }
+    [[nodiscard]] Measuring& measuring() { return *m_measuring; }
+    [[nodiscard]] MeasurementKeeping& measurements() { return *m_measurements; }
+    [[nodiscard]] MeasurementsPanel& measurementsPanel() { return *m_measurementsPanel; }
     [[nodiscard]] MessageBar& messageBar() { return *m_messageBar; }
     [[nodiscard]] StatusLine& statusLine() { return *m_statusLine; }
     [[nodiscard]] ActionSet& actions() { return m_actions; }
@@ -126,6 +134,7 @@ private:
     void connectSelectActions();
     void connectFollowActions();
     void connectPlanActions();
+    void connectMeasuring();  ///< in main_window_measuring.cpp
     void connectHelpActions();
     void connectLoader();
     void restoreSettings();  ///< this one and choices: main_window_choices.cpp
@@ -208,6 +217,9 @@ private:
     MessagesPanel* m_messagesPanel = nullptr;
     ViewsPanel* m_viewsPanel = nullptr;
     ViewKeeping* m_viewKeeping = nullptr;
+    MeasurementsPanel* m_measurementsPanel = nullptr;
+    MeasurementKeeping* m_measurements = nullptr;
+    Measuring* m_measuring = nullptr;
     std::array<ViewHistory*, 2> m_viewHistories{};  ///< as BoardViews::both
     Keyboard* m_keyboard = nullptr;
     StatusLine* m_statusLine = nullptr;

@@ -117,6 +117,7 @@ void MainWindow::setUnit(models::LengthUnit unit) {
     m_statisticsPanel->plot().setUnit(unit);
     m_searchBox->setUnit(unit);
     m_placeReadout->setUnit(unit);
+    m_measuring->setUnit(unit);
     statusBar()->showMessage(QStringLiteral("Lengths are in %1").arg(QLatin1String(models::unitName(unit))));
 }
 

@@ -62,6 +62,7 @@ void MainWindow::connectCommands() {
     connectSelectActions();
     connectFollowActions();
     connectPlanActions();
+    connectMeasuring();
     connectHelpActions();
 }
 
@@ -293,7 +294,8 @@ bool MainWindow::cancelWork() {
 }
 
 void MainWindow::connectSelectActions() {
-    on(ActionId::ClearSelection, [this] { cancelWork() || m_keyboard->returnToView() || m_selection.clearStep(); });
+    on(ActionId::ClearSelection,
+       [this] { cancelWork() || m_keyboard->returnToView() || m_measuring->stepBack() || m_selection.clearStep(); });
     on(ActionId::ShowSelection, [this] { m_probing->showInBoth(m_selection.selected()); });
     m_netCommands = new NetCommands(m_actions, m_selection, m_netLooks, *m_netsPanel, this);
     connect(m_netCommands, &NetCommands::missed, this, [this](const QString& what) { statusBar()->showMessage(what); });
@@ -332,12 +334,6 @@ void MainWindow::connectPlanActions() {
     m_actions[ActionId::ShowGrid].setChecked(true);
     m_actions[ActionId::ShowNames].setChecked(true);
     m_actions[ActionId::ShowPinNames].setChecked(true);
-    on(ActionId::MeasureFrom, [this](bool isOn) {
-        if (!m_placeReadout->measureFromCursor(isOn)) {
-            m_actions[ActionId::MeasureFrom].setChecked(false);
-            statusBar()->showMessage(QStringLiteral("Point at the board to measure from there"));
-        }
-    });
 }
 
 void MainWindow::connectHelpActions() {

@@ -4,8 +4,7 @@
 
 namespace ui {
 
-PlaceReadout::PlaceReadout(Probing& probing, PlanPainter& plan, StatusLine& line, QObject* parent)
-    : QObject(parent), m_plan(plan), m_line(line) {
+PlaceReadout::PlaceReadout(Probing& probing, StatusLine& line, QObject* parent) : QObject(parent), m_line(line) {
     connect(&probing, &Probing::pointedAt, this, [this](double x, double y) {
         m_cursor = base::PointD{x, y};
         show();
@@ -21,11 +20,9 @@ void PlaceReadout::setUnit(models::LengthUnit unit) {
     show();
 }
 
-bool PlaceReadout::measureFromCursor(bool isOn) {
-    m_from = isOn ? m_cursor : std::nullopt;
-    m_plan.showMark(m_from);
+void PlaceReadout::measureFrom(std::optional<base::PointD> place) {
+    m_from = place;
     show();
-    return m_from.has_value() || !isOn;
 }
 
 void PlaceReadout::show() {

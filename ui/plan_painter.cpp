@@ -159,21 +159,6 @@ QPointF PlanPainter::screenOf(double x, double y) const {
     return m_view.controller().screenOf(m_place.toModel({x, y})).value_or(QPointF());
 }
 
-void PlanPainter::showMark(std::optional<base::PointD> place) {
-    m_mark = place;
-    m_view.requestFrame();
-}
-
-void PlanPainter::paintMark(QPainter& painter) const {
-    constexpr double kArm = 9.0;  // pixels
-    const QPointF middle = screenOf(m_mark->x, m_mark->y);
-    for (const auto& [colour, width] : {std::pair(Qt::black, 4.0), std::pair(Qt::white, 1.5)}) {
-        painter.setPen(QPen(colour, width));
-        painter.drawLine(middle - QPointF(kArm, 0), middle + QPointF(kArm, 0));
-        painter.drawLine(middle - QPointF(0, kArm), middle + QPointF(0, kArm));
-    }
-}
-
 void PlanPainter::paint(QPainter& painter) const {
     if (!m_index) {
         return;
@@ -183,9 +168,6 @@ void PlanPainter::paint(QPainter& painter) const {
     }
     if (m_hasNames || m_hasPinNames) {
         paintNames(painter);
-    }
-    if (m_mark) {
-        paintMark(painter);
     }
     if (m_hasGrid) {
         paintRulers(painter, gridStep(nmPerPixel(), m_unit, kTickPixels));

@@ -27,8 +27,6 @@ public:
     void showPinNames(bool isOn);
     /// What is hidden is not named.
     void setLooks(const models::NetLooks& looks);
-    /// A cross at a place of the board, in nm; none takes it away.
-    void showMark(std::optional<base::PointD> place);
 
     /// The part of the board the view shows, in nm.
     [[nodiscard]] model::Box shownBox() const;
@@ -49,7 +47,6 @@ private:
     void paintGrid(QPainter& painter, double step) const;
     void paintRulers(QPainter& painter, double step) const;
     void paintNames(QPainter& painter) const;
-    void paintMark(QPainter& painter) const;
     [[nodiscard]] model::LayerId namedLayer() const;
     [[nodiscard]] std::vector<model::ElementId> namedElements() const;
     [[nodiscard]] QStringList pinNames(model::ElementId element) const;
@@ -66,7 +63,6 @@ private:
     bool m_hasPinNames = true;
     const models::NetLooks* m_looks = nullptr;
     std::optional<model::PinFinder> m_pins;
-    std::optional<base::PointD> m_mark;
 };
 
 }  // namespace ui

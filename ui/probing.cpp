@@ -97,7 +97,7 @@ void Probing::hideNets() {
 }
 
 std::vector<model::PickLayer> Probing::layersOf(const BoardView& view) const {
-    const std::vector<render::ZRange> heights = view.drawnHeights();
+    const std::vector<render::ZRange> heights = m_picker ? view.drawnHeights() : std::vector<render::ZRange>();
     std::vector<model::PickLayer> layers(heights.size());
     for (std::size_t row = 0; row < layers.size(); ++row) {
         layers[row].isVisible = isPickable(m_picker->index().board->layers[row], view.styles()[row]);
@@ -142,6 +142,9 @@ void Probing::hover() {
         return;
     }
     m_selection.hover(hits.front().at);
+    if (!m_isSelecting) {
+        return;
+    }
     QToolTip::showText(m_hoverView->mapToGlobal(m_hoverAt.toPoint()) + QPoint(0, 4),
                        models::summaryOf(m_selection.tree(), hits.front().at, m_unit), m_hoverView);
 }
@@ -159,6 +162,9 @@ void Probing::announcePlace(const BoardView& view, QPointF position) {
 }
 
 void Probing::click(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers) {
+    if (!m_isSelecting) {
+        return;
+    }
     std::vector<model::BoardElement> found = elementsOf(hitsAt(view, position));
     if (modifiers.testFlag(Qt::ControlModifier)) {
         if (!found.empty() && modifiers.testFlag(Qt::ShiftModifier)) {
@@ -183,6 +189,9 @@ void Probing::click(BoardView& view, QPointF position, Qt::KeyboardModifiers mod
 }
 
 void Probing::showInOther(BoardView& view) {
+    if (!m_isSelecting) {
+        return;
+    }
     BoardView& other = view.kind() == BoardView::Kind::Flat ? m_views.solid() : m_views.flat();
     show(other.isVisible() ? other : view, m_selection.selected());
 }
@@ -242,7 +251,7 @@ void Probing::showPlace(base::PointD nm, model::LayerId layer) {
 void Probing::selectBox(QPointF from, QPointF to, Qt::KeyboardModifiers modifiers) {
     m_box.reset();
     m_views.flat().requestFrame();
-    if (!m_picker) {
+    if (!m_picker || !m_isSelecting) {
         return;
     }
     const CameraController& controller = m_views.flat().controller();

@@ -31,7 +31,12 @@ public:
     /// Whether the camera of `to` follows what is clicked in the other view.
     void setFollows(BoardView::Kind to, bool isOn) { m_follows[static_cast<std::size_t>(to)] = isOn; }
 
+    /// While something else takes the clicks, nothing is selected and no tips are shown.
+    void setSelecting(bool isOn) { m_isSelecting = isOn; }
+
     [[nodiscard]] const BoardPlace& place() const { return m_place; }
+    /// What the view shows of each layer; empty without a board.
+    [[nodiscard]] std::vector<model::PickLayer> layersOf(const BoardView& view) const;
     /// What lies under a place of the canvas, see model::Picker.
     [[nodiscard]] std::vector<model::Hit> hitsAt(const BoardView& view, QPointF position);
     /// Brings elements to the middle.
@@ -56,7 +61,6 @@ private:
     void showInOther(BoardView& view);
     void selectBox(QPointF from, QPointF to, Qt::KeyboardModifiers modifiers);
     void announcePlace(const BoardView& view, QPointF position);
-    [[nodiscard]] std::vector<model::PickLayer> layersOf(const BoardView& view) const;
     void paintBox(QPainter& painter) const;
 
     BoardViews& m_views;
@@ -66,6 +70,7 @@ private:
     BoardPlace m_place;
     models::LengthUnit m_unit = models::LengthUnit::Millimetre;
     std::array<bool, 2> m_follows{};
+    bool m_isSelecting = true;
 
     QTimer m_rest;  ///< runs out when the cursor has stayed a moment
     BoardView* m_hoverView = nullptr;

@@ -36,10 +36,7 @@ struct BoxIndex::Tree {
     bg::index::rtree<Entry, bg::index::rstar<16>> tree;
 };
 
-BoxIndex::BoxIndex(std::span<const base::Box> boxes) : m_tree(std::make_unique<Tree>(entriesOf(boxes))) {}
-BoxIndex::~BoxIndex() = default;
-BoxIndex::BoxIndex(BoxIndex&&) noexcept = default;
-BoxIndex& BoxIndex::operator=(BoxIndex&&) noexcept = default;
+BoxIndex::BoxIndex(std::span<const base::Box> boxes) : m_tree(std::make_shared<const Tree>(entriesOf(boxes))) {}
 
 void BoxIndex::visit(const base::Box& box, const std::function<void(std::uint32_t)>& visit) const {
     m_tree->tree.query(bg::index::intersects(toTree(box)),

@@ -10,20 +10,17 @@
 namespace model {
 
 /// Finds boxes near a place: an R-tree, packed once. Rows are those of the span it was made from; empty boxes are never
-/// found. Reading is safe from every thread.
+/// found. Reading is safe from every thread; copies share the tree.
 class BoxIndex {
 public:
     explicit BoxIndex(std::span<const base::Box> boxes);
-    ~BoxIndex();
-    BoxIndex(BoxIndex&&) noexcept;
-    BoxIndex& operator=(BoxIndex&&) noexcept;
 
     /// Calls `visit(row)` for every box that shares a point with `box`, in an order that depends on the boxes only.
     void visit(const base::Box& box, const std::function<void(std::uint32_t)>& visit) const;
 
 private:
     struct Tree;
-    std::unique_ptr<Tree> m_tree;
+    std::shared_ptr<const Tree> m_tree;
 };
 
 }  // namespace model

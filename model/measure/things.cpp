@@ -202,6 +202,16 @@ std::vector<BoardElement> elementsOf(const BoardIndex& index, const Thing& thing
     return std::visit(Collector{index}, thing);
 }
 
+std::optional<double> heightBetween(const Document& board, LayerId a, LayerId b) {
+    if (!a.isValid() || !b.isValid() || !isInStack(board.layer(a)) || !isInStack(board.layer(b))) {
+        return std::nullopt;
+    }
+    const auto above = [](const Layer& upper, const Layer& lower) {
+        return static_cast<double>(upper.z) - lower.z - lower.thickness;
+    };
+    return std::max({0.0, above(board.layer(a), board.layer(b)), above(board.layer(b), board.layer(a))});
+}
+
 NetId netOf(const BoardIndex& index, BoardElement at) {
     return at.element.isValid() ? stepOf(index, at.copy).elements.net[at.element.row()] : NetId{};
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -40,6 +41,10 @@ using Thing = std::variant<BoardElement, NetOfCopy, PartOfCopy, PinOfCopy, Board
 [[nodiscard]] NetId netOf(const BoardIndex& index, BoardElement at);
 /// What people call it: "net GND", "U1", "pin U1.3", "element 12 (TOP)", "the board's edge", "the place".
 [[nodiscard]] std::string nameOf(const BoardIndex& index, const Thing& thing);
+
+/// How far the faces of two layers of the board that look at each other are apart, in nm; 0 where their heights meet.
+/// Nothing if one is none or has no place in the stack.
+[[nodiscard]] std::optional<double> heightBetween(const Document& board, LayerId a, LayerId b);
 
 /// One connected piece of a thing: an upright prism over a figure.
 struct Piece {

@@ -13,6 +13,7 @@
 #include <optional>
 
 #include "model/session/length_text.h"
+#include "model/session/measurement_json.h"
 #include "model/session/session_json.h"
 #include "model/stackup.h"
 
@@ -29,6 +30,7 @@ constexpr const char* kThicknessKey = "thickness_nm";
 constexpr const char* kViewsKey = "views";
 constexpr const char* kNetsKey = "nets";
 constexpr const char* kDeskKey = "desk";
+constexpr const char* kMeasurementsKey = "measurements";
 /// No session is this large; something else is.
 constexpr std::uintmax_t kMostBytes = 16 << 20;
 
@@ -83,16 +85,19 @@ void readThicknesses(const ordered_json& json, const Stackup& stackup, LoadedSes
     }
 }
 
-void readViews(const ordered_json& json, LoadedSession& out) {
+/// Reads a list of what the user kept, element by element.
+template <class Kept, class Read>
+void readList(const ordered_json& json, const char* key, const char* kind, const Read& read, std::vector<Kept>& kept,
+              std::vector<std::string>& ignored) {
     if (!json.is_array()) {
-        out.ignored.push_back(std::string(kViewsKey) + " is not a list of views");
+        ignored.push_back(std::string(key) + " is not a list of " + kind + "s");
         return;
     }
     for (std::size_t i = 0; i < json.size(); ++i) {
-        if (std::optional<KeptView> view = viewFrom(json[i])) {
-            out.session.views.push_back(std::move(*view));
+        if (std::optional<Kept> one = read(json[i])) {
+            kept.push_back(std::move(*one));
         } else {
-            out.ignored.push_back("view " + std::to_string(i + 1) + ", which is no view");
+            ignored.push_back(std::string(kind) + " " + std::to_string(i + 1) + ", which is no " + kind);
         }
     }
 }
@@ -273,11 +278,13 @@ LoadedSession loadSession(const fs::path& board, const Document& document) {
         if (key == kThicknessKey) {
             readThicknesses(value, document.stackup, out);
         } else if (key == kViewsKey) {
-            readViews(value, out);
+            readList(value, kViewsKey, "view", viewFrom, out.session.views, out.ignored);
         } else if (key == kNetsKey) {
             readNets(value, document, out);
         } else if (key == kDeskKey) {
             readDesk(value, document, out);
+        } else if (key == kMeasurementsKey) {
+            readList(value, kMeasurementsKey, "measurement", measurementFrom, out.session.measurements, out.ignored);
         } else if (key != kVersionKey && key != kJobKey) {
             out.ignored.push_back("\"" + key + "\" is not known");
         }
@@ -315,6 +322,15 @@ base::Status saveNets(const fs::path& board, const Document& document, const std
 
 base::Status saveDesk(const fs::path& board, const Document& document, const Desk& desk) {
     return savePart(board, document, kDeskKey, jsonOf(desk));
+}
+
+base::Status saveMeasurements(const fs::path& board, const Document& document,
+                              const std::vector<Measurement>& measurements) {
+    ordered_json json;
+    for (const Measurement& measurement : measurements) {
+        json.push_back(toJson(measurement));
+    }
+    return savePart(board, document, kMeasurementsKey, json);
 }
 
 std::shared_ptr<const Document> applyThicknesses(std::shared_ptr<const Document> document,

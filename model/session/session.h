@@ -11,6 +11,7 @@
 #include "model/document.h"
 #include "model/session/kept_nets.h"
 #include "model/session/kept_selection.h"
+#include "model/session/measurement.h"
 
 /// What a user has set for a board, over what the job says. It lies in a file of its own beside the job, which is never
 /// written to. The file holds only what was changed:
@@ -22,7 +23,8 @@
 ///                 "elements": [["TOP", "line", 0, 0, 1500000, 200000]]}}],
 ///      "nets": [{"name": "GND", "step": "pcb", "colour": "#e69f00", "hidden": true}],
 ///      "desk": {"step": "pcb", "flat": {…}, "solid": {…}, "unit": "mm",
-///               "layers": [{"name": "TOP", "visible": true, "opacity_percent": 80, "colour": "#ff8000"}]}}
+///               "layers": [{"name": "TOP", "visible": true, "opacity_percent": 80, "colour": "#ff8000"}]},
+///      "measurements": [see Measurement]}
 namespace model::session {
 
 inline constexpr int kVersion = 1;
@@ -74,6 +76,7 @@ struct Session {
     std::vector<KeptNet>
         nets{};  ///< also those that this board does not have: nothing is lost when it is written again
     std::optional<Desk> desk{};
+    std::vector<Measurement> measurements{};
     bool operator==(const Session&) const = default;
 };
 
@@ -102,6 +105,8 @@ struct LoadedSession {
 [[nodiscard]] base::Status saveNets(const std::filesystem::path& board, const Document& document,
                                     const std::vector<KeptNet>& nets);
 [[nodiscard]] base::Status saveDesk(const std::filesystem::path& board, const Document& document, const Desk& desk);
+[[nodiscard]] base::Status saveMeasurements(const std::filesystem::path& board, const Document& document,
+                                            const std::vector<Measurement>& measurements);
 
 /// The document with these thicknesses in it.
 [[nodiscard]] std::shared_ptr<const Document> applyThicknesses(std::shared_ptr<const Document> document,

@@ -163,7 +163,7 @@ private:
 
     void walkTo(const QString& dock) {
         window().activateWindow();  // as a desktop does when the search line goes away
-        for (int i = 0; i < 12 && dockWithKeyboard() != dock; ++i) {
+        for (int i = 0; i < 20 && dockWithKeyboard() != dock; ++i) {
             step(ActionId::NextPanel);
         }
         QCOMPARE(dockWithKeyboard(), dock);

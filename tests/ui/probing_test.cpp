@@ -2,7 +2,6 @@
 
 #include <QLineEdit>
 #include <QMouseEvent>
-#include <QRegularExpression>
 #include <QtTest>
 
 #include "tests/places.h"
@@ -133,31 +132,6 @@ private slots:
         QCoreApplication::sendEvent(&view.canvas(), &leave);
         QVERIFY(!window().selection().hovered().has_value());
         QVERIFY(window().statusLine().placeText().isEmpty());
-    }
-
-    void placesAreMeasuredFromWhereMWasPressed() {
-        ui::BoardView& view = window().views().flat();
-        const model::ElementId pad = aPad();
-        view.controller().show(boxMin(pad), boxMax(pad));
-        const QPointF from = centreOf(view, pad);
-        mouse(view, QEvent::MouseMove, Qt::NoButton, from);
-        QTRY_VERIFY(!window().statusLine().placeText().isEmpty());
-        m_fixture->key(Qt::Key_M);
-        QVERIFY(window().statusLine().placeText().contains("Δ 0.0000, 0.0000 mm"));
-        mouse(view, QEvent::MouseMove, Qt::NoButton, from + QPointF(30, 40));
-        const double mm = 50.0 * static_cast<double>(view.controller().mmPerPixel());
-        // "x, y mm   Δ dx, dy mm   distance mm"; what stands before the unit may be any kind of blank.
-        static const QRegularExpression lastNumber("([0-9.]+)\\s*mm$", QRegularExpression::UseUnicodePropertiesOption);
-        const auto distance = [&] {
-            return lastNumber.match(window().statusLine().placeText().trimmed()).captured(1).toDouble();
-        };
-        QTRY_VERIFY(std::abs(distance() - mm) < 0.01 * mm + 1e-4);
-        m_fixture->key(Qt::Key_M);
-        QVERIFY(!window().statusLine().placeText().contains("Δ"));
-        QEvent leave(QEvent::Leave);
-        QCoreApplication::sendEvent(&view.canvas(), &leave);
-        m_fixture->key(Qt::Key_M);
-        QVERIFY(!window().actions()[ActionId::MeasureFrom].isChecked());
     }
 
     void netKeyLightsUpTheNetAndEscapeTakesBackOneStepAtATime() {

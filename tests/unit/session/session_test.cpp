@@ -15,6 +15,8 @@ using model::session::KeptNet;
 using model::session::KeptView;
 using model::session::LoadedSession;
 using model::session::loadSession;
+using model::session::Measurement;
+using model::session::saveMeasurements;
 using model::session::saveNets;
 using model::session::saveThicknesses;
 using model::session::saveViews;
@@ -47,6 +49,10 @@ KeptView selectionOf(std::vector<model::session::KeptElement> elements) {
     kept.step = "pcb";
     kept.selection = {{{"pcb", "CLK"}}, std::move(elements)};
     return kept;
+}
+
+Measurement measured(const char* name) {
+    return {name, "pcb", {1.5, -2, "TOP", "GND", "edge"}, {4.5, 2, "SMT", "", "centre"}, 12.0, 0.25, true, false};
 }
 
 /// A board beside which sessions may lie.
@@ -134,10 +140,14 @@ private slots:
     void whatIsSavedIsLoaded() {
         const Place place;
         QVERIFY(place.load().session == Session() && place.load().ignored.empty());
-        const Session session{
-            {{"TOP", 70'000}, {"CORE1", 300'000}}, {viewNamed("Über \"U1\""), viewNamed("")}, {}, std::nullopt};
+        const Session session{{{"TOP", 70'000}, {"CORE1", 300'000}},
+                              {viewNamed("Über \"U1\""), viewNamed("")},
+                              {},
+                              std::nullopt,
+                              {measured("gap"), measured("")}};
         QVERIFY(place.save(session.thicknesses).ok());
         QVERIFY(place.save(session.views).ok());
+        QVERIFY(saveMeasurements(place.board, *place.document, session.measurements).ok());
         QVERIFY(place.load().session == session);
         QVERIFY(place.load().ignored.empty());
         const auto document = model::session::applyThicknesses(place.document, session.thicknesses);
@@ -163,7 +173,7 @@ private slots:
         place.write(R"({"copperscope_session": 1, "job": "everything", "bookmarks": [1, 2],)"
                     R"("thickness_nm": {"TOP": 70000, "GONE": 5000, "CORE1": "thick", "CORE2": 5, "SMT": 1e99}})");
         const LoadedSession found = place.load();
-        QVERIFY((found.session == Session{kOneThickness, {}}));
+        QVERIFY((found.session == Session{kOneThickness, {}, {}, std::nullopt, {}}));
         QCOMPARE(found.ignored.size(), std::size_t{5});
         for (const char* part : {"bookmarks", "GONE", "CORE1", "CORE2", "SMT"}) {
             QVERIFY2(std::ranges::any_of(found.ignored,
@@ -293,6 +303,27 @@ private slots:
         const model::session::FoundSelection found = model::session::findSelection(tree, kept);
         QCOMPARE(found.nets, std::vector{nets[1]});
         QCOMPARE(found.missingNets, (std::vector<std::string>{"NO_SUCH", kept.nets[1].name}));
+    }
+
+    void whatIsNoMeasurementIsNamed() {
+        const Place place;
+        QVERIFY(saveMeasurements(place.board, *place.document, {measured("a"), measured("b"), measured("c")}).ok());
+        std::string text = place.file();
+        text.replace(text.find("\"overlap_nm\": 0.25"), 18, "\"overlap_nm\": -5.0");
+        text.replace(text.rfind("\"TOP\""), 5, "99999");
+        place.write(text);
+        const LoadedSession found = place.load();
+        QCOMPARE(found.session.measurements, std::vector{measured("b")});
+        QCOMPARE(found.ignored.size(), std::size_t{2});
+        QVERIFY(found.ignored[1].find("measurement 3") != std::string::npos);
+    }
+
+    void measurementsAreATableForOthers() {
+        const std::string csv = model::session::measurementsCsv({measured("a,b")});
+        QCOMPARE(std::ranges::count(csv, '\n'), 2);
+        // 3, 4 and 12 nm: 13 nm in all.
+        QVERIFY2(csv.find("\"a,b\",pcb,edge to edge,0.000013,0.0005,0.000003,0.000004,0.000012,") != std::string::npos,
+                 csv.c_str());
     }
 
     void anotherBoardsSessionIsIgnored() {

@@ -9,6 +9,7 @@
 
 #include "model/geometry/distance.h"
 #include "model/reader.h"
+#include "model/stackup.h"
 #include "tests/places.h"
 #include "tests/unit/model/measure/measure_fixture.h"
 
@@ -517,6 +518,26 @@ private slots:
         base::Progress progress;
         progress.cancel();
         QCOMPARE(separationOf(*index, own(a), own(b), progress).error().code, base::ErrorCode::Cancelled);
+    }
+
+    void otherThicknessesGiveOtherHeights() {
+        base::Progress progress;
+        const auto board = *readBoard(places::kSample, {}, progress);
+        const auto index = indexed(board);
+        const auto onLayer = [&](const char* name) {
+            return BoardElement{0, ElementId{board->layer(board->findLayer(name)).elements.first}};
+        };
+        const auto dz = [&](const BoardIndex& of) {
+            return measured(of, onLayer("L01-TOP_LAYER"), onLayer("L04-BOTTOM_LAYER")).throughStack->dz;
+        };
+        const Nm before = findRow(board->stackup, "DIELECTRIC_2")->thickness;
+        // All other rows are set to what they are, so that none gives way.
+        std::vector<ThicknessOverride> set;
+        for (const StackRow& row : board->stackup.rows) {
+            set.push_back({row.name, row.name == "DIELECTRIC_2" ? 2'000'000 : row.thickness});
+        }
+        const auto thicker = withHeights(*index, restack(*board, set));
+        QCOMPARE(dz(*thicker) - dz(*index), 2e6 - before);
     }
 
     void netsAreMeasuredAsAllTheirPairsWouldBe() {

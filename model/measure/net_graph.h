@@ -1,0 +1,99 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "model/base/progress.h"
+#include "model/geometry/box_index.h"
+#include "model/measure/net_path.h"
+
+namespace model {
+
+/// How the way goes on inside of a piece.
+enum class Carrier : std::uint8_t {
+    Stroke,  ///< along its middle lines
+    Hub,     ///< over its centre
+    Area     ///< straight from contact to contact
+};
+
+/// A place where the way can turn: on a piece, on a layer.
+struct NetNode {
+    std::uint32_t piece = 0;
+    LayerId layer;
+    PointD at;
+    double along = 0.0;  ///< strokes: length of the middle line up to here
+};
+
+struct NetLink {
+    std::uint32_t to = 0;
+    double length = 0.0;
+    PathLeg::Kind kind = PathLeg::Kind::Stroke;
+};
+
+/// A net's copper as a graph: nodes where pieces meet, links along the pieces. Join, ask for the ends, finish; then
+/// read.
+class NetGraph {
+public:
+    NetGraph(const BoardIndex& index, NetOfCopy net);
+
+    /// Joins what touches. False after a cancel.
+    [[nodiscard]] bool join(base::Progress& progress);
+
+    /// Nodes that stand for an end of the way; empty if it is not on the net.
+    [[nodiscard]] std::vector<std::uint32_t> endsAt(const Thing& thing);
+
+    /// Links along strokes, up and down holes. Call when all nodes are there.
+    void finish();
+    [[nodiscard]] const std::vector<NetNode>& nodes() const { return m_nodes; }
+    [[nodiscard]] std::span<const NetLink> linksOf(std::uint32_t node) const { return m_links[node]; }
+    [[nodiscard]] bool isOnArea(std::uint32_t node) const { return m_carriers[m_nodes[node].piece] == Carrier::Area; }
+    [[nodiscard]] std::span<const std::uint32_t> sameArea(std::uint32_t node) const;
+    [[nodiscard]] const Piece& pieceOf(std::uint32_t node) const { return m_pieces.pieces[m_nodes[node].piece]; }
+
+private:
+    [[nodiscard]] const Document& stepOf(const Piece& piece) const;
+    [[nodiscard]] Carrier carrierOf(std::size_t row) const;
+
+    /// The middle of a pad or hole.
+    [[nodiscard]] PointD centreOf(std::uint32_t row) const;
+    std::uint32_t addNode(const NetNode& node);
+    void link(std::uint32_t a, std::uint32_t b, double length, PathLeg::Kind kind);
+
+    /// The node of a pad or hole on one layer.
+    std::uint32_t hubOf(std::uint32_t row, LayerId layer);
+
+    /// The node of a piece that is nearest to a place both it and another piece cover.
+    std::uint32_t nodeNear(std::uint32_t row, LayerId layer, PointD place);
+    std::uint32_t nodeOnStroke(std::uint32_t row, LayerId layer, PointD place);
+
+    /// The place at which two pieces are joined: the centre of a pad if one is a pad, the end of a stroke that lies in
+    /// an area, else where middle lines are nearest or copper meets.
+    [[nodiscard]] PointD jointOf(std::uint32_t i, std::uint32_t j, PointD meeting) const;
+
+    /// The end of a stroke that lies in an area.
+    [[nodiscard]] std::optional<PointD> endInside(std::uint32_t stroke, std::uint32_t area) const;
+
+    /// Where the middle lines of two strokes are nearest to each other.
+    [[nodiscard]] PointD middlesMeet(std::uint32_t i, std::uint32_t j) const;
+    void joinPieces(std::uint32_t i, std::uint32_t j, PointD meeting);
+    std::vector<std::uint32_t> endsAtPlace(const Place& place);
+    void standFor(std::uint32_t row, std::vector<std::uint32_t>& nodes);
+    void linkAlong(std::uint32_t row);
+    void linkThrough(std::uint32_t row);
+
+    /// Half way through the copper of a layer.
+    [[nodiscard]] double middleOf(LayerId id) const;
+
+    const BoardIndex& m_index;
+    Pieces m_pieces;
+    std::vector<Carrier> m_carriers;
+    std::vector<BoxIndex> m_boxes;  ///< one
+    std::vector<NetNode> m_nodes;
+    std::vector<std::vector<NetLink>> m_links;
+    std::vector<std::vector<std::uint32_t>> m_onPiece;
+    std::vector<std::map<LayerId, std::uint32_t>> m_hubs;  ///< by piece: pads and holes
+};
+
+}  // namespace model

@@ -1,0 +1,278 @@
+// Measuring with mouse and keys in both views, and what becomes of the measurements.
+#include "ui/measuring.h"
+
+#include <QClipboard>
+#include <QDockWidget>
+#include <QLineEdit>
+#include <QMouseEvent>
+#include <QStatusBar>
+#include <QtTest>
+#include <cmath>
+
+#include "model/measure/separation.h"
+#include "tests/places.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/measurements_panel.h"
+#include "ui/status_line.h"
+#include "ui/table_view.h"
+
+using model::session::Measurement;
+using ui::ActionId;
+using ui::BoardView;
+using ui::Measuring;
+namespace fs = std::filesystem;
+
+class MeasuringTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        m_fixture = std::make_unique<WindowFixture>();
+        m_job = fs::path(m_fixture->folder().toStdString()) / "sample.tgz";
+        fs::copy_file(places::kSample, m_job);
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        window().findChild<QDockWidget*>("measurements")->raise();
+        findPads();
+        // Both pads in the middle, the copper of their layer alone.
+        window().layers().showOnly({board().layer(board().elements.layer[m_a.row()]).name});
+        for (BoardView* view : window().views().both()) {
+            view->controller().look(render::NamedView::Top);
+        }
+        model::Box both = board().boxOf(m_a);
+        both.include(board().boxOf(m_b));
+        const ui::BoardPlace place = window().probing().place();
+        flat().controller().show(place.toModel(base::toDouble(both.min)), place.toModel(base::toDouble(both.max)));
+        solid().controller().show(place.toModel(base::toDouble(both.min), 1.6e6),
+                                  place.toModel(base::toDouble(both.max), 1.6e6));
+    }
+    void cleanup() {
+        const std::uint32_t errors = m_fixture->context().validationErrors();
+        m_fixture.reset();
+        QCOMPARE(errors, 0U);
+    }
+
+    void twoClicksMeasureFromCentreToCentreInBothViews() {
+        for (BoardView* view : window().views().both()) {
+            const QImage before = picture(*view);
+            m_fixture->key(Qt::Key_M);
+            QVERIFY(window().actions()[ActionId::MeasurePoints].isChecked());
+            click(*view, screenOf(*view, m_a) + QPointF(3, 2));
+            move(*view, screenOf(*view, m_b));
+            QTRY_VERIFY(window().statusLine().placeText().contains("Δ"));
+            click(*view, screenOf(*view, m_b) + QPointF(-2, 3));
+            QVERIFY(!window().statusLine().placeText().contains("Δ"));
+            const Measurement& m = list().back();
+            QVERIFY2(std::abs(m.distance() - centreDistance()) < 1e-3,
+                     qPrintable(QString("%1, not %2").arg(m.distance()).arg(centreDistance())));
+            QCOMPARE(m.from.snap, std::string("centre"));
+            QCOMPARE(m.from.net, netOf(m_a));
+            QCOMPARE(m.to.net, netOf(m_b));
+            QVERIFY(window().selection().selected().empty());  // clicks measured, nothing else
+            m_fixture->key(Qt::Key_M);
+            QCOMPARE(window().measuring().tool(), Measuring::Tool::None);
+            QVERIFY(differingPixels(before, picture(*view)) > 200);
+        }
+        QCOMPARE(list().size(), std::size_t{2});
+    }
+
+    void heldKeysLockDirectionsAndLetGo() {
+        m_fixture->key(Qt::Key_M);
+        const auto measure = [&](Qt::KeyboardModifiers modifiers, QPointF offset) {
+            click(flat(), screenOf(flat(), m_a));
+            click(flat(), screenOf(flat(), m_b) + offset, modifiers);
+            return list().back();
+        };
+        const Measurement straight = measure(Qt::ShiftModifier, {});
+        QVERIFY(std::abs(straight.dx()) < 1e-3 || std::abs(straight.dy()) < 1e-3);
+        QVERIFY(straight.distance() > 1000);
+        const Measurement slanting = measure(Qt::ControlModifier, {});
+        const double ratio = std::abs(slanting.dx()) - std::abs(slanting.dy());
+        QVERIFY(std::abs(ratio) < 1e-2 || std::abs(slanting.dx()) < 1e-3 || std::abs(slanting.dy()) < 1e-3);
+        const Measurement free = measure(Qt::AltModifier, {2, 1});
+        QCOMPARE(free.to.snap, std::string("free"));
+        QVERIFY(std::abs(free.distance() - centreDistance()) > 10);
+    }
+
+    void twoElementsAreMeasuredFromEdgeToEdge() {
+        m_fixture->key(Qt::Key_M, Qt::ShiftModifier);
+        click(flat(), screenOf(flat(), m_a));
+        click(flat(), screenOf(flat(), m_b));
+        base::Progress progress;
+        const auto index = *model::indexBoard(std::make_shared<const model::Document>(board()), progress);
+        const auto expected =
+            *model::separationOf(*index, model::BoardElement{0, m_a}, model::BoardElement{0, m_b}, progress);
+        QCOMPARE(list().size(), std::size_t{1});
+        QVERIFY(list()[0].isGap);
+        QVERIFY(std::abs(list()[0].distance() - expected.main()->distance) < 1e-3);
+        click(flat(), screenOf(flat(), m_a));
+        click(flat(), screenOf(flat(), m_a));  // the same twice: said, not measured
+        QCOMPARE(list().size(), std::size_t{1});
+        QVERIFY(window().statusBar()->currentMessage().contains("both are the same"));
+    }
+
+    void oneKeyMeasuresTheGapAtTheCursor() {
+        m_fixture->key(Qt::Key_R);
+        QVERIFY(list().empty());  // the cursor is on no view
+        move(flat(), screenOf(flat(), m_a));
+        m_fixture->key(Qt::Key_R);
+        QCOMPARE(list().size(), std::size_t{1});
+        QVERIFY(list()[0].isGap && list()[0].distance() > 0);
+        QCOMPARE(list()[0].from.layer, list()[0].to.layer);
+        QVERIFY(list()[0].from.net != list()[0].to.net);
+    }
+
+    void escapeGoesBackStepByStep() {
+        window().selection().select({{0, m_a}});
+        m_fixture->key(Qt::Key_M);
+        click(flat(), screenOf(flat(), m_a));
+        m_fixture->key(Qt::Key_Escape);
+        QCOMPARE(window().measuring().tool(), Measuring::Tool::Points);
+        click(flat(), screenOf(flat(), m_b));
+        QVERIFY(list().empty());  // it was a first point again
+        m_fixture->key(Qt::Key_Escape);
+        m_fixture->key(Qt::Key_Escape);
+        QCOMPARE(window().measuring().tool(), Measuring::Tool::None);
+        QVERIFY(!window().selection().selected().empty());
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(window().selection().selected().empty());
+        click(flat(), screenOf(flat(), m_a));  // clicks select again
+        QVERIFY(!window().selection().selected().empty());
+    }
+
+    void measurementsAreRenamedHiddenForgottenAndUndone() {
+        const QImage before = picture(flat());
+        measureBoth();
+        m_fixture->key(Qt::Key_Escape);
+        const QImage shown = picture(flat());
+        QVERIFY(differingPixels(before, shown) > 200);
+        table().setCurrentIndex(table().model()->index(0, 0));
+        QVERIFY(table().model()->setData(table().model()->index(0, 0), Qt::Unchecked, Qt::CheckStateRole));
+        QCOMPARE(differingPixels(before, picture(flat())), 0);
+        undo();
+        QVERIFY(list()[0].isShown);
+        table().setFocus();
+        table().setCurrentIndex(table().model()->index(0, 0));
+        QTest::keyClick(&table(), Qt::Key_F2);
+        auto* editor = table().findChild<QLineEdit*>();
+        QVERIFY(editor != nullptr);
+        editor->selectAll();
+        QTest::keyClicks(editor, "pad to pad");
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_COMPARE(list()[0].name, std::string("pad to pad"));
+        QTRY_VERIFY(table().findChild<QLineEdit*>() == nullptr);
+        table().selectRow(0);
+        table().setFocus();
+        QTest::keyClick(&table(), Qt::Key_Delete);
+        QVERIFY(list().empty());
+        undo();
+        QCOMPARE(list()[0].name, std::string("pad to pad"));
+    }
+
+    void measurementsAreInTheSessionAndInATable() {
+        measureBoth();
+        const std::vector<Measurement> kept = list();
+        const QString path = m_fixture->folder() + "/out.csv";
+        window().exportMeasurements(path);
+        QFile csv(path);
+        QVERIFY(csv.open(QIODevice::ReadOnly));
+        QCOMPARE(csv.readAll().count('\n'), 2);
+        m_fixture->restart();
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        QVERIFY(list() == kept);
+    }
+
+    void aDoubleClickBringsAMeasurementToTheMiddle() {
+        measureBoth();
+        flat().controller().fit();
+        solid().controller().fit();
+        const float before[] = {flat().controller().mmPerPixel(), solid().controller().mmPerPixel()};
+        const QPoint cell = table().visualRect(table().model()->index(0, 1)).center();
+        QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, cell);
+        QTest::mouseDClick(table().viewport(), Qt::LeftButton, {}, cell);
+        QVERIFY(flat().controller().mmPerPixel() < before[0]);
+        QVERIFY(solid().controller().mmPerPixel() < before[1]);
+    }
+
+    void copiedRowsAreText() {
+        measureBoth();
+        table().selectRow(0);
+        table().copySelection();
+        QVERIFY(QGuiApplication::clipboard()->text().contains("mil"));
+    }
+
+private:
+    ui::MainWindow& window() { return m_fixture->window(); }
+    BoardView& flat() { return window().views().flat(); }
+    BoardView& solid() { return window().views().solid(); }
+    const model::Document& board() { return *window().document(); }
+    const std::vector<Measurement>& list() { return window().measurements().list().measurements(); }
+    ui::TableView& table() { return window().measurementsPanel().table(); }
+    void undo() { window().actions()[ActionId::Undo].trigger(); }
+
+    /// Two round pads of different nets on the uppermost copper layer, the nearest to each other.
+    void findPads() {
+        std::vector<model::ElementId> pads;
+        const auto& elements = board().elements;
+        for (std::size_t row = 0; row < elements.size(); ++row) {
+            const model::Layer& layer = board().layer(elements.layer[row]);
+            if (layer.isCopper() && layer.side == model::LayerSide::Top && (elements.flags[row] & model::kPad) != 0 &&
+                elements.kind[row] == model::ElementKind::Circle && elements.net[row].isValid()) {
+                pads.emplace_back(row);
+            }
+        }
+        double least = 1e18;
+        for (const model::ElementId a : pads) {
+            for (const model::ElementId b : pads) {
+                m_a = a;
+                m_b = b;
+                const double distance = netOf(a) == netOf(b) ? 1e18 : centreDistance();
+                if (distance > 1e6 && distance < least) {
+                    least = distance;
+                    m_pair = {a, b};
+                }
+            }
+        }
+        std::tie(m_a, m_b) = m_pair;
+    }
+    model::Point centreOf(model::ElementId id) { return board().circles[board().elements.geometry[id.row()]].centre; }
+    std::string netOf(model::ElementId id) { return board().nets[board().elements.net[id.row()].row()].name; }
+    double centreDistance() {
+        return std::hypot(double(centreOf(m_a).x) - centreOf(m_b).x, double(centreOf(m_a).y) - centreOf(m_b).y);
+    }
+    QPointF screenOf(BoardView& view, model::ElementId id) {
+        const model::LayerId layer = board().elements.layer[id.row()];
+        const double z = double(view.drawnHeights()[layer.row()].z1) * base::kNmPerMm;
+        return *view.controller().screenOf(window().probing().place().toModel(base::toDouble(centreOf(id)), z));
+    }
+    void measureBoth() {
+        m_fixture->key(Qt::Key_M);
+        click(flat(), screenOf(flat(), m_a));
+        click(flat(), screenOf(flat(), m_b));
+        QCOMPARE(list().size(), std::size_t{1});
+        m_fixture->key(Qt::Key_M);
+    }
+    static QImage picture(BoardView& view) {
+        base::Result<QImage> image = view.grabPicture();
+        return image ? image->convertToFormat(QImage::Format_RGB32) : QImage();
+    }
+    static void send(BoardView& view, QEvent::Type type, Qt::MouseButton button, QPointF at,
+                     Qt::KeyboardModifiers modifiers) {
+        const Qt::MouseButtons held = type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::MouseButtons(button);
+        QMouseEvent event(type, at, view.mapToGlobal(at), button, held, modifiers);
+        QCoreApplication::sendEvent(&view.canvas(), &event);
+    }
+    static void move(BoardView& view, QPointF at) { send(view, QEvent::MouseMove, Qt::NoButton, at, {}); }
+    static void click(BoardView& view, QPointF at, Qt::KeyboardModifiers modifiers = {}) {
+        send(view, QEvent::MouseButtonPress, Qt::LeftButton, at, modifiers);
+        send(view, QEvent::MouseButtonRelease, Qt::LeftButton, at, modifiers);
+    }
+
+    std::unique_ptr<WindowFixture> m_fixture;
+    fs::path m_job;
+    model::ElementId m_a;
+    model::ElementId m_b;
+    std::pair<model::ElementId, model::ElementId> m_pair;
+};
+
+QTEST_MAIN(MeasuringTest)
+#include "measuring_test.moc"

@@ -1,0 +1,100 @@
+#include "ui/measurement_keeping.h"
+
+#include <algorithm>
+#include <fstream>
+
+#include "ui/state_edit.h"
+
+namespace ui {
+
+namespace session = model::session;
+
+MeasurementKeeping::MeasurementKeeping(QUndoStack& history, QObject* parent) : QObject(parent), m_history(history) {
+    connect(&m_list, &models::MeasurementModel::renamed, this, &MeasurementKeeping::rename);
+    connect(&m_list, &models::MeasurementModel::shownChanged, this, &MeasurementKeeping::setShown);
+}
+
+void MeasurementKeeping::setBoard(const LoadedBoard& board) {
+    const bool isSameBoard = board.request.path == m_request.path;
+    m_request = board.request;
+    m_document = board.document;
+    if (m_isSaved || !isSameBoard) {  // else they stand here and in no file
+        m_isSaved = true;
+        m_list.setMeasurements(board.measurements);
+    }
+    emit changed();
+}
+
+bool MeasurementKeeping::isHere(const session::Measurement& measurement) const {
+    return m_document != nullptr && measurement.step == m_document->job.step;
+}
+
+void MeasurementKeeping::keep(session::Measurement measurement) {
+    if (m_document == nullptr) {
+        return;
+    }
+    List after = m_list.measurements();
+    std::size_t number = after.size() + 1;
+    while (std::ranges::find(after, std::to_string(number), &session::Measurement::name) != after.end()) {
+        ++number;
+    }
+    measurement.name = std::to_string(number);
+    measurement.step = m_document->job.step;
+    after.push_back(std::move(measurement));
+    change(QStringLiteral("a measurement"), std::move(after));
+}
+
+void MeasurementKeeping::rename(int row, const QString& name) {
+    List after = m_list.measurements();
+    after[static_cast<std::size_t>(row)].name = name.toStdString();
+    change(QStringLiteral("the name of a measurement"), std::move(after));
+}
+
+void MeasurementKeeping::setShown(int row, bool isShown) {
+    List after = m_list.measurements();
+    after[static_cast<std::size_t>(row)].isShown = isShown;
+    change(isShown ? QStringLiteral("showing a measurement") : QStringLiteral("hiding a measurement"),
+           std::move(after));
+}
+
+void MeasurementKeeping::forget(const std::vector<int>& rows) {
+    List after;
+    for (int row = 0; row < m_list.rowCount(); ++row) {
+        if (std::ranges::find(rows, row) == rows.end()) {
+            after.push_back(m_list.measurements()[static_cast<std::size_t>(row)]);
+        }
+    }
+    if (after.size() < m_list.measurements().size()) {
+        change(QStringLiteral("forgetting measurements"), std::move(after));
+    }
+}
+
+base::Status MeasurementKeeping::exportCsv(const std::filesystem::path& path) const {
+    std::ofstream file(path, std::ios::binary | std::ios::trunc);
+    file << session::measurementsCsv(m_list.measurements());
+    file.close();
+    return file ? base::Status(base::Done{})
+                : base::Status(base::Error{base::ErrorCode::OutputFailed, path.string() + " cannot be written"});
+}
+
+void MeasurementKeeping::change(const QString& what, List after) {
+    m_history.push(new StateEdit<List>(what, m_list.measurements(), std::move(after),
+                                       [this](const List& measurements) { apply(measurements); }));
+}
+
+void MeasurementKeeping::apply(const List& measurements) {
+    m_list.setMeasurements(measurements);
+    emit changed();
+    m_isSaved = false;
+    if (m_request.noSession) {
+        return;
+    }
+    const base::Status saved = session::saveMeasurements(m_request.path, *m_document, measurements);
+    m_isSaved = saved.ok();
+    if (!saved) {
+        emit notSaved(QStringLiteral("%1. The measurements count until another board is opened.")
+                          .arg(QString::fromStdString(saved.error().text)));
+    }
+}
+
+}  // namespace ui

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <QAbstractTableModel>
+#include <vector>
+
+#include "model/session/measurement.h"
+#include "ui/models/lengths.h"
+
+namespace ui::models {
+
+/// "Overlap 0.12 mm (4.7 mil)", "0.25 mm (9.84 mil)".
+[[nodiscard]] QString valueText(const model::session::Measurement& measurement);
+/// "ΔX 0.25 mm  ΔY 0 mm  ΔZ 1.2 mm"; without ΔZ where the layers are at one height.
+[[nodiscard]] QString partsText(const model::session::Measurement& measurement, LengthUnit unit);
+/// "TOP – BOTTOM", or one name if both ends are on one layer.
+[[nodiscard]] QString layersText(const model::session::Measurement& measurement);
+[[nodiscard]] QString netsText(const model::session::Measurement& measurement);
+
+/// What the user has measured, in the order it was measured. The box before a name says whether it is drawn. Names and
+/// boxes can be edited; whoever listens sets the changed list.
+class MeasurementModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    enum Column { Name, Distance, DeltaX, DeltaY, DeltaZ, Layers, Nets, ColumnCount };
+    using List = std::vector<model::session::Measurement>;
+
+    using QAbstractTableModel::QAbstractTableModel;
+
+    void setMeasurements(List measurements);
+    void setUnit(LengthUnit unit);
+    [[nodiscard]] const List& measurements() const { return m_measurements; }
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+
+signals:
+    void renamed(int row, const QString& name);
+    void shownChanged(int row, bool isShown);
+
+private:
+    [[nodiscard]] QString textOf(const model::session::Measurement& measurement, int column) const;
+
+    List m_measurements;
+    LengthUnit m_unit = LengthUnit::Millimetre;
+};
+
+}  // namespace ui::models
