@@ -8,8 +8,7 @@ namespace ui {
 
 namespace {
 
-base::PointD directionOf(int eighths) {
-    const double angle = eighths * std::numbers::pi / 4.0;
+base::PointD directionOf(double angle) {
     // Against x at first: what lies to the left of that, nearer to an isometric view's eye, goes.
     return {-std::cos(angle), -std::sin(angle)};
 }
@@ -27,11 +26,27 @@ void Cutting::setBoard(const LoadedBoard& board) {
 void Cutting::setOn(bool isOn) {
     m_isOn = isOn && m_index != nullptr;
     m_through = m_cursor.value_or(base::toDouble(m_origin));
+    m_angle = 0.0;
     m_eighths = 0;
+    m_isAlongLine = false;
     apply();
 }
 
+void Cutting::cutAlong(base::PointD from, base::PointD to) {
+    m_isOn = m_index != nullptr;
+    m_through = from;
+    m_angle = std::atan2(to.y - from.y, to.x - from.x);
+    m_eighths = 0;
+    m_isAlongLine = true;
+    apply();
+}
+
+base::PointD Cutting::direction() const {
+    return directionOf(m_angle + m_eighths * std::numbers::pi / 4.0);
+}
+
 void Cutting::turn() {
+    m_isAlongLine = false;
     m_eighths = (m_eighths + 1) % 8;
     apply();
 }
@@ -42,7 +57,7 @@ void Cutting::move(double part) {
     }
     const base::Box& board = m_index->board->board;
     const double way = part * static_cast<double>(std::max(board.width(), board.height()));
-    const base::PointD direction = directionOf(m_eighths);
+    const base::PointD direction = this->direction();
     m_through = {m_through.x + direction.y * way, m_through.y - direction.x * way};  // to its right
     apply();
 }
@@ -50,7 +65,7 @@ void Cutting::move(double part) {
 void Cutting::apply() {
     std::shared_ptr<const render::Cut> cut;
     if (m_isOn) {
-        const base::PointD direction = directionOf(m_eighths);
+        const base::PointD direction = this->direction();
         const base::PointD ahead = {m_through.x + direction.x * base::kNmPerMm,
                                     m_through.y + direction.y * base::kNmPerMm};
         if (base::Result<render::Cut> made = render::cutThrough(*m_index, m_origin, m_through, ahead)) {

@@ -21,12 +21,17 @@ public:
     /// makes the board whole again.
     void setOn(bool isOn);
     [[nodiscard]] bool isOn() const { return m_isOn; }
+    /// Cuts through two places of the board; what is to the right on the way from one to the other goes.
+    void cutAlong(base::PointD from, base::PointD to);
+    /// Whether it stands where `cutAlong` has put it, and was not turned since.
+    [[nodiscard]] bool isAlongLine() const { return m_isOn && m_isAlongLine; }
     /// By 45 degrees, seen from above to the left. Around the place it was put through.
     void turn();
     /// Towards what is left (negative: towards what was cut away), by a part of the board's larger side.
     void move(double part);
 
 private:
+    [[nodiscard]] base::PointD direction() const;
     void apply();
 
     BoardViews& m_views;
@@ -34,7 +39,9 @@ private:
     base::Point m_origin;
     std::optional<base::PointD> m_cursor;
     base::PointD m_through;
-    int m_eighths = 0;  ///< of a full turn; 0: along x
+    double m_angle = 0.0;  ///< of the cut as it was put; radians, 0: along x
+    int m_eighths = 0;     ///< of a full turn, on top of that
+    bool m_isAlongLine = false;
     bool m_isOn = false;
 };
 

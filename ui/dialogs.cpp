@@ -67,6 +67,10 @@ void askForStackPath(QWidget& parent, const QString& startFolder, const PathAnsw
     askWhereToSave(parent, {"Export the stack", {"Drawings (*.svg)", "Tables (*.csv)"}}, startFolder, answer);
 }
 
+void askForSectionPath(QWidget& parent, const QString& startFolder, const PathAnswer& answer) {
+    askWhereToSave(parent, {"Export the section", {"Drawings (*.svg)"}}, startFolder, answer);
+}
+
 void askForRulesToOpen(QWidget& parent, const QString& startFolder, const PathAnswer& answer) {
     auto* dialog = new QFileDialog(&parent, QStringLiteral("Open rules"), startFolder,
                                    QStringLiteral("Rules (*.json);;All files (*)"));

@@ -18,6 +18,7 @@ void askForPicturePath(QWidget& parent, const QString& startFolder, const PathAn
 void askForWidth(QWidget& parent, int width, int most, const std::function<void(int)>& answer);
 void askForTablePath(QWidget& parent, const QString& startFolder, const PathAnswer& answer);
 void askForStackPath(QWidget& parent, const QString& startFolder, const PathAnswer& answer);
+void askForSectionPath(QWidget& parent, const QString& startFolder, const PathAnswer& answer);
 void askForRulesToOpen(QWidget& parent, const QString& startFolder, const PathAnswer& answer);
 void askForRulesPath(QWidget& parent, const QString& startFolder, const PathAnswer& answer);
 void askToReset(QWidget& parent, const std::function<void()>& confirmed);

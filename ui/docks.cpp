@@ -26,6 +26,7 @@ constexpr DockSpec kDocks[] = {
     {ActionId::ShowNetCheckDock, "netCheck", "Opens and shorts", Qt::BottomDockWidgetArea, "messages", 0},
     {ActionId::ShowClearanceDock, "clearances", "Clearances", Qt::BottomDockWidgetArea, "messages", 0},
     {ActionId::ShowMeasurementsDock, "measurements", "Measurements", Qt::BottomDockWidgetArea, "messages", 0},
+    {ActionId::ShowSectionDock, "section", "Cross-section", Qt::BottomDockWidgetArea, "messages", 0},
     {ActionId::ShowStatisticsDock, "statistics", "Statistics", Qt::BottomDockWidgetArea, "messages", 0},
 };
 

@@ -44,6 +44,7 @@ constexpr PresetKeys kPresetKeys[] = {
     {KeyPreset::Altium, NextLayer, "+ ="},
     {KeyPreset::Altium, PreviousLayer, "-"},
     {KeyPreset::Altium, SoloLayer, "Shift+S"},
+    {KeyPreset::Altium, DrawSection, "Shift+D"},
     {KeyPreset::Altium, ShowLayersDock, "L Ctrl+1"},
     {KeyPreset::Altium, Lens, "Shift+L"},
     {KeyPreset::Altium, MeasurePoints, "Ctrl+M"},

@@ -57,7 +57,8 @@ constexpr ActionId kBoardActions[] = {
     ActionId::ViewBack, ActionId::ViewForward, ActionId::KeepView, ActionId::KeepSelection,
     ActionId::SaveSession, ActionId::FindGaps, ActionId::NextGap, ActionId::PreviousGap,
     ActionId::Lens, ActionId::MeasurePoints, ActionId::MeasureObjects, ActionId::MeasureGap,
-    ActionId::ExportMeasurements};
+    ActionId::ExportMeasurements, ActionId::DrawSection, ActionId::OpenAlongSection,
+    ActionId::ExportSection};
 // clang-format on
 
 }  // namespace
@@ -109,6 +110,7 @@ void MainWindow::createCentre() {
     m_planPainter = std::make_unique<PlanPainter>(m_views->flat());
     m_planPainter->setLooks(m_netLooks);
     m_clearances = new Clearances(*m_views, *m_probing, m_selection, *m_planPainter, m_actions, this);
+    m_sections = new Sections(*m_views, m_selection, m_actions, this);
     m_placeReadout = new PlaceReadout(*m_probing, *m_statusLine, this);
     m_measurements = new MeasurementKeeping(m_thicknesses.history(), this);
     m_measuring = new Measuring(*m_views, *m_probing, *m_measurements, this);
@@ -143,7 +145,8 @@ void MainWindow::createDocks() {
                                                  {ActionId::ShowMessagesDock, m_messagesPanel},
                                                  {ActionId::ShowViewsDock, m_viewsPanel},
                                                   {ActionId::ShowMeasurementsDock, m_measurementsPanel},
-                                                  {ActionId::ShowClearanceDock, &m_clearances->panel()}};
+                                                  {ActionId::ShowClearanceDock, &m_clearances->panel()},
+                                                 {ActionId::ShowSectionDock, &m_sections->panel()}};
     addDocks(*this, m_actions, [&panels](ActionId toggle) { return panels.at(toggle); });
 }
 
@@ -272,6 +275,8 @@ void MainWindow::onLoaded(const LoadedBoard& board) {
     m_netLookEditing->setBoard(board);
     m_netsPanel->setBoard(board.document, board.nets);
     m_clearances->setBoard(board);
+    m_sections->setBoard(board);
+    m_actions[ActionId::DrawSection].setChecked(false);
     m_planPainter->setBoard(board.index, {board.model->origin});
     m_measurements->setBoard(board);
     m_measuring->setBoard(board);
@@ -300,6 +305,7 @@ void MainWindow::colourStack() {
     for (const models::LayerLook& look : m_layerModel.effectiveLooks()) {
         colours.push_back(look.colour);
     }
+    m_sections->setColours(colours);
     m_stackPanel->view().setLooks(std::move(colours), m_layerModel.soloLayer());
 }
 
@@ -311,6 +317,7 @@ void MainWindow::onRestacked(const std::shared_ptr<const model::Document>& docum
     m_messageModel.setMessages(document, m_board->model->diagnostics);
     m_views->setHeights(document);
     m_measuring->setHeights(document);
+    m_sections->setHeights(document);
 }
 
 void MainWindow::goTo(const model::Diagnostic& message) {

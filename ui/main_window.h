@@ -29,6 +29,7 @@
 #include "ui/place_readout.h"
 #include "ui/plan_painter.h"
 #include "ui/probing.h"
+#include "ui/sections.h"
 #include "ui/settings.h"
 #include "ui/thickness_editing.h"
 #include "ui/view_history.h"
@@ -90,6 +91,7 @@ public:
     [[nodiscard]] models::NetLooks& netLooks() { return m_netLooks; }
     [[nodiscard]] Probing& probing() { return *m_probing; }
     [[nodiscard]] Clearances& clearances() { return *m_clearances; }
+    [[nodiscard]] Sections& sections() { return *m_sections; }
     [[nodiscard]] ElementPanel& elementPanel() { return *m_elementPanel; }
     [[nodiscard]] MessagesPanel& messagesPanel() { return *m_messagesPanel; }
     [[nodiscard]] NetCheckPanel& netCheckPanel() { return *m_netCheckPanel; }
@@ -130,6 +132,7 @@ private:
     void connectLayerActions();
     void connectBoardActions();
     void connectClearances();
+    void connectSections();
     void connectStackActions();
     void connectSelectActions();
     void connectFollowActions();
@@ -200,6 +203,7 @@ private:
     Probing* m_probing = nullptr;
     ElementLooks* m_elementLooks = nullptr;
     Clearances* m_clearances = nullptr;
+    Sections* m_sections = nullptr;
     std::unique_ptr<PlanPainter> m_planPainter;
     PlaceReadout* m_placeReadout = nullptr;
     std::unique_ptr<Cutting> m_cutting;

@@ -114,6 +114,7 @@ void MainWindow::setUnit(models::LengthUnit unit) {
     m_netsPanel->setUnit(unit);
     m_netCheckModel.setUnit(unit);
     m_clearances->setUnit(unit);
+    m_sections->setUnit(unit);
     m_statisticsPanel->plot().setUnit(unit);
     m_searchBox->setUnit(unit);
     m_placeReadout->setUnit(unit);

@@ -58,6 +58,7 @@ void MainWindow::connectCommands() {
     connectLayerActions();
     connectBoardActions();
     connectClearances();
+    connectSections();
     connectStackActions();
     connectSelectActions();
     connectFollowActions();

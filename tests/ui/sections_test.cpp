@@ -1,0 +1,265 @@
+#include "ui/sections.h"
+
+#include <QComboBox>
+#include <QDockWidget>
+#include <QFile>
+#include <QMouseEvent>
+#include <QWheelEvent>
+#include <QtTest>
+
+#include "model/section/section_export.h"
+#include "tests/places.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/message_bar.h"
+
+using base::PointD;
+using model::SectionPiece;
+using ui::ActionId;
+using ui::BoardView;
+
+/// From the line in the 2D view to the cut in the panel, with real mouse events on the sample board.
+class SectionsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        m_fixture = std::make_unique<WindowFixture>();
+        QVERIFY(m_fixture->openAndWait(places::kSample));
+        base::Progress progress;
+        const auto board = std::make_shared<const model::Document>(*window().document());
+        m_index = *model::indexBoard(board, progress);
+    }
+    void init() {
+        sections().cutAlong({});
+        window().selection().select({});
+        flat().controller().look(render::NamedView::Top);
+        sections().panel().heightsBox().setCurrentIndex(0);
+    }
+    void cleanupTestCase() {
+        const std::uint32_t errors = m_fixture->context().validationErrors();
+        m_fixture.reset();
+        QCOMPARE(errors, 0U);
+    }
+
+    void aDraggedLineIsCutLiveAndExactly() {
+        m_fixture->key(Qt::Key_S, Qt::ShiftModifier);
+        QVERIFY(window().actions()[ActionId::DrawSection].isChecked());
+        QVERIFY(sections().panel().isVisible());
+        const auto [from, to] = acrossBoard();
+        mouse(QEvent::MouseButtonPress, from);
+        std::size_t last = 0;
+        for (int step = 1; step <= 4; ++step) {
+            mouse(QEvent::MouseMove, from + (to - from) * step / 4.0);
+            QTRY_VERIFY(view().section() && isAt(view().section()->line.back(), sections().line().line().back()));
+            QCOMPARE(view().section()->pieces.size(), expected().pieces.size());
+            QVERIFY(view().section()->pieces.size() > last);
+            last = view().section()->pieces.size();
+        }
+        mouse(QEvent::MouseButtonRelease, to);
+        QVERIFY(!window().actions()[ActionId::DrawSection].isChecked());
+        QVERIFY(same(view().section()->pieces, expected().pieces));
+        QVERIFY(same(view().section()->bores, expected().bores));
+        QVERIFY(window().selection().selected().empty());  // the drag drew no box
+    }
+
+    void aClickDrawsNothingAndTheLineIsStillToBeDrawn() {
+        m_fixture->key(Qt::Key_S, Qt::ShiftModifier);
+        const QPointF at = acrossBoard().first;
+        mouse(QEvent::MouseButtonPress, at);
+        mouse(QEvent::MouseButtonRelease, at);
+        QVERIFY(sections().line().isDrawing());
+        QVERIFY(!view().section());
+        m_fixture->key(Qt::Key_S, Qt::ShiftModifier);
+        QVERIFY(!sections().line().isDrawing());
+    }
+
+    void anEndIsMovedAndShiftKeepsTheLineStraight() {
+        const auto [from, to] = acrossBoard();
+        drawLine();
+        const PointD start = sections().line().line().front();
+        mouse(QEvent::MouseButtonPress, to);
+        mouse(QEvent::MouseMove, to + QPointF(3, 17), Qt::ShiftModifier);
+        QCOMPARE(sections().line().line().back().y, start.y);
+        mouse(QEvent::MouseMove, to + QPointF(-20, 17));
+        mouse(QEvent::MouseButtonRelease, to + QPointF(-20, 17));
+        QVERIFY(sections().line().line().back().y < start.y);
+        QVERIFY(same(view().section()->pieces, expected().pieces));
+        const PointD end = sections().line().line().back();
+        mouse(QEvent::MouseButtonPress, from);
+        mouse(QEvent::MouseMove, from + QPointF(10, 10));
+        mouse(QEvent::MouseButtonRelease, from + QPointF(10, 10));
+        QVERIFY(isAt(sections().line().line().back(), end));
+        QVERIFY(same(view().section()->pieces, expected().pieces));
+    }
+
+    void theLineIsPaintedOver2d() {
+        const QImage before = flat().grabPicture()->copy();
+        drawLine();
+        QVERIFY(differingPixels(before, *flat().grabPicture()) > 300);
+        sections().panel().findChild<QAction*>()->trigger();  // Clear
+        QCOMPARE(differingPixels(before, *flat().grabPicture()), 0);
+        QVERIFY(!view().section());
+    }
+
+    void aPieceIsFoundToldAndSelectedWhereItIsDrawn() {
+        drawLine();
+        const SectionPiece piece = aCopperPiece();
+        const QPointF at = view().positionOf((piece.from + piece.to) / 2, (double{1} * piece.bottom + piece.top) / 2);
+        QVERIFY(view().pieceAt(at) != nullptr);
+        QVERIFY(view().pieceAt(at)->at == piece.at);
+        QVERIFY(view().tipAt(at).startsWith(QString::fromStdString(m_index->board->layer(piece.layer).name)));
+        QVERIFY(view().tipAt(at).contains(QString::fromStdString(model::netOf(*m_index, piece))));
+        const QImage before = view().grab().toImage();
+        QTest::mouseClick(&view(), Qt::LeftButton, {}, at.toPoint());
+        QCOMPARE(window().selection().selected(), std::vector{piece.at});
+        QVERIFY(differingPixels(before, view().grab().toImage()) > 5);
+        QVERIFY(view().pieceAt({2, 2}) == nullptr);
+        QVERIFY(view().tipAt({2, 2}).isEmpty());
+    }
+
+    void theWheelZoomsToTheCursorADragPansAndADoubleClickShowsAll() {
+        drawLine();
+        const QPointF whole = view().positionOf(1e6, 0);
+        const double times = view().heightTimes();
+        QWheelEvent wheel(whole, view().mapToGlobal(whole), {}, {0, 240}, Qt::NoButton, {}, Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(&view(), &wheel);
+        QVERIFY(QLineF(whole, view().positionOf(1e6, 0)).length() < 1e-6);
+        QVERIFY(QLineF(whole, view().positionOf(2e6, 0)).length() > 0);
+        QCOMPARE(view().heightTimes(), times);
+        QTest::mousePress(&view(), Qt::LeftButton, {}, {100, 60});
+        QTest::mouseMove(&view(), {130, 70});
+        QTest::mouseRelease(&view(), Qt::LeftButton, {}, {130, 70});
+        QVERIFY(QLineF(whole + QPointF(30, 10), view().positionOf(1e6, 0)).length() < 1e-6);
+        QVERIFY(window().selection().selected().empty());
+        QTest::mouseDClick(&view(), Qt::LeftButton, {}, {100, 60});
+        QVERIFY(QLineF(whole, view().positionOf(1e6, 0)).length() < 1e-6);
+    }
+
+    void heightsAreDrawnAsManyTimesLargerAsAskedFor() {
+        drawLine();
+        for (int row = 1; row < sections().panel().heightsBox().count(); ++row) {
+            sections().panel().heightsBox().setCurrentIndex(row);
+            const QPointF zero = view().positionOf(0, 0);
+            const double perLength = view().positionOf(1e6, 0).x() - zero.x();
+            const double perHeight = zero.y() - view().positionOf(0, 1e6).y();
+            QVERIFY(std::abs(perHeight / perLength - sections().panel().heightsBox().currentData().toDouble()) < 1e-6);
+        }
+    }
+
+    void theBoardOf3dIsCutOpenAlongTheLineAndFollowsIt() {
+        window().actions()[ActionId::OpenAlongSection].trigger();
+        QVERIFY(window().views().solid().cut() == nullptr);  // no line
+        drawLine();
+        window().actions()[ActionId::OpenAlongSection].trigger();
+        QVERIFY(window().actions()[ActionId::CutOpen].isChecked());
+        const auto along = [&] { return window().views().solid().cut()->plane.direction; };
+        QVERIFY(std::abs(along().x + 1.0) < 1e-6);  // from its end to its start: seen as in the panel
+        const auto [from, to] = acrossBoard();
+        mouse(QEvent::MouseButtonPress, to);
+        mouse(QEvent::MouseMove, from + QPointF(1, -60));
+        mouse(QEvent::MouseButtonRelease, from + QPointF(1, -60));
+        QVERIFY(std::abs(along().y + 1.0) < 0.01);
+        window().actions()[ActionId::CutOpen].trigger();
+        QVERIFY(window().views().solid().cut() == nullptr);
+    }
+
+    void aLineBesideTheBoardIsTold() {
+        const model::Box& board = m_index->board->board;
+        const double x = board.max.x + 5e6;
+        sections().cutAlong({{x, 0}, {x, 1e6}});
+        QVERIFY(view().section()->pieces.empty());
+        QVERIFY(sections().panel().remarks().contains("meets nothing"));
+        sections().cutAlong({{2e9, 0}, {2e9, 1e6}});
+        QVERIFY(!view().section());
+        QVERIFY(sections().panel().remarks().contains("coordinates"));
+    }
+
+    void otherHeightsAreCutAtOnce() {
+        drawLine();
+        const SectionPiece piece = aCopperPiece();
+        auto thicker = std::make_shared<model::Document>(*m_index->board);
+        thicker->layers[piece.layer.row()].thickness += 70'000;
+        sections().setHeights(thicker);
+        const auto now = std::ranges::find(view().section()->pieces, piece.at, &SectionPiece::at);
+        QVERIFY(now != view().section()->pieces.end());
+        QCOMPARE(now->top - now->bottom, piece.top - piece.bottom + 70'000);
+        sections().setHeights(m_index->board);
+    }
+
+    void theSectionIsExported() {
+        const QString path = m_fixture->folder() + "/cut.svg";
+        QVERIFY(!sections().save(path));  // nothing to export
+        drawLine();
+        QVERIFY(sections().save(path));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray svg = file.readAll();
+        QVERIFY(svg.startsWith("<svg"));
+        const auto count = static_cast<qsizetype>(model::merged(view().section()->pieces).size());
+        QVERIFY(svg.count("<rect x=") == count);
+        QVERIFY(!sections().save("/nowhere/cut.svg"));
+    }
+
+    void aReloadForgetsTheLine() {
+        drawLine();
+        QVERIFY(m_fixture->openAndWait(places::kSample));
+        QVERIFY(!view().section());
+        QVERIFY(sections().line().line().empty());
+    }
+
+private:
+    [[nodiscard]] ui::MainWindow& window() { return m_fixture->window(); }
+    [[nodiscard]] ui::Sections& sections() { return window().sections(); }
+    [[nodiscard]] ui::SectionView& view() { return sections().panel().view(); }
+    [[nodiscard]] BoardView& flat() { return window().views().flat(); }
+
+    static bool isAt(PointD a, PointD b) { return a.x == b.x && a.y == b.y; }
+    static bool same(const std::vector<SectionPiece>& a, const std::vector<SectionPiece>& b) {
+        return std::ranges::equal(a, b, [](const SectionPiece& p, const SectionPiece& q) {
+            return p.layer == q.layer && p.at == q.at && p.from == q.from && p.to == q.to && p.bottom == q.bottom &&
+                   p.top == q.top;
+        });
+    }
+    /// What the line of the window cuts.
+    [[nodiscard]] model::Section expected() { return *model::cutBoard(*m_index, {sections().line().line(), {}}); }
+
+    /// From one edge of the board to the other through its middle, in pixels of the 2D view.
+    [[nodiscard]] std::pair<QPointF, QPointF> acrossBoard() {
+        const model::Box& board = m_index->board->board;
+        const double y = (double{1} * board.min.y + board.max.y) / 2;
+        const auto at = [&](double x) {
+            return *flat().controller().screenOf(window().probing().place().toModel({x, y}));
+        };
+        return {at(board.min.x), at(board.max.x)};
+    }
+    void drawLine() {
+        const auto [from, to] = acrossBoard();
+        m_fixture->key(Qt::Key_S, Qt::ShiftModifier);
+        mouse(QEvent::MouseButtonPress, from);
+        mouse(QEvent::MouseMove, to);
+        mouse(QEvent::MouseButtonRelease, to);
+        QVERIFY(view().section().has_value());
+    }
+    [[nodiscard]] SectionPiece aCopperPiece() {
+        const SectionPiece* widest = nullptr;
+        for (const SectionPiece& piece : view().section()->pieces) {
+            const bool isCopper = m_index->board->layer(piece.layer).isCopper();
+            if (isCopper && (widest == nullptr || piece.to - piece.from > widest->to - widest->from)) {
+                widest = &piece;
+            }
+        }
+        return *widest;
+    }
+    void mouse(QEvent::Type type, QPointF at, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+        const bool isMove = type == QEvent::MouseMove;
+        QMouseEvent event(type, at, flat().mapToGlobal(at), isMove ? Qt::NoButton : Qt::LeftButton,
+                          type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton, modifiers);
+        QCoreApplication::sendEvent(&flat().canvas(), &event);
+    }
+
+    std::unique_ptr<WindowFixture> m_fixture;
+    std::shared_ptr<const model::BoardIndex> m_index;
+};
+
+QTEST_MAIN(SectionsTest)
+#include "sections_test.moc"

@@ -1,0 +1,131 @@
+#include "ui/section_line.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace ui {
+
+namespace {
+
+constexpr double kGripPixels = 8.0;
+constexpr double kCornerPixels = 4.0;
+constexpr QColor kInk(255, 120, 200);
+constexpr QColor kRim(20, 20, 24, 200);
+
+/// Moved onto the nearest multiple of 45 degrees, seen from `from`.
+base::PointD straightened(base::PointD from, base::PointD to) {
+    const double eighth = std::numbers::pi / 4.0;
+    const double angle = std::round(std::atan2(to.y - from.y, to.x - from.x) / eighth) * eighth;
+    const double length = (to.x - from.x) * std::cos(angle) + (to.y - from.y) * std::sin(angle);
+    return {from.x + length * std::cos(angle), from.y + length * std::sin(angle)};
+}
+
+}  // namespace
+
+SectionLine::SectionLine(BoardView& flat, QObject* parent) : QObject(parent), m_view(flat) {
+    flat.addPainter([this](QPainter& painter) { paint(painter); });
+    flat.controller().setTaker([this](QEvent& event) { return take(event); });
+}
+
+void SectionLine::setBoard(const BoardPlace& place) {
+    m_place = place;
+    m_held.reset();
+    m_isDrawing = false;
+    setLine({});
+}
+
+void SectionLine::setLine(std::vector<base::PointD> line) {
+    m_line = std::move(line);
+    m_view.requestFrame();
+}
+
+bool SectionLine::take(QEvent& event) {
+    switch (event.type()) {
+        case QEvent::MouseButtonPress: return press(static_cast<const QMouseEvent&>(event));
+        case QEvent::MouseMove:
+            if (m_held) {
+                drag(static_cast<const QMouseEvent&>(event));
+            }
+            return m_held.has_value();
+        case QEvent::MouseButtonRelease:
+            if (!m_held || static_cast<const QMouseEvent&>(event).button() != Qt::LeftButton) {
+                return m_held.has_value();
+            }
+            release();
+            return true;
+        default: return false;
+    }
+}
+
+bool SectionLine::press(const QMouseEvent& event) {
+    if (m_held || event.button() != Qt::LeftButton || !m_view.hasScene()) {
+        return m_held.has_value();
+    }
+    if (m_isDrawing) {
+        const base::PointD start = m_place.toJob(m_view.controller().rayAt(event.position()).origin);
+        setLine({start, start});
+        m_held = 1;
+    } else if (!event.modifiers().testFlag(Qt::ControlModifier)) {
+        m_held = cornerAt(event.position());
+    }
+    return m_held.has_value();
+}
+
+void SectionLine::drag(const QMouseEvent& event) {
+    base::PointD to = m_place.toJob(m_view.controller().rayAt(event.position()).origin);
+    if (event.modifiers().testFlag(Qt::ShiftModifier)) {
+        to = straightened(m_line[*m_held == 0 ? 1 : *m_held - 1], to);
+    }
+    m_line[*m_held] = to;
+    m_view.requestFrame();
+    emit moved();
+}
+
+void SectionLine::release() {
+    m_held.reset();
+    const double nmPerPixel = static_cast<double>(m_view.controller().mmPerPixel()) * base::kNmPerMm;
+    const double length = std::hypot(m_line[1].x - m_line[0].x, m_line[1].y - m_line[0].y);
+    if (m_isDrawing && length < CameraController::kClickPixels * nmPerPixel) {
+        setLine({});  // a click: the line is still to be drawn
+        emit moved();
+        return;
+    }
+    m_isDrawing = false;
+    emit finished();
+}
+
+std::optional<std::size_t> SectionLine::cornerAt(QPointF position) const {
+    for (std::size_t i = 0; i < m_line.size(); ++i) {
+        const auto at = m_view.controller().screenOf(m_place.toModel(m_line[i]));
+        if (at && QLineF(*at, position).length() <= kGripPixels) {
+            return i;
+        }
+    }
+    return std::nullopt;
+}
+
+void SectionLine::paint(QPainter& painter) const {
+    QPolygonF corners;
+    for (const base::PointD& corner : m_line) {
+        if (const auto at = m_view.controller().screenOf(m_place.toModel(corner))) {
+            corners += *at;
+        }
+    }
+    if (corners.size() < 2) {
+        return;
+    }
+    painter.setPen(QPen(kRim, 4.0));
+    painter.drawPolyline(corners);
+    painter.setPen(QPen(kInk, 2.0));
+    painter.drawPolyline(corners);
+    painter.setBrush(kInk);
+    painter.setPen(QPen(kRim, 1.0));
+    for (const QPointF& corner : corners) {
+        painter.drawEllipse(corner, kCornerPixels, kCornerPixels);
+    }
+}
+
+}  // namespace ui

@@ -1,0 +1,96 @@
+#include "ui/sections.h"
+
+#include <QComboBox>
+#include <QSaveFile>
+#include <utility>
+
+#include "model/section/section_export.h"
+
+namespace ui {
+
+Sections::Sections(BoardViews& views, models::SelectionModel& selection, const ActionSet& actions, QObject* parent)
+    : QObject(parent), m_line(views.flat()), m_panel(new SectionPanel(selection, actions)) {
+    m_due.setSingleShot(true);
+    m_due.setInterval(0);
+    connect(&m_due, &QTimer::timeout, this, &Sections::cut);
+    connect(&m_line, &SectionLine::moved, &m_due, qOverload<>(&QTimer::start));
+    connect(&m_line, &SectionLine::finished, this, [this] {
+        cut();
+        emit placed();
+    });
+    connect(m_panel, &SectionPanel::cleared, this, [this] { cutAlong({}); });
+}
+
+void Sections::setBoard(const LoadedBoard& board) {
+    m_index = board.index;
+    m_line.setBoard({board.model->origin});
+    m_panel->view().fit();
+    cut();
+}
+
+void Sections::setHeights(std::shared_ptr<const model::Document> board) {
+    if (m_index) {
+        m_index = model::withHeights(*m_index, std::move(board));
+        cut();
+    }
+}
+
+void Sections::setColours(std::vector<QColor> colours) {
+    m_colours = colours;
+    m_panel->view().setColours(std::move(colours));
+}
+
+void Sections::cutAlong(std::vector<base::PointD> line) {
+    m_line.setLine(std::move(line));
+    m_panel->view().fit();
+    cut();
+}
+
+void Sections::cut() {
+    m_due.stop();
+    if (m_index == nullptr || m_line.line().empty()) {
+        m_panel->view().setSection(nullptr, std::nullopt);
+        m_panel->setRemarks({});
+        return;
+    }
+    base::Result<model::Section> section = model::cutBoard(*m_index, {m_line.line(), {}});
+    if (!section) {
+        m_panel->view().setSection(nullptr, std::nullopt);
+        m_panel->setRemarks(QString::fromStdString(section.error().text));
+        return;
+    }
+    QStringList remarks;
+    for (const std::string& remark : section->remarks) {
+        remarks += QString::fromStdString(remark);
+    }
+    m_panel->setRemarks(remarks.join('\n'));
+    m_panel->view().setSection(m_index, std::move(*section));
+}
+
+std::optional<std::pair<base::PointD, base::PointD>> Sections::straightLine() const {
+    if (m_line.line().size() != 2) {
+        return std::nullopt;
+    }
+    return std::pair(m_line.line().front(), m_line.line().back());
+}
+
+base::Status Sections::save(const QString& path) const {
+    const std::optional<model::Section>& section = m_panel->view().section();
+    if (!section) {
+        return base::Error{base::ErrorCode::BadUsage, "There is no section to export: draw one first."};
+    }
+    model::SectionPicture how;
+    for (const QColor& colour : m_colours) {
+        how.colours.push_back(colour.rgb() & 0xffffffU);
+    }
+    how.heightTimes = m_panel->heightsBox().currentData().toDouble();
+    QSaveFile file(path);
+    const QByteArray svg = QByteArray::fromStdString(model::sectionSvg(*m_index->board, *section, how));
+    if (!file.open(QIODevice::WriteOnly) || file.write(svg) != svg.size() || !file.commit()) {
+        return base::Error{base::ErrorCode::OutputFailed,
+                           (path + QStringLiteral(" cannot be written: ") + file.errorString()).toStdString()};
+    }
+    return base::Done{};
+}
+
+}  // namespace ui

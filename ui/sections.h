@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+
+#include "ui/board_views.h"
+#include "ui/section_line.h"
+#include "ui/section_panel.h"
+
+namespace ui {
+
+/// Cross-sections, from the line in the 2D view to the cut in its panel. Every move of the line cuts anew.
+class Sections : public QObject {
+    Q_OBJECT
+
+public:
+    Sections(BoardViews& views, models::SelectionModel& selection, const ActionSet& actions, QObject* parent = nullptr);
+
+    void setBoard(const LoadedBoard& board);
+    /// The same board with other heights.
+    void setHeights(std::shared_ptr<const model::Document> board);
+    /// One per layer.
+    void setColours(std::vector<QColor> colours);
+    void setUnit(models::LengthUnit unit) { m_panel->view().setUnit(unit); }
+
+    /// The next drag in the 2D view draws the line, or does not.
+    void draw(bool isOn) { m_line.setDrawing(isOn); }
+    /// Cuts along a line, corners in nm of the board; none: no section.
+    void cutAlong(std::vector<base::PointD> line);
+    /// The ends of the line, if it is straight.
+    [[nodiscard]] std::optional<std::pair<base::PointD, base::PointD>> straightLine() const;
+    /// Writes what is shown as SVG. Errors: BadUsage if nothing is, OutputFailed.
+    [[nodiscard]] base::Status save(const QString& path) const;
+
+    /// Belongs to whoever shows it.
+    [[nodiscard]] SectionPanel& panel() { return *m_panel; }
+    [[nodiscard]] SectionLine& line() { return m_line; }
+
+signals:
+    /// A line has been drawn or moved, and is in place.
+    void placed();
+
+private:
+    void cut();
+
+    SectionLine m_line;
+    SectionPanel* m_panel;
+    std::shared_ptr<const model::BoardIndex> m_index;
+    std::vector<QColor> m_colours;
+    QTimer m_due;  ///< runs out once all moves of the line that are under way have come
+};
+
+}  // namespace ui
