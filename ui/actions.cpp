@@ -52,6 +52,8 @@ constexpr ActionSpec kSpecs[] = {
     {Explode, MenuId::View, "&Explode", "E", "Spread the layers apart", kCheckable},
     {ShowViewCube, MenuId::View, "Vie&w cube", "K", "In 3D, show a cube whose sides can be clicked to look from there",
      kCheckable},
+    {ShowFrameDisplay, MenuId::View, "Frame di&splay", "Ctrl+K,F",
+     "In 3D, show how long a frame takes, what draws it, and of how much", kCheckable},
     {ThickCopper, MenuId::Solid, "Thick &copper", "C", "In 3D, draw copper ten times as thick as it is", kCheckable},
     {ThickDielectric, MenuId::Solid, "Thick &laminate", "V",
      "In 3D, draw all that is no copper five times as thick as it is", kCheckable},

@@ -40,6 +40,7 @@ enum class ActionId {
     Orthographic,
     Explode,
     ShowViewCube,
+    ShowFrameDisplay,
     ThickCopper,
     ThickDielectric,
     CutOpen,

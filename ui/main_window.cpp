@@ -271,6 +271,7 @@ void MainWindow::onLoaded(const LoadedBoard& board) {
     m_probing->setBoard(board);
     m_parts->forgetBoard();
     m_cutting->setBoard(board);
+    m_frameDisplay->setBoard(board);
     m_actions[ActionId::CutOpen].setChecked(false);
     m_netLookEditing->setBoard(board);
     m_netsPanel->setBoard(board.document, board.nets);

@@ -11,6 +11,7 @@
 #include "ui/dialogs.h"
 #include "ui/drop_target.h"
 #include "ui/element_looks.h"
+#include "ui/frame_display.h"
 #include "ui/loader.h"
 #include "ui/measurement_keeping.h"
 #include "ui/measuring.h"
@@ -103,6 +104,7 @@ public:
     [[nodiscard]] StatisticsPanel& statisticsPanel() { return *m_statisticsPanel; }
     [[nodiscard]] ViewsPanel& viewsPanel() { return *m_viewsPanel; }
     [[nodiscard]] ViewCube& viewCube() { return *m_viewCube; }
+    [[nodiscard]] FrameDisplay& frameDisplay() { return *m_frameDisplay; }
     [[nodiscard]] ViewKeeping& viewKeeping() { return *m_viewKeeping; }
     [[nodiscard]] Measuring& measuring() { return *m_measuring; }
     [[nodiscard]] MeasurementKeeping& measurements() { return *m_measurements; }
@@ -208,6 +210,7 @@ private:
     PlaceReadout* m_placeReadout = nullptr;
     std::unique_ptr<Cutting> m_cutting;
     ViewCube* m_viewCube = nullptr;
+    FrameDisplay* m_frameDisplay = nullptr;
     LayersPanel* m_layersPanel = nullptr;
     NetsPanel* m_netsPanel = nullptr;
     NetLookEditing* m_netLookEditing = nullptr;

@@ -153,6 +153,8 @@ void MainWindow::connectSolidActions() {
     m_viewCube = new ViewCube(m_views->solid(), this);
     on(ActionId::ShowViewCube, [this](bool isOn) { m_viewCube->setOn(isOn); });
     m_actions[ActionId::ShowViewCube].setChecked(true);
+    m_frameDisplay = new FrameDisplay(*m_views, this);
+    on(ActionId::ShowFrameDisplay, [this](bool isOn) { m_frameDisplay->setOn(isOn); });
     m_cutting = std::make_unique<Cutting>(*m_views);
     connect(m_probing, &Probing::pointedAt, this, [this](double x, double y) {
         m_cutting->pointAt(base::PointD{x, y});

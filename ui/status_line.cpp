@@ -6,8 +6,6 @@
 
 namespace ui {
 
-namespace {
-
 QString backendText(render::Backend backend) {
     switch (backend) {
         case render::Backend::Auto: return QStringLiteral("automatic");
@@ -19,8 +17,6 @@ QString backendText(render::Backend backend) {
     }
     return {};
 }
-
-}  // namespace
 
 StatusLine::StatusLine(QStatusBar& bar)
     : QObject(&bar),

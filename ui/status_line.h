@@ -10,6 +10,9 @@ class QStatusBar;
 
 namespace ui {
 
+/// What draws, as the status bar has it.
+[[nodiscard]] QString backendText(render::Backend backend);
+
 /// The widgets of the status bar: progress of a load, the step shown, the device, the time of the last frame.
 class StatusLine : public QObject {
     Q_OBJECT
