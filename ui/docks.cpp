@@ -44,6 +44,17 @@ void place(QMainWindow& window, QDockWidget& dock, const DockSpec& spec) {
     }
 }
 
+/// The command of a panel brings it to the front, also from behind another one; and hides it when it is there.
+void connectToggle(QAction& toggle, QDockWidget& dock) {
+    QObject::connect(&toggle, &QAction::triggered, &dock, [&dock](bool isOn) {
+        dock.setVisible(isOn);
+        if (isOn) {
+            dock.raise();
+        }
+    });
+    QObject::connect(&dock, &QDockWidget::visibilityChanged, &toggle, &QAction::setChecked);
+}
+
 }  // namespace
 
 void addDocks(QMainWindow& window, ActionSet& actions, const std::function<QWidget*(ActionId)>& panelOf) {
@@ -53,7 +64,7 @@ void addDocks(QMainWindow& window, ActionSet& actions, const std::function<QWidg
         auto* dock = new QDockWidget(QLatin1String(spec.title), &window);
         dock->setObjectName(QLatin1String(spec.name));
         dock->setWidget(panelOf(spec.toggle));
-        actions.adopt(spec.toggle, *dock->toggleViewAction());
+        connectToggle(actions[spec.toggle], *dock);
         place(window, *dock, spec);
         if (spec.lines > 0) {
             Sizes& sizes = spec.area == Qt::BottomDockWidgetArea ? below : atSides;

@@ -298,6 +298,7 @@ private slots:
     void settingsPersistBetweenTwoWindows() {
         QVERIFY(m_fixture->openAndWait(kSample));
         window().resize(780, 640);  // fits on the screen of the offscreen platform, 800 pixels wide
+        window().actions()[ActionId::ShowStatisticsDock].trigger();  // from behind the messages
         window().actions()[ActionId::ShowStatisticsDock].trigger();
         window().actions()[ActionId::ThemeDark].trigger();
         window().actions()[ActionId::BackendImpostor].trigger();
@@ -326,6 +327,12 @@ private slots:
         QVERIFY(layers->isHidden());
         m_fixture->key(Qt::Key_1, Qt::ControlModifier);
         QVERIFY(!layers->isHidden());
+        m_fixture->key(Qt::Key_6, Qt::ControlModifier);  // from behind
+        auto* stack = window().findChild<QDockWidget*>("stack");
+        QTRY_VERIFY(!stack->visibleRegion().isEmpty());
+        QTRY_VERIFY(!window().actions()[ActionId::ShowLayersDock].isChecked());
+        m_fixture->key(Qt::Key_6, Qt::ControlModifier);
+        QVERIFY(stack->isHidden());
     }
 
     void savedPictureIsWhatTheCanvasShows() {
