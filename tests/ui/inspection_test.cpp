@@ -1,0 +1,529 @@
+// A board is inspected from end to end, as a person does it: with keys and clicks, on a real board where there is one.
+// COPPERSCOPE_SHOTS names a folder for pictures of the window on the way.
+
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLineEdit>
+#include <QMouseEvent>
+#include <QScreen>
+#include <QSlider>
+#include <QtTest>
+#include <fstream>
+
+#include "tests/places.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/element_panel.h"
+#include "ui/measurements_panel.h"
+#include "ui/message_bar.h"
+#include "ui/net_check_panel.h"
+#include "ui/nets_panel.h"
+#include "ui/search_box.h"
+#include "ui/stack_panel.h"
+#include "ui/stack_view.h"
+#include "ui/table_view.h"
+
+using model::session::Measurement;
+using ui::ActionId;
+using ui::BoardView;
+using ui::ClearancePanel;
+using ui::models::StackModel;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kPatienceMs = 60000;
+const char* const kRealBoard = "parallella_meta_carrier_odb_rev1.tgz";
+
+QByteArray contentsOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+QImage picture(BoardView& view) {
+    const base::Result<QImage> image = view.grabPicture();
+    return image ? image->convertToFormat(QImage::Format_RGB32) : QImage();
+}
+
+void send(BoardView& view, QEvent::Type type, QPointF at) {
+    const Qt::MouseButtons held = type == QEvent::MouseButtonPress ? Qt::LeftButton : Qt::NoButton;
+    const Qt::MouseButton button = type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton;
+    QMouseEvent event(type, at, view.mapToGlobal(at), button, held, Qt::NoModifier);
+    QCoreApplication::sendEvent(&view.canvas(), &event);
+}
+
+void click(BoardView& view, QPointF at) {
+    send(view, QEvent::MouseMove, at);
+    send(view, QEvent::MouseButtonPress, at);
+    send(view, QEvent::MouseButtonRelease, at);
+}
+
+/// The cursor goes away: nothing is hovered any more.
+void leave(BoardView& view) {
+    QEvent event(QEvent::Leave);
+    QCoreApplication::sendEvent(&view.canvas(), &event);
+}
+
+double distanceToMiddle(BoardView& view, QPointF at) {
+    const QSizeF size = view.controller().viewport();
+    return QLineF(at, QPointF(size.width() / 2, size.height() / 2)).length();
+}
+
+}  // namespace
+
+class InspectionTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        m_fixture = std::make_unique<WindowFixture>();
+        const fs::path real = fs::path(places::kBoards) / kRealBoard;
+        const bool isThere = fs::exists(real);
+        if (!isThere) {
+            qInfo("%s is not there: inspecting the sample instead", kRealBoard);
+        }
+        m_job = fs::path(m_fixture->folder().toStdString()) / "job.tgz";  // sessions are written beside it
+        fs::copy_file(isThere ? real : fs::path(places::kSample), m_job);
+        openJob();
+    }
+    void init() {
+        if (window().document() == nullptr || window().document()->job.name != m_name) {
+            openJob();
+        }
+        while (window().selection().clearStep()) {
+        }
+        window().messageBar().hide();
+        // Both pads in the middle, the copper of their layer alone.
+        window().layers().showOnly({board().layer(board().elements.layer[m_a.row()]).name});
+        model::Box both = board().boxOf(m_a);
+        both.include(board().boxOf(m_b));
+        for (BoardView* view : window().views().both()) {
+            view->controller().look(render::NamedView::Top);
+            view->controller().show(place().toModel(base::toDouble(both.min), heightOf(m_a)),
+                                    place().toModel(base::toDouble(both.max), heightOf(m_a)));
+        }
+    }
+    void cleanupTestCase() {
+        const std::uint32_t errors = m_fixture->context().validationErrors();
+        m_fixture.reset();
+        QCOMPARE(errors, 0U);
+    }
+
+    void theStackIsOpenedSteppedThroughAndExported() {
+        window().layers().restoreDefaults();
+        m_fixture->key(Qt::Key_6, Qt::ControlModifier);
+        QTRY_VERIFY(!stackView().visibleRegion().isEmpty());
+        shoot("stack");
+        const std::vector<std::size_t> rows = rowsWithLayers();
+        const QImage before[] = {picture(flat()), picture(solid())};
+        clickBand(rows[3]);
+        QCOMPARE(window().layers().soloLayer(), board().stackup.rows[rows[3]].layer);
+        QVERIFY(differingPixels(before[0], picture(flat())) > 200);
+        QVERIFY(differingPixels(before[1], picture(solid())) > 200);
+        for (std::size_t step = 4; step < rows.size(); ++step) {
+            QTest::keyClick(&stackView(), Qt::Key_Down);
+            QCOMPARE(window().layers().soloLayer(), board().stackup.rows[rows[step]].layer);
+        }
+        QTest::keyClick(&stackView(), Qt::Key_Up);
+        shoot("stack-one-layer");
+        clickBand(rows[rows.size() - 2]);  // the one shown alone: all are shown again
+        QCOMPARE(differingPixels(before[0], picture(flat())), 0);
+        QCOMPARE(differingPixels(before[1], picture(solid())), 0);
+
+        for (const char* name : {"stack.svg", "stack.csv"}) {
+            const QString path = m_fixture->folder() + "/" + name;
+            window().exportStack(path);
+            const QByteArray written = contentsOf(path);
+            for (const std::size_t row : rows) {
+                QVERIFY(written.contains(board().stackup.rows[row].name.c_str()));
+            }
+        }
+    }
+
+    void anAssumedThicknessIsTypedSeenAndTakenBack() {
+        const auto& stack = board().stackup.rows;
+        const auto assumed = std::ranges::find_if(stack, [](const model::StackRow& row) {
+            return row.source == model::Source::Assumed && row.layer.isValid();
+        });
+        QVERIFY(assumed != stack.end());
+        const model::LayerId layer = assumed->layer;
+        const std::vector<render::ZRange> before = solid().drawnHeights();
+        window().findChild<QDockWidget*>("stack")->raise();
+        type(static_cast<int>(assumed - stack.begin()), "0.3 mm");
+        QCOMPARE(board().layer(layer).thickness, 300'000);
+        const render::ZRange after = solid().drawnHeights()[layer.row()];
+        QVERIFY(std::abs(double(after.z1) - double(after.z0) - 0.3) < 1e-5);
+        m_fixture->key(Qt::Key_Z, Qt::ControlModifier);
+        const std::vector<render::ZRange> again = solid().drawnHeights();
+        QCOMPARE(again[layer.row()].z0, before[layer.row()].z0);
+        QCOMPARE(again[layer.row()].z1, before[layer.row()].z1);
+    }
+
+    void eachViewFollowsTheOtherWhenAsked() {
+        const std::tuple<BoardView&, BoardView&, Qt::Key> ways[] = {{flat(), solid(), Qt::Key_3},
+                                                                    {solid(), flat(), Qt::Key_2}};
+        for (const auto& [from, to, key] : ways) {
+            init();
+            to.controller().fit();
+            const float fitted = to.controller().mmPerPixel();
+            click(from, screenOf(from, m_a));
+            QCOMPARE(netSelected(), netOf(m_a));
+            QCOMPARE(to.controller().mmPerPixel(), fitted);
+            chord(key);
+            click(from, screenOf(from, m_b));
+            QCOMPARE(netSelected(), netOf(m_b));
+            QVERIFY(to.controller().mmPerPixel() < fitted * 0.9F);
+            QVERIFY(distanceToMiddle(to, screenOf(to, m_b)) < 0.2 * to.width());
+            leave(from);
+            const QImage lit = picture(to);
+            shoot(key == Qt::Key_3 ? "probe-2d-to-3d" : "probe-3d-to-2d");
+            chord(key);
+            window().selection().clearStep();
+            QVERIFY(differingPixels(lit, picture(to)) > 50);
+        }
+    }
+
+    void tablesAndViewsFollowWhenAsked() {
+        dock("nets").raise();
+        QTRY_VERIFY_WITH_TIMEOUT(window().nets().isArranged(), kPatienceMs);
+        click(solid(), screenOf(solid(), m_a));
+        QCOMPARE(netInTable(), netOf(m_a));
+        chord(Qt::Key_T);
+        click(flat(), screenOf(flat(), m_b));
+        QCOMPARE(netInTable(), netOf(m_a));
+        chord(Qt::Key_T);
+
+        const auto fit = [this] {
+            flat().controller().fit();
+            solid().controller().fit();
+            return std::array{flat().controller().mmPerPixel(), solid().controller().mmPerPixel()};
+        };
+        const std::array<float, 2> fitted = fit();
+        clickNet(m_b);
+        QCOMPARE(window().selection().nets(), std::vector{boardNet(m_b)});
+        QCOMPARE(flat().controller().mmPerPixel(), fitted[0]);
+        chord(Qt::Key_V);
+        clickNet(smallestNet());
+        QVERIFY(flat().controller().mmPerPixel() < fitted[0] * 0.9F);
+        QVERIFY(solid().controller().mmPerPixel() < fitted[1] * 0.9F);
+        shoot("probe-from-table");
+        chord(Qt::Key_V);
+    }
+
+    void theElementIsToldOfAndEscapeGoesBackStepByStep() {
+        dock("element").raise();
+        click(flat(), screenOf(flat(), m_a));
+        const model::BoardElement element = *window().selection().current();
+        QCOMPARE(window().elementPanel().fact("Net"), QString::fromStdString(netOf(element.element)));
+        QCOMPARE(window().elementPanel().fact("Layer"),
+                 QString::fromStdString(board().layer(board().elements.layer[element.element.row()]).name));
+        m_fixture->key(Qt::Key_N);
+        m_fixture->key(Qt::Key_M);
+        click(flat(), screenOf(flat(), m_a));
+        shoot("element");
+        m_fixture->key(Qt::Key_Escape);  // the measurement begun
+        m_fixture->key(Qt::Key_Escape);  // measuring
+        QVERIFY(!window().actions()[ActionId::MeasurePoints].isChecked());
+        QVERIFY(!window().selection().selected().empty());
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(window().selection().selected().empty());
+        QCOMPARE(window().selection().nets(), std::vector{boardNet(m_a)});
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(window().selection().nets().empty());
+    }
+
+    void distancesAreMeasured() {
+        dock("measurements").raise();
+        const std::size_t before = measurements().size();
+        m_fixture->key(Qt::Key_M);
+        click(flat(), screenOf(flat(), m_a));
+        click(flat(), screenOf(flat(), m_b));
+        QCOMPARE(measurements().size(), before + 1);
+        const Measurement centres = measurements().back();
+        QVERIFY(std::abs(centres.distance() - centreDistance()) < 1e-3);
+        m_fixture->key(Qt::Key_M, Qt::ShiftModifier);
+        click(solid(), screenOf(solid(), m_a));
+        click(solid(), screenOf(solid(), m_b));
+        QCOMPARE(measurements().size(), before + 2);
+        const Measurement edges = measurements().back();
+        QVERIFY(edges.isGap && edges.distance() > 0);
+        const double radii = (circleOf(m_a).diameter + circleOf(m_b).diameter) / 2.0;
+        QVERIFY2(std::abs(edges.distance() - (centres.distance() - radii)) < 1.0,
+                 qPrintable(QString("%1 %2 %3").arg(edges.distance()).arg(centres.distance()).arg(radii)));
+        m_fixture->key(Qt::Key_M, Qt::ShiftModifier);
+        shoot("measured");
+    }
+
+    void narrowGapsAreSteppedThroughAndTheLensLightsNeighbours() {
+        dock("clearances").raise();
+        panel().whereBox().setCurrentIndex(static_cast<int>(ClearancePanel::Where::View));
+        m_fixture->key(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(!window().clearances().isMeasuring(), kPatienceMs);
+        const auto& places = window().clearances().places();
+        QVERIFY2(places.rowCount() > 0, qPrintable(panel().summary()));
+        for (int row = 0; row < std::min(places.rowCount(), 3); ++row) {
+            m_fixture->key(Qt::Key_F8);
+            const model::RuleFinding& found = places.place(row).found;
+            QCOMPARE(panel().table().currentIndex().row(), row);
+            const std::vector<model::BoardElement> sides{{0, std::min(found.a, found.b)},
+                                                         {0, std::max(found.a, found.b)}};
+            QCOMPARE(window().selection().selected(), sides);
+        }
+        shoot("clearance");
+        window().selection().select({{0, m_a}});
+        m_fixture->key(Qt::Key_L);
+        panel().lensSlider().setValue(panel().lensSlider().maximum());
+        QTRY_VERIFY_WITH_TIMEOUT(!window().selection().nearby().empty(), kPatienceMs);
+        shoot("lens");
+        m_fixture->key(Qt::Key_L);
+        QVERIFY(window().selection().nearby().empty());
+    }
+
+    void aJobThatKnowsAlmostNothingIsShownAndAsked() {
+        const fs::path job = copyOf("everything");
+        for (const char* part : {"steps/board/eda", "steps/board/layers/comp_+_top", "steps/board/layers/comp_+_bot",
+                                 "misc/attrlist", "steps/board/layers/top/attrlist", "steps/board/layers/core1",
+                                 "steps/board/layers/core2", "steps/board/layers/inner plane/attrlist"}) {
+            QVERIFY2(fs::remove_all(job / part) > 0, part);
+        }
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(job.string())));
+        QVERIFY(board().nets.empty() && board().components.empty());
+        QVERIFY(std::ranges::all_of(board().stackup.rows, [](const model::StackRow& row) {
+            return row.source != model::Source::Job && row.thickness >= 0;
+        }));
+        window().selection().select({{0, model::ElementId{0}}});
+        for (const Qt::Key key : {Qt::Key_N, Qt::Key_P, Qt::Key_L, Qt::Key_U, Qt::Key_R, Qt::Key_Z, Qt::Key_F8}) {
+            m_fixture->key(key);
+        }
+        for (const Qt::Key key : {Qt::Key_N, Qt::Key_G}) {
+            m_fixture->key(key, Qt::ControlModifier | Qt::ShiftModifier);
+            QTRY_VERIFY_WITH_TIMEOUT(!isBusy(), kPatienceMs);
+        }
+        m_fixture->key(Qt::Key_L);
+        QVERIFY(window().selection().nets().empty());
+        QVERIFY(!window().netCheckPanel().summary().isEmpty());
+        QVERIFY(!window().stackPanel().summary().isEmpty());
+        QVERIFY(inkOf(m_fixture->picture()) > 0.01);
+        shoot("almost-nothing");
+    }
+
+    void aNetWithoutCopperIsChosenAndNothingMoves() {
+        const fs::path job = copyOf("open_short");
+        std::ofstream(job / "steps/pcb/eda/data", std::ios::app) << "NET EMPTY\n";
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(job.string())));
+        const model::NetId empty = board().findNet("EMPTY");
+        QVERIFY(empty.isValid() && board().elementsOf(empty).empty());
+        QTRY_VERIFY(window().nets().isArranged());
+        const float before = flat().controller().mmPerPixel();
+        chord(Qt::Key_V);
+        clickRow(*window().nets().rowOf(empty));
+        QTest::keyClick(&nets(), Qt::Key_Return);
+        chord(Qt::Key_V);
+        QCOMPARE(window().selection().nets(), (std::vector<model::BoardNet>{{0, empty}}));
+        QCOMPARE(flat().controller().mmPerPixel(), before);
+        m_fixture->key(Qt::Key_L);
+        panel().whereBox().setCurrentIndex(static_cast<int>(ClearancePanel::Where::Nets));
+        m_fixture->key(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(!isBusy(), kPatienceMs);
+        QCOMPARE(window().clearances().places().rowCount(), 0);
+        QVERIFY(window().selection().nearby().empty());
+        m_fixture->key(Qt::Key_L);
+    }
+
+    void theSessionOfAnotherBoardIsToldAndNotUsed() {
+        const fs::path job = copyOf("drills");
+        std::ofstream(job.string() + ".copperscope.json")
+            << R"({"copperscope_session": 1, "job": "elsewhere", "thickness_nm": {"L1": 5000}})";
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(job.string())));
+        QVERIFY(window().messageBar().isVisible());
+        QVERIFY(window().messageBar().text().contains("elsewhere"));
+        QVERIFY(board().layer(board().findLayer("L1")).thickness != 5000);
+    }
+
+    void aReloadWhileEverythingIsSearchedEndsTheSearch() {
+        startSearches();
+        m_fixture->key(Qt::Key_F5);
+        QVERIFY(window().loader().isLoading());
+        QTRY_VERIFY_WITH_TIMEOUT(!window().loader().isLoading(), kPatienceMs);
+        QVERIFY(!window().netChecker().isChecking());
+        QVERIFY(!window().clearances().isMeasuring());
+        QVERIFY(!window().clearances().lens().isSearching());
+        QCOMPARE(window().clearances().places().rowCount(), 0);
+        QCOMPARE(window().netCheck().rowCount(), 0);
+    }
+
+    void aWindowClosedWhileEverythingIsSearchedGoes() {
+        startSearches();
+        m_fixture->key(Qt::Key_F5);
+        m_fixture->restart();
+        QVERIFY(window().document() == nullptr);
+        QVERIFY(!isBusy());
+    }
+
+private:
+    ui::MainWindow& window() { return m_fixture->window(); }
+    BoardView& flat() { return window().views().flat(); }
+    BoardView& solid() { return window().views().solid(); }
+    ui::StackView& stackView() { return window().stackPanel().view(); }
+    ui::TableView& nets() { return window().netsPanel().table(); }
+    ClearancePanel& panel() { return window().clearances().panel(); }
+    QDockWidget& dock(const char* name) { return *window().findChild<QDockWidget*>(name); }
+    const model::Document& board() { return *window().document(); }
+    const ui::BoardPlace& place() { return window().probing().place(); }
+    const std::vector<Measurement>& measurements() { return window().measurements().list().measurements(); }
+    bool isBusy() {
+        return window().netChecker().isChecking() || window().clearances().isMeasuring() ||
+               window().clearances().lens().isSearching();
+    }
+
+    void openJob() {
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        window().resize(1400, 900);
+        m_name = board().job.name;
+        findPads();
+    }
+    fs::path copyOf(const char* name) {
+        const fs::path copy = fs::path(m_fixture->folder().toStdString()) / name;
+        fs::copy(fs::path(places::kTestData) / "odb" / name, copy, fs::copy_options::recursive);
+        return copy;
+    }
+    void startSearches() {
+        panel().whereBox().setCurrentIndex(static_cast<int>(ClearancePanel::Where::Board));
+        m_fixture->key(Qt::Key_F, Qt::ControlModifier);
+        QTest::keyClicks(&window().searchBox().line(), "gnd");
+        QTest::keyClick(&window().searchBox().line(), Qt::Key_Escape);  // while it is open, keys are its own
+        window().selection().select({{0, m_a}});
+        window().actions()[ActionId::Lens].trigger();
+        window().actions()[ActionId::FindGaps].trigger();
+        window().actions()[ActionId::CheckNets].trigger();
+        QVERIFY(isBusy());
+    }
+
+    /// A round pad of a net on the uppermost copper, and the nearest one of another net a little away.
+    void findPads() {
+        std::vector<model::ElementId> pads;
+        const auto& elements = board().elements;
+        for (std::size_t row = 0; row < elements.size(); ++row) {
+            const model::Layer& layer = board().layer(elements.layer[row]);
+            if (layer.isCopper() && layer.side == model::LayerSide::Top && (elements.flags[row] & model::kPad) != 0 &&
+                elements.kind[row] == model::ElementKind::Circle && elements.net[row].isValid()) {
+                pads.emplace_back(row);
+            }
+        }
+        QVERIFY(pads.size() > 1);
+        m_a = pads[pads.size() / 2];
+        double least = 1e18;
+        for (const model::ElementId pad : pads) {
+            const double distance = distanceBetween(m_a, pad);
+            if (netOf(pad) != netOf(m_a) && distance > 1e6 && distance < least) {
+                least = distance;
+                m_b = pad;
+            }
+        }
+        QVERIFY(m_b.isValid());
+    }
+    const model::CircleGeometry& circleOf(model::ElementId id) {
+        return board().circles[board().elements.geometry[id.row()]];
+    }
+    double distanceBetween(model::ElementId a, model::ElementId b) {
+        const model::Point p = circleOf(a).centre;
+        const model::Point q = circleOf(b).centre;
+        return std::hypot(double(p.x - q.x), double(p.y - q.y));
+    }
+    double centreDistance() { return distanceBetween(m_a, m_b); }
+    std::string netOf(model::ElementId id) { return board().nets[board().elements.net[id.row()].row()].name; }
+    model::BoardNet boardNet(model::ElementId id) { return {0, board().elements.net[id.row()]}; }
+    std::string netSelected() {
+        const auto current = window().selection().current();
+        return current ? netOf(current->element) : std::string();
+    }
+    std::string netInTable() {
+        const QModelIndex at = nets().currentIndex();
+        return at.isValid() ? board().nets[window().nets().netAt(at.row()).row()].name : std::string();
+    }
+    /// An element of the net of the least extent.
+    model::ElementId smallestNet() {
+        model::ElementId smallest;
+        std::int64_t least = std::numeric_limits<std::int64_t>::max();
+        for (std::size_t row = 0; row < board().nets.size(); ++row) {
+            model::Box box;
+            for (const model::ElementId element : board().elementsOf(model::NetId{row})) {
+                box.include(board().boxOf(element));
+            }
+            if (!box.isEmpty() && box.width() + box.height() < least) {
+                least = box.width() + box.height();
+                smallest = board().elementsOf(model::NetId{row}).front();
+            }
+        }
+        return smallest;
+    }
+    double heightOf(model::ElementId id) {
+        const model::Layer& layer = board().layer(board().elements.layer[id.row()]);
+        return double(layer.z + layer.thickness);
+    }
+    QPointF screenOf(BoardView& view, model::ElementId id) {
+        const auto at = view.controller().screenOf(place().toModel(base::toDouble(circleOf(id).centre), heightOf(id)));
+        return at.value_or(QPointF(-1, -1));
+    }
+    std::vector<std::size_t> rowsWithLayers() {
+        std::vector<std::size_t> rows;
+        for (std::size_t row = 0; row < board().stackup.rows.size(); ++row) {
+            if (board().stackup.rows[row].layer.isValid()) {
+                rows.push_back(row);
+            }
+        }
+        return rows;
+    }
+    void clickBand(std::size_t row) {
+        const QRectF band = stackView().bandRect(row);
+        QTest::mouseClick(&stackView(), Qt::LeftButton, {}, QPointF(band.left() + 2.0, band.center().y()).toPoint());
+    }
+    void clickNet(model::ElementId id) { clickRow(*window().nets().rowOf(board().elements.net[id.row()])); }
+    void clickRow(int row) {
+        const QModelIndex at = window().nets().index(row, 0);
+        nets().scrollTo(at);
+        QTest::mouseClick(nets().viewport(), Qt::LeftButton, {}, nets().visualRect(at).center());
+    }
+    /// Ctrl+K and a key after it.
+    void chord(Qt::Key key) {
+        m_fixture->key(Qt::Key_K, Qt::ControlModifier);
+        m_fixture->key(key);
+    }
+    /// Types the thickness of a row of the stack.
+    void type(int row, const QString& text) {
+        QTableView& table = window().stackPanel().table();
+        const QModelIndex at = table.model()->index(row, StackModel::Thickness);
+        table.scrollTo(at);
+        table.setFocus();
+        table.setCurrentIndex(at);
+        QTest::keyClick(&table, Qt::Key_F2);
+        auto* editor = table.viewport()->findChild<QLineEdit*>();
+        QVERIFY(editor != nullptr);
+        editor->selectAll();
+        QTest::keyClicks(editor, text);
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_VERIFY(table.viewport()->findChild<QLineEdit*>() == nullptr);
+    }
+    /// Writes what is on the screen where the window is, for people to look at.
+    void shoot(const char* name) {
+        const QString folder = qEnvironmentVariable("COPPERSCOPE_SHOTS");
+        if (folder.isEmpty()) {
+            return;
+        }
+        QTest::qWait(800);  // slow views draw themselves finely once they rest
+        const QRect at(window().mapToGlobal(QPoint(0, 0)), window().size());
+        const bool isOnScreen = m_fixture->context().surfaceInstance() != nullptr;
+        const QPixmap shot =
+            isOnScreen ? QGuiApplication::primaryScreen()->grabWindow(0, at.x(), at.y(), at.width(), at.height())
+                       : window().grab();
+        QVERIFY(shot.save(QStringLiteral("%1/%2.png").arg(folder, QLatin1String(name))));
+    }
+
+    std::unique_ptr<WindowFixture> m_fixture;
+    fs::path m_job;
+    std::string m_name;
+    model::ElementId m_a;
+    model::ElementId m_b;
+};
+
+QTEST_MAIN(InspectionTest)
+#include "inspection_test.moc"
