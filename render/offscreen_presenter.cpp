@@ -69,6 +69,7 @@ struct OffscreenPresenter::Impl {
             return lostDevice();
         }
         stats.backend = renderer.record(*frame, target, extent, gpu::kColourFormat, &scene, camera, settings);
+        stats.isOverlayAlone = renderer.drewOverlayAlone();
         copyPicture(frame->commands());
         const bool isSubmitted = ring.end();
         stats.cpuMs = watch.milliseconds();

@@ -1,6 +1,5 @@
 #include "render/overlay_drawer.h"
 
-#include "render/gpu/device_select.h"
 #include "render/gpu/image.h"
 #include "shaders/shared/overlay.h"
 #include "shaders/spirv.h"
@@ -8,18 +7,18 @@
 namespace render {
 namespace {
 
-gpu::Pipeline makePipeline(gpu::Device& device, const TargetFormat& target) {
+gpu::Pipeline makePipeline(gpu::Device& device, VkFormat colour) {
     const gpu::ShaderStage stages[] = {{VK_SHADER_STAGE_VERTEX_BIT, shader::spirv::kOverlayVert},
                                        {VK_SHADER_STAGE_FRAGMENT_BIT, shader::spirv::kOverlayFrag}};
     return gpu::Pipeline(
         device, gpu::GraphicsPipelineOptions{"overlay", stages, sizeof(shader::OverlayPush), gpu::Pass::Overlay, false,
-                                             gpu::Cover::Triangles, target.colour, gpu::kDepthFormat, target.samples});
+                                             gpu::Cover::Triangles, colour});
 }
 
 }  // namespace
 
-OverlayDrawer::OverlayDrawer(gpu::Device& device, const TargetFormat& target)
-    : m_format(target), m_pipeline(makePipeline(device, target)) {}
+OverlayDrawer::OverlayDrawer(gpu::Device& device, VkFormat colour)
+    : m_format(colour), m_pipeline(makePipeline(device, colour)) {}
 
 void OverlayDrawer::draw(gpu::Frame& frame, const Overlay& overlay) const {
     const std::span pixels(overlay.rgba, std::size_t{overlay.width} * overlay.height * 4);

@@ -5,16 +5,16 @@
 
 namespace render {
 
-/// Blends an overlay over what a frame has drawn. The pixels go through the memory of the frame: nothing is kept on the
-/// device, and a view without an overlay costs nothing.
+/// Blends an overlay over a finished picture (RenderTarget::beginOver). The pixels go through the memory of the frame:
+/// nothing is kept on the device, and a view without an overlay costs nothing.
 class OverlayDrawer {
 public:
-    OverlayDrawer(gpu::Device& device, const TargetFormat& target);
-    [[nodiscard]] const TargetFormat& format() const { return m_format; }
+    OverlayDrawer(gpu::Device& device, VkFormat colour);
+    [[nodiscard]] VkFormat format() const { return m_format; }
     void draw(gpu::Frame& frame, const Overlay& overlay) const;
 
 private:
-    TargetFormat m_format;
+    VkFormat m_format;
     gpu::Pipeline m_pipeline;
 };
 

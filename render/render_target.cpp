@@ -38,8 +38,10 @@ void RenderTarget::setSize(VkExtent2D extent, const TargetFormat& format) {
     m_colour = gpu::Image();
     m_samples = gpu::Image();
     m_depth = gpu::Image();
+    m_kept = gpu::Image();
     m_colour = gpu::Image(*m_device, {"colour", format.colour, extent,
-                                      VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
+                                      VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
+                                          VK_IMAGE_USAGE_TRANSFER_DST_BIT});
     m_samples = format.samples != VK_SAMPLE_COUNT_1_BIT
                     ? gpu::Image(*m_device, {"samples", format.colour, extent, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT,
                                              format.samples})
@@ -78,6 +80,61 @@ void RenderTarget::resume(VkCommandBuffer commands) const {
     start(commands, VK_ATTACHMENT_LOAD_OP_LOAD, {});
 }
 
+void RenderTarget::setView(VkCommandBuffer commands) const {
+    const VkViewport viewport{0.0F, 0.0F, static_cast<float>(m_extent.width), static_cast<float>(m_extent.height),
+                              0.0F, 1.0F};
+    const VkRect2D area{{0, 0}, m_extent};
+    vkCmdSetViewport(commands, 0, 1, &viewport);
+    vkCmdSetScissor(commands, 0, 1, &area);
+}
+
+void RenderTarget::beginOver(VkCommandBuffer commands) const {
+    gpu::imageBarrier(commands, {m_colour.handle(), VK_IMAGE_ASPECT_COLOR_BIT, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                                 VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, gpu::kAnything, gpu::kColour});
+    auto colour = gpu::vkInfo<VkRenderingAttachmentInfo>(VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO);
+    colour.imageView = m_colour.view();
+    colour.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    colour.loadOp = VK_ATTACHMENT_LOAD_OP_LOAD;
+    colour.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+    auto info = gpu::vkInfo<VkRenderingInfo>(VK_STRUCTURE_TYPE_RENDERING_INFO);
+    info.renderArea = {{0, 0}, m_extent};
+    info.layerCount = 1;
+    info.colorAttachmentCount = 1;
+    info.pColorAttachments = &colour;
+    vkCmdBeginRendering(commands, &info);
+    setView(commands);
+}
+
+void RenderTarget::copy(VkCommandBuffer commands, VkImage from, VkImage to) const {
+    gpu::imageBarrier(commands, {to, VK_IMAGE_ASPECT_COLOR_BIT, VK_IMAGE_LAYOUT_UNDEFINED,
+                                 VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, gpu::kAnything, gpu::kCopyWrite});
+    VkImageCopy region{};
+    region.srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+    region.dstSubresource = region.srcSubresource;
+    region.extent = {m_extent.width, m_extent.height, 1};
+    vkCmdCopyImage(commands, from, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1,
+                   &region);
+    gpu::imageBarrier(commands, {to, VK_IMAGE_ASPECT_COLOR_BIT, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                                 VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, gpu::kCopyWrite, gpu::kCopyRead});
+}
+
+void RenderTarget::keep(VkCommandBuffer commands) {
+    if (!m_kept) {
+        m_kept = gpu::Image(*m_device, {"kept picture", m_format.colour, m_extent,
+                                        VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
+                                            VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+    }
+    copy(commands, m_colour.handle(), m_kept.handle());
+}
+
+void RenderTarget::restore(VkCommandBuffer commands) const {
+    copy(commands, m_kept.handle(), m_colour.handle());
+}
+
+bool RenderTarget::hasKept(VkExtent2D extent, VkFormat colour) const {
+    return m_kept && extent.width == m_extent.width && extent.height == m_extent.height && colour == m_format.colour;
+}
+
 void RenderTarget::start(VkCommandBuffer commands, VkAttachmentLoadOp load, const glm::vec3& background) const {
     auto colour = gpu::vkInfo<VkRenderingAttachmentInfo>(VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO);
     colour.imageView = isSmoothed() ? m_samples.view() : m_colour.view();
@@ -99,10 +156,7 @@ void RenderTarget::start(VkCommandBuffer commands, VkAttachmentLoadOp load, cons
     info.pDepthAttachment = &depth;
     info.pStencilAttachment = &depth;
     vkCmdBeginRendering(commands, &info);
-    const VkViewport viewport{0.0F, 0.0F, static_cast<float>(m_extent.width), static_cast<float>(m_extent.height),
-                              0.0F, 1.0F};
-    vkCmdSetViewport(commands, 0, 1, &viewport);
-    vkCmdSetScissor(commands, 0, 1, &info.renderArea);
+    setView(commands);
     gpu::Pipeline::setFrontFace(commands, false);
 }
 

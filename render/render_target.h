@@ -27,11 +27,22 @@ public:
     void resume(VkCommandBuffer commands) const;
     /// Ends drawing and leaves the picture in `picture()`, ready to be copied from.
     void end(VkCommandBuffer commands) const;
+    /// Goes on over a finished picture, with one sample and without depth, until `end`.
+    void beginOver(VkCommandBuffer commands) const;
+
+    /// Puts a copy of the finished picture aside. Throws gpu::OutOfMemory; nothing is kept then.
+    void keep(VkCommandBuffer commands);
+    /// Makes the copy the finished picture again.
+    void restore(VkCommandBuffer commands) const;
+    /// Is there one of this size and format?
+    [[nodiscard]] bool hasKept(VkExtent2D extent, VkFormat colour) const;
     [[nodiscard]] VkImage picture() const { return m_colour.handle(); }
 
 private:
     [[nodiscard]] bool isSmoothed() const { return m_format.samples != VK_SAMPLE_COUNT_1_BIT; }
     void makeReady(VkCommandBuffer commands) const;
+    void setView(VkCommandBuffer commands) const;
+    void copy(VkCommandBuffer commands, VkImage from, VkImage to) const;
     void start(VkCommandBuffer commands, VkAttachmentLoadOp load, const glm::vec3& background) const;
 
     gpu::Device* m_device;
@@ -40,6 +51,7 @@ private:
     gpu::Image m_colour;   ///< one sample
     gpu::Image m_samples;  ///< only when smoothed
     gpu::Image m_depth;
+    gpu::Image m_kept;  ///< between uses ready to be copied from
 };
 
 }  // namespace render

@@ -152,8 +152,8 @@ Renderer::Drawers& Renderer::drawersFor(const TargetFormat& format, Backend back
 }
 
 /// The one for this format, made when it is first asked for.
-template <class Drawer>
-const Drawer& Renderer::drawerFor(std::vector<std::unique_ptr<Drawer>>& drawers, const TargetFormat& format) {
+template <class Drawer, class Format>
+const Drawer& Renderer::drawerFor(std::vector<std::unique_ptr<Drawer>>& drawers, const Format& format) {
     const auto fits = [&](const auto& drawer) { return drawer->format() == format; };
     auto drawer = std::ranges::find_if(drawers, fits);
     if (drawer == drawers.end()) {
@@ -162,9 +162,20 @@ const Drawer& Renderer::drawerFor(std::vector<std::unique_ptr<Drawer>>& drawers,
     return **drawer;
 }
 
-void Renderer::drawOverlay(gpu::Frame& frame, const TargetFormat& format, const Overlay& overlay) {
+void Renderer::keep(gpu::Frame& frame, RenderTarget& target) {
+    try {
+        target.keep(frame.commands());
+    } catch (const gpu::OutOfMemory& lack) {
+        spdlog::debug("{} has no memory for {}: overlays need the board drawn again.", m_device->caps().name,
+                      lack.what);
+    }
+}
+
+void Renderer::drawOverlay(gpu::Frame& frame, RenderTarget& target, const Overlay& overlay) {
     if (overlay.rgba != nullptr) {
-        drawerFor(m_overlays, format).draw(frame, overlay);
+        target.beginOver(frame.commands());
+        drawerFor(m_overlays, target.format().colour).draw(frame, overlay);
+        target.end(frame.commands());
     }
 }
 
@@ -187,35 +198,43 @@ TargetFormat Renderer::makeTarget(RenderTarget& target, VkExtent2D extent, VkFor
     return plain;
 }
 
-void Renderer::recordEmpty(gpu::Frame& frame, RenderTarget& target, const ViewSettings& settings) {
-    target.begin(frame.commands(), background(settings));
-    drawOverlay(frame, target.format(), settings.overlay);
-    target.end(frame.commands());
-}
-
 Backend Renderer::record(gpu::Frame& frame, RenderTarget& target, VkExtent2D extent, VkFormat colour, BoardScene* scene,
                          const Camera& camera, const ViewSettings& settings) {
-    if (scene == nullptr) {
+    m_isOverlayAlone = settings.isBoardKept && target.hasKept(extent, colour);
+    if (m_isOverlayAlone) {
+        target.restore(frame.commands());
+    } else if (scene != nullptr) {
+        m_last = recordBoard(frame, target, extent, colour, *scene, camera, settings);
+        if (settings.keepsBoard) {
+            keep(frame, target);
+        }
+    } else {
         makeTarget(target, extent, colour, settings.backend, settings);
-        recordEmpty(frame, target, settings);
-        return settings.backend;
+        target.begin(frame.commands(), background(settings));
+        target.end(frame.commands());
+        m_last = settings.backend;
     }
-    FramePlan plan = planFrame(scene->impl().layers, camera, settings, extent.width, extent.height);
-    const bool isStandard = scene->impl().steps.front().standard.has_value();
+    drawOverlay(frame, target, settings.overlay);
+    return m_last;
+}
+
+Backend Renderer::recordBoard(gpu::Frame& frame, RenderTarget& target, VkExtent2D extent, VkFormat colour,
+                              BoardScene& scene, const Camera& camera, const ViewSettings& settings) {
+    FramePlan plan = planFrame(scene.impl().layers, camera, settings, extent.width, extent.height);
+    const bool isStandard = scene.impl().steps.front().standard.has_value();
     const Backend backend = isStandard ? Backend::Standard : resolve(settings.backend, plan);
     const TargetFormat format = makeTarget(target, extent, colour, backend, settings);
     plan.data.flags |= (backend == Backend::Impostor ? shader::kFrameImpostors : 0) |
                        (format.samples != VK_SAMPLE_COUNT_1_BIT ? shader::kFrameSmoothed : 0);
     plan.data.rasterRadiusPx = backend == Backend::Raster ? kRasterRadiusPx : 0.0F;
-    const FrameCopies copies(frame, plan, scene->impl());
+    const FrameCopies copies(frame, plan, scene.impl());
     Picture picture(drawersFor({format.colour, format.samples, plan.isCut}, backend), copies, target, frame.commands());
     picture.begin(background(settings));
     picture.drawOpaque();
     if (plan.isCut) {
-        drawerFor(m_cuts, format).draw(frame, plan, scene->impl().layers, *settings.cut);
+        drawerFor(m_cuts, format).draw(frame, plan, scene.impl().layers, *settings.cut);
     }
     picture.drawTranslucent(plan.upright.batches.size());
-    drawOverlay(frame, format, settings.overlay);
     target.end(frame.commands());
     return backend;
 }

@@ -69,6 +69,7 @@ struct SwapchainPresenter::Impl {
         const Clock::time_point start = Clock::now();
         stats.backend =
             renderer.record(*frame, target, swapchain.extent(), swapchain.drawFormat(), scene, camera, settings);
+        stats.isOverlayAlone = renderer.drewOverlayAlone();
         copyToWindow(frame->commands(), target, image.image);
         const bool isSubmitted = ring.end({image.available, image.finished});
         stats.cpuMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count();

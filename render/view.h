@@ -61,12 +61,15 @@ struct ViewSettings {
         false;  ///< outlines and nothing in them, in flat views; Impostor draws them, whatever `backend` says
     glm::vec3 background{0.10F, 0.11F, 0.13F};  ///< sRGB
     Overlay overlay;                            ///< none while it has no pixels
+    bool keepsBoard = false;   ///< puts the board as drawn aside, for a next frame of the same presenter
+    bool isBoardKept = false;  ///< nothing but the overlay differs from the frame that kept it: draws that alone
 };
 
 struct FrameStats {
     double cpuMs = 0.0;               ///< recording and submitting
     double gpuMs = 0.0;               ///< by timestamps, 0 if the device has none
     Backend backend = Backend::Auto;  ///< the one that drew
+    bool isOverlayAlone = false;      ///< the board was the one kept before
 };
 
 /// 8-bit sRGB RGBA, rows from the top.

@@ -32,7 +32,12 @@ BoardView::BoardView(GpuContext& context, Kind kind, QWidget* parent)
     m_rest.setInterval(kRestMs);
     connect(&m_rest, &QTimer::timeout, this, &BoardView::requestRestingFrame);
     connect(&m_controller, &CameraController::moved, this, &BoardView::requestMovingFrame);
-    m_picture.prepare = [this](QSize pixels) { paintOverlay(m_picture, pixels, Shown::OnCanvas); };
+    m_picture.settings.keepsBoard = true;
+    m_picture.prepare = [this](QSize pixels) {
+        m_picture.settings.isBoardKept = m_isBoardDrawn;
+        paintOverlay(m_picture, pixels, Shown::OnCanvas);
+    };
+    connect(this, &BoardView::drawn, this, [this] { m_isBoardDrawn = true; });
     if (kind == Kind::Flat) {
         m_picture.settings.is2d = true;
         m_controller.setPlan();
@@ -156,6 +161,11 @@ void BoardView::updateBox() {
 }
 
 void BoardView::requestFrame() {
+    m_isBoardDrawn = false;
+    requestOverlay();
+}
+
+void BoardView::requestOverlay() {
     if (m_window != nullptr) {
         m_window->requestUpdate();
     } else if (m_image != nullptr) {
@@ -177,8 +187,10 @@ void BoardView::requestRestingFrame() {
 }
 
 void BoardView::onTimed(const render::FrameStats& stats) {
-    m_isSlow = m_isSlow || std::max(stats.cpuMs, stats.gpuMs) > kSlowMs;
-    emit timed(stats);
+    if (!stats.isOverlayAlone) {
+        m_isSlow = m_isSlow || std::max(stats.cpuMs, stats.gpuMs) > kSlowMs;
+        emit timed(stats);
+    }
 }
 
 void BoardView::takeKeyboard() {
@@ -200,6 +212,7 @@ base::Result<QImage> BoardView::grabPicture(double scale) {
     const QSize pixels = (QSizeF(size()) * devicePixelRatioF() * scale).toSize();
     Picture resting = m_picture;
     setCoarse(resting.settings, false);
+    resting.settings.keepsBoard = resting.settings.isBoardKept = false;
     paintOverlay(resting, pixels, Shown::Everywhere);
     return drawPicture(presenter, resting, m_controller.camera(), pixels);
 }

@@ -56,6 +56,8 @@ public:
     void setCut(std::shared_ptr<const render::Cut> cut);
     [[nodiscard]] const render::Cut* cut() const { return m_picture.settings.cut.get(); }
     void requestFrame();
+    /// The painters paint something else, all else is as it was: the board is not drawn again.
+    void requestOverlay();
     /// Keys go to the canvas from now on.
     void takeKeyboard();
 
@@ -101,8 +103,9 @@ private:
     VulkanCanvas* m_window = nullptr;  ///< at most one of the two; owned by its container
     ImageCanvas* m_image = nullptr;
     QWidget* m_container = nullptr;
-    QTimer m_rest;          ///< runs out when the view has not moved for a while
-    bool m_isSlow = false;  ///< a frame of this scene took longer than an eye blinks away
+    QTimer m_rest;                ///< runs out when the view has not moved for a while
+    bool m_isBoardDrawn = false;  ///< as it is to be seen, by the last frame
+    bool m_isSlow = false;        ///< a frame of this scene took longer than an eye blinks away
 };
 
 }  // namespace ui

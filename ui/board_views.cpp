@@ -203,6 +203,12 @@ void BoardViews::requestFrame() {
     }
 }
 
+void BoardViews::requestOverlay() {
+    for (BoardView* view : m_views) {
+        view->requestOverlay();
+    }
+}
+
 void BoardViews::onTimed(const render::FrameStats& stats) {
     m_isUntried = false;
     emit timed(stats);

@@ -46,6 +46,8 @@ public:
     /// Cuts the board of the 3D view open; null: it is whole.
     void setCut(std::shared_ptr<const render::Cut> cut) { solid().setCut(std::move(cut)); }
     void requestFrame();
+    /// See BoardView.
+    void requestOverlay();
     /// How elements look otherwise than their layers; the colours that they name, 63 at most.
     void setStates(ElementStateLists states);
     void setElementColours(std::vector<glm::vec3> colours);

@@ -98,7 +98,7 @@ void Lens::apply() {
         elements.push_back({0, near.element});
     }
     m_selection.setNearby(std::move(elements));
-    m_views.flat().requestFrame();
+    m_views.flat().requestOverlay();
     if (!m_isOn) {
         emit told({});
     } else if (m_selection.selected().empty() && m_selection.nets().empty()) {

@@ -109,6 +109,7 @@ void MainWindow::createCentre() {
     m_elementLooks = new ElementLooks(*m_views, m_selection, m_netLooks, this);
     m_planPainter = std::make_unique<PlanPainter>(m_views->flat());
     m_planPainter->setLooks(m_netLooks);
+    m_hoverOutline = new HoverOutline(*m_views, m_selection, this);
     m_clearances = new Clearances(*m_views, *m_probing, m_selection, *m_planPainter, m_actions, this);
     m_sections = new Sections(*m_views, m_selection, m_actions, this);
     m_placeReadout = new PlaceReadout(*m_probing, *m_statusLine, this);
@@ -278,6 +279,7 @@ void MainWindow::onLoaded(const LoadedBoard& board) {
     m_clearances->setBoard(board);
     m_sections->setBoard(board);
     m_actions[ActionId::DrawSection].setChecked(false);
+    m_hoverOutline->setOrigin(board.model->origin);
     m_planPainter->setBoard(board.index, {board.model->origin});
     m_measurements->setBoard(board);
     m_measuring->setBoard(board);

@@ -46,7 +46,7 @@ Measuring::Measuring(BoardViews& views, Probing& probing, MeasurementKeeping& ke
     for (BoardView* view : views.both()) {
         watch(*view);
     }
-    connect(&kept, &MeasurementKeeping::changed, this, [this] { m_views.requestFrame(); });
+    connect(&kept, &MeasurementKeeping::changed, this, [this] { m_views.requestOverlay(); });
 }
 
 void Measuring::watch(BoardView& view) {
@@ -57,7 +57,7 @@ void Measuring::watch(BoardView& view) {
         m_hoverView = nullptr;
         m_under.reset();
         if (m_tool != Tool::None) {
-            m_views.requestFrame();
+            m_views.requestOverlay();
         }
     });
     const auto onClick = [this, &view](QPointF position, Qt::KeyboardModifiers modifiers) {
@@ -91,7 +91,7 @@ void Measuring::setHeights(std::shared_ptr<const model::Document> document) {
 void Measuring::setUnit(models::LengthUnit unit) {
     m_unit = unit;
     m_kept.list().setUnit(unit);
-    m_views.requestFrame();
+    m_views.requestOverlay();
 }
 
 void Measuring::setTool(Tool tool) {
@@ -127,7 +127,7 @@ bool Measuring::stepBack() {
 
 void Measuring::forgetFirst() {
     m_first.reset();
-    m_views.requestFrame();
+    m_views.requestOverlay();
     emit begunAt(std::nullopt);
 }
 
@@ -211,7 +211,7 @@ void Measuring::hover(BoardView& view, QPointF position, Qt::KeyboardModifiers m
     m_hoverAt = position;
     if (m_tool == Tool::Points) {
         m_under = catchAt(view, position, modifiers);
-        view.requestFrame();
+        view.requestOverlay();
     }
 }
 
@@ -232,7 +232,7 @@ void Measuring::clickPoint(const Caught& caught) {
     if (!m_first) {
         m_first = caught;
         emit begunAt(base::PointD{caught.end.x, caught.end.y});
-        m_views.requestFrame();
+        m_views.requestOverlay();
         return;
     }
     const Measurement measurement = between(*m_first, caught);
@@ -245,7 +245,7 @@ void Measuring::clickObject(const Caught& caught) {
         m_first = caught;
         emit told(QStringLiteral("From %1: click the second element")
                       .arg(QString::fromStdString(model::nameOf(*m_index, *caught.element))));
-        m_views.requestFrame();
+        m_views.requestOverlay();
         return;
     }
     base::Progress progress;

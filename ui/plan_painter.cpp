@@ -100,27 +100,27 @@ void PlanPainter::setBoard(std::shared_ptr<const model::BoardIndex> index, Board
         m_pins.emplace(*m_index->board);
     }
     m_place = place;
-    m_view.requestFrame();
+    m_view.requestOverlay();
 }
 
 void PlanPainter::setUnit(models::LengthUnit unit) {
     m_unit = unit;
-    m_view.requestFrame();
+    m_view.requestOverlay();
 }
 
 void PlanPainter::showGrid(bool isOn) {
     m_hasGrid = isOn;
-    m_view.requestFrame();
+    m_view.requestOverlay();
 }
 
 void PlanPainter::showNames(bool isOn) {
     m_hasNames = isOn;
-    m_view.requestFrame();
+    m_view.requestOverlay();
 }
 
 void PlanPainter::showPinNames(bool isOn) {
     m_hasPinNames = isOn;
-    m_view.requestFrame();
+    m_view.requestOverlay();
 }
 
 void PlanPainter::setLooks(const models::NetLooks& looks) {

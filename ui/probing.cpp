@@ -42,7 +42,7 @@ Probing::Probing(BoardViews& views, SelectionModel& selection, models::NetLooks&
     CameraController& flat = views.flat().controller();
     connect(&flat, &CameraController::boxDrawn, this, [this](QPointF from, QPointF to) {
         m_box = {from, to};
-        m_views.flat().requestFrame();
+        m_views.flat().requestOverlay();
     });
     connect(&flat, &CameraController::boxFinished, this, &Probing::selectBox);
     connect(&flat, &CameraController::zoomedToBox, this, [this] { m_box.reset(); });
@@ -250,7 +250,7 @@ void Probing::showPlace(base::PointD nm, model::LayerId layer) {
 
 void Probing::selectBox(QPointF from, QPointF to, Qt::KeyboardModifiers modifiers) {
     m_box.reset();
-    m_views.flat().requestFrame();
+    m_views.flat().requestOverlay();
     if (!m_picker || !m_isSelecting) {
         return;
     }

@@ -53,7 +53,7 @@ void ViewCube::setOn(bool isOn) {
     m_isOn = isOn;
     m_hovered.reset();
     m_pressed.reset();
-    m_view.requestFrame();
+    m_view.requestOverlay();
 }
 
 QRectF ViewCube::place() const {
@@ -158,7 +158,7 @@ void ViewCube::setHovered(const std::optional<Part>& part) {
         emit m_view.controller().left();  // whatever of the board was under the cursor no longer is
     }
     m_hovered = part;
-    m_view.requestFrame();
+    m_view.requestOverlay();
 }
 
 void ViewCube::paint(QPainter& painter) const {

@@ -18,6 +18,13 @@ class ViewTest : public QObject {
         return settings;
     }
 
+    /// One row of white on nothing.
+    static std::vector<std::uint8_t> overlayOf(std::size_t width, std::size_t height, std::size_t row) {
+        std::vector<std::uint8_t> rgba(width * height * 4);
+        std::fill_n(rgba.begin() + static_cast<std::ptrdiff_t>(row * width * 4), width * 4, std::uint8_t{255});
+        return rgba;
+    }
+
     static int toByte(float linear) {
         const float srgb = linear <= 0.0031308F ? linear * 12.92F : 1.055F * std::pow(linear, 1.0F / 2.4F) - 0.055F;
         return static_cast<int>(std::lround(srgb * 255.0F));
@@ -41,6 +48,31 @@ private slots:
         const Image image = scene.draw(how, 200, 200);
         comparePixel(image, 100, 100, {204, 102, 51});
         comparePixel(image, 5, 5, {26, 51, 77});
+    }
+
+    /// With the board kept, another overlay lies over the same board; a picture of another size is drawn anew.
+    void aKeptBoardIsTheSameUnderAnotherOverlay() {
+        Scene scene(everything());
+        scene.camera.fit(scene.model.boxMin, scene.model.boxMax, NamedView::Iso, 4.0F / 3.0F);
+        const std::vector<std::uint8_t> spots[] = {overlayOf(200, 150, 40), overlayOf(200, 150, 90)};
+        OffscreenPresenter presenter(Gpu::get().device);
+        const auto draw = [&](int spot, bool isKept, std::uint32_t width) {
+            ViewSettings how;
+            how.keepsBoard = true;
+            how.isBoardKept = isKept;
+            how.overlay = {200, 150, spots[spot].data()};
+            return *presenter.render(scene.scene, scene.camera, how, width, width * 3 / 4);
+        };
+        const Image first = draw(0, false, 200);
+        QVERIFY(!presenter.stats().isOverlayAlone);
+        const Image second = draw(1, false, 200);
+        QVERIFY(differingPixels(first, second) > 10);
+        QCOMPARE(differingPixels(draw(0, true, 200), first, 0), std::size_t{0});
+        QVERIFY(presenter.stats().isOverlayAlone);
+        QCOMPARE(differingPixels(draw(1, true, 200), second, 0), std::size_t{0});
+        const Image larger = draw(1, true, 240);
+        QVERIFY(!presenter.stats().isOverlayAlone);
+        QCOMPARE(differingPixels(larger, draw(1, false, 240), 0), std::size_t{0});
     }
 
     void overlayLiesOverTheBoardPixelByPixel() {

@@ -43,7 +43,6 @@ void SelectionModel::hover(std::optional<model::BoardElement> element) {
     if (element != m_hovered) {
         m_hovered = element;
         emit hoverChanged();
-        emit highlightChanged();
     }
 }
 
@@ -113,9 +112,6 @@ std::vector<std::vector<model::ElementId>> SelectionModel::highlight() const {
     };
     std::ranges::for_each(m_selected, add);
     std::ranges::for_each(m_nearby, add);
-    if (m_hovered) {
-        add(*m_hovered);
-    }
     for (const model::BoardNet& net : m_nets) {
         const auto members = m_tree.steps[net.step]->elementsOf(net.net);
         elements[net.step].insert(elements[net.step].end(), members.begin(), members.end());

@@ -55,7 +55,7 @@ public:
     [[nodiscard]] const model::StepTree& tree() const { return m_tree; }
     /// The document an element is a row of.
     [[nodiscard]] const model::Document& stepOf(const model::BoardElement& element) const;
-    /// All that stands out, per row of `tree().steps`: hovered, selected, and the elements of the nets; in rising
+    /// All that stands out, per row of `tree().steps`: selected, nearby, and the elements of the nets; in rising
     /// order.
     [[nodiscard]] std::vector<std::vector<model::ElementId>> highlight() const;
 
@@ -64,7 +64,7 @@ signals:
     /// Once per change, however many elements it concerns.
     void selectionChanged();
     void netsChanged();
-    /// After each of the above.
+    /// What `highlight` answers is another.
     void highlightChanged();
 
 private:

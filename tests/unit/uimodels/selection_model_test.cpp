@@ -52,12 +52,13 @@ private slots:
         m_model->setBoard(board());
     }
 
-    void everythingThatIsPointedAtStandsOutOnce() {
-        m_model->hover(at(5));
+    void everythingThatIsChosenStandsOutOnce() {
+        m_model->setNearby({at(5), at(3)});
         m_model->select({at(3), at(0)});
         m_model->setNets({{0, NetId{0}}});
         QCOMPARE(m_model->highlight(), (Lists{rows({0, 1, 2, 3, 5})}));
-        m_model->hover(std::nullopt);
+        m_model->setNearby({});
+        m_model->hover(at(4));  // is outlined, no more
         QCOMPARE(m_model->highlight(), (Lists{rows({0, 1, 2, 3})}));
     }
 
@@ -102,7 +103,7 @@ private slots:
         m_model->select({at(0), at(1), at(2)});
         m_model->setNets({{0, NetId{0}}});
         m_model->setNets({{0, NetId{0}}, {0, NetId{0}}});
-        QCOMPARE(changed.count(), 3);
+        QCOMPARE(changed.count(), 2);
     }
 
     void elementsOfCopiesStandOutInTheirStep() {
