@@ -202,6 +202,7 @@ Backend Renderer::record(gpu::Frame& frame, RenderTarget& target, VkExtent2D ext
                          const Camera& camera, const ViewSettings& settings) {
     m_isOverlayAlone = settings.isBoardKept && target.hasKept(extent, colour);
     if (m_isOverlayAlone) {
+        frame.leaveUntimed();
         target.restore(frame.commands());
     } else if (scene != nullptr) {
         m_last = recordBoard(frame, target, extent, colour, *scene, camera, settings);

@@ -67,12 +67,14 @@ struct SwapchainPresenter::Impl {
             return Outcome::DeviceLost;
         }
         const Clock::time_point start = Clock::now();
-        stats.backend =
+        const Backend backend =
             renderer.record(*frame, target, swapchain.extent(), swapchain.drawFormat(), scene, camera, settings);
-        stats.isOverlayAlone = renderer.drewOverlayAlone();
         copyToWindow(frame->commands(), target, image.image);
         const bool isSubmitted = ring.end({image.available, image.finished});
-        stats.cpuMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+        if (!renderer.drewOverlayAlone()) {
+            const double cpuMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+            stats = {cpuMs, 0.0, backend, false};
+        }
         return isSubmitted ? outcomeOf(swapchain.present(image)) : Outcome::DeviceLost;
     }
 };
@@ -106,7 +108,9 @@ std::optional<FrameStats> SwapchainPresenter::finishedStats() {
         return std::nullopt;
     }
     m_impl->stats.gpuMs = m_impl->ring.gpuMs();
-    return m_impl->stats;
+    const FrameStats stats = m_impl->stats;
+    m_impl->stats.isOverlayAlone = true;  // told, until the board is drawn again
+    return stats;
 }
 
 }  // namespace render

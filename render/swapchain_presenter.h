@@ -30,7 +30,8 @@ public:
     void resize(std::uint32_t width, std::uint32_t height);
     /// Draws and presents one frame; `scene` may be null (background only).
     Outcome draw(BoardScene* scene, const Camera& camera, const ViewSettings& settings);
-    /// Of the frame drawn last, as soon as the device is done with it; none before. Does not wait.
+    /// Of the last frame that drew the board, as soon as the device is done with all frames; none before. Told once:
+    /// after that it says `isOverlayAlone`. Does not wait.
     [[nodiscard]] std::optional<FrameStats> finishedStats();
 
 private:

@@ -44,7 +44,8 @@ constexpr ActionId kToolBar[] = {ActionId::OpenFile,   ActionId::Count,   Action
                                  ActionId::LookBottom, ActionId::LookIso, ActionId::Count,      ActionId::Orthographic,
                                  ActionId::Explode,    ActionId::Count,   ActionId::SavePicture};
 /// Commands that need a board.
-// clang-format off: one name a line would fill the page
+// One name a line would fill the page.
+// clang-format off
 constexpr ActionId kBoardActions[] = {
     ActionId::Reload, ActionId::SavePicture, ActionId::CopyPicture, ActionId::Fit,
     ActionId::LookTop, ActionId::LookBottom, ActionId::LookIso, ActionId::Flip,

@@ -70,7 +70,9 @@ bool FrameRing::finish(Frame& frame) {
     if (!m_device->wait(frame.m_number)) {
         return false;
     }
-    readTimes(frame);
+    if (frame.m_isTimed) {
+        readTimes(frame);
+    }
     frame.m_number = 0;
     return true;
 }
@@ -82,6 +84,7 @@ Frame* FrameRing::begin() {
         return nullptr;
     }
     frame.m_used = 0;
+    frame.m_isTimed = true;
     VK_CHECK(vkResetCommandPool(m_device->handle(), frame.m_pool.get(), 0));
     auto info = vkInfo<VkCommandBufferBeginInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO);
     info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
@@ -108,7 +111,8 @@ bool FrameRing::poll() {
     if (frame.m_number != 0 && !m_device->isDone(frame.m_number)) {
         return false;
     }
-    return finish(frame);  // nothing to wait for any more
+    // The ones before it are done too: there is nothing to wait for.
+    return std::ranges::all_of(m_frames, [this](Frame& done) { return finish(done); });
 }
 
 bool FrameRing::wait() {

@@ -21,6 +21,8 @@ public:
     };
 
     [[nodiscard]] VkCommandBuffer commands() const { return m_commands; }
+    /// Its time is not measured: FrameRing::gpuMs stays that of the frames before.
+    void leaveUntimed() { m_isTimed = false; }
     /// `size` bytes, aligned to 16.
     [[nodiscard]] Slice allocate(std::uint64_t size);
     template <class T>
@@ -41,6 +43,7 @@ private:
     Buffer m_memory;
     std::uint64_t m_used = 0;
     std::uint64_t m_number = 0;  ///< of the submission last made from here
+    bool m_isTimed = true;
 };
 
 /// Semaphores around a submission; see Submission.
@@ -60,9 +63,9 @@ public:
     bool end(const FrameSemaphores& semaphores = {});
     /// Waits for the frame last submitted; false if the device is lost.
     bool wait();
-    /// Whether the device is done with the frame last submitted; `gpuMs` is then its time. Does not wait.
+    /// Whether the device is done with the frame last submitted, and so with all before it. Does not wait.
     [[nodiscard]] bool poll();
-    /// GPU time of the last frame that is known to be done, 0 without timestamps.
+    /// GPU time of the last timed frame that is known to be done, 0 without timestamps.
     [[nodiscard]] double gpuMs() const { return m_gpuMs; }
 
 private:
