@@ -187,10 +187,8 @@ void BoardView::requestRestingFrame() {
 }
 
 void BoardView::onTimed(const render::FrameStats& stats) {
-    if (!stats.isOverlayAlone) {
-        m_isSlow = m_isSlow || std::max(stats.cpuMs, stats.gpuMs) > kSlowMs;
-        emit timed(stats);
-    }
+    m_isSlow = m_isSlow || (!stats.isOverlayAlone && std::max(stats.cpuMs, stats.gpuMs) > kSlowMs);
+    emit timed(stats);
 }
 
 void BoardView::takeKeyboard() {

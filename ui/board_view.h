@@ -79,7 +79,8 @@ public:
 
 signals:
     void drawn();
-    /// How long the frame drawn last took, once that is known.
+    /// How long the last frame of the board took, once that is known; also after frames of the overlay alone, which tell
+    /// nothing new.
     void timed(const render::FrameStats& stats);
     void deviceLost();
 

@@ -211,7 +211,9 @@ void BoardViews::requestOverlay() {
 
 void BoardViews::onTimed(const render::FrameStats& stats) {
     m_isUntried = false;
-    emit timed(stats);
+    if (!stats.isOverlayAlone) {
+        emit timed(stats);
+    }
 }
 
 void BoardViews::onDeviceLost() {

@@ -61,17 +61,18 @@ FrameDisplay::FrameDisplay(BoardViews& views, QObject* parent) : QObject(parent)
 void FrameDisplay::setBoard(const LoadedBoard& board) {
     m_counts = countsOf(*board.document, *board.model);
     m_last.reset();
-    m_views.solid().requestFrame();
+    m_views.solid().requestOverlay();
 }
 
 void FrameDisplay::setOn(bool isOn) {
     m_isOn = isOn;
-    m_views.solid().requestFrame();
+    m_views.solid().requestOverlay();
 }
 
-/// The frame that shows a time is not timed itself: it would ask for the next one, forever.
+/// A frame that is drawn only to show a time tells nothing new, even where the board had to be drawn for it: it would ask
+/// for the next one, forever.
 void FrameDisplay::onTimed(const render::FrameStats& stats) {
-    if (std::exchange(m_isOwn, false)) {
+    if (std::exchange(m_isOwn, false) || stats.isOverlayAlone) {
         return;
     }
     m_last = stats;
@@ -83,7 +84,7 @@ void FrameDisplay::onTimed(const render::FrameStats& stats) {
 void FrameDisplay::showTimes() {
     m_isOwn = m_isOn;
     if (m_isOn) {
-        m_views.solid().requestFrame();
+        m_views.solid().requestOverlay();
     }
 }
 

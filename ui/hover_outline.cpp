@@ -41,8 +41,11 @@ void HoverOutline::update() {
 }
 
 void HoverOutline::paint(QPainter& painter, const BoardView& view) const {
+    if (m_outline.points.empty()) {
+        return;
+    }
     const std::vector<render::ZRange> heights = view.drawnHeights();
-    if (m_outline.points.empty() || m_layer.row() >= heights.size()) {
+    if (m_layer.row() >= heights.size()) {
         return;
     }
     const bool isFromBelow = view.controller().camera().direction().z > 0.0F;

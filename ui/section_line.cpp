@@ -39,7 +39,7 @@ void SectionLine::setBoard(const BoardPlace& place) {
 
 void SectionLine::setLine(std::vector<base::PointD> line) {
     m_line = std::move(line);
-    m_view.requestFrame();
+    m_view.requestOverlay();
 }
 
 bool SectionLine::take(QEvent& event) {
@@ -80,7 +80,7 @@ void SectionLine::drag(const QMouseEvent& event) {
         to = straightened(m_line[*m_held == 0 ? 1 : *m_held - 1], to);
     }
     m_line[*m_held] = to;
-    m_view.requestFrame();
+    m_view.requestOverlay();
     emit moved();
 }
 

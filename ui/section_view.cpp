@@ -47,6 +47,7 @@ SectionView::SectionView(models::SelectionModel& selection, QWidget* parent) : Q
     setAccessibleName(QStringLiteral("Cross-section"));
     setMinimumSize(200, 80);
     connect(&selection, &models::SelectionModel::highlightChanged, this, qOverload<>(&QWidget::update));
+    connect(&selection, &models::SelectionModel::hoverChanged, this, qOverload<>(&QWidget::update));
 }
 
 void SectionView::setSection(std::shared_ptr<const model::BoardIndex> board, std::optional<model::Section> section) {
