@@ -145,6 +145,8 @@ constexpr ActionSpec kSpecs[] = {
      "Drag a line over the 2D view to cut the board along it; its ends can be moved afterwards", kCheckable, kNewGroup},
     {OpenAlongSection, MenuId::Board, "&Open in 3D", "Alt+X",
      "Cut the board of the 3D view open along the straight line of the section"},
+    {KeepSection, MenuId::Board, "&Keep the section", "Ctrl+Alt+B",
+     "Keep the line of the section under a name, in the session file beside the board"},
     {ExportSection, MenuId::Board, "Expor&t section…", "Ctrl+Alt+E", "Write the section as a drawing (SVG)"},
 
     {MeasurePoints, MenuId::Measure, "&Point to point", "M",

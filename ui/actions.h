@@ -102,6 +102,7 @@ enum class ActionId {
     Lens,
     DrawSection,
     OpenAlongSection,
+    KeepSection,
     ExportSection,
     MeasurePoints,
     MeasureObjects,

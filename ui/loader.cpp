@@ -43,6 +43,7 @@ base::Status stack(const std::shared_ptr<const model::Document>& read, LoadedBoa
     board.keptNets = std::move(found.session.nets);
     board.desk = std::move(found.session.desk);
     board.measurements = std::move(found.session.measurements);
+    board.sections = std::move(found.session.sections);
     board.sessionNotes = std::move(found.ignored);
     board.document = session::applyThicknesses(read, board.thicknesses.all());
     return base::Done{};

@@ -50,6 +50,7 @@ struct LoadedBoard {
     std::vector<model::session::KeptNet> keptNets{};          ///< how nets look by the session, by name
     std::optional<model::session::Desk> desk{};               ///< what the window is to show, if that was saved
     std::vector<model::session::Measurement> measurements{};  ///< kept in the session, those of other steps too
+    std::vector<model::session::KeptSection> sections{};      ///< kept in the session, those of other steps too
     std::vector<std::string> sessionNotes{};                  ///< what of the session file is not used, a sentence each
 };
 

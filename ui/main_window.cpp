@@ -59,7 +59,7 @@ constexpr ActionId kBoardActions[] = {
     ActionId::SaveSession, ActionId::FindGaps, ActionId::NextGap, ActionId::PreviousGap,
     ActionId::Lens, ActionId::MeasurePoints, ActionId::MeasureObjects, ActionId::MeasureGap,
     ActionId::ExportMeasurements, ActionId::DrawSection, ActionId::OpenAlongSection,
-    ActionId::ExportSection};
+    ActionId::KeepSection, ActionId::ExportSection};
 // clang-format on
 
 }  // namespace
@@ -112,7 +112,7 @@ void MainWindow::createCentre() {
     m_planPainter->setLooks(m_netLooks);
     m_hoverOutline = new HoverOutline(*m_views, m_selection, this);
     m_clearances = new Clearances(*m_views, *m_probing, m_selection, *m_planPainter, m_actions, this);
-    m_sections = new Sections(*m_views, m_selection, m_actions, this);
+    m_sections = new Sections(*m_views, m_selection, m_actions, m_thicknesses.history(), this);
     m_placeReadout = new PlaceReadout(*m_probing, *m_statusLine, this);
     m_measurements = new MeasurementKeeping(m_thicknesses.history(), this);
     m_measuring = new Measuring(*m_views, *m_probing, *m_measurements, this);

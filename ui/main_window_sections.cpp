@@ -30,6 +30,9 @@ void MainWindow::connectSections() {
             }
         });
     });
+    connect(&m_actions[ActionId::KeepSection], &QAction::triggered, m_sections, &Sections::keep);
+    connect(m_sections, &Sections::told, this, [this](const QString& what) { statusBar()->showMessage(what); });
+    connect(&m_sections->keeping(), &SectionKeeping::notSaved, m_messageBar, &MessageBar::showError);
     connect(m_sections, &Sections::placed, this, [this] {
         m_actions[ActionId::DrawSection].setChecked(false);
         if (const auto line = m_sections->straightLine(); line && m_cutting->isAlongLine()) {

@@ -2,6 +2,8 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QListView>
+#include <QSplitter>
 #include <QVBoxLayout>
 
 #include "ui/actions.h"
@@ -9,8 +11,13 @@
 
 namespace ui {
 
-SectionPanel::SectionPanel(models::SelectionModel& selection, const ActionSet& actions, QWidget* parent)
-    : QWidget(parent), m_view(new SectionView(selection)), m_heights(new QComboBox), m_remarks(new QLabel) {
+SectionPanel::SectionPanel(models::SelectionModel& selection, QAbstractItemModel& kept, const ActionSet& actions,
+                           QWidget* parent)
+    : QWidget(parent),
+      m_view(new SectionView(selection)),
+      m_list(new QListView),
+      m_heights(new QComboBox),
+      m_remarks(new QLabel) {
     m_heights->addItem(QStringLiteral("Heights to fill the view"), 0);
     for (const int times : {1, 2, 5, 10, 20, 50, 100}) {
         m_heights->addItem(QStringLiteral("Heights × %1").arg(times), times);
@@ -21,8 +28,25 @@ SectionPanel::SectionPanel(models::SelectionModel& selection, const ActionSet& a
     clear->setToolTip(QStringLiteral("Take the line and its section away"));
     connect(clear, &QAction::triggered, this, &SectionPanel::cleared);
 
+    auto* forget = new QAction(QStringLiteral("Forget"), m_list);
+    forget->setShortcut(QKeySequence::Delete);
+    forget->setShortcutContext(Qt::WidgetShortcut);
+    m_list->addAction(forget);
+    m_list->setContextMenuPolicy(Qt::ActionsContextMenu);
+    m_list->setModel(&kept);
+    m_list->setAccessibleName(QStringLiteral("Kept sections"));
+    m_list->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
+    m_list->setToolTip(QStringLiteral("Kept sections: a click shows one, F2 names it, Del forgets it"));
+    connect(forget, &QAction::triggered, this, [this] {
+        if (m_list->currentIndex().isValid()) {
+            emit forgotten(m_list->currentIndex().row());
+        }
+    });
+    connect(m_list, &QListView::clicked, this, [this](const QModelIndex& at) { emit chosen(at.row()); });
+
     auto* row = new QHBoxLayout;
-    for (const ActionId id : {ActionId::DrawSection, ActionId::OpenAlongSection, ActionId::ExportSection}) {
+    for (const ActionId id :
+         {ActionId::DrawSection, ActionId::OpenAlongSection, ActionId::KeepSection, ActionId::ExportSection}) {
         row->addWidget(toolButton(actions[id]));
     }
     row->addWidget(toolButton(*clear));
@@ -31,7 +55,13 @@ SectionPanel::SectionPanel(models::SelectionModel& selection, const ActionSet& a
     auto* all = new QVBoxLayout(this);
     all->setContentsMargins(4, 4, 4, 4);
     all->addLayout(row);
-    all->addWidget(m_view, 1);
+    auto* both = new QSplitter;
+    both->addWidget(m_view);
+    both->addWidget(m_list);
+    both->setStretchFactor(0, 5);
+    both->setStretchFactor(1, 1);
+    both->setChildrenCollapsible(false);
+    all->addWidget(both, 1);
     all->addWidget(m_remarks);
     connect(m_heights, &QComboBox::currentIndexChanged, this,
             [this] { m_view->setHeightTimes(m_heights->currentData().toDouble()); });

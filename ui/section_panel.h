@@ -6,7 +6,9 @@
 #include "ui/section_view.h"
 
 class QAction;
+class QAbstractItemModel;
 class QComboBox;
+class QListView;
 
 namespace ui {
 
@@ -17,9 +19,12 @@ class SectionPanel : public QWidget {
     Q_OBJECT
 
 public:
-    SectionPanel(models::SelectionModel& selection, const ActionSet& actions, QWidget* parent = nullptr);
+    /// `kept`: names of the sections that are kept.
+    SectionPanel(models::SelectionModel& selection, QAbstractItemModel& kept, const ActionSet& actions,
+                 QWidget* parent = nullptr);
 
     [[nodiscard]] SectionView& view() { return *m_view; }
+    [[nodiscard]] QListView& list() { return *m_list; }
     [[nodiscard]] QComboBox& heightsBox() { return *m_heights; }
     /// In plain words; empty ones take no room.
     void setRemarks(const QString& remarks);
@@ -28,9 +33,13 @@ public:
 signals:
     /// The section is not wanted any more.
     void cleared();
+    /// A kept section is to be shown, or is not wanted any more.
+    void chosen(int row);
+    void forgotten(int row);
 
 private:
     SectionView* m_view;
+    QListView* m_list;
     QComboBox* m_heights;
     QLabel* m_remarks;
 };

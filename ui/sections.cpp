@@ -8,8 +8,12 @@
 
 namespace ui {
 
-Sections::Sections(BoardViews& views, models::SelectionModel& selection, const ActionSet& actions, QObject* parent)
-    : QObject(parent), m_line(views.flat()), m_panel(new SectionPanel(selection, actions)) {
+Sections::Sections(BoardViews& views, models::SelectionModel& selection, const ActionSet& actions, QUndoStack& history,
+                   QObject* parent)
+    : QObject(parent),
+      m_line(views.flat()),
+      m_keeping(history),
+      m_panel(new SectionPanel(selection, m_keeping.names(), actions)) {
     m_due.setSingleShot(true);
     m_due.setInterval(0);
     connect(&m_due, &QTimer::timeout, this, &Sections::cut);
@@ -19,10 +23,13 @@ Sections::Sections(BoardViews& views, models::SelectionModel& selection, const A
         emit placed();
     });
     connect(m_panel, &SectionPanel::cleared, this, [this] { cutAlong({}); });
+    connect(m_panel, &SectionPanel::chosen, this, &Sections::goTo);
+    connect(m_panel, &SectionPanel::forgotten, &m_keeping, &SectionKeeping::forget);
 }
 
 void Sections::setBoard(const LoadedBoard& board) {
     m_index = board.index;
+    m_keeping.setBoard(board);
     m_line.setBoard({board.model->origin});
     m_panel->view().fit();
     cut();
@@ -72,6 +79,23 @@ std::optional<std::pair<base::PointD, base::PointD>> Sections::straightLine() co
         return std::nullopt;
     }
     return std::pair(m_line.line().front(), m_line.line().back());
+}
+
+void Sections::keep() {
+    const std::optional<model::Section>& section = m_panel->view().section();
+    emit told(section ? QStringLiteral("Kept as %1").arg(m_keeping.keep(section->line))
+                      : QStringLiteral("There is no section to keep: draw one first"));
+}
+
+void Sections::goTo(int row) {
+    const model::session::KeptSection& kept = m_keeping.sections()[static_cast<std::size_t>(row)];
+    if (!m_keeping.isHere(kept)) {
+        emit told(QStringLiteral("%1 is a section of step %2, which is not open")
+                      .arg(QString::fromStdString(kept.name), QString::fromStdString(kept.step)));
+        return;
+    }
+    cutAlong(kept.line);
+    emit placed();
 }
 
 base::Status Sections::save(const QString& path) const {

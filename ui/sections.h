@@ -4,6 +4,7 @@
 #include <QTimer>
 
 #include "ui/board_views.h"
+#include "ui/section_keeping.h"
 #include "ui/section_line.h"
 #include "ui/section_panel.h"
 
@@ -14,7 +15,8 @@ class Sections : public QObject {
     Q_OBJECT
 
 public:
-    Sections(BoardViews& views, models::SelectionModel& selection, const ActionSet& actions, QObject* parent = nullptr);
+    Sections(BoardViews& views, models::SelectionModel& selection, const ActionSet& actions, QUndoStack& history,
+             QObject* parent = nullptr);
 
     void setBoard(const LoadedBoard& board);
     /// The same board with other heights.
@@ -29,21 +31,29 @@ public:
     void cutAlong(std::vector<base::PointD> line);
     /// The ends of the line, if it is straight.
     [[nodiscard]] std::optional<std::pair<base::PointD, base::PointD>> straightLine() const;
+    /// Keeps the line by name.
+    void keep();
+    /// Cuts along the line that is kept in this row.
+    void goTo(int row);
     /// Writes what is shown as SVG. Errors: BadUsage if nothing is, OutputFailed.
     [[nodiscard]] base::Status save(const QString& path) const;
 
     /// Belongs to whoever shows it.
     [[nodiscard]] SectionPanel& panel() { return *m_panel; }
     [[nodiscard]] SectionLine& line() { return m_line; }
+    [[nodiscard]] SectionKeeping& keeping() { return m_keeping; }
 
 signals:
     /// A line has been drawn or moved, and is in place.
     void placed();
+    /// What came of a command, in words.
+    void told(const QString& what);
 
 private:
     void cut();
 
     SectionLine m_line;
+    SectionKeeping m_keeping;
     SectionPanel* m_panel;
     std::shared_ptr<const model::BoardIndex> m_index;
     std::vector<QColor> m_colours;

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "model/session/kept_section_json.h"
 #include "model/session/length_text.h"
 #include "model/session/measurement_json.h"
 #include "model/session/session_json.h"
@@ -31,6 +32,7 @@ constexpr const char* kViewsKey = "views";
 constexpr const char* kNetsKey = "nets";
 constexpr const char* kDeskKey = "desk";
 constexpr const char* kMeasurementsKey = "measurements";
+constexpr const char* kSectionsKey = "sections";
 /// No session is this large; something else is.
 constexpr std::uintmax_t kMostBytes = 16 << 20;
 
@@ -285,6 +287,8 @@ LoadedSession loadSession(const fs::path& board, const Document& document) {
             readDesk(value, document, out);
         } else if (key == kMeasurementsKey) {
             readList(value, kMeasurementsKey, "measurement", measurementFrom, out.session.measurements, out.ignored);
+        } else if (key == kSectionsKey) {
+            readList(value, kSectionsKey, "section", sectionFrom, out.session.sections, out.ignored);
         } else if (key != kVersionKey && key != kJobKey) {
             out.ignored.push_back("\"" + key + "\" is not known");
         }
@@ -331,6 +335,14 @@ base::Status saveMeasurements(const fs::path& board, const Document& document,
         json.push_back(toJson(measurement));
     }
     return savePart(board, document, kMeasurementsKey, json);
+}
+
+base::Status saveSections(const fs::path& board, const Document& document, const std::vector<KeptSection>& sections) {
+    ordered_json json;
+    for (const KeptSection& section : sections) {
+        json.push_back(toJson(section));
+    }
+    return savePart(board, document, kSectionsKey, json);
 }
 
 std::shared_ptr<const Document> applyThicknesses(std::shared_ptr<const Document> document,

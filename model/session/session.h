@@ -10,6 +10,7 @@
 #include "model/base/result.h"
 #include "model/document.h"
 #include "model/session/kept_nets.h"
+#include "model/session/kept_section.h"
 #include "model/session/kept_selection.h"
 #include "model/session/measurement.h"
 
@@ -24,7 +25,7 @@
 ///      "nets": [{"name": "GND", "step": "pcb", "colour": "#e69f00", "hidden": true}],
 ///      "desk": {"step": "pcb", "flat": {…}, "solid": {…}, "unit": "mm",
 ///               "layers": [{"name": "TOP", "visible": true, "opacity_percent": 80, "colour": "#ff8000"}]},
-///      "measurements": [see Measurement]}
+///      "measurements": [see Measurement], "sections": [see KeptSection]}
 namespace model::session {
 
 inline constexpr int kVersion = 1;
@@ -77,6 +78,7 @@ struct Session {
         nets{};  ///< also those that this board does not have: nothing is lost when it is written again
     std::optional<Desk> desk{};
     std::vector<Measurement> measurements{};
+    std::vector<KeptSection> sections{};
     bool operator==(const Session&) const = default;
 };
 
@@ -107,6 +109,8 @@ struct LoadedSession {
 [[nodiscard]] base::Status saveDesk(const std::filesystem::path& board, const Document& document, const Desk& desk);
 [[nodiscard]] base::Status saveMeasurements(const std::filesystem::path& board, const Document& document,
                                             const std::vector<Measurement>& measurements);
+[[nodiscard]] base::Status saveSections(const std::filesystem::path& board, const Document& document,
+                                        const std::vector<KeptSection>& sections);
 
 /// The document with these thicknesses in it.
 [[nodiscard]] std::shared_ptr<const Document> applyThicknesses(std::shared_ptr<const Document> document,

@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QFile>
+#include <QListView>
 #include <QMouseEvent>
 #include <QWheelEvent>
 #include <QtTest>
@@ -24,7 +25,9 @@ class SectionsTest : public QObject {
 private slots:
     void initTestCase() {
         m_fixture = std::make_unique<WindowFixture>();
-        QVERIFY(m_fixture->openAndWait(places::kSample));
+        m_board = m_fixture->folder() + "/sample";  // a session file lies beside it
+        std::filesystem::copy(places::kSample, m_board.toStdString(), std::filesystem::copy_options::recursive);
+        QVERIFY(m_fixture->openAndWait(m_board));
         base::Progress progress;
         const auto board = std::make_shared<const model::Document>(*window().document());
         m_index = *model::indexBoard(board, progress);
@@ -200,9 +203,55 @@ private slots:
         QVERIFY(!sections().save("/nowhere/cut.svg"));
     }
 
+    void sectionsAreKeptRenamedShownForgottenAndUndone() {
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier | Qt::AltModifier);
+        QVERIFY(kept().empty());  // nothing to keep
+        drawLine();
+        const std::vector<PointD> line = sections().line().line();
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier | Qt::AltModifier);
+        QCOMPARE(kept().size(), std::size_t{1});
+        QAbstractItemModel& names = *sections().panel().list().model();
+        QVERIFY(names.setData(names.index(0, 0), "Across"));
+        QCOMPARE(kept()[0].name, std::string("Across"));
+        QVERIFY(names.setData(names.index(0, 0), "  "));  // no name
+        QCOMPARE(names.index(0, 0).data().toString(), QString("Across"));
+
+        sections().cutAlong({});
+        const QRect place = sections().panel().list().visualRect(names.index(0, 0));
+        QTest::mouseClick(sections().panel().list().viewport(), Qt::LeftButton, {}, place.center());
+        QVERIFY(isAt(sections().line().line().front(), line.front()));
+        QVERIFY(same(view().section()->pieces, expected().pieces));
+
+        // As another run of the program finds them.
+        const auto found = model::session::loadSession(m_board.toStdString(), *window().document());
+        QVERIFY(found.ignored.empty());
+        QCOMPARE(found.session.sections, kept());
+
+        emit sections().panel().forgotten(0);
+        QVERIFY(kept().empty());
+        window().actions()[ActionId::Undo].trigger();
+        QCOMPARE(kept().size(), std::size_t{1});
+        window().actions()[ActionId::Undo].trigger();
+        QCOMPARE(kept()[0].name, std::string("Section 1"));
+        QVERIFY(m_fixture->openAndWait(m_board));
+        QCOMPARE(names.rowCount(), 1);
+        window().actions()[ActionId::Undo].trigger();
+    }
+
+    void aKeptSectionOfAnotherStepIsNotShown() {
+        QVERIFY(m_fixture->openAndWait(m_board));
+        const auto& document = *window().document();
+        QVERIFY(model::session::saveSections(m_board.toStdString(), document, {{"Far", "other", {{0, 0}, {1e6, 0}}}}));
+        QVERIFY(m_fixture->openAndWait(m_board));
+        QCOMPARE(kept().size(), std::size_t{1});
+        emit sections().panel().chosen(0);
+        QVERIFY(!view().section());
+        QVERIFY(model::session::saveSections(m_board.toStdString(), document, {}));
+    }
+
     void aReloadForgetsTheLine() {
         drawLine();
-        QVERIFY(m_fixture->openAndWait(places::kSample));
+        QVERIFY(m_fixture->openAndWait(m_board));
         QVERIFY(!view().section());
         QVERIFY(sections().line().line().empty());
     }
@@ -213,6 +262,7 @@ private:
     [[nodiscard]] ui::SectionView& view() { return sections().panel().view(); }
     [[nodiscard]] BoardView& flat() { return window().views().flat(); }
 
+    [[nodiscard]] const ui::SectionKeeping::List& kept() { return sections().keeping().sections(); }
     static bool isAt(PointD a, PointD b) { return a.x == b.x && a.y == b.y; }
     static bool same(const std::vector<SectionPiece>& a, const std::vector<SectionPiece>& b) {
         return std::ranges::equal(a, b, [](const SectionPiece& p, const SectionPiece& q) {
@@ -258,6 +308,7 @@ private:
     }
 
     std::unique_ptr<WindowFixture> m_fixture;
+    QString m_board;
     std::shared_ptr<const model::BoardIndex> m_index;
 };
 

@@ -1,0 +1,89 @@
+#include "ui/section_keeping.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "ui/state_edit.h"
+
+namespace ui {
+
+namespace session = model::session;
+
+SectionKeeping::SectionKeeping(QUndoStack& history, QObject* parent) : QObject(parent), m_history(history) {
+    connect(&m_names, &QStringListModel::dataChanged, this,
+            [this](const QModelIndex& at) { rename(at.row(), at.data(Qt::EditRole).toString()); });
+}
+
+void SectionKeeping::setBoard(const LoadedBoard& board) {
+    const bool isSameBoard = board.request.path == m_request.path;
+    m_request = board.request;
+    m_document = board.document;
+    if (m_isSaved || !isSameBoard) {  // else they stand here and in no file
+        m_isSaved = true;
+        show(board.sections);
+    }
+}
+
+bool SectionKeeping::isHere(const session::KeptSection& section) const {
+    return m_document != nullptr && section.step == m_document->job.step;
+}
+
+QString SectionKeeping::keep(std::vector<base::PointD> line) {
+    const auto nameOf = [](std::size_t number) { return "Section " + std::to_string(number); };
+    std::size_t number = m_sections.size() + 1;
+    while (std::ranges::find(m_sections, nameOf(number), &session::KeptSection::name) != m_sections.end()) {
+        ++number;
+    }
+    List after = m_sections;
+    after.push_back({nameOf(number), m_document->job.step, std::move(line)});
+    change(QStringLiteral("keeping a section"), std::move(after));
+    return QString::fromStdString(nameOf(number));
+}
+
+void SectionKeeping::rename(int row, const QString& name) {
+    List after = m_sections;
+    std::string& kept = after[static_cast<std::size_t>(row)].name;
+    const std::string wanted = name.trimmed().toStdString();
+    if (wanted.empty() || wanted == kept) {
+        show(m_sections);  // the list shows what was typed
+        return;
+    }
+    kept = wanted;
+    change(QStringLiteral("the name of a section"), std::move(after));
+}
+
+void SectionKeeping::forget(int row) {
+    List after = m_sections;
+    after.erase(after.begin() + row);
+    change(QStringLiteral("forgetting a section"), std::move(after));
+}
+
+void SectionKeeping::change(const QString& what, List after) {
+    m_history.push(
+        new StateEdit<List>(what, m_sections, std::move(after), [this](const List& sections) { apply(sections); }));
+}
+
+void SectionKeeping::show(List sections) {
+    m_sections = std::move(sections);
+    QStringList names;
+    for (const session::KeptSection& section : m_sections) {
+        names += QString::fromStdString(section.name);
+    }
+    m_names.setStringList(names);
+}
+
+void SectionKeeping::apply(const List& sections) {
+    show(sections);
+    m_isSaved = false;
+    if (m_request.noSession) {
+        return;
+    }
+    const base::Status saved = session::saveSections(m_request.path, *m_document, sections);
+    m_isSaved = saved.ok();
+    if (!saved) {
+        emit notSaved(QStringLiteral("%1. The sections count until another board is opened.")
+                          .arg(QString::fromStdString(saved.error().text)));
+    }
+}
+
+}  // namespace ui

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <QObject>
+#include <QStringListModel>
+#include <QUndoStack>
+
+#include "ui/loader.h"
+
+namespace ui {
+
+/// Sections of a board that the user keeps by name: keeping, renaming and forgetting are undone like every other edit,
+/// and kept in the session file beside the job.
+class SectionKeeping : public QObject {
+    Q_OBJECT
+
+public:
+    using List = std::vector<model::session::KeptSection>;
+
+    explicit SectionKeeping(QUndoStack& history, QObject* parent = nullptr);
+
+    /// Their names; they can be edited.
+    [[nodiscard]] QStringListModel& names() { return m_names; }
+    [[nodiscard]] const List& sections() const { return m_sections; }
+    void setBoard(const LoadedBoard& board);
+    /// Keeps a line of the step on the screen under a name of its own, "Section 1" and so on; that is the answer.
+    QString keep(std::vector<base::PointD> line);
+    void rename(int row, const QString& name);
+    void forget(int row);
+    /// Is it of the step on the screen?
+    [[nodiscard]] bool isHere(const model::session::KeptSection& section) const;
+
+signals:
+    void notSaved(const QString& reason);
+
+private:
+    void change(const QString& what, List after);
+    void apply(const List& sections);
+    void show(List sections);
+
+    QUndoStack& m_history;
+    QStringListModel m_names;
+    List m_sections;
+    LoadRequest m_request;
+    std::shared_ptr<const model::Document> m_document;
+    bool m_isSaved = true;
+};
+
+}  // namespace ui
