@@ -143,6 +143,8 @@ constexpr ActionSpec kSpecs[] = {
      "Light up all copper of other nets that comes near what is selected or highlighted", kCheckable},
     {DrawSection, MenuId::Board, "&Draw a section", "Shift+S",
      "Drag a line over the 2D view to cut the board along it; its ends can be moved afterwards", kCheckable, kNewGroup},
+    {SectionAlongNet, MenuId::Board, "Section &along the net", "Ctrl+Alt+L",
+     "Cut along the longest chain of strokes of the highlighted net, unrolled"},
     {OpenAlongSection, MenuId::Board, "&Open in 3D", "Alt+X",
      "Cut the board of the 3D view open along the straight line of the section"},
     {KeepSection, MenuId::Board, "&Keep the section", "Ctrl+Alt+B",

@@ -101,6 +101,7 @@ enum class ActionId {
     PreviousGap,
     Lens,
     DrawSection,
+    SectionAlongNet,
     OpenAlongSection,
     KeepSection,
     ExportSection,

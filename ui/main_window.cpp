@@ -59,7 +59,7 @@ constexpr ActionId kBoardActions[] = {
     ActionId::SaveSession, ActionId::FindGaps, ActionId::NextGap, ActionId::PreviousGap,
     ActionId::Lens, ActionId::MeasurePoints, ActionId::MeasureObjects, ActionId::MeasureGap,
     ActionId::ExportMeasurements, ActionId::DrawSection, ActionId::OpenAlongSection,
-    ActionId::KeepSection, ActionId::ExportSection};
+    ActionId::SectionAlongNet, ActionId::KeepSection, ActionId::ExportSection};
 // clang-format on
 
 }  // namespace

@@ -30,6 +30,10 @@ void MainWindow::connectSections() {
             }
         });
     });
+    connect(&m_actions[ActionId::SectionAlongNet], &QAction::triggered, this, [this] {
+        raise(m_sections->panel());
+        m_sections->followNet();
+    });
     connect(&m_actions[ActionId::KeepSection], &QAction::triggered, m_sections, &Sections::keep);
     connect(m_sections, &Sections::told, this, [this](const QString& what) { statusBar()->showMessage(what); });
     connect(&m_sections->keeping(), &SectionKeeping::notSaved, m_messageBar, &MessageBar::showError);

@@ -45,8 +45,8 @@ SectionPanel::SectionPanel(models::SelectionModel& selection, QAbstractItemModel
     connect(m_list, &QListView::clicked, this, [this](const QModelIndex& at) { emit chosen(at.row()); });
 
     auto* row = new QHBoxLayout;
-    for (const ActionId id :
-         {ActionId::DrawSection, ActionId::OpenAlongSection, ActionId::KeepSection, ActionId::ExportSection}) {
+    for (const ActionId id : {ActionId::DrawSection, ActionId::SectionAlongNet, ActionId::OpenAlongSection,
+                              ActionId::KeepSection, ActionId::ExportSection}) {
         row->addWidget(toolButton(actions[id]));
     }
     row->addWidget(toolButton(*clear));

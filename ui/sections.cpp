@@ -2,8 +2,10 @@
 
 #include <QComboBox>
 #include <QSaveFile>
+#include <algorithm>
 #include <utility>
 
+#include "model/section/net_line.h"
 #include "model/section/section_export.h"
 
 namespace ui {
@@ -11,6 +13,7 @@ namespace ui {
 Sections::Sections(BoardViews& views, models::SelectionModel& selection, const ActionSet& actions, QUndoStack& history,
                    QObject* parent)
     : QObject(parent),
+      m_selection(selection),
       m_line(views.flat()),
       m_keeping(history),
       m_panel(new SectionPanel(selection, m_keeping.names(), actions)) {
@@ -79,6 +82,22 @@ std::optional<std::pair<base::PointD, base::PointD>> Sections::straightLine() co
         return std::nullopt;
     }
     return std::pair(m_line.line().front(), m_line.line().back());
+}
+
+void Sections::followNet() {
+    if (m_index == nullptr || m_selection.nets().size() != 1) {
+        emit told(QStringLiteral("Highlight one net first: N over its copper, or a click in the Nets panel"));
+        return;
+    }
+    const model::BoardNet& net = m_selection.nets().front();
+    const auto copy = std::ranges::find(m_index->tree.copies, net.step, &model::StepCopy::step);
+    const auto row = static_cast<std::uint32_t>(copy - m_index->tree.copies.begin());
+    if (base::Result<std::vector<base::PointD>> line = model::lineAlong(*m_index, {row, net.net})) {
+        cutAlong(std::move(*line));
+        emit placed();
+    } else {
+        emit told(QString::fromStdString(line.error().text));
+    }
 }
 
 void Sections::keep() {

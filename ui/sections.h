@@ -31,6 +31,8 @@ public:
     void cutAlong(std::vector<base::PointD> line);
     /// The ends of the line, if it is straight.
     [[nodiscard]] std::optional<std::pair<base::PointD, base::PointD>> straightLine() const;
+    /// Cuts along the highlighted net, unrolled; of a net of a step that is placed often, along its first copy.
+    void followNet();
     /// Keeps the line by name.
     void keep();
     /// Cuts along the line that is kept in this row.
@@ -52,6 +54,7 @@ signals:
 private:
     void cut();
 
+    models::SelectionModel& m_selection;
     SectionLine m_line;
     SectionKeeping m_keeping;
     SectionPanel* m_panel;

@@ -203,6 +203,50 @@ private slots:
         QVERIFY(!sections().save("/nowhere/cut.svg"));
     }
 
+    /// Its copper, or a hole in it, is all along the line; and no stroke is longer.
+    void aNetIsFollowedOverItsLongestChain() {
+        window().actions()[ActionId::SectionAlongNet].trigger();
+        QVERIFY(!view().section());  // no net
+        int followed = 0;
+        for (std::size_t row = 0; row < m_index->board->nets.size(); ++row) {
+            const model::NetId net{row};
+            double longest = 0.0;
+            for (const model::ElementId element : m_index->board->elementsOf(net)) {
+                if (m_index->board->elements.kind[element.row()] == model::ElementKind::Line) {
+                    const model::Box box = m_index->board->boxOf(element);
+                    longest = std::max(
+                        longest, double(std::max(box.width(), box.height()) - std::min(box.width(), box.height())));
+                }
+            }
+            window().selection().setNets({{0, net}});
+            sections().cutAlong({});
+            window().actions()[ActionId::SectionAlongNet].trigger();
+            if (!view().section()) {
+                QCOMPARE(longest, 0.0);
+                continue;
+            }
+            ++followed;
+            const double length = view().section()->stations.back();
+            QVERIFY(length >= longest / 1.5);
+            model::Intervals copper;
+            for (const SectionPiece& piece : view().section()->pieces) {
+                if (m_index->board->elements.net[piece.at.element.row()] == net) {
+                    copper.push_back({piece.from, piece.to});
+                }
+            }
+            for (const SectionPiece& bore : view().section()->bores) {
+                copper.push_back({bore.from, bore.to});
+            }
+            double covered = 0.0;
+            for (const model::Interval& interval : model::united(copper)) {
+                covered += interval.to - interval.from;
+            }
+            QVERIFY(covered > length - 1.0);
+        }
+        QVERIFY(followed > 3);
+        window().selection().setNets({});
+    }
+
     void sectionsAreKeptRenamedShownForgottenAndUndone() {
         m_fixture->key(Qt::Key_B, Qt::ControlModifier | Qt::AltModifier);
         QVERIFY(kept().empty());  // nothing to keep

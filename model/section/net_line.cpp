@@ -1,0 +1,174 @@
+#include "model/section/net_line.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <queue>
+#include <utility>
+
+namespace model {
+
+namespace {
+
+constexpr double kChord = 5.0 * std::numbers::pi / 180.0;
+constexpr std::uint32_t kNone = 0xffffffffU;
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+struct Stroke {
+    Edge edge;
+    std::uint32_t a = 0;  ///< places, see Strokes
+    std::uint32_t b = 0;
+};
+
+/// How each place is reached from one of them.
+struct Reached {
+    std::vector<double> length;
+    std::vector<std::uint32_t> by;  ///< stroke; none at the start and where nothing leads
+    std::uint32_t farthest = 0;
+};
+
+/// The middle lines of a net's strokes as a graph.
+class Strokes {
+public:
+    explicit Strokes(const Pieces& pieces, const BoardIndex& index) {
+        for (std::size_t row = 0; row < pieces.pieces.size(); ++row) {
+            const BoardElement at = pieces.pieces[row].at;
+            const Document& step = *index.tree.steps[index.tree.copies[at.copy].step];
+            const bool isDot = (step.elements.flags[at.element.row()] & (kPad | kHole)) != 0 ||
+                               step.elements.kind[at.element.row()] == ElementKind::Circle;
+            if (isDot || pieces.figures[row].isFilled) {
+                continue;
+            }
+            for (const Edge& edge : pieces.figures.edges(row)) {
+                add(edge);
+            }
+        }
+    }
+
+    [[nodiscard]] bool isEmpty() const { return m_strokes.empty(); }
+
+    /// From one end of the longest chain to the other.
+    [[nodiscard]] std::vector<PointD> longest() const {
+        std::vector<bool> isSeen(m_at.size());
+        double most = -1.0;
+        Reached best;
+        for (std::uint32_t place = 0; place < m_at.size(); ++place) {
+            if (isSeen[place]) {
+                continue;
+            }
+            const Reached there = from(place);
+            for (std::size_t i = 0; i < m_at.size(); ++i) {
+                isSeen[i] = isSeen[i] || there.length[i] < kFar;
+            }
+            Reached back = from(there.farthest);
+            if (back.length[back.farthest] > most) {
+                most = back.length[back.farthest];
+                best = std::move(back);
+            }
+        }
+        return walk(best);
+    }
+
+private:
+    void add(const Edge& edge) {
+        if (edge.a.x == edge.b.x && edge.a.y == edge.b.y) {
+            return;  // a dot or a full circle leads nowhere
+        }
+        const auto row = static_cast<std::uint32_t>(m_strokes.size());
+        m_strokes.push_back({edge, placeOf(edge.a), placeOf(edge.b)});
+        m_at[m_strokes[row].a].push_back(row);
+        m_at[m_strokes[row].b].push_back(row);
+    }
+
+    std::uint32_t placeOf(PointD p) {
+        const auto [place, isFirst] =
+            m_places.try_emplace({std::llround(p.x), std::llround(p.y)}, static_cast<std::uint32_t>(m_at.size()));
+        if (isFirst) {
+            m_at.emplace_back();
+        }
+        return place->second;
+    }
+
+    /// Dijkstra's search.
+    [[nodiscard]] Reached from(std::uint32_t start) const {
+        Reached out{std::vector<double>(m_at.size(), kFar), std::vector<std::uint32_t>(m_at.size(), kNone), start};
+        using Entry = std::pair<double, std::uint32_t>;
+        std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+        out.length[start] = 0.0;
+        queue.push({0.0, start});
+        while (!queue.empty()) {
+            const Entry entry = queue.top();
+            queue.pop();
+            if (entry.first > out.length[entry.second]) {
+                continue;
+            }
+            out.farthest = entry.second;  // they come in rising order
+            for (const std::uint32_t row : m_at[entry.second]) {
+                const std::uint32_t to = otherEnd(row, entry.second);
+                const double length = entry.first + lengthOf(m_strokes[row].edge);
+                if (length < out.length[to]) {
+                    out.length[to] = length;
+                    out.by[to] = row;
+                    queue.push({length, to});
+                }
+            }
+        }
+        return out;
+    }
+
+    [[nodiscard]] std::uint32_t otherEnd(std::uint32_t row, std::uint32_t place) const {
+        return m_strokes[row].a == place ? m_strokes[row].b : m_strokes[row].a;
+    }
+
+    /// Back from the farthest place to the start.
+    [[nodiscard]] std::vector<PointD> walk(const Reached& reached) const {
+        std::vector<PointD> line;
+        std::uint32_t place = reached.farthest;
+        while (reached.by[place] != kNone) {
+            const Stroke& stroke = m_strokes[reached.by[place]];
+            std::vector<PointD> corners = cornersOf(stroke.edge);
+            if (stroke.a != place) {
+                std::ranges::reverse(corners);
+            }
+            // Strokes meet in one place: its corner counts once.
+            line.insert(line.end(), corners.begin() + (line.empty() ? 0 : 1), corners.end());
+            place = otherEnd(reached.by[place], place);
+        }
+        return line;
+    }
+
+    static std::vector<PointD> cornersOf(const Edge& edge) {
+        std::vector<PointD> corners{edge.a};
+        if (edge.isArc()) {
+            const double start = std::atan2(edge.a.y - edge.centre.y, edge.a.x - edge.centre.x);
+            const double sweep = lengthOf(edge) / edge.radius * (edge.isClockwise ? -1.0 : 1.0);
+            const double count = std::ceil(std::abs(sweep) / kChord);
+            for (double i = 1.0; i < count; ++i) {
+                const double angle = start + sweep * i / count;
+                corners.push_back(
+                    {edge.centre.x + edge.radius * std::cos(angle), edge.centre.y + edge.radius * std::sin(angle)});
+            }
+        }
+        corners.push_back(edge.b);
+        return corners;
+    }
+
+    std::vector<Stroke> m_strokes;
+    std::map<std::pair<long long, long long>, std::uint32_t> m_places;
+    std::vector<std::vector<std::uint32_t>> m_at;  ///< by place: strokes that end there
+};
+
+}  // namespace
+
+base::Result<std::vector<PointD>> lineAlong(const BoardIndex& index, NetOfCopy net) {
+    const Strokes strokes(piecesOf(index, net), index);
+    if (strokes.isEmpty()) {
+        return base::Error{base::ErrorCode::BadUsage, nameOf(index, net) + " has no strokes to follow"};
+    }
+    return strokes.longest();
+}
+
+}  // namespace model

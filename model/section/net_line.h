@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "model/base/result.h"
+#include "model/measure/things.h"
+
+namespace model {
+
+/// A line that follows a net, for a section unrolled along it: the longest chain of its strokes, which hang together
+/// where they end in one place (as they do at vias and where a track bends). Where they form loops, the shortest way
+/// between two ends that are far apart. Arcs become chords of 5 degrees at most. Corners are in nm of the board.
+/// Errors: BadUsage for a net without strokes.
+[[nodiscard]] base::Result<std::vector<PointD>> lineAlong(const BoardIndex& index, NetOfCopy net);
+
+}  // namespace model
