@@ -82,6 +82,13 @@ DrillRow measured(const Document& document, std::size_t element) {
     return out;
 }
 
+/// Holes of one key are one row.
+using Key = std::tuple<LayerId, HoleKind, std::string_view, Nm, Nm>;
+
+Key keyOf(const DrillRow& hole) {
+    return {hole.layer, hole.kind, hole.shape, hole.diameter, hole.open};
+}
+
 std::vector<DrillTool const*> toolsOf(const Document& document, LayerId layer) {
     std::vector<const DrillTool*> tools;
     for (const DrillTool& tool : document.tools) {
@@ -140,7 +147,6 @@ const DrillTool* findTool(std::span<const DrillTool> tools, Nm size, bool isPlat
 }
 
 std::vector<DrillRow> drillTable(const Document& document) {
-    using Key = std::tuple<std::uint32_t, HoleKind, std::string_view, Nm, Nm>;
     std::vector<DrillRow> rows;
     for (std::size_t i = 0; i < document.layers.size(); ++i) {
         const Layer& layer = document.layers[i];
@@ -149,8 +155,7 @@ std::vector<DrillRow> drillTable(const Document& document) {
         for (std::uint32_t e = layer.elements.first; e < layer.elements.first + layer.elements.count; ++e) {
             if ((document.elements.flags[e] & kHole) != 0) {
                 const DrillRow hole = measured(document, e);
-                ++counted.try_emplace({hole.layer.value, hole.kind, hole.shape, hole.diameter, hole.open}, hole)
-                      .first->second.count;
+                ++counted.try_emplace(keyOf(hole), hole).first->second.count;
             }
         }
         for (auto& [key, row] : counted) {
@@ -162,6 +167,17 @@ std::vector<DrillRow> drillTable(const Document& document) {
         }
     }
     return rows;
+}
+
+std::vector<ElementId> holesOf(const Document& document, const DrillRow& row) {
+    std::vector<ElementId> holes;
+    const Range elements = document.layer(row.layer).elements;
+    for (std::uint32_t e = elements.first; e < elements.first + elements.count; ++e) {
+        if ((document.elements.flags[e] & kHole) != 0 && keyOf(measured(document, e)) == keyOf(row)) {
+            holes.emplace_back(e);
+        }
+    }
+    return holes;
 }
 
 }  // namespace model

@@ -43,5 +43,7 @@ struct DrillRow {
 /// All holes of the document's own drill and rout layers, by layer, span, kind, shape and size. Copies of other steps
 /// are not counted.
 [[nodiscard]] std::vector<DrillRow> drillTable(const Document& document);
+/// The holes that a row of the table counts, in rising order.
+[[nodiscard]] std::vector<ElementId> holesOf(const Document& document, const DrillRow& row);
 
 }  // namespace model

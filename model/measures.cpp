@@ -1,8 +1,10 @@
 #include "model/measures.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "model/base/parallel.h"
 #include "model/geometry/discretise.h"
 #include "model/geometry/edges.h"
 
@@ -103,6 +105,32 @@ double areaOf(const Document& document, ElementId element) {
         case ElementKind::Area: return shapeArea(document.shapes, document.areas[row].shape);
     }
     return 0.0;
+}
+
+std::vector<double> copperAreas(const Document& document) {
+    std::vector<double> areas(document.layers.size());
+    base::parallelFor(areas.size(), [&](std::size_t row) {
+        const Layer& layer = document.layers[row];
+        if (!layer.isCopper()) {
+            return;
+        }
+        double sum = 0.0;
+        for (std::uint32_t i = 0; i < layer.elements.count; ++i) {
+            sum += areaOf(document, ElementId{layer.elements.first + i});
+        }
+        areas[row] = sum;
+    });
+    std::vector<std::vector<double>> ofSteps;
+    for (const auto& step : document.steps) {
+        ofSteps.push_back(copperAreas(*step));
+    }
+    for (const StepInstance& instance : document.instances) {
+        const std::vector<double>& copied = ofSteps[instance.step];
+        for (std::size_t row = 0; row < std::min(copied.size(), areas.size()); ++row) {
+            areas[document.layerOfCopy(LayerId{row}, instance.isFlipped).row()] += copied[row];
+        }
+    }
+    return areas;
 }
 
 }  // namespace model

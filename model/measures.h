@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "model/document.h"
 
 namespace model {
@@ -11,5 +13,9 @@ namespace model {
 /// joint is taken as a round one, which is exact for trails that do not cross themselves and whose strokes are longer
 /// than the pen is wide. A hole is what the drill removes.
 [[nodiscard]] double areaOf(const Document& document, ElementId element);
+
+/// What the elements of each layer cover together in nm², with those of all copies; 0 for layers other than copper.
+/// What overlaps counts twice.
+[[nodiscard]] std::vector<double> copperAreas(const Document& document);
 
 }  // namespace model

@@ -10,6 +10,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/element_picture.h"
+
 namespace ui {
 
 namespace {
@@ -27,8 +29,12 @@ std::optional<ElementPanel::Link> linkOf(const QString& fact) {
 
 }  // namespace
 
-ElementPanel::ElementPanel(models::SelectionModel& selection, QWidget* parent)
-    : QWidget(parent), m_selection(selection), m_heading(new QLabel), m_table(new QTableWidget(0, 2)) {
+ElementPanel::ElementPanel(models::SelectionModel& selection, ElementPicture* picture, QWidget* parent)
+    : QWidget(parent),
+      m_selection(selection),
+      m_heading(new QLabel),
+      m_picture(picture),
+      m_table(new QTableWidget(0, 2)) {
     m_heading->setWordWrap(true);
     m_table->horizontalHeader()->hide();
     m_table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
@@ -55,6 +61,7 @@ ElementPanel::ElementPanel(models::SelectionModel& selection, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(2, 2, 2, 2);
     layout->addWidget(m_heading);
+    layout->addWidget(m_picture);
     layout->addWidget(m_table);
     connect(&selection, &models::SelectionModel::selectionChanged, this, &ElementPanel::update);
     update();

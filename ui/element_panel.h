@@ -11,19 +11,24 @@ class QTableWidget;
 
 namespace ui {
 
+class ElementPicture;
+
 /// Everything known of the element selected last, one line per fact; a line copies with Ctrl+C. Says how many are
-/// selected when there are several. A click on its layer, net, pin or component, or Enter there, goes on to that.
+/// selected when there are several, and shows it by itself. A click on its layer, net, pin or component, or Enter
+/// there, goes on to that.
 class ElementPanel : public QWidget {
     Q_OBJECT
 
 public:
-    explicit ElementPanel(models::SelectionModel& selection, QWidget* parent = nullptr);
+    /// Takes the picture over.
+    ElementPanel(models::SelectionModel& selection, ElementPicture* picture, QWidget* parent = nullptr);
 
     void setUnit(models::LengthUnit unit);
     /// Empty when there is no such line.
     [[nodiscard]] QString fact(const QString& name) const;
     [[nodiscard]] QString heading() const;
     [[nodiscard]] QTableWidget& table() { return *m_table; }
+    [[nodiscard]] ElementPicture& picture() { return *m_picture; }
 
     enum class Link { Layer, Net, Pin, Component };
 
@@ -42,6 +47,7 @@ private:
     models::SelectionModel& m_selection;
     models::LengthUnit m_unit = models::LengthUnit::Millimetre;
     QLabel* m_heading;
+    ElementPicture* m_picture;
     QTableWidget* m_table;
 };
 

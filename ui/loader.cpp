@@ -4,6 +4,7 @@
 #include <new>
 #include <utility>
 
+#include "model/measures.h"
 #include "model/reader.h"
 #include "model/session/length_text.h"
 
@@ -88,6 +89,7 @@ base::Result<LoadedBoard> loadBoard(const LoadRequest& request, base::Progress& 
         }
         board.nets.push_back(std::make_shared<const model::NetStatistics>(std::move(*nets)));
     }
+    board.copperNm2 = model::copperAreas(*board.document);
     board.seconds = static_cast<double>(clock.elapsed()) / 1000.0;
     return board;
 }

@@ -45,6 +45,7 @@ struct LoadedBoard {
     std::shared_ptr<const model::BoardIndex> index;  ///< may be null: then nothing can be picked
     /// Per row of model::StepTree::steps, or empty.
     std::vector<std::shared_ptr<const model::NetStatistics>> nets{};
+    std::vector<double> copperNm2{};                          ///< per layer (model::copperAreas), or empty
     SetThicknesses thicknesses{};                             ///< worked into the document
     std::vector<model::session::KeptView> views{};            ///< kept in the session, those of other steps too
     std::vector<model::session::KeptNet> keptNets{};          ///< how nets look by the session, by name

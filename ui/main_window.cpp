@@ -13,6 +13,7 @@
 
 #include "ui/docks.h"
 #include "ui/element_panel.h"
+#include "ui/element_picture.h"
 #include "ui/histogram_view.h"
 #include "ui/icons.h"
 #include "ui/keyboard.h"
@@ -129,10 +130,10 @@ void MainWindow::createDocks() {
     m_netModel.setLooks(m_netLooks);
     m_netsPanel = new NetsPanel(m_netModel, m_selection, m_netLooks, m_actions);
     m_netLookEditing = new NetLookEditing(m_netLooks, m_thicknesses.history(), this);
-    m_elementPanel = new ElementPanel(m_selection);
+    m_elementPanel = new ElementPanel(m_selection, new ElementPicture(m_context, m_selection, m_layerModel));
     m_netCheckPanel = new NetCheckPanel(m_netCheckModel, m_actions);
     m_stackPanel = new StackPanel(m_stackModel, m_actions);
-    m_statisticsPanel = new StatisticsPanel(m_statisticsModel);
+    m_statisticsPanel = new StatisticsPanel(m_statisticsModel, m_drillModel);
     m_messagesPanel = new MessagesPanel(m_messageModel);
     m_viewKeeping = new ViewKeeping(*m_views, m_layerModel, m_selection, m_thicknesses.history(), this);
     m_viewsPanel = new ViewsPanel(m_viewKeeping->list(), m_actions);
@@ -256,7 +257,8 @@ void MainWindow::onIdle() {
 void MainWindow::onLoaded(const LoadedBoard& board) {
     m_board = board;
     m_layerModel.setDocument(board.document, defaultLooks(*board.document, m_settings.palette()));
-    m_statisticsModel.setDocument(board.document);
+    m_statisticsModel.setDocument(board.document, board.copperNm2);
+    m_drillModel.setDocument(board.document);
     m_statisticsPanel->plot().setDocument(board.document);
     m_stackModel.setDocument(board.document);
     m_thicknesses.setBoard(board);

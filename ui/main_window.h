@@ -17,6 +17,7 @@
 #include "ui/measurement_keeping.h"
 #include "ui/measuring.h"
 #include "ui/models/board_search.h"
+#include "ui/models/drill_model.h"
 #include "ui/models/layer_model.h"
 #include "ui/models/message_model.h"
 #include "ui/models/net_check_model.h"
@@ -191,6 +192,7 @@ private:
     NetChecker m_netChecker;
     models::StackModel m_stackModel;
     models::StatisticsModel m_statisticsModel;
+    models::DrillModel m_drillModel;
     models::MessageModel m_messageModel;
     ThicknessEditing m_thicknesses;
     DropTarget m_dropTarget;

@@ -116,6 +116,8 @@ void MainWindow::setUnit(models::LengthUnit unit) {
     m_clearances->setUnit(unit);
     m_sections->setUnit(unit);
     m_statisticsPanel->plot().setUnit(unit);
+    m_statisticsModel.setUnit(unit);
+    m_drillModel.setUnit(unit);
     m_searchBox->setUnit(unit);
     m_placeReadout->setUnit(unit);
     m_measuring->setUnit(unit);

@@ -311,13 +311,15 @@ void MainWindow::connectSelectActions() {
     connect(m_parts, &PartPicking::layerChosen, this,
             [this](model::LayerId layer) { m_layersPanel->selectRow(static_cast<int>(layer.row())); });
     connect(m_netsPanel, &NetsPanel::showRequested, m_probing, [this](const auto& nets) { m_probing->showNets(nets); });
-    connect(&m_statisticsPanel->plot(), &HistogramView::chosen, this, [this](const auto& elements) {
+    const auto selectAll = [this](const std::vector<model::ElementId>& elements) {
         std::vector<model::BoardElement> selected;
         for (const model::ElementId element : elements) {
             selected.push_back({0, element});
         }
         m_selection.select(selected);
-    });
+    };
+    connect(&m_statisticsPanel->plot(), &HistogramView::chosen, this, selectAll);
+    connect(m_statisticsPanel, &StatisticsPanel::holesChosen, this, selectAll);
 }
 
 void MainWindow::connectFollowActions() {

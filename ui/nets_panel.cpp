@@ -36,8 +36,8 @@ constexpr std::pair<const char*, std::optional<model::NetGrouping>> kGroupings[]
 
 /// In letters.
 constexpr std::pair<NetModel::Column, int> kWidths[] = {
-    {NetModel::Name, 15}, {NetModel::Pins, 6},   {NetModel::Vias, 6},  {NetModel::Length, 12},
-    {NetModel::Area, 12}, {NetModel::Colour, 6}, {NetModel::Shown, 5},
+    {NetModel::Name, 15},   {NetModel::Pins, 6},  {NetModel::Vias, 6},   {NetModel::Elements, 8},
+    {NetModel::Length, 12}, {NetModel::Area, 12}, {NetModel::Colour, 6}, {NetModel::Shown, 5},
 };
 
 /// Rows that follow each other become one range: a million of them would be slow.

@@ -2,10 +2,13 @@
 
 #include <QComboBox>
 #include <QHeaderView>
+#include <QSortFilterProxyModel>
 #include <QSplitter>
+#include <QTabWidget>
 #include <QVBoxLayout>
 
 #include "ui/histogram_view.h"
+#include "ui/models/drill_model.h"
 #include "ui/models/statistics_model.h"
 #include "ui/models/statistics_sorter.h"
 #include "ui/table_view.h"
@@ -18,17 +21,30 @@ namespace {
 constexpr const char* kMeasures[model::kMeasureCount] = {"Track widths", "Hole diameters",
                                                          "Annular rings (round pads)"};
 
+/// The board's own order until a heading is clicked.
+void sortOnClicks(TableView& table, QSortFilterProxyModel& sorter, QAbstractItemModel& model) {
+    sorter.setSourceModel(&model);
+    table.setModel(&sorter);
+    table.horizontalHeader()->setSortIndicator(-1, Qt::AscendingOrder);
+    table.setSortingEnabled(true);
+    QObject::connect(&sorter, &QAbstractItemModel::modelReset, &table, &QTableView::resizeColumnsToContents);
+}
+
 }  // namespace
 
-StatisticsPanel::StatisticsPanel(models::StatisticsModel& model, QWidget* parent)
-    : QWidget(parent), m_table(new TableView), m_plot(new HistogramView), m_measure(new QComboBox) {
-    auto* sorter = new models::StatisticsSorter(this);
-    sorter->setSourceModel(&model);
-    m_table->setModel(sorter);
-    m_table->horizontalHeader()->setSortIndicator(
-        -1, Qt::AscendingOrder);  // the board's own order until a heading is clicked
-    m_table->setSortingEnabled(true);
-    connect(sorter, &QAbstractItemModel::modelReset, m_table, &QTableView::resizeColumnsToContents);
+StatisticsPanel::StatisticsPanel(models::StatisticsModel& model, models::DrillModel& drills, QWidget* parent)
+    : QWidget(parent),
+      m_drills(drills),
+      m_table(new TableView),
+      m_drillTable(new TableView),
+      m_tabs(new QTabWidget),
+      m_plot(new HistogramView),
+      m_measure(new QComboBox) {
+    sortOnClicks(*m_table, *new models::StatisticsSorter(this), model);
+    setUpDrills();
+    m_tabs->setDocumentMode(true);
+    m_tabs->addTab(m_table, QStringLiteral("Elements"));
+    m_tabs->addTab(m_drillTable, QStringLiteral("Drills"));
     for (const char* measure : kMeasures) {
         m_measure->addItem(QString::fromLatin1(measure));
     }
@@ -41,11 +57,29 @@ StatisticsPanel::StatisticsPanel(models::StatisticsModel& model, QWidget* parent
     column->addWidget(m_measure);
     column->addWidget(m_plot, 1);
     auto* halves = new QSplitter;
-    halves->addWidget(m_table);
+    halves->addWidget(m_tabs);
     halves->addWidget(right);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(2, 2, 2, 2);
     layout->addWidget(halves);
+}
+
+void StatisticsPanel::setUpDrills() {
+    auto* sorter = new QSortFilterProxyModel(this);
+    sorter->setSortRole(Qt::EditRole);
+    sortOnClicks(*m_drillTable, *sorter, m_drills);
+    m_drillTable->setToolTip(QStringLiteral("Click rows to select their holes"));
+    connect(m_drillTable, &QTableView::clicked, this, &StatisticsPanel::chooseHoles);
+    connect(m_drillTable, &TableView::enterPressed, this, &StatisticsPanel::chooseHoles);
+}
+
+void StatisticsPanel::chooseHoles() {
+    const auto* sorter = static_cast<const QSortFilterProxyModel*>(m_drillTable->model());
+    std::vector<int> rows;
+    for (const QModelIndex& row : m_drillTable->selectionModel()->selectedRows()) {
+        rows.push_back(sorter->mapToSource(row).row());
+    }
+    emit holesChosen(m_drills.holesIn(rows));
 }
 
 }  // namespace ui

@@ -1,13 +1,17 @@
-// Bars of a histogram select their elements, with the mouse and with keys.
+// Bars of a histogram and rows of the drill table select their elements, with the mouse and with keys.
+
+#include "ui/histogram_view.h"
 
 #include <QComboBox>
 #include <QDockWidget>
+#include <QTabWidget>
 #include <QtTest>
 
 #include "tests/places.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/histogram_view.h"
+#include "ui/models/drill_model.h"
 #include "ui/statistics_panel.h"
+#include "ui/table_view.h"
 
 class HistogramViewTest : public QObject {
     Q_OBJECT
@@ -50,6 +54,32 @@ private slots:
         for (const model::BoardElement& at : window().selection().selected()) {
             QVERIFY((window().document()->elements.flags[at.element.row()] & model::kHole) != 0);
         }
+    }
+
+    void aClickInTheDrillTableSelectsTheHolesOfTheRow() {
+        ui::StatisticsPanel& panel = window().statisticsPanel();
+        panel.tabs().setCurrentIndex(1);
+        ui::TableView& table = panel.drillTable();
+        table.sortByColumn(ui::models::DrillModel::Diameter, Qt::DescendingOrder);  // rows are not the board's
+        QVERIFY(table.model()->rowCount() > 1);
+        std::size_t all = 0;
+        for (int row = 0; row < table.model()->rowCount(); ++row) {
+            const auto cell = [&](int column) { return table.model()->index(row, column); };
+            table.scrollTo(cell(ui::models::DrillModel::Layer));
+            QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, table.visualRect(cell(0)).center());
+            const auto& selected = window().selection().selected();
+            QCOMPARE(selected.size(), std::size_t{cell(ui::models::DrillModel::Holes).data(Qt::EditRole).toUInt()});
+            for (const model::BoardElement& at : selected) {
+                const model::Box box = window().document()->boxOf(at.element);
+                QVERIFY((window().document()->elements.flags[at.element.row()] & model::kHole) != 0);
+                QVERIFY(base::toMm(static_cast<double>(box.width())) >
+                        cell(ui::models::DrillModel::Diameter).data(Qt::EditRole).toDouble() - 1e-6);
+            }
+            all += selected.size();
+        }
+        table.selectAll();
+        QTest::keyClick(&table, Qt::Key_Return);
+        QCOMPARE(window().selection().selected().size(), all);
     }
 
 private:

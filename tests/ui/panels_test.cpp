@@ -11,6 +11,7 @@
 #include "ui/actions.h"
 #include "ui/layers_panel.h"
 #include "ui/messages_panel.h"
+#include "ui/models/drill_model.h"
 #include "ui/models/message_model.h"
 #include "ui/models/statistics_model.h"
 #include "ui/statistics_panel.h"
@@ -135,7 +136,7 @@ private slots:
     }
 
     void headingClickSortsStatisticsAndKeepsTheSumLast() {
-        ui::StatisticsPanel panel(m_statistics);
+        ui::StatisticsPanel panel(m_statistics, m_drills);
         show(panel);
         QAbstractItemModel& shown = *panel.table().model();
         QCOMPARE(shown.index(0, 0).data().toString(), "top");  // the board's own order at first
@@ -148,11 +149,11 @@ private slots:
     }
 
     void rowsAreCopiedAsShown() {
-        ui::StatisticsPanel panel(m_statistics);
+        ui::StatisticsPanel panel(m_statistics, m_drills);
         show(panel);
         panel.table().selectRow(1);
         QTest::keyClick(&panel.table(), Qt::Key_C, Qt::ControlModifier);
-        QCOMPARE(QGuiApplication::clipboard()->text(), "bottom\t0\t0\t2\t0\t0\t2\t2\n");
+        QCOMPARE(QGuiApplication::clipboard()->text(), "bottom\t0\t0\t2\t0\t0\t2\t2\t\n");
         panel.table().copyAll();
         QVERIFY(QGuiApplication::clipboard()->text().startsWith("Layer\tLine\t"));
     }
@@ -209,6 +210,7 @@ private:
     std::unique_ptr<ui::ActionSet> m_actions;
     LayerModel m_layers;
     ui::models::StatisticsModel m_statistics;
+    ui::models::DrillModel m_drills;
     ui::models::MessageModel m_messages;
 };
 

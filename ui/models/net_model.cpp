@@ -19,6 +19,7 @@ constexpr ColumnText kColumns[NetModel::ColumnCount] = {
     {"Net", "Name in the job"},
     {"Pins", "Pins of components on the net"},
     {"Vias", "Plated holes that are there to join layers; not those of pins"},
+    {"Elements", "All elements of the net, on whatever layers"},
     {"Length", "Middle lines of all strokes on copper layers, pads left out"},
     {"Copper", "Area of what is drawn on copper layers; where elements overlap it counts twice"},
     {"Colour", "The net's own colour; a click gives it one, or changes it"},
@@ -92,6 +93,7 @@ struct NetModel::Task {
         switch (column) {
             case Pins: return statistics->pins[net];
             case Vias: return statistics->vias[net];
+            case Elements: return document->netStart[net + 1] - document->netStart[net];
             case Length: return statistics->lengthNm[net];
             case Area: return statistics->areaNm2[net];
             default: return statistics->nameRank[net];
@@ -280,6 +282,7 @@ QVariant NetModel::number(std::size_t net, int column) const {
     switch (column) {
         case Pins: return m_statistics->pins[net];
         case Vias: return m_statistics->vias[net];
+        case Elements: return m_document->netStart[net + 1] - m_document->netStart[net];
         case Length: return m_statistics->lengthNm[net] / nmPer(m_unit);
         default: return m_statistics->areaNm2[net] / (base::kNmPerMm * base::kNmPerMm);
     }
@@ -292,6 +295,7 @@ QString NetModel::text(std::size_t net, int column) const {
     switch (column) {
         case Pins: return withThousands(m_statistics->pins[net]);
         case Vias: return withThousands(m_statistics->vias[net]);
+        case Elements: return withThousands(m_document->netStart[net + 1] - m_document->netStart[net]);
         case Length: return lengthText(m_statistics->lengthNm[net], m_unit);
         default: return areaText(m_statistics->areaNm2[net], m_unit);
     }

@@ -22,7 +22,7 @@ class NetModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
-    enum Column { Name, Pins, Vias, Length, Area, Colour, Shown, ColumnCount };
+    enum Column { Name, Pins, Vias, Elements, Length, Area, Colour, Shown, ColumnCount };
     enum class FilterKind { Text, Wildcard, Regex };
 
     explicit NetModel(QObject* parent = nullptr);

@@ -5,21 +5,24 @@
 #include <vector>
 
 #include "model/document.h"
+#include "ui/models/lengths.h"
 
 namespace ui::models {
 
-/// Elements by kind for every layer of the job, and for all of them in the last row. Layers that Copperscope adds
-/// (board body, outline) are left out, so that the numbers add up to the job's own. Numbers are grouped for reading
-/// (display) and plain for sorting and copying (edit).
+/// Elements by kind and what copper covers for every layer of the job, and for all of them in the last row. Layers that
+/// Copperscope adds (board body, outline) are left out, so that the numbers add up to the job's own. Numbers are
+/// grouped for reading (display) and plain for sorting and copying (edit; copper in mm²).
 class StatisticsModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
-    enum Column { Layer, Line, Arc, Circle, Trail, Area, Elements, Features, ColumnCount };
+    enum Column { Layer, Line, Arc, Circle, Trail, Area, Elements, Features, Copper, ColumnCount };
 
     using QAbstractTableModel::QAbstractTableModel;
 
-    void setDocument(std::shared_ptr<const model::Document> document);
+    /// `copperNm2` as model::copperAreas answers it; empty: not known.
+    void setDocument(std::shared_ptr<const model::Document> document, std::vector<double> copperNm2 = {});
+    void setUnit(LengthUnit unit);
     [[nodiscard]] bool isTotal(int row) const { return row == static_cast<int>(m_layers.size()); }
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
@@ -30,10 +33,14 @@ public:
 private:
     [[nodiscard]] qulonglong number(int row, int column) const;
     [[nodiscard]] qulonglong totalOf(int column) const;
+    [[nodiscard]] double copper(int row) const;
     [[nodiscard]] QVariant value(int row, int column) const;
+    [[nodiscard]] QString text(int row, int column) const;
 
     std::shared_ptr<const model::Document> m_document;
     std::vector<model::LayerId> m_layers;  ///< row to layer
+    std::vector<double> m_copperNm2;       ///< by layer
+    LengthUnit m_unit = LengthUnit::Millimetre;
 };
 
 }  // namespace ui::models

@@ -41,6 +41,37 @@ private slots:
         QCOMPARE(areaOf(d, drill), pi * 1e12);
     }
 
+    void copperIsSummedPerLayerWithItsCopies() {
+        const auto twoSides = [](DocumentBuilder& builder) {
+            for (const std::size_t opposite : {1U, 0U, 2U}) {
+                Layer layer;
+                layer.type = opposite < 2 ? LayerType::Signal : LayerType::SilkScreen;
+                layer.opposite = LayerId{opposite};
+                builder.addLayer(layer);
+            }
+        };
+        const double disc = std::numbers::pi / 4.0 * 1e12;
+        DocumentBuilder stepBuilder;
+        twoSides(stepBuilder);
+        stepBuilder.beginLayer(LayerId{0});
+        stepBuilder.addCircle({{0, 0}, 2 * kMm, 0}, {});
+        stepBuilder.beginLayer(LayerId{2});
+        stepBuilder.addCircle({{0, 0}, 5 * kMm, 0}, {});
+        DocumentBuilder builder;
+        twoSides(builder);
+        builder.beginLayer(LayerId{0});
+        builder.addCircle({{0, 0}, kMm, 0}, {});
+        const std::uint32_t step = builder.addStep(stepBuilder.finish());
+        for (const bool isFlipped : {false, false, true}) {
+            builder.addInstance({step, {}, isFlipped});
+        }
+        const std::vector<double> areas = copperAreas(*builder.finish());
+        QCOMPARE(areas.size(), std::size_t{3});
+        QCOMPARE(areas[0], disc * 9.0);  // its own and two copies of 4
+        QCOMPARE(areas[1], disc * 4.0);  // the one turned over
+        QCOMPARE(areas[2], 0.0);         // print is no copper
+    }
+
     void areasAgreeWithPolygons() {
         DocumentBuilder builder;
         builder.beginLayer(builder.addLayer({}));

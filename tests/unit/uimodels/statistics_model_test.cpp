@@ -2,7 +2,9 @@
 
 #include <QAbstractItemModelTester>
 #include <QtTest>
+#include <numbers>
 
+#include "model/measures.h"
 #include "tests/unit/uimodels/sample_document.h"
 #include "ui/models/statistics_sorter.h"
 #include "ui/models/table_text.h"
@@ -31,11 +33,11 @@ private slots:
 
     void countsKindsPerLayerAndInAllWithoutAddedLayers() {
         QCOMPARE(ui::models::tableText(m_model),
-                 "Layer\tLine\tArc\tCircle\tTrail\tArea\tElements\tFeatures\n"
-                 "top\t1200\t0\t1\t0\t0\t1201\t1300\n"
-                 "bottom\t0\t0\t2\t0\t0\t2\t2\n"
-                 "notes\t0\t0\t0\t0\t0\t0\t0\n"
-                 "All layers\t1200\t0\t3\t0\t0\t1203\t1302\n");
+                 "Layer\tLine\tArc\tCircle\tTrail\tArea\tElements\tFeatures\tCopper\n"
+                 "top\t1200\t0\t1\t0\t0\t1201\t1300\t\n"
+                 "bottom\t0\t0\t2\t0\t0\t2\t2\t\n"
+                 "notes\t0\t0\t0\t0\t0\t0\t0\t\n"
+                 "All layers\t1200\t0\t3\t0\t0\t1203\t1302\t\n");
     }
 
     void totalAgreesWithTheDocument() {
@@ -62,8 +64,24 @@ private slots:
     void selectedRowsAreCopiedOnceEach() {
         const QModelIndexList cells{m_model.index(1, 3), m_model.index(1, 0), m_model.index(3, 2)};
         QCOMPARE(ui::models::rowsText(cells),
-                 "bottom\t0\t0\t2\t0\t0\t2\t2\nAll layers\t1200\t0\t3\t0\t0\t1203\t1302\n");
+                 "bottom\t0\t0\t2\t0\t0\t2\t2\t\nAll layers\t1200\t0\t3\t0\t0\t1203\t1302\t\n");
         QCOMPARE(ui::models::rowsText({}), QString());
+    }
+
+    void copperStandsInTheUnitOfTheUserAndSortsByNumber() {
+        m_model.setDocument(sampleDocument(), model::copperAreas(*sampleDocument()));
+        const auto copper = [&](int row) { return m_model.index(row, StatisticsModel::Copper); };
+        const double circle = std::numbers::pi / 4.0 * 500'000.0 * 500'000.0;
+        QCOMPARE(copper(1).data(Qt::EditRole).toDouble(), 2.0 * circle / 1e12);
+        QCOMPARE(copper(1).data().toString(), ui::models::areaText(2.0 * circle, ui::models::LengthUnit::Millimetre));
+        QCOMPARE(copper(2).data().toString(), QString());  // not copper
+        QCOMPARE(copper(3).data(Qt::EditRole).toDouble(),
+                 copper(0).data(Qt::EditRole).toDouble() + copper(1).data(Qt::EditRole).toDouble());
+        m_model.setUnit(ui::models::LengthUnit::Mil);
+        QCOMPARE(copper(1).data().toString(), ui::models::areaText(2.0 * circle, ui::models::LengthUnit::Mil));
+        m_sorter.sort(StatisticsModel::Copper, Qt::AscendingOrder);
+        QCOMPARE(namesOf(m_sorter), "notes bottom top All layers");
+        m_model.setUnit(ui::models::LengthUnit::Millimetre);
     }
 
     void isEmptyWithoutADocument() {

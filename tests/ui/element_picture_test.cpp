@@ -1,0 +1,127 @@
+// The picture of the selected element alone: there when asked for, of that element, gone with the selection.
+#include "ui/element_picture.h"
+
+#include <QElapsedTimer>
+#include <QtTest>
+
+#include "tests/places.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/actions.h"
+#include "ui/element_panel.h"
+
+using model::ElementId;
+using ui::ElementPicture;
+
+class ElementPictureTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        m_fixture = std::make_unique<WindowFixture>();
+        QVERIFY(m_fixture->openAndWait(places::kSample));
+        window().elementPanel().show();
+    }
+    void init() {
+        while (window().selection().clearStep()) {
+        }
+    }
+    void cleanupTestCase() {
+        const std::uint32_t errors = m_fixture->context().validationErrors();
+        m_fixture.reset();
+        QCOMPARE(errors, 0U);
+    }
+
+    void itIsThereWithTheSelection() {
+        QVERIFY(picture().isHidden());
+        window().selection().select({{0, ElementId{0}}});
+        QVERIFY(!picture().isHidden());
+        QTRY_VERIFY(!picture().image(ElementPicture::Flat).isNull());
+        QVERIFY(picture().reason().isEmpty());
+        window().selection().clearStep();
+        QVERIFY(picture().isHidden());
+    }
+
+    /// A line of length l and width w fills its box but for the corners of its round ends.
+    void theFlatOneShowsAllOfTheElementInTheColourOfItsLayer() {
+        for (const model::ElementKind kind :
+             {model::ElementKind::Line, model::ElementKind::Circle, model::ElementKind::Area}) {
+            const std::optional<ElementId> element = firstOnTop(kind);
+            QVERIFY(element.has_value());
+            const QImage flat = drawn(*element, ElementPicture::Flat);
+            const QColor colour = window().layers().effectiveLooks()[layerOf(*element)].colour;
+            int coloured = 0;
+            int onEdge = 0;
+            for (int y = 0; y < flat.height(); ++y) {
+                for (int x = 0; x < flat.width(); ++x) {
+                    const bool is = isNear(flat.pixelColor(x, y), colour);
+                    const bool isEdge = x == 0 || y == 0 || x == flat.width() - 1 || y == flat.height() - 1;
+                    coloured += is ? 1 : 0;
+                    onEdge += is && isEdge ? 1 : 0;
+                }
+            }
+            QVERIFY2(coloured > flat.width(), qPrintable(QString::number(coloured)));
+            QCOMPARE(onEdge, 0);  // nothing is cut off
+        }
+    }
+
+    void theSolidOneIsSeenAslant() {
+        const ElementId element = *firstOnTop(model::ElementKind::Circle);
+        QVERIFY(drawn(element, ElementPicture::Flat) != drawn(element, ElementPicture::Solid));
+        QVERIFY(inkOf(drawn(element, ElementPicture::Solid)) > 0.02);
+    }
+
+    void anotherColourOfTheLayerShowsAtOnce() {
+        const ElementId element = *firstOnTop(model::ElementKind::Circle);
+        const QImage before = drawn(element, ElementPicture::Flat);
+        const auto row = static_cast<int>(layerOf(element));
+        ui::models::LayerModel& layers = window().layers();
+        QVERIFY(layers.setData(layers.index(row, ui::models::LayerModel::Colour), QColor(Qt::magenta), Qt::EditRole));
+        picture().repaint();
+        const QImage after = picture().image(ElementPicture::Flat);
+        QVERIFY(isNear(after.pixelColor(after.width() / 2, after.height() / 2), Qt::magenta));
+        QVERIFY(before != after);
+        layers.restoreDefaults();
+    }
+
+    void itComesBackAfterTheDeviceWasLost() {
+        const ElementId element = *firstOnTop(model::ElementKind::Circle);
+        const QImage before = drawn(element, ElementPicture::Flat);
+        m_fixture->context().device().markLost();
+        window().views().requestFrame();
+        QTRY_VERIFY(!m_fixture->context().device().isLost());
+        window().selection().clearStep();
+        QCOMPARE(drawn(element, ElementPicture::Flat), before);
+    }
+
+private:
+    ui::MainWindow& window() { return m_fixture->window(); }
+    ElementPicture& picture() { return window().elementPanel().picture(); }
+    const model::Document& board() { return *window().document(); }
+    std::size_t layerOf(ElementId element) { return board().elements.layer[element.row()].row(); }
+
+    std::optional<ElementId> firstOnTop(model::ElementKind kind) {
+        for (std::size_t row = 0; row < board().elements.size(); ++row) {
+            if (board().elements.kind[row] == kind && board().layers[layerOf(ElementId{row})].isCopper()) {
+                return ElementId{row};
+            }
+        }
+        return std::nullopt;
+    }
+    QImage drawn(ElementId element, ElementPicture::View view) {
+        window().selection().select({{0, element}});
+        QElapsedTimer clock;
+        clock.start();
+        picture().repaint();
+        qInfo("drawn in %lld ms", static_cast<long long>(clock.elapsed()));
+        return picture().image(view);
+    }
+    static bool isNear(const QColor& a, const QColor& b) {
+        return std::abs(a.red() - b.red()) < 8 && std::abs(a.green() - b.green()) < 8 &&
+               std::abs(a.blue() - b.blue()) < 8;
+    }
+
+    std::unique_ptr<WindowFixture> m_fixture;
+};
+
+QTEST_MAIN(ElementPictureTest)
+#include "element_picture_test.moc"

@@ -1,0 +1,96 @@
+#include "ui/models/drill_model.h"
+
+#include <QAbstractItemModelTester>
+#include <QtTest>
+
+#include "model/document_builder.h"
+#include "ui/models/table_text.h"
+
+using model::ElementId;
+using ui::models::DrillModel;
+
+namespace {
+
+/// Three vias and a mounting hole; between them a pad, which is no hole. One tool.
+std::shared_ptr<const model::Document> drilledBoard() {
+    using namespace model;
+    DocumentBuilder builder;
+    Layer copper;
+    copper.name = "top";
+    copper.type = LayerType::Signal;
+    copper.side = LayerSide::Top;
+    const LayerId top = builder.addLayer(copper);
+    copper.name = "bottom";
+    copper.side = LayerSide::Bottom;
+    const LayerId bottom = builder.addLayer(copper);
+    Layer drill;
+    drill.name = "drill";
+    drill.type = LayerType::Drill;
+    drill.spanTop = top;
+    drill.spanBottom = bottom;
+    const LayerId drills = builder.addLayer(drill);
+    DrillTool tool;
+    tool.layer = drills;
+    tool.number = 7;
+    tool.type = "VIA";
+    tool.drillSize = 300'000;
+    tool.finishedSize = 250'000;
+    builder.addTool(tool);
+    builder.beginLayer(top);
+    builder.addCircle({{0, 0}, 600'000, 0}, {});
+    builder.beginLayer(drills);
+    DocumentBuilder::Origin via;
+    via.flags = kHole | kPlated | kVia;
+    DocumentBuilder::Origin bare;
+    bare.flags = kHole;
+    builder.addCircle({{0, 0}, 300'000, 250'000}, via);
+    builder.addCircle({{5'000'000, 0}, 3'000'000, 3'000'000}, bare);
+    builder.addCircle({{1'000'000, 0}, 300'000, 250'000}, via);
+    builder.addCircle({{2'000'000, 0}, 300'000, 250'000}, via);
+    return builder.finish();
+}
+
+}  // namespace
+
+class DrillModelTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        m_model.setUnit(ui::models::LengthUnit::Millimetre);
+        m_model.setDocument(drilledBoard());
+    }
+
+    void sameHolesAreOneRow() {
+        QCOMPARE(ui::models::tableText(m_model),
+                 "Layer\tSpan\tKind\tShape\tDiameter\tFinished\tTool\tHoles\n"
+                 "drill\tthrough\tVia\tround\t0.3\t0.25\t7\t3\n"
+                 "drill\tthrough\tNot plated\tround\t3\t3\t\t1\n");
+        QCOMPARE(m_model.index(0, DrillModel::Span).data(Qt::ToolTipRole).toString(), "top to bottom");
+    }
+
+    void rowsNameTheirHoles() {
+        QCOMPARE(m_model.holesIn({0}), (std::vector{ElementId{1}, ElementId{3}, ElementId{4}}));
+        QCOMPARE(m_model.holesIn({1, 0}), (std::vector{ElementId{1}, ElementId{2}, ElementId{3}, ElementId{4}}));
+        QVERIFY(m_model.holesIn({}).empty());
+    }
+
+    void lengthsFollowTheUnit() {
+        QCOMPARE(m_model.index(0, DrillModel::Diameter).data().toString(), "0.3 mm");
+        m_model.setUnit(ui::models::LengthUnit::Mil);
+        QVERIFY(m_model.index(0, DrillModel::Diameter).data().toString().endsWith(" mil"));
+        QCOMPARE(m_model.index(0, DrillModel::Diameter).data(Qt::EditRole).toDouble(), 300'000 / 25'400.0);
+    }
+
+    void isEmptyWithoutADocument() {
+        m_model.setDocument(nullptr);
+        QCOMPARE(m_model.rowCount(), 0);
+    }
+
+private:
+    DrillModel m_model;
+    QAbstractItemModelTester m_tester{&m_model, QAbstractItemModelTester::FailureReportingMode::QtTest};
+};
+
+QTEST_GUILESS_MAIN(DrillModelTest)
+#include "drill_model_test.moc"
