@@ -36,11 +36,16 @@ render::Camera cameraFor(const model::Document& alone, const render::BoardModel&
 ElementPicture::ElementPicture(GpuContext& context, models::SelectionModel& selection, models::LayerModel& layers,
                                QWidget* parent)
     : QWidget(parent), m_context(context), m_selection(selection), m_layers(layers) {
-    setFixedHeight(kHeight);
+    setMaximumHeight(kHeight);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     setToolTip(QStringLiteral("The element by itself, from above and aslant, as high as it is"));
     connect(&selection, &models::SelectionModel::selectionChanged, this, &ElementPicture::setStale);
     connect(&layers, &models::LayerModel::looksChanged, this, &ElementPicture::setStale);
     setStale();
+}
+
+QSize ElementPicture::sizeHint() const {
+    return {2 * kWidth + kGap, kHeight};
 }
 
 void ElementPicture::setStale() {
@@ -51,7 +56,7 @@ void ElementPicture::setStale() {
 
 QRect ElementPicture::placeOf(int view) const {
     const int width = std::max(1, std::min(kWidth, (this->width() - kGap) / 2));
-    return {view * (width + kGap), 0, width, height()};
+    return {view * (width + kGap), 0, width, std::max(1, height())};
 }
 
 void ElementPicture::paintEvent(QPaintEvent*) {

@@ -11,8 +11,9 @@
 namespace ui {
 
 /// The element selected last by itself, from above and aslant, in the colour of its layer and with its true height.
-/// Drawn when it is painted, so it costs nothing while it is out of sight; hidden while nothing is selected. Nothing
-/// made from the device outlives the drawing.
+/// Drawn when it is painted, so it costs nothing while it is out of sight; hidden while nothing is selected. It asks
+/// for no room of its own: a selection must not make the window grow. Nothing made from the device outlives the
+/// drawing.
 class ElementPicture : public QWidget {
     Q_OBJECT
 
@@ -28,6 +29,8 @@ public:
     [[nodiscard]] const QImage& image(View view) const { return m_images[view]; }
     /// Why nothing is drawn; empty otherwise.
     [[nodiscard]] const QString& reason() const { return m_reason; }
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override { return {0, 0}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;

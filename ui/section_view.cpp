@@ -6,6 +6,7 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "model/section/section_export.h"
 #include "model/session/length_text.h"
@@ -23,6 +24,7 @@ constexpr double kMargin = 8.0;
 constexpr double kLabels = 0.28;      // of the width
 constexpr double kFilled = 0.8;       // of the plot, by a cut that is shown whole
 constexpr double kLeastPixels = 0.7;  // of a piece: none vanishes
+constexpr double kReachPixels = 2.0;  // around a piece, for the mouse
 constexpr double kTickPixels = 90.0;  // between the numbers of the ruler, about
 constexpr double kWheelNotch = 120.0;
 constexpr double kMostPerNm = 1e-2;  // 10 µm across a pixel times a thousand: nothing is smaller
@@ -123,19 +125,21 @@ QRectF SectionView::rectOf(const SectionPiece& piece) const {
     return rect;
 }
 
+/// Foils are thinner than a hand is steady: what is drawn within a few pixels counts, if nothing better lies there.
 const SectionPiece* SectionView::pieceAt(QPointF at) const {
     if (!m_section || !plot().contains(at)) {
         return nullptr;
     }
+    const auto standing = [&](const SectionPiece& piece) {
+        const bool isThere = rectOf(piece).contains(at);
+        return std::tuple(orderOf(board().layer(piece.layer)), isThere, piece.from - piece.to);
+    };
     const SectionPiece* found = nullptr;
-    const auto rank = [this](const SectionPiece& p) { return orderOf(board().layer(p.layer)); };
     for (const SectionPiece& piece : m_section->pieces) {
-        if (!rectOf(piece).contains(at)) {
-            continue;
+        const QRectF reach = rectOf(piece).adjusted(-kReachPixels, -kReachPixels, kReachPixels, kReachPixels);
+        if (reach.contains(at) && (found == nullptr || standing(piece) > standing(*found))) {
+            found = &piece;
         }
-        const bool isBetter = found == nullptr || rank(piece) > rank(*found) ||
-                              (rank(piece) == rank(*found) && piece.to - piece.from < found->to - found->from);
-        found = isBetter ? &piece : found;
     }
     if (found != nullptr) {
         return found;

@@ -4,6 +4,7 @@
 #include <QElapsedTimer>
 #include <QtTest>
 
+#include "model/measures.h"
 #include "tests/places.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/actions.h"
@@ -45,7 +46,7 @@ private slots:
     void theFlatOneShowsAllOfTheElementInTheColourOfItsLayer() {
         for (const model::ElementKind kind :
              {model::ElementKind::Line, model::ElementKind::Circle, model::ElementKind::Area}) {
-            const std::optional<ElementId> element = firstOnTop(kind);
+            const std::optional<ElementId> element = squatOnCopper(kind);
             QVERIFY(element.has_value());
             const QImage flat = drawn(*element, ElementPicture::Flat);
             const QColor colour = window().layers().effectiveLooks()[layerOf(*element)].colour;
@@ -65,13 +66,13 @@ private slots:
     }
 
     void theSolidOneIsSeenAslant() {
-        const ElementId element = *firstOnTop(model::ElementKind::Circle);
+        const ElementId element = *squatOnCopper(model::ElementKind::Circle);
         QVERIFY(drawn(element, ElementPicture::Flat) != drawn(element, ElementPicture::Solid));
         QVERIFY(inkOf(drawn(element, ElementPicture::Solid)) > 0.02);
     }
 
     void anotherColourOfTheLayerShowsAtOnce() {
-        const ElementId element = *firstOnTop(model::ElementKind::Circle);
+        const ElementId element = *squatOnCopper(model::ElementKind::Circle);
         const QImage before = drawn(element, ElementPicture::Flat);
         const auto row = static_cast<int>(layerOf(element));
         ui::models::LayerModel& layers = window().layers();
@@ -84,7 +85,7 @@ private slots:
     }
 
     void itComesBackAfterTheDeviceWasLost() {
-        const ElementId element = *firstOnTop(model::ElementKind::Circle);
+        const ElementId element = *squatOnCopper(model::ElementKind::Circle);
         const QImage before = drawn(element, ElementPicture::Flat);
         m_fixture->context().device().markLost();
         window().views().requestFrame();
@@ -99,13 +100,21 @@ private:
     const model::Document& board() { return *window().document(); }
     std::size_t layerOf(ElementId element) { return board().elements.layer[element.row()].row(); }
 
-    std::optional<ElementId> firstOnTop(model::ElementKind kind) {
+    /// The one that fills the picture best: a long thin one is drawn thinner than a pixel, and paler than its layer.
+    std::optional<ElementId> squatOnCopper(model::ElementKind kind) {
+        std::optional<ElementId> best;
+        double most = 0.0;
         for (std::size_t row = 0; row < board().elements.size(); ++row) {
-            if (board().elements.kind[row] == kind && board().layers[layerOf(ElementId{row})].isCopper()) {
-                return ElementId{row};
+            const ElementId element{row};
+            const model::Box box = board().boxOf(element);
+            const auto side = static_cast<double>(std::max(box.width(), box.height()));
+            const double fill = model::areaOf(board(), element) / (side * side);
+            if (board().elements.kind[row] == kind && board().layers[layerOf(element)].isCopper() && fill > most) {
+                most = fill;
+                best = element;
             }
         }
-        return std::nullopt;
+        return best;
     }
     QImage drawn(ElementId element, ElementPicture::View view) {
         window().selection().select({{0, element}});

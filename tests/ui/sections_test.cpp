@@ -8,6 +8,7 @@
 #include <QWheelEvent>
 #include <QtTest>
 
+#include "model/section/intervals.h"
 #include "model/section/section_export.h"
 #include "tests/places.h"
 #include "tests/ui/window_fixture.h"

@@ -80,7 +80,7 @@ private slots:
         m_model.setUnit(ui::models::LengthUnit::Mil);
         QCOMPARE(copper(1).data().toString(), ui::models::areaText(2.0 * circle, ui::models::LengthUnit::Mil));
         m_sorter.sort(StatisticsModel::Copper, Qt::AscendingOrder);
-        QCOMPARE(namesOf(m_sorter), "notes bottom top All layers");
+        QCOMPARE(namesOf(m_sorter), "bottom top notes All layers");
         m_model.setUnit(ui::models::LengthUnit::Millimetre);
     }
 
