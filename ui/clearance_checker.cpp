@@ -1,5 +1,7 @@
 #include "ui/clearance_checker.h"
 
+#include <algorithm>
+#include <functional>
 #include <new>
 #include <utility>
 
@@ -10,57 +12,77 @@ namespace {
 using base::Result;
 using model::Document;
 
-Result<std::vector<model::RuleFinding>> narrowest(const Document& step, const ClearanceRequest& request,
-                                                  base::Progress& progress) {
-    const Result<std::vector<model::Clearance>> clearances =
-        model::narrowestClearances(step, request.question, progress);
-    if (!clearances) {
-        return clearances.error();
-    }
-    std::vector<model::RuleFinding> places;
-    for (const model::Clearance& c : *clearances) {
-        places.push_back({0, c.layer, c.a, c.b, c.gap});
-    }
-    return places;
-}
-
-Result<std::vector<model::RuleFinding>> broken(const Document& step, const ClearanceRequest& request,
-                                               base::Progress& progress, ClearanceAnswer& answer) {
-    Result<model::RuleReport> report = model::checkRules(step, request.rules, progress);
-    if (!report) {
-        return report.error();
-    }
-    for (std::size_t rule = 0; rule < report->counts.size(); ++rule) {
-        answer.counts[rule] += report->counts[rule];
-    }
-    for (const std::string& remark : report->remarks) {
-        answer.remarks.push_back("Step " + step.job.step + ": " + remark);
-    }
-    return std::move(report->findings);
-}
-
 bool isOfTheBoardAlone(const model::ClearanceQuestion& question) {
     return question.layer.isValid() || question.between.first.isValid() || question.within.has_value();
 }
 
+base::Status checkRules(const Document& step, const ClearanceRequest& request, base::Progress& progress,
+                        ClearanceAnswer& answer) {
+    Result<model::RuleReport> report = model::checkRules(step, request.rules, progress);
+    if (!report) {
+        return report.error();
+    }
+    for (const std::string& remark : report->remarks) {
+        answer.remarks.push_back("step " + step.job.step + ": " + remark);
+    }
+    answer.rules.push_back({&step, std::move(*report)});
+    return base::Done{};
+}
+
+/// Without nets there is nothing to measure.
+base::Status measure(const Document& step, const ClearanceRequest& request, base::Progress& progress,
+                     ClearanceAnswer& answer) {
+    if (step.nets.empty()) {
+        return base::Done{};
+    }
+    Result<std::vector<model::Clearance>> clearances = model::narrowestClearances(step, request.question, progress);
+    if (!clearances) {
+        return clearances.error();
+    }
+    answer.clearances.push_back({&step, std::move(*clearances)});
+    return base::Done{};
+}
+
 Result<ClearanceAnswer> search(const Document& board, const ClearanceRequest& request, base::Progress& progress) {
     ClearanceAnswer answer;
-    answer.counts.resize(request.isOfRules ? request.rules.rules.size() : 0);
-    const std::vector<const Document*> steps = model::distinctSteps(board);
-    const std::size_t count = !request.isOfRules && isOfTheBoardAlone(request.question) ? 1 : steps.size();
-    for (std::uint32_t step = 0; step < count; ++step) {
-        Result<std::vector<model::RuleFinding>> places = request.isOfRules
-                                                             ? broken(*steps[step], request, progress, answer)
-                                                             : narrowest(*steps[step], request, progress);
-        if (!places) {
-            return places.error();
+    const bool isOfBoard = !request.isOfRules && isOfTheBoardAlone(request.question);
+    for (const Document* step : isOfBoard ? std::vector{&board} : model::distinctSteps(board)) {
+        const base::Status done = request.isOfRules ? checkRules(*step, request, progress, answer)
+                                                    : measure(*step, request, progress, answer);
+        if (!done) {
+            return done.error();
         }
-        answer.gaps.push_back({step, std::move(*places)});
+    }
+    if (!request.isOfRules) {
+        answer.remarks = model::unmeasuredSteps(board);
     }
     return answer;
 }
 
 }  // namespace
+
+std::vector<models::StepGaps> gapsOf(const ClearanceAnswer& answer) {
+    std::vector<models::StepGaps> gaps;
+    for (const model::StepRules& step : answer.rules) {
+        gaps.push_back({step.step, step.report.findings});
+    }
+    for (const model::StepClearances& step : answer.clearances) {
+        gaps.push_back({step.step, {}});
+        for (const model::Clearance& c : step.clearances) {
+            gaps.back().places.push_back({0, c.layer, c.a, c.b, c.gap});
+        }
+    }
+    return gaps;
+}
+
+std::vector<std::size_t> countsOf(const ClearanceAnswer& answer) {
+    std::vector<std::size_t> counts;
+    for (const model::StepRules& step : answer.rules) {
+        counts.resize(step.report.counts.size());
+        std::ranges::transform(counts, step.report.counts, counts.begin(), std::plus());
+    }
+    return counts;
+}
 
 ClearanceChecker::ClearanceChecker(QObject* parent) : QObject(parent) {
     connect(&m_background, &Background::progressed, this, &ClearanceChecker::progressed);

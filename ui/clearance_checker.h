@@ -4,8 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "model/clearance/clearance.h"
-#include "model/clearance/rule_check.h"
+#include "model/clearance/clearance_report.h"
 #include "ui/background.h"
 #include "ui/models/clearance_model.h"
 
@@ -18,11 +17,15 @@ struct ClearanceRequest {
     model::RuleTable rules;
 };
 
+/// Of every step what was asked for; steps are those of the board that was searched.
 struct ClearanceAnswer {
-    std::vector<models::StepGaps> gaps;
-    std::vector<std::size_t> counts;  ///< by rule, over all steps
-    std::vector<std::string> remarks;
+    std::vector<model::StepClearances> clearances;
+    std::vector<model::StepRules> rules;
+    std::vector<std::string> remarks;  ///< what was not measured, in plain words
 };
+[[nodiscard]] std::vector<models::StepGaps> gapsOf(const ClearanceAnswer& answer);
+/// Broken places by rule, over all steps; empty if no rules were asked for.
+[[nodiscard]] std::vector<std::size_t> countsOf(const ClearanceAnswer& answer);
 
 /// Looks for narrow places of a board and all its steps in the background.
 class ClearanceChecker : public QObject {

@@ -37,7 +37,10 @@ ClearancePanel::ClearancePanel(models::ClearanceModel& places, models::RuleModel
       m_ruleTable(new TableView),
       m_ruleButtons(new QWidget),
       m_lens(new QSlider(Qt::Horizontal)),
-      m_lensText(new QLabel) {
+      m_lensText(new QLabel),
+      m_remarks(new QLabel) {
+    m_remarks->setWordWrap(true);
+    m_remarks->hide();
     m_what->addItems({QStringLiteral("Narrowest gaps"), QStringLiteral("Rules")});
     m_where->addItems({QStringLiteral("of the board"), QStringLiteral("of the current layer"),
                        QStringLiteral("in the 2D view"), QStringLiteral("between the two highlighted nets")});
@@ -79,6 +82,7 @@ ClearancePanel::ClearancePanel(models::ClearanceModel& places, models::RuleModel
     all->setContentsMargins(4, 4, 4, 4);
     all->addLayout(row);
     all->addWidget(tables, 1);
+    all->addWidget(m_remarks);
 
     connect(m_what, &QComboBox::currentIndexChanged, this, &ClearancePanel::onWhat);
     connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &ClearancePanel::choose);
@@ -107,6 +111,15 @@ double ClearancePanel::lensReach() const {
 
 void ClearancePanel::showLens(const QString& text) {
     m_lensText->setText(text);
+}
+
+void ClearancePanel::setRemarks(const QString& remarks) {
+    m_remarks->setText(remarks);
+    m_remarks->setVisible(!remarks.isEmpty());
+}
+
+QString ClearancePanel::remarks() const {
+    return m_remarks->text();
 }
 
 QString ClearancePanel::summary() const {

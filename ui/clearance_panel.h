@@ -32,6 +32,9 @@ public:
     void setUnit(models::LengthUnit unit);
     /// How far the lens reaches, nm.
     [[nodiscard]] double lensReach() const;
+    /// What was not measured, in plain words; empty ones take no room.
+    void setRemarks(const QString& remarks);
+    [[nodiscard]] QString remarks() const;
     /// What the lens shows, beside its slider.
     void showLens(const QString& text);
 
@@ -63,6 +66,7 @@ private:
     QWidget* m_ruleButtons;
     QSlider* m_lens;
     QLabel* m_lensText;
+    QLabel* m_remarks;
 };
 
 }  // namespace ui

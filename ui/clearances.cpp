@@ -1,10 +1,10 @@
 #include "ui/clearances.h"
 
-#include <QFile>
 #include <QPainter>
 #include <QSaveFile>
 #include <algorithm>
 
+#include "ui/paths.h"
 #include "ui/table_view.h"
 
 namespace ui {
@@ -43,6 +43,7 @@ void Clearances::setBoard(const LoadedBoard& board) {
     m_shown.reset();
     m_places.setGaps(nullptr, {}, {});
     m_rules.setCounts({});
+    m_panel->setRemarks({});
     m_lens.setBoard(board);
 }
 
@@ -98,14 +99,15 @@ void Clearances::measure() {
 void Clearances::take(const std::shared_ptr<const model::Document>& board, const ClearanceRequest& request,
                       const ClearanceAnswer& answer) {
     m_shown.reset();
-    m_places.setGaps(board, answer.gaps, request.isOfRules ? request.rules : model::RuleTable{});
+    m_places.setGaps(board, gapsOf(answer), request.isOfRules ? request.rules : model::RuleTable{});
     if (request.isOfRules && m_rules.rules() == request.rules) {
-        m_rules.setCounts(answer.counts);
+        m_rules.setCounts(countsOf(answer));
     }
     QStringList words{m_places.summary()};
     for (const std::string& remark : answer.remarks) {
         words += QString::fromStdString(remark);
     }
+    m_panel->setRemarks(words.mid(1).join('\n'));
     emit finished(words.join(QStringLiteral("; ")));
 }
 
@@ -160,12 +162,7 @@ void Clearances::paint(QPainter& painter) const {
 }
 
 base::Status Clearances::openRules(const QString& path) {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) {
-        return base::Error{base::ErrorCode::BadInput,
-                           (path + QStringLiteral(" cannot be read: ") + file.errorString()).toStdString()};
-    }
-    base::Result<model::RuleTable> rules = model::parseRules(file.readAll().toStdString());
+    base::Result<model::RuleTable> rules = model::readRules(toPath(path));
     if (!rules) {
         return rules.error();
     }

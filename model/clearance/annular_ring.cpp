@@ -34,6 +34,11 @@ std::optional<Gap> wayOut(const FigureTable& table, std::size_t row, PointD p) {
     return farthest;
 }
 
+bool hasRings(const Document& document, ElementId hole) {
+    return isPlatedHole(document.elements.flags[hole.row()]) &&
+           document.elements.kind[hole.row()] == ElementKind::Circle && document.elements.net[hole.row()].isValid();
+}
+
 std::optional<AnnularRing> ringOf(const Document& document, const Sheet& copper, ElementId hole) {
     const CircleGeometry& circle = document.circles[document.elements.geometry[hole.row()]];
     const PointD centre = base::toDouble(circle.centre);
@@ -63,8 +68,7 @@ std::vector<AnnularRing> annularRings(const Document& document, LayerId layer, d
         for (std::uint32_t i = drill.elements.first;
              drill.spans(layer) && i < drill.elements.first + drill.elements.count; ++i) {
             const ElementId hole{i};
-            if (isPlatedHole(document.elements.flags[i]) && document.elements.kind[i] == ElementKind::Circle &&
-                document.elements.net[i].isValid() && document.platedSpanOf(hole).joins(layer)) {
+            if (hasRings(document, hole) && document.platedSpanOf(hole).joins(layer)) {
                 holes.push_back(hole);
             }
         }
@@ -78,6 +82,17 @@ std::vector<AnnularRing> annularRings(const Document& document, LayerId layer, d
         }
     }
     return narrow;
+}
+
+HolesWithoutRings holesWithoutRings(const Document& document) {
+    HolesWithoutRings count;
+    for (std::uint32_t i = 0; i < document.elements.size(); ++i) {
+        const bool isLeftOut = isPlatedHole(document.elements.flags[i]) && !hasRings(document, ElementId{i});
+        const bool isRound = document.elements.kind[i] == ElementKind::Circle;
+        count.notRound += isLeftOut && !isRound ? 1 : 0;
+        count.withoutNet += isLeftOut && isRound ? 1 : 0;
+    }
+    return count;
 }
 
 }  // namespace model

@@ -7,6 +7,7 @@
 
 #include "model/base/parallel.h"
 #include "model/clearance/sheet.h"
+#include "model/copies.h"
 
 namespace model {
 
@@ -121,6 +122,22 @@ base::Result<std::vector<Clearance>> narrowestClearances(const Document& documen
     std::ranges::sort(clearances, isNarrower);
     clearances.resize(std::min(clearances.size(), question.count));
     return clearances;
+}
+
+bool isCopperWithoutNets(const Document& step) {
+    return step.nets.empty() && std::ranges::any_of(step.layers, [](const Layer& layer) {
+               return layer.isCopper() && layer.elements.count > 0;
+           });
+}
+
+std::vector<std::string> unmeasuredSteps(const Document& board) {
+    std::vector<std::string> remarks;
+    for (const Document* step : distinctSteps(board)) {
+        if (isCopperWithoutNets(*step)) {
+            remarks.push_back("step " + step->job.step + " has copper but no nets; it was not measured");
+        }
+    }
+    return remarks;
 }
 
 }  // namespace model

@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -44,5 +45,10 @@ struct ClearanceQuestion {
 [[nodiscard]] base::Result<std::vector<Clearance>> narrowestClearances(const Document& document,
                                                                        const ClearanceQuestion& question,
                                                                        base::Progress& progress);
+
+/// Does a step have copper, but no nets to tell it apart by? Nothing can be measured there.
+[[nodiscard]] bool isCopperWithoutNets(const Document& step);
+/// A sentence for each such step of a board.
+[[nodiscard]] std::vector<std::string> unmeasuredSteps(const Document& board);
 
 }  // namespace model

@@ -39,7 +39,7 @@ public:
             }
         }
         for (std::size_t row = 0; row < table.rules.size(); ++row) {
-            if (table.rules[row].kind == RuleKind::CopperToCopper) {
+            if (table.rules[row].kind == RuleKind::CopperToCopper && table.rules[row].isOn) {
                 m_rules.push_back({row, maskOf(table.rules[row].classes[0]), maskOf(table.rules[row].classes[1])});
             }
         }
@@ -99,7 +99,7 @@ public:
             const LayerId layer{row};
             if (m_document.layers[row].isCopper()) {
                 checkCopper(layer);
-            } else if (m_document.layers[row].type == LayerType::SolderMask && !m_document.layers[row].isSynthetic) {
+            } else if (isMask(m_document.layers[row])) {
                 checkMask(layer);
             }
             m_progress.setFraction(static_cast<float>(row + 1) / static_cast<float>(m_document.layers.size()));
@@ -115,11 +115,15 @@ public:
     }
 
 private:
+    /// As the job has it, with its openings.
+    static bool isMask(const Layer& layer) { return layer.type == LayerType::SolderMask && !layer.isSynthetic; }
+
     [[nodiscard]] NetId netOf(ElementId element) const { return m_document.elements.net[element.row()]; }
 
-    /// The last rule of a kind; none if the table has none.
+    /// The last rule of a kind that is on; none if the table has none.
     [[nodiscard]] std::optional<std::size_t> ruleOf(RuleKind kind) const {
-        const auto last = std::ranges::find(m_table.rules.rbegin(), m_table.rules.rend(), kind, &Rule::kind);
+        const auto last = std::find_if(m_table.rules.rbegin(), m_table.rules.rend(),
+                                       [kind](const Rule& rule) { return rule.kind == kind && rule.isOn; });
         return last == m_table.rules.rend() ? std::nullopt
                                             : std::optional<std::size_t>(m_table.rules.rend() - last - 1);
     }
@@ -281,6 +285,24 @@ private:
         if (!m_document.profile.isValid() && ruleOf(RuleKind::CopperToEdge)) {
             m_report.remarks.emplace_back("the board has no outline, so copper was not held against its edge");
         }
+        if (ruleOf(RuleKind::MaskSliver) && std::ranges::none_of(m_document.layers, isMask)) {
+            m_report.remarks.emplace_back("the board has no layer of solder mask, so no slivers were looked for");
+        }
+        if (ruleOf(RuleKind::AnnularRing)) {
+            remarkRings();
+        }
+    }
+
+    void remarkRings() {
+        const HolesWithoutRings left = holesWithoutRings(m_document);
+        const auto remark = [&](std::size_t count, const char* why) {
+            if (count > 0) {
+                m_report.remarks.push_back("plated holes whose annular rings were not measured because " +
+                                           std::string(why) + ": " + std::to_string(count));
+            }
+        };
+        remark(left.notRound, "they are not round");
+        remark(left.withoutNet, "they have no net");
     }
 
     const Document& m_document;
@@ -291,6 +313,14 @@ private:
 };
 
 }  // namespace
+
+std::string sideOf(const Document& step, ElementId element) {
+    if (!element.isValid()) {
+        return "(board edge)";
+    }
+    const NetId net = step.elements.net[element.row()];
+    return net.isValid() ? step.nets[net.row()].name : "(no net)";
+}
 
 base::Result<RuleReport> checkRules(const Document& document, const RuleTable& table, base::Progress& progress) {
     progress.beginPhase("Checking rules");

@@ -15,6 +15,9 @@ struct RuleFinding {
     Gap gap;      ///< nm; 0: they touch or overlap. Of a ring: from the hole's edge to the pad's
 };
 
+/// What lies on one side of a place: the name of its net, "(no net)", or for no element "(board edge)".
+[[nodiscard]] std::string sideOf(const Document& step, ElementId element);
+
 struct RuleReport {
     std::vector<RuleFinding> findings;  ///< by rule, then narrowest first
     std::vector<std::size_t> counts;    ///< of findings by rule
@@ -24,7 +27,7 @@ struct RuleReport {
 
 /// Checks a step's own elements against all rules; copies of other steps have a document of their own. One finding per
 /// layer and pair: of nets for copper, of elements for everything else. The answer does not depend on the number of
-/// threads. Errors: Cancelled.
+/// threads. Rules that are off find nothing. Errors: Cancelled.
 [[nodiscard]] base::Result<RuleReport> checkRules(const Document& document, const RuleTable& table,
                                                   base::Progress& progress);
 

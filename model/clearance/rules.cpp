@@ -1,6 +1,8 @@
 #include "model/clearance/rules.h"
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "model/base/units.h"
@@ -13,7 +15,6 @@ namespace {
 
 constexpr const char* kVersionKey = "copperscope_rules";
 constexpr int kVersion = 1;
-constexpr double kMostUm = 1e5;  ///< nothing on a board is asked to stay a decimetre apart
 constexpr std::array<const char*, kRuleKindCount> kNames = {"copper-copper", "copper-hole",  "copper-edge",
                                                             "hole-hole",     "annular-ring", "mask-sliver"};
 
@@ -56,16 +57,20 @@ base::Result<Rule> parseRule(const ordered_json& json, const RuleTable& table, s
         !json["least_um"].is_number()) {
         return bad(where + " needs a \"kind\" and a number \"least_um\"");
     }
-    const auto kind =
-        std::ranges::find(kNames, json["kind"].get<std::string>(), [](const char* name) { return std::string(name); });
-    if (kind == kNames.end()) {
+    const std::optional<RuleKind> kind = ruleKindOf(json["kind"].get<std::string>());
+    if (!kind) {
         return bad(where + ": there is no kind \"" + json["kind"].get<std::string>() + "\"");
     }
     const double least = json["least_um"];
-    if (!(least > 0 && least <= kMostUm)) {
+    const double most = kMostLeast / base::kNmPerUm;
+    if (!(least > 0 && least <= most)) {
         return bad(where + ": \"least_um\" must be above 0 and at most 100000");
     }
-    Rule rule{static_cast<RuleKind>(kind - kNames.begin()), static_cast<Nm>(std::lround(least * base::kNmPerUm)), {}};
+    const ordered_json isOn = json.value("on", ordered_json(true));
+    if (!isOn.is_boolean()) {
+        return bad(where + ": \"on\" is true or false");
+    }
+    Rule rule{*kind, static_cast<Nm>(std::lround(least * base::kNmPerUm)), {}, isOn};
     if (json.contains("between")) {
         if (const base::Status known = parseBetween(json["between"], table, where, rule); !known) {
             return known.error();
@@ -78,6 +83,20 @@ base::Result<Rule> parseRule(const ordered_json& json, const RuleTable& table, s
 
 const char* nameOf(RuleKind kind) {
     return kNames[static_cast<std::size_t>(kind)];
+}
+
+std::optional<RuleKind> ruleKindOf(std::string_view name) {
+    const auto kind = std::ranges::find_if(kNames, [&](const char* known) { return name == known; });
+    return kind == kNames.end() ? std::nullopt : std::optional(static_cast<RuleKind>(kind - kNames.begin()));
+}
+
+std::string titleOf(const Rule& rule) {
+    std::string title = nameOf(rule.kind);
+    if (rule.classes != std::array<std::string, 2>{}) {
+        const auto word = [](const std::string& name) { return name.empty() ? std::string("any net") : name; };
+        title += " between " + word(rule.classes[0]) + " and " + word(rule.classes[1]);
+    }
+    return title;
 }
 
 RuleTable defaultRules() {
@@ -133,10 +152,22 @@ std::string toJson(const RuleTable& table) {
         if (rule.classes != std::array<std::string, 2>{}) {
             json["between"] = rule.classes;
         }
+        if (!rule.isOn) {
+            json["on"] = false;
+        }
         rules.push_back(json);
     }
     const ordered_json file{{kVersionKey, kVersion}, {"classes", classes}, {"rules", rules}};
     return file.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+base::Result<RuleTable> readRules(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    const std::string text(std::istreambuf_iterator<char>(file), {});
+    if (!file.is_open() || file.bad()) {
+        return base::Error{base::ErrorCode::BadInput, path.string() + " cannot be read"};
+    }
+    return parseRules(text);
 }
 
 bool fitsWildcard(std::string_view name, std::string_view pattern) {

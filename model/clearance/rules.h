@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +24,7 @@ enum class RuleKind : std::uint8_t {
 inline constexpr std::size_t kRuleKindCount = 6;
 /// As rule files and tables have it: "copper-copper", "copper-hole", …
 [[nodiscard]] const char* nameOf(RuleKind kind);
+[[nodiscard]] std::optional<RuleKind> ruleKindOf(std::string_view name);
 
 /// Nets that share rules.
 struct NetClass {
@@ -35,8 +38,12 @@ struct Rule {
     Nm least = 0;
     /// CopperToCopper: between nets of these classes only, either way round; empty: any net.
     std::array<std::string, 2> classes;
+    bool isOn = true;  ///< else nothing is held against it, as if it were not there
     bool operator==(const Rule&) const = default;
 };
+
+/// "copper-copper between power and any net"
+[[nodiscard]] std::string titleOf(const Rule& rule);
 
 /// Of several rules of one kind that fit a pair of nets the last one holds.
 struct RuleTable {
@@ -46,6 +53,7 @@ struct RuleTable {
 };
 
 inline constexpr std::size_t kMostNetClasses = 63;
+inline constexpr Nm kMostLeast = 100'000'000;  ///< nothing on a board is asked to stay a decimetre apart
 
 /// A rule of every kind, as common fabricators ask for without extra cost.
 [[nodiscard]] RuleTable defaultRules();
@@ -54,11 +62,14 @@ inline constexpr std::size_t kMostNetClasses = 63;
 ///
 ///     {"copperscope_rules": 1, "classes": {"power": ["VCC*", "GND"]},
 ///      "rules": [{"kind": "copper-copper", "least_um": 100}, {"kind": "copper-copper", "least_um": 250,
-///                 "between": ["power", ""]}]}
+///                 "between": ["power", ""], "on": false}]}
 ///
+/// A rule without "on" is on.
 /// Errors: BadInput, saying what is wrong with which rule.
 [[nodiscard]] base::Result<RuleTable> parseRules(std::string_view json);
 [[nodiscard]] std::string toJson(const RuleTable& table);
+/// From a file. Errors: BadInput.
+[[nodiscard]] base::Result<RuleTable> readRules(const std::filesystem::path& path);
 
 /// Does a name fit a pattern with * and ?; letters count as they are.
 [[nodiscard]] bool fitsWildcard(std::string_view name, std::string_view pattern);

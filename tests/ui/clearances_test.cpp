@@ -122,7 +122,7 @@ private slots:
         measure();
         QVERIFY(rules.index(0, ui::models::RuleModel::Result).data().toString().startsWith("broken"));
         const ClearanceModel& places = clearances().places();
-        QVERIFY(places.index(0, ClearanceModel::Rule).data().toString().startsWith("copper copper"));
+        QVERIFY(places.index(0, ClearanceModel::Rule).data().toString().startsWith("copper-copper"));
 
         const QString path = m_fixture->folder() + "/rules.json";
         QVERIFY(clearances().saveRules(path));

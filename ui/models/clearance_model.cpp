@@ -34,8 +34,10 @@ void ClearanceModel::setGaps(std::shared_ptr<const model::Document> board, std::
     m_rules = std::move(rules);
     m_places.clear();
     for (const StepGaps& step : gaps) {
+        const auto at = std::ranges::find_if(m_tree.steps, [&](const auto& known) { return &*known == step.step; });
+        const auto row = static_cast<std::uint32_t>(at - m_tree.steps.begin());
         for (const model::RuleFinding& found : step.places) {
-            m_places.push_back({step.step, found});
+            m_places.push_back({row, found});
         }
     }
     std::ranges::stable_sort(m_places, {},
@@ -72,24 +74,17 @@ int ClearanceModel::columnCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : ColumnCount;
 }
 
-QString ClearanceModel::sideOf(const Place& place, model::ElementId element) const {
-    if (!element.isValid()) {
-        return QStringLiteral("edge of the board");
-    }
-    const model::Document& step = *m_tree.steps[place.step];
-    const model::NetId net = step.elements.net[element.row()];
-    return net.isValid() ? QString::fromStdString(step.nets[net.row()].name) : QStringLiteral("no net");
-}
-
 QString ClearanceModel::text(const Place& place, int column) const {
     const model::Document& step = *m_tree.steps[place.step];
     const model::RuleFinding& found = place.found;
     switch (column) {
         case Gap: return lengthText(found.gap.distance, m_unit);
-        case Rule: return m_rules.rules.empty() ? QString() : titleOf(m_rules.rules[found.rule]);
+        case Rule:
+            return m_rules.rules.empty() ? QString()
+                                         : QString::fromStdString(model::titleOf(m_rules.rules[found.rule]));
         case Layer: return QString::fromStdString(step.layer(found.layer).name);
-        case First: return sideOf(place, found.a);
-        case Second: return sideOf(place, found.b);
+        case First: return QString::fromStdString(model::sideOf(step, found.a));
+        case Second: return QString::fromStdString(model::sideOf(step, found.b));
         case X: return lengthText(found.gap.from.x, m_unit);
         case Y: return lengthText(found.gap.from.y, m_unit);
         case Step: return QString::fromStdString(step.job.step);
@@ -126,17 +121,6 @@ QVariant ClearanceModel::headerData(int section, Qt::Orientation orientation, in
         case Qt::ToolTipRole: return QString::fromUtf8(kColumns[section].tip);
         default: return {};
     }
-}
-
-QString titleOf(const model::Rule& rule) {
-    const QString kind = QString::fromUtf8(model::nameOf(rule.kind)).replace('-', ' ');
-    if (rule.classes == std::array<std::string, 2>{}) {
-        return kind;
-    }
-    const auto word = [](const std::string& name) {
-        return name.empty() ? QStringLiteral("any net") : QString::fromStdString(name);
-    };
-    return QStringLiteral("%1, %2 and %3").arg(kind, word(rule.classes[0]), word(rule.classes[1]));
 }
 
 }  // namespace ui::models

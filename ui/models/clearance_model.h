@@ -13,7 +13,7 @@ namespace ui::models {
 
 /// The narrowest places of one step, or where it breaks rules.
 struct StepGaps {
-    std::uint32_t step = 0;  ///< row of model::StepTree::steps
+    const model::Document* step = nullptr;  ///< the board or a step that it places
     std::vector<model::RuleFinding> places;
 };
 
@@ -31,7 +31,7 @@ public:
     void setUnit(LengthUnit unit);
 
     struct Place {
-        std::uint32_t step = 0;
+        std::uint32_t step = 0;  ///< row of model::StepTree::steps
         model::RuleFinding found;
     };
     [[nodiscard]] const Place& place(int row) const { return m_places[static_cast<std::size_t>(row)]; }
@@ -44,7 +44,6 @@ public:
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
-    [[nodiscard]] QString sideOf(const Place& place, model::ElementId element) const;
     [[nodiscard]] QString text(const Place& place, int column) const;
     [[nodiscard]] double number(const Place& place, int column) const;
 
@@ -54,8 +53,5 @@ private:
     std::vector<Place> m_places;
     LengthUnit m_unit = LengthUnit::Millimetre;
 };
-
-/// A rule in words: "copper-copper between power and any".
-[[nodiscard]] QString titleOf(const model::Rule& rule);
 
 }  // namespace ui::models

@@ -81,7 +81,7 @@ QVariant RuleModel::data(const QModelIndex& index, int role) const {
         return {};
     }
     switch (index.column()) {
-        case Title: return titleOf(m_rules.rules[row]);
+        case Title: return QString::fromStdString(model::titleOf(m_rules.rules[row]));
         case Least: return lengthText(m_rules.rules[row].least, m_unit);
         case Result: return resultOf(row);
         default: return {};

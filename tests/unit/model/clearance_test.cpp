@@ -97,6 +97,21 @@ class ClearanceTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void stepsWithCopperButNoNetsAreTold() {
+        DocumentBuilder bare;
+        const LayerId top = addCopper(bare, "top");
+        bare.beginLayer(top);
+        bare.addCircle({{0, 0}, 200 * kUm, 0}, of({}));
+        const auto board = bare.finish();
+        QVERIFY(model::isCopperWithoutNets(*board));
+        QCOMPARE(model::unmeasuredSteps(*board).size(), std::size_t{1});
+        QVERIFY(model::unmeasuredSteps(*board)[0].find("no nets") != std::string::npos);
+        DocumentBuilder empty;
+        addCopper(empty, "top");
+        QVERIFY(model::unmeasuredSteps(*empty.finish()).empty());
+        QVERIFY(model::unmeasuredSteps(*randomBoard()).empty());
+    }
+
     void everyPairOfNetsIsFoundAtItsNarrowest() {
         const auto board = randomBoard();
         ClearanceQuestion all;

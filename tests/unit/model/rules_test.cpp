@@ -1,10 +1,13 @@
 // Design rules: each kind on a board made for it, at exactly its limit and just below.
 #include "model/clearance/rules.h"
 
+#include <QJsonArray>
+#include <QJsonDocument>
 #include <QtTest>
+#include <algorithm>
 
 #include "model/base/parallel.h"
-#include "model/clearance/rule_check.h"
+#include "model/clearance/clearance_report.h"
 #include "model/document_builder.h"
 
 using model::DocumentBuilder;
@@ -179,7 +182,85 @@ private slots:
         DocumentBuilder builder;
         const RuleReport report = check(*builder.finish(), model::defaultRules());
         QVERIFY(report.isPassed());
-        QCOMPARE(report.remarks.size(), std::size_t{2});  // neither nets nor outline
+        QCOMPARE(report.remarks.size(), std::size_t{3});  // neither nets nor outline nor mask
+        RuleTable off = model::defaultRules();
+        for (Rule& rule : off.rules) {
+            rule.isOn = false;
+        }
+        QVERIFY(check(*DocumentBuilder().finish(), off).remarks.empty());
+    }
+
+    void ringsThatAreNotMeasuredAreCounted() {
+        Board board;
+        board.builder.beginLayer(board.drill);
+        board.builder.addCircle({{0, 0}, 300 * kUm, 300 * kUm}, of({}, kWall));                     // no net
+        board.builder.addLine({{0, 0}, {900 * kUm, 0}, 300 * kUm, 300 * kUm}, of(board.a, kWall));  // a slot
+        board.builder.addLine({{0, 0}, {0, 900 * kUm}, 300 * kUm, 300 * kUm}, of({}, kWall));       // neither
+        board.builder.addCircle({{5000 * kUm, 0}, 300 * kUm, 300 * kUm}, of(board.a, kWall));       // measured
+        board.builder.addCircle({{9000 * kUm, 0}, 300 * kUm, 0}, of({}, kBare));                    // has no ring
+        const std::vector<std::string> remarks = check(*board.builder.finish(), RuleKind::AnnularRing, 1).remarks;
+        QCOMPARE(remarks.size(), std::size_t{2});
+        QVERIFY2(remarks[0].find("not round: 2") != std::string::npos, remarks[0].c_str());
+        QVERIFY2(remarks[1].find("no net: 1") != std::string::npos, remarks[1].c_str());
+    }
+
+    void rulesThatAreOffDoNotCount() {
+        Board board;
+        board.builder.beginLayer(board.top);
+        board.builder.addCircle({{0, 0}, 200 * kUm, 0}, of(board.a));
+        board.builder.addCircle({{300 * kUm, 0}, 200 * kUm, 0}, of(board.b));  // 100 um apart
+        const auto document = board.builder.finish();
+        const Rule strict{RuleKind::CopperToCopper, 120 * kUm, {}};
+        Rule lax{RuleKind::CopperToCopper, 90 * kUm, {}, false};
+        QVERIFY(!check(*document, RuleTable{{}, {strict, lax}}).isPassed());
+        lax.isOn = true;
+        QVERIFY(check(*document, RuleTable{{}, {strict, lax}}).isPassed());
+        QVERIFY(check(*document, RuleTable{{}, {{RuleKind::CopperToCopper, 120 * kUm, {}, false}}}).isPassed());
+    }
+
+    void rulesHaveTitlesAndSidesNames() {
+        QCOMPARE(model::titleOf({RuleKind::HoleToHole, 1, {}}), std::string("hole-hole"));
+        QCOMPARE(model::titleOf({RuleKind::CopperToCopper, 1, {"power", ""}}),
+                 std::string("copper-copper between power and any net"));
+        Board board;
+        board.builder.beginLayer(board.top);
+        board.builder.addCircle({{0, 0}, 200 * kUm, 0}, of(board.b));
+        board.builder.addCircle({{0, 0}, 200 * kUm, 0}, of({}));
+        const auto document = board.builder.finish();
+        QCOMPARE(model::sideOf(*document, ElementId{0U}), std::string("B1"));
+        QCOMPARE(model::sideOf(*document, ElementId{1U}), std::string("(no net)"));
+        QCOMPARE(model::sideOf(*document, {}), std::string("(board edge)"));
+    }
+
+    /// What the reports of a step say, in all formats.
+    void reportsNameEveryRuleAndPlace() {
+        Board board;
+        board.builder.beginLayer(board.top);
+        board.builder.addCircle({{0, 0}, 200 * kUm, 0}, of(board.a));
+        board.builder.addCircle({{300 * kUm, 0}, 200 * kUm, 0}, of(board.b));
+        const auto document = board.builder.finish();
+        const RuleTable table{{},
+                              {{RuleKind::CopperToCopper, 120 * kUm, {}},
+                               {RuleKind::HoleToHole, 120 * kUm, {}},
+                               {RuleKind::CopperToHole, 120 * kUm, {}, false}}};
+        const model::StepRules steps[] = {{document.get(), check(*document, table)}};
+        const std::string text = model::ruleReport(table, steps, model::ReportFormat::Text, 9);
+        for (const char* word : {"FAIL  copper-copper, at least 120.0 um: 1 place\n", "pass  hole-hole",
+                                 "off   copper-hole", "   100.000 um  top ", "A  "}) {
+            QVERIFY2(text.find(word) != std::string::npos, (text + word).c_str());
+        }
+        const auto lines = [](const std::string& csv) { return std::ranges::count(csv, '\n'); };
+        QCOMPARE(lines(model::ruleReport(table, steps, model::ReportFormat::Csv, 9)), 2);
+        QCOMPARE(lines(model::ruleReport(table, steps, model::ReportFormat::Csv, 0)), 1);
+        const std::string json = model::ruleReport(table, steps, model::ReportFormat::Json, 9);
+        const QJsonArray rules =
+            QJsonDocument::fromJson(QByteArray::fromStdString(json))["steps"][0]["rules"].toArray();
+        QCOMPARE(rules.size(), 3);
+        QCOMPARE(rules[0]["passed"], QJsonValue(false));
+        QCOMPARE(rules[0]["findings"][0]["nets"][1].toString(), "B1");
+        QCOMPARE(rules[1]["passed"], QJsonValue(true));
+        QCOMPARE(rules[2]["on"], QJsonValue(false));
+        QVERIFY(model::reportFormatOf(".csv") == model::ReportFormat::Csv && !model::reportFormatOf("pdf"));
     }
 
     void rulesOutliveTheirFile() {
@@ -187,6 +268,7 @@ private slots:
         table.classes = {{"power", {"VCC*", "GND"}}, {"clk", {"CLK?"}}};
         table.rules.push_back({RuleKind::CopperToCopper, 123'456, {"power", "clk"}});
         table.rules.push_back({RuleKind::CopperToCopper, 200 * kUm, {"", "power"}});
+        table.rules[2].isOn = false;
         const auto again = model::parseRules(model::toJson(table));
         QVERIFY2(again, again ? "" : again.error().text.c_str());
         QVERIFY(*again == table);
@@ -209,6 +291,7 @@ private slots:
                                << QByteArray("\"q\"");
         QTest::newRow("kind of class") << rules(R"({"kind": "hole-hole", "least_um": 1, "between": ["p", ""]})")
                                        << QByteArray("copper-copper");
+        QTest::newRow("switch") << rules(R"({"kind": "hole-hole", "least_um": 1, "on": 2})") << QByteArray("\"on\"");
         QTest::newRow("list") << QByteArray(R"({"copperscope_rules": 1, "classes": {"p": "V"}, "rules": []})")
                               << QByteArray("\"p\"");
         QTest::newRow("odd classes") << QByteArray(R"({"copperscope_rules": 1, "classes": 3, "rules": 4})")

@@ -1,0 +1,195 @@
+#include "model/clearance/clearance_report.h"
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "model/base/units.h"
+#include "model/export_text.h"
+
+namespace model {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+constexpr std::string_view kFormats[][2] = {{"text", ".txt"}, {"json", ".json"}, {"csv", ".csv"}};
+
+double micrometres(double nm) {
+    return nm / base::kNmPerUm;
+}
+
+std::string padded(std::string text, std::size_t width) {
+    text.resize(std::max(text.size(), width), ' ');
+    return text;
+}
+
+std::string jsonText(const ordered_json& steps) {
+    const ordered_json all{{"steps", steps}};
+    return all.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+ordered_json inMm(PointD p) {
+    return {base::toMm(p.x), base::toMm(p.y)};
+}
+
+std::string csvPlaces(const Gap& gap) {
+    return formatted("%.6f,%.6f,%.6f,%.6f\n", base::toMm(gap.from.x), base::toMm(gap.from.y), base::toMm(gap.to.x),
+                     base::toMm(gap.to.y));
+}
+
+std::string textOf(const StepClearances& found) {
+    const Document& step = *found.step;
+    std::string text = "step " + step.job.step + ": " + std::to_string(found.clearances.size()) + " clearances\n";
+    if (!found.clearances.empty()) {
+        text += formatted("%10s  %-20s %11s %11s  %-32s %s\n", "gap um", "layer", "x mm", "y mm", "net", "net");
+    }
+    for (const Clearance& c : found.clearances) {
+        text += formatted("%10.3f  ", micrometres(c.gap.distance)) + padded(step.layer(c.layer).name, 20) +
+                formatted(" %11.4f %11.4f  ", base::toMm(c.gap.from.x), base::toMm(c.gap.from.y)) +
+                padded(sideOf(step, c.a), 32) + ' ' + sideOf(step, c.b) + '\n';
+    }
+    return text;
+}
+
+std::string csvOf(const StepClearances& found) {
+    const Document& step = *found.step;
+    std::string text;
+    for (const Clearance& c : found.clearances) {
+        text += csvField(step.job.step) + ',' + csvField(step.layer(c.layer).name) +
+                formatted(",%.3f,", micrometres(c.gap.distance)) + csvField(sideOf(step, c.a)) + ',' +
+                csvField(sideOf(step, c.b)) + ',' + csvPlaces(c.gap);
+    }
+    return text;
+}
+
+ordered_json jsonOf(const StepClearances& found) {
+    const Document& step = *found.step;
+    ordered_json list = ordered_json::array();
+    for (const Clearance& c : found.clearances) {
+        list.push_back({{"gap_um", micrometres(c.gap.distance)},
+                        {"layer", step.layer(c.layer).name},
+                        {"nets", {sideOf(step, c.a), sideOf(step, c.b)}},
+                        {"elements", {c.a.value, c.b.value}},
+                        {"from_mm", inMm(c.gap.from)},
+                        {"to_mm", inMm(c.gap.to)}});
+    }
+    return {{"step", step.job.step}, {"clearances", list}};
+}
+
+/// The first ones of a rule.
+std::span<const RuleFinding> findingsOf(const StepRules& step, std::size_t rule, std::size_t most) {
+    const auto [first, last] = std::ranges::equal_range(step.report.findings, rule, {}, &RuleFinding::rule);
+    return std::span(first, last).first(std::min(most, static_cast<std::size_t>(last - first)));
+}
+
+const char* wordOf(const RuleTable& table, const StepRules& step, std::size_t rule) {
+    return !table.rules[rule].isOn ? "off " : step.report.counts[rule] == 0 ? "pass" : "FAIL";
+}
+
+std::string textOf(const RuleTable& table, const StepRules& found, std::size_t most) {
+    const Document& step = *found.step;
+    std::string text = "step " + step.job.step + '\n';
+    for (std::size_t rule = 0; rule < table.rules.size(); ++rule) {
+        const std::size_t count = found.report.counts[rule];
+        text += std::string(wordOf(table, found, rule)) + "  " + titleOf(table.rules[rule]) +
+                formatted(", at least %.1f um: %zu %s\n", micrometres(static_cast<double>(table.rules[rule].least)),
+                          count, count == 1 ? "place" : "places");
+        for (const RuleFinding& f : findingsOf(found, rule, most)) {
+            text += formatted("  %10.3f um  ", micrometres(f.gap.distance)) + padded(step.layer(f.layer).name, 20) +
+                    formatted(" %11.4f %11.4f mm  ", base::toMm(f.gap.from.x), base::toMm(f.gap.from.y)) +
+                    padded(sideOf(step, f.a), 28) + ' ' + sideOf(step, f.b) + '\n';
+        }
+    }
+    return text;
+}
+
+std::string csvOf(const RuleTable& table, const StepRules& found, std::size_t most) {
+    const Document& step = *found.step;
+    std::string text;
+    for (std::size_t row = 0; row < table.rules.size(); ++row) {
+        const Rule& rule = table.rules[row];
+        for (const RuleFinding& f : findingsOf(found, row, most)) {
+            text += csvField(step.job.step) + ',' + csvField(titleOf(rule)) +
+                    formatted(",%.3f,", micrometres(static_cast<double>(rule.least))) +
+                    csvField(step.layer(f.layer).name) + formatted(",%.3f,", micrometres(f.gap.distance)) +
+                    csvField(sideOf(step, f.a)) + ',' + csvField(sideOf(step, f.b)) + ',' + csvPlaces(f.gap);
+        }
+    }
+    return text;
+}
+
+ordered_json jsonOf(const Document& step, const RuleFinding& f) {
+    ordered_json elements{f.a.value};
+    if (f.b.isValid()) {
+        elements.push_back(f.b.value);
+    }
+    return {{"gap_um", micrometres(f.gap.distance)},
+            {"layer", step.layer(f.layer).name},
+            {"nets", {sideOf(step, f.a), sideOf(step, f.b)}},
+            {"elements", elements},
+            {"from_mm", inMm(f.gap.from)},
+            {"to_mm", inMm(f.gap.to)}};
+}
+
+ordered_json jsonOf(const RuleTable& table, const StepRules& found, std::size_t most) {
+    ordered_json rules = ordered_json::array();
+    for (std::size_t row = 0; row < table.rules.size(); ++row) {
+        const Rule& rule = table.rules[row];
+        ordered_json json{{"rule", titleOf(rule)}, {"least_um", micrometres(static_cast<double>(rule.least))}};
+        if (rule.isOn) {
+            json["passed"] = found.report.counts[row] == 0;
+        } else {
+            json["on"] = false;
+        }
+        json["count"] = found.report.counts[row];
+        json["findings"] = ordered_json::array();
+        for (const RuleFinding& f : findingsOf(found, row, most)) {
+            json["findings"].push_back(jsonOf(*found.step, f));
+        }
+        rules.push_back(json);
+    }
+    return {{"step", found.step->job.step}, {"rules", rules}};
+}
+
+}  // namespace
+
+std::optional<ReportFormat> reportFormatOf(std::string_view name) {
+    const auto* const found =
+        std::ranges::find_if(kFormats, [&](const auto& words) { return words[0] == name || words[1] == name; });
+    return found == std::end(kFormats) ? std::nullopt
+                                       : std::optional(static_cast<ReportFormat>(found - std::begin(kFormats)));
+}
+
+std::string clearanceReport(std::span<const StepClearances> steps, ReportFormat format) {
+    ordered_json json = ordered_json::array();
+    std::string text =
+        format == ReportFormat::Csv ? "step,layer,gap um,net a,net b,x mm on a,y mm on a,x mm on b,y mm on b\n" : "";
+    for (const StepClearances& step : steps) {
+        if (format == ReportFormat::Json) {
+            json.push_back(jsonOf(step));
+        } else {
+            text += format == ReportFormat::Csv ? csvOf(step) : textOf(step);
+        }
+    }
+    return format == ReportFormat::Json ? jsonText(json) : text;
+}
+
+std::string ruleReport(const RuleTable& table, std::span<const StepRules> steps, ReportFormat format,
+                       std::size_t most) {
+    ordered_json json = ordered_json::array();
+    std::string text = format == ReportFormat::Csv
+                           ? "step,rule,least um,layer,gap um,a,b,x mm on a,y mm on a,x mm on b,y mm on b\n"
+                           : "";
+    for (const StepRules& step : steps) {
+        if (format == ReportFormat::Json) {
+            json.push_back(jsonOf(table, step, most));
+        } else {
+            text += format == ReportFormat::Csv ? csvOf(table, step, most) : textOf(table, step, most);
+        }
+    }
+    return format == ReportFormat::Json ? jsonText(json) : text;
+}
+
+}  // namespace model
