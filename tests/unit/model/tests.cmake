@@ -1,4 +1,4 @@
-foreach(name clearance nearby rules back_drills connectivity distance overlap measures picking shapes copies discretise nesting boolean document_builder diagnostics histogram net_groups)
+foreach(name clearance nearby distance_map row_cover rules back_drills connectivity distance overlap measures picking shapes copies discretise nesting boolean document_builder diagnostics histogram net_groups)
     copperscope_test(${name}_test unit/model/${name}_test.cpp LABEL unit LINK copperscope_model)
 endforeach()
 copperscope_test(radix_sort_test unit/model/base/radix_sort_test.cpp LABEL unit LINK copperscope_base)

@@ -1,0 +1,79 @@
+#include "model/clearance/net_islands.h"
+
+#include <algorithm>
+
+#include "model/base/parallel.h"
+#include "model/connectivity/disjoint_sets.h"
+#include "model/geometry/distance.h"
+
+namespace model {
+
+namespace {
+
+constexpr std::size_t kFiguresPerTask = 64;
+
+/// A figure without a net and what it touches.
+struct Touch {
+    std::uint32_t loose = 0;
+    std::uint32_t other = 0;
+};
+
+std::vector<Touch> touchesOf(const Sheet& sheet, std::span<const std::uint32_t> loose) {
+    std::vector<Touch> touches;
+    for (const std::uint32_t row : loose) {
+        sheet.visitNear(sheet.figures().box(row), kTouchNm, [&](std::uint32_t other) {
+            if (other != row && gapBetween(sheet.figures(), row, sheet.figures(), other, kTouchNm)) {
+                touches.push_back({row, other});
+            }
+        });
+    }
+    return touches;
+}
+
+std::vector<Touch> allTouches(const Sheet& sheet, std::span<const std::uint32_t> loose, base::Progress& progress) {
+    std::vector<std::vector<Touch>> parts((loose.size() + kFiguresPerTask - 1) / kFiguresPerTask);
+    base::parallelFor(parts.size(), [&](std::size_t task) {
+        if (!progress.isCancelled()) {
+            const std::size_t first = task * kFiguresPerTask;
+            parts[task] = touchesOf(sheet, loose.subspan(first, std::min(kFiguresPerTask, loose.size() - first)));
+        }
+    });
+    std::vector<Touch> touches;
+    for (const std::vector<Touch>& part : parts) {
+        touches.insert(touches.end(), part.begin(), part.end());
+    }
+    return touches;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> netsByTouch(const Document& document, const Sheet& sheet, base::Progress& progress) {
+    const auto none = static_cast<std::uint32_t>(document.nets.size());
+    std::vector<std::uint32_t> nets(sheet.size());
+    std::vector<std::uint32_t> loose;
+    for (std::size_t row = 0; row < sheet.size(); ++row) {
+        const NetId net = document.elements.net[sheet.elementOf(row).row()];
+        nets[row] = net.isValid() ? static_cast<std::uint32_t>(net.row()) : none;
+        if (!net.isValid()) {
+            loose.push_back(static_cast<std::uint32_t>(row));
+        }
+    }
+    const std::vector<Touch> touches = allTouches(sheet, loose, progress);
+    DisjointSets islands(sheet.size());  // of loose figures; the others stay alone
+    for (const Touch& touch : touches) {
+        if (nets[touch.other] == none) {
+            islands.join(touch.loose, touch.other);
+        }
+    }
+    std::vector<std::uint32_t> ofIsland(sheet.size(), none);
+    for (const Touch& touch : touches) {
+        std::uint32_t& net = ofIsland[islands.find(touch.loose)];
+        net = std::min(net, nets[touch.other]);
+    }
+    for (const std::uint32_t row : loose) {
+        nets[row] = ofIsland[islands.find(row)];
+    }
+    return nets;
+}
+
+}  // namespace model
