@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <QSplitter>
 #include <QVBoxLayout>
+#include <array>
 #include <utility>
 
 #include "ui/looks.h"
@@ -48,6 +49,7 @@ void BoardViews::show(const LoadedBoard& board, const std::vector<models::LayerL
     m_states.clear();
     m_elementColours.clear();
     m_contrastLayer = {};
+    m_contrastLayers.clear();
     makeScene();
     applyHeights();
     for (BoardView* view : m_views) {
@@ -103,8 +105,14 @@ void BoardViews::makeScene() {
 }
 
 std::vector<render::LayerStyle> BoardViews::stylesOf(const BoardView& view) const {
-    return view.kind() == BoardView::Kind::Solid ? solidStyles(*m_board->document, m_looks, m_palette)
-                                                 : flatStyles(*m_board->document, m_looks, m_contrastLayer);
+    const bool isFlat = view.kind() == BoardView::Kind::Flat;
+    std::vector<render::LayerStyle> styles =
+        isFlat ? flatStyles(*m_board->document, m_looks) : solidStyles(*m_board->document, m_looks, m_palette);
+    if (isFlat && m_contrastLayers.empty() && m_contrastLayer.isValid()) {
+        putInContrast(styles, std::array{m_contrastLayer});
+    }
+    putInContrast(styles, m_contrastLayers);
+    return styles;
 }
 
 void BoardViews::setLooks(const std::vector<models::LayerLook>& looks) {
@@ -122,6 +130,18 @@ void BoardViews::setContrastLayer(model::LayerId layer) {
     m_contrastLayer = layer;
     if (m_scene) {
         flat().setStyles(stylesOf(flat()));
+    }
+}
+
+void BoardViews::setContrastLayers(std::vector<model::LayerId> layers) {
+    if (layers == m_contrastLayers) {
+        return;
+    }
+    m_contrastLayers = std::move(layers);
+    for (BoardView* view : m_views) {
+        if (m_scene) {
+            view->setStyles(stylesOf(*view));
+        }
     }
 }
 

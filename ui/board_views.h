@@ -36,6 +36,8 @@ public:
     void setPalette(render::Palette palette) { m_palette = palette; }
     /// In 2D all layers but this one fade into the background; none ends it.
     void setContrastLayer(model::LayerId layer);
+    /// The same in both views and for several layers, over what `setContrastLayer` says; none ends it.
+    void setContrastLayers(std::vector<model::LayerId> layers);
     void setBackend(render::Backend backend);
     void setArrangement(Arrangement arrangement);
     [[nodiscard]] Arrangement arrangement() const { return m_arrangement; }
@@ -87,7 +89,8 @@ private:
     ElementStateLists m_states;
     std::vector<glm::vec3> m_elementColours;
     render::Palette m_palette = render::Palette::Standard;
-    model::LayerId m_contrastLayer;
+    model::LayerId m_contrastLayer;                ///< in 2D
+    std::vector<model::LayerId> m_contrastLayers;  ///< in both views
     render::ZScale m_zScale;
     QVariantAnimation m_explosion;
     Arrangement m_arrangement = Arrangement::SideBySide;

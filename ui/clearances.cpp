@@ -14,6 +14,8 @@ namespace {
 constexpr QColor kInk(255, 235, 120);
 constexpr QColor kGround(24, 26, 31, 220);
 constexpr double kBesidePixels = 10.0;
+constexpr float kLeastAroundMm = 0.3F;   ///< around a gap that is shown
+constexpr float kTimesAround = 2.0F;     ///< at least so many widths of it
 constexpr std::size_t kNarrowest = 500;  ///< more than anybody steps through
 
 }  // namespace
@@ -34,13 +36,18 @@ Clearances::Clearances(BoardViews& views, Probing& probing, models::SelectionMod
     connect(m_panel, &ClearancePanel::lensMoved, &m_lens, &Lens::setReach);
     connect(&m_lens, &Lens::told, m_panel, &ClearancePanel::showLens);
     m_lens.setReach(m_panel->lensReach());
+    connect(&m_selection, &models::SelectionModel::selectionChanged, this, [this] {
+        if (m_shown && m_selection.selected() != m_sides) {
+            endShowing();
+        }
+    });
     views.flat().addPainter([this](QPainter& painter) { paint(painter); });
 }
 
 void Clearances::setBoard(const LoadedBoard& board) {
     m_checker.cancel();
     m_board = board.document;
-    m_shown.reset();
+    endShowing();
     m_places.setGaps(nullptr, {}, {});
     m_rules.setCounts({});
     m_panel->setRemarks({});
@@ -98,7 +105,7 @@ void Clearances::measure() {
 
 void Clearances::take(const std::shared_ptr<const model::Document>& board, const ClearanceRequest& request,
                       const ClearanceAnswer& answer) {
-    m_shown.reset();
+    endShowing();
     m_places.setGaps(board, gapsOf(answer), request.isOfRules ? request.rules : model::RuleTable{});
     if (request.isOfRules && m_rules.rules() == request.rules) {
         m_rules.setCounts(countsOf(answer));
@@ -125,16 +132,31 @@ void Clearances::show(const models::ClearanceModel::Place& place) {
     const model::StepTree& tree = m_selection.tree();
     const auto copy = std::ranges::find(tree.copies, place.step, &model::StepCopy::step);
     const auto row = static_cast<std::uint32_t>(copy - tree.copies.begin());
-    std::vector<model::BoardElement> sides{{row, place.found.a}};
-    if (place.found.b.isValid()) {
-        sides.push_back({row, place.found.b});
+    const model::Document& step = *tree.steps[place.step];
+    const auto onBoard = [&](model::LayerId layer) { return step.layerOfCopy(layer, copy->isFlipped); };
+    const model::LayerId layer = onBoard(place.found.layer);
+    m_sides.clear();
+    std::vector<model::LayerId> layers{layer};
+    for (const model::ElementId side : {place.found.a, place.found.b}) {
+        if (side.isValid()) {
+            m_sides.push_back({row, side});
+            layers.push_back(onBoard(step.elements.layer[side.row()]));
+        }
     }
-    const model::LayerId layer = tree.steps[place.step]->layerOfCopy(place.found.layer, copy->isFlipped);
     const model::Gap& gap = place.found.gap;
+    m_shown.reset();  // what was shown before ends with its selection
+    m_selection.select(m_sides);
+    m_sides = m_selection.selected();
     m_shown = {gap.distance, copy->placement.apply(gap.from), copy->placement.apply(gap.to)};
-    emit layerWanted(layer);
-    m_selection.select(sides);
-    m_probing.showPlace({(m_shown->from.x + m_shown->to.x) / 2, (m_shown->from.y + m_shown->to.y) / 2}, layer);
+    m_views.setContrastLayers(std::move(layers));
+    const float around = std::max(kLeastAroundMm, kTimesAround * static_cast<float>(base::toMm(gap.distance)));
+    m_probing.showPlace({(m_shown->from.x + m_shown->to.x) / 2, (m_shown->from.y + m_shown->to.y) / 2}, layer, around);
+}
+
+void Clearances::endShowing() {
+    m_shown.reset();
+    m_views.setContrastLayers({});
+    m_views.flat().requestOverlay();
 }
 
 void Clearances::paint(QPainter& painter) const {

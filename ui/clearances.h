@@ -12,7 +12,9 @@
 namespace ui {
 
 /// Where copper is narrow, from the question to the place on the screen: searches in the background, a panel to step
-/// through what was found with both views following, rules with their files, and the lens.
+/// through what was found, rules with their files, and the lens. While a place is shown both views are there, and the
+/// layers of its two sides stand out, whatever is checked and whatever covers them; all is as before once something
+/// else is selected, or nothing.
 class Clearances : public QObject {
     Q_OBJECT
 
@@ -47,15 +49,15 @@ signals:
     /// A search is over: what came out, in words.
     void finished(const QString& summary);
     void failed(const QString& reason);
-    /// A place on this layer is shown.
-    void layerWanted(model::LayerId layer);
 
 private:
     /// None if the question cannot be asked; that was told.
     [[nodiscard]] std::optional<ClearanceRequest> request();
     void take(const std::shared_ptr<const model::Document>& board, const ClearanceRequest& request,
               const ClearanceAnswer& answer);
+    /// Until something else is selected.
     void show(const models::ClearanceModel::Place& place);
+    void endShowing();
     void paint(QPainter& painter) const;
 
     BoardViews& m_views;
@@ -69,7 +71,8 @@ private:
     ClearancePanel* m_panel;
     std::function<model::LayerId()> m_currentLayer;
     std::shared_ptr<const model::Document> m_board;
-    std::optional<model::Gap> m_shown;  ///< in coordinates of the board
+    std::optional<model::Gap> m_shown;         ///< in coordinates of the board
+    std::vector<model::BoardElement> m_sides;  ///< of what is shown, as they are selected
     models::LengthUnit m_unit = models::LengthUnit::Millimetre;
 };
 

@@ -42,16 +42,19 @@ std::vector<render::LayerStyle> solidStyles(const model::Document& document,
     return styles;
 }
 
-std::vector<render::LayerStyle> flatStyles(const model::Document& document, const std::vector<models::LayerLook>& looks,
-                                           model::LayerId contrastLayer) {
+std::vector<render::LayerStyle> flatStyles(const model::Document& document,
+                                           const std::vector<models::LayerLook>& looks) {
     std::vector<render::LayerStyle> styles = toStyles(looks);
     for (std::size_t row = 0; row < styles.size(); ++row) {
+        styles[row].isVisible = styles[row].isVisible && !isVeil(document.layers[row]);
+    }
+    return styles;
+}
+
+void putInContrast(std::vector<render::LayerStyle>& styles, std::span<const model::LayerId> layers) {
+    for (std::size_t row = 0; row < styles.size() && !layers.empty(); ++row) {
         render::LayerStyle& style = styles[row];
-        style.isVisible = style.isVisible && !isVeil(document.layers[row]);
-        if (!contrastLayer.isValid()) {
-            continue;
-        }
-        if (row == contrastLayer.row()) {
+        if (std::ranges::find(layers, model::LayerId{row}) != layers.end()) {
             style.isVisible = true;
             style.opacity = 1.0F;
         } else {
@@ -59,7 +62,6 @@ std::vector<render::LayerStyle> flatStyles(const model::Document& document, cons
             style.opacity = std::min(style.opacity, kFaintOpacity);
         }
     }
-    return styles;
 }
 
 std::vector<models::LayerLook> defaultLooks(const model::Document& document, render::Palette palette) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "model/document.h"
@@ -16,10 +17,11 @@ namespace ui {
 [[nodiscard]] std::vector<render::LayerStyle> solidStyles(const model::Document& document,
                                                           const std::vector<models::LayerLook>& looks,
                                                           render::Palette palette);
-/// For the 2D view: without laminate and lacquer, which would veil all layers below. A valid `contrastLayer` is shown
-/// as it is, whatever its check mark, and the others are faint and grey.
+/// For the 2D view: without laminate and lacquer, which would veil all layers below.
 [[nodiscard]] std::vector<render::LayerStyle> flatStyles(const model::Document& document,
-                                                         const std::vector<models::LayerLook>& looks,
-                                                         model::LayerId contrastLayer);
+                                                         const std::vector<models::LayerLook>& looks);
+/// These layers are shown as they are, whatever their check marks, and all others are faint and grey. None of them:
+/// nothing changes.
+void putInContrast(std::vector<render::LayerStyle>& styles, std::span<const model::LayerId> layers);
 
 }  // namespace ui

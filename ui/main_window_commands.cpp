@@ -246,7 +246,6 @@ void MainWindow::connectClearances() {
         statusBar()->showMessage(QStringLiteral("Clearances: %1").arg(summary));
         onIdle();
     });
-    connect(&clearances, &Clearances::layerWanted, this, &MainWindow::showLayer);
     const auto tell = [this](const base::Status& done) {
         if (!done) {
             m_messageBar->showError(QString::fromStdString(done.error().text));

@@ -238,13 +238,14 @@ void Probing::showNets(std::span<const model::BoardNet> nets) {
     showInBoth(elements);
 }
 
-void Probing::showPlace(base::PointD nm, model::LayerId layer) {
-    constexpr glm::vec3 kAroundMm(1.5F, 1.5F, 0.0F);
+void Probing::showPlace(base::PointD nm, model::LayerId layer, float aroundMm) {
     for (BoardView* view : m_views.both()) {
         const std::vector<render::ZRange> heights = view->drawnHeights();
         const render::ZRange z = layer.row() < heights.size() ? heights[layer.row()] : render::ZRange{};
         const glm::vec3 at = m_place.toModel(nm);
-        view->controller().show(glm::vec3(at.x, at.y, z.z0) - kAroundMm, glm::vec3(at.x, at.y, z.z1) + kAroundMm);
+        const float side = view == &m_views.flat() ? aroundMm : std::max(aroundMm, kAroundMm);
+        const glm::vec3 around(side, side, 0.0F);
+        view->controller().show(glm::vec3(at.x, at.y, z.z0) - around, glm::vec3(at.x, at.y, z.z1) + around);
     }
 }
 

@@ -23,6 +23,8 @@ class Probing : public QObject {
     Q_OBJECT
 
 public:
+    static constexpr float kAroundMm = 1.5F;
+
     /// What `nets` hides is looked through.
     Probing(BoardViews& views, models::SelectionModel& selection, models::NetLooks& nets, QObject* parent = nullptr);
 
@@ -43,8 +45,9 @@ public:
     void show(BoardView& view, std::span<const model::BoardElement> elements);
     void showInBoth(std::span<const model::BoardElement> elements);
     void showNets(std::span<const model::BoardNet> nets);
-    /// Brings a place of the board to the middle of both views, with a few millimetres around it.
-    void showPlace(base::PointD nm, model::LayerId layer);
+    /// Brings a place of the board to the middle of both views, in 2D with so much around it, and in 3D with a few
+    /// millimetres.
+    void showPlace(base::PointD nm, model::LayerId layer, float aroundMm = kAroundMm);
 
 signals:
     /// The cursor is over a place of the board, in its coordinates in nm.

@@ -74,6 +74,40 @@ private slots:
         QCOMPARE(panel().table().currentIndex().row(), places.rowCount() - 1);  // round the corner
     }
 
+    /// On a hidden layer, and below all others: as bright as if it were alone, until something else is selected.
+    void aCoveredLayerIsSeenAsLongAsItsGapIsShown() {
+        const model::Document& board = *window().document();
+        model::LayerId bottom;
+        for (std::size_t row = 0; row < board.layers.size(); ++row) {
+            bottom = board.layers[row].isCopper() ? model::LayerId{row} : bottom;
+        }
+        window().layersPanel().selectRow(static_cast<int>(bottom.row()));
+        ask(ClearancePanel::Where::Layer);
+        const QModelIndex check = window().layers().index(int(bottom.row()), ui::models::LayerModel::Visible);
+        QVERIFY(window().layers().setData(check, Qt::Unchecked, Qt::CheckStateRole));
+        m_fixture->key(Qt::Key_F8);
+        for (ui::BoardView* view : window().views().both()) {
+            const auto styles = view->styles();
+            QVERIFY(styles[bottom.row()].isVisible);
+            QCOMPARE(styles[bottom.row()].opacity, 1.0F);
+            for (std::size_t row = 0; row < styles.size(); ++row) {
+                const model::RuleFinding& found = clearances().places().place(0).found;
+                const bool isOfGap = row == bottom.row() || board.elements.layer[found.a.row()].row() == row ||
+                                     board.elements.layer[found.b.row()].row() == row;
+                QVERIFY(isOfGap || styles[row].opacity < 0.2F);
+            }
+        }
+        const QImage lit = window().views().flat().grabPicture()->copy();
+        QCOMPARE(check.data(Qt::CheckStateRole).value<Qt::CheckState>(), Qt::Unchecked);  // untouched
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(window().selection().selected().empty());
+        for (ui::BoardView* view : window().views().both()) {
+            QVERIFY(!view->styles()[bottom.row()].isVisible);
+        }
+        QVERIFY(differingPixels(lit, *window().views().flat().grabPicture()) > 100);
+        QVERIFY(window().layers().setData(check, Qt::Checked, Qt::CheckStateRole));
+    }
+
     void questionsAreNarrowedToLayerViewAndNets() {
         measure();
         const ClearanceModel& places = clearances().places();
