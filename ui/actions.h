@@ -99,6 +99,8 @@ enum class ActionId {
     FindGaps,
     NextGap,
     PreviousGap,
+    EditRules,
+    ExportGaps,
     Lens,
     DrawSection,
     SectionAlongNet,

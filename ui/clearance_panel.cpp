@@ -12,6 +12,7 @@
 #include <QSplitter>
 
 #include "ui/actions.h"
+#include "ui/choice_delegate.h"
 #include "ui/table_view.h"
 #include "ui/tool_button.h"
 
@@ -58,10 +59,16 @@ ClearancePanel::ClearancePanel(models::ClearanceModel& places, models::RuleModel
     m_lens->setMaximumWidth(220);
     m_lens->setToolTip(QStringLiteral("How near copper must come to be lit by the lens"));
 
+    m_ruleTable->setItemDelegate(new ChoiceDelegate(models::RuleModel::ChoicesRole, m_ruleTable));
+    for (const int column : {models::RuleModel::Kind, models::RuleModel::First, models::RuleModel::Second}) {
+        m_ruleTable->setColumnHidden(column, true);  // the title says them
+    }
+
     auto* load = new QPushButton(QStringLiteral("Open rules…"));
     auto* save = new QPushButton(QStringLiteral("Save rules…"));
     auto* buttons = new QHBoxLayout(m_ruleButtons);
     buttons->setContentsMargins(0, 0, 0, 0);
+    buttons->addWidget(toolButton(actions[ActionId::EditRules]));
     buttons->addWidget(load);
     buttons->addWidget(save);
     auto* row = new QHBoxLayout;
@@ -69,6 +76,7 @@ ClearancePanel::ClearancePanel(models::ClearanceModel& places, models::RuleModel
     row->addWidget(m_where);
     row->addWidget(toolButton(actions[ActionId::FindGaps]));
     row->addWidget(m_ruleButtons);
+    row->addWidget(toolButton(actions[ActionId::ExportGaps]));
     row->addWidget(m_summary, 1);
     row->addWidget(toolButton(actions[ActionId::Lens]));
     row->addWidget(m_lens);
@@ -90,6 +98,7 @@ ClearancePanel::ClearancePanel(models::ClearanceModel& places, models::RuleModel
     connect(m_table, &TableView::enterPressed, this, &ClearancePanel::choose);
     connect(&places, &QAbstractItemModel::modelReset, this, &ClearancePanel::onReset);
     connect(&rules, &QAbstractItemModel::dataChanged, m_ruleTable, &QTableView::resizeColumnsToContents);
+    connect(&rules, &QAbstractItemModel::modelReset, m_ruleTable, &QTableView::resizeColumnsToContents);
     connect(m_lens, &QSlider::valueChanged, this, [this] { emit lensMoved(lensReach()); });
     connect(load, &QPushButton::clicked, this, &ClearancePanel::rulesAsked);
     connect(save, &QPushButton::clicked, this, &ClearancePanel::rulesSaved);

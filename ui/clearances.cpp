@@ -1,10 +1,15 @@
 #include "ui/clearances.h"
 
+#include <QComboBox>
 #include <QPainter>
 #include <QSaveFile>
 #include <algorithm>
+#include <limits>
 
+#include "model/copies.h"
 #include "ui/paths.h"
+#include "ui/rule_dialog.h"
+#include "ui/state_edit.h"
 #include "ui/table_view.h"
 
 namespace ui {
@@ -14,24 +19,37 @@ namespace {
 constexpr QColor kInk(255, 235, 120);
 constexpr QColor kGround(24, 26, 31, 220);
 constexpr double kBesidePixels = 10.0;
-constexpr float kLeastAroundMm = 0.3F;   ///< around a gap that is shown
-constexpr float kTimesAround = 2.0F;     ///< at least so many widths of it
+constexpr float kLeastAroundMm = 0.3F;  ///< around a gap that is shown
+constexpr float kTimesAround = 2.0F;    ///< at least so many widths of it
+constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
 constexpr std::size_t kNarrowest = 500;  ///< more than anybody steps through
+
+base::Status write(const QString& path, const QByteArray& text) {
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit()) {
+        return base::Error{base::ErrorCode::OutputFailed,
+                           (path + QStringLiteral(" cannot be written: ") + file.errorString()).toStdString()};
+    }
+    return base::Done{};
+}
 
 }  // namespace
 
 Clearances::Clearances(BoardViews& views, Probing& probing, models::SelectionModel& selection, const PlanPainter& plan,
-                       const ActionSet& actions, QObject* parent)
+                       const ActionSet& actions, QUndoStack& history, QObject* parent)
     : QObject(parent),
       m_views(views),
       m_probing(probing),
       m_selection(selection),
       m_plan(plan),
+      m_history(history),
       m_lens(views, selection),
       m_panel(new ClearancePanel(m_places, m_rules, actions)) {
     connect(&m_checker, &ClearanceChecker::progressed, this, &Clearances::progressed);
     connect(&m_checker, &ClearanceChecker::found, this, &Clearances::take);
     connect(&m_checker, &ClearanceChecker::failed, this, &Clearances::failed);
+    connect(&m_rules, &models::RuleModel::edited, this, &Clearances::remember);
+    connect(&m_rules, &models::RuleModel::refused, this, &Clearances::failed);
     connect(m_panel, &ClearancePanel::chosen, this, &Clearances::show);
     connect(m_panel, &ClearancePanel::lensMoved, &m_lens, &Lens::setReach);
     connect(&m_lens, &Lens::told, m_panel, &ClearancePanel::showLens);
@@ -47,6 +65,8 @@ Clearances::Clearances(BoardViews& views, Probing& probing, models::SelectionMod
 void Clearances::setBoard(const LoadedBoard& board) {
     m_checker.cancel();
     m_board = board.document;
+    m_asked.reset();
+    m_answer = {};
     endShowing();
     m_places.setGaps(nullptr, {}, {});
     m_rules.setCounts({});
@@ -106,6 +126,8 @@ void Clearances::measure() {
 void Clearances::take(const std::shared_ptr<const model::Document>& board, const ClearanceRequest& request,
                       const ClearanceAnswer& answer) {
     endShowing();
+    m_asked = request;
+    m_answer = answer;
     m_places.setGaps(board, gapsOf(answer), request.isOfRules ? request.rules : model::RuleTable{});
     if (request.isOfRules && m_rules.rules() == request.rules) {
         m_rules.setCounts(countsOf(answer));
@@ -183,23 +205,60 @@ void Clearances::paint(QPainter& painter) const {
     painter.drawText(box, Qt::AlignCenter, text);
 }
 
+void Clearances::remember(const model::RuleTable& before) {
+    if (!(before == m_rules.rules())) {
+        m_history.push(new StateEdit<model::RuleTable>(QStringLiteral("the rules"), before, m_rules.rules(),
+                                                       [this](const model::RuleTable& rules) {
+                                                           if (!(m_rules.rules() == rules)) {
+                                                               m_rules.setRules(rules);
+                                                           }
+                                                       }));
+    }
+}
+
+void Clearances::editRules(QWidget& parent) {
+    std::vector<std::string> nets;
+    for (const model::Document* step : model::distinctSteps(*m_board)) {
+        for (const model::Net& net : step->nets) {
+            nets.push_back(net.name);
+        }
+    }
+    auto* dialog = new RuleDialog(m_rules.rules(), std::move(nets), m_unit, &parent);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] {
+        const model::RuleTable before = m_rules.rules();
+        m_rules.setRules(dialog->rules().rules());
+        m_panel->whatBox().setCurrentIndex(static_cast<int>(ClearancePanel::What::Rules));
+        remember(before);
+    });
+    dialog->open();
+}
+
+base::Status Clearances::exportReport(const QString& path) const {
+    const auto format = model::reportFormatOf(toPath(path).extension().string());
+    if (!format || !m_asked) {
+        return base::Error{base::ErrorCode::BadUsage,
+                           m_asked ? "A report is written as .txt, .csv or .json."
+                                   : "Nothing was measured or checked yet, so there is nothing to export."};
+    }
+    const std::string report = m_asked->isOfRules ? model::ruleReport(m_asked->rules, m_answer.rules, *format, kAll)
+                                                  : model::clearanceReport(m_answer.clearances, *format);
+    return write(path, QByteArray::fromStdString(report));
+}
+
 base::Status Clearances::openRules(const QString& path) {
     base::Result<model::RuleTable> rules = model::readRules(toPath(path));
     if (!rules) {
         return rules.error();
     }
+    const model::RuleTable before = m_rules.rules();
     m_rules.setRules(std::move(*rules));
+    remember(before);
     return base::Done{};
 }
 
 base::Status Clearances::saveRules(const QString& path) const {
-    QSaveFile file(path);
-    const QByteArray json = QByteArray::fromStdString(model::toJson(m_rules.rules()));
-    if (!file.open(QIODevice::WriteOnly) || file.write(json) != json.size() || !file.commit()) {
-        return base::Error{base::ErrorCode::OutputFailed,
-                           (path + QStringLiteral(" cannot be written: ") + file.errorString()).toStdString()};
-    }
-    return base::Done{};
+    return write(path, QByteArray::fromStdString(model::toJson(m_rules.rules())));
 }
 
 }  // namespace ui

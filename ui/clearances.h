@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <QUndoStack>
 #include <functional>
 
 #include "ui/clearance_checker.h"
@@ -12,15 +13,15 @@
 namespace ui {
 
 /// Where copper is narrow, from the question to the place on the screen: searches in the background, a panel to step
-/// through what was found, rules with their files, and the lens. While a place is shown both views are there, and the
-/// layers of its two sides stand out, whatever is checked and whatever covers them; all is as before once something
-/// else is selected, or nothing.
+/// through what was found, rules with their files and on the history, and the lens. While a place is shown both views
+/// are there, and the layers of its two sides stand out, whatever is checked and whatever covers them; all is as before
+/// once something else is selected, or nothing.
 class Clearances : public QObject {
     Q_OBJECT
 
 public:
     Clearances(BoardViews& views, Probing& probing, models::SelectionModel& selection, const PlanPainter& plan,
-               const ActionSet& actions, QObject* parent = nullptr);
+               const ActionSet& actions, QUndoStack& history, QObject* parent = nullptr);
 
     void setBoard(const LoadedBoard& board);
     void setUnit(models::LengthUnit unit);
@@ -33,6 +34,11 @@ public:
     [[nodiscard]] bool isMeasuring() const { return m_checker.isChecking(); }
     /// Shows the next place of the table, or with -1 the one before.
     void step(int by);
+    /// Opens a dialog; what is accepted counts.
+    void editRules(QWidget& parent);
+    /// Writes what the last search found, as the command line does, in the format of the name's ending (.txt, .csv,
+    /// .json). Errors: BadUsage for another ending or without a search, OutputFailed.
+    [[nodiscard]] base::Status exportReport(const QString& path) const;
     /// Errors: BadInput, OutputFailed; the rules are then what they were.
     [[nodiscard]] base::Status openRules(const QString& path);
     [[nodiscard]] base::Status saveRules(const QString& path) const;
@@ -58,12 +64,15 @@ private:
     /// Until something else is selected.
     void show(const models::ClearanceModel::Place& place);
     void endShowing();
+    /// On the history, that the rules are others than before.
+    void remember(const model::RuleTable& before);
     void paint(QPainter& painter) const;
 
     BoardViews& m_views;
     Probing& m_probing;
     models::SelectionModel& m_selection;
     const PlanPainter& m_plan;
+    QUndoStack& m_history;
     models::ClearanceModel m_places;
     models::RuleModel m_rules;
     ClearanceChecker m_checker;
@@ -71,6 +80,8 @@ private:
     ClearancePanel* m_panel;
     std::function<model::LayerId()> m_currentLayer;
     std::shared_ptr<const model::Document> m_board;
+    std::optional<ClearanceRequest> m_asked;  ///< what was searched for last, and what was found in m_board
+    ClearanceAnswer m_answer;
     std::optional<model::Gap> m_shown;         ///< in coordinates of the board
     std::vector<model::BoardElement> m_sides;  ///< of what is shown, as they are selected
     models::LengthUnit m_unit = models::LengthUnit::Millimetre;

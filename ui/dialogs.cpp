@@ -80,6 +80,11 @@ void askForRulesToOpen(QWidget& parent, const QString& startFolder, const PathAn
     dialog->open();
 }
 
+void askForReportPath(QWidget& parent, const QString& startFolder, const PathAnswer& answer) {
+    askWhereToSave(parent, {"Export clearances", {"Text (*.txt)", "Tables (*.csv)", "JSON (*.json)"}}, startFolder,
+                   answer);
+}
+
 void askForRulesPath(QWidget& parent, const QString& startFolder, const PathAnswer& answer) {
     askWhereToSave(parent, {"Save rules", {"Rules (*.json)"}}, startFolder, answer);
 }

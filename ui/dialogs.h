@@ -20,6 +20,8 @@ void askForTablePath(QWidget& parent, const QString& startFolder, const PathAnsw
 void askForStackPath(QWidget& parent, const QString& startFolder, const PathAnswer& answer);
 void askForSectionPath(QWidget& parent, const QString& startFolder, const PathAnswer& answer);
 void askForRulesToOpen(QWidget& parent, const QString& startFolder, const PathAnswer& answer);
+/// Text, a table or JSON, by the ending.
+void askForReportPath(QWidget& parent, const QString& startFolder, const PathAnswer& answer);
 void askForRulesPath(QWidget& parent, const QString& startFolder, const PathAnswer& answer);
 void askToReset(QWidget& parent, const std::function<void()>& confirmed);
 

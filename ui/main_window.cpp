@@ -58,7 +58,8 @@ constexpr ActionId kBoardActions[] = {
     ActionId::ExportStack, ActionId::InferNets, ActionId::HighlightNet, ActionId::SaveLargePicture,
     ActionId::ViewBack, ActionId::ViewForward, ActionId::KeepView, ActionId::KeepSelection,
     ActionId::SaveSession, ActionId::FindGaps, ActionId::NextGap, ActionId::PreviousGap,
-    ActionId::Lens, ActionId::MeasurePoints, ActionId::MeasureObjects, ActionId::MeasureGap,
+    ActionId::EditRules, ActionId::ExportGaps, ActionId::Lens, ActionId::MeasurePoints,
+    ActionId::MeasureObjects, ActionId::MeasureGap,
     ActionId::ExportMeasurements, ActionId::DrawSection, ActionId::OpenAlongSection,
     ActionId::SectionAlongNet, ActionId::KeepSection, ActionId::ExportSection};
 // clang-format on
@@ -112,7 +113,8 @@ void MainWindow::createCentre() {
     m_planPainter = std::make_unique<PlanPainter>(m_views->flat());
     m_planPainter->setLooks(m_netLooks);
     m_hoverOutline = new HoverOutline(*m_views, m_selection, this);
-    m_clearances = new Clearances(*m_views, *m_probing, m_selection, *m_planPainter, m_actions, this);
+    m_clearances = new Clearances(*m_views, *m_probing, m_selection, *m_planPainter, m_actions,
+                                  m_thicknesses.history(), this);
     m_sections = new Sections(*m_views, m_selection, m_actions, m_thicknesses.history(), this);
     m_placeReadout = new PlaceReadout(*m_probing, *m_statusLine, this);
     m_measurements = new MeasurementKeeping(m_thicknesses.history(), this);

@@ -135,7 +135,8 @@ private:
     void connectSolidActions();
     void connectLayerActions();
     void connectBoardActions();
-    void connectClearances();
+    void connectClearances();  ///< this one and rules: main_window_clearances.cpp
+    void connectRules();
     void connectSections();
     void connectStackActions();
     void connectSelectActions();

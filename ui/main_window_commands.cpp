@@ -224,43 +224,6 @@ void MainWindow::exportStack(const QString& path) {
     }
 }
 
-void MainWindow::connectClearances() {
-    Clearances& clearances = *m_clearances;
-    on(ActionId::FindGaps, [this, &clearances] {
-        m_loader.cancel();
-        raise(clearances.panel());
-        clearances.measure();
-    });
-    on(ActionId::NextGap, [&clearances] { clearances.step(1); });
-    on(ActionId::PreviousGap, [&clearances] { clearances.step(-1); });
-    on(ActionId::Lens, [this, &clearances](bool isOn) {
-        raise(clearances.panel());
-        clearances.lens().setOn(isOn);
-    });
-    clearances.setCurrentLayer([this] { return m_layersPanel->currentLayer(); });
-    connect(&clearances, &Clearances::started, this, [this] { onWorking(QStringLiteral("Clearances")); });
-    connect(&clearances, &Clearances::progressed, &m_statusLine->loadBar(), &LoadBar::report);
-    connect(&clearances, &Clearances::failed, m_messageBar, &MessageBar::showError);
-    connect(&clearances, &Clearances::failed, this, &MainWindow::onIdle);
-    connect(&clearances, &Clearances::finished, this, [this](const QString& summary) {
-        statusBar()->showMessage(QStringLiteral("Clearances: %1").arg(summary));
-        onIdle();
-    });
-    const auto tell = [this](const base::Status& done) {
-        if (!done) {
-            m_messageBar->showError(QString::fromStdString(done.error().text));
-        }
-    };
-    connect(&clearances.panel(), &ClearancePanel::rulesAsked, this, [this, &clearances, tell] {
-        askForRulesToOpen(*this, m_settings.lastFolder(),
-                          [&clearances, tell](const QString& path) { tell(clearances.openRules(path)); });
-    });
-    connect(&clearances.panel(), &ClearancePanel::rulesSaved, this, [this, &clearances, tell] {
-        askForRulesPath(*this, m_settings.lastFolder(),
-                        [&clearances, tell](const QString& path) { tell(clearances.saveRules(path)); });
-    });
-}
-
 void MainWindow::raise(QWidget& panel) {
     auto* dock = qobject_cast<QDockWidget*>(panel.parentWidget());
     dock->show();
@@ -297,7 +260,10 @@ bool MainWindow::cancelWork() {
 
 void MainWindow::connectSelectActions() {
     on(ActionId::ClearSelection,
-       [this] { cancelWork() || m_keyboard->returnToView() || m_measuring->stepBack() || m_selection.clearStep(); });
+       [this] {
+           cancelWork() || m_keyboard->returnToView() || m_measuring->stepBack() || m_sections->giveUp() ||
+               m_selection.clearStep();
+       });
     on(ActionId::ShowSelection, [this] { m_probing->showInBoth(m_selection.selected()); });
     m_netCommands = new NetCommands(m_actions, m_selection, m_netLooks, *m_netsPanel, this);
     connect(m_netCommands, &NetCommands::missed, this, [this](const QString& what) { statusBar()->showMessage(what); });

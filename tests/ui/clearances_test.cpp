@@ -2,7 +2,9 @@
 
 #include <QAbstractItemModelTester>
 #include <QComboBox>
+#include <QFile>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QSlider>
 #include <QtTest>
 
@@ -10,6 +12,7 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/layers_panel.h"
 #include "ui/message_bar.h"
+#include "ui/rule_dialog.h"
 #include "ui/table_view.h"
 
 using ui::ActionId;
@@ -154,7 +157,7 @@ private slots:
         QVERIFY(!rules.setData(least, "-3", Qt::EditRole));
         QVERIFY(!rules.setData(least, "apple", Qt::EditRole));
         measure();
-        QVERIFY(rules.index(0, ui::models::RuleModel::Result).data().toString().startsWith("broken"));
+        QVERIFY(rules.index(0, ui::models::RuleModel::Result).data().toString().startsWith("FAIL"));
         const ClearanceModel& places = clearances().places();
         QVERIFY(places.index(0, ClearanceModel::Rule).data().toString().startsWith("copper-copper"));
 
@@ -167,6 +170,68 @@ private slots:
         QVERIFY(!clearances().openRules(places::kSample));
         QVERIFY(rules.rules() == saved);
         QVERIFY(!clearances().saveRules("/nowhere/rules.json"));
+    }
+
+    void rulesAreEditedInADialogByKeysAndUndone() {
+        const model::RuleTable before = clearances().rules().rules();
+        clearances().editRules(window());
+        auto* dialog = window().findChild<ui::RuleDialog*>();
+        QVERIFY(dialog != nullptr && dialog->isVisible());
+        press(*dialog, "Add &class");
+        QCOMPARE(dialog->classes().rowCount(), 1);
+        type(dialog->classTable(), dialog->classes().index(0, ui::models::NetClassModel::Name), "gnd");
+        type(dialog->classTable(), dialog->classes().index(0, ui::models::NetClassModel::Nets), "GND*");
+        QTRY_COMPARE(dialog->rules().rules().classes, (std::vector<model::NetClass>{{"gnd", {"GND*"}}}));
+        press(*dialog, "&Add rule");
+        const int row = dialog->rules().rowCount() - 1;
+        QCOMPARE(row, static_cast<int>(before.rules.size()));
+        QVERIFY(
+            dialog->rules().setData(dialog->rules().index(row, ui::models::RuleModel::Second), "gnd", Qt::EditRole));
+        type(dialog->ruleTable(), dialog->rules().index(row, ui::models::RuleModel::Least), "7 mil");
+        QTRY_COMPARE(dialog->rules().rules().rules.back().least, model::Nm{177'800});
+        dialog->ruleTable().setCurrentIndex(dialog->rules().index(0, ui::models::RuleModel::On));
+        QTest::keyClick(&dialog->ruleTable(), Qt::Key_Space);
+        QVERIFY(!dialog->rules().rules().rules[0].isOn);
+        QVERIFY(clearances().rules().rules() == before);  // nothing counts yet
+        const model::RuleTable after = dialog->rules().rules();
+        dialog->accept();
+        QVERIFY(clearances().rules().rules() == after);
+        window().actions()[ActionId::Undo].trigger();
+        QVERIFY(clearances().rules().rules() == before);
+        window().actions()[ActionId::Redo].trigger();
+        QVERIFY(clearances().rules().rules() == after);
+        window().actions()[ActionId::Undo].trigger();
+
+        QTRY_VERIFY(window().findChild<ui::RuleDialog*>() == nullptr);
+        clearances().editRules(window());
+        window().findChild<ui::RuleDialog*>()->rules().addRule();
+        window().findChild<ui::RuleDialog*>()->reject();
+        QVERIFY(clearances().rules().rules() == before);
+        QTRY_VERIFY(window().findChild<ui::RuleDialog*>() == nullptr);
+        window().activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window()));
+    }
+
+    void whatWasFoundIsExportedAsTheCommandLineWritesIt() {
+        QVERIFY(m_fixture->openAndWait(places::kSample));
+        const QString path = m_fixture->folder() + "/found";
+        QVERIFY(!clearances().exportReport(path + ".csv"));  // nothing was searched for
+        panel().whatBox().setCurrentIndex(static_cast<int>(ClearancePanel::What::Rules));
+        measure();
+        base::Progress progress;
+        const model::Document& board = *window().document();
+        const model::RuleTable& table = clearances().rules().rules();
+        const model::StepRules expected[] = {{&board, *model::checkRules(board, table, progress)}};
+        QCOMPARE(exported(path + ".csv"), model::ruleReport(table, expected, model::ReportFormat::Csv, 1'000'000));
+        QCOMPARE(exported(path + ".txt"), model::ruleReport(table, expected, model::ReportFormat::Text, 1'000'000));
+        panel().whatBox().setCurrentIndex(static_cast<int>(ClearancePanel::What::Narrowest));
+        measure();
+        model::ClearanceQuestion question;
+        question.count = 500;
+        const model::StepClearances found[] = {{&board, *model::narrowestClearances(board, question, progress)}};
+        QCOMPARE(exported(path + ".json"), model::clearanceReport(found, model::ReportFormat::Json));
+        QVERIFY(!clearances().exportReport(path + ".pdf"));
+        QVERIFY(!clearances().exportReport("/nowhere/found.csv"));
     }
 
     void theLensFollowsSliderAndSelection() {
@@ -220,6 +285,29 @@ private:
 
     double heightOf(model::LayerId layer) { return window().document()->layer(layer).z; }
 
+    static void press(const QDialog& dialog, const char* text) {
+        for (QPushButton* button : dialog.findChildren<QPushButton*>()) {
+            if (button->text() == QLatin1String(text)) {
+                QTest::keyClick(button, Qt::Key_Space);
+                return;
+            }
+        }
+        QFAIL(text);
+    }
+    static void type(ui::TableView& table, const QModelIndex& at, const char* text) {
+        table.setCurrentIndex(at);
+        table.edit(at);
+        auto* line = table.findChild<QLineEdit*>();
+        QVERIFY(line != nullptr);
+        line->setText(text);
+        QTest::keyClick(line, Qt::Key_Return);
+        QTRY_VERIFY(table.findChild<QLineEdit*>() == nullptr);
+    }
+    std::string exported(const QString& path) {
+        const base::Status done = clearances().exportReport(path);
+        QFile file(path);
+        return done && file.open(QIODevice::ReadOnly) ? file.readAll().toStdString() : std::string();
+    }
     void measure() {
         m_fixture->key(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
         QTRY_VERIFY(!clearances().isMeasuring());

@@ -3,6 +3,7 @@ copperscope_test(uimodels_layer_model unit/uimodels/layer_model_test.cpp LABEL u
 copperscope_test(uimodels_measurement_model unit/uimodels/measurement_model_test.cpp LABEL unit LINK copperscope_ui_models)
 copperscope_test(uimodels_message_model unit/uimodels/message_model_test.cpp LABEL unit LINK copperscope_ui_models)
 copperscope_test(uimodels_drill_model unit/uimodels/drill_model_test.cpp LABEL unit LINK copperscope_ui_models)
+copperscope_test(uimodels_rule_model unit/uimodels/rule_model_test.cpp LABEL unit LINK copperscope_ui_models)
 copperscope_test(uimodels_statistics_model unit/uimodels/statistics_model_test.cpp LABEL unit LINK copperscope_ui_models)
 copperscope_test(uimodels_element_facts unit/uimodels/element_facts_test.cpp LABEL unit LINK copperscope_ui_models)
 copperscope_test(uimodels_selection_model unit/uimodels/selection_model_test.cpp LABEL unit LINK copperscope_ui_models)

@@ -1,0 +1,136 @@
+// Rules and net classes as tables: what can be edited, what is refused, and that files keep it.
+#include "ui/models/rule_model.h"
+
+#include <QAbstractItemModelTester>
+#include <QSignalSpy>
+#include <QtTest>
+
+#include "ui/models/net_class_model.h"
+
+using model::RuleKind;
+using ui::models::NetClassModel;
+using ui::models::RuleModel;
+
+class RuleModelTest : public QObject {
+    Q_OBJECT
+
+    static bool set(RuleModel& rules, int row, int column, const QVariant& value) {
+        const int role = column == RuleModel::On ? Qt::CheckStateRole : Qt::EditRole;
+        return rules.setData(rules.index(row, column), value, role);
+    }
+    static bool set(NetClassModel& classes, int row, int column, const char* text) {
+        return classes.setData(classes.index(row, column), text, Qt::EditRole);
+    }
+    static QString text(const QAbstractItemModel& model, int row, int column) {
+        return model.index(row, column).data().toString();
+    }
+
+private slots:
+    void aTableIsBuiltByHandAndOutlivesItsFile() {
+        RuleModel rules;
+        NetClassModel classes(rules, {"VCC1", "VCC2", "GND", "D0"});
+        const QAbstractItemModelTester rulesKeepPromises(&rules);
+        const QAbstractItemModelTester classesKeepPromises(&classes);
+        classes.addClass();
+        QVERIFY(set(classes, 0, NetClassModel::Name, "power"));
+        QVERIFY(set(classes, 0, NetClassModel::Nets, " VCC*,, GND "));
+        QCOMPARE(text(classes, 0, NetClassModel::Nets), "VCC*, GND");
+        QCOMPARE(text(classes, 0, NetClassModel::Fits), "3 nets");
+        rules.addRule();
+        const int row = rules.rowCount() - 1;
+        QVERIFY(set(rules, row, RuleModel::First, "power"));
+        QVERIFY(set(rules, row, RuleModel::Least, "0.25"));  // millimetres
+        QVERIFY(set(rules, 1, RuleModel::On, Qt::Unchecked));
+        const model::RuleTable& table = rules.rules();
+        QVERIFY(table.rules.back() == (model::Rule{RuleKind::CopperToCopper, 250'000, {"power", ""}}));
+        QVERIFY(!table.rules[1].isOn);
+        QCOMPARE(text(rules, row, RuleModel::Title), "copper-copper between power and any net");
+        QCOMPARE(text(rules, 1, RuleModel::Result), "off");
+        const auto again = model::parseRules(model::toJson(table));
+        QVERIFY2(again, again ? "" : again.error().text.c_str());
+        QVERIFY(*again == table);
+    }
+
+    void aClassIsRenamedInItsRulesAndKeptWhileTheySpeakOfIt() {
+        RuleModel rules;
+        NetClassModel classes(rules, {});
+        classes.addClass();
+        classes.addClass();
+        QVERIFY(set(rules, 0, RuleModel::Second, "class 1"));
+        QVERIFY(set(classes, 0, NetClassModel::Name, "bus"));
+        QCOMPARE(rules.rules().rules[0].classes[1], std::string("bus"));
+        const QSignalSpy refused(&rules, &RuleModel::refused);
+        QVERIFY(!set(classes, 1, NetClassModel::Name, "bus"));
+        QVERIFY(!set(classes, 1, NetClassModel::Name, "  "));
+        classes.removeClass(0);
+        QCOMPARE(refused.count(), 3);
+        QVERIFY(refused.last()[0].toString().startsWith("Rule 1 speaks of bus"));
+        QCOMPARE(classes.rowCount(), 2);
+        classes.removeClass(1);
+        QVERIFY(set(rules, 0, RuleModel::Second, "any net"));
+        classes.removeClass(0);
+        QCOMPARE(classes.rowCount(), 0);
+        QVERIFY(rules.rules() == model::defaultRules());
+    }
+
+    void whatIsNoRuleIsRefused() {
+        RuleModel rules;
+        const model::RuleTable before = rules.rules();
+        QVERIFY(!set(rules, 0, RuleModel::Kind, "copper-sky"));
+        QVERIFY(!set(rules, 0, RuleModel::First, "nobody"));
+        QVERIFY(!set(rules, 1, RuleModel::First, "any net"));  // not of nets
+        for (const char* least : {"0", "-1", "apple", "1e9", "0.0000001"}) {
+            QVERIFY2(!set(rules, 0, RuleModel::Least, least), least);
+        }
+        QVERIFY(!set(rules, 0, RuleModel::Title, "x"));
+        QVERIFY(rules.rules() == before);
+    }
+
+    /// What is shown is rounded to the unit; a cell that was looked at and left keeps its length.
+    void anEditThatChangesNothingChangesNothing() {
+        RuleModel rules;
+        rules.setUnit(ui::models::LengthUnit::Mil);
+        const QSignalSpy edited(&rules, &RuleModel::edited);
+        QVERIFY(set(rules, 0, RuleModel::Least, rules.index(0, RuleModel::Least).data(Qt::EditRole)));
+        QCOMPARE(rules.rules().rules[0].least, model::Nm{100'000});
+        QVERIFY(set(rules, 0, RuleModel::Kind, "copper-copper"));
+        QCOMPARE(edited.count(), 0);
+    }
+
+    void otherKindsHaveNoClasses() {
+        RuleModel rules;
+        NetClassModel classes(rules, {});
+        classes.addClass();
+        QVERIFY(set(rules, 0, RuleModel::First, "class 1"));
+        QVERIFY(set(rules, 0, RuleModel::Kind, "hole-hole"));
+        QVERIFY(rules.rules().rules[0] == (model::Rule{RuleKind::HoleToHole, 100'000, {}}));
+        QVERIFY(model::parseRules(model::toJson(rules.rules())));
+        QCOMPARE(text(rules, 0, RuleModel::First), "");
+    }
+
+    void rowsAreAddedMovedAndRemovedButTheLast() {
+        RuleModel rules;
+        const QAbstractItemModelTester promises(&rules);
+        const auto first = rules.rules().rules[0];
+        QCOMPARE(rules.moveRule(0, -1), 0);
+        QCOMPARE(rules.moveRule(0, 1), 1);
+        QVERIFY(rules.rules().rules[1] == first);
+        for (int row = rules.rowCount(); row > 0; --row) {
+            rules.removeRule(0);
+        }
+        QCOMPARE(rules.rowCount(), 1);
+    }
+
+    void resultsAreForgottenByEveryEdit() {
+        RuleModel rules;
+        rules.setCounts({0, 1, 2, 0, 0, 0});
+        QCOMPARE(text(rules, 0, RuleModel::Result), "pass");
+        QCOMPARE(text(rules, 1, RuleModel::Result), "FAIL, in 1 place");
+        QCOMPARE(text(rules, 2, RuleModel::Result), "FAIL, in 2 places");
+        QVERIFY(set(rules, 3, RuleModel::Least, "1 um"));
+        QCOMPARE(text(rules, 0, RuleModel::Result), "not checked");
+    }
+};
+
+QTEST_GUILESS_MAIN(RuleModelTest)
+#include "rule_model_test.moc"
