@@ -1,5 +1,6 @@
 #include "ui/section_line.h"
 
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <cmath>
@@ -33,8 +34,23 @@ SectionLine::SectionLine(BoardView& flat, QObject* parent) : QObject(parent), m_
 void SectionLine::setBoard(const BoardPlace& place) {
     m_place = place;
     m_held.reset();
-    m_isDrawing = false;
+    m_isDrawing = m_isLaying = false;
     setLine({});
+}
+
+void SectionLine::setDrawing(bool isOn) {
+    if (isOn == m_isDrawing) {
+        return;
+    }
+    m_isDrawing = isOn;
+    if (isOn) {
+        m_before = m_line;
+        return;
+    }
+    m_held.reset();
+    m_isLaying = false;
+    setLine(m_before);
+    emit finished();
 }
 
 void SectionLine::setLine(std::vector<base::PointD> line) {
@@ -43,6 +59,9 @@ void SectionLine::setLine(std::vector<base::PointD> line) {
 }
 
 bool SectionLine::take(QEvent& event) {
+    if (m_isLaying) {
+        return lay(event);
+    }
     switch (event.type()) {
         case QEvent::MouseButtonPress: return press(static_cast<const QMouseEvent&>(event));
         case QEvent::MouseMove:
@@ -86,14 +105,79 @@ void SectionLine::drag(const QMouseEvent& event) {
 
 void SectionLine::release() {
     m_held.reset();
-    const double nmPerPixel = static_cast<double>(m_view.controller().mmPerPixel()) * base::kNmPerMm;
-    const double length = std::hypot(m_line[1].x - m_line[0].x, m_line[1].y - m_line[0].y);
-    if (m_isDrawing && length < CameraController::kClickPixels * nmPerPixel) {
-        setLine({});  // a click: the line is still to be drawn
+    if (m_isDrawing && isClick(m_line[0], m_line[1])) {
+        m_isLaying = true;  // its first corner stands
+        setLine({m_line[0], m_line[0]});
         emit moved();
         return;
     }
     m_isDrawing = false;
+    emit finished();
+}
+
+bool SectionLine::isClick(base::PointD from, base::PointD to) const {
+    const double nmPerPixel = static_cast<double>(m_view.controller().mmPerPixel()) * base::kNmPerMm;
+    return std::hypot(to.x - from.x, to.y - from.y) < CameraController::kClickPixels * nmPerPixel;
+}
+
+bool SectionLine::lay(QEvent& event) {
+    switch (event.type()) {
+        case QEvent::MouseButtonPress: return layPress(static_cast<const QMouseEvent&>(event));
+        case QEvent::MouseButtonDblClick: endLaying(); return true;
+        case QEvent::MouseMove: layTo(static_cast<const QMouseEvent&>(event)); return false;
+        case QEvent::KeyPress: return layKey(static_cast<const QKeyEvent&>(event));
+        default: return false;
+    }
+}
+
+bool SectionLine::layPress(const QMouseEvent& event) {
+    if (event.button() != Qt::LeftButton) {
+        return false;  // the camera moves meanwhile
+    }
+    layTo(event);
+    if (!isClick(m_line[m_line.size() - 2], m_line.back())) {
+        m_line.push_back(m_line.back());
+    }
+    return true;
+}
+
+/// The leg under way ends at the cursor.
+void SectionLine::layTo(const QMouseEvent& event) {
+    base::PointD to = m_place.toJob(m_view.controller().rayAt(event.position()).origin);
+    if (event.modifiers().testFlag(Qt::ShiftModifier)) {
+        to = straightened(m_line[m_line.size() - 2], to);
+    }
+    m_line.back() = to;
+    m_view.requestOverlay();
+    emit moved();
+}
+
+bool SectionLine::layKey(const QKeyEvent& event) {
+    switch (event.key()) {
+        case Qt::Key_Return:
+        case Qt::Key_Enter: endLaying(); return true;
+        case Qt::Key_Backspace:
+            if (m_line.size() > 2) {
+                m_line.erase(m_line.end() - 2);
+            } else {
+                m_isLaying = false;  // the first corner is to be set anew
+                m_line.clear();
+            }
+            m_view.requestOverlay();
+            emit moved();
+            return true;
+        default: return false;
+    }
+}
+
+/// What was clicked is the line; the leg to the cursor is not part of it.
+void SectionLine::endLaying() {
+    if (m_line.size() < 3) {
+        return;  // one corner is no line
+    }
+    m_line.pop_back();
+    m_isLaying = m_isDrawing = false;
+    m_view.requestOverlay();
     emit finished();
 }
 

@@ -10,6 +10,15 @@
 
 namespace ui {
 
+namespace {
+
+/// The first corner of a line that is being drawn is none yet.
+bool hasLength(const std::vector<base::PointD>& line) {
+    return std::ranges::any_of(line, [&](base::PointD p) { return p.x != line.front().x || p.y != line.front().y; });
+}
+
+}  // namespace
+
 Sections::Sections(BoardViews& views, models::SelectionModel& selection, const ActionSet& actions, QUndoStack& history,
                    QObject* parent)
     : QObject(parent),
@@ -50,6 +59,21 @@ void Sections::setColours(std::vector<QColor> colours) {
     m_panel->view().setColours(std::move(colours));
 }
 
+void Sections::draw(bool isOn) {
+    m_line.setDrawing(isOn);
+    if (isOn) {
+        emit told(
+            QStringLiteral("Drag a line, or click its corners: a double click or Enter ends it, Backspace takes the "
+                           "last corner back, Esc gives up"));
+    }
+}
+
+bool Sections::giveUp() {
+    const bool isDrawing = m_line.isDrawing();
+    m_line.setDrawing(false);
+    return isDrawing;
+}
+
 void Sections::cutAlong(std::vector<base::PointD> line) {
     m_line.setLine(std::move(line));
     m_panel->view().fit();
@@ -58,7 +82,7 @@ void Sections::cutAlong(std::vector<base::PointD> line) {
 
 void Sections::cut() {
     m_due.stop();
-    if (m_index == nullptr || m_line.line().empty()) {
+    if (m_index == nullptr || !hasLength(m_line.line())) {
         m_panel->view().setSection(nullptr, std::nullopt);
         m_panel->setRemarks({});
         return;
@@ -109,7 +133,10 @@ void Sections::keep() {
 void Sections::goTo(int row) {
     const model::session::KeptSection& kept = m_keeping.sections()[static_cast<std::size_t>(row)];
     if (!m_keeping.isHere(kept)) {
-        emit told(QStringLiteral("%1 is a section of step %2, which is not open")
+        const auto& steps = m_index->board->job.steps;
+        const bool isKnown = std::ranges::find(steps, kept.step) != steps.end();
+        emit told((isKnown ? QStringLiteral("%1 is a section of step %2, which is not open")
+                           : QStringLiteral("%1 is a section of step %2, which this board does not have"))
                       .arg(QString::fromStdString(kept.name), QString::fromStdString(kept.step)));
         return;
     }

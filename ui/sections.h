@@ -25,8 +25,10 @@ public:
     void setColours(std::vector<QColor> colours);
     void setUnit(models::LengthUnit unit) { m_panel->view().setUnit(unit); }
 
-    /// The next drag in the 2D view draws the line, or does not.
-    void draw(bool isOn) { m_line.setDrawing(isOn); }
+    /// The next drag or clicks in the 2D view draw the line, or do not: the line is then what it was.
+    void draw(bool isOn);
+    /// Ends drawing; false if nothing was being drawn.
+    bool giveUp();
     /// Cuts along a line, corners in nm of the board; none: no section.
     void cutAlong(std::vector<base::PointD> line);
     /// The ends of the line, if it is straight.

@@ -66,15 +66,66 @@ private slots:
         QVERIFY(window().selection().selected().empty());  // the drag drew no box
     }
 
-    void aClickDrawsNothingAndTheLineIsStillToBeDrawn() {
+    void cornersAreClickedTakenBackAndEnded() {
         m_fixture->key(Qt::Key_S, Qt::ShiftModifier);
-        const QPointF at = acrossBoard().first;
-        mouse(QEvent::MouseButtonPress, at);
-        mouse(QEvent::MouseButtonRelease, at);
-        QVERIFY(sections().line().isDrawing());
-        QVERIFY(!view().section());
-        m_fixture->key(Qt::Key_S, Qt::ShiftModifier);
+        const auto [from, to] = acrossBoard();
+        const QPointF way = to - from;
+        const std::vector<QPointF> clicks{from, from + way * 0.4, from + way * 0.4 + QPointF(0, 40), from + way * 0.8};
+        for (const QPointF& at : clicks) {
+            clickOn(at);
+        }
+        hover(to);
+        QCOMPARE(sections().line().line().size(), clicks.size() + 1);  // the last leg follows the cursor
+        QTRY_VERIFY(view().section() && view().section()->line.size() == clicks.size() + 1);
+        QVERIFY(same(view().section()->pieces, expected().pieces));
+        pressKey(Qt::Key_Backspace);
+        QCOMPARE(sections().line().line().size(), clicks.size());
+        clickOn(to);
+        QVERIFY(window().actions()[ActionId::DrawSection].isChecked());
+        pressKey(Qt::Key_Return);
+        QVERIFY(!window().actions()[ActionId::DrawSection].isChecked());
         QVERIFY(!sections().line().isDrawing());
+        const std::vector<PointD>& line = sections().line().line();
+        QCOMPARE(line.size(), std::size_t{4});
+        const std::vector<QPointF> corners{clicks[0], clicks[1], clicks[2], to};
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const auto at = flat().controller().screenOf(window().probing().place().toModel(line[i]));
+            QVERIFY(at && QLineF(*at, corners[i]).length() < 0.01);
+        }
+        QVERIFY(same(view().section()->pieces, expected().pieces));
+        QVERIFY(window().selection().selected().empty());
+    }
+
+    void aDoubleClickEndsALineOfClicksAndShiftKeepsItsLegsStraight() {
+        m_fixture->key(Qt::Key_S, Qt::ShiftModifier);
+        const auto [from, to] = acrossBoard();
+        clickOn(from);
+        mouse(QEvent::MouseButtonPress, to + QPointF(0, 9), Qt::ShiftModifier);
+        mouse(QEvent::MouseButtonRelease, to + QPointF(0, 9), Qt::ShiftModifier);
+        mouse(QEvent::MouseButtonDblClick, to + QPointF(0, 9), Qt::ShiftModifier);
+        mouse(QEvent::MouseButtonRelease, to + QPointF(0, 9), Qt::ShiftModifier);
+        QVERIFY(!sections().line().isDrawing());
+        QCOMPARE(sections().line().line().size(), std::size_t{2});
+        QCOMPARE(sections().line().line()[0].y, sections().line().line()[1].y);
+        QVERIFY(view().section().has_value());
+    }
+
+    void drawingIsGivenUpAndTheLineIsWhatItWas() {
+        drawLine();
+        const std::vector<PointD> before = sections().line().line();
+        m_fixture->key(Qt::Key_S, Qt::ShiftModifier);
+        const auto [from, to] = acrossBoard();
+        clickOn(from + QPointF(0, 25));
+        pressKey(Qt::Key_Return);  // one corner is no line
+        QVERIFY(sections().line().isDrawing());
+        QTRY_VERIFY(!view().section() && sections().panel().remarks().isEmpty());
+        clickOn(to + QPointF(0, 25));
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(!sections().line().isDrawing());
+        QVERIFY(!window().actions()[ActionId::DrawSection].isChecked());
+        QCOMPARE(sections().line().line().size(), before.size());
+        QVERIFY(isAt(sections().line().line().back(), before.back()));
+        QVERIFY(same(view().section()->pieces, expected().pieces));
     }
 
     void anEndIsMovedAndShiftKeepsTheLineStraight() {
@@ -294,6 +345,26 @@ private slots:
         QVERIFY(model::session::saveSections(m_board.toStdString(), document, {}));
     }
 
+    /// As if the session file of another board lay beside this one.
+    void keptSectionsOfAnotherBoardAreTold() {
+        const auto& document = *window().document();
+        const std::string here = document.job.step;
+        QVERIFY(model::session::saveSections(
+            m_board.toStdString(), document,
+            {{"Theirs", "step of another job", {{0, 0}, {1e6, 0}}}, {"Beside", here, {{9e8, 9e8}, {9.1e8, 9e8}}}}));
+        QVERIFY(m_fixture->openAndWait(m_board));
+        QCOMPARE(kept().size(), std::size_t{2});
+        const QSignalSpy told(&sections(), &ui::Sections::told);
+        emit sections().panel().chosen(0);
+        QVERIFY(!view().section());
+        QCOMPARE(told.last()[0].toString(),
+                 "Theirs is a section of step step of another job, which this board does not have");
+        emit sections().panel().chosen(1);
+        QVERIFY(view().section() && view().section()->pieces.empty());
+        QVERIFY(sections().panel().remarks().contains("meets nothing of the board"));
+        QVERIFY(model::session::saveSections(m_board.toStdString(), document, {}));
+    }
+
     void aReloadForgetsTheLine() {
         drawLine();
         QVERIFY(m_fixture->openAndWait(m_board));
@@ -349,6 +420,19 @@ private:
         const bool isMove = type == QEvent::MouseMove;
         QMouseEvent event(type, at, flat().mapToGlobal(at), isMove ? Qt::NoButton : Qt::LeftButton,
                           type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton, modifiers);
+        QCoreApplication::sendEvent(&flat().canvas(), &event);
+    }
+
+    void clickOn(QPointF at) {
+        mouse(QEvent::MouseButtonPress, at);
+        mouse(QEvent::MouseButtonRelease, at);
+    }
+    void hover(QPointF at) {
+        QMouseEvent event(QEvent::MouseMove, at, flat().mapToGlobal(at), Qt::NoButton, Qt::NoButton, {});
+        QCoreApplication::sendEvent(&flat().canvas(), &event);
+    }
+    void pressKey(Qt::Key key) {
+        QKeyEvent event(QEvent::KeyPress, key, {});
         QCoreApplication::sendEvent(&flat().canvas(), &event);
     }
 
