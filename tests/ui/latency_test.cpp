@@ -2,12 +2,39 @@
 // board, or of the one that COPPERSCOPE_LATENCY_BOARD names.
 
 #include <QElapsedTimer>
+#include <QMouseEvent>
 #include <QSignalSpy>
 #include <QtTest>
 #include <algorithm>
+#include <optional>
 
 #include "tests/places.h"
 #include "tests/ui/window_fixture.h"
+
+/// When a widget was last painted, to the end.
+class PaintClock : public QObject {
+public:
+    explicit PaintClock(QWidget& widget) { widget.installEventFilter(this); }
+    void restart() {
+        m_clock.start();
+        m_ms.reset();
+    }
+    [[nodiscard]] std::optional<double> painted() const { return m_ms; }
+    [[nodiscard]] double now() const { return static_cast<double>(m_clock.nsecsElapsed()) / 1e6; }
+
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() != QEvent::Paint) {
+            return false;
+        }
+        watched->event(event);
+        m_ms = now();
+        return true;
+    }
+
+private:
+    QElapsedTimer m_clock;
+    std::optional<double> m_ms;
+};
 
 class LatencyTest : public QObject {
     Q_OBJECT
@@ -70,7 +97,50 @@ private slots:
         QCOMPARE(scene->gpuBytes(), onDevice);
     }
 
+    /// From a move of the mouse to the section in its panel and the line over the 2D view.
+    void draggingASection() {
+        window().actions()[ui::ActionId::DrawSection].trigger();  // brings the panel to the front
+        window().actions()[ui::ActionId::DrawSection].trigger();
+        const model::Box box = window().document()->board;
+        window().sections().cutAlong({base::toDouble(box.min), base::toDouble(box.max)});  // aslant: the most to cut
+        settle();
+        QPointF at = *views().flat().controller().screenOf(
+            window().probing().place().toModel(window().sections().line().line().back()));
+        PaintClock panel(window().sections().panel().view());
+        std::optional<double> flat;
+        const auto connection =
+            connect(&views().flat(), &ui::BoardView::drawn, this, [&] { flat = flat.value_or(panel.now()); });
+        send(QEvent::MouseButtonPress, at);
+        std::vector<double> inPanel;
+        std::vector<double> overBoard;
+        for (int i = 0; i < 40; ++i) {
+            at += QPointF(-2, i % 2 == 0 ? 3 : -2);
+            panel.restart();
+            flat.reset();
+            send(QEvent::MouseMove, at);
+            while ((!panel.painted() || !flat) && panel.now() < 20e3) {
+                QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 20);
+            }
+            QVERIFY(panel.painted() && flat);
+            inPanel.push_back(*panel.painted());
+            overBoard.push_back(*flat);
+        }
+        send(QEvent::MouseButtonRelease, at);
+        disconnect(connection);
+        const std::size_t pieces = window().sections().panel().view().section()->pieces.size();
+        tell(qPrintable(QString("drag a section of %1 pieces, until its panel is painted").arg(pieces)), inPanel);
+        tell("drag a section, until the line is drawn over the 2D view", overBoard);
+        window().sections().cutAlong({});
+    }
+
 private:
+    void send(QEvent::Type type, QPointF at) {
+        const bool isMove = type == QEvent::MouseMove;
+        QMouseEvent event(type, at, views().flat().mapToGlobal(at), isMove ? Qt::NoButton : Qt::LeftButton,
+                          type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton, {});
+        QCoreApplication::sendEvent(&views().flat().canvas(), &event);
+    }
+
     ui::MainWindow& window() { return m_fixture->window(); }
     ui::BoardViews& views() { return window().views(); }
 
