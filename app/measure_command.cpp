@@ -119,10 +119,11 @@ void printCsv(const BoardIndex& index, const Separation& separation) {
             continue;
         }
         const Way& w = *named.way;
-        const auto um = [](double nm) { return nm / base::kNmPerUm; };
-        std::printf("%s,%.3f,%.3f,%.3f,%.3f,%.3f,%s,%.3f,%s,%s,%s,%s,%.6f,%.6f,%.6f,%.6f\n", named.key, um(w.distance),
-                    um(w.gap.distance), um(w.gap.to.x - w.gap.from.x), um(w.gap.to.y - w.gap.from.y), um(w.dz),
-                    toString(w.relation), um(w.overlap), model::csvField(layerName(index, w.from.layer)).c_str(),
+        const auto um = [](double nm) { return model::fixedText(nm / base::kNmPerUm, 3); };
+        std::printf("%s,%s,%s,%s,%s,%s,%s,%s,%s,%s,%s,%s,%.6f,%.6f,%.6f,%.6f\n", named.key, um(w.distance).c_str(),
+                    um(w.gap.distance).c_str(), um(w.gap.to.x - w.gap.from.x).c_str(),
+                    um(w.gap.to.y - w.gap.from.y).c_str(), um(w.dz).c_str(), toString(w.relation),
+                    um(w.overlap).c_str(), model::csvField(layerName(index, w.from.layer)).c_str(),
                     model::csvField(layerName(index, w.to.layer)).c_str(),
                     model::csvField(netName(index, w.from)).c_str(), model::csvField(netName(index, w.to)).c_str(),
                     base::toMm(w.gap.from.x), base::toMm(w.gap.from.y), base::toMm(w.gap.to.x), base::toMm(w.gap.to.y));
@@ -141,8 +142,9 @@ void printWay(const BoardIndex& index, const char* name, const Way& way) {
         relation += std::string(way.isOverlapExact ? " by " : " by at least ") + inBothUnits(way.overlap);
     }
     std::printf("%-18s %s, %s\n", name, inBothUnits(way.distance).c_str(), relation.c_str());
-    std::printf("%-18s dx %.6f, dy %.6f, dz %.6f mm\n", "", base::toMm(way.gap.to.x - way.gap.from.x),
-                base::toMm(way.gap.to.y - way.gap.from.y), base::toMm(way.dz));
+    const auto mm = [](double nm) { return model::fixedText(base::toMm(nm), 6); };
+    std::printf("%-18s dx %s, dy %s, dz %s mm\n", "", mm(way.gap.to.x - way.gap.from.x).c_str(),
+                mm(way.gap.to.y - way.gap.from.y).c_str(), mm(way.dz).c_str());
     for (const auto& [piece, at] : {std::pair(way.from, way.gap.from), std::pair(way.to, way.gap.to)}) {
         const std::string element =
             piece.at.element.isValid() ? "element " + std::to_string(piece.at.element.value) : "no element";

@@ -1,5 +1,8 @@
 #include "model/export_text.h"
 
+#include <charconv>
+#include <string_view>
+
 namespace model {
 
 std::string xmlText(const std::string& text) {
@@ -33,6 +36,14 @@ std::string svgText(double x, double y, const std::string& text, const char* sty
 std::string lengthText(base::Nm length) {
     return length < 1'000'000 ? formatted("%.5g µm", length / base::kNmPerUm)
                               : formatted("%.5g mm", base::toMm(length));
+}
+
+std::string fixedText(double value, int digits) {
+    char text[400];  // 1e308 has 309 digits before the point
+    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, digits).ptr;
+    const std::string_view all(text, static_cast<std::size_t>(end - text));
+    const bool isNothing = all.find_first_not_of("-0.") == std::string_view::npos;
+    return std::string(all.substr(isNothing && all.front() == '-' ? 1 : 0));
 }
 
 std::string csvField(const std::string& text) {

@@ -17,6 +17,9 @@ namespace model {
 /// "35 µm" below a millimetre, "1.6 mm" from there.
 [[nodiscard]] std::string lengthText(base::Nm length);
 
+/// A number with so many digits (20 at most) behind a point, whatever the locale; what rounds to nothing has no sign.
+[[nodiscard]] std::string fixedText(double value, int digits);
+
 /// As printf has it, up to 511 bytes.
 template <class... Values>
 [[nodiscard]] std::string formatted(const char* pattern, Values... values) {

@@ -1,7 +1,6 @@
 #include "ui/clearances.h"
 
 #include <QComboBox>
-#include <QPainter>
 #include <QSaveFile>
 #include <algorithm>
 #include <limits>
@@ -16,9 +15,6 @@ namespace ui {
 
 namespace {
 
-constexpr QColor kInk(255, 235, 120);
-constexpr QColor kGround(24, 26, 31, 220);
-constexpr double kBesidePixels = 10.0;
 constexpr float kLeastAroundMm = 0.3F;  ///< around a gap that is shown
 constexpr float kTimesAround = 2.0F;    ///< at least so many widths of it
 constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
@@ -55,11 +51,10 @@ Clearances::Clearances(BoardViews& views, Probing& probing, models::SelectionMod
     connect(&m_lens, &Lens::told, m_panel, &ClearancePanel::showLens);
     m_lens.setReach(m_panel->lensReach());
     connect(&m_selection, &models::SelectionModel::selectionChanged, this, [this] {
-        if (m_shown && m_selection.selected() != m_sides) {
+        if (m_isShowing && m_selection.selected() != m_sides) {
             endShowing();
         }
     });
-    views.flat().addPainter([this](QPainter& painter) { paint(painter); });
 }
 
 void Clearances::setBoard(const LoadedBoard& board) {
@@ -166,43 +161,21 @@ void Clearances::show(const models::ClearanceModel::Place& place) {
         }
     }
     const model::Gap& gap = place.found.gap;
-    m_shown.reset();  // what was shown before ends with its selection
+    m_isShowing = false;  // what was shown before ends with its selection
     m_selection.select(m_sides);
     m_sides = m_selection.selected();
-    m_shown = {gap.distance, copy->placement.apply(gap.from), copy->placement.apply(gap.to)};
+    m_isShowing = true;
     m_views.setContrastLayers(std::move(layers));
+    const model::Gap shown{gap.distance, copy->placement.apply(gap.from), copy->placement.apply(gap.to)};
     const float around = std::max(kLeastAroundMm, kTimesAround * static_cast<float>(base::toMm(gap.distance)));
-    m_probing.showPlace({(m_shown->from.x + m_shown->to.x) / 2, (m_shown->from.y + m_shown->to.y) / 2}, layer, around);
+    m_probing.showPlace({(shown.from.x + shown.to.x) / 2, (shown.from.y + shown.to.y) / 2}, layer, around);
+    emit gapShown(model::LocalGap{shown, {row, place.found.a}, {row, place.found.b}, layer});
 }
 
 void Clearances::endShowing() {
-    m_shown.reset();
+    m_isShowing = false;
     m_views.setContrastLayers({});
-    m_views.flat().requestOverlay();
-}
-
-void Clearances::paint(QPainter& painter) const {
-    const CameraController& controller = m_views.flat().controller();
-    const auto screenOf = [&](base::PointD nm) { return controller.screenOf(m_probing.place().toModel(nm)); };
-    const auto from = m_shown ? screenOf(m_shown->from) : std::nullopt;
-    const auto to = m_shown ? screenOf(m_shown->to) : std::nullopt;
-    if (!from || !to) {
-        return;
-    }
-    painter.setPen(QPen(kInk, 2.0));
-    painter.drawLine(*from, *to);
-    painter.setBrush(kInk);
-    for (const QPointF& end : {*from, *to}) {
-        painter.drawEllipse(end, 2.5, 2.5);
-    }
-    const QString text = models::lengthInBoth(m_shown->distance, m_unit);
-    QRectF box = painter.fontMetrics().boundingRect(text);
-    box.moveTopLeft((*from + *to) / 2.0 + QPointF(kBesidePixels, kBesidePixels));
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(kGround);
-    painter.drawRoundedRect(box.adjusted(-4, -2, 4, 2), 3, 3);
-    painter.setPen(kInk);
-    painter.drawText(box, Qt::AlignCenter, text);
+    emit gapShown(std::nullopt);
 }
 
 void Clearances::remember(const model::RuleTable& before) {

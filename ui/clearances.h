@@ -4,6 +4,7 @@
 #include <QUndoStack>
 #include <functional>
 
+#include "model/measure/local_gap.h"
 #include "ui/clearance_checker.h"
 #include "ui/clearance_panel.h"
 #include "ui/lens.h"
@@ -55,6 +56,8 @@ signals:
     /// A search is over: what came out, in words.
     void finished(const QString& summary);
     void failed(const QString& reason);
+    /// The gap of a place is to be drawn; none: no longer.
+    void gapShown(const std::optional<model::LocalGap>& gap);
 
 private:
     /// None if the question cannot be asked; that was told.
@@ -66,7 +69,6 @@ private:
     void endShowing();
     /// On the history, that the rules are others than before.
     void remember(const model::RuleTable& before);
-    void paint(QPainter& painter) const;
 
     BoardViews& m_views;
     Probing& m_probing;
@@ -82,7 +84,7 @@ private:
     std::shared_ptr<const model::Document> m_board;
     std::optional<ClearanceRequest> m_asked;  ///< what was searched for last, and what was found in m_board
     ClearanceAnswer m_answer;
-    std::optional<model::Gap> m_shown;         ///< in coordinates of the board
+    bool m_isShowing = false;
     std::vector<model::BoardElement> m_sides;  ///< of what is shown, as they are selected
     models::LengthUnit m_unit = models::LengthUnit::Millimetre;
 };

@@ -59,7 +59,8 @@ constexpr ActionId kBoardActions[] = {
     ActionId::ViewBack, ActionId::ViewForward, ActionId::KeepView, ActionId::KeepSelection,
     ActionId::SaveSession, ActionId::FindGaps, ActionId::NextGap, ActionId::PreviousGap,
     ActionId::EditRules, ActionId::ExportGaps, ActionId::Lens, ActionId::MeasurePoints,
-    ActionId::MeasureObjects, ActionId::MeasureGap,
+    ActionId::MeasureObjects, ActionId::MeasureAngle, ActionId::MeasureLines, ActionId::MeasureRadius,
+    ActionId::MeasureLength, ActionId::MeasureGap,
     ActionId::ExportMeasurements, ActionId::DrawSection, ActionId::OpenAlongSection,
     ActionId::SectionAlongNet, ActionId::KeepSection, ActionId::ExportSection};
 // clang-format on

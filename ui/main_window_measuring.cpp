@@ -10,15 +10,24 @@
 
 namespace ui {
 
+namespace {
+
+constexpr std::pair<ActionId, Measuring::Tool> kTools[] = {
+    {ActionId::MeasurePoints, Measuring::Tool::Points}, {ActionId::MeasureObjects, Measuring::Tool::Objects},
+    {ActionId::MeasureAngle, Measuring::Tool::Angle},   {ActionId::MeasureLines, Measuring::Tool::Lines},
+    {ActionId::MeasureRadius, Measuring::Tool::Radius}, {ActionId::MeasureLength, Measuring::Tool::Length}};
+
+}  // namespace
+
 void MainWindow::connectMeasuring() {
-    const auto use = [this](Measuring::Tool tool) {
-        return [this, tool](bool isOn) { m_measuring->setTool(isOn ? tool : Measuring::Tool::None); };
-    };
-    connect(&m_actions[ActionId::MeasurePoints], &QAction::triggered, this, use(Measuring::Tool::Points));
-    connect(&m_actions[ActionId::MeasureObjects], &QAction::triggered, this, use(Measuring::Tool::Objects));
+    for (const auto& [id, tool] : kTools) {
+        connect(&m_actions[id], &QAction::triggered, this,
+                [this, use = tool](bool isOn) { m_measuring->setTool(isOn ? use : Measuring::Tool::None); });
+    }
     connect(m_measuring, &Measuring::toolChanged, this, [this] {
-        m_actions[ActionId::MeasurePoints].setChecked(m_measuring->tool() == Measuring::Tool::Points);
-        m_actions[ActionId::MeasureObjects].setChecked(m_measuring->tool() == Measuring::Tool::Objects);
+        for (const auto& [id, tool] : kTools) {
+            m_actions[id].setChecked(m_measuring->tool() == tool);
+        }
     });
     connect(&m_actions[ActionId::MeasureGap], &QAction::triggered, m_measuring, &Measuring::measureGapAtCursor);
     connect(&m_actions[ActionId::ExportMeasurements], &QAction::triggered, this, [this] {
@@ -26,6 +35,10 @@ void MainWindow::connectMeasuring() {
     });
     connect(m_measuring, &Measuring::begunAt, m_placeReadout, &PlaceReadout::measureFrom);
     connect(m_measuring, &Measuring::told, this, [this](const QString& what) { statusBar()->showMessage(what); });
+    connect(m_measuring, &Measuring::followingBegan, this, [this] { onWorking(QStringLiteral("Length")); });
+    connect(m_measuring, &Measuring::progressed, &m_statusLine->loadBar(), &LoadBar::report);
+    connect(m_measuring, &Measuring::followingEnded, this, &MainWindow::onIdle);
+    connect(m_clearances, &Clearances::gapShown, m_measuring, &Measuring::showGap);
     connect(m_measurements, &MeasurementKeeping::notSaved, m_messageBar, &MessageBar::showError);
     connect(m_measurementsPanel, &MeasurementsPanel::chosen, m_measuring, &Measuring::goTo);
     connect(m_measurementsPanel, &MeasurementsPanel::forgotten, m_measurements, &MeasurementKeeping::forget);

@@ -32,7 +32,9 @@ MeasurementsPanel::MeasurementsPanel(models::MeasurementModel& list, const Actio
     connect(&list, &QAbstractItemModel::dataChanged, this, fitColumns);
 
     auto* row = new QHBoxLayout;
-    for (const ActionId id : {ActionId::MeasurePoints, ActionId::MeasureObjects, ActionId::MeasureGap}) {
+    for (const ActionId id :
+         {ActionId::MeasurePoints, ActionId::MeasureObjects, ActionId::MeasureAngle, ActionId::MeasureLines,
+          ActionId::MeasureRadius, ActionId::MeasureLength, ActionId::MeasureGap}) {
         row->addWidget(toolButton(actions[id]));
     }
     row->addWidget(toolButton(*m_forget));

@@ -2,33 +2,54 @@
 
 #include <QGuiApplication>
 #include <QWindow>
-#include <cmath>
-#include <numbers>
-
-#include "model/measure/local_gap.h"
-#include "ui/measurement_painter.h"
+#include <array>
 
 namespace ui {
 
 using model::SnapKind;
-using model::session::MeasuredEnd;
 using model::session::Measurement;
 
 namespace {
 
-/// A place moved onto the nearest line through `from` whose direction is a multiple of `step` radians.
-base::PointD locked(const MeasuredEnd& from, base::PointD place, double step) {
-    const base::PointD way = {place.x - from.x, place.y - from.y};
-    const double angle = std::round(std::atan2(way.y, way.x) / step) * step;
-    const double length = way.x * std::cos(angle) + way.y * std::sin(angle);
-    return {from.x + length * std::cos(angle), from.y + length * std::sin(angle)};
-}
+struct ToolFacts {
+    Catch what;
+    std::size_t clicks;
+    std::array<const char*, 3> hints;  ///< what each click is for
+    const char* nothing;               ///< a click that catches nothing
+};
 
-/// The step of directions that held keys ask for; none: any.
-std::optional<double> lockOf(Qt::KeyboardModifiers modifiers) {
-    return modifiers.testFlag(Qt::ShiftModifier)     ? std::optional(std::numbers::pi / 2)
-           : modifiers.testFlag(Qt::ControlModifier) ? std::optional(std::numbers::pi / 4)
-                                                     : std::nullopt;
+/// As in Measuring::Tool.
+constexpr ToolFacts kTools[] = {
+    {Catch::Points, 0, {}, ""},
+    {Catch::Points,
+     2,
+     {"Click the first point; Alt catches nothing", "Click the second point; Shift straight, Ctrl in steps of 45°"},
+     "Click on the board"},
+    {Catch::Elements,
+     2,
+     {"Click the first element to measure from edge to edge", "Click the second element"},
+     "There is no element under the cursor"},
+    {Catch::Points,
+     3,
+     {"Click the corner of the angle", "Click a point on its first arm; Shift straight, Ctrl in steps of 45°",
+      "Click a point on its second arm; Shift straight, Ctrl in steps of 45°"},
+     "Click on the board"},
+    {Catch::Straight,
+     2,
+     {"Click the first straight stroke or side", "Click the second straight stroke or side"},
+     "There is nothing straight under the cursor"},
+    {Catch::Round,
+     1,
+     {"Click an arc, a round pad or a hole for its radius"},
+     "There is nothing round under the cursor"},
+    {Catch::Copper,
+     2,
+     {"Click where the length along a net begins", "Click where it ends, on copper of the same net"},
+     "There is no copper of a net under the cursor"},
+};
+
+const ToolFacts& factsOf(Measuring::Tool tool) {
+    return kTools[static_cast<std::size_t>(tool)];
 }
 
 void showCursor(BoardView& view, Qt::CursorShape shape) {
@@ -42,11 +63,13 @@ void showCursor(BoardView& view, Qt::CursorShape shape) {
 }  // namespace
 
 Measuring::Measuring(BoardViews& views, Probing& probing, MeasurementKeeping& kept, QObject* parent)
-    : QObject(parent), m_views(views), m_probing(probing), m_kept(kept) {
+    : QObject(parent), m_views(views), m_probing(probing), m_kept(kept), m_cursor(probing) {
     for (BoardView* view : views.both()) {
         watch(*view);
     }
     connect(&kept, &MeasurementKeeping::changed, this, [this] { m_views.requestOverlay(); });
+    connect(&m_background, &Background::progressed, this, &Measuring::progressed);
+    connect(&m_background, &Background::finished, this, &Measuring::takePath);
 }
 
 void Measuring::watch(BoardView& view) {
@@ -69,16 +92,13 @@ void Measuring::watch(BoardView& view) {
 }
 
 void Measuring::setBoard(const LoadedBoard& board) {
+    m_background.cancel();
     m_index = board.index;
     m_place.origin = board.model->origin;
-    m_snapper.reset();
-    m_picker.reset();
-    if (m_index) {
-        m_snapper.emplace(m_index);
-        m_picker.emplace(m_index);
-    }
+    m_cursor.setBoard(board.index);
     m_hoverView = nullptr;
     m_isLatestFull = false;
+    m_shownGap.reset();
     setTool(Tool::None);
 }
 
@@ -96,204 +116,197 @@ void Measuring::setUnit(models::LengthUnit unit) {
 
 void Measuring::setTool(Tool tool) {
     m_tool = m_index ? tool : Tool::None;
-    forgetFirst();
+    forgetClicks();
     m_under.reset();
     m_probing.setSelecting(m_tool == Tool::None);
     for (BoardView* view : m_views.both()) {
         showCursor(*view, m_tool == Tool::None ? Qt::ArrowCursor : Qt::CrossCursor);
     }
-    if (m_tool != Tool::None && m_hoverView != nullptr) {
+    if (m_hoverView != nullptr) {
         hover(*m_hoverView, m_hoverAt, Qt::NoModifier);
     }
     emit toolChanged();
-    if (m_tool == Tool::Points) {
-        emit told(QStringLiteral("Click two points; Shift straight, Ctrl in steps of 45°, Alt catches nothing"));
-    } else if (m_tool == Tool::Objects) {
-        emit told(QStringLiteral("Click two elements to measure from edge to edge"));
-    }
+    tellNextClick();
 }
 
 bool Measuring::stepBack() {
-    if (m_first) {
-        forgetFirst();
-        return true;
-    }
-    const bool hadTool = m_tool != Tool::None;
-    if (hadTool) {
+    if (m_background.isRunning()) {
+        m_background.cancel();
+        emit followingEnded();
+        emit told(QStringLiteral("Stopped"));
+    } else if (!m_clicked.empty()) {
+        m_clicked.pop_back();
+        if (m_clicked.empty()) {
+            forgetClicks();
+        }
+        m_views.requestOverlay();
+        tellNextClick();
+    } else if (m_tool != Tool::None) {
         setTool(Tool::None);
+    } else {
+        return false;
     }
-    return hadTool;
+    return true;
 }
 
-void Measuring::forgetFirst() {
-    m_first.reset();
+void Measuring::tellNextClick() {
+    if (m_tool != Tool::None) {
+        emit told(QString::fromUtf8(factsOf(m_tool).hints[m_clicked.size()]));
+    }
+}
+
+void Measuring::forgetClicks() {
+    m_clicked.clear();
     m_views.requestOverlay();
     emit begunAt(std::nullopt);
 }
 
-std::optional<Measuring::Pointed> Measuring::pointedAt(BoardView& view, QPointF position) {
-    Pointed pointed;
-    pointed.layers = m_probing.layersOf(view);
-    const auto [origin, direction] = view.controller().rayAt(position);
-    pointed.isFromBelow = direction.z > 0.0F;
-    if (view.kind() == BoardView::Kind::Flat) {
-        pointed.place = m_place.toJob(origin);
-        return pointed;
-    }
-    const std::vector<model::Hit> hits = m_probing.hitsAt(view, position);
-    const std::optional<glm::vec3> face = view.controller().boardPointAt(position);
-    if (hits.empty() && !face) {
-        return std::nullopt;
-    }
-    // The picker counts its steps in millimetres.
-    const glm::vec3 seen =
-        hits.empty() ? *face : origin + glm::normalize(direction) * static_cast<float>(hits.front().depth);
-    pointed.place = m_place.toJob(seen);
-    pointed.layer = hits.empty() ? model::LayerId{} : hits.front().layer;
-    for (std::size_t row = 0; row < pointed.layers.size(); ++row) {
-        pointed.layers[row].isVisible = pointed.layer == model::LayerId{row};
-    }
-    return pointed;
-}
-
-std::optional<Measuring::Caught> Measuring::catchAt(BoardView& view, QPointF position,
-                                                    Qt::KeyboardModifiers modifiers) {
-    const std::optional<Pointed> pointed = pointedAt(view, position);
-    if (!pointed || pointed->layers.empty()) {
-        return std::nullopt;
-    }
-    const std::optional<double> lock = m_first ? lockOf(modifiers) : std::nullopt;
-    const double reach = kCatchPixels * static_cast<double>(view.controller().mmPerPixel()) * base::kNmPerMm;
-    model::SnapPoint snap{SnapKind::Free, pointed->place, {}, pointed->layer, 0.0};
-    if (!modifiers.testFlag(Qt::AltModifier)) {
-        snap = m_snapper->at(pointed->place, reach, pointed->layers, pointed->isFromBelow);
-        snap.layer = snap.kind == SnapKind::Free ? pointed->layer : snap.layer;
-    }
-    const base::PointD at = lock ? locked(m_first->end, snap.at, *lock) : snap.at;
-    const auto element = snap.kind == SnapKind::Free ? std::nullopt : std::optional(snap.element);
-    return Caught{endOf(at, snap.layer, element, snap.kind), snap.kind, snap.layer, element};
-}
-
-std::optional<Measuring::Caught> Measuring::elementAt(BoardView& view, QPointF position) {
-    const std::vector<model::Hit> hits = m_probing.hitsAt(view, position);
-    const std::optional<Pointed> pointed = hits.empty() ? std::nullopt : pointedAt(view, position);
-    if (!pointed) {
-        return std::nullopt;
-    }
-    const model::Hit& hit = hits.front();
-    return Caught{endOf(pointed->place, hit.layer, hit.at, SnapKind::Free), SnapKind::Free, hit.layer, hit.at};
-}
-
-MeasuredEnd Measuring::endOf(base::PointD at, model::LayerId layer, std::optional<model::BoardElement> element,
-                             SnapKind kind) const {
-    MeasuredEnd end{at.x, at.y, {}, {}, toString(kind)};
-    if (layer.isValid()) {
-        end.layer = m_index->board->layer(layer).name;
-    }
-    if (element && element->element.isValid()) {
-        const model::NetId net = model::netOf(*m_index, *element);
-        const model::Document& step = *m_index->tree.steps[m_index->tree.copies[element->copy].step];
-        end.net = net.isValid() ? step.nets[net.row()].name : "";
-    }
-    return end;
-}
-
-Measurement Measuring::between(const Caught& from, const Caught& to) const {
-    Measurement measurement;
-    measurement.from = from.end;
-    measurement.to = to.end;
-    measurement.dz = model::heightBetween(*m_index->board, from.layer, to.layer).value_or(0.0);
-    return measurement;
+std::optional<Caught> Measuring::catchAt(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers) {
+    const auto from = m_clicked.empty() ? std::nullopt : std::optional(m_clicked.front().at);
+    return m_cursor.at(view, position, factsOf(m_tool).what, modifiers, from);
 }
 
 void Measuring::hover(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers) {
     m_hoverView = &view;
     m_hoverAt = position;
-    if (m_tool == Tool::Points) {
+    // What is under the cursor is outlined already: elements need no mark of their own.
+    if (m_tool != Tool::None && m_tool != Tool::Objects) {
         m_under = catchAt(view, position, modifiers);
-        view.requestOverlay();
+        m_views.requestOverlay();
     }
 }
 
 void Measuring::click(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers) {
-    if (m_tool == Tool::Points) {
-        if (const auto caught = catchAt(view, position, modifiers)) {
-            clickPoint(*caught);
+    if (m_tool == Tool::None) {
+        return;
+    }
+    const std::optional<Caught> caught = catchAt(view, position, modifiers);
+    if (!caught) {
+        tellWhyNothing(view, position);
+        return;
+    }
+    if (const QString refusal = refusalOf(*caught); !refusal.isEmpty()) {
+        emit told(refusal);
+        return;
+    }
+    m_clicked.push_back(*caught);
+    m_under = m_tool == Tool::Objects ? std::nullopt : caught;
+    m_views.requestOverlay();
+    if (m_clicked.size() < factsOf(m_tool).clicks) {
+        if (m_tool == Tool::Points) {
+            emit begunAt(caught->at);
         }
-    } else if (m_tool == Tool::Objects) {
-        if (const auto caught = elementAt(view, position)) {
-            clickObject(*caught);
-        }
+        tellNextClick();
+        return;
+    }
+    const std::vector<Caught> clicked = m_clicked;
+    forgetClicks();
+    measure(clicked);
+}
+
+void Measuring::tellWhyNothing(const BoardView& view, QPointF position) {
+    const auto empty = m_tool == Tool::Objects ? m_cursor.emptyAt(view, position) : std::nullopt;
+    emit told(empty ? QStringLiteral("%1 covers nothing, so it has no distance")
+                          .arg(QString::fromStdString(model::nameOf(*m_index, *empty)))
+                    : QString::fromUtf8(factsOf(m_tool).nothing));
+}
+
+QString Measuring::refusalOf(const Caught& caught) const {
+    if (m_tool != Tool::Length || m_clicked.empty()) {
+        return {};
+    }
+    const Caught& first = m_clicked.front();
+    const model::NetId net = model::netOf(*m_index, *first.element);
+    const model::NetId other = model::netOf(*m_index, *caught.element);
+    if (net == other && first.element->copy == caught.element->copy) {
+        return {};
+    }
+    const auto name = [&](const Caught& of, model::NetId id) {
+        return QString::fromStdString(model::nameOf(*m_index, model::NetOfCopy{of.element->copy, id}));
+    };
+    return QStringLiteral("That is %1: click copper of %2, where the length begins")
+        .arg(name(caught, other), name(first, net));
+}
+
+void Measuring::measure(const std::vector<Caught>& clicked) {
+    m_tool == Tool::Length ? followNet(clicked[0], clicked[1]) : keep(measured(clicked));
+}
+
+base::Result<Measurement> Measuring::measured(const std::vector<Caught>& clicked) const {
+    switch (m_tool) {
+        case Tool::Objects: return edgeToEdge(*m_index, *clicked[0].element, *clicked[1].element);
+        case Tool::Angle: return angleAt(*m_index, clicked[0], clicked[1], clicked[2]);
+        case Tool::Lines: return angleOfLines(*m_index, clicked[0], clicked[1]);
+        case Tool::Radius: return radiusOf(*m_index, clicked[0]);
+        default: return pointToPoint(*m_index, clicked[0], clicked[1]);
     }
 }
 
-void Measuring::clickPoint(const Caught& caught) {
-    m_under = caught;
-    if (!m_first) {
-        m_first = caught;
-        emit begunAt(base::PointD{caught.end.x, caught.end.y});
-        m_views.requestOverlay();
-        return;
+std::optional<Measurement> Measuring::preview() const {
+    if (!m_under || m_tool == Tool::Length) {
+        return std::nullopt;
     }
-    const Measurement measurement = between(*m_first, caught);
-    forgetFirst();
-    keep(measurement, {});
+    std::vector<Caught> clicked = m_clicked;
+    clicked.push_back(*m_under);
+    if (clicked.size() == factsOf(m_tool).clicks) {
+        const auto measurement = measured(clicked);
+        return measurement ? std::optional(*measurement) : std::nullopt;
+    }
+    return m_tool == Tool::Angle && clicked.size() == 2
+               ? std::optional(pointToPoint(*m_index, clicked[0], clicked[1]))  // the first arm
+               : std::nullopt;
 }
 
-void Measuring::clickObject(const Caught& caught) {
-    if (!m_first) {
-        m_first = caught;
-        emit told(QStringLiteral("From %1: click the second element")
-                      .arg(QString::fromStdString(model::nameOf(*m_index, *caught.element))));
-        m_views.requestOverlay();
+void Measuring::followNet(const Caught& from, const Caught& to) {
+    m_following = std::make_shared<Following>(Following{m_index, from, to, std::nullopt});
+    m_background.start(
+        [work = m_following](base::Progress& progress) {
+            const model::BoardIndex& index = *work->index;
+            const model::BoardElement at = *work->from.element;
+            work->path = model::pathAlong(index, {at.copy, model::netOf(index, at)}, pathEndOf(index, work->from),
+                                          pathEndOf(index, work->to), progress);
+        },
+        "Following the net");
+    emit followingBegan();
+}
+
+void Measuring::takePath() {
+    const std::shared_ptr<Following> done = std::exchange(m_following, nullptr);
+    emit followingEnded();
+    if (!*done->path) {
+        emit told(QString::fromStdString(done->path->error().text));
         return;
     }
-    base::Progress progress;
-    const auto separation = model::separationOf(*m_index, *m_first->element, *caught.element, progress);
-    forgetFirst();
-    const model::Way* way = separation ? separation->main() : nullptr;
-    if (way == nullptr) {
-        emit told(separation ? QString::fromStdString(separation->remarks.front())
-                             : QString::fromStdString(separation.error().text));
-        return;
-    }
-    Measurement measurement;
-    measurement.from = endOf(way->gap.from, way->from.layer, way->from.at, SnapKind::Edge);
-    measurement.to = endOf(way->gap.to, way->to.layer, way->to.at, SnapKind::Edge);
-    measurement.dz = way->dz;
-    measurement.overlap = way->relation == model::Relation::Overlapping ? way->overlap : 0.0;
-    measurement.isGap = true;
-    keep(std::move(measurement), separation->remarks);
+    keep(lengthAlong(*done->index, done->from, done->to, **done->path));
 }
 
 void Measuring::measureGapAtCursor() {
-    const std::optional<Pointed> pointed =
-        m_picker && m_hoverView != nullptr ? pointedAt(*m_hoverView, m_hoverAt) : std::nullopt;
-    if (!pointed) {
+    if (m_hoverView == nullptr || !m_cursor.isOnBoard(*m_hoverView, m_hoverAt)) {
         emit told(QStringLiteral("Point at the board to measure the gap there"));
         return;
     }
-    // In 3D what is seen may be lacquer or laminate: all visible layers count.
-    const auto gap = model::gapAt(*m_picker, pointed->place, m_probing.layersOf(*m_hoverView));
+    const auto gap = m_cursor.gapAt(*m_hoverView, m_hoverAt);
     if (!gap) {
         emit told(QStringLiteral("There is no gap between two nets within 10 mm of the cursor"));
         return;
     }
-    Measurement measurement;
-    measurement.from = endOf(gap->gap.from, gap->layer, gap->from, SnapKind::Edge);
-    measurement.to = endOf(gap->gap.to, gap->layer, gap->to, SnapKind::Edge);
-    measurement.isGap = true;
-    keep(std::move(measurement), {});
+    keep(gapOn(*m_index, *gap));
 }
 
-void Measuring::keep(Measurement measurement, const std::vector<std::string>& remarks) {
-    QStringList said{models::valueText(measurement)};
-    for (const std::string& remark : remarks) {
-        said += QString::fromStdString(remark);
+void Measuring::showGap(const std::optional<model::LocalGap>& gap) {
+    m_shownGap = gap;
+    m_views.requestOverlay();
+}
+
+void Measuring::keep(const base::Result<Measurement>& measurement) {
+    if (!measurement) {
+        emit told(QString::fromStdString(measurement.error().text));
+        return;
     }
     m_isLatestFull = true;
-    m_kept.keep(std::move(measurement));
-    emit told(said.join(QStringLiteral("; ")));
+    m_kept.keep(*measurement);
+    emit told(
+        (QStringList{models::valueText(*measurement)} + models::remarksText(*measurement)).join(QStringLiteral("; ")));
 }
 
 void Measuring::goTo(int row) {
@@ -303,9 +316,14 @@ void Measuring::goTo(int row) {
         return;
     }
     for (BoardView* view : m_views.both()) {
-        const glm::vec3 a = drawnPlaceOf(*view, m_place, *m_index->board, measurement.from);
-        const glm::vec3 b = drawnPlaceOf(*view, m_place, *m_index->board, measurement.to);
-        view->controller().show(glm::min(a, b), glm::max(a, b));
+        const DrawnHeights heights(*view, m_place, *m_index->board);
+        glm::vec3 low = heights.at(measurement.from);
+        glm::vec3 high = low;
+        for (const auto& [place, layer] : placesOf(measurement)) {
+            low = glm::min(low, heights.at(place, layer));
+            high = glm::max(high, heights.at(place, layer));
+        }
+        view->controller().show(low, high);
     }
 }
 
@@ -313,20 +331,38 @@ void Measuring::paint(QPainter& painter, const BoardView& view) const {
     if (!m_index) {
         return;
     }
-    const MeasurementPainter on(painter, view, m_place, *m_index->board);
+    MeasurementPainter on(painter, view, m_place, *m_index->board);
     const auto& measurements = m_kept.list().measurements();
     for (std::size_t row = 0; row < measurements.size(); ++row) {
         if (measurements[row].isShown && m_kept.isHere(measurements[row])) {
             on.paint(measurements[row], m_unit, m_isLatestFull && row + 1 == measurements.size());
         }
     }
-    if (m_first && m_under) {
-        on.paint(between(*m_first, *m_under), m_unit, true);
-    } else if (m_first) {
-        on.paintSnap(m_first->end, m_first->kind);
+    if (m_shownGap) {
+        on.paint(gapOn(*m_index, *m_shownGap), m_unit, false);
+    }
+    paintClicks(on, view);
+    on.paintLabels();
+}
+
+void Measuring::paintClicks(MeasurementPainter& on, const BoardView& view) const {
+    const std::optional<Measurement> coming = preview();
+    if (coming) {
+        on.paint(*coming, m_unit, m_tool != Tool::Angle || m_clicked.size() == 2);
+    }
+    const auto mark = [&](const Caught& caught) {
+        const model::session::MeasuredEnd end = endOf(*m_index, caught);
+        const bool isPoint = caught.kind != SnapKind::Free || !caught.element;
+        on.paintSnap(end, caught.kind,
+                     QString::fromStdString(isPoint           ? end.snap
+                                            : end.net.empty() ? end.layer
+                                                              : end.net));
+    };
+    if (!coming) {
+        std::ranges::for_each(m_clicked, mark);
     }
     if (m_under && m_hoverView == &view) {
-        on.paintSnap(m_under->end, m_under->kind);
+        mark(*m_under);
     }
 }
 

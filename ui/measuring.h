@@ -3,24 +3,22 @@
 #include <QObject>
 #include <optional>
 
-#include "model/measure/separation.h"
-#include "model/measure/snapping.h"
+#include "ui/background.h"
 #include "ui/measurement_keeping.h"
-#include "ui/probing.h"
+#include "ui/measurement_making.h"
+#include "ui/measurement_painter.h"
 
 namespace ui {
 
-/// Measuring with the mouse, in both views: from point to point, where the cursor catches centres, ends, middles and
-/// edges within 14 pixels; from edge to edge of two elements; and the gap at the cursor in one stroke. While a tool is
-/// in use, clicks measure instead of selecting. With Shift held the second point lies straight beside or above the
-/// first one, with Ctrl in steps of 45 degrees; with Alt nothing is caught. What was measured goes to the list and
-/// stays on the canvas.
+/// Measuring with the mouse, in both views: from point to point, from edge to edge of two elements, angles of three
+/// points or of two lines, radii, and lengths along nets; and the gap at the cursor in one stroke. While a tool is in
+/// use, clicks measure instead of selecting, and the status line says what the next one is for. What was measured goes
+/// to the list and stays on the canvas.
 class Measuring : public QObject {
     Q_OBJECT
 
 public:
-    enum class Tool { None, Points, Objects };
-    static constexpr double kCatchPixels = 14.0;
+    enum class Tool { None, Points, Objects, Angle, Lines, Radius, Length };
 
     Measuring(BoardViews& views, Probing& probing, MeasurementKeeping& kept, QObject* parent = nullptr);
 
@@ -30,65 +28,73 @@ public:
     void setUnit(models::LengthUnit unit);
     void setTool(Tool tool);
     [[nodiscard]] Tool tool() const { return m_tool; }
-    /// Gives up the measurement that was begun, or else the tool. False if there is neither.
+    /// Gives up the length that is being followed, or else the last click, or else the tool. False if there is nothing.
     bool stepBack();
     /// From the copper nearest to the cursor to the next copper on its layer, see model::gapAt.
     void measureGapAtCursor();
+    /// A gap that somebody else found is drawn with the measurements, but not kept; none: no longer.
+    void showGap(const std::optional<model::LocalGap>& gap);
     /// Brings a kept measurement to the middle of both views.
     void goTo(int row);
+    /// A length along a net is being followed.
+    [[nodiscard]] bool isFollowing() const { return m_background.isRunning(); }
 
 signals:
     void toolChanged();
-    /// A measurement begins here (nm of the board), or does no longer.
+    /// A distance begins here (nm of the board), or does no longer.
     void begunAt(std::optional<base::PointD> place);
+    /// What came of a click, or what the next one is for.
     void told(const QString& what);
+    /// A net is being followed, see Background.
+    void followingBegan();
+    void progressed(const QString& phase, double fraction);
+    void followingEnded();
 
 private:
-    /// What the cursor points at.
-    struct Caught {
-        model::session::MeasuredEnd end;
-        model::SnapKind kind = model::SnapKind::Free;
-        model::LayerId layer;
-        std::optional<model::BoardElement> element;
-    };
-    /// A place of the board under the cursor, and the layers on which something may be caught there.
-    struct Pointed {
-        base::PointD place;
-        std::vector<model::PickLayer> layers;
-        model::LayerId layer;  ///< what is seen there in 3D; none in 2D
-        bool isFromBelow = false;
-    };
-
     void watch(BoardView& view);
     void hover(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers);
     void click(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers);
-    void clickPoint(const Caught& caught);
-    void clickObject(const Caught& caught);
-    void forgetFirst();
-    [[nodiscard]] std::optional<Pointed> pointedAt(BoardView& view, QPointF position);
     [[nodiscard]] std::optional<Caught> catchAt(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers);
-    [[nodiscard]] std::optional<Caught> elementAt(BoardView& view, QPointF position);
-    [[nodiscard]] model::session::MeasuredEnd endOf(base::PointD at, model::LayerId layer,
-                                                    std::optional<model::BoardElement> element,
-                                                    model::SnapKind kind) const;
-    [[nodiscard]] model::session::Measurement between(const Caught& from, const Caught& to) const;
-    void keep(model::session::Measurement measurement, const std::vector<std::string>& remarks);
+    void tellWhyNothing(const BoardView& view, QPointF position);
+    /// Why a click cannot go with the ones before; empty if it can.
+    [[nodiscard]] QString refusalOf(const Caught& caught) const;
+    void tellNextClick();
+    void forgetClicks();
+    void measure(const std::vector<Caught>& clicked);
+    /// What so many clicks measure. Not for lengths.
+    [[nodiscard]] base::Result<model::session::Measurement> measured(const std::vector<Caught>& clicked) const;
+    /// What it will be if the cursor is clicked; nothing if that is not known yet.
+    [[nodiscard]] std::optional<model::session::Measurement> preview() const;
+    void followNet(const Caught& from, const Caught& to);
+    void takePath();
+    void keep(const base::Result<model::session::Measurement>& measurement);
     void paint(QPainter& painter, const BoardView& view) const;
+    void paintClicks(MeasurementPainter& on, const BoardView& view) const;
 
     BoardViews& m_views;
     Probing& m_probing;
     MeasurementKeeping& m_kept;
+    MeasuringCursor m_cursor;
     std::shared_ptr<const model::BoardIndex> m_index;
-    std::optional<model::Snapper> m_snapper;
-    std::optional<model::Picker> m_picker;
     BoardPlace m_place;
     models::LengthUnit m_unit = models::LengthUnit::Millimetre;
     Tool m_tool = Tool::None;
-    std::optional<Caught> m_first;
+    std::vector<Caught> m_clicked;
     std::optional<Caught> m_under;     ///< the cursor, while a tool is in use
     BoardView* m_hoverView = nullptr;  ///< null: the cursor is on no view
     QPointF m_hoverAt;
     bool m_isLatestFull = false;  ///< the last of the list was measured just now: all is told of it
+    std::optional<model::LocalGap> m_shownGap;
+
+    /// A length being followed.
+    struct Following {
+        std::shared_ptr<const model::BoardIndex> index;
+        Caught from;
+        Caught to;
+        std::optional<base::Result<model::NetPath>> path;  ///< written by the thread
+    };
+    std::shared_ptr<Following> m_following;
+    Background m_background;
 };
 
 }  // namespace ui

@@ -4,8 +4,9 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <cmath>
-#include <numbers>
 #include <utility>
+
+#include "model/measure/snapping.h"
 
 namespace ui {
 
@@ -15,14 +16,6 @@ constexpr double kGripPixels = 8.0;
 constexpr double kCornerPixels = 4.0;
 constexpr QColor kInk(255, 120, 200);
 constexpr QColor kRim(20, 20, 24, 200);
-
-/// Moved onto the nearest multiple of 45 degrees, seen from `from`.
-base::PointD straightened(base::PointD from, base::PointD to) {
-    const double eighth = std::numbers::pi / 4.0;
-    const double angle = std::round(std::atan2(to.y - from.y, to.x - from.x) / eighth) * eighth;
-    const double length = (to.x - from.x) * std::cos(angle) + (to.y - from.y) * std::sin(angle);
-    return {from.x + length * std::cos(angle), from.y + length * std::sin(angle)};
-}
 
 }  // namespace
 
@@ -96,7 +89,7 @@ bool SectionLine::press(const QMouseEvent& event) {
 void SectionLine::drag(const QMouseEvent& event) {
     base::PointD to = m_place.toJob(m_view.controller().rayAt(event.position()).origin);
     if (event.modifiers().testFlag(Qt::ShiftModifier)) {
-        to = straightened(m_line[*m_held == 0 ? 1 : *m_held - 1], to);
+        to = model::straightened(m_line[*m_held == 0 ? 1 : *m_held - 1], to, 45.0);
     }
     m_line[*m_held] = to;
     m_view.requestOverlay();
@@ -145,7 +138,7 @@ bool SectionLine::layPress(const QMouseEvent& event) {
 void SectionLine::layTo(const QMouseEvent& event) {
     base::PointD to = m_place.toJob(m_view.controller().rayAt(event.position()).origin);
     if (event.modifiers().testFlag(Qt::ShiftModifier)) {
-        to = straightened(m_line[m_line.size() - 2], to);
+        to = model::straightened(m_line[m_line.size() - 2], to, 45.0);
     }
     m_line.back() = to;
     m_view.requestOverlay();

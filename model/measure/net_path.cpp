@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <queue>
 
@@ -94,7 +96,8 @@ NetPath pathTo(const NetGraph& graph, const ShortestWay& way, std::uint32_t end)
         const double length = way.reached(node).length - way.reached(before).length;
         if (length > 0) {
             path.legs.push_back({way.reached(node).kind, graph.nodes()[before].layer, graph.pieceOf(before).at,
-                                 graph.nodes()[before].at, graph.nodes()[node].at, length});
+                                 graph.nodes()[before].at, graph.nodes()[node].at, length, graph.nodes()[before].along,
+                                 graph.nodes()[node].along});
         }
     }
     std::ranges::reverse(path.legs);
@@ -124,7 +127,54 @@ void addUp(const BoardIndex& index, NetPath& path) {
     }
 }
 
+/// Corners of a stroke, and points of its arcs, whose length along its middle line is between `low` and `high`.
+void addBetween(std::span<const Edge> stroke, double low, double high, std::vector<PointD>& course) {
+    constexpr double kStep = std::numbers::pi / 30.0;
+    double before = 0.0;
+    for (const Edge& edge : stroke) {
+        const double length = lengthOf(edge);
+        const auto parts = edge.isArc() ? std::ceil(length / edge.radius / kStep) : 1.0;
+        for (double part = 1.0; part <= parts; ++part) {
+            const double along = before + length * part / parts;
+            if (along > low && along < high) {
+                course.push_back(pointAt(edge, length * part / parts));
+            }
+        }
+        before += length;
+    }
+}
+
+/// What lies between the ends of a leg along a stroke.
+std::vector<PointD> between(std::span<const Edge> stroke, const PathLeg& leg) {
+    const double low = std::min(leg.fromAlong, leg.toAlong);
+    const double high = std::max(leg.fromAlong, leg.toAlong);
+    std::vector<PointD> course;
+    bool isBackwards = leg.toAlong < leg.fromAlong;
+    if (stroke.front().isFullCircle() && leg.length < high - low - 1.0) {  // the other way round
+        addBetween(stroke, high, std::numeric_limits<double>::infinity(), course);
+        addBetween(stroke, 0.0, low, course);
+        isBackwards = !isBackwards;
+    } else {
+        addBetween(stroke, low, high, course);
+    }
+    if (isBackwards) {
+        std::ranges::reverse(course);
+    }
+    return course;
+}
+
 }  // namespace
+
+std::vector<PointD> courseOf(const BoardIndex& index, const PathLeg& leg) {
+    std::vector<PointD> course;
+    if (leg.kind == PathLeg::Kind::Stroke) {
+        const Pieces pieces = piecesOf(index, std::array{leg.element});
+        course = between(pieces.figures.edges(0), leg);
+    }
+    course.insert(course.begin(), leg.from);
+    course.push_back(leg.to);
+    return course;
+}
 
 base::Result<NetPath> pathAlong(const BoardIndex& index, NetOfCopy net, const Thing& from, const Thing& to,
                                 base::Progress& progress) {

@@ -24,7 +24,9 @@ struct PathLeg {
     BoardElement element;  ///< that carries it
     PointD from;           ///< nm of the board
     PointD to;
-    double length = 0.0;  ///< nm
+    double length = 0.0;     ///< nm
+    double fromAlong = 0.0;  ///< strokes: length of the middle line up to `from`
+    double toAlong = 0.0;
 };
 
 struct NetPath {
@@ -45,5 +47,8 @@ struct NetPath {
 /// an end is not on the net, or no copper leads from one to the other; Cancelled.
 [[nodiscard]] base::Result<NetPath> pathAlong(const BoardIndex& index, NetOfCopy net, const Thing& from,
                                               const Thing& to, base::Progress& progress);
+
+/// A leg as it is drawn: corners from `from` to `to`, along bends and arcs of the stroke, these in steps of 6 degrees.
+[[nodiscard]] std::vector<PointD> courseOf(const BoardIndex& index, const PathLeg& leg);
 
 }  // namespace model

@@ -228,10 +228,8 @@ void remarkOnStack(const BoardIndex& index, const Thing& a, const Thing& b, Sepa
     }
     const Way& way = *separation.throughStack;
     if (way.dz > 0) {
-        const Nm low = std::min(way.from.z.top, way.to.z.top);
-        const Nm high = std::max(way.from.z.bottom, way.to.z.bottom);
-        if (const auto assumed = assumedBetween(*index.board, low, high); !assumed.empty()) {
-            separation.remarks.push_back("the height rests on assumed thicknesses: " + joined(assumed));
+        if (std::string remark = remarkOnHeight(*index.board, way.from.z, way.to.z); !remark.empty()) {
+            separation.remarks.push_back(std::move(remark));
         }
     }
 }
@@ -272,6 +270,11 @@ std::vector<std::string> assumedBetween(const Document& board, Nm low, Nm high) 
         }
     }
     return names;
+}
+
+std::string remarkOnHeight(const Document& board, ZRange a, ZRange b) {
+    const auto assumed = assumedBetween(board, std::min(a.top, b.top), std::max(a.bottom, b.bottom));
+    return assumed.empty() ? "" : "the height rests on assumed thicknesses: " + joined(assumed);
 }
 
 base::Result<Separation> separationOf(const BoardIndex& index, const Thing& a, const Thing& b,

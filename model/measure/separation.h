@@ -52,5 +52,7 @@ struct Separation {
 
 /// The stack rows between two heights whose thickness the job does not state, for remarks; empty if all are known.
 [[nodiscard]] std::vector<std::string> assumedBetween(const Document& board, Nm low, Nm high);
+/// What must be known to read the height between the faces of two layers that look at each other; empty: nothing.
+[[nodiscard]] std::string remarkOnHeight(const Document& board, ZRange a, ZRange b);
 
 }  // namespace model

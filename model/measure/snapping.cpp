@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <tuple>
 
 #include "model/geometry/distance.h"
@@ -203,6 +204,13 @@ private:
 const char* toString(SnapKind kind) {
     constexpr const char* kNames[] = {"centre", "end", "arc centre", "middle", "crossing", "edge", "free"};
     return kNames[static_cast<std::size_t>(kind)];
+}
+
+PointD straightened(PointD from, PointD place, double stepDeg) {
+    const double step = stepDeg * std::numbers::pi / 180.0;
+    const double angle = std::round(std::atan2(place.y - from.y, place.x - from.x) / step) * step;
+    const double length = (place.x - from.x) * std::cos(angle) + (place.y - from.y) * std::sin(angle);
+    return {from.x + length * std::cos(angle), from.y + length * std::sin(angle)};
 }
 
 SnapPoint Snapper::at(PointD place, double reach, std::span<const PickLayer> layers, bool isFromBelow) {

@@ -28,6 +28,9 @@ struct SnapPoint {
     double missedBy = 0.0;  ///< nm from the place asked for
 };
 
+/// A place moved onto the nearest line through `from` whose direction is a multiple of `stepDeg`.
+[[nodiscard]] PointD straightened(PointD from, PointD place, double stepDeg);
+
 /// Finds what is near a cursor. One thread at a time.
 class Snapper {
 public:

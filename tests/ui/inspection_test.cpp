@@ -245,7 +245,7 @@ private slots:
         click(solid(), screenOf(solid(), m_b));
         QCOMPARE(measurements().size(), before + 2);
         const Measurement edges = measurements().back();
-        QVERIFY(edges.isGap && edges.distance() > 0);
+        QVERIFY(edges.kind == model::session::MeasurementKind::Gap && edges.distance() > 0);
         const double radii = (circleOf(m_a).diameter + circleOf(m_b).diameter) / 2.0;
         QVERIFY2(std::abs(edges.distance() - (centres.distance() - radii)) < 1.0,
                  qPrintable(QString("%1 %2 %3").arg(edges.distance()).arg(centres.distance()).arg(radii)));

@@ -35,6 +35,7 @@ copperscope_ui_test(view_cube)
 
 copperscope_test(ui_actions_test ui/actions_test.cpp LABEL ui LINK copperscope_ui)
 copperscope_test(ui_camera_controller_test ui/camera_controller_test.cpp LABEL ui LINK copperscope_ui)
+copperscope_test(ui_label_placing_test ui/label_placing_test.cpp LABEL ui LINK copperscope_ui)
 copperscope_test(ui_loader_test ui/loader_test.cpp LABEL ui LINK copperscope_ui)
 copperscope_test(ui_settings_test ui/settings_test.cpp LABEL ui LINK copperscope_ui)
 set_tests_properties(ui_actions_test ui_camera_controller_test ui_loader_test ui_settings_test PROPERTIES

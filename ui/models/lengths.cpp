@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "model/export_text.h"
+
 namespace ui::models {
 
 namespace {
@@ -24,7 +26,7 @@ const Unit& of(LengthUnit unit) {
 
 /// Without zeros at the end.
 QString shortest(double value, int digits) {
-    QString text = QString::number(value, 'f', digits);
+    QString text = QString::fromStdString(model::fixedText(value, digits));
     while (text.contains('.') && (text.endsWith('0') || text.endsWith('.'))) {
         const bool wasPoint = text.endsWith('.');
         text.chop(1);
@@ -65,8 +67,15 @@ QString lengthInBoth(double nm, LengthUnit unit) {
 }
 
 QString placeText(double x, double y, LengthUnit unit) {
-    const auto number = [&](double nm) { return QString::number(nm / of(unit).nm, 'f', of(unit).digits); };
+    const auto number = [&](double nm) {
+        return QString::fromStdString(model::fixedText(nm / of(unit).nm, of(unit).digits));
+    };
     return QStringLiteral("%1, %2 %3").arg(number(x), number(y), QLatin1String(of(unit).name));
+}
+
+QString angleText(double degrees) {
+    constexpr int kDigits = 4;
+    return QStringLiteral("%1°").arg(shortest(degrees, kDigits));
 }
 
 QString areaText(double squareNm, LengthUnit unit) {

@@ -22,6 +22,8 @@ enum class LengthUnit { Millimetre, Mil, Inch };
 [[nodiscard]] QString lengthInBoth(double nm, LengthUnit unit);
 /// "12.3456, -7.0000 mm": digits that do not jump while the cursor moves.
 [[nodiscard]] QString placeText(double x, double y, LengthUnit unit);
+/// "45°", to a ten thousandth.
+[[nodiscard]] QString angleText(double degrees);
 [[nodiscard]] QString areaText(double squareNm, LengthUnit unit);
 
 }  // namespace ui::models

@@ -5,6 +5,7 @@
 namespace ui::models {
 
 using model::session::Measurement;
+using model::session::MeasurementKind;
 
 namespace {
 
@@ -16,19 +17,55 @@ QString pairText(const std::string& a, const std::string& b, const char* none) {
     return a == b ? text(a) : QStringLiteral("%1 – %2").arg(text(a), text(b));
 }
 
+/// Distances have parts along the axes.
+bool hasDeltas(const Measurement& measurement) {
+    return measurement.kind == MeasurementKind::Points || measurement.kind == MeasurementKind::Gap;
+}
+
 }  // namespace
 
 QString valueText(const Measurement& measurement) {
+    const auto inBoth = [](double nm) { return lengthInBoth(nm, LengthUnit::Millimetre); };
     if (measurement.overlap > 0) {
-        return QStringLiteral("overlap %1").arg(lengthInBoth(measurement.overlap, LengthUnit::Millimetre));
+        return QStringLiteral("overlap %1").arg(inBoth(measurement.overlap));
     }
-    return lengthInBoth(measurement.distance(), LengthUnit::Millimetre);
+    switch (measurement.kind) {
+        case MeasurementKind::Angle: return angleText(measurement.angleDeg());
+        case MeasurementKind::Radius:
+            return QStringLiteral("R %1  ⌀ %2")
+                .arg(inBoth(measurement.distance()), inBoth(2.0 * measurement.distance()));
+        case MeasurementKind::Length: return inBoth(measurement.way->length());
+        default: return inBoth(measurement.distance());
+    }
 }
 
-QString partsText(const Measurement& measurement, LengthUnit unit) {
-    const QString plane =
-        QStringLiteral("ΔX %1  ΔY %2").arg(lengthText(measurement.dx(), unit), lengthText(measurement.dy(), unit));
-    return measurement.dz > 0 ? QStringLiteral("%1  ΔZ %2").arg(plane, lengthText(measurement.dz, unit)) : plane;
+QStringList partsText(const Measurement& measurement, LengthUnit unit) {
+    const auto length = [unit](double nm) { return lengthText(nm, unit); };
+    if (hasDeltas(measurement)) {
+        const QString plane = QStringLiteral("ΔX %1  ΔY %2").arg(length(measurement.dx()), length(measurement.dy()));
+        return {measurement.dz > 0 ? QStringLiteral("%1  ΔZ %2").arg(plane, length(measurement.dz)) : plane};
+    }
+    QStringList parts;
+    if (measurement.way) {
+        for (const auto& [layer, onLayer] : measurement.way->perLayer()) {
+            parts += QStringLiteral("%1 %2").arg(QString::fromStdString(layer), length(onLayer));
+        }
+        const std::size_t holes = measurement.way->holeCount;
+        parts += holes == 0 ? QStringLiteral("no holes")
+                            : QStringLiteral("%1 %2 %3")
+                                  .arg(holes)
+                                  .arg(holes == 1 ? QStringLiteral("hole") : QStringLiteral("holes"),
+                                       length(measurement.way->holeHeight));
+    }
+    return parts;
+}
+
+QStringList remarksText(const Measurement& measurement) {
+    QStringList remarks;
+    for (const std::string& remark : measurement.remarks) {
+        remarks += QString::fromStdString(remark);
+    }
+    return remarks;
 }
 
 QString layersText(const Measurement& measurement) {
@@ -53,7 +90,7 @@ void MeasurementModel::setMeasurements(List measurements) {
 void MeasurementModel::setUnit(LengthUnit unit) {
     m_unit = unit;
     if (!m_measurements.empty()) {
-        emit dataChanged(index(0, Distance), index(rowCount() - 1, DeltaZ));
+        emit dataChanged(index(0, Value), index(rowCount() - 1, Details));
     }
 }
 
@@ -66,15 +103,23 @@ int MeasurementModel::columnCount(const QModelIndex& parent) const {
 }
 
 QString MeasurementModel::textOf(const Measurement& measurement, int column) const {
+    const auto delta = [&](double nm) { return hasDeltas(measurement) ? lengthText(nm, m_unit) : QString(); };
     switch (column) {
         case Name: return QString::fromStdString(measurement.name);
-        case Distance: return valueText(measurement);
-        case DeltaX: return lengthText(measurement.dx(), m_unit);
-        case DeltaY: return lengthText(measurement.dy(), m_unit);
-        case DeltaZ: return lengthText(measurement.dz, m_unit);
+        case Kind: return QLatin1String(toString(measurement.kind));
+        case Value: return valueText(measurement);
+        case DeltaX: return delta(measurement.dx());
+        case DeltaY: return delta(measurement.dy());
+        case DeltaZ: return delta(measurement.dz);
         case Layers: return layersText(measurement);
-        default: return netsText(measurement);
+        case Nets: return netsText(measurement);
+        default: return detailsOf(measurement);
     }
+}
+
+QString MeasurementModel::detailsOf(const Measurement& measurement) const {
+    const QStringList parts = hasDeltas(measurement) ? QStringList() : partsText(measurement, m_unit);
+    return (parts + remarksText(measurement)).join(QStringLiteral("; "));
 }
 
 QVariant MeasurementModel::data(const QModelIndex& index, int role) const {
@@ -86,21 +131,25 @@ QVariant MeasurementModel::data(const QModelIndex& index, int role) const {
         case Qt::DisplayRole:
         case Qt::EditRole: return textOf(measurement, index.column());
         case Qt::ToolTipRole:
-            return QStringLiteral("%1\n%2, from %3 to %4")
-                .arg(textOf(measurement, Name),
-                     measurement.isGap ? QStringLiteral("edge to edge") : QStringLiteral("point to point"),
-                     QString::fromStdString(measurement.from.snap), QString::fromStdString(measurement.to.snap));
+            return (QStringList{QStringLiteral("%1: %2, from %3 to %4")
+                                    .arg(textOf(measurement, Name), textOf(measurement, Kind),
+                                         QString::fromStdString(measurement.from.snap),
+                                         QString::fromStdString(measurement.to.snap)),
+                                textOf(measurement, Value)} +
+                    partsText(measurement, m_unit) + remarksText(measurement))
+                .join('\n');
         case Qt::CheckStateRole:
             return index.column() == Name ? QVariant(measurement.isShown ? Qt::Checked : Qt::Unchecked) : QVariant();
         case Qt::TextAlignmentRole:
-            return index.column() >= Distance && index.column() <= DeltaZ ? QVariant(Qt::AlignRight | Qt::AlignVCenter)
-                                                                          : QVariant();
+            return index.column() >= Value && index.column() <= DeltaZ ? QVariant(Qt::AlignRight | Qt::AlignVCenter)
+                                                                       : QVariant();
         default: return {};
     }
 }
 
 QVariant MeasurementModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    constexpr const char* kTitles[ColumnCount] = {"Name", "Distance", "ΔX", "ΔY", "ΔZ", "Layers", "Nets"};
+    constexpr const char* kTitles[ColumnCount] = {"Name", "Measured", "Value", "ΔX",     "ΔY",
+                                                  "ΔZ",   "Layers",   "Nets",  "Details"};
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole || section < 0 || section >= ColumnCount) {
         return {};
     }

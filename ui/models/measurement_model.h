@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QAbstractTableModel>
+#include <QStringList>
 #include <vector>
 
 #include "model/session/measurement.h"
@@ -8,13 +9,15 @@
 
 namespace ui::models {
 
-/// "Overlap 0.12 mm (4.7 mil)", "0.25 mm (9.84 mil)".
+/// "overlap 0.12 mm (4.7 mil)", "0.25 mm (9.84 mil)", "45°", "R 0.3 mm (11.81 mil)  ⌀ 0.6 mm (23.62 mil)".
 [[nodiscard]] QString valueText(const model::session::Measurement& measurement);
-/// "ΔX 0.25 mm  ΔY 0 mm  ΔZ 1.2 mm"; without ΔZ where the layers are at one height.
-[[nodiscard]] QString partsText(const model::session::Measurement& measurement, LengthUnit unit);
+/// What the value is made of, in lines: "ΔX 0.25 mm  ΔY 0 mm  ΔZ 1.2 mm", without ΔZ where the layers are at one
+/// height; of a length what lies on each layer and in holes: "TOP 12 mm", "2 holes 3.2 mm".
+[[nodiscard]] QStringList partsText(const model::session::Measurement& measurement, LengthUnit unit);
 /// "TOP – BOTTOM", or one name if both ends are on one layer.
 [[nodiscard]] QString layersText(const model::session::Measurement& measurement);
 [[nodiscard]] QString netsText(const model::session::Measurement& measurement);
+[[nodiscard]] QStringList remarksText(const model::session::Measurement& measurement);
 
 /// What the user has measured, in the order it was measured. The box before a name says whether it is drawn. Names and
 /// boxes can be edited; whoever listens sets the changed list.
@@ -22,7 +25,7 @@ class MeasurementModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
-    enum Column { Name, Distance, DeltaX, DeltaY, DeltaZ, Layers, Nets, ColumnCount };
+    enum Column { Name, Kind, Value, DeltaX, DeltaY, DeltaZ, Layers, Nets, Details, ColumnCount };
     using List = std::vector<model::session::Measurement>;
 
     using QAbstractTableModel::QAbstractTableModel;
@@ -44,6 +47,7 @@ signals:
 
 private:
     [[nodiscard]] QString textOf(const model::session::Measurement& measurement, int column) const;
+    [[nodiscard]] QString detailsOf(const model::session::Measurement& measurement) const;
 
     List m_measurements;
     LengthUnit m_unit = LengthUnit::Millimetre;

@@ -5,7 +5,7 @@ copperscope_test(radix_sort_test unit/model/base/radix_sort_test.cpp LABEL unit 
 copperscope_test(paper_reader_test unit/model/paper_reader_test.cpp LABEL unit LINK copperscope_paper)
 copperscope_test(reader_test unit/model/reader_test.cpp LABEL unit LINK copperscope_reader)
 copperscope_test(separation_test unit/model/measure/separation_test.cpp LABEL unit LINK copperscope_reader)
-foreach(name local_gap net_path sizes snapping)
+foreach(name edge_at local_gap net_path sizes snapping)
     copperscope_test(${name}_test unit/model/measure/${name}_test.cpp LABEL unit LINK copperscope_model)
 endforeach()
 foreach(name bodies cut nearness slabs solids)

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <QtTest>
+#include <cstring>
 
 #include "model/session/length_text.h"
 #include "model/stackup.h"
@@ -52,7 +53,28 @@ KeptView selectionOf(std::vector<model::session::KeptElement> elements) {
 }
 
 Measurement measured(const char* name) {
-    return {name, "pcb", {1.5, -2, "TOP", "GND", "edge"}, {4.5, 2, "SMT", "", "centre"}, 12.0, 0.25, true, false};
+    Measurement measurement{name, "pcb", model::session::MeasurementKind::Gap};
+    measurement.from = {1.5, -2, "TOP", "GND", "edge"};
+    measurement.to = {4.5, 2, "SMT", "", "centre"};
+    measurement.dz = 12.0;
+    measurement.overlap = 0.25;
+    measurement.remarks = {"a remark"};
+    measurement.isShown = false;
+    return measurement;
+}
+
+Measurement measuredAngle() {
+    Measurement angle = measured("angle");
+    angle.kind = model::session::MeasurementKind::Angle;
+    angle.corner = {7.0, -8.5, "TOP", "GND", "end"};
+    return angle;
+}
+
+Measurement measuredLength() {
+    Measurement length = measured("length");
+    length.kind = model::session::MeasurementKind::Length;
+    length.way = {{{"TOP", 4.0, {{0, 0}, {3, 0}, {3, 0.5}}}, {"SMT", 1e10, {{3, 0.5}, {4.25, -7}}}}, 1, 13.0};
+    return length;
 }
 
 /// A board beside which sessions may lie.
@@ -305,6 +327,33 @@ private slots:
         QCOMPARE(found.missingNets, (std::vector<std::string>{"NO_SUCH", kept.nets[1].name}));
     }
 
+    void everyKindOfMeasurementIsReadBack() {
+        const Place place;
+        const std::vector all{measured("gap"), measuredAngle(), measuredLength()};
+        QVERIFY(saveMeasurements(place.board, *place.document, all).ok());
+        QVERIFY(place.load().session.measurements == all);
+    }
+
+    void whatLacksItsPartsIsNoMeasurement() {
+        const Place place;
+        QVERIFY(saveMeasurements(place.board, *place.document, {measuredAngle(), measuredLength()}).ok());
+        const std::string good = place.file();
+        const std::pair<const char*, const char*> wrongs[] = {{"\"corner\"", "\"other\""},
+                                                              {"\"kind\": \"angle\"", "\"kind\": \"angel\""},
+                                                              {"\"way\"", "\"path\""},
+                                                              {"\"holes\": 1", "\"holes\": -1"},
+                                                              {"\"length_nm\": 4", "\"length_nm\": -4"},
+                                                              {"\"a remark\"", "7"}};
+        for (const auto& [right, wrong] : wrongs) {
+            std::string text = good;
+            QVERIFY2(text.find(right) != std::string::npos, right);
+            text.replace(text.find(right), std::strlen(right), wrong);
+            place.write(text);
+            const LoadedSession found = place.load();
+            QVERIFY2(found.session.measurements.size() == 1 && found.ignored.size() == 1, right);
+        }
+    }
+
     void whatIsNoMeasurementIsNamed() {
         const Place place;
         QVERIFY(saveMeasurements(place.board, *place.document, {measured("a"), measured("b"), measured("c")}).ok());
@@ -319,11 +368,19 @@ private slots:
     }
 
     void measurementsAreATableForOthers() {
-        const std::string csv = model::session::measurementsCsv({measured("a,b")});
-        QCOMPARE(std::ranges::count(csv, '\n'), 2);
+        const std::string csv =
+            model::session::measurementsCsv({measured("a,b"), measuredAngle(), measuredLength(), measured("c")});
+        QCOMPARE(std::ranges::count(csv, '\n'), 5);
+        QStringList lines = QString::fromStdString(csv).split('\n');
         // 3, 4 and 12 nm: 13 nm in all.
-        QVERIFY2(csv.find("\"a,b\",pcb,edge to edge,0.000013,0.0005,0.000003,0.000004,0.000012,") != std::string::npos,
+        QVERIFY2(lines[1].startsWith("\"a,b\",pcb,edge to edge,0.000013,0.0005,,0.000003,0.000004,0.000012,"),
                  csv.c_str());
+        QVERIFY2(lines[2].startsWith("angle,pcb,angle,,,"), csv.c_str());
+        QVERIFY2(lines[3].startsWith("length,pcb,along a net,10000.000017,"), csv.c_str());
+        QVERIFY2(lines[3].contains("TOP 0.000004; SMT 10000.000000; 1 holes 0.000013"), csv.c_str());
+        for (int row : {0, 2, 3, 4}) {
+            QCOMPARE(lines[row].count(','), lines[0].count(','));
+        }
     }
 
     void anotherBoardsSessionIsIgnored() {

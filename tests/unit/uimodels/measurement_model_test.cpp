@@ -5,13 +5,24 @@
 #include <QtTest>
 
 using model::session::Measurement;
+using model::session::MeasurementKind;
 using ui::models::MeasurementModel;
 
 namespace {
 
 /// 3, 4 and 12 mm: 13 mm in space.
 Measurement slanting(const char* name) {
-    return {name, "pcb", {1e6, 1e6, "TOP", "A", "centre"}, {4e6, 5e6, "BOTTOM", "B", "edge"}, 12e6, 0.0, false, true};
+    Measurement measurement{name, "pcb"};
+    measurement.from = {1e6, 1e6, "TOP", "A", "centre"};
+    measurement.to = {4e6, 5e6, "BOTTOM", "B", "edge"};
+    measurement.dz = 12e6;
+    return measurement;
+}
+
+QString text(const Measurement& measurement, int column) {
+    MeasurementModel model;
+    model.setMeasurements({measurement});
+    return model.data(model.index(0, column), Qt::DisplayRole).toString();
 }
 
 }  // namespace
@@ -42,18 +53,63 @@ private slots:
         const auto text = [&](int row, int column) {
             return model.data(model.index(row, column), Qt::DisplayRole).toString();
         };
+        QCOMPARE(text(0, MeasurementModel::Kind), QString("point to point"));
         QCOMPARE(text(0, MeasurementModel::Name), QString("a"));
-        QVERIFY(text(0, MeasurementModel::Distance).startsWith("13"));
-        QVERIFY(text(0, MeasurementModel::Distance).contains("mil"));
+        QVERIFY(text(0, MeasurementModel::Value).startsWith("13"));
+        QVERIFY(text(0, MeasurementModel::Value).contains("mil"));
         QVERIFY(text(0, MeasurementModel::DeltaX).startsWith("3"));
         QVERIFY(text(0, MeasurementModel::DeltaZ).startsWith("12"));
         QCOMPARE(text(0, MeasurementModel::Layers), QString("TOP – BOTTOM"));
         QCOMPARE(text(0, MeasurementModel::Nets), QString("A – B"));
-        QVERIFY(text(1, MeasurementModel::Distance).startsWith("overlap"));
-        QVERIFY(text(1, MeasurementModel::Distance).contains("10"));  // mil
+        QVERIFY(text(1, MeasurementModel::Value).startsWith("overlap"));
+        QVERIFY(text(1, MeasurementModel::Value).contains("10"));  // mil
         QCOMPARE(text(1, MeasurementModel::Layers), QString("TOP"));
         QCOMPARE(text(1, MeasurementModel::Nets), QString("A – no net"));
-        QVERIFY(!ui::models::partsText(flat, ui::models::LengthUnit::Millimetre).contains("ΔZ"));
+        QVERIFY(!ui::models::partsText(flat, ui::models::LengthUnit::Millimetre).front().contains("ΔZ"));
+    }
+
+    void anAngleIsTheOneBetweenItsArms() {
+        Measurement angle = slanting("a");
+        angle.kind = MeasurementKind::Angle;
+        angle.corner = {0.0, 0.0, "TOP", "", "end"};
+        angle.from.y = 0.0;
+        angle.to = {0.0, 7e6, "TOP", "", "end"};
+        QCOMPARE(text(angle, MeasurementModel::Value), QString("90°"));
+        angle.to = {-5e6, 5e6, "TOP", "", "end"};
+        QCOMPARE(text(angle, MeasurementModel::Value), QString("135°"));
+        QCOMPARE(text(angle, MeasurementModel::Kind), QString("angle"));
+        QVERIFY(text(angle, MeasurementModel::DeltaX).isEmpty());
+    }
+
+    void aRadiusTellsTheDiameterToo() {
+        Measurement radius = slanting("r");
+        radius.kind = MeasurementKind::Radius;
+        radius.dz = 0.0;
+        QCOMPARE(text(radius, MeasurementModel::Value), QString("R 5 mm (196.85 mil)  ⌀ 10 mm (393.7 mil)"));
+    }
+
+    void aLengthTellsLayersAndHoles() {
+        Measurement length = slanting("l");
+        length.kind = MeasurementKind::Length;
+        length.way = {
+            {{"TOP", 3e6, {{0, 0}, {3e6, 0}}}, {"L2", 1e6, {{3e6, 0}, {4e6, 0}}}, {"TOP", 2e6, {{4e6, 0}, {6e6, 0}}}},
+            2,
+            5e5};
+        length.remarks = {"a guess"};
+        QVERIFY(text(length, MeasurementModel::Value).startsWith("6.5 mm"));
+        QCOMPARE(text(length, MeasurementModel::Details), QString("TOP 5 mm; L2 1 mm; 2 holes 0.5 mm; a guess"));
+    }
+
+    void whatRoundsToNothingHasNoSign() {
+        using namespace ui::models;
+        QCOMPARE(lengthText(-4.0, LengthUnit::Millimetre), QString("0 mm"));
+        QCOMPARE(lengthText(-100.0, LengthUnit::Millimetre), QString("-0.0001 mm"));
+        QCOMPARE(lengthText(-100.0, LengthUnit::Mil), QString("0 mil"));
+        QCOMPARE(placeText(-1e-6, -1e6, LengthUnit::Millimetre), QString("0.0000, -1.0000 mm"));
+        QCOMPARE(angleText(1e-6), QString("0°"));
+        Measurement flat = slanting("a");
+        flat.to.y = flat.from.y - 1e-3;
+        QCOMPARE(partsText(flat, LengthUnit::Millimetre).front(), QString("ΔX 3 mm  ΔY 0 mm  ΔZ 12 mm"));
     }
 
     void namesAndBoxesAreEditedByWhoListens() {

@@ -168,6 +168,60 @@ private slots:
         const ElementId to = b.pad({12 * kMm, 4 * kMm});
         QVERIFY(isNear(b.path(from, to)->length, 12e6 + std::numbers::pi * 1e6 + 2e6));
     }
+
+    void coursesFollowBendsAndArcs() {
+        NetBoard b;
+        b.on(Top);
+        const ElementId from = b.pad({0, 0});
+        b.line({0, 0}, {3 * kMm, 0});
+        b.builder.addArc(
+            {PathNode{{3 * kMm, 0}, {3 * kMm, kMm}, EdgeKind::ArcCounterClockwise}, {4 * kMm, kMm}, 200'000},
+            of(b.net));
+        const std::array<PathNode, 3> bend = {PathNode{{4 * kMm, kMm}, {}, EdgeKind::Line},
+                                              PathNode{{4 * kMm, 3 * kMm}, {}, EdgeKind::Line},
+                                              PathNode{{6 * kMm, 3 * kMm}, {}, EdgeKind::Line}};
+        b.builder.addTrail(bend, std::array<Nm, 2>{200'000, 200'000}, of(b.net));
+        const ElementId to = b.pad({6 * kMm, 3 * kMm});
+        for (const auto& [first, last] : {std::pair(from, to), std::pair(to, from)}) {
+            const NetPath path = *b.path(first, last);
+            double drawn = 0.0;
+            for (const PathLeg& leg : path.legs) {
+                const std::vector<PointD> course = courseOf(*b.index, leg);
+                QVERIFY(std::hypot(course.front().x - leg.from.x, course.front().y - leg.from.y) < 1e-3);
+                QVERIFY(std::hypot(course.back().x - leg.to.x, course.back().y - leg.to.y) < 1e-3);
+                double length = 0.0;
+                for (std::size_t i = 0; i + 1 < course.size(); ++i) {
+                    length += std::hypot(course[i + 1].x - course[i].x, course[i + 1].y - course[i].y);
+                }
+                QVERIFY2(length <= leg.length + 1e-3 && length > leg.length * 0.999,
+                         qPrintable(QString("%1 of %2").arg(length).arg(leg.length)));
+                drawn += length;
+            }
+            QVERIFY(drawn > path.length * 0.999);
+        }
+    }
+
+    void circlesAreFollowedTheShortWayRound() {
+        NetBoard b;
+        b.on(Top);
+        // Begins and ends at (1, 0): the short way from (0, 1) to (0, -1) over (1, 0) passes that place.
+        b.builder.addArc({PathNode{{kMm, 0}, {0, 0}, EdgeKind::ArcCounterClockwise}, {kMm, 0}, 100'000}, of(b.net));
+        const Nm near = 707'107;
+        b.line({near, near}, {3 * kMm, 3 * kMm});
+        b.line({near, -near}, {3 * kMm, -3 * kMm});
+        const ElementId from = b.pad({3 * kMm, 3 * kMm});
+        const ElementId to = b.pad({3 * kMm, -3 * kMm});
+        const NetPath path = *b.path(from, to);
+        const auto round = std::ranges::find_if(path.legs, [](const PathLeg& leg) {
+            return isNear(std::hypot(leg.from.x, leg.from.y) / 1e6, 1.0) &&
+                   isNear(std::hypot(leg.to.x, leg.to.y) / 1e6, 1.0);
+        });
+        QVERIFY(round != path.legs.end());
+        for (const PointD& at : courseOf(*b.index, *round)) {
+            QVERIFY2(at.x > 0.7e6 && std::abs(std::hypot(at.x, at.y) - 1e6) < 2.0,
+                     qPrintable(QString("%1 %2").arg(at.x).arg(at.y)));
+        }
+    }
 };
 
 QTEST_APPLESS_MAIN(NetPathTest)

@@ -133,6 +133,23 @@ private slots:
         QCOMPARE(point.layer, LayerId{Bottom});
         QCOMPARE(point.element.copy, 1U);
     }
+
+    void placesAreMovedOntoStraightLines_data() {
+        QTest::addColumn<double>("stepDeg");
+        QTest::addColumn<double>("x");
+        QTest::addColumn<double>("y");
+        QTest::newRow("across") << 90.0 << 10.0 << 0.0;
+        QTest::newRow("aslant") << 45.0 << 10.0 << 0.0;
+        QTest::newRow("nothing to move") << 90.0 << 10.0 << 0.0;
+        QTest::newRow("anywhere") << 360.0 << 10.0 << 0.0;
+    }
+    void placesAreMovedOntoStraightLines() {
+        QFETCH(double, stepDeg);
+        QFETCH(double, x);
+        QFETCH(double, y);
+        const PointD at = straightened({1e6, 2e6}, {1e6 + 10.0, 2e6 + (stepDeg == 45.0 ? 3.0 : 1.0)}, stepDeg);
+        QVERIFY2(std::hypot(at.x - 1e6 - x, at.y - 2e6 - y) < 1e-6, qPrintable(QString("%1").arg(at.y - 2e6)));
+    }
 };
 
 QTEST_APPLESS_MAIN(SnappingTest)

@@ -1,0 +1,91 @@
+#include "model/measure/edge_at.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace model {
+
+namespace {
+
+double distance(PointD a, PointD b) {
+    return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+PointD wayOf(const Edge& edge) {
+    return {edge.b.x - edge.a.x, edge.b.y - edge.a.y};
+}
+
+double cross(PointD u, PointD v) {
+    return u.x * v.y - u.y * v.x;
+}
+
+/// The edge of an element whose middle is nearest to a place, if it covers the place or comes so near.
+std::optional<Edge> nearestEdge(const BoardIndex& index, BoardElement element, PointD place, double reach) {
+    const Pieces pieces = piecesOf(index, std::array{element});
+    std::optional<Edge> nearest;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t row = 0; row < pieces.pieces.size(); ++row) {
+        for (const Edge& edge : pieces.figures.edges(row)) {
+            if (const double beside = distance(nearestOn(edge, place), place); beside < least) {
+                least = beside;
+                nearest = edge;
+            }
+        }
+    }
+    return nearest && least <= reach + nearest->pen ? nearest : std::nullopt;
+}
+
+Round roundOf(PointD centre, double radius, PointD place) {
+    const double beside = distance(centre, place);
+    const PointD way =
+        beside > 0 ? PointD{(place.x - centre.x) / beside, (place.y - centre.y) / beside} : PointD{1.0, 0.0};
+    return {centre, radius, {centre.x + radius * way.x, centre.y + radius * way.y}};
+}
+
+/// A disc is a dot with a pen, a ring a circle with one.
+Round rimOf(const Edge& edge, PointD place) {
+    if (!edge.isArc()) {
+        return roundOf(edge.a, edge.pen, place);
+    }
+    const bool isInside = distance(edge.centre, place) < edge.radius;
+    return roundOf(edge.centre, isInside ? edge.radius - edge.pen : edge.radius + edge.pen, place);
+}
+
+}  // namespace
+
+std::optional<Round> roundAt(const BoardIndex& index, BoardElement element, PointD place, double reach) {
+    const Document& step = *index.tree.steps[index.tree.copies[element.copy].step];
+    const bool isCircle = step.elements.kind[element.element.row()] == ElementKind::Circle;
+    const auto edge = nearestEdge(index, element, place, isCircle ? std::numeric_limits<double>::infinity() : reach);
+    if (!edge || (!isCircle && !edge->isArc())) {
+        return std::nullopt;
+    }
+    return isCircle ? rimOf(*edge, place) : Round{edge->centre, edge->radius, nearestOn(*edge, place)};
+}
+
+std::optional<Edge> straightAt(const BoardIndex& index, BoardElement element, PointD place, double reach) {
+    const auto edge = nearestEdge(index, element, place, reach);
+    return edge && !edge->isArc() && lengthOf(*edge) > 0 ? edge : std::nullopt;
+}
+
+std::optional<PointD> linesCross(const Edge& a, const Edge& b) {
+    const PointD u = wayOf(a);
+    const PointD v = wayOf(b);
+    const double across = cross(u, v);
+    if (across == 0.0) {
+        return std::nullopt;
+    }
+    const double part = cross({b.a.x - a.a.x, b.a.y - a.a.y}, v) / across;
+    const PointD at = {a.a.x + part * u.x, a.a.y + part * u.y};
+    const bool isNear = std::max(std::abs(at.x), std::abs(at.y)) <= base::kMaxCoordinate;
+    return isNear ? std::optional(at) : std::nullopt;
+}
+
+double angleDeg(PointD u, PointD v) {
+    return std::atan2(std::abs(cross(u, v)), u.x * v.x + u.y * v.y) * 180.0 / std::numbers::pi;
+}
+
+}  // namespace model

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+
+#include "model/geometry/edges.h"
+#include "model/measure/things.h"
+
+/// What is straight or round about an element where a cursor is. Places are nm of the board.
+namespace model {
+
+/// A circle, or an arc of one.
+struct Round {
+    PointD centre;
+    double radius = 0.0;
+    PointD on;  ///< the point of the circle that is nearest to the place
+};
+
+/// Of discs, holes and rings the rim nearest to the place, however far; of others the arc nearest to it: the middle
+/// line of a stroke or a side of an area. Nothing if what is nearest is straight or farther away than `reach`.
+[[nodiscard]] std::optional<Round> roundAt(const BoardIndex& index, BoardElement element, PointD place, double reach);
+
+/// The straight middle line of a stroke, or side of an area, that is nearest to the place. Nothing if what is nearest
+/// is curved, a dot, or farther away than `reach`.
+[[nodiscard]] std::optional<Edge> straightAt(const BoardIndex& index, BoardElement element, PointD place, double reach);
+
+/// Where the lines through two straight edges cross. Nothing if they are parallel, or cross beyond
+/// base::kMaxCoordinate.
+[[nodiscard]] std::optional<PointD> linesCross(const Edge& a, const Edge& b);
+
+/// Between two directions, 0 to 180 degrees.
+[[nodiscard]] double angleDeg(PointD u, PointD v);
+
+}  // namespace model

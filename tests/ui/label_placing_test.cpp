@@ -1,0 +1,77 @@
+// Labels beside each other, on canvases of any size.
+#include "ui/label_placing.h"
+
+#include <QRandomGenerator>
+#include <QtTest>
+
+using ui::LabelPlacing;
+
+namespace {
+
+constexpr QSizeF kCanvas(800, 600);
+
+}  // namespace
+
+class LabelPlacingTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void labelsOfOnePlaceLieBesideEachOther() {
+        LabelPlacing placing(kCanvas);
+        std::vector<QRectF> boxes;
+        for (int i = 0; i < 12; ++i) {
+            boxes.push_back(placing.place({400, 300}, {120, 40}));
+            for (int k = 0; k < i; ++k) {
+                QVERIFY2(!boxes[size_t(k)].intersects(boxes[size_t(i)]), qPrintable(QString("%1 %2").arg(k).arg(i)));
+            }
+        }
+    }
+
+    void labelsStayOnTheCanvas() {
+        QRandomGenerator random(7);
+        LabelPlacing placing(kCanvas);
+        for (int i = 0; i < 60; ++i) {
+            const QRectF box = placing.place({random.bounded(800.0), random.bounded(600.0)}, {90, 30});
+            QVERIFY(QRectF(QPointF(), kCanvas).contains(box));
+        }
+    }
+
+    void labelsKeepOffLines() {
+        LabelPlacing placing(kCanvas);
+        const QLineF aslant(300, 200, 500, 400);  // through the place that is wanted most
+        placing.avoid(aslant);
+        QVERIFY(!ui::partWithin(aslant, placing.place({400, 300}, {60, 20})));
+    }
+
+    void equalCallsGiveEqualPlaces() {
+        const auto run = [] {
+            QRandomGenerator random(3);
+            LabelPlacing placing(kCanvas);
+            std::vector<QRectF> boxes;
+            for (int i = 0; i < 40; ++i) {
+                placing.avoid({random.bounded(800.0), 0, random.bounded(800.0), 600});
+                boxes.push_back(placing.place({random.bounded(800.0), random.bounded(600.0)}, {100, 50}));
+            }
+            return boxes;
+        };
+        QVERIFY(run() == run());
+    }
+
+    void labelsLargerThanTheCanvasBeginOnIt() {
+        LabelPlacing placing({100, 50});
+        QCOMPARE(placing.place({50, 25}, {300, 200}).topLeft(), QPointF(0, 0));
+    }
+
+    void whatOfALineIsSeenIsFound() {
+        const QRectF box(0, 0, 100, 100);
+        QCOMPARE(*ui::partWithin({-50, 50, 150, 50}, box), QLineF(0, 50, 100, 50));
+        QVERIFY(!ui::partWithin({-50, 120, 150, 120}, box));
+        QVERIFY(!ui::partWithin({-50, 80, 20, 180}, box));
+        QCOMPARE(*ui::middleWithin({{-300, 50}, {40, 50}, {40, 100}}, box), QPointF(40, 55));
+        QVERIFY(!ui::middleWithin({{-300, 50}, {-40, 50}}, box));
+        QCOMPARE(*ui::middleWithin({{5, 5}, {5, 5}}, box), QPointF(5, 5));
+    }
+};
+
+QTEST_APPLESS_MAIN(LabelPlacingTest)
+#include "label_placing_test.moc"

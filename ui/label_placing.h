@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QLineF>
+#include <QPointF>
+#include <QPolygonF>
+#include <QRectF>
+#include <QSizeF>
+#include <optional>
+#include <vector>
+
+namespace ui {
+
+/// The part of a line that lies in a box; nothing if none does.
+[[nodiscard]] std::optional<QLineF> partWithin(const QLineF& line, const QRectF& box);
+/// The middle of what of a chain of lines lies in a box; nothing if nothing does.
+[[nodiscard]] std::optional<QPointF> middleWithin(const QPolygonF& line, const QRectF& box);
+
+/// Finds room for labels on a canvas. Every label lies beside what it tells of, inside of the canvas, and not on an
+/// earlier label as long as there is room; it keeps off the lines too where it can. Equal calls in equal order give
+/// equal places. Logical pixels.
+class LabelPlacing {
+public:
+    explicit LabelPlacing(QSizeF canvas) : m_canvas(canvas) {}
+
+    /// A line that labels better leave free.
+    void avoid(const QLineF& line) { m_lines.push_back(line); }
+    /// The place of the next label, which is taken from then on.
+    [[nodiscard]] QRectF place(QPointF beside, QSizeF size);
+
+private:
+    [[nodiscard]] QRectF inside(QRectF box) const;
+    [[nodiscard]] double overlapOf(const QRectF& box) const;
+    [[nodiscard]] double crossedBy(const QRectF& box) const;
+
+    QSizeF m_canvas;
+    std::vector<QLineF> m_lines;
+    std::vector<QRectF> m_taken;
+};
+
+}  // namespace ui
