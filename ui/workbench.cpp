@@ -1,6 +1,7 @@
 #include "ui/workbench.h"
 
 #include <QApplication>
+#include <clocale>
 #include <cstdio>
 
 #include "ui/gpu_context.h"
@@ -37,6 +38,7 @@ int runWorkbench(int argc, char** argv, const StartOptions& options) {
         qputenv("COPPERSCOPE_DEVICE", QByteArray::fromStdString(options.device));
     }
     QApplication application(argc, argv);
+    std::setlocale(LC_NUMERIC, "C");  // Qt has set the user's: numbers in files would have commas
     QApplication::setApplicationName(QStringLiteral("Copperscope"));
     QApplication::setApplicationVersion(QStringLiteral(COPPERSCOPE_VERSION));
     base::Result<std::unique_ptr<GpuContext>> context = GpuContext::create();

@@ -1,0 +1,378 @@
+// Angles, radii, lengths along nets, and answers where there is no number: with clicks on a board worked out by hand,
+// and on a real one.
+#include <QMouseEvent>
+#include <QStatusBar>
+#include <QtTest>
+#include <cmath>
+
+#include "tests/places.h"
+#include "tests/ui/window_fixture.h"
+#include "tests/unit/model/measure/measure_fixture.h"
+#include "ui/measuring.h"
+
+using namespace measuring;
+using model::session::Measurement;
+using model::session::MeasurementKind;
+using ui::ActionId;
+using ui::BoardView;
+using ui::Measuring;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kPatienceMs = 30000;
+const char* const kRealBoard = "parallella_meta_carrier_odb_rev1.tgz";
+
+/// Net N: a pad at (0, 0), a track to a via at (6, 0) and on at the bottom to a pad at (6, 4). Net M: a bent track, a
+/// disc on top and one on the inner layer. And an arc, a disc and a stroke without width of no net. In mm.
+std::shared_ptr<const model::Document> madeBoard() {
+    model::DocumentBuilder builder;
+    addLayers(builder);
+    const model::NetId n = builder.addNet("N");
+    const model::NetId m = builder.addNet("M");
+    builder.beginLayer(model::LayerId{Top});
+    builder.addCircle({{0, 0}, kMm, 0}, of(n, model::kPad));
+    builder.addLine({{0, 0}, {6 * kMm, 0}, 200'000, 0}, of(n));
+    builder.addCircle({{6 * kMm, 0}, kMm, 0}, of(n, model::kPad));
+    builder.addLine({{0, 3 * kMm}, {3 * kMm, 3 * kMm}, 400'000, 0}, of(m));
+    builder.addLine({{3 * kMm, 3 * kMm}, {5 * kMm, 5 * kMm}, 400'000, 0}, of(m));
+    builder.addCircle({{-3 * kMm, 0}, kMm, 0}, of(m, model::kPad));
+    builder.addCircle({{0, 6 * kMm}, kMm, 0}, {});
+    builder.addArc({model::PathNode{{10 * kMm, 0}, {10 * kMm - 1'500'000, 0}, model::EdgeKind::ArcCounterClockwise},
+                    {10 * kMm - 1'500'000, 1'500'000},
+                    200'000},
+                   {});
+    builder.addLine({{8 * kMm, 5 * kMm}, {11 * kMm, 5 * kMm}, 0, 0}, {});
+    builder.beginLayer(model::LayerId{Inner});
+    builder.addCircle({{-3 * kMm, 4 * kMm}, kMm, 0}, of(m, model::kPad));
+    builder.beginLayer(model::LayerId{Bottom});
+    builder.addLine({{6 * kMm, 0}, {6 * kMm, 4 * kMm}, 200'000, 0}, of(n));
+    builder.addCircle({{6 * kMm, 4 * kMm}, kMm, 0}, of(n, model::kPad));
+    builder.beginLayer(model::LayerId{Drill});
+    builder.addCircle({{6 * kMm, 0}, 400'000, 300'000}, of(n, model::kHole | model::kPlated | model::kVia));
+    builder.beginLayer(model::LayerId{Drawing});
+    builder.addCircle({{-3 * kMm, 6 * kMm}, kMm, 0}, {});
+    return builder.finish();
+}
+
+base::Result<ui::LoadedBoard> loadMade(const ui::LoadRequest& request, base::Progress& progress) {
+    ui::LoadedBoard board;
+    board.request = request;
+    board.request.noSession = true;
+    board.document = madeBoard();
+    auto shapes = render::buildBoardModel(*board.document, {}, progress);
+    if (!shapes) {
+        return shapes.error();
+    }
+    board.model = std::make_shared<const render::BoardModel>(std::move(*shapes));
+    board.index = indexed(board.document);
+    return board;
+}
+
+/// A pad of an outer layer on which nothing else lies but strokes.
+bool isLonePad(const model::Document& board, model::ElementId id) {
+    const auto& elements = board.elements;
+    const model::Layer& layer = board.layer(elements.layer[id.row()]);
+    if ((elements.flags[id.row()] & model::kPad) == 0 || !layer.isCopper() || layer.side == model::LayerSide::Inner ||
+        elements.kind[id.row()] != model::ElementKind::Area) {
+        return false;
+    }
+    const base::Point centre = board.areas[elements.geometry[id.row()]].placement.origin;
+    for (std::size_t row = 0; row < elements.size(); ++row) {
+        const base::Box box = board.boxOf(model::ElementId{row});
+        const bool isThere =
+            box.min.x <= centre.x && centre.x <= box.max.x && box.min.y <= centre.y && centre.y <= box.max.y;
+        const bool isDot = (elements.flags[row] & (model::kPad | model::kHole)) != 0;
+        if (isThere && isDot && row != id.row() && board.layer(elements.layer[row]).isCopper()) {
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+class MeasuringToolsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        m_fixture = std::make_unique<WindowFixture>(loadMade);
+        QVERIFY(m_fixture->openAndWait("made"));
+        showBoth({-4, -1}, {11, 7});
+    }
+    void cleanup() {
+        const std::uint32_t errors = m_fixture->context().validationErrors();
+        m_fixture.reset();
+        QCOMPARE(errors, 0U);
+    }
+
+    void threeClicksMakeAnAngleInBothViews() {
+        for (BoardView* view : window().views().both()) {
+            const QImage before = picture(*view);
+            const std::size_t kept = list().size();
+            m_fixture->key(Qt::Key_A);
+            QVERIFY(window().actions()[ActionId::MeasureAngle].isChecked());
+            QVERIFY2(said().contains("corner"), qPrintable(said()));
+            click(*view, {0, 0});
+            QVERIFY2(said().contains("first arm"), qPrintable(said()));
+            click(*view, {6, 0});
+            QVERIFY2(said().contains("second arm"), qPrintable(said()));
+            click(*view, {0, 6});
+            QCOMPARE(list().size(), kept + 1);
+            const Measurement& angle = list().back();
+            QCOMPARE(angle.kind, MeasurementKind::Angle);
+            QVERIFY2(std::abs(angle.angleDeg() - 90.0) < 1e-9, qPrintable(QString::number(angle.angleDeg())));
+            QCOMPARE(angle.corner->snap, std::string("centre"));
+            QVERIFY2(said().contains("90°"), qPrintable(said()));
+            m_fixture->key(Qt::Key_Escape);
+            QVERIFY(differingPixels(before, picture(*view)) > 200);
+        }
+    }
+
+    void escapeTakesBackClickByClick() {
+        m_fixture->key(Qt::Key_A);
+        click(flat(), {6, 0});
+        click(flat(), {0, 0});
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(said().contains("first arm"));
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(said().contains("corner"));
+        QCOMPARE(window().measuring().tool(), Measuring::Tool::Angle);
+        m_fixture->key(Qt::Key_Escape);
+        QCOMPARE(window().measuring().tool(), Measuring::Tool::None);
+        QVERIFY(list().empty());
+    }
+
+    void twoLinesMakeAnAngle() {
+        m_fixture->key(Qt::Key_A, Qt::ShiftModifier);
+        for (BoardView* view : window().views().both()) {
+            click(*view, {1.5, 3});
+            click(*view, {4, 4});
+            QVERIFY2(std::abs(list().back().angleDeg() - 135.0) < 1e-9, qPrintable(said()));
+            QVERIFY(isAt(*list().back().corner, 3, 3));
+        }
+        QCOMPARE(list().size(), std::size_t{2});
+        click(flat(), {1.5, 3});
+        click(flat(), {3, 0});
+        QVERIFY2(said().contains("parallel"), qPrintable(said()));
+        click(flat(), {0, 6});
+        QVERIFY2(said().contains("nothing straight"), qPrintable(said()));
+        QCOMPARE(list().size(), std::size_t{2});
+    }
+
+    void oneClickMeasuresARadius() {
+        m_fixture->key(Qt::Key_R, Qt::ShiftModifier);
+        const double half = 1.5 * std::sqrt(0.5);
+        for (BoardView* view : window().views().both()) {
+            click(*view, {8.5 + half, half});
+            QCOMPARE(list().back().kind, MeasurementKind::Radius);
+            QVERIFY2(std::abs(list().back().distance() - 1.5e6) < 1.0, qPrintable(said()));
+            QVERIFY(isAt(list().back().from, 8.5, 0));
+            click(*view, {0.1, 0.1});
+            QVERIFY(std::abs(list().back().distance() - 0.5e6) < 1.0);
+            QVERIFY2(said().contains("⌀ 1 mm"), qPrintable(said()));
+        }
+        QCOMPARE(list().size(), std::size_t{4});
+        click(flat(), {3, 0});
+        QVERIFY2(said().contains("nothing round"), qPrintable(said()));
+        QCOMPARE(list().size(), std::size_t{4});
+    }
+
+    void lengthsFollowTheCopperOfANet() {
+        const QImage before[] = {picture(flat()), picture(solid())};
+        m_fixture->key(Qt::Key_J);
+        click(flat(), {0, 0});
+        QVERIFY2(said().contains("ends"), qPrintable(said()));
+        click(flat(), {-3, 0});
+        QVERIFY2(said().contains("net M") && said().contains("net N"), qPrintable(said()));
+        click(flat(), {6, 4});
+        QTRY_COMPARE_WITH_TIMEOUT(list().size(), std::size_t{1}, kPatienceMs);
+        const Measurement& length = list().front();
+        QCOMPARE(length.kind, MeasurementKind::Length);
+        QVERIFY2(std::abs(length.way->length() - 12.2e6) < 1.0, qPrintable(said()));
+        QCOMPARE(length.way->holeCount, std::size_t{1});
+        QCOMPARE(length.way->perLayer(), (std::vector<std::pair<std::string, double>>{{"top", 6e6}, {"bottom", 4e6}}));
+        QVERIFY2(said().contains("assumed thicknesses"), qPrintable(said()));
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(differingPixels(before[0], picture(flat())) > 300);
+        QVERIFY(differingPixels(before[1], picture(solid())) > 300);
+        window().measuring().goTo(0);
+        window().actions()[ActionId::Undo].trigger();
+        QVERIFY(list().empty());
+        window().actions()[ActionId::Redo].trigger();
+        const QString path = m_fixture->folder() + "/out.csv";
+        window().exportMeasurements(path);
+        QFile csv(path);
+        QVERIFY(csv.open(QIODevice::ReadOnly));
+        const QByteArray text = csv.readAll();
+        QVERIFY2(text.contains("along a net,12.200000,") && text.contains("top 6.000000; bottom 4.000000; 1 holes 2.2"),
+                 text.constData());
+    }
+
+    void lengthsWithoutAWayAreTold() {
+        m_fixture->key(Qt::Key_J);
+        click(flat(), {0, 6});
+        QVERIFY2(said().contains("no copper of a net"), qPrintable(said()));
+        click(flat(), {0, 0});
+        click(flat(), {0, 0});
+        QTRY_VERIFY2_WITH_TIMEOUT(said().contains("one place"), qPrintable(said()), kPatienceMs);
+        click(flat(), {-3, 0});
+        click(flat(), {1, 3});
+        QTRY_VERIFY2_WITH_TIMEOUT(said().contains("no copper of net M leads"), qPrintable(said()), kPatienceMs);
+        QVERIFY(list().empty());
+    }
+
+    void distancesSayWhatTheyRestOn() {
+        m_fixture->key(Qt::Key_M, Qt::ShiftModifier);
+        click(flat(), {-3, 0});
+        click(flat(), {-3, 0});
+        QVERIFY2(said().contains("both are the same"), qPrintable(said()));
+        QVERIFY(list().empty());
+        click(flat(), {-3, 0});
+        click(flat(), {-3, 4});
+        QCOMPARE(list().size(), std::size_t{1});
+        for (const char* remark : {"both are of net M", "no common layer", "assumed thicknesses: below top"}) {
+            QVERIFY2(said().contains(remark), qPrintable(said()));
+            QVERIFY(details(0).contains(remark));
+        }
+        QVERIFY(std::abs(list()[0].dz - 1e6) < 1.0 && std::abs(list()[0].dy() - 3e6) < 1.0);
+        // Point to point through the same laminate.
+        m_fixture->key(Qt::Key_M);
+        click(flat(), {-3, 0});
+        click(flat(), {-3, 4});
+        QVERIFY2(details(1).contains("assumed thicknesses: below top"), qPrintable(details(1)));
+    }
+
+    void whatHasNoPlaceInTheStackIsMeasuredInThePlane() {
+        m_fixture->key(Qt::Key_M, Qt::ShiftModifier);
+        window().actions()[ActionId::ShowAllLayers].trigger();
+        click(flat(), {-3, 4});
+        click(flat(), {-3, 6});
+        QCOMPARE(list().size(), std::size_t{1});
+        QVERIFY2(details(0).contains("no place in the stack"), qPrintable(details(0)));
+        QVERIFY(std::abs(list()[0].distance() - 1e6) < 1.0);
+    }
+
+    void copperThatCoversNothingIsNamed() {
+        m_fixture->key(Qt::Key_M, Qt::ShiftModifier);
+        click(flat(), {9.5, 5});
+        QVERIFY2(said().contains("covers nothing") && said().contains("(top)"), qPrintable(said()));
+        click(flat(), {9.5, 3});
+        QVERIFY2(said().contains("no element"), qPrintable(said()));
+        QVERIFY(list().empty());
+    }
+
+    void aGapThatIsShownIsDrawnInBothViews() {
+        const QImage before[] = {picture(flat()), picture(solid())};
+        model::LocalGap gap;
+        gap.gap = {5e6, {-3e6, 1e6}, {2e6, 1e6}};
+        gap.layer = model::LayerId{Top};
+        window().measuring().showGap(gap);
+        QVERIFY(differingPixels(before[0], picture(flat())) > 200);
+        QVERIFY(differingPixels(before[1], picture(solid())) > 200);
+        window().measuring().showGap(std::nullopt);
+        QCOMPARE(differingPixels(before[0], picture(flat())), 0);
+        QVERIFY(list().empty());
+    }
+
+    void lengthsOfARealBoardAreThoseOfTheModel() {
+        const fs::path real = fs::path(places::kBoards) / kRealBoard;
+        if (!fs::exists(real)) {
+            QSKIP("the real boards are not here");
+        }
+        m_fixture = std::make_unique<WindowFixture>();
+        const fs::path job = fs::path(m_fixture->folder().toStdString()) / "job.tgz";
+        fs::copy_file(real, job);
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(job.string())));
+        const auto [a, b, path] = wayThroughHoles();
+        QVERIFY(a.isValid());
+        window().actions()[ActionId::ShowCopperOnly].trigger();
+        base::Box both = board().boxOf(a);
+        both.include(board().boxOf(b));
+        showBoth({both.min.x / 1e6, both.min.y / 1e6}, {both.max.x / 1e6, both.max.y / 1e6});
+        m_fixture->key(Qt::Key_J);
+        for (const model::ElementId pad : {a, b}) {
+            const base::Point centre = board().areas[board().elements.geometry[pad.row()]].placement.origin;
+            click(flat(), {centre.x / 1e6, centre.y / 1e6});
+        }
+        QTRY_COMPARE_WITH_TIMEOUT(list().size(), std::size_t{1}, kPatienceMs);
+        QVERIFY2(std::abs(list()[0].way->length() - path.length) < 1.0,
+                 qPrintable(QString("%1, not %2").arg(list()[0].way->length()).arg(path.length)));
+        QCOMPARE(list()[0].way->holeCount, path.holeCount);
+        if (const QByteArray folder = qgetenv("COPPERSCOPE_SHOTS"); !folder.isEmpty()) {
+            (void)window().grab().save(folder + "/length.png");
+            (void)picture(solid()).save(folder + "/length-solid.png");
+            (void)picture(flat()).save(folder + "/length-flat.png");
+        }
+    }
+
+private:
+    ui::MainWindow& window() { return m_fixture->window(); }
+    BoardView& flat() { return window().views().flat(); }
+    BoardView& solid() { return window().views().solid(); }
+    const model::Document& board() { return *window().document(); }
+    const std::vector<Measurement>& list() { return window().measurements().list().measurements(); }
+    QString said() { return window().statusBar()->currentMessage(); }
+    QString details(int row) {
+        const auto& model = window().measurements().list();
+        return model.index(row, ui::models::MeasurementModel::Details).data().toString();
+    }
+    static bool isAt(const model::session::MeasuredEnd& end, double xMm, double yMm) {
+        return std::hypot(end.x - xMm * 1e6, end.y - yMm * 1e6) < 1.0;
+    }
+    static QImage picture(BoardView& view) {
+        base::Result<QImage> image = view.grabPicture();
+        return image ? image->convertToFormat(QImage::Format_RGB32) : QImage();
+    }
+
+    /// Two pads whose net leads from one to the other over tracks and holes.
+    std::tuple<model::ElementId, model::ElementId, model::NetPath> wayThroughHoles() {
+        const auto index = indexed(std::make_shared<const model::Document>(board()));
+        for (std::size_t net = 0; net < board().nets.size(); ++net) {
+            std::vector<model::ElementId> pads;
+            const auto elements = board().elementsOf(model::NetId{net});
+            for (const model::ElementId id : elements) {
+                if (elements.size() < 100 && isLonePad(board(), id)) {
+                    pads.push_back(id);
+                }
+            }
+            base::Progress progress;
+            if (pads.size() < 2) {
+                continue;
+            }
+            const auto path = model::pathAlong(*index, {0, model::NetId{net}}, model::BoardElement{0, pads.front()},
+                                               model::BoardElement{0, pads.back()}, progress);
+            if (path && path->holeCount > 0 && path->areaLength == 0.0) {
+                return {pads.front(), pads.back(), *path};
+            }
+        }
+        return {};
+    }
+
+    /// From above, with a box of the board (mm) in the middle.
+    void showBoth(QPointF min, QPointF max) {
+        const ui::BoardPlace place = window().probing().place();
+        for (BoardView* view : window().views().both()) {
+            view->controller().look(render::NamedView::Top);
+            view->controller().show(place.toModel({min.x() * 1e6, min.y() * 1e6}, 2.3e6),
+                                    place.toModel({max.x() * 1e6, max.y() * 1e6}, 2.3e6));
+        }
+    }
+    /// Clicks on a place of the uppermost layer, mm.
+    void click(BoardView& view, QPointF mm) {
+        const double z = static_cast<double>(view.drawnHeights().front().z1) * base::kNmPerMm;
+        const glm::vec3 place = window().probing().place().toModel({mm.x() * 1e6, mm.y() * 1e6}, z);
+        const QPointF at = *view.controller().screenOf(place);
+        for (const QEvent::Type type : {QEvent::MouseButtonPress, QEvent::MouseButtonRelease}) {
+            const Qt::MouseButtons held = type == QEvent::MouseButtonPress ? Qt::LeftButton : Qt::NoButton;
+            QMouseEvent event(type, at, view.mapToGlobal(at), Qt::LeftButton, held, Qt::NoModifier);
+            QCoreApplication::sendEvent(&view.canvas(), &event);
+        }
+    }
+
+    std::unique_ptr<WindowFixture> m_fixture;
+};
+
+QTEST_MAIN(MeasuringToolsTest)
+#include "measuring_tools_test.moc"
