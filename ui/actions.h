@@ -102,6 +102,7 @@ enum class ActionId {
     EditRules,
     ExportGaps,
     Lens,
+    DistanceMap,
     DrawSection,
     SectionAlongNet,
     OpenAlongSection,

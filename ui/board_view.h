@@ -48,6 +48,10 @@ public:
     void addPainter(Painter painter, Shown shown = Shown::Everywhere) {
         m_painters.emplace_back(std::move(painter), shown);
     }
+    /// Paints before all others that were added so far.
+    void addGroundPainter(Painter painter) {
+        m_painters.emplace(m_painters.begin(), std::move(painter), Shown::Everywhere);
+    }
     /// 0 to 1, see render::ViewSettings.
     void setExplode(float explode);
     /// The caller sets a box of these heights too.
@@ -79,8 +83,8 @@ public:
 
 signals:
     void drawn();
-    /// How long the last frame of the board took, once that is known; also after frames of the overlay alone, which tell
-    /// nothing new.
+    /// How long the last frame of the board took, once that is known; also after frames of the overlay alone, which
+    /// tell nothing new.
     void timed(const render::FrameStats& stats);
     void deviceLost();
 

@@ -86,6 +86,8 @@ public:
     [[nodiscard]] Ray rayAt(QPointF position) const;
     /// Where a point of the board is on the canvas; none behind the eye.
     [[nodiscard]] std::optional<QPointF> screenOf(const glm::vec3& point) const;
+    /// From millimetres of the board model to clip space, y down as Vulkan has it.
+    [[nodiscard]] glm::mat4 clipFromBoard() const;
     /// Millimetres per logical pixel at the target.
     [[nodiscard]] float mmPerPixel() const { return m_camera.mmPerPixel(height()); }
     [[nodiscard]] QSizeF viewport() const { return m_viewport; }
@@ -116,7 +118,6 @@ private:
     bool wheel(const QWheelEvent& event);
     bool key(const QKeyEvent& event);
     bool dispatch(QEvent& event);
-    [[nodiscard]] glm::mat4 clipFromBoard() const;
     void orbitBy(QPointF pixels);
     void panBy(QPointF pixels);
     void announceUserMove();

@@ -39,6 +39,7 @@ ClearancePanel::ClearancePanel(models::ClearanceModel& places, models::RuleModel
       m_ruleButtons(new QWidget),
       m_lens(new QSlider(Qt::Horizontal)),
       m_lensText(new QLabel),
+      m_distances(new DistanceBar(actions)),
       m_remarks(new QLabel) {
     m_remarks->setWordWrap(true);
     m_remarks->hide();
@@ -78,9 +79,11 @@ ClearancePanel::ClearancePanel(models::ClearanceModel& places, models::RuleModel
     row->addWidget(m_ruleButtons);
     row->addWidget(toolButton(actions[ActionId::ExportGaps]));
     row->addWidget(m_summary, 1);
-    row->addWidget(toolButton(actions[ActionId::Lens]));
-    row->addWidget(m_lens);
-    row->addWidget(m_lensText);
+    auto* lenses = new QHBoxLayout;
+    lenses->addWidget(toolButton(actions[ActionId::Lens]));
+    lenses->addWidget(m_lens, 1);
+    lenses->addWidget(m_lensText, 1);
+    lenses->addWidget(m_distances, 3);
     auto* tables = new QSplitter;
     tables->addWidget(m_ruleTable);
     tables->addWidget(m_table);
@@ -89,6 +92,7 @@ ClearancePanel::ClearancePanel(models::ClearanceModel& places, models::RuleModel
     auto* all = new QVBoxLayout(this);
     all->setContentsMargins(4, 4, 4, 4);
     all->addLayout(row);
+    all->addLayout(lenses);
     all->addWidget(tables, 1);
     all->addWidget(m_remarks);
 
@@ -135,7 +139,8 @@ QString ClearancePanel::summary() const {
     return m_summary->text();
 }
 
-void ClearancePanel::setUnit(models::LengthUnit) {
+void ClearancePanel::setUnit(models::LengthUnit unit) {
+    m_distances->setUnit(unit);
     m_summary->setText(m_places.summary());
     m_table->resizeColumnsToContents();
 }

@@ -2,6 +2,7 @@
 
 #include <QWidget>
 
+#include "ui/distance_bar.h"
 #include "ui/models/clearance_model.h"
 #include "ui/models/rule_model.h"
 
@@ -15,8 +16,9 @@ namespace ui {
 class ActionSet;
 class TableView;
 
-/// Where copper is narrow: the narrowest gaps or broken rules, one row each, to step through; and the slider of the
-/// lens. A row that becomes the current one asks to be shown, so the arrow keys walk through all places.
+/// Where copper is narrow: the narrowest gaps or broken rules, one row each, to step through; and the sliders of
+/// the lens and the distance map. A row that becomes the current one asks to be shown, so the arrow keys walk through
+/// all places.
 class ClearancePanel : public QWidget {
     Q_OBJECT
 
@@ -43,6 +45,7 @@ public:
     [[nodiscard]] QComboBox& whatBox() { return *m_what; }
     [[nodiscard]] QComboBox& whereBox() { return *m_where; }
     [[nodiscard]] QSlider& lensSlider() { return *m_lens; }
+    [[nodiscard]] DistanceBar& distances() { return *m_distances; }
     [[nodiscard]] QString summary() const;
 
 signals:
@@ -66,6 +69,7 @@ private:
     QWidget* m_ruleButtons;
     QSlider* m_lens;
     QLabel* m_lensText;
+    DistanceBar* m_distances;
     QLabel* m_remarks;
 };
 

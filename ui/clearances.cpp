@@ -40,6 +40,7 @@ Clearances::Clearances(BoardViews& views, Probing& probing, models::SelectionMod
       m_plan(plan),
       m_history(history),
       m_lens(views, selection),
+      m_distances(views, selection),
       m_panel(new ClearancePanel(m_places, m_rules, actions)) {
     connect(&m_checker, &ClearanceChecker::progressed, this, &Clearances::progressed);
     connect(&m_checker, &ClearanceChecker::found, this, &Clearances::take);
@@ -55,6 +56,27 @@ Clearances::Clearances(BoardViews& views, Probing& probing, models::SelectionMod
             endShowing();
         }
     });
+    connectDistances();
+}
+
+void Clearances::connectDistances() {
+    DistanceBar& bar = m_panel->distances();
+    m_distances.setLayer([this] { return mappedLayer(); });
+    m_distances.setReach(bar.reach());
+    connect(&bar, &DistanceBar::reachChanged, &m_distances, &DistanceOverlay::setReach);
+    connect(&m_distances, &DistanceOverlay::told, &bar, &DistanceBar::showText);
+    connect(&m_probing, &Probing::pointedAt, &m_distances, [this](double x, double y) {
+        m_distances.pointAt(base::PointD{x, y});
+    });
+    connect(&m_probing, &Probing::pointedAway, &m_distances, [this] { m_distances.pointAt(std::nullopt); });
+}
+
+/// The current layer if it is copper that is to be seen, else the nearest such one.
+model::LayerId Clearances::mappedLayer() const {
+    const model::LayerId current = m_currentLayer();
+    const std::vector<render::LayerStyle>& styles = m_views.flat().styles();
+    const bool isSeen = current.isValid() && current.row() < styles.size() && styles[current.row()].isVisible;
+    return isSeen && m_board->layer(current).isCopper() ? current : m_plan.namedLayer();
 }
 
 void Clearances::setBoard(const LoadedBoard& board) {
@@ -67,6 +89,7 @@ void Clearances::setBoard(const LoadedBoard& board) {
     m_rules.setCounts({});
     m_panel->setRemarks({});
     m_lens.setBoard(board);
+    m_distances.setBoard(board);
 }
 
 void Clearances::setUnit(models::LengthUnit unit) {
@@ -74,6 +97,7 @@ void Clearances::setUnit(models::LengthUnit unit) {
     m_places.setUnit(unit);
     m_rules.setUnit(unit);
     m_panel->setUnit(unit);
+    m_distances.setUnit(unit);
 }
 
 std::optional<ClearanceRequest> Clearances::request() {

@@ -7,6 +7,7 @@
 #include "model/measure/local_gap.h"
 #include "ui/clearance_checker.h"
 #include "ui/clearance_panel.h"
+#include "ui/distance_overlay.h"
 #include "ui/lens.h"
 #include "ui/plan_painter.h"
 #include "ui/probing.h"
@@ -14,9 +15,9 @@
 namespace ui {
 
 /// Where copper is narrow, from the question to the place on the screen: searches in the background, a panel to step
-/// through what was found, rules with their files and on the history, and the lens. While a place is shown both views
-/// are there, and the layers of its two sides stand out, whatever is checked and whatever covers them; all is as before
-/// once something else is selected, or nothing.
+/// through what was found, rules with their files and on the history, the lens and the distance map. While a place is
+/// shown both views are there, and the layers of its two sides stand out, whatever is checked and whatever covers them;
+/// all is as before once something else is selected, or nothing.
 class Clearances : public QObject {
     Q_OBJECT
 
@@ -26,7 +27,7 @@ public:
 
     void setBoard(const LoadedBoard& board);
     void setUnit(models::LengthUnit unit);
-    /// Asked when the current layer is searched.
+    /// Asked when the current layer is searched or mapped.
     void setCurrentLayer(std::function<model::LayerId()> layer) { m_currentLayer = std::move(layer); }
 
     /// Looks for what the panel asks for.
@@ -49,6 +50,7 @@ public:
     [[nodiscard]] models::ClearanceModel& places() { return m_places; }
     [[nodiscard]] models::RuleModel& rules() { return m_rules; }
     [[nodiscard]] Lens& lens() { return m_lens; }
+    [[nodiscard]] DistanceOverlay& distances() { return m_distances; }
 
 signals:
     void started();
@@ -69,6 +71,8 @@ private:
     void endShowing();
     /// On the history, that the rules are others than before.
     void remember(const model::RuleTable& before);
+    void connectDistances();
+    [[nodiscard]] model::LayerId mappedLayer() const;
 
     BoardViews& m_views;
     Probing& m_probing;
@@ -79,6 +83,7 @@ private:
     models::RuleModel m_rules;
     ClearanceChecker m_checker;
     Lens m_lens;
+    DistanceOverlay m_distances;
     ClearancePanel* m_panel;
     std::function<model::LayerId()> m_currentLayer;
     std::shared_ptr<const model::Document> m_board;

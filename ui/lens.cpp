@@ -39,23 +39,6 @@ void Lens::setReach(double nm) {
     apply();
 }
 
-/// Of the board itself: copies of other steps have no neighbours beyond their own step.
-std::vector<model::ElementId> Lens::targets() const {
-    std::vector<model::ElementId> elements;
-    for (const model::BoardElement& at : m_selection.selected()) {
-        if (at.copy == 0) {
-            elements.push_back(at.element);
-        }
-    }
-    for (const model::BoardNet& net : m_selection.nets()) {
-        if (net.step == 0) {
-            const auto own = m_board->elementsOf(net.net);
-            elements.insert(elements.end(), own.begin(), own.end());
-        }
-    }
-    return elements;
-}
-
 void Lens::search() {
     m_background.cancel();
     m_near.clear();
@@ -63,7 +46,7 @@ void Lens::search() {
         apply();
         return;
     }
-    std::vector<model::ElementId> elements = targets();
+    std::vector<model::ElementId> elements = m_selection.ownElements();  // copies have no neighbours beyond their step
     if (elements.empty()) {
         apply();
         return;

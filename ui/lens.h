@@ -41,7 +41,6 @@ private:
     void deliver();
     void apply();
     void paint(QPainter& painter) const;
-    [[nodiscard]] std::vector<model::ElementId> targets() const;
 
     using Answer = std::optional<base::Result<std::vector<model::Nearby>>>;
 

@@ -58,7 +58,7 @@ constexpr ActionId kBoardActions[] = {
     ActionId::ExportStack, ActionId::InferNets, ActionId::HighlightNet, ActionId::SaveLargePicture,
     ActionId::ViewBack, ActionId::ViewForward, ActionId::KeepView, ActionId::KeepSelection,
     ActionId::SaveSession, ActionId::FindGaps, ActionId::NextGap, ActionId::PreviousGap,
-    ActionId::EditRules, ActionId::ExportGaps, ActionId::Lens, ActionId::MeasurePoints,
+    ActionId::EditRules, ActionId::ExportGaps, ActionId::Lens, ActionId::DistanceMap, ActionId::MeasurePoints,
     ActionId::MeasureObjects, ActionId::MeasureAngle, ActionId::MeasureLines, ActionId::MeasureRadius,
     ActionId::MeasureLength, ActionId::MeasureGap,
     ActionId::ExportMeasurements, ActionId::DrawSection, ActionId::OpenAlongSection,

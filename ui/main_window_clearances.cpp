@@ -24,6 +24,13 @@ void MainWindow::connectClearances() {
         raise(clearances.panel());
         clearances.lens().setOn(isOn);
     });
+    on(ActionId::DistanceMap, [this, &clearances](bool isOn) {
+        raise(clearances.panel());
+        clearances.distances().setOn(isOn);
+    });
+    connect(&m_layerModel, &models::LayerModel::looksChanged, &clearances.distances(), &DistanceOverlay::refresh);
+    connect(m_layersPanel, &LayersPanel::currentChanged, &clearances.distances(), &DistanceOverlay::refresh);
+    m_placeReadout->setNote([&clearances](base::PointD at) { return clearances.distances().textAt(at); });
     clearances.setCurrentLayer([this] { return m_layersPanel->currentLayer(); });
     connect(&clearances, &Clearances::started, this, [this] { onWorking(QStringLiteral("Clearances")); });
     connect(&clearances, &Clearances::progressed, &m_statusLine->loadBar(), &LoadBar::report);

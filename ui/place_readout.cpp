@@ -37,7 +37,8 @@ void PlaceReadout::show() {
         text += QStringLiteral("   Δ %1   %2")
                     .arg(models::placeText(dx, dy, m_unit), models::lengthText(std::hypot(dx, dy), m_unit));
     }
-    m_line.showPlace(text);
+    const QString note = m_note ? m_note(*m_cursor) : QString();
+    m_line.showPlace(note.isEmpty() ? text : text + QStringLiteral("   ") + note);
 }
 
 }  // namespace ui

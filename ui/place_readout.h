@@ -1,7 +1,9 @@
 #pragma once
 
 #include <QObject>
+#include <functional>
 #include <optional>
+#include <utility>
 
 #include "ui/probing.h"
 #include "ui/status_line.h"
@@ -16,6 +18,8 @@ public:
     PlaceReadout(Probing& probing, StatusLine& line, QObject* parent = nullptr);
 
     void setUnit(models::LengthUnit unit);
+    /// What is said of the place besides; empty where there is nothing to say.
+    void setNote(std::function<QString(base::PointD)> note) { m_note = std::move(note); }
     /// In nm of the board; none: no measurement is under way.
     void measureFrom(std::optional<base::PointD> place);
 
@@ -23,6 +27,7 @@ private:
     void show();
 
     StatusLine& m_line;
+    std::function<QString(base::PointD)> m_note;
     models::LengthUnit m_unit = models::LengthUnit::Millimetre;
     std::optional<base::PointD> m_cursor;  ///< nm, of the board
     std::optional<base::PointD> m_from;

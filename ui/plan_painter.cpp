@@ -220,6 +220,9 @@ void PlanPainter::paintRulers(QPainter& painter, double step) const {
 }
 
 model::LayerId PlanPainter::namedLayer() const {
+    if (!m_index) {
+        return {};
+    }
     const std::vector<model::Layer>& layers = m_index->board->layers;
     const bool isFromBelow = m_view.controller().camera().direction().z > 0.0F;
     model::LayerId nearest;

@@ -30,6 +30,8 @@ public:
 
     /// The part of the board the view shows, in nm.
     [[nodiscard]] model::Box shownBox() const;
+    /// The copper layer nearest to the viewer that can be made out; none if there is none.
+    [[nodiscard]] model::LayerId namedLayer() const;
     /// Distance of grid lines in nm: 1, 2 or 5 times a power of ten of the unit, at least `pixels` apart.
     [[nodiscard]] static double gridStep(double nmPerPixel, models::LengthUnit unit, double pixels = 24.0);
     /// A name and the middle of the place it is written at, in canvas coordinates.
@@ -47,7 +49,6 @@ private:
     void paintGrid(QPainter& painter, double step) const;
     void paintRulers(QPainter& painter, double step) const;
     void paintNames(QPainter& painter) const;
-    [[nodiscard]] model::LayerId namedLayer() const;
     [[nodiscard]] std::vector<model::ElementId> namedElements() const;
     [[nodiscard]] QStringList pinNames(model::ElementId element) const;
     [[nodiscard]] std::vector<QStringList> textsFor(model::ElementId element) const;

@@ -4,6 +4,7 @@
 #include <QElapsedTimer>
 #include <QMouseEvent>
 #include <QSignalSpy>
+#include <QSlider>
 #include <QtTest>
 #include <algorithm>
 #include <optional>
@@ -131,6 +132,52 @@ private slots:
         tell(qPrintable(QString("drag a section of %1 pieces, until its panel is painted").arg(pieces)), inPanel);
         tell("drag a section, until the line is drawn over the 2D view", overBoard);
         window().sections().cutAlong({});
+    }
+
+    void theLensFollowsItsSlider() {
+        const model::NetId net = largestNet();
+        const model::ElementId pad = window().document()->elementsOf(net).front();
+        ui::Clearances& clearances = window().clearances();
+        for (const bool isPad : {true, false}) {
+            window().selection().select(isPad ? std::vector{model::BoardElement{0, pad}}
+                                              : std::vector<model::BoardElement>{});
+            window().selection().setNets(isPad ? std::vector<model::BoardNet>{} : std::vector{model::BoardNet{0, net}});
+            QElapsedTimer clock;
+            clock.start();
+            clearances.lens().setOn(true);
+            QTRY_VERIFY_WITH_TIMEOUT(!clearances.lens().isSearching(), 60000);
+            tell(isPad ? "lens, found around an element" : "lens, found around the largest net",
+                 {static_cast<double>(clock.nsecsElapsed()) / 1e6});
+            settle();
+            measure(isPad ? "lens of an element" : "lens of the largest net",
+                    [&](int i) { clearances.panel().lensSlider().setValue(40 + 35 * i); });
+            clearances.lens().setOn(false);
+            settle();
+        }
+        window().selection().setNets({});
+    }
+
+    void theDistanceMapFollowsItsSlider() {
+        ui::DistanceOverlay& distances = window().clearances().distances();
+        const auto hasAll = [&] {
+            return distances.field() != nullptr && !distances.isPending() &&
+                   distances.picture(ui::BoardView::Kind::Flat).map() != nullptr &&
+                   distances.picture(ui::BoardView::Kind::Solid).map() != nullptr;
+        };
+        settle();
+        QElapsedTimer clock;
+        clock.start();
+        distances.setOn(true);
+        QTRY_VERIFY_WITH_TIMEOUT(hasAll(), 60000);
+        tell("distance map of both views", {static_cast<double>(clock.nsecsElapsed()) / 1e6});
+        settle();
+        measure("distance map, another range",
+                [&](int i) { window().clearances().panel().distances().slider().setValue(8 + 4 * i); });
+        window().selection().setNets({{0, largestNet()}});
+        clock.start();
+        QTRY_VERIFY_WITH_TIMEOUT(hasAll(), 60000);
+        tell("distance map to the largest net", {static_cast<double>(clock.nsecsElapsed()) / 1e6});
+        distances.setOn(false);
     }
 
 private:

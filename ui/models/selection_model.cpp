@@ -105,6 +105,22 @@ const model::Document& SelectionModel::stepOf(const model::BoardElement& element
     return *m_tree.steps[m_tree.copies[element.copy].step];
 }
 
+std::vector<model::ElementId> SelectionModel::ownElements() const {
+    std::vector<model::ElementId> elements;
+    for (const model::BoardElement& at : m_selected) {
+        if (at.copy == 0) {
+            elements.push_back(at.element);
+        }
+    }
+    for (const model::BoardNet& net : m_nets) {
+        if (net.step == 0) {
+            const auto own = m_board->elementsOf(net.net);
+            elements.insert(elements.end(), own.begin(), own.end());
+        }
+    }
+    return elements;
+}
+
 std::vector<std::vector<model::ElementId>> SelectionModel::highlight() const {
     std::vector<std::vector<model::ElementId>> elements(m_tree.steps.size());
     const auto add = [&](const model::BoardElement& element) {

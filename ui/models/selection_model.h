@@ -55,6 +55,9 @@ public:
     [[nodiscard]] const model::StepTree& tree() const { return m_tree; }
     /// The document an element is a row of.
     [[nodiscard]] const model::Document& stepOf(const model::BoardElement& element) const;
+    /// Elements of the board itself that are selected or of a highlighted net, in no order; those of copies of other
+    /// steps are left out.
+    [[nodiscard]] std::vector<model::ElementId> ownElements() const;
     /// All that stands out, per row of `tree().steps`: selected, nearby, and the elements of the nets; in rising
     /// order.
     [[nodiscard]] std::vector<std::vector<model::ElementId>> highlight() const;

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <QImage>
+#include <QObject>
+#include <QTimer>
+#include <QTransform>
+#include <memory>
+#include <optional>
+
+#include "model/clearance/distance_map.h"
+#include "ui/background.h"
+#include "ui/board_place.h"
+#include "ui/board_view.h"
+
+namespace ui {
+
+/// A distance map painted over one view, in the plane of its layer. What the view shows is worked out in the background
+/// once the view rests, a cell per pixel; until then the last picture moves along with the board.
+class DistancePicture : public QObject {
+    Q_OBJECT
+
+public:
+    explicit DistancePicture(BoardView& view, QObject* parent = nullptr);
+
+    /// From now on the map of this field, of what lies within `board`; null: nothing.
+    void setField(std::shared_ptr<const model::DistanceField> field, const model::Box& board, BoardPlace place);
+    /// Colours go from 0 to this (nm); what is farther is only darkened a little.
+    void setReach(double nm);
+
+    /// Is what the view shows still to be worked out?
+    [[nodiscard]] bool isPending() const { return m_rest.isActive() || m_background.isRunning(); }
+    /// Null before the first one.
+    [[nodiscard]] const model::DistanceMap* map() const { return m_map ? &*m_map : nullptr; }
+    [[nodiscard]] const QImage& image() const { return m_image; }  ///< row 0 is the lowest, as in the map
+    /// The cells that lie under what the view shows now; none if that misses the board.
+    [[nodiscard]] std::optional<model::MapFrame> shownFrame() const;
+
+    static constexpr int kGapAlpha = 235;       ///< gaps are empty but for the map
+    static constexpr int kDistanceAlpha = 150;  ///< copper is to be seen through it
+
+signals:
+    /// There is no picture, and why.
+    void failed(const QString& reason);
+
+private:
+    void paint(QPainter& painter);
+    void follow();
+    void work();
+    void deliver();
+    void colour();
+    [[nodiscard]] float height() const;
+    [[nodiscard]] QTransform canvasFromCells() const;
+
+    using Answer = std::optional<base::Result<model::DistanceMap>>;
+
+    BoardView& m_view;
+    std::shared_ptr<const model::DistanceField> m_field;
+    model::Box m_board;
+    BoardPlace m_place;
+    double m_reach = 1e6;
+    std::optional<model::MapFrame> m_asked;
+    std::optional<model::DistanceMap> m_map;
+    QImage m_image;
+    QTimer m_rest;
+    std::shared_ptr<Answer> m_answer;  ///< of the work under way; written by its thread
+    Background m_background;
+};
+
+}  // namespace ui
