@@ -25,6 +25,7 @@ constexpr Gesture kGestures[] = {
     {"Double click, Alt + click", "Bring it to the middle of the other view"},
     {"Box from the left, from the right (2D)", "Select what is inside; what is inside or touched"},
     {"Wheel", "Zoom to the cursor"},
+    {"Shift + click, twice (cross-section)", "Measure from edge to edge"},
     {"Arrows (canvas)", "Orbit, with Shift pan (3D); pan (2D)"},
     {"Click on a colour (layers)", "Change the colour"},
     {"Drag in an opacity (layers)", "Change the opacity"},

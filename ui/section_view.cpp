@@ -1,7 +1,6 @@
 #include "ui/section_view.h"
 
 #include <QHelpEvent>
-#include <QPainter>
 #include <QToolTip>
 #include <QWheelEvent>
 #include <algorithm>
@@ -9,8 +8,6 @@
 #include <tuple>
 
 #include "model/section/section_export.h"
-#include "model/session/length_text.h"
-#include "model/stack_drawing.h"
 #include "ui/camera_controller.h"
 
 namespace ui {
@@ -21,11 +18,11 @@ using model::LayerType;
 using model::SectionPiece;
 
 constexpr double kMargin = 8.0;
-constexpr double kLabels = 0.28;      // of the width
+constexpr double kLabels = 0.34;      // of the width
 constexpr double kFilled = 0.8;       // of the plot, by a cut that is shown whole
 constexpr double kLeastPixels = 0.7;  // of a piece: none vanishes
 constexpr double kReachPixels = 2.0;  // around a piece, for the mouse
-constexpr double kTickPixels = 90.0;  // between the numbers of the ruler, about
+constexpr double kCatchPixels = 6.0;  // around edges and corners that are measured
 constexpr double kWheelNotch = 120.0;
 constexpr double kMostPerNm = 1e-2;  // 10 µm across a pixel times a thousand: nothing is smaller
 constexpr double kLeastPerNm = 1e-8;
@@ -35,12 +32,6 @@ int orderOf(const model::Layer& layer) {
     return layer.type == LayerType::Body || layer.type == LayerType::Dielectric ? 0
            : layer.type == LayerType::ComponentBody                             ? 1
                                                                                 : 2;
-}
-
-/// The next smaller of 1, 2, 5, 10, 20, …
-double roundNumber(double value) {
-    const double ten = std::pow(10.0, std::floor(std::log10(value)));
-    return value >= 5 * ten ? 5 * ten : value >= 2 * ten ? 2 * ten : ten;
 }
 
 }  // namespace
@@ -56,6 +47,7 @@ void SectionView::setSection(std::shared_ptr<const model::BoardIndex> board, std
     m_board = std::move(board);
     m_section = std::move(section);
     m_drawn.clear();
+    m_dimension.clear();
     if (m_section) {
         m_drawn = model::merged(m_section->pieces);
         std::ranges::stable_sort(m_drawn, {},
@@ -101,7 +93,7 @@ void SectionView::place() {
     if (m_section && m_isFitted) {
         const double length = m_section->stations.back();
         const double thickness = std::max<double>(board().boardThickness, 1.0);
-        m_perNm = plot().width() / length;
+        m_perNm = std::min(plot().width() / length, kFilled * plot().height() / thickness);
         m_along = length / 2;
         m_z = thickness / 2;
         m_times = std::max(1.0, std::floor(kFilled * plot().height() / (thickness * m_perNm)));
@@ -161,10 +153,51 @@ QString SectionView::tipAt(QPointF at) const {
     if (const std::string net = model::netOf(*m_board, *piece); !net.empty()) {
         tip += QStringLiteral(" · ") + QString::fromStdString(net);
     }
-    return tip + QStringLiteral("\n%1 wide, %2 high, from %3 to %4 above the bottom")
-                     .arg(models::lengthText(piece->to - piece->from, m_unit),
-                          models::lengthText(piece->top - piece->bottom, m_unit),
-                          models::lengthText(piece->bottom, m_unit), models::lengthText(piece->top, m_unit));
+    const auto text = [this](auto nm) { return models::lengthText(static_cast<double>(nm), m_unit); };
+    return tip +
+           QStringLiteral("\n%1 wide, from %2 to %3 along the line")
+               .arg(text(piece->to - piece->from), text(piece->from), text(piece->to)) +
+           QStringLiteral("\n%1 high, from %2 to %3 above the bottom")
+               .arg(text(piece->top - piece->bottom), text(piece->bottom), text(piece->top));
+}
+
+std::optional<SectionPlace> SectionView::placeAt(QPointF at) const {
+    // The ends of a line that is shown whole lie on the rim of the plot.
+    if (!m_section || !plot().adjusted(-kCatchPixels, -kCatchPixels, kCatchPixels, kCatchPixels).contains(at)) {
+        return std::nullopt;
+    }
+    std::optional<SectionPlace> best;
+    double nearest = kCatchPixels;
+    bool isCorner = false;
+    const QPointF zero = positionOf(0.0, 0.0);
+    for (const SectionPiece& piece : m_drawn) {
+        const QPointF low = positionOf(piece.from, piece.bottom);
+        const QPointF high = positionOf(piece.to, piece.top);
+        const bool isLeft = std::abs(at.x() - low.x()) < std::abs(at.x() - high.x());
+        const bool isBelow = std::abs(at.y() - low.y()) < std::abs(at.y() - high.y());
+        const double across = std::abs(at.x() - (isLeft ? low.x() : high.x()));
+        const double up = std::abs(at.y() - (isBelow ? low.y() : high.y()));
+        const bool isBeside = at.x() >= low.x() - kCatchPixels && at.x() <= high.x() + kCatchPixels;
+        const bool isLevel = at.y() >= high.y() - kCatchPixels && at.y() <= low.y() + kCatchPixels;
+        if (!isBeside || !isLevel) {
+            continue;
+        }
+        const bool isAtCorner = across <= kCatchPixels && up <= kCatchPixels;
+        const double far = isAtCorner ? std::hypot(across, up) : std::min(across, up);
+        const bool isNearer = isAtCorner == isCorner ? far < nearest : isAtCorner;
+        if (far > 2 * kCatchPixels || (!isAtCorner && far > kCatchPixels) || !isNearer) {
+            continue;
+        }
+        const bool isOnUpright = isAtCorner || across <= up;
+        const bool isOnLevel = isAtCorner || across > up;
+        best = {isOnUpright ? (isLeft ? piece.from : piece.to) : (at.x() - zero.x()) / m_perNm,
+                isOnLevel ? static_cast<double>(isBelow ? piece.bottom : piece.top)
+                          : (zero.y() - at.y()) / m_perNm / m_times,
+                isOnUpright, isOnLevel};
+        nearest = far;
+        isCorner = isAtCorner;
+    }
+    return best;
 }
 
 bool SectionView::isLit(const SectionPiece& piece) const {
@@ -173,134 +206,6 @@ bool SectionView::isLit(const SectionPiece& piece) const {
     }
     const std::optional<model::BoardNet> net = m_selection.nets().empty() ? std::nullopt : m_selection.netOf(piece.at);
     return net && std::ranges::binary_search(m_selection.nets(), *net);
-}
-
-void SectionView::paintEvent(QPaintEvent*) {
-    QPainter painter(this);
-    painter.fillRect(rect(), palette().base());
-    painter.setRenderHint(QPainter::Antialiasing);
-    if (!m_section) {
-        painter.setPen(palette().color(QPalette::PlaceholderText));
-        painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap,
-                         QStringLiteral("Draw a section (Board menu), then drag a line over the 2D view"));
-        return;
-    }
-    painter.save();
-    painter.setClipRect(plot());
-    paintPieces(painter);
-    paintLit(painter);
-    paintCorners(painter);
-    painter.restore();
-    paintLayers(painter);
-    paintRuler(painter);
-}
-
-void SectionView::paintPieces(QPainter& painter) const {
-    for (const SectionPiece& piece : m_drawn) {
-        const QRectF rect = rectOf(piece);
-        if (rect.intersects(plot())) {
-            painter.fillRect(rect,
-                             piece.layer.row() < m_colours.size() ? m_colours[piece.layer.row()] : QColor(Qt::gray));
-        }
-    }
-}
-
-void SectionView::paintLit(QPainter& painter) const {
-    QColor ink = palette().color(QPalette::Highlight);
-    painter.setPen(QPen(ink, 1.5));
-    ink.setAlpha(110);
-    painter.setBrush(ink);
-    for (const SectionPiece& piece : m_section->pieces) {
-        if (isLit(piece) && rectOf(piece).intersects(plot())) {
-            painter.drawRect(rectOf(piece));
-        }
-    }
-}
-
-/// Where the line turns.
-void SectionView::paintCorners(QPainter& painter) const {
-    painter.setPen(QPen(palette().color(QPalette::Text), 0.7, Qt::DashLine));
-    for (std::size_t i = 1; i + 1 < m_section->stations.size(); ++i) {
-        const double x = positionOf(m_section->stations[i], 0.0).x();
-        painter.drawLine(QPointF(x, plot().top()), QPointF(x, plot().bottom()));
-    }
-}
-
-/// Rows of the stack that are in sight: all that there is room to name, or else the copper, or as much of it.
-std::vector<const model::StackRow*> SectionView::namedRows() const {
-    std::vector<const model::StackRow*> rows;
-    for (const model::StackRow& row : board().stackup.rows) {
-        if (positionOf(0.0, row.z).y() >= plot().top() &&
-            positionOf(0.0, double{1} * row.z + row.thickness).y() <= plot().bottom()) {
-            rows.push_back(&row);
-        }
-    }
-    const auto room = static_cast<std::size_t>(std::max(1.0, plot().height() / lineHeight()));
-    if (rows.size() > room) {
-        std::erase_if(rows, [this](const model::StackRow* row) {
-            return !row->layer.isValid() || !board().layer(row->layer).isCopper();
-        });
-    }
-    const std::size_t every = (rows.size() + room - 1) / room;
-    std::vector<const model::StackRow*> named;
-    for (std::size_t i = 0; i < rows.size(); i += every) {
-        named.push_back(rows[i]);
-    }
-    return named;
-}
-
-/// Names and thicknesses.
-void SectionView::paintLayers(QPainter& painter) const {
-    const std::vector<const model::StackRow*> rows = namedRows();
-    const QRectF area = plot();
-    model::StackDrawing labels;
-    for (const model::StackRow* row : rows) {
-        const double top = std::max(positionOf(0.0, double{1} * row->z + row->thickness).y(), area.top());
-        const double bottom = std::min(positionOf(0.0, row->z).y(), area.bottom());
-        labels.bands.push_back({top - area.top(), bottom - area.top(), (top + bottom) / 2 - area.top()});
-    }
-    labels.height = std::max(area.height(), lineHeight() * static_cast<double>(rows.size()));
-    model::spreadLabels(lineHeight(), labels);
-    const double left = area.right() + 34.0;
-    const double thicknessLeft = left + (width() - left) * 0.62;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const model::StackBand& band = labels.bands[i];
-        const double middle = area.top() + (band.top + band.bottom) / 2;
-        const double y = area.top() + band.label;
-        painter.setPen(QPen(palette().color(QPalette::PlaceholderText), 0.7));
-        painter.drawPolyline(
-            QPolygonF{{area.right() + 2.0, middle}, {area.right() + 8.0, middle}, {left - 9.0, y}, {left - 3.0, y}});
-        painter.setPen(palette().color(QPalette::Text));
-        const auto write = [&](double from, double to, const QString& text) {
-            painter.drawText(QRectF(from, y - lineHeight() / 2, to - from, lineHeight()), Qt::AlignVCenter,
-                             fontMetrics().elidedText(text, Qt::ElideMiddle, static_cast<int>(to - from)));
-        };
-        write(left, thicknessLeft - 6.0, QString::fromStdString(rows[i]->name));
-        QFont slanted = font();
-        slanted.setItalic(rows[i]->source == model::Source::Assumed);
-        painter.setFont(slanted);
-        write(thicknessLeft, width(), QString::fromStdString(model::session::thicknessText(rows[i]->thickness)));
-        painter.setFont(font());
-    }
-}
-
-void SectionView::paintRuler(QPainter& painter) const {
-    const QRectF area = plot();
-    const double per = models::nmPer(m_unit);
-    const double step = roundNumber(2.0 * kTickPixels / m_perNm / per) * per;
-    const double first = std::max(0.0, std::ceil((m_along - area.width() / 2 / m_perNm) / step) * step);
-    const double last = std::min(m_section->stations.back(), m_along + area.width() / 2 / m_perNm);
-    painter.setPen(palette().color(QPalette::Text));
-    const double y = area.bottom() + 3.0;
-    painter.drawLine(QPointF(std::max(positionOf(0.0, 0.0).x(), area.left()), y),
-                     QPointF(positionOf(last, 0.0).x(), y));
-    for (int i = 0; first + i * step <= last; ++i) {
-        const double x = positionOf(first + i * step, 0.0).x();
-        painter.drawLine(QPointF(x, y), QPointF(x, y + 4.0));
-        const QString text = models::lengthText(first + i * step, m_unit);
-        const double wide = fontMetrics().horizontalAdvance(text);
-        painter.drawText(QPointF(std::max(x - wide / 2, 1.0), y + 4.0 + fontMetrics().ascent()), text);
-    }
 }
 
 void SectionView::wheelEvent(QWheelEvent* event) {
@@ -339,6 +244,15 @@ void SectionView::mouseReleaseEvent(QMouseEvent* event) {
     if (m_isDragged || event->button() != Qt::LeftButton || !m_section) {
         return;
     }
+    if (event->modifiers().testFlag(Qt::ShiftModifier)) {
+        if (const auto place = placeAt(event->position())) {
+            m_dimension.add(*place);
+            update();
+        }
+        return;
+    }
+    m_dimension.clear();
+    update();
     const SectionPiece* piece = pieceAt(event->position());
     m_selection.select(piece != nullptr ? std::vector{piece->at} : std::vector<model::BoardElement>{});
 }

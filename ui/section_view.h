@@ -7,11 +7,13 @@
 #include "model/section/section.h"
 #include "ui/models/lengths.h"
 #include "ui/models/selection_model.h"
+#include "ui/section_dimension.h"
 
 namespace ui {
 
-/// A board cut open, from the side: what stands in the cut to scale, heights drawn larger than lengths, names and
-/// thicknesses of the layers at the right, a ruler along the line below. The wheel zooms, a drag pans, a double click
+/// A board cut open, from the side: what stands in the cut to scale, heights drawn larger than lengths, names,
+/// thicknesses and heights of the layers at the right, a ruler along the line below. Two clicks with Shift measure from
+/// edge to edge. The wheel zooms, a drag pans, a double click
 /// shows all again, a click selects the element, whose pieces light up as do those of highlighted nets.
 class SectionView : public QWidget {
     Q_OBJECT
@@ -38,6 +40,9 @@ public:
     /// What is drawn there: what is solid before what was bored out of it, small before large. Null: nothing.
     [[nodiscard]] const model::SectionPiece* pieceAt(QPointF at) const;
     [[nodiscard]] QString tipAt(QPointF at) const;
+    /// The corner or else the edge of what is drawn that is nearest within a few pixels.
+    [[nodiscard]] std::optional<SectionPlace> placeAt(QPointF at) const;
+    [[nodiscard]] const SectionDimension& dimension() const { return m_dimension; }
     [[nodiscard]] QSize sizeHint() const override;
 
 protected:
@@ -63,6 +68,7 @@ private:
     [[nodiscard]] std::vector<const model::StackRow*> namedRows() const;
     void paintLayers(QPainter& painter) const;
     void paintRuler(QPainter& painter) const;
+    void paintDimension(QPainter& painter) const;
 
     models::SelectionModel& m_selection;
     std::shared_ptr<const model::BoardIndex> m_board;
@@ -78,6 +84,7 @@ private:
     double m_along = 0.0;  ///< what is in the middle of the plot, nm
     double m_z = 0.0;
 
+    SectionDimension m_dimension;
     QPointF m_pressed;
     QPointF m_last;
     bool m_isDragged = false;

@@ -15,6 +15,7 @@
 #include "ui/message_bar.h"
 
 using base::PointD;
+using model::Nm;
 using model::SectionPiece;
 using ui::ActionId;
 using ui::BoardView;
@@ -188,6 +189,42 @@ private slots:
         QVERIFY(window().selection().selected().empty());
         QTest::mouseDClick(&view(), Qt::LeftButton, {}, {100, 60});
         QVERIFY(QLineF(whole, view().positionOf(1e6, 0)).length() < 1e-6);
+    }
+
+    void twoClicksWithShiftMeasureFromEdgeToEdge() {
+        const Nm thickness = m_index->board->boardThickness;
+        const model::BoardElement any{0, model::ElementId{0U}};
+        const SectionPiece piece{model::LayerId{std::size_t{0}}, any, 2e6, 8e6, thickness / 4, thickness};
+        model::Section section;
+        section.line = {{0, 0}, {10e6, 0}};
+        section.stations = {0, 10e6};
+        section.pieces = {piece};
+        view().setSection(m_index, section);
+        view().fit();
+        // Far from its corners: upright edges count along, level ones in height.
+        const double middle = (piece.from + piece.to) / 2;
+        const double half = (double(piece.bottom) + double(piece.top)) / 2;
+        measureAt(piece.from, half);
+        QVERIFY(view().dimension().from().has_value());
+        QVERIFY(view().dimension().text(ui::models::LengthUnit::Millimetre).isEmpty());
+        measureAt(piece.to, half);
+        QCOMPARE(view().dimension().text(ui::models::LengthUnit::Millimetre),
+                 ui::models::lengthText(piece.to - piece.from, ui::models::LengthUnit::Millimetre) + " along");
+        measureAt(middle, piece.bottom);
+        measureAt(middle, piece.top);
+        const QString high =
+            ui::models::lengthText(double(piece.top - piece.bottom), ui::models::LengthUnit::Millimetre) + " high";
+        QVERIFY2(view().dimension().text(ui::models::LengthUnit::Millimetre) == high,
+                 qPrintable(view().dimension().text(ui::models::LengthUnit::Millimetre) + high));
+        measureAt(piece.from, piece.bottom);
+        measureAt(piece.to, piece.top);
+        const auto ends = view().dimension().ends();
+        QVERIFY(ends && ends->first.along == piece.from && ends->second.along == piece.to);
+        QVERIFY(ends->first.z == piece.bottom && ends->second.z == piece.top);
+        QVERIFY(view().dimension().text(ui::models::LengthUnit::Millimetre).endsWith("apart"));
+        QVERIFY(window().selection().selected().empty());
+        QTest::mouseClick(&view(), Qt::LeftButton, {}, view().positionOf(middle, half).toPoint());
+        QVERIFY(!view().dimension().from());
     }
 
     void heightsAreDrawnAsManyTimesLargerAsAskedFor() {
@@ -405,6 +442,9 @@ private:
         mouse(QEvent::MouseMove, to);
         mouse(QEvent::MouseButtonRelease, to);
         QVERIFY(view().section().has_value());
+    }
+    void measureAt(double along, double z) {
+        QTest::mouseClick(&view(), Qt::LeftButton, Qt::ShiftModifier, view().positionOf(along, z).toPoint());
     }
     [[nodiscard]] SectionPiece aCopperPiece() {
         const SectionPiece* widest = nullptr;

@@ -1,0 +1,55 @@
+#include "ui/section_dimension.h"
+
+#include <cmath>
+
+namespace ui {
+
+void SectionDimension::add(const SectionPlace& place) {
+    if (m_from && !m_to) {
+        m_to = place;
+    } else {
+        m_from = place;
+        m_to.reset();
+    }
+}
+
+bool SectionDimension::isAlongAlone() const {
+    return m_from->isOnUpright && m_to->isOnUpright && !(m_from->isOnLevel && m_to->isOnLevel);
+}
+
+bool SectionDimension::isHeightAlone() const {
+    return m_from->isOnLevel && m_to->isOnLevel && !(m_from->isOnUpright && m_to->isOnUpright);
+}
+
+std::optional<std::pair<SectionPlace, SectionPlace>> SectionDimension::ends() const {
+    if (!m_to) {
+        return std::nullopt;
+    }
+    std::pair ends(*m_from, *m_to);
+    if (isAlongAlone()) {
+        ends.first.z = ends.second.z;
+    } else if (isHeightAlone()) {
+        ends.first.along = ends.second.along;
+    }
+    return ends;
+}
+
+QString SectionDimension::text(models::LengthUnit unit) const {
+    if (!m_to) {
+        return {};
+    }
+    const double along = std::abs(m_to->along - m_from->along);
+    const double height = std::abs(m_to->z - m_from->z);
+    const QString alongText = QStringLiteral("%1 along").arg(models::lengthText(along, unit));
+    const QString heightText = QStringLiteral("%1 high").arg(models::lengthText(height, unit));
+    if (isAlongAlone()) {
+        return alongText;
+    }
+    if (isHeightAlone()) {
+        return heightText;
+    }
+    return QStringLiteral("%1, %2, %3 apart")
+        .arg(alongText, heightText, models::lengthText(std::hypot(along, height), unit));
+}
+
+}  // namespace ui
