@@ -87,7 +87,8 @@ ClearancePanel::ClearancePanel(models::ClearanceModel& places, models::RuleModel
     auto* tables = new QSplitter;
     tables->addWidget(m_ruleTable);
     tables->addWidget(m_table);
-    tables->setStretchFactor(1, 2);
+    tables->setStretchFactor(0, 2);
+    tables->setStretchFactor(1, 3);
     tables->setChildrenCollapsible(false);
     auto* all = new QVBoxLayout(this);
     all->setContentsMargins(4, 4, 4, 4);

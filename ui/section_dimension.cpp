@@ -14,11 +14,13 @@ void SectionDimension::add(const SectionPlace& place) {
 }
 
 bool SectionDimension::isAlongAlone() const {
-    return m_from->isOnUpright && m_to->isOnUpright && !(m_from->isOnLevel && m_to->isOnLevel);
+    const bool areUpright = m_from->isOnUpright && m_to->isOnUpright && !(m_from->isOnLevel && m_to->isOnLevel);
+    return areUpright || m_from->z == m_to->z;
 }
 
 bool SectionDimension::isHeightAlone() const {
-    return m_from->isOnLevel && m_to->isOnLevel && !(m_from->isOnUpright && m_to->isOnUpright);
+    const bool areLevel = m_from->isOnLevel && m_to->isOnLevel && !(m_from->isOnUpright && m_to->isOnUpright);
+    return areLevel || m_from->along == m_to->along;
 }
 
 std::optional<std::pair<SectionPlace, SectionPlace>> SectionDimension::ends() const {

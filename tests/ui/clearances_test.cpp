@@ -278,6 +278,15 @@ private slots:
         QCOMPARE(clearances().places().rowCount(), 0);
     }
 
+    void aBoardWithCopperButNoNetsIsTold() {
+        QVERIFY(m_fixture->openAndWait(QString(places::kTestData) + "/odb/drills"));
+        measure();
+        QCOMPARE(clearances().places().rowCount(), 0);
+        QVERIFY2(panel().remarks().contains("has copper but no nets"), qPrintable(panel().remarks()));
+        QVERIFY(m_fixture->openAndWait(places::kSample));
+        QVERIFY(panel().remarks().isEmpty());
+    }
+
 private:
     [[nodiscard]] ui::MainWindow& window() { return m_fixture->window(); }
     [[nodiscard]] ui::Clearances& clearances() { return window().clearances(); }
