@@ -97,6 +97,7 @@ void Clearances::setUnit(models::LengthUnit unit) {
     m_places.setUnit(unit);
     m_rules.setUnit(unit);
     m_panel->setUnit(unit);
+    m_lens.setUnit(unit);
     m_distances.setUnit(unit);
 }
 

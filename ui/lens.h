@@ -1,12 +1,14 @@
 #pragma once
 
 #include <QObject>
+#include <QTimer>
 #include <memory>
 #include <optional>
 
 #include "model/clearance/nearby.h"
 #include "ui/background.h"
 #include "ui/board_views.h"
+#include "ui/models/lengths.h"
 #include "ui/models/selection_model.h"
 #include "ui/plan_painter.h"
 
@@ -14,7 +16,8 @@ namespace ui {
 
 /// The clearance lens: lights everything up that comes closer to what is selected or highlighted than a distance. All
 /// that lies within a millimetre is found once in the background; moving the distance then only cuts a list. In 2D the
-/// gaps themselves are drawn.
+/// gaps themselves are painted, which follows the slider at once; where frames of the board are slow, elements are lit
+/// once it rests.
 class Lens : public QObject {
     Q_OBJECT
 
@@ -25,6 +28,7 @@ public:
     void setOn(bool isOn);
     /// nm, at most kMostReach.
     void setReach(double nm);
+    void setUnit(models::LengthUnit unit);
     [[nodiscard]] bool isOn() const { return m_isOn; }
     [[nodiscard]] bool isSearching() const { return m_background.isRunning(); }
     /// What is lit, nearest first; of the board's own elements.
@@ -40,6 +44,8 @@ private:
     void search();
     void deliver();
     void apply();
+    void light();
+    void tell();
     void paint(QPainter& painter) const;
 
     using Answer = std::optional<base::Result<std::vector<model::Nearby>>>;
@@ -54,6 +60,8 @@ private:
     std::size_t m_litCount = 0;
     double m_reach = 150'000.0;
     bool m_isOn = false;
+    models::LengthUnit m_unit = models::LengthUnit::Millimetre;
+    QTimer m_rest;  ///< runs out when the slider has not moved for a while
 };
 
 }  // namespace ui

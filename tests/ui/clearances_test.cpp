@@ -248,7 +248,7 @@ private slots:
             panel().lensSlider().setValue(value);
             const auto lit = clearances().lens().lit();
             QVERIFY(lit.size() >= last);
-            QCOMPARE(window().selection().nearby().size(), lit.size());
+            QTRY_COMPARE(window().selection().nearby().size(), lit.size());
             for (const model::Nearby& near : lit) {
                 QVERIFY(near.gap.distance <= panel().lensReach());
                 hasOther = hasOther || near.element == found.b;
