@@ -3,10 +3,10 @@
 #include <QAction>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QToolBar>
 
 #include "ui/actions.h"
 #include "ui/table_view.h"
-#include "ui/tool_button.h"
 
 namespace ui {
 
@@ -31,15 +31,18 @@ MeasurementsPanel::MeasurementsPanel(models::MeasurementModel& list, const Actio
     connect(&list, &QAbstractItemModel::modelReset, this, fitColumns);
     connect(&list, &QAbstractItemModel::dataChanged, this, fitColumns);
 
-    auto* row = new QHBoxLayout;
+    // A tool bar folds what has no room into a menu: the buttons do not widen the window.
+    auto* tools = new QToolBar;
     for (const ActionId id :
          {ActionId::MeasurePoints, ActionId::MeasureObjects, ActionId::MeasureAngle, ActionId::MeasureLines,
           ActionId::MeasureRadius, ActionId::MeasureLength, ActionId::MeasureGap}) {
-        row->addWidget(toolButton(actions[id]));
+        tools->addAction(&actions[id]);
     }
-    row->addWidget(toolButton(*m_forget));
-    row->addWidget(toolButton(actions[ActionId::ExportMeasurements]));
-    row->addStretch(1);
+    tools->addSeparator();
+    tools->addAction(m_forget);
+    tools->addAction(&actions[ActionId::ExportMeasurements]);
+    auto* row = new QHBoxLayout;
+    row->addWidget(tools, 1);
     layOut(*this, row, m_table);
 }
 

@@ -8,6 +8,7 @@
 #include "tests/places.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/unit/model/measure/measure_fixture.h"
+#include "ui/measurements_panel.h"
 #include "ui/measuring.h"
 
 using namespace measuring;
@@ -128,6 +129,11 @@ private slots:
             m_fixture->key(Qt::Key_Escape);
             QVERIFY(differingPixels(before, picture(*view)) > 200);
         }
+    }
+
+    void theButtonsDoNotWidenTheWindow() {
+        QVERIFY2(window().measurementsPanel().minimumSizeHint().width() < 400,
+                 qPrintable(QString::number(window().measurementsPanel().minimumSizeHint().width())));
     }
 
     void escapeTakesBackClickByClick() {
