@@ -24,6 +24,7 @@ constexpr Gesture kGestures[] = {
     {"Click", "Select; again: what lies beneath; with Ctrl: add or take away"},
     {"Double click, Alt + click", "Bring it to the middle of the other view"},
     {"Box from the left, from the right (2D)", "Select what is inside; what is inside or touched"},
+    {"Shift, Ctrl, Alt (measuring)", "Straight, in steps of 45°, without catching anything"},
     {"Wheel", "Zoom to the cursor"},
     {"Shift + click, twice (cross-section)", "Measure from edge to edge"},
     {"Arrows (canvas)", "Orbit, with Shift pan (3D); pan (2D)"},

@@ -249,7 +249,7 @@ bool MainWindow::cancelWork() {
         return true;
     }
     if (!m_netChecker.isChecking() && !m_clearances->isMeasuring()) {
-        return false;
+        return m_measuring->isFollowing() && m_measuring->stepBack();
     }
     m_netChecker.cancel();
     m_clearances->cancel();
@@ -259,11 +259,10 @@ bool MainWindow::cancelWork() {
 }
 
 void MainWindow::connectSelectActions() {
-    on(ActionId::ClearSelection,
-       [this] {
-           cancelWork() || m_keyboard->returnToView() || m_measuring->stepBack() || m_sections->giveUp() ||
-               m_selection.clearStep();
-       });
+    on(ActionId::ClearSelection, [this] {
+        cancelWork() || m_keyboard->returnToView() || m_measuring->stepBack() || m_sections->giveUp() ||
+            m_selection.clearStep();
+    });
     on(ActionId::ShowSelection, [this] { m_probing->showInBoth(m_selection.selected()); });
     m_netCommands = new NetCommands(m_actions, m_selection, m_netLooks, *m_netsPanel, this);
     connect(m_netCommands, &NetCommands::missed, this, [this](const QString& what) { statusBar()->showMessage(what); });

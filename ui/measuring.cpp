@@ -104,6 +104,9 @@ void Measuring::setBoard(const LoadedBoard& board) {
 
 void Measuring::setHeights(std::shared_ptr<const model::Document> document) {
     if (m_index) {
+        if (m_background.isRunning()) {
+            stepBack();  // heights of holes would be those of before
+        }
         m_index = model::withHeights(*m_index, std::move(document));
     }
 }

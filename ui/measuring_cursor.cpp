@@ -27,6 +27,7 @@ void MeasuringCursor::setBoard(std::shared_ptr<const model::BoardIndex> index) {
     m_index = std::move(index);
     m_snapper.reset();
     m_picker.reset();
+    m_figures = {};
     if (m_index) {
         m_snapper.emplace(m_index);
         m_picker.emplace(m_index);
@@ -83,11 +84,11 @@ std::optional<MeasuringCursor::Pointed> MeasuringCursor::pointedAt(const BoardVi
     return pointed;
 }
 
-bool MeasuringCursor::isWanted(const model::Hit& hit, base::PointD place, double reach, Catch what) const {
+bool MeasuringCursor::isWanted(const model::Hit& hit, base::PointD place, double reach, Catch what) {
     switch (what) {
         case Catch::Copper: return isNetCopper(hit.at);
-        case Catch::Straight: return model::straightAt(*m_index, hit.at, place, reach).has_value();
-        case Catch::Round: return model::roundAt(*m_index, hit.at, place, reach).has_value();
+        case Catch::Straight: return model::straightAt(*m_index, m_figures, hit.at, place, reach).has_value();
+        case Catch::Round: return model::roundAt(*m_index, m_figures, hit.at, place, reach).has_value();
         default: return true;
     }
 }
@@ -130,15 +131,15 @@ std::optional<Caught> MeasuringCursor::pointAt(const BoardView& view, const Poin
     return Caught{pointed.place, SnapKind::Free, pointed.hit ? pointed.hit->layer : model::LayerId{}, {}, {}, {}};
 }
 
-Caught MeasuringCursor::elementAt(const Pointed& pointed, double reach, Catch what) const {
+Caught MeasuringCursor::elementAt(const Pointed& pointed, double reach, Catch what) {
     const model::Hit& hit = *pointed.hit;
     Caught caught{pointed.place, SnapKind::Free, hit.layer, hit.at, {}, {}};
     if (what == Catch::Straight) {
-        caught.line = model::straightAt(*m_index, hit.at, pointed.place, reach);
+        caught.line = model::straightAt(*m_index, m_figures, hit.at, pointed.place, reach);
         caught.at = model::nearestOn(*caught.line, pointed.place);
         caught.kind = SnapKind::Edge;
     } else if (what == Catch::Round) {
-        caught.round = model::roundAt(*m_index, hit.at, pointed.place, reach);
+        caught.round = model::roundAt(*m_index, m_figures, hit.at, pointed.place, reach);
         caught.at = caught.round->on;
         caught.kind = SnapKind::Edge;
     }

@@ -60,11 +60,11 @@ private:
     };
 
     [[nodiscard]] std::optional<Pointed> pointedAt(const BoardView& view, QPointF position, Catch what);
-    [[nodiscard]] bool isWanted(const model::Hit& hit, base::PointD place, double reach, Catch what) const;
+    [[nodiscard]] bool isWanted(const model::Hit& hit, base::PointD place, double reach, Catch what);
     [[nodiscard]] bool isNetCopper(model::BoardElement at) const;
     [[nodiscard]] std::optional<Caught> pointAt(const BoardView& view, const Pointed& pointed, Catch what,
                                                 bool isSnapping);
-    [[nodiscard]] Caught elementAt(const Pointed& pointed, double reach, Catch what) const;
+    [[nodiscard]] Caught elementAt(const Pointed& pointed, double reach, Catch what);
     /// On which layers points may be caught.
     [[nodiscard]] std::vector<model::PickLayer> layersFor(const BoardView& view, const Pointed& pointed,
                                                           Catch what) const;
@@ -74,6 +74,7 @@ private:
     std::shared_ptr<const model::BoardIndex> m_index;
     std::optional<model::Snapper> m_snapper;
     std::optional<model::Picker> m_picker;
+    model::FigureCache m_figures;
 };
 
 }  // namespace ui

@@ -1,10 +1,11 @@
 #include "model/measure/edge_at.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+#include "model/geometry/distance.h"
 
 namespace model {
 
@@ -22,20 +23,31 @@ double cross(PointD u, PointD v) {
     return u.x * v.y - u.y * v.x;
 }
 
+Box boxAround(PointD place, double reach) {
+    const auto nm = [](double value) {
+        return static_cast<Nm>(std::clamp<double>(value, -base::kMaxCoordinate, base::kMaxCoordinate));
+    };
+    return {{nm(std::floor(place.x - reach)), nm(std::floor(place.y - reach))},
+            {nm(std::ceil(place.x + reach)), nm(std::ceil(place.y + reach))}};
+}
+
 /// The edge of an element whose middle is nearest to a place, if it covers the place or comes so near.
-std::optional<Edge> nearestEdge(const BoardIndex& index, BoardElement element, PointD place, double reach) {
-    const Pieces pieces = piecesOf(index, std::array{element});
+std::optional<Edge> nearestEdge(const BoardIndex& index, FigureCache& cache, BoardElement element, PointD place,
+                                double reach) {
+    const StepCopy& copy = index.tree.copies[element.copy];
+    const FigureTable& figures = cache.of(index, copy.step, element.element);
+    const PointD there = unplaced(place, copy.placement);
     std::optional<Edge> nearest;
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t row = 0; row < pieces.pieces.size(); ++row) {
-        for (const Edge& edge : pieces.figures.edges(row)) {
-            if (const double beside = distance(nearestOn(edge, place), place); beside < least) {
+    for (std::size_t row = 0; row < figures.size(); ++row) {
+        visitEdges(figures, row, boxAround(there, reach), [&](const Edge& edge) {
+            if (const double beside = distance(nearestOn(edge, there), there); beside < least) {
                 least = beside;
                 nearest = edge;
             }
-        }
+        });
     }
-    return nearest && least <= reach + nearest->pen ? nearest : std::nullopt;
+    return nearest && least <= reach + nearest->pen ? std::optional(placed(*nearest, copy.placement)) : std::nullopt;
 }
 
 Round roundOf(PointD centre, double radius, PointD place) {
@@ -56,18 +68,21 @@ Round rimOf(const Edge& edge, PointD place) {
 
 }  // namespace
 
-std::optional<Round> roundAt(const BoardIndex& index, BoardElement element, PointD place, double reach) {
+std::optional<Round> roundAt(const BoardIndex& index, FigureCache& figures, BoardElement element, PointD place,
+                             double reach) {
     const Document& step = *index.tree.steps[index.tree.copies[element.copy].step];
     const bool isCircle = step.elements.kind[element.element.row()] == ElementKind::Circle;
-    const auto edge = nearestEdge(index, element, place, isCircle ? std::numeric_limits<double>::infinity() : reach);
+    const auto edge =
+        nearestEdge(index, figures, element, place, isCircle ? std::numeric_limits<double>::infinity() : reach);
     if (!edge || (!isCircle && !edge->isArc())) {
         return std::nullopt;
     }
     return isCircle ? rimOf(*edge, place) : Round{edge->centre, edge->radius, nearestOn(*edge, place)};
 }
 
-std::optional<Edge> straightAt(const BoardIndex& index, BoardElement element, PointD place, double reach) {
-    const auto edge = nearestEdge(index, element, place, reach);
+std::optional<Edge> straightAt(const BoardIndex& index, FigureCache& figures, BoardElement element, PointD place,
+                               double reach) {
+    const auto edge = nearestEdge(index, figures, element, place, reach);
     return edge && !edge->isArc() && lengthOf(*edge) > 0 ? edge : std::nullopt;
 }
 

@@ -2,10 +2,11 @@
 
 #include <optional>
 
-#include "model/geometry/edges.h"
+#include "model/figure_cache.h"
 #include "model/measure/things.h"
 
-/// What is straight or round about an element where a cursor is. Places are nm of the board.
+/// What is straight or round about an element where a cursor is. Places are nm of the board. The cost follows what lies
+/// within reach, once the cache knows the element.
 namespace model {
 
 /// A circle, or an arc of one.
@@ -17,11 +18,13 @@ struct Round {
 
 /// Of discs, holes and rings the rim nearest to the place, however far; of others the arc nearest to it: the middle
 /// line of a stroke or a side of an area. Nothing if what is nearest is straight or farther away than `reach`.
-[[nodiscard]] std::optional<Round> roundAt(const BoardIndex& index, BoardElement element, PointD place, double reach);
+[[nodiscard]] std::optional<Round> roundAt(const BoardIndex& index, FigureCache& figures, BoardElement element,
+                                           PointD place, double reach);
 
 /// The straight middle line of a stroke, or side of an area, that is nearest to the place. Nothing if what is nearest
 /// is curved, a dot, or farther away than `reach`.
-[[nodiscard]] std::optional<Edge> straightAt(const BoardIndex& index, BoardElement element, PointD place, double reach);
+[[nodiscard]] std::optional<Edge> straightAt(const BoardIndex& index, FigureCache& figures, BoardElement element,
+                                             PointD place, double reach);
 
 /// Where the lines through two straight edges cross. Nothing if they are parallel, or cross beyond
 /// base::kMaxCoordinate.

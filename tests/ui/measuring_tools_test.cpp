@@ -229,6 +229,20 @@ private slots:
         QVERIFY(list().empty());
     }
 
+    void escapeStopsFollowingANet() {
+        m_fixture->key(Qt::Key_J);
+        click(flat(), {0, 0});
+        click(flat(), {6, 4});
+        QVERIFY(window().measuring().isFollowing());
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(!window().measuring().isFollowing());
+        QCOMPARE(said(), QString("Stopped"));
+        QCOMPARE(window().measuring().tool(), Measuring::Tool::Length);
+        click(flat(), {0, 0});
+        click(flat(), {6, 4});
+        QTRY_COMPARE_WITH_TIMEOUT(list().size(), std::size_t{1}, kPatienceMs);
+    }
+
     void distancesSayWhatTheyRestOn() {
         m_fixture->key(Qt::Key_M, Qt::ShiftModifier);
         click(flat(), {-3, 0});
