@@ -114,8 +114,8 @@ void MainWindow::createCentre() {
     m_planPainter = std::make_unique<PlanPainter>(m_views->flat());
     m_planPainter->setLooks(m_netLooks);
     m_hoverOutline = new HoverOutline(*m_views, m_selection, this);
-    m_clearances = new Clearances(*m_views, *m_probing, m_selection, *m_planPainter, m_actions,
-                                  m_thicknesses.history(), this);
+    m_clearances =
+        new Clearances(*m_views, *m_probing, m_selection, *m_planPainter, m_actions, m_thicknesses.history(), this);
     m_sections = new Sections(*m_views, m_selection, m_actions, m_thicknesses.history(), this);
     m_placeReadout = new PlaceReadout(*m_probing, *m_statusLine, this);
     m_measurements = new MeasurementKeeping(m_thicknesses.history(), this);
@@ -150,8 +150,8 @@ void MainWindow::createDocks() {
                                                  {ActionId::ShowStatisticsDock, m_statisticsPanel},
                                                  {ActionId::ShowMessagesDock, m_messagesPanel},
                                                  {ActionId::ShowViewsDock, m_viewsPanel},
-                                                  {ActionId::ShowMeasurementsDock, m_measurementsPanel},
-                                                  {ActionId::ShowClearanceDock, &m_clearances->panel()},
+                                                 {ActionId::ShowMeasurementsDock, m_measurementsPanel},
+                                                 {ActionId::ShowClearanceDock, &m_clearances->panel()},
                                                  {ActionId::ShowSectionDock, &m_sections->panel()}};
     addDocks(*this, m_actions, [&panels](ActionId toggle) { return panels.at(toggle); });
 }
