@@ -5,11 +5,11 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QSortFilterProxyModel>
 #include <QSplitter>
+#include <QToolBar>
 
 #include "ui/actions.h"
 #include "ui/choice_delegate.h"
@@ -36,7 +36,6 @@ ClearancePanel::ClearancePanel(models::ClearanceModel& places, models::RuleModel
       m_summary(new QLabel),
       m_table(new TableView),
       m_ruleTable(new TableView),
-      m_ruleButtons(new QWidget),
       m_lens(new QSlider(Qt::Horizontal)),
       m_lensText(new QLabel),
       m_distances(new DistanceBar(actions)),
@@ -65,20 +64,19 @@ ClearancePanel::ClearancePanel(models::ClearanceModel& places, models::RuleModel
         m_ruleTable->setColumnHidden(column, true);  // the title says them
     }
 
-    auto* load = new QPushButton(QStringLiteral("Open rules…"));
-    auto* save = new QPushButton(QStringLiteral("Save rules…"));
-    auto* buttons = new QHBoxLayout(m_ruleButtons);
-    buttons->setContentsMargins(0, 0, 0, 0);
-    buttons->addWidget(toolButton(actions[ActionId::EditRules]));
-    buttons->addWidget(load);
-    buttons->addWidget(save);
+    // A tool bar folds what has no room into a menu: the buttons do not widen the window.
+    auto* tools = new QToolBar;
+    tools->addAction(&actions[ActionId::FindGaps]);
+    tools->addAction(&actions[ActionId::ExportGaps]);
+    tools->addAction(&actions[ActionId::EditRules]);
+    m_openRules = tools->addAction(QStringLiteral("Open rules…"), this, &ClearancePanel::rulesAsked);
+    m_saveRules = tools->addAction(QStringLiteral("Save rules…"), this, &ClearancePanel::rulesSaved);
+    m_summary->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     auto* row = new QHBoxLayout;
     row->addWidget(m_what);
     row->addWidget(m_where);
-    row->addWidget(toolButton(actions[ActionId::FindGaps]));
-    row->addWidget(m_ruleButtons);
-    row->addWidget(toolButton(actions[ActionId::ExportGaps]));
-    row->addWidget(m_summary, 1);
+    row->addWidget(tools, 3);
+    row->addWidget(m_summary, 2);
     auto* lenses = new QHBoxLayout;
     lenses->addWidget(toolButton(actions[ActionId::Lens]));
     lenses->addWidget(m_lens, 1);
@@ -105,8 +103,6 @@ ClearancePanel::ClearancePanel(models::ClearanceModel& places, models::RuleModel
     connect(&rules, &QAbstractItemModel::dataChanged, m_ruleTable, &QTableView::resizeColumnsToContents);
     connect(&rules, &QAbstractItemModel::modelReset, m_ruleTable, &QTableView::resizeColumnsToContents);
     connect(m_lens, &QSlider::valueChanged, this, [this] { emit lensMoved(lensReach()); });
-    connect(load, &QPushButton::clicked, this, &ClearancePanel::rulesAsked);
-    connect(save, &QPushButton::clicked, this, &ClearancePanel::rulesSaved);
     onWhat();
     onReset();
 }
@@ -156,7 +152,8 @@ void ClearancePanel::onWhat() {
     const bool isOfRules = what() == What::Rules;
     m_where->setVisible(!isOfRules);
     m_ruleTable->setVisible(isOfRules);
-    m_ruleButtons->setVisible(isOfRules);
+    m_openRules->setVisible(isOfRules);
+    m_saveRules->setVisible(isOfRules);
     m_ruleTable->resizeColumnsToContents();
 }
 

@@ -6,6 +6,7 @@
 #include "ui/models/clearance_model.h"
 #include "ui/models/rule_model.h"
 
+class QAction;
 class QComboBox;
 class QLabel;
 class QSlider;
@@ -66,7 +67,8 @@ private:
     QLabel* m_summary;
     TableView* m_table;
     TableView* m_ruleTable;
-    QWidget* m_ruleButtons;
+    QAction* m_openRules;
+    QAction* m_saveRules;
     QSlider* m_lens;
     QLabel* m_lensText;
     DistanceBar* m_distances;
