@@ -100,7 +100,6 @@ std::vector<render::ZRange> BoardView::drawnHeights() const {
 
 void BoardView::setDim(float dim) {
     m_picture.settings.dim = dim;
-    requestFrame();
 }
 
 void BoardView::setOutlined(bool isOn) {
@@ -163,6 +162,15 @@ void BoardView::updateBox() {
 void BoardView::requestFrame() {
     m_isBoardDrawn = false;
     requestOverlay();
+}
+
+void BoardView::requestFrameAtRest() {
+    if (m_isSlow) {
+        m_rest.start();
+        requestOverlay();
+    } else {
+        requestFrame();
+    }
 }
 
 void BoardView::requestOverlay() {

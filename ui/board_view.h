@@ -40,7 +40,7 @@ public:
     void setBoard(const glm::vec3& boxMin, const glm::vec3& boxMax);
     void setStyles(std::vector<render::LayerStyle> styles);
     void setBackend(render::Backend backend);
-    /// Darkens what does not stand out, see render::ViewSettings.
+    /// Darkens what does not stand out, see render::ViewSettings; from the next frame of the board on.
     void setDim(float dim);
     /// Outlines and nothing in them; in 2D.
     void setOutlined(bool isOn);
@@ -60,6 +60,8 @@ public:
     void setCut(std::shared_ptr<const render::Cut> cut);
     [[nodiscard]] const render::Cut* cut() const { return m_picture.settings.cut.get(); }
     void requestFrame();
+    /// Of the board, but where that is slow only when nothing has been asked for for a while, and an overlay at once.
+    void requestFrameAtRest();
     /// The painters paint something else, all else is as it was: the board is not drawn again.
     void requestOverlay();
     /// Keys go to the canvas from now on.

@@ -158,7 +158,6 @@ void BoardViews::applyStates() {
 void BoardViews::setStates(ElementStateLists states) {
     m_states = std::move(states);
     applyStates();
-    requestFrame();
 }
 
 void BoardViews::setElementColours(std::vector<glm::vec3> colours) {
@@ -223,6 +222,12 @@ void BoardViews::requestFrame() {
     }
 }
 
+void BoardViews::requestFrameAtRest() {
+    for (BoardView* view : m_views) {
+        view->requestFrameAtRest();
+    }
+}
+
 void BoardViews::requestOverlay() {
     for (BoardView* view : m_views) {
         view->requestOverlay();
@@ -249,6 +254,7 @@ void BoardViews::onDeviceLost() {
         view->releaseDevice();
     }
     m_scene.reset();
+    emit deviceGoes();
     if (const base::Status renewed = m_context.renewDevice(); !renewed) {
         emit troubled(
             QStringLiteral("The graphics device failed. %1").arg(QString::fromStdString(renewed.error().text)));

@@ -47,13 +47,14 @@ public:
     void setZScale(const render::ZScale& scale);
     /// Cuts the board of the 3D view open; null: it is whole.
     void setCut(std::shared_ptr<const render::Cut> cut) { solid().setCut(std::move(cut)); }
+    /// See BoardView, all three.
     void requestFrame();
-    /// See BoardView.
+    void requestFrameAtRest();
     void requestOverlay();
-    /// How elements look otherwise than their layers; the colours that they name, 63 at most.
+    /// How elements look otherwise than their layers; the colours that they name, 63 at most; and by how much what does
+    /// not stand out is darkened, 0 to 1. They show in the next frame of the board, which the caller asks for.
     void setStates(ElementStateLists states);
     void setElementColours(std::vector<glm::vec3> colours);
-    /// By how much what does not stand out is darkened, 0 to 1.
     void setDim(float dim);
 
     [[nodiscard]] BoardView& flat() { return *m_views[0]; }
@@ -66,6 +67,8 @@ public:
     [[nodiscard]] render::BoardScene* scene() { return m_scene.get(); }
 
 signals:
+    /// The device failed and is about to be renewed: who made something from it gives that up.
+    void deviceGoes();
     void timed(const render::FrameStats& stats);
     void activeChanged();
     /// The device failed; says whether it works again.

@@ -22,7 +22,7 @@ std::vector<glm::vec3> coloursOf(const std::vector<QRgb>& palette) {
 ElementLooks::ElementLooks(BoardViews& views, models::SelectionModel& selection, models::NetLooks& nets,
                            QObject* parent)
     : QObject(parent), m_views(views), m_selection(selection), m_nets(nets) {
-    connect(&selection, &models::SelectionModel::highlightChanged, this, &ElementLooks::update);
+    connect(&selection, &models::SelectionModel::highlightChanged, this, &ElementLooks::onHighlightChanged);
     connect(&nets, &models::NetLooks::changed, this, &ElementLooks::onNetsChanged);
 }
 
@@ -41,12 +41,14 @@ void ElementLooks::obey(QAction& isOn, QSlider& amount) {
 
 void ElementLooks::setDimming(bool isOn) {
     m_isDimming = isOn;
-    update();
+    apply();
+    m_views.requestFrame();
 }
 
 void ElementLooks::setDim(float dim) {
     m_dim = dim;
-    update();
+    apply();
+    m_views.requestFrame();
 }
 
 void ElementLooks::onNetsChanged() {
@@ -61,10 +63,17 @@ void ElementLooks::onNetsChanged() {
         m_ofNets[look.net.step].add(tree.steps[look.net.step]->elementsOf(look.net.net), state);
     }
     m_views.setElementColours(coloursOf(palette));
-    update();
+    apply();
+    m_views.requestFrame();
 }
 
-void ElementLooks::update() {
+/// The outlines of what is selected are seen at once (ui/element_outlines.h).
+void ElementLooks::onHighlightChanged() {
+    apply();
+    m_views.requestFrameAtRest();
+}
+
+void ElementLooks::apply() {
     const auto lit = m_selection.highlight();
     ElementStateLists states = m_ofNets;
     states.resize(lit.size());

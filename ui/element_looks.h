@@ -27,12 +27,13 @@ private:
     void setDimming(bool isOn);
     void setDim(float dim);
     void onNetsChanged();
-    void update();
+    void onHighlightChanged();
+    void apply();
 
     BoardViews& m_views;
     models::SelectionModel& m_selection;
     models::NetLooks& m_nets;
-    ElementStateLists m_ofNets;  ///< colours and hiding alone; kept, because the cursor changes the rest all the time
+    ElementStateLists m_ofNets;  ///< colours and hiding alone; kept, because the hand changes the rest all the time
     bool m_isDimming = false;
     float m_dim = render::kDimRest;
 };

@@ -13,6 +13,7 @@ namespace {
 constexpr int kWidth = 140;
 constexpr int kHeight = 110;
 constexpr int kGap = 4;
+constexpr int kSettleMs = 60;
 
 glm::vec3 rgb(const QColor& colour) {
     return {static_cast<float>(colour.redF()), static_cast<float>(colour.greenF()), static_cast<float>(colour.blueF())};
@@ -38,10 +39,17 @@ ElementPicture::ElementPicture(GpuContext& context, models::SelectionModel& sele
     : QWidget(parent), m_context(context), m_selection(selection), m_layers(layers) {
     setMaximumHeight(kHeight);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    m_settle.setSingleShot(true);
+    m_settle.setInterval(kSettleMs);
+    connect(&m_settle, &QTimer::timeout, this, qOverload<>(&QWidget::update));
     setToolTip(QStringLiteral("The element by itself, from above and aslant, as high as it is"));
     connect(&selection, &models::SelectionModel::selectionChanged, this, &ElementPicture::setStale);
     connect(&layers, &models::LayerModel::looksChanged, this, &ElementPicture::setStale);
     setStale();
+}
+
+void ElementPicture::releaseDevice() {
+    m_presenter.reset();
 }
 
 QSize ElementPicture::sizeHint() const {
@@ -50,6 +58,8 @@ QSize ElementPicture::sizeHint() const {
 
 void ElementPicture::setStale() {
     m_isStale = true;
+    m_images = {};
+    m_settle.start();
     setVisible(m_selection.current().has_value());
     update();
 }
@@ -61,7 +71,7 @@ QRect ElementPicture::placeOf(int view) const {
 
 void ElementPicture::paintEvent(QPaintEvent*) {
     const QSize pixels = (QSizeF(placeOf(Flat).size()) * devicePixelRatioF()).toSize();
-    if (m_isStale || pixels != m_pixels) {
+    if (!m_settle.isActive() && (m_isStale || pixels != m_pixels)) {
         draw(pixels);
     }
     QPainter painter(this);
@@ -101,14 +111,16 @@ QString ElementPicture::drawElement(const model::Document& document, model::Elem
     if (!scene) {
         return QString::fromStdString(scene.error().text);
     }
-    render::OffscreenPresenter presenter(m_context.device());
+    if (!m_presenter) {
+        m_presenter.emplace(m_context.device());
+    }
     const std::size_t layer = document.elements.layer[element.row()].row();
     Picture picture;
     picture.scene = &*scene;
     picture.styles = {{rgb(m_layers.effectiveLooks()[layer].colour), 1.0F, true}};
     for (const View view : {Flat, Solid}) {
         picture.settings.is2d = view == Flat;
-        const auto image = drawPicture(presenter, picture, cameraFor(*alone, *model, view, pixels), pixels);
+        const auto image = drawPicture(*m_presenter, picture, cameraFor(*alone, *model, view, pixels), pixels);
         if (!image) {
             m_images = {};
             return QString::fromStdString(image.error().text);

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <QImage>
+#include <QTimer>
 #include <QWidget>
 #include <array>
+#include <optional>
 
+#include "render/view.h"
 #include "ui/gpu_context.h"
 #include "ui/models/layer_model.h"
 #include "ui/models/selection_model.h"
@@ -11,9 +14,9 @@
 namespace ui {
 
 /// The element selected last by itself, from above and aslant, in the colour of its layer and with its true height.
-/// Drawn when it is painted, so it costs nothing while it is out of sight; hidden while nothing is selected. It asks
-/// for no room of its own: a selection must not make the window grow. Nothing made from the device outlives the
-/// drawing.
+/// Drawn a moment after the selection changed, so that the views answer first, and when it is painted, so that it costs
+/// nothing while it is out of sight; hidden while nothing is selected. It asks for no room of its own: a selection must
+/// not make the window grow.
 class ElementPicture : public QWidget {
     Q_OBJECT
 
@@ -24,8 +27,11 @@ public:
     ElementPicture(GpuContext& context, models::SelectionModel& selection, models::LayerModel& layers,
                    QWidget* parent = nullptr);
 
+    /// Gives up what was made from the device, before it is renewed.
+    void releaseDevice();
+
     enum View { Flat, Solid, ViewCount };
-    /// Null where nothing is or could be drawn.
+    /// Null where nothing is, could be, or has yet been drawn.
     [[nodiscard]] const QImage& image(View view) const { return m_images[view]; }
     /// Why nothing is drawn; empty otherwise.
     [[nodiscard]] const QString& reason() const { return m_reason; }
@@ -44,9 +50,11 @@ private:
     GpuContext& m_context;
     models::SelectionModel& m_selection;
     models::LayerModel& m_layers;
+    std::optional<render::OffscreenPresenter> m_presenter;  ///< kept: making its pipelines takes longer than drawing
     std::array<QImage, ViewCount> m_images;
     QSize m_pixels;  ///< of each image
     QString m_reason;
+    QTimer m_settle;  ///< runs while the selection may be about to change again
     bool m_isStale = true;
 };
 

@@ -113,7 +113,7 @@ void MainWindow::createCentre() {
     m_elementLooks = new ElementLooks(*m_views, m_selection, m_netLooks, this);
     m_planPainter = std::make_unique<PlanPainter>(m_views->flat());
     m_planPainter->setLooks(m_netLooks);
-    m_hoverOutline = new HoverOutline(*m_views, m_selection, this);
+    m_outlines = new ElementOutlines(*m_views, m_selection, this);
     m_clearances =
         new Clearances(*m_views, *m_probing, m_selection, *m_planPainter, m_actions, m_thicknesses.history(), this);
     m_sections = new Sections(*m_views, m_selection, m_actions, m_thicknesses.history(), this);
@@ -134,6 +134,7 @@ void MainWindow::createDocks() {
     m_netsPanel = new NetsPanel(m_netModel, m_selection, m_netLooks, m_actions);
     m_netLookEditing = new NetLookEditing(m_netLooks, m_thicknesses.history(), this);
     m_elementPanel = new ElementPanel(m_selection, new ElementPicture(m_context, m_selection, m_layerModel));
+    connect(m_views, &BoardViews::deviceGoes, &m_elementPanel->picture(), &ElementPicture::releaseDevice);
     m_netCheckPanel = new NetCheckPanel(m_netCheckModel, m_actions);
     m_stackPanel = new StackPanel(m_stackModel, m_actions);
     m_statisticsPanel = new StatisticsPanel(m_statisticsModel, m_drillModel);
@@ -285,7 +286,7 @@ void MainWindow::onLoaded(const LoadedBoard& board) {
     m_clearances->setBoard(board);
     m_sections->setBoard(board);
     m_actions[ActionId::DrawSection].setChecked(false);
-    m_hoverOutline->setOrigin(board.model->origin);
+    m_outlines->setOrigin(board.model->origin);
     m_planPainter->setBoard(board.index, {board.model->origin});
     m_measurements->setBoard(board);
     m_measuring->setBoard(board);

@@ -12,7 +12,7 @@
 #include "ui/drop_target.h"
 #include "ui/element_looks.h"
 #include "ui/frame_display.h"
-#include "ui/hover_outline.h"
+#include "ui/element_outlines.h"
 #include "ui/loader.h"
 #include "ui/measurement_keeping.h"
 #include "ui/measuring.h"
@@ -210,7 +210,7 @@ private:
     ElementLooks* m_elementLooks = nullptr;
     Clearances* m_clearances = nullptr;
     Sections* m_sections = nullptr;
-    HoverOutline* m_hoverOutline = nullptr;
+    ElementOutlines* m_outlines = nullptr;
     std::unique_ptr<PlanPainter> m_planPainter;
     PlaceReadout* m_placeReadout = nullptr;
     std::unique_ptr<Cutting> m_cutting;
