@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <new>
 #include <utility>
 
 namespace ui {
@@ -85,31 +84,23 @@ std::vector<std::size_t> countsOf(const ClearanceAnswer& answer) {
 }
 
 ClearanceChecker::ClearanceChecker(QObject* parent) : QObject(parent) {
-    connect(&m_background, &Background::progressed, this, &ClearanceChecker::progressed);
-    connect(&m_background, &Background::finished, this, &ClearanceChecker::deliver);
+    connect(&m_search.background(), &Background::progressed, this, &ClearanceChecker::progressed);
+    connect(&m_search.background(), &Background::finished, this, &ClearanceChecker::deliver);
 }
 
 void ClearanceChecker::start(std::shared_ptr<const Document> board, ClearanceRequest request) {
     m_board = std::move(board);
     m_request = std::move(request);
-    m_outcome = std::make_shared<Outcome>();
-    m_background.start(
-        [board = m_board, request = m_request, outcome = m_outcome](base::Progress& progress) {
-            try {
-                *outcome = search(*board, request, progress);
-            } catch (const std::bad_alloc&) {
-                *outcome = base::Error{base::ErrorCode::BadInput, "There is not enough memory to measure clearances"};
-            }
-        },
-        "Measuring clearances");
+    m_search.ask(
+        [board = m_board, request = m_request](base::Progress& progress) { return search(*board, request, progress); },
+        "Measuring clearances", "There is not enough memory to measure clearances");
 }
 
 void ClearanceChecker::deliver() {
-    const std::shared_ptr<Outcome> outcome = std::move(m_outcome);
-    if (**outcome) {
-        emit found(m_board, m_request, ***outcome);
+    if (const auto answer = m_search.take()) {
+        emit found(m_board, m_request, *answer);
     } else {
-        emit failed(QString::fromStdString((*outcome)->error().text));
+        emit failed(QString::fromStdString(answer.error().text));
     }
 }
 

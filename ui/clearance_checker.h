@@ -2,10 +2,9 @@
 
 #include <QObject>
 #include <memory>
-#include <optional>
 
 #include "model/clearance/clearance_report.h"
-#include "ui/background.h"
+#include "ui/background_answer.h"
 #include "ui/models/clearance_model.h"
 
 namespace ui {
@@ -38,8 +37,8 @@ public:
     /// when neither is named.
     void start(std::shared_ptr<const model::Document> board, ClearanceRequest request);
     /// Nothing is heard of the search after this.
-    void cancel() { m_background.cancel(); }
-    [[nodiscard]] bool isChecking() const { return m_background.isRunning(); }
+    void cancel() { m_search.cancel(); }
+    [[nodiscard]] bool isChecking() const { return m_search.isRunning(); }
 
 signals:
     /// As Background::progressed.
@@ -51,12 +50,9 @@ signals:
 private:
     void deliver();
 
-    using Outcome = std::optional<base::Result<ClearanceAnswer>>;
-
-    Background m_background;
+    BackgroundAnswer<ClearanceAnswer> m_search;
     std::shared_ptr<const model::Document> m_board;
     ClearanceRequest m_request;
-    std::shared_ptr<Outcome> m_outcome;  ///< of the search under way; written by its thread
 };
 
 }  // namespace ui

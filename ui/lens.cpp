@@ -10,7 +10,6 @@ namespace {
 constexpr QColor kGapColour(255, 90, 60);
 constexpr double kGapPixels = 2.0;
 constexpr std::size_t kMostGaps = 20'000;  ///< as many as are painted while the slider moves
-constexpr int kRestMs = 250;
 
 }  // namespace
 
@@ -18,15 +17,12 @@ Lens::Lens(BoardViews& views, models::SelectionModel& selection, QObject* parent
     : QObject(parent), m_views(views), m_selection(selection) {
     connect(&selection, &models::SelectionModel::selectionChanged, this, &Lens::search);
     connect(&selection, &models::SelectionModel::netsChanged, this, &Lens::search);
-    connect(&m_background, &Background::finished, this, &Lens::deliver);
-    m_rest.setSingleShot(true);
-    m_rest.setInterval(kRestMs);
-    connect(&m_rest, &QTimer::timeout, this, &Lens::light);
+    connect(&m_search.background(), &Background::finished, this, &Lens::deliver);
     views.flat().addPainter([this](QPainter& painter) { paint(painter); });
 }
 
 void Lens::setBoard(const LoadedBoard& board) {
-    m_background.cancel();
+    m_search.cancel();
     m_board = board.document;
     m_place.origin = board.model->origin;
     m_near.clear();
@@ -44,8 +40,9 @@ void Lens::setReach(double nm) {
 }
 
 void Lens::search() {
-    m_background.cancel();
+    m_search.cancel();
     m_near.clear();
+    m_trouble.clear();
     if (!m_isOn || !m_board) {
         apply();
         return;
@@ -55,19 +52,17 @@ void Lens::search() {
         apply();
         return;
     }
-    m_answer = std::make_shared<Answer>();
-    m_background.start(
-        [board = m_board, elements = std::move(elements), answer = m_answer](base::Progress& progress) {
-            *answer = model::copperNear(*board, elements, kMostReach, progress);
-        },
-        "Looking around");
+    m_search.ask([board = m_board, elements = std::move(elements)](
+                     base::Progress& progress) { return model::copperNear(*board, elements, kMostReach, progress); },
+                 "Looking around", "there is not enough memory to look around");
     emit told(QStringLiteral("looking…"));
 }
 
 void Lens::deliver() {
-    const std::shared_ptr<Answer> answer = std::move(m_answer);
-    if (answer && *answer && **answer) {
-        m_near = std::move(***answer);
+    if (auto near = m_search.take()) {
+        m_near = std::move(*near);
+    } else {
+        m_trouble = QString::fromStdString(near.error().text);
     }
     apply();
 }
@@ -85,24 +80,13 @@ void Lens::apply() {
     const auto end =
         std::ranges::upper_bound(m_near, m_reach, {}, [](const model::Nearby& n) { return n.gap.distance; });
     m_litCount = static_cast<std::size_t>(end - m_near.begin());
-    m_views.flat().requestOverlay();
-    tell();
-    // What ends is dark at once; what moves is lit at once only where the board is drawn as quickly.
-    const bool isSlow = m_views.flat().isSlow() || m_views.solid().isSlow();
-    if (isSlow && m_litCount > 0) {
-        m_rest.start();
-    } else {
-        light();
-    }
-}
-
-void Lens::light() {
-    m_rest.stop();
     std::vector<model::BoardElement> elements;
     for (const model::Nearby& near : lit()) {
         elements.push_back({0, near.element});
     }
     m_selection.setNearby(std::move(elements));
+    m_views.flat().requestOverlay();
+    tell();
 }
 
 void Lens::tell() {
@@ -110,6 +94,10 @@ void Lens::tell() {
         emit told({});
     } else if (m_selection.selected().empty() && m_selection.nets().empty()) {
         emit told(QStringLiteral("select something"));
+    } else if (!m_trouble.isEmpty()) {
+        emit told(m_trouble);
+    } else if (m_selection.ownElements().empty()) {
+        emit told(QStringLiteral("not in copies of other steps"));
     } else if (!isSearching()) {
         emit told(QStringLiteral("%L1 within %2").arg(m_litCount).arg(models::lengthText(m_reach, m_unit)));
     }

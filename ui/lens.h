@@ -1,12 +1,10 @@
 #pragma once
 
 #include <QObject>
-#include <QTimer>
 #include <memory>
-#include <optional>
 
 #include "model/clearance/nearby.h"
-#include "ui/background.h"
+#include "ui/background_answer.h"
 #include "ui/board_views.h"
 #include "ui/models/lengths.h"
 #include "ui/models/selection_model.h"
@@ -30,7 +28,7 @@ public:
     void setReach(double nm);
     void setUnit(models::LengthUnit unit);
     [[nodiscard]] bool isOn() const { return m_isOn; }
-    [[nodiscard]] bool isSearching() const { return m_background.isRunning(); }
+    [[nodiscard]] bool isSearching() const { return m_search.isRunning(); }
     /// What is lit, nearest first; of the board's own elements.
     [[nodiscard]] std::span<const model::Nearby> lit() const;
 
@@ -44,24 +42,20 @@ private:
     void search();
     void deliver();
     void apply();
-    void light();
     void tell();
     void paint(QPainter& painter) const;
 
-    using Answer = std::optional<base::Result<std::vector<model::Nearby>>>;
-
     BoardViews& m_views;
     models::SelectionModel& m_selection;
-    Background m_background;
+    BackgroundAnswer<std::vector<model::Nearby>> m_search;
     std::shared_ptr<const model::Document> m_board;
     BoardPlace m_place;
-    std::shared_ptr<Answer> m_answer;  ///< of the search under way; written by its thread
+    QString m_trouble;  ///< why the last search found nothing, if it failed
     std::vector<model::Nearby> m_near;
     std::size_t m_litCount = 0;
     double m_reach = 150'000.0;
     bool m_isOn = false;
     models::LengthUnit m_unit = models::LengthUnit::Millimetre;
-    QTimer m_rest;  ///< runs out when the slider has not moved for a while
 };
 
 }  // namespace ui

@@ -1,7 +1,6 @@
 #include "ui/loader.h"
 
 #include <QElapsedTimer>
-#include <new>
 #include <utility>
 
 #include "model/measures.h"
@@ -95,37 +94,27 @@ base::Result<LoadedBoard> loadBoard(const LoadRequest& request, base::Progress& 
 }
 
 Loader::Loader(Work work, QObject* parent) : QObject(parent), m_work(std::move(work)) {
-    connect(&m_background, &Background::progressed, this, &Loader::progressed);
-    connect(&m_background, &Background::finished, this, &Loader::deliver);
+    connect(&m_load.background(), &Background::progressed, this, &Loader::progressed);
+    connect(&m_load.background(), &Background::finished, this, &Loader::deliver);
 }
 
 void Loader::open(LoadRequest request) {
     cancel();
     m_request = std::move(request);
-    m_answer = std::make_shared<Answer>();
-    m_background.start(
-        [work = m_work, asked = m_request, answer = m_answer](base::Progress& progress) {
-            try {
-                *answer = work(asked, progress);
-            } catch (const std::bad_alloc&) {
-                // A huge board must not take down the window that shows another one.
-                *answer = base::Error{base::ErrorCode::BadInput, "There is not enough memory for this board"};
-            }
-        },
-        "Opening");
+    m_load.ask([work = m_work, asked = m_request](base::Progress& progress) { return work(asked, progress); },
+               "Opening", "There is not enough memory for this board");
     emit started(m_request);
 }
 
 void Loader::cancel() {
     if (isLoading()) {
-        m_background.cancel();
+        m_load.cancel();
         emit cancelled(m_request);
     }
 }
 
 void Loader::deliver() {
-    const std::shared_ptr<Answer> answer = std::move(m_answer);
-    const base::Result<LoadedBoard>& result = **answer;
+    const base::Result<LoadedBoard> result = m_load.take();
     if (result) {
         emit loaded(*result);
     } else if (result.error().code == base::ErrorCode::Cancelled) {

@@ -14,7 +14,7 @@
 #include "model/net_statistics.h"
 #include "model/session/session.h"
 #include "render/board_model.h"
-#include "ui/background.h"
+#include "ui/background_answer.h"
 
 namespace ui {
 
@@ -72,7 +72,7 @@ public:
 
     void open(LoadRequest request);
     void cancel();
-    [[nodiscard]] bool isLoading() const { return m_background.isRunning(); }
+    [[nodiscard]] bool isLoading() const { return m_load.isRunning(); }
 
 signals:
     void started(const ui::LoadRequest& request);
@@ -85,12 +85,9 @@ signals:
 private:
     void deliver();
 
-    using Answer = std::optional<base::Result<LoadedBoard>>;
-
     Work m_work;
-    Background m_background;
+    BackgroundAnswer<LoadedBoard> m_load;
     LoadRequest m_request;
-    std::shared_ptr<Answer> m_answer;  ///< of the load under way; written by its thread
 };
 
 }  // namespace ui

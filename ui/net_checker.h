@@ -2,10 +2,9 @@
 
 #include <QObject>
 #include <memory>
-#include <optional>
 
 #include "model/connectivity/net_check.h"
-#include "ui/background.h"
+#include "ui/background_answer.h"
 
 namespace ui {
 
@@ -19,8 +18,8 @@ public:
     /// Cancels a check under way.
     void start(std::shared_ptr<const model::Document> board);
     /// Nothing is heard of the check after this.
-    void cancel() { m_background.cancel(); }
-    [[nodiscard]] bool isChecking() const { return m_background.isRunning(); }
+    void cancel() { m_checks.cancel(); }
+    [[nodiscard]] bool isChecking() const { return m_checks.isRunning(); }
 
 signals:
     /// As Background::progressed.
@@ -31,11 +30,8 @@ signals:
 private:
     void deliver();
 
-    using Answer = std::optional<base::Result<std::vector<model::StepCheck>>>;
-
-    Background m_background;
+    BackgroundAnswer<std::vector<model::StepCheck>> m_checks;
     std::shared_ptr<const model::Document> m_board;
-    std::shared_ptr<Answer> m_answer;  ///< of the check under way; written by its thread
 };
 
 }  // namespace ui
