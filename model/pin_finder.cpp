@@ -70,9 +70,15 @@ std::vector<ElementId> PinFinder::elementsOf(std::uint32_t firstPin, std::uint32
     std::ranges::sort(nets);
     nets.erase(std::unique(nets.begin(), nets.end()), nets.end());
     std::vector<ElementId> found;
-    const auto isMeant = [&](PinId pin) { return pin.row() >= firstPin && pin.row() < firstPin + pinCount; };
+    std::vector<bool> isFound(pinCount);
     const auto addIfMeant = [&](ElementId element) {
-        if (std::ranges::any_of(pinsOf(element), isMeant)) {
+        bool isMeant = false;
+        for (const PinId pin : pinsOf(element)) {
+            if (pin.row() >= firstPin && pin.row() < firstPin + pinCount) {
+                isMeant = isFound[pin.row() - firstPin] = true;
+            }
+        }
+        if (isMeant) {
             found.push_back(element);
         }
     };
@@ -87,8 +93,22 @@ std::vector<ElementId> PinFinder::elementsOf(std::uint32_t firstPin, std::uint32
             }
         }
     }
+    for (std::uint32_t i = 0; i < pinCount; ++i) {
+        if (!isFound[i]) {
+            addShared(m_document->pins[firstPin + i], found);
+        }
+    }
     std::ranges::sort(found);
+    found.erase(std::ranges::unique(found).begin(), found.end());
     return found;
+}
+
+void PinFinder::addShared(const Pin& pin, std::vector<ElementId>& found) const {
+    if (pin.net.isValid()) {
+        std::ranges::copy_if(m_document->elementsOf(pin.net), std::back_inserter(found), [&](ElementId element) {
+            return mayHavePins(element) && holds(m_document->boxOf(element), pin.position);
+        });
+    }
 }
 
 std::vector<ElementId> PinFinder::elementsOf(PinId pin) const {

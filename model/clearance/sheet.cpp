@@ -88,11 +88,7 @@ void Sheet::addOutlines(const Document& document, ShapeId shape) {
 }
 
 void Sheet::finish() {
-    std::vector<Box> boxes;
-    for (std::size_t row = 0; row < size(); ++row) {
-        boxes.push_back(m_figures.box(row));
-    }
-    m_index = std::make_shared<const BoxIndex>(boxes);
+    m_index = std::make_shared<const BoxIndex>(m_figures.outerBoxes());
 }
 
 Box Sheet::extent() const {

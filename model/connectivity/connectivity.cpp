@@ -54,9 +54,7 @@ void Connectivity::makeSheets(const Document& document) {
         } else {
             std::ranges::for_each(document.layers, [&](const Layer& layer) { add(layer, isPlatedHole); });
         }
-        for (std::size_t i = 0; i < sheet.figures.size(); ++i) {
-            sheet.boxes.push_back(sheet.figures.box(i));
-        }
+        sheet.boxes = sheet.figures.outerBoxes();
         sheet.index.emplace_back(sheet.boxes);
     });
     m_start.push_back(0);

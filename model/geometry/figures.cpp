@@ -103,6 +103,14 @@ void FigureTable::finish() {
     figure.boxCount = static_cast<std::uint32_t>(m_boxes.size()) - figure.firstBox;
 }
 
+std::vector<Box> FigureTable::outerBoxes() const {
+    std::vector<Box> outer;
+    for (std::size_t row = 0; row < size(); ++row) {
+        outer.push_back(box(row));
+    }
+    return outer;
+}
+
 void FigureTable::addStroke(Edge edge, double width) {
     if (width > 0) {
         edge.pen = width / 2;

@@ -44,6 +44,8 @@ public:
     [[nodiscard]] const Box& box(std::size_t row) const {
         return m_boxes[m_figures[row].firstBox + m_figures[row].boxCount - 1];
     }
+    /// Of all figures, by row.
+    [[nodiscard]] std::vector<Box> outerBoxes() const;
     [[nodiscard]] std::span<const Edge> edges(std::size_t row) const {
         return std::span(m_edges).subspan(m_figures[row].firstEdge, m_figures[row].edgeCount);
     }

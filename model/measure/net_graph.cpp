@@ -16,14 +16,12 @@ double distance(PointD a, PointD b) {
 }  // namespace
 
 NetGraph::NetGraph(const BoardIndex& index, NetOfCopy net) : m_index(index), m_pieces(piecesOf(index, net)) {
-    std::vector<Box> boxes;
     for (std::size_t row = 0; row < m_pieces.pieces.size(); ++row) {
-        boxes.push_back(m_pieces.figures.box(row));
         m_carriers.push_back(carrierOf(row));
     }
     m_onPiece.resize(m_pieces.pieces.size());
     m_hubs.resize(m_pieces.pieces.size());
-    m_boxes.emplace_back(boxes);
+    m_boxes.emplace_back(m_pieces.figures.outerBoxes());
 }
 
 bool NetGraph::join(base::Progress& progress) {

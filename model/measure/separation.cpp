@@ -164,14 +164,6 @@ private:
     std::vector<Meeting> m_meeting;
 };
 
-BoxIndex indexOf(const FigureTable& figures) {
-    std::vector<Box> boxes;
-    for (std::size_t row = 0; row < figures.size(); ++row) {
-        boxes.push_back(figures.box(row));
-    }
-    return BoxIndex(boxes);
-}
-
 std::string joined(const std::vector<std::string>& names) {
     std::string text;
     for (const std::string& name : names) {
@@ -181,9 +173,8 @@ std::string joined(const std::vector<std::string>& names) {
 }
 
 /// Says why there is nothing to measure; empty if there is.
-std::string whyNothing(const BoardIndex& index, const Thing& a, const Thing& b) {
-    const std::vector<BoardElement> inA = elementsOf(index, a);
-    const std::vector<BoardElement> inB = elementsOf(index, b);
+std::string whyNothing(const BoardIndex& index, const Thing& a, const std::vector<BoardElement>& inA, const Thing& b,
+                       const std::vector<BoardElement>& inB) {
     std::vector<BoardElement> both;
     std::ranges::set_intersection(inA, inB, std::back_inserter(both));
     const bool areEdges = std::holds_alternative<BoardEdge>(a) && std::holds_alternative<BoardEdge>(b);
@@ -281,18 +272,18 @@ base::Result<Separation> separationOf(const BoardIndex& index, const Thing& a, c
                                       base::Progress& progress) {
     progress.beginPhase("Measuring");
     Separation separation;
-    if (std::string why = whyNothing(index, a, b); !why.empty()) {
+    const Pieces piecesA = piecesOf(index, a);
+    const Pieces piecesB = piecesOf(index, b);
+    if (std::string why = whyNothing(index, a, piecesA.elements, b, piecesB.elements); !why.empty()) {
         separation.remarks.push_back(std::move(why));
         return separation;
     }
-    const Pieces piecesA = piecesOf(index, a);
-    const Pieces piecesB = piecesOf(index, b);
     remarkOnEmpty(index, a, piecesA, separation);
     remarkOnEmpty(index, b, piecesB, separation);
     if (piecesA.pieces.empty() || piecesB.pieces.empty()) {
         return separation;
     }
-    const BoxIndex indexOfB = indexOf(piecesB.figures);
+    const BoxIndex indexOfB(piecesB.figures.outerBoxes());
     ClosestPieces closest(piecesA, piecesB, indexOfB, progress);
     separation.inPlane = closest.find(inPlane);
     separation.onLayer = closest.find(onLayer);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "model/pin_finder.h"
+
 namespace model {
 
 namespace {
@@ -20,46 +22,18 @@ std::vector<BoardElement> inCopy(std::uint32_t copy, std::span<const ElementId> 
     return all;
 }
 
-/// Copper pads and plated holes of a pin's net at the pin: for pins to which the job ties no copper, as those of two
-/// parts on the same pads.
-void addPadsAt(const Document& step, std::uint32_t copy, const Pin& pin, std::vector<BoardElement>& pads) {
-    if (!pin.net.isValid()) {
-        return;
-    }
-    for (const ElementId element : step.elementsOf(pin.net)) {
-        const std::uint8_t flags = step.elements.flags[element.row()];
-        const bool isPad = (flags & kPad) != 0 && step.layer(step.elements.layer[element.row()]).isCopper();
-        const Box box = step.boxOf(element);
-        const bool isThere = box.min.x <= pin.position.x && pin.position.x <= box.max.x &&
-                             box.min.y <= pin.position.y && pin.position.y <= box.max.y;
-        if ((isPad || isPlatedHole(flags)) && isThere) {
-            pads.push_back({copy, element});
-        }
-    }
+/// What touches others electrically.
+bool isConductor(const Document& step, ElementId element) {
+    return step.layer(step.elements.layer[element.row()]).isCopper() ||
+           isPlatedHole(step.elements.flags[element.row()]);
 }
 
-/// The pads of consecutive pins: their toeprints on copper and in plated holes.
-std::vector<BoardElement> padsOf(const BoardIndex& index, std::uint32_t copy, std::uint32_t first,
-                                 std::uint32_t count) {
-    const Document& step = stepOf(index, copy);
-    std::vector<BoardElement> pads;
-    std::vector<bool> isTied(count);
-    for (std::size_t row = 0; count > 0 && row < step.elements.size(); ++row) {
-        const SubnetId subnet = step.elements.subnet[row];
-        const PinId pin = subnet.isValid() ? step.subnets[subnet.row()].pin : PinId{};
-        if (pin.isValid() && pin.row() >= first && pin.row() < first + count) {
-            pads.push_back({copy, ElementId{row}});
-            isTied[pin.row() - first] = true;
-        }
-    }
-    for (std::uint32_t i = 0; i < count; ++i) {
-        if (!isTied[i]) {
-            addPadsAt(step, copy, step.pins[first + i], pads);
-        }
-    }
-    std::ranges::sort(pads);
-    pads.erase(std::ranges::unique(pads).begin(), pads.end());
-    return pads;
+/// The conductors among elements of one copy.
+std::vector<BoardElement> conductorsOf(const BoardIndex& index, std::uint32_t copy,
+                                       std::span<const ElementId> elements) {
+    std::vector<BoardElement> all = inCopy(copy, elements);
+    std::erase_if(all, [&](BoardElement of) { return !isConductor(stepOf(index, copy), of.element); });
+    return all;
 }
 
 /// Is the layer at a height of its own, or just a drawing?
@@ -156,19 +130,14 @@ struct Collector {
 
     std::vector<BoardElement> operator()(BoardElement at) const { return {at}; }
     std::vector<BoardElement> operator()(NetOfCopy at) const {
-        const Document& step = stepOf(index, at.copy);
-        std::vector<BoardElement> copper = inCopy(at.copy, step.elementsOf(at.net));
-        std::erase_if(copper, [&](BoardElement of) {
-            return !step.layer(step.elements.layer[of.element.row()]).isCopper() &&
-                   !isPlatedHole(step.elements.flags[of.element.row()]);
-        });
-        return copper;
+        return conductorsOf(index, at.copy, stepOf(index, at.copy).elementsOf(at.net));
     }
     std::vector<BoardElement> operator()(PartOfCopy at) const {
-        const Component& component = stepOf(index, at.copy).components[at.component.row()];
-        return padsOf(index, at.copy, component.firstPin, component.pinCount);
+        return conductorsOf(index, at.copy, PinFinder(stepOf(index, at.copy)).elementsOf(at.component));
     }
-    std::vector<BoardElement> operator()(PinOfCopy at) const { return padsOf(index, at.copy, at.pin.value, 1); }
+    std::vector<BoardElement> operator()(PinOfCopy at) const {
+        return conductorsOf(index, at.copy, PinFinder(stepOf(index, at.copy)).elementsOf(at.pin));
+    }
     std::vector<BoardElement> operator()(BoardEdge) const { return {}; }
     std::vector<BoardElement> operator()(const Place&) const { return {}; }
 };
@@ -222,6 +191,7 @@ std::string nameOf(const BoardIndex& index, const Thing& thing) {
 
 Pieces piecesOf(const BoardIndex& index, std::span<const BoardElement> elements) {
     Pieces pieces;
+    pieces.elements.assign(elements.begin(), elements.end());
     for (const BoardElement at : elements) {
         const StepCopy& copy = index.tree.copies[at.copy];
         const std::size_t before = pieces.figures.size();

@@ -65,7 +65,8 @@ struct Piece {
 struct Pieces {
     FigureTable figures;
     std::vector<Piece> pieces;
-    std::vector<BoardElement> empty;  ///< elements that cover nothing: strokes without width
+    std::vector<BoardElement> elements;  ///< of the thing, rising
+    std::vector<BoardElement> empty;     ///< elements that cover nothing: strokes without width
 };
 [[nodiscard]] Pieces piecesOf(const BoardIndex& index, const Thing& thing);
 [[nodiscard]] Pieces piecesOf(const BoardIndex& index, std::span<const BoardElement> elements);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr Nm kMm = 1'000'000;
 
-/// U1 with pins 1 (net A, at 0 mm) and 2 (net B, at 2 mm), and a body; U2 with one pin on net A at 5 mm.
+/// U1 with pins 1 (net A, at 0 mm) and 2 (net B, at 2 mm), and a body; U2 and U3 with one pin on net A at 5 and 20 mm.
 struct Board {
     Board() {
         DocumentBuilder builder;
@@ -26,6 +26,8 @@ struct Board {
         u1 = builder.addComponent(part, pins);
         part.refdes = "U2";
         u2 = builder.addComponent(part, std::vector<Pin>{{builder.string("1"), {5 * kMm, 0}, a, {}}});
+        part.refdes = "U3";
+        u3 = builder.addComponent(part, std::vector<Pin>{{builder.string("1"), {20 * kMm, 0}, a, {}}});
         Subnet named;
         named.net = a;
         named.kind = SubnetKind::Toeprint;
@@ -44,15 +46,16 @@ struct Board {
         trackA = circle(0, a, 0);
         padB = circle(2 * kMm, b, kPad);
         elsewhere = circle(9 * kMm, a, kPad);
-        named5 = circle(9 * kMm, a, kPad, toeprint);  // the job says so, wherever it lies
+        named5 = circle(9 * kMm, a, kPad, toeprint);   // the job says so, wherever it lies
+        shared = circle(20 * kMm, a, kPad, toeprint);  // U3 has a pin there too
         noNet = circle(0, {}, kPad);
         body = circle(kMm, {}, 0);
         builder.addBody({body, u1, kMm, Source::Job});
         document = builder.finish();
     }
     std::shared_ptr<const Document> document;
-    ComponentId u1, u2;
-    ElementId padA, holeA, trackA, padB, elsewhere, named5, noNet, body;
+    ComponentId u1, u2, u3;
+    ElementId padA, holeA, trackA, padB, elsewhere, named5, shared, noNet, body;
 };
 
 }  // namespace
@@ -78,7 +81,8 @@ private slots:
         const Board board;
         const PinFinder finder(*board.document);
         QCOMPARE(finder.elementsOf(board.u1), (std::vector{board.padA, board.holeA, board.padB, board.body}));
-        QCOMPARE(finder.elementsOf(board.u2), std::vector{board.named5});
+        QCOMPARE(finder.elementsOf(board.u2), (std::vector{board.named5, board.shared}));
+        QCOMPARE(finder.elementsOf(board.u3), std::vector{board.shared});
         QCOMPARE(finder.elementsOf(PinId{std::size_t{0}}), (std::vector{board.padA, board.holeA}));
         for (const ElementId element : finder.elementsOf(board.u1)) {
             QCOMPARE(finder.componentOf(element), board.u1);
