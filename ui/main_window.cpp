@@ -22,7 +22,6 @@
 #include "ui/looks.h"
 #include "ui/measurements_panel.h"
 #include "ui/message_bar.h"
-#include "ui/message_place.h"
 #include "ui/messages_panel.h"
 #include "ui/net_check_panel.h"
 #include "ui/nets_panel.h"
@@ -328,73 +327,6 @@ void MainWindow::onRestacked(const std::shared_ptr<const model::Document>& docum
     m_views->setHeights(document);
     m_measuring->setHeights(document);
     m_sections->setHeights(document);
-}
-
-void MainWindow::goTo(const model::Diagnostic& message) {
-    const std::optional<render::Box3> place = placeOf(message, *m_board->document, render::frameOf(*m_board->document));
-    if (!place) {
-        statusBar()->showMessage(QStringLiteral("This message is not about one place on the board"));
-        return;
-    }
-    m_selection.select({});
-    if (message.element.isValid()) {
-        m_selection.select({{0, message.element}});
-        showLayer(m_board->document->elements.layer[message.element.row()]);
-    }
-    for (BoardView* view : m_views->both()) {
-        view->controller().show(place->min, place->max);
-    }
-}
-
-void MainWindow::goTo(const models::NetCheckModel::Finding& finding) {
-    const model::StepTree& tree = m_selection.tree();
-    const auto copy = std::ranges::find(tree.copies, finding.step, &model::StepCopy::step);
-    const auto row = static_cast<std::uint32_t>(copy - tree.copies.begin());
-    std::vector<model::BoardElement> elements;
-    for (const model::ElementId element : m_netCheckModel.elementsOf(finding)) {
-        elements.push_back({row, element});
-    }
-    const model::LayerId layer =
-        tree.steps[finding.step]->layerOfCopy(m_netCheckModel.layerOf(finding), copy->isFlipped);
-    showLayer(layer);
-    m_selection.select(elements);
-    m_probing->showPlace(copy->placement.apply(m_netCheckModel.placeOf(finding)), layer);
-}
-
-void MainWindow::goTo(const models::Found& found) {
-    switch (found.kind) {
-        case models::FoundKind::Place: m_probing->showPlace(found.place, {}); break;
-        case models::FoundKind::Layer: {
-            const model::LayerId layer{std::size_t{found.row}};
-            showLayer(layer);
-            m_layersPanel->selectRow(static_cast<int>(found.row));
-            break;
-        }
-        case models::FoundKind::Net: {
-            m_selection.setNets({{0, model::NetId{std::size_t{found.row}}}});
-            m_probing->showNets(m_selection.nets());
-            break;
-        }
-        case models::FoundKind::Component:
-        case models::FoundKind::Pin: goToPart(found); break;
-    }
-}
-
-void MainWindow::goToPart(const models::Found& found) {
-    const std::size_t row = found.row;
-    const bool isPin = found.kind == models::FoundKind::Pin;
-    m_selection.select({});
-    if (isPin ? m_parts->selectPin(model::PinId{row}) : m_parts->selectComponent(model::ComponentId{row})) {
-        m_probing->showInBoth(m_selection.selected());
-        return;
-    }
-    const model::Document& board = *m_board->document;
-    m_probing->showPlace(base::toDouble(isPin ? board.pins[row].position : board.components[row].placement.origin), {});
-}
-
-void MainWindow::showLayer(model::LayerId layer) {
-    const QModelIndex visible = m_layerModel.index(static_cast<int>(layer.row()), models::LayerModel::Visible);
-    m_layerModel.setData(visible, Qt::Checked, Qt::CheckStateRole);
 }
 
 void MainWindow::onFailed(const LoadRequest& request, const QString& reason) {

@@ -86,8 +86,15 @@ void PartPicking::selectPinOf(const model::BoardElement& at) {
            at.element);
 }
 
-bool PartPicking::selectComponent(model::ComponentId component) {
-    return select(componentTitle(*m_selection.tree().steps.front(), component), 0, finderOf(0).elementsOf(component));
+bool PartPicking::selectComponent(std::uint32_t copy, model::ComponentId component) {
+    const std::uint32_t step = m_selection.tree().copies[copy].step;
+    return select(componentTitle(*m_selection.tree().steps[step], component), copy,
+                  finderOf(step).elementsOf(component));
+}
+
+bool PartPicking::selectPin(std::uint32_t copy, model::PinId pin) {
+    const std::uint32_t step = m_selection.tree().copies[copy].step;
+    return select(pinTitle(*m_selection.tree().steps[step], pin), copy, finderOf(step).elementsOf(pin));
 }
 
 void PartPicking::follow(ElementPanel::Link link) {
@@ -103,10 +110,6 @@ void PartPicking::follow(ElementPanel::Link link) {
             break;
         }
     }
-}
-
-bool PartPicking::selectPin(model::PinId pin) {
-    return select(pinTitle(*m_selection.tree().steps.front(), pin), 0, finderOf(0).elementsOf(pin));
 }
 
 }  // namespace ui

@@ -24,9 +24,9 @@ public:
     void forgetBoard() { m_finders.clear(); }
     void selectComponentOf(const model::BoardElement& at);
     void selectPinOf(const model::BoardElement& at);
-    /// Of the board itself. False if nothing on the board is of it.
-    bool selectComponent(model::ComponentId component);
-    bool selectPin(model::PinId pin);
+    /// Of one copy of a step. False if nothing there is of it.
+    bool selectComponent(std::uint32_t copy, model::ComponentId component);
+    bool selectPin(std::uint32_t copy, model::PinId pin);
     /// Goes on from the element selected last to what it belongs to.
     void follow(ElementPanel::Link link);
 

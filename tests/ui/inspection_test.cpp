@@ -9,6 +9,7 @@
 #include <QSlider>
 #include <QtTest>
 #include <fstream>
+#include <sstream>
 
 #include "tests/places.h"
 #include "tests/ui/window_fixture.h"
@@ -337,6 +338,19 @@ private slots:
         QVERIFY(window().messageBar().isVisible());
         QVERIFY(window().messageBar().text().contains("elsewhere"));
         QVERIFY(board().layer(board().findLayer("L1")).thickness != 5000);
+    }
+
+    void theSessionOfAnotherVersionIsToldAndKept() {
+        const fs::path job = copyOf("open_short");
+        const std::string session = job.string() + ".copperscope.json";
+        std::ofstream(session) << R"({"copperscope_session": 99, "job": "open_short"})";
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(job.string())));
+        QVERIFY(window().messageBar().isVisible());
+        QVERIFY2(window().messageBar().text().contains("99"), qPrintable(window().messageBar().text()));
+        m_fixture->key(Qt::Key_S, Qt::ControlModifier);
+        std::stringstream text;
+        text << std::ifstream(session).rdbuf();
+        QVERIFY(QString::fromStdString(text.str()).contains("99"));  // nothing is written over it
     }
 
     void aReloadWhileEverythingIsSearchedEndsTheSearch() {

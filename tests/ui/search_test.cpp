@@ -110,6 +110,16 @@ private slots:
         QVERIFY(window().actions()[ActionId::Orthographic].isChecked());
     }
 
+    void aNetOfAPlacedStepIsHighlighted() {
+        QVERIFY(m_fixture->openAndWait(QString(places::kTestData) + "/odb/panel"));
+        type("b");
+        take();
+        QCOMPARE(window().selection().nets().size(), std::size_t{1});
+        const model::BoardNet net = window().selection().nets().front();
+        QVERIFY(net.step > 0);
+        QCOMPARE(window().selection().tree().steps[net.step]->nets[net.net.row()].name, std::string("B"));
+    }
+
     void aTextThatNamesNothingIsNoHarm() {
         type("zzzzz");
         QCOMPARE(box().list().count(), 0);

@@ -39,12 +39,18 @@ bool isBetter(const Match& a, const Match& b) {
     if (rank(a) != rank(b)) {
         return rank(a) < rank(b);
     }
-    return a.name != b.name ? model::isNamedBefore(a.name, b.name) : a.found.row < b.found.row;
+    if (a.name != b.name) {
+        return model::isNamedBefore(a.name, b.name);
+    }
+    return std::tuple(a.found.step, a.found.row) < std::tuple(b.found.step, b.found.row);
 }
 
 class Matcher {
 public:
     explicit Matcher(const QString& text) : m_text(text.trimmed().toLower().toStdString()) {}
+
+    /// Of what comes next.
+    void setStep(std::uint32_t step) { m_step = step; }
 
     template <class Table, class NameOf>
     void look(FoundKind kind, const Table& table, const NameOf& nameOf) {
@@ -52,7 +58,7 @@ public:
             const std::string& name = nameOf(table[row]);
             const Fit fit = fitOf(name, m_text);
             if (fit != Fit::None) {
-                m_matches.push_back({fit, name, {kind, static_cast<std::uint32_t>(row), {}}});
+                m_matches.push_back({fit, name, {kind, static_cast<std::uint32_t>(row), m_step, {}}});
             }
         }
     }
@@ -73,7 +79,7 @@ public:
                 const std::string& name = board.text(board.pins[row].name);
                 const Fit fit = fitOf(name, pin);
                 if (fit == Fit::Whole || fit == Fit::Begins) {
-                    m_matches.push_back({fit, name, {FoundKind::Pin, row, {}}});
+                    m_matches.push_back({fit, name, {FoundKind::Pin, row, m_step, {}}});
                 }
             }
         }
@@ -92,6 +98,7 @@ public:
 
 private:
     std::string m_text;
+    std::uint32_t m_step = 0;
     std::vector<Match> m_matches;
 };
 
@@ -124,6 +131,11 @@ std::optional<base::PointD> parsePlace(const QString& text, LengthUnit unit) {
     return base::PointD{match.captured(1).toDouble() * *nmX, match.captured(3).toDouble() * *nmY};
 }
 
+void BoardSearch::setBoard(std::shared_ptr<const model::Document> board) {
+    m_board = std::move(board);
+    m_steps = m_board ? model::distinctSteps(*m_board) : std::vector<const model::Document*>();
+}
+
 std::vector<Found> BoardSearch::find(const QString& text, LengthUnit unit, std::size_t most) const {
     if (!m_board || text.trimmed().isEmpty()) {
         return {};
@@ -131,13 +143,17 @@ std::vector<Found> BoardSearch::find(const QString& text, LengthUnit unit, std::
     Matcher matcher(text);
     matcher.look(FoundKind::Layer, m_board->layers,
                  [](const model::Layer& layer) -> const std::string& { return layer.name; });
-    matcher.look(FoundKind::Component, m_board->components,
-                 [](const model::Component& component) -> const std::string& { return component.refdes; });
-    matcher.look(FoundKind::Net, m_board->nets, [](const model::Net& net) -> const std::string& { return net.name; });
-    matcher.lookForPins(*m_board);
+    for (std::uint32_t row = 0; row < m_steps.size(); ++row) {
+        const model::Document& step = *m_steps[row];
+        matcher.setStep(row);
+        matcher.look(FoundKind::Component, step.components,
+                     [](const model::Component& component) -> const std::string& { return component.refdes; });
+        matcher.look(FoundKind::Net, step.nets, [](const model::Net& net) -> const std::string& { return net.name; });
+        matcher.lookForPins(step);
+    }
     std::vector<Found> found = matcher.best(most);
     if (const std::optional<base::PointD> place = parsePlace(text, unit)) {
-        found.insert(found.begin(), {FoundKind::Place, 0, *place});
+        found.insert(found.begin(), {FoundKind::Place, 0, 0, *place});
     }
     return found;
 }
@@ -146,36 +162,42 @@ QString BoardSearch::titleOf(const Found& found) const {
     switch (found.kind) {
         case FoundKind::Place: return placeText(found.place.x, found.place.y, LengthUnit::Millimetre);
         case FoundKind::Layer: return QString::fromStdString(m_board->layers[found.row].name);
-        case FoundKind::Component: return QString::fromStdString(m_board->components[found.row].refdes);
-        case FoundKind::Net: return QString::fromStdString(m_board->nets[found.row].name);
+        case FoundKind::Component: return QString::fromStdString(stepOf(found).components[found.row].refdes);
+        case FoundKind::Net: return QString::fromStdString(stepOf(found).nets[found.row].name);
         case FoundKind::Pin: {
-            const model::Pin& pin = m_board->pins[found.row];
-            const std::string& part = m_board->components[pin.component.row()].refdes;
-            return QString::fromStdString(part + "." + m_board->text(pin.name));
+            const model::Pin& pin = stepOf(found).pins[found.row];
+            const std::string& part = stepOf(found).components[pin.component.row()].refdes;
+            return QString::fromStdString(part + "." + stepOf(found).text(pin.name));
         }
     }
     return {};
 }
 
 QString BoardSearch::detailOf(const Found& found) const {
+    return found.step == 0
+               ? whatIs(found)
+               : QStringLiteral("%1, in step %2").arg(whatIs(found), QString::fromStdString(stepOf(found).job.step));
+}
+
+QString BoardSearch::whatIs(const Found& found) const {
     switch (found.kind) {
         case FoundKind::Place: return QStringLiteral("Place");
         case FoundKind::Layer: return QStringLiteral("Layer, %1").arg(layerTypeText(m_board->layers[found.row].type));
         case FoundKind::Component: {
-            const model::Component& part = m_board->components[found.row];
+            const model::Component& part = stepOf(found).components[found.row];
             return QStringLiteral("Component, %1 pins, %2 side, %3")
                 .arg(QString::number(part.pinCount), QLatin1String(model::toString(part.side)),
                      QString::fromStdString(part.part));
         }
         case FoundKind::Pin: {
-            const model::NetId net = m_board->pins[found.row].net;
+            const model::NetId net = stepOf(found).pins[found.row].net;
             return net.isValid()
-                       ? QStringLiteral("Pin, net %1").arg(QString::fromStdString(m_board->nets[net.row()].name))
+                       ? QStringLiteral("Pin, net %1").arg(QString::fromStdString(stepOf(found).nets[net.row()].name))
                        : QStringLiteral("Pin without a net");
         }
         case FoundKind::Net:
             return QStringLiteral("Net, %L1 elements")
-                .arg(m_board->elementsOf(model::NetId{std::size_t{found.row}}).size());
+                .arg(stepOf(found).elementsOf(model::NetId{std::size_t{found.row}}).size());
     }
     return {};
 }

@@ -73,6 +73,25 @@ private slots:
         }
     }
 
+    /// The panel has no nets of its own; both steps on it have a net A.
+    void placedStepsAreSearchedToo() {
+        const auto panel = odb_testing::read(std::string(places::kTestData) + "/odb/panel");
+        BoardSearch search;
+        search.setBoard(panel);
+        const std::vector<const model::Document*> steps = model::distinctSteps(*panel);
+        const std::vector<Found> found = search.find("a", LengthUnit::Millimetre, 2);
+        QCOMPARE(found.size(), std::size_t{2});
+        QVERIFY(found[0].step != found[1].step);
+        for (const Found& net : found) {
+            QCOMPARE(net.kind, FoundKind::Net);
+            QCOMPARE(search.titleOf(net), "A");
+            const std::size_t count = steps[net.step]->elementsOf(model::NetId{std::size_t{net.row}}).size();
+            QCOMPARE(search.detailOf(net), QString("Net, %1 elements, in step %2")
+                                               .arg(count)
+                                               .arg(QString::fromStdString(steps[net.step]->job.step)));
+        }
+    }
+
     void noMoreAreFoundThanAskedFor() {
         QCOMPARE(m_search.find("e", LengthUnit::Millimetre, 3).size(), std::size_t{3});
         QVERIFY(BoardSearch().find("e", LengthUnit::Millimetre, 3).empty());
