@@ -15,22 +15,18 @@ MeasurementKeeping::MeasurementKeeping(QUndoStack& history, QObject* parent) : Q
 }
 
 void MeasurementKeeping::setBoard(const LoadedBoard& board) {
-    const bool isSameBoard = board.request.path == m_request.path;
-    m_request = board.request;
-    m_document = board.document;
-    if (m_isSaved || !isSameBoard) {  // else they stand here and in no file
-        m_isSaved = true;
+    if (m_session.open(board)) {
         m_list.setMeasurements(board.measurements);
     }
     emit changed();
 }
 
 bool MeasurementKeeping::isHere(const session::Measurement& measurement) const {
-    return m_document != nullptr && measurement.step == m_document->job.step;
+    return m_session.document() != nullptr && measurement.step == m_session.document()->job.step;
 }
 
 void MeasurementKeeping::keep(session::Measurement measurement) {
-    if (m_document == nullptr) {
+    if (m_session.document() == nullptr) {
         return;
     }
     List after = m_list.measurements();
@@ -39,7 +35,7 @@ void MeasurementKeeping::keep(session::Measurement measurement) {
         ++number;
     }
     measurement.name = std::to_string(number);
-    measurement.step = m_document->job.step;
+    measurement.step = m_session.document()->job.step;
     after.push_back(std::move(measurement));
     change(QStringLiteral("a measurement"), std::move(after));
 }
@@ -85,15 +81,12 @@ void MeasurementKeeping::change(const QString& what, List after) {
 void MeasurementKeeping::apply(const List& measurements) {
     m_list.setMeasurements(measurements);
     emit changed();
-    m_isSaved = false;
-    if (m_request.noSession) {
-        return;
-    }
-    const base::Status saved = session::saveMeasurements(m_request.path, *m_document, measurements);
-    m_isSaved = saved.ok();
-    if (!saved) {
-        emit notSaved(QStringLiteral("%1. The measurements count until another board is opened.")
-                          .arg(QString::fromStdString(saved.error().text)));
+    const QString trouble =
+        m_session.save(QStringLiteral("The measurements"), [&](const auto& path, const auto& document) {
+            return session::saveMeasurements(path, document, measurements);
+        });
+    if (!trouble.isEmpty()) {
+        emit notSaved(trouble);
     }
 }
 

@@ -3,8 +3,8 @@
 #include <QObject>
 #include <QUndoStack>
 
-#include "ui/loader.h"
 #include "ui/models/measurement_model.h"
+#include "ui/session_part.h"
 
 namespace ui {
 
@@ -41,9 +41,7 @@ private:
 
     QUndoStack& m_history;
     models::MeasurementModel m_list;
-    LoadRequest m_request;
-    std::shared_ptr<const model::Document> m_document;
-    bool m_isSaved = true;
+    SessionPart m_session;
 };
 
 }  // namespace ui

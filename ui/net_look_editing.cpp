@@ -22,12 +22,11 @@ NetLookEditing::NetLookEditing(NetLooks& looks, QUndoStack& history, QObject* pa
 }
 
 void NetLookEditing::setBoard(const LoadedBoard& board) {
-    const bool isAgain = board.request.path == m_request.path && !m_isSaved;
     // What stands in no file is taken along by name, like what a file holds.
-    const std::vector<session::KeptNet> nets = isAgain ? kept(m_looks.state()) : board.keptNets;
-    m_isSaved = !isAgain;
-    m_request = board.request;
-    m_document = board.document;
+    std::vector<session::KeptNet> nets = m_session.document() != nullptr ? kept(m_looks.state()) : board.keptNets;
+    if (m_session.open(board)) {
+        nets = board.keptNets;
+    }
     m_tree = model::unfoldCopies(*board.document);
     m_elsewhere.clear();
     const auto found = session::findNets(m_tree, nets);
@@ -60,15 +59,11 @@ std::vector<session::KeptNet> NetLookEditing::kept(const NetLooks::State& state)
 
 void NetLookEditing::apply(const NetLooks::State& state) {
     m_looks.setState(state);
-    m_isSaved = false;
-    if (m_request.noSession) {
-        return;
-    }
-    const base::Status saved = session::saveNets(m_request.path, *m_document, kept(state));
-    m_isSaved = saved.ok();
-    if (!saved) {
-        emit notSaved(QStringLiteral("%1. The colours of nets count until another board is opened.")
-                          .arg(QString::fromStdString(saved.error().text)));
+    const QString trouble = m_session.save(
+        QStringLiteral("The colours of nets"),
+        [&](const auto& path, const auto& document) { return session::saveNets(path, document, kept(state)); });
+    if (!trouble.isEmpty()) {
+        emit notSaved(trouble);
     }
 }
 

@@ -2,8 +2,8 @@
 
 #include <QUndoStack>
 
-#include "ui/loader.h"
 #include "ui/models/net_looks.h"
+#include "ui/session_part.h"
 
 namespace ui {
 
@@ -26,11 +26,9 @@ private:
 
     models::NetLooks& m_looks;
     QUndoStack& m_history;
-    LoadRequest m_request;
-    std::shared_ptr<const model::Document> m_document;
+    SessionPart m_session;
     model::StepTree m_tree;
     std::vector<model::session::KeptNet> m_elsewhere;  ///< of the file, but not of this board
-    bool m_isSaved = true;
 };
 
 }  // namespace ui

@@ -15,17 +15,13 @@ SectionKeeping::SectionKeeping(QUndoStack& history, QObject* parent) : QObject(p
 }
 
 void SectionKeeping::setBoard(const LoadedBoard& board) {
-    const bool isSameBoard = board.request.path == m_request.path;
-    m_request = board.request;
-    m_document = board.document;
-    if (m_isSaved || !isSameBoard) {  // else they stand here and in no file
-        m_isSaved = true;
+    if (m_session.open(board)) {
         show(board.sections);
     }
 }
 
 bool SectionKeeping::isHere(const session::KeptSection& section) const {
-    return m_document != nullptr && section.step == m_document->job.step;
+    return m_session.document() != nullptr && section.step == m_session.document()->job.step;
 }
 
 QString SectionKeeping::keep(std::vector<base::PointD> line) {
@@ -35,7 +31,7 @@ QString SectionKeeping::keep(std::vector<base::PointD> line) {
         ++number;
     }
     List after = m_sections;
-    after.push_back({nameOf(number), m_document->job.step, std::move(line)});
+    after.push_back({nameOf(number), m_session.document()->job.step, std::move(line)});
     change(QStringLiteral("keeping a section"), std::move(after));
     return QString::fromStdString(nameOf(number));
 }
@@ -74,15 +70,11 @@ void SectionKeeping::show(List sections) {
 
 void SectionKeeping::apply(const List& sections) {
     show(sections);
-    m_isSaved = false;
-    if (m_request.noSession) {
-        return;
-    }
-    const base::Status saved = session::saveSections(m_request.path, *m_document, sections);
-    m_isSaved = saved.ok();
-    if (!saved) {
-        emit notSaved(QStringLiteral("%1. The sections count until another board is opened.")
-                          .arg(QString::fromStdString(saved.error().text)));
+    const QString trouble = m_session.save(QStringLiteral("The sections"), [&](const auto& path, const auto& document) {
+        return session::saveSections(path, document, sections);
+    });
+    if (!trouble.isEmpty()) {
+        emit notSaved(trouble);
     }
 }
 

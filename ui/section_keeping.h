@@ -4,7 +4,7 @@
 #include <QStringListModel>
 #include <QUndoStack>
 
-#include "ui/loader.h"
+#include "ui/session_part.h"
 
 namespace ui {
 
@@ -40,9 +40,7 @@ private:
     QUndoStack& m_history;
     QStringListModel m_names;
     List m_sections;
-    LoadRequest m_request;
-    std::shared_ptr<const model::Document> m_document;
-    bool m_isSaved = true;
+    SessionPart m_session;
 };
 
 }  // namespace ui

@@ -38,21 +38,17 @@ ViewKeeping::ViewKeeping(BoardViews& views, models::LayerModel& layers, models::
 }
 
 void ViewKeeping::setBoard(const LoadedBoard& board) {
-    const bool isSameBoard = board.request.path == m_request.path;
-    m_request = board.request;
-    m_document = board.document;
-    if (m_isSaved || !isSameBoard) {  // else they stand here and in no file
-        m_isSaved = true;
+    if (m_session.open(board)) {
         m_list.setViews(board.views);
     }
 }
 
 void ViewKeeping::keep() {
-    if (m_document == nullptr) {
+    if (m_session.document() == nullptr) {
         return;
     }
     List after = m_list.views();
-    after.push_back({freeName("View"), m_document->job.step, poseOf(m_views.flat().controller()),
+    after.push_back({freeName("View"), m_session.document()->job.step, poseOf(m_views.flat().controller()),
                      poseOf(m_views.solid().controller()), m_layers.visibleNames(), std::nullopt});
     change(QStringLiteral("keeping a view"), std::move(after));
 }
@@ -68,7 +64,7 @@ void ViewKeeping::keepSelection() {
                          .arg(session::kMostKeptElements));
         return;
     }
-    session::KeptView kept{freeName("Selection"), m_document->job.step, {}, {}, {}, std::nullopt};
+    session::KeptView kept{freeName("Selection"), m_session.document()->job.step, {}, {}, {}, std::nullopt};
     kept.selection = session::keepSelection(m_selection.tree(), m_selection.selected(), m_selection.nets());
     List after = m_list.views();
     after.push_back(std::move(kept));
@@ -90,7 +86,7 @@ void ViewKeeping::forget(int row) {
 void ViewKeeping::goTo(int row) {
     const session::KeptView& view = m_list.views()[static_cast<std::size_t>(row)];
     const QString name = QString::fromStdString(view.name);
-    if (view.step != m_document->job.step) {
+    if (view.step != m_session.document()->job.step) {
         emit otherStep(name, QString::fromStdString(view.step));
         return;
     }
@@ -124,16 +120,16 @@ void ViewKeeping::select(const session::KeptView& kept) {
 }
 
 void ViewKeeping::saveDesk(models::LengthUnit unit) {
-    if (m_request.noSession) {
+    if (m_session.isWithoutSession()) {
         emit notSaved(QStringLiteral("This board was opened without its session, so nothing is saved."));
         return;
     }
-    const session::Desk desk{m_document->job.step, poseOf(m_views.flat().controller()),
+    const session::Desk desk{m_session.document()->job.step, poseOf(m_views.flat().controller()),
                              poseOf(m_views.solid().controller()), models::unitName(unit), m_layers.states()};
-    if (const base::Status saved = session::saveDesk(m_request.path, *m_document, desk); !saved) {
+    if (const base::Status saved = session::saveDesk(m_session.board(), *m_session.document(), desk); !saved) {
         emit notSaved(QString::fromStdString(saved.error().text));
     } else {
-        emit deskSaved(QString::fromStdString(session::sessionPath(m_request.path).string()));
+        emit deskSaved(QString::fromStdString(session::sessionPath(m_session.board()).string()));
     }
 }
 
@@ -155,15 +151,11 @@ void ViewKeeping::change(const QString& what, List after) {
 
 void ViewKeeping::apply(const List& views) {
     m_list.setViews(views);
-    m_isSaved = false;
-    if (m_request.noSession) {
-        return;
-    }
-    const base::Status saved = session::saveViews(m_request.path, *m_document, views);
-    m_isSaved = saved.ok();
-    if (!saved) {
-        emit notSaved(QStringLiteral("%1. The views count until another board is opened.")
-                          .arg(QString::fromStdString(saved.error().text)));
+    const QString trouble = m_session.save(QStringLiteral("The views"), [&](const auto& path, const auto& document) {
+        return session::saveViews(path, document, views);
+    });
+    if (!trouble.isEmpty()) {
+        emit notSaved(trouble);
     }
 }
 

@@ -8,6 +8,7 @@
 #include "ui/models/lengths.h"
 #include "ui/models/selection_model.h"
 #include "ui/models/view_list_model.h"
+#include "ui/session_part.h"
 
 namespace ui {
 
@@ -62,9 +63,7 @@ private:
     models::SelectionModel& m_selection;
     QUndoStack& m_history;
     models::ViewListModel m_list;
-    LoadRequest m_request;
-    std::shared_ptr<const model::Document> m_document;
-    bool m_isSaved = true;
+    SessionPart m_session;
 };
 
 }  // namespace ui
