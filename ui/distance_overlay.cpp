@@ -1,7 +1,6 @@
 #include "ui/distance_overlay.h"
 
 #include <QPainter>
-#include <new>
 
 namespace ui {
 
@@ -15,7 +14,7 @@ DistanceOverlay::DistanceOverlay(BoardViews& views, models::SelectionModel& sele
     connect(&selection, &models::SelectionModel::selectionChanged, this, &DistanceOverlay::refresh);
     connect(&selection, &models::SelectionModel::netsChanged, this, &DistanceOverlay::refresh);
     connect(&views.flat().controller(), &CameraController::moved, this, &DistanceOverlay::refresh);  // turned over?
-    connect(&m_background, &Background::finished, this, &DistanceOverlay::deliver);
+    connect(&m_work.background(), &Background::finished, this, &DistanceOverlay::deliver);
     for (BoardView* view : views.both()) {
         m_pictures[static_cast<std::size_t>(view->kind())] = new DistancePicture(*view, this);
         connect(m_pictures[static_cast<std::size_t>(view->kind())], &DistancePicture::failed, this,
@@ -25,7 +24,7 @@ DistanceOverlay::DistanceOverlay(BoardViews& views, models::SelectionModel& sele
 }
 
 void DistanceOverlay::setBoard(const LoadedBoard& board) {
-    m_background.cancel();
+    m_work.cancel();
     m_question.reset();
     m_cursor.reset();
     m_board = board.document;
@@ -59,7 +58,7 @@ void DistanceOverlay::pointAt(std::optional<base::PointD> place) {
 }
 
 bool DistanceOverlay::isPending() const {
-    return m_refresh.isActive() || m_background.isRunning() || m_pictures[0]->isPending() || m_pictures[1]->isPending();
+    return m_refresh.isActive() || m_work.isRunning() || m_pictures[0]->isPending() || m_pictures[1]->isPending();
 }
 
 /// Does nothing if what is asked is what was asked before.
@@ -71,7 +70,7 @@ void DistanceOverlay::ask() {
     if (question == m_question) {
         return;
     }
-    m_background.cancel();
+    m_work.cancel();
     m_question = question;
     show(nullptr);
     if (!question) {
@@ -84,36 +83,23 @@ void DistanceOverlay::ask() {
 }
 
 void DistanceOverlay::work(Question question) {
-    m_answer = std::make_shared<Answer>();
-    m_background.start(
-        [board = m_board, question = std::move(question), answer = m_answer](base::Progress& progress) {
-            try {
-                base::Result<DistanceField> field =
-                    question.targets.empty() ? DistanceField::betweenNets(*board, question.layer, progress)
-                                             : DistanceField::toTargets(*board, question.layer, question.targets);
-                if (field) {
-                    *answer = std::make_shared<const DistanceField>(std::move(*field));
-                } else {
-                    *answer = field.error();
-                }
-            } catch (const std::bad_alloc&) {
-                *answer = base::Error{base::ErrorCode::BadInput, "not enough memory for a map of this layer"};
-            }
-        },
-        "Measuring distances");
+    using Field = std::shared_ptr<const DistanceField>;
+    const auto measure = [board = m_board, question = std::move(question)](base::Progress& progress) {
+        base::Result<DistanceField> field = question.targets.empty()
+                                                ? DistanceField::betweenNets(*board, question.layer, progress)
+                                                : DistanceField::toTargets(*board, question.layer, question.targets);
+        return field ? base::Result<Field>(std::make_shared<const DistanceField>(std::move(*field))) : field.error();
+    };
+    m_work.ask(measure, "Measuring distances", "not enough memory for a map of this layer");
     emit told(QStringLiteral("measuring…"));
 }
 
 void DistanceOverlay::deliver() {
-    const std::shared_ptr<Answer> answer = std::move(m_answer);
-    if (!answer || !*answer) {
-        return;
-    }
-    if (**answer) {
-        show(***answer);
+    if (const auto field = m_work.take()) {
+        show(*field);
         emit told(legend().title);
     } else {
-        emit told(reasonFor((*answer)->error()));
+        emit told(reasonFor(field.error()));
     }
 }
 

@@ -63,8 +63,6 @@ private:
     [[nodiscard]] QString reasonFor(const base::Error& error) const;
     void paintLegend(QPainter& painter, const BoardView& view) const;
 
-    using Answer = std::optional<base::Result<std::shared_ptr<const model::DistanceField>>>;
-
     BoardViews& m_views;
     models::SelectionModel& m_selection;
     std::array<DistancePicture*, 2> m_pictures{};  ///< as BoardViews::both
@@ -77,9 +75,8 @@ private:
     models::LengthUnit m_unit = models::LengthUnit::Millimetre;
     double m_reach = 0.5e6;
     bool m_isOn = false;
-    QTimer m_refresh;                  ///< several changes are one
-    std::shared_ptr<Answer> m_answer;  ///< of the work under way; written by its thread
-    Background m_background;
+    QTimer m_refresh;  ///< several changes are one
+    BackgroundAnswer<std::shared_ptr<const model::DistanceField>> m_work;
 };
 
 }  // namespace ui

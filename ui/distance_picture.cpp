@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <new>
 
 #include "render/colour_ramp.h"
 
@@ -61,13 +60,13 @@ DistancePicture::DistancePicture(BoardView& view, QObject* parent) : QObject(par
     m_rest.setSingleShot(true);
     m_rest.setInterval(kRestMs);
     connect(&m_rest, &QTimer::timeout, this, &DistancePicture::work);
-    connect(&m_background, &Background::finished, this, &DistancePicture::deliver);
+    connect(&m_work.background(), &Background::finished, this, &DistancePicture::deliver);
     view.addGroundPainter([this](QPainter& painter) { paint(painter); });
 }
 
 void DistancePicture::setField(std::shared_ptr<const model::DistanceField> field, const model::Box& board,
                                BoardPlace place) {
-    m_background.cancel();
+    m_work.cancel();
     m_rest.stop();
     m_field = std::move(field);
     m_board = board;
@@ -122,35 +121,25 @@ std::optional<model::MapFrame> DistancePicture::shownFrame() const {
 void DistancePicture::follow() {
     const std::optional<model::MapFrame> shown = shownFrame();
     if (shown && shown != m_asked) {
-        m_background.cancel();
+        m_work.cancel();
         m_asked = shown;
         m_rest.start();
     }
 }
 
 void DistancePicture::work() {
-    m_answer = std::make_shared<Answer>();
-    m_background.start(
-        [field = m_field, frame = *m_asked, answer = m_answer](base::Progress& progress) {
-            try {
-                *answer = field->map(frame, model::kMostMapReach, progress);
-            } catch (const std::bad_alloc&) {
-                *answer = base::Error{base::ErrorCode::BadInput, "not enough memory for a map"};
-            }
-        },
-        "Measuring distances");
+    m_work.ask([field = m_field, frame = *m_asked](
+                   base::Progress& progress) { return field->map(frame, model::kMostMapReach, progress); },
+               "Measuring distances", "not enough memory for a map");
 }
 
 void DistancePicture::deliver() {
-    const std::shared_ptr<Answer> answer = std::move(m_answer);
-    if (!answer || !*answer) {
-        return;
-    }
-    if (**answer) {
-        m_map = std::move(***answer);
+    auto map = m_work.take();
+    if (map) {
+        m_map = std::move(*map);
         colour();
     } else {
-        emit failed(QString::fromStdString((*answer)->error().text));
+        emit failed(QString::fromStdString(map.error().text));
     }
 }
 

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "model/clearance/distance_map.h"
-#include "ui/background.h"
+#include "ui/background_answer.h"
 #include "ui/board_place.h"
 #include "ui/board_view.h"
 
@@ -28,7 +28,7 @@ public:
     void setReach(double nm);
 
     /// Is what the view shows still to be worked out?
-    [[nodiscard]] bool isPending() const { return m_rest.isActive() || m_background.isRunning(); }
+    [[nodiscard]] bool isPending() const { return m_rest.isActive() || m_work.isRunning(); }
     /// Null before the first one.
     [[nodiscard]] const model::DistanceMap* map() const { return m_map ? &*m_map : nullptr; }
     [[nodiscard]] const QImage& image() const { return m_image; }  ///< row 0 is the lowest, as in the map
@@ -51,8 +51,6 @@ private:
     [[nodiscard]] float height() const;
     [[nodiscard]] QTransform canvasFromCells() const;
 
-    using Answer = std::optional<base::Result<model::DistanceMap>>;
-
     BoardView& m_view;
     std::shared_ptr<const model::DistanceField> m_field;
     model::Box m_board;
@@ -62,8 +60,7 @@ private:
     std::optional<model::DistanceMap> m_map;
     QImage m_image;
     QTimer m_rest;
-    std::shared_ptr<Answer> m_answer;  ///< of the work under way; written by its thread
-    Background m_background;
+    BackgroundAnswer<model::DistanceMap> m_work;
 };
 
 }  // namespace ui

@@ -68,8 +68,8 @@ Measuring::Measuring(BoardViews& views, Probing& probing, MeasurementKeeping& ke
         watch(*view);
     }
     connect(&kept, &MeasurementKeeping::changed, this, [this] { m_views.requestOverlay(); });
-    connect(&m_background, &Background::progressed, this, &Measuring::progressed);
-    connect(&m_background, &Background::finished, this, &Measuring::takePath);
+    connect(&m_path.background(), &Background::progressed, this, &Measuring::progressed);
+    connect(&m_path.background(), &Background::finished, this, &Measuring::takePath);
 }
 
 void Measuring::watch(BoardView& view) {
@@ -92,7 +92,7 @@ void Measuring::watch(BoardView& view) {
 }
 
 void Measuring::setBoard(const LoadedBoard& board) {
-    m_background.cancel();
+    m_path.cancel();
     m_index = board.index;
     m_place.origin = board.model->origin;
     m_cursor.setBoard(board.index);
@@ -104,7 +104,7 @@ void Measuring::setBoard(const LoadedBoard& board) {
 
 void Measuring::setHeights(std::shared_ptr<const model::Document> document) {
     if (m_index) {
-        if (m_background.isRunning()) {
+        if (m_path.isRunning()) {
             stepBack();  // heights of holes would be those of before
         }
         m_index = model::withHeights(*m_index, std::move(document));
@@ -133,8 +133,8 @@ void Measuring::setTool(Tool tool) {
 }
 
 bool Measuring::stepBack() {
-    if (m_background.isRunning()) {
-        m_background.cancel();
+    if (m_path.isRunning()) {
+        m_path.cancel();
         emit followingEnded();
         emit told(QStringLiteral("Stopped"));
     } else if (!m_clicked.empty()) {
@@ -261,26 +261,26 @@ std::optional<Measurement> Measuring::preview() const {
 }
 
 void Measuring::followNet(const Caught& from, const Caught& to) {
-    m_following = std::make_shared<Following>(Following{m_index, from, to, std::nullopt});
-    m_background.start(
-        [work = m_following](base::Progress& progress) {
-            const model::BoardIndex& index = *work->index;
-            const model::BoardElement at = *work->from.element;
-            work->path = model::pathAlong(index, {at.copy, model::netOf(index, at)}, pathEndOf(index, work->from),
-                                          pathEndOf(index, work->to), progress);
-        },
-        "Following the net");
+    m_following = {m_index, from, to};
+    const auto follow = [work = m_following](base::Progress& progress) {
+        const model::BoardIndex& index = *work.index;
+        const model::BoardElement at = *work.from.element;
+        return model::pathAlong(index, {at.copy, model::netOf(index, at)}, pathEndOf(index, work.from),
+                                pathEndOf(index, work.to), progress);
+    };
+    m_path.ask(follow, "Following the net", "There is not enough memory to follow this net");
     emit followingBegan();
 }
 
 void Measuring::takePath() {
-    const std::shared_ptr<Following> done = std::exchange(m_following, nullptr);
+    const auto path = m_path.take();
+    const Following done = std::exchange(m_following, {});
     emit followingEnded();
-    if (!*done->path) {
-        emit told(QString::fromStdString(done->path->error().text));
-        return;
+    if (path) {
+        keep(lengthAlong(*done.index, done.from, done.to, *path));
+    } else {
+        emit told(QString::fromStdString(path.error().text));
     }
-    keep(lengthAlong(*done->index, done->from, done->to, **done->path));
 }
 
 void Measuring::measureGapAtCursor() {

@@ -3,7 +3,7 @@
 #include <QObject>
 #include <optional>
 
-#include "ui/background.h"
+#include "ui/background_answer.h"
 #include "ui/measurement_keeping.h"
 #include "ui/measurement_making.h"
 #include "ui/measurement_painter.h"
@@ -37,7 +37,7 @@ public:
     /// Brings a kept measurement to the middle of both views.
     void goTo(int row);
     /// A length along a net is being followed.
-    [[nodiscard]] bool isFollowing() const { return m_background.isRunning(); }
+    [[nodiscard]] bool isFollowing() const { return m_path.isRunning(); }
 
 signals:
     void toolChanged();
@@ -91,10 +91,9 @@ private:
         std::shared_ptr<const model::BoardIndex> index;
         Caught from;
         Caught to;
-        std::optional<base::Result<model::NetPath>> path;  ///< written by the thread
     };
-    std::shared_ptr<Following> m_following;
-    Background m_background;
+    Following m_following;  ///< what the path under way is for
+    BackgroundAnswer<model::NetPath> m_path;
 };
 
 }  // namespace ui
