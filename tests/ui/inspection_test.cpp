@@ -341,9 +341,9 @@ private slots:
     }
 
     void theSessionOfAnotherVersionIsToldAndKept() {
-        const fs::path job = copyOf("open_short");
+        const fs::path job = copyOf("negative");
         const std::string session = job.string() + ".copperscope.json";
-        std::ofstream(session) << R"({"copperscope_session": 99, "job": "open_short"})";
+        std::ofstream(session) << R"({"copperscope_session": 99, "job": "negative"})";
         QVERIFY(m_fixture->openAndWait(QString::fromStdString(job.string())));
         QVERIFY(window().messageBar().isVisible());
         QVERIFY2(window().messageBar().text().contains("99"), qPrintable(window().messageBar().text()));

@@ -175,7 +175,7 @@ private slots:
         tell("distance map of both views", {static_cast<double>(clock.nsecsElapsed()) / 1e6});
         settle();
         measure("distance map, another range",
-                [&](int i) { window().clearances().panel().distances().slider().setValue(8 + 4 * i); });
+                [&](int i) { window().clearances().panel().distances().slider().setValue(8 + 2 * i); });
         window().selection().setNets({{0, largestNet()}});
         clock.start();
         QTRY_VERIFY_WITH_TIMEOUT(hasAll(), 60000);

@@ -373,21 +373,20 @@ private slots:
 
     void aKeptSectionOfAnotherStepIsNotShown() {
         QVERIFY(m_fixture->openAndWait(m_board));
-        const auto& document = *window().document();
-        QVERIFY(model::session::saveSections(m_board.toStdString(), document, {{"Far", "other", {{0, 0}, {1e6, 0}}}}));
+        QVERIFY(model::session::saveSections(m_board.toStdString(), *window().document(),
+                                             {{"Far", "other", {{0, 0}, {1e6, 0}}}}));
         QVERIFY(m_fixture->openAndWait(m_board));
         QCOMPARE(kept().size(), std::size_t{1});
         emit sections().panel().chosen(0);
         QVERIFY(!view().section());
-        QVERIFY(model::session::saveSections(m_board.toStdString(), document, {}));
+        QVERIFY(model::session::saveSections(m_board.toStdString(), *window().document(), {}));
     }
 
     /// As if the session file of another board lay beside this one.
     void keptSectionsOfAnotherBoardAreTold() {
-        const auto& document = *window().document();
-        const std::string here = document.job.step;
+        const std::string here = window().document()->job.step;
         QVERIFY(model::session::saveSections(
-            m_board.toStdString(), document,
+            m_board.toStdString(), *window().document(),
             {{"Theirs", "step of another job", {{0, 0}, {1e6, 0}}}, {"Beside", here, {{9e8, 9e8}, {9.1e8, 9e8}}}}));
         QVERIFY(m_fixture->openAndWait(m_board));
         QCOMPARE(kept().size(), std::size_t{2});
@@ -399,7 +398,7 @@ private slots:
         emit sections().panel().chosen(1);
         QVERIFY(view().section() && view().section()->pieces.empty());
         QVERIFY(sections().panel().remarks().contains("meets nothing of the board"));
-        QVERIFY(model::session::saveSections(m_board.toStdString(), document, {}));
+        QVERIFY(model::session::saveSections(m_board.toStdString(), *window().document(), {}));
     }
 
     void aReloadForgetsTheLine() {

@@ -24,7 +24,7 @@ private slots:
         window().actions()[ActionId::ShowSolid].trigger();
         window().actions()[ActionId::LookIso].trigger();
         send(QEvent::MouseMove, {200, 300}, Qt::NoButton);
-        QCoreApplication::processEvents();
+        QTRY_VERIFY(!cube().place().isEmpty());  // the view has got its size
     }
     void cleanupTestCase() {
         const std::uint32_t errors = m_fixture->context().validationErrors();
