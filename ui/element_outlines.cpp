@@ -14,6 +14,7 @@ constexpr QColor kHoverInk(255, 255, 255);
 constexpr QColor kSelectedInk(255, 221, 87);
 constexpr QColor kShadow(0, 0, 0, 140);
 constexpr double kWidth = 1.6;
+constexpr double kLeastOpening = 12.0;  ///< the rims of smaller ones, in pixels, would cover a plane full of vias
 /// Strokes of more points than this are outlined one by one: uniting them would take too long.
 constexpr std::size_t kMostToUnite = 4000;
 
@@ -75,22 +76,34 @@ void ElementOutlines::paintOutline(QPainter& painter, const BoardView& view, con
     }
     const bool isFromBelow = view.controller().camera().direction().z > 0.0F;
     const render::ZRange& height = heights[outline.layer.row()];
-    for (std::size_t loop = 0; loop < outline.loops.loopCount(); ++loop) {
-        QPolygonF line;
-        for (const base::Point& point : outline.loops.loop(loop)) {
-            glm::vec3 at = m_place.toModel(base::toDouble(point));
-            at.z = isFromBelow ? height.z0 : height.z1;
-            const auto onScreen = view.controller().screenOf(at);
-            // Points that fall on one pixel are one.
-            if (onScreen && (line.isEmpty() || (*onScreen - line.back()).manhattanLength() >= 1.0)) {
-                line += *onScreen;
+    const float z = isFromBelow ? height.z0 : height.z1;
+    for (const model::PolygonSet::Polygon& polygon : outline.loops.polygons) {
+        for (std::uint32_t loop = 0; loop < polygon.loopCount; ++loop) {
+            const QPolygonF line = onScreen(view, outline.loops.loop(polygon.firstLoop + loop), z);
+            const QSizeF size = line.boundingRect().size();
+            if (loop > 0 && std::max(size.width(), size.height()) < kLeastOpening) {
+                continue;
+            }
+            for (const auto& [colour, width] : {std::pair(kShadow, 2.0 * kWidth), std::pair(ink, kWidth)}) {
+                painter.setPen(QPen(colour, width));
+                painter.drawPolygon(line);
             }
         }
-        for (const auto& [colour, width] : {std::pair(kShadow, 2.0 * kWidth), std::pair(ink, kWidth)}) {
-            painter.setPen(QPen(colour, width));
-            painter.drawPolygon(line);
+    }
+}
+
+QPolygonF ElementOutlines::onScreen(const BoardView& view, std::span<const base::Point> loop, float z) const {
+    QPolygonF line;
+    for (const base::Point& point : loop) {
+        glm::vec3 at = m_place.toModel(base::toDouble(point));
+        at.z = z;
+        const auto pixel = view.controller().screenOf(at);
+        // Points that fall on one pixel are one.
+        if (pixel && (line.isEmpty() || (*pixel - line.back()).manhattanLength() >= 1.0)) {
+            line += *pixel;
         }
     }
+    return line;
 }
 
 }  // namespace ui

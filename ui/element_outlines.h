@@ -2,6 +2,8 @@
 
 #include <QColor>
 #include <QObject>
+#include <QPolygonF>
+#include <span>
 #include <vector>
 
 #include "model/geometry/discretise.h"
@@ -41,6 +43,8 @@ private:
     [[nodiscard]] Outline outlineOf(const model::BoardElement& at) const;
     void paint(QPainter& painter, const BoardView& view) const;
     void paintOutline(QPainter& painter, const BoardView& view, const Outline& outline, const QColor& ink) const;
+
+    [[nodiscard]] QPolygonF onScreen(const BoardView& view, std::span<const base::Point> loop, float z) const;
 
     BoardViews& m_views;
     models::SelectionModel& m_selection;
