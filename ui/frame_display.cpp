@@ -69,8 +69,8 @@ void FrameDisplay::setOn(bool isOn) {
     m_views.solid().requestOverlay();
 }
 
-/// A frame that is drawn only to show a time tells nothing new, even where the board had to be drawn for it: it would ask
-/// for the next one, forever.
+/// A frame that is drawn only to show a time tells nothing new, even where the board had to be drawn for it: it would
+/// ask for the next one, forever.
 void FrameDisplay::onTimed(const render::FrameStats& stats) {
     if (std::exchange(m_isOwn, false) || stats.isOverlayAlone) {
         return;

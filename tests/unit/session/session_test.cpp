@@ -338,12 +338,9 @@ private slots:
         const Place place;
         QVERIFY(saveMeasurements(place.board, *place.document, {measuredAngle(), measuredLength()}).ok());
         const std::string good = place.file();
-        const std::pair<const char*, const char*> wrongs[] = {{"\"corner\"", "\"other\""},
-                                                              {"\"kind\": \"angle\"", "\"kind\": \"angel\""},
-                                                              {"\"way\"", "\"path\""},
-                                                              {"\"holes\": 1", "\"holes\": -1"},
-                                                              {"\"length_nm\": 4", "\"length_nm\": -4"},
-                                                              {"\"a remark\"", "7"}};
+        const std::pair<const char*, const char*> wrongs[] = {
+            {"\"corner\"", "\"other\""},       {"\"kind\": \"angle\"", "\"kind\": \"angel\""}, {"\"way\"", "\"path\""},
+            {"\"holes\": 1", "\"holes\": -1"}, {"\"length_nm\": 4", "\"length_nm\": -4"},      {"\"a remark\"", "7"}};
         for (const auto& [right, wrong] : wrongs) {
             std::string text = good;
             QVERIFY2(text.find(right) != std::string::npos, right);
