@@ -316,7 +316,8 @@ base::Result<DistanceMap> DistanceField::map(const MapFrame& frame, double reach
 
 double DistanceField::at(PointD place, double reach) const {
     base::Progress progress;
-    return static_cast<double>(map({{place.x - 0.5, place.y - 0.5}, 1.0, 1, 1}, reach, progress)->nm.front());
+    const base::Result<DistanceMap> cell = map({{place.x - 0.5, place.y - 0.5}, 1.0, 1, 1}, reach, progress);
+    return cell ? static_cast<double>(cell->nm.front()) : kEndless;
 }
 
 }  // namespace model

@@ -70,7 +70,7 @@ public:
     /// any number of threads. Errors: BadUsage for frames without cells, of more than kMostMapCells, of larger cells
     /// than kMostMapCell or beyond base::kMaxCoordinate, Cancelled.
     [[nodiscard]] base::Result<DistanceMap> map(const MapFrame& frame, double reach, base::Progress& progress) const;
-    /// The value at one place.
+    /// The value at one place; infinite off the coordinates of boards.
     [[nodiscard]] double at(PointD place, double reach) const;
 
 private:

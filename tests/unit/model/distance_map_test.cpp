@@ -346,6 +346,7 @@ private slots:
         }
         QCOMPARE(field.at({200'000.0, 0.0}, -5.0), kEndless);
         QCOMPARE(field.at({200'000.0, 0.0}, kEndless), 150'000.0);
+        QCOMPARE(field.at({2e9, 0.0}, 1e6), kEndless);  // a cursor may be where no board can
     }
 
     void aCancelIsSaid() {
