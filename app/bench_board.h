@@ -6,7 +6,8 @@
 
 #include "app/bench_command.h"
 #include "render/gpu/device.h"
-#include "render/view.h"
+#include "render/offscreen_presenter.h"
+#include "render/standard_model.h"
 
 namespace app {
 

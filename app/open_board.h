@@ -6,7 +6,7 @@
 
 #include "model/reader.h"
 #include "render/board_model.h"
-#include "render/view.h"
+#include "render/view_settings.h"
 
 namespace app {
 

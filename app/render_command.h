@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "app/open_board.h"
-#include "render/view.h"
+#include "render/offscreen_presenter.h"
+#include "render/png.h"
 
 namespace app {
 

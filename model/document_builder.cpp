@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "model/base/assert.h"
-#include "model/connectivity/net_inference.h"
 #include "model/geometry/nesting.h"
 
 namespace model {

@@ -2,18 +2,13 @@
 
 #include <filesystem>
 #include <memory>
-#include <string>
 
 #include "model/base/progress.h"
 #include "model/base/result.h"
 #include "model/document.h"
+#include "model/read_options.h"
 
 namespace model {
-
-struct ReadOptions {
-    std::string step;        ///< empty: the first step of the matrix that has layers of its own
-    bool inferNets = false;  ///< follow the copper instead of the job's nets (connectivity/net_inference.h)
-};
 
 /// Opens a board of any known format: an ODB++ job (folder, .tgz, .tar.gz, .tar, .zip) or the paper's text format.
 /// Errors: BadInput with the reason in plain words when the input is missing, is no board or cannot be unpacked;

@@ -1,3 +1,5 @@
+#include "render/board_scene.h"
+
 #include <spdlog/spdlog.h>
 
 #include <algorithm>

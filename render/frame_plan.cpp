@@ -5,8 +5,6 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numeric>
 
-#include "render/explosion.h"
-#include "render/z_scale.h"
 
 namespace render {
 namespace {
@@ -109,19 +107,6 @@ SeenFaces seenOfAny(const FramePlan& plan) {
         }
     }
     return all.upper || all.lower ? all : SeenFaces{};
-}
-
-std::vector<StackedLayer> stackOf(const SceneLayers& scene, const ZScale& scale) {
-    std::vector<ScaledLayer> layers;
-    for (const SceneLayers::Layer& layer : scene.layers) {
-        layers.push_back({{layer.z0, layer.z1}, layer.isCopper});
-    }
-    const std::vector<ZRange> heights = scaleHeights(layers, scale);
-    std::vector<StackedLayer> stack;
-    for (std::size_t i = 0; i < scene.layers.size(); ++i) {
-        stack.push_back({heights[i], scene.styles[i].isVisible, !scene.layers[i].hasAreas});
-    }
-    return stack;
 }
 
 glm::vec4 linearColour(const LayerStyle& style) {
@@ -317,17 +302,6 @@ glm::vec3 cutOf(const CutPlane& plane, const glm::vec3& centre) {
 bool isFlatView(const FramePlan& plan) {
     const bool isParallel = plan.data.eye.w == 0.0F;
     return isParallel && !plan.faces.walls && plan.faces.upper != plan.faces.lower;
-}
-
-glm::vec3 toLinear(const glm::vec3& srgb) {
-    const auto light = [](float part) {
-        return part <= 0.04045F ? part / 12.92F : std::pow((part + 0.055F) / 1.055F, 2.4F);
-    };
-    return {light(srgb.r), light(srgb.g), light(srgb.b)};
-}
-
-std::vector<ZRange> drawnHeights(const SceneLayers& scene, const ViewSettings& settings) {
-    return explode(stackOf(scene, settings.zScale), settings.explode * kFullSpread * scene.widthMm);
 }
 
 FramePlan planFrame(const SceneLayers& scene, const Camera& camera, const ViewSettings& settings, std::uint32_t width,

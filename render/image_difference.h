@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/view.h"
+#include "render/view_settings.h"
 
 namespace render {
 

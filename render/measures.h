@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "render/view.h"
+#include "render/board_scene.h"
+#include "render/camera.h"
+#include "render/standard_model.h"
 
 namespace render {
 

@@ -1,3 +1,5 @@
+#include "render/offscreen_presenter.h"
+
 #include <cstring>
 
 #include "model/base/stopwatch.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/let_backend.h"
-#include "render/view.h"
+#include "render/view_settings.h"
 
 namespace render {
 

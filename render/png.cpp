@@ -5,7 +5,7 @@
 #include <cstring>
 #include <filesystem>
 
-#include "render/view.h"
+#include "render/png.h"
 
 namespace render {
 namespace {

@@ -2,9 +2,10 @@
 
 #include <optional>
 
-#include "render/frame_plan.h"
+#include "render/board_scene.h"
 #include "render/gpu/frame_ring.h"
-#include "render/view.h"
+#include "render/let_tables.h"
+#include "render/scene_layers.h"
 
 namespace render {
 

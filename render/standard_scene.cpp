@@ -2,6 +2,7 @@
 
 #include "render/scene_buffers.h"
 #include "render/scene_loader.h"
+#include "render/standard_model.h"
 
 namespace render {
 namespace {

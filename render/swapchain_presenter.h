@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-#include "render/view.h"
+#include "render/offscreen_presenter.h"
 
 namespace render {
 

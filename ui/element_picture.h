@@ -6,7 +6,7 @@
 #include <array>
 #include <optional>
 
-#include "render/view.h"
+#include "render/offscreen_presenter.h"
 #include "ui/gpu_context.h"
 #include "ui/models/layer_model.h"
 #include "ui/models/selection_model.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "model/base/result.h"
-#include "render/view.h"
+#include "render/offscreen_presenter.h"
 
 namespace ui {
 

@@ -6,7 +6,7 @@
 #include <QStringList>
 
 #include "render/layer_style.h"
-#include "render/view.h"
+#include "render/view_settings.h"
 #include "ui/actions.h"
 #include "ui/models/lengths.h"
 

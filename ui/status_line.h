@@ -1,7 +1,7 @@
 #pragma once
 
 #include "model/document.h"
-#include "render/view.h"
+#include "render/view_settings.h"
 #include "ui/load_bar.h"
 
 class QComboBox;

@@ -6,7 +6,7 @@
 #include "model/base/progress.h"
 #include "model/base/result.h"
 #include "model/document.h"
-#include "model/reader.h"
+#include "model/read_options.h"
 
 /// ODB++ v7 and v8 jobs. What the readers rely on beyond the format's description is in docs/odb-notes.md, cited here
 /// as "odb-notes" with the section.

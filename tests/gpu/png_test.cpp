@@ -6,7 +6,8 @@
 #include <QtTest>
 #include <csignal>
 
-#include "render/view.h"
+#include "render/png.h"
+#include "render/view_settings.h"
 
 using namespace render;
 

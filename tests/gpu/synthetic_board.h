@@ -3,7 +3,7 @@
 #include <numbers>
 #include <vector>
 
-#include "render/view.h"
+#include "render/view_settings.h"
 
 namespace render::test {
 
