@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "model/shapes.h"
+#include "model/geometry/shapes.h"
 
 namespace model {
 

@@ -3,8 +3,8 @@
 #include <map>
 #include <utility>
 
+#include "model/board/stackup.h"
 #include "model/solids/solids.h"
-#include "model/stackup.h"
 
 namespace model {
 
@@ -16,7 +16,7 @@ struct Heights {
 };
 
 Heights heightsWith(const Document& document, std::vector<ThicknessOverride> set, Diagnostics& messages) {
-    StackFacts facts = document.stackup.facts;
+    StackupFacts facts = document.stackup.facts;
     facts.set = std::move(set);
     // Layers that we added ourselves follow those of the job.
     const auto own = static_cast<std::ptrdiff_t>(facts.layers.size());

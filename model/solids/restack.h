@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "model/document.h"
+#include "model/board/document.h"
 
 namespace model {
 
