@@ -1,6 +1,7 @@
 #include <QtTest>
 
 #include "render/frame/image_difference.h"
+#include "render/scene/scene_layers.h"
 #include "tests/gpu/gpu_fixture.h"
 
 using namespace render;

@@ -3,6 +3,7 @@
 #include <QtTest>
 
 #include "render/culling/frame_plan.h"
+#include "render/scene/element_state.h"
 
 using namespace render;
 using Role = LayerInSubstrate::Role;

@@ -4,6 +4,7 @@
 
 #include "model/board/copies.h"
 #include "model/board/document_builder.h"
+#include "render/frame/png.h"
 #include "tests/gpu/gpu_fixture.h"
 
 using namespace render;

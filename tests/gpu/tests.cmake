@@ -7,7 +7,6 @@ foreach(name backends cut_open device element_state faults panel pipelines raste
     set_tests_properties(${name}_test PROPERTIES ENVIRONMENT COPPERSCOPE_VALIDATION=abort)
 endforeach()
 
-target_link_libraries(pipelines_test PRIVATE copperscope_model)
 copperscope_test(tri_gpu_test gpu/triangulator_test.cpp LABEL gpu LINK copperscope_tri_gpu)
 target_compile_definitions(tri_gpu_test PRIVATE
     COPPERSCOPE_GLSLANG="${GLSLANG_VALIDATOR}"

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "render/culling/frame_plan.h"
+#include "render/scene/scene_layers.h"
 #include "tests/gpu/gpu_fixture.h"
 
 using namespace render;

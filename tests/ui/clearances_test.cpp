@@ -61,7 +61,7 @@ private slots:
         }
         const QImage before = window().views().flat().grabPicture()->copy();
         m_fixture->key(Qt::Key_F8);
-        const model::RuleFinding& first = locations.place(0).found;
+        const model::RuleFinding& first = locations.location(0).found;
         const std::vector<model::BoardElement> sides{{0, std::min(first.a, first.b)}, {0, std::max(first.a, first.b)}};
         QCOMPARE(window().selection().selected(), sides);
         QVERIFY(differingPixels(before, *window().views().flat().grabPicture()) > 100);
@@ -114,7 +114,7 @@ private slots:
     void questionsAreNarrowedToLayerViewAndNets() {
         measure();
         const ClearanceModel& locations = clearances().locations();
-        const ClearanceModel::Location first = locations.place(0);
+        const ClearanceModel::Location first = locations.location(0);
         const int all = locations.rowCount();
         const auto nets = [&] {
             const model::Document& board = *window().document();
@@ -126,17 +126,17 @@ private slots:
         ask(ClearancePanel::Where::Layer);
         QVERIFY(locations.rowCount() > 0 && locations.rowCount() < all);
         for (int row = 0; row < locations.rowCount(); ++row) {
-            QCOMPARE(locations.place(row).found.layer, first.found.layer);
+            QCOMPARE(locations.location(row).found.layer, first.found.layer);
         }
         window().selection().setNets(nets);
         ask(ClearancePanel::Where::Nets);
         QVERIFY(locations.rowCount() >= 1);
-        QCOMPARE(locations.place(0).found.gap.distance, first.found.gap.distance);
+        QCOMPARE(locations.location(0).found.gap.distance, first.found.gap.distance);
 
         window().probing().showPosition(first.found.gap.from, first.found.layer);
         ask(ClearancePanel::Where::View);
         QVERIFY(locations.rowCount() > 0 && locations.rowCount() < all);
-        QCOMPARE(locations.place(0).found.gap.distance, first.found.gap.distance);
+        QCOMPARE(locations.location(0).found.gap.distance, first.found.gap.distance);
     }
 
     void aQuestionThatCannotBeAskedIsTold() {

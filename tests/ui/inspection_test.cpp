@@ -263,7 +263,7 @@ private slots:
         QVERIFY2(locations.rowCount() > 0, qPrintable(panel().summary()));
         for (int row = 0; row < std::min(locations.rowCount(), 3); ++row) {
             m_fixture->key(Qt::Key_F8);
-            const model::RuleFinding& found = locations.place(row).found;
+            const model::RuleFinding& found = locations.location(row).found;
             QCOMPARE(panel().table().currentIndex().row(), row);
             const std::vector<model::BoardElement> sides{{0, std::min(found.a, found.b)},
                                                          {0, std::max(found.a, found.b)}};

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "model/board/document_builder.h"
+#include "model/figures/element_polygons.h"
 #include "model/geometry/boolean.h"
 
 using model::Discretisation;
@@ -162,4 +163,3 @@ private slots:
 
 QTEST_APPLESS_MAIN(DiscretiseTest)
 #include "discretise_test.moc"
-#include "model/figures/element_polygons.h"

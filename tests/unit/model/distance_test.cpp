@@ -7,6 +7,7 @@
 #include <random>
 
 #include "model/board/document_builder.h"
+#include "model/figures/element_polygons.h"
 #include "model/geometry/discretise.h"
 
 using model::ArcGeometry;
@@ -408,4 +409,3 @@ private:
 
 QTEST_APPLESS_MAIN(DistanceTest)
 #include "distance_test.moc"
-#include "model/figures/element_polygons.h"

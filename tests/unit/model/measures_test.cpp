@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "model/board/document_builder.h"
+#include "model/figures/element_polygons.h"
 #include "model/geometry/boolean.h"
 #include "model/geometry/discretise.h"
 #include "model/statistics/element_sizes.h"
@@ -110,4 +111,3 @@ private slots:
 
 QTEST_APPLESS_MAIN(MeasuresTest)
 #include "measures_test.moc"
-#include "model/figures/element_polygons.h"

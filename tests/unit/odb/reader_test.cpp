@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "model/base/parallel.h"
+#include "model/figures/element_polygons.h"
 #include "model/geometry/discretise.h"
 #include "odb_testing.h"
 
@@ -498,5 +499,4 @@ private slots:
 };
 
 QTEST_APPLESS_MAIN(ReaderTest)
-#include "model/figures/element_polygons.h"
 #include "reader_test.moc"

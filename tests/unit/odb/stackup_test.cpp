@@ -2,6 +2,7 @@
 
 #include <QtTest>
 
+#include "model/solids/restack.h"
 #include "odb_testing.h"
 
 using model::Diagnostics;
@@ -346,5 +347,4 @@ private slots:
 };
 
 QTEST_APPLESS_MAIN(StackupTest)
-#include "model/solids/restack.h"
 #include "stackup_test.moc"

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/figures/element_polygons.h"
 #include "model/formats/odb/symbols/barcode.h"
 #include "model/geometry/discretise.h"
 #include "odb_testing.h"
@@ -284,5 +285,4 @@ private slots:
 };
 
 QTEST_APPLESS_MAIN(TextTest)
-#include "model/figures/element_polygons.h"
 #include "text_test.moc"

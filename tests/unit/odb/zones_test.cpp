@@ -1,6 +1,7 @@
 // Rigid-flex boards: zones, where layers exist, and what of the laminate that leaves.
 #include "model/formats/odb/stackup/zones.h"
 
+#include "model/figures/element_polygons.h"
 #include "model/formats/odb/rigid_flex.h"
 #include "model/geometry/discretise.h"
 #include "odb_testing.h"
@@ -204,5 +205,4 @@ private slots:
 };
 
 QTEST_APPLESS_MAIN(ZonesTest)
-#include "model/figures/element_polygons.h"
 #include "zones_test.moc"

@@ -133,7 +133,7 @@ private slots:
         b.on(Top);
         b.line({0, 0}, {10 * kMm, 0});
         b.line({10 * kMm, 0}, {10 * kMm, 10 * kMm});
-        const auto path = b.path(Location{{2e6, 50'000}, {}}, Place{{10e6 - 50'000, 7e6}, LayerId{Top}});
+        const auto path = b.path(Location{{2e6, 50'000}, {}}, Location{{10e6 - 50'000, 7e6}, LayerId{Top}});
         QVERIFY(isNear(path->length, 15e6));
         const auto beside = b.path(Location{{2e6, 3e6}, {}}, Location{{10e6, 7e6}, {}});
         QCOMPARE(beside.error().code, base::ErrorCode::BadUsage);

@@ -10,6 +10,7 @@
 #include "model/board/stackup.h"
 #include "model/figures/distance.h"
 #include "model/formats/registry.h"
+#include "model/solids/restack.h"
 #include "tests/places.h"
 #include "tests/unit/model/measure/measure_fixture.h"
 
@@ -576,5 +577,4 @@ private slots:
 };
 
 QTEST_APPLESS_MAIN(SeparationTest)
-#include "model/solids/restack.h"
 #include "separation_test.moc"

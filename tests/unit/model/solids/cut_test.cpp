@@ -4,6 +4,7 @@
 #include <random>
 
 #include "model/board/document_builder.h"
+#include "model/figures/element_polygons.h"
 #include "model/geometry/boolean.h"
 #include "model/solids/nearness.h"
 
@@ -222,4 +223,3 @@ private slots:
 
 QTEST_APPLESS_MAIN(CutTest)
 #include "cut_test.moc"
-#include "model/figures/element_polygons.h"

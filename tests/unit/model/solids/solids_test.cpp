@@ -3,6 +3,7 @@
 #include <QtTest>
 
 #include "model/base/parallel.h"
+#include "model/figures/element_polygons.h"
 #include "model/geometry/discretise.h"
 
 using model::DocumentBuilder;
@@ -170,5 +171,4 @@ private slots:
 };
 
 QTEST_APPLESS_MAIN(SolidsTest)
-#include "model/figures/element_polygons.h"
 #include "solids_test.moc"
