@@ -1,5 +1,4 @@
-// Copper layers as `render --mono` draws them against rasters that KiCad drew itself, not through ODB++. The rasters
-// are outside of the source; without them the test says so.
+// Copper layers as `render --mono` draws them against rasters that KiCad drew itself, not through ODB++.
 #include <png.h>
 
 #include <QJsonDocument>
@@ -91,11 +90,7 @@ private slots:
     void copperIsWhereKicadHasIt_data() {
         QTest::addColumn<QString>("board");
         QTest::addColumn<QString>("layer");
-        const fs::path boards = fs::path(locations::kBoards) / "kicad";
-        if (!fs::exists(boards / "ref")) {
-            QSKIP("the boards with rasters of KiCad are not here");
-        }
-        for (const auto& board : fs::directory_iterator(boards / "ref")) {
+        for (const auto& board : fs::directory_iterator(locations::boards() / "kicad" / "ref")) {
             for (const auto& entry : fs::directory_iterator(board)) {
                 const std::string name = board.path().filename().string();
                 // Loading the largest board takes longest by far: one layer of it must do.
@@ -111,7 +106,7 @@ private slots:
     void copperIsWhereKicadHasIt() {
         QFETCH(QString, board);
         QFETCH(QString, layer);
-        const QString boards = QString(locations::kBoards) + "/kicad/";
+        const QString boards = QString::fromStdString((locations::boards() / "kicad/").string());
         Picture reference = readPng((boards + "ref/" + board + "/" + layer + ".png").toStdString());
         QVERIFY(reference.width > 0);
         makeCopperWhite(reference);

@@ -187,23 +187,15 @@ private slots:
         }
     }
 
-    void copperOfRealBoardsAgrees_data() {
+    void copperOfWholeBoardsAgrees_data() {
         QTest::addColumn<QString>("file");
-        const fs::path boards = locations::kBoards;
-        QTest::newRow("sample") << QString(locations::kSample);
-        for (const char* folder : {"", "kicad", "kicad/variants"}) {
-            for (const auto& entry :
-                 fs::exists(boards / folder) ? fs::directory_iterator(boards / folder) : fs::directory_iterator{}) {
-                const std::string name = entry.path().filename().string();
-                if (name.ends_with(".tgz") || name.ends_with(".zip")) {
-                    QTest::newRow(name.c_str()) << QString::fromStdString(entry.path().string());
-                }
-            }
+        for (const fs::path& board : locations::allBoards()) {
+            QTest::newRow(board.filename().c_str()) << QString::fromStdString(board.string());
         }
     }
     /// All copper layers; for the time it takes only the two outer ones of boards with more than 100,000 elements on
     /// copper and of boards that are there in several variants; all of them if the test is to be thorough.
-    void copperOfRealBoardsAgrees() {
+    void copperOfWholeBoardsAgrees() {
         QFETCH(QString, file);
         const auto d = read(file.toStdString());
         JobFiles files(file.toStdString());

@@ -1,4 +1,4 @@
-// A board is inspected from end to end, as a person does it: with keys and clicks, on a real board where there is one.
+// A board is inspected from end to end, as a person does it: with keys and clicks.
 // COPPERSCOPE_SHOTS names a folder for pictures of the window on the way.
 
 #include <QComboBox>
@@ -33,7 +33,19 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kPatienceMs = 60000;
-const char* const kRealBoard = "parallella_meta_carrier_odb_rev1.tgz";
+constexpr double kReadNm = 3.0;  // coordinates and diameters are rounded to nanometres as they are read
+
+/// A board, and two round pads on top of it by their nets. How far apart they are was worked out from the job's files.
+struct Inspected {
+    const char* file;
+    const char* netA;
+    const char* netB;
+    double centresMm;
+    double edgesMm;
+};
+constexpr Inspected kInspected[] = {
+    {"parallella_meta_carrier_odb_rev1.tgz", "EA_WAIT_WR_IN_N2", "EA_DATA_OUT_P14", 1.27, 0.635},
+    {"opencellular_breakout.tgz", "IRQ_INT", "SYNC_INT#", 2.54, 0.9652}};
 
 QByteArray contentsOf(const QString& path) {
     QFile file(path);
@@ -77,13 +89,10 @@ class InspectionTest : public QObject {
 private slots:
     void initTestCase() {
         m_fixture = std::make_unique<WindowFixture>();
-        const fs::path real = fs::path(locations::kBoards) / kRealBoard;
-        const bool isThere = fs::exists(real);
-        if (!isThere) {
-            qInfo("%s is not there: inspecting the sample instead", kRealBoard);
-        }
+        const fs::path board = locations::boardsNamed({kInspected[0].file, kInspected[1].file}).front();
+        m_inspected = board.filename() == kInspected[0].file ? &kInspected[0] : &kInspected[1];
         m_job = fs::path(m_fixture->folder().toStdString()) / "job.tgz";  // sessions are written beside it
-        fs::copy_file(isThere ? real : fs::path(locations::kSample), m_job);
+        fs::copy_file(board, m_job);
         openJob();
     }
     void init() {
@@ -240,16 +249,16 @@ private slots:
         click(flat(), screenOf(flat(), m_b));
         QCOMPARE(measurements().size(), before + 1);
         const Measurement centres = measurements().back();
-        QVERIFY(std::abs(centres.distance() - centreDistance()) < 1e-3);
+        QVERIFY2(std::abs(centres.distance() - m_inspected->centresMm * base::kNmPerMm) < kReadNm,
+                 qPrintable(QString::number(centres.distance())));
         m_fixture->key(Qt::Key_M, Qt::ShiftModifier);
         click(solid(), screenOf(solid(), m_a));
         click(solid(), screenOf(solid(), m_b));
         QCOMPARE(measurements().size(), before + 2);
         const Measurement edges = measurements().back();
         QVERIFY(edges.kind == model::MeasurementKind::Gap && edges.distance() > 0);
-        const double radii = (circleOf(m_a).diameter + circleOf(m_b).diameter) / 2.0;
-        QVERIFY2(std::abs(edges.distance() - (centres.distance() - radii)) < 1.0,
-                 qPrintable(QString("%1 %2 %3").arg(edges.distance()).arg(centres.distance()).arg(radii)));
+        QVERIFY2(std::abs(edges.distance() - m_inspected->edgesMm * base::kNmPerMm) < kReadNm,
+                 qPrintable(QString::number(edges.distance())));
         m_fixture->key(Qt::Key_M, Qt::ShiftModifier);
         shoot("measured");
     }
@@ -394,7 +403,9 @@ private:
         QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
         window().resize(1400, 900);
         m_name = board().job.name;
-        findPads();
+        m_a = padOf(m_inspected->netA);
+        m_b = padOf(m_inspected->netB);
+        QVERIFY(m_a.isValid() && m_b.isValid());
     }
     fs::path copyOf(const char* name) {
         const fs::path copy = fs::path(m_fixture->folder().toStdString()) / name;
@@ -413,38 +424,23 @@ private:
         QVERIFY(isBusy());
     }
 
-    /// A round pad of a net on the uppermost copper, and the nearest one of another net a little away.
-    void findPads() {
-        std::vector<model::ElementId> pads;
-        const auto& elements = board().elements;
-        for (std::size_t row = 0; row < elements.size(); ++row) {
-            const model::Layer& layer = board().layer(elements.layer[row]);
-            if (layer.isCopper() && layer.side == model::LayerSide::Top && (elements.flags[row] & model::kPad) != 0 &&
-                elements.kind[row] == model::ElementKind::Circle && elements.net[row].isValid()) {
-                pads.emplace_back(row);
+    /// The largest round pad of a net on the uppermost copper.
+    model::ElementId padOf(const char* net) {
+        model::ElementId largest;
+        for (const model::ElementId id : board().elementsOf(board().findNet(net))) {
+            const model::Layer& layer = board().layer(board().elements.layer[id.row()]);
+            if (layer.isCopper() && layer.side == model::LayerSide::Top &&
+                (board().elements.flags[id.row()] & model::kPad) != 0 &&
+                board().elements.kind[id.row()] == model::ElementKind::Circle &&
+                (!largest.isValid() || circleOf(id).diameter > circleOf(largest).diameter)) {
+                largest = id;
             }
         }
-        QVERIFY(pads.size() > 1);
-        m_a = pads[pads.size() / 2];
-        double least = 1e18;
-        for (const model::ElementId pad : pads) {
-            const double distance = distanceBetween(m_a, pad);
-            if (netOf(pad) != netOf(m_a) && distance > 1e6 && distance < least) {
-                least = distance;
-                m_b = pad;
-            }
-        }
-        QVERIFY(m_b.isValid());
+        return largest;
     }
     const model::CircleGeometry& circleOf(model::ElementId id) {
         return board().circles[board().elements.geometry[id.row()]];
     }
-    double distanceBetween(model::ElementId a, model::ElementId b) {
-        const model::Point p = circleOf(a).centre;
-        const model::Point q = circleOf(b).centre;
-        return std::hypot(double(p.x - q.x), double(p.y - q.y));
-    }
-    double centreDistance() { return distanceBetween(m_a, m_b); }
     std::string netOf(model::ElementId id) { return board().nets[board().elements.net[id.row()].row()].name; }
     model::BoardNet boardNet(model::ElementId id) { return {0, board().elements.net[id.row()]}; }
     std::string netSelected() {
@@ -534,6 +530,7 @@ private:
     }
 
     std::unique_ptr<WindowFixture> m_fixture;
+    const Inspected* m_inspected = nullptr;
     fs::path m_job;
     std::string m_name;
     model::ElementId m_a;

@@ -22,7 +22,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kPatienceMs = 30000;
-const char* const kRealBoard = "parallella_meta_carrier_odb_rev1.tgz";
 
 /// Net N: a pad at (0, 0), a track to a via at (6, 0) and on at the bottom to a pad at (6, 4). Net M: a bent track, a
 /// disc on top and one on the inner layer. And an arc, a disc and a stroke without width of no net. In mm.
@@ -297,14 +296,10 @@ private slots:
         QVERIFY(list().empty());
     }
 
-    void lengthsOfARealBoardAreThoseOfTheModel() {
-        const fs::path real = fs::path(locations::kBoards) / kRealBoard;
-        if (!fs::exists(real)) {
-            QSKIP("the real boards are not here");
-        }
+    void lengthsOfAWholeBoardAreThoseOfTheModel() {
         m_fixture = std::make_unique<WindowFixture>();
         const fs::path job = fs::path(m_fixture->folder().toStdString()) / "job.tgz";
-        fs::copy_file(real, job);
+        fs::copy_file(locations::boards() / "opencellular_breakout.tgz", job);
         QVERIFY(m_fixture->openAndWait(QString::fromStdString(job.string())));
         const auto [a, b, path] = pathThroughHoles();
         QVERIFY(a.isValid());

@@ -1,11 +1,13 @@
-# The workbench, driven by clicks and keys. What touches the window runs on the display of ./test (swapchain) and again without one (through memory).
+# The workbench, driven by clicks and keys. What touches the window runs on the display of ./test (swapchain) and again without one (through
+# memory), on a screen of the same size: the platform's own is 800 pixels wide, less than some windows.
+set(offscreen QT_QPA_PLATFORM=offscreen:configfile=${CMAKE_CURRENT_LIST_DIR}/offscreen.json)
 function(copperscope_ui_test name)
     copperscope_test(${name}_test ui/${name}_test.cpp LABEL ui LINK copperscope_ui ui_test_support)
     # One at a time: windows on one display take the keyboard from each other.
     set_tests_properties(${name}_test PROPERTIES ENVIRONMENT "COPPERSCOPE_VALIDATION=abort" RESOURCE_LOCK display)
-    add_test(NAME ${name}_offscreen_test COMMAND ${name}_test)
-    set_tests_properties(${name}_offscreen_test PROPERTIES LABELS ui TIMEOUT 600
-        ENVIRONMENT "QT_QPA_PLATFORM=offscreen;COPPERSCOPE_VALIDATION=abort")
+    copperscope_add_test(${name}_offscreen_test ui ${name}_test)
+    set_tests_properties(${name}_offscreen_test PROPERTIES
+        ENVIRONMENT "${offscreen};COPPERSCOPE_VALIDATION=abort")
 endfunction()
 
 add_library(ui_test_support STATIC ui/window_fixture.cpp)
@@ -41,12 +43,12 @@ copperscope_test(ui_label_placing_test ui/label_placing_test.cpp LABEL ui LINK c
 copperscope_test(ui_loader_test ui/loader_test.cpp LABEL ui LINK copperscope_ui)
 copperscope_test(ui_settings_test ui/settings_test.cpp LABEL ui LINK copperscope_ui)
 set_tests_properties(ui_actions_test ui_camera_controller_test ui_loader_test ui_settings_test PROPERTIES
-    ENVIRONMENT "QT_QPA_PLATFORM=offscreen")
+    ENVIRONMENT "${offscreen}")
 
 # The window on screens whose pixels are finer than its coordinates.
 copperscope_test(hidpi_test ui/hidpi_test.cpp LABEL ui LINK copperscope_ui ui_test_support)
 set_tests_properties(hidpi_test PROPERTIES RESOURCE_LOCK display
     ENVIRONMENT "COPPERSCOPE_VALIDATION=abort;QT_SCALE_FACTOR=1.5")
-add_test(NAME hidpi_offscreen_test COMMAND hidpi_test)
-set_tests_properties(hidpi_offscreen_test PROPERTIES LABELS ui TIMEOUT 600
-    ENVIRONMENT "QT_QPA_PLATFORM=offscreen;COPPERSCOPE_VALIDATION=abort;QT_SCALE_FACTOR=2")
+copperscope_add_test(hidpi_offscreen_test ui hidpi_test)
+set_tests_properties(hidpi_offscreen_test PROPERTIES
+    ENVIRONMENT "${offscreen};COPPERSCOPE_VALIDATION=abort;QT_SCALE_FACTOR=2")

@@ -1,5 +1,5 @@
-// The real boards, where they are at hand: what the reader says is compared with counts taken from the files in
-// another, simpler way.
+// Whole boards (locations::allBoards): what the reader says is compared with counts taken from the files in another,
+// simpler way.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -20,25 +20,6 @@ using model::Layer;
 using model::odb::Archive;
 
 namespace {
-
-const fs::path kBoards = locations::kBoards;
-
-std::vector<fs::path> boardFiles() {
-    std::vector<fs::path> files;
-    for (const fs::path& folder : {kBoards, kBoards / "kicad", kBoards / "kicad" / "variants"}) {
-        if (!fs::exists(folder)) {
-            continue;
-        }
-        for (const auto& entry : fs::directory_iterator(folder)) {
-            const std::string ending = entry.path().extension().string();
-            if (ending == ".tgz" || ending == ".zip") {
-                files.push_back(entry.path());
-            }
-        }
-    }
-    std::ranges::sort(files);
-    return files;
-}
 
 /// All files of a board as text by lower-case path, without the reader's own parsers.
 std::map<std::string, std::string> textsOf(const fs::path& path) {
@@ -120,12 +101,6 @@ class BoardsTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        if (boardFiles().empty()) {
-            QSKIP("the boards are not beside the repository");
-        }
-    }
-
     void board_data() { eachBoard(); }
     void board() {
         QFETCH(QString, path);
@@ -271,25 +246,10 @@ private slots:
         QVERIFY(findDiagnostic(d->diagnostics, "with any origin") == nullptr);
     }
 
-    void thePanelHasThreeCards() {
-        if (!fs::exists(kBoards / "ninevoltz_panel.tgz")) {
-            QSKIP("the panel is not beside the repository");
-        }
-        const auto card = read(kBoards / "ninevoltz_panel.tgz", "pcb1");
-        const auto panel = read(kBoards / "ninevoltz_panel.tgz", "panel");
-        const auto holes = [](const Document& d) { return d.layer(d.findLayer("drill")).countsWithCopies[2]; };
-        QCOMPARE(panel->instances.size(), std::size_t{3});
-        QVERIFY(holes(*panel) - 3 * holes(*card) <= 16);  // the panel's own tooling holes
-        QCOMPARE(panel->steps.size(), std::size_t{1});
-        QCOMPARE(panel->steps[0]->nets.size(), card->nets.size());
-        QCOMPARE(panel->steps[0]->components.size(), card->components.size());
-        QCOMPARE(panel->steps[0]->elements.size(), card->elements.size());
-    }
-
 private:
     static void eachBoard() {
         QTest::addColumn<QString>("path");
-        for (const fs::path& file : boardFiles()) {
+        for (const fs::path& file : locations::allBoards()) {
             QTest::newRow(file.filename().c_str()) << QString::fromStdString(file.string());
         }
     }

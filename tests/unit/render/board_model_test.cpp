@@ -2,14 +2,12 @@
 
 #include <QtTest>
 #include <cstring>
-#include <filesystem>
 #include <set>
 
 #include "model/base/parallel.h"
 #include "model/board/document_builder.h"
 #include "model/formats/registry.h"
 #include "render/standard/standard_model.h"
-#include "render/standard/standard_triangles.h"
 #include "tests/places.h"
 
 using model::DocumentBuilder;
@@ -48,18 +46,6 @@ class BoardModelTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void paperModelHasTheNumbersOfTables2And3() {
-        const std::string path = std::string(locations::kBoards) + "/paper_t1.txt";
-        if (!std::filesystem::exists(path)) {
-            QSKIP("the paper's model is not here");
-        }
-        const auto document = readBoard(path);
-        QCOMPARE(document->elementCounts(), (std::array<std::uint32_t, 5>{539, 0, 1395, 529, 823}));
-        const BoardModel model = build(*document, {5000.0, true});
-        QCOMPARE(render::countStandardTriangles(*document, {5000.0, true}), 1'130'956U);
-        QCOMPARE(model.repairedAreas, 0U);
-    }
-
     void modelDoesNotDependOnTheNumberOfThreads() {
         const auto document = readBoard(locations::kSample);
         QVERIFY(document);

@@ -1,0 +1,12 @@
+# On the boards that COPPERSCOPE_BOARDS names (docs/testing.md): tests of all boards once more, and what is known of single ones.
+copperscope_test(named_boards_test boards/named_boards_test.cpp LABEL boards LINK copperscope_render)
+copperscope_boards_test(real_odb_boards_test odb_boards_test)
+copperscope_boards_test(real_reference_test reference_test copperOfWholeBoardsAgrees)
+copperscope_boards_test(real_kicad_raster_test kicad_raster_test)
+copperscope_boards_test(real_cli_test cli_test netsOfWholeBoardsAreAsTheyWere)
+copperscope_boards_test(real_pipelines_test pipelines_test picturesAgree)
+set_tests_properties(real_pipelines_test PROPERTIES ENVIRONMENT COPPERSCOPE_VALIDATION=abort)
+if(COPPERSCOPE_GUI)
+    copperscope_boards_test(real_inspection_test inspection_test)
+    set_tests_properties(real_inspection_test PROPERTIES ENVIRONMENT COPPERSCOPE_VALIDATION=abort RESOURCE_LOCK display)
+endif()
