@@ -1,8 +1,8 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
-#include "app/command_line.h"
-#include "app/workbench_command.h"
+#include "app/commands/command_line.h"
+#include "app/commands/workbench_command.h"
 
 namespace {
 

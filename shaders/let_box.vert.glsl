@@ -13,7 +13,7 @@ void main() {
     outLet = FRAME.visibleLets.at[gl_InstanceIndex];
     const Let let = FRAME.lets.at[outLet];
     const LayerState layer = FRAME.layers.at[let.meta >> kLetLayerShift];
-    const float proud = has(let.meta, kLetBore) ? FRAME.boreProudMm : 0.0;
+    const float proud = has(let.meta, kLetBore) ? FRAME.boreProtrusionMm : 0.0;
     const vec2 corner = quadCorner(code);
     const bool isUpper = (code & 1u) == 0u;
     const vec3 middle = vec3(let.p0, let.p1, isUpper ? layer.z1 : layer.z0) - FRAME.centre;

@@ -17,7 +17,7 @@ void main() {
     const LayerState layer = FRAME.layers.at[let.meta >> kLetLayerShift];
     const bool isBore = has(let.meta, kLetBore);
     const bool isUpper = (code & 1u) == 0u;
-    const float proud = isBore ? FRAME.boreProudMm : 0.0;
+    const float proud = isBore ? FRAME.boreProtrusionMm : 0.0;
     const vec2 corner = quadCorner(code);
     const float z = isUpper ? layer.z1 + proud : layer.z0 - proud;
     const vec3 position = vec3(boundCorner(let, corner, 1.0 / FRAME.pixelsPerMm), z) - FRAME.centre;

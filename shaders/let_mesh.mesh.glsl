@@ -21,7 +21,7 @@ struct Share {
     uint level;
     uint firstLet;    // in the payload
     uint letCount;
-    uint firstRung;
+    uint firstSegment;
     uint intervals;
     bool hasFirstEnd;  // walls across the ends of an open ladder
     bool hasLastEnd;
@@ -43,16 +43,16 @@ Share shareOf(uint group) {
     const uint slices = slicesOf(topology, level);
     const uint together = letsPerGroup(topology, level);
     const uint first = group / slices * together;
-    const uint rung = group % slices * kSliceIntervals;
+    const uint segment = group % slices * kSliceIntervals;
     Share share;
     share.level = level;
     share.firstLet = start + first;
     share.letCount = min(together, payload.counts[bucket] - first);
-    share.firstRung = rung;
-    share.intervals = min(kSliceIntervals, intervalsOf(topology, level) - rung);
+    share.firstSegment = segment;
+    share.intervals = min(kSliceIntervals, intervalsOf(topology, level) - segment);
     const bool hasEnds = topology == kTopologyOpen && FRAME.triangleCount > kUpperTriangles;
-    share.hasFirstEnd = hasEnds && rung == 0u;
-    share.hasLastEnd = hasEnds && rung + share.intervals == intervalsOf(topology, level);
+    share.hasFirstEnd = hasEnds && segment == 0u;
+    share.hasLastEnd = hasEnds && segment + share.intervals == intervalsOf(topology, level);
     return share;
 }
 
@@ -71,7 +71,7 @@ uint verticesPerLet(Share share) {
 
 // Corners of triangle `index` of a let, as vertices of that let's share.
 uvec3 triangleOf(Share share, uint index) {
-    uint rung = 0u;
+    uint segment = 0u;
     uint digits;
     if (share.level == kLevelQuad) {
         digits = kIntervalTriangles[FRAME.quadFace == 0u ? index : index + kIntervalTriangleCount - kUpperTriangles];
@@ -83,15 +83,15 @@ uvec3 triangleOf(Share share, uint index) {
     }
     const uint inIntervals = share.intervals * FRAME.triangleCount;
     if (index < inIntervals) {
-        rung = index / FRAME.triangleCount;
+        segment = index / FRAME.triangleCount;
         digits = kIntervalTriangles[FRAME.firstTriangle + index % FRAME.triangleCount];
     } else if (share.hasFirstEnd && index < inIntervals + kEndTriangleCount) {
         digits = kFirstEndTriangles[index - inIntervals];
     } else {
-        rung = share.intervals;
+        segment = share.intervals;
         digits = kLastEndTriangles[index - inIntervals - (share.hasFirstEnd ? kEndTriangleCount : 0u)];
     }
-    return uvec3(digits >> 8u & 15u, digits >> 4u & 15u, digits & 15u) + 4u * rung;
+    return uvec3(digits >> 8u & 15u, digits >> 4u & 15u, digits & 15u) + 4u * segment;
 }
 
 void writeVertex(Share share, uint vertex) {
@@ -99,7 +99,7 @@ void writeVertex(Share share, uint vertex) {
     const uint local = vertex % perLet;
     const Let let = FRAME.lets.at[payload.lets[share.firstLet + vertex / perLet]];
     const LayerState layer = FRAME.layers.at[let.meta >> kLetLayerShift];
-    const uint code = share.level == kLevelQuad ? local * 2u + FRAME.quadFace : share.firstRung * 4u + local;
+    const uint code = share.level == kLevelQuad ? local * 2u + FRAME.quadFace : share.firstSegment * 4u + local;
     const vec3 position = letPosition(let, layer, share.level, code) - FRAME.centre;
     const bool isBore = has(let.meta, kLetBore);
     gl_MeshVerticesEXT[vertex].gl_Position =

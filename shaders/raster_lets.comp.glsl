@@ -16,7 +16,7 @@ layout(buffer_reference, scalar, buffer_reference_align = 8) buffer NearestLets 
 
 // Pixels whose centres lie in the picture of the let's box: from xy to before zw.
 ivec4 pixelsOf(Let let, LayerState layer) {
-    const float proud = has(let.meta, kLetBore) ? FRAME.boreProudMm : 0.0;
+    const float proud = has(let.meta, kLetBore) ? FRAME.boreProtrusionMm : 0.0;
     vec2 low = vec2(1e30);
     vec2 high = vec2(-1e30);
     for (int i = 0; i < 8; ++i) {

@@ -14,7 +14,7 @@ void main() {
     const bool isBore = has(vertex.owner, kStandardBore);
     const bool isUpper = vertex.face > 0.5;
     const uint element = vertex.owner & ~kStandardBore;
-    const float proud = isBore ? FRAME.boreProudMm : 0.0;
+    const float proud = isBore ? FRAME.boreProtrusionMm : 0.0;
     const vec3 position = vec3(vertex.x, vertex.y, mix(layer.z0 - proud, layer.z1 + proud, vertex.face));
     outPosition = position - FRAME.centre;
     outColour = colourOf(layer, element, isBore);

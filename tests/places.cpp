@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-namespace places {
+namespace locations {
 
 const char* const kSample = COPPERSCOPE_SAMPLE;
 const char* const kTestData = COPPERSCOPE_TEST_DATA;
@@ -14,4 +14,4 @@ bool isThorough() {
     return std::getenv("COPPERSCOPE_THOROUGH") != nullptr;
 }
 
-}  // namespace places
+}  // namespace locations

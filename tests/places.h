@@ -2,7 +2,7 @@
 
 /// Where the tests find their boards. Paths of this machine stand in one small source, so that a compiler cache serves
 /// every other one in any folder.
-namespace places {
+namespace locations {
 
 /// The bundled sample board (resources/sample).
 extern const char* const kSample;
@@ -18,4 +18,4 @@ extern const char* const kProgram;
 /// Does COPPERSCOPE_THOROUGH ask for everything, where a test of every day takes a sample (docs/testing.md)?
 [[nodiscard]] bool isThorough();
 
-}  // namespace places
+}  // namespace locations

@@ -40,7 +40,7 @@ public:
     /// Inserts vertex q, whose position is new; it takes the triangle slots `slot` and `slot` + 1. False, and the mesh
     /// is as before, if that would change triangles outside the area.
     bool insert(std::uint32_t q, std::uint32_t slot) {
-        const Place place = locate(m_mesh.points[q]);
+        const Location place = locate(m_mesh.points[q]);
         if constexpr (Area::kIsLimited) {
             if (place.triangle == kLost) {
                 return false;
@@ -54,7 +54,7 @@ public:
 
 private:
     /// Where a point is: in a triangle, or on its edge `edge`.
-    struct Place {
+    struct Location {
         std::uint32_t triangle;
         std::uint32_t edge;
     };
@@ -62,7 +62,7 @@ private:
     static constexpr std::uint32_t kLost = 0xFFFFFFFF;
 
     /// Walks towards the point over edges that have it on their other side. Ends in every Delaunay triangulation.
-    Place locate(Point p) {
+    Location locate(Point p) {
         std::uint32_t entered = kNone;  // the edge we came through has p on this side
         for (;;) {
             const Triangle& t = m_mesh.triangles[m_near];

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "model/base/parallel.h"
-#include "model/clearance/sheet.h"
-#include "model/geometry/distance.h"
+#include "model/clearance/layer_geometry.h"
+#include "model/figures/distance.h"
 
 namespace model {
 
@@ -15,7 +15,7 @@ namespace {
 /// The way from a point inside of a figure to its nearest edge; nothing if the point lies outside.
 std::optional<Gap> wayOut(const FigureTable& table, std::size_t row, PointD p) {
     if (table[row].isFilled) {
-        return isInside(table, row, p) ? std::optional(gapToEdges(table, row, p)) : std::nullopt;
+        return isInside(table, row, p) ? std::optional(spacingToEdges(table, row, p)) : std::nullopt;
     }
     Edge dot;
     dot.a = dot.b = p;
@@ -23,7 +23,7 @@ std::optional<Gap> wayOut(const FigureTable& table, std::size_t row, PointD p) {
     std::optional<Gap> farthest;
     for (Edge edge : table.edges(row)) {
         const double pen = std::exchange(edge.pen, 0.0);
-        Gap gap = gapBetween(dot, edge);
+        Gap gap = spacingBetween(dot, edge);
         const double deep = pen - gap.distance;
         if (deep > 0 && (!farthest || deep > farthest->distance)) {
             const double scale = gap.distance > 0 ? pen / gap.distance : 0.0;
@@ -39,7 +39,7 @@ bool hasRings(const Document& document, ElementId hole) {
            document.elements.kind[hole.row()] == ElementKind::Circle && document.elements.net[hole.row()].isValid();
 }
 
-std::optional<AnnularRing> ringOf(const Document& document, const Sheet& copper, ElementId hole) {
+std::optional<AnnularRing> ringOf(const Document& document, const LayerGeometry& copper, ElementId hole) {
     const CircleGeometry& circle = document.circles[document.elements.geometry[hole.row()]];
     const PointD centre = base::toDouble(circle.centre);
     std::optional<AnnularRing> widest;
@@ -62,7 +62,7 @@ std::optional<AnnularRing> ringOf(const Document& document, const Sheet& copper,
 }  // namespace
 
 std::vector<AnnularRing> annularRings(const Document& document, LayerId layer, double below) {
-    const Sheet copper = layerSheet(document, layer);
+    const LayerGeometry copper = layerGeometry(document, layer);
     std::vector<ElementId> holes;
     for (const Layer& drill : document.layers) {
         for (std::uint32_t i = drill.elements.first;

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "model/document.h"
+#include "model/board/document.h"
 #include "model/geometry/edges.h"
 
 namespace model {

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "model/base/parallel.h"
-#include "model/clearance/sheet.h"
-#include "model/copies.h"
+#include "model/board/copies.h"
+#include "model/clearance/layer_geometry.h"
 
 namespace model {
 
@@ -23,10 +23,10 @@ bool isNarrower(const Clearance& a, const Clearance& b) {
 /// The copper of one layer as an answer sees it.
 class CopperPairs {
 public:
-    CopperPairs(const Document& document, LayerId layer, const ClearanceQuestion& question, Sheet sheet)
-        : m_document(document), m_layer(layer), m_question(question), m_sheet(std::move(sheet)) {}
+    CopperPairs(const Document& document, LayerId layer, const ClearanceQuestion& question, LayerGeometry plane)
+        : m_document(document), m_layer(layer), m_question(question), m_plane(std::move(plane)) {}
 
-    [[nodiscard]] Box extent() const { return m_sheet.extent(); }
+    [[nodiscard]] Box extent() const { return m_plane.extent(); }
 
     /// All pairs of nets that come closer than `reach`.
     void search(double reach, base::Progress& progress, std::vector<Clearance>& found) const {
@@ -40,13 +40,13 @@ public:
         };
         // Copper without a net that touches a net belongs to it.
         pairs.mayTouch = [this](std::uint32_t a, std::uint32_t b) { return netOf(a).isValid() && netOf(b).isValid(); };
-        for (const FigurePair& pair : narrowestPairs(m_sheet, m_sheet, pairs, progress)) {
-            found.push_back(answerOf(pair));
+        for (const FigurePair& pair : narrowestPairs(m_plane, m_plane, pairs, progress)) {
+            found.push_back(resultOf(pair));
         }
     }
 
 private:
-    [[nodiscard]] NetId netOf(std::uint32_t row) const { return m_document.elements.net[m_sheet.elementOf(row).row()]; }
+    [[nodiscard]] NetId netOf(std::uint32_t row) const { return m_document.elements.net[m_plane.elementOf(row).row()]; }
 
     [[nodiscard]] bool isWanted(NetId a, NetId b) const {
         const auto [x, y] = m_question.between;
@@ -54,8 +54,8 @@ private:
         return a != b && (isAny || (a == x && b == y) || (a == y && b == x));
     }
 
-    [[nodiscard]] Clearance answerOf(const FigurePair& pair) const {
-        Clearance answer{m_layer, netOf(pair.a), netOf(pair.b), m_sheet.elementOf(pair.a), m_sheet.elementOf(pair.b),
+    [[nodiscard]] Clearance resultOf(const FigurePair& pair) const {
+        Clearance answer{m_layer, netOf(pair.a), netOf(pair.b), m_plane.elementOf(pair.a), m_plane.elementOf(pair.b),
                          pair.gap};
         if (answer.netB < answer.netA) {
             std::swap(answer.netA, answer.netB);
@@ -68,7 +68,7 @@ private:
     const Document& m_document;
     LayerId m_layer;
     const ClearanceQuestion& m_question;
-    Sheet m_sheet;
+    LayerGeometry m_plane;
 };
 
 std::vector<CopperPairs> layersOf(const Document& document, const ClearanceQuestion& question) {
@@ -79,8 +79,8 @@ std::vector<CopperPairs> layersOf(const Document& document, const ClearanceQuest
             rows.emplace_back(row);
         }
     }
-    std::vector<Sheet> sheets(rows.size());
-    base::parallelFor(rows.size(), [&](std::size_t i) { sheets[i] = copperSheet(document, rows[i]); });
+    std::vector<LayerGeometry> sheets(rows.size());
+    base::parallelFor(rows.size(), [&](std::size_t i) { sheets[i] = copperGeometry(document, rows[i]); });
     std::vector<CopperPairs> layers;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         layers.emplace_back(document, rows[i], question, std::move(sheets[i]));
@@ -131,13 +131,13 @@ bool isCopperWithoutNets(const Document& step) {
 }
 
 std::vector<std::string> unmeasuredSteps(const Document& board) {
-    std::vector<std::string> remarks;
+    std::vector<std::string> notes;
     for (const Document* step : distinctSteps(board)) {
         if (isCopperWithoutNets(*step)) {
-            remarks.push_back("step " + step->job.step + " has copper but no nets; it was not measured");
+            notes.push_back("step " + step->job.step + " has copper but no nets; it was not measured");
         }
     }
-    return remarks;
+    return notes;
 }
 
 }  // namespace model

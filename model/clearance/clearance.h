@@ -8,7 +8,7 @@
 
 #include "model/base/progress.h"
 #include "model/base/result.h"
-#include "model/document.h"
+#include "model/board/document.h"
 #include "model/geometry/edges.h"
 
 /// How close copper of different nets comes to each other.

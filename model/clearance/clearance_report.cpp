@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/base/units.h"
-#include "model/export_text.h"
+#include "model/export/export_text.h"
 
 namespace model {
 
@@ -34,7 +34,7 @@ ordered_json inMm(PointD p) {
     return {base::toMm(p.x), base::toMm(p.y)};
 }
 
-std::string csvPlaces(const Gap& gap) {
+std::string csvLocations(const Gap& gap) {
     return formatted("%.6f,%.6f,%.6f,%.6f\n", base::toMm(gap.from.x), base::toMm(gap.from.y), base::toMm(gap.to.x),
                      base::toMm(gap.to.y));
 }
@@ -59,7 +59,7 @@ std::string csvOf(const StepClearances& found) {
     for (const Clearance& c : found.clearances) {
         text += csvField(step.job.step) + ',' + csvField(step.layer(c.layer).name) +
                 formatted(",%.3f,", micrometres(c.gap.distance)) + csvField(sideOf(step, c.a)) + ',' +
-                csvField(sideOf(step, c.b)) + ',' + csvPlaces(c.gap);
+                csvField(sideOf(step, c.b)) + ',' + csvLocations(c.gap);
     }
     return text;
 }
@@ -114,7 +114,7 @@ std::string csvOf(const RuleTable& table, const StepRules& found, std::size_t mo
             text += csvField(step.job.step) + ',' + csvField(titleOf(rule)) +
                     formatted(",%.3f,", micrometres(static_cast<double>(rule.least))) +
                     csvField(step.layer(f.layer).name) + formatted(",%.3f,", micrometres(f.gap.distance)) +
-                    csvField(sideOf(step, f.a)) + ',' + csvField(sideOf(step, f.b)) + ',' + csvPlaces(f.gap);
+                    csvField(sideOf(step, f.a)) + ',' + csvField(sideOf(step, f.b)) + ',' + csvLocations(f.gap);
         }
     }
     return text;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "model/clearance/sheet.h"
+#include "model/clearance/layer_geometry.h"
 
 namespace model {
 
@@ -40,11 +40,11 @@ private:
 
 void addNear(const Document& document, LayerId layer, const Sides& sides, double reach, base::Progress& progress,
              std::vector<Nearby>& found) {
-    const Sheet targets = copperSheet(document, layer, [&](ElementId e) { return sides.isTarget(e); });
+    const LayerGeometry targets = copperGeometry(document, layer, [&](ElementId e) { return sides.isTarget(e); });
     if (targets.size() == 0) {
         return;
     }
-    const Sheet others = copperSheet(document, layer, [&](ElementId e) { return sides.isOther(e); });
+    const LayerGeometry others = copperGeometry(document, layer, [&](ElementId e) { return sides.isOther(e); });
     PairQuestion question;
     question.reach = reach;
     question.isWanted = [](std::uint32_t, std::uint32_t) { return true; };

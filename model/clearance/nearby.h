@@ -5,7 +5,7 @@
 
 #include "model/base/progress.h"
 #include "model/base/result.h"
-#include "model/document.h"
+#include "model/board/document.h"
 #include "model/geometry/edges.h"
 
 /// What lies near something: the clearance lens.

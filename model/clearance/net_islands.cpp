@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "model/base/parallel.h"
-#include "model/connectivity/disjoint_sets.h"
-#include "model/geometry/distance.h"
+#include "model/figures/distance.h"
+#include "model/nets/disjoint_sets.h"
 
 namespace model {
 
@@ -18,11 +18,11 @@ struct Touch {
     std::uint32_t other = 0;
 };
 
-std::vector<Touch> touchesOf(const Sheet& sheet, std::span<const std::uint32_t> loose) {
+std::vector<Touch> touchesOf(const LayerGeometry& plane, std::span<const std::uint32_t> loose) {
     std::vector<Touch> touches;
     for (const std::uint32_t row : loose) {
-        sheet.visitNear(sheet.figures().box(row), kTouchNm, [&](std::uint32_t other) {
-            if (other != row && gapBetween(sheet.figures(), row, sheet.figures(), other, kTouchNm)) {
+        plane.visitNear(plane.figures().box(row), kTouchNm, [&](std::uint32_t other) {
+            if (other != row && spacingBetween(plane.figures(), row, plane.figures(), other, kTouchNm)) {
                 touches.push_back({row, other});
             }
         });
@@ -30,12 +30,13 @@ std::vector<Touch> touchesOf(const Sheet& sheet, std::span<const std::uint32_t> 
     return touches;
 }
 
-std::vector<Touch> allTouches(const Sheet& sheet, std::span<const std::uint32_t> loose, base::Progress& progress) {
+std::vector<Touch> allTouches(const LayerGeometry& plane, std::span<const std::uint32_t> loose,
+                              base::Progress& progress) {
     std::vector<std::vector<Touch>> parts((loose.size() + kFiguresPerTask - 1) / kFiguresPerTask);
     base::parallelFor(parts.size(), [&](std::size_t task) {
         if (!progress.isCancelled()) {
             const std::size_t first = task * kFiguresPerTask;
-            parts[task] = touchesOf(sheet, loose.subspan(first, std::min(kFiguresPerTask, loose.size() - first)));
+            parts[task] = touchesOf(plane, loose.subspan(first, std::min(kFiguresPerTask, loose.size() - first)));
         }
     });
     std::vector<Touch> touches;
@@ -47,25 +48,25 @@ std::vector<Touch> allTouches(const Sheet& sheet, std::span<const std::uint32_t>
 
 }  // namespace
 
-std::vector<std::uint32_t> netsByTouch(const Document& document, const Sheet& sheet, base::Progress& progress) {
+std::vector<std::uint32_t> netsByTouch(const Document& document, const LayerGeometry& plane, base::Progress& progress) {
     const auto none = static_cast<std::uint32_t>(document.nets.size());
-    std::vector<std::uint32_t> nets(sheet.size());
+    std::vector<std::uint32_t> nets(plane.size());
     std::vector<std::uint32_t> loose;
-    for (std::size_t row = 0; row < sheet.size(); ++row) {
-        const NetId net = document.elements.net[sheet.elementOf(row).row()];
+    for (std::size_t row = 0; row < plane.size(); ++row) {
+        const NetId net = document.elements.net[plane.elementOf(row).row()];
         nets[row] = net.isValid() ? static_cast<std::uint32_t>(net.row()) : none;
         if (!net.isValid()) {
             loose.push_back(static_cast<std::uint32_t>(row));
         }
     }
-    const std::vector<Touch> touches = allTouches(sheet, loose, progress);
-    DisjointSets islands(sheet.size());  // of loose figures; the others stay alone
+    const std::vector<Touch> touches = allTouches(plane, loose, progress);
+    DisjointSets islands(plane.size());  // of loose figures; the others stay alone
     for (const Touch& touch : touches) {
         if (nets[touch.other] == none) {
             islands.join(touch.loose, touch.other);
         }
     }
-    std::vector<std::uint32_t> ofIsland(sheet.size(), none);
+    std::vector<std::uint32_t> ofIsland(plane.size(), none);
     for (const Touch& touch : touches) {
         std::uint32_t& net = ofIsland[islands.find(touch.loose)];
         net = std::min(net, nets[touch.other]);

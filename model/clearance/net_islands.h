@@ -4,14 +4,14 @@
 #include <vector>
 
 #include "model/base/progress.h"
-#include "model/clearance/sheet.h"
+#include "model/clearance/layer_geometry.h"
 
 namespace model {
 
 /// The net of every figure of a sheet as a row of Document::nets. Figures without a net (text, shapes, teardrops) take
 /// the net that they touch, directly or by more such figures, of several the lowest; those that touch none take one row
 /// more than there are nets. Over all cores, the same with any number of threads; partial once `progress` is cancelled.
-[[nodiscard]] std::vector<std::uint32_t> netsByTouch(const Document& document, const Sheet& sheet,
+[[nodiscard]] std::vector<std::uint32_t> netsByTouch(const Document& document, const LayerGeometry& plane,
                                                      base::Progress& progress);
 
 }  // namespace model

@@ -6,8 +6,8 @@
 #include <tuple>
 
 #include "model/clearance/annular_ring.h"
-#include "model/clearance/sheet.h"
-#include "model/geometry/distance.h"
+#include "model/clearance/layer_geometry.h"
+#include "model/figures/distance.h"
 
 namespace model {
 
@@ -105,7 +105,7 @@ public:
             m_progress.setFraction(static_cast<float>(row + 1) / static_cast<float>(m_document.layers.size()));
         }
         checkHoles();
-        remark();
+        note();
         std::ranges::sort(m_report.findings, {},
                           [](const RuleFinding& f) { return std::tuple(f.rule, f.gap.distance, f.layer, f.a, f.b); });
         for (const RuleFinding& finding : m_report.findings) {
@@ -135,7 +135,7 @@ private:
     }
 
     void checkCopper(LayerId layer) {
-        const Sheet copper = copperSheet(m_document, layer);
+        const LayerGeometry copper = copperGeometry(m_document, layer);
         checkNets(layer, copper);
         checkToHoles(layer);
         checkToEdge(layer, copper);
@@ -146,7 +146,7 @@ private:
         }
     }
 
-    void checkNets(LayerId layer, const Sheet& copper) {
+    void checkNets(LayerId layer, const LayerGeometry& copper) {
         const auto net = [&](std::uint32_t row) { return netOf(copper.elementOf(row)); };
         PairQuestion question;
         question.reach = m_classRules.reach();
@@ -173,8 +173,8 @@ private:
         if (!rule) {
             return;
         }
-        const Sheet copper = layerSheet(m_document, layer);
-        const Sheet holes = holeSheet(m_document, layer);
+        const LayerGeometry copper = layerGeometry(m_document, layer);
+        const LayerGeometry holes = holeGeometry(m_document, layer);
         PairQuestion question;
         question.reach = m_table.rules[*rule].least;
         question.isWanted = [&](std::uint32_t a, std::uint32_t b) {
@@ -191,12 +191,12 @@ private:
         }
     }
 
-    void checkToEdge(LayerId layer, const Sheet& copper) {
+    void checkToEdge(LayerId layer, const LayerGeometry& copper) {
         const auto rule = ruleOf(RuleKind::CopperToEdge);
         if (!rule || !m_document.profile.isValid()) {
             return;
         }
-        const Sheet edge = edgeSheet(m_document);
+        const LayerGeometry edge = edgeGeometry(m_document);
         PairQuestion question;
         question.reach = m_table.rules[*rule].least;
         question.isWanted = [](std::uint32_t, std::uint32_t) { return true; };
@@ -212,7 +212,7 @@ private:
         if (!rule) {
             return;
         }
-        const Sheet openings = layerSheet(m_document, layer);
+        const LayerGeometry openings = layerGeometry(m_document, layer);
         PairQuestion question;
         question.reach = m_table.rules[*rule].least;
         question.isWanted = [](std::uint32_t, std::uint32_t) { return true; };
@@ -228,15 +228,15 @@ private:
     }
 
     /// A third opening may leave nothing of what is between two.
-    static bool isOpenBetween(const Sheet& openings, const Gap& gap) {
+    static bool isOpenBetween(const LayerGeometry& openings, const Gap& gap) {
         FigureTable middle;
-        middle.addStroke(gap.from, gap.to, 0.0);
+        middle.addTrack(gap.from, gap.to, 0.0);
         FigureTable point;
         const PointD half{(gap.from.x + gap.to.x) / 2, (gap.from.y + gap.to.y) / 2};
-        point.addStroke(half, half, 0.0);
+        point.addTrack(half, half, 0.0);
         bool isOpen = false;
         openings.visitNear(middle.box(0), 0.0, [&](std::uint32_t row) {
-            isOpen = isOpen || gapBetween(point, 0, openings.figures(), row, kTouchNm).has_value();
+            isOpen = isOpen || spacingBetween(point, 0, openings.figures(), row, kTouchNm).has_value();
         });
         return isOpen;
     }
@@ -246,7 +246,7 @@ private:
         if (!rule) {
             return;
         }
-        Sheet holes;
+        LayerGeometry holes;
         for (const Layer& layer : m_document.layers) {
             for (std::uint32_t i = layer.elements.first; i < layer.elements.first + layer.elements.count; ++i) {
                 if ((m_document.elements.flags[i] & kHole) != 0) {
@@ -269,7 +269,7 @@ private:
     }
 
     /// Two holes, not one that is drilled twice, and both pass some layer.
-    [[nodiscard]] bool areApart(const Sheet& holes, std::uint32_t a, std::uint32_t b) const {
+    [[nodiscard]] bool areApart(const LayerGeometry& holes, std::uint32_t a, std::uint32_t b) const {
         const Layer& layerA = m_document.layer(m_document.elements.layer[holes.elementOf(a).row()]);
         const Layer& layerB = m_document.layer(m_document.elements.layer[holes.elementOf(b).row()]);
         const bool isStacked = layerA.spanTop.isValid() && layerB.spanTop.isValid() &&
@@ -278,31 +278,31 @@ private:
                !areConcentric(holes.figures().box(a), holes.figures().box(b));
     }
 
-    void remark() {
+    void note() {
         if (m_document.nets.empty() && m_classRules.reach() > 0) {
-            m_report.remarks.emplace_back("the board has no nets, so copper was not held against copper");
+            m_report.notes.emplace_back("the board has no nets, so copper was not held against copper");
         }
         if (!m_document.profile.isValid() && ruleOf(RuleKind::CopperToEdge)) {
-            m_report.remarks.emplace_back("the board has no outline, so copper was not held against its edge");
+            m_report.notes.emplace_back("the board has no outline, so copper was not held against its edge");
         }
         if (ruleOf(RuleKind::MaskSliver) && std::ranges::none_of(m_document.layers, isMask)) {
-            m_report.remarks.emplace_back("the board has no layer of solder mask, so no slivers were looked for");
+            m_report.notes.emplace_back("the board has no layer of solder mask, so no slivers were looked for");
         }
         if (ruleOf(RuleKind::AnnularRing)) {
-            remarkRings();
+            noteRings();
         }
     }
 
-    void remarkRings() {
+    void noteRings() {
         const HolesWithoutRings left = holesWithoutRings(m_document);
-        const auto remark = [&](std::size_t count, const char* why) {
+        const auto note = [&](std::size_t count, const char* why) {
             if (count > 0) {
-                m_report.remarks.push_back("plated holes whose annular rings were not measured because " +
-                                           std::string(why) + ": " + std::to_string(count));
+                m_report.notes.push_back("plated holes whose annular rings were not measured because " +
+                                         std::string(why) + ": " + std::to_string(count));
             }
         };
-        remark(left.notRound, "they are not round");
-        remark(left.withoutNet, "they have no net");
+        note(left.notRound, "they are not round");
+        note(left.withoutNet, "they have no net");
     }
 
     const Document& m_document;

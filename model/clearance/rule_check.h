@@ -21,7 +21,7 @@ struct RuleFinding {
 struct RuleReport {
     std::vector<RuleFinding> findings;  ///< by rule, then narrowest first
     std::vector<std::size_t> counts;    ///< of findings by rule
-    std::vector<std::string> remarks;   ///< what was not checked, in plain words
+    std::vector<std::string> notes;     ///< what was not checked, in plain words
     [[nodiscard]] bool isPassed() const { return findings.empty(); }
 };
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "model/base/result.h"
-#include "model/document.h"
+#include "model/board/document.h"
 
 /// What a board must keep: distances and rings, by net class.
 namespace model {

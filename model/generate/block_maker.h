@@ -47,9 +47,9 @@ private:
     void addTopTrails();
     void addPads();
     void addPrint();
-    void addPad(Sheet sheet, PointUm at, Pen pen, BlockNet net);
-    void addStroke(Sheet sheet, PointUm a, PointUm b, Pen pen, BlockNet net);
-    void addTrail(Sheet sheet, const std::vector<PointUm>& path, BlockNet net);
+    void addPad(LayerGeometry plane, PointUm at, Pen pen, BlockNet net);
+    void addTrack(LayerGeometry plane, PointUm a, PointUm b, Pen pen, BlockNet net);
+    void addTrail(LayerGeometry plane, const std::vector<PointUm>& path, BlockNet net);
 
     PointUm m_corner;
     BlockShare m_share;

@@ -6,14 +6,14 @@ namespace model::generate {
 
 namespace {
 
-struct SheetRow {
+struct GeometryRow {
     const char* name;
     const char* type;
 };
 // By Sheet.
-constexpr SheetRow kSheets[kSheetCount] = {{"silk_top", "SILK_SCREEN"}, {"top", "SIGNAL"},
-                                           {"ground", "POWER_GROUND"},  {"power", "POWER_GROUND"},
-                                           {"bottom", "SIGNAL"},        {"drill", "DRILL"}};
+constexpr GeometryRow kSheets[kGeometryCount] = {{"silk_top", "SILK_SCREEN"}, {"top", "SIGNAL"},
+                                                 {"ground", "POWER_GROUND"},  {"power", "POWER_GROUND"},
+                                                 {"bottom", "SIGNAL"},        {"drill", "DRILL"}};
 // By Pen; micrometres.
 constexpr const char* kSymbols[] = {
     "r75", "r100", "r300", "r350", "r150", "rect200x480xr60", "rect220x500xr60", "rect240x520xr80"};
@@ -26,9 +26,9 @@ std::string layerFolder(std::string_view layer) {
 }
 
 const char* typeOf(std::string_view layer) {
-    for (const SheetRow& sheet : kSheets) {
-        if (layer == sheet.name) {
-            return sheet.type;
+    for (const GeometryRow& plane : kSheets) {
+        if (layer == plane.name) {
+            return plane.type;
         }
     }
     return "DIELECTRIC";
@@ -68,7 +68,7 @@ void writeFeature(TextSink& out, const Feature& feature) {
             writePoint(out, feature.a);
             out << " " << pen << " P 0 0\n";
             return;
-        case Feature::Kind::Stroke:
+        case Feature::Kind::Track:
             out << "L";
             writePoint(out, feature.a);
             writePoint(out, feature.b);
@@ -84,11 +84,11 @@ void writeFeature(TextSink& out, const Feature& feature) {
     }
 }
 
-void writeBlocks(TextSink& out, const Layout& layout, Sheet sheet, const base::Progress& progress) {
+void writeBlocks(TextSink& out, const Layout& layout, LayerGeometry plane, const base::Progress& progress) {
     writeSymbols(out);
     for (std::uint64_t i = 0; i < layout.blockCount() && !progress.isCancelled(); ++i) {
         const Block block = layout.block(i);
-        for (const Feature& feature : block.sheets[static_cast<std::size_t>(sheet)]) {
+        for (const Feature& feature : block.sheets[static_cast<std::size_t>(plane)]) {
             writeFeature(out, feature);
         }
     }
@@ -149,12 +149,12 @@ public:
 
     void write() {
         m_out << "HDR Copperscope\nLYR";
-        for (const SheetRow& sheet : kSheets) {
-            m_out << " " << sheet.name;
+        for (const GeometryRow& plane : kSheets) {
+            m_out << " " << plane.name;
         }
         m_out << "\n";
-        writePlaneNet("GND", kGroundNet, Sheet::Ground);
-        writePlaneNet("VCC", kPowerNet, Sheet::Power);
+        writePlaneNet("GND", kGroundNet, LayerGeometry::Ground);
+        writePlaneNet("VCC", kPowerNet, LayerGeometry::Power);
         forBlocks([&](const Block& block, std::uint64_t index) {
             for (BlockNet net = 0; net < block.netCount; ++net) {
                 m_out << "NET N" << static_cast<std::int64_t>(index) << "_" << std::int64_t{net} << "\n";
@@ -164,7 +164,7 @@ public:
     }
 
 private:
-    using Counts = std::array<std::int64_t, kSheetCount>;
+    using Counts = std::array<std::int64_t, kGeometryCount>;
 
     template <class Visit>
     void forBlocks(const Visit& visit) {
@@ -172,13 +172,13 @@ private:
         for (std::uint64_t i = 0; i < m_layout.blockCount() && !m_progress.isCancelled(); ++i) {
             const Block block = m_layout.block(i);
             visit(block, i);
-            for (std::size_t sheet = 0; sheet < kSheetCount; ++sheet) {
-                m_before[sheet] += static_cast<std::int64_t>(block.sheets[sheet].size());
+            for (std::size_t plane = 0; plane < kGeometryCount; ++plane) {
+                m_before[plane] += static_cast<std::int64_t>(block.sheets[plane].size());
             }
         }
     }
 
-    void writePlaneNet(const char* name, BlockNet net, Sheet plane) {
+    void writePlaneNet(const char* name, BlockNet net, LayerGeometry plane) {
         m_out << "NET " << name << "\nSNT PLN S E 0\n";
         for (std::uint64_t tile = 0; tile < m_layout.tileCount(); ++tile) {
             writeLink("C", static_cast<std::size_t>(plane), static_cast<std::int64_t>(tile));
@@ -193,19 +193,19 @@ private:
     }
 
     void writeLinks(const Block& block, BlockNet net) {
-        for (std::size_t sheet = 0; sheet < kSheetCount; ++sheet) {
-            const std::vector<Feature>& features = block.sheets[sheet];
+        for (std::size_t plane = 0; plane < kGeometryCount; ++plane) {
+            const std::vector<Feature>& features = block.sheets[plane];
             for (std::size_t i = 0; i < features.size(); ++i) {
                 if (features[i].net == net) {
-                    writeLink(sheet == static_cast<std::size_t>(Sheet::Drill) ? "H" : "C", sheet,
-                              m_before[sheet] + static_cast<std::int64_t>(i));
+                    writeLink(plane == static_cast<std::size_t>(LayerGeometry::Drill) ? "H" : "C", plane,
+                              m_before[plane] + static_cast<std::int64_t>(i));
                 }
             }
         }
     }
 
-    void writeLink(const char* kind, std::size_t sheet, std::int64_t feature) {
-        m_out << "FID " << kind << " " << static_cast<std::int64_t>(sheet) << " " << feature << "\n";
+    void writeLink(const char* kind, std::size_t plane, std::int64_t feature) {
+        m_out << "FID " << kind << " " << static_cast<std::int64_t>(plane) << " " << feature << "\n";
     }
 
     TextSink& m_out;
@@ -243,9 +243,10 @@ std::vector<JobFile> jobFiles(const Layout& layout, const base::Progress& progre
     files.push_back(fixedFile("misc/attrlist", "UNITS=MM\n.board_thickness=1.6\n"));
     files.push_back(fixedFile(std::string(kStep) + "stephdr", "UNITS=MM\nX_DATUM=0\nY_DATUM=0\n"));
     files.push_back({std::string(kStep) + "profile", [&layout](TextSink& out) { writeProfile(out, layout); }});
-    for (const Sheet sheet : {Sheet::Silk, Sheet::Top, Sheet::Bottom, Sheet::Drill}) {
-        files.push_back({layerFolder(kSheets[static_cast<std::size_t>(sheet)].name) + "features",
-                         [&layout, &progress, sheet](TextSink& out) { writeBlocks(out, layout, sheet, progress); }});
+    for (const LayerGeometry plane :
+         {LayerGeometry::Silk, LayerGeometry::Top, LayerGeometry::Bottom, LayerGeometry::Drill}) {
+        files.push_back({layerFolder(kSheets[static_cast<std::size_t>(plane)].name) + "features",
+                         [&layout, &progress, plane](TextSink& out) { writeBlocks(out, layout, plane, progress); }});
     }
     for (const bool isGround : {true, false}) {
         files.push_back(

@@ -17,8 +17,8 @@ struct PointUm {
 };
 
 /// The layers of the job that hold features.
-enum class Sheet : std::uint8_t { Silk, Top, Ground, Power, Bottom, Drill };
-inline constexpr std::size_t kSheetCount = 6;
+enum class LayerGeometry : std::uint8_t { Silk, Top, Ground, Power, Bottom, Drill };
+inline constexpr std::size_t kGeometryCount = 6;
 
 /// Whom a feature belongs to: a net of its block (0, 1, …), a plane's net or none.
 using BlockNet = std::int32_t;
@@ -31,7 +31,7 @@ enum class Pen : std::uint8_t { Trace, Mark, ViaPad, TestPad, Drill, PadSmall, P
 
 /// One feature record. A run of strokes that start where the one before ends is a trail.
 struct Feature {
-    enum class Kind : std::uint8_t { Stroke, Arc, Pad } kind = Kind::Pad;
+    enum class Kind : std::uint8_t { Track, Arc, Pad } kind = Kind::Pad;
     Pen pen = Pen::Trace;
     BlockNet net = kNoNet;
     PointUm a;
@@ -41,7 +41,7 @@ struct Feature {
 
 /// A rectangle of the board with a few parts: two rows of pads on either side, vias between them, traces, print.
 struct Block {
-    std::array<std::vector<Feature>, kSheetCount> sheets;
+    std::array<std::vector<Feature>, kGeometryCount> sheets;
     std::int32_t netCount = 0;
     std::vector<PointUm> viasNotOnGround;  ///< what the planes keep clear of
     std::vector<PointUm> viasNotOnPower;

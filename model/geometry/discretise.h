@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "model/document.h"
+#include "model/geometry/shapes.h"
 
 namespace model {
 
@@ -62,15 +62,8 @@ struct PolygonSet {
 /// Appends the points of one edge without its last point.
 void discretiseEdge(const PathNode& from, Point to, const Discretisation& how, std::vector<Point>& out);
 
-/// The polygons of a shape in its own coordinates: one per island, with the holes that follow it.
-[[nodiscard]] PolygonSet discretise(const ShapeTable& shapes, ShapeId shape, const Discretisation& how);
-
-/// The region an element covers on the board. The wall of a hole counts as filled: a hole is what the drill removes. A
-/// trail is one polygon per stroke (they overlap); a stroke along a full circle has a hole.
-[[nodiscard]] PolygonSet discretise(const Document& document, ElementId element, const Discretisation& how);
-
-/// The empty inside of a drilled or routed hole (innerDiameter, innerWidth); empty for everything else. A trail is one
-/// polygon per stroke.
-[[nodiscard]] PolygonSet discretiseOpening(const Document& document, ElementId element, const Discretisation& how);
+/// The polygons of a shape, one per island with the holes that follow it: in its own coordinates, or placed.
+[[nodiscard]] PolygonSet discretise(const ShapeTable& shapes, ShapeId shape, const Discretisation& how,
+                                    const Placement* placement = nullptr);
 
 }  // namespace model

@@ -276,7 +276,7 @@ Box boxOf(const Edge& edge) {
     return {{floored(-reach[2] - pen), floored(-reach[3] - pen)}, {ceiled(reach[0] + pen), ceiled(reach[1] + pen)}};
 }
 
-Gap gapBetween(const Edge& a, const Edge& b) {
+Gap spacingBetween(const Edge& a, const Edge& b) {
     const Nearest nearest = nearestBetween(a, b);
     const double middles = std::sqrt(nearest.squared);
     const PointD way = minus(nearest.q, nearest.p);
@@ -287,8 +287,8 @@ Gap gapBetween(const Edge& a, const Edge& b) {
     // The middle of what both cover on the way from one middle to the other.
     const double from = std::max(middles - b.pen, 0.0);
     const double to = std::min(a.pen, middles);
-    const PointD place = middles > 0 ? along(nearest.p, way, (from + to) / 2 / middles) : nearest.p;
-    return {0.0, place, place};
+    const PointD location = middles > 0 ? along(nearest.p, way, (from + to) / 2 / middles) : nearest.p;
+    return {0.0, location, location};
 }
 
 std::vector<PointD> crossingsOf(const Edge& a, const Edge& b) {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "model/shapes.h"
+#include "model/geometry/shapes.h"
 
 namespace model {
 
@@ -42,7 +42,7 @@ struct Gap {
 
 /// The gap between two strokes; 0 when they touch or overlap. Errors stay below 1e-3 nm: coordinates are integers of at
 /// most 2^30, and double keeps 53 bits of their differences and products.
-[[nodiscard]] Gap gapBetween(const Edge& a, const Edge& b);
+[[nodiscard]] Gap spacingBetween(const Edge& a, const Edge& b);
 
 /// The point of the middle line that is nearest to `p`.
 [[nodiscard]] PointD nearestOn(const Edge& edge, PointD p);

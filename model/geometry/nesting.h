@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/shapes.h"
+#include "model/geometry/shapes.h"
 
 namespace model {
 

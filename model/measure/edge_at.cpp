@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "model/geometry/distance.h"
+#include "model/figures/distance.h"
 
 namespace model {
 
@@ -23,20 +23,20 @@ double cross(PointD u, PointD v) {
     return u.x * v.y - u.y * v.x;
 }
 
-Box boxAround(PointD place, double reach) {
+Box boxAround(PointD location, double reach) {
     const auto nm = [](double value) {
         return static_cast<Nm>(std::clamp<double>(value, -base::kMaxCoordinate, base::kMaxCoordinate));
     };
-    return {{nm(std::floor(place.x - reach)), nm(std::floor(place.y - reach))},
-            {nm(std::ceil(place.x + reach)), nm(std::ceil(place.y + reach))}};
+    return {{nm(std::floor(location.x - reach)), nm(std::floor(location.y - reach))},
+            {nm(std::ceil(location.x + reach)), nm(std::ceil(location.y + reach))}};
 }
 
 /// The edge of an element whose middle is nearest to a place, if it covers the place or comes so near.
-std::optional<Edge> nearestEdge(const BoardIndex& index, FigureCache& cache, BoardElement element, PointD place,
+std::optional<Edge> nearestEdge(const BoardIndex& index, FigureCache& cache, BoardElement element, PointD location,
                                 double reach) {
     const StepCopy& copy = index.tree.copies[element.copy];
     const FigureTable& figures = cache.of(index, copy.step, element.element);
-    const PointD there = unplaced(place, copy.placement);
+    const PointD there = unplaced(location, copy.placement);
     std::optional<Edge> nearest;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t row = 0; row < figures.size(); ++row) {
@@ -50,39 +50,39 @@ std::optional<Edge> nearestEdge(const BoardIndex& index, FigureCache& cache, Boa
     return nearest && least <= reach + nearest->pen ? std::optional(placed(*nearest, copy.placement)) : std::nullopt;
 }
 
-Round roundOf(PointD centre, double radius, PointD place) {
-    const double beside = distance(centre, place);
+Round roundOf(PointD centre, double radius, PointD location) {
+    const double beside = distance(centre, location);
     const PointD way =
-        beside > 0 ? PointD{(place.x - centre.x) / beside, (place.y - centre.y) / beside} : PointD{1.0, 0.0};
+        beside > 0 ? PointD{(location.x - centre.x) / beside, (location.y - centre.y) / beside} : PointD{1.0, 0.0};
     return {centre, radius, {centre.x + radius * way.x, centre.y + radius * way.y}};
 }
 
 /// A disc is a dot with a pen, a ring a circle with one.
-Round rimOf(const Edge& edge, PointD place) {
+Round rimOf(const Edge& edge, PointD location) {
     if (!edge.isArc()) {
-        return roundOf(edge.a, edge.pen, place);
+        return roundOf(edge.a, edge.pen, location);
     }
-    const bool isInside = distance(edge.centre, place) < edge.radius;
-    return roundOf(edge.centre, isInside ? edge.radius - edge.pen : edge.radius + edge.pen, place);
+    const bool isInside = distance(edge.centre, location) < edge.radius;
+    return roundOf(edge.centre, isInside ? edge.radius - edge.pen : edge.radius + edge.pen, location);
 }
 
 }  // namespace
 
-std::optional<Round> roundAt(const BoardIndex& index, FigureCache& figures, BoardElement element, PointD place,
+std::optional<Round> roundAt(const BoardIndex& index, FigureCache& figures, BoardElement element, PointD location,
                              double reach) {
     const Document& step = *index.tree.steps[index.tree.copies[element.copy].step];
     const bool isCircle = step.elements.kind[element.element.row()] == ElementKind::Circle;
     const auto edge =
-        nearestEdge(index, figures, element, place, isCircle ? std::numeric_limits<double>::infinity() : reach);
+        nearestEdge(index, figures, element, location, isCircle ? std::numeric_limits<double>::infinity() : reach);
     if (!edge || (!isCircle && !edge->isArc())) {
         return std::nullopt;
     }
-    return isCircle ? rimOf(*edge, place) : Round{edge->centre, edge->radius, nearestOn(*edge, place)};
+    return isCircle ? rimOf(*edge, location) : Round{edge->centre, edge->radius, nearestOn(*edge, location)};
 }
 
-std::optional<Edge> straightAt(const BoardIndex& index, FigureCache& figures, BoardElement element, PointD place,
+std::optional<Edge> straightAt(const BoardIndex& index, FigureCache& figures, BoardElement element, PointD location,
                                double reach) {
-    const auto edge = nearestEdge(index, figures, element, place, reach);
+    const auto edge = nearestEdge(index, figures, element, location, reach);
     return edge && !edge->isArc() && lengthOf(*edge) > 0 ? edge : std::nullopt;
 }
 

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "model/figure_cache.h"
-#include "model/measure/things.h"
+#include "model/index/figure_cache.h"
+#include "model/measure/items.h"
 
 /// What is straight or round about an element where a cursor is. Places are nm of the board. The cost follows what lies
 /// within reach, once the cache knows the element.
@@ -19,12 +19,12 @@ struct Round {
 /// Of discs, holes and rings the rim nearest to the place, however far; of others the arc nearest to it: the middle
 /// line of a stroke or a side of an area. Nothing if what is nearest is straight or farther away than `reach`.
 [[nodiscard]] std::optional<Round> roundAt(const BoardIndex& index, FigureCache& figures, BoardElement element,
-                                           PointD place, double reach);
+                                           PointD location, double reach);
 
 /// The straight middle line of a stroke, or side of an area, that is nearest to the place. Nothing if what is nearest
 /// is curved, a dot, or farther away than `reach`.
 [[nodiscard]] std::optional<Edge> straightAt(const BoardIndex& index, FigureCache& figures, BoardElement element,
-                                             PointD place, double reach);
+                                             PointD location, double reach);
 
 /// Where the lines through two straight edges cross. Nothing if they are parallel, or cross beyond
 /// base::kMaxCoordinate.

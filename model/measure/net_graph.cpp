@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/geometry/distance.h"
+#include "model/figures/distance.h"
 
 namespace model {
 
@@ -35,7 +35,7 @@ bool NetGraph::join(base::Progress& progress) {
         });
         std::ranges::sort(near);
         for (const std::uint32_t j : near) {
-            if (const auto gap = gapBetween(m_pieces.figures, i, m_pieces.figures, j, kTouchNm)) {
+            if (const auto gap = spacingBetween(m_pieces.figures, i, m_pieces.figures, j, kTouchNm)) {
                 joinPieces(i, j, gap->from);
             }
         }
@@ -47,12 +47,12 @@ bool NetGraph::join(base::Progress& progress) {
     return true;
 }
 
-std::vector<std::uint32_t> NetGraph::endsAt(const Thing& thing) {
-    if (const Place* place = std::get_if<Place>(&thing)) {
-        return endsAtPlace(*place);
+std::vector<std::uint32_t> NetGraph::endsAt(const MeasureItem& item) {
+    if (const Location* location = std::get_if<Location>(&item)) {
+        return endsAtPlace(*location);
     }
     std::vector<std::uint32_t> nodes;
-    for (const BoardElement at : elementsOf(m_index, thing)) {
+    for (const BoardElement at : elementsOf(m_index, item)) {
         for (std::uint32_t row = 0; row < m_pieces.pieces.size(); ++row) {
             if (m_pieces.pieces[row].at == at) {
                 standFor(row, nodes);
@@ -64,7 +64,7 @@ std::vector<std::uint32_t> NetGraph::endsAt(const Thing& thing) {
 
 void NetGraph::finish() {
     for (std::uint32_t row = 0; row < m_pieces.pieces.size(); ++row) {
-        if (m_carriers[row] == Carrier::Stroke) {
+        if (m_carriers[row] == Carrier::Track) {
             linkAlong(row);
         } else if (m_carriers[row] == Carrier::Hub) {
             linkThrough(row);
@@ -87,7 +87,7 @@ Carrier NetGraph::carrierOf(std::size_t row) const {
     if ((flags & (kPad | kHole)) != 0 || kind == ElementKind::Circle) {
         return Carrier::Hub;
     }
-    return m_pieces.figures[row].isFilled ? Carrier::Area : Carrier::Stroke;
+    return m_pieces.figures[row].isFilled ? Carrier::Area : Carrier::Track;
 }
 
 PointD NetGraph::centreOf(std::uint32_t row) const {
@@ -111,27 +111,27 @@ void NetGraph::link(std::uint32_t a, std::uint32_t b, double length, PathLeg::Ki
 }
 
 std::uint32_t NetGraph::hubOf(std::uint32_t row, LayerId layer) {
-    const auto [place, isFirst] = m_hubs[row].try_emplace(layer, 0);
+    const auto [location, isFirst] = m_hubs[row].try_emplace(layer, 0);
     if (isFirst) {
-        place->second = addNode({row, layer, centreOf(row), 0.0});
+        location->second = addNode({row, layer, centreOf(row), 0.0});
     }
-    return place->second;
+    return location->second;
 }
 
-std::uint32_t NetGraph::nodeNear(std::uint32_t row, LayerId layer, PointD place) {
+std::uint32_t NetGraph::nodeNear(std::uint32_t row, LayerId layer, PointD location) {
     if (m_carriers[row] == Carrier::Hub) {
         return hubOf(row, layer);
     }
-    return m_carriers[row] == Carrier::Area ? addNode({row, layer, place, 0.0}) : nodeOnStroke(row, layer, place);
+    return m_carriers[row] == Carrier::Area ? addNode({row, layer, location, 0.0}) : nodeOnTrack(row, layer, location);
 }
 
-std::uint32_t NetGraph::nodeOnStroke(std::uint32_t row, LayerId layer, PointD place) {
-    NetNode node{row, layer, place, 0.0};
+std::uint32_t NetGraph::nodeOnTrack(std::uint32_t row, LayerId layer, PointD location) {
+    NetNode node{row, layer, location, 0.0};
     double least = std::numeric_limits<double>::infinity();
     double before = 0.0;
     for (const Edge& edge : m_pieces.figures.edges(row)) {
-        const PointD on = nearestOn(edge, place);
-        if (const double beside = distance(on, place); beside < least) {
+        const PointD on = nearestOn(edge, location);
+        if (const double beside = distance(on, location); beside < least) {
             least = beside;
             node.at = on;
             node.along = before + lengthTo(edge, on);
@@ -149,14 +149,14 @@ PointD NetGraph::jointOf(std::uint32_t i, std::uint32_t j, PointD meeting) const
         return meeting;
     }
     if (m_carriers[i] == Carrier::Area || m_carriers[j] == Carrier::Area) {
-        return endInside(m_carriers[i] == Carrier::Stroke ? i : j, m_carriers[i] == Carrier::Area ? i : j)
+        return endInside(m_carriers[i] == Carrier::Track ? i : j, m_carriers[i] == Carrier::Area ? i : j)
             .value_or(meeting);
     }
     return middlesMeet(i, j);
 }
 
-std::optional<PointD> NetGraph::endInside(std::uint32_t stroke, std::uint32_t area) const {
-    const std::span<const Edge> edges = m_pieces.figures.edges(stroke);
+std::optional<PointD> NetGraph::endInside(std::uint32_t track, std::uint32_t area) const {
+    const std::span<const Edge> edges = m_pieces.figures.edges(track);
     for (const PointD end : {edges.front().a, edges.back().b}) {
         if (isInside(m_pieces.figures, area, end)) {
             return end;
@@ -170,7 +170,7 @@ PointD NetGraph::middlesMeet(std::uint32_t i, std::uint32_t j) const {
     for (Edge e : m_pieces.figures.edges(i)) {
         for (Edge f : m_pieces.figures.edges(j)) {
             e.pen = f.pen = 0.0;
-            if (const Gap gap = gapBetween(e, f); gap.distance < nearest.distance) {
+            if (const Gap gap = spacingBetween(e, f); gap.distance < nearest.distance) {
                 nearest = gap;
             }
         }
@@ -195,15 +195,16 @@ void NetGraph::joinPieces(std::uint32_t i, std::uint32_t j, PointD meeting) {
     }
 }
 
-std::vector<std::uint32_t> NetGraph::endsAtPlace(const Place& place) {
+std::vector<std::uint32_t> NetGraph::endsAtPlace(const Location& location) {
     FigureTable dot;
-    dot.addStroke(place.at, place.at, 0.0);
+    dot.addTrack(location.at, location.at, 0.0);
     std::vector<std::uint32_t> nodes;
     m_boxes.front().visit(dot.box(0), [&](std::uint32_t row) {
         const Piece& piece = m_pieces.pieces[row];
-        const bool isOnLayer = !place.layer.isValid() || (piece.top <= place.layer && place.layer <= piece.bottom);
-        if (isOnLayer && gapBetween(m_pieces.figures, row, dot, 0, kTouchNm)) {
-            nodes.push_back(nodeNear(row, place.layer.isValid() ? place.layer : piece.top, place.at));
+        const bool isOnLayer =
+            !location.layer.isValid() || (piece.top <= location.layer && location.layer <= piece.bottom);
+        if (isOnLayer && spacingBetween(m_pieces.figures, row, dot, 0, kTouchNm)) {
+            nodes.push_back(nodeNear(row, location.layer.isValid() ? location.layer : piece.top, location.at));
         }
     });
     return nodes;
@@ -220,12 +221,12 @@ void NetGraph::linkAlong(std::uint32_t row) {
     std::vector<std::uint32_t>& nodes = m_onPiece[row];
     std::ranges::stable_sort(nodes, {}, [this](std::uint32_t node) { return m_nodes[node].along; });
     for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
-        link(nodes[i], nodes[i + 1], m_nodes[nodes[i + 1]].along - m_nodes[nodes[i]].along, PathLeg::Kind::Stroke);
+        link(nodes[i], nodes[i + 1], m_nodes[nodes[i + 1]].along - m_nodes[nodes[i]].along, PathLeg::Kind::Track);
     }
     const std::span<const Edge> edges = m_pieces.figures.edges(row);
     if (edges.size() == 1 && edges[0].isFullCircle() && nodes.size() > 1) {
         const double open = m_nodes[nodes.back()].along - m_nodes[nodes.front()].along;
-        link(nodes.back(), nodes.front(), lengthOf(edges[0]) - open, PathLeg::Kind::Stroke);
+        link(nodes.back(), nodes.front(), lengthOf(edges[0]) - open, PathLeg::Kind::Track);
     }
 }
 

@@ -13,9 +13,9 @@ namespace model {
 
 /// How the way goes on inside of a piece.
 enum class Carrier : std::uint8_t {
-    Stroke,  ///< along its middle lines
-    Hub,     ///< over its centre
-    Area     ///< straight from contact to contact
+    Track,  ///< along its middle lines
+    Hub,    ///< over its centre
+    Area    ///< straight from contact to contact
 };
 
 /// A place where the way can turn: on a piece, on a layer.
@@ -29,7 +29,7 @@ struct NetNode {
 struct NetLink {
     std::uint32_t to = 0;
     double length = 0.0;
-    PathLeg::Kind kind = PathLeg::Kind::Stroke;
+    PathLeg::Kind kind = PathLeg::Kind::Track;
 };
 
 /// A net's copper as a graph: nodes where pieces meet, links along the pieces. Join, ask for the ends, finish; then
@@ -42,7 +42,7 @@ public:
     [[nodiscard]] bool join(base::Progress& progress);
 
     /// Nodes that stand for an end of the way; empty if it is not on the net.
-    [[nodiscard]] std::vector<std::uint32_t> endsAt(const Thing& thing);
+    [[nodiscard]] std::vector<std::uint32_t> endsAt(const MeasureItem& item);
 
     /// Links along strokes, up and down holes. Call when all nodes are there.
     void finish();
@@ -65,20 +65,20 @@ private:
     std::uint32_t hubOf(std::uint32_t row, LayerId layer);
 
     /// The node of a piece that is nearest to a place both it and another piece cover.
-    std::uint32_t nodeNear(std::uint32_t row, LayerId layer, PointD place);
-    std::uint32_t nodeOnStroke(std::uint32_t row, LayerId layer, PointD place);
+    std::uint32_t nodeNear(std::uint32_t row, LayerId layer, PointD location);
+    std::uint32_t nodeOnTrack(std::uint32_t row, LayerId layer, PointD location);
 
     /// The place at which two pieces are joined: the centre of a pad if one is a pad, the end of a stroke that lies in
     /// an area, else where middle lines are nearest or copper meets.
     [[nodiscard]] PointD jointOf(std::uint32_t i, std::uint32_t j, PointD meeting) const;
 
     /// The end of a stroke that lies in an area.
-    [[nodiscard]] std::optional<PointD> endInside(std::uint32_t stroke, std::uint32_t area) const;
+    [[nodiscard]] std::optional<PointD> endInside(std::uint32_t track, std::uint32_t area) const;
 
     /// Where the middle lines of two strokes are nearest to each other.
     [[nodiscard]] PointD middlesMeet(std::uint32_t i, std::uint32_t j) const;
     void joinPieces(std::uint32_t i, std::uint32_t j, PointD meeting);
-    std::vector<std::uint32_t> endsAtPlace(const Place& place);
+    std::vector<std::uint32_t> endsAtPlace(const Location& location);
     void standFor(std::uint32_t row, std::vector<std::uint32_t>& nodes);
     void linkAlong(std::uint32_t row);
     void linkThrough(std::uint32_t row);

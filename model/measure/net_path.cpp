@@ -23,9 +23,9 @@ double distance(PointD a, PointD b) {
 }
 
 /// Dijkstra's search. Links through an area are made as they are needed: from where it is entered to all its contacts.
-class ShortestWay {
+class ShortestPath {
 public:
-    ShortestWay(const NetGraph& graph, base::Progress& progress)
+    ShortestPath(const NetGraph& graph, base::Progress& progress)
         : m_graph(graph), m_progress(progress), m_reached(graph.nodes().size()) {}
 
     struct Reached {
@@ -88,7 +88,7 @@ private:
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> m_queue;
 };
 
-NetPath pathTo(const NetGraph& graph, const ShortestWay& way, std::uint32_t end) {
+NetPath pathTo(const NetGraph& graph, const ShortestPath& way, std::uint32_t end) {
     NetPath path;
     path.length = way.reached(end).length;
     for (std::uint32_t node = end; way.reached(node).before != kNone; node = way.reached(node).before) {
@@ -119,19 +119,19 @@ void addUp(const BoardIndex& index, NetPath& path) {
     }
     path.perLayer.assign(perLayer.begin(), perLayer.end());
     if (path.areaLength > 0) {
-        path.remarks.emplace_back("part of the way runs straight through areas, so its length is a guess");
+        path.notes.emplace_back("part of the way runs straight through areas, so its length is a guess");
     }
     const Document& board = *index.board;
     if (path.holeCount > 0 && !assumedBetween(board, 0, board.boardThickness).empty()) {
-        path.remarks.emplace_back("the heights of holes rest on assumed thicknesses");
+        path.notes.emplace_back("the heights of holes rest on assumed thicknesses");
     }
 }
 
 /// Corners of a stroke, and points of its arcs, whose length along its middle line is between `low` and `high`.
-void addBetween(std::span<const Edge> stroke, double low, double high, std::vector<PointD>& course) {
+void addBetween(std::span<const Edge> track, double low, double high, std::vector<PointD>& course) {
     constexpr double kStep = std::numbers::pi / 30.0;
     double before = 0.0;
-    for (const Edge& edge : stroke) {
+    for (const Edge& edge : track) {
         const double length = lengthOf(edge);
         const auto parts = edge.isArc() ? std::ceil(length / edge.radius / kStep) : 1.0;
         for (double part = 1.0; part <= parts; ++part) {
@@ -145,17 +145,17 @@ void addBetween(std::span<const Edge> stroke, double low, double high, std::vect
 }
 
 /// What lies between the ends of a leg along a stroke.
-std::vector<PointD> between(std::span<const Edge> stroke, const PathLeg& leg) {
+std::vector<PointD> between(std::span<const Edge> track, const PathLeg& leg) {
     const double low = std::min(leg.fromAlong, leg.toAlong);
     const double high = std::max(leg.fromAlong, leg.toAlong);
     std::vector<PointD> course;
     bool isBackwards = leg.toAlong < leg.fromAlong;
-    if (stroke.front().isFullCircle() && leg.length < high - low - 1.0) {  // the other way round
-        addBetween(stroke, high, std::numeric_limits<double>::infinity(), course);
-        addBetween(stroke, 0.0, low, course);
+    if (track.front().isFullCircle() && leg.length < high - low - 1.0) {  // the other way round
+        addBetween(track, high, std::numeric_limits<double>::infinity(), course);
+        addBetween(track, 0.0, low, course);
         isBackwards = !isBackwards;
     } else {
-        addBetween(stroke, low, high, course);
+        addBetween(track, low, high, course);
     }
     if (isBackwards) {
         std::ranges::reverse(course);
@@ -167,7 +167,7 @@ std::vector<PointD> between(std::span<const Edge> stroke, const PathLeg& leg) {
 
 std::vector<PointD> courseOf(const BoardIndex& index, const PathLeg& leg) {
     std::vector<PointD> course;
-    if (leg.kind == PathLeg::Kind::Stroke) {
+    if (leg.kind == PathLeg::Kind::Track) {
         const Pieces pieces = piecesOf(index, std::array{leg.element});
         course = between(pieces.figures.edges(0), leg);
     }
@@ -176,7 +176,7 @@ std::vector<PointD> courseOf(const BoardIndex& index, const PathLeg& leg) {
     return course;
 }
 
-base::Result<NetPath> pathAlong(const BoardIndex& index, NetOfCopy net, const Thing& from, const Thing& to,
+base::Result<NetPath> pathAlong(const BoardIndex& index, NetOfCopy net, const MeasureItem& from, const MeasureItem& to,
                                 base::Progress& progress) {
     progress.beginPhase("Following the net");
     NetGraph graph(index, net);
@@ -184,16 +184,16 @@ base::Result<NetPath> pathAlong(const BoardIndex& index, NetOfCopy net, const Th
         return base::Error{base::ErrorCode::Cancelled, "cancelled"};
     }
     std::array<std::vector<std::uint32_t>, 2> ends;
-    for (const Thing* thing : {&from, &to}) {
-        std::vector<std::uint32_t>& nodes = ends[thing == &from ? 0 : 1];
-        nodes = graph.endsAt(*thing);
+    for (const MeasureItem* item : {&from, &to}) {
+        std::vector<std::uint32_t>& nodes = ends[item == &from ? 0 : 1];
+        nodes = graph.endsAt(*item);
         if (nodes.empty()) {
-            return base::Error{base::ErrorCode::BadUsage, nameOf(index, *thing) + " has no copper of " +
+            return base::Error{base::ErrorCode::BadUsage, nameOf(index, *item) + " has no copper of " +
                                                               nameOf(index, net) + " that anything touches"};
         }
     }
     graph.finish();
-    ShortestWay way(graph, progress);
+    ShortestPath way(graph, progress);
     const std::optional<std::uint32_t> end = way.find(ends[0], ends[1]);
     if (progress.isCancelled()) {
         return base::Error{base::ErrorCode::Cancelled, "cancelled"};

@@ -6,7 +6,7 @@
 
 #include "model/base/progress.h"
 #include "model/base/result.h"
-#include "model/measure/things.h"
+#include "model/measure/items.h"
 
 /// How long the copper of a net is from one place to another.
 namespace model {
@@ -14,12 +14,12 @@ namespace model {
 /// A straight or curved piece of the way.
 struct PathLeg {
     enum class Kind : std::uint8_t {
-        Stroke,  ///< along the middle line of a stroke
-        Pad,     ///< inside of a pad or hole, to or from its centre, or a step from one middle line to the next
-        Area,    ///< straight through an area: a guess, current spreads there
-        Hole     ///< up or down a plated hole
+        Track,  ///< along the middle line of a stroke
+        Pad,    ///< inside of a pad or hole, to or from its centre, or a step from one middle line to the next
+        Area,   ///< straight through an area: a guess, current spreads there
+        Hole    ///< up or down a plated hole
     };
-    Kind kind = Kind::Stroke;
+    Kind kind = Kind::Track;
     LayerId layer;         ///< of the board; holes: where it leaves
     BoardElement element;  ///< that carries it
     PointD from;           ///< nm of the board
@@ -33,10 +33,10 @@ struct NetPath {
     double length = 0.0;                               ///< all of it, heights of holes included
     std::vector<std::pair<LayerId, double>> perLayer;  ///< in the plane, by layer, without holes
     std::size_t holeCount = 0;                         ///< plated holes in which the way changes its layer
-    double holeHeight = 0.0;           ///< of those, from the middle of one layer's copper to that of the next
-    double areaLength = 0.0;           ///< how much of it runs straight through areas
-    std::vector<PathLeg> legs;         ///< in order; those of no length left out
-    std::vector<std::string> remarks;  ///< what must be known to read it
+    double holeHeight = 0.0;         ///< of those, from the middle of one layer's copper to that of the next
+    double areaLength = 0.0;         ///< how much of it runs straight through areas
+    std::vector<PathLeg> legs;       ///< in order; those of no length left out
+    std::vector<std::string> notes;  ///< what must be known to read it
 };
 
 /// The shortest way over the copper of a net between two places or elements of it. It follows the middle lines of
@@ -45,8 +45,8 @@ struct NetPath {
 /// an element counts with its centre, or if it is a stroke or an area wherever it is left; a part or net with all of
 /// its elements; a place with the copper of the net that covers it (on its layer, if it has one). Errors: BadUsage if
 /// an end is not on the net, or no copper leads from one to the other; Cancelled.
-[[nodiscard]] base::Result<NetPath> pathAlong(const BoardIndex& index, NetOfCopy net, const Thing& from,
-                                              const Thing& to, base::Progress& progress);
+[[nodiscard]] base::Result<NetPath> pathAlong(const BoardIndex& index, NetOfCopy net, const MeasureItem& from,
+                                              const MeasureItem& to, base::Progress& progress);
 
 /// A leg as it is drawn: corners from `from` to `to`, along bends and arcs of the stroke, these in steps of 6 degrees.
 [[nodiscard]] std::vector<PointD> courseOf(const BoardIndex& index, const PathLeg& leg);

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <functional>
 
+#include "model/figures/distance.h"
+#include "model/figures/overlap.h"
 #include "model/geometry/box_index.h"
-#include "model/geometry/distance.h"
-#include "model/geometry/overlap.h"
 
 namespace model {
 
@@ -35,7 +35,7 @@ std::optional<double> onLayer(const Piece& a, const Piece& b) {
     return a.sharesLayerWith(b) ? std::optional(0.0) : std::nullopt;
 }
 
-std::optional<double> throughStack(const Piece& a, const Piece& b) {
+std::optional<double> throughStackup(const Piece& a, const Piece& b) {
     return a.hasHeights && b.hasHeights ? std::optional(heightBetween(a, b)) : std::nullopt;
 }
 
@@ -117,7 +117,7 @@ private:
             return;
         }
         const double limit = m_limit == kInfinity ? kInfinity : std::sqrt(m_limit * m_limit - *dz * *dz);
-        const std::optional<Gap> gap = gapBetween(m_a.figures, i, m_b.figures, j, std::max(limit, kTouchNm));
+        const std::optional<Gap> gap = spacingBetween(m_a.figures, i, m_b.figures, j, std::max(limit, kTouchNm));
         if (!gap) {
             return;
         }
@@ -134,12 +134,12 @@ private:
     /// Touching, or overlapping and by how much: the deepest of all pairs that meet.
     void tellRelation() {
         for (const Meeting& pair : m_meeting) {
-            const Overlap overlap = overlapBetween(m_a.figures, pair.a, m_b.figures, pair.b, pair.place);
+            const Overlap overlap = overlapBetween(m_a.figures, pair.a, m_b.figures, pair.b, pair.location);
             if (m_best->relation == Relation::Apart || overlap.depth > m_best->overlap) {
                 m_best->relation = overlap.depth > kTouchNm ? Relation::Overlapping : Relation::Touching;
                 m_best->overlap = overlap.depth;
                 m_best->isOverlapExact = overlap.isExact;
-                m_best->gap = {0.0, pair.place, pair.place};
+                m_best->gap = {0.0, pair.location, pair.location};
                 m_best->distance = 0.0;
                 m_best->from = m_a.pieces[pair.a];
                 m_best->to = m_b.pieces[pair.b];
@@ -152,7 +152,7 @@ private:
     struct Meeting {
         std::size_t a = 0;
         std::size_t b = 0;
-        PointD place;
+        PointD location;
     };
 
     const Pieces& m_a;
@@ -173,8 +173,8 @@ std::string joined(const std::vector<std::string>& names) {
 }
 
 /// Says why there is nothing to measure; empty if there is.
-std::string whyNothing(const BoardIndex& index, const Thing& a, const std::vector<BoardElement>& inA, const Thing& b,
-                       const std::vector<BoardElement>& inB) {
+std::string whyNothing(const BoardIndex& index, const MeasureItem& a, const std::vector<BoardElement>& inA,
+                       const MeasureItem& b, const std::vector<BoardElement>& inB) {
     std::vector<BoardElement> both;
     std::ranges::set_intersection(inA, inB, std::back_inserter(both));
     const bool areEdges = std::holds_alternative<BoardEdge>(a) && std::holds_alternative<BoardEdge>(b);
@@ -188,61 +188,61 @@ std::string whyNothing(const BoardIndex& index, const Thing& a, const std::vecto
     return both.empty() ? "" : nameOf(index, a) + " and " + nameOf(index, b) + " share copper";
 }
 
-void remarkOnEmpty(const BoardIndex& index, const Thing& thing, const Pieces& pieces, Separation& separation) {
+void noteOnEmpty(const BoardIndex& index, const MeasureItem& item, const Pieces& pieces, Separation& separation) {
     if (pieces.pieces.empty()) {
-        const bool isEdge = std::holds_alternative<BoardEdge>(thing);
-        const bool isPart = std::holds_alternative<PartOfCopy>(thing) || std::holds_alternative<PinOfCopy>(thing);
-        separation.remarks.push_back(isEdge   ? "the board has no outline"
-                                     : isPart ? "the job ties no copper to " + nameOf(index, thing)
-                                              : nameOf(index, thing) + " covers nothing, so it has no distance");
+        const bool isEdge = std::holds_alternative<BoardEdge>(item);
+        const bool isPart = std::holds_alternative<PartOfCopy>(item) || std::holds_alternative<PinOfCopy>(item);
+        separation.notes.push_back(isEdge   ? "the board has no outline"
+                                   : isPart ? "the job ties no copper to " + nameOf(index, item)
+                                            : nameOf(index, item) + " covers nothing, so it has no distance");
     } else if (!pieces.empty.empty()) {
-        separation.remarks.push_back(std::to_string(pieces.empty.size()) + " strokes of " + nameOf(index, thing) +
-                                     " have no width and were left out");
+        separation.notes.push_back(std::to_string(pieces.empty.size()) + " strokes of " + nameOf(index, item) +
+                                   " have no width and were left out");
     }
 }
 
 /// One net, no common layer, no heights, assumed thicknesses.
-void remarkOnStack(const BoardIndex& index, const Thing& a, const Thing& b, Separation& separation) {
+void noteOnStackup(const BoardIndex& index, const MeasureItem& a, const MeasureItem& b, Separation& separation) {
     const NetId netA = netOf(index, separation.inPlane->from.at);
     const NetId netB = netOf(index, separation.inPlane->to.at);
     const bool isOneStep = separation.inPlane->from.at.copy == separation.inPlane->to.at.copy;
     if (netA.isValid() && netA == netB && isOneStep) {
         const NetOfCopy net{separation.inPlane->from.at.copy, netA};
-        separation.remarks.push_back("both are of " + nameOf(index, net));
+        separation.notes.push_back("both are of " + nameOf(index, net));
     }
     if (!separation.onLayer) {
-        separation.remarks.push_back(nameOf(index, a) + " and " + nameOf(index, b) + " have no common layer");
+        separation.notes.push_back(nameOf(index, a) + " and " + nameOf(index, b) + " have no common layer");
     }
-    if (!separation.throughStack) {
-        separation.remarks.push_back("one of them has no place in the stack, so the distance is in the plane only");
+    if (!separation.throughStackup) {
+        separation.notes.push_back("one of them has no place in the stack, so the distance is in the plane only");
         return;
     }
-    const Way& way = *separation.throughStack;
+    const Way& way = *separation.throughStackup;
     if (way.dz > 0) {
-        if (std::string remark = remarkOnHeight(*index.board, way.from.z, way.to.z); !remark.empty()) {
-            separation.remarks.push_back(std::move(remark));
+        if (std::string note = noteOnHeight(*index.board, way.from.z, way.to.z); !note.empty()) {
+            separation.notes.push_back(std::move(note));
         }
     }
 }
 
-void remarkOnEdge(const BoardIndex& index, const Thing& edge, const Way& way, bool isFromEdge,
-                  std::vector<std::string>& remarks) {
+void noteOnEdge(const BoardIndex& index, const MeasureItem& edge, const Way& way, bool isFromEdge,
+                std::vector<std::string>& notes) {
     const Document& board = *index.board;
     if (!std::holds_alternative<BoardEdge>(edge) || way.relation != Relation::Apart) {
         return;
     }
-    const PointD place = isFromEdge ? way.gap.to : way.gap.from;
+    const PointD location = isFromEdge ? way.gap.to : way.gap.from;
     int winding = 0;
     for (const Contour& contour : board.shapes.contoursOf(board.profile)) {
         const auto nodes = board.shapes.nodesOf(contour);
         int around = 0;
         for (std::size_t i = 0; i < nodes.size(); ++i) {
-            around += windingAround(edgeOf(nodes[i], nodes[(i + 1) % nodes.size()].point), place);
+            around += windingAround(edgeOf(nodes[i], nodes[(i + 1) % nodes.size()].point), location);
         }
         winding += around != 0 ? (contour.isHole ? -1 : 1) : 0;
     }
     if (winding <= 0) {
-        remarks.push_back("it lies outside of the board");
+        notes.push_back("it lies outside of the board");
     }
 }
 
@@ -255,7 +255,7 @@ const char* toString(Relation relation) {
 
 std::vector<std::string> assumedBetween(const Document& board, Nm low, Nm high) {
     std::vector<std::string> names;
-    for (const StackRow& row : board.stackup.rows) {
+    for (const StackupRow& row : board.stackup.rows) {
         if (row.source == Source::Assumed && row.z < high && row.z + row.thickness > low) {
             names.push_back(row.name);
         }
@@ -263,23 +263,23 @@ std::vector<std::string> assumedBetween(const Document& board, Nm low, Nm high) 
     return names;
 }
 
-std::string remarkOnHeight(const Document& board, ZRange a, ZRange b) {
+std::string noteOnHeight(const Document& board, ZRange a, ZRange b) {
     const auto assumed = assumedBetween(board, std::min(a.top, b.top), std::max(a.bottom, b.bottom));
     return assumed.empty() ? "" : "the height rests on assumed thicknesses: " + joined(assumed);
 }
 
-base::Result<Separation> separationOf(const BoardIndex& index, const Thing& a, const Thing& b,
+base::Result<Separation> separationOf(const BoardIndex& index, const MeasureItem& a, const MeasureItem& b,
                                       base::Progress& progress) {
     progress.beginPhase("Measuring");
     Separation separation;
     const Pieces piecesA = piecesOf(index, a);
     const Pieces piecesB = piecesOf(index, b);
     if (std::string why = whyNothing(index, a, piecesA.elements, b, piecesB.elements); !why.empty()) {
-        separation.remarks.push_back(std::move(why));
+        separation.notes.push_back(std::move(why));
         return separation;
     }
-    remarkOnEmpty(index, a, piecesA, separation);
-    remarkOnEmpty(index, b, piecesB, separation);
+    noteOnEmpty(index, a, piecesA, separation);
+    noteOnEmpty(index, b, piecesB, separation);
     if (piecesA.pieces.empty() || piecesB.pieces.empty()) {
         return separation;
     }
@@ -287,13 +287,13 @@ base::Result<Separation> separationOf(const BoardIndex& index, const Thing& a, c
     ClosestPieces closest(piecesA, piecesB, indexOfB, progress);
     separation.inPlane = closest.find(inPlane);
     separation.onLayer = closest.find(onLayer);
-    separation.throughStack = closest.find(throughStack);
+    separation.throughStackup = closest.find(throughStackup);
     if (progress.isCancelled()) {
         return base::Error{base::ErrorCode::Cancelled, "cancelled"};
     }
-    remarkOnStack(index, a, b, separation);
-    remarkOnEdge(index, a, *separation.inPlane, true, separation.remarks);
-    remarkOnEdge(index, b, *separation.inPlane, false, separation.remarks);
+    noteOnStackup(index, a, b, separation);
+    noteOnEdge(index, a, *separation.inPlane, true, separation.notes);
+    noteOnEdge(index, b, *separation.inPlane, false, separation.notes);
     return separation;
 }
 

@@ -7,7 +7,7 @@
 #include "model/base/progress.h"
 #include "model/base/result.h"
 #include "model/geometry/edges.h"
-#include "model/measure/things.h"
+#include "model/measure/items.h"
 
 /// How far two things of a board are apart.
 namespace model {
@@ -32,14 +32,14 @@ struct Way {
 /// The answer. Elements are upright prisms, so the shortest way in space is the gap in the plane and the difference of
 /// heights of one pair of pieces, exactly.
 struct Separation {
-    std::optional<Way> inPlane;        ///< as seen from above, whatever the layers
-    std::optional<Way> onLayer;        ///< between pieces that lie on one layer; none: there is no common layer
-    std::optional<Way> throughStack;   ///< shortest in space; none: one of them has no heights
-    std::vector<std::string> remarks;  ///< what must be known to read it, in plain words
+    std::optional<Way> inPlane;         ///< as seen from above, whatever the layers
+    std::optional<Way> onLayer;         ///< between pieces that lie on one layer; none: there is no common layer
+    std::optional<Way> throughStackup;  ///< shortest in space; none: one of them has no heights
+    std::vector<std::string> notes;     ///< what must be known to read it, in plain words
 
     /// What people mean by "the distance": on one layer if there is one, else through the stack, else from above.
     [[nodiscard]] const Way* main() const {
-        return onLayer ? &*onLayer : throughStack ? &*throughStack : inPlane ? &*inPlane : nullptr;
+        return onLayer ? &*onLayer : throughStackup ? &*throughStackup : inPlane ? &*inPlane : nullptr;
     }
 };
 
@@ -47,12 +47,12 @@ struct Separation {
 /// There is no number, but a remark, if both are the same thing, one is part of the other, or one covers nothing. The
 /// cost follows what lies near the shortest way, so nets of thousands of elements take milliseconds; equal input gives
 /// equal output. Errors: Cancelled.
-[[nodiscard]] base::Result<Separation> separationOf(const BoardIndex& index, const Thing& a, const Thing& b,
+[[nodiscard]] base::Result<Separation> separationOf(const BoardIndex& index, const MeasureItem& a, const MeasureItem& b,
                                                     base::Progress& progress);
 
 /// The stack rows between two heights whose thickness the job does not state, for remarks; empty if all are known.
 [[nodiscard]] std::vector<std::string> assumedBetween(const Document& board, Nm low, Nm high);
 /// What must be known to read the height between the faces of two layers that look at each other; empty: nothing.
-[[nodiscard]] std::string remarkOnHeight(const Document& board, ZRange a, ZRange b);
+[[nodiscard]] std::string noteOnHeight(const Document& board, ZRange a, ZRange b);
 
 }  // namespace model

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "model/measures.h"
+#include "model/statistics/element_sizes.h"
 
 namespace model {
 
@@ -39,7 +39,7 @@ bool isStraight(const Edge& edge) {
     return !edge.isArc() && lengthOf(edge) > 0;
 }
 
-bool isStroke(const BoardIndex& index, BoardElement at) {
+bool isTrack(const BoardIndex& index, BoardElement at) {
     const ElementKind kind = index.tree.steps[index.tree.copies[at.copy].step]->elements.kind[at.element.row()];
     return kind == ElementKind::Line || kind == ElementKind::Trail;
 }
@@ -51,7 +51,7 @@ std::pair<Edge, Edge> nearestEdges(const FigureTable& a, const FigureTable& b) {
     for (Edge e : a.edges(0)) {
         for (Edge f : b.edges(0)) {
             e.pen = f.pen = 0.0;
-            if (const double distance = gapBetween(e, f).distance; distance < least) {
+            if (const double distance = spacingBetween(e, f).distance; distance < least) {
                 least = distance;
                 nearest = {e, f};
             }
@@ -78,7 +78,7 @@ Sizes sizesOf(const Document& document, ElementId element) {
 }
 
 std::optional<double> angleBetween(const BoardIndex& index, BoardElement a, BoardElement b) {
-    if (!isStroke(index, a) || !isStroke(index, b)) {
+    if (!isTrack(index, a) || !isTrack(index, b)) {
         return std::nullopt;
     }
     const Pieces piecesA = piecesOf(index, std::array{a});

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "model/measure/things.h"
+#include "model/measure/items.h"
 
 namespace model {
 

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <tuple>
 
-#include "model/geometry/distance.h"
+#include "model/figures/distance.h"
 
 namespace model {
 
@@ -20,13 +20,13 @@ double distance(PointD a, PointD b) {
     return std::hypot(a.x - b.x, a.y - b.y);
 }
 
-Box boxAround(PointD place, double reach) {
+Box boxAround(PointD location, double reach) {
     const auto clamp = [](double v) {
         return static_cast<Nm>(std::clamp<double>(v, -base::kMaxCoordinate, base::kMaxCoordinate));
     };
     Box box;
-    box.include(Point{clamp(std::floor(place.x - reach)), clamp(std::floor(place.y - reach))});
-    box.include(Point{clamp(std::ceil(place.x + reach)), clamp(std::ceil(place.y + reach))});
+    box.include(Point{clamp(std::floor(location.x - reach)), clamp(std::floor(location.y - reach))});
+    box.include(Point{clamp(std::ceil(location.x + reach)), clamp(std::ceil(location.y + reach))});
     return box;
 }
 
@@ -40,13 +40,14 @@ struct NearEdge {
 /// Weighs points against each other.
 class BestPoint {
 public:
-    BestPoint(const BoardIndex& index, PointD place, double reach, std::span<const PickLayer> layers, bool isFromBelow)
-        : m_index(index), m_place(place), m_reach(reach), m_layers(layers), m_isFromBelow(isFromBelow) {
-        m_best.at = place;
+    BestPoint(const BoardIndex& index, PointD location, double reach, std::span<const PickLayer> layers,
+              bool isFromBelow)
+        : m_index(index), m_position(location), m_reach(reach), m_layers(layers), m_isFromBelow(isFromBelow) {
+        m_best.at = location;
     }
 
     void offer(SnapKind kind, PointD at, BoardElement element, LayerId layer) {
-        const SnapPoint point{kind, at, element, layer, distance(at, m_place)};
+        const SnapPoint point{kind, at, element, layer, distance(at, m_position)};
         if (point.missedBy <= m_reach && (m_best.kind == SnapKind::Free || isBetter(point, m_best))) {
             m_best = point;
         }
@@ -72,7 +73,7 @@ private:
     }
 
     const BoardIndex& m_index;
-    PointD m_place;
+    PointD m_position;
     double m_reach;
     std::span<const PickLayer> m_layers;
     bool m_isFromBelow;
@@ -100,9 +101,9 @@ std::optional<PointD> centreOf(const Document& step, ElementId element) {
 /// Looks at everything near one place.
 class Search {
 public:
-    Search(const BoardIndex& index, FigureCache& figures, BestPoint& best, PointD place, double reach,
+    Search(const BoardIndex& index, FigureCache& figures, BestPoint& best, PointD location, double reach,
            std::span<const PickLayer> layers)
-        : m_index(index), m_figures(figures), m_best(best), m_place(place), m_reach(reach), m_layers(layers) {}
+        : m_index(index), m_figures(figures), m_best(best), m_position(location), m_reach(reach), m_layers(layers) {}
 
     void run() {
         for (std::uint32_t copy = 0; copy < m_index.tree.copies.size(); ++copy) {
@@ -115,7 +116,7 @@ private:
     void searchCopy(std::uint32_t copy) {
         const StepCopy& how = m_index.tree.copies[copy];
         const Document& step = *m_index.tree.steps[how.step];
-        const Box box = boxAround(unplaced(m_place, how.placement), m_reach);
+        const Box box = boxAround(unplaced(m_position, how.placement), m_reach);
         m_index.elements[how.step].visit(box, [&](std::uint32_t row) {
             const ElementId element{row};
             const LayerId layer = step.layerOfCopy(step.elements.layer[row], how.isFlipped);
@@ -139,8 +140,8 @@ private:
     /// `isDot`: the middle line of a pad is nothing that anybody sees.
     void offerEdge(const NearEdge& near, bool isFilled, bool isDot) {
         const auto& [edge, element, layer] = near;
-        const PointD onMiddle = nearestOn(edge, m_place);
-        const double beside = distance(onMiddle, m_place);
+        const PointD onMiddle = nearestOn(edge, m_position);
+        const double beside = distance(onMiddle, m_position);
         if (edge.isArc()) {
             m_best.offer(SnapKind::ArcCentre, edge.centre, element, layer);
         }
@@ -168,7 +169,7 @@ private:
         PointD rim = onMiddle;
         if (near.edge.pen > 0 && beside > 0) {
             const double part = near.edge.pen / beside;
-            rim = {onMiddle.x + (m_place.x - onMiddle.x) * part, onMiddle.y + (m_place.y - onMiddle.y) * part};
+            rim = {onMiddle.x + (m_position.x - onMiddle.x) * part, onMiddle.y + (m_position.y - onMiddle.y) * part};
         }
         if (near.edge.pen == 0 || beside > 0) {
             m_best.offer(SnapKind::Edge, rim, near.element, near.layer);
@@ -193,7 +194,7 @@ private:
     const BoardIndex& m_index;
     FigureCache& m_figures;
     BestPoint& m_best;
-    PointD m_place;
+    PointD m_position;
     double m_reach;
     std::span<const PickLayer> m_layers;
     std::vector<NearEdge> m_near;
@@ -206,16 +207,16 @@ const char* toString(SnapKind kind) {
     return kNames[static_cast<std::size_t>(kind)];
 }
 
-PointD straightened(PointD from, PointD place, double stepDeg) {
+PointD straightened(PointD from, PointD location, double stepDeg) {
     const double step = stepDeg * std::numbers::pi / 180.0;
-    const double angle = std::round(std::atan2(place.y - from.y, place.x - from.x) / step) * step;
-    const double length = (place.x - from.x) * std::cos(angle) + (place.y - from.y) * std::sin(angle);
+    const double angle = std::round(std::atan2(location.y - from.y, location.x - from.x) / step) * step;
+    const double length = (location.x - from.x) * std::cos(angle) + (location.y - from.y) * std::sin(angle);
     return {from.x + length * std::cos(angle), from.y + length * std::sin(angle)};
 }
 
-SnapPoint Snapper::at(PointD place, double reach, std::span<const PickLayer> layers, bool isFromBelow) {
-    BestPoint best(*m_index, place, reach, layers, isFromBelow);
-    Search(*m_index, m_figures, best, place, reach, layers).run();
+SnapPoint Snapper::at(PointD location, double reach, std::span<const PickLayer> layers, bool isFromBelow) {
+    BestPoint best(*m_index, location, reach, layers, isFromBelow);
+    Search(*m_index, m_figures, best, location, reach, layers).run();
     return best.best();
 }
 

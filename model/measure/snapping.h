@@ -3,8 +3,8 @@
 #include <optional>
 #include <span>
 
-#include "model/figure_cache.h"
-#include "model/picking.h"
+#include "model/index/figure_cache.h"
+#include "model/index/picking.h"
 
 namespace model {
 
@@ -29,7 +29,7 @@ struct SnapPoint {
 };
 
 /// A place moved onto the nearest line through `from` whose direction is a multiple of `stepDeg`.
-[[nodiscard]] PointD straightened(PointD from, PointD place, double stepDeg);
+[[nodiscard]] PointD straightened(PointD from, PointD location, double stepDeg);
 
 /// Finds what is near a cursor. One thread at a time.
 class Snapper {
@@ -39,7 +39,8 @@ public:
     /// The best point within `reach` nm: the kind decides, then how near it is; of points in one place that of a net,
     /// then that of the layer nearer to the viewer, then the lower element. Only visible layers count (`layers` has one
     /// entry per layer of the board). A Free point where nothing is near: the place itself.
-    [[nodiscard]] SnapPoint at(PointD place, double reach, std::span<const PickLayer> layers, bool isFromBelow = false);
+    [[nodiscard]] SnapPoint at(PointD location, double reach, std::span<const PickLayer> layers,
+                               bool isFromBelow = false);
 
 private:
     std::shared_ptr<const BoardIndex> m_index;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/geometry/figures.h"
+#include "model/figures/figures.h"
 
 namespace model {
 
@@ -95,38 +95,38 @@ void addCircle(const CutLine& line, PointD centre, double radius, std::vector<do
 }
 
 /// Where a line passes the two straight sides of a stroke.
-void addSides(const CutLine& line, const Edge& stroke, std::vector<double>& breaks) {
-    const CutLine middle = CutLine::through(stroke.a, stroke.b);
+void addSides(const CutLine& line, const Edge& track, std::vector<double>& breaks) {
+    const CutLine middle = CutLine::through(track.a, track.b);
     const double slope = middle.unit.x * line.unit.y - middle.unit.y * line.unit.x;
     if (std::abs(slope) > kParallel) {
         const double start = middle.beside(line.origin);
-        breaks.push_back((stroke.pen - start) / slope);
-        breaks.push_back((-stroke.pen - start) / slope);
+        breaks.push_back((track.pen - start) / slope);
+        breaks.push_back((-track.pen - start) / slope);
     }
 }
 
-bool isDot(const Edge& stroke) {
-    return !stroke.isArc() && stroke.a.x == stroke.b.x && stroke.a.y == stroke.b.y;
+bool isDot(const Edge& track) {
+    return !track.isArc() && track.a.x == track.b.x && track.a.y == track.b.y;
 }
 
 /// The places that a round pen covers. Its outline is made of pieces of the circles around its ends and of its two
 /// sides: between two of the places where the line meets those, all is covered or nothing.
-void addStroke(const CutLine& line, const Edge& stroke, std::vector<Interval>& covered) {
+void addTrack(const CutLine& line, const Edge& track, std::vector<Interval>& covered) {
     std::vector<double> breaks;
-    addCircle(line, stroke.a, stroke.pen, breaks);
-    addCircle(line, stroke.b, stroke.pen, breaks);
-    if (stroke.isArc()) {
-        addCircle(line, stroke.centre, stroke.radius + stroke.pen, breaks);
-        addCircle(line, stroke.centre, stroke.radius - stroke.pen, breaks);
-    } else if (!isDot(stroke)) {
-        addSides(line, stroke, breaks);
+    addCircle(line, track.a, track.pen, breaks);
+    addCircle(line, track.b, track.pen, breaks);
+    if (track.isArc()) {
+        addCircle(line, track.centre, track.radius + track.pen, breaks);
+        addCircle(line, track.centre, track.radius - track.pen, breaks);
+    } else if (!isDot(track)) {
+        addSides(line, track, breaks);
     }
     std::ranges::sort(breaks);
     for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
         const double middle = (breaks[i] + breaks[i + 1]) / 2;
-        Edge place;
-        place.a = place.b = {line.origin.x + line.unit.x * middle, line.origin.y + line.unit.y * middle};
-        if (gapBetween(place, stroke).distance <= 0) {
+        Edge location;
+        location.a = location.b = {line.origin.x + line.unit.x * middle, line.origin.y + line.unit.y * middle};
+        if (spacingBetween(location, track).distance <= 0) {
             covered.push_back({breaks[i], breaks[i + 1]});
         }
     }
@@ -147,7 +147,7 @@ private:
     void draw(Edge middle, double width, std::vector<Interval>& covered) {
         middle.pen = width / 2;
         if (width > 0) {
-            addStroke(m_line, middle, covered);
+            addTrack(m_line, middle, covered);
         }
     }
 
@@ -169,12 +169,12 @@ ElementCut cutSquarePen(const Document& document, ElementId element, const CutLi
 }
 
 ElementCut cutLineElement(const Document& document, ElementId element, const CutLine& line) {
-    const LineGeometry& stroke = document.lines[document.elements.geometry[element.row()]];
-    if ((document.elements.flags[element.row()] & kSquarePen) != 0 && stroke.width > 0) {
+    const LineGeometry& track = document.lines[document.elements.geometry[element.row()]];
+    if ((document.elements.flags[element.row()] & kSquarePen) != 0 && track.width > 0) {
         return cutSquarePen(document, element, line);
     }
     PenCut cut(line);
-    cut.add(edgeOf({stroke.a, {}, EdgeKind::Line}, stroke.b), stroke.width, stroke.innerWidth);
+    cut.add(edgeOf({track.a, {}, EdgeKind::Line}, track.b), track.width, track.innerWidth);
     return cut.take();
 }
 

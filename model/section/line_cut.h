@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/document.h"
+#include "model/board/document.h"
 #include "model/geometry/edges.h"
 #include "model/section/intervals.h"
 

@@ -17,7 +17,7 @@ constexpr double kChord = 5.0 * std::numbers::pi / 180.0;
 constexpr std::uint32_t kNone = 0xffffffffU;
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-struct Stroke {
+struct Track {
     Edge edge;
     std::uint32_t a = 0;  ///< places, see Strokes
     std::uint32_t b = 0;
@@ -55,11 +55,11 @@ public:
         std::vector<bool> isSeen(m_at.size());
         double most = -1.0;
         Reached best;
-        for (std::uint32_t place = 0; place < m_at.size(); ++place) {
-            if (isSeen[place]) {
+        for (std::uint32_t location = 0; location < m_at.size(); ++location) {
+            if (isSeen[location]) {
                 continue;
             }
-            const Reached there = from(place);
+            const Reached there = from(location);
             for (std::size_t i = 0; i < m_at.size(); ++i) {
                 isSeen[i] = isSeen[i] || there.length[i] < kFar;
             }
@@ -78,18 +78,18 @@ private:
             return;  // a dot or a full circle leads nowhere
         }
         const auto row = static_cast<std::uint32_t>(m_strokes.size());
-        m_strokes.push_back({edge, placeOf(edge.a), placeOf(edge.b)});
+        m_strokes.push_back({edge, locationOf(edge.a), locationOf(edge.b)});
         m_at[m_strokes[row].a].push_back(row);
         m_at[m_strokes[row].b].push_back(row);
     }
 
-    std::uint32_t placeOf(PointD p) {
-        const auto [place, isFirst] =
-            m_places.try_emplace({std::llround(p.x), std::llround(p.y)}, static_cast<std::uint32_t>(m_at.size()));
+    std::uint32_t locationOf(PointD p) {
+        const auto [location, isFirst] =
+            m_locations.try_emplace({std::llround(p.x), std::llround(p.y)}, static_cast<std::uint32_t>(m_at.size()));
         if (isFirst) {
             m_at.emplace_back();
         }
-        return place->second;
+        return location->second;
     }
 
     /// Dijkstra's search.
@@ -119,23 +119,23 @@ private:
         return out;
     }
 
-    [[nodiscard]] std::uint32_t otherEnd(std::uint32_t row, std::uint32_t place) const {
-        return m_strokes[row].a == place ? m_strokes[row].b : m_strokes[row].a;
+    [[nodiscard]] std::uint32_t otherEnd(std::uint32_t row, std::uint32_t location) const {
+        return m_strokes[row].a == location ? m_strokes[row].b : m_strokes[row].a;
     }
 
     /// Back from the farthest place to the start.
     [[nodiscard]] std::vector<PointD> walk(const Reached& reached) const {
         std::vector<PointD> line;
-        std::uint32_t place = reached.farthest;
-        while (reached.by[place] != kNone) {
-            const Stroke& stroke = m_strokes[reached.by[place]];
-            std::vector<PointD> corners = cornersOf(stroke.edge);
-            if (stroke.a != place) {
+        std::uint32_t location = reached.farthest;
+        while (reached.by[location] != kNone) {
+            const Track& track = m_strokes[reached.by[location]];
+            std::vector<PointD> corners = cornersOf(track.edge);
+            if (track.a != location) {
                 std::ranges::reverse(corners);
             }
             // Strokes meet in one place: its corner counts once.
             line.insert(line.end(), corners.begin() + (line.empty() ? 0 : 1), corners.end());
-            place = otherEnd(reached.by[place], place);
+            location = otherEnd(reached.by[location], location);
         }
         return line;
     }
@@ -156,19 +156,19 @@ private:
         return corners;
     }
 
-    std::vector<Stroke> m_strokes;
-    std::map<std::pair<long long, long long>, std::uint32_t> m_places;
+    std::vector<Track> m_strokes;
+    std::map<std::pair<long long, long long>, std::uint32_t> m_locations;
     std::vector<std::vector<std::uint32_t>> m_at;  ///< by place: strokes that end there
 };
 
 }  // namespace
 
 base::Result<std::vector<PointD>> lineAlong(const BoardIndex& index, NetOfCopy net) {
-    const Strokes strokes(piecesOf(index, net), index);
-    if (strokes.isEmpty()) {
+    const Strokes tracks(piecesOf(index, net), index);
+    if (tracks.isEmpty()) {
         return base::Error{base::ErrorCode::BadUsage, nameOf(index, net) + " has no strokes to follow"};
     }
-    return strokes.longest();
+    return tracks.longest();
 }
 
 }  // namespace model

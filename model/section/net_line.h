@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "model/base/result.h"
-#include "model/measure/things.h"
+#include "model/measure/items.h"
 
 namespace model {
 

@@ -113,7 +113,7 @@ private:
         found.covered = clipped(found.covered, 0.0, leg.length);
         const SectionPiece piece{layer, {placed.copy, element}, 0.0, 0.0, 0, 0};
         if (isHole) {
-            add(m_bored, piece, boreOf(layer), found.covered, leg);
+            add(m_drilled, piece, boreOf(layer), found.covered, leg);
         }
         if (m_layers[layer.row()] && (!isHole || (flags & kPlated) != 0)) {
             const Intervals solid = subtracted(found.covered, found.opening);
@@ -171,11 +171,11 @@ private:
     /// Takes what a leg has bored out of what it has found.
     void finishLeg() {
         Bores byHeight;
-        for (const SectionPiece& bore : m_bored) {
+        for (const SectionPiece& bore : m_drilled) {
             byHeight[{bore.bottom, bore.top}].push_back({bore.from, bore.to});
         }
-        for (auto& [heights, places] : byHeight) {
-            places = united(std::move(places));
+        for (auto& [heights, locations] : byHeight) {
+            locations = united(std::move(locations));
         }
         for (const SectionPiece& piece : m_found) {
             for (const Interval& interval : outsideOf(byHeight, piece)) {
@@ -184,9 +184,9 @@ private:
                 pieces.back().to = interval.to;
             }
         }
-        bores.insert(bores.end(), m_bored.begin(), m_bored.end());
+        bores.insert(bores.end(), m_drilled.begin(), m_drilled.end());
         m_found.clear();
-        m_bored.clear();
+        m_drilled.clear();
     }
 
     [[nodiscard]] Intervals outsideOf(const Bores& byHeight, const SectionPiece& piece) const {
@@ -195,9 +195,9 @@ private:
         if (!layer.isCopper() && layer.type != LayerType::Dielectric) {
             return rest;
         }
-        for (const auto& [heights, places] : byHeight) {
+        for (const auto& [heights, locations] : byHeight) {
             if (heights.first <= piece.bottom && heights.second >= piece.top) {
-                rest = subtracted(rest, places);
+                rest = subtracted(rest, locations);
             }
         }
         return rest;
@@ -206,7 +206,7 @@ private:
     const BoardIndex& m_index;
     const std::vector<bool>& m_layers;
     std::vector<SectionPiece> m_found;  ///< by the leg at work
-    std::vector<SectionPiece> m_bored;
+    std::vector<SectionPiece> m_drilled;
 };
 
 base::Result<std::vector<Leg>> legsOf(const std::vector<PointD>& line) {
@@ -268,11 +268,11 @@ std::string cutLayers(const Document& board, const std::vector<SectionPiece>& pi
 
 void addRemarks(const Document& board, std::size_t wallless, Section& section) {
     if (wallless > 0) {
-        section.remarks.push_back("plated holes whose wall has no known thickness, cut without it: " +
-                                  std::to_string(wallless));
+        section.notes.push_back("plated holes whose wall has no known thickness, cut without it: " +
+                                std::to_string(wallless));
     }
     if (section.pieces.empty() && section.bores.empty()) {
-        section.remarks.push_back("the line meets nothing of the board");
+        section.notes.push_back("the line meets nothing of the board");
     }
     // Holes and the laminate follow from other layers, bodies of components have heights of their own.
     const auto hasOwn = [](const Layer& l) {
@@ -282,13 +282,13 @@ void addRemarks(const Document& board, std::size_t wallless, Section& section) {
     const std::string flat =
         cutLayers(board, section.pieces, [&](const Layer& l) { return l.thickness == 0 && hasOwn(l); });
     if (!flat.empty()) {
-        section.remarks.push_back("without a thickness, cut as a line: " + flat);
+        section.notes.push_back("without a thickness, cut as a line: " + flat);
     }
     const std::string assumed = cutLayers(board, section.pieces, [&](const Layer& l) {
         return l.thickness > 0 && l.thicknessSource == Source::Assumed && hasOwn(l);
     });
     if (!assumed.empty()) {
-        section.remarks.push_back("thickness assumed: " + assumed);
+        section.notes.push_back("thickness assumed: " + assumed);
     }
 }
 

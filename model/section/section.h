@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "model/base/result.h"
-#include "model/board_index.h"
+#include "model/index/board_index.h"
 
 /// A board cut open along a line: what stands in the cut, and from where to where. Every element is an upright prism,
 /// so the cut is made of rectangles, and they are exact.
@@ -30,7 +30,7 @@ struct Section {
     std::vector<double> stations;      ///< how far along the line its corners are; the last is its length
     std::vector<SectionPiece> pieces;  ///< what is solid, walls of plated holes included; by layer, place, element
     std::vector<SectionPiece> bores;   ///< what drills and routers took out, as wide as drilled; in the same order
-    std::vector<std::string> remarks;  ///< what the reader of the section must know, in plain words
+    std::vector<std::string> notes;    ///< what the reader of the section must know, in plain words
 };
 
 /// Is the layer made of something that a cut can show? Not: mask openings, drawings, outlines.

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/export_text.h"
-#include "model/stack_drawing.h"
+#include "model/export/export_text.h"
+#include "model/export/stackup_drawing.h"
 
 namespace model {
 
@@ -77,9 +77,9 @@ std::string svgPieces(const Document& board, const Section& section, const Secti
 }
 
 /// Names and thicknesses of the stack's rows.
-std::string svgStack(const Document& board, const Scale& scale) {
-    StackDrawing labels;
-    for (const StackRow& row : board.stackup.rows) {
+std::string svgStackup(const Document& board, const Scale& scale) {
+    StackupDrawing labels;
+    for (const StackupRow& row : board.stackup.rows) {
         const double top = scale.y(double{1} * row.z + row.thickness) - kTop;
         const double bottom = scale.y(row.z) - kTop;
         labels.bands.push_back({top, bottom, (top + bottom) / 2});
@@ -89,8 +89,8 @@ std::string svgStack(const Document& board, const Scale& scale) {
     const double right = kMargin + kWidth;
     std::string out;
     for (std::size_t i = 0; i < labels.bands.size(); ++i) {
-        const StackBand& band = labels.bands[i];
-        const StackRow& row = board.stackup.rows[i];
+        const StackupBand& band = labels.bands[i];
+        const StackupRow& row = board.stackup.rows[i];
         out += formatted(
             "<path d=\"M%.1f %.2f V%.2f M%.1f %.2f h5 l15 %.2f h5\" fill=\"none\" stroke=\"#888888\" "
             "stroke-width=\"0.7\"/>\n",
@@ -121,12 +121,13 @@ std::string svgBar(const Scale& scale, double y) {
            svgText(kMargin + length * scale.perNm + 8, y + 4, lengthText(static_cast<Nm>(length)));
 }
 
-std::string placeText(PointD p) {
+std::string positionText(PointD p) {
     return formatted("(%.4g, %.4g)", base::toMm(p.x), base::toMm(p.y));
 }
 
 std::string titleOf(const Document& board, const Section& section, const Scale& scale) {
-    return board.job.name + ": cut from " + placeText(section.line.front()) + " to " + placeText(section.line.back()) +
+    return board.job.name + ": cut from " + positionText(section.line.front()) + " to " +
+           positionText(section.line.back()) +
            formatted(" mm, %.5g mm long, heights %g times", base::toMm(section.stations.back()), scale.times);
 }
 
@@ -148,12 +149,12 @@ std::string sectionSvg(const Document& board, const Section& section, const Sect
     std::string out = formatted(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"%.0f\" height=\"%.0f\" "
         "font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"100%%\" height=\"100%%\" fill=\"#ffffff\"/>\n",
-        2 * kMargin + kWidth + kLabels, below + kLine * (static_cast<double>(section.remarks.size()) + 2.0));
+        2 * kMargin + kWidth + kLabels, below + kLine * (static_cast<double>(section.notes.size()) + 2.0));
     out += svgText(kMargin, kLine + 4, titleOf(board, section, scale), " font-weight=\"bold\"");
-    out += svgPieces(board, section, how, scale) + svgStack(board, scale) + svgCorners(section, scale);
+    out += svgPieces(board, section, how, scale) + svgStackup(board, scale) + svgCorners(section, scale);
     out += svgBar(scale, below);
-    for (std::size_t i = 0; i < section.remarks.size(); ++i) {
-        out += svgText(kMargin, below + kLine * (static_cast<double>(i) + 1.5), section.remarks[i]);
+    for (std::size_t i = 0; i < section.notes.size(); ++i) {
+        out += svgText(kMargin, below + kLine * (static_cast<double>(i) + 1.5), section.notes[i]);
     }
     return out + "</svg>\n";
 }

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "model/stackup.h"
+#include "model/board/stackup.h"
 
 namespace model::session {
 
@@ -54,13 +54,13 @@ std::pair<double, const LengthUnit*> numberAndUnit(std::string_view text) {
     return {value, number.ec == std::errc() ? findUnit(rest) : nullptr};
 }
 
-bool isCopperRow(const StackRow& row) {
+bool isCopperRow(const StackupRow& row) {
     return copperWeightOf(row).has_value();
 }
 
 std::string rowNames(const Stackup& stackup) {
     std::string names;
-    for (const StackRow& row : stackup.rows) {
+    for (const StackupRow& row : stackup.rows) {
         names += (names.empty() ? "" : ", ") + row.name;
     }
     return names.empty() ? "the board states its heights itself" : "the stack has " + names;
@@ -102,7 +102,7 @@ base::Result<ThicknessOverride> parseOverride(std::string_view text, const Stack
         return wrong(text, "is not LAYER=LENGTH, for example TOP=35um");
     }
     const std::string_view name = trimmed(text.substr(0, equals));
-    const StackRow* row = findRow(stackup, name);
+    const StackupRow* row = findRow(stackup, name);
     if (row == nullptr) {
         return Error{ErrorCode::BadUsage,
                      "there is no layer " + std::string(name) + " in the stack; " + rowNames(stackup)};

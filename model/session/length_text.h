@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "model/base/result.h"
-#include "model/document.h"
+#include "model/board/document.h"
 
 namespace model::session {
 

@@ -43,7 +43,7 @@ std::optional<MeasuredEnd> endFrom(const ordered_json& json) {
                        snap.get<std::string>()};
 }
 
-ordered_json toJson(const MeasuredWay& way) {
+ordered_json toJson(const MeasuredPath& way) {
     ordered_json runs = ordered_json::array();
     for (const MeasuredRun& run : way.runs) {
         ordered_json line = ordered_json::array();
@@ -77,14 +77,14 @@ std::optional<MeasuredRun> runFrom(const ordered_json& json) {
     return run;
 }
 
-std::optional<MeasuredWay> wayFrom(const ordered_json& json) {
+std::optional<MeasuredPath> pathFrom(const ordered_json& json) {
     const ordered_json runs = json.is_object() ? json.value("runs", ordered_json()) : ordered_json();
     const ordered_json holes = json.is_object() ? json.value("holes", ordered_json()) : ordered_json();
     const ordered_json height = json.is_object() ? json.value("hole_height_nm", ordered_json()) : ordered_json();
     if (!runs.is_array() || !holes.is_number_unsigned() || !isSum(height)) {
         return std::nullopt;
     }
-    MeasuredWay way{{}, holes.get<std::size_t>(), height.get<double>()};
+    MeasuredPath way{{}, holes.get<std::size_t>(), height.get<double>()};
     for (const ordered_json& one : runs) {
         std::optional<MeasuredRun> run = runFrom(one);
         if (!run) {
@@ -108,7 +108,7 @@ bool readParts(const ordered_json& json, Measurement& measurement) {
         return measurement.corner.has_value();
     }
     if (measurement.kind == MeasurementKind::Length) {
-        measurement.way = wayFrom(json.value("way", ordered_json()));
+        measurement.way = pathFrom(json.value("way", ordered_json()));
         return measurement.way.has_value();
     }
     return true;
@@ -118,9 +118,9 @@ bool readParts(const ordered_json& json, Measurement& measurement) {
 
 ordered_json toJson(const Measurement& measurement) {
     ordered_json json = {
-        {"name", measurement.name},          {"step", measurement.step},       {"kind", toString(measurement.kind)},
-        {"from", toJson(measurement.from)},  {"to", toJson(measurement.to)},   {"dz_nm", measurement.dz},
-        {"overlap_nm", measurement.overlap}, {"remarks", measurement.remarks}, {"shown", measurement.isShown}};
+        {"name", measurement.name},          {"step", measurement.step},     {"kind", toString(measurement.kind)},
+        {"from", toJson(measurement.from)},  {"to", toJson(measurement.to)}, {"dz_nm", measurement.dz},
+        {"overlap_nm", measurement.overlap}, {"remarks", measurement.notes}, {"shown", measurement.isShown}};
     if (measurement.corner) {
         json["corner"] = toJson(*measurement.corner);
     }
@@ -143,13 +143,13 @@ std::optional<Measurement> measurementFrom(const ordered_json& json) {
     const auto kind = kindName.is_string() ? kindNamed(kindName.get<std::string>()) : std::nullopt;
     const auto from = endFrom(json.value("from", ordered_json()));
     const auto to = endFrom(json.value("to", ordered_json()));
-    const auto remarks = textsFrom(json.value("remarks", ordered_json()));
+    const auto notes = textsFrom(json.value("remarks", ordered_json()));
     if (!name.is_string() || !step.is_string() || !kind || !isLength(dz) || !isLength(overlap) ||
-        !isShown.is_boolean() || !from || !to || !remarks) {
+        !isShown.is_boolean() || !from || !to || !notes) {
         return std::nullopt;
     }
     Measurement measurement{name.get<std::string>(), step.get<std::string>(), *kind, *from, *to,
-                            dz.get<double>(),        overlap.get<double>(),   {},    {},    *remarks,
+                            dz.get<double>(),        overlap.get<double>(),   {},    {},    *notes,
                             isShown.get<bool>()};
     return readParts(json, measurement) ? std::optional(std::move(measurement)) : std::nullopt;
 }

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "model/session/measurement.h"
+#include "model/measure/measurement.h"
 
 /// Measurements as the session file holds them.
 namespace model::session {

@@ -12,11 +12,12 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "model/session/kept_section_json.h"
+#include "model/board/stackup.h"
 #include "model/session/length_text.h"
 #include "model/session/measurement_json.h"
+#include "model/session/saved_section_json.h"
 #include "model/session/session_json.h"
-#include "model/stackup.h"
+#include "model/solids/restack.h"
 
 namespace model::session {
 
@@ -75,7 +76,7 @@ void readThicknesses(const ordered_json& json, const Stackup& stackup, LoadedSes
         return;
     }
     for (const auto& [name, value] : json.items()) {
-        const StackRow* row = findRow(stackup, name);
+        const StackupRow* row = findRow(stackup, name);
         if (row == nullptr) {
             out.ignored.push_back("the thickness of " + name + ": the stack has no such layer");
         } else if (!isThickness(value)) {
@@ -104,7 +105,7 @@ void readList(const ordered_json& json, const char* key, const char* kind, const
     }
 }
 
-std::optional<KeptNet> netFrom(const ordered_json& json) {
+std::optional<SavedNet> netFrom(const ordered_json& json) {
     if (!json.is_object()) {
         return std::nullopt;
     }
@@ -115,13 +116,13 @@ std::optional<KeptNet> netFrom(const ordered_json& json) {
     if (!name.is_string() || !step.is_string() || !colour.is_string() || !hidden.is_boolean()) {
         return std::nullopt;
     }
-    KeptNet net{name.get<std::string>(), step.get<std::string>(), colourFrom(colour.get<std::string>()),
-                hidden.get<bool>()};
+    SavedNet net{name.get<std::string>(), step.get<std::string>(), colourFrom(colour.get<std::string>()),
+                 hidden.get<bool>()};
     const bool isColour = net.colour || colour.get<std::string>().empty();
     return isColour ? std::optional(std::move(net)) : std::nullopt;
 }
 
-ordered_json jsonOf(const KeptNet& net) {
+ordered_json jsonOf(const SavedNet& net) {
     ordered_json json{{"name", net.name}, {"step", net.step}};
     if (net.colour) {
         json["colour"] = colourText(*net.colour);
@@ -138,7 +139,7 @@ void readNets(const ordered_json& json, const Document& document, LoadedSession&
         return;
     }
     for (std::size_t i = 0; i < json.size(); ++i) {
-        if (std::optional<KeptNet> net = netFrom(json[i])) {
+        if (std::optional<SavedNet> net = netFrom(json[i])) {
             out.session.nets.push_back(std::move(*net));
         } else {
             out.ignored.push_back("net " + std::to_string(i + 1) +
@@ -148,7 +149,7 @@ void readNets(const ordered_json& json, const Document& document, LoadedSession&
     const StepTree tree = unfoldCopies(document);
     const auto found = findNets(tree, out.session.nets);
     for (std::size_t i = 0; i < found.size(); ++i) {
-        const KeptNet& net = out.session.nets[i];
+        const SavedNet& net = out.session.nets[i];
         const bool isHere =
             std::ranges::any_of(tree.steps, [&](const Document* step) { return step->job.step == net.step; });
         if (!found[i] && isHere) {
@@ -308,17 +309,17 @@ base::Status saveThicknesses(const fs::path& board, const Document& document,
     return savePart(board, document, kThicknessKey, json);
 }
 
-base::Status saveViews(const fs::path& board, const Document& document, const std::vector<KeptView>& views) {
+base::Status saveViews(const fs::path& board, const Document& document, const std::vector<SavedView>& views) {
     ordered_json json;
-    for (const KeptView& view : views) {
+    for (const SavedView& view : views) {
         json.push_back(jsonOf(view));
     }
     return savePart(board, document, kViewsKey, json);
 }
 
-base::Status saveNets(const fs::path& board, const Document& document, const std::vector<KeptNet>& nets) {
+base::Status saveNets(const fs::path& board, const Document& document, const std::vector<SavedNet>& nets) {
     ordered_json json;
-    for (const KeptNet& net : nets) {
+    for (const SavedNet& net : nets) {
         json.push_back(jsonOf(net));
     }
     return savePart(board, document, kNetsKey, json);
@@ -337,9 +338,9 @@ base::Status saveMeasurements(const fs::path& board, const Document& document,
     return savePart(board, document, kMeasurementsKey, json);
 }
 
-base::Status saveSections(const fs::path& board, const Document& document, const std::vector<KeptSection>& sections) {
+base::Status saveSections(const fs::path& board, const Document& document, const std::vector<SavedSection>& sections) {
     ordered_json json;
-    for (const KeptSection& section : sections) {
+    for (const SavedSection& section : sections) {
         json.push_back(toJson(section));
     }
     return savePart(board, document, kSectionsKey, json);

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "model/base/result.h"
-#include "model/document.h"
-#include "model/session/kept_nets.h"
-#include "model/session/kept_section.h"
-#include "model/session/kept_selection.h"
-#include "model/session/measurement.h"
+#include "model/board/document.h"
+#include "model/measure/measurement.h"
+#include "model/session/saved_nets.h"
+#include "model/session/saved_section.h"
+#include "model/session/saved_selection.h"
 
 /// What a user has set for a board, over what the job says. It lies in a file of its own beside the job, which is never
 /// written to. The file holds only what was changed:
@@ -25,7 +25,7 @@
 ///      "nets": [{"name": "GND", "step": "pcb", "colour": "#e69f00", "hidden": true}],
 ///      "desk": {"step": "pcb", "flat": {…}, "solid": {…}, "unit": "mm",
 ///               "layers": [{"name": "TOP", "visible": true, "opacity_percent": 80, "colour": "#ff8000"}]},
-///      "measurements": [see Measurement], "sections": [see KeptSection]}
+///      "measurements": [see Measurement], "sections": [see SavedSection]}
 namespace model::session {
 
 inline constexpr int kVersion = 1;
@@ -41,15 +41,15 @@ struct Pose {
 };
 
 /// A way of looking at the board that the user kept, or a selection.
-struct KeptView {
+struct SavedView {
     std::string name;
     std::string step;                 ///< the one it shows
     Pose flat;                        ///< of the 2D view
     Pose solid;                       ///< of the 3D view
     std::vector<std::string> layers;  ///< the visible ones
     /// Then it is a selection, and neither cameras nor layers count.
-    std::optional<KeptSelection> selection{};
-    bool operator==(const KeptView&) const = default;
+    std::optional<SavedSelection> selection{};
+    bool operator==(const SavedView&) const = default;
 };
 
 /// How a layer is drawn.
@@ -73,12 +73,12 @@ struct Desk {
 
 struct Session {
     std::vector<ThicknessOverride> thicknesses;
-    std::vector<KeptView> views;
-    std::vector<KeptNet>
+    std::vector<SavedView> views;
+    std::vector<SavedNet>
         nets{};  ///< also those that this board does not have: nothing is lost when it is written again
     std::optional<Desk> desk{};
     std::vector<Measurement> measurements{};
-    std::vector<KeptSection> sections{};
+    std::vector<SavedSection> sections{};
     bool operator==(const Session&) const = default;
 };
 
@@ -103,14 +103,14 @@ struct LoadedSession {
 [[nodiscard]] base::Status saveThicknesses(const std::filesystem::path& board, const Document& document,
                                            const std::vector<ThicknessOverride>& thicknesses);
 [[nodiscard]] base::Status saveViews(const std::filesystem::path& board, const Document& document,
-                                     const std::vector<KeptView>& views);
+                                     const std::vector<SavedView>& views);
 [[nodiscard]] base::Status saveNets(const std::filesystem::path& board, const Document& document,
-                                    const std::vector<KeptNet>& nets);
+                                    const std::vector<SavedNet>& nets);
 [[nodiscard]] base::Status saveDesk(const std::filesystem::path& board, const Document& document, const Desk& desk);
 [[nodiscard]] base::Status saveMeasurements(const std::filesystem::path& board, const Document& document,
                                             const std::vector<Measurement>& measurements);
 [[nodiscard]] base::Status saveSections(const std::filesystem::path& board, const Document& document,
-                                        const std::vector<KeptSection>& sections);
+                                        const std::vector<SavedSection>& sections);
 
 /// The document with these thicknesses in it.
 [[nodiscard]] std::shared_ptr<const Document> applyThicknesses(std::shared_ptr<const Document> document,

@@ -51,7 +51,7 @@ ordered_json jsonOf(const Pose& pose) {
 }
 
 /// ["TOP", "line", x0, y0, x1, y1]
-std::optional<KeptElement> elementFrom(const ordered_json& json) {
+std::optional<SavedElement> elementFrom(const ordered_json& json) {
     if (!json.is_array() || json.size() != 6 || !json[0].is_string() || !json[1].is_string()) {
         return std::nullopt;
     }
@@ -67,16 +67,16 @@ std::optional<KeptElement> elementFrom(const ordered_json& json) {
     if (!kind) {
         return std::nullopt;
     }
-    return KeptElement{json[0].get<std::string>(), *kind, Box{{sides[0], sides[1]}, {sides[2], sides[3]}}};
+    return SavedElement{json[0].get<std::string>(), *kind, Box{{sides[0], sides[1]}, {sides[2], sides[3]}}};
 }
 
-std::optional<KeptSelection> selectionFrom(const ordered_json& json) {
+std::optional<SavedSelection> selectionFrom(const ordered_json& json) {
     const ordered_json nets = json.is_object() ? json.value("nets", ordered_json()) : ordered_json();
     const ordered_json elements = json.is_object() ? json.value("elements", ordered_json()) : ordered_json();
-    if (!nets.is_array() || !elements.is_array() || elements.size() > kMostKeptElements) {
+    if (!nets.is_array() || !elements.is_array() || elements.size() > kMostSavedElements) {
         return std::nullopt;
     }
-    KeptSelection selection;
+    SavedSelection selection;
     for (const ordered_json& net : nets) {
         if (!net.is_array() || net.size() != 2 || !std::ranges::all_of(net, isText)) {
             return std::nullopt;
@@ -84,7 +84,7 @@ std::optional<KeptSelection> selectionFrom(const ordered_json& json) {
         selection.nets.push_back({net[0].get<std::string>(), net[1].get<std::string>()});
     }
     for (const ordered_json& each : elements) {
-        std::optional<KeptElement> element = elementFrom(each);
+        std::optional<SavedElement> element = elementFrom(each);
         if (!element) {
             return std::nullopt;
         }
@@ -93,13 +93,13 @@ std::optional<KeptSelection> selectionFrom(const ordered_json& json) {
     return selection;
 }
 
-ordered_json jsonOf(const KeptSelection& selection) {
+ordered_json jsonOf(const SavedSelection& selection) {
     ordered_json nets = ordered_json::array();
     for (const NetName& net : selection.nets) {
         nets.push_back(ordered_json::array({net.step, net.name}));
     }
     ordered_json elements = ordered_json::array();
-    for (const KeptElement& element : selection.elements) {
+    for (const SavedElement& element : selection.elements) {
         elements.push_back(ordered_json::array({element.layer, kindWord(element.kind), element.box.min.x,
                                                 element.box.min.y, element.box.max.x, element.box.max.y}));
     }
@@ -134,15 +134,15 @@ ordered_json jsonOf(const LayerState& layer) {
 
 }  // namespace
 
-std::optional<KeptView> viewFrom(const ordered_json& json) {
+std::optional<SavedView> viewFrom(const ordered_json& json) {
     if (!json.is_object()) {
         return std::nullopt;
     }
     const ordered_json name = json.value("name", ordered_json());
     const ordered_json step = json.value("step", ordered_json());
     if (name.is_string() && step.is_string() && json.contains("selection")) {
-        std::optional<KeptSelection> selection = selectionFrom(json["selection"]);
-        return selection ? std::optional(KeptView{name, step, {}, {}, {}, std::move(selection)}) : std::nullopt;
+        std::optional<SavedSelection> selection = selectionFrom(json["selection"]);
+        return selection ? std::optional(SavedView{name, step, {}, {}, {}, std::move(selection)}) : std::nullopt;
     }
     const ordered_json layers = json.value("layers", ordered_json());
     const std::optional<Pose> flat = poseFrom(json.value("flat", ordered_json()));
@@ -151,15 +151,15 @@ std::optional<KeptView> viewFrom(const ordered_json& json) {
         !solid) {
         return std::nullopt;
     }
-    return KeptView{name.get<std::string>(),
-                    step.get<std::string>(),
-                    *flat,
-                    *solid,
-                    layers.get<std::vector<std::string>>(),
-                    std::nullopt};
+    return SavedView{name.get<std::string>(),
+                     step.get<std::string>(),
+                     *flat,
+                     *solid,
+                     layers.get<std::vector<std::string>>(),
+                     std::nullopt};
 }
 
-ordered_json jsonOf(const KeptView& view) {
+ordered_json jsonOf(const SavedView& view) {
     if (view.selection) {
         return {{"name", view.name}, {"step", view.step}, {"selection", jsonOf(*view.selection)}};
     }

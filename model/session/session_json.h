@@ -8,8 +8,8 @@
 /// Parts of a session as JSON and back. What is not as session.h shows it is none.
 namespace model::session {
 
-[[nodiscard]] std::optional<KeptView> viewFrom(const nlohmann::ordered_json& json);
-[[nodiscard]] nlohmann::ordered_json jsonOf(const KeptView& view);
+[[nodiscard]] std::optional<SavedView> viewFrom(const nlohmann::ordered_json& json);
+[[nodiscard]] nlohmann::ordered_json jsonOf(const SavedView& view);
 [[nodiscard]] std::optional<Desk> deskFrom(const nlohmann::ordered_json& json);
 [[nodiscard]] nlohmann::ordered_json jsonOf(const Desk& desk);
 

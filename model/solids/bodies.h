@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/document_builder.h"
+#include "model/board/document_builder.h"
 
 /// Bodies of components: the outline of the package, as high as the component.
 namespace model {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "model/base/progress.h"
-#include "model/document.h"
+#include "model/board/document.h"
 #include "model/geometry/discretise.h"
 
 namespace model {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/figures/element_polygons.h"
 #include "model/solids/cut.h"
 #include "model/solids/nearness.h"
 

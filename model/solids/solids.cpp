@@ -5,7 +5,7 @@
 #include "model/base/parallel.h"
 #include "model/solids/bodies.h"
 #include "model/solids/cut.h"
-#include "model/solids/slabs.h"
+#include "model/solids/substrates.h"
 
 namespace model {
 
@@ -33,13 +33,13 @@ Layer plateLayer(std::string name, LayerType type, LayerSide side, Nm bottom, Nm
 }
 
 void planBody(const Document& document, std::vector<Plate>& plates) {
-    std::vector<Slab> slabs = slabsOf(document);
-    for (std::size_t i = 0; i < slabs.size(); ++i) {
-        std::string name = slabs.size() == 1 ? "board" : "board " + std::to_string(i + 1);
-        plates.push_back({plateLayer(std::move(name), LayerType::Body, LayerSide::Through, slabs[i].bottom,
-                                     slabs[i].top, Source::Derived),
-                          slabs[i].outline,
-                          std::move(slabs[i].holes),
+    std::vector<SubstratePart> parts = slabsOf(document);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        std::string name = parts.size() == 1 ? "board" : "board " + std::to_string(i + 1);
+        plates.push_back({plateLayer(std::move(name), LayerType::Body, LayerSide::Through, parts[i].bottom,
+                                     parts[i].top, Source::Derived),
+                          parts[i].outline,
+                          std::move(parts[i].holes),
                           {},
                           {}});
     }
@@ -88,11 +88,11 @@ public:
         }
         for (const StepInstance& instance : document.instances) {
             const Document& step = *document.steps[instance.step];
-            const Placement place = placement.after(instance.placement);
+            const Placement location = placement.after(instance.placement);
             if (step.profile.isValid()) {
-                m_cutouts.add(step.shapes, step.profile, place);
+                m_cutouts.add(step.shapes, step.profile, location);
             } else {
-                take(step, place, isFlipped != instance.isFlipped);
+                take(step, location, isFlipped != instance.isFlipped);
             }
         }
     }
@@ -155,13 +155,13 @@ bool addSolids(DocumentBuilder& builder, const base::Progress& progress) {
 }
 
 void placeSolids(Document& document) {
-    const std::vector<Slab> slabs = slabsOf(document);
-    auto slab = slabs.begin();
+    const std::vector<SubstratePart> parts = slabsOf(document);
+    auto part = parts.begin();
     for (Layer& layer : document.layers) {
-        if (layer.type == LayerType::Body && layer.isSynthetic && slab != slabs.end()) {
-            layer.z = slab->bottom;
-            layer.thickness = slab->top - slab->bottom;
-            ++slab;
+        if (layer.type == LayerType::Body && layer.isSynthetic && part != parts.end()) {
+            layer.z = part->bottom;
+            layer.thickness = part->top - part->bottom;
+            ++part;
         } else if (layer.type == LayerType::SolderMask && layer.isSynthetic) {
             const auto mask = std::ranges::find(document.layers, layer.row, &Layer::row);
             layer.z = mask->z;

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "model/base/progress.h"
-#include "model/document_builder.h"
-#include "model/solids/slabs.h"
+#include "model/board/document_builder.h"
+#include "model/solids/substrates.h"
 
 namespace model {
 

@@ -8,7 +8,7 @@ uint stateOf(uint element) {
 }
 
 bool standsOut(uint state) {
-    return (state & (kElementLit | kElementColourMask)) != 0u;
+    return (state & (kElementHighlighted | kElementColourMask)) != 0u;
 }
 
 bool isHidden(uint element) {

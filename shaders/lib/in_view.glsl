@@ -16,5 +16,5 @@ vec3 middleOf(vec2 middle, LayerState layer) {
 }
 
 vec3 extentOf(vec2 extent, LayerState layer) {
-    return vec3(extent, 0.5 * (layer.z1 - layer.z0) + FRAME.boreProudMm);
+    return vec3(extent, 0.5 * (layer.z1 - layer.z0) + FRAME.boreProtrusionMm);
 }

@@ -13,8 +13,8 @@ bool isClusterInView(Cluster cluster, LayerState layer) {
 }
 
 uint topologyOf(Let let) {
-    const bool isTube = (let.meta & kLetKindMask) != kLetArc && let.p5 > 0.0;
-    return isTube ? kTopologyClosed : kTopologyOpen;
+    const bool isBarrel = (let.meta & kLetKindMask) != kLetArc && let.p5 > 0.0;
+    return isBarrel ? kTopologyClosed : kTopologyOpen;
 }
 
 // A circle around a let: xy its centre, z its radius.

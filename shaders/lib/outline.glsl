@@ -58,7 +58,7 @@ vec3 fromSquare(vec2 a, vec2 b, float radius, vec2 p) {
     return beside > box.z ? vec3(across < 0.0 ? -normal : normal, beside) : box;
 }
 
-vec3 fromStroke(Let let, float radius, vec2 p) {
+vec3 fromTrack(Let let, float radius, vec2 p) {
     const vec2 a = vec2(let.p0, let.p1);
     const vec2 b = vec2(let.p2, let.p3);
     return has(let.meta, kLetSquarePen) ? fromSquare(a, b, radius, p) : fromRound(a, b, radius, p);
@@ -74,11 +74,11 @@ vec3 fromOutline(Let let, vec2 p) {
         const vec2 way = vec2(let.p0, let.p1) - p;
         return vec3(way, let.p5 - length(way));
     }
-    const vec3 outer = fromStroke(let, let.p4, p);
+    const vec3 outer = fromTrack(let, let.p4, p);
     if (let.p5 == 0.0) {
         return outer;
     }
-    const vec3 inner = -fromStroke(let, let.p5, p);
+    const vec3 inner = -fromTrack(let, let.p5, p);
     return inner.z > outer.z ? inner : outer;
 }
 

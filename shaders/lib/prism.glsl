@@ -30,36 +30,36 @@ vec2 endPoint(vec2 centre, vec2 outward, float turn, float radius, bool isSquare
     return centre + radius * reach * u;
 }
 
-vec2 strokeDirection(vec2 a, vec2 b) {
+vec2 trackDirection(vec2 a, vec2 b) {
     const vec2 d = b - a;
     const float len = length(d);
     return len > 0.0 ? d / len : vec2(1.0, 0.0);
 }
 
-vec2 stadiumPoint(Let let, uint level, uint rung, bool isLeft) {
+vec2 stadiumPoint(Let let, uint level, uint segment, bool isLeft) {
     const vec2 a = vec2(let.p0, let.p1);
     const vec2 b = vec2(let.p2, let.p3);
-    const vec2 d = strokeDirection(a, b);
+    const vec2 d = trackDirection(a, b);
     const float turn = isLeft ? 1.0 : -1.0;
     const bool isSquare = has(let.meta, kLetSquarePen);
     if (level == kLevelQuad) {
         // As long as it must be to cover the area of the true outline.
         const vec2 along = d * let.p4 * (isSquare ? 1.0 : 0.5 * kHalfPi);
-        return (rung == 0u ? a - along : b + along) + turn * let.p4 * leftOf(d);
+        return (segment == 0u ? a - along : b + along) + turn * let.p4 * leftOf(d);
     }
     const uint points = kEndPoints[level];
     const uint ends = points / 2u;
-    return rung < ends ? endPoint(a, -d, -turn, let.p4, isSquare, ends - 1u - rung, points)
-                       : endPoint(b, d, turn, let.p4, isSquare, rung - ends, points);
+    return segment < ends ? endPoint(a, -d, -turn, let.p4, isSquare, ends - 1u - segment, points)
+                       : endPoint(b, d, turn, let.p4, isSquare, segment - ends, points);
 }
 
 // Rung `rung` of a tube, counter-clockwise from the right side of end b.
-vec2 tubePoint(Let let, uint level, uint rung, bool isInner) {
+vec2 barrelPoint(Let let, uint level, uint segment, bool isInner) {
     const vec2 a = vec2(let.p0, let.p1);
     const vec2 b = vec2(let.p2, let.p3);
-    const vec2 d = strokeDirection(a, b);
+    const vec2 d = trackDirection(a, b);
     const uint points = kEndPoints[level];
-    const uint ring = rung % (2u * points);
+    const uint ring = segment % (2u * points);
     const bool atB = ring < points;
     const uint along = atB ? ring : ring - points;
     const bool isRight = along < points / 2u;
@@ -68,9 +68,9 @@ vec2 tubePoint(Let let, uint level, uint rung, bool isInner) {
 }
 
 // Rung `rung` of what surrounds a round hole, counter-clockwise: the circle inside, the cell outside. Corners of the cell are rungs at all levels.
-vec2 holePoint(Let let, uint level, uint rung, bool isInner) {
+vec2 holePoint(Let let, uint level, uint segment, bool isInner) {
     const float rungs = float(2u * kEndPoints[level]);
-    const float angle = 4.0 * kHalfPi * float(rung) / rungs;
+    const float angle = 4.0 * kHalfPi * float(segment) / rungs;
     const vec2 u = vec2(cos(angle), sin(angle));
     if (!isInner) {
         return placeInCell(let, u / max(abs(u.x), abs(u.y)));
@@ -81,11 +81,11 @@ vec2 holePoint(Let let, uint level, uint rung, bool isInner) {
 }
 
 // Less than a pixel: the cell is filled.
-vec2 cellCorner(Let let, uint rung, bool isLeft) {
-    return placeInCell(let, vec2(rung == 0u ? -1.0 : 1.0, isLeft ? 1.0 : -1.0));
+vec2 cellCorner(Let let, uint segment, bool isLeft) {
+    return placeInCell(let, vec2(segment == 0u ? -1.0 : 1.0, isLeft ? 1.0 : -1.0));
 }
 
-vec2 arcPoint(Let let, uint level, uint rung, bool isLeft) {
+vec2 arcPoint(Let let, uint level, uint segment, bool isLeft) {
     const vec2 centre = vec2(let.p0, let.p1);
     const uint ends = kArcEndRungs[level];
     const uint rungs = kEndPoints[level];
@@ -93,35 +93,35 @@ vec2 arcPoint(Let let, uint level, uint rung, bool isLeft) {
     const float turn = isLeft ? 1.0 : -1.0;
     const float forward = let.p4 < 0.0 ? -1.0 : 1.0;
     // Rungs ends - 1 and rungs - ends are the two ends of the centre line, those between divide it evenly.
-    const uint step = uint(clamp(int(rung) - int(ends) + 1, 0, int(chords)));
+    const uint step = uint(clamp(int(segment) - int(ends) + 1, 0, int(chords)));
     const float angle = let.p3 + let.p4 * float(step) / float(chords);
     const vec2 radial = vec2(cos(angle), sin(angle));
     const vec2 onLine = centre + let.p2 * radial;
     const vec2 tangent = forward * leftOf(radial);
-    if (rung < ends) {
-        return endPoint(onLine, -tangent, -turn, let.p5, false, ends - 1u - rung, 2u * ends);
+    if (segment < ends) {
+        return endPoint(onLine, -tangent, -turn, let.p5, false, ends - 1u - segment, 2u * ends);
     }
-    if (rung >= rungs - ends) {
-        return endPoint(onLine, tangent, turn, let.p5, false, rung - (rungs - ends), 2u * ends);
+    if (segment >= rungs - ends) {
+        return endPoint(onLine, tangent, turn, let.p5, false, segment - (rungs - ends), 2u * ends);
     }
     return onLine + turn * let.p5 * leftOf(tangent);
 }
 
-vec2 letPoint(Let let, uint level, uint rung, uint side) {
+vec2 letPoint(Let let, uint level, uint segment, uint side) {
     if ((let.meta & kLetKindMask) == kLetArc) {
-        return arcPoint(let, level, rung, side == 0u);
+        return arcPoint(let, level, segment, side == 0u);
     }
     if ((let.meta & kLetKindMask) == kLetHole) {
-        return level == kLevelQuad ? cellCorner(let, rung, side == 0u) : holePoint(let, level, rung, side == 0u);
+        return level == kLevelQuad ? cellCorner(let, segment, side == 0u) : holePoint(let, level, segment, side == 0u);
     }
     // A tube of less than a pixel is drawn as a full quad.
-    return let.p5 > 0.0 && level != kLevelQuad ? tubePoint(let, level, rung, side == 0u)
-                                               : stadiumPoint(let, level, rung, side == 0u);
+    return let.p5 > 0.0 && level != kLevelQuad ? barrelPoint(let, level, segment, side == 0u)
+                                               : stadiumPoint(let, level, segment, side == 0u);
 }
 
 // Where a vertex of a let lies on the board.
 vec3 letPosition(Let let, LayerState layer, uint level, uint code) {
-    const float proud = has(let.meta, kLetBore) ? FRAME.boreProudMm : 0.0;
+    const float proud = has(let.meta, kLetBore) ? FRAME.boreProtrusionMm : 0.0;
     const float z = (code & 1u) == 0u ? layer.z1 + proud : layer.z0 - proud;
     return vec3(letPoint(let, level, code >> 2u, (code >> 1u) & 1u), z);
 }
@@ -147,13 +147,13 @@ vec2 boundCorner(Let let, vec2 corner, float margin) {
         return p + (corner.x < 0.0 ? low : high) * u + corner.y * (let.p2 * sin(0.5 * abs(let.p4)) + reach) * leftOf(u);
     }
     const vec2 q = vec2(let.p2, let.p3);
-    const vec2 d = strokeDirection(p, q);
+    const vec2 d = trackDirection(p, q);
     const float reach = let.p4 * (has(let.meta, kLetSquarePen) ? 1.41421357 : 1.0) + margin;
     return (corner.x < 0.0 ? p : q) + reach * (corner.x * d + corner.y * leftOf(d));
 }
 
 // Length over width of a stroke; arcs are cut into short pieces, and cells keep clear of others.
 float slendernessOf(Let let) {
-    const bool isStroke = (let.meta & kLetKindMask) == kLetStadium;
-    return !isStroke ? 0.0 : distance(vec2(let.p0, let.p1), vec2(let.p2, let.p3)) / (2.0 * let.p4);
+    const bool isTrack = (let.meta & kLetKindMask) == kLetStadium;
+    return !isTrack ? 0.0 : distance(vec2(let.p0, let.p1), vec2(let.p2, let.p3)) / (2.0 * let.p4);
 }

@@ -74,7 +74,7 @@ Span inSquare(vec2 a, vec2 b, float radius, vec2 o, vec2 d) {
     return overlap(box, inStrip(dot(q, normal), dot(d, normal), radius * (abs(normal.x) + abs(normal.y))));
 }
 
-Span inStroke(Let let, float radius, vec2 o, vec2 d) {
+Span inTrack(Let let, float radius, vec2 o, vec2 d) {
     const vec2 a = vec2(let.p0, let.p1);
     const vec2 b = vec2(let.p2, let.p3);
     return has(let.meta, kLetSquarePen) ? inSquare(a, b, radius, o, d) : inRound(a, b, radius, o, d);
@@ -92,9 +92,9 @@ Span inCell(Let let, float seam, vec2 o, vec2 d) {
 }
 
 // Where in `slab` a line comes into an arc, or kFar.
-float intoArc(Let let, vec2 o, vec2 d, Span slab) {
-    if (outside(let, o + slab.x * d) <= 0.0) {
-        return slab.x;
+float intoArc(Let let, vec2 o, vec2 d, Span part) {
+    if (outside(let, o + part.x * d) <= 0.0) {
+        return part.x;
     }
     const vec2 centre = vec2(let.p0, let.p1);
     const vec2 q = o - centre;
@@ -105,15 +105,15 @@ float intoArc(Let let, vec2 o, vec2 d, Span slab) {
     float first = kFar;
     for (int i = 0; i < 4; ++i) {
         const bool isPart = i < 2 || (isInSector(let, q + places[i] * d) && (i == 2 || let.p2 > let.p5));
-        const bool isInSlab = places[i] >= slab.x - rounding && places[i] <= slab.y;
-        first = isPart && isInSlab ? min(first, max(places[i], slab.x)) : first;
+        const bool isInPart = places[i] >= part.x - rounding && places[i] <= part.y;
+        first = isPart && isInPart ? min(first, max(places[i], part.x)) : first;
     }
     return first;
 }
 
 // Where in `slab` a line comes into a convex shape with a hole in it (`inner`, which may be nowhere), or kFar.
-float intoRing(Span outer, Span inner, Span slab) {
-    const Span meets = overlap(outer, slab);
+float intoRing(Span outer, Span inner, Span part) {
+    const Span meets = overlap(outer, part);
     if (isEmpty(meets)) {
         return kFar;
     }
@@ -121,18 +121,18 @@ float intoRing(Span outer, Span inner, Span slab) {
     return !isInHole ? meets.x : inner.y <= meets.y ? inner.y : kFar;
 }
 
-float intoLet(Let let, float seam, vec2 o, vec2 d, Span slab) {
+float intoLet(Let let, float seam, vec2 o, vec2 d, Span part) {
     const uint kind = let.meta & kLetKindMask;
     if (kind == kLetArc) {
-        return intoArc(let, o, d, slab);
+        return intoArc(let, o, d, part);
     }
     if (kind == kLetHole) {
         // Its sides are no walls: sight enters by the face or not at all.
         const Span cell = inCell(let, seam, o, d);
-        return cell.x <= slab.x ? intoRing(cell, inDisc(vec2(let.p0, let.p1), let.p5, o, d), slab) : kFar;
+        return cell.x <= part.x ? intoRing(cell, inDisc(vec2(let.p0, let.p1), let.p5, o, d), part) : kFar;
     }
-    const Span inner = let.p5 > 0.0 ? inStroke(let, let.p5, o, d) : kNowhere;
-    return intoRing(inStroke(let, let.p4, o, d), inner, slab);
+    const Span inner = let.p5 > 0.0 ? inTrack(let, let.p5, o, d) : kNowhere;
+    return intoRing(inTrack(let, let.p4, o, d), inner, part);
 }
 
 // The let with its place relative to FRAME.centre: differences of nearby numbers are exact.
@@ -165,7 +165,7 @@ struct Seen {
 };
 
 Seen seenOf(Let let, LayerState layer, Sight sight) {
-    const float proud = has(let.meta, kLetBore) ? FRAME.boreProudMm : 0.0;
+    const float proud = has(let.meta, kLetBore) ? FRAME.boreProtrusionMm : 0.0;
     const float z0 = layer.z0 - proud - FRAME.centre.z;
     const float z1 = layer.z1 + proud - FRAME.centre.z;
     const Let near = aroundCentre(let);
@@ -175,17 +175,17 @@ Seen seenOf(Let let, LayerState layer, Sight sight) {
     const vec3 o = sight.start + toO * sight.along;
     const float pixelMm = length(FRAME.screenRight) * (FRAME.eye.w == 0.0 ? 1.0 : 1.0 + toO);
     const bool fromAbove = sight.along.z < 0.0;
-    const Span slab = inStrip(o.z - 0.5 * (z0 + z1), sight.along.z, 0.5 * (z1 - z0));
+    const Span part = inStrip(o.z - 0.5 * (z0 + z1), sight.along.z, 0.5 * (z1 - z0));
     // Straight down a line of sight is a point in plan: it is given a way that leads nowhere.
     const bool isStraight = dot(sight.along.xy, sight.along.xy) < 1e-24;
     const vec2 d = isStraight ? vec2(1e-12, 0.0) : sight.along.xy;
-    const Span kept = overlap(slab, keptOf(o.xy, d));
+    const Span kept = overlap(part, keptOf(o.xy, d));
     const float t = isEmpty(kept) ? kFar : intoLet(near, kSnapPx * pixelMm, o.xy, d, kept);
     Seen seen;
     // What starts at a cut is its face, which is drawn by itself (cut_face.vert).
-    seen.isHit = t < kFar && (t > kept.x || kept.x == slab.x);
+    seen.isHit = t < kFar && (t > kept.x || kept.x == part.x);
     seen.position = o + t * sight.along;
-    if (t == slab.x) {
+    if (t == part.x) {
         seen.position.z = fromAbove ? z1 : z0;
         seen.height = float(fromAbove);
         seen.normal = vec3(0.0, 0.0, fromAbove ? 1.0 : -1.0);

@@ -3,7 +3,7 @@
 #include "element.glsl"
 
 // A lit element keeps its hue at full brightness.
-vec3 lit(vec3 colour) {
+vec3 highlighted(vec3 colour) {
     const float peak = max(max(colour.r, colour.g), max(colour.b, 1e-3));
     return mix(colour / peak, vec3(1.0), 0.25);
 }
@@ -22,7 +22,7 @@ vec4 colourOf(LayerState layer, uint element, bool isBore) {
     }
     const uint row = state & kElementColourMask;
     const vec3 colour = row == 0u ? plain.rgb : FRAME.palette.at[row - 1u];
-    return vec4(has(state, kElementLit) ? lit(colour) : colour, 1.0);  // and hides what is under it
+    return vec4(has(state, kElementHighlighted) ? highlighted(colour) : colour, 1.0);  // and hides what is under it
 }
 
 // Moves a clip position nearer by so many steps of depth resolution. `slenderness` is length over width: a rasteriser works out the slope of a sliver the

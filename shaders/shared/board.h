@@ -4,9 +4,8 @@
 #define COPPERSCOPE_SHADERS_SHARED_BOARD_H
 
 #ifdef __cplusplus
-#include <glm/glm.hpp>
-
 #include <cstdint>
+#include <glm/glm.hpp>
 namespace shader {
 using uint = std::uint32_t;
 using vec2 = glm::vec2;
@@ -24,14 +23,16 @@ using mat4 = glm::mat4;
 
 // What a let is made of. The paper's LineLet and CircleLet are one shape here: a circle is a line with equal ends.
 GPU_CONST kLetStadium = 0;  // p0,p1 = a   p2,p3 = b   p4 = pen radius   p5 = inner radius (0 = solid, else a tube)
-GPU_CONST kLetArc = 1;      // p0,p1 = centre   p2 = arc radius   p3 = start angle   p4 = signed sweep (rad)   p5 = pen radius
-GPU_CONST kLetHole = 2;     // what is left of a rectangular cell around a round hole: p0,p1 = centre   p5 = radius of the hole
-                            // p4 = tan(a/2) of the angle a of its x axis, -1..1   p2 = how far it reaches back and forth along x, p3 = along y:
-                            // two 16-bit numbers in units of kCellUnitsPerMm, the lower one back (lib/cell.glsl)
+GPU_CONST kLetArc =
+    1;  // p0,p1 = centre   p2 = arc radius   p3 = start angle   p4 = signed sweep (rad)   p5 = pen radius
+GPU_CONST kLetHole =
+    2;  // what is left of a rectangular cell around a round hole: p0,p1 = centre   p5 = radius of the hole
+        // p4 = tan(a/2) of the angle a of its x axis, -1..1   p2 = how far it reaches back and forth along x, p3 =
+        // along y: two 16-bit numbers in units of kCellUnitsPerMm, the lower one back (lib/cell.glsl)
 GPU_CONST kCellUnitsPerMm = 1000;
 GPU_CONST kLetKindCount = 3;
-// Chords along one arc let in the finest of the paper's three levels (ladder.h): 2 * (9 + 1) points on its two sides and 6 more round each end are
-// 32 points per face. Longer arcs are split on the CPU, so that no let needs more.
+// Chords along one arc let in the finest of the paper's three levels (ladder.h): 2 * (9 + 1) points on its two sides
+// and 6 more round each end are 32 points per face. Longer arcs are split on the CPU, so that no let needs more.
 GPU_CONST kArcFineChords = 9;
 
 // Let::meta: bits 0-3 kind, bits 4-7 flags, bits 8-31 layer.
@@ -60,24 +61,26 @@ struct Cluster {
 GPU_SIZE(Cluster, 32);
 
 // Per layer, rewritten whenever a style or the explosion changes; geometry never is.
-// LayerState::flags: bits 0-7 flags, bits 8-15 and 16-23 the tie-break of the lower and the upper face among layers whose faces lie in one plane.
+// LayerState::flags: bits 0-7 flags, bits 8-15 and 16-23 the tie-break of the lower and the upper face among layers
+// whose faces lie in one plane.
 GPU_CONST kLayerVisible = 1;
 GPU_CONST kLayerTranslucent = 2;  // drawn in its own blended pass
-GPU_CONST kLayerStands = 4;       // areas differ in height: each stands on the lower face
-GPU_CONST kLayerHangs = 8;        // areas differ in height: each hangs from the upper face
+GPU_CONST kLayerGrowsUp = 4;      // areas differ in height: each stands on the lower face
+GPU_CONST kLayerGrowsDown = 8;    // areas differ in height: each hangs from the upper face
 GPU_CONST kLayerBottomRankShift = 8;
 GPU_CONST kLayerTopRankShift = 16;
 struct LayerState {
-    vec4 colour;  // linear RGB, opacity
-    float z0, z1; // mm, explosion included
+    vec4 colour;   // linear RGB, opacity
+    float z0, z1;  // mm, explosion included
     uint flags;
-    uint batch;   // 0 = with all opaque layers, else the translucent batch that draws it
+    uint batch;  // 0 = with all opaque layers, else the translucent batch that draws it
 };
 GPU_SIZE(LayerState, 32);
 
 // How an element differs from the style of its layer: a byte each, four to a word.
-GPU_CONST kElementLit = 0x80;         // stands out: its hue at full brightness, on top of what lies in one plane with it
-GPU_CONST kElementHidden = 0x40;      // is not drawn
+GPU_CONST kElementHighlighted =
+    0x80;                         // stands out: its hue at full brightness, on top of what lies in one plane with it
+GPU_CONST kElementHidden = 0x40;  // is not drawn
 GPU_CONST kElementColourMask = 0x3f;  // 0 = the layer's colour, else 1 + row of the palette
 GPU_CONST kElementColourCount = 63;
 GPU_CONST kElementsPerWord = 4;

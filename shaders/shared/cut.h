@@ -20,7 +20,9 @@ struct CutRectangle {
 GPU_SIZE(CutRectangle, 40);
 
 #ifndef __cplusplus
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer CutRectangles { CutRectangle at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer CutRectangles {
+    CutRectangle at[];
+};
 #endif
 
 // Push constants.

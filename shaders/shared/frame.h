@@ -1,5 +1,6 @@
-// What every shader of a frame sees, shared by C++ and GLSL: buffers by address, camera, level-of-detail limits. There is one FrameData for each
-// copy of a step that is drawn: everything in it is in the coordinates of that step, so that shaders know nothing of copies.
+// What every shader of a frame sees, shared by C++ and GLSL: buffers by address, camera, level-of-detail limits. There
+// is one FrameData for each copy of a step that is drawn: everything in it is in the coordinates of that step, so that
+// shaders know nothing of copies.
 #ifndef COPPERSCOPE_SHADERS_SHARED_FRAME_H
 #define COPPERSCOPE_SHADERS_SHARED_FRAME_H
 
@@ -25,7 +26,9 @@ GPU_SIZE(Draw, 16);
 
 // Some elements of one layer in the standard pipeline.
 #ifndef __cplusplus
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer StandardVertices { StandardVertex at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer StandardVertices {
+    StandardVertex at[];
+};
 #endif
 struct StandardPartRecord {
     GPU_ADDRESS(StandardVertices) vertices;
@@ -43,26 +46,52 @@ struct ShapeBound {
 GPU_SIZE(ShapeBound, 16);
 
 #ifndef __cplusplus
-layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer StandardParts { StandardPartRecord at[]; };
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Lets { Let at[]; };
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Clusters { Cluster at[]; };
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Layers { LayerState at[]; };
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Vertices { vec2 at[]; };
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Words { uint at[]; };
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Instances { AreaInstance at[]; };
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Bounds { ShapeBound at[]; };
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Colours { vec3 at[]; };
-layout(buffer_reference, scalar, buffer_reference_align = 4) buffer WordList { uint at[]; };
-layout(buffer_reference, scalar, buffer_reference_align = 4) buffer IndexedDraws { DrawIndexed at[]; };
-layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Draws { Draw at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer StandardParts {
+    StandardPartRecord at[];
+};
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Lets {
+    Let at[];
+};
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Clusters {
+    Cluster at[];
+};
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Layers {
+    LayerState at[];
+};
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Vertices {
+    vec2 at[];
+};
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Words {
+    uint at[];
+};
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Instances {
+    AreaInstance at[];
+};
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Bounds {
+    ShapeBound at[];
+};
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Colours {
+    vec3 at[];
+};
+layout(buffer_reference, scalar, buffer_reference_align = 4) buffer WordList {
+    uint at[];
+};
+layout(buffer_reference, scalar, buffer_reference_align = 4) buffer IndexedDraws {
+    DrawIndexed at[];
+};
+layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Draws {
+    Draw at[];
+};
 // The clusters in view, with the command that dispatches one workgroup for each (up to a limit; the rest by striding).
-layout(buffer_reference, scalar, buffer_reference_align = 4) buffer ClusterList { uint groupsX, groupsY, groupsZ, count, at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) buffer ClusterList {
+    uint groupsX, groupsY, groupsZ, count, at[];
+};
 #endif
 
-GPU_CONST kFrameFlat = 1;       // no lighting
-GPU_CONST kFrameMono = 2;       // everything visible is white
-GPU_CONST kFrameOutlines = 4;  // flat views: outlines, and nothing in them
-GPU_CONST kFrameCull = 8;       // frustum culling and level of detail
+GPU_CONST kFrameFlat = 1;          // no lighting
+GPU_CONST kFrameMono = 2;          // everything visible is white
+GPU_CONST kFrameOutlines = 4;      // flat views: outlines, and nothing in them
+GPU_CONST kFrameCull = 8;          // frustum culling and level of detail
 GPU_CONST kFramePaperLevels = 16;  // none but the paper's three levels of detail
 GPU_CONST kFrameImpostors = 32;    // all lets are quads, whose fragments know the outline
 GPU_CONST kFrameSmoothed = 64;     // four samples per pixel
@@ -76,43 +105,45 @@ struct FrameData {
     vec4 planes[kPlaneCount];  // of the frustum, pointing inwards, for positions relative to `centre`
     vec4 eye;                  // relative to `centre`; w = 1: a point (perspective), w = 0: the direction to the viewer
     vec3 centre;               // what the camera looks at, mm
-    // The picture stood up at `centre`, facing the viewer, relative to it: its upper left corner and the way from one pixel to the next, mm.
+    // The picture stood up at `centre`, facing the viewer, relative to it: its upper left corner and the way from one
+    // pixel to the next, mm.
     vec3 screen, screenRight, screenDown;
-    uint width, height;        // of the picture, pixels
-    vec2 light;                // unit vector to where the light comes from
-    float pixelsPerMm;         // at w = 1: pixels = mm * pixelsPerMm / w
-    float tolerancePx;         // how far a polygon may stray from the true outline
-    float quadRadiusPx;        // lets with a smaller pen become quads; 0 = never
-    float rasterRadiusPx;      // lets with a smaller circle around them are rasterised by compute shaders; 0 = never
-    float thinPx;              // walls of fewer pixels are left out; 0 = never
-    vec3 cut;                  // p relative to `centre` is cut away where dot(cut.xy, p.xy) > cut.z (lib/cut.glsl)
-    float restBrightness;      // of what neither is lit nor has a colour of its own, 0 to 1
-    float nudgeZ, nudgeW;      // one step of tie-break moves z by nudgeZ * z + nudgeW * w
-    float sliverNudge;         // by how much of itself a step grows for each width a let is long
-    float boreProudMm;         // how far the dark inside of a hole stands out of the outer faces
+    uint width, height;      // of the picture, pixels
+    vec2 light;              // unit vector to where the light comes from
+    float pixelsPerMm;       // at w = 1: pixels = mm * pixelsPerMm / w
+    float tolerancePx;       // how far a polygon may stray from the true outline
+    float quadRadiusPx;      // lets with a smaller pen become quads; 0 = never
+    float rasterRadiusPx;    // lets with a smaller circle around them are rasterised by compute shaders; 0 = never
+    float thinPx;            // walls of fewer pixels are left out; 0 = never
+    vec3 cut;                // p relative to `centre` is cut away where dot(cut.xy, p.xy) > cut.z (lib/cut.glsl)
+    float restBrightness;    // of what neither is lit nor has a colour of its own, 0 to 1
+    float nudgeZ, nudgeW;    // one step of tie-break moves z by nudgeZ * z + nudgeW * w
+    float sliverNudge;       // by how much of itself a step grows for each width a let is long
+    float boreProtrusionMm;  // how far the dark inside of a hole stands out of the outer faces
     uint flags;
-    uint firstTriangle;        // of the 8 of a ladder interval, the run that can be seen (ladder.h)
+    uint firstTriangle;  // of the 8 of a ladder interval, the run that can be seen (ladder.h)
     uint triangleCount;
-    uint quadFace;             // 0 = the upper, 1 = the lower face faces the viewer
+    uint quadFace;  // 0 = the upper, 1 = the lower face faces the viewer
     uint clusterCount;
-    uint letDrawCount;         // of letDraws
+    uint letDrawCount;  // of letDraws
     uint instanceCount;
-    uint maxDispatch;          // largest number of workgroups along x
-    uint copy;                 // row of BoardModel::copies; with an element's number it names one element of the board
+    uint maxDispatch;  // largest number of workgroups along x
+    uint copy;         // row of BoardModel::copies; with an element's number it names one element of the board
 
     GPU_ADDRESS(Layers) layers;
     GPU_ADDRESS(Lets) lets;
     GPU_ADDRESS(Clusters) clusters;
     GPU_ADDRESS(ClusterList) visibleClusters;
-    GPU_ADDRESS(WordList) letSlots;            // by let of a visible cluster: kSlotBits of its place in its draw, above them the bucket
-    GPU_ADDRESS(WordList) visibleLets;         // by draw: at[firstInstance + instance]
-    GPU_ADDRESS(IndexedDraws) letDraws;        // batch * kBucketCount + topology * kLevelCount + level
+    GPU_ADDRESS(WordList)
+    letSlots;  // by let of a visible cluster: kSlotBits of its place in its draw, above them the bucket
+    GPU_ADDRESS(WordList) visibleLets;   // by draw: at[firstInstance + instance]
+    GPU_ADDRESS(IndexedDraws) letDraws;  // batch * kBucketCount + topology * kLevelCount + level
     GPU_ADDRESS(Vertices) vertices;
     GPU_ADDRESS(Words) next;
     GPU_ADDRESS(Instances) instances;
     GPU_ADDRESS(Words) drawOfInstance;
     GPU_ADDRESS(Bounds) bounds;
-    GPU_ADDRESS(WordList) visibleInstances;    // by draw: at[firstInstance + instance]
+    GPU_ADDRESS(WordList) visibleInstances;  // by draw: at[firstInstance + instance]
     GPU_ADDRESS(IndexedDraws) capDraws;
     GPU_ADDRESS(Draws) wallDraws;
     GPU_ADDRESS(Words) elementStates;          // a byte per element
@@ -122,7 +153,9 @@ struct FrameData {
 GPU_SIZE(FrameData, 64 + 96 + 16 + 4 * 12 + 8 + 16 + 20 * 4 + 18 * 8);
 
 #ifndef __cplusplus
-layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Frame { FrameData data; };
+layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Frame {
+    FrameData data;
+};
 #endif
 
 // Push constants of all pipelines.

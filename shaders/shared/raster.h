@@ -8,10 +8,13 @@
 namespace shader {
 #endif
 
-// Rows from the top. The upper half of a pixel is its depth (the bits of a positive float: greater is nearer), the lower half the let's id; 0 where
-// nothing is. So the nearest let is the largest number, and of several at one depth the one with the largest id, whatever order they come in.
+// Rows from the top. The upper half of a pixel is its depth (the bits of a positive float: greater is nearer), the
+// lower half the let's id; 0 where nothing is. So the nearest let is the largest number, and of several at one depth
+// the one with the largest id, whatever order they come in.
 #ifndef __cplusplus
-layout(buffer_reference, scalar, buffer_reference_align = 8) buffer RasterPixels { uvec2 at[]; };  // x: id, y: depth
+layout(buffer_reference, scalar, buffer_reference_align = 8) buffer RasterPixels {
+    uvec2 at[];
+};  // x: id, y: depth
 #endif
 
 // The id of a let is its row plus what its copy starts at. Sorted by that.
@@ -22,14 +25,16 @@ struct RasterCopy {
 };
 GPU_SIZE(RasterCopy, 16);
 #ifndef __cplusplus
-layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer RasterCopies { RasterCopy at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer RasterCopies {
+    RasterCopy at[];
+};
 #endif
 
 // Push constants.
 struct RasterPush {
     GPU_ADDRESS(RasterPixels) pixels;
     GPU_ADDRESS(RasterCopies) copies;
-    uint copy;       // rasterising: the one whose lets are meant
+    uint copy;  // rasterising: the one whose lets are meant
     uint copyCount;
 };
 GPU_SIZE(RasterPush, 24);

@@ -1,4 +1,5 @@
-// How kernels that work on a whole forest name things; FOREST is theirs. The kernel in shared memory has names of its own (small.h).
+// How kernels that work on a whole forest name things; FOREST is theirs. The kernel in shared memory has names of its
+// own (small.h).
 #define CONTROL FOREST.control.at[0]
 #define STEP CONTROL.step
 #define PHASE CONTROL.phase

@@ -1,4 +1,5 @@
-// Between two steps: where the work stands, and how many threads each kernel of the next step needs. Runs in one thread.
+// Between two steps: where the work stands, and how many threads each kernel of the next step needs. Runs in one
+// thread.
 
 TRI_FN Groups groupsFor(uint threads) {
     const uint groups = (threads + kGroupSize - 1u) / kGroupSize;
@@ -18,7 +19,8 @@ TRI_FN void advance() {
         PHASE = kFinished;
     }
     ++STEP;
-    // The last few flips of a round may wait for the next: each round costs as much as a barrier, however little it does.
+    // The last few flips of a round may wait for the next: each round costs as much as a barrier, however little it
+    // does.
     const bool isInserting = PHASE == kInserting && isWaiting && CONTROL.awake <= CONTROL.inserted / 32u;
     const bool isConstraining = PHASE == kConstraining;
     CONTROL.rounds += isInserting ? 1u : 0u;

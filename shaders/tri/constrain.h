@@ -1,5 +1,6 @@
-// A round of contours. Every contour edge that the mesh lacks claims all triangles it crosses; who has all of them replaces them by others that have
-// the edge. The claims' order is scattered, so that neighbours do not wait for each other in a row; the first one always gets all of its own.
+// A round of contours. Every contour edge that the mesh lacks claims all triangles it crosses; who has all of them
+// replaces them by others that have the edge. The claims' order is scattered, so that neighbours do not wait for each
+// other in a row; the first one always gets all of its own.
 
 TRI_FN uint contourCount() {
     return VERTEX_COUNT + RAY_COUNT;
@@ -56,7 +57,8 @@ TRI_FN uint firstInTheWay(uint a, uint b) {
     }
 }
 
-// The edge that the way from a to b crosses next, after it entered a triangle over the edge `entered` of it. kNone if it meets the apex.
+// The edge that the way from a to b crosses next, after it entered a triangle over the edge `entered` of it. kNone if
+// it meets the apex.
 TRI_FN uint nextInTheWay(uint entered, uint a, uint b) {
     const uint t = triangleOf(entered);
     const uint i = cornerOf(entered);
@@ -101,7 +103,8 @@ TRI_FN void claimCorridor(uint edge) {
     }
 }
 
-// How many triangles the edge crosses, or 0 if it does not own them all. Looks at no triangle that it does not own: others may be writing there.
+// How many triangles the edge crosses, or 0 if it does not own them all. Looks at no triangle that it does not own:
+// others may be writing there.
 TRI_FN uint ownedLength(uint edge, uint a, uint b) {
     uint crossed = CORRIDOR(edge);
     if (crossed == kNone || CLAIM(triangleOf(crossed)) != priorityOf(edge)) {
@@ -119,8 +122,9 @@ TRI_FN uint ownedLength(uint edge, uint a, uint b) {
     }
 }
 
-// A corridor of n triangles in the scratch memory: the triangles, then for its left and its right side up to n + 1 vertices, and for the edge
-// that leads to each of them what it was before and what lies beyond; then a stack of vertices with the edge to the one below.
+// A corridor of n triangles in the scratch memory: the triangles, then for its left and its right side up to n + 1
+// vertices, and for the edge that leads to each of them what it was before and what lies beyond; then a stack of
+// vertices with the edge to the one below.
 TRI_FN uint scratchFor(uint length) {
     return length + 8u * (length + 2u);
 }
@@ -158,7 +162,8 @@ TRI_FN uint noteCorridor(uint base, uint length, uint first, uint a, uint b) {
         const uint apex = CORNER(u, j);
         SCRATCH(base + n) = u;
         crossed = nextInTheWay(entered, a, b);
-        // The edges from the crossed one to the apex: the way leaves over one, the other is border. The last triangle has both.
+        // The edges from the crossed one to the apex: the way leaves over one, the other is border. The last triangle
+        // has both.
         if (crossed == kNone || cornerOf(crossed) == nextCorner(j)) {
             leftCount = appendToSide(left, leftCount, apex, edgeRef(u, previousCorner(j)));
         }
@@ -169,7 +174,8 @@ TRI_FN uint noteCorridor(uint base, uint length, uint first, uint a, uint b) {
     return leftCount;
 }
 
-// Makes a new triangle's edge and what it borders on know each other: the k-th edge of a side, or (not stale) another new triangle.
+// Makes a new triangle's edge and what it borders on know each other: the k-th edge of a side, or (not stale) another
+// new triangle.
 TRI_FN void joinEdge(uint side, uint made, uint neighbour) {
     if ((neighbour & kStale) == 0u) {
         ACROSS(triangleOf(made), cornerOf(made)) = neighbour;
@@ -182,7 +188,8 @@ TRI_FN void joinEdge(uint side, uint made, uint neighbour) {
     MOVED(triangleOf(before), cornerOf(before)) = made;
 }
 
-// tri/corridor.cpp, Corridor::fill: a Graham scan over one side, which takes the triangles from SCRATCH(triangle) on. Returns the edge a-b.
+// tri/corridor.cpp, Corridor::fill: a Graham scan over one side, which takes the triangles from SCRATCH(triangle) on.
+// Returns the edge a-b.
 TRI_FN uint fillSide(uint side, uint count, uint stack, uint triangle, bool isLeft) {
     uint height = 1u;
     uint edge = kNone;

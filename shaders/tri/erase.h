@@ -45,7 +45,8 @@ TRI_FN uint decideBySector(uint t) {
     return kUndecided;
 }
 
-// Does a ray from the centroid of triangle t to the right cross the edge a-b? All coordinates three times, relative to corner 0.
+// Does a ray from the centroid of triangle t to the right cross the edge a-b? All coordinates three times, relative to
+// corner 0.
 TRI_FN bool isRightOfCentroid(uint t, uint a, uint b) {
     const ivec2 p = POINT(CORNER(t, 0));
     const ivec2 q = POINT(CORNER(t, 1));
@@ -62,7 +63,8 @@ TRI_FN bool isRightOfCentroid(uint t, uint a, uint b) {
     return isNegative64(heightA) ? !isNegative128(sum) : isNegative128(sum);
 }
 
-// The paper's rule, as it stands. Where loops touch, or islands lie in holes, it keeps triangles that lie outside: the proof flags the tree.
+// The paper's rule, as it stands. Where loops touch, or islands lie in holes, it keeps triangles that lie outside: the
+// proof flags the tree.
 TRI_FN uint decideByLoop(uint t) {
     const uint loop = FOREST.loops.at[CORNER(t, 0)];
     if (FOREST.loops.at[CORNER(t, 1)] != loop || FOREST.loops.at[CORNER(t, 2)] != loop) {
@@ -91,8 +93,8 @@ TRI_FN void decide(uint t) {
     STATE(t) = side;
 }
 
-// Kept and erased triangles meet exactly along the contours, each on the left. All contours are edges of the mesh, so they cover what the contours
-// surround, once, and nothing else.
+// Kept and erased triangles meet exactly along the contours, each on the left. All contours are edges of the mesh, so
+// they cover what the contours surround, once, and nothing else.
 TRI_FN void prove(uint t) {
     if (PHASE != kFinished || isDead(t)) {
         return;

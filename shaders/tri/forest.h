@@ -1,6 +1,7 @@
-// What the kernels of triangulation work on: all polygons of a board as one forest of meshes. Every polygon is a tree: its vertices and the four
-// corners of a box around it lie behind each other in the arrays, and vertex v owns the triangle slots 2v and 2v+1. Inserting a vertex makes
-// exactly two more triangles, so every triangle has its place before anything runs, and results do not depend on the order of threads.
+// What the kernels of triangulation work on: all polygons of a board as one forest of meshes. Every polygon is a tree:
+// its vertices and the four corners of a box around it lie behind each other in the arrays, and vertex v owns the
+// triangle slots 2v and 2v+1. Inserting a vertex makes exactly two more triangles, so every triangle has its place
+// before anything runs, and results do not depend on the order of threads.
 #ifndef COPPERSCOPE_SHADERS_TRI_FOREST_H
 #define COPPERSCOPE_SHADERS_TRI_FOREST_H
 
@@ -16,8 +17,12 @@ struct Points {
     ivec2* at;
 };
 #else
-layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Words { uint at[]; };
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Points { ivec2 at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Words {
+    uint at[];
+};
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Points {
+    ivec2 at[];
+};
 #endif
 
 TRI_CONST kNone = 0xFFFFFFFFu;
@@ -26,7 +31,8 @@ TRI_CONST kFree = 0xFFFFFFFFu;
 TRI_CONST kBusy = 0xFFFFFFFEu;
 // Ids from here on are corners of boxes.
 TRI_CONST kBoxIds = 0xFFFFFFF0u;
-// An edge is a triangle << 2 | the corner opposite to it (tri/mesh.h). This bit marks a link to what was there before this stage.
+// An edge is a triangle << 2 | the corner opposite to it (tri/mesh.h). This bit marks a link to what was there before
+// this stage.
 TRI_CONST kStale = 0x80000000u;
 
 // Control::phase
@@ -41,7 +47,8 @@ TRI_CONST kStageFlip = 2u;
 
 // Forest::eraser
 TRI_CONST kEraseBySector = 0u;  // docs/triangulation.md: exact wherever contours touch
-TRI_CONST kEraseByLoop = 1u;    // the paper's: stays if its corners lie on different loops, else if its centroid lies inside
+TRI_CONST kEraseByLoop =
+    1u;  // the paper's: stays if its corners lie on different loops, else if its centroid lies inside
 
 // Forest::state
 TRI_CONST kErased = 0u;
@@ -62,21 +69,21 @@ struct Groups {
 // Where the work stands; written by the kernels, read by the host between submissions.
 struct Control {
     uint phase;
-    uint step;         // from 1
-    uint total;        // vertices to insert
+    uint step;   // from 1
+    uint total;  // vertices to insert
     uint inserted;
-    uint awake;       // triangles that the next step looks at again (some count twice)
-    uint missing;      // contour edges that were not there at the last look
-    uint scratchUsed;  // words
-    uint kept;         // triangles inside
-    uint flips;        // so far
-    uint rounds;       // steps that inserted vertices
-    Groups insertGroups;     // of threads per vertex
-    Groups relocateGroups;   // of threads per vertex
-    Groups flipGroups;       // of threads per triangle
-    Groups splitGroups;      // of threads per triangle
-    Groups contourGroups;    // of threads per triangle
-    Groups edgeGroups;       // of threads per contour edge
+    uint awake;             // triangles that the next step looks at again (some count twice)
+    uint missing;           // contour edges that were not there at the last look
+    uint scratchUsed;       // words
+    uint kept;              // triangles inside
+    uint flips;             // so far
+    uint rounds;            // steps that inserted vertices
+    Groups insertGroups;    // of threads per vertex
+    Groups relocateGroups;  // of threads per vertex
+    Groups flipGroups;      // of threads per triangle
+    Groups splitGroups;     // of threads per triangle
+    Groups contourGroups;   // of threads per triangle
+    Groups edgeGroups;      // of threads per contour edge
 };
 TRI_SIZE(Control, 40 + 6 * 12);
 
@@ -98,8 +105,12 @@ struct Trees {
     Tree* at;
 };
 #else
-layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Controls { Control at[]; };
-layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Trees { Tree at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Controls {
+    Control at[];
+};
+layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Trees {
+    Tree at[];
+};
 #endif
 
 struct Forest {
@@ -108,35 +119,35 @@ struct Forest {
     uint rayCount;
     uint scratchSize;  // words
     uint eraser;
-    uint smallTrees;   // the first so many trees belong to the kernel of one workgroup per tree
+    uint smallTrees;  // the first so many trees belong to the kernel of one workgroup per tree
     Controls control;
     Trees trees;
     // Per vertex
     Points points;
     Words ids;
     Words treeOf;
-    Words loops;     // which contour it came with
-    Words next;      // along the contour
+    Words loops;  // which contour it came with
+    Words next;   // along the contour
     Words previous;
-    Words where;     // the triangle in which it waits; kNone once it is inserted
-    Words note;      // while inserting: its rank; after that: a triangle at it
+    Words where;  // the triangle in which it waits; kNone once it is inserted
+    Words note;   // while inserting: its rank; after that: a triangle at it
     // Per triangle
-    Words corners;   // three
-    Words across;    // three: the other side of the edges
-    Words moved;     // three: where the edges went that it had before the stage of its stamp
+    Words corners;  // three
+    Words across;   // three: the other side of the edges
+    Words moved;    // three: where the edges went that it had before the stage of its stamp
     Words best;
     Words claim;
-    Words stamp;     // (step * 4 + stage) * 4 + the corner opposite to the diagonal of a flip
-    Words awake;    // the last step that has to look at it
-    Words state;     // of the eraser
+    Words stamp;  // (step * 4 + stage) * 4 + the corner opposite to the diagonal of a flip
+    Words awake;  // the last step that has to look at it
+    Words state;  // of the eraser
     // Rays, the contour edges at busy vertices: vertex, other end, 1 if it leaves the vertex
     Words rays;
     // Per contour edge: one per vertex, then one per ray
     Words found;     // the last step in which it was an edge of the mesh
     Words corridor;  // the first edge in its way
     Words scratch;
-    Words sums;      // triangles kept, per block of slots
-    Words kept;      // the result: three ids per triangle
+    Words sums;  // triangles kept, per block of slots
+    Words kept;  // the result: three ids per triangle
 };
 TRI_SIZE(Forest, 24 + 24 * 8);
 
@@ -146,7 +157,9 @@ struct Forests {
     std::uint64_t address;
 };
 #else
-layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Forests { Forest at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Forests {
+    Forest at[];
+};
 #endif
 struct Push {
     Forests forest;

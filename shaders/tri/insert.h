@@ -1,5 +1,5 @@
-// A round of insertion. Every triangle elects one of the vertices that wait in it, the one nearest to the middle of its circle; the elected
-// claim the triangles they split; who has all of them splits.
+// A round of insertion. Every triangle elects one of the vertices that wait in it, the one nearest to the middle of its
+// circle; the elected claim the triangles they split; who has all of them splits.
 
 // Where is vertex q relative to triangle t, in which it waits: on the edge of that number, or 3 = inside.
 TRI_FN uint edgeUnder(uint t, uint q) {

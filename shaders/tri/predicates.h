@@ -1,5 +1,6 @@
-// The predicates of tri/predicates.h for the kernels: the same numbers, from 32-bit words alone, so that no device needs 64-bit integers.
-// Wider numbers are vectors of words, lowest first, in two's complement. Why nothing overflows is explained in tri/predicates.h.
+// The predicates of tri/predicates.h for the kernels: the same numbers, from 32-bit words alone, so that no device
+// needs 64-bit integers. Wider numbers are vectors of words, lowest first, in two's complement. Why nothing overflows
+// is explained in tri/predicates.h.
 #ifndef COPPERSCOPE_SHADERS_TRI_PREDICATES_H
 #define COPPERSCOPE_SHADERS_TRI_PREDICATES_H
 

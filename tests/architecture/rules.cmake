@@ -1,30 +1,112 @@
-# Who may include whom (docs/architecture.md), as data. A row per folder: the folders of ours it may include besides itself, and the
-# libraries that have a place in it. The longest matching row counts, so a row may also name one file. A folder without a row is an error.
+# The house as data (docs/architecture.md): a row per folder, which is one CMake target (copperscope_ and the path with _ for /).
+# The build links targets by this table and the test `architecture` holds every include line against it, so there is one truth:
+# the namespace of the folder's sources, the folders of ours it may include besides itself and model/base, and the libraries that
+# have a place in it. A folder without a row is an error, and so is a cycle.
 #
 # model/base is the common ground (ids, points, Result, parallelFor) below everything; tri/ sees it and nothing else of model/.
 set(architecture_rows
-    # folder          | may include                                                        | libraries
-    "model/base       |                                                                    |"
-    "model            | model/base                                                         |"
-    "model/generate   | model/base                                                         |"
-    "model/odb        | model model/base                                                   |"
-    "model/paper      | model model/base                                                   |"
-    "model/session    | model model/base                                                   |"
-    "model/reader.cpp | model model/base model/odb model/paper                             |"
-    "tri              | model/base                                                         |"
-    "tri/gpu          | model/base tri render/gpu shaders                                  | vulkan"
-    "tri/bench        | model/base tri tri/gpu render/gpu                                  |"
-    "shaders          |                                                                    |"
-    "render/gpu       | model/base shaders                                                 | vulkan"
-    "render           | model model/base tri render/gpu shaders                            | vulkan"
-    "ui/models        | model model/base model/session render/layer_style.h                | qt"
-    "ui               | model model/base model/session ui/models render render/gpu                  | qt widgets vulkan"
-    "app              | model model/base model/session model/generate model/odb model/paper tri tri/gpu tri/bench render render/gpu ui ui/models | qt widgets vulkan"
-    "tests            | model model/base model/session model/generate model/odb model/paper tri tri/gpu tri/bench shaders render render/gpu ui ui/models app | qt widgets vulkan"
+    # folder                       | namespace       | may include | libraries
+    "model/base                    | base model      | | tbb"
+    "model/geometry                | model           | | clipper"
+    "model/board                   | model           | model/geometry |"
+    "model/figures                 | model           | model/board model/geometry |"
+    "model/index                   | model           | model/board model/figures model/geometry |"
+    "model/solids                  | model           | model/board model/figures model/geometry |"
+    "model/statistics              | model           | model/board model/geometry |"
+    "model/nets                    | model           | model/board model/figures model/geometry model/statistics |"
+    "model/export                  | model           | model/board |"
+    "model/measure                 | model           | model/board model/export model/figures model/geometry model/index model/statistics |"
+    "model/clearance               | model           | model/board model/export model/figures model/geometry model/nets | json"
+    "model/section                 | model           | model/board model/export model/figures model/geometry model/index model/measure |"
+    "model/session                 | model::session  | model/board model/measure model/solids | json"
+    "model/generate                | model::generate | | archive"
+    "model/formats/common          | model::odb model| model/board model/figures model/geometry | archive"
+    "model/formats/odb/text        | model::odb      | model/board model/formats/common model/geometry |"
+    "model/formats/odb/features    | model::odb      | model/board model/formats/odb/text model/geometry |"
+    "model/formats/odb/components  | model::odb      | model/board model/formats/odb/features model/formats/odb/text |"
+    "model/formats/odb/stackup     | model::odb      | model/board model/formats/odb/features model/formats/odb/text model/geometry | xml"
+    "model/formats/odb/step        | model::odb      | model/board model/formats/odb/components model/formats/odb/features model/formats/odb/stackup model/formats/odb/text |"
+    "model/formats/odb/symbols     | model::odb      | model/board model/formats/common model/formats/odb/features model/formats/odb/text model/geometry |"
+    "model/formats/odb/painting    | model::odb      | model/board model/figures model/formats/common model/formats/odb/components model/formats/odb/features model/formats/odb/stackup model/formats/odb/step model/formats/odb/symbols model/formats/odb/text model/geometry |"
+    "model/formats/odb             | model::odb      | model/board model/figures model/formats/common model/formats/odb/features model/formats/odb/painting model/formats/odb/stackup model/formats/odb/step model/formats/odb/text model/geometry model/solids |"
+    "model/formats/paper           | model::paper    | model/board |"
+    "model/formats                 | model           | model/board model/formats/common model/formats/odb model/formats/paper model/nets |"
+    "shaders/shared                | shader          | | glm"
+    "shaders/tri                   | shader::tri     | | glm"
+    "shaders/lib                   |                 | shaders/shared |"
+    "shaders                       | shader::spirv   | shaders/lib shaders/shared shaders/tri |"
+    "tri                           | tri             | | cgal"
+    "tri/gpu                       | tri::gpu        | tri render/gpu shaders shaders/tri | vulkan"
+    "render/gpu                    | render::gpu     | | vulkan log"
+    "render/modelling              | render          | model/board model/figures model/geometry model/solids shaders/shared tri | glm"
+    "render/scene                  | render          | model/board model/index model/section render/gpu render/modelling shaders/shared | glm log vulkan"
+    "render/culling                | render          | render/modelling render/scene shaders/shared | glm"
+    "render/backends               | render          | render/culling render/gpu render/modelling render/scene shaders shaders/shared | vulkan"
+    "render/standard               | render          | model/board model/figures model/geometry render/backends render/gpu render/modelling render/scene shaders shaders/shared | vulkan"
+    "render/frame                  | render          | render/backends render/culling render/gpu render/modelling render/scene render/standard | glm log png vulkan"
+    "ui/canvas                     | ui              | render/frame render/gpu render/scene | qt widgets vulkan"
+    "ui/common                     | ui              | model/board model/export | qt widgets"
+    "ui/workspace                  | ui              | model/board model/formats model/index model/nets model/session model/solids model/statistics render/modelling render/scene ui/canvas ui/common | qt widgets"
+    "ui/layers                     | ui              | model/board model/session render/scene ui/common ui/workspace | qt widgets"
+    "ui/nets                       | ui              | model/board model/nets model/session ui/common ui/workspace | qt widgets"
+    "ui/element                    | ui              | model/board model/statistics render/frame render/modelling render/scene ui/canvas ui/common ui/layers ui/workspace | qt widgets"
+    "ui/stackup                    | ui              | model/board model/export model/session model/solids ui/common ui/layers ui/workspace | qt widgets"
+    "ui/statistics                 | ui              | model/board model/statistics ui/common ui/workspace | qt widgets"
+    "ui/search                     | ui              | model/board model/index model/nets ui/common ui/layers ui/workspace | qt widgets"
+    "ui/messages                   | ui              | model/board render/modelling render/scene ui/common ui/workspace | qt widgets"
+    "ui/parts                      | ui              | model/board model/index ui/element ui/workspace | qt"
+    "ui/views                      | ui              | model/board model/figures model/geometry model/index render/frame render/modelling render/scene ui/canvas ui/common ui/element ui/layers ui/nets ui/workspace | qt widgets glm"
+    "ui/saved_views                | ui              | model/board model/session ui/common ui/layers ui/views ui/workspace | qt widgets glm"
+    "ui/measure                    | ui              | model/board model/index model/measure model/session ui/common ui/views ui/workspace | qt widgets"
+    "ui/clearance                  | ui              | model/board model/clearance model/index model/measure model/session render/scene ui/common ui/views ui/workspace | qt widgets"
+    "ui/section                    | ui              | model/board model/export model/index model/measure model/section model/session ui/canvas ui/common ui/views ui/workspace | qt widgets"
+    "ui/shell                      | ui              | model/board model/export render/gpu render/scene ui/canvas ui/clearance ui/common ui/element ui/layers ui/measure ui/messages ui/nets ui/parts ui/saved_views ui/search ui/section ui/stackup ui/statistics ui/views ui/workspace | qt widgets"
+    "app/common                    | app             | model/board model/formats model/session model/solids render/gpu render/modelling render/scene tri tri/gpu | json log"
+    "app/reports                   | app             | app/common model/board model/nets model/statistics render/modelling render/standard | json"
+    "app/bench                     | app tri::bench  | app/common model/board model/formats render/frame render/gpu render/modelling render/scene render/standard tri tri/gpu | json"
+    "app/commands                  | app             | app/bench app/common app/reports model/board model/clearance model/export model/generate model/measure model/nets model/section model/session render/frame render/gpu render/modelling render/scene render/standard ui/shell | cli json"
+    "app                           |                 | app/commands app/common | log"
 )
 
-# How an include of a library is told from its name.
-set(architecture_library_qt "^(Qt[A-Z][A-Za-z]*(/.*)?|Q[A-Z][A-Za-z0-9]*|q[a-z0-9]+\\.h)$")
-set(architecture_library_vulkan "^vulkan/")
-set(architecture_library_widgets
+# A library by the name it has above: how an include of it is told, and what is linked.
+set(architecture_include_qt "^(Qt[A-Z][A-Za-z]*(/.*)?|Q[A-Z][A-Za-z0-9]*|q[a-z0-9]+\\.h)$")
+set(architecture_include_widgets
     "^QtWidgets|Q(Application|MainWindow|DesktopWidget|Label|Menu|MenuBar|ToolBar|StatusBar|Slider|Splitter|Frame|Completer|ProgressBar)$|^Q[A-Za-z]*(Widget|View|Layout|Button|Dialog|Box|Edit|Delegate|Style|Area|Bar)$")
+set(architecture_include_vulkan "^vulkan/")
+set(architecture_include_archive "^archive")
+set(architecture_include_cgal "^CGAL/")
+set(architecture_include_cli "^CLI/")
+set(architecture_include_clipper "^polyclipping/")
+set(architecture_include_json "^nlohmann/")
+set(architecture_include_log "^spdlog/")
+set(architecture_include_png "^png\\.h$")
+set(architecture_include_tbb "^tbb/")
+set(architecture_include_xml "^pugixml")
+set(architecture_link_qt Qt6::Core Qt6::Gui)
+set(architecture_link_widgets Qt6::Widgets)
+set(architecture_link_vulkan Vulkan::Vulkan)
+set(architecture_link_archive LibArchive::LibArchive)
+set(architecture_link_cgal CGAL::CGAL)
+set(architecture_link_cli CLI11::CLI11)
+set(architecture_link_clipper PkgConfig::POLYCLIPPING)
+set(architecture_link_glm glm::glm)
+set(architecture_link_json nlohmann_json::nlohmann_json)
+set(architecture_link_log spdlog::spdlog)
+set(architecture_link_png PNG::PNG)
+set(architecture_link_tbb TBB::tbb)
+set(architecture_link_xml pugixml::pugixml)
+
+# Takes architecture_rows apart into rule_folders and, for each folder, namespaces_of_, may_include_ and may_use_<folder>.
+macro(read_architecture)
+    foreach(row IN LISTS architecture_rows)
+        string(REPLACE "|" ";" columns "${row}")
+        list(GET columns 0 folder)
+        string(STRIP "${folder}" folder)
+        list(APPEND rule_folders ${folder})
+        foreach(column name IN ZIP_LISTS columns architecture_columns)
+            separate_arguments(${name}_${folder} UNIX_COMMAND "${column}")
+        endforeach()
+        list(APPEND may_include_${folder} model/base)
+    endforeach()
+endmacro()
+set(architecture_columns folder namespaces_of may_include may_use)

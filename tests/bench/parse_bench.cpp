@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "model/odb/features.h"
+#include "model/formats/odb/features/features.h"
 
 int main(int argc, char** argv) {
     if (argc < 2) {

@@ -23,7 +23,7 @@ Outcome copperscope(const QStringList& arguments, const QString& folder = {},
     if (!folder.isEmpty()) {
         process.setWorkingDirectory(folder);
     }
-    process.start(places::kProgram, arguments);
+    process.start(locations::kProgram, arguments);
     process.waitForFinished(300'000);
     const bool isNormal = process.exitStatus() == QProcess::NormalExit;
     return {isNormal ? process.exitCode() : -1, process.readAllStandardOutput(), process.readAllStandardError()};
@@ -56,7 +56,7 @@ class CliTest : public QObject {
 private slots:
     void infoNamesZonesAndThePlacesOfMessages() {
         const auto info = [](const char* job) {
-            const Outcome run = copperscope({"info", QString(places::kTestData) + "/odb/" + job, "--json"});
+            const Outcome run = copperscope({"info", QString(locations::kTestData) + "/odb/" + job, "--json"});
             return QJsonDocument::fromJson(run.out).object();
         };
         const QJsonArray zones = info("rigid_flex")["zones"].toArray();
@@ -68,14 +68,14 @@ private slots:
             return message.toObject()["text"].toString().contains("takes the plating");
         });
         QVERIFY(found != messages.end());
-        const QJsonObject place = (*found).toObject()["place"].toObject();
-        QCOMPARE(place["layer"].toString(), QString("BACK"));
-        QCOMPARE(place["x_nm"].toInt(), 4'000'000);
-        QCOMPARE(place["y_nm"].toInt(), 4'000'000);
+        const QJsonObject location = (*found).toObject()["place"].toObject();
+        QCOMPARE(location["layer"].toString(), QString("BACK"));
+        QCOMPARE(location["x_nm"].toInt(), 4'000'000);
+        QCOMPARE(location["y_nm"].toInt(), 4'000'000);
     }
 
     void infoHasTheKeysThatOthersRelyOn() {
-        const Outcome run = copperscope({"info", places::kSample, "--json"});
+        const Outcome run = copperscope({"info", locations::kSample, "--json"});
         QCOMPARE(run.exitCode, 0);
         const QJsonObject info = QJsonDocument::fromJson(run.out).object();
         const auto hasKeys = [](const QJsonObject& object, const QStringList& keys) {
@@ -111,13 +111,13 @@ private slots:
     }
 
     void benchMeasuresBothPipelines() {
-        const Outcome run = copperscope({"bench", places::kSample, "--frames", "1", "--json"});
+        const Outcome run = copperscope({"bench", locations::kSample, "--frames", "1", "--json"});
         QCOMPARE(run.exitCode, 0);
         const QJsonObject report = QJsonDocument::fromJson(run.out).object();
         QVERIFY(!report["device"].toString().isEmpty());
         QVERIFY(report.contains("commit"));
         const QJsonObject board = report["boards"].toArray().first().toObject();
-        QCOMPARE(board["name"].toString(), QFileInfo(places::kSample).fileName());
+        QCOMPARE(board["name"].toString(), QFileInfo(locations::kSample).fileName());
         QVERIFY(board["elements"].toObject()["total"].toInt() > 0);
         for (const char* pipeline : {"hybrid", "standard"}) {
             const QJsonObject result = board["pipelines"].toObject()[pipeline].toObject();
@@ -160,16 +160,17 @@ private slots:
     void theStandardPipelineDrawsToo() {
         const QTemporaryDir folder;
         const QString picture = folder.filePath("board.png");
-        QCOMPARE(copperscope({"render", places::kSample, "-o", picture, "--pipeline", "standard", "--size", "320x200"})
-                     .exitCode,
-                 0);
+        QCOMPARE(
+            copperscope({"render", locations::kSample, "-o", picture, "--pipeline", "standard", "--size", "320x200"})
+                .exitCode,
+            0);
         QCOMPARE(pngSize(picture), QSize(320, 200));
     }
 
     void areasComeOutTheSameFromEveryTriangulator() {
         // Only how the triangles are found differs, so all that is said about the model has to be the same.
         const auto triangles = [](const QString& triangulator) {
-            const Outcome run = copperscope({"info", places::kSample, "--json", "--triangulator", triangulator});
+            const Outcome run = copperscope({"info", locations::kSample, "--json", "--triangulator", triangulator});
             return run.exitCode == 0 ? QJsonDocument::fromJson(run.out).object()["triangles"].toObject()
                                      : QJsonObject();
         };
@@ -178,23 +179,24 @@ private slots:
         for (const char* other : {"auto", "parallel", "cgal", "gpu"}) {
             QCOMPARE(triangles(other), expected);
         }
-        QCOMPARE(copperscope({"info", places::kSample, "--triangulator", "magic"}).exitCode, 1);
+        QCOMPARE(copperscope({"info", locations::kSample, "--triangulator", "magic"}).exitCode, 1);
     }
 
     void clearanceTellsABuildWhatIsTooClose() {
-        const Outcome all = copperscope({"clearance", places::kSample, "--worst", "3", "--format", "json"});
+        const Outcome all = copperscope({"clearance", locations::kSample, "--worst", "3", "--format", "json"});
         QVERIFY2(all.exitCode == 0, all.err.constData());
         const QJsonArray listed = QJsonDocument::fromJson(all.out)["steps"][0]["clearances"].toArray();
         QCOMPARE(listed.size(), 3);
         const double narrowest = listed[0]["gap_um"].toDouble();
         QVERIFY(narrowest > 0.0 && narrowest <= listed[1]["gap_um"].toDouble());
         const auto below = [&](double um) {
-            return copperscope({"clearance", places::kSample, "--below", QString::number(um, 'f', 3) + "um"}).exitCode;
+            return copperscope({"clearance", locations::kSample, "--below", QString::number(um, 'f', 3) + "um"})
+                .exitCode;
         };
         QCOMPARE(below(narrowest + 1.0), 4);
         QCOMPARE(below(narrowest - 1.0), 0);
-        QCOMPARE(copperscope({"clearance", places::kSample, "--below", "3 apples"}).exitCode, 1);
-        QCOMPARE(copperscope({"clearance", places::kSample, "--layer", "nowhere"}).exitCode, 1);
+        QCOMPARE(copperscope({"clearance", locations::kSample, "--below", "3 apples"}).exitCode, 1);
+        QCOMPARE(copperscope({"clearance", locations::kSample, "--layer", "nowhere"}).exitCode, 1);
     }
 
     void rulesTellABuildWhatIsBroken() {
@@ -205,7 +207,7 @@ private slots:
             file.write(R"({"copperscope_rules": 1, "rules": [{"kind": "copper-copper", "least_um": )");
             file.write(um + QByteArray("}]}"));
             file.close();
-            return copperscope({"clearance", places::kSample, "--rules", file.fileName(), "--format", "json"});
+            return copperscope({"clearance", locations::kSample, "--rules", file.fileName(), "--format", "json"});
         };
         QCOMPARE(check("1").exitCode, 0);
         const Outcome broken = check("5000");
@@ -216,30 +218,30 @@ private slots:
         QVERIFY(rule["findings"][0]["gap_um"].toDouble() < 5000.0);
         QCOMPARE(check("-1").exitCode, 2);
         QVERIFY(check("-1").err.contains("least_um"));
-        QCOMPARE(copperscope({"clearance", places::kSample, "--rules", "/nowhere.json"}).exitCode, 2);
+        QCOMPARE(copperscope({"clearance", locations::kSample, "--rules", "/nowhere.json"}).exitCode, 2);
     }
 
     void measureTellsHowFarThingsAreApart() {
         const auto measure = [](const QStringList& rest) {
-            return copperscope(QStringList{"measure", places::kSample} + rest);
+            return copperscope(QStringList{"measure", locations::kSample} + rest);
         };
         // The narrowest clearance of the board is the distance of its two nets, and of its two elements.
-        const Outcome all = copperscope({"clearance", places::kSample, "--worst", "1", "--format", "json"});
+        const Outcome all = copperscope({"clearance", locations::kSample, "--worst", "1", "--format", "json"});
         const QJsonObject narrowest = onlyOne(QJsonDocument::fromJson(all.out)["steps"][0]["clearances"]);
         const double gap = narrowest["gap_um"].toDouble() * 1000.0;
-        const auto thing = [&](const char* prefix, const char* list, int row) {
+        const auto item = [&](const char* prefix, const char* list, int row) {
             return prefix + narrowest[list][row].toVariant().toString();
         };
         for (const auto& [prefix, list] : {std::pair("net:", "nets"), std::pair("element:", "elements")}) {
             const Outcome run =
-                measure({"--from", thing(prefix, list, 0), "--to", thing(prefix, list, 1), "--format", "json"});
+                measure({"--from", item(prefix, list, 0), "--to", item(prefix, list, 1), "--format", "json"});
             QVERIFY2(run.exitCode == 0, run.err.constData());
             const QJsonObject way = QJsonDocument::fromJson(run.out)["on_layer"].toObject();
             QVERIFY2(std::abs(way["distance_nm"].toDouble() - gap) < 0.01, run.out.constData());
             QCOMPARE(way["ends"][0]["layer"], narrowest["layer"]);
             QCOMPARE(way["relation"].toString(), QString("apart"));
         }
-        const QStringList nets = {"--from", thing("net:", "nets", 0), "--to", thing("net:", "nets", 1)};
+        const QStringList nets = {"--from", item("net:", "nets", 0), "--to", item("net:", "nets", 1)};
         QCOMPARE(measure(nets + QStringList{"--below", QString::number(gap / 1000 + 1) + "um"}).exitCode, 4);
         QCOMPARE(measure(nets + QStringList{"--below", QString::number(gap / 1000 - 1) + "um"}).exitCode, 0);
         const Outcome csv = measure(nets + QStringList{"--format", "csv"});
@@ -250,7 +252,7 @@ private slots:
 
     void measureSaysWhatItDoesNotKnow() {
         const auto measure = [](const QString& from) {
-            return copperscope({"measure", places::kSample, "--from", from, "--to", "edge"});
+            return copperscope({"measure", locations::kSample, "--from", from, "--to", "edge"});
         };
         for (const auto& [from, why] :
              {std::pair("net:GNDD", "did you mean GND"), std::pair("pin:U1.999", "no pin of U1"),
@@ -265,7 +267,7 @@ private slots:
 
     void measureFollowsNets() {
         const auto path = [](const QStringList& rest) {
-            return copperscope(QStringList{"measure", places::kSample, "--path", "GND"} + rest);
+            return copperscope(QStringList{"measure", locations::kSample, "--path", "GND"} + rest);
         };
         const Outcome run = path({"--from", "net:GND", "--to", "net:GND", "--format", "json"});
         QVERIFY2(run.exitCode == 0, run.err.constData());
@@ -277,7 +279,7 @@ private slots:
 
     void sectionShowsWhatALineCuts() {
         const Outcome run =
-            copperscope({"section", places::kSample, "--line", "-1000,20,1000,20.5", "--format", "json"});
+            copperscope({"section", locations::kSample, "--line", "-1000,20,1000,20.5", "--format", "json"});
         QVERIFY2(run.exitCode == 0, run.err.constData());
         const QJsonObject section = QJsonDocument::fromJson(run.out).object();
         QSet<QString> layers;
@@ -287,29 +289,30 @@ private slots:
             QVERIFY(piece["bottom_nm"].toInt() <= piece["top_nm"].toInt());
         }
         QVERIFY2(layers.size() > 3, run.out.constData());
-        QXmlStreamReader svg(copperscope({"section", places::kSample, "--line", "-1000,20,1000,20.5"}).out);
+        QXmlStreamReader svg(copperscope({"section", locations::kSample, "--line", "-1000,20,1000,20.5"}).out);
         while (!svg.atEnd()) {
             svg.readNext();
         }
         QVERIFY2(!svg.hasError(), qPrintable(svg.errorString()));
         const Outcome beside =
-            copperscope({"section", places::kSample, "--line", "900,900,901,900", "--format", "csv"});
+            copperscope({"section", locations::kSample, "--line", "900,900,901,900", "--format", "csv"});
         QCOMPARE(beside.exitCode, 0);
         QCOMPARE(beside.out.count('\n'), 1);
         for (const char* line : {"1,2,3", "1,2,1,2", "1,2", "0,0,5000,0"}) {
-            QCOMPARE(copperscope({"section", places::kSample, "--line", line}).exitCode, 1);
+            QCOMPARE(copperscope({"section", locations::kSample, "--line", line}).exitCode, 1);
         }
-        QCOMPARE(copperscope({"section", places::kSample, "--line", "0,0,1,1", "--layers", "nowhere"}).exitCode, 1);
+        QCOMPARE(copperscope({"section", locations::kSample, "--line", "0,0,1,1", "--layers", "nowhere"}).exitCode, 1);
     }
 
     void benchRefusesOptionsOfTheOtherMeasurement() {
         QCOMPARE(copperscope({"bench", "--triangulation", "--sets", "none", "--frames", "3"}).exitCode, 1);
-        QCOMPARE(copperscope({"bench", places::kSample, "--repeats", "3"}).exitCode, 1);
+        QCOMPARE(copperscope({"bench", locations::kSample, "--repeats", "3"}).exitCode, 1);
     }
 
     void benchMeasuresAllTriangulators() {
-        const Outcome run = copperscope({"bench", "--triangulation", places::kSample, "--sets", "areas 1k", "--threads",
-                                         "1", "--repeats", "1", "--triangulators", "cgal,cpu,parallel,gpu", "--json"});
+        const Outcome run =
+            copperscope({"bench", "--triangulation", locations::kSample, "--sets", "areas 1k", "--threads", "1",
+                         "--repeats", "1", "--triangulators", "cgal,cpu,parallel,gpu", "--json"});
         QVERIFY2(run.exitCode == 0, run.err.constData());
         const QJsonObject report = QJsonDocument::fromJson(run.out).object();
         QVERIFY(!report["device"].toString().isEmpty());
@@ -330,7 +333,8 @@ private slots:
     }
 
     void elementsAreTheSumOfTheLayers() {
-        const QJsonObject info = QJsonDocument::fromJson(copperscope({"info", places::kSample, "--json"}).out).object();
+        const QJsonObject info =
+            QJsonDocument::fromJson(copperscope({"info", locations::kSample, "--json"}).out).object();
         int lines = 0;
         for (const QJsonValue& layer : info["layers"].toArray()) {
             lines += layer.toObject()["counts"].toObject()["line"].toInt();
@@ -375,7 +379,7 @@ private slots:
     void unreadableInputAnswersTwo_data() {
         QTest::addColumn<QByteArray>("content");
         QTest::addColumn<QString>("name");
-        QFile sample(places::kSample);
+        QFile sample(locations::kSample);
         QVERIFY(sample.open(QIODevice::ReadOnly));
         const QByteArray whole = sample.readAll();
         QTest::addRow("empty file") << QByteArray() << "board.tgz";
@@ -443,7 +447,7 @@ private slots:
 
     // ---- thicknesses ----
 
-    static QJsonObject stackRow(const QByteArray& json, const QString& name) {
+    static QJsonObject stackupRow(const QByteArray& json, const QString& name) {
         for (const QJsonValue& row : QJsonDocument::fromJson(json).object()["stackup"].toObject()["rows"].toArray()) {
             if (row.toObject()["name"].toString() == name) {
                 return row.toObject();
@@ -454,28 +458,28 @@ private slots:
 
     void setThicknessesCountAndLeaveNoFile() {
         QTemporaryDir folder;
-        QVERIFY(QFile::copy(places::kSample, folder.filePath("amp.tgz")));
+        QVERIFY(QFile::copy(locations::kSample, folder.filePath("amp.tgz")));
         const Outcome run = copperscope({"info", "amp.tgz", "--json", "--set-thickness", "dielectric_2=1.5mm",
                                          "--set-thickness", "L02-INNER_LAYER=2oz"},
                                         folder.path());
         QVERIFY2(run.exitCode == 0, run.err.constData());
-        QCOMPARE(stackRow(run.out, "DIELECTRIC_2")["thickness_nm"].toInt(), 1'500'000);
-        QCOMPARE(stackRow(run.out, "DIELECTRIC_2")["thickness_source"].toString(), "session");
-        QCOMPARE(stackRow(run.out, "L02-INNER_LAYER")["thickness_nm"].toInt(), 69'600);
-        QCOMPARE(stackRow(run.out, "DIELECTRIC_1")["thickness_source"].toString(), "job");
+        QCOMPARE(stackupRow(run.out, "DIELECTRIC_2")["thickness_nm"].toInt(), 1'500'000);
+        QCOMPARE(stackupRow(run.out, "DIELECTRIC_2")["thickness_source"].toString(), "session");
+        QCOMPARE(stackupRow(run.out, "L02-INNER_LAYER")["thickness_nm"].toInt(), 69'600);
+        QCOMPARE(stackupRow(run.out, "DIELECTRIC_1")["thickness_source"].toString(), "job");
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList{"amp.tgz"});
     }
 
     void savedThicknessesStayUntilIgnored() {
         QTemporaryDir folder;
-        QVERIFY(QFile::copy(places::kSample, folder.filePath("amp.tgz")));
+        QVERIFY(QFile::copy(locations::kSample, folder.filePath("amp.tgz")));
         const QStringList info{"info", "amp.tgz", "--json"};
         const QStringList set{"--set-thickness", "DIELECTRIC_2=1500um", "--save-session"};
         QCOMPARE(copperscope(info + set, folder.path()).exitCode, 0);
         QVERIFY(QFile::exists(folder.filePath("amp.tgz.copperscope.json")));
-        QCOMPARE(stackRow(copperscope(info, folder.path()).out, "DIELECTRIC_2")["thickness_nm"].toInt(), 1'500'000);
+        QCOMPARE(stackupRow(copperscope(info, folder.path()).out, "DIELECTRIC_2")["thickness_nm"].toInt(), 1'500'000);
         const Outcome without = copperscope(info + QStringList{"--no-session"}, folder.path());
-        QCOMPARE(stackRow(without.out, "DIELECTRIC_2")["thickness_nm"].toInt(), 1'122'680);
+        QCOMPARE(stackupRow(without.out, "DIELECTRIC_2")["thickness_nm"].toInt(), 1'122'680);
         const Outcome picture = copperscope(
             {"render", "amp.tgz", "-o", "out.png", "--size", "64x64", "--set-thickness", "DIELECTRIC_1=0.3mm"},
             folder.path());
@@ -485,7 +489,7 @@ private slots:
     void thicknessesThatMakeNoSenseAnswerOne() {
         for (const char* text : {"NOWHERE=35um", "DIELECTRIC_2", "DIELECTRIC_2=thick", "DIELECTRIC_2=1oz",
                                  "DIELECTRIC_2=-1mm", "DIELECTRIC_2=50mm"}) {
-            const Outcome run = copperscope({"info", places::kSample, "--set-thickness", text});
+            const Outcome run = copperscope({"info", locations::kSample, "--set-thickness", text});
             QVERIFY2(run.exitCode == 1, text);
             QVERIFY(run.out.isEmpty());
             QVERIFY2(run.err.contains("--set-thickness"), run.err.constData());
@@ -494,7 +498,7 @@ private slots:
 
     void aStrangeSessionIsToldAndSkipped() {
         QTemporaryDir folder;
-        QVERIFY(QFile::copy(places::kSample, folder.filePath("amp.tgz")));
+        QVERIFY(QFile::copy(locations::kSample, folder.filePath("amp.tgz")));
         QFile file(folder.filePath("amp.tgz.copperscope.json"));
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write(R"({"copperscope_session": 7})");
@@ -508,7 +512,7 @@ private slots:
     }
 
     void checkedNetsListOpensShortsAndLooseCopper() {
-        const QString job = places::kTestData + QStringLiteral("/odb/open_short");
+        const QString job = locations::kTestData + QStringLiteral("/odb/open_short");
         const Outcome run = copperscope({"info", job, "--check-nets", "--json"});
         QVERIFY2(run.exitCode == 0, run.err.constData());
         const QJsonObject found = QJsonDocument::fromJson(run.out).object()["connectivity"].toObject();
@@ -528,7 +532,7 @@ private slots:
     }
 
     void inferredNetsAreTheIslandsOfTheCopper() {
-        const QString job = places::kTestData + QStringLiteral("/odb/open_short");
+        const QString job = locations::kTestData + QStringLiteral("/odb/open_short");
         const Outcome run = copperscope({"info", job, "--infer-nets", "--check-nets", "--json"});
         QVERIFY2(run.exitCode == 0, run.err.constData());
         const QJsonObject info = QJsonDocument::fromJson(run.out).object();
@@ -554,7 +558,7 @@ private slots:
         QTest::newRow("kicad/dram-tester.tgz") << 2225 << 137 << 0 << 8;  // unfinished: a field of pads without tracks
     }
     void netsOfRealBoardsAreAsTheyWere() {
-        const QString board = QString(places::kBoards) + '/' + QTest::currentDataTag();
+        const QString board = QString(locations::kBoards) + '/' + QTest::currentDataTag();
         if (!QFile::exists(board)) {
             QSKIP("the board is not here");
         }

@@ -91,7 +91,7 @@ private slots:
     void copperIsWhereKicadHasIt_data() {
         QTest::addColumn<QString>("board");
         QTest::addColumn<QString>("layer");
-        const fs::path boards = fs::path(places::kBoards) / "kicad";
+        const fs::path boards = fs::path(locations::kBoards) / "kicad";
         if (!fs::exists(boards / "ref")) {
             QSKIP("the boards with rasters of KiCad are not here");
         }
@@ -100,7 +100,7 @@ private slots:
                 const std::string name = board.path().filename().string();
                 // Loading the largest board takes longest by far: one layer of it must do.
                 const bool isMuch =
-                    !places::isThorough() && name.starts_with("jetson") && entry.path().stem() != "f.cu";
+                    !locations::isThorough() && name.starts_with("jetson") && entry.path().stem() != "f.cu";
                 if (entry.path().extension() == ".png" && !isMuch) {
                     QTest::addRow("%s %s", name.c_str(), entry.path().stem().c_str())
                         << QString::fromStdString(name) << QString::fromStdString(entry.path().stem().string());
@@ -111,20 +111,20 @@ private slots:
     void copperIsWhereKicadHasIt() {
         QFETCH(QString, board);
         QFETCH(QString, layer);
-        const QString boards = QString(places::kBoards) + "/kicad/";
+        const QString boards = QString(locations::kBoards) + "/kicad/";
         Picture reference = readPng((boards + "ref/" + board + "/" + layer + ".png").toStdString());
         QVERIFY(reference.width > 0);
         makeCopperWhite(reference);
         QFile file(boards + "ref/" + board + "/ref.json");
         QVERIFY(file.open(QIODevice::ReadOnly));
-        const QJsonObject place = QJsonDocument::fromJson(file.readAll()).object();
-        const double scale = place["px_per_mm"].toDouble();
-        const double left = place["odb_x_left_mm"].toDouble();
-        const double top = place["odb_y_top_mm"].toDouble();
+        const QJsonObject location = QJsonDocument::fromJson(file.readAll()).object();
+        const double scale = location["px_per_mm"].toDouble();
+        const double left = location["odb_x_left_mm"].toDouble();
+        const double top = location["odb_y_top_mm"].toDouble();
         const QTemporaryDir folder;
         const QString out = folder.filePath("out.png");
         QProcess process;
-        process.start(places::kProgram,
+        process.start(locations::kProgram,
                       {"render", boards + board + ".tgz", "-o", out, "--mono", "--layers", layer, "--size",
                        QString("%1x%2").arg(reference.width).arg(reference.height), "--window",
                        QString("%1,%2,%3,%4")

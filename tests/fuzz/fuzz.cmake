@@ -1,7 +1,7 @@
 # Hostile input (docs/testing.md): the table of targets, a test that runs each on truncated and changed seeds, and with the preset
 # `fuzz` one libFuzzer program per target.
 add_library(copperscope_fuzz_targets STATIC fuzz/contours.cpp fuzz/seeds.cpp fuzz/tar.cpp fuzz/targets.cpp)
-target_link_libraries(copperscope_fuzz_targets PUBLIC copperscope_options copperscope_odb copperscope_paper
+target_link_libraries(copperscope_fuzz_targets PUBLIC copperscope_options copperscope_model
     copperscope_tri_gpu PRIVATE copperscope_places)
 
 copperscope_test(hostile_input_test fuzz/hostile_input_test.cpp LABEL unit LINK copperscope_fuzz_targets)

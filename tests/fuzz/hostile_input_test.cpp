@@ -47,7 +47,7 @@ private slots:
         const fuzz::Target& target = fetchTarget();
         for (const fuzz::File& seed : fuzz::seedsOf(target)) {
             const std::size_t size = seed.text.size();
-            const std::size_t stride = places::isThorough() ? 1 : std::max<std::size_t>(size / kMostPrefixes, 1);
+            const std::size_t stride = locations::isThorough() ? 1 : std::max<std::size_t>(size / kMostPrefixes, 1);
             for (std::size_t length = 0; length <= size; length += length + kLastPrefixes < size ? stride : 1) {
                 runOn(target, std::string_view(seed.text).substr(0, length));
             }

@@ -14,8 +14,8 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kMark = "=== ";
 
-const fs::path kJobs = fs::path(places::kTestData) / "odb";
-const fs::path kCorpus = places::kFuzzCorpus;
+const fs::path kJobs = fs::path(locations::kTestData) / "odb";
+const fs::path kCorpus = locations::kFuzzCorpus;
 
 std::string readFile(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);

@@ -5,22 +5,22 @@
 
 #include "contours.h"
 #include "model/base/assert.h"
-#include "model/odb/archive.h"
-#include "model/odb/archive_stream.h"
-#include "model/odb/attributes.h"
-#include "model/odb/components.h"
-#include "model/odb/eda.h"
-#include "model/odb/features.h"
-#include "model/odb/job_info.h"
-#include "model/odb/job_tree.h"
-#include "model/odb/matrix.h"
-#include "model/odb/netlist.h"
-#include "model/odb/odb_reader.h"
-#include "model/odb/standard_symbols.h"
-#include "model/odb/step_header.h"
-#include "model/odb/tools.h"
-#include "model/odb/zones.h"
-#include "model/paper/paper_reader.h"
+#include "model/formats/common/archive.h"
+#include "model/formats/common/archive_stream.h"
+#include "model/formats/odb/components/components.h"
+#include "model/formats/odb/components/eda.h"
+#include "model/formats/odb/components/netlist.h"
+#include "model/formats/odb/features/features.h"
+#include "model/formats/odb/features/tools.h"
+#include "model/formats/odb/job_info.h"
+#include "model/formats/odb/odb_reader.h"
+#include "model/formats/odb/stackup/matrix.h"
+#include "model/formats/odb/stackup/zones.h"
+#include "model/formats/odb/step/step_header.h"
+#include "model/formats/odb/symbols/standard_symbols.h"
+#include "model/formats/odb/text/attributes.h"
+#include "model/formats/odb/text/job_tree.h"
+#include "model/formats/paper/paper_reader.h"
 #include "tar.h"
 
 namespace fuzz {
@@ -199,8 +199,8 @@ std::span<const Target> targets() {
 
 const Target* findTarget(std::string_view name) {
     const auto all = targets();
-    const auto place = std::ranges::find(all, name, &Target::name);
-    return place == all.end() ? nullptr : &*place;
+    const auto location = std::ranges::find(all, name, &Target::name);
+    return location == all.end() ? nullptr : &*location;
 }
 
 }  // namespace fuzz

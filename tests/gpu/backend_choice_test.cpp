@@ -1,4 +1,4 @@
-#include "render/backend_choice.h"
+#include "render/backends/backend_choice.h"
 
 #include <QtTest>
 

@@ -1,6 +1,6 @@
 #include <QtTest>
 
-#include "render/image_difference.h"
+#include "render/frame/image_difference.h"
 #include "tests/gpu/gpu_fixture.h"
 
 using namespace render;
@@ -173,8 +173,8 @@ private slots:
     void trueOutlinesFollowWhatChanges() {
         Scene scene(everything());
         scene.camera.fit(scene.model.boxMin, scene.model.boxMax, NamedView::Iso, 4.0F / 3.0F);
-        const std::vector<model::ElementId> lit{model::ElementId{1}, model::ElementId{3}, model::ElementId{9}};
-        scene.scene.setStates(statesOf(lit));
+        const std::vector<model::ElementId> highlighted{model::ElementId{1}, model::ElementId{3}, model::ElementId{9}};
+        scene.scene.setStates(statesOf(highlighted));
         ViewSettings how;
         how.dim = kDimRest;
         how.explode = 0.3F;

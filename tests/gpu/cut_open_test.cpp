@@ -2,9 +2,9 @@
 #include <QtTest>
 #include <set>
 
-#include "model/document_builder.h"
-#include "model/reader.h"
-#include "render/image_difference.h"
+#include "model/board/document_builder.h"
+#include "model/formats/registry.h"
+#include "render/frame/image_difference.h"
 #include "tests/gpu/gpu_fixture.h"
 #include "tests/places.h"
 
@@ -54,7 +54,7 @@ struct Board {
 
 std::shared_ptr<const Document> sample() {
     base::Progress progress;
-    return *model::readBoard(places::kSample, {}, progress);
+    return *model::readBoard(locations::kSample, {}, progress);
 }
 
 /// A plate of 30 mm with a pad, placed upright, turned and turned over.
@@ -172,10 +172,10 @@ private slots:
             if (!face.isInside || !isWhole || !board.styles[row].isVisible) {
                 continue;
             }
-            const glm::dvec2 place =
+            const glm::dvec2 location =
                 settings.cut->plane.start + 0.5 * (face.from + face.to) * settings.cut->plane.direction;
             const auto at = [&](float z) {
-                const glm::vec4 p = clip * glm::vec4(glm::vec2(place), z, 1.0F);
+                const glm::vec4 p = clip * glm::vec4(glm::vec2(location), z, 1.0F);
                 return glm::vec2((p.x / p.w + 1.0F) * 0.5F * kWidth, (p.y / p.w + 1.0F) * 0.5F * kHeight);
             };
             const glm::vec2 low = at(heights[row].z0);

@@ -96,7 +96,8 @@ private slots:
         how.dim = 1.0F;
         const glm::vec3 palette[] = {{1.0F, 0.0F, 1.0F}, {0.0F, 0.6F, 0.0F}};
         scene.scene.setPalette(palette);
-        const ElementState states[] = {inColour(0), kPlain, inColour(1), static_cast<ElementState>(inColour(1) | kLit)};
+        const ElementState states[] = {inColour(0), kPlain, inColour(1),
+                                       static_cast<ElementState>(inColour(1) | kHighlighted)};
         scene.scene.setStates(states);
         const std::array<Rgb, 4> colours = middlesOf(scene.draw(how, kSize, kSize));
         QVERIFY(distance(colours[0], {255, 0, 255}) <= 1);
@@ -129,7 +130,7 @@ private slots:
         std::mt19937 random(5);
         for (int round = 0; round < 12; ++round) {
             for (int change = 0; change < 3; ++change) {
-                states[random() % states.size()] ^= kLit;
+                states[random() % states.size()] ^= kHighlighted;
             }
             scene.scene.setStates(states);
             const Image step = scene.draw(how, kSize, kSize);

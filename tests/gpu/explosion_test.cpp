@@ -1,4 +1,4 @@
-#include "render/explosion.h"
+#include "render/scene/explosion.h"
 
 #include <QtTest>
 

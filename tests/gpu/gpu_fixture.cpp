@@ -45,9 +45,9 @@ void Scene::lookDown(glm::vec2 min, glm::vec2 max) {
     camera.fitWindow(min, max, model.boxMax.z, (max.x - min.x) / (max.y - min.y));
 }
 
-std::vector<ElementState> statesOf(std::span<const model::ElementId> lit) {
+std::vector<ElementState> statesOf(std::span<const model::ElementId> highlighted) {
     ElementStates states;
-    states.add(lit, kLit);
+    states.add(highlighted, kHighlighted);
     return {states.bytes().begin(), states.bytes().end()};
 }
 

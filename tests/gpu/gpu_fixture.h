@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "render/frame/offscreen_presenter.h"
 #include "render/gpu/device.h"
 #include "tests/gpu/synthetic_board.h"
 
@@ -34,7 +35,7 @@ struct Scene {
 };
 
 /// These elements lit, all others plain.
-[[nodiscard]] std::vector<ElementState> statesOf(std::span<const model::ElementId> lit);
+[[nodiscard]] std::vector<ElementState> statesOf(std::span<const model::ElementId> highlighted);
 
 /// sRGB bytes of a pixel.
 struct Rgb {

@@ -1,17 +1,17 @@
-#include "render/hiding.h"
+#include "render/culling/hiding.h"
 
 #include <QtTest>
 
-#include "render/frame_plan.h"
+#include "render/culling/frame_plan.h"
 
 using namespace render;
-using Role = LayerInLaminate::Role;
+using Role = LayerInSubstrate::Role;
 
 /// What opaque laminate hides, decided without a device.
 class HidingTest : public QObject {
     Q_OBJECT
 
-    enum Row : std::uint32_t { Top, Inner, Bottom, Drill, Laminate, kRows };
+    enum Row : std::uint32_t { Top, Inner, Bottom, Drill, Substrate, kRows };
 
     /// A board of 100 x 80 mm: laminate, copper on it, in it and under it, a drill layer through everything.
     static SceneLayers board() {
@@ -22,11 +22,11 @@ class HidingTest : public QObject {
                         {0.0F, 0.035F, true, true, 0U, {}},
                         {0.0F, 1.6F, false, false, 0U, {}},
                         {0.035F, 1.565F, true, false, 0U, {}}};
-        scene.inLaminate = {{Role::Content, 0.5F},
-                            {Role::Content, 0.5F},
-                            {Role::Content, 0.5F},
-                            {Role::Plug, 0.5F},
-                            {Role::Laminate, -1.0F}};
+        scene.inSubstrate = {{Role::Content, 0.5F},
+                             {Role::Content, 0.5F},
+                             {Role::Content, 0.5F},
+                             {Role::Plug, 0.5F},
+                             {Role::Substrate, -1.0F}};
         scene.styles.resize(kRows);
         return scene;
     }
@@ -48,7 +48,7 @@ private slots:
     void innerAndFarLayersAreHidden() {
         for (const NamedView view : {NamedView::Iso, NamedView::Top}) {
             const LayerPlan seen = plan(board(), view);
-            QVERIFY(isDrawn(seen, Top) && isDrawn(seen, Drill) && isDrawn(seen, Laminate));
+            QVERIFY(isDrawn(seen, Top) && isDrawn(seen, Drill) && isDrawn(seen, Substrate));
             QVERIFY(!isDrawn(seen, Inner) && !isDrawn(seen, Bottom));
         }
         const LayerPlan fromBelow = plan(board(), NamedView::Bottom);
@@ -79,10 +79,10 @@ private slots:
         SceneLayers scene = board();
         ViewSettings settings;
         switch (change) {
-            case 0: scene.styles[Laminate].opacity = 0.5F; break;
-            case 1: scene.styles[Laminate].isVisible = false; break;
+            case 0: scene.styles[Substrate].opacity = 0.5F; break;
+            case 1: scene.styles[Substrate].isVisible = false; break;
             case 2: scene.styles[Drill].isVisible = false; break;
-            case 3: scene.inLaminate[Inner].insetMm = -1.0F; break;
+            case 3: scene.inSubstrate[Inner].insetMm = -1.0F; break;
             case 4: settings.cull = false; break;
             case 5: settings.dim = kDimRest; break;
             default: settings.explode = 1.0F; break;
@@ -93,16 +93,16 @@ private slots:
     /// Close up, one looks past the edge at the far copper unless it keeps well inside.
     void farLayersAreSeenPastTheEdgeCloseUp() {
         SceneLayers scene = board();
-        scene.inLaminate[Bottom].insetMm = 0.0F;
+        scene.inSubstrate[Bottom].insetMm = 0.0F;
         QVERIFY(!isDrawn(plan(scene, NamedView::Iso, {}, 1.0F), Bottom));  // thinner than a pixel
         QVERIFY(isDrawn(plan(scene, NamedView::Iso, {}, 50.0F), Bottom));
-        scene.inLaminate[Bottom].insetMm = 1.0F;
+        scene.inSubstrate[Bottom].insetMm = 1.0F;
         QVERIFY(!isDrawn(plan(scene, NamedView::Iso, {}, 50.0F), Bottom));
     }
 
     void wallsThinnerThanAPixelAreNotDrawn() {
         const LayerPlan far = plan(board());
-        QVERIFY(!far.faces[Top].walls && far.faces[Laminate].walls);
+        QVERIFY(!far.faces[Top].walls && far.faces[Substrate].walls);
         const LayerPlan close = plan(board(), NamedView::Iso, {}, 50.0F);
         QVERIFY(close.faces[Top].walls);
     }

@@ -1,4 +1,4 @@
-#include "render/let_tables.h"
+#include "render/modelling/let_tables.h"
 
 #include <QtTest>
 #include <map>

@@ -2,8 +2,8 @@
 // flat.
 #include <QtTest>
 
-#include "model/copies.h"
-#include "model/document_builder.h"
+#include "model/board/copies.h"
+#include "model/board/document_builder.h"
 #include "tests/gpu/gpu_fixture.h"
 
 using namespace render;
@@ -84,20 +84,21 @@ void addOutline(DocumentBuilder& builder) {
     builder.setProfile(builder.addShape(outline));
 }
 
-struct Place {
+struct Location {
     Placement placement;
     bool isFlipped = false;
 };
 
-std::shared_ptr<const Document> panelOf(const std::shared_ptr<const Document>& step, const std::vector<Place>& places) {
+std::shared_ptr<const Document> panelOf(const std::shared_ptr<const Document>& step,
+                                        const std::vector<Location>& locations) {
     DocumentBuilder builder;
     addLayers(builder);
     builder.beginLayer(LayerId{1});
     builder.addLine({{-20 * kMm, -14 * kMm}, {20 * kMm, -14 * kMm}, kMm, 0}, {});
     addOutline(builder);
     const std::uint32_t row = builder.addStep(step);
-    for (const Place& place : places) {
-        builder.addInstance({row, place.placement, place.isFlipped});
+    for (const Location& location : locations) {
+        builder.addInstance({row, location.placement, location.isFlipped});
     }
     return builder.finish();
 }
@@ -282,13 +283,13 @@ private slots:
     }
 
     void geometryDoesNotGrowWithTheNumberOfCopies() {
-        std::vector<Place> places;
+        std::vector<Location> locations;
         for (int i = 0; i < 400; ++i) {
-            places.push_back({{{(i % 20) * 12 * kMm, (i / 20) * 10 * kMm}, 0.0, false}, false});
+            locations.push_back({{{(i % 20) * 12 * kMm, (i / 20) * 10 * kMm}, 0.0, false}, false});
         }
         const auto one = card();
-        const Drawn single(*panelOf(one, {places[0]}));
-        const Drawn many(*panelOf(one, places));
+        const Drawn single(*panelOf(one, {locations[0]}));
+        const Drawn many(*panelOf(one, locations));
         QCOMPARE(many.model.copies.size(), std::size_t{401});
         QCOMPARE(many.scene.geometryBytes(), single.scene.geometryBytes());
         QCOMPARE(many.model.steps.size(), std::size_t{1});

@@ -2,9 +2,9 @@
 #include <QtTest>
 #include <filesystem>
 
+#include "model/formats/registry.h"
 #include "model/generate/job_writer.h"
-#include "model/reader.h"
-#include "render/image_difference.h"
+#include "render/frame/image_difference.h"
 #include "tests/gpu/gpu_fixture.h"
 #include "tests/places.h"
 
@@ -26,7 +26,7 @@ class PipelinesTest : public QObject {
         float zoom;
         float explode;
     };
-    static constexpr Look kLooks[] = {
+    static constexpr Look kStyles[] = {
         {"2d top", NamedView::Top, true, 1.0F, 0.0F},        {"2d bottom, 5x", NamedView::Bottom, true, 5.0F, 0.0F},
         {"top, 5x", NamedView::Top, false, 5.0F, 0.0F},      {"iso", NamedView::Iso, false, 1.0F, 0.0F},
         {"iso, 5x", NamedView::Iso, false, 5.0F, 0.0F},      {"iso, 30x", NamedView::Iso, false, 30.0F, 0.0F},
@@ -54,7 +54,7 @@ class PipelinesTest : public QObject {
     static Image empty() {
         BoardModel nothing;
         BoardScene scene(Gpu::get().device, nothing);
-        return draw(scene, nothing, kLooks[0]);
+        return draw(scene, nothing, kStyles[0]);
     }
 
     static std::filesystem::path madeUp(const QTemporaryDir& folder) {
@@ -69,13 +69,13 @@ class PipelinesTest : public QObject {
 private slots:
     void picturesAgree_data() {
         QTest::addColumn<QString>("board");
-        QTest::newRow("sample") << places::kSample;
-        QTest::newRow("everything") << places::kTestData + QStringLiteral("/odb/everything");
+        QTest::newRow("sample") << locations::kSample;
+        QTest::newRow("everything") << locations::kTestData + QStringLiteral("/odb/everything");
         QTest::newRow("made up") << "";
-        QTest::newRow("panel") << places::kTestData + QStringLiteral("/odb/panel");
+        QTest::newRow("panel") << locations::kTestData + QStringLiteral("/odb/panel");
         for (const char* board :
              {"ninevoltz_panel.tgz", "diegocoll_praxis_pdna.tgz", "lx3jl_usb3006.tgz", "paper_t1.txt"}) {
-            QTest::newRow(board) << places::kBoards + QStringLiteral("/") + board;
+            QTest::newRow(board) << locations::kBoards + QStringLiteral("/") + board;
         }
     }
     void picturesAgree() {
@@ -95,7 +95,7 @@ private slots:
         BoardScene standardScene(Gpu::get().device, *standard);
         hybridScene.setStyles(defaultStyles(*document));
         standardScene.setStyles(defaultStyles(*document));
-        for (const Look& look : kLooks) {
+        for (const Look& look : kStyles) {
             const Image expected = draw(standardScene, *standard, look);
             QCOMPARE(Gpu::get().presenter.stats().backend, Backend::Standard);
             const double mse = greyMse(draw(hybridScene, *hybrid, look), expected);
@@ -107,19 +107,19 @@ private slots:
 
     /// The comparison itself sees what is missing.
     void aMissingLayerShows() {
-        const auto document = read(places::kSample);
+        const auto document = read(locations::kSample);
         base::Progress progress;
         const auto hybrid = buildBoardModel(*document, {}, progress);
         BoardScene scene(Gpu::get().device, *hybrid);
         std::vector<LayerStyle> styles = defaultStyles(*document);
         scene.setStyles(styles);
-        const Image whole = draw(scene, *hybrid, kLooks[0]);
+        const Image whole = draw(scene, *hybrid, kStyles[0]);
         styles.back().isVisible = styles.front().isVisible = false;
         for (std::size_t row = 0; row < styles.size(); ++row) {
             styles[row].isVisible = styles[row].isVisible && !document->layers[row].isCopper();
         }
         scene.setStyles(styles);
-        QVERIFY(greyMse(whole, draw(scene, *hybrid, kLooks[0])) > 0.001);
+        QVERIFY(greyMse(whole, draw(scene, *hybrid, kStyles[0])) > 0.001);
         QCOMPARE(greyMse(whole, whole), 0.0);
     }
 };

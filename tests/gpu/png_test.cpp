@@ -1,3 +1,5 @@
+#include "render/frame/png.h"
+
 #include <png.h>
 #include <sys/resource.h>
 
@@ -6,7 +8,7 @@
 #include <QtTest>
 #include <csignal>
 
-#include "render/view.h"
+#include "render/scene/view_settings.h"
 
 using namespace render;
 

@@ -76,7 +76,7 @@ private slots:
         SyntheticBoard board = layer();
         constexpr float kMmPerPx = 2.0F / kPixels;
         constexpr float kRadius = 20.0F;
-        board.addStroke(glm::vec2(-150, -90) * kMmPerPx, glm::vec2(150, 90) * kMmPerPx, kRadius * kMmPerPx);
+        board.addTrack(glm::vec2(-150, -90) * kMmPerPx, glm::vec2(150, 90) * kMmPerPx, kRadius * kMmPerPx);
         const auto white = static_cast<double>(count(board, 1.0F, static_cast<Backend>(backend)));
         const double length = std::hypot(300.0, 180.0);
         const double area = std::numbers::pi * 400.0 + 40.0 * length;
@@ -114,8 +114,8 @@ private slots:
         SyntheticBoard board = layer();
         constexpr float kMmPerPx = 2.0F / kPixels;
         // From x = -100 - 16 to 60 + 16 and y = 40 - 16 to 40 + 16 pixels.
-        board.addStroke(glm::vec2(-100, 40) * kMmPerPx, glm::vec2(60, 40) * kMmPerPx, 16 * kMmPerPx, 0.0F,
-                        shader::kLetSquarePen);
+        board.addTrack(glm::vec2(-100, 40) * kMmPerPx, glm::vec2(60, 40) * kMmPerPx, 16 * kMmPerPx, 0.0F,
+                       shader::kLetSquarePen);
         QCOMPARE(count(board, 1.0F, static_cast<Backend>(backend)), std::size_t{192 * 32});
     }
 
@@ -125,8 +125,8 @@ private slots:
         QFETCH(int, backend);
         SyntheticBoard board = layer();
         constexpr float kMmPerPx = 2.0F / kPixels;
-        board.addStroke(glm::vec2(-100, -60) * kMmPerPx, glm::vec2(100, 60) * kMmPerPx, 20 * kMmPerPx, 0.0F,
-                        shader::kLetSquarePen);
+        board.addTrack(glm::vec2(-100, -60) * kMmPerPx, glm::vec2(100, 60) * kMmPerPx, 20 * kMmPerPx, 0.0F,
+                       shader::kLetSquarePen);
         const auto white = static_cast<double>(count(board, 1.0F, static_cast<Backend>(backend)));
         constexpr double kArea = 40.0 * 40.0 + 40.0 * (200.0 + 120.0);
         QVERIFY2(std::abs(white - kArea) <= 20.0, qPrintable(QString("%1 pixels, area %2").arg(white).arg(kArea)));

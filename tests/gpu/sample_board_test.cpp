@@ -1,6 +1,6 @@
 #include <QtTest>
 
-#include "model/reader.h"
+#include "model/formats/registry.h"
 #include "tests/gpu/gpu_fixture.h"
 #include "tests/places.h"
 
@@ -25,7 +25,7 @@ class SampleBoardTest : public QObject {
 private slots:
     void initTestCase() {
         base::Progress progress;
-        auto document = model::readBoard(places::kSample, {}, progress);
+        auto document = model::readBoard(locations::kSample, {}, progress);
         QVERIFY(document);
         m_document = *document;
         auto model = buildBoardModel(*m_document, {}, progress);

@@ -13,14 +13,14 @@
 class ShaderLayoutTest : public QObject {
     Q_OBJECT
 
-    struct Place {
+    struct Location {
         std::size_t offset = 0;
         std::size_t size = 0;  ///< of the whole struct
-        bool operator==(const Place&) const = default;
+        bool operator==(const Location&) const = default;
     };
 
     /// "struct.member" -> place, as glslangValidator sees it.
-    static QMap<QString, Place> reflect() {
+    static QMap<QString, Location> reflect() {
         QProcess compiler;
         compiler.start(COPPERSCOPE_GLSLANG, {"-q", "-l", "-S", "comp", "--target-env", "vulkan1.3", "-o",
                                              QProcess::nullDevice(), COPPERSCOPE_LAYOUT_SHADER});
@@ -28,18 +28,18 @@ class ShaderLayoutTest : public QObject {
         const QString output = QString::fromUtf8(compiler.readAllStandardOutput());
         static const QRegularExpression line(R"(^(\w+\.\w+): offset (\d+),.*topLevelArrayStride (\d+)$)",
                                              QRegularExpression::MultilineOption);
-        QMap<QString, Place> places;
+        QMap<QString, Location> locations;
         for (auto matches = line.globalMatch(output); matches.hasNext();) {
             const QRegularExpressionMatch match = matches.next();
-            places[match.captured(1)] = {match.captured(2).toULongLong(), match.captured(3).toULongLong()};
+            locations[match.captured(1)] = {match.captured(2).toULongLong(), match.captured(3).toULongLong()};
         }
-        return places;
+        return locations;
     }
 
-    static QMap<QString, Place> compiled() {
-        QMap<QString, Place> places;
+    static QMap<QString, Location> compiled() {
+        QMap<QString, Location> locations;
 #define MEMBER(name, Struct, member) \
-    places[#name "." #member] = {offsetof(shader::Struct, member), sizeof(shader::Struct)}
+    locations[#name "." #member] = {offsetof(shader::Struct, member), sizeof(shader::Struct)}
         MEMBER(let, Let, p0);
         MEMBER(let, Let, p1);
         MEMBER(let, Let, p2);
@@ -98,7 +98,7 @@ class ShaderLayoutTest : public QObject {
         MEMBER(frameData, FrameData, restBrightness);
         MEMBER(frameData, FrameData, nudgeW);
         MEMBER(frameData, FrameData, sliverNudge);
-        MEMBER(frameData, FrameData, boreProudMm);
+        MEMBER(frameData, FrameData, boreProtrusionMm);
         MEMBER(frameData, FrameData, flags);
         MEMBER(frameData, FrameData, firstTriangle);
         MEMBER(frameData, FrameData, triangleCount);
@@ -150,13 +150,13 @@ class ShaderLayoutTest : public QObject {
         MEMBER(pushStruct, Push, first);
         MEMBER(pushStruct, Push, face);
 #undef MEMBER
-        return places;
+        return locations;
     }
 
 private slots:
     void everyMemberLiesAtTheSamePlaceInBothLanguages() {
-        const QMap<QString, Place> glsl = reflect();
-        const QMap<QString, Place> cpp = compiled();
+        const QMap<QString, Location> glsl = reflect();
+        const QMap<QString, Location> cpp = compiled();
         QVERIFY(!glsl.isEmpty());
         QCOMPARE(glsl.keys(), cpp.keys());
         for (const QString& member : glsl.keys()) {

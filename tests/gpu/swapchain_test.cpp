@@ -2,7 +2,7 @@
 
 #include <QtTest>
 
-#include "render/swapchain_presenter.h"
+#include "render/frame/swapchain_presenter.h"
 #include "tests/gpu/gpu_fixture.h"
 
 using namespace render;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "render/lets.h"
+#include "render/modelling/lets.h"
 #include "tri/triangulate.h"
 
 namespace render::test {
@@ -61,13 +61,12 @@ std::uint32_t SyntheticBoard::addLet(shader::Let let) {
     return m_elements++;
 }
 
-std::uint32_t SyntheticBoard::addStroke(glm::vec2 a, glm::vec2 b, float radius, float innerRadius,
-                                        std::uint32_t flags) {
+std::uint32_t SyntheticBoard::addTrack(glm::vec2 a, glm::vec2 b, float radius, float innerRadius, std::uint32_t flags) {
     return addLet({a.x, a.y, b.x, b.y, radius, innerRadius, shader::kLetStadium | flags, 0});
 }
 
 std::uint32_t SyntheticBoard::addDisc(glm::vec2 centre, float radius, float innerRadius, std::uint32_t flags) {
-    return addStroke(centre, centre, radius, innerRadius, flags);
+    return addTrack(centre, centre, radius, innerRadius, flags);
 }
 
 std::uint32_t SyntheticBoard::addArc(glm::vec2 centre, float arcRadius, float start, float sweep, float penRadius) {
@@ -81,7 +80,7 @@ std::uint32_t SyntheticBoard::addHole(glm::vec2 centre, float radius, float cell
 }
 
 std::uint32_t SyntheticBoard::addArea(const std::vector<std::vector<base::Point>>& loops,
-                                      const std::vector<shader::AreaInstance>& places) {
+                                      const std::vector<shader::AreaInstance>& locations) {
     std::vector<base::Point> points;
     std::vector<std::uint32_t> starts{0};
     AreaShape shape;
@@ -104,8 +103,8 @@ std::uint32_t SyntheticBoard::addArea(const std::vector<std::vector<base::Point>
 
     const auto layer = static_cast<std::uint32_t>(m_lets.size() - 1);
     AreaBatch batch{static_cast<std::uint32_t>(m_model.shapes.size()), layer,
-                    static_cast<std::uint32_t>(m_model.instances.size()), static_cast<std::uint32_t>(places.size())};
-    for (shader::AreaInstance instance : places) {
+                    static_cast<std::uint32_t>(m_model.instances.size()), static_cast<std::uint32_t>(locations.size())};
+    for (shader::AreaInstance instance : locations) {
         instance.shape = batch.shape;
         instance.layer = layer;
         instance.element = m_elements;
@@ -139,15 +138,15 @@ SyntheticBoard everything() {
     SyntheticBoard board;
     // Bottom copper, laminate, top copper, mask, drill: as a two-layer board stacks them.
     board.addLayer(0.0F, 0.035F, {0.2F, 0.35F, 0.8F});
-    board.addStroke({-15, -10}, {15, -8}, 0.6F);
+    board.addTrack({-15, -10}, {15, -8}, 0.6F);
     board.addArc({0, 0}, 9.0F, 0.3F, 1.4F, 0.5F);
     board.addLayer(0.035F, 1.565F, {0.25F, 0.45F, 0.25F}, 0.5F);
     board.addArea({box(-20000, -15000, 20000, 15000), reversed(box(6000, 2000, 12000, 7000))}, {place({0, 0})});
     board.addLayer(1.565F, 1.6F, {0.8F, 0.25F, 0.2F});
-    board.addStroke({-15, 8}, {-5, 12}, 0.5F);
-    board.addStroke({-15, 4}, {-5, 4}, 0.8F, 0.5F);
-    board.addStroke({-15, 0}, {-6, 2}, 0.7F, 0.0F, shader::kLetSquarePen);
-    board.addStroke({-15, -4}, {-6, -4}, 0.5F, 0.0F, shader::kLetSquarePen);
+    board.addTrack({-15, 8}, {-5, 12}, 0.5F);
+    board.addTrack({-15, 4}, {-5, 4}, 0.8F, 0.5F);
+    board.addTrack({-15, 0}, {-6, 2}, 0.7F, 0.0F, shader::kLetSquarePen);
+    board.addTrack({-15, -4}, {-6, -4}, 0.5F, 0.0F, shader::kLetSquarePen);
     board.addDisc({0, 8}, 1.5F);
     board.addDisc({4, 8}, 1.5F, 0.0F, shader::kLetSquarePen);
     board.addDisc({0, 3}, 1.2F, 0.6F);
@@ -160,7 +159,7 @@ SyntheticBoard everything() {
                   {place({12, -6}, 0.4F), place({15, -10}, 1.2F, true)});
     board.addLayer(1.6F, 1.62F, {0.1F, 0.5F, 0.2F}, 0.6F);
     board.addArea({box(-18000, -13000, 5000, 13000)}, {place({0, 0})});
-    board.addStroke({3, -12}, {12, -12}, 1.0F);
+    board.addTrack({3, -12}, {12, -12}, 1.0F);
     board.addDisc({5, -12}, 1.5F);
     board.addLayer(0.0F, 1.6F, {0.8F, 0.7F, 0.3F});
     board.addDisc({0, 3}, 0.6F, 0.5F);
@@ -184,7 +183,7 @@ SyntheticBoard randomTraces(int count, std::uint32_t seed) {
             case 0: board.addDisc(a, radius); break;
             case 1: board.addDisc(a, radius, radius * 0.5F); break;
             case 2: board.addArc(a, between(0.7F, 4.0F), between(0, 6), between(-1.5F, 1.5F), radius); break;
-            default: board.addStroke(a, a + glm::vec2(between(-5, 5), between(-5, 5)), radius); break;
+            default: board.addTrack(a, a + glm::vec2(between(-5, 5), between(-5, 5)), radius); break;
         }
     }
     return board;

@@ -3,7 +3,9 @@
 #include <numbers>
 #include <vector>
 
-#include "render/view.h"
+#include "render/modelling/board_model.h"
+#include "render/scene/layer_style.h"
+#include "render/scene/view_settings.h"
 
 namespace render::test {
 
@@ -13,14 +15,14 @@ public:
     /// Layers get ids in the order they are added; lets and areas that follow belong to the last one.
     void addLayer(float z0, float z1, const glm::vec3& colour, float opacity = 1.0F);
     /// Each returns its element's number.
-    std::uint32_t addStroke(glm::vec2 a, glm::vec2 b, float radius, float innerRadius = 0.0F, std::uint32_t flags = 0);
+    std::uint32_t addTrack(glm::vec2 a, glm::vec2 b, float radius, float innerRadius = 0.0F, std::uint32_t flags = 0);
     std::uint32_t addDisc(glm::vec2 centre, float radius, float innerRadius = 0.0F, std::uint32_t flags = 0);
     std::uint32_t addArc(glm::vec2 centre, float arcRadius, float start, float sweep, float penRadius);
     /// The cell around a round hole, its sides turned counter-clockwise.
     std::uint32_t addHole(glm::vec2 centre, float radius, float cell, float turn = 0.0F);
     /// One shape placed once or more; loops in micrometres, the outline first, counter-clockwise, holes clockwise.
     std::uint32_t addArea(const std::vector<std::vector<base::Point>>& loops,
-                          const std::vector<shader::AreaInstance>& places);
+                          const std::vector<shader::AreaInstance>& locations);
 
     [[nodiscard]] BoardModel build() const;
     [[nodiscard]] const std::vector<LayerStyle>& styles() const { return m_styles; }

@@ -3,11 +3,11 @@ add_library(copperscope_gpu_test_support STATIC gpu/gpu_fixture.cpp gpu/syntheti
 target_link_libraries(copperscope_gpu_test_support PUBLIC copperscope_options copperscope_render copperscope_tri)
 
 foreach(name backends cut_open device element_state faults panel pipelines raster sample_board swapchain view)
-    copperscope_test(${name}_test gpu/${name}_test.cpp LABEL gpu LINK copperscope_gpu_test_support copperscope_reader)
+    copperscope_test(${name}_test gpu/${name}_test.cpp LABEL gpu LINK copperscope_gpu_test_support copperscope_model)
     set_tests_properties(${name}_test PROPERTIES ENVIRONMENT COPPERSCOPE_VALIDATION=abort)
 endforeach()
 
-target_link_libraries(pipelines_test PRIVATE copperscope_generate)
+target_link_libraries(pipelines_test PRIVATE copperscope_model)
 copperscope_test(tri_gpu_test gpu/triangulator_test.cpp LABEL gpu LINK copperscope_tri_gpu)
 target_compile_definitions(tri_gpu_test PRIVATE
     COPPERSCOPE_GLSLANG="${GLSLANG_VALIDATOR}"

@@ -1,7 +1,7 @@
 #include <QtTest>
 #include <cmath>
 
-#include "render/frame_plan.h"
+#include "render/culling/frame_plan.h"
 #include "tests/gpu/gpu_fixture.h"
 
 using namespace render;
@@ -110,7 +110,7 @@ private slots:
         for (int i = 0; i < 5; ++i) {
             board.addDisc({-0.2F, 0}, 0.5F);
         }
-        board.addStroke({0, 0}, {0.6F, 0}, 0.3F);
+        board.addTrack({0, 0}, {0.6F, 0}, 0.3F);
         board.addArea({{{-200, -200}, {200, -200}, {200, 200}, {-200, 200}}}, {{{0, 0}, {1, 0}, 0, 0, 0, 0, 0.0F}});
         Scene scene(board);
         scene.lookDown({-1, -1}, {1, 1});
@@ -219,9 +219,9 @@ private slots:
         QFETCH(int, backend);
         SyntheticBoard board;
         board.addLayer(0.0F, 0.035F, {0.5F, 0.2F, 0.1F});
-        board.addStroke({-0.9F, 0}, {0.9F, 0}, 0.2F);
+        board.addTrack({-0.9F, 0}, {0.9F, 0}, 0.2F);
         const std::uint32_t disc = board.addDisc({0, 0}, 0.4F);
-        board.addStroke({-0.9F, 0.1F}, {0.9F, 0.1F}, 0.2F);
+        board.addTrack({-0.9F, 0.1F}, {0.9F, 0.1F}, 0.2F);
         Scene scene(board);
         scene.lookDown({-1, -1}, {1, 1});
         ViewSettings how = flat();
@@ -284,9 +284,9 @@ private slots:
     void explosionMovesLayersApart() {
         SyntheticBoard board;
         board.addLayer(0.0F, 0.1F, {1, 0, 0});
-        board.addStroke({-5, 0}, {5, 0}, 0.5F);
+        board.addTrack({-5, 0}, {5, 0}, 0.5F);
         board.addLayer(1.0F, 1.1F, {0, 1, 0});
-        board.addStroke({-5, 0}, {5, 0}, 0.5F);
+        board.addTrack({-5, 0}, {5, 0}, 0.5F);
         Scene scene(board);
         scene.camera.setOrthographic(true);
         scene.camera.fit({-6, -6, -6}, {6, 6, 7}, NamedView::Iso, 1.0F);

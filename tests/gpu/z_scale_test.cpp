@@ -1,4 +1,4 @@
-#include "render/z_scale.h"
+#include "render/scene/z_scale.h"
 
 #include <QtTest>
 

@@ -35,18 +35,17 @@ void paintShape(const model::Document& document, model::ShapeId shape, const mod
     raster.fill(contours, true);
 }
 
-std::vector<Contour> stroke(const model::PathNode& node, model::Point end, model::Nm width) {
+std::vector<Contour> track(const model::PathNode& node, model::Point end, model::Nm width) {
     if (width <= 0) {
         return {};
     }
     if (node.edge == model::EdgeKind::Line) {
-        return lineStroke(mm(node.point), mm(end), width * 1e-6);
+        return lineTrack(mm(node.point), mm(end), width * 1e-6);
     }
-    return arcStroke(mm(node.point), mm(end), mm(node.centre), node.edge == model::EdgeKind::ArcClockwise,
-                     width * 1e-6);
+    return arcTrack(mm(node.point), mm(end), mm(node.centre), node.edge == model::EdgeKind::ArcClockwise, width * 1e-6);
 }
 
-std::vector<Contour> squareStroke(const model::LineGeometry& line) {
+std::vector<Contour> squareTrack(const model::LineGeometry& line) {
     const double half = line.width * 0.5e-6;
     const Point a = mm(line.a);
     const Point b = mm(line.b);
@@ -74,10 +73,10 @@ void paint(const model::Document& document, model::ElementId element, Raster& ra
             const model::LineGeometry& line = document.lines[row];
             const bool isSquare = (document.elements.flags[element.row()] & model::kSquarePen) != 0;
             return raster.fill(
-                isSquare ? squareStroke(line) : stroke({line.a, {}, model::EdgeKind::Line}, line.b, line.width), true);
+                isSquare ? squareTrack(line) : track({line.a, {}, model::EdgeKind::Line}, line.b, line.width), true);
         }
         case model::ElementKind::Arc:
-            return raster.fill(stroke(document.arcs[row].node, document.arcs[row].end, document.arcs[row].width), true);
+            return raster.fill(track(document.arcs[row].node, document.arcs[row].end, document.arcs[row].width), true);
         case model::ElementKind::Circle: {
             const model::CircleGeometry& disc = document.circles[row];
             std::vector<Contour> contours = {circle(mm(disc.centre), disc.diameter * 0.5e-6)};
@@ -90,7 +89,7 @@ void paint(const model::Document& document, model::ElementId element, Raster& ra
             const auto nodes = document.nodesOf(document.trails[row]);
             const auto widths = document.widthsOf(document.trails[row]);
             for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
-                raster.fill(stroke(nodes[i], nodes[i + 1].point, widths[i]), true);
+                raster.fill(track(nodes[i], nodes[i + 1].point, widths[i]), true);
             }
             return;
         }

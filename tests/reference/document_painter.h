@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/document.h"
+#include "model/board/document.h"
 #include "tests/reference/raster.h"
 
 namespace reference {

@@ -57,8 +57,8 @@ template <class Frames>
 Point toBoard(const Frames& frames, Point p) {
     for (auto frame = frames.rbegin(); frame != frames.rend(); ++frame) {
         const double a = frame->clockwiseDeg * std::numbers::pi / 180;
-        const Point turned{p.x * std::cos(a) + p.y * std::sin(a), p.y * std::cos(a) - p.x * std::sin(a)};
-        p = {frame->place.x + (frame->isMirrored ? -turned.x : turned.x), frame->place.y + turned.y};
+        const Point rotated{p.x * std::cos(a) + p.y * std::sin(a), p.y * std::cos(a) - p.x * std::sin(a)};
+        p = {frame->location.x + (frame->isMirrored ? -rotated.x : rotated.x), frame->location.y + rotated.y};
     }
     return p;
 }
@@ -66,7 +66,7 @@ Point toBoard(const Frames& frames, Point p) {
 template <class Frames>
 Point fromBoard(const Frames& frames, Point p) {
     for (const auto& frame : frames) {
-        const Point q{(p.x - frame.place.x) * (frame.isMirrored ? -1 : 1), p.y - frame.place.y};
+        const Point q{(p.x - frame.location.x) * (frame.isMirrored ? -1 : 1), p.y - frame.location.y};
         const double a = frame.clockwiseDeg * std::numbers::pi / 180;
         p = {q.x * std::cos(a) - q.y * std::sin(a), q.x * std::sin(a) + q.y * std::cos(a)};
     }
@@ -79,7 +79,7 @@ void OdbPainter::pad(const File& file, const std::vector<std::string>& fields, c
                      Raster& raster, bool value, int depth) {
     const File::Name& name = file.symbols.at(std::stoi(fields[3]));
     Frame frame;
-    frame.place = {std::stod(fields[1]) * file.mm, std::stod(fields[2]) * file.mm};
+    frame.location = {std::stod(fields[1]) * file.mm, std::stod(fields[2]) * file.mm};
     const int code = fields.size() > 6 ? std::stoi(fields[6]) : 0;
     frame.isMirrored = code == 9 || (code < 8 && code >= 4);
     frame.clockwiseDeg = code >= 8 ? std::stod(fields[7]) : code % 4 * 90.0;
@@ -98,8 +98,8 @@ void OdbPainter::pad(const File& file, const std::vector<std::string>& fields, c
     paintRecords(*user, inner, raster, !value, depth + 1);
 }
 
-void OdbPainter::stroke(const File& file, const std::vector<std::string>& fields, const std::vector<Frame>& frames,
-                        Raster& raster, bool value, bool isArc) {
+void OdbPainter::track(const File& file, const std::vector<std::string>& fields, const std::vector<Frame>& frames,
+                       Raster& raster, bool value, bool isArc) {
     const File::Name& name = file.symbols.at(std::stoi(fields[isArc ? 7 : 5]));
     const std::optional<Symbol> symbol = standardSymbol(name.name, name.unit);
     const auto at = [&](std::size_t i) {
@@ -107,13 +107,13 @@ void OdbPainter::stroke(const File& file, const std::vector<std::string>& fields
     };
     const bool isSquare = name.name.starts_with("s") || name.name.starts_with("rect");
     if (symbol && symbol->penWidth > 0 && !isArc) {
-        raster.fill(lineStroke(at(1), at(3), symbol->penWidth), value);
+        raster.fill(lineTrack(at(1), at(3), symbol->penWidth), value);
     } else if (symbol && symbol->penWidth > 0) {
         bool isClockwise = fields.at(10) == "Y";
         for (const Frame& frame : frames) {
             isClockwise = isClockwise != frame.isMirrored;
         }
-        raster.fill(arcStroke(at(1), at(3), at(5), isClockwise, symbol->penWidth), value);
+        raster.fill(arcTrack(at(1), at(3), at(5), isClockwise, symbol->penWidth), value);
     } else if (symbol && isSquare && !isArc && frames.empty()) {
         // What an upright box passes: a point is inside when some place of the box covers it.
         const Point a = at(1);
@@ -165,9 +165,9 @@ void OdbPainter::paintRecords(const std::string& text, const std::vector<Frame>&
             const double unit = fields.size() > 2 ? (fields[2] == "I" ? 25.4 : 1.0) : file.mm;
             file.symbols[std::stoi(kind.substr(1))] = {fields.at(1), unit / 1000};
         } else if (kind == "L") {
-            stroke(file, fields, frames, raster, value(6), false);
+            track(file, fields, frames, raster, value(6), false);
         } else if (kind == "A") {
-            stroke(file, fields, frames, raster, value(8), true);
+            track(file, fields, frames, raster, value(8), true);
         } else if (kind == "P") {
             pad(file, fields, frames, raster, value(4), depth);
         } else if (kind == "S") {

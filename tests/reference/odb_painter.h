@@ -26,7 +26,7 @@ public:
 private:
     /// p' = place + mirror · clockwise rotation · p.
     struct Frame {
-        Point place;
+        Point location;
         double clockwiseDeg = 0.0;
         bool isMirrored = false;
     };
@@ -36,8 +36,8 @@ private:
                       int depth);
     void pad(const File& file, const std::vector<std::string>& fields, const std::vector<Frame>& frames, Raster& raster,
              bool value, int depth);
-    void stroke(const File& file, const std::vector<std::string>& fields, const std::vector<Frame>& frames,
-                Raster& raster, bool value, bool isArc);
+    void track(const File& file, const std::vector<std::string>& fields, const std::vector<Frame>& frames,
+               Raster& raster, bool value, bool isArc);
 
     ReadFile m_read;
     double m_defaultUnit = 25.4;

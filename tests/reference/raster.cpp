@@ -35,7 +35,7 @@ Raster::Raster(Point low, Point high, double pitch) : m_pitch(pitch) {
     Point min{1e9, 1e9};
     Point max{-1e9, -1e9};
     for (const Point corner : {low, Point{high.x, low.y}, high, Point{low.x, high.y}}) {
-        const Point p = turned(corner);
+        const Point p = rotated(corner);
         min = {std::min(min.x, p.x), std::min(min.y, p.y)};
         max = {std::max(max.x, p.x), std::max(max.y, p.y)};
     }
@@ -47,7 +47,7 @@ Raster::Raster(Point low, Point high, double pitch) : m_pitch(pitch) {
     m_bits.resize(m_words * m_rows);
 }
 
-Point Raster::turned(Point p) const {
+Point Raster::rotated(Point p) const {
     return {p.x * std::cos(kTurn) - p.y * std::sin(kTurn), p.x * std::sin(kTurn) + p.y * std::cos(kTurn)};
 }
 
@@ -77,8 +77,8 @@ void Raster::fill(const std::vector<Contour>& contours, bool value) {
     std::vector<Crossing> crossings;
     for (const Contour& contour : contours) {
         for (std::size_t i = 0; i < contour.size(); ++i) {
-            const Point a = turned(contour[i]);
-            const Point b = turned(contour[(i + 1) % contour.size()]);
+            const Point a = rotated(contour[i]);
+            const Point b = rotated(contour[(i + 1) % contour.size()]);
             const std::size_t first = sampleFrom(std::min(a.y, b.y), m_bottom, m_rows);
             const std::size_t end = sampleFrom(std::max(a.y, b.y), m_bottom, m_rows);
             for (std::size_t row = first; row < end; ++row) {
@@ -100,7 +100,7 @@ void Raster::fill(const std::vector<Contour>& contours, bool value) {
 }
 
 void Raster::fill(Point middle, double reach, const std::function<bool(Point)>& isInside, bool value) {
-    const Point m = turned(middle);
+    const Point m = rotated(middle);
     const std::size_t endRow = sampleFrom(m.y + reach, m_bottom, m_rows);
     const std::size_t endColumn = sampleFrom(m.x + reach, m_left, m_columns);
     for (std::size_t row = sampleFrom(m.y - reach, m_bottom, m_rows); row < endRow; ++row) {
@@ -164,7 +164,7 @@ Contour wound(Contour contour, bool isHole) {
     return contour;
 }
 
-std::vector<Contour> lineStroke(Point a, Point b, double width) {
+std::vector<Contour> lineTrack(Point a, Point b, double width) {
     const double length = std::hypot(b.x - a.x, b.y - a.y);
     const double r = width / 2;
     if (length == 0.0 || r <= 0.0) {
@@ -179,14 +179,14 @@ std::vector<Contour> lineStroke(Point a, Point b, double width) {
     return {contour};
 }
 
-std::vector<Contour> arcStroke(Point from, Point to, Point centre, bool isClockwise, double width) {
+std::vector<Contour> arcTrack(Point from, Point to, Point centre, bool isClockwise, double width) {
     // As short lines: their pens overlap, which the winding number allows.
     Contour path;
     appendArc(path, from, to, centre, isClockwise);
     path.push_back(to);
     std::vector<Contour> pieces;
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-        const std::vector<Contour> piece = lineStroke(path[i], path[i + 1], width);
+        const std::vector<Contour> piece = lineTrack(path[i], path[i + 1], width);
         pieces.insert(pieces.end(), piece.begin(), piece.end());
     }
     return pieces;

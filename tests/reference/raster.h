@@ -36,7 +36,7 @@ public:
     [[nodiscard]] double difference(const Raster& other) const;
 
 private:
-    [[nodiscard]] Point turned(Point p) const;
+    [[nodiscard]] Point rotated(Point p) const;
     [[nodiscard]] Point board(std::size_t row, std::size_t column) const;
     void set(std::size_t row, std::size_t from, std::size_t end, bool value);
     /// First row (or column) whose sample is at or behind `at`, within the picture.
@@ -59,7 +59,7 @@ void appendArc(Contour& contour, Point from, Point to, Point centre, bool isCloc
 [[nodiscard]] Contour wound(Contour contour, bool isHole);
 
 /// What a round pen covers: one contour per piece, each counter-clockwise, to be filled together.
-[[nodiscard]] std::vector<Contour> lineStroke(Point a, Point b, double width);
-[[nodiscard]] std::vector<Contour> arcStroke(Point from, Point to, Point centre, bool isClockwise, double width);
+[[nodiscard]] std::vector<Contour> lineTrack(Point a, Point b, double width);
+[[nodiscard]] std::vector<Contour> arcTrack(Point from, Point to, Point centre, bool isClockwise, double width);
 
 }  // namespace reference

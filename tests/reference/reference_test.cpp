@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "model/base/parallel.h"
-#include "model/odb/job_tree.h"
+#include "model/formats/odb/text/job_tree.h"
 #include "tests/places.h"
 #include "tests/reference/document_painter.h"
 #include "tests/reference/odb_painter.h"
@@ -84,12 +84,12 @@ private slots:
         QVERIFY(std::abs(raster.area() / (4 * kPi) - 1) < 2e-4);
         raster.fill({wound({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, false)}, false);
         QVERIFY(std::abs(raster.area() / (4 * kPi - 4) - 1) < 2e-4);
-        Raster strokes({-5, -5}, {5, 5}, 0.002);
-        strokes.fill(lineStroke({-2, 1}, {2, 3}, 0.5), true);
+        Raster tracks({-5, -5}, {5, 5}, 0.002);
+        tracks.fill(lineTrack({-2, 1}, {2, 3}, 0.5), true);
         const double line = std::sqrt(20.0) * 0.5 + kPi / 16;
-        QVERIFY(std::abs(strokes.area() / line - 1) < 2e-4);
+        QVERIFY(std::abs(tracks.area() / line - 1) < 2e-4);
         Raster arcs({-5, -5}, {5, 5}, 0.002);
-        arcs.fill(arcStroke({3, 0}, {0, 3}, {0, 0}, false, 0.5), true);
+        arcs.fill(arcTrack({3, 0}, {0, 3}, {0, 0}, false, 0.5), true);
         QVERIFY(std::abs(arcs.area() / (kPi / 2 * 3 * 0.5 + kPi / 16) - 1) < 2e-4);
         Raster asked({-5, -5}, {5, 5}, 0.002);
         asked.fill(
@@ -189,8 +189,8 @@ private slots:
 
     void copperOfRealBoardsAgrees_data() {
         QTest::addColumn<QString>("file");
-        const fs::path boards = places::kBoards;
-        QTest::newRow("sample") << QString(places::kSample);
+        const fs::path boards = locations::kBoards;
+        QTest::newRow("sample") << QString(locations::kSample);
         for (const char* folder : {"", "kicad", "kicad/variants"}) {
             for (const auto& entry :
                  fs::exists(boards / folder) ? fs::directory_iterator(boards / folder) : fs::directory_iterator{}) {
@@ -215,7 +215,7 @@ private slots:
                 elements += layer.elements.count;
             }
         }
-        if (!places::isThorough() && copper.size() > 2 && (elements > 100'000 || file.contains("/variants/"))) {
+        if (!locations::isThorough() && copper.size() > 2 && (elements > 100'000 || file.contains("/variants/"))) {
             copper = {copper.front(), copper.back()};
         }
         std::vector<Comparison> results(copper.size());

@@ -1,4 +1,4 @@
-#include "ui/actions.h"
+#include "ui/workspace/actions.h"
 
 #include <QMenu>
 #include <QWidget>
@@ -6,9 +6,9 @@
 #include <set>
 
 #include "tests/places.h"
-#include "ui/help_dialogs.h"
-#include "ui/icons.h"
-#include "ui/key_presets.h"
+#include "ui/shell/help_dialogs.h"
+#include "ui/shell/icons.h"
+#include "ui/workspace/key_presets.h"
 
 using ui::ActionId;
 using ui::ActionSpec;
@@ -139,19 +139,19 @@ private slots:
 
     void keysSheetListsEveryShortcut() {
         for (const ui::KeyPreset preset : kPresets) {
-            const QString sheet = ui::keysSheetText(preset);
+            const QString plane = ui::keyListText(preset);
             for (const ActionSpec& spec : ui::actionSpecs()) {
                 for (const QKeySequence& key : ui::keysOf(spec, preset)) {
-                    QVERIFY2(sheet.contains(key.toString(QKeySequence::NativeText).toHtmlEscaped()), spec.text);
+                    QVERIFY2(plane.contains(key.toString(QKeySequence::NativeText).toHtmlEscaped()), spec.text);
                 }
             }
         }
-        QVERIFY(ui::keysSheetText(ui::KeyPreset::KLayout).contains("Zoom into the box"));
-        QVERIFY(!ui::keysSheetText(ui::KeyPreset::Copperscope).contains("Zoom into the box"));
+        QVERIFY(ui::keyListText(ui::KeyPreset::KLayout).contains("Zoom into the box"));
+        QVERIFY(!ui::keyListText(ui::KeyPreset::Copperscope).contains("Zoom into the box"));
     }
 
     void iconsAreDrawnInTheirSize() {
-        const QIcon icon = ui::iconOf(ActionId::LookTop);
+        const QIcon icon = ui::iconOf(ActionId::ViewTop);
         const QImage image = icon.pixmap(32, 32).toImage();
         bool hasInk = false;
         for (int y = 0; y < image.height(); ++y) {

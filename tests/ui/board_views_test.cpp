@@ -1,4 +1,4 @@
-#include "ui/board_views.h"
+#include "ui/views/board_views.h"
 
 #include <QMouseEvent>
 #include <QSignalSpy>
@@ -6,7 +6,7 @@
 
 #include "tests/places.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/layers_panel.h"
+#include "ui/layers/layers_panel.h"
 
 using ui::ActionId;
 using ui::Arrangement;
@@ -19,13 +19,13 @@ class BoardViewsTest : public QObject {
 private slots:
     void initTestCase() {
         m_fixture = std::make_unique<WindowFixture>();
-        QVERIFY(m_fixture->openAndWait(places::kSample));
+        QVERIFY(m_fixture->openAndWait(locations::kSample));
     }
     void init() {
         window().actions()[ActionId::ShowSideBySide].trigger();
         window().actions()[ActionId::RestoreLayers].trigger();
         views().setActive(views().flat());
-        window().actions()[ActionId::LookTop].trigger();
+        window().actions()[ActionId::ViewTop].trigger();
         views().setActive(views().solid());
     }
     void cleanupTestCase() {
@@ -97,11 +97,12 @@ private slots:
     void screenAndBoardAgree() {
         for (BoardView* view : views().both()) {
             const ui::CameraController& controller = view->controller();
-            const QPointF place(70, 90);
-            const auto ray = controller.rayAt(place);
+            const QPointF location(70, 90);
+            const auto ray = controller.rayAt(location);
             const std::optional<QPointF> back = controller.screenOf(ray.origin + 100.0F * ray.direction);
             QVERIFY(back.has_value());
-            QVERIFY2(QLineF(*back, place).length() < 0.05, qPrintable(QString::number(QLineF(*back, place).length())));
+            QVERIFY2(QLineF(*back, location).length() < 0.05,
+                     qPrintable(QString::number(QLineF(*back, location).length())));
         }
     }
 
@@ -130,7 +131,7 @@ private slots:
         m_fixture->key(Qt::Key_PageDown);
         const int next = static_cast<int>(window().layersPanel().currentLayer().row());
         QVERIFY(next > topCopper());
-        QVERIFY(window().layers().effectiveLooks()[static_cast<std::size_t>(next)].isVisible);
+        QVERIFY(window().layers().effectiveStyles()[static_cast<std::size_t>(next)].isVisible);
         m_fixture->key(Qt::Key_PageUp);
         QCOMPARE(static_cast<int>(window().layersPanel().currentLayer().row()), topCopper());
         m_fixture->key(Qt::Key_H);

@@ -1,4 +1,4 @@
-#include "ui/camera_controller.h"
+#include "ui/canvas/camera_controller.h"
 
 #include <QMouseEvent>
 #include <QSignalSpy>

@@ -1,4 +1,4 @@
-#include "ui/clearances.h"
+#include "ui/clearance/clearances.h"
 
 #include <QAbstractItemModelTester>
 #include <QComboBox>
@@ -10,14 +10,14 @@
 
 #include "tests/places.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/layers_panel.h"
-#include "ui/message_bar.h"
-#include "ui/rule_dialog.h"
-#include "ui/table_view.h"
+#include "ui/clearance/rule_dialog.h"
+#include "ui/common/table_view.h"
+#include "ui/layers/layers_panel.h"
+#include "ui/shell/message_bar.h"
 
 using ui::ActionId;
+using ui::ClearanceModel;
 using ui::ClearancePanel;
-using ui::models::ClearanceModel;
 
 /// From the keys to the narrow place on the screen, on the sample board.
 class ClearancesTest : public QObject {
@@ -26,7 +26,7 @@ class ClearancesTest : public QObject {
 private slots:
     void initTestCase() {
         m_fixture = std::make_unique<WindowFixture>();
-        QVERIFY(m_fixture->openAndWait(places::kSample));
+        QVERIFY(m_fixture->openAndWait(locations::kSample));
     }
     void init() {
         while (window().selection().clearStep()) {
@@ -44,37 +44,37 @@ private slots:
     }
 
     void modelsKeepTheirPromises() {
-        const QAbstractItemModelTester places(&clearances().places());
+        const QAbstractItemModelTester locations(&clearances().locations());
         const QAbstractItemModelTester rules(&clearances().rules());
         measure();
-        QVERIFY(clearances().places().rowCount() > 3);
+        QVERIFY(clearances().locations().rowCount() > 3);
     }
 
     void theNarrowestIsShownInBothViewsAndWalkedThrough() {
         measure();
-        const ClearanceModel& places = clearances().places();
+        const ClearanceModel& locations = clearances().locations();
         double last = 0.0;
-        for (int row = 0; row < places.rowCount(); ++row) {
-            const double gap = places.data(places.index(row, ClearanceModel::Gap), Qt::EditRole).toDouble();
+        for (int row = 0; row < locations.rowCount(); ++row) {
+            const double gap = locations.data(locations.index(row, ClearanceModel::Gap), Qt::EditRole).toDouble();
             QVERIFY(gap >= last);
             last = gap;
         }
         const QImage before = window().views().flat().grabPicture()->copy();
         m_fixture->key(Qt::Key_F8);
-        const model::RuleFinding& first = places.place(0).found;
+        const model::RuleFinding& first = locations.place(0).found;
         const std::vector<model::BoardElement> sides{{0, std::min(first.a, first.b)}, {0, std::max(first.a, first.b)}};
         QCOMPARE(window().selection().selected(), sides);
         QVERIFY(differingPixels(before, *window().views().flat().grabPicture()) > 100);
         for (ui::BoardView* view : window().views().both()) {
-            const auto at =
-                view->controller().screenOf(window().probing().place().toModel(first.gap.from, heightOf(first.layer)));
+            const auto at = view->controller().screenOf(
+                window().probing().position().toModel(first.gap.from, heightOf(first.layer)));
             QVERIFY(at && QRectF(QPointF(), view->controller().viewport()).contains(*at));
         }
         m_fixture->key(Qt::Key_F8);
         QCOMPARE(panel().table().currentIndex().row(), 1);
         m_fixture->key(Qt::Key_F8, Qt::ShiftModifier);
         m_fixture->key(Qt::Key_F8, Qt::ShiftModifier);
-        QCOMPARE(panel().table().currentIndex().row(), places.rowCount() - 1);  // round the corner
+        QCOMPARE(panel().table().currentIndex().row(), locations.rowCount() - 1);  // round the corner
     }
 
     /// On a hidden layer, and below all others: as bright as if it were alone, until something else is selected.
@@ -86,7 +86,7 @@ private slots:
         }
         window().layersPanel().selectRow(static_cast<int>(bottom.row()));
         ask(ClearancePanel::Where::Layer);
-        const QModelIndex check = window().layers().index(int(bottom.row()), ui::models::LayerModel::Visible);
+        const QModelIndex check = window().layers().index(int(bottom.row()), ui::LayerModel::Visible);
         QVERIFY(window().layers().setData(check, Qt::Unchecked, Qt::CheckStateRole));
         m_fixture->key(Qt::Key_F8);
         for (ui::BoardView* view : window().views().both()) {
@@ -94,28 +94,28 @@ private slots:
             QVERIFY(styles[bottom.row()].isVisible);
             QCOMPARE(styles[bottom.row()].opacity, 1.0F);
             for (std::size_t row = 0; row < styles.size(); ++row) {
-                const model::RuleFinding& found = clearances().places().place(0).found;
-                const bool isOfGap = row == bottom.row() || board.elements.layer[found.a.row()].row() == row ||
-                                     board.elements.layer[found.b.row()].row() == row;
-                QVERIFY(isOfGap || styles[row].opacity < 0.2F);
+                const model::RuleFinding& found = clearances().locations().location(0).found;
+                const bool isOfSpacing = row == bottom.row() || board.elements.layer[found.a.row()].row() == row ||
+                                         board.elements.layer[found.b.row()].row() == row;
+                QVERIFY(isOfSpacing || styles[row].opacity < 0.2F);
             }
         }
-        const QImage lit = window().views().flat().grabPicture()->copy();
+        const QImage highlighted = window().views().flat().grabPicture()->copy();
         QCOMPARE(check.data(Qt::CheckStateRole).value<Qt::CheckState>(), Qt::Unchecked);  // untouched
         m_fixture->key(Qt::Key_Escape);
         QVERIFY(window().selection().selected().empty());
         for (ui::BoardView* view : window().views().both()) {
             QVERIFY(!view->styles()[bottom.row()].isVisible);
         }
-        QVERIFY(differingPixels(lit, *window().views().flat().grabPicture()) > 100);
+        QVERIFY(differingPixels(highlighted, *window().views().flat().grabPicture()) > 100);
         QVERIFY(window().layers().setData(check, Qt::Checked, Qt::CheckStateRole));
     }
 
     void questionsAreNarrowedToLayerViewAndNets() {
         measure();
-        const ClearanceModel& places = clearances().places();
-        const ClearanceModel::Place first = places.place(0);
-        const int all = places.rowCount();
+        const ClearanceModel& locations = clearances().locations();
+        const ClearanceModel::Location first = locations.place(0);
+        const int all = locations.rowCount();
         const auto nets = [&] {
             const model::Document& board = *window().document();
             return std::vector<model::BoardNet>{{0, board.elements.net[first.found.a.row()]},
@@ -124,26 +124,26 @@ private slots:
 
         window().layersPanel().selectRow(static_cast<int>(first.found.layer.row()));
         ask(ClearancePanel::Where::Layer);
-        QVERIFY(places.rowCount() > 0 && places.rowCount() < all);
-        for (int row = 0; row < places.rowCount(); ++row) {
-            QCOMPARE(places.place(row).found.layer, first.found.layer);
+        QVERIFY(locations.rowCount() > 0 && locations.rowCount() < all);
+        for (int row = 0; row < locations.rowCount(); ++row) {
+            QCOMPARE(locations.place(row).found.layer, first.found.layer);
         }
         window().selection().setNets(nets);
         ask(ClearancePanel::Where::Nets);
-        QVERIFY(places.rowCount() >= 1);
-        QCOMPARE(places.place(0).found.gap.distance, first.found.gap.distance);
+        QVERIFY(locations.rowCount() >= 1);
+        QCOMPARE(locations.place(0).found.gap.distance, first.found.gap.distance);
 
-        window().probing().showPlace(first.found.gap.from, first.found.layer);
+        window().probing().showPosition(first.found.gap.from, first.found.layer);
         ask(ClearancePanel::Where::View);
-        QVERIFY(places.rowCount() > 0 && places.rowCount() < all);
-        QCOMPARE(places.place(0).found.gap.distance, first.found.gap.distance);
+        QVERIFY(locations.rowCount() > 0 && locations.rowCount() < all);
+        QCOMPARE(locations.place(0).found.gap.distance, first.found.gap.distance);
     }
 
     void aQuestionThatCannotBeAskedIsTold() {
         window().selection().setNets({});
         panel().whereBox().setCurrentIndex(static_cast<int>(ClearancePanel::Where::Nets));
         window().messageBar().hide();
-        window().actions()[ActionId::FindGaps].trigger();
+        window().actions()[ActionId::SearchClearances].trigger();
         QVERIFY(window().messageBar().isVisible());
         QVERIFY(!clearances().isMeasuring());
         window().messageBar().hide();
@@ -151,15 +151,15 @@ private slots:
 
     void rulesAreEditedCheckedAndKeptInAFile() {
         panel().whatBox().setCurrentIndex(static_cast<int>(ClearancePanel::What::Rules));
-        ui::models::RuleModel& rules = clearances().rules();
-        const QModelIndex least = rules.index(0, ui::models::RuleModel::Least);
+        ui::RuleModel& rules = clearances().rules();
+        const QModelIndex least = rules.index(0, ui::RuleModel::Least);
         QVERIFY(rules.setData(least, "5 mm", Qt::EditRole));
         QVERIFY(!rules.setData(least, "-3", Qt::EditRole));
         QVERIFY(!rules.setData(least, "apple", Qt::EditRole));
         measure();
-        QVERIFY(rules.index(0, ui::models::RuleModel::Result).data().toString().startsWith("FAIL"));
-        const ClearanceModel& places = clearances().places();
-        QVERIFY(places.index(0, ClearanceModel::Rule).data().toString().startsWith("copper-copper"));
+        QVERIFY(rules.index(0, ui::RuleModel::Result).data().toString().startsWith("FAIL"));
+        const ClearanceModel& locations = clearances().locations();
+        QVERIFY(locations.index(0, ClearanceModel::Rule).data().toString().startsWith("copper-copper"));
 
         const QString path = m_fixture->folder() + "/rules.json";
         QVERIFY(clearances().saveRules(path));
@@ -167,7 +167,7 @@ private slots:
         QVERIFY(rules.setData(least, "1 um", Qt::EditRole));
         QVERIFY(clearances().openRules(path));
         QVERIFY(rules.rules() == saved);
-        QVERIFY(!clearances().openRules(places::kSample));
+        QVERIFY(!clearances().openRules(locations::kSample));
         QVERIFY(rules.rules() == saved);
         QVERIFY(!clearances().saveRules("/nowhere/rules.json"));
     }
@@ -179,17 +179,16 @@ private slots:
         QVERIFY(dialog != nullptr && dialog->isVisible());
         press(*dialog, "Add &class");
         QCOMPARE(dialog->classes().rowCount(), 1);
-        type(dialog->classTable(), dialog->classes().index(0, ui::models::NetClassModel::Name), "gnd");
-        type(dialog->classTable(), dialog->classes().index(0, ui::models::NetClassModel::Nets), "GND*");
+        type(dialog->classTable(), dialog->classes().index(0, ui::NetClassModel::Name), "gnd");
+        type(dialog->classTable(), dialog->classes().index(0, ui::NetClassModel::Nets), "GND*");
         QTRY_COMPARE(dialog->rules().rules().classes, (std::vector<model::NetClass>{{"gnd", {"GND*"}}}));
         press(*dialog, "&Add rule");
         const int row = dialog->rules().rowCount() - 1;
         QCOMPARE(row, static_cast<int>(before.rules.size()));
-        QVERIFY(
-            dialog->rules().setData(dialog->rules().index(row, ui::models::RuleModel::Second), "gnd", Qt::EditRole));
-        type(dialog->ruleTable(), dialog->rules().index(row, ui::models::RuleModel::Least), "7 mil");
+        QVERIFY(dialog->rules().setData(dialog->rules().index(row, ui::RuleModel::Second), "gnd", Qt::EditRole));
+        type(dialog->ruleTable(), dialog->rules().index(row, ui::RuleModel::Least), "7 mil");
         QTRY_COMPARE(dialog->rules().rules().rules.back().least, model::Nm{177'800});
-        dialog->ruleTable().setCurrentIndex(dialog->rules().index(0, ui::models::RuleModel::On));
+        dialog->ruleTable().setCurrentIndex(dialog->rules().index(0, ui::RuleModel::On));
         QTest::keyClick(&dialog->ruleTable(), Qt::Key_Space);
         QVERIFY(!dialog->rules().rules().rules[0].isOn);
         QVERIFY(clearances().rules().rules() == before);  // nothing counts yet
@@ -213,7 +212,7 @@ private slots:
     }
 
     void whatWasFoundIsExportedAsTheCommandLineWritesIt() {
-        QVERIFY(m_fixture->openAndWait(places::kSample));
+        QVERIFY(m_fixture->openAndWait(locations::kSample));
         const QString path = m_fixture->folder() + "/found";
         QVERIFY(!clearances().exportReport(path + ".csv"));  // nothing was searched for
         panel().whatBox().setCurrentIndex(static_cast<int>(ClearancePanel::What::Rules));
@@ -236,7 +235,7 @@ private slots:
 
     void theLensFollowsSliderAndSelection() {
         measure();
-        const model::RuleFinding found = clearances().places().place(0).found;
+        const model::RuleFinding found = clearances().locations().location(0).found;
         window().selection().select({{0, found.a}});
         m_fixture->key(Qt::Key_L);
         QVERIFY(clearances().lens().isOn());
@@ -246,14 +245,14 @@ private slots:
         bool hasOther = false;
         for (int value = panel().lensSlider().minimum(); value <= panel().lensSlider().maximum(); value += 20) {
             panel().lensSlider().setValue(value);
-            const auto lit = clearances().lens().lit();
-            QVERIFY(lit.size() >= last);
-            QTRY_COMPARE(window().selection().nearby().size(), lit.size());
-            for (const model::Nearby& near : lit) {
+            const auto highlighted = clearances().lens().highlighted();
+            QVERIFY(highlighted.size() >= last);
+            QTRY_COMPARE(window().selection().nearby().size(), highlighted.size());
+            for (const model::Nearby& near : highlighted) {
                 QVERIFY(near.gap.distance <= panel().lensReach());
                 hasOther = hasOther || near.element == found.b;
             }
-            last = lit.size();
+            last = highlighted.size();
         }
         QVERIFY(hasOther);
         const QImage withLens = *window().views().flat().grabPicture();
@@ -264,27 +263,27 @@ private slots:
 
     void aReloadForgetsWhatWasFound() {
         measure();
-        QVERIFY(m_fixture->openAndWait(places::kSample));
-        QCOMPARE(clearances().places().rowCount(), 0);
+        QVERIFY(m_fixture->openAndWait(locations::kSample));
+        QCOMPARE(clearances().locations().rowCount(), 0);
         QCOMPARE(panel().summary(), "Nothing was measured yet");
         m_fixture->key(Qt::Key_F8);  // nothing to step to
     }
 
     void aReloadWhileMeasuringEndsTheSearch() {
-        window().actions()[ActionId::FindGaps].trigger();
-        QVERIFY(m_fixture->openAndWait(places::kSample));
+        window().actions()[ActionId::SearchClearances].trigger();
+        QVERIFY(m_fixture->openAndWait(locations::kSample));
         QTest::qWait(100);
         QVERIFY(!clearances().isMeasuring());
-        QCOMPARE(clearances().places().rowCount(), 0);
+        QCOMPARE(clearances().locations().rowCount(), 0);
     }
 
     void aBoardWithCopperButNoNetsIsTold() {
-        QVERIFY(m_fixture->openAndWait(QString(places::kTestData) + "/odb/drills"));
+        QVERIFY(m_fixture->openAndWait(QString(locations::kTestData) + "/odb/drills"));
         measure();
-        QCOMPARE(clearances().places().rowCount(), 0);
-        QVERIFY2(panel().remarks().contains("has copper but no nets"), qPrintable(panel().remarks()));
-        QVERIFY(m_fixture->openAndWait(places::kSample));
-        QVERIFY(panel().remarks().isEmpty());
+        QCOMPARE(clearances().locations().rowCount(), 0);
+        QVERIFY2(panel().notes().contains("has copper but no nets"), qPrintable(panel().notes()));
+        QVERIFY(m_fixture->openAndWait(locations::kSample));
+        QVERIFY(panel().notes().isEmpty());
     }
 
 private:

@@ -5,15 +5,15 @@
 #include <QtTest>
 #include <set>
 
-#include "render/colour_ramp.h"
+#include "render/scene/colour_ramp.h"
 #include "tests/places.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/clearances.h"
-#include "ui/layers_panel.h"
-#include "ui/status_line.h"
+#include "ui/clearance/clearances.h"
+#include "ui/layers/layers_panel.h"
+#include "ui/shell/status_line.h"
 
+using model::ClearanceMap;
 using model::DistanceField;
-using model::DistanceMap;
 using model::LayerId;
 using ui::ActionId;
 using ui::BoardView;
@@ -25,7 +25,7 @@ private slots:
     void initTestCase() {
         m_fixture = std::make_unique<WindowFixture>();
         m_fixture->window().resize(1250, 950);
-        QVERIFY(m_fixture->openAndWait(places::kSample));
+        QVERIFY(m_fixture->openAndWait(locations::kSample));
     }
     void init() {
         while (window().selection().clearStep()) {
@@ -37,7 +37,7 @@ private slots:
             view->controller().fit();
         }
         if (distances().isOn()) {
-            window().actions()[ActionId::DistanceMap].trigger();
+            window().actions()[ActionId::ClearanceMap].trigger();
         }
         QTRY_VERIFY(distances().field() == nullptr && !distances().isPending());
     }
@@ -51,7 +51,7 @@ private slots:
         const QImage without[2] = {grab(views().flat()), grab(views().solid())};
         m_fixture->key(Qt::Key_G, Qt::ShiftModifier);
         waitForMaps();
-        QVERIFY(window().actions()[ActionId::DistanceMap].isChecked());
+        QVERIFY(window().actions()[ActionId::ClearanceMap].isChecked());
         QCOMPARE(distances().field()->kind(), DistanceField::Kind::BetweenNets);
         QVERIFY2(bar().text().contains("gaps between nets"), qPrintable(bar().text()));
         QVERIFY(differingPixels(without[0], grab(views().flat())) > 500);
@@ -133,7 +133,7 @@ private slots:
 
     void theSliderOnlyColoursAnew() {
         switchOn();
-        const DistanceMap* map = distances().picture(BoardView::Kind::Flat).map();
+        const ClearanceMap* map = distances().picture(BoardView::Kind::Flat).map();
         const float* values = map->nm.data();
         bar().slider().setFocus();
         std::set<int> painted;
@@ -153,7 +153,7 @@ private slots:
         views().flat().controller().zoomAtCentre(3.0F);
         switchOn();
         bar().slider().setValue(bar().slider().maximum());
-        ui::DistancePicture& picture = distances().picture(BoardView::Kind::Flat);
+        ui::ClearanceMapPicture& picture = distances().picture(BoardView::Kind::Flat);
         const model::MapFrame before = picture.map()->frame;
         const QPoint at(views().flat().width() / 2, views().flat().height() / 2);
         QWheelEvent wheel(at, views().flat().mapToGlobal(at), {}, {0, 360}, Qt::NoButton, Qt::NoModifier,
@@ -174,21 +174,22 @@ private slots:
         const auto [at, value] = coloured(views().flat()).front();
         QTest::qWait(20);
         emit views().flat().controller().hovered(at);
-        QTRY_VERIFY2(window().statusLine().placeText().contains("gap "), qPrintable(window().statusLine().placeText()));
+        QTRY_VERIFY2(window().statusLine().positionText().contains("gap "),
+                     qPrintable(window().statusLine().positionText()));
         QVERIFY(distances().legend().mark.has_value());
         QVERIFY(std::abs(*distances().legend().mark - value) <
                 2.0 * distances().picture(BoardView::Kind::Flat).map()->frame.cell);
         window().actions()[ActionId::NextUnit].trigger();
-        QVERIFY2(window().statusLine().placeText().contains(" mil   gap "),
-                 qPrintable(window().statusLine().placeText()));
+        QVERIFY2(window().statusLine().positionText().contains(" mil   gap "),
+                 qPrintable(window().statusLine().positionText()));
         window().actions()[ActionId::NextUnit].trigger();
         window().actions()[ActionId::NextUnit].trigger();
     }
 
     void theLegendHasRoundNumbersAndTheEnd() {
-        ui::DistanceLegend legend;
+        ui::ClearanceMapLegend legend;
         for (const double reach : {20e3, 150e3, 500e3, 1.25e6, 10e6}) {
-            for (const auto unit : {ui::models::LengthUnit::Millimetre, ui::models::LengthUnit::Mil}) {
+            for (const auto unit : {ui::LengthUnit::Millimetre, ui::LengthUnit::Mil}) {
                 legend.reach = reach;
                 legend.unit = unit;
                 const std::vector<double> numbers = legend.numbers();
@@ -202,11 +203,11 @@ private slots:
 
     void aReloadMapsTheBoardAnew() {
         switchOn();
-        QVERIFY(m_fixture->openAndWait(places::kSample));
+        QVERIFY(m_fixture->openAndWait(locations::kSample));
         QVERIFY(distances().isOn());
         waitForMaps();
         m_fixture->key(Qt::Key_G, Qt::ShiftModifier);  // off, and on again while the board is read
-        window().open(places::kSample);
+        window().open(locations::kSample);
         m_fixture->key(Qt::Key_G, Qt::ShiftModifier);
         QTRY_VERIFY_WITH_TIMEOUT(!window().loader().isLoading(), 30000);
         waitForMaps();
@@ -215,8 +216,8 @@ private slots:
 private:
     ui::MainWindow& window() { return m_fixture->window(); }
     ui::BoardViews& views() { return window().views(); }
-    ui::DistanceOverlay& distances() { return window().clearances().distances(); }
-    ui::DistanceBar& bar() { return window().clearances().panel().distances(); }
+    ui::ClearanceMapOverlay& distances() { return window().clearances().distances(); }
+    ui::ClearanceMapBar& bar() { return window().clearances().panel().distances(); }
     QImage grab(BoardView& view) { return view.grabPicture()->convertToFormat(QImage::Format_RGB32); }
 
     void switchOn() {
@@ -227,7 +228,7 @@ private:
     /// Both views show what they are to show.
     void waitForMaps() {
         const auto isDone = [this](BoardView::Kind kind) {
-            const ui::DistancePicture& picture = distances().picture(kind);
+            const ui::ClearanceMapPicture& picture = distances().picture(kind);
             return picture.map() != nullptr && picture.shownFrame() == picture.map()->frame;
         };
         QTRY_VERIFY_WITH_TIMEOUT(distances().field() != nullptr && !distances().isPending() &&
@@ -258,13 +259,13 @@ private:
 
     /// Cells amid others of nearly the same value that fall on the canvas: where, and their values.
     std::vector<std::pair<QPointF, double>> coloured(BoardView& view) {
-        const DistanceMap& map = *distances().picture(view.kind()).map();
+        const ClearanceMap& map = *distances().picture(view.kind()).map();
         const float z = view.drawnHeights()[distances().field()->layer().row()].z1;
         const float zBelow = view.drawnHeights()[distances().field()->layer().row()].z0;
         const bool isFromBelow = view.controller().camera().direction().z > 0.0F;
         const QRectF canvas(24, 100, view.width() - 30, view.height() - 110);  // beside rulers and the view cube
         const QRectF legend(view.width() - 190, view.height() - 200, 190, 200);
-        std::vector<std::pair<QPointF, double>> places;
+        std::vector<std::pair<QPointF, double>> locations;
         const std::uint32_t width = map.frame.width;
         for (std::uint32_t row = 2; row + 2 < map.frame.height; row += 3) {
             for (std::uint32_t column = 2; column + 2 < width; column += 3) {
@@ -278,32 +279,32 @@ private:
                                  std::abs(value(x, y) - value(column, row)) < bar().reach() / 16;
                     }
                 }
-                glm::vec3 at = window().probing().place().toModel(map.frame.centreOf(column, row));
+                glm::vec3 at = window().probing().position().toModel(map.frame.centreOf(column, row));
                 at.z = isFromBelow ? zBelow : z;
                 const auto onScreen = view.controller().screenOf(at);
                 if (isEven && onScreen && canvas.contains(*onScreen) && !legend.contains(*onScreen)) {
-                    places.emplace_back(*onScreen, value(column, row));
+                    locations.emplace_back(*onScreen, value(column, row));
                 }
             }
         }
-        return places;
+        return locations;
     }
 
     /// Of those at least the part `least` must be painted in its colour; names and grids hide some.
     void compareColours(BoardView& view, double least) {
         const QImage picture = grab(view);
-        const auto places = coloured(view);
-        QVERIFY2(places.size() > 30, qPrintable(QString::number(places.size())));
+        const auto locations = coloured(view);
+        QVERIFY2(locations.size() > 30, qPrintable(QString::number(locations.size())));
         std::size_t right = 0;
-        for (const auto& [at, value] : places) {
+        for (const auto& [at, value] : locations) {
             const QColor found = picture.pixelColor((at * view.devicePixelRatioF()).toPoint());
             const glm::vec3 c = render::rampColour(static_cast<float>(value / bar().reach())) * 255.0F;
             const double off = std::max({std::abs(found.red() - double{c.r}), std::abs(found.green() - double{c.g}),
                                          std::abs(found.blue() - double{c.b})});
             right += off < 48.0 ? 1 : 0;
         }
-        QVERIFY2(static_cast<double>(right) >= least * static_cast<double>(places.size()),
-                 qPrintable(QString("%1 of %2").arg(right).arg(places.size())));
+        QVERIFY2(static_cast<double>(right) >= least * static_cast<double>(locations.size()),
+                 qPrintable(QString("%1 of %2").arg(right).arg(locations.size())));
     }
 
     std::unique_ptr<WindowFixture> m_fixture;

@@ -1,13 +1,13 @@
 // The picture of the selected element alone: there when asked for, of that element, gone with the selection.
-#include "ui/element_picture.h"
+#include "ui/element/element_picture.h"
 
 #include <QtTest>
 
-#include "model/measures.h"
+#include "model/statistics/element_sizes.h"
 #include "tests/places.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/actions.h"
-#include "ui/element_panel.h"
+#include "ui/element/element_panel.h"
+#include "ui/workspace/actions.h"
 
 using model::ElementId;
 using ui::ElementPicture;
@@ -18,7 +18,7 @@ class ElementPictureTest : public QObject {
 private slots:
     void initTestCase() {
         m_fixture = std::make_unique<WindowFixture>();
-        QVERIFY(m_fixture->openAndWait(places::kSample));
+        QVERIFY(m_fixture->openAndWait(locations::kSample));
         window().elementPanel().show();
     }
     void init() {
@@ -48,7 +48,7 @@ private slots:
             const std::optional<ElementId> element = squatOnCopper(kind);
             QVERIFY(element.has_value());
             const QImage flat = drawn(*element, ElementPicture::Flat);
-            const QColor colour = window().layers().effectiveLooks()[layerOf(*element)].colour;
+            const QColor colour = window().layers().effectiveStyles()[layerOf(*element)].colour;
             int coloured = 0;
             int onEdge = 0;
             for (int y = 0; y < flat.height(); ++y) {
@@ -74,8 +74,8 @@ private slots:
         const ElementId element = *squatOnCopper(model::ElementKind::Circle);
         const QImage before = drawn(element, ElementPicture::Flat);
         const auto row = static_cast<int>(layerOf(element));
-        ui::models::LayerModel& layers = window().layers();
-        QVERIFY(layers.setData(layers.index(row, ui::models::LayerModel::Colour), QColor(Qt::magenta), Qt::EditRole));
+        ui::LayerModel& layers = window().layers();
+        QVERIFY(layers.setData(layers.index(row, ui::LayerModel::Colour), QColor(Qt::magenta), Qt::EditRole));
         QTRY_VERIFY(!picture().image(ElementPicture::Flat).isNull());
         const QImage after = picture().image(ElementPicture::Flat);
         QVERIFY(isNear(after.pixelColor(after.width() / 2, after.height() / 2), Qt::magenta));

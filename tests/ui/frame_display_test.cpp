@@ -1,6 +1,6 @@
 // What the frame display counts, and that it shows times without drawing forever.
 
-#include "ui/frame_display.h"
+#include "ui/views/frame_display.h"
 
 #include <QSignalSpy>
 #include <QtTest>
@@ -18,7 +18,7 @@ private slots:
     void initTestCase() {
         m_fixture = std::make_unique<WindowFixture>();
         QVERIFY(display().lines().isEmpty());
-        QVERIFY(m_fixture->openAndWait(places::kSample));
+        QVERIFY(m_fixture->openAndWait(locations::kSample));
     }
     void cleanupTestCase() {
         const std::uint32_t errors = m_fixture->context().validationErrors();
@@ -29,7 +29,7 @@ private slots:
     void elementsAreCountedInAllCopiesAndWhatIsStoredOnce() {
         base::Progress progress;
         const auto panel =
-            ui::loadBoard({.path = std::string(places::kTestData) + "/odb/panel", .noSession = true}, progress);
+            ui::loadBoard({.path = std::string(locations::kTestData) + "/odb/panel", .noSession = true}, progress);
         QVERIFY(panel.ok());
         const ui::BoardCounts counts = ui::countsOf(*panel->document, *panel->model);
         const auto tree = model::unfoldCopies(*panel->document);

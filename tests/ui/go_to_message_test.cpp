@@ -7,12 +7,12 @@
 
 #include "tests/places.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/messages_panel.h"
-#include "ui/models/message_model.h"
-#include "ui/table_view.h"
+#include "ui/common/table_view.h"
+#include "ui/messages/message_model.h"
+#include "ui/messages/messages_panel.h"
 
 using model::Diagnostic;
-using ui::models::MessageModel;
+using ui::MessageModel;
 
 class GoToMessageTest : public QObject {
     Q_OBJECT
@@ -20,7 +20,7 @@ class GoToMessageTest : public QObject {
 private slots:
     void init() {
         m_fixture = std::make_unique<WindowFixture>();
-        QVERIFY(m_fixture->openAndWait(places::kTestData + QStringLiteral("/odb/everything")));
+        QVERIFY(m_fixture->openAndWait(locations::kTestData + QStringLiteral("/odb/everything")));
     }
     void cleanup() { m_fixture.reset(); }
 
@@ -30,7 +30,7 @@ private slots:
         const std::size_t layer = board.elements.layer[message.element.row()].row();
         window().layers().hideAll();
         click(message);
-        QVERIFY(window().layers().effectiveLooks()[layer].isVisible);
+        QVERIFY(window().layers().effectiveStyles()[layer].isVisible);
         const model::Box box = board.boxOf(message.element);
         for (ui::BoardView* view : window().views().both()) {
             const glm::vec3 target = view->controller().camera().target();
@@ -43,7 +43,7 @@ private slots:
 
     void aMessageAboutAFileLeavesTheViewAlone() {
         const Diagnostic& message =
-            firstThat([](const Diagnostic& entry) { return !entry.element.isValid() && !entry.place; });
+            firstThat([](const Diagnostic& entry) { return !entry.element.isValid() && !entry.location; });
         const glm::mat4 before = window().views().solid().controller().camera().view();
         click(message);
         QCOMPARE(window().views().solid().controller().camera().view(), before);

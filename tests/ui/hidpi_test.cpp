@@ -7,7 +7,7 @@
 
 #include "tests/places.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/view_cube.h"
+#include "ui/views/view_cube.h"
 
 using ui::ActionId;
 
@@ -20,7 +20,7 @@ private slots:
             QSKIP("ctest sets QT_SCALE_FACTOR for this test");
         }
         m_fixture = std::make_unique<WindowFixture>();
-        QVERIFY(m_fixture->openAndWait(places::kSample));
+        QVERIFY(m_fixture->openAndWait(locations::kSample));
         m_ratio = m_fixture->window().devicePixelRatioF();
         QVERIFY(m_ratio > 1.2);
     }
@@ -70,9 +70,9 @@ private slots:
             }
             const model::Box box = board.boxOf(element);
             const base::PointD middle{(double{1} * box.min.x + box.max.x) / 2, (double{1} * box.min.y + box.max.y) / 2};
-            const glm::vec3 place = window.probing().place().toModel(middle);
-            flat.controller().show(place - glm::vec3(1, 1, 0), place + glm::vec3(1, 1, 0));
-            click(flat, *flat.controller().screenOf(place));
+            const glm::vec3 location = window.probing().position().toModel(middle);
+            flat.controller().show(location - glm::vec3(1, 1, 0), location + glm::vec3(1, 1, 0));
+            click(flat, *flat.controller().screenOf(location));
             QVERIFY(!window.selection().selected().empty());
             const model::Box found = board.boxOf(window.selection().current()->element);
             QVERIFY(found.min.x <= middle.x && middle.x <= found.max.x);
@@ -85,7 +85,7 @@ private slots:
     void theCubeIsClickedWhereItIsSeen() {
         ui::MainWindow& window = m_fixture->window();
         window.actions()[ActionId::ShowSolid].trigger();
-        window.actions()[ActionId::LookIso].trigger();
+        window.actions()[ActionId::ViewIso].trigger();
         QTest::qWait(50);
         QVERIFY(!window.viewCube().place().isEmpty());
         click(window.views().solid(), window.viewCube().positionOf({0, 0, 1}));

@@ -1,6 +1,6 @@
 // Bars of a histogram and rows of the drill table select their elements, with the mouse and with keys.
 
-#include "ui/histogram_view.h"
+#include "ui/statistics/histogram_view.h"
 
 #include <QComboBox>
 #include <QDockWidget>
@@ -9,9 +9,9 @@
 
 #include "tests/places.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/models/drill_model.h"
-#include "ui/statistics_panel.h"
-#include "ui/table_view.h"
+#include "ui/common/table_view.h"
+#include "ui/statistics/drill_model.h"
+#include "ui/statistics/statistics_panel.h"
 
 class HistogramViewTest : public QObject {
     Q_OBJECT
@@ -20,7 +20,7 @@ private slots:
     void init() {
         m_fixture = std::make_unique<WindowFixture>();
         window().findChild<QDockWidget*>("statistics")->raise();
-        QVERIFY(m_fixture->openAndWait(places::kSample));
+        QVERIFY(m_fixture->openAndWait(locations::kSample));
     }
     void cleanup() { m_fixture.reset(); }
 
@@ -60,19 +60,19 @@ private slots:
         ui::StatisticsPanel& panel = window().statisticsPanel();
         panel.tabs().setCurrentIndex(1);
         ui::TableView& table = panel.drillTable();
-        table.sortByColumn(ui::models::DrillModel::Diameter, Qt::DescendingOrder);  // rows are not the board's
+        table.sortByColumn(ui::DrillModel::Diameter, Qt::DescendingOrder);  // rows are not the board's
         QVERIFY(table.model()->rowCount() > 1);
         std::size_t all = 0;
         for (int row = 0; row < table.model()->rowCount(); ++row) {
             const auto cell = [&](int column) { return table.model()->index(row, column); };
-            table.scrollTo(cell(ui::models::DrillModel::Layer));
+            table.scrollTo(cell(ui::DrillModel::Layer));
             QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, table.visualRect(cell(0)).center());
             const auto& selected = window().selection().selected();
-            QCOMPARE(selected.size(), std::size_t{cell(ui::models::DrillModel::Holes).data(Qt::EditRole).toUInt()});
+            QCOMPARE(selected.size(), std::size_t{cell(ui::DrillModel::Holes).data(Qt::EditRole).toUInt()});
             for (const model::BoardElement& at : selected) {
                 const model::Box box = window().document()->boxOf(at.element);
                 QVERIFY((window().document()->elements.flags[at.element.row()] & model::kHole) != 0);
-                const double diameter = cell(ui::models::DrillModel::Diameter).data(Qt::EditRole).toDouble();
+                const double diameter = cell(ui::DrillModel::Diameter).data(Qt::EditRole).toDouble();
                 QVERIFY(base::toMm(static_cast<double>(box.width())) > diameter - 2e-6);  // boxes are of whole nm
             }
             all += selected.size();

@@ -13,21 +13,21 @@
 
 #include "tests/places.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/element_panel.h"
-#include "ui/measurements_panel.h"
-#include "ui/message_bar.h"
-#include "ui/net_check_panel.h"
-#include "ui/nets_panel.h"
-#include "ui/search_box.h"
-#include "ui/stack_panel.h"
-#include "ui/stack_view.h"
-#include "ui/table_view.h"
+#include "ui/common/table_view.h"
+#include "ui/element/element_panel.h"
+#include "ui/measure/measurements_panel.h"
+#include "ui/nets/net_check_panel.h"
+#include "ui/nets/nets_panel.h"
+#include "ui/search/search_box.h"
+#include "ui/shell/message_bar.h"
+#include "ui/stackup/stackup_panel.h"
+#include "ui/stackup/stackup_view.h"
 
-using model::session::Measurement;
+using model::Measurement;
 using ui::ActionId;
 using ui::BoardView;
 using ui::ClearancePanel;
-using ui::models::StackModel;
+using ui::StackupModel;
 namespace fs = std::filesystem;
 
 namespace {
@@ -77,13 +77,13 @@ class InspectionTest : public QObject {
 private slots:
     void initTestCase() {
         m_fixture = std::make_unique<WindowFixture>();
-        const fs::path real = fs::path(places::kBoards) / kRealBoard;
+        const fs::path real = fs::path(locations::kBoards) / kRealBoard;
         const bool isThere = fs::exists(real);
         if (!isThere) {
             qInfo("%s is not there: inspecting the sample instead", kRealBoard);
         }
         m_job = fs::path(m_fixture->folder().toStdString()) / "job.tgz";  // sessions are written beside it
-        fs::copy_file(isThere ? real : fs::path(places::kSample), m_job);
+        fs::copy_file(isThere ? real : fs::path(locations::kSample), m_job);
         openJob();
     }
     void init() {
@@ -112,7 +112,7 @@ private slots:
     void theStackIsOpenedSteppedThroughAndExported() {
         window().layers().restoreDefaults();
         m_fixture->key(Qt::Key_6, Qt::ControlModifier);
-        QTRY_VERIFY(!stackView().visibleRegion().isEmpty());
+        QTRY_VERIFY(!stackupView().visibleRegion().isEmpty());
         shoot("stack");
         const std::vector<std::size_t> rows = rowsWithLayers();
         const QImage before[] = {picture(flat()), picture(solid())};
@@ -121,10 +121,10 @@ private slots:
         QVERIFY(differingPixels(before[0], picture(flat())) > 200);
         QVERIFY(differingPixels(before[1], picture(solid())) > 200);
         for (std::size_t step = 4; step < rows.size(); ++step) {
-            QTest::keyClick(&stackView(), Qt::Key_Down);
+            QTest::keyClick(&stackupView(), Qt::Key_Down);
             QCOMPARE(window().layers().soloLayer(), board().stackup.rows[rows[step]].layer);
         }
-        QTest::keyClick(&stackView(), Qt::Key_Up);
+        QTest::keyClick(&stackupView(), Qt::Key_Up);
         shoot("stack-one-layer");
         clickBand(rows[rows.size() - 2]);  // the one shown alone: all are shown again
         QCOMPARE(differingPixels(before[0], picture(flat())), 0);
@@ -132,7 +132,7 @@ private slots:
 
         for (const char* name : {"stack.svg", "stack.csv"}) {
             const QString path = m_fixture->folder() + "/" + name;
-            window().exportStack(path);
+            window().exportStackup(path);
             const QByteArray written = contentsOf(path);
             for (const std::size_t row : rows) {
                 QVERIFY(written.contains(board().stackup.rows[row].name.c_str()));
@@ -142,7 +142,7 @@ private slots:
 
     void anAssumedThicknessIsTypedSeenAndTakenBack() {
         const auto& stack = board().stackup.rows;
-        const auto assumed = std::ranges::find_if(stack, [](const model::StackRow& row) {
+        const auto assumed = std::ranges::find_if(stack, [](const model::StackupRow& row) {
             return row.source == model::Source::Assumed && row.layer.isValid();
         });
         QVERIFY(assumed != stack.end());
@@ -175,11 +175,11 @@ private slots:
             QVERIFY(to.controller().mmPerPixel() < fitted * 0.9F);
             QVERIFY(distanceToMiddle(to, screenOf(to, m_b)) < 0.2 * to.width());
             leave(from);
-            const QImage lit = picture(to);
+            const QImage highlighted = picture(to);
             shoot(key == Qt::Key_3 ? "probe-2d-to-3d" : "probe-3d-to-2d");
             chord(key);
             window().selection().clearStep();
-            QVERIFY(differingPixels(lit, picture(to)) > 50);
+            QVERIFY(differingPixels(highlighted, picture(to)) > 50);
         }
     }
 
@@ -246,7 +246,7 @@ private slots:
         click(solid(), screenOf(solid(), m_b));
         QCOMPARE(measurements().size(), before + 2);
         const Measurement edges = measurements().back();
-        QVERIFY(edges.kind == model::session::MeasurementKind::Gap && edges.distance() > 0);
+        QVERIFY(edges.kind == model::MeasurementKind::Gap && edges.distance() > 0);
         const double radii = (circleOf(m_a).diameter + circleOf(m_b).diameter) / 2.0;
         QVERIFY2(std::abs(edges.distance() - (centres.distance() - radii)) < 1.0,
                  qPrintable(QString("%1 %2 %3").arg(edges.distance()).arg(centres.distance()).arg(radii)));
@@ -259,11 +259,11 @@ private slots:
         panel().whereBox().setCurrentIndex(static_cast<int>(ClearancePanel::Where::View));
         m_fixture->key(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
         QTRY_VERIFY_WITH_TIMEOUT(!window().clearances().isMeasuring(), kPatienceMs);
-        const auto& places = window().clearances().places();
-        QVERIFY2(places.rowCount() > 0, qPrintable(panel().summary()));
-        for (int row = 0; row < std::min(places.rowCount(), 3); ++row) {
+        const auto& locations = window().clearances().locations();
+        QVERIFY2(locations.rowCount() > 0, qPrintable(panel().summary()));
+        for (int row = 0; row < std::min(locations.rowCount(), 3); ++row) {
             m_fixture->key(Qt::Key_F8);
-            const model::RuleFinding& found = places.place(row).found;
+            const model::RuleFinding& found = locations.place(row).found;
             QCOMPARE(panel().table().currentIndex().row(), row);
             const std::vector<model::BoardElement> sides{{0, std::min(found.a, found.b)},
                                                          {0, std::max(found.a, found.b)}};
@@ -288,7 +288,7 @@ private slots:
         }
         QVERIFY(m_fixture->openAndWait(QString::fromStdString(job.string())));
         QVERIFY(board().nets.empty() && board().components.empty());
-        QVERIFY(std::ranges::all_of(board().stackup.rows, [](const model::StackRow& row) {
+        QVERIFY(std::ranges::all_of(board().stackup.rows, [](const model::StackupRow& row) {
             return row.source != model::Source::Job && row.thickness >= 0;
         }));
         window().selection().select({{0, model::ElementId{0}}});
@@ -302,7 +302,7 @@ private slots:
         m_fixture->key(Qt::Key_L);
         QVERIFY(window().selection().nets().empty());
         QVERIFY(!window().netCheckPanel().summary().isEmpty());
-        QVERIFY(!window().stackPanel().summary().isEmpty());
+        QVERIFY(!window().stackupPanel().summary().isEmpty());
         QVERIFY(inkOf(m_fixture->picture()) > 0.01);
         shoot("almost-nothing");
     }
@@ -325,7 +325,7 @@ private slots:
         panel().whereBox().setCurrentIndex(static_cast<int>(ClearancePanel::Where::Nets));
         m_fixture->key(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
         QTRY_VERIFY_WITH_TIMEOUT(!isBusy(), kPatienceMs);
-        QCOMPARE(window().clearances().places().rowCount(), 0);
+        QCOMPARE(window().clearances().locations().rowCount(), 0);
         QVERIFY(window().selection().nearby().empty());
         m_fixture->key(Qt::Key_L);
     }
@@ -362,7 +362,7 @@ private slots:
         QVERIFY(!window().netChecker().isChecking());
         QVERIFY(!window().clearances().isMeasuring());
         QVERIFY(!window().clearances().lens().isSearching());
-        QCOMPARE(window().clearances().places().rowCount(), 0);
+        QCOMPARE(window().clearances().locations().rowCount(), 0);
         QCOMPARE(window().netCheck().rowCount(), 0);
     }
 
@@ -378,12 +378,12 @@ private:
     ui::MainWindow& window() { return m_fixture->window(); }
     BoardView& flat() { return window().views().flat(); }
     BoardView& solid() { return window().views().solid(); }
-    ui::StackView& stackView() { return window().stackPanel().view(); }
+    ui::StackupView& stackupView() { return window().stackupPanel().view(); }
     ui::TableView& nets() { return window().netsPanel().table(); }
     ClearancePanel& panel() { return window().clearances().panel(); }
     QDockWidget& dock(const char* name) { return *window().findChild<QDockWidget*>(name); }
     const model::Document& board() { return *window().document(); }
-    const ui::BoardPlace& place() { return window().probing().place(); }
+    const ui::BoardPosition& place() { return window().probing().position(); }
     const std::vector<Measurement>& measurements() { return window().measurements().list().measurements(); }
     bool isBusy() {
         return window().netChecker().isChecking() || window().clearances().isMeasuring() ||
@@ -398,7 +398,7 @@ private:
     }
     fs::path copyOf(const char* name) {
         const fs::path copy = fs::path(m_fixture->folder().toStdString()) / name;
-        fs::copy(fs::path(places::kTestData) / "odb" / name, copy, fs::copy_options::recursive);
+        fs::copy(fs::path(locations::kTestData) / "odb" / name, copy, fs::copy_options::recursive);
         return copy;
     }
     void startSearches() {
@@ -408,7 +408,7 @@ private:
         QTest::keyClick(&window().searchBox().line(), Qt::Key_Escape);  // while it is open, keys are its own
         window().selection().select({{0, m_a}});
         window().actions()[ActionId::Lens].trigger();
-        window().actions()[ActionId::FindGaps].trigger();
+        window().actions()[ActionId::SearchClearances].trigger();
         window().actions()[ActionId::CheckNets].trigger();
         QVERIFY(isBusy());
     }
@@ -489,8 +489,8 @@ private:
         return rows;
     }
     void clickBand(std::size_t row) {
-        const QRectF band = stackView().bandRect(row);
-        QTest::mouseClick(&stackView(), Qt::LeftButton, {}, QPointF(band.left() + 2.0, band.center().y()).toPoint());
+        const QRectF band = stackupView().bandRect(row);
+        QTest::mouseClick(&stackupView(), Qt::LeftButton, {}, QPointF(band.left() + 2.0, band.center().y()).toPoint());
     }
     void clickNet(model::ElementId id) { clickRow(*window().nets().rowOf(board().elements.net[id.row()])); }
     void clickRow(int row) {
@@ -505,8 +505,8 @@ private:
     }
     /// Types the thickness of a row of the stack.
     void type(int row, const QString& text) {
-        QTableView& table = window().stackPanel().table();
-        const QModelIndex at = table.model()->index(row, StackModel::Thickness);
+        QTableView& table = window().stackupPanel().table();
+        const QModelIndex at = table.model()->index(row, StackupModel::Thickness);
         table.scrollTo(at);
         table.setFocus();
         table.setCurrentIndex(at);

@@ -7,21 +7,21 @@
 #include "model/session/session.h"
 #include "tests/places.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/message_bar.h"
-#include "ui/table_view.h"
-#include "ui/views_panel.h"
+#include "ui/common/table_view.h"
+#include "ui/saved_views/saved_views_panel.h"
+#include "ui/shell/message_bar.h"
 
 using ui::ActionId;
 namespace fs = std::filesystem;
 
-class KeptViewsTest : public QObject {
+class SavedViewsTest : public QObject {
     Q_OBJECT
 
 private slots:
     void init() {
         m_fixture = std::make_unique<WindowFixture>();
         m_job = fs::path(m_fixture->folder().toStdString()) / "everything";
-        fs::copy(fs::path(places::kTestData) / "odb/everything", m_job, fs::copy_options::recursive);
+        fs::copy(fs::path(locations::kTestData) / "odb/everything", m_job, fs::copy_options::recursive);
         QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
         window().findChild<QDockWidget*>("views")->raise();
     }
@@ -122,15 +122,14 @@ private slots:
     void whatTheWindowShowsIsSavedOnlyWhenAsked() {
         solid().zoomAt({300, 200}, 2.5F);
         window().layers().showOnly({"TOP"});
-        const QModelIndex colour = window().layers().index(0, ui::models::LayerModel::Colour);
+        const QModelIndex colour = window().layers().index(0, ui::LayerModel::Colour);
         window().layers().setData(colour, QColor(10, 20, 30), Qt::EditRole);
         m_fixture->restart();
         QVERIFY(!fs::exists(model::session::sessionPath(m_job)));
         QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
         QVERIFY(window().layers().visibleNames().size() > 1);
 
-        window().layers().setData(window().layers().index(0, ui::models::LayerModel::Colour), QColor(10, 20, 30),
-                                  Qt::EditRole);
+        window().layers().setData(window().layers().index(0, ui::LayerModel::Colour), QColor(10, 20, 30), Qt::EditRole);
         window().layers().showOnly({"TOP"});
         solid().zoomAt({300, 200}, 2.5F);
         const render::CameraPose saved = solid().camera().pose();
@@ -140,9 +139,9 @@ private slots:
         QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
         QVERIFY(isNear(solid().camera().pose(), saved));
         QCOMPARE(window().layers().visibleNames(), std::vector<std::string>{"TOP"});
-        QCOMPARE(window().layers().effectiveLooks()[0].colour, QColor(10, 20, 30));
+        QCOMPARE(window().layers().effectiveStyles()[0].colour, QColor(10, 20, 30));
         window().layers().restoreDefaults();
-        QVERIFY(window().layers().effectiveLooks()[0].colour != QColor(10, 20, 30));
+        QVERIFY(window().layers().effectiveStyles()[0].colour != QColor(10, 20, 30));
     }
 
     void aSelectionIsKeptAndSelectedAgain() {
@@ -170,7 +169,7 @@ private slots:
     void whatASelectionNoLongerFindsIsTold() {
         window().selection().select({{0, model::ElementId{std::size_t{1}}}, {0, model::ElementId{std::size_t{4}}}});
         m_fixture->key(Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier);
-        std::vector<model::session::KeptView> views = window().viewKeeping().list().views();
+        std::vector<model::session::SavedView> views = window().savedViews().list().views();
         views[0].selection->elements[0].box.max.x += 12345;  // as in another version of the board
         views[0].selection->nets.push_back({"pcb", "GONE"});
         QVERIFY(model::session::saveViews(m_job, *window().document(), views).ok());
@@ -186,7 +185,7 @@ private slots:
 private:
     ui::MainWindow& window() { return m_fixture->window(); }
     ui::CameraController& solid() { return window().views().solid().controller(); }
-    ui::TableView& table() { return window().viewsPanel().table(); }
+    ui::TableView& table() { return window().savedViewsPanel().table(); }
     static void rest() { QTest::qWait(ui::ViewHistory::kRestMs + 100); }
     static bool isNear(const render::CameraPose& a, const render::CameraPose& b) {
         return glm::length(a.target - b.target) < 1e-3F && std::abs(a.distance - b.distance) < 1e-3F &&
@@ -195,7 +194,7 @@ private:
     }
     QStringList names() {
         QStringList names;
-        for (const auto& view : window().viewKeeping().list().views()) {
+        for (const auto& view : window().savedViews().list().views()) {
             names += QString::fromStdString(view.name);
         }
         return names;
@@ -219,5 +218,5 @@ private:
     fs::path m_job;
 };
 
-QTEST_MAIN(KeptViewsTest)
+QTEST_MAIN(SavedViewsTest)
 #include "kept_views_test.moc"

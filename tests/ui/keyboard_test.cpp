@@ -9,12 +9,12 @@
 
 #include "tests/places.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/element_panel.h"
-#include "ui/layers_panel.h"
-#include "ui/nets_panel.h"
-#include "ui/search_box.h"
-#include "ui/table_view.h"
-#include "ui/views_panel.h"
+#include "ui/common/table_view.h"
+#include "ui/element/element_panel.h"
+#include "ui/layers/layers_panel.h"
+#include "ui/nets/nets_panel.h"
+#include "ui/saved_views/saved_views_panel.h"
+#include "ui/search/search_box.h"
 
 using ui::ActionId;
 namespace fs = std::filesystem;
@@ -26,7 +26,7 @@ private slots:
     void init() {
         m_fixture = std::make_unique<WindowFixture>();
         m_job = fs::path(m_fixture->folder().toStdString()) / "everything";
-        fs::copy(fs::path(places::kTestData) / "odb/everything", m_job, fs::copy_options::recursive);
+        fs::copy(fs::path(locations::kTestData) / "odb/everything", m_job, fs::copy_options::recursive);
     }
     void cleanup() {
         const std::uint32_t errors = m_fixture->context().validationErrors();
@@ -58,9 +58,9 @@ private slots:
         QCOMPARE(window().selection().nets().size(), std::size_t{1});  // Esc only went back to the view
 
         m_fixture->key(Qt::Key_B, Qt::ControlModifier);
-        QCOMPARE(window().viewKeeping().list().rowCount(), 1);
+        QCOMPARE(window().savedViews().list().rowCount(), 1);
         m_fixture->key(Qt::Key_Z, Qt::ControlModifier);
-        QCOMPARE(window().viewKeeping().list().rowCount(), 0);
+        QCOMPARE(window().savedViews().list().rowCount(), 0);
     }
 
     void panelsTakeTurns() {

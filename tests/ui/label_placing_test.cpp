@@ -1,5 +1,5 @@
 // Labels beside each other, on canvases of any size.
-#include "ui/label_placing.h"
+#include "ui/views/label_placing.h"
 
 #include <QRandomGenerator>
 #include <QtTest>

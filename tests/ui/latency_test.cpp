@@ -46,7 +46,7 @@ private slots:
     void initTestCase() {
         m_fixture = std::make_unique<WindowFixture>();
         const QString named = qEnvironmentVariable("COPPERSCOPE_LATENCY_BOARD");
-        QVERIFY(m_fixture->openAndWait(named.isEmpty() ? QString(places::kSample) : named));
+        QVERIFY(m_fixture->openAndWait(named.isEmpty() ? QString(locations::kSample) : named));
         settle();
     }
     void cleanupTestCase() {
@@ -108,7 +108,7 @@ private slots:
         window().sections().cutAlong({base::toDouble(box.min), base::toDouble(box.max)});  // aslant: the most to cut
         settle();
         QPointF at = *views().flat().controller().screenOf(
-            window().probing().place().toModel(window().sections().line().line().back()));
+            window().probing().position().toModel(window().sections().line().line().back()));
         PaintClock panel(window().sections().panel().view());
         std::optional<double> flat;
         const auto connection =
@@ -161,7 +161,7 @@ private slots:
     }
 
     void theDistanceMapFollowsItsSlider() {
-        ui::DistanceOverlay& distances = window().clearances().distances();
+        ui::ClearanceMapOverlay& distances = window().clearances().distances();
         const auto hasAll = [&] {
             return distances.field() != nullptr && !distances.isPending() &&
                    distances.picture(ui::BoardView::Kind::Flat).map() != nullptr &&

@@ -1,11 +1,11 @@
-#include "ui/loader.h"
+#include "ui/workspace/loader.h"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QtTest>
 #include <thread>
 
-#include "model/document_builder.h"
+#include "model/board/document_builder.h"
 #include "tests/places.h"
 
 using base::Error;
@@ -148,7 +148,7 @@ private slots:
             document = board.document;
             boardModel = board.model;
         });
-        loader.open({places::kSample, {}});
+        loader.open({locations::kSample, {}});
         QTRY_VERIFY_WITH_TIMEOUT(!loader.isLoading(), 60000);
         QVERIFY(document && boardModel);
         QVERIFY(document->elements.size() > 100);

@@ -1,4 +1,4 @@
-#include "ui/main_window.h"
+#include "ui/shell/main_window.h"
 
 #include <QClipboard>
 #include <QComboBox>
@@ -15,12 +15,12 @@
 #include <QtTest>
 #include <thread>
 
-#include "model/document_builder.h"
+#include "model/board/document_builder.h"
 #include "tests/places.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/layers_panel.h"
-#include "ui/message_bar.h"
-#include "ui/status_line.h"
+#include "ui/layers/layers_panel.h"
+#include "ui/shell/message_bar.h"
+#include "ui/shell/status_line.h"
 
 using base::ErrorCode;
 using ui::ActionId;
@@ -29,7 +29,7 @@ using ui::LoadRequest;
 
 namespace {
 
-const QString kSample = places::kSample;
+const QString kSample = locations::kSample;
 
 /// Real work, except that boards called "slow" never end until cancelled.
 base::Result<LoadedBoard> workWithSlowBoards(const LoadRequest& request, base::Progress& progress) {
@@ -94,7 +94,7 @@ private slots:
     void hidingALayerChangesThePictureAndShowingItRestoresIt() {
         QVERIFY(m_fixture->openAndWait(kSample));
         const QImage before = m_fixture->picture();
-        const QModelIndex cell = topCopper(ui::models::LayerModel::Visible);
+        const QModelIndex cell = topCopper(ui::LayerModel::Visible);
         QVERIFY(window().layers().setData(cell, Qt::Unchecked, Qt::CheckStateRole));
         const QImage hidden = m_fixture->picture();
         QVERIFY(differingPixels(before, hidden) > 1000);
@@ -107,14 +107,14 @@ private slots:
         QVERIFY(m_fixture->openAndWait(kSample));
         m_fixture->key(Qt::Key_T);
         const QImage before = m_fixture->picture();
-        window().layers().setData(topCopper(ui::models::LayerModel::Colour), QColor(Qt::green), Qt::EditRole);
+        window().layers().setData(topCopper(ui::LayerModel::Colour), QColor(Qt::green), Qt::EditRole);
         QVERIFY(differingPixels(before, m_fixture->picture()) > 1000);
     }
 
     void soloKeyShowsTheCurrentLayerAlone() {
         QVERIFY(m_fixture->openAndWait(kSample));
         const QImage all = m_fixture->picture();
-        const QModelIndex cell = topCopper(ui::models::LayerModel::Name);
+        const QModelIndex cell = topCopper(ui::LayerModel::Name);
         window().layersPanel().selectRow(cell.row());
         m_fixture->key(Qt::Key_H);
         QCOMPARE(window().layers().soloLayer().row(), static_cast<std::size_t>(cell.row()));
@@ -167,7 +167,7 @@ private slots:
         QVERIFY(m_fixture->openAndWait(kSample));
         const QImage whole = m_fixture->picture();
         m_fixture->key(Qt::Key_X);
-        QVERIFY(window().actions()[ActionId::CutOpen].isChecked());
+        QVERIFY(window().actions()[ActionId::SectionPlane].isChecked());
         const render::Cut* cut = window().views().solid().cut();
         QVERIFY(cut != nullptr && !cut->faces.empty());
         const QImage open = m_fixture->picture();
@@ -391,20 +391,20 @@ private slots:
     }
 
     void keysSheetOpensBesideTheWindow() {
-        m_fixture->window().actions()[ActionId::KeysSheet].trigger();
-        auto* sheet = window().findChild<QDialog*>("keysSheet");
-        QVERIFY(sheet != nullptr && sheet->isVisible() && !sheet->isModal());
-        sheet->close();
+        m_fixture->window().actions()[ActionId::ShowKeys].trigger();
+        auto* plane = window().findChild<QDialog*>("keysSheet");
+        QVERIFY(plane != nullptr && plane->isVisible() && !plane->isModal());
+        plane->close();
     }
 
     void safeColoursAreKeptAndLeaveChosenOnesAlone() {
-        QVERIFY(m_fixture->openAndWait(places::kSample));
-        const std::vector<ui::models::LayerLook> standard = window().layers().effectiveLooks();
-        const QModelIndex chosen = window().layers().index(0, ui::models::LayerModel::Colour);
+        QVERIFY(m_fixture->openAndWait(locations::kSample));
+        const std::vector<ui::LayerAppearance> standard = window().layers().effectiveStyles();
+        const QModelIndex chosen = window().layers().index(0, ui::LayerModel::Colour);
         window().layers().setData(chosen, QColor(1, 2, 3), Qt::EditRole);
         const QImage before = m_fixture->picture();
         window().actions()[ActionId::SafeColours].trigger();
-        const std::vector<ui::models::LayerLook> safe = window().layers().effectiveLooks();
+        const std::vector<ui::LayerAppearance> safe = window().layers().effectiveStyles();
         QCOMPARE(safe[0].colour, QColor(1, 2, 3));
         int changed = 0;
         for (std::size_t row = 1; row < safe.size(); ++row) {
@@ -415,10 +415,10 @@ private slots:
         QVERIFY(differingPixels(before, m_fixture->picture()) > 1000);  // lacquer and metal too
         m_fixture->restart();
         QVERIFY(window().actions()[ActionId::SafeColours].isChecked());
-        QVERIFY(m_fixture->openAndWait(places::kSample));
-        QCOMPARE(window().layers().effectiveLooks()[1].colour, safe[1].colour);
+        QVERIFY(m_fixture->openAndWait(locations::kSample));
+        QCOMPARE(window().layers().effectiveStyles()[1].colour, safe[1].colour);
         window().actions()[ActionId::SafeColours].trigger();
-        QCOMPARE(window().layers().effectiveLooks()[1].colour, standard[1].colour);
+        QCOMPARE(window().layers().effectiveStyles()[1].colour, standard[1].colour);
     }
 
 private:

@@ -1,5 +1,5 @@
 // Measuring with mouse and keys in both views, and what becomes of the measurements.
-#include "ui/measuring.h"
+#include "ui/measure/measuring.h"
 
 #include <QClipboard>
 #include <QDockWidget>
@@ -12,12 +12,12 @@
 #include "model/measure/separation.h"
 #include "tests/places.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/measurements_panel.h"
-#include "ui/status_line.h"
-#include "ui/table_view.h"
+#include "ui/common/table_view.h"
+#include "ui/measure/measurements_panel.h"
+#include "ui/shell/status_line.h"
 
-using model::session::Measurement;
-using model::session::MeasurementKind;
+using model::Measurement;
+using model::MeasurementKind;
 using ui::ActionId;
 using ui::BoardView;
 using ui::Measuring;
@@ -30,7 +30,7 @@ private slots:
     void init() {
         m_fixture = std::make_unique<WindowFixture>();
         m_job = fs::path(m_fixture->folder().toStdString()) / "sample.tgz";
-        fs::copy_file(places::kSample, m_job);
+        fs::copy_file(locations::kSample, m_job);
         QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
         window().findChild<QDockWidget*>("measurements")->raise();
         findPads();
@@ -41,10 +41,11 @@ private slots:
         }
         model::Box both = board().boxOf(m_a);
         both.include(board().boxOf(m_b));
-        const ui::BoardPlace place = window().probing().place();
-        flat().controller().show(place.toModel(base::toDouble(both.min)), place.toModel(base::toDouble(both.max)));
-        solid().controller().show(place.toModel(base::toDouble(both.min), 1.6e6),
-                                  place.toModel(base::toDouble(both.max), 1.6e6));
+        const ui::BoardPosition location = window().probing().position();
+        flat().controller().show(location.toModel(base::toDouble(both.min)),
+                                 location.toModel(base::toDouble(both.max)));
+        solid().controller().show(location.toModel(base::toDouble(both.min), 1.6e6),
+                                  location.toModel(base::toDouble(both.max), 1.6e6));
     }
     void cleanup() {
         const std::uint32_t errors = m_fixture->context().validationErrors();
@@ -59,9 +60,9 @@ private slots:
             QVERIFY(window().actions()[ActionId::MeasurePoints].isChecked());
             click(*view, screenOf(*view, m_a) + QPointF(3, 2));
             move(*view, screenOf(*view, m_b));
-            QTRY_VERIFY(window().statusLine().placeText().contains("Δ"));
+            QTRY_VERIFY(window().statusLine().positionText().contains("Δ"));
             click(*view, screenOf(*view, m_b) + QPointF(-2, 3));
-            QVERIFY(!window().statusLine().placeText().contains("Δ"));
+            QVERIFY(!window().statusLine().positionText().contains("Δ"));
             const Measurement& m = list().back();
             QVERIFY2(std::abs(m.distance() - centreDistance()) < 1e-3,
                      qPrintable(QString("%1, not %2").arg(m.distance()).arg(centreDistance())));
@@ -243,7 +244,7 @@ private:
     QPointF screenOf(BoardView& view, model::ElementId id) {
         const model::LayerId layer = board().elements.layer[id.row()];
         const double z = double(view.drawnHeights()[layer.row()].z1) * base::kNmPerMm;
-        return *view.controller().screenOf(window().probing().place().toModel(base::toDouble(centreOf(id)), z));
+        return *view.controller().screenOf(window().probing().position().toModel(base::toDouble(centreOf(id)), z));
     }
     void measureBoth() {
         m_fixture->key(Qt::Key_M);

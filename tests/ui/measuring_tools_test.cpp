@@ -8,12 +8,12 @@
 #include "tests/places.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/unit/model/measure/measure_fixture.h"
-#include "ui/measurements_panel.h"
-#include "ui/measuring.h"
+#include "ui/measure/measurements_panel.h"
+#include "ui/measure/measuring.h"
 
 using namespace measuring;
-using model::session::Measurement;
-using model::session::MeasurementKind;
+using model::Measurement;
+using model::MeasurementKind;
 using ui::ActionId;
 using ui::BoardView;
 using ui::Measuring;
@@ -253,9 +253,9 @@ private slots:
         click(flat(), {-3, 0});
         click(flat(), {-3, 4});
         QCOMPARE(list().size(), std::size_t{1});
-        for (const char* remark : {"both are of net M", "no common layer", "assumed thicknesses: below top"}) {
-            QVERIFY2(said().contains(remark), qPrintable(said()));
-            QVERIFY(details(0).contains(remark));
+        for (const char* note : {"both are of net M", "no common layer", "assumed thicknesses: below top"}) {
+            QVERIFY2(said().contains(note), qPrintable(said()));
+            QVERIFY(details(0).contains(note));
         }
         QVERIFY(std::abs(list()[0].dz - 1e6) < 1.0 && std::abs(list()[0].dy() - 3e6) < 1.0);
         // Point to point through the same laminate.
@@ -286,19 +286,19 @@ private slots:
 
     void aGapThatIsShownIsDrawnInBothViews() {
         const QImage before[] = {picture(flat()), picture(solid())};
-        model::LocalGap gap;
+        model::LocalSpacing gap;
         gap.gap = {5e6, {-3e6, 1e6}, {2e6, 1e6}};
         gap.layer = model::LayerId{Top};
-        window().measuring().showGap(gap);
+        window().measuring().showSpacing(gap);
         QVERIFY(differingPixels(before[0], picture(flat())) > 200);
         QVERIFY(differingPixels(before[1], picture(solid())) > 200);
-        window().measuring().showGap(std::nullopt);
+        window().measuring().showSpacing(std::nullopt);
         QCOMPARE(differingPixels(before[0], picture(flat())), 0);
         QVERIFY(list().empty());
     }
 
     void lengthsOfARealBoardAreThoseOfTheModel() {
-        const fs::path real = fs::path(places::kBoards) / kRealBoard;
+        const fs::path real = fs::path(locations::kBoards) / kRealBoard;
         if (!fs::exists(real)) {
             QSKIP("the real boards are not here");
         }
@@ -306,7 +306,7 @@ private slots:
         const fs::path job = fs::path(m_fixture->folder().toStdString()) / "job.tgz";
         fs::copy_file(real, job);
         QVERIFY(m_fixture->openAndWait(QString::fromStdString(job.string())));
-        const auto [a, b, path] = wayThroughHoles();
+        const auto [a, b, path] = pathThroughHoles();
         QVERIFY(a.isValid());
         window().actions()[ActionId::ShowCopperOnly].trigger();
         base::Box both = board().boxOf(a);
@@ -337,9 +337,9 @@ private:
     QString said() { return window().statusBar()->currentMessage(); }
     QString details(int row) {
         const auto& model = window().measurements().list();
-        return model.index(row, ui::models::MeasurementModel::Details).data().toString();
+        return model.index(row, ui::MeasurementModel::Details).data().toString();
     }
-    static bool isAt(const model::session::MeasuredEnd& end, double xMm, double yMm) {
+    static bool isAt(const model::MeasuredEnd& end, double xMm, double yMm) {
         return std::hypot(end.x - xMm * 1e6, end.y - yMm * 1e6) < 1.0;
     }
     static QImage picture(BoardView& view) {
@@ -348,7 +348,7 @@ private:
     }
 
     /// Two pads whose net leads from one to the other over tracks and holes.
-    std::tuple<model::ElementId, model::ElementId, model::NetPath> wayThroughHoles() {
+    std::tuple<model::ElementId, model::ElementId, model::NetPath> pathThroughHoles() {
         const auto index = indexed(std::make_shared<const model::Document>(board()));
         for (std::size_t net = 0; net < board().nets.size(); ++net) {
             std::vector<model::ElementId> pads;
@@ -373,18 +373,18 @@ private:
 
     /// From above, with a box of the board (mm) in the middle.
     void showBoth(QPointF min, QPointF max) {
-        const ui::BoardPlace place = window().probing().place();
+        const ui::BoardPosition location = window().probing().position();
         for (BoardView* view : window().views().both()) {
             view->controller().look(render::NamedView::Top);
-            view->controller().show(place.toModel({min.x() * 1e6, min.y() * 1e6}, 2.3e6),
-                                    place.toModel({max.x() * 1e6, max.y() * 1e6}, 2.3e6));
+            view->controller().show(location.toModel({min.x() * 1e6, min.y() * 1e6}, 2.3e6),
+                                    location.toModel({max.x() * 1e6, max.y() * 1e6}, 2.3e6));
         }
     }
     /// Clicks on a place of the uppermost layer, mm.
     void click(BoardView& view, QPointF mm) {
         const double z = static_cast<double>(view.drawnHeights().front().z1) * base::kNmPerMm;
-        const glm::vec3 place = window().probing().place().toModel({mm.x() * 1e6, mm.y() * 1e6}, z);
-        const QPointF at = *view.controller().screenOf(place);
+        const glm::vec3 location = window().probing().position().toModel({mm.x() * 1e6, mm.y() * 1e6}, z);
+        const QPointF at = *view.controller().screenOf(location);
         for (const QEvent::Type type : {QEvent::MouseButtonPress, QEvent::MouseButtonRelease}) {
             const Qt::MouseButtons held = type == QEvent::MouseButtonPress ? Qt::LeftButton : Qt::NoButton;
             QMouseEvent event(type, at, view.mapToGlobal(at), Qt::LeftButton, held, Qt::NoModifier);

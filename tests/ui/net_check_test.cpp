@@ -8,13 +8,13 @@
 
 #include "tests/places.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/message_bar.h"
-#include "ui/net_check_panel.h"
-#include "ui/status_line.h"
-#include "ui/table_view.h"
+#include "ui/common/table_view.h"
+#include "ui/nets/net_check_panel.h"
+#include "ui/shell/message_bar.h"
+#include "ui/shell/status_line.h"
 
 using ui::ActionId;
-using ui::models::NetCheckModel;
+using ui::NetCheckModel;
 
 class NetCheckTest : public QObject {
     Q_OBJECT
@@ -22,7 +22,7 @@ class NetCheckTest : public QObject {
 private slots:
     void init() {
         m_fixture = std::make_unique<WindowFixture>();
-        QVERIFY(m_fixture->openAndWait(places::kTestData + QStringLiteral("/odb/open_short")));
+        QVERIFY(m_fixture->openAndWait(locations::kTestData + QStringLiteral("/odb/open_short")));
     }
     void cleanup() {
         const std::uint32_t errors = m_fixture->context().validationErrors();
@@ -48,7 +48,7 @@ private slots:
         window().layers().hideAll();
         click(0);
         QCOMPARE(window().selection().selected().size(), std::size_t{2});
-        QVERIFY(window().layers().effectiveLooks()[0].isVisible);
+        QVERIFY(window().layers().effectiveStyles()[0].isVisible);
         for (ui::BoardView* view : window().views().both()) {
             const glm::vec3 target = view->controller().camera().target();
             // 4, 5 mm on a board of 10 mm; in perspective the near side takes more room.
@@ -58,7 +58,7 @@ private slots:
         }
         click(3);
         QCOMPARE(window().selection().selected().size(), std::size_t{1});
-        QVERIFY(window().layers().effectiveLooks()[1].isVisible);
+        QVERIFY(window().layers().effectiveStyles()[1].isVisible);
     }
 
     void rowsAreFiltered() {
@@ -108,7 +108,7 @@ private slots:
 
     void anotherBoardEndsTheCheck() {
         window().actions()[ActionId::CheckNets].trigger();
-        QVERIFY(m_fixture->openAndWait(places::kTestData + QStringLiteral("/odb/everything")));
+        QVERIFY(m_fixture->openAndWait(locations::kTestData + QStringLiteral("/odb/everything")));
         QVERIFY(!window().netChecker().isChecking());
         QCOMPARE(window().netCheckPanel().summary(), "Not checked yet");
         QCOMPARE(window().netCheck().rowCount(), 0);

@@ -8,11 +8,11 @@
 
 #include "tests/places.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/nets_panel.h"
-#include "ui/table_view.h"
+#include "ui/common/table_view.h"
+#include "ui/nets/nets_panel.h"
 
 using model::BoardNet;
-using ui::models::NetModel;
+using ui::NetModel;
 
 class NetsTest : public QObject {
     Q_OBJECT
@@ -26,7 +26,7 @@ private slots:
     }
 
     void aHeadingStandsForItsNets() {
-        open(places::kSample);
+        open(locations::kSample);
         panel().groupBox().setCurrentText("By supply");
         QTRY_VERIFY(nets().isArranged() && nets().isHeading(0));
         const int end = nets().endOfGroup(0);
@@ -45,7 +45,7 @@ private slots:
     }
 
     void whatIsKnownOfTheHighlightedNetsStandsBelow() {
-        open(places::kSample);
+        open(locations::kSample);
         QVERIFY(panel().details().isEmpty());
         const model::NetId gnd = window().document()->findNet("GND");
         window().selection().setNets({{0, gnd}});
@@ -63,7 +63,7 @@ private slots:
     }
 
     void netsOfPlacedStepsAreListedAndFollowed() {
-        open(QString(places::kTestData) + "/odb/panel");
+        open(QString(locations::kTestData) + "/odb/panel");
         const model::StepTree& tree = window().selection().tree();
         QVERIFY(tree.steps.size() > 1 && !panel().stepBox().isHidden());
         QStringList steps;
@@ -98,7 +98,7 @@ private slots:
         m_fixture->key(Qt::Key_U);
         m_fixture->key(Qt::Key_Escape);
         QVERIFY(window().selection().nets().empty());
-        QVERIFY(window().netLooks().of(gnd()).colour.has_value());
+        QVERIFY(window().netStyles().of(gnd()).colour.has_value());
         const QImage coloured = m_fixture->picture();
         QVERIFY(differingPixels(before, coloured) > 50);
         window().actions()[ActionId::Undo].trigger();
@@ -107,7 +107,7 @@ private slots:
         QCOMPARE(differingPixels(coloured, m_fixture->picture()), 0);
         m_fixture->restart();
         openCopy();
-        QVERIFY2(window().netLooks().of(gnd()).colour.has_value(), "it is in the session file");
+        QVERIFY2(window().netStyles().of(gnd()).colour.has_value(), "it is in the session file");
         QVERIFY(differingPixels(before, m_fixture->picture()) > 50);
         window().actions()[ActionId::ClearNetColours].trigger();
         QCOMPARE(differingPixels(before, m_fixture->picture()), 0);
@@ -115,7 +115,7 @@ private slots:
     }
 
     void hiddenNetsAreNeitherDrawnNorClicked() {
-        open(places::kSample);
+        open(locations::kSample);
         window().layers().showCopperOnly();
         const model::ElementId pad = aPadOf(gnd());
         BoardView& view = window().views().flat();
@@ -125,7 +125,7 @@ private slots:
         QCOMPARE(window().selection().netOf(*window().selection().current()), std::optional(gnd()));
         const QImage before = picture(view);
         m_fixture->key(Qt::Key_N, Qt::ShiftModifier);  // of what is selected
-        QVERIFY(window().netLooks().isHidden(gnd()));
+        QVERIFY(window().netStyles().isHidden(gnd()));
         window().selection().select({});
         QVERIFY(differingPixels(before, picture(view)) > 200);
         click(view, at);
@@ -135,21 +135,21 @@ private slots:
             QVERIFY(window().selection().netOf(hit.at) != gnd());
         }
         window().actions()[ActionId::ShowAllNets].trigger();
-        QVERIFY(!window().netLooks().isHidden(gnd()));
+        QVERIFY(!window().netStyles().isHidden(gnd()));
         QVERIFY(!window().probing().hitsAt(view, at).empty());
         window().actions()[ActionId::Undo].trigger();
         window().actions()[ActionId::Undo].trigger();
-        QVERIFY(window().netLooks().state().empty());
+        QVERIFY(window().netStyles().state().empty());
     }
 
     void cellsOfThePanelHideAndColour() {
         openCopy();
         const int row = *nets().rowOf(gnd().net);
         click(row, Qt::NoModifier, NetModel::Shown);
-        QVERIFY(window().netLooks().isHidden(gnd()));
+        QVERIFY(window().netStyles().isHidden(gnd()));
         QVERIFY2(window().selection().nets().empty(), "a box is no row to be chosen");
         click(row, Qt::NoModifier, NetModel::Shown);
-        QVERIFY(!window().netLooks().isHidden(gnd()));
+        QVERIFY(!window().netStyles().isHidden(gnd()));
         click(row, Qt::NoModifier, NetModel::Colour);
         QVERIFY(nets().index(row, NetModel::Colour).data(Qt::EditRole).value<QColor>().isValid());
         panel().chooseColour({gnd()});
@@ -157,10 +157,10 @@ private slots:
         QVERIFY(dialog != nullptr);
         dialog->setCurrentColor(QColor(1, 2, 3));
         dialog->accept();
-        QCOMPARE(window().netLooks().of(gnd()).colour, std::optional(qRgb(1, 2, 3)));
+        QCOMPARE(window().netStyles().of(gnd()).colour, std::optional(qRgb(1, 2, 3)));
         click(row);
         QTest::keyClick(&table(), Qt::Key_Space);
-        QVERIFY(window().netLooks().isHidden(gnd()));
+        QVERIFY(window().netStyles().isHidden(gnd()));
     }
 
     void theRestIsDimmedAsFarAsTheSliderSays() {
@@ -195,7 +195,7 @@ private:
     void openCopy() {
         m_job = std::filesystem::path(m_fixture->folder().toStdString()) / "everything";
         if (!std::filesystem::exists(m_job)) {
-            std::filesystem::copy(std::filesystem::path(places::kTestData) / "odb/everything", m_job,
+            std::filesystem::copy(std::filesystem::path(locations::kTestData) / "odb/everything", m_job,
                                   std::filesystem::copy_options::recursive);
         }
         open(QString::fromStdString(m_job.string()));
@@ -220,7 +220,7 @@ private:
     }
     glm::vec3 place(model::ElementId element) {
         const model::Box box = window().document()->boxOf(element);
-        return window().probing().place().toModel(
+        return window().probing().position().toModel(
             {(double(box.min.x) + box.max.x) / 2.0, (double(box.min.y) + box.max.y) / 2.0});
     }
     static QImage picture(BoardView& view) {

@@ -8,17 +8,17 @@
 #include <QtTest>
 
 #include "tests/unit/uimodels/sample_document.h"
-#include "ui/actions.h"
-#include "ui/layers_panel.h"
-#include "ui/messages_panel.h"
-#include "ui/models/drill_model.h"
-#include "ui/models/message_model.h"
-#include "ui/models/statistics_model.h"
-#include "ui/statistics_panel.h"
-#include "ui/table_view.h"
-#include "ui/theme.h"
+#include "ui/common/table_view.h"
+#include "ui/layers/layers_panel.h"
+#include "ui/messages/message_model.h"
+#include "ui/messages/messages_panel.h"
+#include "ui/shell/theme.h"
+#include "ui/statistics/drill_model.h"
+#include "ui/statistics/statistics_model.h"
+#include "ui/statistics/statistics_panel.h"
+#include "ui/workspace/actions.h"
 
-using ui::models::LayerModel;
+using ui::LayerModel;
 
 namespace {
 
@@ -35,7 +35,7 @@ private slots:
     void init() {
         m_owner = std::make_unique<QWidget>();
         m_actions = std::make_unique<ui::ActionSet>(*m_owner);
-        m_layers.setDocument(sampleDocument(), std::vector<ui::models::LayerLook>(4));
+        m_layers.setDocument(sampleDocument(), std::vector<ui::LayerAppearance>(4));
         m_statistics.setDocument(sampleDocument());
         m_messages.setMessages(sampleDocument(), {});
     }
@@ -45,9 +45,9 @@ private slots:
         show(panel);
         const QPoint box = middleOf(panel.table(), 1, LayerModel::Visible);
         QTest::mouseClick(panel.table().viewport(), Qt::LeftButton, {}, box);
-        QVERIFY(!m_layers.effectiveLooks()[1].isVisible);
+        QVERIFY(!m_layers.effectiveStyles()[1].isVisible);
         QTest::mouseClick(panel.table().viewport(), Qt::LeftButton, {}, box);
-        QVERIFY(m_layers.effectiveLooks()[1].isVisible);
+        QVERIFY(m_layers.effectiveStyles()[1].isVisible);
         QTest::mouseClick(panel.table().viewport(), Qt::LeftButton, {}, middleOf(panel.table(), 2, LayerModel::Solo));
         QCOMPARE(m_layers.soloLayer().row(), std::size_t{2});
     }
@@ -58,11 +58,11 @@ private slots:
         m_layers.setData(m_layers.index(1, LayerModel::Visible), Qt::Unchecked, Qt::CheckStateRole);
         panel.table().selectAll();
         QTest::keyClick(&panel.table(), Qt::Key_Space);
-        for (const auto& look : m_layers.effectiveLooks()) {
+        for (const auto& look : m_layers.effectiveStyles()) {
             QVERIFY(!look.isVisible);
         }
         QTest::keyClick(&panel.table(), Qt::Key_Space);
-        for (const auto& look : m_layers.effectiveLooks()) {
+        for (const auto& look : m_layers.effectiveStyles()) {
             QVERIFY(look.isVisible);
         }
     }
@@ -73,13 +73,13 @@ private slots:
         QTableView& table = panel.table();
         const QRect cell = table.visualRect(m_layers.index(0, LayerModel::Opacity));
         QTest::mousePress(table.viewport(), Qt::LeftButton, {}, cell.center());
-        const int middle = m_layers.effectiveLooks()[0].opacityPercent;
+        const int middle = m_layers.effectiveStyles()[0].opacityPercent;
         QVERIFY2(middle > 40 && middle < 60, qPrintable(QString::number(middle)));
         QMouseEvent move(QEvent::MouseMove, QPointF(cell.right() - 2, cell.center().y()),
                          table.viewport()->mapToGlobal(QPointF(cell.right() - 2, cell.center().y())), Qt::NoButton,
                          Qt::LeftButton, Qt::NoModifier);
         QCoreApplication::sendEvent(table.viewport(), &move);
-        QCOMPARE(m_layers.effectiveLooks()[0].opacityPercent, 100);
+        QCOMPARE(m_layers.effectiveStyles()[0].opacityPercent, 100);
         QTest::mouseRelease(table.viewport(), Qt::LeftButton, {}, cell.center());
     }
 
@@ -93,7 +93,7 @@ private slots:
                          Qt::NoModifier);
         QCoreApplication::sendEvent(table.viewport(), &move);
         QTest::mouseRelease(table.viewport(), Qt::LeftButton, {}, there.toPoint());
-        QCOMPARE(m_layers.effectiveLooks()[2].opacityPercent, 100);
+        QCOMPARE(m_layers.effectiveStyles()[2].opacityPercent, 100);
         QCOMPARE(table.selectionModel()->selectedRows().size(), 3);
     }
 
@@ -107,20 +107,20 @@ private slots:
         box->selectAll();
         QTest::keyClicks(box, "35");
         QTest::keyClick(box, Qt::Key_Return);
-        QTRY_COMPARE(m_layers.effectiveLooks()[2].opacityPercent, 35);
+        QTRY_COMPARE(m_layers.effectiveStyles()[2].opacityPercent, 35);
     }
 
     void colourDialogShowsItsChoiceAtOnceAndTakesItBackOnCancel() {
         ui::LayersPanel panel(m_layers, *m_actions);
         show(panel);
-        const QColor before = m_layers.effectiveLooks()[0].colour;
+        const QColor before = m_layers.effectiveStyles()[0].colour;
         QTest::mouseClick(panel.table().viewport(), Qt::LeftButton, {}, middleOf(panel.table(), 0, LayerModel::Colour));
         QPointer<QColorDialog> dialog = panel.findChild<QColorDialog*>();
         QVERIFY(dialog != nullptr);
         dialog->setCurrentColor(Qt::cyan);
-        QCOMPARE(m_layers.effectiveLooks()[0].colour, QColor(Qt::cyan));
+        QCOMPARE(m_layers.effectiveStyles()[0].colour, QColor(Qt::cyan));
         dialog->reject();
-        QCOMPARE(m_layers.effectiveLooks()[0].colour, before);
+        QCOMPARE(m_layers.effectiveStyles()[0].colour, before);
         QTRY_VERIFY(dialog.isNull());
     }
 
@@ -141,7 +141,7 @@ private slots:
         QAbstractItemModel& shown = *panel.table().model();
         QCOMPARE(shown.index(0, 0).data().toString(), "top");  // the board's own order at first
         QHeaderView& header = *panel.table().horizontalHeader();
-        const int x = header.sectionViewportPosition(ui::models::StatisticsModel::Circle) + 5;
+        const int x = header.sectionViewportPosition(ui::StatisticsModel::Circle) + 5;
         QTest::mouseClick(header.viewport(), Qt::LeftButton, {}, QPoint(x, header.height() / 2));
         QTest::mouseClick(header.viewport(), Qt::LeftButton, {}, QPoint(x, header.height() / 2));
         QCOMPARE(shown.index(0, 0).data().toString(), "bottom");
@@ -167,7 +167,7 @@ private slots:
         QCOMPARE(shown.rowCount(), 2);
         panel.severityBox().setCurrentIndex(2);
         QCOMPARE(shown.rowCount(), 1);
-        QCOMPARE(shown.index(0, ui::models::MessageModel::Text).data().toString(), "Symbol is defined nowhere");
+        QCOMPARE(shown.index(0, ui::MessageModel::Text).data().toString(), "Symbol is defined nowhere");
         panel.wordsEdit().clear();
         panel.severityBox().setCurrentIndex(0);
         QCOMPARE(shown.rowCount(), 3);
@@ -209,9 +209,9 @@ private:
     std::unique_ptr<QWidget> m_owner;
     std::unique_ptr<ui::ActionSet> m_actions;
     LayerModel m_layers;
-    ui::models::StatisticsModel m_statistics;
-    ui::models::DrillModel m_drills;
-    ui::models::MessageModel m_messages;
+    ui::StatisticsModel m_statistics;
+    ui::DrillModel m_drills;
+    ui::MessageModel m_messages;
 };
 
 QTEST_MAIN(PanelsTest)

@@ -6,8 +6,8 @@
 
 #include "tests/places.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/element_panel.h"
-#include "ui/layers_panel.h"
+#include "ui/element/element_panel.h"
+#include "ui/layers/layers_panel.h"
 
 using model::BoardElement;
 using model::ElementId;
@@ -18,7 +18,7 @@ class PartsTest : public QObject {
 private slots:
     void initTestCase() {
         m_fixture = std::make_unique<WindowFixture>();
-        QVERIFY(m_fixture->openAndWait(places::kSample));
+        QVERIFY(m_fixture->openAndWait(locations::kSample));
         m_finder.emplace(board());
         m_pad = aPadOfAPart();
         QVERIFY(m_pad.isValid());
@@ -149,7 +149,7 @@ private:
     }
     glm::vec3 centre(ElementId element) {
         const model::Box box = board().boxOf(element);
-        return window().probing().place().toModel(
+        return window().probing().position().toModel(
             {(double(box.min.x) + box.max.x) / 2.0, (double(box.min.y) + box.max.y) / 2.0});
     }
     int rowOf(const char* fact) {

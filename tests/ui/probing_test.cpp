@@ -1,4 +1,4 @@
-#include "ui/probing.h"
+#include "ui/views/probing.h"
 
 #include <QLineEdit>
 #include <QMouseEvent>
@@ -6,10 +6,10 @@
 
 #include "tests/places.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/element_panel.h"
-#include "ui/nets_panel.h"
-#include "ui/status_line.h"
-#include "ui/table_view.h"
+#include "ui/common/table_view.h"
+#include "ui/element/element_panel.h"
+#include "ui/nets/nets_panel.h"
+#include "ui/shell/status_line.h"
 
 using model::BoardElement;
 using ui::ActionId;
@@ -22,8 +22,8 @@ class ProbingTest : public QObject {
 private slots:
     void initTestCase() {
         m_fixture = std::make_unique<WindowFixture>();
-        QVERIFY(m_fixture->openAndWait(places::kSample));
-        m_place = window().probing().place();
+        QVERIFY(m_fixture->openAndWait(locations::kSample));
+        m_position = window().probing().position();
     }
     void init() {
         while (window().selection().clearStep()) {
@@ -72,10 +72,10 @@ private slots:
         const model::ElementId pad = aPad();
         BoardView& view = views().flat();
         view.controller().show(boxMin(pad), boxMax(pad));
-        const QPointF place = centreOf(view, pad);
+        const QPointF location = centreOf(view, pad);
         std::vector<BoardElement> seen;
         do {
-            click(view, place);
+            click(view, location);
             seen.push_back(*window().selection().current());
         } while (seen.size() < 50 && (seen.size() < 2 || seen.back() != seen.front()));
         QVERIFY2(seen.size() > 2, "several layers lie under a pad");
@@ -127,11 +127,11 @@ private slots:
         view.controller().show(boxMin(pad), boxMax(pad));
         mouse(view, QEvent::MouseMove, Qt::NoButton, centreOf(view, pad));
         QTRY_VERIFY(window().selection().hovered().has_value());
-        QVERIFY(window().statusLine().placeText().contains("mm"));
+        QVERIFY(window().statusLine().positionText().contains("mm"));
         QEvent leave(QEvent::Leave);
         QCoreApplication::sendEvent(&view.canvas(), &leave);
         QVERIFY(!window().selection().hovered().has_value());
-        QVERIFY(window().statusLine().placeText().isEmpty());
+        QVERIFY(window().statusLine().positionText().isEmpty());
     }
 
     void netKeyLightsUpTheNetAndEscapeTakesBackOneStepAtATime() {
@@ -247,8 +247,8 @@ private slots:
     }
 
     void gridStepsAreRoundNumbersOfTheUnit() {
+        using ui::LengthUnit;
         using ui::PlanPainter;
-        using ui::models::LengthUnit;
         QCOMPARE(PlanPainter::gridStep(1000.0, LengthUnit::Millimetre, 24.0), 5e4);
         QCOMPARE(PlanPainter::gridStep(1e6 / 20.0, LengthUnit::Millimetre, 20.0), 1e6);
         QCOMPARE(PlanPainter::gridStep(25400.0, LengthUnit::Mil, 24.0), 50 * 25400.0);
@@ -307,8 +307,12 @@ private:
         }
         return smallest;
     }
-    glm::vec3 boxMin(model::ElementId element) { return m_place.toModel(base::toDouble(board().boxOf(element).min)); }
-    glm::vec3 boxMax(model::ElementId element) { return m_place.toModel(base::toDouble(board().boxOf(element).max)); }
+    glm::vec3 boxMin(model::ElementId element) {
+        return m_position.toModel(base::toDouble(board().boxOf(element).min));
+    }
+    glm::vec3 boxMax(model::ElementId element) {
+        return m_position.toModel(base::toDouble(board().boxOf(element).max));
+    }
     QPointF centreOf(BoardView& view, model::ElementId element) {
         const model::Layer& layer = board().layer(board().elements.layer[element.row()]);
         glm::vec3 centre = (boxMin(element) + boxMax(element)) / 2.0F;
@@ -338,7 +342,7 @@ private:
     }
 
     std::unique_ptr<WindowFixture> m_fixture;
-    ui::BoardPlace m_place;
+    ui::BoardPosition m_position;
 };
 
 QTEST_MAIN(ProbingTest)

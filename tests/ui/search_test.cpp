@@ -6,8 +6,8 @@
 
 #include "tests/places.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/layers_panel.h"
-#include "ui/search_box.h"
+#include "ui/layers/layers_panel.h"
+#include "ui/search/search_box.h"
 
 using ui::ActionId;
 
@@ -17,7 +17,7 @@ class SearchTest : public QObject {
 private slots:
     void init() {
         m_fixture = std::make_unique<WindowFixture>();
-        QVERIFY(m_fixture->openAndWait(places::kSample));
+        QVERIFY(m_fixture->openAndWait(locations::kSample));
     }
     void cleanup() {
         const std::uint32_t errors = m_fixture->context().validationErrors();
@@ -63,7 +63,7 @@ private slots:
             QVERIFY(!window().document()->elements.net[pad.element.row()].isValid());
         }
         const base::PointD middle =
-            window().probing().place().toJob(window().views().flat().controller().camera().target());
+            window().probing().position().toJob(window().views().flat().controller().camera().target());
         QVERIFY(std::abs(middle.x - 4.4e6) < 1e6 && std::abs(middle.y - 38.6e6) < 1e6);
     }
 
@@ -73,14 +73,14 @@ private slots:
         take();
         const model::LayerId layer = window().document()->findLayer("L02-INNER_LAYER");
         QCOMPARE(window().layersPanel().currentLayer(), layer);
-        QVERIFY(window().layers().effectiveLooks()[layer.row()].isVisible);
+        QVERIFY(window().layers().effectiveStyles()[layer.row()].isVisible);
     }
 
     void aPlaceComesToTheMiddle() {
         type("10, 20 mm");
         take();
         const base::PointD middle =
-            window().probing().place().toJob(window().views().flat().controller().camera().target());
+            window().probing().position().toJob(window().views().flat().controller().camera().target());
         QVERIFY(std::abs(middle.x - 10e6) < 1e4 && std::abs(middle.y - 20e6) < 1e4);
     }
 
@@ -111,7 +111,7 @@ private slots:
     }
 
     void aNetOfAPlacedStepIsHighlighted() {
-        QVERIFY(m_fixture->openAndWait(QString(places::kTestData) + "/odb/panel"));
+        QVERIFY(m_fixture->openAndWait(QString(locations::kTestData) + "/odb/panel"));
         type("b");
         take();
         QCOMPARE(window().selection().nets().size(), std::size_t{1});

@@ -1,4 +1,4 @@
-#include "ui/sections.h"
+#include "ui/section/sections.h"
 
 #include <QComboBox>
 #include <QDockWidget>
@@ -12,7 +12,7 @@
 #include "model/section/section_export.h"
 #include "tests/places.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/message_bar.h"
+#include "ui/shell/message_bar.h"
 
 using base::PointD;
 using model::Nm;
@@ -28,7 +28,7 @@ private slots:
     void initTestCase() {
         m_fixture = std::make_unique<WindowFixture>();
         m_board = m_fixture->folder() + "/sample";  // a session file lies beside it
-        std::filesystem::copy(places::kSample, m_board.toStdString(), std::filesystem::copy_options::recursive);
+        std::filesystem::copy(locations::kSample, m_board.toStdString(), std::filesystem::copy_options::recursive);
         QVERIFY(m_fixture->openAndWait(m_board));
         base::Progress progress;
         const auto board = std::make_shared<const model::Document>(*window().document());
@@ -90,7 +90,7 @@ private slots:
         QCOMPARE(line.size(), std::size_t{4});
         const std::vector<QPointF> corners{clicks[0], clicks[1], clicks[2], to};
         for (std::size_t i = 0; i < corners.size(); ++i) {
-            const auto at = flat().controller().screenOf(window().probing().place().toModel(line[i]));
+            const auto at = flat().controller().screenOf(window().probing().position().toModel(line[i]));
             QVERIFY(at && QLineF(*at, corners[i]).length() < 0.01);
         }
         QVERIFY(same(view().section()->pieces, expected().pieces));
@@ -119,7 +119,7 @@ private slots:
         clickOn(from + QPointF(0, 25));
         pressKey(Qt::Key_Return);  // one corner is no line
         QVERIFY(sections().line().isDrawing());
-        QTRY_VERIFY(!view().section() && sections().panel().remarks().isEmpty());
+        QTRY_VERIFY(!view().section() && sections().panel().notes().isEmpty());
         clickOn(to + QPointF(0, 25));
         m_fixture->key(Qt::Key_Escape);
         QVERIFY(!sections().line().isDrawing());
@@ -206,22 +206,21 @@ private slots:
         const double half = (double(piece.bottom) + double(piece.top)) / 2;
         measureAt(piece.from, half);
         QVERIFY(view().dimension().from().has_value());
-        QVERIFY(view().dimension().text(ui::models::LengthUnit::Millimetre).isEmpty());
+        QVERIFY(view().dimension().text(ui::LengthUnit::Millimetre).isEmpty());
         measureAt(piece.to, half);
-        QCOMPARE(view().dimension().text(ui::models::LengthUnit::Millimetre),
-                 ui::models::lengthText(piece.to - piece.from, ui::models::LengthUnit::Millimetre) + " along");
+        QCOMPARE(view().dimension().text(ui::LengthUnit::Millimetre),
+                 ui::lengthText(piece.to - piece.from, ui::LengthUnit::Millimetre) + " along");
         measureAt(middle, piece.bottom);
         measureAt(middle, piece.top);
-        const QString high =
-            ui::models::lengthText(double(piece.top - piece.bottom), ui::models::LengthUnit::Millimetre) + " high";
-        QVERIFY2(view().dimension().text(ui::models::LengthUnit::Millimetre) == high,
-                 qPrintable(view().dimension().text(ui::models::LengthUnit::Millimetre) + high));
+        const QString high = ui::lengthText(double(piece.top - piece.bottom), ui::LengthUnit::Millimetre) + " high";
+        QVERIFY2(view().dimension().text(ui::LengthUnit::Millimetre) == high,
+                 qPrintable(view().dimension().text(ui::LengthUnit::Millimetre) + high));
         measureAt(piece.from, piece.bottom);
         measureAt(piece.to, piece.top);
         const auto ends = view().dimension().ends();
         QVERIFY(ends && ends->first.along == piece.from && ends->second.along == piece.to);
         QVERIFY(ends->first.z == piece.bottom && ends->second.z == piece.top);
-        QVERIFY(view().dimension().text(ui::models::LengthUnit::Millimetre).endsWith("apart"));
+        QVERIFY(view().dimension().text(ui::LengthUnit::Millimetre).endsWith("apart"));
         QVERIFY(window().selection().selected().empty());
         QTest::mouseClick(&view(), Qt::LeftButton, {}, view().positionOf(middle, half).toPoint());
         QVERIFY(!view().dimension().from());
@@ -243,7 +242,7 @@ private slots:
         QVERIFY(window().views().solid().cut() == nullptr);  // no line
         drawLine();
         window().actions()[ActionId::OpenAlongSection].trigger();
-        QVERIFY(window().actions()[ActionId::CutOpen].isChecked());
+        QVERIFY(window().actions()[ActionId::SectionPlane].isChecked());
         const auto along = [&] { return window().views().solid().cut()->plane.direction; };
         QVERIFY(std::abs(along().x + 1.0) < 1e-6);  // from its end to its start: seen as in the panel
         const auto [from, to] = acrossBoard();
@@ -251,7 +250,7 @@ private slots:
         mouse(QEvent::MouseMove, from + QPointF(1, -60));
         mouse(QEvent::MouseButtonRelease, from + QPointF(1, -60));
         QVERIFY(std::abs(along().y + 1.0) < 0.01);
-        window().actions()[ActionId::CutOpen].trigger();
+        window().actions()[ActionId::SectionPlane].trigger();
         QVERIFY(window().views().solid().cut() == nullptr);
     }
 
@@ -260,10 +259,10 @@ private slots:
         const double x = board.max.x + 5e6;
         sections().cutAlong({{x, 0}, {x, 1e6}});
         QVERIFY(view().section()->pieces.empty());
-        QVERIFY(sections().panel().remarks().contains("meets nothing"));
+        QVERIFY(sections().panel().notes().contains("meets nothing"));
         sections().cutAlong({{2e9, 0}, {2e9, 1e6}});
         QVERIFY(!view().section());
-        QVERIFY(sections().panel().remarks().contains("coordinates"));
+        QVERIFY(sections().panel().notes().contains("coordinates"));
     }
 
     void otherHeightsAreCutAtOnce() {
@@ -350,8 +349,8 @@ private slots:
         QCOMPARE(names.index(0, 0).data().toString(), QString("Across"));
 
         sections().cutAlong({});
-        const QRect place = sections().panel().list().visualRect(names.index(0, 0));
-        QTest::mouseClick(sections().panel().list().viewport(), Qt::LeftButton, {}, place.center());
+        const QRect location = sections().panel().list().visualRect(names.index(0, 0));
+        QTest::mouseClick(sections().panel().list().viewport(), Qt::LeftButton, {}, location.center());
         QVERIFY(isAt(sections().line().line().front(), line.front()));
         QVERIFY(same(view().section()->pieces, expected().pieces));
 
@@ -390,14 +389,14 @@ private slots:
             {{"Theirs", "step of another job", {{0, 0}, {1e6, 0}}}, {"Beside", here, {{9e8, 9e8}, {9.1e8, 9e8}}}}));
         QVERIFY(m_fixture->openAndWait(m_board));
         QCOMPARE(kept().size(), std::size_t{2});
-        const QSignalSpy told(&sections(), &ui::Sections::told);
+        const QSignalSpy reported(&sections(), &ui::Sections::reported);
         emit sections().panel().chosen(0);
         QVERIFY(!view().section());
-        QCOMPARE(told.last()[0].toString(),
+        QCOMPARE(reported.last()[0].toString(),
                  "Theirs is a section of step step of another job, which this board does not have");
         emit sections().panel().chosen(1);
         QVERIFY(view().section() && view().section()->pieces.empty());
-        QVERIFY(sections().panel().remarks().contains("meets nothing of the board"));
+        QVERIFY(sections().panel().notes().contains("meets nothing of the board"));
         QVERIFY(model::session::saveSections(m_board.toStdString(), *window().document(), {}));
     }
 
@@ -414,7 +413,7 @@ private:
     [[nodiscard]] ui::SectionView& view() { return sections().panel().view(); }
     [[nodiscard]] BoardView& flat() { return window().views().flat(); }
 
-    [[nodiscard]] const ui::SectionKeeping::List& kept() { return sections().keeping().sections(); }
+    [[nodiscard]] const ui::SavedSections::List& kept() { return sections().keeping().sections(); }
     static bool isAt(PointD a, PointD b) { return a.x == b.x && a.y == b.y; }
     static bool same(const std::vector<SectionPiece>& a, const std::vector<SectionPiece>& b) {
         return std::ranges::equal(a, b, [](const SectionPiece& p, const SectionPiece& q) {
@@ -430,7 +429,7 @@ private:
         const model::Box& board = m_index->board->board;
         const double y = (double{1} * board.min.y + board.max.y) / 2;
         const auto at = [&](double x) {
-            return *flat().controller().screenOf(window().probing().place().toModel({x, y}));
+            return *flat().controller().screenOf(window().probing().position().toModel({x, y}));
         };
         return {at(board.min.x), at(board.max.x)};
     }

@@ -1,4 +1,4 @@
-#include "ui/settings.h"
+#include "ui/workspace/settings.h"
 
 #include <QFile>
 #include <QMenu>
@@ -6,7 +6,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "ui/recent_boards.h"
+#include "ui/shell/recent_boards.h"
 
 using ui::RecentBoards;
 using ui::Settings;

@@ -1,7 +1,5 @@
 // The drawing of the stack: a click isolates a layer in both views, keys step through layers, both forms are exported.
 
-#include "ui/stack_view.h"
-
 #include <QDialog>
 #include <QDockWidget>
 #include <QStatusBar>
@@ -9,20 +7,21 @@
 
 #include "tests/places.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/layers_panel.h"
-#include "ui/message_bar.h"
-#include "ui/stack_panel.h"
+#include "ui/layers/layers_panel.h"
+#include "ui/shell/message_bar.h"
+#include "ui/stackup/stackup_panel.h"
+#include "ui/stackup/stackup_view.h"
 
 using ui::ActionId;
 
-class StackViewTest : public QObject {
+class StackupViewTest : public QObject {
     Q_OBJECT
 
 private slots:
     void init() {
         m_fixture = std::make_unique<WindowFixture>();
         window().findChild<QDockWidget*>("stack")->raise();
-        QVERIFY(m_fixture->openAndWait(places::kTestData + QStringLiteral("/odb/drills")));
+        QVERIFY(m_fixture->openAndWait(locations::kTestData + QStringLiteral("/odb/drills")));
     }
     void cleanup() {
         const std::uint32_t errors = m_fixture->context().validationErrors();
@@ -51,7 +50,7 @@ private slots:
         clickAt({view().width() * 0.5, label});
         QCOMPARE(window().layers().soloLayer(), window().document()->findLayer("L3"));
         const auto& bores = view().drawing().bores;
-        const auto buried = std::ranges::find(bores, model::HoleSpan::Buried, &model::StackBore::span);
+        const auto buried = std::ranges::find(bores, model::HoleSpan::Buried, &model::StackupBarrel::span);
         QVERIFY(buried != bores.end());
         clickAt(view().boreRect(static_cast<std::size_t>(buried - bores.begin())).center());
         QCOMPARE(window().layers().soloLayer(), window().document()->findLayer("BURIED"));
@@ -79,7 +78,7 @@ private slots:
 
     void whatIsDrawnFillsTheDrawing() {
         const QImage picture = view().grab().toImage();
-        const QColor copper = window().layers().effectiveLooks()[0].colour;
+        const QColor copper = window().layers().effectiveStyles()[0].colour;
         const QRectF band = view().bandRect(rowOf("L1"));
         const QPointF inside((view().boreRect(0).right() + view().boreRect(1).left()) / 2, band.center().y());
         QCOMPARE(picture.pixelColor((inside * picture.devicePixelRatio()).toPoint()), copper);
@@ -87,21 +86,21 @@ private slots:
 
     void theStackIsExportedAsItIsDrawn() {
         const QString drawing = m_fixture->folder() + "/stack.svg";
-        window().exportStack(drawing);
+        window().exportStackup(drawing);
         QVERIFY(!window().messageBar().isVisible());
         QVERIFY(contentsOf(drawing).contains("times as thick"));
         window().actions()[ActionId::ExaggerateCopper].trigger();
-        window().exportStack(drawing);
+        window().exportStackup(drawing);
         QVERIFY(contentsOf(drawing).contains(", to scale"));
         const QString table = m_fixture->folder() + "/stack.csv";
-        window().exportStack(table);
+        window().exportStackup(table);
         QVERIFY(contentsOf(table).contains("\r\n1,L1,SIGNAL,35000,assumed,"));
-        window().exportStack(m_fixture->folder() + "/no/such/folder/stack.csv");
+        window().exportStackup(m_fixture->folder() + "/no/such/folder/stack.csv");
         QVERIFY(window().messageBar().isVisible());
     }
 
     void exportAsksForAFile() {
-        window().actions()[ActionId::ExportStack].trigger();
+        window().actions()[ActionId::ExportStackup].trigger();
         auto* dialog = window().findChild<QDialog*>();
         QVERIFY(dialog != nullptr && dialog->isVisible());
         dialog->close();
@@ -109,11 +108,11 @@ private slots:
 
 private:
     ui::MainWindow& window() { return m_fixture->window(); }
-    ui::StackView& view() { return window().stackPanel().view(); }
+    ui::StackupView& view() { return window().stackupPanel().view(); }
 
     std::size_t rowOf(const char* name) {
         const auto& rows = window().document()->stackup.rows;
-        return static_cast<std::size_t>(std::ranges::find(rows, name, &model::StackRow::name) - rows.begin());
+        return static_cast<std::size_t>(std::ranges::find(rows, name, &model::StackupRow::name) - rows.begin());
     }
 
     QImage flatPicture() {
@@ -131,5 +130,5 @@ private:
     std::unique_ptr<WindowFixture> m_fixture;
 };
 
-QTEST_MAIN(StackViewTest)
+QTEST_MAIN(StackupViewTest)
 #include "stack_view_test.moc"

@@ -6,15 +6,15 @@
 #include <QToolButton>
 #include <QtTest>
 
-#include "model/stackup.h"
+#include "model/board/stackup.h"
 #include "tests/places.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/message_bar.h"
-#include "ui/stack_panel.h"
-#include "ui/table_view.h"
+#include "ui/common/table_view.h"
+#include "ui/shell/message_bar.h"
+#include "ui/stackup/stackup_panel.h"
 
 using ui::ActionId;
-using ui::models::StackModel;
+using ui::StackupModel;
 namespace fs = std::filesystem;
 
 namespace {
@@ -40,10 +40,10 @@ private slots:
         m_fixture = std::make_unique<WindowFixture>();
         m_job = fs::path(m_fixture->folder().toStdString()) / "everything";
         m_session = m_job.string() + ".copperscope.json";
-        fs::copy(fs::path(places::kTestData) / "odb/everything", m_job, fs::copy_options::recursive);
+        fs::copy(fs::path(locations::kTestData) / "odb/everything", m_job, fs::copy_options::recursive);
         window().findChild<QDockWidget*>("stack")->raise();
         QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
-        window().actions()[ActionId::LookIso].trigger();
+        window().actions()[ActionId::ViewIso].trigger();
     }
     void cleanup() {
         const std::uint32_t errors = m_fixture->context().validationErrors();
@@ -53,14 +53,14 @@ private slots:
 
     void aTypedThicknessIsSeenInEveryPlace() {
         const QImage before = m_fixture->picture();
-        QCOMPARE(window().stackPanel().summary(), "5 of 9 thicknesses assumed");
+        QCOMPARE(window().stackupPanel().summary(), "5 of 9 thicknesses assumed");
         type("BOTTOM", "0.5 mm");
         QCOMPARE(rowOf("BOTTOM").thickness, 500'000);
         QCOMPARE(rowOf("BOTTOM").source, model::Source::Session);
-        QCOMPARE(textOf("BOTTOM", StackModel::Thickness), "500 µm");
-        QCOMPARE(textOf("BOTTOM", StackModel::From), "set by you");
-        QCOMPARE(textOf("CORE2", StackModel::Thickness), "795.2 µm");  // the board is 1.6 mm thick, says the job
-        QCOMPARE(window().stackPanel().summary(), "4 of 9 thicknesses assumed");
+        QCOMPARE(textOf("BOTTOM", StackupModel::Thickness), "500 µm");
+        QCOMPARE(textOf("BOTTOM", StackupModel::From), "set by you");
+        QCOMPARE(textOf("CORE2", StackupModel::Thickness), "795.2 µm");  // the board is 1.6 mm thick, says the job
+        QCOMPARE(window().stackupPanel().summary(), "4 of 9 thicknesses assumed");
         QVERIFY(differingPixels(before, m_fixture->picture()) > 20);
     }
 
@@ -111,7 +111,7 @@ private slots:
     void resetTakesRowsBackInOneStep() {
         type("CORE1", "0.4 mm");
         type("TOP", "2 oz");
-        window().stackPanel().findChild<QToolButton*>("resetAll")->click();
+        window().stackupPanel().findChild<QToolButton*>("resetAll")->click();
         QCOMPARE(rowOf("CORE1").source, model::Source::Job);
         QCOMPARE(rowOf("TOP").source, model::Source::Job);
         QVERIFY(!fs::exists(m_session));
@@ -194,12 +194,12 @@ private:
         QVERIFY(QTest::qWaitFor([&] { return !window().loader().isLoading(); }, 60000));
     }
 
-    const model::StackRow& rowOf(const char* name) { return *model::findRow(window().document()->stackup, name); }
+    const model::StackupRow& rowOf(const char* name) { return *model::findRow(window().document()->stackup, name); }
 
     QModelIndex cell(const QString& name, int column) {
         QAbstractItemModel& rows = window().stack();
         for (int row = 0; row < rows.rowCount(); ++row) {
-            if (rows.index(row, StackModel::Name).data().toString() == name) {
+            if (rows.index(row, StackupModel::Name).data().toString() == name) {
                 return rows.index(row, column);
             }
         }
@@ -210,8 +210,8 @@ private:
 
     /// Double-clicks the thickness of a row, types and presses Enter.
     void type(const QString& row, const QString& text) {
-        QTableView& table = window().stackPanel().table();
-        const QModelIndex at = cell(row, StackModel::Thickness);
+        QTableView& table = window().stackupPanel().table();
+        const QModelIndex at = cell(row, StackupModel::Thickness);
         table.scrollTo(at);
         const QPoint middle = table.visualRect(at).center();
         QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, middle);

@@ -1,6 +1,6 @@
 // The cube in the corner of the 3D view: what of it lies where, and what clicks and drags on it do.
 
-#include "ui/view_cube.h"
+#include "ui/views/view_cube.h"
 
 #include <QMouseEvent>
 #include <QSignalSpy>
@@ -18,11 +18,11 @@ class ViewCubeTest : public QObject {
 private slots:
     void initTestCase() {
         m_fixture = std::make_unique<WindowFixture>();
-        QVERIFY(m_fixture->openAndWait(places::kSample));
+        QVERIFY(m_fixture->openAndWait(locations::kSample));
     }
     void init() {
         window().actions()[ActionId::ShowSolid].trigger();
-        window().actions()[ActionId::LookIso].trigger();
+        window().actions()[ActionId::ViewIso].trigger();
         send(QEvent::MouseMove, {200, 300}, Qt::NoButton);
         QTRY_VERIFY(!cube().place().isEmpty());  // the view has got its size
     }
@@ -56,7 +56,7 @@ private slots:
 
     void facesLookAsTheNamedViewsDo() {
         window().views().setActive(window().views().solid());
-        window().actions()[ActionId::LookBottom].trigger();
+        window().actions()[ActionId::ViewBottom].trigger();
         const glm::mat4 named = solid().camera().view();
         solid().lookFrom({1, 1, 1});
         solid().lookFrom({0, 0, -1});

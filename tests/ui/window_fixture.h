@@ -3,9 +3,9 @@
 #include <QTemporaryDir>
 #include <memory>
 
-#include "ui/gpu_context.h"
-#include "ui/main_window.h"
-#include "ui/settings.h"
+#include "ui/canvas/gpu_context.h"
+#include "ui/shell/main_window.h"
+#include "ui/workspace/settings.h"
 
 /// A workbench window with a device and settings of its own, shown on the platform's display. Without Vulkan surfaces
 /// (the offscreen platform) its canvas draws through memory.

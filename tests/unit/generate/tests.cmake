@@ -1,2 +1,2 @@
 copperscope_test(generate_job_writer_test unit/generate/job_writer_test.cpp LABEL unit
-    LINK copperscope_generate copperscope_odb LibArchive::LibArchive)
+    LINK copperscope_model)

@@ -1,9 +1,9 @@
-#include "model/back_drills.h"
+#include "model/formats/common/back_drills.h"
 
 #include <QtTest>
 
 #include "model/base/progress.h"
-#include "model/connectivity/connectivity.h"
+#include "model/nets/connectivity.h"
 
 using model::Document;
 using model::DocumentBuilder;

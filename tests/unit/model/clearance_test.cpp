@@ -6,8 +6,8 @@
 #include <random>
 
 #include "model/base/parallel.h"
-#include "model/document_builder.h"
-#include "model/geometry/distance.h"
+#include "model/board/document_builder.h"
+#include "model/figures/distance.h"
 
 using model::Clearance;
 using model::ClearanceQuestion;
@@ -76,13 +76,13 @@ std::vector<double> bruteForce(const model::Document& document) {
             if (netI == netJ || document.elements.layer[i] != document.elements.layer[j]) {
                 continue;
             }
-            const double gap = model::gapBetween(document, ElementId{i}, ElementId{j})->distance;
+            const double gap = model::spacingBetween(document, ElementId{i}, ElementId{j})->distance;
             if (gap <= model::kTouchNm && (!netI.isValid() || !netJ.isValid())) {
                 continue;
             }
             const auto [low, high] = std::minmax(netI, netJ);
-            const auto [place, isFirst] = narrowest.try_emplace({document.elements.layer[i], low, high}, gap);
-            place->second = std::min(place->second, gap);
+            const auto [location, isFirst] = narrowest.try_emplace({document.elements.layer[i], low, high}, gap);
+            location->second = std::min(location->second, gap);
         }
     }
     std::vector<double> gaps;

@@ -1,12 +1,12 @@
 // What hangs together, and how that differs from the nets.
-#include "model/connectivity/connectivity.h"
+#include "model/nets/connectivity.h"
 
 #include <QtTest>
 #include <random>
 
 #include "model/base/parallel.h"
-#include "model/connectivity/net_check.h"
-#include "model/document_builder.h"
+#include "model/board/document_builder.h"
+#include "model/nets/net_check.h"
 
 using model::Connectivity;
 using model::DocumentBuilder;
@@ -183,7 +183,7 @@ private slots:
         QCOMPARE(islands.size(), std::size_t{3});
         QCOMPARE(islands[0].pieceCount, 2U);
         QCOMPARE(islands[1].element, lone);
-        QCOMPARE(islands[1].place.x, 9.0 * kMm);
+        QCOMPARE(islands[1].location.x, 9.0 * kMm);
         QCOMPARE(islands[1].padCount, 1U);
         QCOMPARE(islands[2].padCount, 0U);
         QVERIFY(report.shorts.empty());
@@ -222,7 +222,7 @@ private slots:
         QCOMPARE(report.shorts[0].contactCount, 2U);
         QCOMPARE(report.shorts[0].elementA, first);
         QCOMPARE(report.shorts[0].elementB, second);
-        QVERIFY(std::abs(report.shorts[0].place.x) <= 100'000 && std::abs(report.shorts[0].place.y) <= 100'000);
+        QVERIFY(std::abs(report.shorts[0].location.x) <= 100'000 && std::abs(report.shorts[0].location.y) <= 100'000);
         QVERIFY(!report.shorts[0].through.isValid());
         QCOMPARE(report.shorts[1].layer, board.copper(1));
         // The nets are still open between the layers, each counted by itself.
@@ -272,7 +272,8 @@ private slots:
         for (std::size_t i = 0; i < one.contacts().size(); ++i) {
             const auto& x = one.contacts()[i];
             const auto& y = many.contacts()[i];
-            QVERIFY(x.a == y.a && x.b == y.b && x.place.x == y.place.x && x.place.y == y.place.y && x.layer == y.layer);
+            QVERIFY(x.a == y.a && x.b == y.b && x.location.x == y.location.x && x.location.y == y.location.y &&
+                    x.layer == y.layer);
         }
         for (std::uint32_t piece = 0; piece < one.pieceCount(); ++piece) {
             QCOMPARE(one.island(piece), many.island(piece));

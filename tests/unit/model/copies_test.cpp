@@ -1,8 +1,8 @@
-#include "model/copies.h"
+#include "model/board/copies.h"
 
 #include <QtTest>
 
-#include "model/document_builder.h"
+#include "model/board/document_builder.h"
 
 using model::Document;
 using model::DocumentBuilder;

@@ -1,4 +1,4 @@
-#include "model/diagnostics.h"
+#include "model/board/diagnostics.h"
 
 #include <QtTest>
 
@@ -46,10 +46,10 @@ private slots:
     void anEntryCanBeLocatedLater() {
         Diagnostics diagnostics;
         diagnostics.report(Severity::Info, "a", 1, "odd");
-        diagnostics.locate(0, {}, model::Diagnostic{}.place);
-        QVERIFY(!diagnostics.entries()[0].place);
+        diagnostics.locate(0, {}, model::Diagnostic{}.location);
+        QVERIFY(!diagnostics.entries()[0].location);
         diagnostics.locate(0, {}, base::Point{3, 4});
-        QCOMPARE(diagnostics.entries()[0].place, std::optional(base::Point{3, 4}));
+        QCOMPARE(diagnostics.entries()[0].location, std::optional(base::Point{3, 4}));
     }
 };
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "model/document_builder.h"
+#include "model/board/document_builder.h"
 #include "model/geometry/boolean.h"
 
 using model::Discretisation;
@@ -162,3 +162,4 @@ private slots:
 
 QTEST_APPLESS_MAIN(DiscretiseTest)
 #include "discretise_test.moc"
+#include "model/figures/element_polygons.h"

@@ -1,16 +1,15 @@
 // Every cell of a map against measuring from its centre to all copper, one by one.
-#include "model/clearance/distance_map.h"
-
 #include <QtTest>
 #include <array>
 #include <random>
 
 #include "model/base/parallel.h"
-#include "model/document_builder.h"
-#include "model/geometry/distance.h"
+#include "model/board/document_builder.h"
+#include "model/clearance/clearance_map.h"
+#include "model/figures/distance.h"
 
+using model::ClearanceMap;
 using model::DistanceField;
-using model::DistanceMap;
 using model::DocumentBuilder;
 using model::ElementId;
 using model::LayerId;
@@ -99,19 +98,19 @@ DistanceField fieldBetween(const model::Document& board, LayerId layer) {
     return *DistanceField::betweenNets(board, layer, progress);
 }
 
-DistanceMap mapOf(const DistanceField& field, const MapFrame& frame, double reach) {
+ClearanceMap mapOf(const DistanceField& field, const MapFrame& frame, double reach) {
     base::Progress progress;
     return *field.map(frame, reach, progress);
 }
 
-double distanceTo(const model::Document& board, ElementId element, PointD place) {
+double distanceTo(const model::Document& board, ElementId element, PointD location) {
     model::FigureTable dot;
-    dot.addStroke(place, place, 0.0);
+    dot.addTrack(location, location, 0.0);
     model::FigureTable figures;
     figures.add(board, element);
     double least = kEndless;
     for (std::size_t row = 0; row < figures.size(); ++row) {
-        least = std::min(least, model::gapBetween(dot, 0, figures, row)->distance);
+        least = std::min(least, model::spacingBetween(dot, 0, figures, row)->distance);
     }
     return least;
 }
@@ -129,7 +128,7 @@ std::vector<std::size_t> netsOf(const model::Document& board, LayerId layer) {
         for (std::uint32_t i = first; i < first + count; ++i) {
             for (std::uint32_t j = first; j < first + count && own[i] == board.nets.size(); ++j) {
                 if (nets[j] < nets[i] &&
-                    model::gapBetween(board, ElementId{i}, ElementId{j})->distance <= model::kTouchNm) {
+                    model::spacingBetween(board, ElementId{i}, ElementId{j})->distance <= model::kTouchNm) {
                     nets[i] = nets[j];
                     isChanged = true;
                 }
@@ -139,11 +138,11 @@ std::vector<std::size_t> netsOf(const model::Document& board, LayerId layer) {
     return nets;
 }
 
-double gapAt(const model::Document& board, LayerId layer, const std::vector<std::size_t>& nets, PointD place) {
+double spacingAt(const model::Document& board, LayerId layer, const std::vector<std::size_t>& nets, PointD location) {
     std::vector<double> nearest(board.nets.size() + 1, kEndless);
     const auto [first, count] = board.layer(layer).elements;
     for (std::uint32_t i = first; i < first + count; ++i) {
-        nearest[nets[i]] = std::min(nearest[nets[i]], distanceTo(board, ElementId{i}, place));
+        nearest[nets[i]] = std::min(nearest[nets[i]], distanceTo(board, ElementId{i}, location));
     }
     std::ranges::sort(nearest);
     return nearest[0] <= 0 ? 0.0 : nearest[0] + nearest[1];
@@ -174,15 +173,15 @@ private slots:
                 targets.emplace_back(i);
             }
             for (const double reach : {200.0 * kUm, 5'000.0 * kUm}) {
-                const DistanceMap map = mapOf(fieldTo(*board, LayerId{0U}, targets), kWhole, reach);
-                forEachCell(map, [&](PointD place, double found) {
+                const ClearanceMap map = mapOf(fieldTo(*board, LayerId{0U}, targets), kWhole, reach);
+                forEachCell(map, [&](PointD location, double found) {
                     double expected = kEndless;
                     for (const ElementId target : targets) {
                         if (board->elements.layer[target.row()] == LayerId{0U}) {
-                            expected = std::min(expected, distanceTo(*board, target, place));
+                            expected = std::min(expected, distanceTo(*board, target, location));
                         }
                     }
-                    compare(found, expected, reach, place);
+                    compare(found, expected, reach, location);
                 });
             }
         }
@@ -193,9 +192,9 @@ private slots:
             const auto board = randomBoard(seed);
             const auto nets = netsOf(*board, LayerId{1U});
             for (const double reach : {300.0 * kUm, 5'000.0 * kUm}) {
-                const DistanceMap map = mapOf(fieldBetween(*board, LayerId{1U}), kWhole, reach);
-                forEachCell(map, [&](PointD place, double found) {
-                    compare(found, gapAt(*board, LayerId{1U}, nets, place), reach, place);
+                const ClearanceMap map = mapOf(fieldBetween(*board, LayerId{1U}), kWhole, reach);
+                forEachCell(map, [&](PointD location, double found) {
+                    compare(found, spacingAt(*board, LayerId{1U}, nets, location), reach, location);
                 });
             }
         }
@@ -206,7 +205,7 @@ private slots:
         for (const bool isBetween : {false, true}) {
             const DistanceField field = isBetween ? fieldBetween(*board, LayerId{0U})
                                                   : fieldTo(*board, LayerId{0U}, {ElementId{0}, ElementId{5}});
-            const DistanceMap map = mapOf(field, kWhole, model::kMostMapReach);
+            const ClearanceMap map = mapOf(field, kWhole, model::kMostMapReach);
             const double most = (isBetween ? 2.0 : 1.0) * kWhole.cell + 1.0;
             for (std::size_t i = 0; i + kWhole.width + 1 < map.nm.size(); ++i) {
                 for (const std::size_t next : {i + 1, i + kWhole.width}) {
@@ -220,9 +219,9 @@ private slots:
 
     void moreReachAddsPlacesAndMoreTargetsAreNearer() {
         const auto board = randomBoard(3);
-        const DistanceMap far = mapOf(fieldTo(*board, LayerId{0U}, {ElementId{1}}), kWhole, 4e6);
-        const DistanceMap near = mapOf(fieldTo(*board, LayerId{0U}, {ElementId{1}}), kWhole, 1e6);
-        const DistanceMap more = mapOf(fieldTo(*board, LayerId{0U}, {ElementId{1}, ElementId{4}}), kWhole, 4e6);
+        const ClearanceMap far = mapOf(fieldTo(*board, LayerId{0U}, {ElementId{1}}), kWhole, 4e6);
+        const ClearanceMap near = mapOf(fieldTo(*board, LayerId{0U}, {ElementId{1}}), kWhole, 1e6);
+        const ClearanceMap more = mapOf(fieldTo(*board, LayerId{0U}, {ElementId{1}, ElementId{4}}), kWhole, 4e6);
         int cut = 0;
         for (std::size_t i = 0; i < far.nm.size(); ++i) {
             QVERIFY(more.nm[i] <= far.nm[i]);
@@ -236,16 +235,16 @@ private slots:
         DocumentBuilder builder;
         const LayerId top = addLayer(builder, "top");
         std::mt19937 random(5);
-        std::vector<Point> places;
+        std::vector<Point> locations;
         for (int i = 0; i < 30; ++i) {
-            places.push_back({static_cast<Nm>(random() % 8'000'000), static_cast<Nm>(random() % 8'000'000)});
-            builder.addCircle({places.back(), 20 * kUm, 0}, {});
+            locations.push_back({static_cast<Nm>(random() % 8'000'000), static_cast<Nm>(random() % 8'000'000)});
+            builder.addCircle({locations.back(), 20 * kUm, 0}, {});
         }
         const auto board = builder.finish();
         for (std::uint32_t i = 0; i + 1 < 30; ++i) {
             const DistanceField a = fieldTo(*board, top, {ElementId{i}});
             const DistanceField b = fieldTo(*board, top, {ElementId{i + 1}});
-            QCOMPARE(a.at(base::toDouble(places[i + 1]), 10e6), b.at(base::toDouble(places[i]), 10e6));
+            QCOMPARE(a.at(base::toDouble(locations[i + 1]), 10e6), b.at(base::toDouble(locations[i]), 10e6));
         }
     }
 
@@ -304,17 +303,17 @@ private slots:
     void oneThreadGivesTheSameBits() {
         const auto board = randomBoard(11);
         const DistanceField field = fieldBetween(*board, LayerId{0U});
-        const DistanceMap all = mapOf(field, kWhole, 2e6);
+        const ClearanceMap all = mapOf(field, kWhole, 2e6);
         const base::ThreadLimit oneThread(1);
-        const DistanceMap alone = mapOf(fieldBetween(*board, LayerId{0U}), kWhole, 2e6);
+        const ClearanceMap alone = mapOf(fieldBetween(*board, LayerId{0U}), kWhole, 2e6);
         QVERIFY(std::memcmp(all.nm.data(), alone.nm.data(), all.nm.size() * sizeof(float)) == 0);
     }
 
     void onePlaceIsACellOfTheMap() {
         const auto board = randomBoard(2);
         const DistanceField field = fieldBetween(*board, LayerId{0U});
-        forEachCell(mapOf(field, kWhole, 1e6), [&](PointD place, double found) {
-            QVERIFY(found == field.at(place, 1e6) || std::abs(found - field.at(place, 1e6)) < 0.1);
+        forEachCell(mapOf(field, kWhole, 1e6), [&](PointD location, double found) {
+            QVERIFY(found == field.at(location, 1e6) || std::abs(found - field.at(location, 1e6)) < 0.1);
         });
     }
 
@@ -359,7 +358,7 @@ private slots:
 
 private:
     template <class Visit>
-    void forEachCell(const DistanceMap& map, const Visit& visit) {
+    void forEachCell(const ClearanceMap& map, const Visit& visit) {
         for (std::uint32_t row = 0; row < map.frame.height; ++row) {
             for (std::uint32_t column = 0; column < map.frame.width; ++column) {
                 visit(map.frame.centreOf(column, row), double{map.nm[std::size_t{row} * map.frame.width + column]});

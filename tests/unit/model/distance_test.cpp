@@ -1,12 +1,12 @@
 // Exact gaps between elements of every kind, against fixtures worked out by hand and against dense sampling.
-#include "model/geometry/distance.h"
+#include "model/figures/distance.h"
 
 #include <QtTest>
 #include <cmath>
 #include <numbers>
 #include <random>
 
-#include "model/document_builder.h"
+#include "model/board/document_builder.h"
 #include "model/geometry/discretise.h"
 
 using model::ArcGeometry;
@@ -26,9 +26,9 @@ namespace {
 constexpr Nm kMm = 1'000'000;
 
 /// A document of one layer to which elements are added one by one.
-class Sheet {
+class LayerGeometry {
 public:
-    Sheet() { m_builder.beginLayer(m_builder.addLayer({})); }
+    LayerGeometry() { m_builder.beginLayer(m_builder.addLayer({})); }
 
     ElementId line(Point a, Point b, Nm width, std::uint8_t flags = 0) {
         DocumentBuilder::Origin origin;
@@ -61,7 +61,7 @@ public:
     }
     [[nodiscard]] const model::Document& document() const { return m_builder.soFar(); }
     [[nodiscard]] double gap(ElementId a, ElementId b) const {
-        const auto found = model::gapBetween(document(), a, b);
+        const auto found = model::spacingBetween(document(), a, b);
         return found ? found->distance : -1.0;
     }
 
@@ -70,17 +70,17 @@ private:
 };
 
 /// Elements of all kinds whose rightmost point is exactly (0, 0) and which lie left of it.
-std::vector<std::pair<const char*, ElementId>> leftOfOrigin(Sheet& s) {
+std::vector<std::pair<const char*, ElementId>> leftOfOrigin(LayerGeometry& s) {
     ShapeSketch round;
     round.addCircle({-kMm, 0}, kMm, false);
     ShapeSketch halfDisc;
     halfDisc.beginContour(false);
     halfDisc.addNode({{-kMm, -kMm}, {-kMm, 0}, EdgeKind::ArcCounterClockwise});
     halfDisc.addNode(Point{-kMm, kMm});
-    ShapeSketch turned;
-    Sheet::addRectangle(turned, {-kMm, -2 * kMm}, {kMm, 0}, false);
-    ShapeSketch turnedOver;
-    Sheet::addRectangle(turnedOver, {-kMm, 0}, {kMm, 2 * kMm}, false);
+    ShapeSketch rotated;
+    LayerGeometry::addRectangle(rotated, {-kMm, -2 * kMm}, {kMm, 0}, false);
+    ShapeSketch flipped;
+    LayerGeometry::addRectangle(flipped, {-kMm, 0}, {kMm, 2 * kMm}, false);
     return {{"dot", s.line({-kMm, 0}, {-kMm, 0}, 2 * kMm)},
             {"line", s.line({-5 * kMm, -3 * kMm}, {-100'000, 0}, 200'000)},
             {"standing line", s.line({-100'000, -3 * kMm}, {-100'000, 3 * kMm}, 200'000)},
@@ -95,14 +95,14 @@ std::vector<std::pair<const char*, ElementId>> leftOfOrigin(Sheet& s) {
             {"rectangle", s.rectangle({-3 * kMm, -kMm}, {0, kMm})},
             {"round area", s.area(round)},
             {"half disc", s.area(halfDisc)},
-            {"turned area", s.area(turned, {{0, 0}, 90.0, false})},
-            {"mirrored area", s.area(turnedOver, {{0, 0}, 90.0, true})}};
+            {"turned area", s.area(rotated, {{0, 0}, 90.0, false})},
+            {"mirrored area", s.area(flipped, {{0, 0}, 90.0, true})}};
 }
 
 ShapeSketch frame() {
     ShapeSketch sketch;
-    Sheet::addRectangle(sketch, {0, 0}, {10 * kMm, 10 * kMm}, false);
-    Sheet::addRectangle(sketch, {2 * kMm, 2 * kMm}, {8 * kMm, 8 * kMm}, true);
+    LayerGeometry::addRectangle(sketch, {0, 0}, {10 * kMm, 10 * kMm}, false);
+    LayerGeometry::addRectangle(sketch, {2 * kMm, 2 * kMm}, {8 * kMm, 8 * kMm}, true);
     return sketch;
 }
 
@@ -140,7 +140,7 @@ double pointToPolygons(const model::PolygonSet& set, PointD p) {
 }
 
 /// Distance of two outlines made of chords, each corner of one against the other.
-double outlineGap(const model::PolygonSet& a, const model::PolygonSet& b) {
+double outlineSpacing(const model::PolygonSet& a, const model::PolygonSet& b) {
     double best = 1e18;
     for (const Point p : a.points) {
         best = std::min(best, pointToPolygons(b, base::toDouble(p)));
@@ -158,39 +158,39 @@ class DistanceTest : public QObject {
 
 private slots:
     void everyPairOfKindsTouchesAndPartsByOneNanometre() {
-        Sheet sheet;
-        const auto left = leftOfOrigin(sheet);
+        LayerGeometry plane;
+        const auto left = leftOfOrigin(plane);
         for (const auto& [nameA, a] : left) {
             for (const Nm shift : {0, 1, 1000}) {
-                const ElementId wall = sheet.rectangle({shift, -20 * kMm}, {kMm, 20 * kMm});
-                const ElementId dot = sheet.circle({shift + kMm, 0}, 2 * kMm);
-                const ElementId ring = sheet.circle({shift + 3 * kMm, 0}, 6 * kMm, 4 * kMm);
-                const ElementId stroke = sheet.line({shift + 50'000, -9 * kMm}, {shift + 50'000, 9 * kMm}, 100'000);
-                for (const ElementId b : {wall, dot, ring, stroke}) {
-                    const double gap = sheet.gap(a, b);
+                const ElementId wall = plane.rectangle({shift, -20 * kMm}, {kMm, 20 * kMm});
+                const ElementId dot = plane.circle({shift + kMm, 0}, 2 * kMm);
+                const ElementId ring = plane.circle({shift + 3 * kMm, 0}, 6 * kMm, 4 * kMm);
+                const ElementId track = plane.line({shift + 50'000, -9 * kMm}, {shift + 50'000, 9 * kMm}, 100'000);
+                for (const ElementId b : {wall, dot, ring, track}) {
+                    const double gap = plane.gap(a, b);
                     QVERIFY2(
                         std::abs(gap - shift) < 1e-3,
                         qPrintable(
                             QString("%1 against element %2: %3, not %4").arg(nameA).arg(b.value).arg(gap).arg(shift)));
                     QCOMPARE(gap <= model::kTouchNm, shift == 0);
-                    QVERIFY(std::abs(sheet.gap(b, a) - gap) < 1e-6);
+                    QVERIFY(std::abs(plane.gap(b, a) - gap) < 1e-6);
                 }
             }
         }
     }
 
     void whatLiesInsideTouches() {
-        Sheet sheet;
-        const ElementId plate = sheet.rectangle({0, 0}, {10 * kMm, 10 * kMm});
-        const ElementId small = sheet.circle({5 * kMm, 5 * kMm}, kMm);
-        const ElementId inner = sheet.rectangle({4 * kMm, 4 * kMm}, {6 * kMm, 6 * kMm});
-        QCOMPARE(sheet.gap(plate, small), 0.0);
-        QCOMPARE(sheet.gap(small, plate), 0.0);
-        QCOMPARE(sheet.gap(plate, inner), 0.0);
-        const auto gap = model::gapBetween(sheet.document(), plate, inner);
+        LayerGeometry plane;
+        const ElementId plate = plane.rectangle({0, 0}, {10 * kMm, 10 * kMm});
+        const ElementId small = plane.circle({5 * kMm, 5 * kMm}, kMm);
+        const ElementId inner = plane.rectangle({4 * kMm, 4 * kMm}, {6 * kMm, 6 * kMm});
+        QCOMPARE(plane.gap(plate, small), 0.0);
+        QCOMPARE(plane.gap(small, plate), 0.0);
+        QCOMPARE(plane.gap(plate, inner), 0.0);
+        const auto gap = model::spacingBetween(plane.document(), plate, inner);
         QVERIFY(gap->from.x == gap->to.x && gap->from.x >= 4 * kMm && gap->from.x <= 6 * kMm);
         // A stroke swallows whatever its pen covers.
-        QCOMPARE(sheet.gap(sheet.line({0, 0}, {20 * kMm, 0}, 4 * kMm), sheet.rectangle({kMm, 0}, {2 * kMm, kMm})), 0.0);
+        QCOMPARE(plane.gap(plane.line({0, 0}, {20 * kMm, 0}, 4 * kMm), plane.rectangle({kMm, 0}, {2 * kMm, kMm})), 0.0);
     }
 
     void holesKeepApart_data() {
@@ -200,64 +200,64 @@ private slots:
     }
     void holesKeepApart() {
         QFETCH(bool, isKeyhole);
-        Sheet sheet;
-        const ElementId plate = sheet.area(isKeyhole ? keyhole() : frame());
-        QCOMPARE(sheet.gap(plate, sheet.circle({5 * kMm, 5 * kMm}, 2 * kMm)), 2.0 * kMm);
-        QCOMPARE(sheet.gap(plate, sheet.circle({3 * kMm, 5 * kMm}, 2 * kMm - 2)), 1.0);
-        QCOMPARE(sheet.gap(plate, sheet.circle({3 * kMm, 5 * kMm}, 2 * kMm)), 0.0);
-        QCOMPARE(sheet.gap(plate, sheet.circle({kMm, 5 * kMm}, 10)), 0.0);
+        LayerGeometry plane;
+        const ElementId plate = plane.area(isKeyhole ? keyhole() : frame());
+        QCOMPARE(plane.gap(plate, plane.circle({5 * kMm, 5 * kMm}, 2 * kMm)), 2.0 * kMm);
+        QCOMPARE(plane.gap(plate, plane.circle({3 * kMm, 5 * kMm}, 2 * kMm - 2)), 1.0);
+        QCOMPARE(plane.gap(plate, plane.circle({3 * kMm, 5 * kMm}, 2 * kMm)), 0.0);
+        QCOMPARE(plane.gap(plate, plane.circle({kMm, 5 * kMm}, 10)), 0.0);
         // On the bridge of the keyhole there is copper.
-        QCOMPARE(sheet.gap(plate, sheet.circle({kMm, 2 * kMm}, 10)), 0.0);
-        QCOMPARE(sheet.gap(plate, sheet.circle({kMm, 2 * kMm + 100}, 10)), 0.0);
+        QCOMPARE(plane.gap(plate, plane.circle({kMm, 2 * kMm}, 10)), 0.0);
+        QCOMPARE(plane.gap(plate, plane.circle({kMm, 2 * kMm + 100}, 10)), 0.0);
         // A frame inside the hole, and one around everything.
-        QCOMPARE(sheet.gap(plate, sheet.rectangle({3 * kMm, 3 * kMm}, {7 * kMm, 7 * kMm})), 1.0 * kMm);
+        QCOMPARE(plane.gap(plate, plane.rectangle({3 * kMm, 3 * kMm}, {7 * kMm, 7 * kMm})), 1.0 * kMm);
     }
 
     void ringsAreHollow() {
-        Sheet sheet;
-        const ElementId ring = sheet.circle({0, 0}, 10 * kMm, 8 * kMm);
-        QCOMPARE(sheet.gap(ring, sheet.circle({0, 0}, 2 * kMm)), 3.0 * kMm);
-        QVERIFY(std::abs(sheet.gap(ring, sheet.circle({3 * kMm, 0}, 2 * kMm)) - 0.0) < 1e-6);
-        QVERIFY(std::abs(sheet.gap(ring, sheet.circle({3 * kMm - 1, 0}, 2 * kMm)) - 1.0) < 1e-6);
-        QCOMPARE(sheet.gap(ring, sheet.line({-9 * kMm, 0}, {9 * kMm, 0}, 100)), 0.0);
+        LayerGeometry plane;
+        const ElementId ring = plane.circle({0, 0}, 10 * kMm, 8 * kMm);
+        QCOMPARE(plane.gap(ring, plane.circle({0, 0}, 2 * kMm)), 3.0 * kMm);
+        QVERIFY(std::abs(plane.gap(ring, plane.circle({3 * kMm, 0}, 2 * kMm)) - 0.0) < 1e-6);
+        QVERIFY(std::abs(plane.gap(ring, plane.circle({3 * kMm - 1, 0}, 2 * kMm)) - 1.0) < 1e-6);
+        QCOMPARE(plane.gap(ring, plane.line({-9 * kMm, 0}, {9 * kMm, 0}, 100)), 0.0);
     }
 
     void everyIslandOfAnAreaIsAFigure() {
-        Sheet sheet;
+        LayerGeometry plane;
         ShapeSketch sketch;
-        Sheet::addRectangle(sketch, {0, 0}, {kMm, kMm}, false);
-        Sheet::addRectangle(sketch, {5 * kMm, 0}, {6 * kMm, kMm}, false);
-        const ElementId both = sheet.area(sketch);
+        LayerGeometry::addRectangle(sketch, {0, 0}, {kMm, kMm}, false);
+        LayerGeometry::addRectangle(sketch, {5 * kMm, 0}, {6 * kMm, kMm}, false);
+        const ElementId both = plane.area(sketch);
         model::FigureTable table;
-        table.add(sheet.document(), both);
+        table.add(plane.document(), both);
         QCOMPARE(table.size(), std::size_t{2});
-        QCOMPARE(sheet.gap(both, sheet.circle({5 * kMm + 500'000, 500'000}, 10)), 0.0);
-        QCOMPARE(sheet.gap(both, sheet.circle({3 * kMm, 500'000}, kMm)), 1.5 * kMm);
+        QCOMPARE(plane.gap(both, plane.circle({5 * kMm + 500'000, 500'000}, 10)), 0.0);
+        QCOMPARE(plane.gap(both, plane.circle({3 * kMm, 500'000}, kMm)), 1.5 * kMm);
     }
 
     void strokesWithoutWidthCoverNothing() {
-        Sheet sheet;
-        const ElementId thin = sheet.line({0, 0}, {kMm, 0}, 0);
-        QVERIFY(!model::gapBetween(sheet.document(), thin, thin));
+        LayerGeometry plane;
+        const ElementId thin = plane.line({0, 0}, {kMm, 0}, 0);
+        QVERIFY(!model::spacingBetween(plane.document(), thin, thin));
     }
 
     void theLimitHidesWhatIsFartherAway() {
-        Sheet sheet;
-        const ElementId a = sheet.circle({0, 0}, kMm);
-        const ElementId b = sheet.circle({2 * kMm, 0}, kMm);
-        QVERIFY(!model::gapBetween(sheet.document(), a, b, kMm - 1.0));
-        const auto gap = model::gapBetween(sheet.document(), a, b, double{kMm});
+        LayerGeometry plane;
+        const ElementId a = plane.circle({0, 0}, kMm);
+        const ElementId b = plane.circle({2 * kMm, 0}, kMm);
+        QVERIFY(!model::spacingBetween(plane.document(), a, b, kMm - 1.0));
+        const auto gap = model::spacingBetween(plane.document(), a, b, double{kMm});
         QVERIFY(gap && gap->distance == kMm);
         QCOMPARE(gap->from.x, 500'000.0);
         QCOMPARE(gap->to.x, 1'500'000.0);
     }
 
     void arcsWithUnequalRadiiKeepTheirEnds() {
-        Sheet sheet;
+        LayerGeometry plane;
         // The radii differ by 3 nm, as rounding makes them.
-        const ElementId arc = sheet.arc({kMm, 0}, {0, 0}, {0, kMm + 3}, 100);
-        QVERIFY(std::abs(sheet.gap(arc, sheet.circle({0, kMm + 3 + 50 + 50}, 100)) - 0.0) < 1e-3);
-        QVERIFY(std::abs(sheet.gap(arc, sheet.circle({kMm + 101, 0}, 100)) - 1.0) < 1.6);
+        const ElementId arc = plane.arc({kMm, 0}, {0, 0}, {0, kMm + 3}, 100);
+        QVERIFY(std::abs(plane.gap(arc, plane.circle({0, kMm + 3 + 50 + 50}, 100)) - 0.0) < 1e-3);
+        QVERIFY(std::abs(plane.gap(arc, plane.circle({kMm + 101, 0}, 100)) - 1.0) < 1.6);
     }
 
     void edgesMeetWhereSamplingSaysTheyDo() {
@@ -285,8 +285,8 @@ private slots:
             };
             const auto [nodeA, endA] = edge();
             const auto [nodeB, endB] = edge();
-            const double exact = gapBetween(model::edgeOf(nodeA, endA), model::edgeOf(nodeB, endB)).distance;
-            const double sampled = sampledGap(nodeA, endA, nodeB, endB);
+            const double exact = spacingBetween(model::edgeOf(nodeA, endA), model::edgeOf(nodeB, endB)).distance;
+            const double sampled = sampledSpacing(nodeA, endA, nodeB, endB);
             crossings += exact == 0 ? 1 : 0;
             QVERIFY2(exact <= sampled + 2.0 && exact >= sampled - 20.0,
                      qPrintable(QString("round %1: %2, sampled %3").arg(round).arg(exact).arg(sampled)));
@@ -298,7 +298,7 @@ private slots:
         // Stars with many holes: the tree of boxes must find what comparing all outlines finds.
         std::mt19937 random(11);
         for (int round = 0; round < 20; ++round) {
-            Sheet sheet;
+            LayerGeometry plane;
             const auto star = [&](Point centre) {
                 ShapeSketch sketch;
                 sketch.beginContour(false);
@@ -316,14 +316,14 @@ private slots:
                 }
                 return sketch;
             };
-            const ElementId a = sheet.area(star({0, 0}));
-            const ElementId b = sheet.area(star({12 * kMm, static_cast<Nm>(random() % 3'000'000)}));
+            const ElementId a = plane.area(star({0, 0}));
+            const ElementId b = plane.area(star({12 * kMm, static_cast<Nm>(random() % 3'000'000)}));
             const double expected =
-                outlineGap(discretise(sheet.document(), a, {}), discretise(sheet.document(), b, {}));
-            QVERIFY(std::abs(sheet.gap(a, b) - expected) < 1e-3);
+                outlineSpacing(discretise(plane.document(), a, {}), discretise(plane.document(), b, {}));
+            QVERIFY(std::abs(plane.gap(a, b) - expected) < 1e-3);
             // In a hole, between holes.
-            QVERIFY(sheet.gap(a, sheet.circle({50'000, 50'000}, 1000)) > 0);
-            QCOMPARE(sheet.gap(a, sheet.circle({-100'000, -100'000}, 1000)), 0.0);
+            QVERIFY(plane.gap(a, plane.circle({50'000, 50'000}, 1000)) > 0);
+            QCOMPARE(plane.gap(a, plane.circle({-100'000, -100'000}, 1000)), 0.0);
         }
     }
 
@@ -336,9 +336,9 @@ private slots:
         sketch.addNode({{1000, 1000}, {500, 1000}, EdgeKind::ArcCounterClockwise});
         sketch.addNode({{0, 1000}, {0, 500}, EdgeKind::ArcClockwise});
         sketch.addCircle({500, 500}, 100, true);
-        Sheet sheet;
+        LayerGeometry plane;
         model::FigureTable table;
-        table.add(sheet.document(), sheet.area(sketch));
+        table.add(plane.document(), plane.area(sketch));
         QCOMPARE(table.size(), std::size_t{1});
         const auto expected = [](double x, double y) {
             const auto in = [&](double cx, double cy, double r) { return std::hypot(x - cx, y - cy) < r; };
@@ -386,7 +386,7 @@ private:
         return points;
     }
 
-    static double sampledGap(const PathNode& a, Point endA, const PathNode& b, Point endB) {
+    static double sampledSpacing(const PathNode& a, Point endA, const PathNode& b, Point endB) {
         double best = 1e18;
         const std::vector<PointD> second = samples(b, endB);
         for (const PointD p : samples(a, endA)) {
@@ -408,3 +408,4 @@ private:
 
 QTEST_APPLESS_MAIN(DistanceTest)
 #include "distance_test.moc"
+#include "model/figures/element_polygons.h"

@@ -1,4 +1,4 @@
-#include "model/document_builder.h"
+#include "model/board/document_builder.h"
 
 #include <QtTest>
 

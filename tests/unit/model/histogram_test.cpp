@@ -1,9 +1,9 @@
-#include "model/histogram.h"
+#include "model/statistics/histogram.h"
 
 #include <QtTest>
 #include <algorithm>
 
-#include "model/document_builder.h"
+#include "model/board/document_builder.h"
 
 using model::Histogram;
 using model::Measure;

@@ -1,10 +1,10 @@
 // An element by itself measures as it did on its board: kind, area, box and heights, of every element of a real job.
-#include "model/lone_element.h"
+#include "model/board/lone_element.h"
 
 #include <QtTest>
 
-#include "model/measures.h"
-#include "model/reader.h"
+#include "model/formats/registry.h"
+#include "model/statistics/element_sizes.h"
 #include "tests/places.h"
 
 using namespace model;
@@ -15,7 +15,7 @@ class LoneElementTest : public QObject {
 private slots:
     void everyElementStaysAsItIs() {
         base::Progress progress;
-        const auto board = readBoard(places::kSample, {}, progress);
+        const auto board = readBoard(locations::kSample, {}, progress);
         QVERIFY(bool(board));
         const Document& d = **board;
         std::array<int, kElementKindCount> seen{};

@@ -1,12 +1,11 @@
 // Areas and lengths against their polygons: discretised finely, the two agree to a part in 10,000.
-#include "model/measures.h"
-
 #include <QtTest>
 #include <numbers>
 
-#include "model/document_builder.h"
+#include "model/board/document_builder.h"
 #include "model/geometry/boolean.h"
 #include "model/geometry/discretise.h"
+#include "model/statistics/element_sizes.h"
 
 using namespace model;
 
@@ -111,3 +110,4 @@ private slots:
 
 QTEST_APPLESS_MAIN(MeasuresTest)
 #include "measures_test.moc"
+#include "model/figures/element_polygons.h"

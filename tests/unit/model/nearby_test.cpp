@@ -5,8 +5,8 @@
 #include <random>
 
 #include "model/base/parallel.h"
-#include "model/document_builder.h"
-#include "model/geometry/distance.h"
+#include "model/board/document_builder.h"
+#include "model/figures/distance.h"
 
 using model::DocumentBuilder;
 using model::ElementId;
@@ -64,7 +64,7 @@ std::vector<double> bruteForce(const model::Document& board, const std::vector<E
         });
         for (const ElementId target : targets) {
             if (!isLeftOut && board.elements.layer[target.row()] == board.elements.layer[i]) {
-                nearest[i] = std::min(nearest[i], model::gapBetween(board, ElementId{i}, target)->distance);
+                nearest[i] = std::min(nearest[i], model::spacingBetween(board, ElementId{i}, target)->distance);
             }
         }
     }

@@ -1,12 +1,12 @@
-#include "model/net_groups.h"
+#include "model/nets/net_groups.h"
 
 #include <QtTest>
 #include <algorithm>
 #include <random>
 #include <set>
 
-#include "model/document_builder.h"
-#include "model/net_statistics.h"
+#include "model/board/document_builder.h"
+#include "model/nets/net_statistics.h"
 
 using namespace model;
 

@@ -1,14 +1,14 @@
 // How deep figures lie in each other: exactly where both are convex, never too deep elsewhere, and right about
 // touching.
-#include "model/geometry/overlap.h"
+#include "model/figures/overlap.h"
 
 #include <QtTest>
 #include <array>
 #include <cmath>
 #include <random>
 
-#include "model/document_builder.h"
-#include "model/geometry/distance.h"
+#include "model/board/document_builder.h"
+#include "model/figures/distance.h"
 
 using namespace model;
 
@@ -16,9 +16,9 @@ namespace {
 
 constexpr Nm kMm = 1'000'000;
 
-class Sheet {
+class LayerGeometry {
 public:
-    Sheet() { m_builder.beginLayer(m_builder.addLayer({})); }
+    LayerGeometry() { m_builder.beginLayer(m_builder.addLayer({})); }
     ElementId circle(Point centre, Nm diameter, Nm inner = 0) {
         return m_builder.addCircle({centre, diameter, inner}, {});
     }
@@ -64,7 +64,7 @@ public:
         FigureTable second;
         first.add(m_builder.soFar(), a);
         second.add(m_builder.soFar(), b);
-        const auto gap = gapBetween(first, 0, second, 0, kTouchNm);
+        const auto gap = spacingBetween(first, 0, second, 0, kTouchNm);
         return gap ? overlapBetween(first, 0, second, 0, gap->from) : Overlap{-1.0, true};
     }
     [[nodiscard]] const DocumentBuilder& builder() const { return m_builder; }
@@ -84,7 +84,7 @@ class OverlapTest : public QObject {
 
 private slots:
     void dotsOverlapByRadiiLessDistance() {
-        Sheet s;
+        LayerGeometry s;
         const Overlap o = s.overlap(s.circle({0, 0}, 2 * kMm), s.circle({3 * kMm / 2, 0}, 2 * kMm));
         QVERIFY(o.isExact && isNear(o.depth, 0.5 * kMm));
         QVERIFY(isNear(s.overlap(s.circle({0, 0}, 2 * kMm), s.circle({0, 0}, kMm)).depth, 1.5 * kMm));
@@ -92,7 +92,7 @@ private slots:
 
     void latticeCasesAreExact() {
         // On the left of x = 0, and a wall that begins at `shift`: negative ones overlap by that much.
-        Sheet s;
+        LayerGeometry s;
         const std::vector<ElementId> convex = {s.circle({-kMm, 0}, 2 * kMm), s.line({-5 * kMm, 0}, {-kMm, 0}, 2 * kMm),
                                                s.rectangle({-4 * kMm, -kMm}, {0, kMm}),
                                                s.rounded({-4 * kMm, -kMm}, {0, kMm}, 500'000)};
@@ -118,7 +118,7 @@ private slots:
     }
 
     void crossingStrokesHaveToLeaveOverTheNearestEnd() {
-        Sheet s;
+        LayerGeometry s;
         // A cross of two strokes 0.2 mm wide; one reaches 1 mm beyond the other.
         const ElementId lying = s.line({-5 * kMm, 0}, {5 * kMm, 0}, 200'000);
         QVERIFY(isNear(s.overlap(lying, s.line({0, -kMm}, {0, 4 * kMm}, 200'000)).depth, kMm + 200'000));
@@ -128,7 +128,7 @@ private slots:
     }
 
     void concaveFiguresThatFitTogetherTouch() {
-        Sheet s;
+        LayerGeometry s;
         const ElementId corner = s.corner({0, 0}, 4 * kMm);
         // Right in the notch, then a nanometre into it.
         const Overlap fits = s.overlap(corner, s.corner({2 * kMm, 2 * kMm}, 3 * kMm));
@@ -144,7 +144,7 @@ private slots:
         std::uniform_int_distribution<Nm> place(-kMm, kMm);
         int overlapping = 0;
         for (int round = 0; round < 200; ++round) {
-            Sheet s;
+            LayerGeometry s;
             const auto made = [&]() {
                 const Point a{place(random), place(random)};
                 switch (random() % 3) {
@@ -171,7 +171,7 @@ private slots:
                     moved.add(
                         s.builder().soFar(), b,
                         {{static_cast<Nm>(way * std::cos(angle)), static_cast<Nm>(way * std::sin(angle))}, 0, false});
-                    return gapBetween(still, 0, moved, 0)->distance;
+                    return spacingBetween(still, 0, moved, 0)->distance;
                 };
                 QVERIFY(gapAfter(o.depth - 2) <= 0.5);
                 isFreed = isFreed || gapAfter(o.depth * 1.0001 + 50) > 0;

@@ -1,8 +1,8 @@
-#include "model/paper/paper_reader.h"
+#include "model/formats/paper/paper_reader.h"
 
 #include <QtTest>
 
-#include "model/paper/lexer.h"
+#include "model/formats/paper/lexer.h"
 
 using model::ElementKind;
 using model::Severity;

@@ -1,12 +1,12 @@
 // What lies at a place of the board, against fixtures worked out by hand and against gaps measured element by element.
-#include "model/picking.h"
+#include "model/index/picking.h"
 
 #include <QtTest>
 #include <random>
 #include <set>
 
-#include "model/document_builder.h"
-#include "model/geometry/distance.h"
+#include "model/board/document_builder.h"
+#include "model/figures/distance.h"
 
 using namespace model;
 
@@ -21,7 +21,7 @@ std::shared_ptr<const BoardIndex> indexed(std::shared_ptr<const Document> board)
 
 /// Two copper layers with a drill through both and a laminate around all; heights in nm.
 struct Board {
-    enum Layer : std::size_t { Top, Bottom, Drill, Laminate };
+    enum Layer : std::size_t { Top, Bottom, Drill, Substrate };
     DocumentBuilder builder;
     std::vector<PickLayer> layers = {
         {true, 1.0e6, 1.1e6}, {true, 0.0, 0.1e6}, {true, 0.0, 1.1e6}, {true, 0.1e6, 1.0e6}};
@@ -31,7 +31,7 @@ struct Board {
         const LayerId top = builder.addLayer({});
         const LayerId bottom = builder.addLayer({});
         const LayerId drill = builder.addLayer({});
-        const LayerId laminate = builder.addLayer({});
+        const LayerId substrate = builder.addLayer({});
         builder.beginLayer(top);
         line = builder.addLine({{0, 0}, {10 * kMm, 0}, kMm, 0}, {});
         plane = builder.addArea({rectangle({-20 * kMm, -20 * kMm}, {20 * kMm, 20 * kMm}), {}}, {});
@@ -42,7 +42,7 @@ struct Board {
         DocumentBuilder::Origin origin;
         origin.flags = kHole;
         hole = builder.addCircle({{10 * kMm, 0}, kMm, kMm}, origin);
-        builder.beginLayer(laminate);
+        builder.beginLayer(substrate);
         body = builder.addArea({rectangle({-20 * kMm, -20 * kMm}, {20 * kMm, 20 * kMm}), {}}, {});
     }
     ShapeId rectangle(Point min, Point max) {
@@ -101,7 +101,7 @@ private slots:
 
     void edgeCountsToTheNanometreAndReachAddsWhatIsNear() {
         Board b;
-        b.layers[Board::Laminate].isVisible = false;
+        b.layers[Board::Substrate].isVisible = false;
         Picker picker(indexed(b.builder.finish()));
         const double side = kMm / 2.0;
         QCOMPARE(elementsOf(picker.at({3.0 * kMm, side}, 0.0, b.layers, false)), (std::vector{b.line, b.plane}));
@@ -125,7 +125,7 @@ private slots:
 
     void obliqueLinesEnterThroughWalls() {
         Board b;
-        b.layers[Board::Laminate].isVisible = false;
+        b.layers[Board::Substrate].isVisible = false;
         b.layers[Board::Drill].isVisible = false;
         Picker picker(indexed(b.builder.finish()));
         // Falls by 1 for each step along x: over the plane's edge at x = 20 mm the line is at z = 1.05 mm.
@@ -176,7 +176,7 @@ private slots:
 
     void boxTakesWhatIsInsideAndWithTouchingWhatReachesIn() {
         Board b;
-        b.layers[Board::Laminate].isVisible = false;
+        b.layers[Board::Substrate].isVisible = false;
         Picker picker(indexed(b.builder.finish()));
         const auto ids = [](const std::vector<BoardElement>& found) {
             std::vector<ElementId> list;
@@ -208,13 +208,13 @@ private slots:
         board->extent = {{-30 * kMm, -30 * kMm}, {30 * kMm, 30 * kMm}};
         Picker picker(indexed(board));
         const std::vector<PickLayer> layers = {{true, 0.0, 1e5}};
-        const std::pair<PointD, std::uint32_t> places[] = {
+        const std::pair<PointD, std::uint32_t> locations[] = {
             {{1.0 * kMm, 0.0}, 1}, {{10.0 * kMm, -1.0 * kMm}, 2}, {{19.0 * kMm, 0.0}, 3}};
-        for (const auto& [place, copy] : places) {
-            const auto hits = picker.at(place, 0.0, layers, false);
+        for (const auto& [location, copy] : locations) {
+            const auto hits = picker.at(location, 0.0, layers, false);
             QCOMPARE(hits.size(), std::size_t{1});
             QCOMPARE(hits[0].at, (BoardElement{copy, pad}));
-            const SightLine down{place, 1e6, {0.0, 0.0}, 1.0};
+            const SightLine down{location, 1e6, {0.0, 0.0}, 1.0};
             QCOMPARE(picker.along(down, 0.0, layers).size(), std::size_t{1});
         }
         const auto found = picker.inside({{9 * kMm, -2 * kMm}, {11 * kMm, 0}}, false, layers);
@@ -275,7 +275,7 @@ private slots:
             for (std::size_t row = 0; row < document->elements.size(); ++row) {
                 FigureTable figures;
                 figures.add(*document, ElementId{row});
-                if (gapBetween(figures, 0, point, 0, kTouchNm)) {
+                if (spacingBetween(figures, 0, point, 0, kTouchNm)) {
                     expected.insert(ElementId{row});
                 }
             }

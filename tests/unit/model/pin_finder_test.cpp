@@ -1,9 +1,9 @@
-#include "model/pin_finder.h"
+#include "model/index/pin_finder.h"
 
 #include <QtTest>
 
-#include "model/document_builder.h"
-#include "model/reader.h"
+#include "model/board/document_builder.h"
+#include "model/formats/registry.h"
 #include "tests/places.h"
 
 using namespace model;
@@ -92,7 +92,7 @@ private slots:
 
     void bothWaysAgreeOnARealBoard() {
         base::Progress progress;
-        const auto board = readBoard(places::kSample, {}, progress);
+        const auto board = readBoard(locations::kSample, {}, progress);
         QVERIFY(board.ok());
         const Document& document = **board;
         const PinFinder finder(document);

@@ -1,7 +1,6 @@
-#include "model/reader.h"
-
 #include <QtTest>
 
+#include "model/formats/registry.h"
 #include "tests/places.h"
 
 class ReaderTest : public QObject {
@@ -29,7 +28,7 @@ private slots:
 
     void bothFormatsOpenThroughOneDoor() {
         base::Progress progress;
-        const auto job = model::readBoard(places::kSample, {}, progress);
+        const auto job = model::readBoard(locations::kSample, {}, progress);
         QVERIFY2(job.ok(), job ? "" : job.error().text.c_str());
         QVERIFY((*job)->elements.size() > 1000);
 
@@ -43,7 +42,7 @@ private slots:
     void aCancelledReadSaysSo() {
         base::Progress progress;
         progress.cancel();
-        const auto result = model::readBoard(places::kSample, {}, progress);
+        const auto result = model::readBoard(locations::kSample, {}, progress);
         QVERIFY(!result);
         QCOMPARE(result.error().code, base::ErrorCode::Cancelled);
     }

@@ -1,11 +1,11 @@
 // Rows of points inside of areas, against asking for each point.
-#include "model/geometry/row_cover.h"
+#include "model/figures/row_cover.h"
 
 #include <QtTest>
 #include <random>
 
-#include "model/document_builder.h"
-#include "model/geometry/distance.h"
+#include "model/board/document_builder.h"
+#include "model/figures/distance.h"
 
 using model::DocumentBuilder;
 using model::EdgeKind;
@@ -104,7 +104,7 @@ private:
                     std::ranges::any_of(runs, [&](const model::CoveredRun& r) { return r.from <= x && x < r.to; });
                 if (isCovered != model::isInside(figures, row, {x, y})) {
                     // Only points that lie on an edge may fall to either side.
-                    if (model::gapToEdges(figures, row, {x, y}).distance >= 1.0) {
+                    if (model::spacingToEdges(figures, row, {x, y}).distance >= 1.0) {
                         qFatal("figure %zu at %f %f", row, x, y);
                     }
                 }

@@ -7,8 +7,8 @@
 #include <algorithm>
 
 #include "model/base/parallel.h"
+#include "model/board/document_builder.h"
 #include "model/clearance/clearance_report.h"
-#include "model/document_builder.h"
 
 using model::DocumentBuilder;
 using model::ElementId;
@@ -182,12 +182,12 @@ private slots:
         DocumentBuilder builder;
         const RuleReport report = check(*builder.finish(), model::defaultRules());
         QVERIFY(report.isPassed());
-        QCOMPARE(report.remarks.size(), std::size_t{3});  // neither nets nor outline nor mask
+        QCOMPARE(report.notes.size(), std::size_t{3});  // neither nets nor outline nor mask
         RuleTable off = model::defaultRules();
         for (Rule& rule : off.rules) {
             rule.isOn = false;
         }
-        QVERIFY(check(*DocumentBuilder().finish(), off).remarks.empty());
+        QVERIFY(check(*DocumentBuilder().finish(), off).notes.empty());
     }
 
     void ringsThatAreNotMeasuredAreCounted() {
@@ -198,10 +198,10 @@ private slots:
         board.builder.addLine({{0, 0}, {0, 900 * kUm}, 300 * kUm, 300 * kUm}, of({}, kWall));       // neither
         board.builder.addCircle({{5000 * kUm, 0}, 300 * kUm, 300 * kUm}, of(board.a, kWall));       // measured
         board.builder.addCircle({{9000 * kUm, 0}, 300 * kUm, 0}, of({}, kBare));                    // has no ring
-        const std::vector<std::string> remarks = check(*board.builder.finish(), RuleKind::AnnularRing, 1).remarks;
-        QCOMPARE(remarks.size(), std::size_t{2});
-        QVERIFY2(remarks[0].find("not round: 2") != std::string::npos, remarks[0].c_str());
-        QVERIFY2(remarks[1].find("no net: 1") != std::string::npos, remarks[1].c_str());
+        const std::vector<std::string> notes = check(*board.builder.finish(), RuleKind::AnnularRing, 1).notes;
+        QCOMPARE(notes.size(), std::size_t{2});
+        QVERIFY2(notes[0].find("not round: 2") != std::string::npos, notes[0].c_str());
+        QVERIFY2(notes[1].find("no net: 1") != std::string::npos, notes[1].c_str());
     }
 
     void rulesThatAreOffDoNotCount() {

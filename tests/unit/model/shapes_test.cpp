@@ -1,4 +1,4 @@
-#include "model/shapes.h"
+#include "model/geometry/shapes.h"
 
 #include <QtTest>
 #include <cmath>

@@ -1,18 +1,17 @@
-#include "model/stack_drawing.h"
-
 #include <QTemporaryDir>
 #include <QXmlStreamReader>
 #include <QtTest>
 #include <cmath>
 
-#include "model/stack_export.h"
+#include "model/export/stackup_drawing.h"
+#include "model/export/stackup_export.h"
 #include "tests/places.h"
 #include "tests/unit/odb/odb_testing.h"
 
 using model::HoleSpan;
-using model::StackBore;
-using model::StackDrawing;
-using model::StackRow;
+using model::StackupBarrel;
+using model::StackupDrawing;
+using model::StackupRow;
 
 namespace {
 
@@ -20,9 +19,9 @@ std::shared_ptr<const model::Document> board(const char* name) {
     return odb_testing::read(odb_testing::dataJob(name));
 }
 
-const StackBore& boreOf(const StackDrawing& drawing, const model::Document& document, const char* layer) {
+const StackupBarrel& boreOf(const StackupDrawing& drawing, const model::Document& document, const char* layer) {
     const auto found = std::ranges::find_if(
-        drawing.bores, [&](const StackBore& bore) { return document.layer(bore.layer).name == layer; });
+        drawing.bores, [&](const StackupBarrel& bore) { return document.layer(bore.layer).name == layer; });
     if (found == drawing.bores.end()) {
         qFatal("no holes on %s", layer);
     }
@@ -31,7 +30,7 @@ const StackBore& boreOf(const StackDrawing& drawing, const model::Document& docu
 
 std::size_t rowOf(const model::Document& document, const char* name) {
     const auto& rows = document.stackup.rows;
-    return static_cast<std::size_t>(std::ranges::find(rows, name, &StackRow::name) - rows.begin());
+    return static_cast<std::size_t>(std::ranges::find(rows, name, &StackupRow::name) - rows.begin());
 }
 
 bool isNear(double a, double b) {
@@ -54,17 +53,17 @@ int elementsOf(const std::string& svg, const QString& name) {
 
 }  // namespace
 
-class StackDrawingTest : public QObject {
+class StackupDrawingTest : public QObject {
     Q_OBJECT
 
 private slots:
     void toScaleHeightsAreThicknesses() {
         const auto document = board("everything");
-        const StackDrawing drawing = model::drawStack(*document, {1000.0, 10.0, false});
+        const StackupDrawing drawing = model::drawStackup(*document, {1000.0, 10.0, false});
         QCOMPARE(drawing.bands.size(), document->stackup.rows.size());
         QCOMPARE(drawing.copperTimes, 1.0);
         double all = 0.0;
-        for (const StackRow& row : document->stackup.rows) {
+        for (const StackupRow& row : document->stackup.rows) {
             all += row.thickness;
         }
         double y = 0.0;
@@ -78,10 +77,10 @@ private slots:
 
     void exaggeratedCopperIsThatManyTimesAsThick() {
         const auto document = board("everything");
-        const StackDrawing drawing = model::drawStack(*document, {1000.0, 10.0, true});
+        const StackupDrawing drawing = model::drawStackup(*document, {1000.0, 10.0, true});
         QCOMPARE(drawing.copperTimes, 10.0);  // 1460.2 µm of laminate, 139.8 µm of copper
         const auto perMm = [&](const char* name) {
-            const model::StackBand& band = drawing.bands[rowOf(*document, name)];
+            const model::StackupBand& band = drawing.bands[rowOf(*document, name)];
             return (band.bottom - band.top) / base::toMm(document->stackup.rows[rowOf(*document, name)].thickness);
         };
         QVERIFY(isNear(perMm("TOP"), 10.0 * perMm("CORE1")));
@@ -96,10 +95,10 @@ private slots:
     }
     void labelsDoNotOverlapAndStayInside() {
         QFETCH(double, height);
-        const StackDrawing drawing = model::drawStack(*board("everything"), {height, 10.0, false});
+        const StackupDrawing drawing = model::drawStackup(*board("everything"), {height, 10.0, false});
         QVERIFY(drawing.height >= 90.0);
         double least = 5.0;
-        for (const model::StackBand& band : drawing.bands) {
+        for (const model::StackupBand& band : drawing.bands) {
             QVERIFY(band.label > least - 1e-9);
             least = band.label + 10.0;
         }
@@ -108,25 +107,25 @@ private slots:
 
     void holesPassWhatTheyPass() {
         const auto document = board("drills");
-        const StackDrawing drawing = model::drawStack(*document, {1000.0, 10.0, true});
+        const StackupDrawing drawing = model::drawStackup(*document, {1000.0, 10.0, true});
         const auto top = [&](const char* name) { return drawing.bands[rowOf(*document, name)].top; };
         const auto bottom = [&](const char* name) { return drawing.bands[rowOf(*document, name)].bottom; };
-        const StackBore& through = boreOf(drawing, *document, "THROUGH");
+        const StackupBarrel& through = boreOf(drawing, *document, "THROUGH");
         QCOMPARE(through.top, top("L1"));
         QCOMPARE(through.bottom, bottom("L4"));
         QVERIFY(through.isPlated);
-        const StackBore& buried = boreOf(drawing, *document, "BURIED");
+        const StackupBarrel& buried = boreOf(drawing, *document, "BURIED");
         QCOMPARE(buried.span, HoleSpan::Buried);
         QCOMPARE(buried.top, top("L2"));
         QCOMPARE(buried.bottom, bottom("L3"));
-        const StackBore& back = boreOf(drawing, *document, "BACK");
+        const StackupBarrel& back = boreOf(drawing, *document, "BACK");
         QCOMPARE(back.span, HoleSpan::Backdrill);
         QVERIFY(!back.isPlated);
         std::uint32_t holes = 0;
         for (const model::DrillRow& row : model::drillTable(*document)) {
             holes += row.count;
         }
-        for (const StackBore& bore : drawing.bores) {
+        for (const StackupBarrel& bore : drawing.bores) {
             holes -= bore.count;
             QVERIFY(bore.bottom > bore.top);
         }
@@ -136,25 +135,25 @@ private slots:
 
     void svgHasABandPerLayerAndABarPerKindOfHole() {
         const auto document = board("drills");
-        const StackDrawing drawing = model::drawStack(*document, {400.0, 10.0, true});
-        const std::string svg = model::stackSvg(*document, true);
+        const StackupDrawing drawing = model::drawStackup(*document, {400.0, 10.0, true});
+        const std::string svg = model::stackupSvg(*document, true);
         const auto bands = static_cast<int>(drawing.bands.size() + drawing.bores.size());
         QCOMPARE(elementsOf(svg, "rect"), bands + 1);  // and the ground
         QVERIFY(svg.find("BURIED: buried, plated") != std::string::npos);
         QVERIFY(svg.find("times as thick") != std::string::npos);
-        QVERIFY(model::stackSvg(*document, false).find(", to scale") != std::string::npos);
+        QVERIFY(model::stackupSvg(*document, false).find(", to scale") != std::string::npos);
     }
 
     void namesOfAnyBytesMakeWellFormedFiles() {
         auto document = std::make_shared<model::Document>(*board("drills"));
         document->stackup.rows[0].name = "<a> & \"b\", \x01\xff\xc3 µ\xe2\x82";
         document->stackup.rows[1].material.name = "2x106, \"prepreg\"";
-        QVERIFY(elementsOf(model::stackSvg(*document, true), "text") > 0);
-        QVERIFY(model::stackCsv(*document).find(",\"2x106, \"\"prepreg\"\"\",") != std::string::npos);
+        QVERIFY(elementsOf(model::stackupSvg(*document, true), "text") > 0);
+        QVERIFY(model::stackupCsv(*document).find(",\"2x106, \"\"prepreg\"\"\",") != std::string::npos);
     }
 
     void csvHasTheStackAsItIs() {
-        const std::string csv = model::stackCsv(*board("everything"));
+        const std::string csv = model::stackupCsv(*board("everything"));
         QVERIFY(csv.starts_with("order,layer,type,thickness_nm,thickness_source,z_nm,copper_oz,material,"));
         QVERIFY2(csv.find("\r\n6,Inner Plane,POWER_GROUND,34800,job,") != std::string::npos, csv.c_str());
         QCOMPARE(std::ranges::count(csv, '\n'), 10);
@@ -163,23 +162,23 @@ private slots:
     void filesAreWrittenOrRefusedWithTheReason() {
         const auto document = board("everything");
         const odb_testing::Folder folder;
-        QVERIFY(model::writeStack(*document, folder.path() / "stack.svg", true).ok());
-        QVERIFY(model::writeStack(*document, folder.path() / "stack.csv", true).ok());
-        QCOMPARE(odb_testing::readFile(folder.path() / "stack.svg"), model::stackSvg(*document, true));
-        QCOMPARE(odb_testing::readFile(folder.path() / "stack.csv"), model::stackCsv(*document));
-        const auto other = model::writeStack(*document, folder.path() / "stack.pdf", true);
+        QVERIFY(model::writeStackup(*document, folder.path() / "stack.svg", true).ok());
+        QVERIFY(model::writeStackup(*document, folder.path() / "stack.csv", true).ok());
+        QCOMPARE(odb_testing::readFile(folder.path() / "stack.svg"), model::stackupSvg(*document, true));
+        QCOMPARE(odb_testing::readFile(folder.path() / "stack.csv"), model::stackupCsv(*document));
+        const auto other = model::writeStackup(*document, folder.path() / "stack.pdf", true);
         QVERIFY(!other && other.error().code == base::ErrorCode::BadUsage);
-        const auto nowhere = model::writeStack(*document, folder.path() / "no/folder/stack.svg", true);
+        const auto nowhere = model::writeStackup(*document, folder.path() / "no/folder/stack.svg", true);
         QVERIFY(!nowhere && nowhere.error().code == base::ErrorCode::OutputFailed);
-        const auto none = model::writeStack(model::Document(), folder.path() / "stack.svg", true);
+        const auto none = model::writeStackup(model::Document(), folder.path() / "stack.svg", true);
         QVERIFY(!none && none.error().code == base::ErrorCode::BadUsage);
     }
 
     void aBoardWithoutAStackIsAnEmptyDrawing() {
-        const StackDrawing drawing = model::drawStack(model::Document(), {100.0, 10.0, true});
+        const StackupDrawing drawing = model::drawStackup(model::Document(), {100.0, 10.0, true});
         QVERIFY(drawing.bands.empty() && drawing.bores.empty());
     }
 };
 
-QTEST_APPLESS_MAIN(StackDrawingTest)
+QTEST_APPLESS_MAIN(StackupDrawingTest)
 #include "stack_drawing_test.moc"

@@ -1,7 +1,7 @@
-#include "model/odb/archive.h"
+#include "model/formats/common/archive.h"
 
-#include "model/odb/archive_stream.h"
-#include "model/odb/job_tree.h"
+#include "model/formats/common/archive_stream.h"
+#include "model/formats/odb/text/job_tree.h"
 #include "odb_testing.h"
 
 using namespace odb_testing;

@@ -6,10 +6,10 @@
 #include <sstream>
 
 #include "model/base/parallel.h"
-#include "model/odb/archive.h"
-#include "model/odb/archive_stream.h"
+#include "model/board/stackup.h"
+#include "model/formats/common/archive.h"
+#include "model/formats/common/archive_stream.h"
 #include "model/solids/bodies.h"
-#include "model/stackup.h"
 #include "odb_testing.h"
 #include "tests/places.h"
 
@@ -21,7 +21,7 @@ using model::odb::Archive;
 
 namespace {
 
-const fs::path kBoards = places::kBoards;
+const fs::path kBoards = locations::kBoards;
 
 std::vector<fs::path> boardFiles() {
     std::vector<fs::path> files;
@@ -135,7 +135,7 @@ private slots:
         checkCounts(*d, texts);
         checkNets(*d, texts);
         checkElements(*d, file);
-        checkStack(*d);
+        checkStackup(*d);
     }
 
     void knownFigures_data() { eachBoard(); }
@@ -345,7 +345,7 @@ private:
         QVERIFY2(all - inside == expectedOutside, qPrintable(QString("%1 of %2").arg(inside).arg(all)));
     }
 
-    static void checkStack(const Document& d) {
+    static void checkStackup(const Document& d) {
         QVERIFY(d.boardThickness > 400'000 && d.boardThickness < 4'000'000);
         model::Nm above = d.boardThickness;
         for (const Layer& layer : d.layers) {

@@ -1,5 +1,5 @@
 // eda/data and the attributes of its records.
-#include "model/odb/eda.h"
+#include "model/formats/odb/components/eda.h"
 
 #include "odb_testing.h"
 

@@ -1,6 +1,6 @@
-#include "model/odb/feature_attributes.h"
+#include "model/formats/odb/text/feature_attributes.h"
 
-#include "model/odb/features.h"
+#include "model/formats/odb/features/features.h"
 #include "odb_testing.h"
 
 using model::AttributeValues;

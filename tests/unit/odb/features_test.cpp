@@ -1,4 +1,4 @@
-#include "model/odb/features.h"
+#include "model/formats/odb/features/features.h"
 
 #include "odb_testing.h"
 

@@ -1,10 +1,10 @@
-#include "model/odb/holes.h"
+#include "model/formats/odb/painting/holes.h"
 
 #include <QtTest>
 #include <algorithm>
 
-#include "model/holes.h"
-#include "model/odb/tools.h"
+#include "model/board/holes.h"
+#include "model/formats/odb/features/tools.h"
 #include "odb_testing.h"
 #include "tests/places.h"
 
@@ -19,7 +19,7 @@ using model::odb::FeatureKind;
 using model::odb::Hole;
 using model::odb::HoleRules;
 using model::odb::MatrixLayer;
-using model::odb::PinPlaces;
+using model::odb::PinLocations;
 using odb_testing::findDiagnostic;
 
 namespace {
@@ -33,10 +33,10 @@ DrillTool tool(const char* type, Nm finished, Nm drilled, const char* process = 
     return made;
 }
 
-Feature padAt(model::Point place, int drill = -1) {
+Feature padAt(model::Point location, int drill = -1) {
     Feature feature;
     feature.kind = FeatureKind::Pad;
-    feature.a = place;
+    feature.a = location;
     feature.drill = static_cast<std::int8_t>(drill);
     return feature;
 }
@@ -47,7 +47,7 @@ Hole holeOf(const std::vector<DrillTool>& tools, Nm size, int drill = -1, bool h
     MatrixLayer layer;
     layer.type = type;
     layer.addType = addType;
-    const PinPlaces pins(hasPin ? std::vector<model::Point>{{0, 0}} : std::vector<model::Point>{});
+    const PinLocations pins(hasPin ? std::vector<model::Point>{{0, 0}} : std::vector<model::Point>{});
     return HoleRules(layer, tools, pins).hole(padAt({0, 0}, drill), size, hasNet);
 }
 
@@ -141,12 +141,12 @@ private slots:
     }
 
     void pinsAreFoundWithinReach() {
-        const PinPlaces pins({{5, 100}, {1'000, 0}, {-7'000, 50}, {1'000, 9'000}});
+        const PinLocations pins({{5, 100}, {1'000, 0}, {-7'000, 50}, {1'000, 9'000}});
         QVERIFY(pins.isAnyWithin({1'100, 90}, 100));
         QVERIFY(!pins.isAnyWithin({1'101, 0}, 100));
         QVERIFY(!pins.isAnyWithin({1'000, 5'000}, 100));
         QVERIFY(pins.isAnyWithin({-7'000, 50}, 0));
-        QVERIFY(!PinPlaces().isAnyWithin({0, 0}, 1'000'000));
+        QVERIFY(!PinLocations().isAnyWithin({0, 0}, 1'000'000));
     }
 
     // ---- tools ----
@@ -226,18 +226,18 @@ private slots:
         odb_testing::Folder folder;
         const auto document = drilledBoard(folder);
         std::vector<std::uint32_t> cuts;
-        for (const model::Layer& slab : document->layers) {
-            if (slab.type != LayerType::Body) {
+        for (const model::Layer& part : document->layers) {
+            if (part.type != LayerType::Body) {
                 continue;
             }
             std::uint32_t passing = 0;
             for (const model::Layer& layer : document->layers) {
                 const bool isHoles = layer.type == LayerType::Drill || layer.type == LayerType::Rout;
-                const bool passes = layer.z <= slab.z && layer.z + layer.thickness >= slab.z + slab.thickness;
+                const bool passes = layer.z <= part.z && layer.z + layer.thickness >= part.z + part.thickness;
                 // The backdrill lies around the through hole.
                 passing += isHoles && passes && layer.name != "BACK" ? layer.elements.count : 0;
             }
-            const model::AreaGeometry& area = document->areas[document->elements.geometry[slab.elements.first]];
+            const model::AreaGeometry& area = document->areas[document->elements.geometry[part.elements.first]];
             cuts.push_back(document->shapes.shapes[area.shape.row()].contourCount - 1);
             QCOMPARE(cuts.back(), passing);
         }
@@ -258,7 +258,7 @@ private slots:
     }
 
     void theSampleBoardsHolesAreToldApart() {
-        const auto document = odb_testing::read(places::kSample);
+        const auto document = odb_testing::read(locations::kSample);
         std::uint32_t vias = 0;
         std::uint32_t all = 0;
         for (const DrillRow& row : model::drillTable(*document)) {

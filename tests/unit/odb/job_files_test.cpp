@@ -1,10 +1,10 @@
 // The small structured files of a job: matrix, stephdr, info, attrlist, tools.
-#include "model/odb/attributes.h"
-#include "model/odb/job_info.h"
-#include "model/odb/matrix.h"
-#include "model/odb/step_header.h"
-#include "model/odb/structured_text.h"
-#include "model/odb/tools.h"
+#include "model/formats/odb/features/tools.h"
+#include "model/formats/odb/job_info.h"
+#include "model/formats/odb/stackup/matrix.h"
+#include "model/formats/odb/step/step_header.h"
+#include "model/formats/odb/text/attributes.h"
+#include "model/formats/odb/text/structured_text.h"
 #include "odb_testing.h"
 
 using model::Diagnostics;

@@ -1,4 +1,4 @@
-#include "model/odb/layer_facts.h"
+#include "model/formats/odb/stackup/layer_facts.h"
 
 #include <QtTest>
 

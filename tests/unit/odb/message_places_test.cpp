@@ -1,5 +1,4 @@
-#include "model/odb/message_places.h"
-
+#include "model/formats/odb/message_locations.h"
 #include "odb_testing.h"
 
 using namespace odb_testing;
@@ -13,7 +12,7 @@ constexpr model::Nm kMm = 1'000'000;
 
 }  // namespace
 
-class MessagePlacesTest : public QObject {
+class MessageLocationsTest : public QObject {
     Q_OBJECT
 
 private slots:
@@ -26,7 +25,7 @@ private slots:
         QVERIFY(entry != nullptr);
         QCOMPARE(entry->line, 4U);
         QCOMPARE(entry->element, elementOf(*d, "TOP", 1));
-        QVERIFY(entry->element.isValid() && !entry->place);
+        QVERIFY(entry->element.isValid() && !entry->location);
     }
 
     void aLineInsideOfASurfacePointsToTheSurface() {
@@ -62,7 +61,7 @@ private slots:
         const Diagnostic* entry = findDiagnostic(d->diagnostics, "symbol nowhere");
         QVERIFY(entry != nullptr);
         QVERIFY(!entry->element.isValid());
-        QCOMPARE(entry->place, std::optional(Point{7 * kMm, 8 * kMm}));
+        QCOMPARE(entry->location, std::optional(Point{7 * kMm, 8 * kMm}));
         QCOMPARE(entry->text[0], 'S');
     }
 
@@ -74,7 +73,7 @@ private slots:
             const auto& entries = d->diagnostics.entries();
             const auto entry = std::ranges::find(entries, line, &Diagnostic::line);
             QVERIFY(entry != entries.end());
-            QVERIFY(!entry->element.isValid() && !entry->place);
+            QVERIFY(!entry->element.isValid() && !entry->location);
         }
     }
 
@@ -86,15 +85,15 @@ private slots:
         const Diagnostic* entry = findDiagnostic(d->diagnostics, "without a radius");
         QVERIFY(entry != nullptr);
         QVERIFY(!entry->element.isValid());
-        QVERIFY(entry->place.has_value());
+        QVERIFY(entry->location.has_value());
         const model::StepInstance& first = d->instances.front();
         const model::Document& card = *d->steps[first.step];
         const model::Box box = card.boxOf(ElementId{std::size_t{0}});
         const Point middle{static_cast<model::Nm>((box.min.x + box.max.x) / 2),
                            static_cast<model::Nm>((box.min.y + box.max.y) / 2)};
-        QCOMPARE(*entry->place, first.placement.apply(middle));
+        QCOMPARE(*entry->location, first.placement.apply(middle));
     }
 };
 
-QTEST_APPLESS_MAIN(MessagePlacesTest)
+QTEST_APPLESS_MAIN(MessageLocationsTest)
 #include "message_places_test.moc"

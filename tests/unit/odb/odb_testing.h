@@ -12,8 +12,9 @@
 #include <utility>
 #include <vector>
 
+#include "model/figures/element_polygons.h"
+#include "model/formats/odb/odb_reader.h"
 #include "model/geometry/discretise.h"
-#include "model/odb/odb_reader.h"
 #include "tests/places.h"
 
 /// Shared by the tests of the ODB++ reader: jobs written on the spot, archives of every kind, short ways to ask a
@@ -42,7 +43,7 @@ public:
     }
     /// Copies a job of tests/data/odb into this folder.
     void copyJob(const std::string& name) const {
-        fs::copy(fs::path(places::kTestData) / "odb" / name, path(),
+        fs::copy(fs::path(locations::kTestData) / "odb" / name, path(),
                  fs::copy_options::recursive | fs::copy_options::overwrite_existing);
     }
 
@@ -84,7 +85,7 @@ inline std::shared_ptr<const model::Document> read(const fs::path& path, const s
 }
 
 inline fs::path dataJob(const std::string& name) {
-    return fs::path(places::kTestData) / "odb" / name;
+    return fs::path(locations::kTestData) / "odb" / name;
 }
 
 /// The first diagnostic whose text holds `part`, or begins with it but for the capital; nullptr if there is none.

@@ -1,5 +1,5 @@
 // What painting leaves, and the way back from it to features and nets.
-#include "model/odb/painting.h"
+#include "model/formats/odb/painting/painting.h"
 
 #include "odb_testing.h"
 

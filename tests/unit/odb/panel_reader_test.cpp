@@ -1,5 +1,5 @@
 // Jobs of several steps: panels, their copies, and what is refused.
-#include "model/copies.h"
+#include "model/board/copies.h"
 #include "odb_testing.h"
 
 using namespace odb_testing;
@@ -23,12 +23,12 @@ private slots:
                                              {12'000'000, 38'000'000},
                                              {48'000'000, 38'000'000},
                                              {68'000'000, 12'000'000}};
-        std::vector<Point> places;
+        std::vector<Point> locations;
         for (const model::StepInstance& instance : d->instances) {
             QCOMPARE(d->steps[instance.step]->job.step, std::string("CARD"));
-            places.push_back(instance.placement.apply(Point{3'000'000, 2'000'000}));
+            locations.push_back(instance.placement.apply(Point{3'000'000, 2'000'000}));
         }
-        QCOMPARE(places, expected);
+        QCOMPARE(locations, expected);
     }
 
     void aStepIsBuiltOnceHoweverOftenItIsPlaced() {
@@ -101,9 +101,9 @@ private slots:
     void aNegativeFeatureOverACopyIsReported() {
         Folder folder;
         folder.copyJob("panel");
-        const auto write = [&](const char* place) {
+        const auto write = [&](const char* location) {
             folder.write("steps/panel/layers/top/features",
-                         std::string("UNITS=MM\n$0 r1000\nP 1 1 0 P 0 0\nP ") + place + " 0 N 0 0\n");
+                         std::string("UNITS=MM\n$0 r1000\nP 1 1 0 P 0 0\nP ") + location + " 0 N 0 0\n");
         };
         write("5 5");
         QVERIFY(findDiagnostic(read(folder.path())->diagnostics, "reaches over a copy") == nullptr);

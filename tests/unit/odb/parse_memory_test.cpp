@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "model/odb/features.h"
+#include "model/formats/odb/features/features.h"
 #include "odb_testing.h"
 #include "tests/places.h"
 
@@ -103,7 +103,7 @@ private slots:
 
     /// Of all columns of a document: at most 96 bytes per element, besides the points of contours and trails.
     void aDocumentNeedsFewBytesPerElement() {
-        const auto d = read(places::kSample);
+        const auto d = read(locations::kSample);
         const model::ElementTable& e = d->elements;
         const std::size_t bytes = bytesOf(e.kind) + bytesOf(e.flags) + bytesOf(e.layer) + bytesOf(e.net) +
                                   bytesOf(e.symbol) + bytesOf(e.geometry) + bytesOf(e.firstFeature) + bytesOf(e.line) +

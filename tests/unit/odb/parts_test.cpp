@@ -1,6 +1,6 @@
 // Components, their pins and bodies, and netlists: from the files to the document.
-#include "model/odb/components.h"
-#include "model/odb/netlist.h"
+#include "model/formats/odb/components/components.h"
+#include "model/formats/odb/components/netlist.h"
 #include "odb_testing.h"
 
 using namespace odb_testing;

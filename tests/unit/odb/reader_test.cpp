@@ -148,12 +148,12 @@ private slots:
         QCOMPARE(oval.a.x, 5'000'000);  // stands up
         QCOMPARE(std::abs(oval.a.y - oval.b.y), 800'000);
         const model::AreaGeometry& plain = areaOf(*d, elementOf(*d, "top", 11));
-        const model::AreaGeometry& turned = areaOf(*d, elementOf(*d, "top", 12));
+        const model::AreaGeometry& rotated = areaOf(*d, elementOf(*d, "top", 12));
         const model::AreaGeometry& mirrored = areaOf(*d, elementOf(*d, "top", 13));
-        QCOMPARE(plain.shape, turned.shape);
+        QCOMPARE(plain.shape, rotated.shape);
         QCOMPARE(plain.shape, mirrored.shape);
-        QCOMPARE(turned.placement.clockwiseDeg, 30.0);
-        QVERIFY(!turned.placement.isMirrored && mirrored.placement.isMirrored);
+        QCOMPARE(rotated.placement.clockwiseDeg, 30.0);
+        QVERIFY(!rotated.placement.isMirrored && mirrored.placement.isMirrored);
         QVERIFY((flagsOf(*d, elementOf(*d, "top", 8)) & model::kPad) != 0);
         QCOMPARE(circleOf(*d, elementOf(*d, "top", 26)).diameter, 100'000);  // resized
     }
@@ -498,4 +498,5 @@ private slots:
 };
 
 QTEST_APPLESS_MAIN(ReaderTest)
+#include "model/figures/element_polygons.h"
 #include "reader_test.moc"

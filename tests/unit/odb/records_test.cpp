@@ -1,4 +1,4 @@
-#include "model/odb/records.h"
+#include "model/formats/odb/text/records.h"
 
 #include <QtTest>
 

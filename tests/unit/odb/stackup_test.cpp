@@ -1,4 +1,4 @@
-#include "model/stackup.h"
+#include "model/board/stackup.h"
 
 #include <QtTest>
 
@@ -18,7 +18,7 @@ namespace {
 
 struct Stack {
     std::vector<Layer> layers;
-    model::StackFacts facts;
+    model::StackupFacts facts;
     model::Stackup built;
     Diagnostics diagnostics;
     model::Nm thickness = 0;
@@ -262,14 +262,14 @@ private slots:
         QVERIFY(grown < 0);
         QCOMPARE(changed->layers.front().z - document->layers.front().z, grown);
         QCOMPARE(changed->boardThickness - document->boardThickness, grown);
-        const auto laminate = [](const model::Document& d) {
+        const auto substrate = [](const model::Document& d) {
             model::Nm sum = 0;
             for (const Layer& layer : d.layers) {
                 sum += layer.type == LayerType::Body ? layer.thickness : 0;
             }
             return sum;
         };
-        QCOMPARE(laminate(*changed) - laminate(*document), grown);
+        QCOMPARE(substrate(*changed) - substrate(*document), grown);
         QVERIFY(findDiagnostic(changed->diagnostics, "dielectric(s) without a thickness") == nullptr);
         // and back: everything as it was, messages included
         const auto back = model::restack(*changed, {});
@@ -358,4 +358,5 @@ private slots:
 };
 
 QTEST_APPLESS_MAIN(StackupTest)
+#include "model/solids/restack.h"
 #include "stackup_test.moc"

@@ -1,14 +1,14 @@
-#include "model/odb/stackup_xml.h"
+#include "model/formats/odb/stackup/stackup_xml.h"
 
 #include <QtTest>
 
-#include "model/stackup.h"
+#include "model/board/stackup.h"
 #include "odb_testing.h"
 
 using model::Diagnostics;
 using model::LayerFacts;
 using model::Source;
-using model::StackFacts;
+using model::StackupFacts;
 using model::odb::StackupXml;
 using odb_testing::findDiagnostic;
 

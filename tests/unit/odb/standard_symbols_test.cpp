@@ -1,4 +1,4 @@
-#include "model/odb/standard_symbols.h"
+#include "model/formats/odb/symbols/standard_symbols.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "model/odb/region.h"
+#include "model/formats/common/region.h"
 #include "odb_testing.h"
 
 using model::Box;

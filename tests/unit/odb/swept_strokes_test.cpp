@@ -1,10 +1,9 @@
-#include "model/odb/swept_strokes.h"
-
 #include <cmath>
 #include <numbers>
 #include <random>
 
-#include "model/odb/outlines.h"
+#include "model/formats/common/outlines.h"
+#include "model/formats/odb/painting/swept_tracks.h"
 #include "odb_testing.h"
 
 using model::EdgeKind;
@@ -104,8 +103,8 @@ private slots:
             const Point p{static_cast<int>(random() % 6'000'000) - 3'000'000,
                           static_cast<int>(random() % 4'000'000) - 1'000'000};
             int seen = 0;  // places that cover p; a hair's breadth is neither inside nor outside
-            for (int place = 0; place <= 3000; ++place) {
-                const double angle = 0.75 * kPi * place / 3000;
+            for (int location = 0; location <= 3000; ++location) {
+                const double angle = 0.75 * kPi * location / 3000;
                 seen += covers(notched, {p.x - static_cast<int>(std::lround(2e6 * std::cos(angle))),
                                          p.y - static_cast<int>(std::lround(2e6 * std::sin(angle)))})
                             ? 1

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/formats/odb/symbols/barcode.h"
 #include "model/geometry/discretise.h"
-#include "model/odb/barcode.h"
 #include "odb_testing.h"
 
 using model::Box;
@@ -284,4 +284,5 @@ private slots:
 };
 
 QTEST_APPLESS_MAIN(TextTest)
+#include "model/figures/element_polygons.h"
 #include "text_test.moc"

@@ -1,8 +1,8 @@
 // Rigid-flex boards: zones, where layers exist, and what of the laminate that leaves.
-#include "model/odb/zones.h"
+#include "model/formats/odb/stackup/zones.h"
 
+#include "model/formats/odb/rigid_flex.h"
 #include "model/geometry/discretise.h"
-#include "model/odb/rigid_flex.h"
 #include "odb_testing.h"
 
 using namespace odb_testing;
@@ -204,4 +204,5 @@ private slots:
 };
 
 QTEST_APPLESS_MAIN(ZonesTest)
+#include "model/figures/element_polygons.h"
 #include "zones_test.moc"

@@ -1,4 +1,4 @@
-#include "render/area_pieces.h"
+#include "render/modelling/area_pieces.h"
 
 #include <QtTest>
 #include <map>
@@ -11,7 +11,7 @@ namespace {
 
 /// A strip of `quads` squares side by side as one shape, rows of vertices in random order, walls round it. Placed
 /// `places` times on the first layer.
-BoardModel strip(std::uint32_t quads, std::uint32_t places) {
+BoardModel strip(std::uint32_t quads, std::uint32_t locations) {
     BoardModel model;
     std::vector<std::uint32_t> row(2 * (quads + 1));
     std::iota(row.begin(), row.end(), 0U);
@@ -31,10 +31,10 @@ BoardModel strip(std::uint32_t quads, std::uint32_t places) {
                              {at(x, 0), at(x + 1, 0), at(x + 1, 1), at(x, 0), at(x + 1, 1), at(x, 1)});
     }
     model.shapes.push_back({0, static_cast<std::uint32_t>(row.size()), 0, 2 * quads});
-    for (std::uint32_t i = 0; i < places; ++i) {
+    for (std::uint32_t i = 0; i < locations; ++i) {
         model.instances.push_back({glm::vec2(0.0F, 10.0F * static_cast<float>(i)), {1.0F, 0.0F}, 0, 0, i, 0, 0.0F});
     }
-    model.areaBatches.push_back({0, 0, 0, places});
+    model.areaBatches.push_back({0, 0, 0, locations});
     model.areaBatchesOfLayer.push_back({0, 1});
     return model;
 }

@@ -1,4 +1,4 @@
-#include "render/board_model.h"
+#include "render/modelling/board_model.h"
 
 #include <QtTest>
 #include <cstring>
@@ -6,10 +6,10 @@
 #include <set>
 
 #include "model/base/parallel.h"
-#include "model/document_builder.h"
-#include "model/reader.h"
-#include "render/standard_model.h"
-#include "render/standard_triangles.h"
+#include "model/board/document_builder.h"
+#include "model/formats/registry.h"
+#include "render/standard/standard_model.h"
+#include "render/standard/standard_triangles.h"
 #include "tests/places.h"
 
 using model::DocumentBuilder;
@@ -49,7 +49,7 @@ class BoardModelTest : public QObject {
 
 private slots:
     void paperModelHasTheNumbersOfTables2And3() {
-        const std::string path = std::string(places::kBoards) + "/paper_t1.txt";
+        const std::string path = std::string(locations::kBoards) + "/paper_t1.txt";
         if (!std::filesystem::exists(path)) {
             QSKIP("the paper's model is not here");
         }
@@ -61,7 +61,7 @@ private slots:
     }
 
     void modelDoesNotDependOnTheNumberOfThreads() {
-        const auto document = readBoard(places::kSample);
+        const auto document = readBoard(locations::kSample);
         QVERIFY(document);
         BoardModel single;
         {
@@ -80,7 +80,7 @@ private slots:
     }
 
     void everyAreaIsAnInstanceOfItsLayer() {
-        const auto document = readBoard(places::kSample);
+        const auto document = readBoard(locations::kSample);
         const BoardModel model = build(*document);
         std::size_t seen = 0;
         std::set<std::uint32_t> elements;
@@ -115,7 +115,7 @@ private slots:
         }
         const auto document = builder.finish();
         const BoardModel model = build(*document);
-        QCOMPARE(model.layerGrowth, (std::vector<std::uint32_t>{shader::kLayerStands, shader::kLayerHangs}));
+        QCOMPARE(model.layerGrowth, (std::vector<std::uint32_t>{shader::kLayerGrowsUp, shader::kLayerGrowsDown}));
         QCOMPARE(model.instances[0].height, 0.75F);
         base::Progress progress;
         const auto standard = render::buildStandardModel(*document, {}, progress);
@@ -200,7 +200,7 @@ private slots:
     }
 
     void cancelledModellingSaysSo() {
-        const auto document = readBoard(places::kSample);
+        const auto document = readBoard(locations::kSample);
         base::Progress progress;
         progress.cancel();
         const auto result = render::buildBoardModel(*document, {}, progress);

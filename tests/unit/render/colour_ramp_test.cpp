@@ -1,5 +1,5 @@
 // Colours of numbers can be told apart and put in order, with and without colour vision.
-#include "render/colour_ramp.h"
+#include "render/scene/colour_ramp.h"
 
 #include <QtTest>
 #include <cmath>

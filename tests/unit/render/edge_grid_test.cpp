@@ -1,4 +1,4 @@
-#include "render/edge_grid.h"
+#include "render/modelling/edge_grid.h"
 
 #include <QtTest>
 #include <cmath>

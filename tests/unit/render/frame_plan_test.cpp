@@ -1,8 +1,8 @@
-#include "render/frame_plan.h"
+#include "render/culling/frame_plan.h"
 
 #include <QtTest>
 
-#include "render/camera.h"
+#include "render/scene/camera.h"
 
 namespace {
 
@@ -33,18 +33,18 @@ class FramePlanTest : public QObject {
 
 private slots:
     void turnedOverBodiesHangFromTheOtherSide() {
-        const render::FramePlan plan = planOf(sceneWithBodies(shader::kLayerStands), {});
+        const render::FramePlan plan = planOf(sceneWithBodies(shader::kLayerGrowsUp), {});
         const shader::LayerState& upright = plan.upright.states[0];
         const shader::LayerState& flipped = plan.flipped.states[0];
-        QVERIFY((upright.flags & shader::kLayerStands) != 0 && (upright.flags & shader::kLayerHangs) == 0);
-        QVERIFY((flipped.flags & shader::kLayerStands) == 0 && (flipped.flags & shader::kLayerHangs) != 0);
+        QVERIFY((upright.flags & shader::kLayerGrowsUp) != 0 && (upright.flags & shader::kLayerGrowsDown) == 0);
+        QVERIFY((flipped.flags & shader::kLayerGrowsUp) == 0 && (flipped.flags & shader::kLayerGrowsDown) != 0);
         QCOMPARE(flipped.z1, 1.6F - 2.0F);
         QCOMPARE(flipped.z0, 1.6F - 5.0F);
     }
 
     void evenLayersStayEven() {
         const render::FramePlan plan = planOf(sceneWithBodies(0), {});
-        constexpr std::uint32_t kUneven = shader::kLayerStands | shader::kLayerHangs;
+        constexpr std::uint32_t kUneven = shader::kLayerGrowsUp | shader::kLayerGrowsDown;
         QCOMPARE(plan.upright.states[0].flags & kUneven, 0U);
         QCOMPARE(plan.flipped.states[0].flags & kUneven, 0U);
     }

@@ -1,4 +1,4 @@
-#include "render/hole_cells.h"
+#include "render/modelling/hole_cells.h"
 
 #include <QtTest>
 #include <random>

@@ -1,14 +1,14 @@
-#include "render/insets.h"
+#include "render/modelling/insets.h"
 
 #include <QtTest>
 
-#include "model/document_builder.h"
-#include "render/board_model.h"
+#include "model/board/document_builder.h"
+#include "render/modelling/board_model.h"
 
 using model::DocumentBuilder;
 using model::LayerType;
 using model::Point;
-using render::LayerInLaminate;
+using render::LayerInSubstrate;
 
 namespace {
 
@@ -40,7 +40,7 @@ public:
 
     DocumentBuilder& builder() { return m_builder; }
 
-    [[nodiscard]] LayerInLaminate last() {
+    [[nodiscard]] LayerInSubstrate last() {
         const auto document = m_builder.finish();
         base::Progress progress;
         const auto model = render::buildBoardModel(*document, {}, progress);
@@ -137,8 +137,8 @@ private slots:
         hole.flags = model::kHole;
         board.builder().addCircle({{10 * kMm, 10 * kMm}, kMm, kMm}, hole);
         board.builder().addLine({{5 * kMm, 20 * kMm}, {10 * kMm, 20 * kMm}, kMm, kMm}, hole);
-        const LayerInLaminate drill = board.last();
-        QCOMPARE(drill.role, LayerInLaminate::Role::Plug);
+        const LayerInSubstrate drill = board.last();
+        QCOMPARE(drill.role, LayerInSubstrate::Role::Plug);
         QVERIFY(near(drill.insetMm, render::kFarthestInset));
     }
 
@@ -148,8 +148,8 @@ private slots:
         DocumentBuilder::Origin hole;
         hole.flags = model::kHole;
         board.builder().addCircle({{10 * kMm, 10 * kMm}, 2 * kMm, 2 * kMm}, hole);
-        const LayerInLaminate drill = board.last();
-        QCOMPARE(drill.role, LayerInLaminate::Role::Content);
+        const LayerInSubstrate drill = board.last();
+        QCOMPARE(drill.role, LayerInSubstrate::Role::Content);
         QVERIFY(drill.insetMm < 0.0F);
     }
 

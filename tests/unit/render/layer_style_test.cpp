@@ -1,11 +1,11 @@
-#include "render/layer_style.h"
+#include "render/scene/layer_style.h"
 
 #include <QtTest>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "model/document_builder.h"
+#include "model/board/document_builder.h"
 
 using model::Layer;
 using model::LayerSide;

@@ -1,11 +1,11 @@
-#include "render/lets.h"
+#include "render/modelling/lets.h"
 
 #include <QtTest>
 #include <cmath>
 #include <random>
 #include <set>
 
-#include "model/document_builder.h"
+#include "model/board/document_builder.h"
 
 using model::DocumentBuilder;
 using model::EdgeKind;

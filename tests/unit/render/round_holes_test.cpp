@@ -1,12 +1,12 @@
-#include "render/round_holes.h"
+#include "render/modelling/round_holes.h"
 
 #include <QtTest>
 #include <cmath>
 #include <numbers>
 
-#include "model/document_builder.h"
-#include "render/board_model.h"
-#include "render/lets.h"
+#include "model/board/document_builder.h"
+#include "render/modelling/board_model.h"
+#include "render/modelling/lets.h"
 
 using model::DocumentBuilder;
 using model::EdgeKind;

@@ -1,11 +1,11 @@
-#include "render/standard_model.h"
+#include "render/standard/standard_model.h"
 
 #include <QtTest>
 #include <map>
 
 #include "model/base/parallel.h"
-#include "model/document_builder.h"
-#include "model/reader.h"
+#include "model/board/document_builder.h"
+#include "model/formats/registry.h"
 #include "tests/places.h"
 
 using namespace render;
@@ -22,7 +22,7 @@ class StandardModelTest : public QObject {
 
     static std::shared_ptr<const model::Document> sample() {
         base::Progress progress;
-        auto document = model::readBoard(places::kSample, {}, progress);
+        auto document = model::readBoard(locations::kSample, {}, progress);
         return document ? *document : nullptr;
     }
 

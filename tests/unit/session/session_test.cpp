@@ -5,18 +5,18 @@
 #include <QtTest>
 #include <cstring>
 
+#include "model/board/stackup.h"
 #include "model/session/length_text.h"
-#include "model/stackup.h"
 #include "tests/unit/odb/odb_testing.h"
 
+using model::Measurement;
 using model::session::colourFrom;
 using model::session::colourText;
 using model::session::findNets;
-using model::session::KeptNet;
-using model::session::KeptView;
 using model::session::LoadedSession;
 using model::session::loadSession;
-using model::session::Measurement;
+using model::session::SavedNet;
+using model::session::SavedView;
 using model::session::saveMeasurements;
 using model::session::saveNets;
 using model::session::saveThicknesses;
@@ -30,7 +30,7 @@ namespace {
 const std::vector<model::ThicknessOverride> kOneThickness = {{"TOP", 70'000}};
 const std::vector<model::ThicknessOverride> kNoThickness;
 
-KeptView viewNamed(const char* name) {
+SavedView viewNamed(const char* name) {
     return {
         name,           "pcb",       {{1.5, -2.25, 0.1}, 30.0, 0.0, -90.0, true}, {{0, 0, 0}, 80.5, 33.0, -40.0, false},
         {"TOP", "SMT"}, std::nullopt};
@@ -44,8 +44,8 @@ model::session::Desk desk() {
             {{"TOP", false, 40, 0x0a80ffU}, {"SMT", true, 100, std::nullopt}}};
 }
 
-KeptView selectionOf(std::vector<model::session::KeptElement> elements) {
-    KeptView kept;
+SavedView selectionOf(std::vector<model::session::SavedElement> elements) {
+    SavedView kept;
     kept.name = "Clocks";
     kept.step = "pcb";
     kept.selection = {{{"pcb", "CLK"}}, std::move(elements)};
@@ -53,32 +53,32 @@ KeptView selectionOf(std::vector<model::session::KeptElement> elements) {
 }
 
 Measurement measured(const char* name) {
-    Measurement measurement{name, "pcb", model::session::MeasurementKind::Gap};
+    Measurement measurement{name, "pcb", model::MeasurementKind::Gap};
     measurement.from = {1.5, -2, "TOP", "GND", "edge"};
     measurement.to = {4.5, 2, "SMT", "", "centre"};
     measurement.dz = 12.0;
     measurement.overlap = 0.25;
-    measurement.remarks = {"a remark"};
+    measurement.notes = {"a remark"};
     measurement.isShown = false;
     return measurement;
 }
 
 Measurement measuredAngle() {
     Measurement angle = measured("angle");
-    angle.kind = model::session::MeasurementKind::Angle;
+    angle.kind = model::MeasurementKind::Angle;
     angle.corner = {7.0, -8.5, "TOP", "GND", "end"};
     return angle;
 }
 
 Measurement measuredLength() {
     Measurement length = measured("length");
-    length.kind = model::session::MeasurementKind::Length;
+    length.kind = model::MeasurementKind::Length;
     length.way = {{{"TOP", 4.0, {{0, 0}, {3, 0}, {3, 0.5}}}, {"SMT", 1e10, {{3, 0.5}, {4.25, -7}}}}, 1, 13.0};
     return length;
 }
 
 /// A board beside which sessions may lie.
-struct Place {
+struct Location {
     odb_testing::Folder folder;
     fs::path board = folder.path() / "job.tgz";
     std::shared_ptr<const model::Document> document = odb_testing::read(odb_testing::dataJob("everything"));
@@ -87,7 +87,7 @@ struct Place {
     [[nodiscard]] base::Status save(const std::vector<model::ThicknessOverride>& thicknesses) const {
         return saveThicknesses(board, *document, thicknesses);
     }
-    [[nodiscard]] base::Status save(const std::vector<KeptView>& views) const {
+    [[nodiscard]] base::Status save(const std::vector<SavedView>& views) const {
         return saveViews(board, *document, views);
     }
     [[nodiscard]] std::string file() const { return odb_testing::readFile(sessionPath(board)); }
@@ -140,15 +140,15 @@ private slots:
     }
 
     void overridesNameARowOfTheStack() {
-        const Place place;
-        const auto good = model::session::parseOverride("core1 = 0.3mm", place.document->stackup);
+        const Location location;
+        const auto good = model::session::parseOverride("core1 = 0.3mm", location.document->stackup);
         QVERIFY(good.ok());
         QCOMPARE(good->layer, "CORE1");
         QCOMPARE(good->thickness, 300'000);
-        const auto bad = model::session::parseOverride("CORE9=0.3mm", place.document->stackup);
+        const auto bad = model::session::parseOverride("CORE9=0.3mm", location.document->stackup);
         QVERIFY(!bad && bad.error().text.find("CORE1, Inner Plane") != std::string::npos);
-        QVERIFY(!model::session::parseOverride("CORE1=1oz", place.document->stackup));
-        QVERIFY(!model::session::parseOverride("CORE1", place.document->stackup));
+        QVERIFY(!model::session::parseOverride("CORE1=1oz", location.document->stackup));
+        QVERIFY(!model::session::parseOverride("CORE1", location.document->stackup));
     }
 
     // ---- the file ----
@@ -160,41 +160,41 @@ private slots:
     }
 
     void whatIsSavedIsLoaded() {
-        const Place place;
-        QVERIFY(place.load().session == Session() && place.load().ignored.empty());
+        const Location location;
+        QVERIFY(location.load().session == Session() && location.load().ignored.empty());
         const Session session{{{"TOP", 70'000}, {"CORE1", 300'000}},
                               {viewNamed("Über \"U1\""), viewNamed("")},
                               {},
                               std::nullopt,
                               {measured("gap"), measured("")}};
-        QVERIFY(place.save(session.thicknesses).ok());
-        QVERIFY(place.save(session.views).ok());
-        QVERIFY(saveMeasurements(place.board, *place.document, session.measurements).ok());
-        QVERIFY(place.load().session == session);
-        QVERIFY(place.load().ignored.empty());
-        const auto document = model::session::applyThicknesses(place.document, session.thicknesses);
+        QVERIFY(location.save(session.thicknesses).ok());
+        QVERIFY(location.save(session.views).ok());
+        QVERIFY(saveMeasurements(location.board, *location.document, session.measurements).ok());
+        QVERIFY(location.load().session == session);
+        QVERIFY(location.load().ignored.empty());
+        const auto document = model::session::applyThicknesses(location.document, session.thicknesses);
         QCOMPARE(model::findRow(document->stackup, "CORE1")->thickness, 300'000);
         QCOMPARE(model::findRow(document->stackup, "CORE1")->source, model::Source::Session);
-        QVERIFY(model::session::applyThicknesses(place.document, {}) == place.document);
+        QVERIFY(model::session::applyThicknesses(location.document, {}) == location.document);
     }
 
     void nothingChangedIsNoFile() {
-        const Place place;
-        QVERIFY(place.save(kOneThickness).ok());
-        QVERIFY(place.save(std::vector{viewNamed("a")}).ok());
-        QVERIFY(place.save(kNoThickness).ok());
-        QCOMPARE(place.load().session.views.size(), std::size_t{1});
-        QVERIFY(place.save(std::vector<KeptView>()).ok());
-        QVERIFY(!fs::exists(sessionPath(place.board)));
-        QVERIFY(place.save(kNoThickness).ok());
-        QVERIFY(fs::is_empty(place.folder.path()));
+        const Location location;
+        QVERIFY(location.save(kOneThickness).ok());
+        QVERIFY(location.save(std::vector{viewNamed("a")}).ok());
+        QVERIFY(location.save(kNoThickness).ok());
+        QCOMPARE(location.load().session.views.size(), std::size_t{1});
+        QVERIFY(location.save(std::vector<SavedView>()).ok());
+        QVERIFY(!fs::exists(sessionPath(location.board)));
+        QVERIFY(location.save(kNoThickness).ok());
+        QVERIFY(fs::is_empty(location.folder.path()));
     }
 
     void unknownPartsAreNamedAndKept() {
-        const Place place;
-        place.write(R"({"copperscope_session": 1, "job": "everything", "bookmarks": [1, 2],)"
-                    R"("thickness_nm": {"TOP": 70000, "GONE": 5000, "CORE1": "thick", "CORE2": 5, "SMT": 1e99}})");
-        const LoadedSession found = place.load();
+        const Location location;
+        location.write(R"({"copperscope_session": 1, "job": "everything", "bookmarks": [1, 2],)"
+                       R"("thickness_nm": {"TOP": 70000, "GONE": 5000, "CORE1": "thick", "CORE2": 5, "SMT": 1e99}})");
+        const LoadedSession found = location.load();
         QVERIFY((found.session == Session{kOneThickness, {}, {}, std::nullopt, {}}));
         QCOMPARE(found.ignored.size(), std::size_t{5});
         for (const char* part : {"bookmarks", "GONE", "CORE1", "CORE2", "SMT"}) {
@@ -202,13 +202,13 @@ private slots:
                                          [&](const std::string& text) { return text.find(part) != std::string::npos; }),
                      part);
         }
-        QVERIFY(place.save(kNoThickness).ok());
-        QVERIFY(place.file().find("bookmarks") != std::string::npos);
-        QVERIFY(place.file().find("thickness_nm") == std::string::npos);
+        QVERIFY(location.save(kNoThickness).ok());
+        QVERIFY(location.file().find("bookmarks") != std::string::npos);
+        QVERIFY(location.file().find("thickness_nm") == std::string::npos);
     }
 
     void whatIsNoViewIsNamed() {
-        const Place place;
+        const Location location;
         const std::string pose =
             R"({"target_mm": [1, 2, 3], "distance_mm": 5, "yaw_deg": 0, "pitch_deg": 0, "parallel": true})";
         const std::string far =
@@ -219,43 +219,43 @@ private slots:
             return R"({"name": "a", "step": "pcb", "layers": )" + std::string(layers) + R"(, "flat": )" + flat +
                    R"(, "solid": )" + solid + "}";
         };
-        place.write(R"({"copperscope_session": 1, "job": "everything", "views": [)" + view(pose, pose) + ", 7, " +
-                    view(far, pose) + ", " + view(pose, inside) + ", " + view(pose, "[]") + ", " +
-                    view(pose, pose, "[1]") + "]}");
-        const LoadedSession found = place.load();
+        location.write(R"({"copperscope_session": 1, "job": "everything", "views": [)" + view(pose, pose) + ", 7, " +
+                       view(far, pose) + ", " + view(pose, inside) + ", " + view(pose, "[]") + ", " +
+                       view(pose, pose, "[1]") + "]}");
+        const LoadedSession found = location.load();
         QCOMPARE(found.session.views.size(), std::size_t{1});
         QCOMPARE(found.ignored.size(), std::size_t{5});
         QVERIFY(found.ignored[0].find("view 2") != std::string::npos);
-        place.write(R"({"copperscope_session": 1, "job": "everything", "views": {"name": "a"}})");
-        QCOMPARE(place.load().ignored.size(), std::size_t{1});
+        location.write(R"({"copperscope_session": 1, "job": "everything", "views": {"name": "a"}})");
+        QCOMPARE(location.load().ignored.size(), std::size_t{1});
     }
 
     void whatTheWindowShowedIsLoaded() {
-        const Place place;
-        QVERIFY(model::session::saveDesk(place.board, *place.document, desk()).ok());
-        QVERIFY(place.save(kOneThickness).ok());
-        const LoadedSession found = place.load();
+        const Location location;
+        QVERIFY(model::session::saveDesk(location.board, *location.document, desk()).ok());
+        QVERIFY(location.save(kOneThickness).ok());
+        const LoadedSession found = location.load();
         QVERIFY(found.session.desk == desk());
         QCOMPARE(found.session.thicknesses, kOneThickness);
         QVERIFY(found.ignored.empty());
     }
 
     void layersThatAreGoneAreNamed() {
-        const Place place;
+        const Location location;
         model::session::Desk other = desk();
         other.layers.push_back({"INNER9", true, 100, std::nullopt});
         other.layers.push_back({"INNER7", true, 100, std::nullopt});
-        QVERIFY(model::session::saveDesk(place.board, *place.document, other).ok());
-        const LoadedSession found = place.load();
+        QVERIFY(model::session::saveDesk(location.board, *location.document, other).ok());
+        const LoadedSession found = location.load();
         QVERIFY(found.session.desk == desk());
         QCOMPARE(found.ignored.size(), std::size_t{1});
         QVERIFY(found.ignored[0].find("INNER9, INNER7") != std::string::npos);
     }
 
     void whatIsNoDeskIsNamed() {
-        const Place place;
-        QVERIFY(model::session::saveDesk(place.board, *place.document, desk()).ok());
-        const std::string good = place.file();
+        const Location location;
+        QVERIFY(model::session::saveDesk(location.board, *location.document, desk()).ok());
+        const std::string good = location.file();
         const std::pair<const char*, const char*> faults[] = {{"\"mil\"", "\"furlong\""},
                                                               {"#0a80ff", "#0a80f"},
                                                               {"#0a80ff", "#0a80fff"},
@@ -269,22 +269,22 @@ private slots:
             std::string bad = good;
             const std::size_t at = bad.find(from);
             QVERIFY2(at != std::string::npos, from);
-            place.write(bad.replace(at, std::string(from).size(), to));
-            QVERIFY2(!place.load().session.desk, to);
-            QCOMPARE(place.load().ignored.size(), std::size_t{1});
+            location.write(bad.replace(at, std::string(from).size(), to));
+            QVERIFY2(!location.load().session.desk, to);
+            QCOMPARE(location.load().ignored.size(), std::size_t{1});
         }
     }
 
     void selectionsAreKeptAmongTheViews() {
-        const Place place;
-        const std::vector<KeptView> both{viewNamed("a"),
-                                         selectionOf({{"TOP", model::ElementKind::Trail, {{-5, 0}, {1'000'000, 7}}}})};
-        QVERIFY(place.save(both).ok());
-        QVERIFY(place.load().session.views == both);
-        std::string bad = place.file();
-        place.write(bad.replace(bad.find("trail"), 5, "snail"));
-        QCOMPARE(place.load().session.views.size(), std::size_t{1});
-        QCOMPARE(place.load().ignored.size(), std::size_t{1});
+        const Location location;
+        const std::vector<SavedView> both{viewNamed("a"),
+                                          selectionOf({{"TOP", model::ElementKind::Trail, {{-5, 0}, {1'000'000, 7}}}})};
+        QVERIFY(location.save(both).ok());
+        QVERIFY(location.load().session.views == both);
+        std::string bad = location.file();
+        location.write(bad.replace(bad.find("trail"), 5, "snail"));
+        QCOMPARE(location.load().session.views.size(), std::size_t{1});
+        QCOMPARE(location.load().ignored.size(), std::size_t{1});
     }
 
     void elementsAreFoundWhereTheyWere_data() {
@@ -304,7 +304,7 @@ private slots:
             }
         }
         QVERIFY(some.size() > 5);
-        model::session::KeptSelection kept = model::session::keepSelection(tree, some, {});
+        model::session::SavedSelection kept = model::session::saveSelection(tree, some, {});
         QCOMPARE(kept.elements.size(), some.size());
         QCOMPARE(model::session::findSelection(tree, kept).elements, some);
         kept.elements[0].box.min.x -= 1;
@@ -318,7 +318,7 @@ private slots:
         const auto document = odb_testing::read(odb_testing::dataJob("everything"));
         const model::StepTree tree = model::unfoldCopies(*document);
         const std::vector<model::BoardNet> nets{{0, model::NetId{std::size_t{0}}}, {0, model::NetId{std::size_t{1}}}};
-        model::session::KeptSelection kept = model::session::keepSelection(tree, {}, nets);
+        model::session::SavedSelection kept = model::session::saveSelection(tree, {}, nets);
         QCOMPARE(model::session::findSelection(tree, kept).nets, nets);
         kept.nets[0].name = "NO_SUCH";
         kept.nets.push_back({"another step", kept.nets[1].name});
@@ -328,16 +328,16 @@ private slots:
     }
 
     void everyKindOfMeasurementIsReadBack() {
-        const Place place;
+        const Location location;
         const std::vector all{measured("gap"), measuredAngle(), measuredLength()};
-        QVERIFY(saveMeasurements(place.board, *place.document, all).ok());
-        QVERIFY(place.load().session.measurements == all);
+        QVERIFY(saveMeasurements(location.board, *location.document, all).ok());
+        QVERIFY(location.load().session.measurements == all);
     }
 
     void whatLacksItsPartsIsNoMeasurement() {
-        const Place place;
-        QVERIFY(saveMeasurements(place.board, *place.document, {measuredAngle(), measuredLength()}).ok());
-        const std::string good = place.file();
+        const Location location;
+        QVERIFY(saveMeasurements(location.board, *location.document, {measuredAngle(), measuredLength()}).ok());
+        const std::string good = location.file();
         const std::pair<const char*, const char*> wrongs[] = {
             {"\"corner\"", "\"other\""},       {"\"kind\": \"angle\"", "\"kind\": \"angel\""}, {"\"way\"", "\"path\""},
             {"\"holes\": 1", "\"holes\": -1"}, {"\"length_nm\": 4", "\"length_nm\": -4"},      {"\"a remark\"", "7"}};
@@ -345,20 +345,21 @@ private slots:
             std::string text = good;
             QVERIFY2(text.find(right) != std::string::npos, right);
             text.replace(text.find(right), std::strlen(right), wrong);
-            place.write(text);
-            const LoadedSession found = place.load();
+            location.write(text);
+            const LoadedSession found = location.load();
             QVERIFY2(found.session.measurements.size() == 1 && found.ignored.size() == 1, right);
         }
     }
 
     void whatIsNoMeasurementIsNamed() {
-        const Place place;
-        QVERIFY(saveMeasurements(place.board, *place.document, {measured("a"), measured("b"), measured("c")}).ok());
-        std::string text = place.file();
+        const Location location;
+        QVERIFY(
+            saveMeasurements(location.board, *location.document, {measured("a"), measured("b"), measured("c")}).ok());
+        std::string text = location.file();
         text.replace(text.find("\"overlap_nm\": 0.25"), 18, "\"overlap_nm\": -5.0");
         text.replace(text.rfind("\"TOP\""), 5, "99999");
-        place.write(text);
-        const LoadedSession found = place.load();
+        location.write(text);
+        const LoadedSession found = location.load();
         QCOMPARE(found.session.measurements, std::vector{measured("b")});
         QCOMPARE(found.ignored.size(), std::size_t{2});
         QVERIFY(found.ignored[1].find("measurement 3") != std::string::npos);
@@ -366,7 +367,7 @@ private slots:
 
     void measurementsAreATableForOthers() {
         const std::string csv =
-            model::session::measurementsCsv({measured("a,b"), measuredAngle(), measuredLength(), measured("c")});
+            model::measurementsCsv({measured("a,b"), measuredAngle(), measuredLength(), measured("c")});
         QCOMPARE(std::ranges::count(csv, '\n'), 5);
         QStringList lines = QString::fromStdString(csv).split('\n');
         // 3, 4 and 12 nm: 13 nm in all.
@@ -381,42 +382,42 @@ private slots:
     }
 
     void anotherBoardsSessionIsIgnored() {
-        const Place place;
-        place.write(R"({"copperscope_session": 1, "job": "other", "thickness_nm": {"TOP": 70000}})");
-        const LoadedSession found = place.load();
+        const Location location;
+        location.write(R"({"copperscope_session": 1, "job": "other", "thickness_nm": {"TOP": 70000}})");
+        const LoadedSession found = location.load();
         QVERIFY(found.session == Session());
         QCOMPARE(found.ignored.size(), std::size_t{1});
         QVERIFY(found.ignored[0].find("other") != std::string::npos);
     }
 
     void looksOfNetsAreKeptByName() {
-        const Place place;
-        const std::vector<KeptNet> nets = {{"GND", "BOARD", 0x00e69f00, false},
-                                           {"LOST", "BOARD", std::nullopt, true},
-                                           {"GND", "another step", 0x00000001, true}};
-        QVERIFY(saveNets(place.board, *place.document, nets).ok());
-        LoadedSession found = place.load();
+        const Location location;
+        const std::vector<SavedNet> nets = {{"GND", "BOARD", 0x00e69f00, false},
+                                            {"LOST", "BOARD", std::nullopt, true},
+                                            {"GND", "another step", 0x00000001, true}};
+        QVERIFY(saveNets(location.board, *location.document, nets).ok());
+        LoadedSession found = location.load();
         QCOMPARE(found.session.nets, nets);
         QVERIFY2(found.ignored.empty(), "nets of steps that are not shown are no matter");
-        model::StepTree tree = model::unfoldCopies(*place.document);
+        model::StepTree tree = model::unfoldCopies(*location.document);
         const auto at = findNets(tree, nets);
-        QCOMPARE(at[0], std::optional(model::BoardNet{0, place.document->findNet("GND")}));
+        QCOMPARE(at[0], std::optional(model::BoardNet{0, location.document->findNet("GND")}));
         QVERIFY(at[1] && !at[2]);
-        QVERIFY(saveNets(place.board, *place.document, {}).ok());
-        QVERIFY(!fs::exists(sessionPath(place.board)));
+        QVERIFY(saveNets(location.board, *location.document, {}).ok());
+        QVERIFY(!fs::exists(sessionPath(location.board)));
     }
 
     void netsThatAreNotThereAreToldAndNotLost() {
-        const Place place;
+        const Location location;
         std::string text =
             "{'copperscope_session': 1, 'job': 'everything', 'nets': ["
             "{'name': 'GONE', 'step': 'BOARD', 'hidden': true}, {'name': 'GND'}, 7,"
             "{'name': 'GND', 'step': 'BOARD', 'colour': 'red'},"
             "{'name': 'GND', 'step': 'BOARD', 'colour': '#12345g'}]}";
         std::ranges::replace(text, '\'', '"');
-        place.write(text);
-        const LoadedSession found = place.load();
-        QCOMPARE(found.session.nets, (std::vector<KeptNet>{{"GONE", "BOARD", std::nullopt, true}}));
+        location.write(text);
+        const LoadedSession found = location.load();
+        QCOMPARE(found.session.nets, (std::vector<SavedNet>{{"GONE", "BOARD", std::nullopt, true}}));
         QCOMPARE(found.ignored.size(), std::size_t{5});
         QVERIFY(found.ignored.back().find("GONE") != std::string::npos);
     }
@@ -443,39 +444,39 @@ private slots:
     }
     void whatIsNoSessionIsNeitherReadNorOverwritten() {
         QFETCH(QString, text);
-        const Place place;
-        place.write(text.toStdString());
-        QVERIFY(place.load().session == Session());
-        QCOMPARE(place.load().ignored.size(), std::size_t{1});
-        const auto saved = place.save(kOneThickness);
+        const Location location;
+        location.write(text.toStdString());
+        QVERIFY(location.load().session == Session());
+        QCOMPARE(location.load().ignored.size(), std::size_t{1});
+        const auto saved = location.save(kOneThickness);
         QVERIFY(!saved);
         QCOMPARE(saved.error().code, base::ErrorCode::OutputFailed);
-        QCOMPARE(place.file(), text.toStdString());
+        QCOMPARE(location.file(), text.toStdString());
     }
 
     void aFolderThatRefusesLosesNothing() {
         if (::geteuid() == 0) {
             QSKIP("root may write everywhere");
         }
-        const Place place;
-        QVERIFY(place.save(kOneThickness).ok());
-        const std::string before = place.file();
-        fs::permissions(place.folder.path(), fs::perms::owner_write, fs::perm_options::remove);
-        const auto saved = place.save(kNoThickness);
-        fs::permissions(place.folder.path(), fs::perms::owner_write, fs::perm_options::add);
+        const Location location;
+        QVERIFY(location.save(kOneThickness).ok());
+        const std::string before = location.file();
+        fs::permissions(location.folder.path(), fs::perms::owner_write, fs::perm_options::remove);
+        const auto saved = location.save(kNoThickness);
+        fs::permissions(location.folder.path(), fs::perms::owner_write, fs::perm_options::add);
         QVERIFY(!saved);
-        QVERIFY(saved.error().text.find(sessionPath(place.board).string()) != std::string::npos);
-        QCOMPARE(place.file(), before);
+        QVERIFY(saved.error().text.find(sessionPath(location.board).string()) != std::string::npos);
+        QCOMPARE(location.file(), before);
     }
 
     void aFailedWriteLeavesNoPart() {
-        const Place place;
+        const Location location;
         // A folder where the file should be refuses the rename, whoever runs this.
-        fs::create_directories(sessionPath(place.board) / "inside");
-        QVERIFY(!place.save(kOneThickness));
+        fs::create_directories(sessionPath(location.board) / "inside");
+        QVERIFY(!location.save(kOneThickness));
         std::size_t entries = 0;
-        for (const auto& entry : fs::directory_iterator(place.folder.path())) {
-            entries += entry.path() != sessionPath(place.board) ? 1 : 0;
+        for (const auto& entry : fs::directory_iterator(location.folder.path())) {
+            entries += entry.path() != sessionPath(location.board) ? 1 : 0;
         }
         QCOMPARE(entries, std::size_t{0});
     }

@@ -1,2 +1,2 @@
 # What users set for a board, and the file it is kept in.
-copperscope_test(session_test unit/session/session_test.cpp LABEL unit LINK copperscope_session copperscope_odb LibArchive::LibArchive)
+copperscope_test(session_test unit/session/session_test.cpp LABEL unit LINK copperscope_model)

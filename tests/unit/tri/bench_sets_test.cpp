@@ -1,6 +1,6 @@
 #include <QtTest>
 
-#include "tri/bench/run.h"
+#include "app/bench/triangulation_run.h"
 #include "tri/verify.h"
 
 using tri::Triangulator;

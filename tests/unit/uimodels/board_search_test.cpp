@@ -1,20 +1,20 @@
-#include "ui/models/board_search.h"
+#include "ui/search/board_search.h"
 
 #include <QtTest>
 
 #include "tests/unit/odb/odb_testing.h"
 
-using ui::models::BoardSearch;
-using ui::models::Found;
-using ui::models::FoundKind;
-using ui::models::LengthUnit;
+using ui::BoardSearch;
+using ui::Found;
+using ui::FoundKind;
+using ui::LengthUnit;
 
 class BoardSearchTest : public QObject {
     Q_OBJECT
 
 private slots:
     void initTestCase() {
-        m_board = odb_testing::read(places::kSample);
+        m_board = odb_testing::read(locations::kSample);
         m_search.setBoard(m_board);
     }
 
@@ -61,21 +61,21 @@ private slots:
         QFETCH(QString, text);
         QFETCH(double, x);
         QFETCH(double, y);
-        const auto place = ui::models::parsePlace(text, LengthUnit::Millimetre);
-        QVERIFY(place.has_value());
-        QVERIFY(std::abs(place->x - x) < 1e-3 && std::abs(place->y - y) < 1e-3);
-        QCOMPARE(m_search.find(text, LengthUnit::Millimetre, 5).front().kind, FoundKind::Place);
+        const auto location = ui::parsePlace(text, LengthUnit::Millimetre);
+        QVERIFY(location.has_value());
+        QVERIFY(std::abs(location->x - x) < 1e-3 && std::abs(location->y - y) < 1e-3);
+        QCOMPARE(m_search.find(text, LengthUnit::Millimetre, 5).front().kind, FoundKind::Location);
     }
 
     void whatIsNoPlaceIsNone() {
         for (const char* text : {"", "1", "1,2,3", "1 km, 2 km", "a b", "1,", "--1, 2"}) {
-            QVERIFY2(!ui::models::parsePlace(text, LengthUnit::Millimetre), text);
+            QVERIFY2(!ui::parsePlace(text, LengthUnit::Millimetre), text);
         }
     }
 
     /// The panel has no nets of its own; both steps on it have a net A.
     void placedStepsAreSearchedToo() {
-        const auto panel = odb_testing::read(std::string(places::kTestData) + "/odb/panel");
+        const auto panel = odb_testing::read(std::string(locations::kTestData) + "/odb/panel");
         BoardSearch search;
         search.setBoard(panel);
         const std::vector<const model::Document*> steps = model::distinctSteps(*panel);

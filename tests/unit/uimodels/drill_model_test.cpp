@@ -1,13 +1,13 @@
-#include "ui/models/drill_model.h"
+#include "ui/statistics/drill_model.h"
 
 #include <QAbstractItemModelTester>
 #include <QtTest>
 
-#include "model/document_builder.h"
-#include "ui/models/table_text.h"
+#include "model/board/document_builder.h"
+#include "ui/common/table_text.h"
 
 using model::ElementId;
-using ui::models::DrillModel;
+using ui::DrillModel;
 
 namespace {
 
@@ -57,12 +57,12 @@ class DrillModelTest : public QObject {
 
 private slots:
     void init() {
-        m_model.setUnit(ui::models::LengthUnit::Millimetre);
+        m_model.setUnit(ui::LengthUnit::Millimetre);
         m_model.setDocument(drilledBoard());
     }
 
     void sameHolesAreOneRow() {
-        QCOMPARE(ui::models::tableText(m_model),
+        QCOMPARE(ui::tableText(m_model),
                  "Layer\tSpan\tKind\tShape\tDiameter\tFinished\tTool\tHoles\n"
                  "drill\tthrough\tVia\tround\t0.3\t0.25\t7\t3\n"
                  "drill\tthrough\tNot plated\tround\t3\t3\t\t1\n");
@@ -77,7 +77,7 @@ private slots:
 
     void lengthsFollowTheUnit() {
         QCOMPARE(m_model.index(0, DrillModel::Diameter).data().toString(), "0.3 mm");
-        m_model.setUnit(ui::models::LengthUnit::Mil);
+        m_model.setUnit(ui::LengthUnit::Mil);
         QVERIFY(m_model.index(0, DrillModel::Diameter).data().toString().endsWith(" mil"));
         QCOMPARE(m_model.index(0, DrillModel::Diameter).data(Qt::EditRole).toDouble(), 300'000 / 25'400.0);
     }

@@ -1,10 +1,10 @@
-#include "ui/models/element_facts.h"
+#include "ui/element/element_facts.h"
 
 #include <QtTest>
 
-#include "model/document_builder.h"
+#include "model/board/document_builder.h"
 
-using namespace ui::models;
+using namespace ui;
 using model::BoardElement;
 using model::ElementId;
 
@@ -20,7 +20,7 @@ private slots:
         QCOMPARE(lengthText(-100'000'000, LengthUnit::Millimetre), "-100 mm");
         QCOMPARE(lengthInBoth(254'000, LengthUnit::Millimetre), "0.254 mm (10 mil)");
         QCOMPARE(lengthInBoth(254'000, LengthUnit::Inch), "0.01 in (0.254 mm)");
-        QCOMPARE(placeText(1'500'000, -250'000, LengthUnit::Millimetre), "1.5000, -0.2500 mm");
+        QCOMPARE(positionText(1'500'000, -250'000, LengthUnit::Millimetre), "1.5000, -0.2500 mm");
         QCOMPARE(areaText(2e12, LengthUnit::Millimetre), "2 mm²");
         QCOMPARE(areaText(25.4e6 * 25.4e6, LengthUnit::Mil), "1 in²");
     }

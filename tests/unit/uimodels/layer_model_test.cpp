@@ -1,24 +1,24 @@
-#include "ui/models/layer_model.h"
+#include "ui/layers/layer_model.h"
 
 #include <QAbstractItemModelTester>
 #include <QSignalSpy>
 #include <QtTest>
 
 #include "tests/unit/uimodels/sample_document.h"
-#include "ui/models/table_text.h"
+#include "ui/common/table_text.h"
 
-using ui::models::LayerLook;
-using ui::models::LayerModel;
+using ui::LayerAppearance;
+using ui::LayerModel;
 
 namespace {
 
-std::vector<LayerLook> sampleLooks() {
+std::vector<LayerAppearance> sampleStyles() {
     return {{Qt::red, 100, true}, {Qt::blue, 100, true}, {Qt::gray, 100, false}, {Qt::yellow, 60, true}};
 }
 
 QString visibleRows(const LayerModel& model) {
     QString rows;
-    for (const LayerLook& look : model.effectiveLooks()) {
+    for (const LayerAppearance& look : model.effectiveStyles()) {
         rows += look.isVisible ? '1' : '0';
     }
     return rows;
@@ -30,10 +30,10 @@ class LayerModelTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void init() { m_model.setDocument(sampleDocument(), sampleLooks()); }
+    void init() { m_model.setDocument(sampleDocument(), sampleStyles()); }
 
     void listsEveryLayerOfTheDocument() {
-        QCOMPARE(ui::models::tableText(m_model),
+        QCOMPARE(ui::tableText(m_model),
                  "Show\tColour\tLayer\tType\tOpacity\tSolo\n"
                  "yes\t#ff0000\ttop\tSignal\t100\tno\n"
                  "yes\t#0000ff\tbottom\tSignal\t100\tno\n"
@@ -45,11 +45,11 @@ private slots:
         m_model.setDocument(nullptr, {});
         QCOMPARE(m_model.rowCount(), 0);
         m_model.showAll();
-        QVERIFY(m_model.effectiveLooks().empty());
+        QVERIFY(m_model.effectiveStyles().empty());
     }
 
     void checkMarkHidesALayerAndSaysSoOnce() {
-        QSignalSpy changed(&m_model, &LayerModel::looksChanged);
+        QSignalSpy changed(&m_model, &LayerModel::stylesChanged);
         QVERIFY(m_model.setData(m_model.index(0, LayerModel::Visible), Qt::Unchecked, Qt::CheckStateRole));
         QCOMPARE(visibleRows(m_model), "0101");
         QCOMPARE(changed.count(), 1);
@@ -93,12 +93,12 @@ private slots:
         QVERIFY(m_model.setData(cell, 250, Qt::EditRole));
         QCOMPARE(cell.data(Qt::EditRole).toInt(), 100);
         QVERIFY(m_model.setData(cell, -1, Qt::EditRole));
-        QCOMPARE(m_model.effectiveLooks()[3].opacityPercent, 0);
+        QCOMPARE(m_model.effectiveStyles()[3].opacityPercent, 0);
     }
 
     void colourIsEditedAndOtherCellsAreNot() {
         QVERIFY(m_model.setData(m_model.index(1, LayerModel::Colour), QColor(1, 2, 3), Qt::EditRole));
-        QCOMPARE(m_model.effectiveLooks()[1].colour, QColor(1, 2, 3));
+        QCOMPARE(m_model.effectiveStyles()[1].colour, QColor(1, 2, 3));
         QVERIFY(!m_model.setData(m_model.index(1, LayerModel::Colour), QColor(), Qt::EditRole));
         QVERIFY(!m_model.setData(m_model.index(1, LayerModel::Name), "x", Qt::EditRole));
         QVERIFY(!m_model.setData({}, "x", Qt::EditRole));
@@ -108,7 +108,7 @@ private slots:
         m_model.setData(m_model.index(1, LayerModel::Colour), QColor(1, 2, 3), Qt::EditRole);
         m_model.setData(m_model.index(1, LayerModel::Opacity), 10, Qt::EditRole);
         m_model.restoreDefaults();
-        QCOMPARE(m_model.effectiveLooks(), sampleLooks());
+        QCOMPARE(m_model.effectiveStyles(), sampleStyles());
     }
 
     void tipTellsThicknessAndItsSource() {

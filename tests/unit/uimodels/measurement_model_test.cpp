@@ -1,12 +1,12 @@
-#include "ui/models/measurement_model.h"
+#include "ui/measure/measurement_model.h"
 
 #include <QAbstractItemModelTester>
 #include <QSignalSpy>
 #include <QtTest>
 
-using model::session::Measurement;
-using model::session::MeasurementKind;
-using ui::models::MeasurementModel;
+using model::Measurement;
+using model::MeasurementKind;
+using ui::MeasurementModel;
 
 namespace {
 
@@ -37,7 +37,7 @@ private slots:
         model.setMeasurements({slanting("a")});
         model.setMeasurements({slanting("b")});
         model.setMeasurements({slanting("b"), slanting("c")});
-        model.setUnit(ui::models::LengthUnit::Mil);
+        model.setUnit(ui::LengthUnit::Mil);
         model.setMeasurements({});
         QCOMPARE(model.rowCount(), 0);
     }
@@ -65,7 +65,7 @@ private slots:
         QVERIFY(text(1, MeasurementModel::Value).contains("10"));  // mil
         QCOMPARE(text(1, MeasurementModel::Layers), QString("TOP"));
         QCOMPARE(text(1, MeasurementModel::Nets), QString("A – no net"));
-        QVERIFY(!ui::models::partsText(flat, ui::models::LengthUnit::Millimetre).front().contains("ΔZ"));
+        QVERIFY(!ui::partsText(flat, ui::LengthUnit::Millimetre).front().contains("ΔZ"));
     }
 
     void anAngleIsTheOneBetweenItsArms() {
@@ -95,17 +95,17 @@ private slots:
             {{"TOP", 3e6, {{0, 0}, {3e6, 0}}}, {"L2", 1e6, {{3e6, 0}, {4e6, 0}}}, {"TOP", 2e6, {{4e6, 0}, {6e6, 0}}}},
             2,
             5e5};
-        length.remarks = {"a guess"};
+        length.notes = {"a guess"};
         QVERIFY(text(length, MeasurementModel::Value).startsWith("6.5 mm"));
         QCOMPARE(text(length, MeasurementModel::Details), QString("TOP 5 mm; L2 1 mm; 2 holes 0.5 mm; a guess"));
     }
 
     void whatRoundsToNothingHasNoSign() {
-        using namespace ui::models;
+        using namespace ui;
         QCOMPARE(lengthText(-4.0, LengthUnit::Millimetre), QString("0 mm"));
         QCOMPARE(lengthText(-100.0, LengthUnit::Millimetre), QString("-0.0001 mm"));
         QCOMPARE(lengthText(-100.0, LengthUnit::Mil), QString("0 mil"));
-        QCOMPARE(placeText(-1e-6, -1e6, LengthUnit::Millimetre), QString("0.0000, -1.0000 mm"));
+        QCOMPARE(positionText(-1e-6, -1e6, LengthUnit::Millimetre), QString("0.0000, -1.0000 mm"));
         QCOMPARE(angleText(1e-6), QString("0°"));
         Measurement flat = slanting("a");
         flat.to.y = flat.from.y - 1e-3;

@@ -1,15 +1,15 @@
-#include "ui/models/message_model.h"
+#include "ui/messages/message_model.h"
 
 #include <QAbstractItemModelTester>
 #include <QtTest>
 
 #include "tests/unit/uimodels/sample_document.h"
-#include "ui/models/message_filter.h"
-#include "ui/models/table_text.h"
+#include "ui/common/table_text.h"
+#include "ui/messages/message_filter.h"
 
 using model::Severity;
-using ui::models::MessageFilter;
-using ui::models::MessageModel;
+using ui::MessageFilter;
+using ui::MessageModel;
 
 class MessageModelTest : public QObject {
     Q_OBJECT
@@ -26,7 +26,7 @@ private slots:
     }
 
     void listsReadingThenModellingWithFileLineAndCount() {
-        QCOMPARE(ui::models::tableText(m_model),
+        QCOMPARE(ui::tableText(m_model),
                  "Severity\tMessage\tWhere\tCount\n"
                  "Note\tNo thickness for the copper layers: 35 µm assumed\tmatrix/matrix\t1\n"
                  "Warning\tText record not drawn\tsteps/pcb/layers/top/features:17\t2\n"

@@ -1,14 +1,14 @@
-#include "ui/models/net_model.h"
+#include "ui/nets/net_model.h"
 
 #include <QAbstractItemModelTester>
 #include <QSignalSpy>
 #include <QtTest>
 #include <ctime>
 
-#include "model/document_builder.h"
-#include "ui/models/net_text.h"
+#include "model/board/document_builder.h"
+#include "ui/nets/net_text.h"
 
-using namespace ui::models;
+using namespace ui;
 using model::Nm;
 
 namespace {

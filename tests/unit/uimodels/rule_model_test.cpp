@@ -1,15 +1,15 @@
 // Rules and net classes as tables: what can be edited, what is refused, and that files keep it.
-#include "ui/models/rule_model.h"
+#include "ui/clearance/rule_model.h"
 
 #include <QAbstractItemModelTester>
 #include <QSignalSpy>
 #include <QtTest>
 
-#include "ui/models/net_class_model.h"
+#include "ui/clearance/net_class_model.h"
 
 using model::RuleKind;
-using ui::models::NetClassModel;
-using ui::models::RuleModel;
+using ui::NetClassModel;
+using ui::RuleModel;
 
 class RuleModelTest : public QObject {
     Q_OBJECT
@@ -89,7 +89,7 @@ private slots:
     /// What is shown is rounded to the unit; a cell that was looked at and left keeps its length.
     void anEditThatChangesNothingChangesNothing() {
         RuleModel rules;
-        rules.setUnit(ui::models::LengthUnit::Mil);
+        rules.setUnit(ui::LengthUnit::Mil);
         const QSignalSpy edited(&rules, &RuleModel::edited);
         QVERIFY(set(rules, 0, RuleModel::Least, rules.index(0, RuleModel::Least).data(Qt::EditRole)));
         QCOMPARE(rules.rules().rules[0].least, model::Nm{100'000});

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "model/document_builder.h"
+#include "model/board/document_builder.h"
 
 /// A small board made by hand: two copper layers, a document layer, and an outline that Copperscope added itself.
 inline std::shared_ptr<const model::Document> sampleDocument() {

@@ -1,15 +1,15 @@
-#include "ui/models/selection_model.h"
+#include "ui/workspace/selection_model.h"
 
 #include <QSignalSpy>
 #include <QtTest>
 
-#include "model/document_builder.h"
+#include "model/board/document_builder.h"
 
 using model::BoardElement;
 using model::BoardNet;
 using model::ElementId;
 using model::NetId;
-using ui::models::SelectionModel;
+using ui::SelectionModel;
 
 namespace {
 

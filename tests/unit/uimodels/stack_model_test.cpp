@@ -1,15 +1,14 @@
-#include "ui/models/stack_model.h"
-
 #include <QAbstractItemModelTester>
 #include <QSignalSpy>
 #include <QtTest>
 
-#include "model/document_builder.h"
+#include "model/board/document_builder.h"
 #include "tests/unit/uimodels/sample_document.h"
-#include "ui/models/table_text.h"
+#include "ui/common/table_text.h"
+#include "ui/stackup/stackup_model.h"
 
 using model::Source;
-using ui::models::StackModel;
+using ui::StackupModel;
 
 namespace {
 
@@ -32,14 +31,14 @@ std::shared_ptr<const model::Document> stackOf(model::Nm coreThickness = 1'200'0
 
 }  // namespace
 
-class StackModelTest : public QObject {
+class StackupModelTest : public QObject {
     Q_OBJECT
 
 private slots:
     void init() { m_model.setDocument(stackOf()); }
 
     void everyRowTellsWhatItIsAndHowThatIsKnown() {
-        QCOMPARE(ui::models::tableText(m_model),
+        QCOMPARE(ui::tableText(m_model),
                  "#\tLayer\tType\tThickness\tFrom\tCopper\tMaterial\tDk\tDf\n"
                  "1\tmask\tSolder mask\t25 µm\tassumed\t\t\t\t\n"
                  "2\ttop\tSignal\t35 µm\tread\t1 oz\t\t\t\n"
@@ -47,15 +46,15 @@ private slots:
     }
 
     void onlyThicknessesCanBeEdited() {
-        for (int column = 0; column < StackModel::ColumnCount; ++column) {
+        for (int column = 0; column < StackupModel::ColumnCount; ++column) {
             QCOMPARE(m_model.flags(m_model.index(0, column)).testFlag(Qt::ItemIsEditable),
-                     column == StackModel::Thickness);
+                     column == StackupModel::Thickness);
         }
-        QVERIFY(!m_model.setData(m_model.index(0, StackModel::Name), "other", Qt::EditRole));
+        QVERIFY(!m_model.setData(m_model.index(0, StackupModel::Name), "other", Qt::EditRole));
     }
 
     void anEditIsAskedForAndTheDocumentStaysAsItIs() {
-        QSignalSpy edited(&m_model, &StackModel::edited);
+        QSignalSpy edited(&m_model, &StackupModel::edited);
         QVERIFY(m_model.setData(thickness(1), " 2 oz ", Qt::EditRole));
         QCOMPARE(edited.count(), 1);
         const auto changes = edited[0][0].value<std::vector<model::ThicknessOverride>>();
@@ -66,7 +65,7 @@ private slots:
     }
 
     void theSameThicknessAgainIsNoEdit() {
-        QSignalSpy edited(&m_model, &StackModel::edited);
+        QSignalSpy edited(&m_model, &StackupModel::edited);
         for (int row = 0; row < m_model.rowCount(); ++row) {
             QVERIFY(m_model.setData(thickness(row), thickness(row).data(Qt::EditRole), Qt::EditRole));
         }
@@ -74,7 +73,7 @@ private slots:
     }
 
     void anEmptyTextGoesBackToTheJob() {
-        QSignalSpy edited(&m_model, &StackModel::edited);
+        QSignalSpy edited(&m_model, &StackupModel::edited);
         QVERIFY(m_model.setData(thickness(2), "", Qt::EditRole));
         QCOMPARE(edited[0][0].value<std::vector<model::ThicknessOverride>>()[0].thickness, 0);
     }
@@ -90,8 +89,8 @@ private slots:
     void whatIsNoThicknessIsRefusedWithTheReason() {
         QFETCH(int, row);
         QFETCH(QString, text);
-        QSignalSpy edited(&m_model, &StackModel::edited);
-        QSignalSpy refused(&m_model, &StackModel::refused);
+        QSignalSpy edited(&m_model, &StackupModel::edited);
+        QSignalSpy refused(&m_model, &StackupModel::refused);
         QVERIFY(!m_model.setData(thickness(row), text, Qt::EditRole));
         QCOMPARE(edited.count(), 0);
         QCOMPARE(refused.count(), 1);
@@ -99,8 +98,8 @@ private slots:
     }
 
     void sameRowsWithOtherHeightsAreNoReset() {
-        QSignalSpy reset(&m_model, &StackModel::modelReset);
-        QSignalSpy changed(&m_model, &StackModel::dataChanged);
+        QSignalSpy reset(&m_model, &StackupModel::modelReset);
+        QSignalSpy changed(&m_model, &StackupModel::dataChanged);
         m_model.setDocument(stackOf(800'000));
         QCOMPARE(reset.count(), 0);
         QCOMPARE(changed.count(), 1);
@@ -111,7 +110,7 @@ private slots:
     }
 
     void modelKeepsTheRules() {
-        StackModel model;
+        StackupModel model;
         QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
         model.setDocument(stackOf());
         model.setDocument(stackOf(500'000));
@@ -119,10 +118,10 @@ private slots:
     }
 
 private:
-    [[nodiscard]] QModelIndex thickness(int row) const { return m_model.index(row, StackModel::Thickness); }
+    [[nodiscard]] QModelIndex thickness(int row) const { return m_model.index(row, StackupModel::Thickness); }
 
-    StackModel m_model;
+    StackupModel m_model;
 };
 
-QTEST_APPLESS_MAIN(StackModelTest)
+QTEST_APPLESS_MAIN(StackupModelTest)
 #include "stack_model_test.moc"

@@ -1,16 +1,16 @@
-#include "ui/models/statistics_model.h"
+#include "ui/statistics/statistics_model.h"
 
 #include <QAbstractItemModelTester>
 #include <QtTest>
 #include <numbers>
 
-#include "model/measures.h"
+#include "model/statistics/element_sizes.h"
 #include "tests/unit/uimodels/sample_document.h"
-#include "ui/models/statistics_sorter.h"
-#include "ui/models/table_text.h"
+#include "ui/common/table_text.h"
+#include "ui/statistics/statistics_sorter.h"
 
-using ui::models::StatisticsModel;
-using ui::models::StatisticsSorter;
+using ui::StatisticsModel;
+using ui::StatisticsSorter;
 
 namespace {
 
@@ -32,7 +32,7 @@ private slots:
     void init() { m_model.setDocument(sampleDocument()); }
 
     void countsKindsPerLayerAndInAllWithoutAddedLayers() {
-        QCOMPARE(ui::models::tableText(m_model),
+        QCOMPARE(ui::tableText(m_model),
                  "Layer\tLine\tArc\tCircle\tTrail\tArea\tElements\tFeatures\tCopper\n"
                  "top\t1200\t0\t1\t0\t0\t1201\t1300\t\n"
                  "bottom\t0\t0\t2\t0\t0\t2\t2\t\n"
@@ -63,9 +63,8 @@ private slots:
 
     void selectedRowsAreCopiedOnceEach() {
         const QModelIndexList cells{m_model.index(1, 3), m_model.index(1, 0), m_model.index(3, 2)};
-        QCOMPARE(ui::models::rowsText(cells),
-                 "bottom\t0\t0\t2\t0\t0\t2\t2\t\nAll layers\t1200\t0\t3\t0\t0\t1203\t1302\t\n");
-        QCOMPARE(ui::models::rowsText({}), QString());
+        QCOMPARE(ui::rowsText(cells), "bottom\t0\t0\t2\t0\t0\t2\t2\t\nAll layers\t1200\t0\t3\t0\t0\t1203\t1302\t\n");
+        QCOMPARE(ui::rowsText({}), QString());
     }
 
     void copperStandsInTheUnitOfTheUserAndSortsByNumber() {
@@ -73,15 +72,15 @@ private slots:
         const auto copper = [&](int row) { return m_model.index(row, StatisticsModel::Copper); };
         const double circle = std::numbers::pi / 4.0 * 500'000.0 * 500'000.0;
         QCOMPARE(copper(1).data(Qt::EditRole).toDouble(), 2.0 * circle / 1e12);
-        QCOMPARE(copper(1).data().toString(), ui::models::areaText(2.0 * circle, ui::models::LengthUnit::Millimetre));
+        QCOMPARE(copper(1).data().toString(), ui::areaText(2.0 * circle, ui::LengthUnit::Millimetre));
         QCOMPARE(copper(2).data().toString(), QString());  // not copper
         QCOMPARE(copper(3).data(Qt::EditRole).toDouble(),
                  copper(0).data(Qt::EditRole).toDouble() + copper(1).data(Qt::EditRole).toDouble());
-        m_model.setUnit(ui::models::LengthUnit::Mil);
-        QCOMPARE(copper(1).data().toString(), ui::models::areaText(2.0 * circle, ui::models::LengthUnit::Mil));
+        m_model.setUnit(ui::LengthUnit::Mil);
+        QCOMPARE(copper(1).data().toString(), ui::areaText(2.0 * circle, ui::LengthUnit::Mil));
         m_sorter.sort(StatisticsModel::Copper, Qt::AscendingOrder);
         QCOMPARE(namesOf(m_sorter), "bottom top notes All layers");
-        m_model.setUnit(ui::models::LengthUnit::Millimetre);
+        m_model.setUnit(ui::LengthUnit::Millimetre);
     }
 
     void isEmptyWithoutADocument() {

@@ -40,7 +40,9 @@ private slots:
         const ElementId hole = builder.addCircle({{20 * kMm, 0}, kMm, 800'000}, of({}, kHole | kPlated));
         const auto index = indexed(builder.finish());
         FigureCache figures;
-        const auto at = [&](ElementId id, PointD place) { return roundAt(*index, figures, {0, id}, place, kReach); };
+        const auto at = [&](ElementId id, PointD location) {
+            return roundAt(*index, figures, {0, id}, location, kReach);
+        };
         QCOMPARE(at(disc, {0, 0})->radius, 1e6);
         QVERIFY(isAt(at(disc, {0, 0})->centre, 0, 0));
         QVERIFY(isAt(at(disc, {3e5, 4e5})->on, 6e5, 8e5));

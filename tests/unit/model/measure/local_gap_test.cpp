@@ -1,15 +1,14 @@
 // The gap at a cursor: between which pieces, and square to their edges.
-#include "model/measure/local_gap.h"
-
 #include <QtTest>
 #include <cmath>
 
+#include "model/measure/local_spacing.h"
 #include "tests/unit/model/measure/measure_fixture.h"
 
 using namespace model;
 using namespace measuring;
 
-class LocalGapTest : public QObject {
+class LocalSpacingTest : public QObject {
     Q_OBJECT
 
 private slots:
@@ -58,12 +57,12 @@ private slots:
     }
 
 private:
-    static std::optional<LocalGap> at(const std::shared_ptr<const BoardIndex>& index, PointD place) {
+    static std::optional<LocalSpacing> at(const std::shared_ptr<const BoardIndex>& index, PointD location) {
         std::vector<PickLayer> layers(index->board->layers.size(), PickLayer{true, 0.0, 0.0});
         Picker picker(index);
-        return gapAt(picker, place, layers);
+        return spacingAt(picker, location, layers);
     }
 };
 
-QTEST_APPLESS_MAIN(LocalGapTest)
+QTEST_APPLESS_MAIN(LocalSpacingTest)
 #include "local_gap_test.moc"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "model/board_index.h"
-#include "model/document_builder.h"
+#include "model/board/document_builder.h"
+#include "model/index/board_index.h"
 
 /// Small boards for what measures them.
 namespace measuring {

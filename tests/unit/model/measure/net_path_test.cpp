@@ -23,7 +23,7 @@ struct NetBoard {
     ElementId via(Point at) { return builder.addCircle({at, 400'000, 300'000}, of(net, kHole | kPlated | kVia)); }
     void on(BoardLayer layer) { builder.beginLayer(LayerId{layer}); }
 
-    base::Result<NetPath> path(const Thing& from, const Thing& to) {
+    base::Result<NetPath> path(const MeasureItem& from, const MeasureItem& to) {
         if (!index) {
             index = indexed(builder.finish());
         }
@@ -66,7 +66,7 @@ private slots:
         QVERIFY(isNear(path.perLayer.front().second, expected));
         QCOMPARE(path.holeCount, std::size_t{0});
         QCOMPARE(path.legs.size(), std::size_t{3});
-        QVERIFY(path.remarks.empty());
+        QVERIFY(path.notes.empty());
         QVERIFY(isNear(b.path(to, from)->length, expected));
         QVERIFY(isNear(b.path(from, from)->length, 0.0));
     }
@@ -111,7 +111,7 @@ private slots:
         QCOMPARE(path.holeCount, std::size_t{1});
         QVERIFY(isNear(path.holeHeight, 2.2e6));
         QCOMPARE(path.perLayer, (std::vector<std::pair<LayerId, double>>{{LayerId{Top}, 3e6}, {LayerId{Bottom}, 4e6}}));
-        QVERIFY(QString::fromStdString(path.remarks.front()).contains("assumed"));
+        QVERIFY(QString::fromStdString(path.notes.front()).contains("assumed"));
     }
 
     void areasAreCrossedStraightAndTold() {
@@ -125,7 +125,7 @@ private slots:
         const NetPath path = *b.path(from, to);
         QVERIFY2(isNear(path.length, 29e6), qPrintable(QString::number(path.length)));
         QVERIFY(isNear(path.areaLength, 14e6));
-        QVERIFY(QString::fromStdString(path.remarks.front()).contains("guess"));
+        QVERIFY(QString::fromStdString(path.notes.front()).contains("guess"));
     }
 
     void placesOnTheCopperAreEnds() {
@@ -133,9 +133,9 @@ private slots:
         b.on(Top);
         b.line({0, 0}, {10 * kMm, 0});
         b.line({10 * kMm, 0}, {10 * kMm, 10 * kMm});
-        const auto path = b.path(Place{{2e6, 50'000}, {}}, Place{{10e6 - 50'000, 7e6}, LayerId{Top}});
+        const auto path = b.path(Location{{2e6, 50'000}, {}}, Place{{10e6 - 50'000, 7e6}, LayerId{Top}});
         QVERIFY(isNear(path->length, 15e6));
-        const auto beside = b.path(Place{{2e6, 3e6}, {}}, Place{{10e6, 7e6}, {}});
+        const auto beside = b.path(Location{{2e6, 3e6}, {}}, Location{{10e6, 7e6}, {}});
         QCOMPARE(beside.error().code, base::ErrorCode::BadUsage);
     }
 

@@ -7,9 +7,9 @@
 #include <numbers>
 #include <random>
 
-#include "model/geometry/distance.h"
-#include "model/reader.h"
-#include "model/stackup.h"
+#include "model/board/stackup.h"
+#include "model/figures/distance.h"
+#include "model/formats/registry.h"
 #include "tests/places.h"
 #include "tests/unit/model/measure/measure_fixture.h"
 
@@ -58,18 +58,18 @@ struct Shape {
     bool isFilled = false;
 
     [[nodiscard]] bool holds(P p) const {
-        Real turned = 0;
+        Real rotated = 0;
         for (const Curve& curve : curves) {
             constexpr int kSteps = 400;
             P before = curve.at(0);
             for (int i = 1; i <= kSteps; ++i) {
                 const P next = curve.at(Real(i) / kSteps);
-                turned += std::atan2((before.x - p.x) * (next.y - p.y) - (before.y - p.y) * (next.x - p.x),
-                                     (before.x - p.x) * (next.x - p.x) + (before.y - p.y) * (next.y - p.y));
+                rotated += std::atan2((before.x - p.x) * (next.y - p.y) - (before.y - p.y) * (next.x - p.x),
+                                      (before.x - p.x) * (next.x - p.x) + (before.y - p.y) * (next.y - p.y));
                 before = next;
             }
         }
-        return isFilled && std::abs(turned) > std::numbers::pi_v<Real>;
+        return isFilled && std::abs(rotated) > std::numbers::pi_v<Real>;
     }
 };
 
@@ -147,7 +147,7 @@ public:
         m_around = around;
         switch (kind) {
             case 0: return line();
-            case 1: return arcStroke();
+            case 1: return arcTrack();
             case 2: return disc();
             case 3: return ring();
             case 4: return trail();
@@ -168,7 +168,7 @@ private:
         const Nm width = even(2'000, 60'000);
         return {m_builder.addLine({a, b, width, 0}, {}), {{straight(real(a), real(b), width / 2)}, false}};
     }
-    std::pair<ElementId, Shape> arcStroke() {
+    std::pair<ElementId, Shape> arcTrack() {
         // Ends on the axes through the centre, so that both radii are equal.
         const Point centre = point();
         const Nm r = number(20'000, 150'000);
@@ -274,13 +274,13 @@ private:
     Point m_around;
 };
 
-Separation measured(const BoardIndex& index, const Thing& a, const Thing& b) {
+Separation measured(const BoardIndex& index, const MeasureItem& a, const MeasureItem& b) {
     base::Progress progress;
     return *separationOf(index, a, b, progress);
 }
 
 bool says(const Separation& separation, const QString& what) {
-    return std::ranges::any_of(separation.remarks,
+    return std::ranges::any_of(separation.notes,
                                [&](const std::string& text) { return QString::fromStdString(text).contains(what); });
 }
 
@@ -394,29 +394,29 @@ private slots:
         const Separation aside = measured(*index, own(top), own(inner));
         QVERIFY(!aside.onLayer && says(aside, "no common layer"));
         QCOMPARE(aside.inPlane->distance, 2.0 * kMm);
-        QCOMPARE(aside.throughStack->dz, 1.0 * kMm);
-        QVERIFY(isNear(aside.throughStack->distance, std::hypot(2e6, 1e6), 1e-3));
+        QCOMPARE(aside.throughStackup->dz, 1.0 * kMm);
+        QVERIFY(isNear(aside.throughStackup->distance, std::hypot(2e6, 1e6), 1e-3));
         QVERIFY(says(aside, "assumed thicknesses: below top"));
-        QCOMPARE(aside.main(), &*aside.throughStack);
+        QCOMPARE(aside.main(), &*aside.throughStackup);
 
         const Separation below = measured(*index, own(top), own(bottom));
         QCOMPARE(below.inPlane->relation, Relation::Overlapping);
         QVERIFY(isNear(below.inPlane->overlap, kMm, 1e-3));
-        QCOMPARE(below.throughStack->distance, 2.1e6);
-        QCOMPARE(below.throughStack->relation, Relation::Apart);
+        QCOMPARE(below.throughStackup->distance, 2.1e6);
+        QCOMPARE(below.throughStackup->relation, Relation::Apart);
 
         const Separation known = measured(*index, own(inner), own(bottom));
         QVERIFY(!says(known, "assumed") && says(known, "both are of net B"));
 
         const Separation drawn = measured(*index, own(top), own(text));
-        QVERIFY(!drawn.throughStack && says(drawn, "no place in the stack"));
+        QVERIFY(!drawn.throughStackup && says(drawn, "no place in the stack"));
         QCOMPARE(drawn.inPlane->distance, 2.0 * kMm - 500'000 - 50'000);
 
         // Nets: the nearest pair in space is not the nearest in the plane.
         const Separation nets = measured(*index, NetOfCopy{0, a}, NetOfCopy{0, b});
         QCOMPARE(nets.inPlane->to.at.element, bottom);
-        QCOMPARE(nets.throughStack->to.at.element, bottom);
-        QCOMPARE(nets.throughStack->distance, 2.1e6);
+        QCOMPARE(nets.throughStackup->to.at.element, bottom);
+        QCOMPARE(nets.throughStackup->distance, 2.1e6);
     }
 
     void holesReachAllTheirLayers() {
@@ -431,11 +431,11 @@ private slots:
         const auto index = indexed(builder.finish());
         const Separation s = measured(*index, own(track), own(via));
         QCOMPARE(s.onLayer->distance, 600'000.0);
-        QCOMPARE(s.throughStack->dz, 0.0);
+        QCOMPARE(s.throughStackup->dz, 0.0);
         // Drilled away down to the bottom copper.
         const Separation gone = measured(*index, own(track), own(cut));
         QVERIFY(!gone.onLayer);
-        QCOMPARE(gone.throughStack->dz, 1e6);
+        QCOMPARE(gone.throughStackup->dz, 1e6);
     }
 
     void theEdgeOfTheBoardIsALine() {
@@ -491,7 +491,7 @@ private slots:
         QVERIFY(within.main() == nullptr && says(within, "the same"));
         const Separation part2 = measured(*index, PinOfCopy{0, PinId{std::size_t{0}}}, PartOfCopy{0, part});
         QVERIFY(part2.main() == nullptr && says(part2, "pin U1.1 is part of U1"));
-        QCOMPARE(measured(*index, Place{{7e6, 3e6}, {}}, own(far)).main()->distance, 2.5 * kMm);
+        QCOMPARE(measured(*index, Location{{7e6, 3e6}, {}}, own(far)).main()->distance, 2.5 * kMm);
     }
 
     void nothingIsNeverANumber() {
@@ -522,18 +522,18 @@ private slots:
 
     void otherThicknessesGiveOtherHeights() {
         base::Progress progress;
-        const auto board = *readBoard(places::kSample, {}, progress);
+        const auto board = *readBoard(locations::kSample, {}, progress);
         const auto index = indexed(board);
         const auto onLayer = [&](const char* name) {
             return BoardElement{0, ElementId{board->layer(board->findLayer(name)).elements.first}};
         };
         const auto dz = [&](const BoardIndex& of) {
-            return measured(of, onLayer("L01-TOP_LAYER"), onLayer("L04-BOTTOM_LAYER")).throughStack->dz;
+            return measured(of, onLayer("L01-TOP_LAYER"), onLayer("L04-BOTTOM_LAYER")).throughStackup->dz;
         };
         const Nm before = findRow(board->stackup, "DIELECTRIC_2")->thickness;
         // All other rows are set to what they are, so that none gives way.
         std::vector<ThicknessOverride> set;
-        for (const StackRow& row : board->stackup.rows) {
+        for (const StackupRow& row : board->stackup.rows) {
             set.push_back({row.name, row.name == "DIELECTRIC_2" ? 2'000'000 : row.thickness});
         }
         const auto thicker = withHeights(*index, restack(*board, set));
@@ -542,7 +542,7 @@ private slots:
 
     void netsAreMeasuredAsAllTheirPairsWouldBe() {
         base::Progress progress;
-        const auto board = readBoard(places::kSample, {}, progress);
+        const auto board = readBoard(locations::kSample, {}, progress);
         QVERIFY(board.ok());
         const auto index = indexed(*board);
         std::mt19937 random(9);
@@ -559,7 +559,7 @@ private slots:
             double expected[3] = {1e18, 1e18, 1e18};
             for (std::size_t i = 0; i < inA.pieces.size(); ++i) {
                 for (std::size_t j = 0; j < inB.pieces.size(); ++j) {
-                    const double gap = gapBetween(inA.figures, i, inB.figures, j)->distance;
+                    const double gap = spacingBetween(inA.figures, i, inB.figures, j)->distance;
                     const Piece& p = inA.pieces[i];
                     const Piece& q = inB.pieces[j];
                     const double dz = std::max({0.0, double(p.z.bottom) - q.z.top, double(q.z.bottom) - p.z.top});
@@ -570,10 +570,11 @@ private slots:
             }
             QCOMPARE(s.inPlane->distance, expected[0]);
             QCOMPARE(s.onLayer ? s.onLayer->distance : 1e18, expected[1]);
-            QVERIFY(isNear(s.throughStack->distance, expected[2], 1e-3));
+            QVERIFY(isNear(s.throughStackup->distance, expected[2], 1e-3));
         }
     }
 };
 
 QTEST_APPLESS_MAIN(SeparationTest)
+#include "model/solids/restack.h"
 #include "separation_test.moc"

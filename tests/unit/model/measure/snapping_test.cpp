@@ -20,9 +20,9 @@ std::vector<PickLayer> layersOf(const Document& board) {
     return layers;
 }
 
-SnapPoint snap(DocumentBuilder& builder, PointD place, double reach) {
+SnapPoint snap(DocumentBuilder& builder, PointD location, double reach) {
     const auto index = indexed(builder.finish());
-    return Snapper(index).at(place, reach, layersOf(*index->board));
+    return Snapper(index).at(location, reach, layersOf(*index->board));
 }
 
 bool isAt(const SnapPoint& point, double x, double y) {

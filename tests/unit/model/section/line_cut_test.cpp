@@ -4,8 +4,8 @@
 #include <QtTest>
 #include <random>
 
-#include "model/document_builder.h"
-#include "model/geometry/distance.h"
+#include "model/board/document_builder.h"
+#include "model/figures/distance.h"
 
 using namespace model;
 
@@ -108,20 +108,20 @@ bool isNearAnEnd(const Intervals& intervals, double at, double reach) {
 }
 
 /// How far the place is from the element; 0 inside.
-double distanceTo(const FigureTable& figures, PointD place) {
+double distanceTo(const FigureTable& figures, PointD location) {
     FigureTable probe;
-    probe.addStroke(place, place, 0.0);
+    probe.addTrack(location, location, 0.0);
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t row = 0; row < figures.size(); ++row) {
-        least = std::min(least, gapBetween(figures, row, probe, 0)->distance);
+        least = std::min(least, spacingBetween(figures, row, probe, 0)->distance);
     }
     return least;
 }
 
 /// A place that is covered but has a place beside the line within 2 nm that is not.
-bool isOnOutline(const FigureTable& figures, PointD place, PointD unit) {
-    return distanceTo(figures, {place.x + 2 * unit.y, place.y - 2 * unit.x}) > 0.0 ||
-           distanceTo(figures, {place.x - 2 * unit.y, place.y + 2 * unit.x}) > 0.0;
+bool isOnOutline(const FigureTable& figures, PointD location, PointD unit) {
+    return distanceTo(figures, {location.x + 2 * unit.y, location.y - 2 * unit.x}) > 0.0 ||
+           distanceTo(figures, {location.x - 2 * unit.y, location.y + 2 * unit.x}) > 0.0;
 }
 
 }  // namespace
@@ -193,13 +193,13 @@ private slots:
             const Intervals solid = isRing ? subtracted(cut.covered, cut.opening) : cut.covered;
             for (int i = 0; i < 100; ++i) {
                 const double at = maker.number(-15 * kMm, 15 * kMm);
-                const PointD place = {line.origin.x + line.unit.x * at, line.origin.y + line.unit.y * at};
-                const double distance = distanceTo(figures, place);
+                const PointD location = {line.origin.x + line.unit.x * at, line.origin.y + line.unit.y * at};
+                const double distance = distanceTo(figures, location);
                 if (contains(solid, at)) {
                     ++inside;
                     QVERIFY2(distance < 2.0, qPrintable(QString("%1: %2 nm off").arg(at).arg(distance)));
                 } else if (!isNearAnEnd(solid, at, 2.0)) {
-                    QVERIFY2(distance > 0.0 || isOnOutline(figures, place, line.unit),
+                    QVERIFY2(distance > 0.0 || isOnOutline(figures, location, line.unit),
                              qPrintable(QString("not cut at %1, round %2").arg(at).arg(round)));
                 }
             }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "model/document_builder.h"
+#include "model/board/document_builder.h"
 
 using namespace model;
 

@@ -5,9 +5,9 @@
 #include <random>
 #include <set>
 
-#include "model/document_builder.h"
-#include "model/picking.h"
-#include "model/reader.h"
+#include "model/board/document_builder.h"
+#include "model/formats/registry.h"
+#include "model/index/picking.h"
 #include "model/section/section_export.h"
 #include "tests/places.h"
 
@@ -18,7 +18,7 @@ namespace {
 constexpr Nm kMm = 1'000'000;
 
 /// Three copper layers of 0.1 mm, 1 mm apart, a laminate with the hole taken out, and a drill through all.
-enum BoardLayer : std::size_t { Top, Inner, Bottom, Drill, Laminate, Print };
+enum BoardLayer : std::size_t { Top, Inner, Bottom, Drill, Substrate, Print };
 
 void addLayers(DocumentBuilder& builder) {
     struct Row {
@@ -31,7 +31,7 @@ void addLayers(DocumentBuilder& builder) {
          {Row{"top", LayerType::Signal, 2'200'000, 100'000, Bottom},
           Row{"inner", LayerType::Signal, 1'100'000, 100'000, Inner}, Row{"bottom", LayerType::Signal, 0, 100'000, Top},
           Row{"drill", LayerType::Drill, 0, 2'300'000, Drill},
-          Row{"board", LayerType::Body, 100'000, 2'100'000, Laminate},
+          Row{"board", LayerType::Body, 100'000, 2'100'000, Substrate},
           Row{"print", LayerType::SilkScreen, 2'300'000, 0, Print}}) {
         Layer layer;
         layer.name = row.name;
@@ -75,7 +75,7 @@ void addCard(DocumentBuilder& builder, bool isBackDrilled = false) {
     if (isBackDrilled) {
         builder.addPlatedSpan({hole, LayerId{Top}, LayerId{Inner}});
     }
-    builder.beginLayer(LayerId{Laminate});
+    builder.beginLayer(LayerId{Substrate});
     ShapeSketch body = rectangle({-10 * kMm, -10 * kMm}, {10 * kMm, 10 * kMm});
     body.addCircle({0, 0}, kMm / 2, true);
     builder.addArea({builder.addShape(body), {}}, {});
@@ -111,10 +111,10 @@ QStringList textOf(const std::vector<SectionPiece>& pieces, std::size_t layer) {
     return list;
 }
 
-std::set<BoardElement> elementsAt(const std::vector<SectionPiece>& pieces, double place) {
+std::set<BoardElement> elementsAt(const std::vector<SectionPiece>& pieces, double location) {
     std::set<BoardElement> elements;
     for (const SectionPiece& piece : pieces) {
-        if (piece.from <= place && place <= piece.to) {
+        if (piece.from <= location && location <= piece.to) {
             elements.insert(piece.at);
         }
     }
@@ -122,11 +122,11 @@ std::set<BoardElement> elementsAt(const std::vector<SectionPiece>& pieces, doubl
 }
 
 /// Everything that picking finds under a place, kept to what a section shows.
-std::set<BoardElement> elementsUnder(Picker& picker, PointD place) {
+std::set<BoardElement> elementsUnder(Picker& picker, PointD location) {
     const Document& board = *picker.index().board;
     const std::vector<PickLayer> layers(board.layers.size(), PickLayer{true, 0.0, 1.0});
     std::set<BoardElement> elements;
-    for (const Hit& hit : picker.at(place, 0.0, layers, false)) {
+    for (const Hit& hit : picker.at(location, 0.0, layers, false)) {
         const Layer& layer = board.layer(hit.layer);
         if (hasSubstance(layer) && layer.type != LayerType::Drill && layer.type != LayerType::Rout) {
             elements.insert(hit.at);
@@ -136,9 +136,9 @@ std::set<BoardElement> elementsUnder(Picker& picker, PointD place) {
 }
 
 /// A place close to where something begins or ends is covered or not by rounding.
-bool isAtAnEnd(const Section& section, double place) {
+bool isAtAnEnd(const Section& section, double location) {
     const auto isNear = [&](const SectionPiece& piece) {
-        return std::min(std::abs(piece.from - place), std::abs(piece.to - place)) < 3.0;
+        return std::min(std::abs(piece.from - location), std::abs(piece.to - location)) < 3.0;
     };
     return std::ranges::any_of(section.pieces, isNear) || std::ranges::any_of(section.bores, isNear);
 }
@@ -156,9 +156,9 @@ private slots:
         QCOMPARE(textOf(section.pieces, Inner), (QStringList{"10000-19500@1100-1200", "20500-30000@1100-1200"}));
         QCOMPARE(textOf(section.pieces, Bottom), (QStringList{"24500-25500@0-100"}));
         QCOMPARE(textOf(section.pieces, Drill), (QStringList{"19500-19600@0-2300", "20400-20500@0-2300"}));
-        QCOMPARE(textOf(section.pieces, Laminate), (QStringList{"10000-19500@100-2200", "20500-30000@100-2200"}));
+        QCOMPARE(textOf(section.pieces, Substrate), (QStringList{"10000-19500@100-2200", "20500-30000@100-2200"}));
         QCOMPARE(textOf(section.bores, Drill), (QStringList{"19500-20500@0-2300"}));
-        QVERIFY(section.remarks.empty());
+        QVERIFY(section.notes.empty());
     }
 
     void aCutThroughTheWallAloneIsAllCopper() {
@@ -225,7 +225,7 @@ private slots:
 
     void aRealBoardIsCutWherePickingFindsIt() {
         base::Progress progress;
-        const auto board = readBoard(places::kSample, {}, progress);
+        const auto board = readBoard(locations::kSample, {}, progress);
         QVERIFY(board);
         const auto index = indexed(*board);
         Picker picker(index);
@@ -241,9 +241,9 @@ private slots:
             const Section section = *cutBoard(*index, {{a, b}, {}});
             for (int i = 0; i < 25; ++i) {
                 const double part = std::uniform_real_distribution<>(0.0, 1.0)(random);
-                const double place = section.stations.back() * part;
-                std::set<BoardElement> cut = elementsAt(section.pieces, place);
-                if (isAtAnEnd(section, place) || !elementsAt(section.bores, place).empty()) {
+                const double location = section.stations.back() * part;
+                std::set<BoardElement> cut = elementsAt(section.pieces, location);
+                if (isAtAnEnd(section, location) || !elementsAt(section.bores, location).empty()) {
                     continue;
                 }
                 QCOMPARE(cut, elementsUnder(picker, {a.x + (b.x - a.x) * part, a.y + (b.y - a.y) * part}));
@@ -288,7 +288,7 @@ private slots:
     void aLineBesideTheBoardSaysSo() {
         const Section section = cut(card(), {{50e6, 0}, {60e6, 0}});
         QVERIFY(section.pieces.empty());
-        QCOMPARE(section.remarks, std::vector<std::string>{"the line meets nothing of the board"});
+        QCOMPARE(section.notes, std::vector<std::string>{"the line meets nothing of the board"});
     }
 
     void platedHolesWithoutAKnownWallAreNamed() {
@@ -300,9 +300,9 @@ private slots:
         const Section section = cut(board, {{-5e6, 0}, {5e6, 0}});
         QVERIFY(section.pieces.empty());
         QCOMPARE(textOf(section.bores, Drill), (QStringList{"4000-6000@0-2300"}));
-        QCOMPARE(section.remarks,
+        QCOMPARE(section.notes,
                  (std::vector<std::string>{"plated holes whose wall has no known thickness, cut without it: 1"}));
-        QVERIFY(cut(board, {{-5e6, 2e6}, {5e6, 2e6}}).remarks.front().starts_with("the line meets nothing"));
+        QVERIFY(cut(board, {{-5e6, 2e6}, {5e6, 2e6}}).notes.front().starts_with("the line meets nothing"));
     }
 
     void missingThicknessesAreNamed() {
@@ -315,7 +315,7 @@ private slots:
         builder.addCircle({{0, 0}, kMm, 0}, {});
         const Section section = cut(builder.finish(), {{-1e6, 0}, {1e6, 0}});
         QCOMPARE(textOf(section.pieces, Print), (QStringList{"500-1500@2300-2300"}));
-        QCOMPARE(section.remarks,
+        QCOMPARE(section.notes,
                  (std::vector<std::string>{"without a thickness, cut as a line: print", "thickness assumed: top"}));
     }
 };

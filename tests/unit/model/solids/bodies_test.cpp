@@ -2,7 +2,7 @@
 
 #include <QtTest>
 
-#include "model/stackup.h"
+#include "model/board/stackup.h"
 
 using model::ComponentId;
 using model::Document;

@@ -3,7 +3,7 @@
 #include <QtTest>
 #include <random>
 
-#include "model/document_builder.h"
+#include "model/board/document_builder.h"
 #include "model/geometry/boolean.h"
 #include "model/solids/nearness.h"
 
@@ -222,3 +222,4 @@ private slots:
 
 QTEST_APPLESS_MAIN(CutTest)
 #include "cut_test.moc"
+#include "model/figures/element_polygons.h"

@@ -1,14 +1,13 @@
-#include "model/solids/slabs.h"
-
 #include <QtTest>
 
-#include "model/document_builder.h"
+#include "model/board/document_builder.h"
+#include "model/solids/substrates.h"
 
 using model::DocumentBuilder;
 using model::Layer;
 using model::LayerType;
 using model::Nm;
-using model::Slab;
+using model::SubstratePart;
 
 namespace {
 
@@ -43,15 +42,15 @@ public:
         return m_builder.addShape(sketch);
     }
     Layer& layer(std::size_t row) { return m_builder.layer(model::LayerId{row}); }
-    std::vector<Slab> slabs() const { return model::slabsOf(m_builder.soFar()); }
+    std::vector<SubstratePart> parts() const { return model::slabsOf(m_builder.soFar()); }
 
 private:
     DocumentBuilder m_builder;
 };
 
-std::vector<std::size_t> rows(const Slab& slab) {
+std::vector<std::size_t> rows(const SubstratePart& part) {
     std::vector<std::size_t> found;
-    for (const model::LayerId id : slab.holes) {
+    for (const model::LayerId id : part.holes) {
         found.push_back(id.row());
     }
     return found;
@@ -67,11 +66,11 @@ private slots:
         Stack stack;
         stack.drill(0, 1'640'000);
         stack.drill(0, 1'640'000);
-        const auto slabs = stack.slabs();
-        QCOMPARE(slabs.size(), std::size_t{1});
-        QCOMPARE(slabs[0].bottom, 35'000);
-        QCOMPARE(slabs[0].top, 1'605'000);
-        QCOMPARE(rows(slabs[0]), (std::vector<std::size_t>{4, 5}));
+        const auto parts = stack.parts();
+        QCOMPARE(parts.size(), std::size_t{1});
+        QCOMPARE(parts[0].bottom, 35'000);
+        QCOMPARE(parts[0].top, 1'605'000);
+        QCOMPARE(rows(parts[0]), (std::vector<std::size_t>{4, 5}));
     }
 
     void blindAndBuriedHolesCutOnlyWhatTheyPass() {
@@ -79,17 +78,17 @@ private slots:
         stack.drill(0, 1'640'000);
         stack.drill(1'070'000, 1'640'000);  // blind, from the top to the second copper
         stack.drill(535'000, 1'105'000);    // buried between the inner ones
-        const auto slabs = stack.slabs();
-        QCOMPARE(slabs.size(), std::size_t{4});
-        QCOMPARE(rows(slabs[0]), (std::vector<std::size_t>{4, 5}));
-        QCOMPARE(slabs[0].bottom, 1'105'000);
-        QCOMPARE(rows(slabs[1]), (std::vector<std::size_t>{4, 5, 6}));  // beside the second copper
-        QCOMPARE(slabs[1].bottom, 1'070'000);
-        QCOMPARE(rows(slabs[2]), (std::vector<std::size_t>{4, 6}));
-        QCOMPARE(slabs[2].bottom, 535'000);
-        QCOMPARE(rows(slabs[3]), std::vector<std::size_t>{4});
-        for (std::size_t i = 0; i + 1 < slabs.size(); ++i) {
-            QCOMPARE(slabs[i].bottom, slabs[i + 1].top);
+        const auto parts = stack.parts();
+        QCOMPARE(parts.size(), std::size_t{4});
+        QCOMPARE(rows(parts[0]), (std::vector<std::size_t>{4, 5}));
+        QCOMPARE(parts[0].bottom, 1'105'000);
+        QCOMPARE(rows(parts[1]), (std::vector<std::size_t>{4, 5, 6}));  // beside the second copper
+        QCOMPARE(parts[1].bottom, 1'070'000);
+        QCOMPARE(rows(parts[2]), (std::vector<std::size_t>{4, 6}));
+        QCOMPARE(parts[2].bottom, 535'000);
+        QCOMPARE(rows(parts[3]), std::vector<std::size_t>{4});
+        for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
+            QCOMPARE(parts[i].bottom, parts[i + 1].top);
         }
     }
 
@@ -99,13 +98,13 @@ private slots:
         Layer& dielectric = stack.add(LayerType::Dielectric, 570'000, 500'000);
         dielectric.outlineGroup = 1;
         dielectric.profile = own;
-        const auto slabs = stack.slabs();
-        QCOMPARE(slabs.size(), std::size_t{3});
-        QVERIFY(slabs[0].outline != own);
-        QCOMPARE(slabs[1].outline, own);
-        QCOMPARE(slabs[1].top, 1'070'000);
-        QCOMPARE(slabs[1].bottom, 570'000);
-        QVERIFY(slabs[2].outline != own);
+        const auto parts = stack.parts();
+        QCOMPARE(parts.size(), std::size_t{3});
+        QVERIFY(parts[0].outline != own);
+        QCOMPARE(parts[1].outline, own);
+        QCOMPARE(parts[1].top, 1'070'000);
+        QCOMPARE(parts[1].bottom, 570'000);
+        QVERIFY(parts[2].outline != own);
     }
 
     void whatLiesBetweenTwoLayersIsWhereBothAre() {
@@ -115,22 +114,22 @@ private slots:
             stack.layer(outer).outlineGroup = 1;
             stack.layer(outer).profile = rigid;
         }
-        const auto slabs = stack.slabs();
-        QCOMPARE(slabs.size(), std::size_t{3});
-        QCOMPARE(slabs[0].outline, rigid);
-        QCOMPARE(slabs[0].bottom, 1'105'000);
-        QVERIFY(slabs[1].outline != rigid);
-        QCOMPARE(slabs[1].bottom, 535'000);
-        QCOMPARE(slabs[2].outline, rigid);
+        const auto parts = stack.parts();
+        QCOMPARE(parts.size(), std::size_t{3});
+        QCOMPARE(parts[0].outline, rigid);
+        QCOMPARE(parts[0].bottom, 1'105'000);
+        QVERIFY(parts[1].outline != rigid);
+        QCOMPARE(parts[1].bottom, 535'000);
+        QCOMPARE(parts[2].outline, rigid);
     }
 
     void stepsWithoutTheOutlineHaveTheSameSlabs() {
         Stack stack;
         Layer& dielectric = stack.add(LayerType::Dielectric, 570'000, 500'000);
         dielectric.outlineGroup = 1;
-        const auto slabs = stack.slabs();
-        QCOMPARE(slabs.size(), std::size_t{3});
-        QCOMPARE(slabs[1].outline, slabs[0].outline);
+        const auto parts = stack.parts();
+        QCOMPARE(parts.size(), std::size_t{3});
+        QCOMPARE(parts[1].outline, parts[0].outline);
     }
 
     void aBoardOfOneCopperLayerLiesOnItsLaminate() {
@@ -144,10 +143,10 @@ private slots:
         const model::Point corners[] = {{0, 0}, {100, 0}, {100, 100}};
         sketch.addPolygon(corners, false);
         builder.setProfile(builder.addShape(sketch));
-        const auto slabs = model::slabsOf(builder.soFar());
-        QCOMPARE(slabs.size(), std::size_t{1});
-        QCOMPARE(slabs[0].bottom, -1'600'000);
-        QCOMPARE(slabs[0].top, 0);
+        const auto parts = model::slabsOf(builder.soFar());
+        QCOMPARE(parts.size(), std::size_t{1});
+        QCOMPARE(parts[0].bottom, -1'600'000);
+        QCOMPARE(parts[0].top, 0);
     }
 };
 

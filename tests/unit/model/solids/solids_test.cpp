@@ -170,4 +170,5 @@ private slots:
 };
 
 QTEST_APPLESS_MAIN(SolidsTest)
+#include "model/figures/element_polygons.h"
 #include "solids_test.moc"

@@ -1,0 +1,260 @@
+#include "app/bench/bench_board.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <numeric>
+
+#include "app/common/console_progress.h"
+#include "model/base/stopwatch.h"
+#include "render/frame/frame_measures.h"
+#include "render/frame/image_difference.h"
+
+namespace app {
+
+namespace {
+
+using render::Backend;
+
+constexpr std::uint32_t kWidth = 1920;
+constexpr std::uint32_t kHeight = 1080;
+constexpr float kAspect = static_cast<float>(kWidth) / static_cast<float>(kHeight);
+constexpr int kWarmUp = 2;
+
+struct View {
+    const char* name;
+    float zoom;
+};
+constexpr View kViews[] = {{"whole", 1.0F}, {"5x", 5.0F}, {"30x", 30.0F}};
+
+render::Camera cameraFor(const render::BoardFrame& frame, const View& view) {
+    render::Camera camera;
+    camera.fit(frame.boxMin, frame.boxMax, render::NamedView::Iso, kAspect);
+    camera.focusOnHeight(frame.boxMax.z);
+    camera.zoom(view.zoom, {0.0F, 0.0F}, kAspect);
+    return camera;
+}
+
+render::ViewSettings settingsFor(Backend backend, render::LevelOfDetail levels, bool isCulled) {
+    render::ViewSettings settings;
+    settings.backend = backend;
+    settings.levels = levels;
+    settings.isSmoothed = false;
+    settings.cull = isCulled;
+    return settings;
+}
+
+double medianOf(std::vector<double> values) {
+    std::ranges::sort(values);
+    return values[values.size() / 2];
+}
+
+/// Draws frames of one scene; keeps the standard pipeline's pictures to compare with.
+class FrameBench {
+public:
+    FrameBench(render::gpu::Device& device, const BenchArguments& arguments)
+        : m_device(device),
+          m_presenter(device),
+          m_levels(levelsOf(arguments.levels)),
+          m_onlyCulled(arguments.onlyCulled),
+          m_frames(arguments.frames) {}
+
+    base::Status measure(render::BoardScene& scene, const render::BoardFrame& frame, bool isStandard,
+                         std::vector<FrameResult>& out) {
+        m_auto.clear();
+        for (const View& view : kViews) {
+            const base::Status status = isStandard ? measureOne(scene, frame, view, Backend::Auto, false, out)
+                                                   : measureAll(scene, frame, view, out);
+            if (!status) {
+                return status.error();
+            }
+        }
+        return base::Done{};
+    }
+
+private:
+    /// Those that this device draws tilted views with.
+    [[nodiscard]] std::vector<Backend> backends() const {
+        const render::gpu::Caps& caps = m_device.caps();
+        std::vector<Backend> all = {Backend::Pull};
+        if (caps.hasMeshShader) {
+            all.push_back(Backend::Mesh);
+        }
+        if (caps.canShadeSamples) {
+            all.push_back(Backend::Impostor);
+        }
+        if (caps.hasAtomic64) {
+            all.push_back(Backend::Raster);
+        }
+        return all;
+    }
+
+    base::Status measureAll(render::BoardScene& scene, const render::BoardFrame& frame, const View& view,
+                            std::vector<FrameResult>& out) {
+        for (const Backend backend : backends()) {
+            for (const bool isCulled : {true, false}) {
+                if (!isCulled && m_onlyCulled) {
+                    continue;
+                }
+                if (base::Status status = measureOne(scene, frame, view, backend, isCulled, out); !status) {
+                    return status;
+                }
+            }
+        }
+        return base::Done{};
+    }
+
+    base::Status measureOne(render::BoardScene& scene, const render::BoardFrame& frame, const View& view,
+                            Backend backend, bool isCulled, std::vector<FrameResult>& out) {
+        const render::Camera camera = cameraFor(frame, view);
+        const render::ViewSettings settings = settingsFor(backend, m_levels, isCulled);
+        std::vector<double> times;
+        render::Image picture;
+        for (int i = 0; i < kWarmUp + m_frames; ++i) {
+            const base::Stopwatch watch;
+            base::Result<render::Image> image = m_presenter.render(scene, camera, settings, kWidth, kHeight);
+            if (!image) {
+                return image.error();
+            }
+            const render::FrameStats stats = m_presenter.stats();
+            if (i >= kWarmUp) {
+                times.push_back(stats.gpuMs > 0.0 ? stats.gpuMs : watch.milliseconds());
+            }
+            picture = std::move(*image);
+        }
+        FrameResult result;
+        result.view = view.name;
+        result.backend = nameOf(m_presenter.stats().backend);
+        result.isCulled = isCulled;
+        result.ms = medianOf(times);
+        const Backend drew = m_presenter.stats().backend;
+        result.triangles = trianglesOf(scene, camera, settings, drew);
+        result.isAuto = drew == autoBackend(scene, camera, view);
+        compare(view, drew, std::move(picture), result);
+        out.push_back(std::move(result));
+        return base::Done{};
+    }
+
+    /// What Auto takes for a view; asked once.
+    Backend autoBackend(render::BoardScene& scene, const render::Camera& camera, const View& view) {
+        const auto [location, isNew] = m_auto.try_emplace(view.name, Backend::Auto);
+        if (isNew && m_presenter.render(scene, camera, settingsFor(Backend::Auto, m_levels, true), kWidth, kHeight)) {
+            location->second = m_presenter.stats().backend;
+        }
+        return location->second;
+    }
+
+    void compare(const View& view, Backend drew, render::Image picture, FrameResult& result) {
+        if (drew == Backend::Standard) {
+            m_expected[view.name] = std::move(picture);
+        } else if (const auto expected = m_expected.find(view.name); expected != m_expected.end()) {
+            result.greyMse = render::greyMse(picture, expected->second);
+        }
+    }
+
+    /// Counted by the pull back end's culling, whose choices all back ends share.
+    std::uint64_t trianglesOf(render::BoardScene& scene, const render::Camera& camera, render::ViewSettings settings,
+                              Backend drew) {
+        settings.backend = Backend::Pull;
+        const bool isCounted = drew == Backend::Pull || drew == Backend::Standard ||
+                               m_presenter.render(scene, camera, settings, kWidth, kHeight).ok();
+        return isCounted ? render::drawnTriangles(scene, camera, settings, kWidth, kHeight).value_or(0) : 0;
+    }
+
+    render::gpu::Device& m_device;
+    render::OffscreenPresenter m_presenter;
+    render::LevelOfDetail m_levels;
+    bool m_onlyCulled;
+    int m_frames;
+    std::map<std::string, render::Image> m_expected;
+    std::map<std::string, Backend> m_auto;
+};
+
+std::uint64_t storedTriangles(const render::StandardModel& model) {
+    return model.triangles();
+}
+
+std::uint64_t storedTriangles(const render::BoardModel& model) {
+    return model.indices.size() / 3;
+}
+
+/// Uploads a model and draws it.
+template <class Model>
+base::Status benchModel(render::gpu::Device& device, const model::Document& document, const Model& model,
+                        FrameBench& frames, PipelineResult& out) {
+    out.parseMs = document.times.parseMs + document.times.createMs;
+    out.createMs = model.times.createMs;
+    out.discretiseMs = model.times.discretiseMs;
+    out.triangulateMs = model.times.triangulateMs;
+    out.cpuBytes = render::cpuBytes(model);
+    out.triangles = storedTriangles(model);
+    const base::Stopwatch upload;
+    base::Result<render::BoardScene> made = render::BoardScene::make(device, model);
+    if (!made) {
+        return made.error();
+    }
+    render::BoardScene& scene = *made;
+    device.waitIdle();
+    out.uploadMs = upload.milliseconds();
+    out.gpuBytes = scene.gpuBytes();
+    scene.setStyles(render::defaultStyles(document));
+    return frames.measure(scene, model, out.name == "standard", out.frames);
+}
+
+template <class Model>
+base::Status benchPipeline(render::gpu::Device& device, const model::Document& document, base::Result<Model> model,
+                           const char* name, FrameBench& frames, BoardResult& out) {
+    if (!model) {
+        return model.error();
+    }
+    out.pipelines.emplace_back().name = name;
+    return benchModel(device, document, *model, frames, out.pipelines.back());
+}
+
+/// The standard pipeline first: its pictures are what the others are compared with.
+base::Status benchPipelines(render::gpu::Device& device, const model::Document& document,
+                            const BenchArguments& arguments, BoardResult& out) {
+    ConsoleProgress console;
+    const model::Discretisation how = discretisationOf(arguments.modelling);
+    FrameBench frames(device, arguments);
+    if (arguments.pipeline != "hybrid") {
+        base::Status status = benchPipeline(
+            device, document, render::buildStandardModel(document, how, console.progress()), "standard", frames, out);
+        if (!status) {
+            return status;
+        }
+    }
+    if (arguments.pipeline != "standard") {
+        return benchPipeline(device, document, render::buildBoardModel(document, how, console.progress()), "hybrid",
+                             frames, out);
+    }
+    return base::Done{};
+}
+
+base::Result<std::shared_ptr<const model::Document>> read(const std::string& path, const BenchArguments& arguments) {
+    ConsoleProgress console;
+    BoardArguments board = arguments.modelling;
+    board.path = path;
+    return openDocument(board, console.progress());
+}
+
+}  // namespace
+
+std::uint64_t BoardResult::elementCount() const {
+    return std::accumulate(elements.begin(), elements.end(), std::uint64_t{0});
+}
+
+base::Result<BoardResult> benchBoard(render::gpu::Device& device, const std::string& path,
+                                     const BenchArguments& arguments) {
+    const auto document = read(path, arguments);
+    if (!document) {
+        return document.error();
+    }
+    BoardResult out;
+    out.name = std::filesystem::path(path).filename().string();
+    std::ranges::copy((*document)->elementCounts(), out.elements.begin());
+    const base::Status status = benchPipelines(device, **document, arguments, out);
+    return status ? base::Result<BoardResult>(std::move(out)) : status.error();
+}
+
+}  // namespace app

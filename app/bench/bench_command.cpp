@@ -1,0 +1,44 @@
+#include "app/bench/bench_command.h"
+
+#include <cstdio>
+
+#include "app/bench/bench_report.h"
+#include "app/common/exit_code.h"
+#include "app/common/headless_device.h"
+#include "app/common/json_text.h"
+
+namespace app {
+
+namespace {
+
+base::Result<BenchReport> measure(const BenchArguments& arguments) {
+    base::Result<HeadlessDevice> opened = HeadlessDevice::open();
+    if (!opened) {
+        return opened.error();
+    }
+    render::gpu::Device& device = *opened->device;
+    BenchReport report;
+    report.device = device.caps().name + ", " + device.caps().driver;
+    for (const std::string& path : arguments.boards) {
+        base::Result<BoardResult> board = benchBoard(device, path, arguments);
+        if (!board) {
+            return board.error();
+        }
+        report.boards.push_back(std::move(*board));
+    }
+    return report;
+}
+
+}  // namespace
+
+int runBench(const BenchArguments& arguments) {
+    const base::Result<BenchReport> report = measure(arguments);
+    if (!report) {
+        return fail(report.error());
+    }
+    const std::string text = arguments.asJson ? jsonText(benchJson(*report)) : benchTable(*report);
+    std::fputs(text.c_str(), stdout);
+    return kDone;
+}
+
+}  // namespace app

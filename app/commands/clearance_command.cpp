@@ -1,0 +1,137 @@
+#include "app/commands/clearance_command.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "app/common/console_progress.h"
+#include "app/common/exit_code.h"
+#include "model/board/copies.h"
+#include "model/clearance/clearance_report.h"
+#include "model/session/length_text.h"
+
+namespace app {
+
+using model::Clearance;
+using model::Document;
+using model::StepClearances;
+using model::StepRules;
+
+namespace {
+
+base::Error unknown(const char* kind, const std::string& name) {
+    return {base::ErrorCode::BadUsage, "the board has no " + std::string(kind) + " " + name};
+}
+
+base::Result<model::ClearanceQuestion> questionFor(const Document& document, const ClearanceArguments& arguments) {
+    model::ClearanceQuestion question;
+    question.count = arguments.worst;
+    if (!arguments.below.empty()) {
+        const base::Result<base::Nm> below = model::session::parseLength(arguments.below);
+        if (!below) {
+            return below.error();
+        }
+        question.below = static_cast<double>(*below);
+    }
+    if (!arguments.layer.empty()) {
+        question.layer = document.findLayer(arguments.layer);
+        if (!question.layer.isValid() || !document.layer(question.layer).isCopper()) {
+            return unknown("copper layer", arguments.layer);
+        }
+    }
+    if (!arguments.nets.empty()) {
+        const model::NetId a = document.findNet(arguments.nets.front());
+        const model::NetId b = document.findNet(arguments.nets.back());
+        if (!a.isValid() || !b.isValid()) {
+            return unknown("net", a.isValid() ? arguments.nets.back() : arguments.nets.front());
+        }
+        if (a == b) {
+            return base::Error{base::ErrorCode::BadUsage, "a net has no clearance to itself: --nets names two"};
+        }
+        question.between = {a, b};
+    }
+    return question;
+}
+
+void print(const std::string& report) {
+    std::fwrite(report.data(), 1, report.size(), stdout);
+}
+
+model::ReportFormat formatOf(const ClearanceArguments& arguments) {
+    return model::reportFormatOf(arguments.format).value_or(model::ReportFormat::Text);
+}
+
+/// Every step once; those without copper have nothing to say.
+base::Result<std::vector<StepClearances>> measureSteps(const Document& board, const ClearanceArguments& arguments,
+                                                       base::Progress& progress) {
+    std::vector<StepClearances> found;
+    bool hasNets = false;
+    for (const Document* step : model::distinctSteps(board)) {
+        hasNets = hasNets || !step->nets.empty();
+        if (step->nets.empty()) {
+            continue;
+        }
+        const base::Result<model::ClearanceQuestion> question = questionFor(*step, arguments);
+        if (!question) {
+            return question.error();
+        }
+        base::Result<std::vector<Clearance>> clearances = model::narrowestClearances(*step, *question, progress);
+        if (!clearances) {
+            return clearances.error();
+        }
+        found.push_back({step, std::move(*clearances)});
+    }
+    if (!hasNets) {
+        return base::Error{base::ErrorCode::BadInput,
+                           "the board has no nets, so nothing can be too close; --infer-nets finds them in the copper"};
+    }
+    for (const std::string& note : model::unmeasuredSteps(board)) {
+        std::fprintf(stderr, "copperscope: %s\n", note.c_str());
+    }
+    return found;
+}
+
+int runRules(const ClearanceArguments& arguments, const Document& board, base::Progress& progress) {
+    const base::Result<model::RuleTable> table =
+        arguments.rules == "default" ? model::defaultRules() : model::readRules(arguments.rules);
+    if (!table) {
+        return fail(table.error());
+    }
+    std::vector<StepRules> steps;
+    for (const Document* step : model::distinctSteps(board)) {
+        base::Result<model::RuleReport> report = model::checkRules(*step, *table, progress);
+        if (!report) {
+            return fail(report.error());
+        }
+        steps.push_back({step, std::move(*report)});
+    }
+    print(model::ruleReport(*table, steps, formatOf(arguments), arguments.worst));
+    for (const StepRules& step : steps) {
+        for (const std::string& note : step.report.notes) {
+            std::fprintf(stderr, "copperscope: step %s: %s\n", step.step->job.step.c_str(), note.c_str());
+        }
+    }
+    const bool isPassed = std::ranges::all_of(steps, [](const StepRules& s) { return s.report.isPassed(); });
+    return isPassed ? kDone : kTooClose;
+}
+
+}  // namespace
+
+int runClearance(const ClearanceArguments& arguments) {
+    ConsoleProgress console;
+    const auto board = openDocument(arguments.board, console.progress());
+    if (!board) {
+        return fail(board.error());
+    }
+    if (!arguments.rules.empty()) {
+        return runRules(arguments, **board, console.progress());
+    }
+    const auto found = measureSteps(**board, arguments, console.progress());
+    if (!found) {
+        return fail(found.error());
+    }
+    print(model::clearanceReport(*found, formatOf(arguments)));
+    const bool isAnyClose = std::ranges::any_of(*found, [](const StepClearances& s) { return !s.clearances.empty(); });
+    return !arguments.below.empty() && isAnyClose ? kTooClose : kDone;
+}
+
+}  // namespace app

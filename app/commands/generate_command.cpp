@@ -1,0 +1,42 @@
+#include "app/commands/generate_command.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "app/common/console_progress.h"
+#include "app/common/exit_code.h"
+#include "model/generate/job_writer.h"
+
+namespace app {
+
+namespace {
+
+base::Result<model::generate::Wanted> wantedBy(const GenerateArguments& arguments) {
+    const model::generate::PaperModel* model = model::generate::findPaperModel(arguments.like);
+    if (model == nullptr) {
+        return base::Error{base::ErrorCode::BadUsage, "the paper has no model " + arguments.like};
+    }
+    if (!arguments.output.ends_with(".tgz") && !arguments.output.ends_with(".tar.gz")) {
+        return base::Error{base::ErrorCode::BadUsage, arguments.output + ": jobs are written as .tgz"};
+    }
+    model::generate::Wanted wanted{{}, model->strokesPerTrail, arguments.seed};
+    std::ranges::transform(model->counts, wanted.counts.begin(), [&](std::uint64_t count) {
+        return static_cast<std::uint64_t>(std::llround(static_cast<double>(count) * arguments.scale));
+    });
+    return wanted;
+}
+
+}  // namespace
+
+int runGenerate(const GenerateArguments& arguments) {
+    const base::Result<model::generate::Wanted> wanted = wantedBy(arguments);
+    if (!wanted) {
+        return fail(wanted.error());
+    }
+    ConsoleProgress console;
+    const base::Status status = model::generate::writeJob(*wanted, arguments.output, console.progress());
+    return status ? kDone : fail(status.error());
+}
+
+}  // namespace app

@@ -1,0 +1,156 @@
+#include "app/commands/info_command.h"
+
+#include <cstdio>
+#include <iostream>
+
+#include "app/common/console_progress.h"
+#include "app/common/exit_code.h"
+#include "app/common/json_text.h"
+#include "app/reports/drill_report.h"
+#include "app/reports/info_json.h"
+#include "app/reports/stackup_report.h"
+#include "render/standard/standard_triangles.h"
+
+namespace app {
+
+using model::Document;
+using model::Layer;
+using model::StepCheck;
+
+namespace {
+
+void printJob(const Document& document) {
+    const model::JobInfo& job = document.job;
+    std::printf("job         %s\n", job.name.c_str());
+    std::printf("written by  %s\n", job.generator.empty() ? "(not stated)" : job.generator.c_str());
+    std::printf("format      %s, %s\n", job.version.empty() ? "(not stated)" : job.version.c_str(), job.units.c_str());
+    std::printf("step        %s", job.step.c_str());
+    for (const std::string& step : job.steps) {
+        std::printf("%s", step == job.step ? "" : (" (also: " + step + ")").c_str());
+    }
+    std::printf("\nboard       %.3f x %.3f mm, %.3f mm thick\n",
+                base::toMm(static_cast<double>(document.board.width())),
+                base::toMm(static_cast<double>(document.board.height())), base::toMm(document.boardThickness));
+    std::printf("nets        %zu\ncomponents  %zu\n", document.nets.size(), document.components.size());
+    for (const PlacedStep& placed : placedSteps(document)) {
+        std::printf("places      %llu x %s with %zu nets and %zu components\n",
+                    static_cast<unsigned long long>(placed.copies), placed.step->job.step.c_str(),
+                    placed.step->nets.size(), placed.step->components.size());
+    }
+}
+
+template <class Count>
+void printCounts(const std::array<Count, model::kElementKindCount>& counts) {
+    for (const std::uint64_t count : counts) {
+        std::printf(" %7llu", static_cast<unsigned long long>(count));
+    }
+}
+
+void printPackages(const Document& document) {
+    std::vector<std::uint32_t> counts(document.packages.size());
+    for (const model::Component& component : document.components) {
+        if (component.package.isValid()) {
+            ++counts[component.package.row()];
+        }
+    }
+    if (!counts.empty()) {
+        std::printf("\n%-40s %10s %6s\n", "package", "components", "pins");
+    }
+    for (std::size_t row = 0; row < counts.size(); ++row) {
+        const model::Package& package = document.packages[row];
+        std::printf("%-40s %10u %6u\n", package.name.c_str(), counts[row], package.pins.count);
+    }
+}
+
+void printLayers(const Document& document) {
+    std::printf("\n%-28s %-16s %-8s %9s %9s %-8s %8s %7s %7s %7s %7s %7s\n", "layer", "type", "side", "z mm",
+                "thick mm", "from", "features", "lines", "arcs", "circles", "trails", "areas");
+    for (const Layer& layer : document.layers) {
+        if (layer.isSynthetic) {
+            continue;
+        }
+        std::printf("%-28s %-16s %-8s %9.4f %9.4f %-8s %8u", layer.name.c_str(), model::toString(layer.type),
+                    model::toString(layer.side), base::toMm(layer.z), base::toMm(layer.thickness),
+                    model::toString(layer.thicknessSource), layer.featureCount);
+        printCounts(layer.counts);
+        std::printf("%s\n", layer.isNegative ? "  negative" : "");
+    }
+    std::printf("%-92s", "all layers");
+    printCounts(document.elementCounts());
+    std::printf("\n");
+    if (!document.instances.empty()) {
+        std::printf("%-92s", "with the copies of other steps");
+        printCounts(document.elementCountsWithCopies());
+        std::printf("\n");
+    }
+}
+
+void printDiagnostics(const model::Diagnostics& diagnostics) {
+    for (const model::Diagnostic& entry : diagnostics.entries()) {
+        const std::string line = entry.line > 0 ? ":" + std::to_string(entry.line) : "";
+        const std::string location = entry.file.empty() ? "" : entry.file + line + ": ";
+        const std::string times = entry.count > 1 ? " (" + std::to_string(entry.count) + " times)" : "";
+        std::printf("  %-8s %s%s%s\n", model::toString(entry.severity), location.c_str(), entry.text.c_str(),
+                    times.c_str());
+    }
+}
+
+void printModel(const OpenBoard& board) {
+    const model::ReadTimes& read = board.document->times;
+    const render::ModelTimes& modelled = board.model.times;
+    std::printf(
+        "\nmodel       %zu lets, %zu pieces of areas in %zu places, %zu triangles stored (standard pipeline: %llu)\n",
+        board.model.lets.size(), board.model.shapes.size(), board.model.instances.size(),
+        board.model.indices.size() / 3,
+        static_cast<unsigned long long>(render::countStandardTriangles(*board.document, board.how)));
+    std::printf("times       parse %.1f ms, create %.1f ms, discretise %.1f ms, triangulate %.1f ms\n", read.parseMs,
+                read.createMs + modelled.createMs, modelled.discretiseMs, modelled.triangulateMs);
+}
+
+void printText(const OpenBoard& board, const std::vector<StepCheck>* checks) {
+    printJob(*board.document);
+    printLayers(*board.document);
+    printStackup(board.document->stackup);
+    printDrills(*board.document);
+    printPackages(*board.document);
+    if (checks != nullptr) {
+        printConnectivity(*checks);
+    }
+    printModel(board);
+    if (!board.document->diagnostics.entries().empty() || !board.model.diagnostics.entries().empty()) {
+        std::printf("\nmessages\n");
+        printDiagnostics(board.document->diagnostics);
+        printDiagnostics(board.model.diagnostics);
+    }
+}
+
+}  // namespace
+
+int runInfo(const InfoArguments& arguments) {
+    const base::Result<OpenBoard> board = openBoard(arguments.board);
+    if (!board) {
+        return fail(board.error());
+    }
+    base::Result<std::vector<StepCheck>> checks = std::vector<StepCheck>();
+    if (arguments.checkNets) {
+        ConsoleProgress console;
+        checks = model::checkAllNets(*board->document, console.progress());
+    }
+    if (!checks) {
+        return fail(checks.error());
+    }
+    const std::vector<StepCheck>* checked = arguments.checkNets ? &*checks : nullptr;
+    if (arguments.asJson) {
+        // Names in jobs may hold bytes that are no UTF-8; readers decode them, and what slips through must not end the
+        // report.
+        std::cout << jsonText(infoJson(*board, checked));
+    } else {
+        printText(*board, checked);
+    }
+    std::fflush(stdout);
+    return std::cout && std::ferror(stdout) == 0
+               ? kDone
+               : fail({base::ErrorCode::OutputFailed, "the report cannot be written to stdout"});
+}
+
+}  // namespace app

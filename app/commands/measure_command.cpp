@@ -1,0 +1,301 @@
+#include "app/commands/measure_command.h"
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "app/commands/item_spec.h"
+#include "app/common/console_progress.h"
+#include "app/common/exit_code.h"
+#include "app/common/json_text.h"
+#include "model/export/export_text.h"
+#include "model/measure/net_path.h"
+#include "model/measure/separation.h"
+#include "model/measure/sizes.h"
+#include "model/session/length_text.h"
+
+namespace app {
+
+using model::BoardIndex;
+using model::MeasureItem;
+using model::NetPath;
+using model::Separation;
+using model::Way;
+using nlohmann::ordered_json;
+
+namespace {
+
+/// What was asked for, understood.
+struct Question {
+    MeasureItem from;
+    MeasureItem to;
+    std::optional<base::Nm> below;
+};
+
+base::Result<Question> understand(const BoardIndex& index, const MeasureArguments& arguments) {
+    const auto from = parseItem(index, arguments.from);
+    const auto to = parseItem(index, arguments.to);
+    if (!from || !to) {
+        return from ? to.error() : from.error();
+    }
+    Question question{*from, *to, {}};
+    if (!arguments.below.empty()) {
+        const auto below = model::session::parseLength(arguments.below);
+        if (!below) {
+            return below.error();
+        }
+        question.below = *below;
+    }
+    return question;
+}
+
+std::string layerName(const BoardIndex& index, model::LayerId layer) {
+    return layer.isValid() ? index.board->layer(layer).name : "";
+}
+
+std::string netName(const BoardIndex& index, const model::Piece& piece) {
+    const model::NetId net = model::netOf(index, piece.at);
+    return net.isValid() ? index.tree.steps[index.tree.copies[piece.at.copy].step]->nets[net.row()].name : "";
+}
+
+struct NamedPath {
+    const char* key;
+    const char* text;
+    const std::optional<Way>& way;
+};
+
+std::array<NamedPath, 3> waysOf(const Separation& separation) {
+    return {NamedPath{"on_layer", "on one layer", separation.onLayer},
+            NamedPath{"through_stack", "through the stack", separation.throughStackup},
+            NamedPath{"in_plane", "in the plane", separation.inPlane}};
+}
+
+std::optional<double> angleOf(const BoardIndex& index, const Question& question) {
+    const auto* a = std::get_if<model::BoardElement>(&question.from);
+    const auto* b = std::get_if<model::BoardElement>(&question.to);
+    return a != nullptr && b != nullptr ? model::angleBetween(index, *a, *b) : std::nullopt;
+}
+
+ordered_json endJson(const BoardIndex& index, const model::Piece& piece, base::PointD at) {
+    ordered_json end = {{"copy", piece.at.copy},        {"element", nullptr}, {"layer", layerName(index, piece.layer)},
+                        {"net", netName(index, piece)}, {"x_nm", at.x},       {"y_nm", at.y}};
+    if (piece.at.element.isValid()) {
+        end["element"] = piece.at.element.value;
+    }
+    return end;
+}
+
+ordered_json pathJson(const BoardIndex& index, const std::optional<Way>& way) {
+    if (!way) {
+        return nullptr;
+    }
+    return {{"distance_nm", way->distance},
+            {"gap_nm", way->gap.distance},
+            {"dx_nm", way->gap.to.x - way->gap.from.x},
+            {"dy_nm", way->gap.to.y - way->gap.from.y},
+            {"dz_nm", way->dz},
+            {"relation", toString(way->relation)},
+            {"overlap_nm", way->overlap},
+            {"is_overlap_exact", way->isOverlapExact},
+            {"ends", {endJson(index, way->from, way->gap.from), endJson(index, way->to, way->gap.to)}}};
+}
+
+void printJson(const BoardIndex& index, const Question& question, const Separation& separation) {
+    ordered_json json = {{"from", nameOf(index, question.from)}, {"to", nameOf(index, question.to)}};
+    for (const NamedPath& named : waysOf(separation)) {
+        json[named.key] = pathJson(index, named.way);
+    }
+    const std::optional<double> angle = angleOf(index, question);
+    json["angle_deg"] = angle ? ordered_json(*angle) : ordered_json(nullptr);
+    json["remarks"] = separation.notes;
+    std::fputs(jsonText(json).c_str(), stdout);
+}
+
+void printCsv(const BoardIndex& index, const Separation& separation) {
+    std::printf(
+        "way,distance um,gap um,dx um,dy um,dz um,relation,overlap um,layer a,layer b,net a,net b,x mm on a,"
+        "y mm on a,x mm on b,y mm on b\n");
+    for (const NamedPath& named : waysOf(separation)) {
+        if (!named.way) {
+            continue;
+        }
+        const Way& w = *named.way;
+        const auto um = [](double nm) { return model::fixedText(nm / base::kNmPerUm, 3); };
+        std::printf("%s,%s,%s,%s,%s,%s,%s,%s,%s,%s,%s,%s,%.6f,%.6f,%.6f,%.6f\n", named.key, um(w.distance).c_str(),
+                    um(w.gap.distance).c_str(), um(w.gap.to.x - w.gap.from.x).c_str(),
+                    um(w.gap.to.y - w.gap.from.y).c_str(), um(w.dz).c_str(), toString(w.relation),
+                    um(w.overlap).c_str(), model::csvField(layerName(index, w.from.layer)).c_str(),
+                    model::csvField(layerName(index, w.to.layer)).c_str(),
+                    model::csvField(netName(index, w.from)).c_str(), model::csvField(netName(index, w.to)).c_str(),
+                    base::toMm(w.gap.from.x), base::toMm(w.gap.from.y), base::toMm(w.gap.to.x), base::toMm(w.gap.to.y));
+    }
+}
+
+std::string inBothUnits(double nm) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.6f mm (%.3f mil)", base::toMm(nm), nm / base::kNmPerMil);
+    return text;
+}
+
+void printPath(const BoardIndex& index, const char* name, const Way& way) {
+    std::string relation = toString(way.relation);
+    if (way.relation == model::Relation::Overlapping) {
+        relation += std::string(way.isOverlapExact ? " by " : " by at least ") + inBothUnits(way.overlap);
+    }
+    std::printf("%-18s %s, %s\n", name, inBothUnits(way.distance).c_str(), relation.c_str());
+    const auto mm = [](double nm) { return model::fixedText(base::toMm(nm), 6); };
+    std::printf("%-18s dx %s, dy %s, dz %s mm\n", "", mm(way.gap.to.x - way.gap.from.x).c_str(),
+                mm(way.gap.to.y - way.gap.from.y).c_str(), mm(way.dz).c_str());
+    for (const auto& [piece, at] : {std::pair(way.from, way.gap.from), std::pair(way.to, way.gap.to)}) {
+        const std::string element =
+            piece.at.element.isValid() ? "element " + std::to_string(piece.at.element.value) : "no element";
+        const std::string net = netName(index, piece);
+        std::printf("%-18s at %.6f, %.6f mm: %s%s%s%s%s\n", "", base::toMm(at.x), base::toMm(at.y), element.c_str(),
+                    piece.layer.isValid() ? ", layer " : "", layerName(index, piece.layer).c_str(),
+                    net.empty() ? "" : ", net ", net.c_str());
+    }
+}
+
+void printSizes(const BoardIndex& index, const MeasureItem& item) {
+    const auto* at = std::get_if<model::BoardElement>(&item);
+    if (at == nullptr) {
+        return;
+    }
+    const model::Sizes sizes = model::sizesOf(*index.tree.steps[index.tree.copies[at->copy].step], at->element);
+    const std::pair<const char*, const std::optional<double>&> rows[] = {{"width", sizes.width},
+                                                                         {"length", sizes.length},
+                                                                         {"radius", sizes.radius},
+                                                                         {"diameter", sizes.diameter},
+                                                                         {"inner diameter", sizes.innerDiameter}};
+    for (const auto& [name, value] : rows) {
+        if (value) {
+            std::printf("%-18s %s %s\n", nameOf(index, item).c_str(), name, inBothUnits(*value).c_str());
+        }
+    }
+}
+
+void printText(const BoardIndex& index, const Question& question, const Separation& separation) {
+    std::printf("%s to %s\n", nameOf(index, question.from).c_str(), nameOf(index, question.to).c_str());
+    for (const NamedPath& named : waysOf(separation)) {
+        if (named.way) {
+            printPath(index, named.text, *named.way);
+        }
+    }
+    if (const auto angle = angleOf(index, question)) {
+        std::printf("%-18s %.4f degrees\n", "angle", *angle);
+    }
+    printSizes(index, question.from);
+    printSizes(index, question.to);
+    for (const std::string& note : separation.notes) {
+        std::printf("%s\n", note.c_str());
+    }
+}
+
+const char* kindName(model::PathLeg::Kind kind) {
+    constexpr const char* kNames[] = {"stroke", "pad", "area", "hole"};
+    return kNames[static_cast<std::size_t>(kind)];
+}
+
+void printPathJson(const BoardIndex& index, model::NetOfCopy net, const NetPath& path) {
+    ordered_json layers = ordered_json::array();
+    for (const auto& [layer, length] : path.perLayer) {
+        layers.push_back({{"layer", layerName(index, layer)}, {"length_nm", length}});
+    }
+    ordered_json legs = ordered_json::array();
+    for (const model::PathLeg& leg : path.legs) {
+        legs.push_back({{"kind", kindName(leg.kind)},
+                        {"layer", layerName(index, leg.layer)},
+                        {"element", leg.element.element.value},
+                        {"length_nm", leg.length},
+                        {"from_nm", {leg.from.x, leg.from.y}},
+                        {"to_nm", {leg.to.x, leg.to.y}}});
+    }
+    std::fputs(jsonText({{"net", nameOf(index, net)},
+                         {"length_nm", path.length},
+                         {"area_length_nm", path.areaLength},
+                         {"hole_count", path.holeCount},
+                         {"hole_height_nm", path.holeHeight},
+                         {"layers", layers},
+                         {"legs", legs},
+                         {"remarks", path.notes}})
+                   .c_str(),
+               stdout);
+}
+
+void printPathCsv(const BoardIndex& index, const NetPath& path) {
+    std::printf("kind,layer,element,length um,x mm from,y mm from,x mm to,y mm to\n");
+    for (const model::PathLeg& leg : path.legs) {
+        std::printf("%s,%s,%u,%.3f,%.6f,%.6f,%.6f,%.6f\n", kindName(leg.kind),
+                    model::csvField(layerName(index, leg.layer)).c_str(), leg.element.element.value,
+                    leg.length / base::kNmPerUm, base::toMm(leg.from.x), base::toMm(leg.from.y), base::toMm(leg.to.x),
+                    base::toMm(leg.to.y));
+    }
+}
+
+void printPathText(const BoardIndex& index, model::NetOfCopy net, const NetPath& path) {
+    std::printf("%-18s %s\n", nameOf(index, net).c_str(), inBothUnits(path.length).c_str());
+    for (const auto& [layer, length] : path.perLayer) {
+        std::printf("%-18s %s\n", layerName(index, layer).c_str(), inBothUnits(length).c_str());
+    }
+    std::printf("%-18s %zu, %s\n", "holes", path.holeCount, inBothUnits(path.holeHeight).c_str());
+    for (const std::string& note : path.notes) {
+        std::printf("%s\n", note.c_str());
+    }
+}
+
+base::Result<int> measurePath(const BoardIndex& index, const Question& question, const MeasureArguments& arguments,
+                              base::Progress& progress) {
+    const auto net = parseNet(index, arguments.path);
+    if (!net) {
+        return net.error();
+    }
+    const auto path = model::pathAlong(index, *net, question.from, question.to, progress);
+    if (!path) {
+        return path.error();
+    }
+    arguments.format == "json"  ? printPathJson(index, *net, *path)
+    : arguments.format == "csv" ? printPathCsv(index, *path)
+                                : printPathText(index, *net, *path);
+    return int{kDone};
+}
+
+base::Result<int> measureDistance(const BoardIndex& index, const Question& question, const MeasureArguments& arguments,
+                                  base::Progress& progress) {
+    const auto separation = model::separationOf(index, question.from, question.to, progress);
+    if (!separation) {
+        return separation.error();
+    }
+    arguments.format == "json"  ? printJson(index, question, *separation)
+    : arguments.format == "csv" ? printCsv(index, *separation)
+                                : printText(index, question, *separation);
+    if (question.below && separation->main() == nullptr) {
+        return base::Error{base::ErrorCode::BadUsage, "there is no distance to compare: " + separation->notes.front()};
+    }
+    return question.below && separation->main()->distance < *question.below ? int{kTooClose} : int{kDone};
+}
+
+base::Result<int> measure(const MeasureArguments& arguments) {
+    ConsoleProgress console;
+    const auto board = openDocument(arguments.board, console.progress());
+    if (!board) {
+        return board.error();
+    }
+    const auto index = model::indexBoard(*board, console.progress());
+    if (!index) {
+        return index.error();
+    }
+    const auto question = understand(**index, arguments);
+    if (!question) {
+        return question.error();
+    }
+    return arguments.path.empty() ? measureDistance(**index, *question, arguments, console.progress())
+                                  : measurePath(**index, *question, arguments, console.progress());
+}
+
+}  // namespace
+
+int runMeasure(const MeasureArguments& arguments) {
+    const base::Result<int> code = measure(arguments);
+    return code ? *code : fail(code.error());
+}
+
+}  // namespace app

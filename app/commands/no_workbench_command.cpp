@@ -1,0 +1,12 @@
+// Stands in for workbench_command.cpp in builds without Qt.
+#include "app/commands/workbench_command.h"
+#include "app/common/exit_code.h"
+
+namespace app {
+
+int runWorkbench(int, char**, const WorkbenchArguments&) {
+    return fail(
+        {base::ErrorCode::DeviceFailed, "this build has no workbench; use copperscope info or copperscope render"});
+}
+
+}  // namespace app

@@ -1,0 +1,256 @@
+#include "app/commands/render_command.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "app/common/console_progress.h"
+#include "app/common/exit_code.h"
+#include "app/common/headless_device.h"
+#include "model/board/copies.h"
+#include "render/scene/explosion.h"
+#include "render/standard/standard_model.h"
+
+namespace app {
+
+using base::ErrorCode;
+using base::Result;
+using model::Document;
+
+namespace {
+
+Result<std::vector<render::LayerStyle>> chooseLayers(const Document& document, const RenderArguments& arguments) {
+    const render::Look look = arguments.mode == "2d" ? render::Look::Flat : render::Look::Solid;
+    std::vector<render::LayerStyle> styles = render::defaultStyles(document, look);
+    if (arguments.layers.empty()) {
+        for (std::size_t row = 0; row < styles.size(); ++row) {
+            // A raster of shapes is about copper and print, not about the laminate around them.
+            styles[row].isVisible = styles[row].isVisible && !(arguments.isMono && document.layers[row].isSynthetic);
+        }
+        return styles;
+    }
+    for (render::LayerStyle& style : styles) {
+        style.isVisible = false;
+    }
+    for (const std::string& name : arguments.layers) {
+        const model::LayerId layer = document.findLayer(name);
+        if (!layer.isValid()) {
+            return base::Error{ErrorCode::BadUsage, "there is no layer " + name + " (see copperscope info)"};
+        }
+        styles[layer.row()].isVisible = true;
+        styles[layer.row()].opacity = 1.0F;
+    }
+    return styles;
+}
+
+/// What to light up in the board itself and in each step it places, rows as in BoardScene::setStates.
+using Highlights = std::vector<render::ElementStates>;
+
+/// A net of a panel is that of all its steps.
+Result<Highlights> elementsOfNets(const Document& document, const std::vector<std::string>& names) {
+    const std::vector<const Document*> steps = model::distinctSteps(document);
+    Highlights elements(steps.size());
+    for (const std::string& name : names) {
+        bool isAnywhere = false;
+        for (std::size_t step = 0; step < steps.size(); ++step) {
+            if (const model::NetId net = steps[step]->findNet(name); net.isValid()) {
+                const std::span<const model::ElementId> own = steps[step]->elementsOf(net);
+                elements[step].add(own, render::kHighlighted);
+                isAnywhere = true;
+            }
+        }
+        if (!isAnywhere) {
+            return base::Error{ErrorCode::BadUsage, "there is no net " + name};
+        }
+    }
+    return elements;
+}
+
+Result<render::NamedView> viewOf(const RenderArguments& arguments) {
+    const bool is2d = arguments.mode == "2d";
+    const std::string& name = arguments.view;
+    if (name == "top" || (name.empty() && is2d)) {
+        return render::NamedView::Top;
+    }
+    if (name == "bottom") {
+        return render::NamedView::Bottom;
+    }
+    if (is2d) {
+        return base::Error{ErrorCode::BadUsage, "a 2D picture is seen from the top or the bottom, not " + name};
+    }
+    return render::NamedView::Iso;
+}
+
+render::ZScale zScaleOf(const RenderArguments& arguments) {
+    return arguments.zScale.empty() ? render::ZScale{} : render::ZScale{arguments.zScale[0], arguments.zScale[1]};
+}
+
+render::Camera cameraFor(const RenderArguments& arguments, const render::BoardFrame& model, render::NamedView view) {
+    const float aspect = static_cast<float>(arguments.width) / static_cast<float>(arguments.height);
+    render::Camera camera;
+    camera.setOrthographic(arguments.mode == "2d");
+    const render::Box3 box = render::explodedBox(render::scaledBox(model, zScaleOf(arguments)), arguments.explode);
+    camera.fit(box.min, box.max, view, aspect);
+    if (!arguments.window.empty()) {
+        const auto corner = [&](double x, double y) {
+            return glm::vec2(x - base::toMm(model.origin.x), y - base::toMm(model.origin.y));
+        };
+        camera.fitWindow(corner(arguments.window[0], arguments.window[1]),
+                         corner(arguments.window[2], arguments.window[3]), model.boxMax.z, aspect);
+    }
+    return camera;
+}
+
+render::Backend backendNamed(const std::string& name) {
+    constexpr render::Backend kChoices[] = {render::Backend::Mesh, render::Backend::Pull, render::Backend::Impostor,
+                                            render::Backend::Raster};
+    const auto* const found = std::ranges::find(kChoices, name, render::nameOf);
+    return found != std::end(kChoices) ? *found : render::Backend::Auto;
+}
+
+render::ViewSettings settingsFor(const RenderArguments& arguments) {
+    render::ViewSettings settings;
+    settings.backend = backendNamed(arguments.backend);
+    settings.is2d = arguments.mode == "2d";
+    settings.isMono = arguments.isMono;
+    settings.isOutlined = arguments.isOutlined;
+    settings.isSmoothed = !arguments.isMono;
+    settings.explode = arguments.explode;
+    settings.zScale = zScaleOf(arguments);
+    settings.levels = levelsOf(arguments.levels);
+    settings.dim = arguments.nets.empty() ? 0.0F : render::kDimRest;
+    if (arguments.isMono) {
+        settings.background = glm::vec3(0.0F);
+    }
+    return settings;
+}
+
+/// None if the board is to be whole.
+Result<std::shared_ptr<const render::Cut>> cutOf(const RenderArguments& arguments,
+                                                 const std::shared_ptr<const Document>& document) {
+    if (arguments.cut.empty()) {
+        return std::shared_ptr<const render::Cut>();
+    }
+    base::Progress progress;
+    const auto index = model::indexBoard(document, progress);
+    if (!index) {
+        return index.error();
+    }
+    const auto location = [&](std::size_t i) {
+        return base::PointD{arguments.cut[i] * base::kNmPerMm, arguments.cut[i + 1] * base::kNmPerMm};
+    };
+    Result<render::Cut> cut = render::cutThrough(**index, render::frameOf(*document).origin, location(0), location(2));
+    if (!cut) {
+        return cut.error();
+    }
+    return std::make_shared<const render::Cut>(std::move(*cut));
+}
+
+/// What is drawn, beside the camera.
+struct Scenery {
+    std::vector<render::LayerStyle> styles;
+    Highlights highlights;
+    render::NamedView view;
+    std::shared_ptr<const render::Cut> cut;
+};
+
+template <class Model>
+Result<render::Image> draw(const RenderArguments& arguments, const Model& board, const Scenery& scenery) {
+    Result<HeadlessDevice> opened = HeadlessDevice::open();
+    if (!opened) {
+        return opened.error();
+    }
+    render::gpu::Device& device = *opened->device;
+    Result<render::BoardScene> made = render::BoardScene::make(device, board);
+    if (!made) {
+        return made.error();
+    }
+    render::BoardScene& scene = *made;
+    scene.setStyles(scenery.styles);
+    for (std::uint32_t step = 0; step < scenery.highlights.size(); ++step) {
+        scene.setStates(scenery.highlights[step].bytes(), step);
+    }
+    render::OffscreenPresenter presenter(device);
+    render::ViewSettings settings = settingsFor(arguments);
+    settings.cut = scenery.cut;
+    return presenter.render(scene, cameraFor(arguments, board, scenery.view), settings, arguments.width,
+                            arguments.height);
+}
+
+template <class Model>
+Result<render::Image> drawModel(const RenderArguments& arguments, Result<Model> board, const Scenery& scenery) {
+    return board ? draw(arguments, *board, scenery) : Result<render::Image>(board.error());
+}
+
+Result<render::Image> modelAndDraw(const RenderArguments& arguments, const Document& document, const Scenery& scenery) {
+    ConsoleProgress console;
+    if (arguments.pipeline == "standard") {
+        const model::Discretisation how = discretisationOf(arguments.board);
+        return drawModel(arguments, render::buildStandardModel(document, how, console.progress()), scenery);
+    }
+    return drawModel(arguments, modelBoard(document, arguments.board, console.progress()), scenery);
+}
+
+Result<std::shared_ptr<const Document>> readDocument(const RenderArguments& arguments) {
+    ConsoleProgress console;
+    return openDocument(arguments.board, console.progress());
+}
+
+/// What is wrong with the arguments themselves, before a board is read.
+base::Status checkArguments(const RenderArguments& arguments) {
+    const std::string extension = std::filesystem::path(arguments.output).extension().string();
+    if (extension != ".png" && extension != ".PNG") {
+        return base::Error{ErrorCode::BadUsage, arguments.output + ": pictures are written as .png"};
+    }
+    if (!arguments.window.empty() &&
+        (arguments.window[0] == arguments.window[2] || arguments.window[1] == arguments.window[3])) {
+        return base::Error{ErrorCode::BadUsage, "the window is empty"};
+    }
+    if (!arguments.cut.empty() && arguments.mode == "2d") {
+        return base::Error{ErrorCode::BadUsage, "--clip cuts the board open in 3D; see copperscope section"};
+    }
+    return base::Done{};
+}
+
+base::Status renderToFile(const RenderArguments& arguments) {
+    if (const base::Status usable = checkArguments(arguments); !usable) {
+        return usable.error();
+    }
+    const Result<render::NamedView> view = viewOf(arguments);
+    if (!view) {
+        return view.error();
+    }
+    const Result<std::shared_ptr<const Document>> document = readDocument(arguments);
+    if (!document) {
+        return document.error();
+    }
+    const Result<std::vector<render::LayerStyle>> styles = chooseLayers(**document, arguments);
+    if (!styles) {
+        return styles.error();
+    }
+    const Result<Highlights> highlight = elementsOfNets(**document, arguments.nets);
+    if (!highlight) {
+        return highlight.error();
+    }
+    const Result<std::shared_ptr<const render::Cut>> cut = cutOf(arguments, *document);
+    if (!cut) {
+        return cut.error();
+    }
+    const Result<render::Image> image = modelAndDraw(arguments, **document, {*styles, *highlight, *view, *cut});
+    if (!image) {
+        return image.error();
+    }
+    return render::writePng(*image, arguments.output);
+}
+
+}  // namespace
+
+int runRender(const RenderArguments& arguments) {
+    RenderArguments effective = arguments;
+    if (!effective.window.empty()) {
+        effective.mode = "2d";
+    }
+    const base::Status status = renderToFile(effective);
+    return status ? kDone : fail(status.error());
+}
+
+}  // namespace app

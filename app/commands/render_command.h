@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/common/open_board.h"
+#include "render/frame/offscreen_presenter.h"
+#include "render/frame/png.h"
+
+namespace app {
+
+struct RenderArguments {
+    BoardArguments board;
+    std::string output;
+    std::string view;  ///< top, bottom, iso; empty: iso in 3D, top in 2D
+    std::uint32_t width = 1600;
+    std::uint32_t height = 1000;
+    std::string mode = "3d";
+    std::string backend = "auto";
+    std::string pipeline = "hybrid";  ///< or "standard"
+    std::vector<std::string> layers;  ///< only these, fully opaque; empty: as in the window
+    std::vector<std::string> nets;    ///< highlighted, everything else dimmed
+    float explode = 0.0F;
+    std::vector<float> zScale;     ///< of copper and of everything else; empty: as it is
+    std::string levels = "error";  ///< of detail; or "paper", "coarse"
+    std::vector<double> window;    ///< x0, y0, x1, y1 in millimetres of the job's coordinates; implies 2D
+    std::vector<double> cut;       ///< x0, y0, x1, y1 likewise: cut open there, what is to the left is gone
+    bool isMono = false;
+    bool isOutlined = false;
+};
+
+/// `copperscope render BOARD -o out.png`: a picture. Answers an exit code.
+int runRender(const RenderArguments& arguments);
+
+}  // namespace app

@@ -1,0 +1,116 @@
+#include "app/commands/section_command.h"
+
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "app/common/console_progress.h"
+#include "app/common/exit_code.h"
+#include "app/common/json_text.h"
+#include "model/section/section_export.h"
+#include "render/scene/layer_style.h"
+
+namespace app {
+
+using base::ErrorCode;
+using model::Document;
+using model::Section;
+
+namespace {
+
+base::Result<model::SectionQuestion> questionFor(const Document& board, const SectionArguments& arguments) {
+    if (arguments.line.size() < 4 || arguments.line.size() % 2 != 0) {
+        return base::Error{ErrorCode::BadUsage, "--line takes two corners or more: x0,y0,x1,y1 in millimetres"};
+    }
+    model::SectionQuestion question;
+    for (std::size_t i = 0; i + 1 < arguments.line.size(); i += 2) {
+        question.line.push_back({arguments.line[i] * base::kNmPerMm, arguments.line[i + 1] * base::kNmPerMm});
+    }
+    for (const std::string& name : arguments.layers) {
+        const model::LayerId layer = board.findLayer(name);
+        if (!layer.isValid()) {
+            return base::Error{ErrorCode::BadUsage, "there is no layer " + name + " (see copperscope info)"};
+        }
+        question.layers.resize(board.layers.size());
+        question.layers[layer.row()] = true;
+    }
+    return question;
+}
+
+/// As the 3D view has them.
+std::vector<std::uint32_t> coloursOf(const Document& board) {
+    std::vector<std::uint32_t> colours;
+    for (const render::LayerStyle& style : render::defaultStyles(board)) {
+        const auto byte = [](float value) { return static_cast<std::uint32_t>(std::lround(value * 255.0F)); };
+        colours.push_back(byte(style.colour.r) << 16U | byte(style.colour.g) << 8U | byte(style.colour.b));
+    }
+    return colours;
+}
+
+nlohmann::ordered_json piecesJson(const model::BoardIndex& index, const std::vector<model::SectionPiece>& pieces) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const model::SectionPiece& piece : pieces) {
+        list.push_back({{"layer", index.board->layer(piece.layer).name},
+                        {"copy", piece.at.copy},
+                        {"element", piece.at.element.value},
+                        {"net", model::netOf(index, piece)},
+                        {"from_nm", piece.from},
+                        {"to_nm", piece.to},
+                        {"bottom_nm", piece.bottom},
+                        {"top_nm", piece.top}});
+    }
+    return list;
+}
+
+std::string sectionJson(const model::BoardIndex& index, const Section& section) {
+    nlohmann::ordered_json line = nlohmann::ordered_json::array();
+    for (const base::PointD corner : section.line) {
+        line.push_back({base::toMm(corner.x), base::toMm(corner.y)});
+    }
+    const nlohmann::ordered_json all = {{"line_mm", line},
+                                        {"stations_nm", section.stations},
+                                        {"pieces", piecesJson(index, section.pieces)},
+                                        {"bores", piecesJson(index, section.bores)},
+                                        {"remarks", section.notes}};
+    return jsonText(all);
+}
+
+base::Result<std::string> sectionText(const SectionArguments& arguments) {
+    ConsoleProgress console;
+    const auto board = openDocument(arguments.board, console.progress());
+    if (!board) {
+        return board.error();
+    }
+    const auto question = questionFor(**board, arguments);
+    if (!question) {
+        return question.error();
+    }
+    const auto index = model::indexBoard(*board, console.progress());
+    if (!index) {
+        return index.error();
+    }
+    const auto section = model::cutBoard(**index, *question);
+    if (!section) {
+        return section.error();
+    }
+    for (const std::string& note : section->notes) {
+        std::fprintf(stderr, "%s\n", note.c_str());
+    }
+    return arguments.format == "json" ? sectionJson(**index, *section)
+           : arguments.format == "csv"
+               ? model::sectionCsv(**index, *section)
+               : model::sectionSvg(**board, *section, {coloursOf(**board), arguments.heightTimes});
+}
+
+}  // namespace
+
+int runSection(const SectionArguments& arguments) {
+    const base::Result<std::string> text = sectionText(arguments);
+    if (!text) {
+        return fail(text.error());
+    }
+    std::fwrite(text->data(), 1, text->size(), stdout);
+    return kDone;
+}
+
+}  // namespace app

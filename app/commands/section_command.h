@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/common/open_board.h"
+
+namespace app {
+
+struct SectionArguments {
+    BoardArguments board;
+    std::vector<double> line;         ///< x0, y0, x1, y1, … in millimetres of the board
+    std::vector<std::string> layers;  ///< only these; empty: all that are made of something
+    std::string format = "svg";       ///< svg, json or csv
+    double heightTimes = 0.0;         ///< SVG: heights so many times larger; 0: as reads well
+};
+
+/// `copperscope section BOARD --line x0,y0,x1,y1[,…]`: what a cut along the line shows, on stdout. Answers an exit
+/// code.
+///
+/// JSON: {"line_mm": [[x, y]], "stations_nm": [], "pieces": [{"layer", "copy", "element", "net", "from_nm", "to_nm",
+/// "bottom_nm", "top_nm"}], "bores": [the same], "remarks": []}; `stations_nm` are the corners' places along the line.
+int runSection(const SectionArguments& arguments);
+
+}  // namespace app

@@ -1,0 +1,107 @@
+#include "app/common/open_board.h"
+
+#include <cstdio>
+#include <optional>
+#include <utility>
+
+#include "app/common/console_progress.h"
+#include "app/common/device_triangulator.h"
+#include "app/common/resources.h"
+#include "model/session/length_text.h"
+#include "model/session/session.h"
+
+namespace app {
+
+namespace session = model::session;
+using Board = std::shared_ptr<const model::Document>;
+
+namespace {
+
+base::Status addThicknesses(const std::vector<std::string>& texts, const model::Stackup& stackup,
+                            std::vector<model::ThicknessOverride>& into) {
+    for (const std::string& text : texts) {
+        const base::Result<model::ThicknessOverride> change = session::parseOverride(text, stackup);
+        if (!change) {
+            return base::Error{change.error().code, "--set-thickness: " + change.error().text};
+        }
+        session::setThickness(into, *change);
+    }
+    return base::Done{};
+}
+
+/// The board as its session and the arguments want it.
+base::Result<Board> stacked(const Board& read, const std::filesystem::path& path, const BoardArguments& arguments) {
+    session::LoadedSession found;
+    if (!arguments.noSession) {
+        found = session::loadSession(path, *read);
+    }
+    for (const std::string& text : found.ignored) {
+        std::fprintf(stderr, "copperscope: %s\n", text.c_str());
+    }
+    std::vector<model::ThicknessOverride>& wanted = found.session.thicknesses;
+    if (const base::Status added = addThicknesses(arguments.thicknesses, read->stackup, wanted); !added) {
+        return added.error();
+    }
+    if (arguments.saveSession) {
+        if (const base::Status saved = session::saveThicknesses(path, *read, wanted); !saved) {
+            return saved.error();
+        }
+    }
+    return session::applyThicknesses(read, wanted);
+}
+
+}  // namespace
+
+base::Result<Board> openDocument(const BoardArguments& arguments, base::Progress& progress) {
+    const std::filesystem::path path = arguments.path.empty() ? sampleBoard() : std::filesystem::path(arguments.path);
+    const base::Result<Board> read = model::readBoard(path, {arguments.step, arguments.inferNets}, progress);
+    if (!read) {
+        return read.error();
+    }
+    return stacked(*read, path, arguments);
+}
+
+model::Discretisation discretisationOf(const BoardArguments& arguments) {
+    return {arguments.chordUm * base::kNmPerUm, arguments.paperSegments};
+}
+
+base::Result<render::BoardModel> modelBoard(const model::Document& document, const BoardArguments& arguments,
+                                            base::Progress& progress) {
+    const tri::Triangulator wanted = tri::triangulatorNamed(arguments.triangulator).value_or(tri::Triangulator::Auto);
+    render::AreaTriangulator areas;
+    std::optional<DeviceTriangulator> device;
+    if (wanted == tri::Triangulator::Gpu) {
+        base::Result<DeviceTriangulator> opened = DeviceTriangulator::open();
+        if (!opened) {
+            return opened.error();
+        }
+        device.emplace(std::move(*opened));
+        areas.onDevice = [&device](std::span<const tri::Polygon> polygons, base::Progress& work) {
+            return device->get().triangulate(polygons, work);
+        };
+    } else {
+        areas.triangulator = wanted;
+    }
+    return render::buildBoardModel(document, discretisationOf(arguments), progress, areas);
+}
+
+base::Result<OpenBoard> openBoard(const BoardArguments& arguments) {
+    ConsoleProgress console;
+    const base::Result<Board> document = openDocument(arguments, console.progress());
+    if (!document) {
+        return document.error();
+    }
+    base::Result<render::BoardModel> model = modelBoard(**document, arguments, console.progress());
+    if (!model) {
+        return model.error();
+    }
+    return OpenBoard{*document, std::move(*model), discretisationOf(arguments)};
+}
+
+render::LevelOfDetail levelsOf(const std::string& name) {
+    return name == "paper"    ? render::LevelOfDetail::Paper
+           : name == "coarse" ? render::LevelOfDetail::Coarse
+                              : render::LevelOfDetail::Error;
+}
+
+}  // namespace app

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "model/formats/registry.h"
+#include "render/modelling/board_model.h"
+#include "render/scene/view_settings.h"
+
+namespace app {
+
+/// What `info` and `render` share: which board to open and how to model it.
+struct BoardArguments {
+    std::string path;  ///< empty: the bundled sample
+    std::string step;
+    double chordUm = 5.0;
+    bool paperSegments = false;
+    std::vector<std::string> thicknesses;  ///< LAYER=LENGTH, over what the job and the session say
+    bool saveSession = false;              ///< keeps them in the session file
+    bool noSession = false;                ///< as if there were no session file
+    bool inferNets = false;
+    std::string triangulator = "auto";  ///< of areas; as tri::triangulatorNamed
+};
+
+/// Reads the board and stacks it as its session file and `thicknesses` say; what of the session is not used is said on
+/// stderr. Errors as model::readBoard; BadUsage for thicknesses, OutputFailed when the session cannot be saved.
+[[nodiscard]] base::Result<std::shared_ptr<const model::Document>> openDocument(const BoardArguments& arguments,
+                                                                                base::Progress& progress);
+
+[[nodiscard]] model::Discretisation discretisationOf(const BoardArguments& arguments);
+
+/// A board read and modelled.
+struct OpenBoard {
+    std::shared_ptr<const model::Document> document;
+    render::BoardModel model;
+    model::Discretisation how;  ///< what it was modelled with
+};
+
+/// Lets and triangles, with the triangulator that was asked for. Errors as render::buildBoardModel; DeviceFailed if a
+/// device is to triangulate and there is none.
+[[nodiscard]] base::Result<render::BoardModel> modelBoard(const model::Document& document,
+                                                          const BoardArguments& arguments, base::Progress& progress);
+
+/// Reads and models, with progress on stderr. Errors as openDocument and modelBoard.
+[[nodiscard]] base::Result<OpenBoard> openBoard(const BoardArguments& arguments);
+
+/// What `--lod` says: "error" or "paper".
+[[nodiscard]] render::LevelOfDetail levelsOf(const std::string& name);
+
+}  // namespace app

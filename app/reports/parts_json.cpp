@@ -1,0 +1,154 @@
+#include "app/reports/parts_json.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace app {
+
+using model::Document;
+using model::StepCheck;
+using nlohmann::ordered_json;
+
+namespace {
+
+ordered_json locationJson(const Document& document, model::LayerId layer, model::PointD location) {
+    return {{"layer", layer.isValid() ? document.layer(layer).name : ""},
+            {"x_nm", std::llround(location.x)},
+            {"y_nm", std::llround(location.y)}};
+}
+
+const std::string& nameOf(const Document& document, model::NetId net) {
+    return document.nets[net.row()].name;
+}
+
+ordered_json openJson(const StepCheck& check, const model::OpenNet& open) {
+    ordered_json islands = ordered_json::array();
+    for (const model::NetIsland& island : check.report.islandsOf(open)) {
+        ordered_json json = locationJson(*check.step, island.layer, island.location);
+        json["element"] = island.element.value;
+        json["pieces"] = island.pieceCount;
+        json["pads"] = island.padCount;
+        islands.push_back(json);
+    }
+    return {{"step", check.step->job.step}, {"net", nameOf(*check.step, open.net)}, {"islands", islands}};
+}
+
+ordered_json shortJson(const StepCheck& check, const model::ShortedNets& entry) {
+    ordered_json json = locationJson(*check.step, entry.layer, entry.location);
+    json["step"] = check.step->job.step;
+    json["nets"] = {nameOf(*check.step, entry.a), nameOf(*check.step, entry.b)};
+    json["elements"] = {entry.elementA.value, entry.elementB.value};
+    json["through_element"] = entry.through.isValid() ? ordered_json(entry.through.value) : ordered_json();
+    json["contacts"] = entry.contactCount;
+    return json;
+}
+
+void printOpen(const StepCheck& check, const model::OpenNet& open) {
+    const bool isOpen = model::hasSeveralPadIslands(check.report, open);
+    std::printf("  %-6s %s: %u islands\n", isOpen ? "open" : "loose", nameOf(*check.step, open.net).c_str(),
+                open.islandCount);
+    constexpr std::size_t kShown = 4;
+    for (const model::NetIsland& island :
+         check.report.islandsOf(open).first(std::min<std::size_t>(kShown, open.islandCount))) {
+        std::printf("           %u pieces, %u pads or holes, on %s at %.4f, %.4f mm\n", island.pieceCount,
+                    island.padCount, check.step->layer(island.layer).name.c_str(), base::toMm(island.location.x),
+                    base::toMm(island.location.y));
+    }
+}
+
+void printShort(const StepCheck& check, const model::ShortedNets& entry) {
+    std::printf(
+        "  short  %s and %s %s on %s at %.4f, %.4f mm\n", nameOf(*check.step, entry.a).c_str(),
+        nameOf(*check.step, entry.b).c_str(), entry.through.isValid() ? "are joined by copper without a net" : "touch",
+        check.step->layer(entry.layer).name.c_str(), base::toMm(entry.location.x), base::toMm(entry.location.y));
+}
+
+}  // namespace
+
+ordered_json netsJson(const Document& document) {
+    std::vector<std::uint32_t> pins(document.nets.size());
+    std::vector<std::uint32_t> vias(document.nets.size());
+    for (const model::Pin& pin : document.pins) {
+        if (pin.net.isValid()) {
+            ++pins[pin.net.row()];
+        }
+    }
+    for (const model::Subnet& subnet : document.subnets) {
+        vias[subnet.net.row()] += subnet.kind == model::SubnetKind::Via ? 1 : 0;
+    }
+    ordered_json list = ordered_json::array();
+    for (std::size_t row = 0; row < document.nets.size(); ++row) {
+        list.push_back({{"name", document.nets[row].name},
+                        {"elements", document.elementsOf(model::NetId{row}).size()},
+                        {"pins", pins[row]},
+                        {"vias", vias[row]}});
+    }
+    return {{"count", document.nets.size()}, {"list", list}};
+}
+
+/// Nothing for a component without a body.
+ordered_json bodyJson(const model::Body* body) {
+    if (body == nullptr) {
+        return nullptr;
+    }
+    return {{"element", body->element.value}, {"height_nm", body->height}, {"source", model::toString(body->source)}};
+}
+
+ordered_json componentsJson(const Document& document) {
+    std::vector<const model::Body*> bodies(document.components.size());
+    for (const model::Body& body : document.bodies) {
+        bodies[body.component.row()] = &body;
+    }
+    ordered_json list = ordered_json::array();
+    for (std::size_t row = 0; row < document.components.size(); ++row) {
+        const model::Component& component = document.components[row];
+        list.push_back({{"refdes", component.refdes},
+                        {"part", component.part},
+                        {"package", component.package.isValid() ? document.packages[component.package.row()].name : ""},
+                        {"side", model::toString(component.side)},
+                        {"x_nm", component.placement.origin.x},
+                        {"y_nm", component.placement.origin.y},
+                        {"clockwise_deg", component.placement.clockwiseDeg},
+                        {"height_nm", component.height},
+                        {"body", bodyJson(bodies[row])},
+                        {"mount", model::toString(component.mount)},
+                        {"populated", component.isPopulated},
+                        {"pins", component.pinCount}});
+    }
+    return {{"count", document.components.size()}, {"list", list}};
+}
+
+ordered_json connectivityJson(const std::vector<StepCheck>& checks) {
+    std::size_t islands = 0;
+    ordered_json opens = ordered_json::array();
+    ordered_json loose = ordered_json::array();
+    ordered_json shorts = ordered_json::array();
+    for (const StepCheck& check : checks) {
+        islands += check.islandCount;
+        for (const model::OpenNet& open : check.report.opens) {
+            (model::hasSeveralPadIslands(check.report, open) ? opens : loose).push_back(openJson(check, open));
+        }
+        for (const model::ShortedNets& entry : check.report.shorts) {
+            shorts.push_back(shortJson(check, entry));
+        }
+    }
+    return {{"islands", islands}, {"opens", opens}, {"loose", loose}, {"shorts", shorts}};
+}
+
+void printConnectivity(const std::vector<StepCheck>& checks) {
+    std::printf("\nnets against copper\n");
+    for (const StepCheck& check : checks) {
+        for (const model::OpenNet& open : check.report.opens) {
+            printOpen(check, open);
+        }
+        for (const model::ShortedNets& entry : check.report.shorts) {
+            printShort(check, entry);
+        }
+        std::printf("  %s: %zu islands of copper, %zu nets in several islands, %zu shorts\n",
+                    check.step->job.step.c_str(), check.islandCount, check.report.opens.size(),
+                    check.report.shorts.size());
+    }
+}
+
+}  // namespace app

@@ -1,0 +1,78 @@
+#include "app/reports/stackup_report.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "model/board/stackup.h"
+
+namespace app {
+
+using model::StackupRow;
+using nlohmann::ordered_json;
+
+namespace {
+
+template <class T>
+ordered_json orNull(const std::optional<T>& value) {
+    return value ? ordered_json(*value) : ordered_json();
+}
+
+ordered_json orNull(const std::string& text) {
+    return text.empty() ? ordered_json() : ordered_json(text);
+}
+
+ordered_json rowJson(const StackupRow& row) {
+    const std::optional<model::CopperWeight> weight = model::copperWeightOf(row);
+    return {{"name", row.name},
+            {"has_layer", row.layer.isValid()},
+            {"type", model::toString(row.type)},
+            {"z_nm", row.z},
+            {"thickness_nm", row.thickness},
+            {"thickness_source", model::toString(row.source)},
+            {"material", orNull(row.material.name)},
+            {"material_type", orNull(row.material.type)},
+            {"form", orNull(row.material.form)},
+            {"copper_oz", weight ? ordered_json(weight->oz) : ordered_json()},
+            {"copper_oz_source", weight ? ordered_json(model::toString(weight->source)) : ordered_json()},
+            {"dielectric_constant", orNull(row.material.dielectricConstant)},
+            {"loss_tangent", orNull(row.material.lossTangent)},
+            {"resistivity_nohm_m", orNull(row.material.resistivity)}};
+}
+
+std::string numberOr(std::optional<double> value, const char* format) {
+    char text[32];
+    std::snprintf(text, sizeof text, format, value.value_or(0.0));
+    return value ? text : "-";
+}
+
+}  // namespace
+
+ordered_json stackupJson(const model::Stackup& stackup) {
+    ordered_json rows = ordered_json::array();
+    for (const StackupRow& row : stackup.rows) {
+        rows.push_back(rowJson(row));
+    }
+    const std::optional<double>& board = stackup.facts.boardNm;
+    return {{"board_nm", board ? ordered_json(std::llround(*board)) : ordered_json()}, {"rows", rows}};
+}
+
+void printStackup(const model::Stackup& stackup) {
+    if (stackup.rows.empty()) {
+        return;
+    }
+    std::printf("\n%-28s %-16s %10s %-8s %8s %-8s %8s %8s  %s\n", "stack from the top", "type", "thick um", "from",
+                "copper oz", "from", "Dk", "Df", "material");
+    for (const StackupRow& row : stackup.rows) {
+        const std::optional<model::CopperWeight> weight = model::copperWeightOf(row);
+        const std::optional<double> oz = weight ? std::optional(weight->oz) : std::nullopt;
+        std::printf("%-28s %-16s %10.2f %-8s %9s %-8s %8s %8s  %s%s%s\n", row.name.c_str(), model::toString(row.type),
+                    row.thickness / base::kNmPerUm, model::toString(row.source), numberOr(oz, "%.3f").c_str(),
+                    weight ? model::toString(weight->source) : "",
+                    numberOr(row.material.dielectricConstant, "%g").c_str(),
+                    numberOr(row.material.lossTangent, "%g").c_str(), row.material.name.c_str(),
+                    row.material.type.empty() ? "" : (" (" + row.material.type + ")").c_str(),
+                    row.material.form.empty() ? "" : (" " + row.material.form).c_str());
+    }
+}
+
+}  // namespace app

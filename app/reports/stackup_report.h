@@ -1,0 +1,18 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "model/board/document.h"
+
+namespace app {
+
+/// `stackup` of `info --json`: {"board_nm": …, "rows": [{"name", "has_layer", "type", "z_nm", "thickness_nm",
+/// "thickness_source", "material", "material_type", "form", "copper_oz", "copper_oz_source", "dielectric_constant",
+/// "loss_tangent", "resistivity_nohm_m"}]}, from the top. `board_nm` is what the job states; what it does not state is
+/// null.
+[[nodiscard]] nlohmann::ordered_json stackupJson(const model::Stackup& stackup);
+
+/// The same as a table on stdout; nothing for a format without a stack.
+void printStackup(const model::Stackup& stackup);
+
+}  // namespace app

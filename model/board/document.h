@@ -1,0 +1,520 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "model/base/ids.h"
+#include "model/base/point.h"
+#include "model/board/attributes.h"
+#include "model/board/diagnostics.h"
+#include "model/geometry/shapes.h"
+
+/// A board as Copperscope holds it: flat tables whose rows are addressed by 32-bit ids (docs/architecture.md).
+/// Coordinates are nanometres in the step's own system, x to the right, y up, z up from the lowest face of the bottom
+/// copper layer.
+namespace model {
+
+/// The five kinds of the paper (Table 1 and Table 3).
+enum class ElementKind : std::uint8_t { Line, Arc, Circle, Trail, Area };
+inline constexpr std::size_t kElementKindCount = 5;
+
+enum class LayerType : std::uint8_t {
+    Signal,
+    PowerGround,
+    Mixed,
+    Dielectric,
+    SolderMask,
+    SolderPaste,
+    SilkScreen,
+    Drill,
+    Rout,
+    Component,
+    Mask,
+    ConductivePaste,
+    Document,
+    Profile,        ///< Profile: the step's outline, which we add as a layer of its own
+    Body,           ///< the laminate: profile minus holes over the whole stack; added by us
+    ComponentBody,  ///< the bodies of the components of one side (Document::bodies); added by us
+    Other
+};
+enum class LayerSide : std::uint8_t { None, Top, Inner, Bottom, Through };
+enum class LayerContext : std::uint8_t { Board, Misc };
+/// Where a number comes from.
+enum class Source : std::uint8_t {
+    Job,      ///< read from the job
+    Derived,  ///< computed from other numbers of the job
+    Assumed,  ///< a default; a diagnostic names it
+    Session   ///< set by the user over what the job says
+};
+
+/// What a layer is for beyond its type, from the matrix' ADD_TYPE.
+enum class LayerUse : std::uint8_t {
+    Plain,         ///< nothing said
+    Flex,          ///< flexible copper: SIGNAL_FLEX, PG_FLEX, MIXED_FLEX
+    Coverlay,      ///< film or lacquer over flexible copper: COVERLAY, COVERCOAT
+    Stiffener,     ///< a plate glued to a flexible part: STIFFENER, FR4_STIFFENER, …
+    Adhesive,      ///< the glue under it: PSA
+    Backdrill,     ///< drilled from outside to take the plating away again: BACKDRILL
+    DualDiameter,  ///< the wider part of holes that are drilled with two diameters: DUAL_DIAMETER
+    Other          ///< anything else; Layer::addType has the word
+};
+
+/// Consecutive rows of a table.
+struct Range {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+};
+
+struct Layer {
+    std::string name;
+    std::string file;  ///< the features file inside the job, for "file and line"
+    LayerType type = LayerType::Other;
+    LayerContext context = LayerContext::Board;
+    LayerSide side = LayerSide::None;
+    bool isNegative =
+        false;  ///< matrix POLARITY=NEGATIVE: its elements are the copper that is left, features the clearances
+    bool isSynthetic = false;  ///< added by us (Body, ComponentBody, coats), not a row of the matrix
+    int row = 0;               ///< matrix ROW
+    Nm z = 0;                  ///< lower face
+    Nm thickness = 0;          ///< 0 for layers without a body
+    Source thicknessSource = Source::Assumed;
+    LayerId spanTop;  ///< drill and rout: first and last copper layer passed, top one first
+    LayerId spanBottom;
+    Range elements;                                         ///< elements of a layer are consecutive rows
+    std::uint32_t featureCount = 0;                         ///< feature records in the job
+    std::array<std::uint32_t, kElementKindCount> counts{};  ///< elements by kind
+    /// The same with those of all copies of other steps (Document::instances) that lie on this layer.
+    std::array<std::uint64_t, kElementKindCount> countsWithCopies{};
+    LayerUse use = LayerUse::Plain;
+    std::string addType;  ///< matrix ADD_TYPE as written; empty if there is none
+    ShapeId profile;      ///< where this layer exists (rigid-flex); none: all over the board (Document::profile)
+    /// Layers of one group have one outline, in every step of the job (each step its own); 0: the board's.
+    std::uint32_t outlineGroup = 0;
+    LayerId opposite;  ///< where this layer of a step lies once the step is turned over; none: its own mirror image
+
+    [[nodiscard]] bool isCopper() const {
+        return type == LayerType::Signal || type == LayerType::PowerGround || type == LayerType::Mixed;
+    }
+    /// Does the span of a drill layer hold this one? Layers are in physical order, so a span is a run of rows.
+    [[nodiscard]] bool spans(LayerId id) const {
+        return spanTop.isValid() && spanBottom.isValid() && spanTop <= id && id <= spanBottom;
+    }
+};
+
+/// What a job says a layer is made of. Empty or absent: the job does not say.
+struct Material {
+    std::string name;                          ///< "FR-4", "2x106"
+    std::string type;                          ///< of a dielectric: "CORE", "PREPREG"
+    std::string form;                          ///< "RIGID", "FLEX"
+    std::optional<double> copperOz;            ///< stated weight, ounces per square foot
+    std::optional<double> dielectricConstant;  ///< relative, above 1
+    std::optional<double> lossTangent;
+    std::optional<double> resistivity;  ///< bulk, nΩ·m; copper has 16.8
+};
+
+/// What a job says about the build of one layer.
+struct LayerFacts {
+    std::optional<double> thicknessNm;  ///< its own
+    std::optional<double> belowNm;      ///< copper: the dielectric under it, where the job has no row for that
+    Material material;
+    Material below;
+};
+
+/// A thickness the user sets over what the job says; `layer` is the name of a StackupRow.
+struct ThicknessOverride {
+    std::string layer;
+    Nm thickness = 0;
+    bool operator==(const ThicknessOverride&) const = default;
+};
+
+/// All that the heights of a board follow from.
+struct StackupFacts {
+    std::vector<LayerFacts> layers;      ///< by layer of the job, in document order
+    std::optional<double> boardNm;       ///< the job's own thickness of the board
+    std::vector<ThicknessOverride> set;  ///< by the user
+};
+
+/// One layer of the material the board is made of, surface layers included.
+struct StackupRow {
+    std::string name;  ///< the layer's; "below TOP" for a dielectric that the job has no row for; unique
+    LayerId layer;     ///< none for such a dielectric
+    LayerType type = LayerType::Dielectric;
+    Nm z = 0;  ///< lower face
+    Nm thickness = 0;
+    Source source = Source::Assumed;
+    Material material;
+};
+
+/// The stack of the board, from the top. Made by model/board/stackup.h; empty for formats that state heights
+/// themselves.
+struct Stackup {
+    std::vector<StackupRow> rows;
+    StackupFacts facts;
+};
+
+enum ElementFlag : std::uint8_t {
+    kHole = 1,       ///< a drilled or routed hole: what is solid is its wall
+    kPlated = 2,     ///< the wall is copper
+    kPad = 4,        ///< came from a pad (P) record
+    kSquarePen = 8,  ///< Line only: drawn with an axis-parallel square pen
+    kVia = 16,       ///< plated holes: joins layers
+    kPinHole = 32,   ///< plated holes: takes a pin of a component
+};
+
+/// What a hole is for. A plated one that is neither via nor pin hole is there for mounting.
+enum class HoleKind : std::uint8_t { Via, Component, Mounting, NonPlated };
+
+/// Of an element with kHole.
+[[nodiscard]] constexpr HoleKind holeKind(std::uint8_t flags) {
+    return (flags & kPlated) == 0    ? HoleKind::NonPlated
+           : (flags & kVia) != 0     ? HoleKind::Via
+           : (flags & kPinHole) != 0 ? HoleKind::Component
+                                     : HoleKind::Mounting;
+}
+
+/// Is the element the plated wall of a hole?
+[[nodiscard]] constexpr bool isPlatedHole(std::uint8_t flags) {
+    return (flags & kHole) != 0 && (flags & kPlated) != 0;
+}
+
+/// One row per element, columns side by side. `geometry` is a row of the table of the element's kind.
+struct ElementTable {
+    std::vector<ElementKind> kind;
+    std::vector<std::uint8_t> flags;
+    std::vector<LayerId> layer;
+    std::vector<NetId> net;
+    std::vector<SubnetId> subnet;  ///< what it is in its net; none where the job does not say
+    std::vector<SymbolId> symbol;
+    std::vector<std::uint32_t> geometry;
+    std::vector<std::uint32_t> firstFeature;  ///< 0-based ordinal of its (first) feature record in the layer's file
+    std::vector<std::uint32_t> line;          ///< 1-based line of that record
+    std::vector<AttributeSetId> attributes;   ///< of that feature: a row of Document::attributes
+
+    [[nodiscard]] std::size_t size() const { return kind.size(); }
+};
+
+/// From lower to upper face.
+struct ZRange {
+    Nm bottom = 0;
+    Nm top = 0;
+};
+
+/// The body of a component, an area on the ComponentBody layer of its side. The layer is as thick as the tallest of
+/// them; each stands on the layer's face towards the board with a height of its own.
+struct Body {
+    ElementId element;
+    ComponentId component;
+    Nm height = 0;
+    Source source = Source::Assumed;  ///< of the height
+};
+
+/// What other drills have left of the plating of a hole: from copper layer to copper layer. None if nothing is left.
+struct PlatedSpan {
+    ElementId hole;
+    LayerId top;
+    LayerId bottom;
+
+    [[nodiscard]] bool joins(LayerId layer) const {
+        return top.isValid() && bottom.isValid() && top <= layer && layer <= bottom;
+    }
+};
+
+/// The features that an area made by painting came from: rows of `PaintedSources::features`.
+struct PaintedArea {
+    ElementId element;
+    std::uint32_t firstFeature = 0;
+    std::uint32_t featureCount = 0;
+};
+
+/// The way back from areas that several features made together: what negative features left of a positive one, and the
+/// pieces of negative layers. All other elements came from their `firstFeature` (trails: from it and those behind it).
+struct PaintedSources {
+    std::vector<PaintedArea> areas;       ///< by element, rising
+    std::vector<std::uint32_t> features;  ///< ordinals in the layer's file, rising within an area
+
+    /// Empty for elements that were not painted.
+    [[nodiscard]] std::span<const std::uint32_t> of(ElementId element) const;
+};
+
+/// A stroke from `a` to `b` with a round pen (square with kSquarePen). `innerWidth` > 0 makes it a tube (plated slot).
+struct LineGeometry {
+    Point a;
+    Point b;
+    Nm width = 0;
+    Nm innerWidth = 0;
+};
+
+/// A round-pen stroke along a circular arc from `node.point` around `node.centre` to `end`; equal ends are a full
+/// circle. `innerWidth` as for lines.
+struct ArcGeometry {
+    PathNode node;
+    Point end;
+    Nm width = 0;
+    Nm innerWidth = 0;
+};
+
+/// A disc, or a ring when `innerDiameter` > 0. A bare hole has equal diameters: only its wall is there.
+struct CircleGeometry {
+    Point centre;
+    Nm diameter = 0;
+    Nm innerDiameter = 0;
+};
+
+/// Strokes joined end to end; nodes are consecutive rows of `trailNodes`, the last one without an edge. ODB++ trails
+/// have one width; the paper's may change it from edge to edge, so each edge has its own (`trailWidths`).
+struct TrailGeometry {
+    std::uint32_t firstNode = 0;
+    std::uint32_t nodeCount = 0;
+    Nm width = 0;       ///< of the widest stroke
+    Nm innerWidth = 0;  ///< as for lines: a plated or bare routed slot; the same all along
+};
+
+/// A shape laid on the board; surfaces lie where they were drawn, pad symbols are placed.
+struct AreaGeometry {
+    ShapeId shape;
+    Placement placement;
+};
+
+/// A name and a value, an attribute or a property of the job; rows of Document::strings.
+struct Property {
+    StringId name;
+    StringId value;
+};
+
+struct Net {
+    std::string name;
+    Range properties;
+};
+
+/// What a group of a net's elements is.
+enum class SubnetKind : std::uint8_t {
+    Toeprint,  ///< the pads of one component pin
+    Via,
+    Trace,
+    Plane,
+    Other
+};
+
+struct Subnet {
+    NetId net;
+    SubnetKind kind = SubnetKind::Other;
+    PinId pin;               ///< Toeprint: its pin; none if the job names one that is not there
+    char planeFill = 0;      ///< Plane: S solid, H hatched, O outline
+    char planeCutout = 0;    ///< Plane: C circle, R rectangle, O octagon, E exact
+    Nm planeCutoutSize = 0;  ///< Plane
+};
+
+enum class PinKind : std::uint8_t { Through, Blind, Surface };
+
+/// A pin of a package, in package coordinates: as seen from the top, the component not rotated.
+struct PackagePin {
+    StringId name;
+    PinKind kind = PinKind::Surface;
+    Point position;
+    ShapeId outline;  ///< none if the job draws none
+};
+
+/// A kind of component body. Coordinates are the package's own (Component::placement).
+struct Package {
+    std::string name;
+    Nm pitch = 0;  ///< smallest distance between pin centres; 0 unknown
+    Box box;       ///< empty if the job states none
+    ShapeId body;  ///< its outline; none if the job draws none
+    Range pins;    ///< of Document::packagePins
+    Range properties;
+};
+
+/// A pin of a component where it lies on the board.
+struct Pin {
+    StringId name;
+    Point position;
+    NetId net;
+    ComponentId component;
+    std::uint32_t packagePin = 0xffffffffu;  ///< row of Document::packagePins; all ones if unknown
+};
+
+enum class MountType : std::uint8_t { Unknown, Other, Surface, ThroughHole, PressFit };
+
+struct Component {
+    std::string refdes;
+    std::string part;
+    PackageId package;
+    Placement placement;  ///< from package coordinates to the board's; mirrored as the pins are found to lie
+    LayerSide side = LayerSide::Top;
+    Nm height = 0;  ///< 0 unknown
+    MountType mount = MountType::Unknown;
+    bool isPopulated = true;
+    Range properties;
+    std::uint32_t firstPin = 0;
+    std::uint32_t pinCount = 0;
+};
+
+/// Elements the job groups, the strokes of a text for example.
+struct ElementGroup {
+    StringId type;  ///< TEXT, PCB
+    Range properties;
+    Range elements;  ///< of Document::groupElements
+};
+
+enum class NetlistKind : std::uint8_t { Design, Reference, Current };
+
+/// A point of a netlist of the job: where a net can be touched. Coordinates are the board's.
+struct NetPoint {
+    StringId name;  ///< as the netlist writes it
+    NetId net;      ///< the net of that name; none if there is none, or for "no net"
+    Point position;
+    Nm radius = 0;  ///< 0: `width` × `height`
+    Nm width = 0;
+    Nm height = 0;
+    NetlistKind netlist = NetlistKind::Design;
+    LayerSide side = LayerSide::None;  ///< Through: both sides
+    char exposure = 0;                 ///< e exposed, c covered by solder mask, p or s: covered on one side; 0 not said
+    bool isEnd = true;                 ///< an end of its net, not a point on the way
+    bool isVia = false;
+};
+
+/// A row of a drill layer's tool list. Sizes are 0 where the job does not know them.
+struct DrillTool {
+    LayerId layer;
+    int number = 0;
+    std::string type;     ///< PLATED, NON_PLATED, VIA as written
+    std::string process;  ///< TYPE2 as written: STANDARD, PHOTO, LASER, PRESS_FIT; empty if not stated
+    std::string bit;      ///< name of the drill bit
+    Nm finishedSize = 0;  ///< diameter when the hole is plated
+    Nm drillSize = 0;     ///< diameter as drilled
+    Nm minTolerance = 0;  ///< by how much the finished size may be smaller, and larger
+    Nm maxTolerance = 0;
+};
+
+/// A copy of another step on this one (a panel). It stays where it is once in memory: its elements are those of the
+/// step, laid down by `placement`. A flipped copy is turned over: `placement` holds the mirroring, and what is on a
+/// layer lies on Layer::opposite. See model/board/copies.h for walking over copies of copies.
+struct StepInstance {
+    std::uint32_t step = 0;  ///< row of Document::steps
+    Placement placement;     ///< from the step's coordinates to those of the document that holds the instance
+    bool isFlipped = false;
+};
+
+/// A part of the board with a stack of its own: rigid, flexible, stiffened. What a layer is, and at which height, is
+/// the same in all zones; they differ in which layers are there.
+struct Zone {
+    std::string name;
+    std::vector<LayerId> layers;  ///< those that are there, rising
+    ShapeId shape;
+
+    [[nodiscard]] bool has(LayerId layer) const { return std::ranges::find(layers, layer) != layers.end(); }
+};
+
+struct JobInfo {
+    std::string name;
+    std::string generator;  ///< save application as the job states it
+    std::string version;    ///< ODB++ version, or the name of another format
+    std::string units;      ///< default unit of the job, "MM" or "INCH"
+    std::vector<std::string> steps;
+    std::string step;  ///< the one this document holds
+};
+
+/// Times of the first two parts of the paper's modelling (Table 4), in milliseconds.
+struct ReadTimes {
+    double parseMs = 0.0;
+    double createMs = 0.0;
+};
+
+/// A frozen board. Made by DocumentBuilder only, held as shared_ptr<const Document> and readable from every thread.
+/// A panel holds its own elements and places copies of other steps, which are documents of their own with nets,
+/// components and tables of their own; their layers are the same rows at the same heights.
+struct Document {
+    JobInfo job;
+    std::vector<Layer> layers;  ///< physical order from the top where it is known, then the rest
+    std::vector<std::string> symbols;
+    ShapeTable shapes;
+
+    ElementTable elements;
+    std::vector<LineGeometry> lines;
+    std::vector<ArcGeometry> arcs;
+    std::vector<CircleGeometry> circles;
+    std::vector<TrailGeometry> trails;
+    std::vector<PathNode> trailNodes;
+    std::vector<Nm>
+        trailWidths;  ///< per trail node: width of the stroke that leaves it, 0 for the last node of a trail
+    std::vector<AreaGeometry> areas;
+    PaintedSources painted;
+    std::vector<Body> bodies;             ///< by element, rising
+    std::vector<PlatedSpan> platedSpans;  ///< by hole, rising; holes that are not here are plated as their layer spans
+    AttributeTable attributes;
+
+    std::vector<Net> nets;
+    std::vector<std::uint32_t> netStart;  ///< elements of net n: netElements[netStart[n] .. netStart[n + 1])
+    std::vector<ElementId> netElements;
+    std::vector<Subnet> subnets;
+    std::vector<Package> packages;
+    std::vector<PackagePin> packagePins;
+    std::vector<Component> components;
+    std::vector<Pin> pins;
+    std::vector<ElementGroup> groups;
+    std::vector<ElementId> groupElements;
+    std::vector<NetPoint> netPoints;
+    std::vector<Property> properties;
+    std::vector<std::string> strings{""};  ///< each once; row 0 is empty
+    std::vector<DrillTool> tools;
+
+    std::vector<std::shared_ptr<const Document>> steps;  ///< placed by `instances`, each once
+    std::vector<StepInstance> instances;  ///< copies right on this step; those may hold copies themselves
+    std::vector<Zone> zones;
+
+    ShapeId profile;  ///< the step's outline; none if the job has none and it could not be derived
+    Box board;        ///< extent of the profile
+    Box extent;       ///< of everything on board layers, copies included, bodies of components left out
+    Nm boardThickness = 0;
+    Stackup stackup;
+    Diagnostics diagnostics;
+    ReadTimes times;
+
+    [[nodiscard]] const Layer& layer(LayerId id) const { return layers[id.row()]; }
+    [[nodiscard]] const std::string& text(StringId id) const { return strings[id.isValid() ? id.row() : 0]; }
+    [[nodiscard]] std::span<const Property> propertiesOf(Range range) const {
+        return std::span(properties).subspan(range.first, range.count);
+    }
+    [[nodiscard]] std::span<const Pin> pinsOf(const Component& component) const {
+        return std::span(pins).subspan(component.firstPin, component.pinCount);
+    }
+    [[nodiscard]] LayerId findLayer(std::string_view name) const;  ///< case does not matter; none if absent
+    [[nodiscard]] NetId findNet(std::string_view name) const;      ///< exact; none if absent
+    [[nodiscard]] std::span<const ElementId> elementsOf(NetId net) const;
+    [[nodiscard]] std::span<const PathNode> nodesOf(const TrailGeometry& trail) const {
+        return std::span(trailNodes).subspan(trail.firstNode, trail.nodeCount);
+    }
+    [[nodiscard]] std::span<const Nm> widthsOf(const TrailGeometry& trail) const {
+        return std::span(trailWidths).subspan(trail.firstNode, trail.nodeCount - 1);
+    }
+    [[nodiscard]] Box boxOf(ElementId element) const;
+    /// Those of its layer, except for bodies of components.
+    [[nodiscard]] ZRange heightsOf(ElementId element) const;
+    [[nodiscard]] const Body* bodyOf(ElementId element) const;  ///< nullptr if it is none
+    /// Which copper a plated hole joins: its layer's span, or what other drills have left of it (top none: nothing).
+    [[nodiscard]] PlatedSpan platedSpanOf(ElementId hole) const;
+    /// The layer of this document on which a copy's elements of its layer `id` lie.
+    [[nodiscard]] LayerId layerOfCopy(LayerId id, bool isFlipped) const {
+        return isFlipped && layer(id).opposite.isValid() ? layer(id).opposite : id;
+    }
+    /// Own elements by kind over all layers of the job (not those we add).
+    [[nodiscard]] std::array<std::uint32_t, kElementKindCount> elementCounts() const;
+    /// The same with those of all copies.
+    [[nodiscard]] std::array<std::uint64_t, kElementKindCount> elementCountsWithCopies() const;
+};
+
+[[nodiscard]] const char* toString(ElementKind kind);  ///< "line", "arc", …
+[[nodiscard]] const char* toString(LayerType type);    ///< as the matrix writes it: "SIGNAL", "POWER_GROUND", …
+[[nodiscard]] const char* toString(LayerSide side);    ///< "top", "inner", …
+[[nodiscard]] const char* toString(MountType mount);   ///< "unknown", "other", "smt", "through_hole", "press_fit"
+[[nodiscard]] const char* toString(LayerUse use);      ///< "plain", "flex", …
+[[nodiscard]] const char* toString(HoleKind kind);     ///< "via", "component", "mounting", "non_plated"
+[[nodiscard]] const char* toString(Source source);     ///< "job", "derived", "assumed", "session"
+
+}  // namespace model

@@ -1,0 +1,183 @@
+#include "model/board/holes.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <tuple>
+
+namespace model {
+
+namespace {
+
+constexpr Nm kSizeTolerance = 1'000;
+
+bool isNear(Nm a, Nm b) {
+    return a > 0 && std::abs(std::int64_t{a} - b) <= kSizeTolerance;
+}
+
+bool isPlatedTool(const DrillTool& tool) {
+    return tool.type == "PLATED" || tool.type == "VIA";
+}
+
+bool isLaser(const DrillTool* tool) {
+    return tool != nullptr && (tool->process == "LASER" || tool->process == "PHOTO");
+}
+
+bool isOuter(const Document& document, LayerId layer) {
+    const LayerSide side = document.layer(layer).side;
+    return side == LayerSide::Top || side == LayerSide::Bottom;
+}
+
+bool isCopperBetween(const Document& document, LayerId top, LayerId bottom) {
+    for (std::size_t row = top.row() + 1; row < bottom.row(); ++row) {
+        if (document.layers[row].isCopper() && document.layers[row].context == LayerContext::Board) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// By the layer alone.
+HoleSpan layerSpan(const Document& document, const Layer& layer) {
+    if (layer.use == LayerUse::Backdrill) {
+        return HoleSpan::Backdrill;
+    }
+    if (!layer.spanTop.isValid() || !layer.spanBottom.isValid()) {
+        return HoleSpan::Through;
+    }
+    const bool isTop = document.layer(layer.spanTop).side == LayerSide::Top;
+    const bool isBottom = document.layer(layer.spanBottom).side == LayerSide::Bottom;
+    const bool isSingle = layer.spanTop == layer.spanBottom && isTop;
+    if ((isTop && isBottom) || isSingle) {
+        return HoleSpan::Through;
+    }
+    return isOuter(document, layer.spanTop) || isOuter(document, layer.spanBottom) ? HoleSpan::Blind : HoleSpan::Buried;
+}
+
+bool isMicro(const Document& document, const Layer& layer, const DrillTool* tool, Nm diameter) {
+    return (isLaser(tool) || (diameter > 0 && diameter <= kMostMicrovia)) &&
+           !isCopperBetween(document, layer.spanTop, layer.spanBottom);
+}
+
+/// Shape and sizes of one hole.
+DrillRow measured(const Document& document, std::size_t element) {
+    const std::uint32_t row = document.elements.geometry[element];
+    DrillRow out;
+    const auto set = [&out](const char* shape, Nm diameter, Nm open) {
+        out.shape = shape;
+        out.diameter = diameter;
+        out.open = open;
+    };
+    switch (document.elements.kind[element]) {
+        case ElementKind::Circle:
+            set("round", document.circles[row].diameter, document.circles[row].innerDiameter);
+            break;
+        case ElementKind::Line: set("slot", document.lines[row].width, document.lines[row].innerWidth); break;
+        case ElementKind::Arc: set("slot", document.arcs[row].width, document.arcs[row].innerWidth); break;
+        case ElementKind::Trail: set("path", document.trails[row].width, document.trails[row].innerWidth); break;
+        case ElementKind::Area: set("area", 0, 0); break;
+    }
+    out.layer = document.elements.layer[element];
+    out.kind = holeKind(document.elements.flags[element]);
+    return out;
+}
+
+/// Holes of one key are one row.
+using Key = std::tuple<LayerId, HoleKind, std::string_view, Nm, Nm>;
+
+Key keyOf(const DrillRow& hole) {
+    return {hole.layer, hole.kind, hole.shape, hole.diameter, hole.open};
+}
+
+std::vector<DrillTool const*> toolsOf(const Document& document, LayerId layer) {
+    std::vector<const DrillTool*> tools;
+    for (const DrillTool& tool : document.tools) {
+        if (tool.layer == layer) {
+            tools.push_back(&tool);
+        }
+    }
+    return tools;
+}
+
+/// The reader takes both sizes from the tool where it knows them, so these are asked for first.
+const DrillTool* toolFor(const std::vector<const DrillTool*>& tools, const DrillRow& hole) {
+    const bool isPlated = hole.kind != HoleKind::NonPlated;
+    const DrillTool* best = nullptr;
+    int bestRank = 0;
+    for (const DrillTool* tool : tools) {
+        const bool isBoth = tool->drillSize == hole.diameter && tool->finishedSize == hole.open;
+        const bool isKind = isPlatedTool(*tool) == isPlated && (tool->type == "VIA") == (hole.kind == HoleKind::Via);
+        const int rank = !fits(*tool, hole.diameter)       ? 0
+                         : isBoth                          ? 4
+                         : isKind                          ? 3
+                         : isPlatedTool(*tool) == isPlated ? 2
+                                                           : 1;
+        if (rank > bestRank) {
+            best = tool;
+            bestRank = rank;
+        }
+    }
+    return best;
+}
+
+}  // namespace
+
+const char* toString(HoleSpan span) {
+    constexpr const char* kNames[] = {"through", "blind", "buried", "micro", "backdrill"};
+    return kNames[static_cast<std::size_t>(span)];
+}
+
+bool fits(const DrillTool& tool, Nm size) {
+    return isNear(tool.finishedSize, size) || isNear(tool.drillSize, size);
+}
+
+const DrillTool* findTool(std::span<const DrillTool> tools, Nm size, bool isPlated) {
+    const DrillTool* best = nullptr;
+    int bestRank = 0;
+    for (const DrillTool& tool : tools) {
+        const int rank = fits(tool, size)
+                             ? 1 + (isNear(tool.finishedSize, size) ? 1 : 0) + (isPlatedTool(tool) == isPlated ? 2 : 0)
+                             : 0;
+        if (rank > bestRank) {
+            best = &tool;
+            bestRank = rank;
+        }
+    }
+    return best;
+}
+
+std::vector<DrillRow> drillTable(const Document& document) {
+    std::vector<DrillRow> rows;
+    for (std::size_t i = 0; i < document.layers.size(); ++i) {
+        const Layer& layer = document.layers[i];
+        const std::vector<const DrillTool*> tools = toolsOf(document, LayerId{i});
+        std::map<Key, DrillRow> counted;
+        for (std::uint32_t e = layer.elements.first; e < layer.elements.first + layer.elements.count; ++e) {
+            if ((document.elements.flags[e] & kHole) != 0) {
+                const DrillRow hole = measured(document, e);
+                ++counted.try_emplace(keyOf(hole), hole).first->second.count;
+            }
+        }
+        for (auto& [key, row] : counted) {
+            row.tool = row.diameter > 0 ? toolFor(tools, row) : nullptr;
+            row.span = layerSpan(document, layer);
+            const bool isPart = row.span == HoleSpan::Blind || row.span == HoleSpan::Buried;
+            row.span = isPart && isMicro(document, layer, row.tool, row.diameter) ? HoleSpan::Micro : row.span;
+            rows.push_back(row);
+        }
+    }
+    return rows;
+}
+
+std::vector<ElementId> holesOf(const Document& document, const DrillRow& row) {
+    std::vector<ElementId> holes;
+    const Range elements = document.layer(row.layer).elements;
+    for (std::uint32_t e = elements.first; e < elements.first + elements.count; ++e) {
+        if ((document.elements.flags[e] & kHole) != 0 && keyOf(measured(document, e)) == keyOf(row)) {
+            holes.emplace_back(e);
+        }
+    }
+    return holes;
+}
+
+}  // namespace model

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "model/board/document.h"
+
+/// What the holes of a board are: spans, tools, counts.
+namespace model {
+
+/// Which copper a hole joins or passes.
+enum class HoleSpan : std::uint8_t {
+    Through,   ///< from the outer copper to the outer copper
+    Blind,     ///< from an outer copper layer inwards
+    Buried,    ///< between inner copper layers
+    Micro,     ///< between neighbouring copper layers, by laser or exposure, or no wider than 150 µm (IPC-2226)
+    Backdrill  ///< drilled after plating, from outside, to take the plating of a through hole away
+};
+[[nodiscard]] const char* toString(HoleSpan span);  ///< "through", "blind", …
+
+inline constexpr Nm kMostMicrovia = 150'000;
+
+/// Does a hole of this size come from the tool? Tool and symbol sizes are rounded apart, for example 7.988 mil and
+/// 202.9 µm, so 1 µm is forgiven.
+[[nodiscard]] bool fits(const DrillTool& tool, Nm size);
+/// The tool for a hole of this size: one that fits and is of that plating, else any that fits; finished sizes count
+/// before drilled ones. nullptr if there is none.
+[[nodiscard]] const DrillTool* findTool(std::span<const DrillTool> tools, Nm size, bool isPlated);
+
+/// Holes that are the same to a fabricator.
+struct DrillRow {
+    LayerId layer;
+    HoleSpan span = HoleSpan::Through;
+    HoleKind kind = HoleKind::NonPlated;
+    const char* shape = "round";      ///< "round", "slot" (one straight or curved stroke), "path" (a rout), "area"
+    Nm diameter = 0;                  ///< as drilled, or width of a slot or path; 0 for areas
+    Nm open = 0;                      ///< what the plating leaves; as drilled for bare holes
+    const DrillTool* tool = nullptr;  ///< in Document::tools; none if no tool of the layer fits
+    std::uint32_t count = 0;
+};
+
+/// All holes of the document's own drill and rout layers, by layer, span, kind, shape and size. Copies of other steps
+/// are not counted.
+[[nodiscard]] std::vector<DrillRow> drillTable(const Document& document);
+/// The holes that a row of the table counts, in rising order.
+[[nodiscard]] std::vector<ElementId> holesOf(const Document& document, const DrillRow& row);
+
+}  // namespace model

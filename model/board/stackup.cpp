@@ -1,0 +1,543 @@
+#include "model/board/stackup.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <unordered_map>
+
+#include "model/base/assert.h"
+
+namespace model {
+
+namespace {
+
+/// How far above and below the outermost surface layer the planes of all other layers lie.
+constexpr Nm kPlaneGap = 100'000;
+/// Copper that takes an even share of the board may be this thick; beyond it the share is no copper thickness.
+constexpr double kLeastCopperShare = 5'000;
+constexpr double kMostCopperShare = 210'000;
+/// Solder mask is thicker than this; Altium writes 2.54 µm where nothing is known.
+constexpr double kLeastMask = 5'000;
+
+struct Part {
+    StackupRow row;
+    bool isCopper = false;
+    bool isCore = false;  ///< between the outer copper faces
+    bool isKnown = false;
+};
+
+char lower(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+}
+
+std::string lowered(std::string text) {
+    std::ranges::transform(text, text.begin(), lower);
+    return text;
+}
+
+bool sameName(std::string_view a, std::string_view b) {
+    return std::ranges::equal(a, b, {}, lower, lower);
+}
+
+std::string inUm(double nm) {
+    std::string text = std::to_string(std::round(nm / base::kNmPerUm * 10) / 10.0);
+    text.erase(text.find_last_not_of('0') + 1);
+    return text + (text.ends_with('.') ? "0 µm" : " µm");
+}
+
+bool isSurface(const Layer& layer) {
+    switch (layer.type) {
+        case LayerType::SolderMask:
+        case LayerType::SolderPaste:
+        case LayerType::SilkScreen:
+        case LayerType::ConductivePaste:
+        case LayerType::Mask: return layer.context == LayerContext::Board;
+        default: return false;
+    }
+}
+
+bool isBoardCopper(const Layer& layer) {
+    return layer.isCopper() && layer.context == LayerContext::Board;
+}
+
+bool isBoardDielectric(const Layer& layer) {
+    return layer.type == LayerType::Dielectric && layer.context == LayerContext::Board;
+}
+
+bool isPhysical(const Layer& layer) {
+    return isBoardCopper(layer) || isBoardDielectric(layer) || isSurface(layer);
+}
+
+bool isHoles(const Layer& layer) {
+    return layer.type == LayerType::Drill || layer.type == LayerType::Rout;
+}
+
+bool namesBottom(const Layer& layer) {
+    const std::string name = lowered(layer.name);
+    return name.find("bot") != std::string::npos || name.starts_with("b.");
+}
+
+struct SurfaceDefault {
+    const char* kind;
+    Nm thickness;
+};
+
+SurfaceDefault surfaceDefault(const Layer& layer) {
+    switch (layer.use) {
+        case LayerUse::Coverlay: return {"coverlay", kDefaultCoverlay};
+        case LayerUse::Adhesive: return {"adhesive", kDefaultAdhesive};
+        case LayerUse::Stiffener: return {"stiffener", kDefaultStiffener};
+        default: break;
+    }
+    switch (layer.type) {
+        case LayerType::SolderPaste:
+        case LayerType::ConductivePaste: return {"paste", kDefaultPaste};
+        case LayerType::SilkScreen: return {"silk screen", kDefaultSilk};
+        case LayerType::SolderMask: return {"solder mask", kDefaultMask};
+        default: return {"other mask", kDefaultMask};
+    }
+}
+
+/// Laid or glued onto what is already there, in the order of the matrix, instead of filling gaps beside the copper.
+bool isLaidOn(const Layer& layer) {
+    return layer.use == LayerUse::Coverlay || layer.use == LayerUse::Adhesive || layer.use == LayerUse::Stiffener;
+}
+
+class StackupBuilder {
+public:
+    StackupBuilder(std::vector<Layer>& layers, const StackupFacts& facts, Diagnostics& diagnostics)
+        : m_layers(layers),
+          m_facts(facts),
+          m_diagnostics(diagnostics),
+          // Together the layers must stay within the coordinate range.
+          m_most(std::min(kMostDielectric, base::kMaxCoordinate / 2.0 / static_cast<double>(layers.size() + 1))) {}
+
+    std::vector<StackupRow> build() {
+        m_board = checked("(board)", m_facts.boardNm, kMostDielectric);
+        findCopper();
+        collectParts();
+        fillUnknown();
+        const Nm top = placeCore();
+        placeSurfaceLayers(top);
+        placeHoles(top);
+        placePlanes(top);
+        std::vector<StackupRow> rows;
+        for (Part& part : m_parts) {
+            rows.push_back(std::move(part.row));
+        }
+        return rows;
+    }
+
+private:
+    void report(Severity severity, const std::string& text) { m_diagnostics.report(severity, "", 0, text); }
+
+    void findCopper() {
+        m_first = m_last = m_layers.size();
+        for (std::size_t i = 0; i < m_layers.size(); ++i) {
+            if (isBoardCopper(m_layers[i])) {
+                m_first = std::min(m_first, i);
+                m_last = i;
+                m_layers[i].side = LayerSide::Inner;
+            }
+        }
+        if (m_first < m_layers.size()) {
+            m_layers[m_last].side = LayerSide::Bottom;
+            m_layers[m_first].side = LayerSide::Top;
+        }
+    }
+
+    /// A value of the job within its bounds; one outside is replaced by the bound and reported.
+    std::optional<Nm> checked(const std::string& name, std::optional<double> value, double most) {
+        if (!value || *value == 0.0) {
+            return std::nullopt;
+        }
+        const double inside = std::clamp(*value, kLeastThickness, most);
+        if (inside != *value) {
+            report(Severity::Warning, "layer " + name + ": the job's thickness of " + inUm(*value) +
+                                          " is absurd; taken as " + inUm(inside));
+        }
+        return static_cast<Nm>(std::llround(inside));
+    }
+
+    // ---- rows and what is known of them ----
+
+    void collectParts() {
+        for (std::size_t i = 0; i < m_layers.size(); ++i) {
+            if (isBoardCopper(m_layers[i])) {
+                addGapBefore();
+                addLayer(i, kMostCopper);
+            } else if (isPhysical(m_layers[i])) {
+                addLayer(i, m_most);
+            }
+        }
+        if (m_first < m_layers.size() && m_first == m_last) {
+            addDielectricBelow();
+        }
+    }
+
+    void addLayer(std::size_t i, double most) {
+        const Layer& layer = m_layers[i];
+        const bool isCopper = isBoardCopper(layer);
+        const bool isCore = isCopper || (isBoardDielectric(layer) && i > m_first && i < m_last);
+        StackupRow row{layer.name, LayerId{i}, layer.type, 0, 0, Source::Job, m_facts.layers[i].material};
+        addPart({std::move(row), isCopper, isCore, false}, statedThickness(i), std::min(most, m_most));
+    }
+
+    std::optional<double> statedThickness(std::size_t i) {
+        const std::optional<double> stated = m_facts.layers[i].thicknessNm;
+        const bool isMask = m_layers[i].type == LayerType::SolderMask;
+        if (isMask && stated && *stated > 0 && *stated < kLeastMask) {
+            report(Severity::Info, "layer " + m_layers[i].name + ": the job's thickness of " + inUm(*stated) +
+                                       " is too thin for a solder mask and not used");
+            return std::nullopt;
+        }
+        return stated;
+    }
+
+    void addPart(Part part, std::optional<double> stated, double most) {
+        part.row.name = uniqueName(part.row.name);
+        if (const ThicknessOverride* set = findOverride(part.row.name)) {
+            part.row.thickness = set->thickness;
+            part.row.source = Source::Session;
+            part.isKnown = true;
+        } else if (const std::optional<Nm> nm = checked(part.row.name, stated, most)) {
+            part.row.thickness = *nm;
+            part.isKnown = true;
+        }
+        m_parts.push_back(std::move(part));
+    }
+
+    /// A dielectric of two plies may be listed twice under one name.
+    std::string uniqueName(const std::string& name) {
+        std::string unique = name;
+        int& count = m_used[lowered(name)];
+        while (++count > 1) {
+            unique = name + " (" + std::to_string(count) + ")";
+            if (m_used.try_emplace(lowered(unique), 1).second) {
+                break;
+            }
+        }
+        return unique;
+    }
+
+    const ThicknessOverride* findOverride(const std::string& name) const {
+        const auto found =
+            std::ranges::find_if(m_facts.set, [&](const ThicknessOverride& set) { return sameName(set.layer, name); });
+        return found == m_facts.set.end() ? nullptr : &*found;
+    }
+
+    Part spacingBelow(std::size_t copper) const {
+        StackupRow row{"below " + m_layers[copper].name, {}, LayerType::Dielectric, 0, 0, Source::Job, {}};
+        row.material = m_facts.layers[copper].below;
+        return {std::move(row), false, true, false};
+    }
+
+    /// Two copper layers without a row between them: the dielectric is only known from the upper one, if at all.
+    void addGapBefore() {
+        if (!m_parts.empty() && m_parts.back().isCopper) {
+            const std::size_t above = m_parts.back().row.layer.row();
+            addPart(spacingBelow(above), m_facts.layers[above].belowNm, m_most);
+        }
+    }
+
+    /// A board of one copper layer has its laminate below it.
+    void addDielectricBelow() {
+        Part part = spacingBelow(m_first);
+        const auto copper = std::ranges::find_if(m_parts, &Part::isCopper);
+        part.row.name = uniqueName(part.row.name);
+        const ThicknessOverride* set = findOverride(part.row.name);
+        part.row.thickness = set != nullptr ? set->thickness : m_board.value_or(kDefaultBoard);
+        part.row.source = set != nullptr ? Source::Session : m_board ? Source::Job : Source::Assumed;
+        part.isKnown = true;
+        m_floor = -part.row.thickness;
+        report(Severity::Info, "there is one copper layer; below it lies a laminate of " + inUm(part.row.thickness) +
+                                   (set != nullptr ? ", set by you"
+                                    : m_board      ? ", the board's thickness"
+                                                   : ", which is assumed"));
+        m_parts.insert(copper + 1, std::move(part));
+    }
+
+    // ---- what is not known ----
+
+    std::vector<Part*> unknown(bool isCopper) {
+        std::vector<Part*> parts;
+        for (Part& part : m_parts) {
+            if (part.isCore && !part.isKnown && part.isCopper == isCopper) {
+                parts.push_back(&part);
+            }
+        }
+        return parts;
+    }
+
+    std::int64_t knownSum() const {
+        std::int64_t sum = 0;
+        for (const Part& part : m_parts) {
+            sum += part.isCore ? part.row.thickness : 0;
+        }
+        return sum;
+    }
+
+    static void setAll(const std::vector<Part*>& parts, std::int64_t nm, Source source) {
+        for (Part* part : parts) {
+            part->row.thickness = static_cast<Nm>(nm);
+            part->row.source = source;
+            part->isKnown = true;
+        }
+    }
+
+    void fillUnknown() {
+        const std::vector<Part*> dielectrics = unknown(false);
+        const bool isComplete = dielectrics.empty() && unknown(true).empty();
+        fillCopper(dielectrics.empty());
+        if (!dielectrics.empty()) {
+            fillDielectrics(dielectrics);
+        } else if (isComplete && m_floor == 0 && m_first < m_last) {
+            compareWithBoard();
+        }
+    }
+
+    /// Where all dielectrics are known, the copper is what is left of the board.
+    void fillCopper(bool areDielectricsKnown) {
+        const std::vector<Part*> copper = unknown(true);
+        if (copper.empty()) {
+            return;
+        }
+        const auto count = static_cast<std::int64_t>(copper.size());
+        const std::int64_t share = m_board ? (*m_board - knownSum()) / count : 0;
+        const std::string layers = "the job gives no thickness for " + std::to_string(count) + " copper layer(s); ";
+        const auto nm = static_cast<double>(share);
+        if (areDielectricsKnown && m_floor == 0 && nm >= kLeastCopperShare && nm <= kMostCopperShare) {
+            setAll(copper, share, Source::Derived);
+            report(Severity::Info, layers + "taken as " + inUm(nm) +
+                                       " each, an even share of what the dielectrics leave of the board's " +
+                                       inUm(*m_board));
+        } else {
+            setAll(copper, kDefaultCopper, Source::Assumed);
+            report(Severity::Info, layers + "taken as " + inUm(kDefaultCopper));
+        }
+    }
+
+    /// Shares what is left of the board's thickness evenly among the dielectrics nothing is known about.
+    void fillDielectrics(const std::vector<Part*>& parts) {
+        const auto count = static_cast<std::int64_t>(parts.size());
+        const std::int64_t left = m_board.value_or(kDefaultBoard) - knownSum();
+        const bool hasRoom = left >= count * kLeastDielectric;
+        const std::int64_t share = hasRoom ? left / count : kLeastDielectric;
+        setAll(parts, share, m_board && hasRoom ? Source::Derived : Source::Assumed);
+        const std::string gaps = std::to_string(count) + " dielectric(s) without a thickness in the job: taken as " +
+                                 inUm(static_cast<double>(share)) + " each, ";
+        if (!hasRoom) {
+            report(Severity::Warning, gaps + "because the board's thickness leaves no room for them");
+        } else if (m_board) {
+            report(Severity::Info, gaps + "an even share of the board's " + inUm(*m_board));
+        } else {
+            report(Severity::Info, gaps + "an even share of an assumed board of " + inUm(kDefaultBoard));
+        }
+    }
+
+    /// Job thicknesses often count the solder mask, so only more than a tenth is a warning.
+    void compareWithBoard() {
+        double copper = 0;
+        for (const Part& part : m_parts) {
+            copper += part.isCopper ? part.row.thickness : 0;
+        }
+        const auto sum = static_cast<double>(knownSum());
+        const double off = m_board ? std::abs(sum - *m_board) : 0.0;
+        if (off > kOunceTolerance * copper) {
+            report(off > 0.1 * *m_board ? Severity::Warning : Severity::Info,
+                   "the layers add up to " + inUm(sum) + ", but the job says the board is " + inUm(*m_board) +
+                       " thick; the layers are used");
+        }
+    }
+
+    // ---- heights ----
+
+    void settle(Part& part, Nm z) {
+        part.row.z = z;
+        if (part.row.layer.isValid()) {
+            Layer& layer = m_layers[part.row.layer.row()];
+            layer.z = z;
+            layer.thickness = part.row.thickness;
+            layer.thicknessSource = part.row.source;
+            layer.side = isBoardDielectric(layer) ? LayerSide::Inner : layer.side;
+        }
+    }
+
+    /// Bottom up from z = 0, or from the lower face of a single copper layer's laminate. Returns the upper face of the
+    /// highest copper.
+    Nm placeCore() {
+        Nm z = m_floor;
+        for (auto part = m_parts.rbegin(); part != m_parts.rend(); ++part) {
+            if (part->isCore) {
+                settle(*part, z);
+                z += part->row.thickness;
+            }
+        }
+        return z;
+    }
+
+    /// Masks and paste lie on the copper, silk on the mask; layers of one kind lie side by side. What is laid or glued
+    /// on (rigid-flex) lies one on the other, from the board outwards.
+    void placeSurfaceLayers(Nm top) {
+        assumeSurfaces();
+        Nm laid = 0;
+        for (auto part = m_parts.rbegin(); part != m_parts.rend(); ++part) {
+            if (!part->isCore && isAbove(*part)) {
+                settle(*part, top + liftOf(*part, laid));
+                layerOf(*part).side = LayerSide::Top;
+            }
+        }
+        laid = 0;
+        for (Part& part : m_parts) {
+            if (!part.isCore && isBelow(part)) {
+                settle(part, m_floor - liftOf(part, laid) - part.row.thickness);
+                layerOf(part).side = LayerSide::Bottom;
+            } else if (!part.isCore && !isAbove(part)) {
+                settleWithin(part);
+            }
+        }
+    }
+
+    Layer& layerOf(const Part& part) { return m_layers[part.row.layer.row()]; }
+    [[nodiscard]] bool isAbove(const Part& part) const {
+        return m_first == m_layers.size() || part.row.layer.row() < m_first;
+    }
+    [[nodiscard]] bool isBelow(const Part& part) const { return !isAbove(part) && part.row.layer.row() > m_last; }
+
+    /// Distance from the copper's face; `laid` is how thick what is laid on it is so far.
+    Nm liftOf(const Part& part, Nm& laid) {
+        if (isLaidOn(layerOf(part))) {
+            const Nm lift = laid;
+            laid += part.row.thickness;
+            return lift;
+        }
+        return part.row.type == LayerType::SilkScreen ? kDefaultMask : 0;
+    }
+
+    /// A coverlay between the copper layers of a rigid-flex board: on the flexible copper below it or else under the
+    /// one above it. Where the board is rigid that is within the dielectric.
+    void settleWithin(Part& part) {
+        const std::size_t row = part.row.layer.row();
+        std::size_t above = row;
+        std::size_t below = row;
+        while (!isBoardCopper(m_layers[above])) {
+            --above;
+        }
+        while (!isBoardCopper(m_layers[below])) {
+            ++below;
+        }
+        const bool isOnLower = m_layers[below].use == LayerUse::Flex || m_layers[above].use != LayerUse::Flex;
+        settle(part, isOnLower ? upperFace(m_layers[below]) : m_layers[above].z - part.row.thickness);
+        layerOf(part).side = LayerSide::Inner;
+        report(Severity::Info, "layer " + part.row.name + " lies between copper layers: it is taken to lie on " +
+                                   m_layers[isOnLower ? below : above].name);
+    }
+
+    void assumeSurfaces() {
+        std::string surfaces;
+        std::string laidOn;
+        for (Part& part : m_parts) {
+            if (part.isCore || part.isKnown) {
+                continue;
+            }
+            const SurfaceDefault assumed = surfaceDefault(layerOf(part));
+            part.row.thickness = assumed.thickness;
+            part.row.source = Source::Assumed;
+            std::string& kinds = isLaidOn(layerOf(part)) ? laidOn : surfaces;
+            const std::string kind = std::string(assumed.kind) + " " + inUm(static_cast<double>(assumed.thickness));
+            if (kinds.find(kind) == std::string::npos) {
+                kinds += (kinds.empty() ? "" : ", ") + kind;
+            }
+        }
+        if (!surfaces.empty()) {
+            report(Severity::Info, "thickness of surface layers is assumed: " + surfaces);
+        }
+        if (!laidOn.empty()) {
+            report(Severity::Info, "thickness of what is laid on the board is assumed: " + laidOn);
+        }
+    }
+
+    void placeHoles(Nm top) {
+        for (Layer& layer : m_layers) {
+            if (!isHoles(layer)) {
+                continue;
+            }
+            layer.side = LayerSide::Through;
+            layer.thicknessSource = Source::Derived;
+            layer.z = m_floor < 0 || !layer.spanBottom.isValid() ? m_floor : m_layers[layer.spanBottom.row()].z;
+            const Nm upper = layer.spanTop.isValid() ? upperFace(m_layers[layer.spanTop.row()]) : top;
+            layer.thickness = upper - layer.z;
+        }
+    }
+
+    static Nm upperFace(const Layer& layer) { return layer.z + layer.thickness; }
+
+    void placePlanes(Nm top) {
+        for (Layer& layer : m_layers) {
+            if (isPhysical(layer) || isHoles(layer)) {
+                continue;
+            }
+            const bool isBottom = namesBottom(layer);
+            layer.side =
+                layer.type == LayerType::Component ? (isBottom ? LayerSide::Bottom : LayerSide::Top) : LayerSide::None;
+            layer.z = isBottom ? m_floor - kDefaultPaste - kPlaneGap : top + kDefaultPaste + kPlaneGap;
+            layer.thickness = 0;
+            layer.thicknessSource = Source::Assumed;
+        }
+    }
+
+    std::vector<Layer>& m_layers;
+    const StackupFacts& m_facts;
+    Diagnostics& m_diagnostics;
+    double m_most;
+    std::optional<Nm> m_board;                    ///< the job's, within bounds
+    std::vector<Part> m_parts;                    ///< from the top
+    std::unordered_map<std::string, int> m_used;  ///< how often a name was asked for, in lower case
+    std::size_t m_first = 0;
+    std::size_t m_last = 0;
+    Nm m_floor = 0;  ///< lower face of the board
+};
+
+}  // namespace
+
+Stackup buildStackup(std::vector<Layer>& layers, StackupFacts facts, Diagnostics& diagnostics) {
+    ASSERT(facts.layers.size() == layers.size());
+    Stackup stackup;
+    stackup.rows = StackupBuilder(layers, facts, diagnostics).build();
+    stackup.facts = std::move(facts);
+    return stackup;
+}
+
+Nm thicknessOf(const Stackup& stackup) {
+    const auto isCopper = [](const StackupRow& row) {
+        return row.type == LayerType::Signal || row.type == LayerType::PowerGround || row.type == LayerType::Mixed;
+    };
+    const auto first = std::ranges::find_if(stackup.rows, isCopper);
+    const auto last = std::ranges::find_if(stackup.rows.rbegin(), stackup.rows.rend(), isCopper);
+    if (first == stackup.rows.end()) {
+        return 0;
+    }
+    // A single copper layer's laminate is the row below it.
+    return &*first == &*last ? (first + 1)->thickness : first->z + first->thickness - last->z;
+}
+
+const StackupRow* findRow(const Stackup& stackup, std::string_view name) {
+    const auto found =
+        std::ranges::find_if(stackup.rows, [name](const StackupRow& row) { return sameName(row.name, name); });
+    return found == stackup.rows.end() ? nullptr : &*found;
+}
+
+std::optional<CopperWeight> copperWeightOf(const StackupRow& row) {
+    const bool isCopper =
+        row.type == LayerType::Signal || row.type == LayerType::PowerGround || row.type == LayerType::Mixed;
+    if (!isCopper) {
+        return std::nullopt;
+    }
+    if (row.material.copperOz && row.source != Source::Session) {
+        return CopperWeight{*row.material.copperOz, Source::Job};
+    }
+    const Source source = row.source == Source::Job ? Source::Derived : row.source;
+    return CopperWeight{row.thickness / base::kNmPerOunce, source};
+}
+
+}  // namespace model

@@ -1,0 +1,324 @@
+#include "model/clearance/clearance_map.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "model/base/parallel.h"
+#include "model/clearance/net_islands.h"
+#include "model/figures/distance.h"
+#include "model/figures/row_cover.h"
+
+namespace model {
+
+namespace {
+
+constexpr float kFar = std::numeric_limits<float>::infinity();
+constexpr double kEndless = std::numeric_limits<double>::infinity();
+/// Cells along a side of what one task works on: so few that edges in sight are few, so many that looking for them
+/// costs little.
+constexpr std::uint32_t kTile = 32;
+
+/// An edge that may be the nearest one.
+struct NearEdge {
+    const Edge* edge = nullptr;
+    std::uint32_t group = 0;
+    double distance = 0.0;  ///< from the middle of the block under work
+};
+
+double distanceTo(const Edge& edge, PointD p) {
+    const PointD on = nearestOn(edge, p);
+    const double dx = p.x - on.x;
+    const double dy = p.y - on.y;
+    return std::sqrt(dx * dx + dy * dy) - edge.pen;
+}
+
+/// The nearest edge and the nearest one of another group.
+class TwoNearest {
+public:
+    void offer(std::uint32_t group, double distance) {
+        if (distance < m_first) {
+            m_second = group == m_group ? m_second : m_first;
+            m_first = distance;
+            m_group = group;
+        } else if (group != m_group && distance < m_second) {
+            m_second = distance;
+        }
+    }
+    [[nodiscard]] double first() const { return m_first; }
+    [[nodiscard]] double second() const { return m_second; }
+
+private:
+    double m_first = kEndless;
+    double m_second = kEndless;
+    std::uint32_t m_group = 0;
+};
+
+/// Cells first … first + size - 1 of both directions, as far as the map reaches.
+struct Block {
+    std::uint32_t column = 0;
+    std::uint32_t row = 0;
+    std::uint32_t size = 0;
+};
+
+/// Fills a map, block by block. A block is halved until it is a cell; each passes on the edges that can be nearest to
+/// one of its cells. What makes that sure is that no distance changes by more than the way one goes.
+class MapFiller {
+public:
+    MapFiller(const LayerGeometry& plane, std::span<const std::uint32_t> groups, bool isBetween, double reach,
+              ClearanceMap& map)
+        : m_plane(plane), m_groups(groups), m_isBetween(isBetween), m_reach(reach), m_map(map) {}
+
+    /// Writes 0 to the cells of a row that lie inside of areas. Before the tiles.
+    void coverRow(std::uint32_t row) const {
+        const MapFrame& frame = m_map.frame;
+        const PointD left = frame.centreOf(0, row);
+        const double right = frame.centreOf(frame.width - 1.0, row).x;
+        std::vector<CoveredRun> runs;
+        m_plane.visitNear(boxAround(left, {right, left.y}), 0.0, [&](std::uint32_t figure) {
+            addCoveredRuns(m_plane.figures(), figure, left.y, right, runs);
+        });
+        const auto cells = std::span(m_map.nm).subspan(std::size_t{row} * frame.width, frame.width);
+        for (const CoveredRun& run : runs) {
+            const auto columnAt = [&](double x) {
+                return static_cast<std::size_t>(
+                    std::clamp(std::ceil((x - left.x) / frame.cell), 0.0, 1.0 * frame.width));
+            };
+            const std::size_t first = columnAt(run.from);
+            std::fill(cells.begin() + static_cast<std::ptrdiff_t>(first),
+                      cells.begin() + static_cast<std::ptrdiff_t>(std::max(first, columnAt(run.to))), 0.0F);
+        }
+    }
+
+    void fillTile(const Block& tile) {
+        if (isCovered(tile)) {
+            return;
+        }
+        m_near.clear();
+        gather(tile);
+        fill(tile, 0, m_near.size());
+    }
+
+private:
+    [[nodiscard]] static Box boxAround(PointD a, PointD b) {
+        return {{static_cast<Nm>(std::floor(a.x)), static_cast<Nm>(std::floor(a.y))},
+                {static_cast<Nm>(std::ceil(b.x)), static_cast<Nm>(std::ceil(b.y))}};
+    }
+
+    [[nodiscard]] std::uint32_t endColumn(const Block& block) const {
+        return std::min(block.column + block.size, m_map.frame.width);
+    }
+    [[nodiscard]] std::uint32_t endRow(const Block& block) const {
+        return std::min(block.row + block.size, m_map.frame.height);
+    }
+    [[nodiscard]] float& cellAt(std::uint32_t column, std::uint32_t row) const {
+        return m_map.nm[std::size_t{row} * m_map.frame.width + column];
+    }
+    [[nodiscard]] PointD middleOf(const Block& block) const {
+        return m_map.frame.centreOf(block.column + (block.size - 1) / 2.0, block.row + (block.size - 1) / 2.0);
+    }
+    /// From the middle of a block to its farthest centre of a cell.
+    [[nodiscard]] double radiusOf(const Block& block) const {
+        return (block.size - 1) / 2.0 * m_map.frame.cell * std::numbers::sqrt2;
+    }
+
+    [[nodiscard]] bool isCovered(const Block& block) const {
+        for (std::uint32_t row = block.row; row < endRow(block); ++row) {
+            for (std::uint32_t column = block.column; column < endColumn(block); ++column) {
+                if (cellAt(column, row) != 0.0F) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    void write(const Block& block, float value) const {
+        for (std::uint32_t row = block.row; row < endRow(block); ++row) {
+            for (std::uint32_t column = block.column; column < endColumn(block); ++column) {
+                float& cell = cellAt(column, row);
+                cell = cell == 0.0F ? 0.0F : value;  // inside of an area it stays 0
+            }
+        }
+    }
+
+    /// How far edges may be from the middle of a block and still matter to a cell of it.
+    [[nodiscard]] double needOf(const TwoNearest& nearest, double radius) const {
+        const double known = m_isBetween ? nearest.second() : nearest.first();
+        return std::min(std::max(known, 0.0) + radius, m_reach) + radius;
+    }
+
+    /// Puts the edges that matter to a tile into m_near, looking farther and farther until it is sure that there are no
+    /// others.
+    void gather(const Block& tile) {
+        const PointD middle = middleOf(tile);
+        const double radius = radiusOf(tile);
+        for (double looked = 2 * radius + m_map.frame.cell;;) {
+            m_near.clear();
+            TwoNearest nearest;
+            const Box spot = boxAround(middle, middle);
+            const Box box = spot.grownBy(static_cast<Nm>(looked) + 1);
+            m_plane.visitNear(spot, looked, [&](std::uint32_t figure) {
+                visitEdges(m_plane.figures(), figure, box, [&](const Edge& edge) {
+                    m_near.push_back({&edge, m_groups[figure], distanceTo(edge, middle)});
+                    nearest.offer(m_groups[figure], std::max(m_near.back().distance, 0.0));
+                });
+            });
+            const double need = needOf(nearest, radius);
+            if (looked >= need) {
+                return;
+            }
+            looked = std::min(need, 2 * looked);
+        }
+    }
+
+    /// Edges first … end - 1 of m_near are all that matter to the block.
+    void fill(const Block& block, std::size_t first, std::size_t end) {
+        const PointD middle = middleOf(block);
+        const double radius = radiusOf(block);
+        TwoNearest nearest;
+        double deepest = kEndless;
+        for (std::size_t i = first; i < end; ++i) {
+            NearEdge& near = m_near[i];
+            near.distance = distanceTo(*near.edge, middle);
+            deepest = std::min(deepest, near.distance);
+            nearest.offer(near.group, std::max(near.distance, 0.0));
+        }
+        if (block.size == 1) {
+            return write(block, valueOf(nearest));
+        }
+        if (deepest <= -radius) {
+            return write(block, 0.0F);  // all under one stroke
+        }
+        if (isBeyond(nearest, radius)) {
+            return;
+        }
+        divide(block, first, end, needOf(nearest, radius));
+    }
+
+    [[nodiscard]] float valueOf(const TwoNearest& nearest) const {
+        const bool isOnCopper = nearest.first() <= 0.0;
+        const double value = isOnCopper ? 0.0 : m_isBetween ? nearest.first() + nearest.second() : nearest.first();
+        return value <= m_reach ? static_cast<float>(value) : kFar;
+    }
+
+    /// Is no cell of the block near enough, nor on copper?
+    [[nodiscard]] bool isBeyond(const TwoNearest& nearest, double radius) const {
+        const double least = m_isBetween ? nearest.first() + nearest.second() - 2 * radius : nearest.first() - radius;
+        return nearest.first() > radius && least > m_reach;
+    }
+
+    void divide(const Block& block, std::size_t first, std::size_t end, double need) {
+        const std::size_t start = m_near.size();
+        for (std::size_t i = first; i < end; ++i) {
+            if (m_near[i].distance <= need) {
+                m_near.push_back(NearEdge(m_near[i]));
+            }
+        }
+        const std::uint32_t half = block.size / 2;
+        for (const auto& [right, up] :
+             {std::pair(0U, 0U), std::pair(half, 0U), std::pair(0U, half), std::pair(half, half)}) {
+            const Block quarter{block.column + right, block.row + up, half};
+            if (quarter.column < m_map.frame.width && quarter.row < m_map.frame.height && !isCovered(quarter)) {
+                fill(quarter, start, m_near.size());
+            }
+        }
+        m_near.resize(start);
+    }
+
+    const LayerGeometry& m_plane;
+    std::span<const std::uint32_t> m_groups;
+    bool m_isBetween;
+    double m_reach;
+    ClearanceMap& m_map;
+    std::vector<NearEdge> m_near;  ///< those of a block behind those of the block around it
+};
+
+base::Error refused(std::string text) {
+    return {base::ErrorCode::BadUsage, std::move(text)};
+}
+
+base::Status check(const MapFrame& frame) {
+    if (frame.size() == 0 || !(frame.cell > 0.0)) {
+        return refused("a map needs at least one cell");
+    }
+    if (frame.size() > kMostMapCells) {
+        return refused("a map of " + std::to_string(frame.width) + " x " + std::to_string(frame.height) +
+                       " cells is too large: " + std::to_string(kMostMapCells) + " at most");
+    }
+    const PointD end = frame.centreOf(frame.width, frame.height);
+    const double farthest = std::max({-frame.corner.x, -frame.corner.y, end.x, end.y});
+    if (!(frame.cell <= kMostMapCell && farthest <= base::kMaxCoordinate)) {
+        return refused("a map must lie where boards can be, in cells of 10 mm at most");
+    }
+    return base::Done{};
+}
+
+}  // namespace
+
+base::Result<DistanceField> DistanceField::toTargets(const Document& document, LayerId layer,
+                                                     std::span<const ElementId> targets) {
+    std::vector<bool> isTarget(document.elements.size());
+    for (const ElementId target : targets) {
+        isTarget[target.row()] = true;
+    }
+    DistanceField field(Kind::ToTargets, layer,
+                        copperGeometry(document, layer, [&](ElementId element) { return isTarget[element.row()]; }));
+    if (field.m_plane.size() == 0) {
+        return refused("nothing of the selection is copper of " + document.layer(layer).name);
+    }
+    field.m_groups.resize(field.m_plane.size());
+    return field;
+}
+
+base::Result<DistanceField> DistanceField::betweenNets(const Document& document, LayerId layer,
+                                                       base::Progress& progress) {
+    DistanceField field(Kind::BetweenNets, layer, copperGeometry(document, layer));
+    field.m_groups = netsByTouch(document, field.m_plane, progress);
+    if (progress.isCancelled()) {
+        return base::Error{base::ErrorCode::Cancelled, "cancelled"};
+    }
+    const auto isOther = [&](std::uint32_t group) { return group != field.m_groups.front(); };
+    if (field.m_groups.empty() || std::ranges::none_of(field.m_groups, isOther)) {
+        return refused(document.layer(layer).name + " has no copper of two nets");
+    }
+    return field;
+}
+
+base::Result<ClearanceMap> DistanceField::map(const MapFrame& frame, double reach, base::Progress& progress) const {
+    if (const base::Status isMappable = check(frame); !isMappable) {
+        return isMappable.error();
+    }
+    progress.beginPhase("Measuring distances");
+    ClearanceMap map{frame, std::vector<float>(frame.size(), kFar)};
+    const MapFiller filler(m_plane, m_groups, m_kind == Kind::BetweenNets, std::clamp(reach, 0.0, kMostMapReach), map);
+    base::parallelFor(frame.height, [&](std::size_t row) {
+        if (!progress.isCancelled()) {
+            filler.coverRow(static_cast<std::uint32_t>(row));
+        }
+    });
+    const std::uint32_t across = (frame.width + kTile - 1) / kTile;
+    const std::uint32_t tiles = across * ((frame.height + kTile - 1) / kTile);
+    std::atomic<std::uint32_t> done = 0;
+    base::parallelFor(tiles, [&](std::size_t i) {
+        if (!progress.isCancelled()) {
+            const auto tile = static_cast<std::uint32_t>(i);
+            MapFiller(filler).fillTile({tile % across * kTile, tile / across * kTile, kTile});
+            progress.setFraction(static_cast<float>(++done) / static_cast<float>(tiles));
+        }
+    });
+    if (progress.isCancelled()) {
+        return base::Error{base::ErrorCode::Cancelled, "cancelled"};
+    }
+    return map;
+}
+
+double DistanceField::at(PointD location, double reach) const {
+    base::Progress progress;
+    const base::Result<ClearanceMap> cell = map({{location.x - 0.5, location.y - 0.5}, 1.0, 1, 1}, reach, progress);
+    return cell ? static_cast<double>(cell->nm.front()) : kEndless;
+}
+
+}  // namespace model

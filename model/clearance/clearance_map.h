@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "model/base/progress.h"
+#include "model/base/result.h"
+#include "model/clearance/layer_geometry.h"
+
+/// How far every place of a layer is from copper.
+namespace model {
+
+/// Square cells laid over a part of the board, row by row from the lower left corner.
+struct MapFrame {
+    PointD corner;            ///< the lower left one of the first cell, nm
+    double cell = 0.0;        ///< nm
+    std::uint32_t width = 0;  ///< cells
+    std::uint32_t height = 0;
+
+    [[nodiscard]] std::size_t size() const { return std::size_t{width} * height; }
+    [[nodiscard]] PointD centreOf(double column, double row) const {
+        return {corner.x + (column + 0.5) * cell, corner.y + (row + 0.5) * cell};
+    }
+    bool operator==(const MapFrame& other) const {
+        return corner.x == other.corner.x && corner.y == other.corner.y && cell == other.cell && width == other.width &&
+               height == other.height;
+    }
+};
+
+/// The value at the centre of every cell in nm: 0 on copper, infinite beyond the reach it was made with.
+struct ClearanceMap {
+    MapFrame frame;
+    std::vector<float> nm;  ///< exact to 0.5 nm, as 24 bits keep up to kMostMapReach
+};
+
+inline constexpr double kMostMapReach = 10e6;
+inline constexpr double kMostMapCell = 10e6;
+inline constexpr std::size_t kMostMapCells = std::size_t{1} << 25;  ///< more than any picture shows
+
+/// The copper of one layer, and what is asked about the places around it. Made once per layer and question, then asked
+/// for any part of the board, from any thread. What counts as copper is copperGeometry's: plated holes are part of it,
+/// copper that a bare hole takes away counts as there, copies of other steps are not.
+class DistanceField {
+public:
+    enum class Kind {
+        ToTargets,    ///< how far is the nearest target?
+        BetweenNets,  ///< how wide is the gap here?
+    };
+
+    /// The exact distance to the nearest of some elements. Errors: BadUsage if none of them is copper of the layer.
+    [[nodiscard]] static base::Result<DistanceField> toTargets(const Document& document, LayerId layer,
+                                                               std::span<const ElementId> targets);
+    /// The width of the gap at a place beside copper: how far the nearest net is, and the nearest other one, together.
+    /// Between two edges that run side by side this is the same all across, their clearance; on the shortest way
+    /// between any two nets it is the length of that way, and nowhere is it less than the narrowest gap there.
+    /// Copper without a net belongs to the net that it touches, alone or by more such copper; the rest of it counts as
+    /// one more net. Errors: BadUsage if there are no two nets on the layer, Cancelled.
+    [[nodiscard]] static base::Result<DistanceField> betweenNets(const Document& document, LayerId layer,
+                                                                 base::Progress& progress);
+
+    [[nodiscard]] Kind kind() const { return m_kind; }
+    [[nodiscard]] LayerId layer() const { return m_layer; }
+    /// Around all that is measured to.
+    [[nodiscard]] Box extent() const { return m_plane.extent(); }
+
+    /// All values up to `reach` (nm, at most kMostMapReach). The cost follows the cells that are near enough, and edges
+    /// in sight: blocks of cells keep only the edges that can be nearest to one of them. Over all cores, the same with
+    /// any number of threads. Errors: BadUsage for frames without cells, of more than kMostMapCells, of larger cells
+    /// than kMostMapCell or beyond base::kMaxCoordinate, Cancelled.
+    [[nodiscard]] base::Result<ClearanceMap> map(const MapFrame& frame, double reach, base::Progress& progress) const;
+    /// The value at one place; infinite off the coordinates of boards.
+    [[nodiscard]] double at(PointD location, double reach) const;
+
+private:
+    DistanceField(Kind kind, LayerId layer, LayerGeometry plane)
+        : m_kind(kind), m_layer(layer), m_plane(std::move(plane)) {}
+
+    Kind m_kind;
+    LayerId m_layer;
+    LayerGeometry m_plane;
+    std::vector<std::uint32_t> m_groups;  ///< by figure: its net, or the one more; all 0 for targets
+};
+
+}  // namespace model

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "model/base/progress.h"
+#include "model/figures/figures.h"
+#include "model/geometry/box_index.h"
+#include "model/geometry/edges.h"
+
+namespace model {
+
+/// What lies in one plane and keeps its distance there: figures, and where they are.
+class LayerGeometry {
+public:
+    LayerGeometry() = default;
+
+    /// All figures of an element, see FigureTable.
+    void add(const Document& document, ElementId element) { m_figures.add(document, element); }
+    /// The outlines of a shape as lines without width.
+    void addOutlines(const Document& document, ShapeId shape);
+    /// After the last figure, before anything is looked for.
+    void finish();
+
+    [[nodiscard]] std::size_t size() const { return m_figures.size(); }
+    [[nodiscard]] const FigureTable& figures() const { return m_figures; }
+    [[nodiscard]] ElementId elementOf(std::size_t row) const { return m_figures[row].element; }
+    [[nodiscard]] Box extent() const;
+    /// Calls `visit(row)` for figures whose boxes come within `reach` (nm) of a box.
+    void visitNear(const Box& box, double reach, const std::function<void(std::uint32_t)>& visit) const;
+
+private:
+    FigureTable m_figures;
+    std::shared_ptr<const BoxIndex> m_index;
+};
+
+/// Which elements take part.
+using ElementFilter = std::function<bool(ElementId)>;
+[[nodiscard]] bool isAnyElement(ElementId element);
+
+/// The copper of a layer, and the walls of plated holes that reach it after back-drilling (Document::platedSpanOf).
+[[nodiscard]] LayerGeometry copperGeometry(const Document& document, LayerId layer,
+                                           const ElementFilter& isWanted = isAnyElement);
+/// Drilled and routed holes through a copper layer, plated or bare, as wide as drilled.
+[[nodiscard]] LayerGeometry holeGeometry(const Document& document, LayerId layer);
+/// Everything on one layer.
+[[nodiscard]] LayerGeometry layerGeometry(const Document& document, LayerId layer);
+/// The outline of the board (Document::profile) with its cut-outs, as lines.
+[[nodiscard]] LayerGeometry edgeGeometry(const Document& document);
+
+/// Two figures and the shortest way between them, from the first one to the second.
+struct FigurePair {
+    std::uint32_t a = 0;  ///< rows of their sheets
+    std::uint32_t b = 0;
+    Gap gap;
+};
+
+struct PairQuestion {
+    double reach = 0.0;  ///< gaps up to this, nm
+    /// Does this pair count?
+    std::function<bool(std::uint32_t a, std::uint32_t b)> isWanted;
+    /// Of pairs with the same number the narrowest is the answer.
+    std::function<std::uint64_t(std::uint32_t a, std::uint32_t b)> groupOf;
+    /// May a gap of 0 be the answer? Asked of pairs that touch or overlap.
+    std::function<bool(std::uint32_t a, std::uint32_t b)> mayTouch;
+    /// Only pairs whose narrowest place has an end in here.
+    std::optional<Box> within{};
+};
+
+/// The narrowest pair of every group, in rising order of width, then rows. With the same sheet twice every pair is
+/// looked at once, the lower row first. Over all cores, the same with any number of threads; partial once `progress` is
+/// cancelled.
+[[nodiscard]] std::vector<FigurePair> narrowestPairs(const LayerGeometry& a, const LayerGeometry& b,
+                                                     const PairQuestion& question, base::Progress& progress);
+
+}  // namespace model

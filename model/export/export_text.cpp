@@ -1,0 +1,60 @@
+#include "model/export/export_text.h"
+
+#include <charconv>
+#include <string_view>
+
+namespace model {
+
+std::string xmlText(const std::string& text) {
+    std::string out;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        const std::size_t more = byte >= 0xf0 ? 3 : byte >= 0xe0 ? 2 : byte >= 0xc0 ? 1 : 0;
+        bool isWhole = byte < 0x80 || (more > 0 && byte < 0xf8 && i + more < text.size());
+        for (std::size_t k = 1; isWhole && k <= more; ++k) {
+            isWhole = (static_cast<unsigned char>(text[i + k]) & 0xc0U) == 0x80;
+        }
+        if (!isWhole || byte < 0x20) {
+            out += isWhole ? ' ' : '?';
+        } else if (more > 0) {
+            out += text.substr(i, more + 1);
+            i += more;
+        } else {
+            out += text[i] == '<'   ? "&lt;"
+                   : text[i] == '&' ? "&amp;"
+                   : text[i] == '"' ? "&quot;"
+                                    : std::string(1, text[i]);
+        }
+    }
+    return out;
+}
+
+std::string svgText(double x, double y, const std::string& text, const char* style) {
+    return formatted("<text x=\"%.1f\" y=\"%.1f\"%s>", x, y, style) + xmlText(text) + "</text>\n";
+}
+
+std::string lengthText(base::Nm length) {
+    return length < 1'000'000 ? formatted("%.5g µm", length / base::kNmPerUm)
+                              : formatted("%.5g mm", base::toMm(length));
+}
+
+std::string fixedText(double value, int digits) {
+    char text[400];  // 1e308 has 309 digits before the point
+    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, digits).ptr;
+    const std::string_view all(text, static_cast<std::size_t>(end - text));
+    const bool isNothing = all.find_first_not_of("-0.") == std::string_view::npos;
+    return std::string(all.substr(isNothing && all.front() == '-' ? 1 : 0));
+}
+
+std::string csvField(const std::string& text) {
+    if (text.find_first_of(",\"\r\n") == std::string::npos) {
+        return text;
+    }
+    std::string quoted = "\"";
+    for (const char c : text) {
+        quoted += c == '"' ? "\"\"" : std::string(1, c);
+    }
+    return quoted + '"';
+}
+
+}  // namespace model

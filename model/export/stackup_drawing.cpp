@@ -1,0 +1,124 @@
+#include "model/export/stackup_drawing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace model {
+
+namespace {
+
+constexpr double kMostTimes = 40.0;
+
+bool isCopper(const StackupRow& row) {
+    return row.type == LayerType::Signal || row.type == LayerType::PowerGround || row.type == LayerType::Mixed;
+}
+
+double copperTimes(const std::vector<StackupRow>& rows) {
+    double copper = 0.0;
+    double substrate = 0.0;
+    for (const StackupRow& row : rows) {
+        copper += isCopper(row) ? row.thickness : 0.0;
+        substrate += row.type == LayerType::Dielectric ? row.thickness : 0.0;
+    }
+    return copper > 0.0 ? std::clamp(std::round(substrate / copper), 1.0, kMostTimes) : 1.0;
+}
+
+void placeBands(const std::vector<StackupRow>& rows, StackupDrawing& out) {
+    const auto weight = [&](const StackupRow& row) { return row.thickness * (isCopper(row) ? out.copperTimes : 1.0); };
+    double all = 0.0;
+    for (const StackupRow& row : rows) {
+        all += weight(row);
+    }
+    double y = 0.0;
+    for (const StackupRow& row : rows) {
+        const double high = all > 0.0 ? weight(row) / all * out.height : 0.0;
+        out.bands.push_back({y, y + high, y + high / 2});
+        y += high;
+    }
+}
+
+const StackupBand* bandOf(const Document& document, const StackupDrawing& drawing, LayerId layer) {
+    const auto& rows = document.stackup.rows;
+    const auto row = std::ranges::find(rows, layer, &StackupRow::layer);
+    return layer.isValid() && row != rows.end() ? &drawing.bands[static_cast<std::size_t>(row - rows.begin())]
+                                                : nullptr;
+}
+
+void addHoles(const DrillRow& row, StackupBarrel& bore) {
+    bore.count += row.count;
+    if (row.diameter > 0) {
+        bore.least = bore.least == 0 ? row.diameter : std::min(bore.least, row.diameter);
+        bore.most = std::max(bore.most, row.diameter);
+    }
+}
+
+void placeBores(const Document& document, StackupDrawing& out) {
+    for (const DrillRow& row : drillTable(document)) {
+        const bool isPlated = row.kind != HoleKind::NonPlated;
+        const auto same = std::ranges::find_if(out.bores, [&](const StackupBarrel& bore) {
+            return bore.layer == row.layer && bore.span == row.span && bore.isPlated == isPlated;
+        });
+        if (same != out.bores.end()) {
+            addHoles(row, *same);
+            continue;
+        }
+        const Layer& layer = document.layer(row.layer);
+        const StackupBand* first = bandOf(document, out, layer.spanTop);
+        const StackupBand* last = bandOf(document, out, layer.spanBottom);
+        if (first != nullptr && last != nullptr) {
+            out.bores.push_back({row.layer, row.span, isPlated, first->top, last->bottom, 0, 0, 0});
+            addHoles(row, out.bores.back());
+        }
+    }
+}
+
+std::string sizesText(const StackupBarrel& bore) {
+    char text[64];
+    if (bore.most == 0) {
+        return "";
+    }
+    if (bore.least == bore.most) {
+        std::snprintf(text, sizeof text, " of %.4g mm", base::toMm(bore.most));
+    } else {
+        std::snprintf(text, sizeof text, " of %.4g to %.4g mm", base::toMm(bore.least), base::toMm(bore.most));
+    }
+    return text;
+}
+
+}  // namespace
+
+/// Down where they overlap, then up again from the lower edge.
+void spreadLabels(double lineHeight, StackupDrawing& out) {
+    double free = lineHeight / 2;
+    for (StackupBand& band : out.bands) {
+        band.label = std::max(band.label, free);
+        free = band.label + lineHeight;
+    }
+    double last = out.height - lineHeight / 2;
+    for (auto band = out.bands.rbegin(); band != out.bands.rend(); ++band) {
+        band->label = std::min(band->label, last);
+        last = band->label - lineHeight;
+    }
+}
+
+StackupDrawing drawStackup(const Document& document, const StackupLayout& layout) {
+    const std::vector<StackupRow>& rows = document.stackup.rows;
+    StackupDrawing out;
+    if (rows.empty()) {
+        return out;
+    }
+    out.height = std::max(layout.height, layout.lineHeight * static_cast<double>(rows.size()));
+    out.copperTimes = layout.isExaggerated ? copperTimes(rows) : 1.0;
+    placeBands(rows, out);
+    spreadLabels(layout.lineHeight, out);
+    placeBores(document, out);
+    return out;
+}
+
+std::string boreText(const Document& document, const StackupBarrel& bore) {
+    return document.layer(bore.layer).name + ": " + toString(bore.span) + (bore.isPlated ? ", plated, " : ", bare, ") +
+           std::to_string(bore.count) + (bore.count == 1 ? " hole" : " holes") + sizesText(bore);
+}
+
+}  // namespace model

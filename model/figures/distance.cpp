@@ -1,0 +1,216 @@
+#include "model/figures/distance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace model {
+
+namespace {
+
+/// A lower bound of the gap between what two boxes hold. Boxes are rounded outwards, so it is never too large.
+double apart(const Box& a, const Box& b) {
+    const double dx = std::max({double{0}, double(b.min.x) - a.max.x, double(a.min.x) - b.max.x});
+    const double dy = std::max({double{0}, double(b.min.y) - a.max.y, double(a.min.y) - b.max.y});
+    return std::sqrt(dx * dx + dy * dy);
+}
+
+constexpr std::size_t kMaxLevels = 12;  // 8^11 edges are more than 32 bits can count
+
+/// The levels of a figure's boxes, from the finest to the one that holds everything.
+struct Levels {
+    std::span<const Edge> edges;
+    std::span<const Box> boxes;
+    std::array<std::size_t, kMaxLevels> first{};
+    std::array<std::size_t, kMaxLevels> count{};
+    std::size_t top = 0;
+
+    Levels(const FigureTable& table, std::size_t row) : edges(table.edges(row)), boxes(table.boxes(row)) {
+        std::size_t size = (edges.size() + FigureTable::kBranch - 1) / FigureTable::kBranch;
+        count[0] = size;
+        while (size > 1) {
+            first[top + 1] = first[top] + size;
+            size = (size + FigureTable::kBranch - 1) / FigureTable::kBranch;
+            count[++top] = size;
+        }
+    }
+    [[nodiscard]] const Box& box(std::size_t level, std::size_t index) const { return boxes[first[level] + index]; }
+    /// Rows of level - 1 below a box; rows of `edges` on level 0.
+    [[nodiscard]] std::pair<std::size_t, std::size_t> children(std::size_t level, std::size_t index) const {
+        const std::size_t all = level == 0 ? edges.size() : count[level - 1];
+        return {index * FigureTable::kBranch, std::min((index + 1) * FigureTable::kBranch, all)};
+    }
+};
+
+/// Searches two trees of boxes at once for the closest pair of edges.
+class ClosestEdges {
+public:
+    ClosestEdges(const Levels& a, const Levels& b, double limit) : m_a(a), m_b(b), m_limit(limit) {}
+
+    std::optional<Gap> find() {
+        descend(m_a.top, 0, m_b.top, 0);
+        return m_best;
+    }
+
+private:
+    void descend(std::size_t levelA, std::size_t a, std::size_t levelB, std::size_t b) {
+        if (isDone() || apart(m_a.box(levelA, a), m_b.box(levelB, b)) > m_limit) {
+            return;
+        }
+        if (levelA == 0 && levelB == 0) {
+            return compare(a, b);
+        }
+        if (levelA >= levelB) {
+            const auto [first, end] = m_a.children(levelA, a);
+            for (std::size_t i = first; i < end; ++i) {
+                descend(levelA - 1, i, levelB, b);
+            }
+        } else {
+            const auto [first, end] = m_b.children(levelB, b);
+            for (std::size_t i = first; i < end; ++i) {
+                descend(levelA, a, levelB - 1, i);
+            }
+        }
+    }
+
+    void compare(std::size_t a, std::size_t b) {
+        const auto [firstA, endA] = m_a.children(0, a);
+        const auto [firstB, endB] = m_b.children(0, b);
+        for (std::size_t i = firstA; i < endA; ++i) {
+            for (std::size_t j = firstB; j < endB && !isDone(); ++j) {
+                const Gap gap = spacingBetween(m_a.edges[i], m_b.edges[j]);
+                if (gap.distance <= m_limit) {
+                    m_best = gap;
+                    m_limit = gap.distance;
+                }
+            }
+        }
+    }
+
+    [[nodiscard]] bool isDone() const { return m_best && m_best->distance <= 0; }
+
+    const Levels& m_a;
+    const Levels& m_b;
+    double m_limit;
+    std::optional<Gap> m_best;
+};
+
+/// Winding numbers of the island and of the holes around a point, over the edges a ray to the right may meet.
+class RayToTheRight {
+public:
+    RayToTheRight(const Levels& levels, PointD p) : m_levels(levels), m_p(p) { descend(levels.top, 0); }
+
+    [[nodiscard]] bool isInside() const { return m_island > 0 && m_holes <= 0; }
+
+private:
+    void descend(std::size_t level, std::size_t index) {
+        const Box& box = m_levels.box(level, index);
+        if (box.max.x < m_p.x || box.min.y > m_p.y || box.max.y < m_p.y) {
+            return;
+        }
+        const auto [first, end] = m_levels.children(level, index);
+        for (std::size_t i = first; i < end; ++i) {
+            level > 0 ? descend(level - 1, i) : count(m_levels.edges[i]);
+        }
+    }
+
+    void count(const Edge& edge) { (edge.isHole ? m_holes : m_island) += edge.winding * windingAround(edge, m_p); }
+
+    const Levels& m_levels;
+    PointD m_p;
+    int m_island = 0;
+    int m_holes = 0;
+};
+
+void descend(const Levels& levels, std::size_t level, std::size_t index, const Box& box,
+             const std::function<void(const Edge&)>& visit) {
+    if (apart(levels.box(level, index), box) > 0) {
+        return;
+    }
+    const auto [first, end] = levels.children(level, index);
+    for (std::size_t i = first; i < end; ++i) {
+        level > 0 ? descend(levels, level - 1, i, box, visit) : visit(levels.edges[i]);
+    }
+}
+
+/// The nearest way from a point to the edges below a box, or `best` if that is shorter.
+Gap nearest(const Levels& levels, std::size_t level, std::size_t index, const Edge& dot, Gap best) {
+    if (apart(levels.box(level, index), boxOf(dot)) >= best.distance) {
+        return best;
+    }
+    const auto [first, end] = levels.children(level, index);
+    for (std::size_t i = first; i < end; ++i) {
+        if (level > 0) {
+            best = nearest(levels, level - 1, i, dot, best);
+        } else {
+            Edge edge = levels.edges[i];
+            edge.pen = 0;
+            const Gap gap = spacingBetween(dot, edge);
+            best = gap.distance < best.distance ? gap : best;
+        }
+    }
+    return best;
+}
+
+std::optional<Gap> closer(const std::optional<Gap>& a, const std::optional<Gap>& b) {
+    return !a || (b && b->distance < a->distance) ? b : a;
+}
+
+}  // namespace
+
+bool isInside(const FigureTable& table, std::size_t row, PointD p) {
+    return table[row].isFilled && RayToTheRight(Levels(table, row), p).isInside();
+}
+
+Gap spacingToEdges(const FigureTable& table, std::size_t row, PointD p) {
+    Edge dot;
+    dot.a = dot.b = p;
+    const Levels levels(table, row);
+    // Boxes hold pens and are rounded outwards, so they never cut a nearer edge off.
+    return nearest(levels, levels.top, 0, dot, {std::numeric_limits<double>::infinity(), p, p});
+}
+
+void visitEdges(const FigureTable& table, std::size_t row, const Box& box,
+                const std::function<void(const Edge&)>& visit) {
+    const Levels levels(table, row);
+    descend(levels, levels.top, 0, box, visit);
+}
+
+std::optional<Gap> spacingBetween(const FigureTable& a, std::size_t rowA, const FigureTable& b, std::size_t rowB,
+                                  double limit) {
+    if (apart(a.box(rowA), b.box(rowB)) > limit) {
+        return std::nullopt;
+    }
+    const Levels levelsA(a, rowA);
+    const Levels levelsB(b, rowB);
+    const std::optional<Gap> edges = ClosestEdges(levelsA, levelsB, limit).find();
+    if (edges && edges->distance <= 0) {
+        return edges;
+    }
+    // No edges meet: then one lies wholly inside of the other, or they are apart.
+    const PointD pointOfA = a[rowA].anchor;
+    const PointD pointOfB = b[rowB].anchor;
+    if (isInside(b, rowB, pointOfA)) {
+        return Gap{0.0, pointOfA, pointOfA};
+    }
+    if (isInside(a, rowA, pointOfB)) {
+        return Gap{0.0, pointOfB, pointOfB};
+    }
+    return edges;
+}
+
+std::optional<Gap> spacingBetween(const Document& document, ElementId a, ElementId b, double limit) {
+    FigureTable figuresA;
+    FigureTable figuresB;
+    figuresA.add(document, a);
+    figuresB.add(document, b);
+    std::optional<Gap> best;
+    for (std::size_t i = 0; i < figuresA.size(); ++i) {
+        for (std::size_t j = 0; j < figuresB.size(); ++j) {
+            best = closer(best, spacingBetween(figuresA, i, figuresB, j, best ? best->distance : limit));
+        }
+    }
+    return best;
+}
+
+}  // namespace model

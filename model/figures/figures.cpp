@@ -1,0 +1,252 @@
+#include "model/figures/figures.h"
+
+#include <algorithm>
+#include <array>
+
+namespace model {
+
+namespace {
+
+PathNode straightFrom(Point p) {
+    return {p, {}, EdgeKind::Line};
+}
+
+/// Spreads 32 bits to the even ones of 64.
+std::uint64_t spread(std::uint64_t bits) {
+    constexpr std::uint64_t kMasks[] = {0x0000ffff0000ffff, 0x00ff00ff00ff00ff, 0x0f0f0f0f0f0f0f0f, 0x3333333333333333,
+                                        0x5555555555555555};
+    for (int step = 0, shift = 16; step < 5; ++step, shift /= 2) {
+        bits = (bits | (bits << shift)) & kMasks[step];
+    }
+    return bits;
+}
+
+/// The place of a point on the Morton curve.
+std::uint64_t mortonOf(PointD p) {
+    constexpr double kOffset = 2147483648.0;  // coordinates reach ±2^31
+    return spread(static_cast<std::uint64_t>(p.x + kOffset)) |
+           (spread(static_cast<std::uint64_t>(p.y + kOffset)) << 1U);
+}
+
+/// Corners of what an axis-parallel square covers on its way: the hull of the square at both ends, counter-clockwise.
+std::vector<PointD> sweptSquare(const LineGeometry& line) {
+    const double r = line.width / 2.0;
+    const PointD a = base::toDouble(line.a.x <= line.b.x ? line.a : line.b);
+    const PointD b = base::toDouble(line.a.x <= line.b.x ? line.b : line.a);
+    if (a.x == b.x || a.y == b.y) {
+        const PointD low = {a.x, std::min(a.y, b.y)};
+        const PointD high = {b.x, std::max(a.y, b.y)};
+        return {{low.x - r, low.y - r}, {high.x + r, low.y - r}, {high.x + r, high.y + r}, {low.x - r, high.y + r}};
+    }
+    if (b.y > a.y) {
+        return {{a.x - r, a.y - r}, {a.x + r, a.y - r}, {b.x + r, b.y - r},
+                {b.x + r, b.y + r}, {b.x - r, b.y + r}, {a.x - r, a.y + r}};
+    }
+    return {{a.x - r, a.y - r}, {b.x - r, b.y - r}, {b.x + r, b.y - r},
+            {b.x + r, b.y + r}, {a.x + r, a.y + r}, {a.x - r, a.y + r}};
+}
+
+/// Moves edges to where they are placed. Turned over, a contour runs the other way round.
+void lay(std::span<Edge> edges, const Placement& placement) {
+    if (isIdentity(placement)) {
+        return;
+    }
+    for (Edge& edge : edges) {
+        edge = placed(edge, placement);
+        edge.winding = static_cast<std::int8_t>(placement.isMirrored ? -edge.winding : edge.winding);
+    }
+}
+
+}  // namespace
+
+void FigureTable::begin(ElementId element, bool isFilled) {
+    Figure figure;
+    figure.element = element;
+    figure.firstEdge = static_cast<std::uint32_t>(m_edges.size());
+    figure.firstBox = static_cast<std::uint32_t>(m_boxes.size());
+    figure.isFilled = isFilled;
+    m_figures.push_back(figure);
+}
+
+void FigureTable::finish() {
+    Figure& figure = m_figures.back();
+    figure.edgeCount = static_cast<std::uint32_t>(m_edges.size()) - figure.firstEdge;
+    if (figure.edgeCount == 0) {
+        m_figures.pop_back();
+        return;
+    }
+    const auto edges = std::span(m_edges).subspan(figure.firstEdge);
+    lay(edges, m_placement);
+    figure.anchor = edges.front().a;
+    if (edges.back().isHole) {
+        std::ranges::stable_sort(edges, {}, [](const Edge& edge) { return mortonOf(edge.a); });
+    }
+    for (std::uint32_t first = 0; first < figure.edgeCount; first += kBranch) {
+        Box box;
+        for (std::uint32_t i = first; i < std::min(first + kBranch, figure.edgeCount); ++i) {
+            box.include(boxOf(m_edges[figure.firstEdge + i]));
+        }
+        m_boxes.push_back(box);
+    }
+    std::size_t level = figure.firstBox;
+    while (m_boxes.size() - level > 1) {
+        const std::size_t end = m_boxes.size();
+        for (std::size_t first = level; first < end; first += kBranch) {
+            Box box;
+            for (std::size_t i = first; i < std::min<std::size_t>(first + kBranch, end); ++i) {
+                box.include(m_boxes[i]);
+            }
+            m_boxes.push_back(box);
+        }
+        level = end;
+    }
+    figure.boxCount = static_cast<std::uint32_t>(m_boxes.size()) - figure.firstBox;
+}
+
+std::vector<Box> FigureTable::outerBoxes() const {
+    std::vector<Box> outer;
+    for (std::size_t row = 0; row < size(); ++row) {
+        outer.push_back(box(row));
+    }
+    return outer;
+}
+
+void FigureTable::addTrack(Edge edge, double width) {
+    if (width > 0) {
+        edge.pen = width / 2;
+        m_edges.push_back(edge);
+    }
+}
+
+void FigureTable::add(const Document& document, ElementId element, const Placement& placement) {
+    m_placement = placement;
+    addElement(document, element);
+    m_placement = {};
+}
+
+void FigureTable::addElement(const Document& document, ElementId element) {
+    const std::uint32_t row = document.elements.geometry[element.row()];
+    const bool isHole = (document.elements.flags[element.row()] & kHole) != 0;
+    if (document.elements.kind[element.row()] == ElementKind::Area) {
+        return addArea(document, element);
+    }
+    begin(element, false);
+    switch (document.elements.kind[element.row()]) {
+        case ElementKind::Line: addLine(document, element); break;
+        case ElementKind::Arc: {
+            const ArcGeometry& arc = document.arcs[row];
+            addTrack(edgeOf(arc.node, arc.end), arc.width);
+            break;
+        }
+        case ElementKind::Circle: addCircle(document.circles[row], isHole); break;
+        case ElementKind::Trail: addTrail(document, document.trails[row]); break;
+        case ElementKind::Area: break;
+    }
+    finish();
+}
+
+void FigureTable::addOutline(const ShapeTable& shapes, ShapeId shape) {
+    for (const Contour& contour : shapes.contoursOf(shape)) {
+        begin({}, false);
+        addContour(shapes.nodesOf(contour), false, {});
+        finish();
+    }
+}
+
+void FigureTable::addDisc(Point centre, double radius) {
+    begin({}, false);
+    Edge dot = edgeOf(straightFrom(centre), centre);
+    dot.pen = radius;
+    m_edges.push_back(dot);
+    finish();
+}
+
+void FigureTable::addTrack(PointD a, PointD b, double radius) {
+    begin({}, false);
+    Edge edge;
+    edge.a = a;
+    edge.b = b;
+    edge.pen = radius;
+    m_edges.push_back(edge);
+    finish();
+}
+
+void FigureTable::addLine(const Document& document, ElementId element) {
+    const LineGeometry& line = document.lines[document.elements.geometry[element.row()]];
+    if ((document.elements.flags[element.row()] & kSquarePen) != 0 && line.width > 0) {
+        return addSquareTrack(line);
+    }
+    addTrack(edgeOf(straightFrom(line.a), line.b), line.width);
+}
+
+void FigureTable::addSquareTrack(const LineGeometry& line) {
+    m_figures.back().isFilled = true;
+    const std::vector<PointD> corners = sweptSquare(line);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        Edge side;
+        side.a = corners[i];
+        side.b = corners[i + 1 < corners.size() ? i + 1 : 0];
+        m_edges.push_back(side);
+    }
+}
+
+void FigureTable::addCircle(const CircleGeometry& circle, bool isHole) {
+    const bool isRing = circle.innerDiameter > 0 && !isHole;
+    if (!isRing) {
+        return addTrack(edgeOf(straightFrom(circle.centre), circle.centre), circle.diameter);
+    }
+    // A ring is a stroke along the circle half way between its two edges.
+    Edge middle;
+    middle.centre = base::toDouble(circle.centre);
+    middle.radius = (double{1} * circle.diameter + circle.innerDiameter) / 4;
+    middle.a = middle.b = {middle.centre.x + middle.radius, middle.centre.y};
+    addTrack(middle, (double{1} * circle.diameter - circle.innerDiameter) / 2);
+}
+
+void FigureTable::addTrail(const Document& document, const TrailGeometry& trail) {
+    const std::span<const PathNode> nodes = document.nodesOf(trail);
+    const std::span<const Nm> widths = document.widthsOf(trail);
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+        addTrack(edgeOf(nodes[i], nodes[i + 1].point), widths[i]);
+    }
+}
+
+void FigureTable::addArea(const Document& document, ElementId element) {
+    const AreaGeometry& area = document.areas[document.elements.geometry[element.row()]];
+    bool isOpen = false;
+    for (const Contour& contour : document.shapes.contoursOf(area.shape)) {
+        if (!contour.isHole) {
+            if (isOpen) {
+                finish();
+            }
+            begin(element, true);
+            isOpen = true;
+        }
+        if (isOpen) {
+            addContour(document.shapes.nodesOf(contour), contour.isHole, area.placement);
+        }
+    }
+    if (isOpen) {
+        finish();
+    }
+}
+
+void FigureTable::addContour(std::span<const PathNode> nodes, bool isHole, const Placement& placement) {
+    const std::size_t first = m_edges.size();
+    double area = 0;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        Edge edge = edgeOf(nodes[i], nodes[i + 1 < nodes.size() ? i + 1 : 0].point);
+        if (!edge.isArc() && nodes.size() > 1 && edge.a.x == edge.b.x && edge.a.y == edge.b.y) {
+            continue;  // a repeated point
+        }
+        edge = placed(edge, placement);
+        edge.isHole = isHole;
+        m_edges.push_back(edge);
+        area += areaUnder(edge, m_edges[first].a);
+    }
+    for (std::size_t i = first; i < m_edges.size(); ++i) {
+        m_edges[i].winding = area < 0 ? -1 : 1;
+    }
+}
+
+}  // namespace model

@@ -1,0 +1,211 @@
+#include "model/formats/common/archive.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include "model/formats/common/archive_stream.h"
+
+namespace model::odb {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+base::Error badInput(const fs::path& path, std::string_view text) {
+    return {base::ErrorCode::BadInput, path.string() + ": " + std::string(text)};
+}
+
+base::Error cancelled() {
+    return {base::ErrorCode::Cancelled, "cancelled"};
+}
+
+/// Slashes forward, no leading "./", no trailing slash.
+std::string normalised(std::string name) {
+    std::ranges::replace(name, '\\', '/');
+    while (name.starts_with("./")) {
+        name.erase(0, 2);
+    }
+    while (name.ends_with('/')) {
+        name.pop_back();
+    }
+    return name;
+}
+
+bool isAbsolute(std::string_view name) {
+    return name.starts_with('/') || (name.size() > 1 && name[1] == ':');
+}
+
+bool climbs(std::string_view name) {
+    for (std::size_t at = 0; at <= name.size();) {
+        const std::size_t end = std::min(name.find('/', at), name.size());
+        if (name.substr(at, end - at) == "..") {
+            return true;
+        }
+        at = end + 1;
+    }
+    return false;
+}
+
+/// Why an entry must not be taken, or nothing.
+std::string_view refusal(const ArchiveStream& stream, std::string_view name) {
+    if (isAbsolute(name)) {
+        return "the archive entry has an absolute path and was left out";
+    }
+    if (climbs(name)) {
+        return "the archive entry has '..' in its path and was left out";
+    }
+    if (!stream.isRegularFile()) {
+        return "the archive entry is a link or a device and was left out";
+    }
+    return {};
+}
+
+}  // namespace
+
+std::string lowerCase(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower) {
+        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+    return lower;
+}
+
+base::Result<Archive> Archive::open(const fs::path& path, const ArchiveLimits& limits, base::Progress& progress,
+                                    Diagnostics& diagnostics) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (!fs::exists(status)) {
+        return badInput(path, "there is no such file or folder");
+    }
+    return fs::is_directory(status) ? openFolder(path, limits, progress, diagnostics)
+                                    : openFile(path, limits, progress, diagnostics);
+}
+
+base::Result<Archive> Archive::openFolder(const fs::path& path, const ArchiveLimits& limits, base::Progress& progress,
+                                          Diagnostics& diagnostics) {
+    std::vector<Entry> found;
+    std::error_code error;
+    fs::recursive_directory_iterator location(path, fs::directory_options::skip_permission_denied, error);
+    for (; !error && location != fs::recursive_directory_iterator(); location.increment(error)) {
+        std::error_code ignored;
+        if (!location->is_regular_file(ignored)) {
+            continue;
+        }
+        if (found.size() >= limits.entries) {
+            return badInput(path, "the folder holds too many files to be a job");
+        }
+        if (progress.isCancelled()) {
+            return cancelled();
+        }
+        const fs::path relative = location->path().lexically_relative(path);
+        const std::uintmax_t size = location->file_size(ignored);
+        found.push_back({relative.generic_string(), {}, location->path(), ignored ? 0 : size});
+    }
+    if (error) {
+        return badInput(path, "the folder cannot be read: " + error.message());
+    }
+    // The system lists folders in any order; ours must not depend on it.
+    std::ranges::sort(found, {}, &Entry::path);
+    Archive tree;
+    for (Entry& entry : found) {
+        tree.add(std::move(entry), diagnostics);
+    }
+    return tree;
+}
+
+base::Result<Archive> Archive::openFile(const fs::path& path, const ArchiveLimits& limits, base::Progress& progress,
+                                        Diagnostics& diagnostics) {
+    std::error_code error;
+    const std::uintmax_t fileSize = fs::file_size(path, error);
+    if (error || fileSize == 0) {
+        return badInput(path, error ? "the file cannot be read" : "the file is empty");
+    }
+    ArchiveStream stream(path, ArchiveStream::Formats::Containers);
+    return readAll(stream, fileSize, path, limits, progress, diagnostics);
+}
+
+base::Result<Archive> Archive::unpack(std::string_view bytes, const fs::path& name, const ArchiveLimits& limits,
+                                      base::Progress& progress, Diagnostics& diagnostics) {
+    if (bytes.empty()) {
+        return badInput(name, "the file is empty");
+    }
+    ArchiveStream stream(bytes, ArchiveStream::Formats::Containers);
+    return readAll(stream, bytes.size(), name, limits, progress, diagnostics);
+}
+
+base::Result<Archive> Archive::readAll(ArchiveStream& stream, std::uint64_t packedBytes, const fs::path& path,
+                                       const ArchiveLimits& limits, base::Progress& progress,
+                                       Diagnostics& diagnostics) {
+    Archive tree;
+    std::uint64_t total = 0;
+    while (stream.next()) {
+        if (progress.isCancelled()) {
+            return cancelled();
+        }
+        progress.setFraction(
+            static_cast<float>(static_cast<double>(stream.position()) / static_cast<double>(packedBytes)));
+        const std::string name = normalised(stream.name());
+        if (stream.isFolder() || name.empty()) {
+            continue;
+        }
+        if (const std::string_view reason = refusal(stream, name); !reason.empty()) {
+            diagnostics.report(Severity::Error, name, 0, reason);
+            continue;
+        }
+        Entry entry{name, {}, {}, 0};
+        if (!stream.read(entry.data, limits.totalBytes - total)) {
+            const bool isTooLarge = entry.data.size() + total + (1U << 20) > limits.totalBytes;
+            return badInput(path, isTooLarge ? "the archive unpacks to too much data for a job"
+                                             : "the archive ends early or is damaged at " + name);
+        }
+        total += entry.data.size();
+        entry.size = entry.data.size();
+        if (tree.m_entries.size() >= limits.entries) {
+            return badInput(path, "the archive holds too many files to be a job");
+        }
+        tree.add(std::move(entry), diagnostics);
+    }
+    if (stream.failed()) {
+        return badInput(
+            path, (tree.size() == 0 ? "this is no archive we can read (" : "the archive ends early or is damaged (") +
+                      stream.errorText() + ")");
+    }
+    return tree;
+}
+
+void Archive::add(Entry entry, Diagnostics& diagnostics) {
+    const auto [location, isNew] = m_rows.try_emplace(lowerCase(entry.path), static_cast<int>(m_entries.size()));
+    if (!isNew) {
+        diagnostics.report(Severity::Warning, entry.path, 0,
+                           "another file has the same name but for upper and lower case; the first one is used");
+        return;
+    }
+    m_entries.push_back(std::move(entry));
+}
+
+int Archive::find(std::string_view path) const {
+    const auto location = m_rows.find(lowerCase(path));
+    return location == m_rows.end() ? -1 : location->second;
+}
+
+std::uint64_t Archive::storedSize(int row) const {
+    return m_entries[static_cast<std::size_t>(row)].size;
+}
+
+base::Result<Bytes> Archive::bytes(int row) const {
+    const Entry& entry = m_entries[static_cast<std::size_t>(row)];
+    if (entry.source.empty()) {
+        return Bytes::borrow(entry.data);
+    }
+    std::ifstream file(entry.source, std::ios::binary);
+    std::string data(entry.size, '\0');
+    file.read(data.data(), static_cast<std::streamsize>(data.size()));
+    if (!file) {
+        return badInput(entry.source, "the file cannot be read");
+    }
+    return Bytes(std::move(data));
+}
+
+}  // namespace model::odb

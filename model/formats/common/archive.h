@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/base/progress.h"
+#include "model/base/result.h"
+#include "model/board/diagnostics.h"
+
+namespace model::odb {
+
+class ArchiveStream;
+
+/// How much an archive may unpack to. The largest real job we know holds 71 MB; the limit only stops archive bombs.
+struct ArchiveLimits {
+    std::uint64_t totalBytes = std::uint64_t{4} << 30;
+    std::size_t entries = 1'000'000;
+};
+
+/// Bytes that are either held here or borrowed from somebody who lives longer.
+class Bytes {
+public:
+    Bytes() = default;
+    explicit Bytes(std::string own) : m_own(std::move(own)) {}
+    [[nodiscard]] static Bytes borrow(std::string_view bytes) {
+        Bytes borrowed;
+        borrowed.m_borrowed = bytes;
+        return borrowed;
+    }
+    [[nodiscard]] std::string_view view() const { return m_own.empty() ? m_borrowed : std::string_view(m_own); }
+
+private:
+    std::string m_own;
+    std::string_view m_borrowed;
+};
+
+/// The files of a job as one tree, whatever they came in: a folder, a .tgz, .tar.gz, .tar (V7 included) or .zip. Names
+/// are found whatever their case, because the matrix writes upper case and folders are lower case (odb-notes,
+/// Container). Archives are held in memory and nothing is ever written to disk; permissions in the archive are not
+/// looked at. Entries with
+/// `..` or an absolute path are left out with an error in the diagnostics. Reading is safe from several threads.
+class Archive {
+public:
+    /// Errors: BadInput (missing, unreadable, no archive, ends early, over the limits), Cancelled.
+    [[nodiscard]] static base::Result<Archive> open(const std::filesystem::path& path, const ArchiveLimits& limits,
+                                                    base::Progress& progress, Diagnostics& diagnostics);
+    /// The same for the bytes of a file that is already in memory; `name` is what messages call it.
+    [[nodiscard]] static base::Result<Archive> unpack(std::string_view bytes, const std::filesystem::path& name,
+                                                      const ArchiveLimits& limits, base::Progress& progress,
+                                                      Diagnostics& diagnostics);
+
+    /// Row of the file with this path (blanks and slashes as in the job, any case); -1 if there is none.
+    [[nodiscard]] int find(std::string_view path) const;
+    [[nodiscard]] std::size_t size() const { return m_entries.size(); }
+    /// The path as the archive writes it.
+    [[nodiscard]] const std::string& path(int row) const { return m_entries[static_cast<std::size_t>(row)].path; }
+    /// Size of the stored bytes.
+    [[nodiscard]] std::uint64_t storedSize(int row) const;
+    /// The stored bytes, not yet decoded; they may point into the archive. Errors: BadInput when a file of a folder
+    /// cannot be read.
+    [[nodiscard]] base::Result<Bytes> bytes(int row) const;
+    /// Rows of all files in the order of their lower-case paths.
+    [[nodiscard]] const std::map<std::string, int, std::less<>>& rows() const { return m_rows; }
+
+private:
+    struct Entry {
+        std::string path;
+        std::string data;              ///< of archives
+        std::filesystem::path source;  ///< of folders
+        std::uint64_t size = 0;
+    };
+
+    [[nodiscard]] static base::Result<Archive> openFolder(const std::filesystem::path& path,
+                                                          const ArchiveLimits& limits, base::Progress& progress,
+                                                          Diagnostics& diagnostics);
+    [[nodiscard]] static base::Result<Archive> openFile(const std::filesystem::path& path, const ArchiveLimits& limits,
+                                                        base::Progress& progress, Diagnostics& diagnostics);
+    [[nodiscard]] static base::Result<Archive> readAll(ArchiveStream& stream, std::uint64_t packedBytes,
+                                                       const std::filesystem::path& path, const ArchiveLimits& limits,
+                                                       base::Progress& progress, Diagnostics& diagnostics);
+    void add(Entry entry, Diagnostics& diagnostics);
+
+    std::vector<Entry> m_entries;
+    std::map<std::string, int, std::less<>> m_rows;
+};
+
+/// ASCII lower case; other bytes stay.
+[[nodiscard]] std::string lowerCase(std::string_view text);
+
+}  // namespace model::odb

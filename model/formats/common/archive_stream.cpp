@@ -1,0 +1,110 @@
+#include "model/formats/common/archive_stream.h"
+
+#include <archive_entry.h>
+
+#include <array>
+
+namespace model::odb {
+
+namespace {
+
+constexpr std::size_t kBlock = 256 * 1024;
+
+}  // namespace
+
+ArchiveStream::ArchiveStream(const std::filesystem::path& path, Formats formats) {
+    support(formats);
+    m_isOpen = archive_read_open_filename(m_archive.get(), path.c_str(), kBlock) == ARCHIVE_OK;
+    m_failed = !m_isOpen;
+}
+
+ArchiveStream::ArchiveStream(std::string_view bytes, Formats formats) {
+    support(formats);
+    m_isOpen = archive_read_open_memory(m_archive.get(), bytes.data(), bytes.size()) == ARCHIVE_OK;
+    m_failed = !m_isOpen;
+}
+
+void ArchiveStream::support(Formats formats) {
+    m_archive.reset(archive_read_new());
+    archive* a = m_archive.get();
+    archive_read_support_filter_all(a);
+    archive_read_support_format_zip(a);
+    if (formats == Formats::Containers) {
+        archive_read_support_format_tar(a);
+        archive_read_support_format_gnutar(a);
+    } else {
+        archive_read_support_format_raw(a);
+    }
+}
+
+bool ArchiveStream::next() {
+    if (!m_isOpen) {
+        return false;
+    }
+    const int status = archive_read_next_header(m_archive.get(), &m_entry);
+    // A warning is about names or times we do not use; the data that follows is sound.
+    m_failed = status != ARCHIVE_OK && status != ARCHIVE_WARN && status != ARCHIVE_EOF;
+    return status == ARCHIVE_OK || status == ARCHIVE_WARN;
+}
+
+std::string ArchiveStream::errorText() const {
+    const char* text = archive_error_string(m_archive.get());
+    return text != nullptr ? text : "unknown error";
+}
+
+std::string ArchiveStream::name() const {
+    const char* name = archive_entry_pathname(m_entry);
+    return name != nullptr ? name : "";
+}
+
+bool ArchiveStream::isPacked() const {
+    return archive_filter_code(m_archive.get(), 0) != ARCHIVE_FILTER_NONE ||
+           archive_format(m_archive.get()) == ARCHIVE_FORMAT_ZIP;
+}
+
+bool ArchiveStream::isRegularFile() const {
+    return archive_entry_filetype(m_entry) == AE_IFREG && archive_entry_hardlink(m_entry) == nullptr;
+}
+
+bool ArchiveStream::isFolder() const {
+    return archive_entry_filetype(m_entry) == AE_IFDIR;
+}
+
+bool ArchiveStream::read(std::string& out, std::uint64_t limit) {
+    const void* block = nullptr;
+    std::size_t size = 0;
+    la_int64_t offset = 0;
+    int status = ARCHIVE_OK;
+    while ((status = archive_read_data_block(m_archive.get(), &block, &size, &offset)) == ARCHIVE_OK) {
+        if (out.size() + size > limit) {
+            return false;
+        }
+        out.append(static_cast<const char*>(block), size);
+    }
+    return status == ARCHIVE_EOF;
+}
+
+std::uint64_t ArchiveStream::position() const {
+    const la_int64_t bytes = archive_filter_bytes(m_archive.get(), -1);
+    return bytes > 0 ? static_cast<std::uint64_t>(bytes) : 0;
+}
+
+base::Result<Bytes> decodeMember(Bytes bytes, std::uint64_t limit) {
+    constexpr std::array<std::string_view, 3> kMagics = {"\x1f\x9d", "\x1f\x8b", "PK\x03\x04"};
+    bool isPacked = false;
+    for (const std::string_view magic : kMagics) {
+        isPacked = isPacked || bytes.view().starts_with(magic);
+    }
+    if (!isPacked) {
+        return bytes;
+    }
+    ArchiveStream stream(bytes.view(), ArchiveStream::Formats::Member);
+    std::string text;
+    // A header too broken for its format would come through as raw bytes.
+    if (!stream.next() || !stream.isPacked() || !stream.read(text, limit)) {
+        return base::Error{base::ErrorCode::BadInput, "the packed file is broken or too large"};
+    }
+    return Bytes(std::move(text));
+}
+
+}  // namespace model::odb

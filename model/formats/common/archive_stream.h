@@ -1,0 +1,63 @@
+#pragma once
+
+#include <archive.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "model/base/result.h"
+#include "model/formats/common/archive.h"
+
+namespace model::odb {
+
+/// libarchive's reader with its resource rules in one place: opened, walked entry by entry, freed.
+class ArchiveStream {
+public:
+    enum class Formats {
+        Containers,  ///< tar in all dialects and zip, packed or not
+        Member       ///< one packed file: compress, gzip or the first file of a zip
+    };
+
+    ArchiveStream(const std::filesystem::path& path, Formats formats);
+    ArchiveStream(std::string_view bytes, Formats formats);
+
+    [[nodiscard]] bool isOpen() const { return m_isOpen; }
+    /// Moves to the next entry. False at the end or on an error; `failed` tells which.
+    [[nodiscard]] bool next();
+    [[nodiscard]] bool failed() const { return m_failed; }
+    [[nodiscard]] std::string errorText() const;
+
+    [[nodiscard]] std::string name() const;
+    /// Is anything unpacked on the way, or are these the file's own bytes?
+    [[nodiscard]] bool isPacked() const;
+    [[nodiscard]] bool isRegularFile() const;
+    [[nodiscard]] bool isFolder() const;
+    /// Appends the data of the entry to `out`. False when it is broken or would grow past `limit` bytes.
+    [[nodiscard]] bool read(std::string& out, std::uint64_t limit);
+    /// Bytes of the archive file read so far.
+    [[nodiscard]] std::uint64_t position() const;
+
+private:
+    struct Free {
+        void operator()(archive* a) const { archive_read_free(a); }
+    };
+    void support(Formats formats);
+
+    std::unique_ptr<archive, Free> m_archive;
+    archive_entry* m_entry = nullptr;
+    bool m_isOpen = false;
+    bool m_failed = false;
+};
+
+/// Most bytes that one packed file of a job may unpack to. The largest real one we know holds 34 MB.
+inline constexpr std::uint64_t kMaxMemberBytes = std::uint64_t{512} << 20;
+
+/// The plain text of a member that may be packed, told by its first bytes: `1F 9D` is Unix compress, `1F 8B` gzip, `PK`
+/// a zip with one file (DipTrace names those `.Z` too); anything else is returned as it is (odb-notes, Container).
+/// Errors: BadInput when it is broken or unpacks to more than `limit` bytes.
+[[nodiscard]] base::Result<Bytes> decodeMember(Bytes bytes, std::uint64_t limit = kMaxMemberBytes);
+
+}  // namespace model::odb

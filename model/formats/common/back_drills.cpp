@@ -1,0 +1,149 @@
+#include "model/formats/common/back_drills.h"
+
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "model/geometry/box_index.h"
+
+namespace model {
+
+namespace {
+
+/// Symbols and tools are rounded apart by this much.
+constexpr double kTolerance = 1'000;
+
+bool isWidening(const Layer& layer) {
+    return layer.use == LayerUse::Backdrill || layer.use == LayerUse::DualDiameter;
+}
+
+bool isHoles(const Layer& layer) {
+    return (layer.type == LayerType::Drill || layer.type == LayerType::Rout) && layer.spanTop.isValid() &&
+           layer.spanBottom.isValid();
+}
+
+bool isPlated(std::uint8_t flags) {
+    return (flags & kHole) != 0 && (flags & kPlated) != 0;
+}
+
+class PlatingCutter {
+public:
+    explicit PlatingCutter(DocumentBuilder& builder) : m_builder(builder), m_document(builder.soFar()) {}
+
+    void run() {
+        std::vector<Box> boxes;
+        for (std::uint32_t row = 0; row < m_document.elements.size(); ++row) {
+            const ElementId element{row};
+            if (isPlated(m_document.elements.flags[row]) && isHoles(layerOf(element))) {
+                m_plated.push_back(element);
+                boxes.push_back(m_document.boxOf(element));
+            }
+        }
+        const BoxIndex index(boxes);
+        for (const Layer& layer : m_document.layers) {
+            for (std::uint32_t i = 0; i < layer.elements.count && isWidening(layer) && isHoles(layer); ++i) {
+                cutAround(ElementId{layer.elements.first + i}, index);
+            }
+        }
+        for (const auto& [hole, span] : m_spans) {
+            m_builder.addPlatedSpan(span);
+        }
+    }
+
+private:
+    /// Centre and diameter as drilled, of round holes.
+    struct Round {
+        Point centre;
+        double diameter = 0.0;
+    };
+
+    [[nodiscard]] const Layer& layerOf(ElementId element) const {
+        return m_document.layer(m_document.elements.layer[element.row()]);
+    }
+
+    [[nodiscard]] std::optional<Round> roundOf(ElementId element) const {
+        if (m_document.elements.kind[element.row()] != ElementKind::Circle) {
+            return std::nullopt;
+        }
+        const CircleGeometry& circle = m_document.circles[m_document.elements.geometry[element.row()]];
+        return Round{circle.centre, static_cast<double>(circle.diameter)};
+    }
+
+    void cutAround(ElementId drill, const BoxIndex& index) {
+        if (isPlated(m_document.elements.flags[drill.row()])) {
+            return;  // the wider part of a plated hole is plated itself
+        }
+        index.visit(m_document.boxOf(drill), [&](std::uint32_t row) { cut(m_plated[row], drill); });
+    }
+
+    void cut(ElementId hole, ElementId drill) {
+        const Layer& over = layerOf(drill);
+        PlatedSpan span = spanOf(hole);
+        if (!span.top.isValid() || span.bottom < over.spanTop || over.spanBottom < span.top) {
+            return;
+        }
+        const std::optional<Round> inner = roundOf(hole);
+        const std::optional<Round> outer = roundOf(drill);
+        const double away = inner && outer ? std::hypot(double(inner->centre.x) - outer->centre.x,
+                                                        double(inner->centre.y) - outer->centre.y)
+                                           : 0.0;
+        if (inner && outer && away >= (inner->diameter + outer->diameter) / 2.0) {
+            return;  // beside it
+        }
+        if (!inner || !outer || away + inner->diameter / 2.0 > outer->diameter / 2.0 + kTolerance) {
+            return report(Severity::Warning,
+                          "a back-drill does not cover the plated hole it meets, which stays as it is", drill);
+        }
+        if (span.top < over.spanTop && over.spanBottom < span.bottom) {
+            return report(Severity::Warning, "a back-drill begins and ends within a plated hole, which stays as it is",
+                          drill);
+        }
+        report(Severity::Info, "a back-drill takes the plating of a hole from the copper of its span", drill);
+        m_spans[hole] = left(span, over);
+    }
+
+    [[nodiscard]] PlatedSpan spanOf(ElementId hole) const {
+        const auto found = m_spans.find(hole);
+        return found != m_spans.end() ? found->second
+                                      : PlatedSpan{hole, layerOf(hole).spanTop, layerOf(hole).spanBottom};
+    }
+
+    [[nodiscard]] PlatedSpan left(PlatedSpan span, const Layer& over) const {
+        const bool takesTop = over.spanTop <= span.top;
+        const bool takesBottom = over.spanBottom >= span.bottom;
+        if (takesTop && takesBottom) {
+            return {span.hole, {}, {}};
+        }
+        (takesTop ? span.top : span.bottom) = takesTop ? nextCopper(over.spanBottom, 1) : nextCopper(over.spanTop, -1);
+        return span;
+    }
+
+    /// There is one: the span of the hole reaches farther.
+    [[nodiscard]] LayerId nextCopper(LayerId from, int step) const {
+        auto row = static_cast<std::ptrdiff_t>(from.row()) + step;
+        while (!m_document.layers[static_cast<std::size_t>(row)].isCopper()) {
+            row += step;
+        }
+        return LayerId{static_cast<std::size_t>(row)};
+    }
+
+    void report(Severity severity, const char* text, ElementId drill) {
+        m_builder.diagnostics().report(severity, layerOf(drill).file, m_document.elements.line[drill.row()], text,
+                                       drill);
+    }
+
+    DocumentBuilder& m_builder;
+    const Document& m_document;
+    std::vector<ElementId> m_plated;
+    std::map<ElementId, PlatedSpan> m_spans;
+};
+
+}  // namespace
+
+void cutPlating(DocumentBuilder& builder) {
+    if (std::ranges::any_of(builder.soFar().layers, isWidening)) {
+        PlatingCutter(builder).run();
+    }
+}
+
+}  // namespace model

@@ -1,0 +1,125 @@
+#include "model/formats/odb/components/components.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "model/formats/odb/text/records.h"
+
+namespace model::odb {
+
+namespace {
+
+/// Records of the bill of materials that some writers append.
+constexpr std::string_view kBillOfMaterials[] = {"CPN", "PKG", "IPN", "DSC", "VPL_VND", "VPL_MPN", "VND", "MPN"};
+
+std::optional<PlacedComponent> componentOf(std::string_view line, std::uint32_t number, std::int64_t nm) {
+    Fields fields(line);
+    PlacedComponent component;
+    component.line = number;
+    component.package = fields.integer();
+    component.position = fields.point(nm);
+    component.clockwiseDeg = fields.real();
+    const std::string_view mirror = fields.word();
+    component.isMirrored = mirror == "M" || mirror == "Y";
+    component.refdes = toUtf8(fields.optionalWord());
+    component.part = toUtf8(fields.optionalWord());
+    return fields.failed() ? std::nullopt : std::optional(std::move(component));
+}
+
+std::optional<PlacedPin> pinOf(std::string_view line, std::int64_t nm) {
+    Fields fields(line);
+    PlacedPin pin;
+    pin.number = fields.integer();
+    pin.position = fields.point(nm);
+    fields.real();  // the pin's own rotation and mirror follow its component
+    fields.word();
+    pin.net = fields.integer();
+    fields.optionalWord();  // the subnet, which names the pin itself
+    pin.name = toUtf8(fields.optionalWord());
+    return fields.failed() ? std::nullopt : std::optional(std::move(pin));
+}
+
+class ComponentsParser {
+public:
+    ComponentsParser(std::string_view path, Unit unit, const AttributeTypes& types, Diagnostics& diagnostics)
+        : m_path(path), m_nm(coordinateNm(unit)), m_types(types), m_diagnostics(diagnostics) {}
+
+    std::vector<PlacedComponent> parse(std::string_view text) {
+        LineReader lines(text);
+        while (lines.next()) {
+            m_line = lines.number();
+            record(lines.line());
+        }
+        return std::move(m_components);
+    }
+
+private:
+    void record(std::string_view line) {
+        if (m_properties.record(line, m_isInComponent ? m_components.back().properties : m_nobodys) ||
+            m_attributes.record(line) || line.starts_with("ID=")) {
+            return;
+        }
+        const std::string_view word = line.substr(0, line.find_first_of(" \t;="));
+        const std::string_view rest = line.substr(word.size());
+        if (word == "CMP") {
+            component(rest);
+        } else if (word == "TOP") {
+            pin(rest);
+        } else if (word == "UNITS" || word == "U") {
+            const auto unit = parseUnit(trimmed(rest.starts_with('=') ? rest.substr(1) : rest));
+            m_nm = unit ? coordinateNm(*unit) : m_nm;
+        } else if (std::ranges::find(kBillOfMaterials, word) != std::end(kBillOfMaterials)) {
+            report(Severity::Info, "the bill of materials is not read");
+        } else {
+            report(Severity::Warning, "a record of an unknown kind was left out");
+        }
+    }
+
+    void component(std::string_view line) {
+        std::optional<PlacedComponent> component = componentOf(line, m_line, m_nm);
+        m_isInComponent = component.has_value();
+        if (!component) {
+            return report(Severity::Error, "the CMP record is unreadable; the component is missing");
+        }
+        component->properties = m_attributes.resolve(Fields(line).tail(), m_types, m_path, m_line, m_diagnostics);
+        const auto height = std::ranges::find(component->properties, ".comp_height", &TextProperty::name);
+        if (height != component->properties.end()) {
+            const std::optional<double> value = parseReal(height->value);
+            component->height = value ? toLength(*value, m_nm).value_or(0) : 0;
+        }
+        m_components.push_back(std::move(*component));
+    }
+
+    void pin(std::string_view line) {
+        if (!m_isInComponent) {
+            return;  // its component was reported
+        }
+        std::optional<PlacedPin> pin = pinOf(line, m_nm);
+        if (!pin) {
+            return report(Severity::Warning, "the TOP record is unreadable; the pin is missing");
+        }
+        m_components.back().pins.push_back(std::move(*pin));
+    }
+
+    void report(Severity severity, std::string_view text) { m_diagnostics.report(severity, m_path, m_line, text); }
+
+    std::string_view m_path;
+    std::int64_t m_nm;
+    const AttributeTypes& m_types;
+    Diagnostics& m_diagnostics;
+    RecordAttributes m_attributes;
+    PropertyReader m_properties;
+    std::vector<PlacedComponent> m_components;
+    std::vector<TextProperty> m_nobodys;
+    bool m_isInComponent = false;
+    std::uint32_t m_line = 0;
+};
+
+}  // namespace
+
+std::vector<PlacedComponent> parseComponents(std::string_view text, std::string_view path, Unit defaultUnit,
+                                             const AttributeTypes& types, Diagnostics& diagnostics) {
+    return ComponentsParser(path, defaultUnit, types, diagnostics).parse(text);
+}
+
+}  // namespace model::odb

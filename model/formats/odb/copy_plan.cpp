@@ -1,0 +1,88 @@
+#include "model/formats/odb/copy_plan.h"
+
+#include <algorithm>
+
+#include "model/board/copies.h"
+
+namespace model::odb {
+
+namespace {
+
+/// Panels nest two or three deep; more is a broken file.
+constexpr int kMaxDepth = 8;
+
+/// The placement that turns a step around its datum and lays the datum on `place`.
+Placement onDatum(Point location, const StepRepeat& repeat, Point datum) {
+    Placement placement{{}, repeat.clockwiseDeg, repeat.isMirrored};
+    const Point moved = placement.apply(datum);
+    placement.origin = {location.x - moved.x, location.y - moved.y};
+    return placement;
+}
+
+class CopyPlanner {
+public:
+    CopyPlanner(const Steps& steps, Diagnostics& diagnostics)
+        : m_steps(steps), m_diagnostics(diagnostics), m_plans(steps.size()), m_states(steps.size(), State::Untouched) {}
+
+    std::vector<CopyPlan> plan() {
+        visit(0, 0);
+        return std::move(m_plans);
+    }
+
+private:
+    enum class State : std::uint8_t { Untouched, Open, Done };
+
+    /// Children first; a step that is still open contains the one that asks for it.
+    void visit(std::size_t step, int depth) {
+        m_states[step] = State::Open;
+        for (const StepRepeat& repeat : m_steps[step].header.value.repeats) {
+            const std::size_t child = findStep(m_steps, repeat.step);
+            if (child == m_steps.size()) {
+                continue;  // reported when the steps were collected
+            }
+            if (m_states[child] == State::Open || depth >= kMaxDepth) {
+                report(step, repeat, "the step contains itself or nests too deep; its copies are missing");
+                continue;
+            }
+            if (m_states[child] == State::Untouched) {
+                visit(child, depth + 1);
+            }
+            addBlock(step, repeat, child);
+        }
+        m_states[step] = State::Done;
+    }
+
+    void addBlock(std::size_t step, const StepRepeat& repeat, std::size_t child) {
+        CopyPlan& plan = m_plans[step];
+        plan.height = std::max(plan.height, m_plans[child].height + 1);
+        for (int row = 0; row < repeat.rows; ++row) {
+            for (int column = 0; column < repeat.columns; ++column) {
+                if (plan.total + m_plans[child].total > kMaxCopies) {
+                    return report(step, repeat, "the step has too many copies; the rest is missing");
+                }
+                const Point location = {repeat.first.x + column * repeat.pitch.x,
+                                        repeat.first.y + row * repeat.pitch.y};
+                plan.copies.push_back({child, onDatum(location, repeat, m_steps[child].header.value.datum),
+                                       repeat.isFlipped, repeat.line});
+                plan.total += m_plans[child].total;
+            }
+        }
+    }
+
+    void report(std::size_t step, const StepRepeat& repeat, std::string_view text) {
+        m_diagnostics.report(Severity::Error, m_steps[step].header.path, repeat.line, text);
+    }
+
+    const Steps& m_steps;
+    Diagnostics& m_diagnostics;
+    std::vector<CopyPlan> m_plans;
+    std::vector<State> m_states;
+};
+
+}  // namespace
+
+std::vector<CopyPlan> planCopies(const Steps& steps, Diagnostics& diagnostics) {
+    return CopyPlanner(steps, diagnostics).plan();
+}
+
+}  // namespace model::odb

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/board/document.h"
+#include "model/formats/odb/features/text_records.h"
+#include "model/formats/odb/text/feature_attributes.h"
+#include "model/formats/odb/text/lengths.h"
+#include "model/geometry/shapes.h"
+
+namespace model::odb {
+
+enum class FeatureKind : std::uint8_t {
+    Line,
+    Arc,
+    Pad,
+    Surface,
+    Text,
+    Barcode,
+    Bad  ///< a record that cannot be read; it still has an ordinal
+};
+
+/// A symbol as a features file refers to it. The same name in another unit, or resized, is another shape.
+struct SymbolRef {
+    std::string name;
+    Unit unit = Unit::Inch;
+    Nm resize = 0;  ///< added to the size (P records with -1)
+    auto operator<=>(const SymbolRef&) const = default;
+};
+
+/// One record. Its row in FeatureFile::features is the feature number that eda/data uses, so bad records have rows too.
+struct Feature {
+    FeatureKind kind = FeatureKind::Bad;
+    bool isNegative : 1 = false;
+    bool isClockwise : 1 = false;  ///< arcs
+    bool isMirrored : 1 = false;   ///< pads, texts, barcodes
+    std::int8_t drill = -1;        ///< value of attribute .drill: 0 plated, 1 not plated, 2 via; -1 absent
+    std::uint32_t index = 0;       ///< row of `symbols`; of `surfaces`, `texts`, `barcodes` for these
+    std::uint32_t line = 0;        ///< 1-based
+    std::uint32_t attributes = FeatureAttributes::kNone;  ///< row of FeatureAttributes::sets
+    Point a;                                              ///< start, or place of a pad, text or barcode
+    Point b;                                              ///< end of a line or arc
+    Point centre;                                         ///< of an arc
+    double clockwiseDeg = 0.0;                            ///< pads, texts, barcodes
+};
+
+/// A `features` or `profile` file, numbers in nanometres, nothing resolved yet.
+struct FeatureFile {
+    Unit unit = Unit::Inch;
+    std::vector<SymbolRef> symbols;
+    std::vector<Feature> features;
+    FeatureAttributes attributes;
+    ShapeTable surfaces;                     ///< one shape per S record, in the file's order
+    std::vector<std::uint32_t> surfaceEnds;  ///< by surface: line of its SE
+    std::vector<TextRecord> texts;
+    std::vector<BarcodeRecord> barcodes;
+    bool hasNegatives = false;
+};
+
+/// Reads every record; what cannot be read is reported with its line. `defaultUnit` holds for files without a unit line
+/// (odb-notes, Units).
+[[nodiscard]] FeatureFile parseFeatures(std::string_view text, std::string_view path, Unit defaultUnit,
+                                        Diagnostics& diagnostics);
+
+}  // namespace model::odb

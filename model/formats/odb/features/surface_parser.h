@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "model/board/diagnostics.h"
+#include "model/formats/odb/text/records.h"
+#include "model/geometry/shapes.h"
+
+namespace model::odb {
+
+/// Collects the polygons of one S record into a ShapeTable: OB begins one, OS and OC add an edge, OE ends it. The
+/// letter I or H decides between island and hole, never the winding (odb-notes, Features). Polygons that are left open
+/// are closed by a straight edge; those without any area are left out; both are reported.
+class SurfaceParser {
+public:
+    SurfaceParser(ShapeTable& table, std::string_view path, Diagnostics& diagnostics)
+        : m_table(table), m_path(path), m_diagnostics(diagnostics) {}
+
+    void beginSurface(std::uint32_t line);
+    /// Takes one O… record. False when the line is none.
+    bool record(std::string_view line, std::uint32_t number, std::int64_t nmPerUnit);
+    /// Row of the finished shape, which is empty when no polygon was usable.
+    std::uint32_t endSurface(std::uint32_t line);
+
+private:
+    void beginPolygon(Fields fields, std::int64_t nmPerUnit);
+    void segment(Fields fields, std::int64_t nmPerUnit);
+    void curve(Fields fields, std::int64_t nmPerUnit);
+    void endPolygon();
+    bool canAdd(const Fields& fields);
+    void addEdge(EdgeKind kind, Point centre, Point end);
+    void report(Severity severity, std::string_view text);
+    void dropPolygon();
+
+    ShapeTable& m_table;
+    std::string_view m_path;
+    Diagnostics& m_diagnostics;
+    std::uint32_t m_line = 0;
+    std::uint32_t m_firstContour = 0;
+    std::uint32_t m_firstNode = 0;
+    bool m_isHole = false;
+    bool m_isOpen = false;    ///< between OB and OE
+    bool m_isBroken = false;  ///< the current polygon has an unreadable record
+    bool m_hasIsland = false;
+};
+
+}  // namespace model::odb

@@ -1,0 +1,101 @@
+#include "model/formats/odb/message_locations.h"
+
+#include <algorithm>
+
+#include "model/board/copies.h"
+
+namespace model::odb {
+
+namespace {
+
+Point middleOf(const Box& box) {
+    return {static_cast<Nm>(box.min.x + box.width() / 2), static_cast<Nm>(box.min.y + box.height() / 2)};
+}
+
+/// The record on this line, or the surface around it; `features.size()` if there is none.
+std::size_t recordAt(const FeatureFile& file, std::uint32_t line) {
+    const auto after = std::ranges::upper_bound(file.features, line, {}, &Feature::line);
+    if (after == file.features.begin()) {
+        return file.features.size();
+    }
+    const Feature& record = *(after - 1);
+    const bool isInSurface = record.kind == FeatureKind::Surface && line <= file.surfaceEnds[record.index];
+    const bool isIt = record.line == line || isInSurface;
+    return isIt ? static_cast<std::size_t>(after - 1 - file.features.begin()) : file.features.size();
+}
+
+/// The element of a layer that was made from a record; a trail is made from as many as it has strokes.
+ElementId elementOf(const Document& document, const Range& range, std::size_t record) {
+    const auto first = document.elements.firstFeature.begin() + range.first;
+    const auto last = first + range.count;
+    auto found = std::lower_bound(first, last, record);
+    if (found != last && *found == record) {
+        return ElementId{static_cast<std::size_t>(found - document.elements.firstFeature.begin())};
+    }
+    if (found == first) {
+        return {};
+    }
+    const auto row = static_cast<std::size_t>(--found - document.elements.firstFeature.begin());
+    const bool isTrail = document.elements.kind[row] == ElementKind::Trail;
+    const std::size_t tracks = isTrail ? document.trails[document.elements.geometry[row]].nodeCount - 1 : 1;
+    return record < *found + tracks ? ElementId{row} : ElementId{};
+}
+
+std::optional<Point> locationOf(const FeatureFile& file, std::size_t record) {
+    const Feature& feature = file.features[record];
+    if (feature.kind == FeatureKind::Bad) {
+        return std::nullopt;  // what could not be read may be the coordinates
+    }
+    if (feature.kind != FeatureKind::Surface) {
+        return feature.a;
+    }
+    const Box& box = file.surfaces.shapes[feature.index].box;
+    return box.isEmpty() ? std::nullopt : std::optional(middleOf(box));
+}
+
+std::optional<Point> locationOf(const std::vector<PlacedComponent>& components, std::uint32_t line) {
+    const auto after = std::ranges::upper_bound(components, line, {}, &PlacedComponent::line);
+    return after == components.begin() ? std::nullopt : std::optional((after - 1)->position);
+}
+
+}  // namespace
+
+void locateMessages(DocumentBuilder& builder, const LayerTable& layers, const StepData& step) {
+    Diagnostics& messages = builder.diagnostics();
+    for (std::size_t i = 0; i < messages.entries().size(); ++i) {
+        const Diagnostic& message = messages.entries()[i];
+        for (std::size_t row = 0; row < step.layers.size() && message.line > 0 && !message.element.isValid(); ++row) {
+            const StepLayer& layer = step.layers[row];
+            const FeatureFile& file = layer.features.value;
+            if (layer.components.isPresent() && message.file == layer.components.path) {
+                messages.locate(i, {}, locationOf(layer.components.value, message.line));
+            } else if (layer.features.isPresent() && message.file == layer.features.path) {
+                const std::size_t record = recordAt(file, message.line);
+                if (record < file.features.size()) {
+                    const ElementId element =
+                        elementOf(builder.soFar(), builder.layer(layers.id(row)).elements, record);
+                    messages.locate(i, element, element.isValid() ? std::nullopt : locationOf(file, record));
+                }
+            }
+        }
+    }
+}
+
+Diagnostics messagesOfCopies(const Document& step, const Document& board) {
+    const StepTree tree = unfoldCopies(board);
+    const auto first =
+        std::ranges::find_if(tree.copies, [&](const StepCopy& copy) { return tree.steps[copy.step] == &step; });
+    Diagnostics messages = step.diagnostics;
+    for (std::size_t i = 0; i < messages.entries().size(); ++i) {
+        const Diagnostic& message = messages.entries()[i];
+        std::optional<Point> location = message.location;
+        if (message.element.isValid()) {
+            location = middleOf(step.boxOf(message.element));
+        }
+        const bool isPlaced = location && first != tree.copies.end();
+        messages.locate(i, {}, isPlaced ? std::optional(first->placement.apply(*location)) : std::nullopt);
+    }
+    return messages;
+}
+
+}  // namespace model::odb

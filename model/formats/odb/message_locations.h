@@ -1,0 +1,18 @@
+#pragma once
+
+#include "model/board/document_builder.h"
+#include "model/formats/odb/layer_table.h"
+#include "model/formats/odb/step/step.h"
+
+namespace model::odb {
+
+/// Finds what on the board the messages about lines of a step's files speak of, once the step's elements are built: the
+/// element that came out of the record (of several the first), or else the place the record names. Messages about
+/// records that name no place, or lines that are no record, stay without.
+void locateMessages(DocumentBuilder& builder, const LayerTable& layers, const StepData& step);
+
+/// The messages of a step that is placed as copies, as they read on the board: its elements are not the board's, so
+/// each message points to where its element lies in the first copy.
+[[nodiscard]] Diagnostics messagesOfCopies(const Document& step, const Document& board);
+
+}  // namespace model::odb

@@ -1,0 +1,184 @@
+#include "model/formats/odb/odb_reader.h"
+
+#include <array>
+#include <fstream>
+#include <optional>
+
+#include "model/base/stopwatch.h"
+#include "model/formats/odb/job_builder.h"
+#include "model/formats/odb/job_info.h"
+#include "model/formats/odb/stackup/layer_facts.h"
+#include "model/formats/odb/text/records.h"
+
+namespace model::odb {
+
+namespace {
+
+base::Error inJob(const std::filesystem::path& path, const std::string& text) {
+    return {base::ErrorCode::BadInput, path.string() + ": " + text};
+}
+
+base::Error cancelled() {
+    return {base::ErrorCode::Cancelled, "cancelled"};
+}
+
+MiscInfo readInfo(const JobTree& tree, Diagnostics& diagnostics) {
+    const auto file = tree.read("misc/info", diagnostics);
+    return file ? parseInfo(file->text(), file->path, diagnostics) : MiscInfo{};
+}
+
+bool hasOwnFeatures(const JobTree& tree, const Matrix& matrix, const std::string& step) {
+    for (const MatrixLayer& layer : matrix.layers) {
+        if (tree.storedSize("steps/" + step + "/layers/" + layer.name + "/features") > 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// The steps of the matrix that exist, or those that exist where the matrix names none.
+std::vector<std::string> stepsOf(const JobTree& tree, const Matrix& matrix, Diagnostics& diagnostics) {
+    std::vector<std::string> steps;
+    for (const std::string& step : matrix.steps) {
+        if (tree.hasFolder("steps/" + step)) {
+            steps.push_back(step);
+        } else {
+            diagnostics.report(Severity::Warning, "matrix/matrix", 0,
+                               "step " + step + " is in the matrix, but has no folder");
+        }
+    }
+    return steps.empty() ? tree.foldersIn("steps") : steps;
+}
+
+base::Result<std::string> chooseStep(const JobTree& tree, const Matrix& matrix, const std::vector<std::string>& steps,
+                                     const std::string& wanted) {
+    std::string list;
+    for (const std::string& step : steps) {
+        if (!wanted.empty() && equalsIgnoringCase(step, wanted)) {
+            return step;
+        }
+        list += (list.empty() ? "" : ", ") + step;
+    }
+    if (!wanted.empty()) {
+        return base::Error{base::ErrorCode::BadUsage, "the job has no step \"" + wanted + "\"; it has: " + list};
+    }
+    for (const std::string& step : steps) {
+        if (hasOwnFeatures(tree, matrix, step)) {
+            return step;
+        }
+    }
+    if (steps.empty()) {
+        return base::Error{base::ErrorCode::BadInput, "the job has no steps"};
+    }
+    return steps.front();
+}
+
+/// The unit the job's files are mostly in, for display only.
+std::string displayUnit(const MiscInfo& info, const Steps& steps) {
+    std::optional<Unit> unit = info.unit;
+    for (const StepLayer& layer : steps[0].layers) {
+        if (!unit && layer.features.isPresent()) {
+            unit = layer.features.value.unit;
+        }
+    }
+    return unit.value_or(Unit::Inch) == Unit::Inch ? "INCH" : "MM";
+}
+
+std::string stem(const std::filesystem::path& path) {
+    std::string name = path.filename().empty() ? path.parent_path().filename().string() : path.filename().string();
+    for (const std::string_view ending : {".tgz", ".tar.gz", ".tar", ".zip"}) {
+        if (name.size() > ending.size() &&
+            equalsIgnoringCase(std::string_view(name).substr(name.size() - ending.size()), ending)) {
+            return name.substr(0, name.size() - ending.size());
+        }
+    }
+    return name;
+}
+
+void describe(JobInfo& job, const MiscInfo& info, const JobTree& tree, const Steps& steps,
+              const std::filesystem::path& path) {
+    const std::string folder = tree.name();
+    job.name = !info.jobName.empty() ? info.jobName : !folder.empty() && folder != "odb" ? folder : stem(path);
+    job.generator = !info.generator.empty() ? info.generator : steps[0].eda.value.generator;
+    job.version = info.version;
+    job.units = displayUnit(info, steps);
+    job.step = steps[0].name;
+}
+
+/// `parsing` runs since the reading began, unpacking included.
+base::Result<std::shared_ptr<const Document>> readArchive(const Archive& archive, const std::filesystem::path& path,
+                                                          const ReadOptions& options, const Diagnostics& unpacking,
+                                                          base::Progress& progress, const base::Stopwatch& parsing) {
+    DocumentBuilder builder;
+    Diagnostics& diagnostics = builder.diagnostics();
+    diagnostics.append(unpacking);
+    const base::Result<JobTree> tree = JobTree::findIn(archive);
+    if (!tree) {
+        return inJob(path, tree.error().text);
+    }
+    const MiscInfo info = readInfo(*tree, diagnostics);
+    const auto matrixFile = tree->read("matrix/matrix", diagnostics);
+    if (!matrixFile) {
+        return inJob(path, "matrix/matrix cannot be read");
+    }
+    const Matrix matrix = parseMatrix(matrixFile->text(), matrixFile->path, diagnostics);
+    builder.job().steps = stepsOf(*tree, matrix, diagnostics);
+    const base::Result<std::string> step = chooseStep(*tree, matrix, builder.job().steps, options.step);
+    if (!step) {
+        return base::Error{step.error().code, path.string() + ": " + step.error().text};
+    }
+
+    progress.beginPhase("Reading layers");
+    const AttributeTypes attributeTypes(*tree, diagnostics);
+    const JobContext job{*tree, matrix, info.unit.value_or(Unit::Inch), &attributeTypes};
+    Steps steps = collectSteps(job, *step, diagnostics);
+    if (!readSteps(job, steps, progress)) {
+        return cancelled();
+    }
+    describe(builder.job(), info, *tree, steps, path);
+    builder.times().parseMs = parsing.milliseconds();
+
+    const base::Stopwatch creating;
+    progress.beginPhase("Building the board");
+    if (!buildJob(job, steps, boardThicknessIn(*tree, "misc/attrlist", job.defaultUnit, diagnostics), builder,
+                  progress)) {
+        return cancelled();
+    }
+    builder.times().createMs = creating.milliseconds();
+    return builder.finish();
+}
+
+}  // namespace
+
+bool looksLikeJob(const std::filesystem::path& path) {
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error)) {
+        return true;
+    }
+    if (stem(path) != path.filename().string()) {
+        return true;
+    }
+    std::array<char, 512> head{};
+    std::ifstream file(path, std::ios::binary);
+    file.read(head.data(), head.size());
+    const std::string_view bytes(head.data(), static_cast<std::size_t>(file.gcount()));
+    const bool isTar = bytes.size() == head.size() && bytes.substr(257, 5) == "ustar";
+    return isTar || bytes.starts_with("\x1f\x8b") || bytes.starts_with("\x1f\x9d") || bytes.starts_with("PK\x03\x04");
+}
+
+base::Result<std::shared_ptr<const Document>> readJob(const std::filesystem::path& path, const ReadOptions& options,
+                                                      base::Progress& progress) {
+    const base::Stopwatch parsing;
+    Diagnostics diagnostics;
+    progress.beginPhase("Unpacking the job");
+    const base::Result<Archive> archive = Archive::open(path, {}, progress, diagnostics);
+    return archive ? readArchive(*archive, path, options, diagnostics, progress, parsing) : archive.error();
+}
+
+base::Result<std::shared_ptr<const Document>> readJob(const Archive& archive, const std::filesystem::path& name,
+                                                      const ReadOptions& options, const Diagnostics& diagnostics,
+                                                      base::Progress& progress) {
+    return readArchive(archive, name, options, diagnostics, progress, {});
+}
+
+}  // namespace model::odb

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "model/formats/odb/symbols/font.h"
+#include "model/formats/odb/symbols/standard_symbols.h"
+#include "model/formats/odb/text/job_tree.h"
+
+namespace model::odb {
+
+/// Every symbol of a job by what it draws: standard ones by their name, all others from `symbols/<name>/features`. User
+/// symbols of one surface, and of features that keep apart, stay exact; others are united in paint order with a chord
+/// tolerance of 1 µm. They may nest; one that contains itself draws nothing. Not thread-safe: symbols are resolved
+/// while the document is built.
+class SymbolLibrary {
+public:
+    SymbolLibrary(const JobTree& job, Unit defaultUnit, Diagnostics& diagnostics)
+        : m_job(job), m_defaultUnit(defaultUnit), m_diagnostics(diagnostics), m_fonts(job, diagnostics) {}
+
+    /// The shape; stays where it is as long as the library. A symbol that cannot be drawn as asked says so in
+    /// `problem`.
+    const SymbolShape& shape(const SymbolRef& symbol);
+
+    /// The fonts of the job's texts.
+    [[nodiscard]] FontLibrary& fonts() { return m_fonts; }
+
+    /// Reports the symbol's problem as one entry for the whole job, counted per feature and placed where it was met
+    /// first.
+    void reportProblem(const SymbolRef& symbol, const SymbolShape& shape, std::string_view path, std::uint32_t line);
+
+private:
+    struct Location {
+        std::string path;
+        std::uint32_t line = 0;
+    };
+
+    [[nodiscard]] SymbolShape userSymbol(const SymbolRef& symbol);
+
+    const JobTree& m_job;
+    Unit m_defaultUnit;
+    Diagnostics& m_diagnostics;
+    FontLibrary m_fonts;
+    std::map<SymbolRef, SymbolShape> m_shapes;
+    std::map<std::string, Location> m_firstProblem;
+};
+
+}  // namespace model::odb

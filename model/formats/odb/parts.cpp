@@ -1,0 +1,257 @@
+#include "model/formats/odb/parts.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+
+#include "model/formats/odb/text/records.h"
+
+namespace model::odb {
+
+namespace {
+
+/// How far a placed pin may be from its record: rotations and inch coordinates are rounded.
+constexpr Nm kPinTolerance = 1'000;
+
+bool isNear(Point a, Point b) {
+    return std::abs(std::int64_t{a.x} - b.x) <= kPinTolerance && std::abs(std::int64_t{a.y} - b.y) <= kPinTolerance;
+}
+
+bool hasAttribute(const PlacedComponent& component, std::string_view name) {
+    return std::ranges::find(component.properties, name, &TextProperty::name) != component.properties.end();
+}
+
+MountType mountOf(const PlacedComponent& component) {
+    constexpr std::array<std::pair<std::string_view, MountType>, 8> kWords{{{"other", MountType::Other},
+                                                                            {"smt", MountType::Surface},
+                                                                            {"thmt", MountType::ThroughHole},
+                                                                            {"thru", MountType::ThroughHole},
+                                                                            {"pressfit", MountType::PressFit},
+                                                                            {"press_fit", MountType::PressFit},
+                                                                            {"merged", MountType::Other},
+                                                                            {"not_def", MountType::Unknown}}};
+    const auto found = std::ranges::find(component.properties, ".comp_mount_type", &TextProperty::name);
+    for (const auto& [word, type] : kWords) {
+        if (found != component.properties.end() && equalsIgnoringCase(found->value, word)) {
+            return type;
+        }
+    }
+    return MountType::Unknown;
+}
+
+class PartsMaker {
+public:
+    PartsMaker(DocumentBuilder& builder, const Matrix& matrix, const LayerTable& layers, const StepData& step,
+               const NetLinks& nets)
+        : m_builder(builder), m_matrix(matrix), m_layers(layers), m_step(step), m_nets(nets) {}
+
+    void run() {
+        addPackages();
+        for (std::size_t row = 0; row < m_matrix.layers.size(); ++row) {
+            const Parsed<std::vector<PlacedComponent>>& file = m_step.layers[row].components;
+            if (file.value.empty()) {
+                continue;
+            }
+            const LayerSide side = m_builder.layer(m_layers.id(row)).side;
+            const bool isMirrored = pinsAreMirrored(file.value, side);
+            m_first[side == LayerSide::Bottom] = m_builder.soFar().components.size();
+            for (const PlacedComponent& component : file.value) {
+                add(component, side, isMirrored, file.path);
+            }
+        }
+        tieToeprints();
+    }
+
+private:
+    [[nodiscard]] const EdaPackage* packageOf(const PlacedComponent& component) const {
+        const std::vector<EdaPackage>& packages = m_step.eda.value.packages;
+        const bool isKnown = component.package >= 0 && static_cast<std::size_t>(component.package) < packages.size();
+        return isKnown ? &packages[static_cast<std::size_t>(component.package)] : nullptr;
+    }
+
+    [[nodiscard]] static const EdaPin* pinOf(const EdaPackage* package, const PlacedPin& pin) {
+        const bool isKnown =
+            package != nullptr && pin.number >= 0 && static_cast<std::size_t>(pin.number) < package->pins.size();
+        return isKnown ? &package->pins[static_cast<std::size_t>(pin.number)] : nullptr;
+    }
+
+    ShapeId shapeOf(const ShapeSketch& sketch) { return sketch.isEmpty() ? ShapeId{} : m_builder.addShape(sketch); }
+
+    void addPackages() {
+        for (const EdaPackage& from : m_step.eda.value.packages) {
+            std::vector<PackagePin> pins;
+            for (const EdaPin& pin : from.pins) {
+                pins.push_back({m_builder.string(pin.name), pin.kind, pin.position, shapeOf(pin.outline)});
+            }
+            Package package;
+            package.name = from.name;
+            package.pitch = from.pitch;
+            package.box = from.box;
+            package.body = shapeOf(from.outline);
+            package.properties = addProperties(m_builder, from.properties);
+            m_packages.push_back(m_builder.addPackage(std::move(package), pins));
+        }
+    }
+
+    /// How many of a component's pins a placement puts where their records say.
+    [[nodiscard]] std::size_t fittingPins(const PlacedComponent& component, bool isMirrored) const {
+        const EdaPackage* package = packageOf(component);
+        const Placement placement{component.position, component.clockwiseDeg, isMirrored};
+        return static_cast<std::size_t>(std::ranges::count_if(component.pins, [&](const PlacedPin& pin) {
+            const EdaPin* known = pinOf(package, pin);
+            return known != nullptr && isNear(placement.apply(known->position), pin.position);
+        }));
+    }
+
+    [[nodiscard]] bool pinsAreMirrored(const std::vector<PlacedComponent>& components, LayerSide side) const {
+        std::size_t plain = 0;
+        std::size_t mirrored = 0;
+        for (const PlacedComponent& component : components) {
+            plain += fittingPins(component, false);
+            mirrored += fittingPins(component, true);
+        }
+        return plain == mirrored ? side == LayerSide::Bottom : mirrored > plain;
+    }
+
+    void add(const PlacedComponent& from, LayerSide side, bool isMirrored, std::string_view path) {
+        const EdaPackage* package = packageOf(from);
+        std::vector<Pin> pins;
+        std::size_t known = 0;
+        for (const PlacedPin& pin : from.pins) {
+            pins.push_back(pinFrom(pin, package, from.package));
+            known += pinOf(package, pin) != nullptr ? 1 : 0;
+        }
+        if (fittingPins(from, isMirrored) < known) {
+            m_builder.diagnostics().report(Severity::Warning, path, from.line,
+                                           "the pins of a component do not lie where its package puts them; they stay "
+                                           "where the TOP records say");
+        }
+        Component component;
+        component.refdes = from.refdes;
+        component.part = from.part;
+        component.package = package != nullptr ? m_packages[static_cast<std::size_t>(from.package)] : PackageId{};
+        component.placement = {from.position, from.clockwiseDeg, isMirrored};
+        component.side = side;
+        component.height = from.height;
+        component.mount = mountOf(from);
+        component.isPopulated = !hasAttribute(from, ".no_pop");
+        component.properties = addProperties(m_builder, from.properties);
+        m_toeprints.push_back(&from);
+        m_builder.addComponent(std::move(component), pins);
+    }
+
+    Pin pinFrom(const PlacedPin& from, const EdaPackage* package, std::int32_t packageNumber) {
+        const EdaPin* known = pinOf(package, from);
+        Pin pin;
+        pin.name = m_builder.string(from.name.empty() && known != nullptr ? known->name : from.name);
+        pin.position = from.position;
+        pin.net = m_nets.net(from.net);
+        if (known != nullptr) {
+            const PackageId id = m_packages[static_cast<std::size_t>(packageNumber)];
+            pin.packagePin = m_builder.soFar().packages[id.row()].pins.first + static_cast<std::uint32_t>(from.number);
+        }
+        return pin;
+    }
+
+    void tieToeprints() {
+        const std::vector<EdaSubnet>& subnets = m_step.eda.value.subnets;
+        for (std::size_t row = 0; row < subnets.size(); ++row) {
+            const SubnetId id = m_nets.subnets()[row];
+            if (subnets[row].kind == SubnetKind::Toeprint && id.isValid()) {
+                m_builder.subnet(id).pin = pinOf(subnets[row]);
+            }
+        }
+    }
+
+    [[nodiscard]] PinId pinOf(const EdaSubnet& subnet) const {
+        const std::size_t row =
+            m_first[subnet.side == LayerSide::Bottom] + static_cast<std::size_t>(std::max(subnet.component, 0));
+        const Document& document = m_builder.soFar();
+        if (subnet.component < 0 || row >= document.components.size() || document.components[row].side != subnet.side) {
+            return {};
+        }
+        const std::vector<PlacedPin>& pins = m_toeprints[row]->pins;
+        const auto found = std::ranges::find(pins, subnet.toeprint, &PlacedPin::number);
+        return found == pins.end()
+                   ? PinId{}
+                   : PinId{document.components[row].firstPin + static_cast<std::size_t>(found - pins.begin())};
+    }
+
+    DocumentBuilder& m_builder;
+    const Matrix& m_matrix;
+    const LayerTable& m_layers;
+    const StepData& m_step;
+    const NetLinks& m_nets;
+    std::vector<PackageId> m_packages;                ///< by number of the PKG record
+    std::vector<const PlacedComponent*> m_toeprints;  ///< by component
+    std::array<std::size_t, 2> m_first{};             ///< first component of the top and of the bottom
+};
+
+/// Appends the elements made from a feature. Elements of a layer are in the order of their features; only a trail holds
+/// several of them, one per stroke.
+void addElementsOf(const Document& document, LayerId layer, std::uint32_t feature, std::vector<ElementId>& into) {
+    const Range range = document.layer(layer).elements;
+    const auto features = std::span(document.elements.firstFeature).subspan(range.first, range.count);
+    const auto next = std::ranges::upper_bound(features, feature);
+    for (auto row = next; row != features.begin() && *--row <= feature;) {
+        const ElementId id{range.first + static_cast<std::size_t>(row - features.begin())};
+        const bool isTrail = document.elements.kind[id.row()] == ElementKind::Trail;
+        const std::uint32_t tracks =
+            isTrail ? document.trails[document.elements.geometry[id.row()]].nodeCount - 1 : std::uint32_t{1};
+        if (feature >= *row + tracks) {
+            break;
+        }
+        into.push_back(id);
+        if (*row < feature) {
+            break;
+        }
+    }
+}
+
+}  // namespace
+
+void addParts(DocumentBuilder& builder, const Matrix& matrix, const LayerTable& layers, const StepData& step,
+              const NetLinks& nets) {
+    PartsMaker(builder, matrix, layers, step, nets).run();
+}
+
+TallestBodies tallestParts(const Matrix& matrix, const LayerTable& layers, const Steps& steps,
+                           const Document& document) {
+    TallestBodies tallest;
+    for (const StepData& step : steps) {
+        for (std::size_t row = 0; row < matrix.layers.size(); ++row) {
+            for (const PlacedComponent& component : step.layers[row].components.value) {
+                const bool isBottom = document.layer(layers.id(row)).side == LayerSide::Bottom;
+                Nm& side = isBottom ? tallest.bottom : tallest.top;
+                side = std::max(side, bodyHeight(component.height));
+            }
+        }
+    }
+    return tallest;
+}
+
+void addGroups(DocumentBuilder& builder, const Matrix& matrix, const LayerTable& layers, const StepData& step) {
+    const EdaData& eda = step.eda.value;
+    const std::vector<std::size_t> rows = matrixRows(matrix, eda);
+    for (const EdaGroup& from : eda.groups) {
+        std::vector<ElementId> elements;
+        for (std::uint32_t i = from.firstFeature; i < from.firstFeature + from.featureCount; ++i) {
+            const std::size_t row = rows[eda.features[i].layer];
+            if (row == matrix.layers.size() ||
+                eda.features[i].feature >= step.layers[row].features.value.features.size()) {
+                builder.diagnostics().report(Severity::Warning, step.eda.path, eda.features[i].line,
+                                             "FID: a group names a feature that is not there");
+                continue;
+            }
+            addElementsOf(builder.soFar(), layers.id(row), eda.features[i].feature, elements);
+        }
+        std::ranges::sort(elements);
+        elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
+        ElementGroup group;
+        group.type = builder.string(from.type);
+        group.properties = addProperties(builder, from.properties);
+        builder.addGroup(group, elements);
+    }
+}
+
+}  // namespace model::odb

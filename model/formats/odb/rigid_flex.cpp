@@ -1,0 +1,220 @@
+#include "model/formats/odb/rigid_flex.h"
+
+#include <algorithm>
+#include <map>
+
+#include "model/formats/common/region.h"
+#include "model/formats/odb/profile.h"
+#include "model/formats/odb/text/records.h"
+#include "model/geometry/boolean.h"
+
+namespace model::odb {
+
+namespace {
+
+std::size_t rowOfNumber(const Matrix& matrix, std::int64_t number) {
+    const auto found = std::ranges::find(matrix.layers, number, &MatrixLayer::row);
+    return static_cast<std::size_t>(found - matrix.layers.begin());
+}
+
+std::size_t rowOfName(const Matrix& matrix, std::string_view name) {
+    const auto found = std::ranges::find_if(
+        matrix.layers, [name](const MatrixLayer& layer) { return equalsIgnoringCase(layer.name, name); });
+    return static_cast<std::size_t>(found - matrix.layers.begin());
+}
+
+/// How many of the numbers are layers of the stack when `shift` is added to them.
+std::size_t stackupLayers(const ZoneFile& file, const Matrix& matrix, std::int64_t shift) {
+    std::size_t count = 0;
+    for (const ZoneRecord& zone : file.zones) {
+        for (const std::string& word : zone.layers) {
+            const auto number = parseInteger(word);
+            const std::size_t row = number ? rowOfNumber(matrix, *number + shift) : matrix.layers.size();
+            count += row < matrix.layers.size() && isPhysical(matrix.layers[row]) ? 1 : 0;
+        }
+    }
+    return count;
+}
+
+/// Which zones with an outline have the layer, one letter for each; empty if all or none have it: it is bounded by
+/// none of them.
+std::string zonesWith(const ZoneFile& file, const ZoneRows& zones, std::size_t row) {
+    std::string key;
+    for (std::size_t i = 0; i < file.zones.size(); ++i) {
+        if (file.zones[i].outline.isValid()) {
+            key += std::ranges::binary_search(zones.rows[i], row) ? '1' : '0';
+        }
+    }
+    const bool isMixed = key.find('0') != std::string::npos && key.find('1') != std::string::npos;
+    return isMixed ? key : "";
+}
+
+/// What decides where a layer exists; the same for layers with the same outline, empty for the board's.
+std::string outlineKey(const StepData& step, const ZoneRows& zones, const Matrix& matrix, std::size_t row) {
+    if (step.layers[row].profile.isPresent()) {
+        return "row " + std::to_string(row);
+    }
+    return isPhysical(matrix.layers[row]) ? zonesWith(step.zones.value, zones, row) : "";
+}
+
+/// Gives the layers of one step their outlines.
+class OutlineMaker {
+public:
+    OutlineMaker(DocumentBuilder& builder, const Matrix& matrix, const LayerTable& layers, const StepData& step)
+        : m_builder(builder),
+          m_matrix(matrix),
+          m_layers(layers),
+          m_step(step),
+          m_file(step.zones.value),
+          m_zones(rowsOfZones(m_file, matrix)) {}
+
+    void run() {
+        addZones();
+        for (const std::size_t row : m_layers.order()) {
+            m_builder.layer(m_layers.id(row)).profile = outlineOf(row);
+        }
+        reportUnbounded();
+    }
+
+private:
+    void report(Severity severity, std::uint32_t line, std::string_view text) {
+        m_builder.diagnostics().report(severity, m_step.zones.path, line, text);
+    }
+
+    void addZones() {
+        for (std::size_t i = 0; i < m_file.zones.size(); ++i) {
+            const ZoneRecord& from = m_file.zones[i];
+            Zone zone;
+            zone.name = from.name;
+            for (const std::size_t row : m_zones.rows[i]) {
+                zone.layers.push_back(m_layers.id(row));
+            }
+            std::ranges::sort(zone.layers);
+            if (from.outline.isValid()) {
+                zone.shape = m_builder.addShape(sketchOf(m_file.outlines, from.outline.value, {}));
+            } else {
+                report(Severity::Warning, from.line, "a zone without an outline bounds no layers");
+            }
+            m_shapes.push_back(zone.shape);
+            m_builder.addZone(std::move(zone));
+        }
+        for (const std::uint32_t line : m_zones.unknown) {
+            report(Severity::Warning, line, "a zone names a layer that is not in the matrix");
+        }
+        if (m_zones.hasNumbers) {
+            report(Severity::Info, 0,
+                   m_zones.countsFromZero ? "the zones count the rows of the matrix from 0"
+                                          : "the zones count the rows of the matrix from 1");
+        }
+    }
+
+    ShapeId outlineOf(std::size_t row) {
+        const Parsed<FeatureFile>& own = m_step.layers[row].profile;
+        if (const std::optional<ShapeSketch> sketch = profileOf(own.value)) {
+            return m_builder.addShape(*sketch);
+        }
+        if (own.isPresent()) {
+            m_builder.diagnostics().report(Severity::Warning, own.path, 0,
+                                           "the layer's profile holds no outline; the board's is used");
+            return {};
+        }
+        const std::string key = isPhysical(m_matrix.layers[row]) ? zonesWith(m_file, m_zones, row) : "";
+        return key.empty() ? ShapeId{} : unionOf(key, row);
+    }
+
+    /// Of the zones that have the layer; zones that share an edge become one region.
+    ShapeId unionOf(const std::string& key, std::size_t row) {
+        const auto [location, isNew] = m_unions.try_emplace(key);
+        if (isNew) {
+            std::vector<ShapeId> shapes;
+            for (std::size_t i = 0; i < m_shapes.size(); ++i) {
+                if (m_shapes[i].isValid() && std::ranges::binary_search(m_zones.rows[i], row)) {
+                    shapes.push_back(m_shapes[i]);
+                }
+            }
+            location->second = shapes.size() == 1 ? shapes.front() : united(shapes);
+        }
+        return location->second;
+    }
+
+    ShapeId united(const std::vector<ShapeId>& shapes) {
+        PolygonSet all;
+        for (const ShapeId shape : shapes) {
+            all.append(discretise(m_builder.shapes(), shape, kBooleanChords));
+        }
+        const ShapeSketch sketch = sketchOf(unite(all));
+        return sketch.isEmpty() ? ShapeId{} : m_builder.addShape(sketch);
+    }
+
+    /// Copper and dielectrics that no zone has.
+    void reportUnbounded() {
+        std::string names;
+        for (const std::size_t row : m_layers.order()) {
+            const MatrixLayer& layer = m_matrix.layers[row];
+            const bool isStack = layer.isCopper() || layer.type == LayerType::Dielectric;
+            const auto has = [row](const std::vector<std::size_t>& rows) {
+                return std::ranges::binary_search(rows, row);
+            };
+            if (isStack && isPhysical(layer) && std::ranges::none_of(m_zones.rows, has)) {
+                names += (names.empty() ? "" : ", ") + layer.name;
+            }
+        }
+        if (!m_file.zones.empty() && !names.empty()) {
+            report(Severity::Warning, 0, "layers that no zone has are taken to be all over the board: " + names);
+        }
+    }
+
+    DocumentBuilder& m_builder;
+    const Matrix& m_matrix;
+    const LayerTable& m_layers;
+    const StepData& m_step;
+    const ZoneFile& m_file;
+    ZoneRows m_zones;
+    std::vector<ShapeId> m_shapes;            ///< by zone
+    std::map<std::string, ShapeId> m_unions;  ///< by the zones that are united
+};
+
+}  // namespace
+
+ZoneRows rowsOfZones(const ZoneFile& file, const Matrix& matrix) {
+    ZoneRows result;
+    result.countsFromZero = stackupLayers(file, matrix, 1) >= stackupLayers(file, matrix, 0);
+    for (const ZoneRecord& zone : file.zones) {
+        std::vector<std::size_t>& rows = result.rows.emplace_back();
+        for (const std::string& word : zone.layers) {
+            const auto number = parseInteger(word);
+            result.hasNumbers = result.hasNumbers || number.has_value();
+            const std::int64_t shifted = std::int64_t{number.value_or(0)} + (result.countsFromZero ? 1 : 0);
+            const std::size_t row = number ? rowOfNumber(matrix, shifted) : rowOfName(matrix, word);
+            row < matrix.layers.size() ? rows.push_back(row) : result.unknown.push_back(zone.line);
+        }
+        std::ranges::sort(rows);
+        rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    }
+    return result;
+}
+
+std::vector<std::uint32_t> outlineGroups(const Steps& steps, const Matrix& matrix) {
+    std::vector<std::string> keys(matrix.layers.size());
+    for (const StepData& step : steps) {
+        const ZoneRows zones = rowsOfZones(step.zones.value, matrix);
+        for (std::size_t row = 0; row < keys.size(); ++row) {
+            keys[row] += outlineKey(step, zones, matrix, row) + "|";
+        }
+    }
+    const std::string none(steps.size(), '|');
+    std::map<std::string, std::uint32_t> groups;
+    std::vector<std::uint32_t> result;
+    for (const std::string& key : keys) {
+        const bool isBounded = key != none;
+        result.push_back(
+            isBounded ? groups.try_emplace(key, static_cast<std::uint32_t>(groups.size() + 1)).first->second : 0);
+    }
+    return result;
+}
+
+void addOutlines(DocumentBuilder& builder, const Matrix& matrix, const LayerTable& layers, const StepData& step) {
+    OutlineMaker(builder, matrix, layers, step).run();
+}
+
+}  // namespace model::odb

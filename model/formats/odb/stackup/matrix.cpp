@@ -1,0 +1,160 @@
+#include "model/formats/odb/stackup/matrix.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "model/formats/odb/text/records.h"
+#include "model/formats/odb/text/structured_text.h"
+
+namespace model::odb {
+
+namespace {
+
+LayerType layerType(std::string_view name) {
+    static constexpr std::array<std::pair<std::string_view, LayerType>, 13> kTypes = {{
+        {"SIGNAL", LayerType::Signal},
+        {"POWER_GROUND", LayerType::PowerGround},
+        {"MIXED", LayerType::Mixed},
+        {"DIELECTRIC", LayerType::Dielectric},
+        {"SOLDER_MASK", LayerType::SolderMask},
+        {"SOLDER_PASTE", LayerType::SolderPaste},
+        {"SILK_SCREEN", LayerType::SilkScreen},
+        {"DRILL", LayerType::Drill},
+        {"ROUT", LayerType::Rout},
+        {"COMPONENT", LayerType::Component},
+        {"MASK", LayerType::Mask},
+        {"CONDUCTIVE_PASTE", LayerType::ConductivePaste},
+        {"DOCUMENT", LayerType::Document},
+    }};
+    const auto* const found =
+        std::ranges::find_if(kTypes, [name](const auto& entry) { return equalsIgnoringCase(entry.first, name); });
+    return found == kTypes.end() ? LayerType::Other : found->second;
+}
+
+/// A keyword in capitals; "None" is what some writers put for nothing.
+std::string statedWord(std::string_view text) {
+    std::string word = toUtf8(text);
+    std::ranges::transform(word, word.begin(),
+                           [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; });
+    return word == "NONE" ? "" : word;
+}
+
+MatrixLayer layerOf(const Block& block, std::string_view path, Diagnostics& diagnostics) {
+    MatrixLayer layer;
+    layer.line = block.line;
+    layer.row = parseInteger(block.value("ROW")).value_or(0);
+    layer.name = toUtf8(block.value("NAME"));
+    layer.context = equalsIgnoringCase(block.value("CONTEXT"), "MISC") ? LayerContext::Misc : LayerContext::Board;
+    layer.type = layerType(block.value("TYPE"));
+    layer.isNegative = equalsIgnoringCase(block.value("POLARITY"), "NEGATIVE");
+    layer.startName = toUtf8(block.value("START_NAME"));
+    layer.endName = toUtf8(block.value("END_NAME"));
+    layer.addType = statedWord(block.value("ADD_TYPE"));
+    layer.form = statedWord(block.value("FORM"));
+    layer.dielectricType = statedWord(block.value("DIELECTRIC_TYPE"));
+    layer.dielectricName = toUtf8(block.value("DIELECTRIC_NAME"));
+    for (const char* key : {"CU_TOP", "CU_BOTTOM"}) {
+        if (!block.value(key).empty()) {
+            diagnostics.report(Severity::Info, path, block.line,
+                               std::string(key) + " is not used: thickness of copper comes from the copper layers");
+        }
+    }
+    if (layer.type == LayerType::Other) {
+        diagnostics.report(Severity::Warning, path, block.line, "layer " + layer.name + ": unknown layer type");
+    }
+    return layer;
+}
+
+/// Films, glue and plates of rigid-flex boards lie anywhere in the stack.
+bool mayLieInside(const MatrixLayer& layer) {
+    return layer.type == LayerType::Dielectric || layer.addType == "COVERLAY" || layer.addType == "COVERCOAT" ||
+           layer.addType == "PSA" || layer.addType.find("STIFFENER") != std::string::npos;
+}
+
+/// Position in `order` behind which copper is out of place: the first surface layer (mask, paste, silk) that follows
+/// copper.
+std::size_t bottomSide(const std::vector<MatrixLayer>& layers, const std::vector<std::size_t>& order) {
+    bool isBelowCopper = false;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const MatrixLayer& layer = layers[order[i]];
+        if (isBelowCopper && !layer.isCopper() && !mayLieInside(layer)) {
+            return i;
+        }
+        isBelowCopper = isBelowCopper || layer.isCopper();
+    }
+    return order.size();
+}
+
+void raiseLateCopper(const std::vector<MatrixLayer>& layers, std::vector<std::size_t>& order, std::string_view path,
+                     Diagnostics& diagnostics) {
+    const std::size_t bottom = bottomSide(layers, order);
+    std::size_t target = bottom;
+    while (target > 0 && !layers[order[target - 1]].isCopper()) {
+        --target;
+    }
+    target = target > 0 ? target - 1 : 0;  // above the bottom copper
+    for (std::size_t i = bottom; i < order.size(); ++i) {
+        if (layers[order[i]].isCopper()) {
+            diagnostics.report(
+                Severity::Warning, path, layers[order[i]].line,
+                "layer " + layers[order[i]].name +
+                    ": copper listed below the bottom side; taken as an inner layer above the bottom copper");
+            std::rotate(order.begin() + static_cast<std::ptrdiff_t>(target),
+                        order.begin() + static_cast<std::ptrdiff_t>(i),
+                        order.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+            ++target;
+        }
+    }
+}
+
+}  // namespace
+
+bool isPhysical(const MatrixLayer& layer) {
+    switch (layer.type) {
+        case LayerType::Dielectric:
+        case LayerType::SolderMask:
+        case LayerType::SolderPaste:
+        case LayerType::SilkScreen:
+        case LayerType::ConductivePaste:
+        case LayerType::Mask: return layer.context == LayerContext::Board;
+        default: return layer.context == LayerContext::Board && layer.isCopper();
+    }
+}
+
+Matrix parseMatrix(std::string_view text, std::string_view path, Diagnostics& diagnostics) {
+    Matrix matrix;
+    std::vector<std::pair<int, std::string>> steps;
+    for (const Block& block : parseStructured(text, path, diagnostics).blocks) {
+        if (equalsIgnoringCase(block.name, "STEP")) {
+            steps.emplace_back(parseInteger(block.value("COL")).value_or(0), toUtf8(block.value("NAME")));
+        } else if (equalsIgnoringCase(block.name, "LAYER") && matrix.layers.size() == kMaxLayers) {
+            diagnostics.report(Severity::Error, path, block.line,
+                               "the matrix has too many layers; the rest was left out");
+        } else if (equalsIgnoringCase(block.name, "LAYER")) {
+            matrix.layers.push_back(layerOf(block, path, diagnostics));
+        } else {
+            diagnostics.report(Severity::Info, path, block.line, "unknown kind of block; it was left out");
+        }
+    }
+    std::ranges::stable_sort(steps, {}, &std::pair<int, std::string>::first);
+    for (auto& [column, name] : steps) {
+        matrix.steps.push_back(std::move(name));
+    }
+    std::ranges::stable_sort(matrix.layers, {}, &MatrixLayer::row);
+    return matrix;
+}
+
+std::vector<std::size_t> physicalOrder(const std::vector<MatrixLayer>& layers, std::string_view path,
+                                       Diagnostics& diagnostics) {
+    std::vector<std::size_t> order;
+    std::vector<std::size_t> others;
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        (isPhysical(layers[i]) ? order : others).push_back(i);
+    }
+    raiseLateCopper(layers, order, path, diagnostics);
+    order.insert(order.end(), others.begin(), others.end());
+    return order;
+}
+
+}  // namespace model::odb

@@ -1,0 +1,213 @@
+#include "model/formats/odb/symbols/standard_symbols.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "model/formats/odb/symbols/symbol_shapes.h"
+#include "model/formats/odb/text/records.h"
+
+namespace model::odb {
+
+namespace {
+
+/// Takes a number off the front of `name`.
+bool takeNumber(std::string_view& name, bool isLength, double nmPerUnit, SymbolValues& values) {
+    const std::size_t sign = name.starts_with('-') ? 1 : 0;
+    const std::size_t length = std::min(name.find_first_not_of("0123456789.", sign), name.size());
+    const std::optional<double> value = parseReal(name.substr(0, length));
+    if (!value || values.count == values.at.size()) {
+        return false;
+    }
+    values.lengths |= isLength ? std::size_t{1} << values.count : 0;
+    values.at[values.count++] = isLength ? *value * nmPerUnit : *value;
+    name.remove_prefix(length);
+    return true;
+}
+
+/// Takes a list of corners off the front of `name`: digits 1 to 4.
+bool takeCorners(std::string_view& name, SymbolValues& values) {
+    const std::size_t length = std::min(name.find_first_not_of("1234"), name.size());
+    values.corners = 0;
+    for (const char digit : name.substr(0, length)) {
+        values.corners |= 1U << static_cast<unsigned>(digit - '1');
+    }
+    name.remove_prefix(length);
+    return length > 0;
+}
+
+/// In a pattern `#` is a length, `@` a plain number and `%` a list of corners; the rest stands for itself.
+bool matches(std::string_view pattern, std::string_view name, double nmPerUnit, SymbolValues& values) {
+    for (const char p : pattern) {
+        bool fits = false;
+        if (p == '#' || p == '@') {
+            fits = takeNumber(name, p == '#', nmPerUnit, values);
+        } else if (p == '%') {
+            fits = takeCorners(name, values);
+        } else {
+            fits = name.starts_with(p);
+            name.remove_prefix(fits ? 1 : 0);
+        }
+        if (!fits) {
+            return false;
+        }
+    }
+    return name.empty();
+}
+
+SymbolShape nothing(const SymbolValues&) {
+    return {};
+}
+
+struct Rule {
+    std::string_view pattern;
+    SymbolShape (*make)(const SymbolValues&);
+    std::size_t resizable = 0;      ///< leading lengths, the outer sizes: a resize is added to them; 0: none has one
+    std::size_t mayBeNegative = 0;  ///< bit set of lengths that may be negative
+    std::size_t counts = 0;         ///< bit set of values that count pieces (gaps, rings, rows)
+};
+
+constexpr auto kRules = std::to_array<Rule>({
+    {"r#", roundShape, 1},
+    {"s#", square, 1},
+    {"rect#x#", rectangle, 2},
+    {"rect#x#xr#", roundedRectangle, 2},
+    {"rect#x#xr#x%", roundedRectangle, 2},
+    {"rect#x#xc#", chamferedRectangle, 2},
+    {"rect#x#xc#x%", chamferedRectangle, 2},
+    {"oval#x#", ovalShape, 2},
+    {"donut_r#x#", roundRing, 1, 0b10},
+    {"donut_rc#x#x#", rectangleRing, 2},
+    {"donut_rc#x#x#xr#", rectangleRing, 2},
+    {"donut_rc#x#x#xr#x%", rectangleRing, 2},
+    {"oct#x#x#", chamferedRectangle, 2},
+    {"di#x#", diamond, 2},
+    {"hex_l#x#x#", hexagonLying, 2},
+    {"hex_s#x#x#", hexagonStanding, 2},
+    {"tri#x#", triangle, 2},
+    {"el#x#", ellipse, 2},
+    {"oval_h#x#", halfOval, 2},
+    {"bfr#", butterflyRound, 1},
+    {"bfs#", butterflySquare, 1},
+    {"donut_s#x#", squareRing, 1},
+    {"donut_s#x#xr#", roundedSquareRing, 1},
+    {"donut_s#x#xr#x%", roundedSquareRing, 1},
+    {"donut_sr#x#", squareRoundRing, 1},
+    {"donut_o#x#x#", ovalRing, 2},
+    {"thr#x#x@x@x#", roundThermalRoundEnds, 1, 0, 0b1000},
+    {"ths#x#x@x@x#", roundThermalSquareEnds, 1, 0, 0b1000},
+    {"s_ths#x#x@x@x#", squareThermal, 1, 0, 0b1000},
+    {"s_ths#x#x@x@x#xr#", squareThermal, 1, 0, 0b1000},
+    {"s_ths#x#x@x@x#xr#x%", squareThermal, 1, 0, 0b1000},
+    {"s_tho#x#x@x@x#", squareThermalOpenCorners, 1, 0, 0b1000},
+    {"s_tho#x#x@x@x#xr#", squareThermalOpenCorners, 1, 0, 0b1000},
+    {"s_tho#x#x@x@x#xr#x%", squareThermalOpenCorners, 1, 0, 0b1000},
+    {"s_thr#x#x45x4x#", lineThermal, 1},
+    {"sr_ths#x#x@x@x#", squareRoundThermal, 1, 0, 0b1000},
+    {"rc_ths#x#x@x@x#x#", rectangleThermal, 2, 0, 0b1000},
+    {"rc_ths#x#x@x@x#x#xr#", rectangleThermal, 2, 0, 0b1000},
+    {"rc_ths#x#x@x@x#x#xr#x%", rectangleThermal, 2, 0, 0b1000},
+    {"rc_tho#x#x@x@x#x#", rectangleThermalOpenCorners, 2, 0, 0b1000},
+    {"rc_tho#x#x@x@x#x#xr#", rectangleThermalOpenCorners, 2, 0, 0b1000},
+    {"rc_tho#x#x@x@x#x#xr#x%", rectangleThermalOpenCorners, 2, 0, 0b1000},
+    {"o_ths#x#x@x@x#x#", ovalThermal, 2, 0, 0b1000},
+    {"oblong_ths#x#x@x@x#x#xr", ovalThermal, 2, 0, 0b1000},
+    {"oblong_ths#x#x@x@x#x#xs", oblongThermalStraight, 2, 0, 0b1000},
+    {"moire#x#x@x#x#x@", moire, 0, 0, 0b100},
+    {"hole#xpx@x@", roundShape, 1},
+    {"hole#xnx@x@", roundShape, 1},
+    {"hole#xvx@x@", roundShape, 1},
+    {"hplate#x#x#", homePlate, 2},
+    {"hplate#x#x#x#x#", homePlate, 2},
+    {"rhplate#x#x#", invertedHomePlate, 2},
+    {"rhplate#x#x#x#x#", invertedHomePlate, 2},
+    {"fhplate#x#x#x#", flatHomePlate, 2},
+    {"fhplate#x#x#x#x#x#", flatHomePlate, 2},
+    {"radhplate#x#x#", radiusedInvertedHomePlate, 2},
+    {"radhplate#x#x#x#", radiusedInvertedHomePlate, 2},
+    {"dshape#x#x#", radiusedHomePlate, 2},
+    {"dshape#x#x#x#", radiusedHomePlate, 2},
+    {"cross#x#x#x#x@x@xr", crossRound, 2},
+    {"cross#x#x#x#x@x@xr#", crossRound, 2},
+    {"cross#x#x#x#x@x@xs", crossSquare, 2},
+    {"cross#x#x#x#x@x@xs#", crossSquare, 2},
+    {"dogbone#x#x#x#x@xr", dogboneRound, 2},
+    {"dogbone#x#x#x#x@xrx#", dogboneRound, 2},
+    {"dogbone#x#x#x#x@xs", dogboneSquare, 2},
+    {"dogbone#x#x#x#x@xsx#", dogboneSquare, 2},
+    {"dpack#x#x#x#x@x@", padGrid, 2, 0, 0b110000},
+    {"dpack#x#x#x#x@x@x#", padGrid, 2, 0, 0b110000},
+    {"null@", nothing},
+});
+
+/// Half a metre: symbols placed anywhere in the coordinate range then stay within 32 bits.
+constexpr double kMaxSymbol = base::kMaxCoordinate / 2.0;
+
+/// So many gaps, rings, rows or columns at most: a limit of ours, far from what boards use.
+constexpr double kMostPieces = 100.0;
+
+bool isBadCount(double pieces) {
+    return pieces < 0 || pieces > kMostPieces;
+}
+
+/// A reason why these sizes cannot be drawn, or nothing.
+std::string_view badSize(const SymbolValues& values, const Rule& rule) {
+    for (std::size_t i = 0; i < values.count; ++i) {
+        const bool isLength = (values.lengths >> i & 1U) != 0;
+        if (isLength && std::abs(values[i]) > kMaxSymbol) {
+            return "has an absurd size; it draws nothing";
+        }
+        if (isLength && values[i] < 0 && (rule.mayBeNegative >> i & 1U) == 0) {
+            return "has a negative size; it draws nothing";
+        }
+        if ((rule.counts >> i & 1U) != 0 && isBadCount(values[i])) {
+            return "counts pieces below 0 or above 100; it draws nothing";
+        }
+    }
+    return {};
+}
+
+bool hasArea(const ShapeSketch& sketch) {
+    for (std::size_t i = 0; i < sketch.contourCount(); ++i) {
+        const std::span<const PathNode> nodes = sketch.contour(i);
+        const bool isCurved =
+            std::ranges::any_of(nodes, [](const PathNode& node) { return node.edge != EdgeKind::Line; });
+        if (isCurved || nodes.size() > 2) {
+            return true;
+        }
+    }
+    return false;
+}
+
+SymbolShape makeShape(const Rule& rule, SymbolValues values, Nm resize) {
+    for (std::size_t i = 0; i < rule.resizable; ++i) {
+        values.at[i] += resize;
+    }
+    SymbolShape shape;
+    if (const std::string_view reason = badSize(values, rule); !reason.empty()) {
+        shape.problem = reason;
+        return shape;
+    }
+    shape = rule.make(values);
+    if (shape.kind == SymbolShape::Kind::Region && !hasArea(shape.region)) {
+        shape = {};
+        shape.problem = "has no area; it draws nothing";
+    }
+    const bool isInName = rule.resizable > 0;
+    return resize == 0 || isInName ? shape : resized(shape, resize);
+}
+
+}  // namespace
+
+std::optional<SymbolShape> standardSymbol(const SymbolRef& symbol) {
+    for (const Rule& rule : kRules) {
+        SymbolValues values;
+        if (matches(rule.pattern, symbol.name, static_cast<double>(symbolNm(symbol.unit)), values)) {
+            return makeShape(rule, values, symbol.resize);
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace model::odb

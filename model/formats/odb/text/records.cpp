@@ -1,0 +1,261 @@
+#include "model/formats/odb/text/records.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+
+namespace model::odb {
+
+namespace {
+
+constexpr bool isBlank(char c) {
+    return c == ' ' || c == '\t';
+}
+
+constexpr bool isDigit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+constexpr bool endsField(char c) {
+    return isBlank(c) || c == ';';
+}
+
+constexpr std::array<std::int64_t, 13> kPowersOfTen = {
+    1,          10,          100,           1'000,          10'000,          100'000,          1'000'000,
+    10'000'000, 100'000'000, 1'000'000'000, 10'000'000'000, 100'000'000'000, 1'000'000'000'000};
+
+/// Largest mantissa whose product with 25,400,000 nm per inch still fits into 63 bits (9.2e18 / 2.54e7 = 3.6e11).
+constexpr std::int64_t kMaxMantissa = 360'000'000'000;
+
+/// A decimal number as written: mantissa / 10^decimals.
+struct Decimal {
+    std::int64_t mantissa = 0;
+    int decimals = 0;
+    bool isNegative = false;
+    bool isPlain = false;  ///< no exponent, not too long, at least one digit
+};
+
+/// Reads digits with at most one point from `at`, which is moved behind them.
+Decimal scanDecimal(const char*& at, const char* end) {
+    Decimal d;
+    d.isNegative = at != end && *at == '-';
+    at += (at != end && (*at == '-' || *at == '+')) ? 1 : 0;
+    const char* const first = at;
+    for (; at != end && isDigit(*at) && d.mantissa < kMaxMantissa; ++at) {
+        d.mantissa = d.mantissa * 10 + (*at - '0');
+    }
+    std::ptrdiff_t digits = at - first;
+    if (at != end && *at == '.') {
+        const char* const point = ++at;
+        for (; at != end && isDigit(*at) && d.mantissa < kMaxMantissa; ++at) {
+            d.mantissa = d.mantissa * 10 + (*at - '0');
+        }
+        d.decimals = static_cast<int>(at - point);
+        digits += d.decimals;
+    }
+    d.isPlain = digits > 0 && d.mantissa < kMaxMantissa && d.decimals < static_cast<int>(kPowersOfTen.size()) &&
+                (at == end || endsField(*at));
+    return d;
+}
+
+std::int64_t scaled(const Decimal& d, std::int64_t nmPerUnit) {
+    const std::int64_t divisor = kPowersOfTen[static_cast<std::size_t>(d.decimals)];
+    const std::int64_t rounded = (d.mantissa * nmPerUnit + divisor / 2) / divisor;
+    return d.isNegative ? -rounded : rounded;
+}
+
+bool isContinuation(char c) {
+    return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+}
+
+/// Length of the UTF-8 sequence that starts here, 0 if it is none.
+std::size_t utf8Length(std::string_view text) {
+    const auto lead = static_cast<unsigned char>(text[0]);
+    const std::size_t length = lead < 0x80   ? 1
+                               : lead < 0xC2 ? 0
+                               : lead < 0xE0 ? 2
+                               : lead < 0xF0 ? 3
+                               : lead < 0xF5 ? 4
+                                             : 0;
+    for (std::size_t i = 1; i < length; ++i) {
+        if (i >= text.size() || !isContinuation(text[i])) {
+            return 0;
+        }
+    }
+    return length;
+}
+
+}  // namespace
+
+bool LineReader::next() {
+    while (!m_rest.empty()) {
+        const void* newline = std::memchr(m_rest.data(), '\n', m_rest.size());
+        const std::size_t length = newline != nullptr
+                                       ? static_cast<std::size_t>(static_cast<const char*>(newline) - m_rest.data())
+                                       : m_rest.size();
+        m_line = m_rest.substr(0, length);
+        m_rest.remove_prefix(newline != nullptr ? length + 1 : length);
+        ++m_number;
+        if (m_line.ends_with('\r')) {
+            m_line.remove_suffix(1);
+        }
+        while (!m_line.empty() && isBlank(m_line.front())) {
+            m_line.remove_prefix(1);
+        }
+        if (!m_line.empty() && m_line.front() != '#') {
+            return true;
+        }
+    }
+    return false;
+}
+
+void Fields::skipBlanks() {
+    while (m_at != m_end && isBlank(*m_at)) {
+        ++m_at;
+    }
+}
+
+bool Fields::atEnd() {
+    skipBlanks();
+    return m_at == m_end || *m_at == ';';
+}
+
+std::string_view Fields::optionalWord() {
+    skipBlanks();
+    const char* const start = m_at;
+    while (m_at != m_end && !endsField(*m_at)) {
+        ++m_at;
+    }
+    return {start, static_cast<std::size_t>(m_at - start)};
+}
+
+std::string_view Fields::word() {
+    const std::string_view found = optionalWord();
+    m_failed = m_failed || found.empty();
+    return found;
+}
+
+base::Nm Fields::length(std::int64_t nmPerUnit) {
+    skipBlanks();
+    const char* const start = m_at;
+    const Decimal decimal = scanDecimal(m_at, m_end);
+    if (decimal.isPlain) {
+        const std::int64_t nm = scaled(decimal, nmPerUnit);
+        m_failed = m_failed || nm > base::kMaxCoordinate || nm < -base::kMaxCoordinate;
+        return m_failed ? 0 : static_cast<base::Nm>(nm);
+    }
+    m_at = start;
+    const std::optional<double> value = parseReal(word());
+    const std::optional<base::Nm> nm = value ? toLength(*value, nmPerUnit) : std::nullopt;
+    m_failed = m_failed || !nm;
+    return nm.value_or(0);
+}
+
+base::Point Fields::point(std::int64_t nmPerUnit) {
+    const base::Nm x = length(nmPerUnit);
+    return {x, length(nmPerUnit)};
+}
+
+std::int32_t Fields::integer() {
+    const std::optional<std::int32_t> value = parseInteger(word());
+    m_failed = m_failed || !value;
+    return value.value_or(0);
+}
+
+double Fields::real() {
+    const std::optional<double> value = parseReal(word());
+    m_failed = m_failed || !value;
+    return value.value_or(0.0);
+}
+
+std::string_view Fields::quoted() {
+    skipBlanks();
+    if (m_at == m_end || *m_at != '\'') {
+        m_failed = true;
+        return {};
+    }
+    const char* const start = ++m_at;
+    for (const char* at = start; at != m_end; ++at) {
+        const char* behind = at + 1;
+        while (*at == '\'' && behind != m_end && (isBlank(*behind) || isDigit(*behind))) {
+            ++behind;
+        }
+        if (*at == '\'' && (behind == m_end || *behind == ';')) {
+            m_at = at + 1;
+            return {start, static_cast<std::size_t>(at - start)};
+        }
+    }
+    m_failed = true;
+    return {};
+}
+
+std::string_view Fields::tail() const {
+    const auto* found = static_cast<const char*>(std::memchr(m_at, ';', static_cast<std::size_t>(m_end - m_at)));
+    return found == nullptr ? std::string_view()
+                            : std::string_view(found + 1, static_cast<std::size_t>(m_end - found - 1));
+}
+
+std::optional<Unit> parseUnit(std::string_view text) {
+    if (equalsIgnoringCase(text, "MM")) {
+        return Unit::Millimetre;
+    }
+    return equalsIgnoringCase(text, "INCH") ? std::optional(Unit::Inch) : std::nullopt;
+}
+
+std::string_view trimmed(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    if (first == std::string_view::npos) {
+        return {};
+    }
+    return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
+}
+
+std::optional<double> parseReal(std::string_view text) {
+    text = text.starts_with('+') ? text.substr(1) : text;
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool isWhole = error == std::errc() && end == text.data() + text.size() && !text.empty();
+    return isWhole && std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+std::optional<std::int32_t> parseInteger(std::string_view text) {
+    text = text.starts_with('+') ? text.substr(1) : text;
+    std::int32_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool isWhole = error == std::errc() && end == text.data() + text.size() && !text.empty();
+    return isWhole ? std::optional(value) : std::nullopt;
+}
+
+std::optional<base::Nm> toLength(double value, std::int64_t nmPerUnit) {
+    const double nm = value * static_cast<double>(nmPerUnit);
+    if (!(std::abs(nm) <= static_cast<double>(base::kMaxCoordinate))) {
+        return std::nullopt;
+    }
+    return static_cast<base::Nm>(std::llround(nm));
+}
+
+bool equalsIgnoringCase(std::string_view a, std::string_view b) {
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+    return a.size() == b.size() &&
+           std::equal(a.begin(), a.end(), b.begin(), [&](char x, char y) { return lower(x) == lower(y); });
+}
+
+std::string toUtf8(std::string_view bytes) {
+    std::string text;
+    text.reserve(bytes.size());
+    while (!bytes.empty()) {
+        const std::size_t length = utf8Length(bytes);
+        if (length > 0) {
+            text.append(bytes.substr(0, length));
+        } else {
+            const auto latin = static_cast<unsigned char>(bytes[0]);
+            text.push_back(static_cast<char>(0xC0U | (latin >> 6U)));
+            text.push_back(static_cast<char>(0x80U | (latin & 0x3FU)));
+        }
+        bytes.remove_prefix(std::max<std::size_t>(length, 1));
+    }
+    return text;
+}
+
+}  // namespace model::odb

@@ -1,0 +1,159 @@
+#include "model/geometry/shapes.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "model/base/assert.h"
+
+namespace model {
+
+void ShapeSketch::beginContour(bool isHole) {
+    m_starts.push_back(static_cast<std::uint32_t>(m_nodes.size()));
+    m_holes.push_back(isHole ? 1 : 0);
+}
+
+void ShapeSketch::addCircle(Point centre, Nm radius, bool isHole) {
+    beginContour(isHole);
+    addNode({{centre.x + radius, centre.y}, centre, EdgeKind::ArcCounterClockwise});
+}
+
+void ShapeSketch::addPolygon(std::span<const Point> points, bool isHole) {
+    beginContour(isHole);
+    for (const Point& point : points) {
+        addNode(point);
+    }
+}
+
+std::span<const PathNode> ShapeSketch::contour(std::size_t index) const {
+    ASSERT(index < m_starts.size());
+    const std::size_t end = index + 1 < m_starts.size() ? m_starts[index + 1] : m_nodes.size();
+    return std::span(m_nodes).subspan(m_starts[index], end - m_starts[index]);
+}
+
+namespace {
+
+struct Turn {
+    double cosine;
+    double sine;
+};
+
+/// Cosine and sine of a clockwise angle; quarter turns are exact, so that pads at 90° stay on the grid.
+Turn turnOf(double clockwiseDeg) {
+    const double quarters = clockwiseDeg / 90.0;
+    if (quarters == std::floor(quarters)) {
+        constexpr Turn kExact[4] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+        return kExact[((static_cast<long long>(quarters) % 4) + 4) % 4];
+    }
+    const double radians = clockwiseDeg * std::numbers::pi / 180.0;
+    return {std::cos(radians), std::sin(radians)};
+}
+
+Nm toNm(double value) {
+    return static_cast<Nm>(std::llround(value));
+}
+
+}  // namespace
+
+PointD Placement::apply(PointD p) const {
+    const Turn turn = turnOf(clockwiseDeg);
+    const double x = turn.cosine * p.x + turn.sine * p.y;
+    const double y = -turn.sine * p.x + turn.cosine * p.y;
+    return {origin.x + (isMirrored ? -x : x), origin.y + y};
+}
+
+Point Placement::apply(Point p) const {
+    const PointD moved = apply(toDouble(p));
+    return {toNm(moved.x), toNm(moved.y)};
+}
+
+Box Placement::boxOf(const Box& box) const {
+    Box placed;
+    for (const Point corner : {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}) {
+        if (!box.isEmpty()) {
+            placed.include(apply(corner));
+        }
+    }
+    return placed;
+}
+
+Placement Placement::after(const Placement& inner) const {
+    // M R(a) M' R(b): a mirror inside reverses the sense of the outer rotation, R(a) M = M R(-a).
+    Placement both;
+    both.origin = apply(inner.origin);
+    both.isMirrored = isMirrored != inner.isMirrored;
+    both.clockwiseDeg = inner.clockwiseDeg + (inner.isMirrored ? -clockwiseDeg : clockwiseDeg);
+    return both;
+}
+
+namespace {
+
+/// Is the direction `angle` (rad) passed on the way from `start` over `sweep`?
+bool isWithinSweep(double angle, double start, double sweep) {
+    constexpr double kTurn = 2.0 * std::numbers::pi;
+    double ahead = sweep >= 0 ? angle - start : start - angle;
+    ahead -= kTurn * std::floor(ahead / kTurn);
+    return ahead <= std::abs(sweep);
+}
+
+}  // namespace
+
+bool isIdentity(const Placement& placement) {
+    return placement.origin == Point{} && placement.clockwiseDeg == 0.0 && !placement.isMirrored;
+}
+
+PathNode placed(const PathNode& node, const Placement& placement) {
+    PathNode moved = node;
+    moved.point = placement.apply(node.point);
+    if (node.edge != EdgeKind::Line) {
+        moved.centre = placement.apply(node.centre);
+        const bool isClockwise = (node.edge == EdgeKind::ArcClockwise) != placement.isMirrored;
+        moved.edge = isClockwise ? EdgeKind::ArcClockwise : EdgeKind::ArcCounterClockwise;
+    }
+    return moved;
+}
+
+Box boxOfEdge(const PathNode& from, Point to) {
+    Box box;
+    box.include(from.point);
+    box.include(to);
+    if (from.edge == EdgeKind::Line) {
+        return box;
+    }
+    const PointD c = toDouble(from.centre);
+    const double start = std::atan2(from.point.y - c.y, from.point.x - c.x);
+    const double end = std::atan2(to.y - c.y, to.x - c.x);
+    constexpr double kTurn = 2.0 * std::numbers::pi;
+    double sweep = from.edge == EdgeKind::ArcCounterClockwise ? end - start : start - end;
+    sweep -= kTurn * std::floor(sweep / kTurn);
+    if (from.point == to) {
+        sweep = kTurn;
+    }
+    if (from.edge == EdgeKind::ArcClockwise) {
+        sweep = -sweep;
+    }
+    const double radius =
+        std::max(std::hypot(from.point.x - c.x, from.point.y - c.y), std::hypot(to.x - c.x, to.y - c.y));
+    for (int quarter = 0; quarter < 4; ++quarter) {
+        constexpr int kDx[4] = {1, 0, -1, 0};
+        constexpr int kDy[4] = {0, 1, 0, -1};
+        if (isWithinSweep(quarter * std::numbers::pi / 2.0, start, sweep)) {
+            box.include(Point{toNm(c.x + kDx[quarter] * radius), toNm(c.y + kDy[quarter] * radius)});
+        }
+    }
+    return box;
+}
+
+Box boxOfPath(std::span<const PathNode> nodes, bool isClosed) {
+    Box box;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const bool isLast = i + 1 == nodes.size();
+        if (isLast && !isClosed) {
+            box.include(nodes[i].point);
+        } else {
+            box.include(boxOfEdge(nodes[i], nodes[isLast ? 0 : i + 1].point));
+        }
+    }
+    return box;
+}
+
+}  // namespace model

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "model/base/progress.h"
+#include "model/base/result.h"
+#include "model/board/copies.h"
+#include "model/geometry/box_index.h"
+
+namespace model {
+
+/// Where the elements of a board are, copies of steps included. Made once per document and frozen with it.
+struct BoardIndex {
+    std::shared_ptr<const Document> board;
+    StepTree tree;
+    std::vector<BoxIndex> elements;  ///< per step of the tree; rows are ElementId
+    std::vector<Box> extents;        ///< per step, of its own elements
+};
+
+/// Errors: Cancelled.
+[[nodiscard]] base::Result<std::shared_ptr<const BoardIndex>> indexBoard(std::shared_ptr<const Document> board,
+                                                                         base::Progress& progress);
+
+/// The same for a board that differs in heights only (model::restack); next to no cost.
+[[nodiscard]] std::shared_ptr<const BoardIndex> withHeights(const BoardIndex& index,
+                                                            std::shared_ptr<const Document> board);
+
+}  // namespace model

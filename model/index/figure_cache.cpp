@@ -1,0 +1,36 @@
+#include "model/index/figure_cache.h"
+
+namespace model {
+
+namespace {
+
+/// Outlines kept for areas: those of more edges than this, until so many edges are kept (72 bytes each).
+constexpr std::size_t kLargeArea = 256;
+constexpr std::size_t kMostKeptEdges = 4'000'000;
+
+}  // namespace
+
+const FigureTable& FigureCache::of(const BoardIndex& index, std::uint32_t step, ElementId element) {
+    const std::uint64_t key = std::uint64_t{step} << 32U | element.value;
+    if (const auto kept = m_large.find(key); kept != m_large.end()) {
+        return kept->second;
+    }
+    FigureTable figures;
+    figures.add(*index.tree.steps[step], element);
+    std::size_t edges = 0;
+    for (std::size_t row = 0; row < figures.size(); ++row) {
+        edges += figures[row].edgeCount;
+    }
+    if (edges <= kLargeArea) {
+        m_small = std::move(figures);
+        return m_small;
+    }
+    if (m_keptEdges + edges > kMostKeptEdges) {
+        m_large.clear();
+        m_keptEdges = 0;
+    }
+    m_keptEdges += edges;
+    return m_large.emplace(key, std::move(figures)).first->second;
+}
+
+}  // namespace model

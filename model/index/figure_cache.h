@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+
+#include "model/figures/figures.h"
+#include "model/index/board_index.h"
+
+namespace model {
+
+/// The figures of elements for whoever asks again and again, as a cursor does: outlines of large areas are kept once
+/// they were asked for. One thread at a time.
+class FigureCache {
+public:
+    /// In the coordinates of the step, a row of `index.tree.steps`. Counts until the next call.
+    const FigureTable& of(const BoardIndex& index, std::uint32_t step, ElementId element);
+
+private:
+    std::unordered_map<std::uint64_t, FigureTable> m_large;
+    FigureTable m_small;  ///< of the element asked for last, if that is not worth keeping
+    std::size_t m_keptEdges = 0;
+};
+
+}  // namespace model

@@ -1,0 +1,264 @@
+#include "model/index/picking.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "model/figures/distance.h"
+
+namespace model {
+
+namespace {
+
+/// Halvings of a way through a layer: to 1 nm of 1 m.
+constexpr int kHalvings = 30;
+
+Point rounded(PointD p) {
+    const auto clamp = [](double v) {
+        return static_cast<Nm>(std::lround(std::clamp<double>(v, -base::kMaxCoordinate, base::kMaxCoordinate)));
+    };
+    return {clamp(p.x), clamp(p.y)};
+}
+
+Box boxAround(PointD a, PointD b, double reach) {
+    Box box;
+    box.include(rounded(a));
+    box.include(rounded(b));
+    return box.grownBy(static_cast<Nm>(std::ceil(std::min(reach, 1e8))) + 1);
+}
+
+PointD along(PointD a, PointD b, double part) {
+    return {a.x + (b.x - a.x) * part, a.y + (b.y - a.y) * part};
+}
+
+/// How far the figures are from the stroke from `a` to `b`; more than `reach` counts as infinitely far.
+double spacingTo(const FigureTable& figures, PointD a, PointD b, double reach) {
+    FigureTable probe;
+    probe.addTrack(a, b, 0.0);
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t row = 0; row < figures.size(); ++row) {
+        if (const auto gap = spacingBetween(figures, row, probe, 0, std::min(least, std::max(reach, kTouchNm)))) {
+            least = std::min(least, gap->distance);
+        }
+    }
+    return least <= kTouchNm ? 0.0 : least;
+}
+
+/// The part of the way from `a` to `b` after which the figures are first touched; they are somewhere on it.
+double firstContact(const FigureTable& figures, PointD a, PointD b) {
+    if (spacingTo(figures, a, a, 0.0) == 0.0) {
+        return 0.0;
+    }
+    double before = 0.0;
+    double after = 1.0;
+    for (int i = 0; i < kHalvings; ++i) {
+        const double middle = (before + after) / 2.0;
+        (spacingTo(figures, a, along(a, b, middle), 0.0) == 0.0 ? after : before) = middle;
+    }
+    return after;
+}
+
+double sizeOf(const Box& box) {
+    return std::hypot(static_cast<double>(box.width()), static_cast<double>(box.height()));
+}
+
+/// The part of a line of sight between two heights and inside of a box around the board, in steps; empty if first >
+/// last.
+struct Way {
+    double first = 0.0;
+    double last = std::numeric_limits<double>::infinity();
+
+    void keep(double from, double step, double low, double high) {
+        if (step == 0.0) {
+            if (from < low || from > high) {
+                last = -1.0;
+            }
+            return;
+        }
+        const double a = (low - from) / step;
+        const double b = (high - from) / step;
+        first = std::max(first, std::min(a, b));
+        last = std::min(last, std::max(a, b));
+    }
+};
+
+}  // namespace
+
+/// What is asked for: a straight way over the board between two depths. Of a line of sight, the part within a layer.
+struct Picker::Probe {
+    PointD a;
+    PointD b;
+    double reach = 0.0;
+    double depthA = 0.0;
+    double depthB = 0.0;
+    std::span<const PickLayer> layers;
+    const SightLine* line = nullptr;  ///< nullptr: seen from straight above
+
+    /// The part that passes the board between two heights; none if it does not.
+    [[nodiscard]] std::optional<Probe> between(double low, double high) const {
+        Way way{depthA, depthB};
+        way.keep(line->z, -line->down, low, high);
+        if (way.first > way.last) {
+            return std::nullopt;
+        }
+        const double length = depthB - depthA;
+        const auto at = [&](double depth) { return length > 0.0 ? model::along(a, b, (depth - depthA) / length) : a; };
+        return Probe{at(way.first), at(way.last), reach, way.first, way.last, layers, line};
+    }
+};
+
+namespace {
+
+/// Where a body is drawn within its layer, which may be turned over.
+std::pair<double, double> drawnHeights(const Document& step, ElementId body, bool isFlipped, const PickLayer& drawn) {
+    const Layer& layer = step.layer(step.elements.layer[body.row()]);
+    const ZRange z = step.heightsOf(body);
+    const double below = isFlipped ? double(layer.z) + layer.thickness - z.top : double(z.bottom) - layer.z;
+    return {drawn.bottom + below, drawn.bottom + below + (double(z.top) - z.bottom)};
+}
+
+}  // namespace
+
+bool Picker::isHidden(std::uint32_t step, ElementId element) const {
+    if (step >= m_hiddenNets.size()) {
+        return false;
+    }
+    const NetId net = m_index->tree.steps[step]->elements.net[element.row()];
+    return net.isValid() && net.row() < m_hiddenNets[step].size() && m_hiddenNets[step][net.row()];
+}
+
+void Picker::collect(const Probe& probe, LayerId only, std::vector<Hit>& hits) {
+    for (std::uint32_t copy = 0; copy < m_index->tree.copies.size(); ++copy) {
+        const StepCopy& placed = m_index->tree.copies[copy];
+        const Document& step = *m_index->tree.steps[placed.step];
+        const Box box =
+            boxAround(unplaced(probe.a, placed.placement), unplaced(probe.b, placed.placement), probe.reach);
+        m_index->elements[placed.step].visit(box, [&](std::uint32_t row) {
+            const ElementId element{row};
+            const LayerId layer = step.layerOfCopy(step.elements.layer[row], placed.isFlipped);
+            const bool isOther = only.isValid() && layer != only;
+            if (!probe.layers[layer.row()].isVisible || isOther || isHidden(placed.step, element)) {
+                return;
+            }
+            std::optional<Probe> own = probe;
+            if (probe.line != nullptr && step.bodyOf(element) != nullptr) {
+                const auto [low, high] = drawnHeights(step, element, placed.isFlipped, probe.layers[layer.row()]);
+                own = probe.between(low, high);
+            }
+            if (!own) {
+                return;
+            }
+            const PointD a = unplaced(own->a, placed.placement);
+            const PointD b = unplaced(own->b, placed.placement);
+            const FigureTable& figures = m_figures.of(*m_index, placed.step, element);
+            const double missedBy = spacingTo(figures, a, b, probe.reach);
+            if (missedBy > probe.reach) {
+                return;
+            }
+            const double part = missedBy > 0.0 || own->depthA == own->depthB ? 0.0 : firstContact(figures, a, b);
+            hits.push_back({{copy, element},
+                            layer,
+                            own->depthA + (own->depthB - own->depthA) * part,
+                            missedBy,
+                            sizeOf(step.boxOf(element))});
+        });
+    }
+}
+
+namespace {
+
+void sortHits(std::vector<Hit>& hits) {
+    std::ranges::sort(hits, {}, [](const Hit& hit) {
+        return std::tuple(hit.missedBy > 0.0, hit.depth, hit.size, hit.missedBy, hit.layer, ~hit.at.element.value,
+                          hit.at.copy);
+    });
+}
+
+}  // namespace
+
+std::vector<Hit> Picker::at(PointD location, double reach, std::span<const PickLayer> layers, bool isFromBelow) {
+    std::vector<Hit> hits;
+    collect({location, location, reach, 0.0, 0.0, layers}, {}, hits);
+    double nearest = isFromBelow ? std::numeric_limits<double>::infinity() : -std::numeric_limits<double>::infinity();
+    for (const PickLayer& layer : layers) {
+        nearest = isFromBelow ? std::min(nearest, layer.bottom) : std::max(nearest, layer.top);
+    }
+    for (Hit& hit : hits) {
+        const PickLayer& layer = layers[hit.layer.row()];
+        hit.depth = isFromBelow ? layer.bottom - nearest : nearest - layer.top;
+    }
+    sortHits(hits);
+    return hits;
+}
+
+std::vector<Hit> Picker::along(const SightLine& line, double reach, std::span<const PickLayer> layers) {
+    Box around = m_index->board->extent;
+    around.include(m_index->extents.front());
+    around = around.grownBy(1'000'000);
+    std::vector<Hit> hits;
+    for (std::size_t row = 0; row < layers.size(); ++row) {
+        Way way;
+        way.keep(line.z, -line.down, layers[row].bottom, layers[row].top);
+        way.keep(line.origin.x, line.direction.x, around.min.x, around.max.x);
+        way.keep(line.origin.y, line.direction.y, around.min.y, around.max.y);
+        if (line.kept) {
+            const auto [at, outward] = *line.kept;
+            way.keep((line.origin.x - at.x) * outward.x + (line.origin.y - at.y) * outward.y,
+                     line.direction.x * outward.x + line.direction.y * outward.y,
+                     -std::numeric_limits<double>::infinity(), 0.0);
+        }
+        if (!layers[row].isVisible || way.first > way.last || !std::isfinite(way.last)) {
+            continue;
+        }
+        const PointD end = {line.origin.x + line.direction.x, line.origin.y + line.direction.y};
+        collect({model::along(line.origin, end, way.first), model::along(line.origin, end, way.last), reach, way.first,
+                 way.last, layers, &line},
+                LayerId{row}, hits);
+    }
+    sortHits(hits);
+    return hits;
+}
+
+std::vector<BoardElement> Picker::inside(const Box& box, bool isTouching, std::span<const PickLayer> layers) {
+    const std::array<Point, 4> corners = {box.min, Point{box.max.x, box.min.y}, box.max, Point{box.min.x, box.max.y}};
+    const auto holds = [&](const Box& other) {
+        return other.min.x >= box.min.x && other.min.y >= box.min.y && other.max.x <= box.max.x &&
+               other.max.y <= box.max.y;
+    };
+    std::vector<BoardElement> found;
+    for (std::uint32_t copy = 0; copy < m_index->tree.copies.size(); ++copy) {
+        const StepCopy& placed = m_index->tree.copies[copy];
+        const Document& step = *m_index->tree.steps[placed.step];
+        std::array<PointD, 4> sides;
+        Box local;
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            sides[i] = unplaced(base::toDouble(corners[i]), placed.placement);
+            local.include(rounded(sides[i]));
+        }
+        const auto touches = [&](const FigureTable& figures) {
+            bool isTouched = false;
+            for (std::size_t i = 0; i < sides.size() && !isTouched; ++i) {
+                isTouched = spacingTo(figures, sides[i], sides[(i + 1) % sides.size()], 0.0) == 0.0;
+            }
+            return isTouched;
+        };
+        m_index->elements[placed.step].visit(local, [&](std::uint32_t row) {
+            const LayerId layer = step.layerOfCopy(step.elements.layer[row], placed.isFlipped);
+            const ElementId element{row};
+            if (!layers[layer.row()].isVisible || isHidden(placed.step, element)) {
+                return;
+            }
+            if (holds(placed.placement.boxOf(step.boxOf(element))) ||
+                (isTouching && touches(m_figures.of(*m_index, placed.step, element)))) {
+                found.push_back({copy, element});
+            }
+        });
+    }
+    std::ranges::sort(found);
+    return found;
+}
+
+}  // namespace model

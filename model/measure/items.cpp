@@ -1,0 +1,218 @@
+#include "model/measure/items.h"
+
+#include <algorithm>
+
+#include "model/index/pin_finder.h"
+
+namespace model {
+
+namespace {
+
+const Document& stepOf(const BoardIndex& index, std::uint32_t copy) {
+    return *index.tree.steps[index.tree.copies[copy].step];
+}
+
+/// Elements of one copy.
+std::vector<BoardElement> inCopy(std::uint32_t copy, std::span<const ElementId> elements) {
+    std::vector<BoardElement> all;
+    for (const ElementId element : elements) {
+        all.push_back({copy, element});
+    }
+    std::ranges::sort(all);
+    return all;
+}
+
+/// What touches others electrically.
+bool isConductor(const Document& step, ElementId element) {
+    return step.layer(step.elements.layer[element.row()]).isCopper() ||
+           isPlatedHole(step.elements.flags[element.row()]);
+}
+
+/// The conductors among elements of one copy.
+std::vector<BoardElement> conductorsOf(const BoardIndex& index, std::uint32_t copy,
+                                       std::span<const ElementId> elements) {
+    std::vector<BoardElement> all = inCopy(copy, elements);
+    std::erase_if(all, [&](BoardElement of) { return !isConductor(stepOf(index, copy), of.element); });
+    return all;
+}
+
+/// Is the layer at a height of its own, or just a drawing?
+bool isInStackup(const Layer& layer) {
+    switch (layer.type) {
+        case LayerType::Signal:
+        case LayerType::PowerGround:
+        case LayerType::Mixed:
+        case LayerType::Dielectric:
+        case LayerType::SolderMask:
+        case LayerType::SolderPaste:
+        case LayerType::SilkScreen:
+        case LayerType::ConductivePaste:
+        case LayerType::Drill:
+        case LayerType::Rout:
+        case LayerType::Body:
+        case LayerType::ComponentBody: return layer.context == LayerContext::Board;
+        default: return false;
+    }
+}
+
+/// The layers a hole joins, or passes if it is not plated; of the step, top one first.
+PlatedSpan spanOf(const Document& step, ElementId element) {
+    const std::uint8_t flags = step.elements.flags[element.row()];
+    const LayerId own = step.elements.layer[element.row()];
+    if (isPlatedHole(flags)) {
+        return step.platedSpanOf(element);
+    }
+    const Layer& layer = step.layer(own);
+    const bool isHole = (flags & kHole) != 0 && layer.spanTop.isValid() && layer.spanBottom.isValid();
+    return isHole ? PlatedSpan{element, layer.spanTop, layer.spanBottom} : PlatedSpan{element, own, own};
+}
+
+/// Where a body stands within its layer, which may be turned over.
+ZRange rotated(ZRange z, const Layer& from, const Layer& to) {
+    const Nm above = from.z + from.thickness - z.top;
+    return {to.z + above, to.z + above + (z.top - z.bottom)};
+}
+
+Piece pieceOf(const BoardIndex& index, BoardElement at) {
+    const StepCopy& copy = index.tree.copies[at.copy];
+    const Document& step = *index.tree.steps[copy.step];
+    const LayerId own = step.elements.layer[at.element.row()];
+    Piece piece;
+    piece.at = at;
+    piece.layer = step.layerOfCopy(own, copy.isFlipped);
+    const PlatedSpan span = spanOf(step, at.element);
+    piece.top = span.top.isValid() ? step.layerOfCopy(span.top, copy.isFlipped) : LayerId{};
+    piece.bottom = span.bottom.isValid() ? step.layerOfCopy(span.bottom, copy.isFlipped) : LayerId{};
+    if (piece.bottom < piece.top) {
+        std::swap(piece.top, piece.bottom);
+    }
+    const Document& board = *index.board;
+    piece.hasHeights = isInStackup(board.layer(piece.layer));
+    if (isPlatedHole(step.elements.flags[at.element.row()]) && piece.top.isValid()) {
+        const Layer& top = board.layer(piece.top);
+        piece.z = {board.layer(piece.bottom).z, top.z + top.thickness};
+    } else if (step.bodyOf(at.element) != nullptr) {
+        const ZRange z = step.heightsOf(at.element);
+        piece.z = copy.isFlipped ? rotated(z, step.layer(own), board.layer(piece.layer)) : z;
+    } else {
+        const Layer& layer = board.layer(piece.layer);
+        piece.z = {layer.z, layer.z + layer.thickness};
+    }
+    return piece;
+}
+
+std::string pinName(const Document& step, PinId id) {
+    const Pin& pin = step.pins[id.row()];
+    const std::string part = pin.component.isValid() ? step.components[pin.component.row()].refdes + "." : "";
+    return "pin " + part + step.text(pin.name);
+}
+
+/// Says what a thing is called.
+struct Namer {
+    const BoardIndex& index;
+
+    std::string operator()(BoardElement at) const {
+        const StepCopy& copy = index.tree.copies[at.copy];
+        const Document& step = *index.tree.steps[copy.step];
+        const LayerId layer = step.layerOfCopy(step.elements.layer[at.element.row()], copy.isFlipped);
+        return "element " + std::to_string(at.element.value) + " (" + index.board->layer(layer).name + ")";
+    }
+    std::string operator()(NetOfCopy at) const { return "net " + stepOf(index, at.copy).nets[at.net.row()].name; }
+    std::string operator()(PartOfCopy at) const { return stepOf(index, at.copy).components[at.component.row()].refdes; }
+    std::string operator()(PinOfCopy at) const { return pinName(stepOf(index, at.copy), at.pin); }
+    std::string operator()(BoardEdge) const { return "the board's edge"; }
+    std::string operator()(const Location&) const { return "the place"; }
+};
+
+/// Collects the elements of a thing.
+struct Collector {
+    const BoardIndex& index;
+
+    std::vector<BoardElement> operator()(BoardElement at) const { return {at}; }
+    std::vector<BoardElement> operator()(NetOfCopy at) const {
+        return conductorsOf(index, at.copy, stepOf(index, at.copy).elementsOf(at.net));
+    }
+    std::vector<BoardElement> operator()(PartOfCopy at) const {
+        return conductorsOf(index, at.copy, PinFinder(stepOf(index, at.copy)).elementsOf(at.component));
+    }
+    std::vector<BoardElement> operator()(PinOfCopy at) const {
+        return conductorsOf(index, at.copy, PinFinder(stepOf(index, at.copy)).elementsOf(at.pin));
+    }
+    std::vector<BoardElement> operator()(BoardEdge) const { return {}; }
+    std::vector<BoardElement> operator()(const Location&) const { return {}; }
+};
+
+void addEdge(const BoardIndex& index, Pieces& pieces) {
+    if (!index.board->profile.isValid()) {
+        return;
+    }
+    pieces.figures.addOutline(index.board->shapes, index.board->profile);
+    Piece edge;
+    edge.hasHeights = true;
+    edge.z = {base::kMaxCoordinate * -1, base::kMaxCoordinate};
+    pieces.pieces.resize(pieces.figures.size(), edge);
+}
+
+void addLocation(const BoardIndex& index, const Location& location, Pieces& pieces) {
+    pieces.figures.addTrack(location.at, location.at, 0.0);
+    Piece piece;
+    if (location.layer.isValid()) {
+        const Layer& layer = index.board->layer(location.layer);
+        piece.layer = piece.top = piece.bottom = location.layer;
+        piece.hasHeights = isInStackup(layer);
+        piece.z = {layer.z, layer.z + layer.thickness};
+    }
+    pieces.pieces.push_back(piece);
+}
+
+}  // namespace
+
+std::vector<BoardElement> elementsOf(const BoardIndex& index, const MeasureItem& item) {
+    return std::visit(Collector{index}, item);
+}
+
+std::optional<double> heightBetween(const Document& board, LayerId a, LayerId b) {
+    if (!a.isValid() || !b.isValid() || !isInStackup(board.layer(a)) || !isInStackup(board.layer(b))) {
+        return std::nullopt;
+    }
+    const auto above = [](const Layer& upper, const Layer& lower) {
+        return static_cast<double>(upper.z) - lower.z - lower.thickness;
+    };
+    return std::max({0.0, above(board.layer(a), board.layer(b)), above(board.layer(b), board.layer(a))});
+}
+
+NetId netOf(const BoardIndex& index, BoardElement at) {
+    return at.element.isValid() ? stepOf(index, at.copy).elements.net[at.element.row()] : NetId{};
+}
+
+std::string nameOf(const BoardIndex& index, const MeasureItem& item) {
+    return std::visit(Namer{index}, item);
+}
+
+Pieces piecesOf(const BoardIndex& index, std::span<const BoardElement> elements) {
+    Pieces pieces;
+    pieces.elements.assign(elements.begin(), elements.end());
+    for (const BoardElement at : elements) {
+        const StepCopy& copy = index.tree.copies[at.copy];
+        const std::size_t before = pieces.figures.size();
+        pieces.figures.add(*index.tree.steps[copy.step], at.element, copy.placement);
+        if (pieces.figures.size() == before) {
+            pieces.empty.push_back(at);
+        } else {
+            pieces.pieces.resize(pieces.figures.size(), pieceOf(index, at));
+        }
+    }
+    return pieces;
+}
+
+Pieces piecesOf(const BoardIndex& index, const MeasureItem& item) {
+    Pieces pieces = piecesOf(index, elementsOf(index, item));
+    if (std::holds_alternative<BoardEdge>(item)) {
+        addEdge(index, pieces);
+    } else if (const Location* location = std::get_if<Location>(&item)) {
+        addLocation(index, *location, pieces);
+    }
+    return pieces;
+}
+
+}  // namespace model

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "model/figures/figures.h"
+#include "model/index/board_index.h"
+
+/// What can be measured from and to, and in which pieces it lies on the board.
+namespace model {
+
+struct NetOfCopy {
+    std::uint32_t copy = 0;
+    NetId net;
+};
+/// The copper pads of a component's pins.
+struct PartOfCopy {
+    std::uint32_t copy = 0;
+    ComponentId component;
+};
+/// The copper pads of one pin: those the job ties to it, else those of its net where it is.
+struct PinOfCopy {
+    std::uint32_t copy = 0;
+    PinId pin;
+};
+/// The outline of the board with its cut-outs, a line without width all through the stack.
+struct BoardEdge {};
+/// A point; without a layer it is measured in the plane only.
+struct Location {
+    PointD at;  ///< nm of the board
+    LayerId layer;
+};
+using MeasureItem = std::variant<BoardElement, NetOfCopy, PartOfCopy, PinOfCopy, BoardEdge, Location>;
+
+/// The elements of a thing, rising; none for the board's edge and places. A net is its copper and its plated holes.
+[[nodiscard]] std::vector<BoardElement> elementsOf(const BoardIndex& index, const MeasureItem& item);
+
+/// The net of an element; none if it has none.
+[[nodiscard]] NetId netOf(const BoardIndex& index, BoardElement at);
+/// What people call it: "net GND", "U1", "pin U1.3", "element 12 (TOP)", "the board's edge", "the place".
+[[nodiscard]] std::string nameOf(const BoardIndex& index, const MeasureItem& item);
+
+/// How far the faces of two layers of the board that look at each other are apart, in nm; 0 where their heights meet.
+/// Nothing if one is none or has no place in the stack.
+[[nodiscard]] std::optional<double> heightBetween(const Document& board, LayerId a, LayerId b);
+
+/// One connected piece of a thing: an upright prism over a figure.
+struct Piece {
+    BoardElement at;  ///< element none: of the board's edge or a place
+    LayerId layer;    ///< of the board, where a flipped copy has put it; none: of no layer
+    LayerId top;      ///< holes: the layers they join or pass; others: their own
+    LayerId bottom;
+    bool hasHeights = false;  ///< drawings and the like have no place in the stack
+    ZRange z;
+
+    /// Lie both on one layer at least? What is on no layer lies on all.
+    [[nodiscard]] bool sharesLayerWith(const Piece& other) const {
+        return !layer.isValid() || !other.layer.isValid() || (top <= other.bottom && other.top <= bottom);
+    }
+};
+
+/// A thing laid on the board: row n of `figures` is what piece n covers.
+struct Pieces {
+    FigureTable figures;
+    std::vector<Piece> pieces;
+    std::vector<BoardElement> elements;  ///< of the thing, rising
+    std::vector<BoardElement> empty;     ///< elements that cover nothing: strokes without width
+};
+[[nodiscard]] Pieces piecesOf(const BoardIndex& index, const MeasureItem& item);
+[[nodiscard]] Pieces piecesOf(const BoardIndex& index, std::span<const BoardElement> elements);
+
+}  // namespace model

@@ -1,0 +1,128 @@
+#include "model/measure/measurement.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "model/base/units.h"
+#include "model/export/export_text.h"
+#include "model/measure/edge_at.h"
+
+namespace model {
+
+namespace {
+
+constexpr std::array<const char*, 5> kKindNames = {"point to point", "edge to edge", "angle", "radius", "along a net"};
+
+std::string mm(double nm) {
+    return fixedText(base::toMm(nm), 6);
+}
+
+std::string mil(double nm) {
+    return fixedText(nm / base::kNmPerMil, 4);
+}
+
+/// "TOP 1.500000; 2 holes 3.000000"
+std::string partsOf(const MeasuredPath& way) {
+    std::string parts;
+    for (const auto& [layer, length] : way.perLayer()) {
+        parts += layer + " " + mm(length) + "; ";
+    }
+    return parts + std::to_string(way.holeCount) + " holes " + mm(way.holeHeight);
+}
+
+std::string joined(const std::vector<std::string>& notes) {
+    std::string all;
+    for (const std::string& note : notes) {
+        all += (all.empty() ? "" : "; ") + note;
+    }
+    return all;
+}
+
+std::vector<std::string> cellsOf(const Measurement& m) {
+    const bool isLength = m.way.has_value();
+    const bool isAngle = m.kind == MeasurementKind::Angle;
+    const double value = isLength ? m.way->length() : m.distance();
+    return {m.name,
+            m.step,
+            toString(m.kind),
+            isAngle ? "" : mm(value),
+            isAngle ? "" : mil(value),
+            isAngle ? fixedText(m.angleDeg(), 4) : "",
+            mm(m.dx()),
+            mm(m.dy()),
+            mm(m.dz),
+            mm(m.overlap),
+            m.from.layer,
+            m.to.layer,
+            m.from.net,
+            m.to.net,
+            mm(m.from.x),
+            mm(m.from.y),
+            mm(m.to.x),
+            mm(m.to.y),
+            m.corner ? mm(m.corner->x) : "",
+            m.corner ? mm(m.corner->y) : "",
+            isLength ? partsOf(*m.way) : "",
+            joined(m.notes)};
+}
+
+}  // namespace
+
+const char* toString(MeasurementKind kind) {
+    return kKindNames[static_cast<std::size_t>(kind)];
+}
+
+std::optional<MeasurementKind> kindNamed(const std::string& name) {
+    const auto* const at = std::ranges::find(kKindNames, name);
+    return at == kKindNames.end() ? std::nullopt : std::optional(static_cast<MeasurementKind>(at - kKindNames.begin()));
+}
+
+bool MeasuredRun::operator==(const MeasuredRun& other) const {
+    const auto isSame = [](base::PointD a, base::PointD b) { return a.x == b.x && a.y == b.y; };
+    return layer == other.layer && length == other.length && std::ranges::equal(line, other.line, isSame);
+}
+
+double MeasuredPath::length() const {
+    double sum = holeHeight;
+    for (const MeasuredRun& run : runs) {
+        sum += run.length;
+    }
+    return sum;
+}
+
+std::vector<std::pair<std::string, double>> MeasuredPath::perLayer() const {
+    std::vector<std::pair<std::string, double>> layers;
+    for (const MeasuredRun& run : runs) {
+        auto at = std::ranges::find(layers, run.layer, &std::pair<std::string, double>::first);
+        if (at == layers.end()) {
+            at = layers.insert(at, {run.layer, 0.0});
+        }
+        at->second += run.length;
+    }
+    return layers;
+}
+
+double Measurement::distance() const {
+    return std::hypot(dx(), dy(), dz);
+}
+
+double Measurement::angleDeg() const {
+    return corner ? model::angleDeg({from.x - corner->x, from.y - corner->y}, {to.x - corner->x, to.y - corner->y})
+                  : 0.0;
+}
+
+std::string measurementsCsv(const std::vector<Measurement>& measurements) {
+    std::string csv =
+        "name,step,kind,value mm,value mil,value deg,dx mm,dy mm,dz mm,overlap mm,layer a,layer b,net a,net b,"
+        "x mm on a,y mm on a,x mm on b,y mm on b,x mm at corner,y mm at corner,parts mm,remarks\n";
+    for (const Measurement& m : measurements) {
+        for (const std::string& cell : cellsOf(m)) {
+            csv += csvField(cell) + ",";
+        }
+        csv.back() = '\n';
+    }
+    return csv;
+}
+
+}  // namespace model

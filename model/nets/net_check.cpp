@@ -1,0 +1,146 @@
+#include "model/nets/net_check.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "model/board/copies.h"
+#include "model/nets/disjoint_sets.h"
+
+namespace model {
+
+namespace {
+
+class NetChecker {
+public:
+    NetChecker(const Document& document, const Connectivity& connectivity)
+        : m_document(document), m_connectivity(connectivity) {}
+
+    NetReport run() {
+        findOpens();
+        findShorts();
+        findShortsThroughOtherCopper();
+        for (const auto& [key, entry] : m_shorts) {
+            m_report.shorts.push_back(entry);
+        }
+        return std::move(m_report);
+    }
+
+private:
+    [[nodiscard]] NetId netOf(std::uint32_t piece) const {
+        return m_document.elements.net[m_connectivity.element(piece).row()];
+    }
+
+    void findOpens() {
+        std::map<std::pair<NetId, std::uint32_t>, NetIsland> islands;
+        for (std::uint32_t piece = 0; piece < m_connectivity.pieceCount(); ++piece) {
+            if (const NetId net = netOf(piece); net.isValid()) {
+                const auto [location, isNew] = islands.try_emplace({net, m_connectivity.island(piece)});
+                count(piece, isNew, location->second);
+            }
+        }
+        for (auto first = islands.begin(); first != islands.end();) {
+            const NetId net = first->first.first;
+            const auto end = islands.lower_bound({NetId{net.row() + 1}, 0});
+            if (std::next(first) != end) {
+                addOpen(net, first, end);
+            }
+            first = end;
+        }
+    }
+
+    void count(std::uint32_t piece, bool isFirst, NetIsland& island) const {
+        const ElementId element = m_connectivity.element(piece);
+        if (isFirst) {
+            island.element = element;
+            island.layer = m_document.elements.layer[element.row()];
+            island.location = m_connectivity.point(piece);
+        }
+        ++island.pieceCount;
+        island.padCount += (m_document.elements.flags[element.row()] & (kPad | kHole)) != 0 ? 1 : 0;
+    }
+
+    template <class Iterator>
+    void addOpen(NetId net, Iterator first, Iterator end) {
+        OpenNet open{net, static_cast<std::uint32_t>(m_report.islands.size()), 0};
+        for (; first != end; ++first, ++open.islandCount) {
+            m_report.islands.push_back(first->second);
+        }
+        std::ranges::stable_sort(m_report.islands.begin() + open.firstIsland, m_report.islands.end(),
+                                 std::ranges::greater(), &NetIsland::pieceCount);
+        m_report.opens.push_back(open);
+    }
+
+    void findShorts() {
+        for (const Contact& contact : m_connectivity.contacts()) {
+            const NetId a = netOf(contact.a);
+            const NetId b = netOf(contact.b);
+            if (a.isValid() && b.isValid() && a != b) {
+                addShort({a, b, contact.layer, m_connectivity.element(contact.a), m_connectivity.element(contact.b),
+                          contact.location, ElementId{}, 0});
+            }
+        }
+    }
+
+    /// Copper without a net that touches several nets joins them; each is reported against the first.
+    void findShortsThroughOtherCopper() {
+        DisjointSets loose(m_connectivity.pieceCount());
+        for (const Contact& contact : m_connectivity.contacts()) {
+            if (!netOf(contact.a).isValid() && !netOf(contact.b).isValid()) {
+                loose.join(contact.a, contact.b);
+            }
+        }
+        std::map<std::uint32_t, std::uint32_t> firstPiece;  // by set: the first piece with a net that touches it
+        for (const Contact& contact : m_connectivity.contacts()) {
+            const bool isLooseA = !netOf(contact.a).isValid();
+            if (isLooseA == !netOf(contact.b).isValid()) {
+                continue;
+            }
+            const std::uint32_t other = isLooseA ? contact.a : contact.b;
+            const std::uint32_t piece = isLooseA ? contact.b : contact.a;
+            const std::uint32_t first = firstPiece.try_emplace(loose.find(other), piece).first->second;
+            if (netOf(first) != netOf(piece)) {
+                addShort({netOf(first), netOf(piece), contact.layer, m_connectivity.element(first),
+                          m_connectivity.element(piece), contact.location, m_connectivity.element(other), 0});
+            }
+        }
+    }
+
+    void addShort(ShortedNets entry) {
+        if (entry.b < entry.a) {
+            std::swap(entry.a, entry.b);
+            std::swap(entry.elementA, entry.elementB);
+        }
+        ++m_shorts.try_emplace({entry.a, entry.b, entry.layer}, entry).first->second.contactCount;
+    }
+
+    const Document& m_document;
+    const Connectivity& m_connectivity;
+    NetReport m_report;
+    std::map<std::tuple<NetId, NetId, LayerId>, ShortedNets> m_shorts;
+};
+
+}  // namespace
+
+NetReport checkNets(const Document& document, const Connectivity& connectivity) {
+    return NetChecker(document, connectivity).run();
+}
+
+bool hasSeveralPadIslands(const NetReport& report, const OpenNet& open) {
+    return std::ranges::count_if(report.islandsOf(open), [](const NetIsland& island) { return island.padCount > 0; }) >
+           1;
+}
+
+base::Result<std::vector<StepCheck>> checkAllNets(const Document& board, base::Progress& progress) {
+    std::vector<StepCheck> checks;
+    for (const Document* step : distinctSteps(board)) {
+        const auto connectivity = Connectivity::of(*step, progress);
+        if (!connectivity) {
+            return connectivity.error();
+        }
+        checks.push_back({step, connectivity->islandCount(), checkNets(*step, *connectivity)});
+    }
+    return checks;
+}
+
+}  // namespace model

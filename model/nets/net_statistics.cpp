@@ -1,0 +1,138 @@
+#include "model/nets/net_statistics.h"
+
+#include <algorithm>
+#include <cctype>
+#include <numeric>
+
+#include "model/base/parallel.h"
+#include "model/statistics/element_sizes.h"
+
+namespace model {
+
+namespace {
+
+constexpr std::size_t kPiece = 256;  // nets per task
+
+bool isDigit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+char lower(char c) {
+    return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+}
+
+/// Takes a run of digits off the front, without leading zeros.
+std::string_view takeNumber(std::string_view& text) {
+    std::size_t end = 0;
+    while (end < text.size() && isDigit(text[end])) {
+        ++end;
+    }
+    std::string_view number = text.substr(0, end);
+    text.remove_prefix(end);
+    number.remove_prefix(std::min(number.find_first_not_of('0'), number.size()));
+    return number;
+}
+
+/// Negative, 0 or positive as in strcmp.
+int compareNames(std::string_view a, std::string_view b) {
+    while (!a.empty() && !b.empty()) {
+        if (isDigit(a.front()) && isDigit(b.front())) {
+            const std::string_view m = takeNumber(a);
+            const std::string_view n = takeNumber(b);
+            if (m.size() != n.size()) {
+                return m.size() < n.size() ? -1 : 1;
+            }
+            if (const int order = m.compare(n); order != 0) {
+                return order;
+            }
+            continue;
+        }
+        if (lower(a.front()) != lower(b.front())) {
+            return lower(a.front()) < lower(b.front()) ? -1 : 1;
+        }
+        a.remove_prefix(1);
+        b.remove_prefix(1);
+    }
+    return a.empty() ? (b.empty() ? 0 : -1) : 1;
+}
+
+bool isRouted(const Document& document, ElementId element) {
+    return document.layer(document.elements.layer[element.row()]).isCopper() &&
+           (document.elements.flags[element.row()] & (kPad | kHole)) == 0;
+}
+
+void measure(const Document& document, NetId net, NetStatistics& out) {
+    const std::size_t row = net.row();
+    for (const ElementId element : document.elementsOf(net)) {
+        const std::uint8_t flags = document.elements.flags[element.row()];
+        if ((flags & kHole) != 0) {
+            out.vias[row] += holeKind(flags) == HoleKind::Via ? 1 : 0;
+        } else if (document.layer(document.elements.layer[element.row()]).isCopper()) {
+            out.areaNm2[row] += areaOf(document, element);
+            out.lengthNm[row] += isRouted(document, element) ? lengthOf(document, element) : 0.0;
+        }
+    }
+}
+
+std::vector<std::uint32_t> ranksOfNames(const std::vector<Net>& nets) {
+    std::vector<std::uint32_t> order(nets.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::ranges::stable_sort(order, [&](auto a, auto b) { return isNamedBefore(nets[a].name, nets[b].name); });
+    std::vector<std::uint32_t> ranks(nets.size());
+    for (std::uint32_t rank = 0; rank < order.size(); ++rank) {
+        ranks[order[rank]] = rank;
+    }
+    return ranks;
+}
+
+}  // namespace
+
+bool isNamedBefore(std::string_view a, std::string_view b) {
+    const int order = compareNames(a, b);
+    return order != 0 ? order < 0 : a < b;
+}
+
+base::Result<NetStatistics> measureNets(const Document& document, base::Progress& progress) {
+    progress.beginPhase("Measuring nets");
+    const std::size_t count = document.nets.size();
+    NetStatistics out;
+    out.pins.resize(count);
+    out.vias.resize(count);
+    out.lengthNm.resize(count);
+    out.areaNm2.resize(count);
+    for (const Pin& pin : document.pins) {
+        if (pin.net.isValid()) {
+            ++out.pins[pin.net.row()];
+        }
+    }
+    base::parallelFor((count + kPiece - 1) / kPiece, [&](std::size_t piece) {
+        for (std::size_t row = piece * kPiece; row < std::min(count, (piece + 1) * kPiece); ++row) {
+            if (!progress.isCancelled()) {
+                measure(document, NetId{row}, out);
+            }
+        }
+    });
+    if (progress.isCancelled()) {
+        return base::Error{base::ErrorCode::Cancelled, "Cancelled"};
+    }
+    out.nameRank = ranksOfNames(document.nets);
+    return out;
+}
+
+std::vector<std::pair<LayerId, double>> routedLengths(const Document& document, NetId net) {
+    std::vector<double> perLayer(document.layers.size());
+    for (const ElementId element : document.elementsOf(net)) {
+        if (isRouted(document, element)) {
+            perLayer[document.elements.layer[element.row()].row()] += lengthOf(document, element);
+        }
+    }
+    std::vector<std::pair<LayerId, double>> lengths;
+    for (std::size_t row = 0; row < perLayer.size(); ++row) {
+        if (perLayer[row] > 0.0) {
+            lengths.emplace_back(LayerId{row}, perLayer[row]);
+        }
+    }
+    return lengths;
+}
+
+}  // namespace model

@@ -1,0 +1,110 @@
+#include "model/session/saved_selection.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <tuple>
+
+namespace model::session {
+
+namespace {
+
+constexpr std::array<const char*, kElementKindCount> kWords{"line", "arc", "circle", "trail", "area"};
+
+LayerId layerOf(const Document& step, const StepCopy& copy, ElementId element) {
+    return step.layerOfCopy(step.elements.layer[element.row()], copy.isFlipped);
+}
+
+/// Layer row, kind and box: steps of one board share its layers.
+using Key = std::tuple<std::size_t, ElementKind, Nm, Nm, Nm, Nm>;
+
+Key keyOf(std::size_t layer, ElementKind kind, const Box& box) {
+    return {layer, kind, box.min.x, box.min.y, box.max.x, box.max.y};
+}
+
+/// How often each is wanted; elements of layers that the board does not have are counted as missing.
+std::map<Key, std::size_t> wantedOf(const Document& board, const SavedSelection& kept, std::size_t& missing) {
+    std::map<Key, std::size_t> wanted;
+    for (const SavedElement& element : kept.elements) {
+        const auto layer = std::ranges::find(board.layers, element.layer, &Layer::name);
+        if (layer == board.layers.end()) {
+            ++missing;
+        } else {
+            ++wanted[keyOf(static_cast<std::size_t>(layer - board.layers.begin()), element.kind, element.box)];
+        }
+    }
+    return wanted;
+}
+
+void addElements(const StepTree& board, const SavedSelection& kept, FoundSelection& found) {
+    std::map<Key, std::size_t> wanted = wantedOf(*board.steps.front(), kept, found.missingElements);
+    if (wanted.empty()) {
+        return;
+    }
+    for (std::uint32_t row = 0; row < board.copies.size(); ++row) {
+        const StepCopy& copy = board.copies[row];
+        const Document& step = *board.steps[copy.step];
+        for (std::uint32_t i = 0; i < step.elements.size(); ++i) {
+            const ElementId element{i};
+            const auto at = wanted.find(keyOf(layerOf(step, copy, element).row(), step.elements.kind[i],
+                                              copy.placement.boxOf(step.boxOf(element))));
+            if (at != wanted.end() && at->second > 0) {
+                --at->second;
+                found.elements.push_back({row, element});
+            }
+        }
+    }
+    for (const auto& [key, left] : wanted) {
+        found.missingElements += left;
+    }
+}
+
+void addNets(const StepTree& board, const SavedSelection& kept, FoundSelection& found) {
+    for (const NetName& net : kept.nets) {
+        const auto step =
+            std::ranges::find_if(board.steps, [&](const Document* each) { return each->job.step == net.step; });
+        const NetId id = step == board.steps.end() ? NetId{} : (*step)->findNet(net.name);
+        if (id.isValid()) {
+            found.nets.push_back({static_cast<std::uint32_t>(step - board.steps.begin()), id});
+        } else {
+            found.missingNets.push_back(net.name);
+        }
+    }
+    std::ranges::sort(found.nets);
+}
+
+}  // namespace
+
+SavedSelection saveSelection(const StepTree& board, std::span<const BoardElement> elements,
+                             std::span<const BoardNet> nets) {
+    SavedSelection kept;
+    for (const BoardElement& at : elements) {
+        const StepCopy& copy = board.copies[at.copy];
+        const Document& step = *board.steps[copy.step];
+        kept.elements.push_back({step.layers[layerOf(step, copy, at.element).row()].name,
+                                 step.elements.kind[at.element.row()], copy.placement.boxOf(step.boxOf(at.element))});
+    }
+    for (const BoardNet& net : nets) {
+        const Document& step = *board.steps[net.step];
+        kept.nets.push_back({step.job.step, step.nets[net.net.row()].name});
+    }
+    return kept;
+}
+
+FoundSelection findSelection(const StepTree& board, const SavedSelection& kept) {
+    FoundSelection found;
+    addElements(board, kept, found);
+    addNets(board, kept, found);
+    return found;
+}
+
+const char* kindWord(ElementKind kind) {
+    return kWords[static_cast<std::size_t>(kind)];
+}
+
+std::optional<ElementKind> kindOf(const std::string& word) {
+    const auto* const at = std::ranges::find(kWords, word);
+    return at == kWords.end() ? std::nullopt : std::optional(static_cast<ElementKind>(at - kWords.begin()));
+}
+
+}  // namespace model::session

@@ -1,0 +1,151 @@
+#include "model/solids/substrates.h"
+
+#include <algorithm>
+#include <set>
+
+namespace model {
+
+namespace {
+
+struct Heights {
+    Nm bottom = 0;
+    Nm top = 0;
+};
+
+Nm upperFace(const Layer& layer) {
+    return layer.z + layer.thickness;
+}
+
+bool isStack(const Layer& layer) {
+    return layer.context == LayerContext::Board && (layer.isCopper() || layer.type == LayerType::Dielectric);
+}
+
+bool isHoles(const Layer& layer) {
+    return layer.type == LayerType::Drill || layer.type == LayerType::Rout;
+}
+
+Heights bodyHeights(const Document& document) {
+    const Layer* lowest = nullptr;
+    const Layer* highest = nullptr;
+    for (const Layer& layer : document.layers) {
+        if (!layer.isCopper() || layer.context != LayerContext::Board) {
+            continue;
+        }
+        lowest = lowest == nullptr || layer.z < lowest->z ? &layer : lowest;
+        highest = highest == nullptr || layer.z > highest->z ? &layer : highest;
+    }
+    if (lowest == nullptr) {
+        return {0, document.boardThickness};
+    }
+    if (lowest == highest) {
+        return {highest->z - document.boardThickness, highest->z};
+    }
+    return {upperFace(*lowest), highest->z};
+}
+
+/// Heights at which something about the laminate changes, rising.
+std::set<Nm> planesOf(const Document& document, const Heights& body) {
+    const bool hasOutlines =
+        std::ranges::any_of(document.layers, [](const Layer& layer) { return layer.outlineGroup > 0; });
+    std::set<Nm> planes{body.bottom, body.top};
+    for (const Layer& layer : document.layers) {
+        if (isHoles(layer) || (hasOutlines && isStack(layer))) {
+            planes.insert(std::clamp(layer.z, body.bottom, body.top));
+            planes.insert(std::clamp(upperFace(layer), body.bottom, body.top));
+        }
+    }
+    return planes;
+}
+
+/// What lies between two heights: a layer of the stack, or else what lies above and below it.
+struct Neighbours {
+    const Layer* here = nullptr;
+    const Layer* above = nullptr;
+    const Layer* below = nullptr;
+};
+
+Neighbours neighboursOf(const Document& document, Nm bottom, Nm top) {
+    Neighbours found;
+    for (const Layer& layer : document.layers) {
+        if (!isStack(layer)) {
+            continue;
+        }
+        if (layer.z <= bottom && upperFace(layer) >= top) {
+            found.here = &layer;
+        } else if (layer.z >= top) {
+            found.above = found.above == nullptr || layer.z < found.above->z ? &layer : found.above;
+        } else if (upperFace(layer) <= bottom) {
+            found.below = found.below == nullptr || layer.z > found.below->z ? &layer : found.below;
+        }
+    }
+    return found;
+}
+
+/// The layer whose outline a slab has; nullptr for the board's.
+const Layer* bounding(const Neighbours& neighbours) {
+    const bool isSpacing = neighbours.here == nullptr;
+    for (const Layer* layer :
+         {neighbours.here, isSpacing ? neighbours.above : nullptr, isSpacing ? neighbours.below : nullptr}) {
+        if (layer != nullptr && layer->outlineGroup > 0) {
+            return layer;
+        }
+    }
+    return nullptr;
+}
+
+bool isWithin(const Document& document, ShapeId inner, ShapeId outer) {
+    const Box& a = document.shapes.shapes[inner.row()].box;
+    const Box& b = document.shapes.shapes[outer.row()].box;
+    return a.min.x >= b.min.x && a.min.y >= b.min.y && a.max.x <= b.max.x && a.max.y <= b.max.y;
+}
+
+void setOutline(const Document& document, SubstratePart& part) {
+    const Neighbours neighbours = neighboursOf(document, part.bottom, part.top);
+    const Layer* layer = bounding(neighbours);
+    part.outline = document.profile;
+    if (layer == nullptr) {
+        return;
+    }
+    part.outlineGroup = layer->outlineGroup;
+    // What joins two layers is only where both are: an outline that reaches beyond the board's does not widen it.
+    const bool isOwn = layer == neighbours.here || !document.profile.isValid();
+    if (layer->profile.isValid() && (isOwn || isWithin(document, layer->profile, document.profile))) {
+        part.outline = layer->profile;
+    }
+}
+
+SubstratePart partBetween(const Document& document, Nm bottom, Nm top) {
+    SubstratePart part;
+    part.bottom = bottom;
+    part.top = top;
+    setOutline(document, part);
+    for (std::size_t row = 0; row < document.layers.size(); ++row) {
+        const Layer& layer = document.layers[row];
+        if (isHoles(layer) && layer.z <= bottom && upperFace(layer) >= top) {
+            part.holes.emplace_back(row);
+        }
+    }
+    return part;
+}
+
+}  // namespace
+
+std::vector<SubstratePart> slabsOf(const Document& document) {
+    std::vector<SubstratePart> parts;
+    const Heights body = bodyHeights(document);
+    if (body.top <= body.bottom) {
+        return parts;
+    }
+    const std::set<Nm> planes = planesOf(document, body);
+    for (auto top = planes.rbegin(), bottom = std::next(top); bottom != planes.rend(); top = bottom++) {
+        SubstratePart part = partBetween(document, *bottom, *top);
+        if (!parts.empty() && parts.back().isLike(part)) {
+            parts.back().bottom = part.bottom;
+        } else {
+            parts.push_back(std::move(part));
+        }
+    }
+    return parts;
+}
+
+}  // namespace model

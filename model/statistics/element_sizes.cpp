@@ -1,0 +1,136 @@
+#include "model/statistics/element_sizes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "model/base/parallel.h"
+#include "model/geometry/discretise.h"
+#include "model/geometry/edges.h"
+
+namespace model {
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+double square(double v) {
+    return v * v;
+}
+
+double edgeLength(const PathNode& from, Point to) {
+    const PointD a = base::toDouble(from.point);
+    const PointD b = base::toDouble(to);
+    if (from.edge == EdgeKind::Line) {
+        return std::hypot(b.x - a.x, b.y - a.y);
+    }
+    const PointD c = base::toDouble(from.centre);
+    const double radius = (std::hypot(a.x - c.x, a.y - c.y) + std::hypot(b.x - c.x, b.y - c.y)) / 2.0;
+    return radius * std::abs(sweepOf(from, to));
+}
+
+double trailLength(const Document& document, const TrailGeometry& trail) {
+    const auto nodes = document.nodesOf(trail);
+    double length = 0.0;
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+        length += edgeLength(nodes[i], nodes[i + 1].point);
+    }
+    return length;
+}
+
+double trailArea(const Document& document, const TrailGeometry& trail) {
+    const auto nodes = document.nodesOf(trail);
+    const auto widths = document.widthsOf(trail);
+    double area = kPi / 4.0 * square(trail.width);
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+        area += edgeLength(nodes[i], nodes[i + 1].point) * widths[i];
+    }
+    return area;
+}
+
+double lineArea(const LineGeometry& line, bool isSquare) {
+    const double length = edgeLength({line.a, {}, EdgeKind::Line}, line.b);
+    if (isSquare) {
+        // An axis-parallel square swept along: itself, and what its two leading sides pass.
+        return square(line.width) +
+               line.width * (std::abs(double{1} * line.b.x - line.a.x) + std::abs(double{1} * line.b.y - line.a.y));
+    }
+    return length * line.width + kPi / 4.0 * square(line.width) - length * line.innerWidth -
+           kPi / 4.0 * square(line.innerWidth);
+}
+
+double arcArea(const ArcGeometry& arc) {
+    const bool isRing = arc.node.point == arc.end;
+    return edgeLength(arc.node, arc.end) * arc.width + (isRing ? 0.0 : kPi / 4.0 * square(arc.width));
+}
+
+double shapeArea(const ShapeTable& shapes, ShapeId shape) {
+    double area = 0.0;
+    for (const Contour& contour : shapes.contoursOf(shape)) {
+        const auto nodes = shapes.nodesOf(contour);
+        double own = 0.0;
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            own += areaUnder(edgeOf(nodes[i], nodes[i + 1 < nodes.size() ? i + 1 : 0].point),
+                             base::toDouble(nodes[0].point));
+        }
+        area += contour.isHole ? -std::abs(own) : std::abs(own);
+    }
+    return area;
+}
+
+}  // namespace
+
+double lengthOf(const Document& document, ElementId element) {
+    const std::uint32_t row = document.elements.geometry[element.row()];
+    switch (document.elements.kind[element.row()]) {
+        case ElementKind::Line: return edgeLength({document.lines[row].a, {}, EdgeKind::Line}, document.lines[row].b);
+        case ElementKind::Arc: return edgeLength(document.arcs[row].node, document.arcs[row].end);
+        case ElementKind::Trail: return trailLength(document, document.trails[row]);
+        default: return 0.0;
+    }
+}
+
+double areaOf(const Document& document, ElementId element) {
+    const std::uint32_t row = document.elements.geometry[element.row()];
+    const std::uint8_t flags = document.elements.flags[element.row()];
+    switch (document.elements.kind[element.row()]) {
+        case ElementKind::Line: return lineArea(document.lines[row], (flags & kSquarePen) != 0);
+        case ElementKind::Arc: return arcArea(document.arcs[row]);
+        case ElementKind::Circle: {
+            const CircleGeometry& circle = document.circles[row];
+            const double inner = (flags & kHole) != 0 ? 0.0 : square(circle.innerDiameter);
+            return kPi / 4.0 * (square(circle.diameter) - inner);
+        }
+        case ElementKind::Trail: return trailArea(document, document.trails[row]);
+        case ElementKind::Area: return shapeArea(document.shapes, document.areas[row].shape);
+    }
+    return 0.0;
+}
+
+std::vector<double> copperAreas(const Document& document) {
+    std::vector<double> areas(document.layers.size());
+    base::parallelFor(areas.size(), [&](std::size_t row) {
+        const Layer& layer = document.layers[row];
+        if (!layer.isCopper()) {
+            return;
+        }
+        double sum = 0.0;
+        for (std::uint32_t i = 0; i < layer.elements.count; ++i) {
+            sum += areaOf(document, ElementId{layer.elements.first + i});
+        }
+        areas[row] = sum;
+    });
+    std::vector<std::vector<double>> ofSteps;
+    for (const auto& step : document.steps) {
+        ofSteps.push_back(copperAreas(*step));
+    }
+    for (const StepInstance& instance : document.instances) {
+        const std::vector<double>& copied = ofSteps[instance.step];
+        for (std::size_t row = 0; row < std::min(copied.size(), areas.size()); ++row) {
+            areas[document.layerOfCopy(LayerId{row}, instance.isFlipped).row()] += copied[row];
+        }
+    }
+    return areas;
+}
+
+}  // namespace model

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "render/backends/let_backend.h"
+
+namespace render {
+
+/// Draws areas: caps from the stored triangles, walls pulled from the outlines, one indirect command per shape and
+/// layer; in outline mode the outlines alone. The same for all let back ends.
+class AreaDrawer {
+public:
+    AreaDrawer(gpu::Device& device, const TargetFormat& target);
+
+    void reset(const Recording& recording) const;
+    void cull(const Recording& recording) const;
+    void draw(const Recording& recording, std::uint32_t batch, gpu::Pass pass) const;
+
+private:
+    void drawCaps(const Recording& recording, gpu::Pass pass, std::uint32_t batch, std::uint32_t face) const;
+    /// What is pulled from the outlines: walls, or in flat views lines.
+    void drawEdges(const Recording& recording, gpu::Pass pass, std::uint32_t batch, const PassPipelines& pipelines,
+                   bool SeenFaces::*side) const;
+
+    std::uint32_t m_maxDraws;
+    gpu::Pipeline m_cull;
+    PassPipelines m_caps;
+    PassPipelines m_walls;
+    PassPipelines m_outlines;
+};
+
+}  // namespace render

@@ -1,0 +1,76 @@
+#include "render/backends/backend_choice.h"
+
+#include <algorithm>
+
+#include "render/backends/let_backend.h"
+#include "render/gpu/device.h"
+
+namespace render {
+namespace {
+
+/// From inside a layer the front of a box around a let is not seen. In perspective the eye may be there.
+bool isInsideLayer(const LayerPlan& layers, bool isParallel) {
+    for (std::size_t i = 0; i < layers.states.size(); ++i) {
+        const bool isVisible = (layers.states[i].flags & shader::kLayerVisible) != 0;
+        if (isVisible && !isParallel && !layers.faces[i].upper && !layers.faces[i].lower) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// May lets be seen by lines of sight?
+bool castsSight(const FramePlan& plan) {
+    const bool isParallel = plan.data.eye.w == 0.0F;
+    return !isInsideLayer(plan.upright, isParallel) && !isInsideLayer(plan.flipped, isParallel);
+}
+
+bool canRasterise(const gpu::Caps& caps, const FramePlan& plan) {
+    return caps.hasAtomic64 && castsSight(plan) && rasterBytes(plan) <= caps.maxAllocationBytes;
+}
+
+/// The back ends from the best to the one for every device and view.
+struct Row {
+    Backend backend;
+    bool (*suits)(const gpu::Caps&, const FramePlan&);  ///< Auto takes the first that does
+    bool (*canDraw)(const gpu::Caps&, const FramePlan&);
+    const char* needs;
+};
+constexpr Row kRows[] = {
+    // Straight from above or below: four vertices per let instead of 16 to 128, and exact outlines at any zoom. Tilted
+    // views of it are for who asks: lines of sight cost software devices more than polygons do (docs/performance.md).
+    {Backend::Impostor, [](const gpu::Caps&, const FramePlan& plan) { return isFlatView(plan); },
+     [](const gpu::Caps& caps, const FramePlan& plan) {
+         return isFlatView(plan) || (caps.canShadeSamples && castsSight(plan));
+     },
+     "needs a flat view (2D), or shading by sample and an eye outside all layers"},
+    // For devices whose compute dwarfs their raster units. None has been measured yet, so nobody gets it unasked.
+    {Backend::Raster, [](const gpu::Caps&, const FramePlan&) { return false; }, canRasterise,
+     "needs 64-bit atomics, an eye outside all layers and eight bytes per pixel"},
+    // Software devices run mesh shaders on one thread, compute and vertex shaders on all (docs/driver-notes.md).
+    {Backend::Mesh, [](const gpu::Caps& caps, const FramePlan&) { return caps.hasMeshShader && !caps.isCpu; },
+     [](const gpu::Caps& caps, const FramePlan&) { return caps.hasMeshShader; },
+     "needs mesh shaders, which this device does not have"},
+    {Backend::Pull, [](const gpu::Caps&, const FramePlan&) { return true; },
+     [](const gpu::Caps&, const FramePlan&) { return true; }, ""}};
+
+}  // namespace
+
+const char* nameOf(Backend backend) {
+    constexpr const char* kNames[] = {"auto", "mesh", "pull", "impostor", "raster", "standard"};
+    return kNames[static_cast<std::size_t>(backend)];
+}
+
+BackendChoice chooseBackend(Backend wanted, const gpu::Caps& caps, const FramePlan& plan) {
+    if ((plan.data.flags & shader::kFrameOutlines) != 0) {
+        return {Backend::Impostor};
+    }
+    const auto best = std::ranges::find_if(kRows, [&](const Row& row) { return row.suits(caps, plan); });
+    const auto asked = std::ranges::find(kRows, wanted, &Row::backend);
+    if (asked == std::end(kRows)) {
+        return {best->backend};
+    }
+    return asked->canDraw(caps, plan) ? BackendChoice{wanted} : BackendChoice{best->backend, asked->needs};
+}
+
+}  // namespace render

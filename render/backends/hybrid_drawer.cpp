@@ -1,0 +1,56 @@
+#include "render/backends/area_drawer.h"
+#include "render/backends/scene_drawer.h"
+#include "render/gpu/barrier.h"
+
+namespace render {
+namespace {
+
+std::unique_ptr<LetBackend> makeLetBackend(gpu::Device& device, const TargetFormat& target, Backend which) {
+    switch (which) {
+        case Backend::Mesh: return makeMeshBackend(device, target);
+        case Backend::Impostor: return makeImpostorBackend(device, target);
+        case Backend::Raster: return makeRasterBackend(device, target);
+        default: return makePullBackend(device, target);
+    }
+}
+
+class HybridDrawer : public SceneDrawer {
+public:
+    HybridDrawer(gpu::Device& device, const TargetFormat& target, Backend lets)
+        : m_areas(device, target), m_lets(makeLetBackend(device, target, lets)) {}
+
+    void cull(std::span<const Recording> group) override {
+        VkCommandBuffer commands = group.front().commands();
+        // Draw lists are shared by all groups and frames: the one before must be done with them.
+        gpu::memoryBarrier(commands, gpu::kAnything, gpu::kCopyWrite);
+        for (const Recording& recording : group) {
+            m_areas.reset(recording);
+            m_lets->reset(recording);
+        }
+        gpu::memoryBarrier(commands, gpu::kCopyWrite, gpu::kCompute);
+        for (const Recording& recording : group) {
+            m_areas.cull(recording);
+        }
+        m_lets->cull(group);
+        gpu::memoryBarrier(commands, gpu::kCompute, gpu::kAnyRead);
+    }
+
+    void draw(const Recording& recording, std::uint32_t batch, gpu::Pass pass) override {
+        m_areas.draw(recording, batch, pass);
+        m_lets->draw(recording, batch, pass);
+    }
+
+    void finishOpaque(std::span<const Recording> group) override { m_lets->finishOpaque(group); }
+
+private:
+    AreaDrawer m_areas;
+    std::unique_ptr<LetBackend> m_lets;
+};
+
+}  // namespace
+
+std::unique_ptr<SceneDrawer> makeHybridDrawer(gpu::Device& device, const TargetFormat& target, Backend lets) {
+    return std::make_unique<HybridDrawer>(device, target, lets);
+}
+
+}  // namespace render

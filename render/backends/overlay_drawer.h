@@ -1,0 +1,21 @@
+#pragma once
+
+#include "render/backends/let_backend.h"
+#include "render/scene/view_settings.h"
+
+namespace render {
+
+/// Blends an overlay over a finished picture (RenderTarget::beginOver). The pixels go through the memory of the frame:
+/// nothing is kept on the device, and a view without an overlay costs nothing.
+class OverlayDrawer {
+public:
+    OverlayDrawer(gpu::Device& device, VkFormat colour);
+    [[nodiscard]] VkFormat format() const { return m_format; }
+    void draw(gpu::Frame& frame, const Overlay& overlay) const;
+
+private:
+    VkFormat m_format;
+    gpu::Pipeline m_pipeline;
+};
+
+}  // namespace render

@@ -1,0 +1,89 @@
+#include "render/backends/pull_backend.h"
+
+#include "render/gpu/barrier.h"
+#include "shaders/spirv.h"
+
+namespace render {
+
+PullBackend::PullBackend(gpu::Device& device)
+    : m_cullClusters(device, {"cull clusters", shader::spirv::kCullClustersComp, sizeof(shader::Push)}),
+      m_cullLets(device, {"cull lets", shader::spirv::kCullLetsComp, sizeof(shader::Push)}),
+      m_lineUpDraws(device, {"line up draws", shader::spirv::kLineUpDrawsComp, sizeof(shader::Push)}),
+      m_placeLets(device, {"place lets", shader::spirv::kPlaceLetsComp, sizeof(shader::Push)}) {}
+
+PullBackend::PullBackend(gpu::Device& device, const TargetFormat& target) : PullBackend(device) {
+    const gpu::ShaderStage stages[] = {{VK_SHADER_STAGE_VERTEX_BIT, shader::spirv::kLetPullVert},
+                                       {VK_SHADER_STAGE_FRAGMENT_BIT, shader::spirv::kBoardFrag}};
+    m_pipelines = makePassPipelines(device, "lets (pull)", stages, true, target);
+}
+
+IndexRun PullBackend::runOf(const Recording& recording, std::uint32_t bucket) const {
+    return recording.scene.letTables.run(bucket, recording.plan.faces);
+}
+
+/// The commands of all batches before culling.
+std::vector<shader::DrawIndexed> PullBackend::emptyDraws(const Recording& recording) const {
+    std::vector<shader::DrawIndexed> draws;
+    for (std::size_t batch = 0; batch < recording.layers.batches.size(); ++batch) {
+        for (std::uint32_t bucket = 0; bucket < shader::kBucketCount; ++bucket) {
+            const IndexRun run = runOf(recording, bucket);
+            draws.push_back({run.count, 0, run.first, 0, 0});
+        }
+    }
+    return draws;
+}
+
+void PullBackend::reset(const Recording& recording) {
+    const gpu::Frame::Slice draws = recording.frame.put(std::span<const shader::DrawIndexed>(emptyDraws(recording)));
+    const DrawLists& lists = recording.lists;
+    const VkBufferCopy region{draws.offset, lists.letDraws.offset, draws.bytes.size()};
+    vkCmdCopyBuffer(recording.commands(), draws.buffer, lists.letDraws.buffer, 1, &region);
+    constexpr std::uint32_t kNoClusters[] = {0, 1, 1, 0};  // a dispatch of no workgroups, then the count
+    vkCmdUpdateBuffer(recording.commands(), lists.visibleClusters.buffer, lists.visibleClusters.offset,
+                      sizeof(kNoClusters), kNoClusters);
+}
+
+void PullBackend::cull(std::span<const Recording> recordings) {
+    for (const Recording& recording : recordings) {
+        m_cullClusters.bind(recording.commands());
+        m_cullClusters.push(recording.commands(), shader::Push{recording.frameData, 0, 0});
+        const std::uint32_t groups =
+            (recording.step.clusterCount + shader::kCullGroupSize - 1) / shader::kCullGroupSize;
+        vkCmdDispatch(recording.commands(), groups, 1, 1);
+    }
+    dispatchForClusters(m_cullLets, recordings);
+    gpu::memoryBarrier(recordings.front().commands(), gpu::kCompute, gpu::kAnyRead);
+    for (const Recording& recording : recordings) {
+        m_lineUpDraws.bind(recording.commands());
+        m_lineUpDraws.push(recording.commands(), shader::Push{recording.frameData, 0, 0});
+        vkCmdDispatch(recording.commands(), 1, 1, 1);
+    }
+    dispatchForClusters(m_placeLets, recordings);
+}
+
+void PullBackend::draw(const Recording& recording, std::uint32_t batch, gpu::Pass pass) {
+    const gpu::Pipeline& pipeline = pipelinesFor(recording.plan)[passRow(pass)];
+    pipeline.bind(recording.commands());
+    pipeline.push(recording.commands(), shader::Push{recording.frameData, 0, 0});
+    vkCmdBindIndexBuffer(recording.commands(), recording.scene.letIndices.handle(), 0, VK_INDEX_TYPE_UINT32);
+    constexpr std::uint32_t kStride = sizeof(shader::DrawIndexed);
+    vkCmdDrawIndexedIndirect(recording.commands(), recording.lists.letDraws.buffer,
+                             recording.lists.letDraws.offset + std::uint64_t{batch} * shader::kBucketCount * kStride,
+                             shader::kBucketCount, kStride);
+}
+
+void dispatchForClusters(const gpu::Pipeline& pipeline, std::span<const Recording> recordings) {
+    gpu::memoryBarrier(recordings.front().commands(), gpu::kCompute, gpu::kAnyRead);
+    for (const Recording& recording : recordings) {
+        pipeline.bind(recording.commands());
+        pipeline.push(recording.commands(), shader::Push{recording.frameData, 0, 0});
+        vkCmdDispatchIndirect(recording.commands(), recording.lists.visibleClusters.buffer,
+                              recording.lists.visibleClusters.offset);
+    }
+}
+
+std::unique_ptr<LetBackend> makePullBackend(gpu::Device& device, const TargetFormat& target) {
+    return std::make_unique<PullBackend>(device, target);
+}
+
+}  // namespace render

@@ -1,0 +1,71 @@
+#include "render/backends/section_drawer.h"
+
+#include <algorithm>
+
+#include "render/gpu/device_select.h"
+#include "shaders/shared/cut.h"
+#include "shaders/spirv.h"
+
+namespace render {
+namespace {
+
+gpu::Pipeline makePipeline(gpu::Device& device, const TargetFormat& target) {
+    const gpu::ShaderStage stages[] = {{VK_SHADER_STAGE_VERTEX_BIT, shader::spirv::kCutFaceVert},
+                                       {VK_SHADER_STAGE_FRAGMENT_BIT, shader::spirv::kCutFaceFrag}};
+    gpu::GraphicsPipelineOptions options;
+    options.label = "cut faces";
+    options.stages = stages;
+    options.pushBytes = sizeof(shader::CutPush);
+    options.colourFormat = target.colour;
+    options.depthFormat = gpu::kDepthFormat;
+    options.samples = target.samples;
+    return gpu::Pipeline(device, options);
+}
+
+/// Where a face is drawn. Bodies of components keep their heights, on whichever face of their layer they stand;
+/// everything else grows with its layer.
+ZRange drawn(const CutFace& face, const SceneLayers::Layer& real, const shader::LayerState& state) {
+    const float thickness = real.z1 - real.z0;
+    if ((state.flags & shader::kLayerGrowsUp) != 0) {
+        return {state.z0 + face.bottom * thickness, state.z0 + face.top * thickness};
+    }
+    if ((state.flags & shader::kLayerGrowsDown) != 0) {
+        return {state.z1 - (1.0F - face.bottom) * thickness, state.z1 - (1.0F - face.top) * thickness};
+    }
+    return {glm::mix(state.z0, state.z1, face.bottom), glm::mix(state.z0, state.z1, face.top)};
+}
+
+std::vector<shader::CutRectangle> rectangles(const FramePlan& plan, const SceneLayers& scene, const Cut& cut) {
+    std::vector<shader::CutRectangle> list;
+    for (const CutFace& face : cut.faces) {
+        const std::size_t layer = face.layer.row();
+        const shader::LayerState& state = plan.upright.states[layer];
+        if (!scene.styles[layer].isVisible) {
+            continue;
+        }
+        const ZRange z = drawn(face, scene.layers[layer], state);
+        const auto at = [&](double along) { return glm::vec2(cut.plane.start + along * cut.plane.direction); };
+        list.push_back({glm::vec3(state.colour), face.isInside ? 1U : 0U, at(face.from), at(face.to), z.z0, z.z1});
+    }
+    return list;
+}
+
+}  // namespace
+
+CutDrawer::CutDrawer(gpu::Device& device, const TargetFormat& target)
+    : m_format(target), m_pipeline(makePipeline(device, target)) {}
+
+void CutDrawer::draw(gpu::Frame& frame, const FramePlan& plan, const SceneLayers& scene, const Cut& cut) const {
+    const std::vector<shader::CutRectangle> list = rectangles(plan, scene, cut);
+    if (list.empty()) {
+        return;
+    }
+    const gpu::Frame::Slice data = frame.put(std::span<const shader::FrameData>(&plan.data, 1));
+    const gpu::Frame::Slice faces = frame.put(std::span<const shader::CutRectangle>(list));
+    gpu::Pipeline::setFrontFace(frame.commands(), false);
+    m_pipeline.bind(frame.commands());
+    m_pipeline.push(frame.commands(), shader::CutPush{data.address, faces.address});
+    vkCmdDraw(frame.commands(), static_cast<std::uint32_t>(6 * list.size()), 1, 0, 0);
+}
+
+}  // namespace render

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "render/backends/let_backend.h"
+#include "render/scene/section_plane.h"
+
+namespace render {
+
+/// Fills the cut through a board that is cut open. The rectangles go through the memory of the frame: nothing is kept
+/// on the device.
+class CutDrawer {
+public:
+    CutDrawer(gpu::Device& device, const TargetFormat& target);
+    [[nodiscard]] const TargetFormat& format() const { return m_format; }
+    /// Of visible layers, at the heights at which the plan draws them.
+    void draw(gpu::Frame& frame, const FramePlan& plan, const SceneLayers& scene, const Cut& cut) const;
+
+private:
+    TargetFormat m_format;
+    gpu::Pipeline m_pipeline;
+};
+
+}  // namespace render

@@ -1,0 +1,345 @@
+#include "render/culling/frame_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <numeric>
+
+namespace render {
+namespace {
+
+// A polygon's outline strays less than this from the true one. The coarsest level that does so is drawn: changes of
+// level are then below what an eye sees, and a raster of a layer (mono) is right to a tenth of a pixel.
+constexpr float kTolerancePx = 0.3F;
+constexpr float kMonoTolerancePx = 0.1F;
+constexpr float kCoarseTolerancePx = 2.0F;
+/// Lets whose pen radius is below this many pixels become quads (vulkan-facts, recipes).
+constexpr float kQuadRadiusPx = 0.7F;
+/// The inside of a hole stands out by 2 µm, or by 16 steps of tie-break where depth resolves less: enough to win
+/// against all faces it passes, too little to be seen.
+constexpr float kBoreProtrusionMm = 0.002F;
+constexpr float kBoreProtrusionSteps = 16.0F;
+
+/// One step of tie-break between faces in one plane, in units of depth: 16 roundings of a 24-bit number. In perspective
+/// depth is near / distance, relative steps do; in parallel projection depth is linear and rounds like the largest
+/// number in it.
+constexpr float kNudgePerspective = 0x1p-20F;
+constexpr float kNudgeParallel = 0x1p-21F;
+/// Pixel positions are rounded too: to about 2^-15 px on the software device, whose depths of slivers (a board's
+/// outline is 1000 times as long as wide) were seen to stray by that share of depth range over width in pixels.
+constexpr float kPositionRoundingPx = 0x1p-15F;
+
+/// Where the light comes from, seen from above: from over the left shoulder.
+const glm::vec2 kLight = glm::normalize(glm::vec2(-0.55F, 0.83F));
+
+/// Larger than this the sine of the view angle to the board counts as straight.
+constexpr float kStraight = 0.9999995F;
+
+struct Eye {
+    glm::dmat4 clipFromCentred{1.0};  ///< of positions relative to the camera's target
+    float stepMm = 0.0F;              ///< one step of tie-break at the target
+    glm::vec3 position{0.0F};
+    glm::vec3 direction{0.0F};
+    bool isParallel = false;
+};
+
+Eye makeEye(const Camera& camera, float aspect) {
+    Eye eye;
+    eye.position = camera.eye();
+    eye.direction = camera.direction();
+    eye.isParallel = camera.isOrthographic();
+    // The view matrix about the target instead of the origin: no large numbers that cancel.
+    glm::dmat4 view{camera.view()};
+    view[3] = view * glm::dvec4(glm::dvec3(camera.target()), 1.0);
+    const glm::mat4 projection = camera.projection(aspect);
+    eye.clipFromCentred = glm::dmat4(projection) * view;
+    eye.stepMm = eye.isParallel ? kNudgeParallel / std::abs(projection[2][2])
+                                : kNudgePerspective * glm::length(eye.position - camera.target());
+    return eye;
+}
+
+constexpr std::uint32_t kUneven = shader::kLayerGrowsUp | shader::kLayerGrowsDown;
+
+bool isUneven(const shader::LayerState& layer) {
+    return (layer.flags & kUneven) != 0;
+}
+
+/// Level faces are seen from one side whatever the pixel. From inside a solid neither is: its back would only fight
+/// with what it touches.
+SeenFaces seenFaces(const Eye& eye, const shader::LayerState& layer) {
+    if (eye.isParallel) {
+        const float z = eye.direction.z;
+        return {z<0.0F, std::abs(z) < kStraight, z> 0.0F};
+    }
+    // Where heights differ, a face that is seen may lie anywhere in the layer.
+    const float upper = (layer.flags & shader::kLayerGrowsUp) != 0 ? layer.z0 : layer.z1;
+    const float lower = (layer.flags & shader::kLayerGrowsDown) != 0 ? layer.z1 : layer.z0;
+    return {eye.position.z > upper, true, eye.position.z < lower};
+}
+
+std::vector<SeenFaces> facesOfLayers(const Eye& eye, std::span<const shader::LayerState> layers) {
+    std::vector<SeenFaces> faces;
+    std::transform(layers.begin(), layers.end(), std::back_inserter(faces),
+                   [&](const shader::LayerState& layer) { return seenFaces(eye, layer); });
+    return faces;
+}
+
+/// Walls too low to show are not drawn, if the layer's face is.
+void dropThinWalls(float pixelsPerMm, LayerPlan& plan) {
+    for (std::size_t i = 0; i < plan.faces.size(); ++i) {
+        SeenFaces& faces = plan.faces[i];
+        const bool isThin = (plan.states[i].z1 - plan.states[i].z0) * pixelsPerMm < kThinPx;
+        faces.walls = faces.walls && !(isThin && (faces.upper || faces.lower));
+    }
+}
+
+/// What is seen of any visible layer. Seen edge-on neither face shows: walls alone are no run that starts or ends the
+/// tables, so all are drawn.
+SeenFaces seenOfAny(const FramePlan& plan) {
+    SeenFaces all{false, false, false};
+    for (const LayerPlan* layers : {&plan.upright, &plan.flipped}) {
+        for (std::size_t i = 0; i < layers->states.size(); ++i) {
+            const SeenFaces& faces = layers->faces[i];
+            if ((layers->states[i].flags & shader::kLayerVisible) != 0) {
+                all = {all.upper || faces.upper, all.walls || faces.walls, all.lower || faces.lower};
+            }
+        }
+    }
+    return all.upper || all.lower ? all : SeenFaces{};
+}
+
+glm::vec4 linearColour(const LayerStyle& style) {
+    return {toLinear(style.colour), std::clamp(style.opacity, 0.0F, 1.0F)};
+}
+
+/// While others are dimmed to show a net, the laminate lets inner copper shine through.
+LayerStyle shownStyle(const SceneLayers& scene, const ViewSettings& settings, std::size_t layer) {
+    constexpr float kGlassy = 0.85F;
+    LayerStyle style = scene.styles[layer];
+    const bool isSubstrate =
+        !scene.inSubstrate.empty() && scene.inSubstrate[layer].role == LayerInSubstrate::Role::Substrate;
+    if (isSubstrate && settings.dim > 0.0F) {
+        style.opacity = std::min(style.opacity, kGlassy);
+    }
+    return style;
+}
+
+std::vector<shader::LayerState> layerStates(const SceneLayers& scene, const ViewSettings& settings) {
+    const std::vector<ZRange> z = drawnHeights(scene, settings);
+    std::vector<shader::LayerState> states(scene.layers.size());
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        const LayerStyle style = shownStyle(scene, settings, i);
+        const bool isTranslucent = style.opacity < 1.0F && !settings.isMono;
+        states[i].colour = linearColour(style);
+        states[i].z0 = z[i].z0;
+        states[i].z1 = z[i].z1;
+        states[i].flags = (style.isVisible ? shader::kLayerVisible : 0) |
+                          (isTranslucent ? shader::kLayerTranslucent : 0) | scene.layers[i].growth;
+    }
+    return states;
+}
+
+/// Among visible layers with a face at the same height, later layers win: they get higher ranks.
+void rankFaces(std::vector<shader::LayerState>& layers, float shader::LayerState::*face, std::uint32_t shift) {
+    std::vector<std::uint32_t> order(layers.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return layers[a].*face < layers[b].*face; });
+    std::uint32_t rank = 0;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        shader::LayerState& layer = layers[order[i]];
+        const bool isShared = i > 0 && layers[order[i - 1]].*face == layer.*face;
+        const bool counts = i > 0 && (layers[order[i - 1]].flags & shader::kLayerVisible) != 0;
+        rank = isShared ? rank + (counts ? 1 : 0) : 0;
+        layer.flags |= std::min(rank, 0xffU) << shift;
+    }
+}
+
+/// Visible layers, opaque or translucent ones, the one farthest from the viewer first.
+std::vector<std::uint32_t> visibleFromBack(const std::vector<shader::LayerState>& layers, bool isTranslucent,
+                                           bool isSeenFromAbove) {
+    constexpr std::uint32_t kAsked = shader::kLayerVisible | shader::kLayerTranslucent;
+    const std::uint32_t wanted = shader::kLayerVisible | (isTranslucent ? shader::kLayerTranslucent : 0);
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t i = 0; i < layers.size(); ++i) {
+        if ((layers[i].flags & kAsked) == wanted) {
+            order.push_back(i);
+        }
+    }
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) {
+        return isSeenFromAbove ? layers[a].z1 < layers[b].z1 : layers[a].z0 > layers[b].z0;
+    });
+    return order;
+}
+
+std::vector<LayerBatch> makeBatches(std::vector<shader::LayerState>& layers, bool isSeenFromAbove) {
+    std::vector<LayerBatch> batches(1);
+    const auto add = [&](std::size_t batch, std::uint32_t layer) {
+        layers[layer].batch = static_cast<std::uint32_t>(batch);
+        batches[batch].push_back(layer);
+    };
+    // Opaque ones from the front: what they hide is not shaded.
+    std::vector<std::uint32_t> opaque = visibleFromBack(layers, false, isSeenFromAbove);
+    std::reverse(opaque.begin(), opaque.end());
+    for (const std::uint32_t layer : opaque) {
+        add(0, layer);
+    }
+    for (const std::uint32_t layer : visibleFromBack(layers, true, isSeenFromAbove)) {
+        batches.emplace_back();
+        add(batches.size() - 1, layer);
+    }
+    return batches;
+}
+
+/// The heights of visible layers, from the lowest to the highest.
+ZRange visibleHeights(std::span<const shader::LayerState> states) {
+    ZRange all{1e30F, -1e30F};
+    for (const shader::LayerState& state : states) {
+        if ((state.flags & shader::kLayerVisible) != 0) {
+            all = {std::min(all.z0, state.z0), std::max(all.z1, state.z1)};
+        }
+    }
+    return all;
+}
+
+LayerPlan planLayers(const SceneLayers& scene, const ViewSettings& settings, const Eye& eye, const EyePoint& point) {
+    LayerPlan plan;
+    plan.states = layerStates(scene, settings);
+    rankFaces(plan.states, &shader::LayerState::z0, shader::kLayerBottomRankShift);
+    rankFaces(plan.states, &shader::LayerState::z1, shader::kLayerTopRankShift);
+    const ZRange heights = visibleHeights(plan.states);
+    const bool leavesOut = settings.cull && !scene.inSubstrate.empty();
+    const Sight sight = leavesOut ? sightOf(point, heights.z0, heights.z1) : Sight{};
+    if (leavesOut) {
+        hideBuried(scene.inSubstrate, sight, plan.states);
+    }
+    plan.batches = makeBatches(plan.states, eye.direction.z <= 0.0F);
+    plan.faces = facesOfLayers(eye, plan.states);
+    if (leavesOut && !settings.isMono) {
+        dropThinWalls(sight.pixelsPerMm, plan);
+    }
+    return plan;
+}
+
+/// Turned over, a layer looks like the one it lies on; one without a counterpart keeps its looks and lies at its mirror
+/// image.
+LayerPlan flippedPlan(const SceneLayers& scene, const LayerPlan& upright, const Eye& eye) {
+    LayerPlan plan;
+    plan.batches.resize(upright.batches.size());
+    for (std::uint32_t row = 0; row < scene.layers.size(); ++row) {
+        const model::LayerId opposite = scene.layers[row].opposite;
+        shader::LayerState state = upright.states[opposite.isValid() ? opposite.row() : row];
+        if (!opposite.isValid()) {
+            state.z0 = scene.facesMm - upright.states[row].z1;
+            state.z1 = scene.facesMm - upright.states[row].z0;
+            state.flags ^= isUneven(state) ? kUneven : 0;
+        }
+        if ((state.flags & shader::kLayerVisible) != 0) {
+            plan.batches[state.batch].push_back(row);
+        }
+        plan.states.push_back(state);
+    }
+    plan.faces = facesOfLayers(eye, plan.states);
+    return plan;
+}
+
+/// Planes of the frustum as combinations of the matrix rows, scaled to millimetres: 0 <= z <= w, -w <= x, y <= w.
+void setPlanes(const glm::dmat4& clip, shader::FrameData& data) {
+    const glm::dmat4 rows = glm::transpose(clip);
+    const glm::dvec4 planes[shader::kPlaneCount] = {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1],
+                                                    rows[3] - rows[1], rows[2],           rows[3] - rows[2]};
+    for (std::uint32_t i = 0; i < shader::kPlaneCount; ++i) {
+        // The far plane of an infinite projection has no normal; its constant is positive, so it cuts nothing off.
+        const double length = glm::length(glm::dvec3(planes[i]));
+        data.planes[i] = glm::vec4(planes[i] / (length > 0.0 ? length : 1.0));
+    }
+}
+
+/// Where sight through a pixel starts: the picture as a rectangle at the camera's target.
+void setScreen(const glm::dmat4& clip, double width, double height, shader::FrameData& data) {
+    const glm::dmat4 back = glm::inverse(clip);
+    const glm::dvec4 target = clip[3];
+    const auto at = [&](double x, double y) {
+        const glm::dvec4 location = back * glm::dvec4(x, y, target.z / target.w, 1.0);
+        return glm::dvec3(location) / location.w;
+    };
+    const glm::dvec3 corner = at(-1.0, -1.0);
+    data.screen = glm::vec3(corner);
+    data.screenRight = glm::vec3((at(1.0, -1.0) - corner) / width);
+    data.screenDown = glm::vec3((at(-1.0, 1.0) - corner) / height);
+}
+
+std::uint32_t flagsOf(const ViewSettings& settings) {
+    return (settings.is2d ? shader::kFrameFlat : 0) | (settings.isMono ? shader::kFrameMono : 0) |
+           (settings.cull ? shader::kFrameCull : 0) |
+           (settings.levels == LevelOfDetail::Paper ? shader::kFramePaperLevels : 0);
+}
+
+float toleranceOf(const ViewSettings& settings) {
+    if (settings.isMono) {
+        return kMonoTolerancePx;
+    }
+    return settings.levels == LevelOfDetail::Coarse ? kCoarseTolerancePx : kTolerancePx;
+}
+
+void setTriangleRun(SeenFaces faces, shader::FrameData& data) {
+    data.firstTriangle = faces.upper   ? 0
+                         : faces.walls ? shader::kUpperTriangles
+                                       : shader::kUpperTriangles + shader::kWallTriangles;
+    data.triangleCount = (faces.upper ? shader::kUpperTriangles : 0) + (faces.walls ? shader::kWallTriangles : 0) +
+                         (faces.lower ? shader::kUpperTriangles : 0);
+    data.quadFace = faces.upper ? 0 : 1;
+}
+
+/// Left of the plane's line, for places relative to the camera's target.
+glm::vec3 cutOf(const CutPlane& plane, const glm::vec3& centre) {
+    const glm::dvec2 left(-plane.direction.y, plane.direction.x);
+    return {left, glm::dot(left, plane.start - glm::dvec2(centre))};
+}
+
+}  // namespace
+
+bool isFlatView(const FramePlan& plan) {
+    const bool isParallel = plan.data.eye.w == 0.0F;
+    return isParallel && !plan.faces.walls && plan.faces.upper != plan.faces.lower;
+}
+
+FramePlan planFrame(const SceneLayers& scene, const Camera& camera, const ViewSettings& settings, std::uint32_t width,
+                    std::uint32_t height) {
+    const auto pixelHeight = static_cast<float>(height);
+    const Eye eye = makeEye(camera, static_cast<float>(width) / pixelHeight);
+    const float pixelsPerMm = std::abs(camera.projection(1.0F)[1][1]) * pixelHeight / 2.0F;
+    FramePlan plan;
+    plan.upright = planLayers(scene, settings, eye, {eye.clipFromCentred, glm::dvec3(camera.target()), pixelsPerMm});
+    plan.flipped = scene.hasFlipped ? flippedPlan(scene, plan.upright, eye) : LayerPlan{};
+    plan.faces = seenOfAny(plan);
+
+    shader::FrameData& data = plan.data;
+    data.clipFromBoard = glm::mat4(eye.clipFromCentred);
+    setPlanes(eye.clipFromCentred, data);
+    setScreen(eye.clipFromCentred, static_cast<double>(width), static_cast<double>(height), data);
+    data.centre = camera.target();
+    data.width = width;
+    data.height = height;
+    data.eye = eye.isParallel ? glm::vec4(-eye.direction, 0.0F) : glm::vec4(eye.position - camera.target(), 1.0F);
+    data.pixelsPerMm = pixelsPerMm;
+    data.tolerancePx = toleranceOf(settings);
+    const bool seesOneFace = plan.faces.upper != plan.faces.lower;
+    const bool canFlatten = seesOneFace && !settings.isMono;
+    data.quadRadiusPx = canFlatten ? kQuadRadiusPx : 0.0F;
+    data.thinPx = canFlatten ? kThinPx : 0.0F;
+    data.nudgeZ = eye.isParallel ? 0.0F : kNudgePerspective;
+    data.nudgeW = eye.isParallel ? kNudgeParallel : 0.0F;
+    const float depthPerMm =
+        eye.isParallel ? std::abs(camera.projection(1.0F)[2][2]) / kNudgeParallel : 1.0F / kNudgePerspective;
+    data.sliverNudge = kPositionRoundingPx * depthPerMm / data.pixelsPerMm;
+    data.boreProtrusionMm = std::max(kBoreProtrusionMm, kBoreProtrusionSteps * eye.stepMm);
+    data.light = kLight;
+    plan.isCut = settings.cut != nullptr && !settings.is2d;
+    data.cut = plan.isCut ? cutOf(settings.cut->plane, data.centre) : glm::vec3(0.0F);
+    data.restBrightness = 1.0F - std::clamp(settings.dim, 0.0F, 1.0F);
+    data.flags = flagsOf(settings) | (settings.isOutlined && isFlatView(plan) ? shader::kFrameOutlines : 0);
+    setTriangleRun(plan.faces, data);
+    return plan;
+}
+
+}  // namespace render

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "render/culling/hiding.h"
+#include "render/modelling/let_tables.h"
+#include "render/scene/camera.h"
+#include "render/scene/scene_layers.h"
+#include "shaders/shared/frame.h"
+
+namespace render {
+
+/// Layers that are drawn together.
+using LayerBatch = std::vector<std::uint32_t>;
+
+/// The layers of a step as a copy shows them: upright, or flipped on the layers of the other side. Rows are the step's.
+struct LayerPlan {
+    std::vector<shader::LayerState> states;
+    std::vector<LayerBatch> batches;  ///< [0] all opaque layers from the front, then one per translucent layer
+                                      ///< from the back
+    std::vector<SeenFaces> faces;     ///< per layer
+};
+
+/// Everything decided on the CPU before a frame is recorded.
+struct FramePlan {
+    LayerPlan upright;
+    LayerPlan flipped;         ///< empty if nothing is flipped; its batches are those of the layers its own lie on
+    SeenFaces faces;           ///< of any layer
+    bool isCut = false;        ///< the board is cut open (ViewSettings::cut)
+    shader::FrameData data{};  ///< for the board itself, all but the addresses and counts of the scene
+};
+
+/// `width` and `height` of the picture in pixels.
+[[nodiscard]] FramePlan planFrame(const SceneLayers& scene, const Camera& camera, const ViewSettings& settings,
+                                  std::uint32_t width, std::uint32_t height);
+
+/// Does the frame look straight at one face, in parallel projection?
+[[nodiscard]] bool isFlatView(const FramePlan& plan);
+
+}  // namespace render

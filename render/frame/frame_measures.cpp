@@ -1,0 +1,149 @@
+#include "render/frame/frame_measures.h"
+
+#include "render/frame/frame_copies.h"
+#include "render/gpu/barrier.h"
+#include "render/gpu/check.h"
+#include "render/scene/scene_buffers.h"
+
+namespace render {
+namespace {
+
+template <class... T>
+std::uint64_t sizeOf(const std::vector<T>&... columns) {
+    return (std::uint64_t{0} + ... + (columns.capacity() * sizeof(T)));
+}
+
+/// Copies commands to the host.
+template <class T>
+std::optional<std::vector<T>> readBack(gpu::Device& device, const BufferPart& part, std::size_t count) {
+    if (count == 0) {
+        return std::vector<T>{};
+    }
+    const gpu::Buffer host(device, {"measures", count * sizeof(T), gpu::MemoryUse::Staging, true});
+    gpu::FrameRing ring(device, 1, "measures");
+    gpu::Frame* frame = ring.begin();
+    if (frame == nullptr) {
+        return std::nullopt;
+    }
+    gpu::memoryBarrier(frame->commands(), gpu::kAnything, gpu::kAnything);
+    const VkBufferCopy region{part.offset, 0, count * sizeof(T)};
+    vkCmdCopyBuffer(frame->commands(), part.buffer, host.handle(), 1, &region);
+    gpu::memoryBarrier(frame->commands(), gpu::kCopyWrite, gpu::kHostRead);
+    if (!ring.end() || !ring.wait()) {
+        return std::nullopt;
+    }
+    std::vector<T> values(count);
+    std::memcpy(values.data(), host.mapped().data(), count * sizeof(T));
+    return values;
+}
+
+std::uint64_t standardTriangles(const LayerPlan& plan, const StandardBuffers& buffers) {
+    std::uint64_t sum = 0;
+    for (const LayerBatch& batch : plan.batches) {
+        for (const std::uint32_t layer : batch) {
+            const LayerRun run = buffers.partsOfLayer[layer];
+            for (std::uint32_t part = run.first; part < run.first + run.count; ++part) {
+                sum += buffers.indexCounts[part] / 3;
+            }
+        }
+    }
+    return sum;
+}
+
+std::optional<std::uint64_t> letTriangles(const Recording& copy) {
+    const auto draws = readBack<shader::DrawIndexed>(*copy.scene.device, copy.lists.letDraws,
+                                                     copy.layers.batches.size() * shader::kBucketCount);
+    if (!draws) {
+        return std::nullopt;
+    }
+    std::uint64_t sum = 0;
+    for (const shader::DrawIndexed& draw : *draws) {
+        sum += std::uint64_t{draw.indexCount / 3} * draw.instanceCount;
+    }
+    return sum;
+}
+
+std::optional<std::uint64_t> areaTriangles(const Recording& copy) {
+    const std::uint32_t count = copy.step.areaDrawCount;
+    const auto caps = readBack<shader::DrawIndexed>(*copy.scene.device, copy.lists.capDraws, count);
+    const auto walls = readBack<shader::Draw>(*copy.scene.device, copy.lists.wallDraws, count);
+    if (!caps || !walls) {
+        return std::nullopt;
+    }
+    std::uint64_t sum = 0;
+    for (std::size_t layer = 0; layer < copy.step.layers.size(); ++layer) {
+        const SeenFaces& faces = copy.layers.faces[layer];
+        const std::uint64_t capsSeen = (faces.upper ? 1U : 0U) + (faces.lower ? 1U : 0U);
+        const LayerRun run = copy.step.layers[layer].areaBatches;
+        for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
+            sum += capsSeen * ((*caps)[i].indexCount / 3) * (*caps)[i].instanceCount;
+            sum += (faces.walls ? 1U : 0U) * std::uint64_t{(*walls)[i].vertexCount / 3} * (*walls)[i].instanceCount;
+        }
+    }
+    return sum;
+}
+
+/// Of all copies; none when several groups of them took turns in the draw lists, which then tell of the last one only.
+std::optional<std::uint64_t> hybridTriangles(const FrameCopies& copies) {
+    std::uint64_t sum = 0;
+    for (const std::vector<Recording>& group : copies.groups()) {
+        for (const Recording& copy : group) {
+            const std::optional<std::uint64_t> lets = letTriangles(copy);
+            const std::optional<std::uint64_t> areas = areaTriangles(copy);
+            if (!lets || !areas || copies.groups().size() > 1) {
+                return std::nullopt;
+            }
+            sum += *lets + *areas;
+        }
+    }
+    return sum;
+}
+
+}  // namespace
+
+std::uint64_t cpuBytes(const BoardModel& m) {
+    std::uint64_t sum =
+        sizeOf(m.lets, m.clusters, m.clustersOfLayer, m.vertices, m.next, m.indices, m.shapes, m.instances,
+               m.areaBatches, m.areaBatchesOfLayer, m.layerBottomMm, m.layerTopMm, m.copies);
+    for (const BoardModel& step : m.steps) {
+        sum += cpuBytes(step);
+    }
+    return sum;
+}
+
+std::uint64_t cpuBytes(const StandardModel& model) {
+    std::uint64_t sum = sizeOf(model.parts);
+    for (const StandardPart& part : model.parts) {
+        sum += sizeOf(part.vertices, part.indices);
+    }
+    for (const StandardModel& step : model.steps) {
+        sum += cpuBytes(step);
+    }
+    return sum;
+}
+
+std::optional<std::uint64_t> drawnTriangles(BoardScene& board, const Camera& camera, const ViewSettings& settings,
+                                            std::uint32_t width, std::uint32_t height) {
+    BoardScene::Impl& scene = board.impl();
+    const FramePlan plan = planFrame(scene.layers, camera, settings, width, height);
+    if (scene.steps.front().standard) {
+        std::uint64_t sum = 0;
+        for (const ModelCopy& copy : scene.copies) {
+            sum += standardTriangles(copy.isFlipped ? plan.flipped : plan.upright, *scene.steps[copy.step].standard);
+        }
+        return sum;
+    }
+    try {
+        gpu::FrameRing ring(*scene.device, 1, "measures");
+        gpu::Frame* frame = ring.begin();
+        if (frame == nullptr) {
+            return std::nullopt;
+        }
+        const std::optional<std::uint64_t> sum = hybridTriangles(FrameCopies(*frame, plan, scene));
+        return ring.end() && ring.wait() ? sum : std::nullopt;
+    } catch (const gpu::OutOfMemory&) {
+        return std::nullopt;
+    }
+}
+
+}  // namespace render

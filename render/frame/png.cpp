@@ -1,0 +1,61 @@
+#include "render/frame/png.h"
+
+#include <png.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+namespace render {
+namespace {
+
+base::Error outputError(const std::string& path, const std::string& reason) {
+    return {base::ErrorCode::OutputFailed, "Cannot write " + path + ": " + reason + "."};
+}
+
+/// Empty, or why it failed.
+std::string encode(const Image& image, std::FILE* file) {
+    png_image png{};
+    png.version = PNG_IMAGE_VERSION;
+    png.width = image.width;
+    png.height = image.height;
+    png.format = PNG_FORMAT_RGBA;
+    errno = 0;
+    if (png_image_write_to_stdio(&png, file, 0, image.rgba.data(), 0, nullptr) != 0) {
+        return {};
+    }
+    const std::string reason = errno != 0 ? std::strerror(errno) : png.message;
+    png_image_free(&png);
+    return reason;
+}
+
+/// Leaves no half picture behind; devices such as /dev/full are left alone.
+void removePartial(const std::string& path) {
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(path, ignored)) {
+        std::filesystem::remove(path, ignored);
+    }
+}
+
+}  // namespace
+
+base::Status writePng(const Image& image, const std::string& path) {
+    ASSERT(image.rgba.size() == std::size_t{image.width} * image.height * 4);
+    std::FILE* file = std::fopen(path.c_str(), "wb");
+    if (file == nullptr) {
+        return outputError(path, std::strerror(errno));
+    }
+    std::string reason = encode(image, file);
+    errno = 0;
+    if (std::fclose(file) != 0 && reason.empty()) {
+        reason = std::strerror(errno);
+    }
+    if (!reason.empty()) {
+        removePartial(path);
+        return outputError(path, reason);
+    }
+    return base::Done{};
+}
+
+}  // namespace render

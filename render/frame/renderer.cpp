@@ -1,0 +1,243 @@
+#include "render/frame/renderer.h"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+
+#include "render/backends/backend_choice.h"
+#include "render/backends/scene_drawer.h"
+#include "render/frame/frame_copies.h"
+#include "render/gpu/check.h"
+#include "render/gpu/device_select.h"
+
+namespace render {
+namespace {
+
+/// The stencil holds the last translucent batch that coloured a sample. With more than 255 of them numbers repeat: then
+/// it is cleared.
+constexpr std::uint32_t kStencilReferences = 255;
+
+/// Lets within a circle of this radius are left to compute shaders, where there is a choice (docs/performance.md).
+constexpr float kRasterRadiusPx = 2.0F;
+
+void clearStencil(VkCommandBuffer commands, VkExtent2D extent) {
+    VkClearAttachment what{};
+    what.aspectMask = VK_IMAGE_ASPECT_STENCIL_BIT;
+    const VkClearRect where{{{0, 0}, extent}, 0, 1};
+    vkCmdClearAttachments(commands, 1, &what, 1, &where);
+}
+
+glm::vec3 background(const ViewSettings& settings) {
+    return toLinear(settings.isMono ? glm::vec3(0.0F) : settings.background);
+}
+
+}  // namespace
+
+PassPipelines makePassPipelines(gpu::Device& device, std::string_view label, std::span<const gpu::ShaderStage> stages,
+                                bool cullsBackFaces, const TargetFormat& target, gpu::Cover cover) {
+    PassPipelines pipelines;
+    for (const gpu::Pass pass : {gpu::Pass::Opaque, gpu::Pass::DepthOnly, gpu::Pass::Blend}) {
+        pipelines[passRow(pass)] =
+            gpu::Pipeline(device, {label, stages, sizeof(shader::Push), pass, cullsBackFaces, cover, target.colour,
+                                   gpu::kDepthFormat, target.samples, target.cuts});
+    }
+    return pipelines;
+}
+
+/// All that draws in one format with one back end.
+struct Renderer::Drawers {
+    TargetFormat format;
+    Backend backend;
+    std::unique_ptr<SceneDrawer> scene;
+
+    Drawers(gpu::Device& device, const TargetFormat& target, Backend which)
+        : format(target),
+          backend(which),
+          scene(which == Backend::Standard ? makeStandardDrawer(device, target)
+                                           : makeHybridDrawer(device, target, which)) {}
+
+    void drawBatch(std::span<const Recording> group, std::uint32_t batch, gpu::Pass pass) const {
+        for (const Recording& recording : group) {
+            gpu::Pipeline::setFrontFace(recording.commands(), recording.isMirrored);
+            scene->draw(recording, batch, pass);
+        }
+    }
+};
+
+namespace {
+
+/// A picture being drawn. A single group of copies is looked through once, before drawing begins; several take turns in
+/// the draw lists, and drawing pauses whenever another one comes.
+class Picture {
+public:
+    Picture(const Renderer::Drawers& drawers, const FrameCopies& copies, const RenderTarget& target,
+            VkCommandBuffer commands)
+        : m_drawers(drawers), m_groups(copies.groups()), m_target(target), m_commands(commands) {}
+
+    void begin(const glm::vec3& ground) {
+        if (!m_groups.empty()) {
+            m_drawers.scene->cull(m_groups.front());
+        }
+        m_target.begin(m_commands, ground);
+    }
+
+    void drawOpaque() {
+        forGroups([&](std::span<const Recording> group) {
+            m_drawers.drawBatch(group, 0, gpu::Pass::Opaque);
+            m_drawers.scene->finishOpaque(group);
+        });
+    }
+
+    /// Translucent layers one after the other from the back: first which of its surfaces is in front, then that one's
+    /// colour, once per sample. So the picture does not depend on the order of draws inside a layer.
+    void drawTranslucent(std::size_t batches) {
+        for (std::uint32_t batch = 1; batch < batches; ++batch) {
+            const std::uint32_t reference = (batch - 1) % kStencilReferences + 1;
+            if (batch > 1 && reference == 1) {
+                clearStencil(m_commands, m_target.extent());
+            }
+            forGroups([&](std::span<const Recording> group) {
+                m_drawers.drawBatch(group, batch, gpu::Pass::DepthOnly);
+                vkCmdSetStencilReference(m_commands, VK_STENCIL_FACE_FRONT_AND_BACK, reference);
+                m_drawers.drawBatch(group, batch, gpu::Pass::Blend);
+            });
+        }
+    }
+
+private:
+    template <class Draw>
+    void forGroups(const Draw& draw) {
+        for (std::size_t group = 0; group < m_groups.size(); ++group) {
+            if (group != m_listed) {
+                m_target.pause(m_commands);
+                m_drawers.scene->cull(m_groups[group]);
+                m_target.resume(m_commands);
+                m_listed = group;
+            }
+            draw(m_groups[group]);
+        }
+    }
+
+    const Renderer::Drawers& m_drawers;
+    const std::vector<std::vector<Recording>>& m_groups;
+    const RenderTarget& m_target;
+    VkCommandBuffer m_commands;
+    std::size_t m_listed = 0;  ///< the group whose draw lists are there
+};
+
+}  // namespace
+
+Renderer::Renderer(gpu::Device& device) : m_device(&device) {}
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+
+Backend Renderer::resolve(Backend wanted, const FramePlan& plan) {
+    const BackendChoice choice = chooseBackend(wanted, m_device->caps(), plan);
+    if (choice.needs != nullptr && !m_hasWarned) {
+        spdlog::warn("The {} back end {}: drawing with {} instead.", nameOf(wanted), choice.needs,
+                     nameOf(choice.backend));
+        m_hasWarned = true;
+    }
+    return choice.backend;
+}
+
+Renderer::Drawers& Renderer::drawersFor(const TargetFormat& format, Backend backend) {
+    for (const auto& drawers : m_drawers) {
+        if (drawers->format == format && drawers->backend == backend) {
+            return *drawers;
+        }
+    }
+    return *m_drawers.emplace_back(std::make_unique<Drawers>(*m_device, format, backend));
+}
+
+/// The one for this format, made when it is first asked for.
+template <class Drawer, class Format>
+const Drawer& Renderer::drawerFor(std::vector<std::unique_ptr<Drawer>>& drawers, const Format& format) {
+    const auto fits = [&](const auto& drawer) { return drawer->format() == format; };
+    auto drawer = std::ranges::find_if(drawers, fits);
+    if (drawer == drawers.end()) {
+        drawer = drawers.insert(drawer, std::make_unique<Drawer>(*m_device, format));
+    }
+    return **drawer;
+}
+
+void Renderer::keep(gpu::Frame& frame, RenderTarget& target) {
+    try {
+        target.keep(frame.commands());
+    } catch (const gpu::OutOfMemory& shortage) {
+        spdlog::debug("{} has no memory for {}: overlays need the board drawn again.", m_device->caps().name,
+                      shortage.what);
+    }
+}
+
+void Renderer::drawOverlay(gpu::Frame& frame, RenderTarget& target, const Overlay& overlay) {
+    if (overlay.rgba != nullptr) {
+        target.beginOver(frame.commands());
+        drawerFor(m_overlays, target.format().colour).draw(frame, overlay);
+        target.end(frame.commands());
+    }
+}
+
+TargetFormat Renderer::makeTarget(RenderTarget& target, VkExtent2D extent, VkFormat colour, Backend backend,
+                                  const ViewSettings& settings) {
+    const gpu::Caps& caps = m_device->caps();
+    const TargetFormat plain{colour, VK_SAMPLE_COUNT_1_BIT};
+    const TargetFormat smooth{colour, VK_SAMPLE_COUNT_4_BIT};
+    if (settings.isSmoothed && !settings.isMono && backend != Backend::Raster && caps.canSmooth && !m_isShortOfMemory &&
+        fitsOn(caps, extent, VK_SAMPLE_COUNT_4_BIT)) {
+        try {
+            target.setSize(extent, smooth);
+            return smooth;
+        } catch (const gpu::OutOfMemory& shortage) {
+            spdlog::warn("{} has no memory for {}: drawing without smoothing from now on.", caps.name, shortage.what);
+            m_isShortOfMemory = true;
+        }
+    }
+    target.setSize(extent, plain);
+    return plain;
+}
+
+Backend Renderer::record(gpu::Frame& frame, RenderTarget& target, VkExtent2D extent, VkFormat colour, BoardScene* scene,
+                         const Camera& camera, const ViewSettings& settings) {
+    m_isOverlayAlone = settings.isBoardKept && target.hasKept(extent, colour);
+    if (m_isOverlayAlone) {
+        frame.leaveUntimed();
+        target.restore(frame.commands());
+    } else if (scene != nullptr) {
+        m_last = recordBoard(frame, target, extent, colour, *scene, camera, settings);
+        if (settings.keepsBoard) {
+            keep(frame, target);
+        }
+    } else {
+        makeTarget(target, extent, colour, settings.backend, settings);
+        target.begin(frame.commands(), background(settings));
+        target.end(frame.commands());
+        m_last = settings.backend;
+    }
+    drawOverlay(frame, target, settings.overlay);
+    return m_last;
+}
+
+Backend Renderer::recordBoard(gpu::Frame& frame, RenderTarget& target, VkExtent2D extent, VkFormat colour,
+                              BoardScene& scene, const Camera& camera, const ViewSettings& settings) {
+    FramePlan plan = planFrame(scene.impl().layers, camera, settings, extent.width, extent.height);
+    const bool isStandard = scene.impl().steps.front().standard.has_value();
+    const Backend backend = isStandard ? Backend::Standard : resolve(settings.backend, plan);
+    const TargetFormat format = makeTarget(target, extent, colour, backend, settings);
+    plan.data.flags |= (backend == Backend::Impostor ? shader::kFrameImpostors : 0) |
+                       (format.samples != VK_SAMPLE_COUNT_1_BIT ? shader::kFrameSmoothed : 0);
+    plan.data.rasterRadiusPx = backend == Backend::Raster ? kRasterRadiusPx : 0.0F;
+    const FrameCopies copies(frame, plan, scene.impl());
+    Picture picture(drawersFor({format.colour, format.samples, plan.isCut}, backend), copies, target, frame.commands());
+    picture.begin(background(settings));
+    picture.drawOpaque();
+    if (plan.isCut) {
+        drawerFor(m_cuts, format).draw(frame, plan, scene.impl().layers, *settings.cut);
+    }
+    picture.drawTranslucent(plan.upright.batches.size());
+    target.end(frame.commands());
+    return backend;
+}
+
+}  // namespace render

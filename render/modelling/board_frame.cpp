@@ -1,0 +1,87 @@
+#include "render/modelling/board_frame.h"
+
+#include <algorithm>
+
+#include "shaders/shared/board.h"
+
+namespace render {
+
+namespace {
+
+std::uint32_t growthOf(const model::Layer& layer) {
+    const bool isEven = layer.type != model::LayerType::ComponentBody;
+    return isEven ? 0 : layer.side == model::LayerSide::Bottom ? shader::kLayerGrowsDown : shader::kLayerGrowsUp;
+}
+
+void setHeights(const model::Document& document, BoardFrame& out) {
+    float low = 0.0F;
+    float high = static_cast<float>(base::toMm(document.boardThickness));
+    for (const model::Layer& layer : document.layers) {
+        out.layerBottomMm.push_back(static_cast<float>(base::toMm(layer.z)));
+        out.isCopper.push_back(layer.isCopper());
+        out.layerTopMm.push_back(static_cast<float>(base::toMm(double(layer.z) + layer.thickness)));
+        out.layerGrowth.push_back(growthOf(layer));
+        if (layer.isCopper() || layer.type == model::LayerType::Body) {
+            low = std::min(low, out.layerBottomMm.back());
+            high = std::max(high, out.layerTopMm.back());
+        }
+    }
+    const model::Box& box = document.board.isEmpty() ? document.extent : document.board;
+    if (!box.isEmpty()) {
+        out.boxMin = {toGpu(base::toDouble(box.min), out.origin), low};
+        out.boxMax = {toGpu(base::toDouble(box.max), out.origin), high};
+    }
+}
+
+/// The lower and the upper face of the board: of its copper, and of the laminate below a single copper layer.
+float sumOfFaces(const model::Document& document) {
+    model::Nm low = 0;
+    model::Nm high = document.boardThickness;
+    std::size_t copper = 0;
+    for (const model::Layer& layer : document.layers) {
+        if (layer.isCopper() && layer.context == model::LayerContext::Board) {
+            high = copper++ == 0 ? layer.z + layer.thickness : std::max(high, layer.z + layer.thickness);
+        }
+    }
+    low = copper == 1 ? high - document.boardThickness : low;
+    return static_cast<float>(base::toMm(double(low) + high));
+}
+
+}  // namespace
+
+model::Point centreOf(const model::Box& box) {
+    if (box.isEmpty()) {
+        return {};
+    }
+    return {static_cast<model::Nm>(box.min.x + box.width() / 2), static_cast<model::Nm>(box.min.y + box.height() / 2)};
+}
+
+BoardFrame frameOf(const model::Document& document) {
+    BoardFrame frame;
+    frame.origin = centreOf(document.board.isEmpty() ? document.extent : document.board);
+    setHeights(document, frame);
+    frame.facesMm = sumOfFaces(document);
+    return frame;
+}
+
+std::vector<ModelCopy> placeCopies(const model::StepTree& tree) {
+    std::vector<model::Point> origins;
+    for (const model::Document* step : tree.steps) {
+        origins.push_back(frameOf(*step).origin);
+    }
+    std::vector<ModelCopy> copies;
+    for (const model::StepCopy& copy : tree.copies) {
+        const model::PointD origin = copy.placement.apply(base::toDouble(origins[copy.step]));
+        const model::Placement turn{{}, copy.placement.clockwiseDeg, copy.placement.isMirrored};
+        const model::PointD x = turn.apply(model::PointD{1.0, 0.0});
+        const model::PointD y = turn.apply(model::PointD{0.0, 1.0});
+        copies.push_back({copy.step,
+                          {base::toMm(origin.x - origins[0].x), base::toMm(origin.y - origins[0].y)},
+                          {{x.x, x.y}, {y.x, y.y}},
+                          copy.placement.isMirrored,
+                          copy.isFlipped});
+    }
+    return copies;
+}
+
+}  // namespace render

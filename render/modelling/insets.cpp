@@ -1,0 +1,346 @@
+#include "render/modelling/insets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+
+#include "model/base/parallel.h"
+#include "render/modelling/board_model.h"
+#include "render/modelling/edge_grid.h"
+#include "render/modelling/lets.h"
+
+namespace render {
+namespace {
+
+/// With more windows than this in the laminate it is not worked out which of them areas lie around.
+constexpr std::size_t kMostLoops = 512;
+
+/// Lines closer than this, mm, lie on each other.
+constexpr float kSlack = 2e-3F;
+
+using Loop = std::vector<glm::vec2>;
+using Role = LayerInSubstrate::Role;
+
+std::uint32_t kindOf(const shader::Let& let) {
+    return let.meta & shader::kLetKindMask;
+}
+
+glm::vec2 startOf(const shader::Let& let) {
+    return {let.p0, let.p1};
+}
+
+glm::vec2 placed(const shader::AreaInstance& instance, glm::vec2 p) {
+    const glm::vec2 cs = instance.cosSin;
+    const glm::vec2 rotated{cs.x * p.x + cs.y * p.y, -cs.y * p.x + cs.x * p.y};
+    return instance.origin + glm::vec2(instance.isMirrored != 0 ? -rotated.x : rotated.x, rotated.y);
+}
+
+/// The walls of an area instance as loops.
+std::vector<Loop> loopsOf(const BoardModel& model, const shader::AreaInstance& instance) {
+    const AreaShape& shape = model.shapes[instance.shape];
+    std::vector<std::uint8_t> isDone(shape.vertexCount, 0);
+    std::vector<Loop> loops;
+    for (std::uint32_t i = 0; i < shape.vertexCount; ++i) {
+        Loop loop;
+        for (std::uint32_t v = i; isDone[v] == 0 && model.next[shape.firstVertex + v] != shape.firstVertex + v;
+             v = model.next[shape.firstVertex + v] - shape.firstVertex) {
+            isDone[v] = 1;
+            loop.push_back(placed(instance, model.vertices[shape.firstVertex + v]));
+        }
+        if (!loop.empty()) {
+            loops.push_back(std::move(loop));
+        }
+    }
+    return loops;
+}
+
+/// Calls `visit(row)` for the area instances of a layer.
+template <class Visit>
+void forInstances(const BoardModel& model, std::size_t layer, const Visit& visit) {
+    const LayerRun batches = model.areaBatchesOfLayer[layer];
+    for (std::uint32_t b = batches.first; b < batches.first + batches.count; ++b) {
+        const AreaBatch& batch = model.areaBatches[b];
+        for (std::uint32_t i = 0; i < batch.instanceCount; ++i) {
+            visit(model.instances[batch.firstInstance + i]);
+        }
+    }
+}
+
+template <class Visit>
+void forClusters(const BoardModel& model, std::size_t layer, const Visit& visit) {
+    const LayerRun run = model.clustersOfLayer[layer];
+    for (std::uint32_t c = run.first; c < run.first + run.count; ++c) {
+        visit(model.clusters[c]);
+    }
+}
+
+template <class Visit>
+void forLets(const BoardModel& model, const shader::Cluster& cluster, const Visit& visit) {
+    for (std::uint32_t i = cluster.firstLet; i < cluster.firstLet + cluster.count; ++i) {
+        visit(model.lets[i]);
+    }
+}
+
+/// The straight holes and slots of a board: what fills the laminate's holes.
+class Plugs {
+public:
+    Plugs(const BoardModel& model, const std::vector<std::size_t>& holeLayers) : m_lets(model.lets) {
+        for (const std::size_t layer : holeLayers) {
+            forClusters(model, layer, [&](const shader::Cluster& cluster) {
+                for (std::uint32_t i = cluster.firstLet; i < cluster.firstLet + cluster.count; ++i) {
+                    const shader::Let& let = m_lets[i];
+                    if (kindOf(let) == shader::kLetStadium && (let.meta & shader::kLetBore) == 0) {
+                        m_locations.push_back({0.5F * (let.p0 + let.p2), 0.5F * (let.p1 + let.p3), i});
+                    }
+                }
+            });
+        }
+        std::ranges::sort(m_locations);
+    }
+
+    /// The layer of the hole that a round cutout comes from: they have the same centre to the last bit.
+    [[nodiscard]] std::optional<std::uint32_t> layerOfCircle(const shader::Let& hole) const {
+        for (auto location = std::ranges::lower_bound(m_locations, Location{hole.p0, hole.p1, 0});
+             location != m_locations.end() && location->x == hole.p0 && location->y == hole.p1; ++location) {
+            const shader::Let& plug = m_lets[location->let];
+            const bool isRound = plug.p0 == plug.p2 && plug.p1 == plug.p3;
+            if (isRound && std::abs(plug.p4 - hole.p5) < kSlack) {
+                return plug.meta >> shader::kLetLayerShift;
+            }
+        }
+        return std::nullopt;
+    }
+
+    /// The same for a loop of chords.
+    [[nodiscard]] std::optional<std::uint32_t> layerOfLoop(const Loop& loop) const {
+        constexpr float kChords = 0.06F;  // mm: so far chords may shift the middle
+        glm::vec2 low(1e30F);
+        glm::vec2 high(-1e30F);
+        for (const glm::vec2& p : loop) {
+            low = glm::min(low, p);
+            high = glm::max(high, p);
+        }
+        const glm::vec2 middle = 0.5F * (low + high);
+        for (auto location = std::ranges::lower_bound(m_locations, middle.x - kChords, {}, &Location::x);
+             location != m_locations.end() && location->x <= middle.x + kChords; ++location) {
+            if (std::abs(location->y - middle.y) <= kChords && fills(m_lets[location->let], loop)) {
+                return m_lets[location->let].meta >> shader::kLetLayerShift;
+            }
+        }
+        return std::nullopt;
+    }
+
+private:
+    /// The middle of a plug.
+    struct Location {
+        float x;
+        float y;
+        std::uint32_t let;
+        auto operator<=>(const Location&) const = default;
+    };
+
+    /// Do all corners lie on the outline of the hole?
+    static bool fills(const shader::Let& plug, const Loop& loop) {
+        const glm::vec2 a = startOf(plug);
+        const glm::vec2 d = glm::vec2(plug.p2, plug.p3) - a;
+        const float length = glm::dot(d, d);
+        return std::ranges::all_of(loop, [&](glm::vec2 p) {
+            const float t = length > 0.0F ? std::clamp(glm::dot(p - a, d) / length, 0.0F, 1.0F) : 0.0F;
+            return std::abs(glm::length(p - a - t * d) - plug.p4) < kSlack;
+        });
+    }
+
+    std::span<const shader::Let> m_lets;
+    std::vector<Location> m_locations;
+};
+
+/// A slab of the laminate: its edges, and one point of each loop.
+struct SubstratePart {
+    std::vector<Edge> edges;
+    Loop loopPoints;
+
+    void add(const Loop& loop) {
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            edges.push_back({loop[i], loop[(i + 1) % loop.size()]});
+        }
+        loopPoints.push_back(loop.front());
+    }
+};
+
+/// A square around a round hole.
+Loop squareAround(const shader::Let& hole) {
+    const glm::vec2 c = startOf(hole);
+    const float r = hole.p5;
+    return {c + glm::vec2(-r, -r), c + glm::vec2(r, -r), c + glm::vec2(r, r), c + glm::vec2(-r, r)};
+}
+
+bool winds(const Loop& loop, glm::vec2 p) {
+    bool isIn = false;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const glm::vec2 a = loop[i];
+        const glm::vec2 b = loop[(i + 1) % loop.size()];
+        if ((a.y > p.y) != (b.y > p.y)) {
+            isIn ^= p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x);
+        }
+    }
+    return isIn;
+}
+
+/// How far the content of layers keeps inside one slab.
+class SubstrateInsets {
+public:
+    SubstrateInsets(const BoardModel& model, const SubstratePart& part)
+        : m_model(model), m_grid(part.edges), m_loopPoints(part.loopPoints) {}
+
+    [[nodiscard]] float insetOf(std::size_t layer) const {
+        const float lets = insetOfLets(layer);
+        return lets < 0.0F ? lets : std::min(lets, insetOfAreas(layer));
+    }
+
+private:
+    /// `inset` after something has been found `distance` inside, or outside unless it holds `point`.
+    [[nodiscard]] float lessened(float inset, float distance, glm::vec2 point) const {
+        return distance > 0.0F && m_grid.contains(point) ? std::min(inset, distance) : -1.0F;
+    }
+
+    [[nodiscard]] float insetOfLets(std::size_t layer) const {
+        float inset = kFarthestInset;
+        forClusters(m_model, layer, [&](const shader::Cluster& cluster) {
+            if (inset < 0.0F) {
+                return;
+            }
+            const float distance = m_grid.distance(cluster.boxMin, cluster.boxMax, inset);
+            if (distance >= inset) {
+                inset = lessened(inset, distance, cluster.boxMin);
+                return;
+            }
+            forLets(m_model, cluster, [&](const shader::Let& let) {
+                if (inset >= 0.0F && kindOf(let) != shader::kLetHole) {
+                    inset = insetOfLet(let, inset);
+                }
+            });
+        });
+        return inset;
+    }
+
+    [[nodiscard]] float insetOfLet(const shader::Let& let, float inset) const {
+        if (kindOf(let) == shader::kLetArc) {
+            const LetBox box = boxOf(let);
+            return lessened(inset, m_grid.distance(box.min, box.max, inset), box.min);
+        }
+        constexpr float kDiagonal = 1.4142136F;
+        const float reach = let.p4 * ((let.meta & shader::kLetSquarePen) != 0 ? kDiagonal : 1.0F);
+        const float distance = m_grid.distance({startOf(let), {let.p2, let.p3}}, reach + inset) - reach;
+        return lessened(inset, distance, startOf(let));
+    }
+
+    /// Along its walls; an area may also lie around a loop of the laminate without meeting it.
+    [[nodiscard]] float insetOfAreas(std::size_t layer) const {
+        if (m_loopPoints.size() > kMostLoops) {
+            return m_model.areaBatchesOfLayer[layer].count == 0 ? kFarthestInset : -1.0F;
+        }
+        float inset = kFarthestInset;
+        std::vector<std::uint8_t> isAround(m_loopPoints.size(), 0);
+        forInstances(m_model, layer, [&](const shader::AreaInstance& instance) {
+            const std::vector<Loop> loops = inset < 0.0F ? std::vector<Loop>() : loopsOf(m_model, instance);
+            for (const Loop& loop : loops) {
+                inset = std::min(inset, insetOfLoop(loop, inset));
+                for (std::size_t p = 0; p < m_loopPoints.size(); ++p) {
+                    isAround[p] = (isAround[p] != 0) != winds(loop, m_loopPoints[p]) ? 1 : 0;
+                }
+            }
+        });
+        // Lacquer ends at the very edge of the laminate, where rounding would decide.
+        const bool isAroundAny = inset > kSlack && std::ranges::count(isAround, 1) > 0;
+        return isAroundAny ? -1.0F : inset;
+    }
+
+    [[nodiscard]] float insetOfLoop(const Loop& loop, float inset) const {
+        for (std::size_t i = 0; i < loop.size() && inset >= 0.0F; ++i) {
+            const Edge edge{loop[i], loop[(i + 1) % loop.size()]};
+            inset = std::min(inset, m_grid.distance(edge, std::max(inset, 2.0F * kSlack)));
+            const bool isInside = m_grid.contains(edge.a) || m_grid.distance({edge.a, edge.a}, kSlack) < kSlack;
+            if (!isInside || (inset <= kSlack && m_grid.isCrossedBy(edge.a, edge.b, kSlack))) {
+                inset = -1.0F;
+            }
+        }
+        return inset;
+    }
+
+    const BoardModel& m_model;
+    EdgeGrid m_grid;
+    Loop m_loopPoints;
+};
+
+class InsetFinder {
+public:
+    InsetFinder(const model::Document& document, const BoardModel& model)
+        : m_model(model), m_result(document.layers.size()) {
+        for (std::size_t i = 0; i < document.layers.size(); ++i) {
+            const model::Layer& layer = document.layers[i];
+            if (layer.type == model::LayerType::Body) {
+                m_result[i].role = Role::Substrate;
+            } else if (layer.type == model::LayerType::Drill || layer.type == model::LayerType::Rout) {
+                m_holeLayers.push_back(i);
+            }
+        }
+    }
+
+    std::vector<LayerInSubstrate> run() {
+        std::vector<SubstrateInsets> parts;
+        const Plugs plugs(m_model, m_holeLayers);
+        for (std::size_t layer = 0; layer < m_result.size(); ++layer) {
+            if (m_result[layer].role == Role::Substrate) {
+                parts.emplace_back(m_model, partOf(plugs, layer));
+            }
+        }
+        base::parallelFor(m_result.size(), [&](std::size_t layer) {
+            const bool isEmpty =
+                m_model.clustersOfLayer[layer].count == 0 && m_model.areaBatchesOfLayer[layer].count == 0;
+            if (m_result[layer].role == Role::Substrate || (parts.empty() && !isEmpty)) {
+                return;
+            }
+            float inset = kFarthestInset;
+            for (const SubstrateInsets& part : parts) {
+                inset = inset < 0.0F ? inset : std::min(inset, part.insetOf(layer));
+            }
+            m_result[layer].insetMm = inset;
+        });
+        return std::move(m_result);
+    }
+
+private:
+    SubstratePart partOf(const Plugs& plugs, std::size_t layer) {
+        SubstratePart part;
+        const auto addUnlessPlugged = [&](std::optional<std::uint32_t> plug, const Loop& loop) {
+            if (plug) {
+                m_result[*plug].role = Role::Plug;
+            } else {
+                part.add(loop);
+            }
+        };
+        forInstances(m_model, layer, [&](const shader::AreaInstance& instance) {
+            for (const Loop& loop : loopsOf(m_model, instance)) {
+                addUnlessPlugged(plugs.layerOfLoop(loop), loop);
+            }
+        });
+        forClusters(m_model, layer, [&](const shader::Cluster& cluster) {
+            forLets(m_model, cluster,
+                    [&](const shader::Let& let) { addUnlessPlugged(plugs.layerOfCircle(let), squareAround(let)); });
+        });
+        return part;
+    }
+
+    const BoardModel& m_model;
+    std::vector<LayerInSubstrate> m_result;
+    std::vector<std::size_t> m_holeLayers;
+};
+
+}  // namespace
+
+std::vector<LayerInSubstrate> findInsets(const model::Document& document, const BoardModel& model) {
+    return InsetFinder(document, model).run();
+}
+
+}  // namespace render

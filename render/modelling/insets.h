@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "model/board/document.h"
+
+namespace render {
+
+struct BoardModel;
+
+/// What a layer has to do with the laminate, which hides what lies in it (hiding.h).
+struct LayerInSubstrate {
+    enum class Role : std::uint8_t {
+        Content,
+        Substrate,  ///< a slab of it
+        Plug        ///< its holes go through the laminate and fill them as long as they are drawn
+    };
+    Role role = Role::Content;
+    /// How far everything on the layer keeps inside the laminate's edge, mm; kFarthestInset if it is farther.
+    /// Negative: something sticks out, or there is no laminate. Holes with a plug are no edge.
+    float insetMm = -1.0F;
+};
+
+inline constexpr float kFarthestInset = 2.0F;
+
+/// By layer. `model` has its lets, instances, vertices and walls.
+[[nodiscard]] std::vector<LayerInSubstrate> findInsets(const model::Document& document, const BoardModel& model);
+
+}  // namespace render

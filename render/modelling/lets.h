@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "model/board/document.h"
+#include "render/modelling/round_holes.h"
+#include "shaders/shared/board.h"
+
+namespace render {
+
+/// The lets of one layer as its elements have them, and the order in which they are drawn.
+struct LayerLets {
+    std::vector<shader::Let> lets;
+    std::vector<std::uint32_t> order;      ///< rows of `lets` along a Morton curve
+    std::uint32_t zeroWidthStrokes = 0;    ///< strokes without a width: nothing to draw
+    std::uint32_t firstZeroWidthLine = 0;  ///< line of the first one in the layer's file
+};
+
+/// Of a let, in mm.
+struct LetBox {
+    glm::vec2 min;
+    glm::vec2 max;
+};
+[[nodiscard]] LetBox boxOf(const shader::Let& let);
+
+/// The round holes of a shape that lets fill in.
+using HolesOfShape = std::function<std::span<const RoundHole>(model::ShapeId)>;
+
+/// Lets for all lines, arcs, circles and trails of a layer (paper: "Procedural"), and for round holes of its areas. A
+/// trail gives one let per edge with its element's id; an arc is split so that `kArcFineChords` chords stay within
+/// `chordToleranceNm`. Positions are mm from `origin`.
+[[nodiscard]] LayerLets makeLets(const model::Document& document, model::LayerId layer, model::Point origin,
+                                 double chordToleranceNm, const HolesOfShape& holesOf = {});
+
+/// Appends a layer's lets in their order, cut into clusters.
+void appendLets(const LayerLets& made, model::LayerId layer, std::vector<shader::Let>& lets,
+                std::vector<shader::Cluster>& clusters);
+
+}  // namespace render

@@ -1,0 +1,415 @@
+#include "render/scene/board_scene.h"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/gpu/check.h"
+#include "render/scene/scene_buffers.h"
+#include "render/scene/scene_loader.h"
+
+namespace render {
+namespace {
+
+using gpu::Buffer;
+using gpu::MemoryUse;
+
+/// The smallest circle around the box of what a piece draws.
+shader::ShapeBound boundOf(const BoardModel& model, const AreaShape& piece) {
+    glm::vec2 low(1e30F);
+    glm::vec2 high(-1e30F);
+    const auto include = [&](std::uint32_t vertex) {
+        low = glm::min(low, model.vertices[vertex]);
+        high = glm::max(high, model.vertices[vertex]);
+    };
+    for (std::uint32_t i = piece.firstIndex; i < piece.firstIndex + 3 * piece.triangleCount; ++i) {
+        include(piece.firstVertex + model.indices[i]);
+    }
+    for (std::uint32_t i = piece.firstWall; i < piece.firstWall + piece.wallCount; ++i) {
+        include(i);
+        include(model.next[i]);
+    }
+    if (low.x > high.x) {
+        return {};
+    }
+    return {0.5F * (low + high), 0.5F * glm::length(high - low), 0};
+}
+
+std::vector<shader::ShapeBound> boundsOf(const BoardModel& model) {
+    std::vector<shader::ShapeBound> bounds;
+    std::transform(model.shapes.begin(), model.shapes.end(), std::back_inserter(bounds),
+                   [&](const AreaShape& shape) { return boundOf(model, shape); });
+    return bounds;
+}
+
+std::vector<std::uint32_t> drawOfInstance(const BoardModel& model) {
+    std::vector<std::uint32_t> draws(model.instances.size());
+    for (std::uint32_t i = 0; i < model.areaBatches.size(); ++i) {
+        const AreaBatch& batch = model.areaBatches[i];
+        std::fill_n(draws.begin() + batch.firstInstance, batch.instanceCount, i);
+    }
+    return draws;
+}
+
+std::vector<shader::DrawIndexed> capDraws(const BoardModel& model) {
+    std::vector<shader::DrawIndexed> draws;
+    for (const AreaBatch& batch : model.areaBatches) {
+        const AreaShape& shape = model.shapes[batch.shape];
+        draws.push_back({shape.triangleCount * 3, 0, shape.firstIndex, shape.firstVertex, batch.firstInstance});
+    }
+    return draws;
+}
+
+std::vector<shader::Draw> wallDraws(const BoardModel& model) {
+    constexpr std::uint32_t kPerEdge = 6;
+    std::vector<shader::Draw> draws;
+    for (const AreaBatch& batch : model.areaBatches) {
+        const AreaShape& shape = model.shapes[batch.shape];
+        draws.push_back({shape.wallCount * kPerEdge, 0, shape.firstWall * kPerEdge, batch.firstInstance});
+    }
+    return draws;
+}
+
+std::uint32_t elementCount(const BoardModel& model) {
+    std::uint32_t count = 0;
+    for (const shader::Let& let : model.lets) {
+        count = std::max(count, let.element + 1);
+    }
+    for (const shader::AreaInstance& instance : model.instances) {
+        count = std::max(count, instance.element + 1);
+    }
+    return count;
+}
+
+/// A box around everything a step draws.
+struct Reach {
+    glm::vec2 min{1e30F};
+    glm::vec2 max{-1e30F};
+
+    void include(glm::vec2 low, glm::vec2 high) {
+        min = glm::min(min, low);
+        max = glm::max(max, high);
+    }
+};
+
+Reach reachOf(const BoardModel& model) {
+    Reach reach;
+    for (const shader::Cluster& cluster : model.clusters) {
+        reach.include(cluster.boxMin, cluster.boxMax);
+    }
+    const std::vector<shader::ShapeBound> bounds = boundsOf(model);
+    for (const shader::AreaInstance& area : model.instances) {
+        // However the area is turned, its circle lies within this far of its origin.
+        const shader::ShapeBound& bound = bounds[area.shape];
+        const float radius = glm::length(bound.centre) + bound.radius;
+        reach.include(area.origin - radius, area.origin + radius);
+    }
+    return reach;
+}
+
+std::vector<SceneStep::Layer> layersOfStep(const BoardModel& model, std::size_t layerCount) {
+    ASSERT(model.layerBottomMm.size() <= layerCount);
+    std::vector<SceneStep::Layer> layers;
+    for (std::size_t i = 0; i < model.layerBottomMm.size(); ++i) {
+        SceneStep::Layer layer;
+        layer.clusters = model.clustersOfLayer[i];
+        layer.areaBatches = model.areaBatchesOfLayer[i];
+        layers.push_back(layer);
+    }
+    layers.resize(layerCount);
+    return layers;
+}
+
+bool hasAreas(const BoardModel& model, std::size_t layer) {
+    const auto hasSome = [layer](const BoardModel& step) {
+        return layer < step.areaBatchesOfLayer.size() && step.areaBatchesOfLayer[layer].count > 0;
+    };
+    return hasSome(model) || std::ranges::any_of(model.steps, hasSome);
+}
+
+/// Of the board and all its steps. Layers of flipped copies lie elsewhere: there nothing is said to be hidden.
+std::vector<LayerInSubstrate> inSubstrate(const BoardModel& model) {
+    std::vector<LayerInSubstrate> layers = model.inSubstrate;
+    layers.resize(model.layerBottomMm.size());
+    for (const BoardModel& step : model.steps) {
+        for (std::size_t i = 0; i < std::min(layers.size(), step.inSubstrate.size()); ++i) {
+            const LayerInSubstrate& own = step.inSubstrate[i];
+            layers[i].insetMm = std::min(layers[i].insetMm, own.insetMm);
+            layers[i].role = own.role == LayerInSubstrate::Role::Content ? layers[i].role : own.role;
+        }
+    }
+    const bool hasFlipped = std::ranges::any_of(model.copies, &ModelCopy::isFlipped);
+    return hasFlipped ? std::vector<LayerInSubstrate>(layers.size()) : layers;
+}
+
+SceneLayers layersOf(const BoardModel& model) {
+    SceneLayers scene;
+    const glm::vec3 size = model.boxMax - model.boxMin;
+    scene.widthMm = std::max(size.x, size.y);
+    scene.facesMm = model.facesMm;
+    scene.hasFlipped = std::ranges::any_of(model.copies, &ModelCopy::isFlipped);
+    for (std::size_t i = 0; i < model.layerBottomMm.size(); ++i) {
+        scene.layers.push_back({model.layerBottomMm[i], model.layerTopMm[i], hasAreas(model, i),
+                                i < model.isCopper.size() && model.isCopper[i],
+                                i < model.layerGrowth.size() ? model.layerGrowth[i] : 0,
+                                i < model.opposite.size() ? model.opposite[i] : model::LayerId{}});
+    }
+    scene.styles.resize(scene.layers.size());
+    scene.inSubstrate = inSubstrate(model);
+    return scene;
+}
+
+GeometryBuffers loadGeometry(gpu::Device& device, const BoardModel& model, const std::vector<ElementState>& states) {
+    SceneLoader loader(device);
+    GeometryBuffers b;
+    b.lets = loader.load("lets", model.lets);
+    b.clusters = loader.load("clusters", model.clusters);
+    b.vertices = loader.load("vertices", model.vertices);
+    b.next = loader.load("next", model.next);
+    b.indices = loader.load("indices", model.indices);
+    b.instances = loader.load("instances", model.instances);
+    b.drawOfInstance = loader.load("drawOfInstance", drawOfInstance(model));
+    b.bounds = loader.load("bounds", boundsOf(model));
+    b.elementStates = loader.load("element states", states);
+    b.capDraws = loader.load("capDraws", capDraws(model));
+    b.wallDraws = loader.load("wallDraws", wallDraws(model));
+    return b;
+}
+
+std::vector<SceneStep> loadSteps(gpu::Device& device, const BoardModel& board) {
+    std::vector<SceneStep> steps;
+    const std::size_t layers = board.layerBottomMm.size();
+    steps.emplace_back(device, board, layers);
+    for (const BoardModel& step : board.steps) {
+        steps.emplace_back(device, step, layers);
+    }
+    return steps;
+}
+
+Buffer makeLists(gpu::Device& device, const std::vector<SceneStep>& steps, const std::vector<ModelCopy>& copies,
+                 std::uint64_t most) {
+    std::uint64_t all = 0;
+    std::uint64_t largest = 0;
+    for (const ModelCopy& copy : copies) {
+        all += steps[copy.step].listBytes();
+        largest = std::max(largest, steps[copy.step].listBytes());
+    }
+    return {device, {"draw lists", std::max(largest, std::min(all, most)), MemoryUse::Transient, false}};
+}
+
+/// The words of a list that differ, in bytes.
+struct Change {
+    std::size_t from = 0;
+    std::size_t count = 0;
+};
+
+Change changeBetween(const std::vector<ElementState>& before, const std::vector<ElementState>& after) {
+    const auto first = static_cast<std::size_t>(std::ranges::mismatch(before, after).in1 - before.begin());
+    if (first == before.size()) {
+        return {};
+    }
+    std::size_t end = before.size();
+    while (before[end - 1] == after[end - 1]) {
+        --end;
+    }
+    constexpr std::size_t kWord = shader::kElementsPerWord;
+    const std::size_t from = first / kWord * kWord;
+    return {from, (end + kWord - 1) / kWord * kWord - from};
+}
+
+/// Hands out parts of a buffer one behind the other.
+class Parts {
+public:
+    Parts(VkBuffer buffer, VkDeviceAddress address, std::uint64_t offset)
+        : m_buffer(buffer), m_address(address), m_offset(offset) {}
+
+    BufferPart take(std::uint64_t size) {
+        const BufferPart part{m_buffer, m_offset, size, m_address + m_offset};
+        m_offset += (size + kAlignment - 1) / kAlignment * kAlignment;
+        return part;
+    }
+    [[nodiscard]] std::uint64_t end() const { return m_offset; }
+
+private:
+    static constexpr std::uint64_t kAlignment = 64;  // lists of different shaders do not share a cache line
+
+    VkBuffer m_buffer;
+    VkDeviceAddress m_address;
+    std::uint64_t m_offset;
+};
+
+DrawLists takeLists(const SceneStep& step, Parts& parts) {
+    constexpr std::uint64_t kWord = sizeof(std::uint32_t);
+    const std::uint64_t batches = 1 + step.layers.size();
+    DrawLists lists;
+    lists.visibleClusters = parts.take((4 + std::uint64_t{step.clusterCount}) * kWord);
+    lists.letSlots = parts.take(std::uint64_t{step.letCount} * kWord);
+    lists.visibleLets = parts.take(std::uint64_t{step.letCount} * kWord);
+    lists.letDraws = parts.take(batches * shader::kBucketCount * sizeof(shader::DrawIndexed));
+    lists.visibleInstances = parts.take(step.instanceCount * kWord);
+    lists.capDraws = parts.take(step.areaDrawCount * sizeof(shader::DrawIndexed));
+    lists.wallDraws = parts.take(step.areaDrawCount * sizeof(shader::Draw));
+    return lists;
+}
+
+}  // namespace
+
+SceneStep::SceneStep(gpu::Device& device, const BoardModel& model, std::size_t layerCount)
+    : layers(layersOfStep(model, layerCount)),
+      letCount(static_cast<std::uint32_t>(model.lets.size())),
+      clusterCount(static_cast<std::uint32_t>(model.clusters.size())),
+      instanceCount(static_cast<std::uint32_t>(model.instances.size())),
+      areaDrawCount(static_cast<std::uint32_t>(model.areaBatches.size())),
+      states(plainStates(elementCount(model))),
+      geometry(loadGeometry(device, model, states)) {
+    const Reach reach = reachOf(model);
+    reachMin = reach.min;
+    reachMax = reach.max;
+}
+
+std::uint64_t SceneStep::listBytes() const {
+    Parts parts(VK_NULL_HANDLE, 0, 0);
+    takeLists(*this, parts);
+    return isEmpty() || standard ? 0 : parts.end();
+}
+
+DrawLists SceneStep::listsAt(const Buffer& buffer, std::uint64_t offset) const {
+    Parts parts(buffer.handle(), buffer.address(), offset);
+    return takeLists(*this, parts);
+}
+
+void SceneStep::setAddresses(shader::FrameData& data, const DrawLists& lists) const {
+    data.clusterCount = clusterCount;
+    data.instanceCount = instanceCount;
+    data.lets = geometry.lets.address();
+    data.clusters = geometry.clusters.address();
+    data.vertices = geometry.vertices.address();
+    data.next = geometry.next.address();
+    data.instances = geometry.instances.address();
+    data.drawOfInstance = geometry.drawOfInstance.address();
+    data.bounds = geometry.bounds.address();
+    data.elementStates = geometry.elementStates.address();
+    data.visibleClusters = lists.visibleClusters.address;
+    data.letSlots = lists.letSlots.address;
+    data.visibleLets = lists.visibleLets.address;
+    data.letDraws = lists.letDraws.address;
+    data.visibleInstances = lists.visibleInstances.address;
+    data.capDraws = lists.capDraws.address;
+    data.wallDraws = lists.wallDraws.address;
+    data.standardParts = standard ? standard->records.address() : 0;
+}
+
+BoardScene::Impl::Impl(gpu::Device& owner, const BoardModel& model, std::uint64_t mostListBytes)
+    : device(&owner),
+      uploads(owner, 1, "scene updates"),
+      layers(layersOf(model)),
+      letTables(makeLetTables()),
+      letIndices(SceneLoader(owner).load("letIndices", letTables.indices)),
+      steps(loadSteps(owner, model)),
+      copies(model.copies),
+      lists(makeLists(owner, steps, copies, mostListBytes)) {}
+
+BoardScene::BoardScene(gpu::Device& device, const BoardModel& model, std::uint64_t mostListBytes)
+    : m_impl(std::make_unique<Impl>(device, model, mostListBytes)) {}
+BoardScene::~BoardScene() = default;
+BoardScene::BoardScene(BoardScene&&) noexcept = default;
+BoardScene& BoardScene::operator=(BoardScene&&) noexcept = default;
+
+namespace {
+
+constexpr std::uint64_t kManyLists = 128ULL << 20U;
+constexpr std::uint64_t kFewLists = 4ULL << 20U;
+
+/// Calls `make`, with what it throws and a lost device as errors.
+template <class Make>
+base::Result<BoardScene> tryToMake(gpu::Device& device, const Make& make) {
+    const std::string& name = device.caps().name;
+    try {
+        BoardScene scene = make();
+        if (device.isLost()) {
+            return base::Error{base::ErrorCode::DeviceFailed,
+                               "The Vulkan device " + name + " was lost while the board was loaded."};
+        }
+        return scene;
+    } catch (const gpu::OutOfMemory& shortage) {
+        device.waitIdle();  // frees what was made before
+        return base::Error{base::ErrorCode::DeviceFailed, "The board does not fit in the memory of " + name +
+                                                              ": there is no room for " + shortage.what + "."};
+    }
+}
+
+}  // namespace
+
+base::Result<BoardScene> BoardScene::make(gpu::Device& device, const BoardModel& model) {
+    base::Result<BoardScene> scene = tryToMake(device, [&] { return BoardScene(device, model, kManyLists); });
+    if (scene || device.isLost()) {
+        return scene;
+    }
+    spdlog::warn("{} Trying with shorter lists of what is seen.", scene.error().text);
+    return tryToMake(device, [&] { return BoardScene(device, model, kFewLists); });
+}
+
+base::Result<BoardScene> BoardScene::make(gpu::Device& device, const StandardModel& model) {
+    return tryToMake(device, [&] { return BoardScene(device, model); });
+}
+
+void BoardScene::setStyles(std::span<const LayerStyle> styles) {
+    ASSERT(styles.size() == m_impl->layers.layers.size());
+    m_impl->layers.styles.assign(styles.begin(), styles.end());
+}
+
+void BoardScene::setHeights(const BoardFrame& frame) {
+    std::vector<SceneLayers::Layer>& layers = m_impl->layers.layers;
+    ASSERT(frame.layerBottomMm.size() == layers.size());
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        layers[i].z0 = frame.layerBottomMm[i];
+        layers[i].z1 = frame.layerTopMm[i];
+    }
+    m_impl->layers.facesMm = frame.facesMm;
+}
+
+std::vector<ZRange> BoardScene::drawnHeights(const ViewSettings& settings) const {
+    return render::drawnHeights(m_impl->layers, settings);
+}
+
+void BoardScene::setStates(std::span<const ElementState> states, std::uint32_t step) {
+    SceneStep& owner = m_impl->steps[step];
+    // Elements after the last one drawn have no state: empty areas, say.
+    std::vector<ElementState> wanted(states.begin(), states.end());
+    wanted.resize(owner.states.size());
+    const Change change = changeBetween(owner.states, wanted);
+    owner.states = std::move(wanted);
+    try {
+        const auto bytes = std::as_bytes(std::span(owner.states)).subspan(change.from, change.count);
+        gpu::upload(m_impl->uploads, owner.geometry.elementStates, bytes, change.from);
+    } catch (const gpu::OutOfMemory& shortage) {
+        spdlog::error("{} has no memory for {}.", m_impl->device->caps().name, shortage.what);
+        m_impl->device->markLost();  // the next frame says so to its caller
+    }
+}
+
+void BoardScene::setPalette(std::span<const glm::vec3> colours) {
+    ASSERT(colours.size() <= shader::kElementColourCount);
+    m_impl->layers.palette.fill({});
+    std::ranges::transform(colours, m_impl->layers.palette.begin(), toLinear);
+}
+
+std::uint64_t BoardScene::geometryBytes() const {
+    std::uint64_t bytes = m_impl->letIndices.size();
+    for (const SceneStep& step : m_impl->steps) {
+        const GeometryBuffers& g = step.geometry;
+        bytes += step.standard ? step.standard->bytes() : 0;
+        for (const Buffer* buffer : {&g.lets, &g.clusters, &g.vertices, &g.next, &g.indices, &g.instances,
+                                     &g.drawOfInstance, &g.bounds, &g.elementStates, &g.capDraws, &g.wallDraws}) {
+            bytes += buffer->size();
+        }
+    }
+    return bytes;
+}
+
+std::uint64_t BoardScene::gpuBytes() const {
+    return geometryBytes() + m_impl->lists.size();
+}
+
+}  // namespace render

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "model/base/ids.h"
+#include "shaders/shared/board.h"
+
+namespace render {
+
+/// How an element differs from the style of its layer: shader::kElementHighlighted, kElementHidden, and the colour it
+/// has of its own. 0: not at all.
+using ElementState = std::uint8_t;
+
+inline constexpr ElementState kPlain = 0;
+inline constexpr ElementState kHighlighted = shader::kElementHighlighted;
+inline constexpr ElementState kHidden = shader::kElementHidden;
+
+/// ViewSettings::dim while something is shown among the rest: dark, but still of its hue.
+inline constexpr float kDimRest = 0.88F;
+
+/// In the colour of this row of BoardScene::setPalette.
+[[nodiscard]] constexpr ElementState inColour(std::uint32_t row) {
+    return static_cast<ElementState>((row + 1) & shader::kElementColourMask);
+}
+
+/// Nothing but plain elements, for so many.
+[[nodiscard]] std::vector<ElementState> plainStates(std::size_t elements);
+
+/// States as BoardScene::setStates takes them, with bits set for some elements.
+class ElementStates {
+public:
+    void add(std::span<const model::ElementId> elements, ElementState bits);
+    [[nodiscard]] std::span<const ElementState> bytes() const { return m_bytes; }
+
+private:
+    std::vector<ElementState> m_bytes;  ///< up to the last element that is not plain
+};
+
+}  // namespace render

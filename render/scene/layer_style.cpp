@@ -1,0 +1,170 @@
+#include "render/scene/layer_style.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace render {
+
+using model::Layer;
+using model::LayerSide;
+using model::LayerType;
+
+namespace {
+
+constexpr glm::vec3 rgb(unsigned value) {
+    return {static_cast<float>(value >> 16U & 0xffU) / 255.0F, static_cast<float>(value >> 8U & 0xffU) / 255.0F,
+            static_cast<float>(value & 0xffU) / 255.0F};
+}
+
+struct Colours {
+    // Of a drawing.
+    glm::vec3 top;
+    glm::vec3 bottom;
+    std::array<glm::vec3, 10> inner;  ///< apart from each other and from the outer ones
+    // Of a board.
+    glm::vec3 topMetal;
+    glm::vec3 bottomMetal;
+    glm::vec3 solderMask;
+    glm::vec3 substrate;
+};
+
+constexpr Colours kColours[] = {{rgb(0xd04a3c),
+                                 rgb(0x3d78d8),
+                                 {rgb(0xd8b030), rgb(0x3fa76b), rgb(0xb56cc8), rgb(0xe08040), rgb(0x46b3b8),
+                                  rgb(0x9aa83c), rgb(0xd86a92), rgb(0x7f86d0), rgb(0x58a040), rgb(0xc08a60)},
+                                 rgb(0xe0b050),
+                                 rgb(0xc87850),
+                                 rgb(0x0c6e38),
+                                 rgb(0x6f7a45)},
+                                // Orange, blue, yellow, sky, purple, green, moved until the layers of a board with six
+                                // are as far apart as layer_style_test states.
+                                {rgb(0xc67b01),
+                                 rgb(0x0654b9),
+                                 {rgb(0xf0d837), rgb(0x63d1ff), rgb(0x7b2b70), rgb(0x05a65a), rgb(0xf4b6a0),
+                                  rgb(0x8a5a2a), rgb(0xb4e4c8), rgb(0x3a2f6e), rgb(0xa39a3c), rgb(0xe48fc0)},
+                                 rgb(0xf0c860),
+                                 rgb(0xd09040),
+                                 rgb(0x0a4878),
+                                 rgb(0x8c8468)}};
+
+struct TypeStyle {
+    LayerType type;
+    LayerStyle style;
+};
+
+// What is not copper. Sides that differ have the top's style here; the bottom's is darker.
+const TypeStyle kTypeStyles[] = {
+    {LayerType::Dielectric, {rgb(0xb8a05a), 0.25F, false}}, {LayerType::Body, {rgb(0x3d6b4a), 0.45F, true}},
+    {LayerType::SolderMask, {rgb(0x2fa060), 0.55F, false}}, {LayerType::SolderPaste, {rgb(0xa0a4ac), 1.0F, false}},
+    {LayerType::SilkScreen, {rgb(0xeeeedd), 1.0F, true}},   {LayerType::Drill, {rgb(0xb98a48), 1.0F, true}},
+    {LayerType::Rout, {rgb(0x8a8f98), 1.0F, true}},         {LayerType::Component, {rgb(0x707a88), 1.0F, false}},
+    {LayerType::Mask, {rgb(0x8a6fb0), 0.6F, false}},        {LayerType::ConductivePaste, {rgb(0x9c8c7c), 1.0F, false}},
+    {LayerType::Document, {rgb(0xc8c8c8), 1.0F, false}},    {LayerType::Profile, {rgb(0xe8d44d), 1.0F, false}},
+    {LayerType::Other, {rgb(0x9aa0a6), 1.0F, false}},       {LayerType::ComponentBody, {rgb(0x4a4d52), 1.0F, false}},
+};
+
+/// Colours of types that the palette for the colour-blind has otherwise.
+constexpr std::pair<LayerType, glm::vec3> kSafeTypeColours[] = {{LayerType::SolderMask, rgb(0x2a6fa8)},
+                                                                {LayerType::SilkScreen, rgb(0xffffff)},
+                                                                {LayerType::Drill, rgb(0x40362c)},
+                                                                {LayerType::Rout, rgb(0x75706a)},
+                                                                {LayerType::Body, rgb(0x6a6450)}};
+
+glm::vec3 colourOfType(const TypeStyle& entry, Palette palette) {
+    for (const auto& [type, colour] : kSafeTypeColours) {
+        if (palette == Palette::ColourBlindSafe && type == entry.type) {
+            return colour;
+        }
+    }
+    return entry.style.colour;
+}
+
+LayerStyle copperStyle(const Layer& layer, const Colours& colours, std::size_t& innerSeen) {
+    switch (layer.side) {
+        case LayerSide::Top: return {colours.top, 1.0F, true};
+        case LayerSide::Bottom: return {colours.bottom, 1.0F, true};
+        case LayerSide::Through: return {rgb(0xcfa050), 1.0F, true};
+        default: return {colours.inner[innerSeen++ % colours.inner.size()], 1.0F, true};
+    }
+}
+
+LayerStyle styleOfType(const Layer& layer, Palette palette) {
+    for (const TypeStyle& entry : kTypeStyles) {
+        if (entry.type == layer.type) {
+            LayerStyle style = entry.style;
+            style.colour = colourOfType(entry, palette);
+            if (layer.side == LayerSide::Bottom) {
+                style.colour *= palette == Palette::Standard ? 0.8F : 0.7F;
+            }
+            // Rows outside of the board (drawings, notes) start hidden whatever their type.
+            style.isVisible = style.isVisible && layer.context == model::LayerContext::Board;
+            return style;
+        }
+    }
+    return {};
+}
+
+/// Of several silk screens on one side the one next to the board is the print; the others are assembly drawings and
+/// placement outlines that would cover the board. Layers come in physical order from the top.
+void hideOuterPrints(const model::Document& document, std::vector<LayerStyle>& styles) {
+    std::vector<std::size_t> top;
+    std::vector<std::size_t> bottom;
+    for (std::size_t row = 0; row < styles.size(); ++row) {
+        if (document.layers[row].type == LayerType::SilkScreen && styles[row].isVisible) {
+            (document.layers[row].side == LayerSide::Bottom ? bottom : top).push_back(row);
+        }
+    }
+    for (std::size_t i = 0; i + 1 < top.size(); ++i) {
+        styles[top[i]].isVisible = false;
+    }
+    for (std::size_t i = 1; i < bottom.size(); ++i) {
+        styles[bottom[i]].isVisible = false;
+    }
+}
+
+/// Boards without a body of their own (the paper's models) show their dielectrics instead.
+void showLaminates(const model::Document& document, std::vector<LayerStyle>& styles) {
+    const auto isBody = [](const Layer& layer) { return layer.type == LayerType::Body; };
+    const bool hasBody = std::ranges::any_of(document.layers, isBody);
+    for (std::size_t row = 0; row < styles.size(); ++row) {
+        if (!hasBody && document.layers[row].type == LayerType::Dielectric) {
+            styles[row].isVisible = true;
+        }
+    }
+}
+
+/// What a board looks like: outer copper as metal under a coat of lacquer, which it shows through.
+void makeSolid(const model::Document& document, const Colours& colours, std::vector<LayerStyle>& styles) {
+    for (std::size_t row = 0; row < styles.size(); ++row) {
+        const Layer& layer = document.layers[row];
+        if (layer.isCopper() && layer.side == LayerSide::Top) {
+            styles[row].colour = colours.topMetal;
+        } else if (layer.isCopper() && layer.side == LayerSide::Bottom) {
+            styles[row].colour = colours.bottomMetal;
+        } else if (layer.isSynthetic && layer.type == LayerType::SolderMask) {
+            styles[row] = {colours.solderMask, 0.8F, true};
+        } else if (layer.type == LayerType::Body) {
+            styles[row] = {colours.substrate, 1.0F, true};
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<LayerStyle> defaultStyles(const model::Document& document, Look look, Palette palette) {
+    const Colours& colours = kColours[static_cast<std::size_t>(palette)];
+    std::vector<LayerStyle> styles;
+    std::size_t innerSeen = 0;
+    for (const Layer& layer : document.layers) {
+        styles.push_back(layer.isCopper() ? copperStyle(layer, colours, innerSeen) : styleOfType(layer, palette));
+    }
+    hideOuterPrints(document, styles);
+    showLaminates(document, styles);
+    if (look == Look::Solid) {
+        makeSolid(document, colours, styles);
+    }
+    return styles;
+}
+
+}  // namespace render

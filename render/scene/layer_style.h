@@ -1,0 +1,32 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "model/board/document.h"
+
+namespace render {
+
+/// How a layer looks; one per layer of the document, edited by the layers panel and the command line.
+struct LayerStyle {
+    glm::vec3 colour{0.5F};  ///< sRGB, 0 to 1: the canvas colour is the panel colour
+    float opacity = 1.0F;    ///< below 1 the layer is blended over what lies beneath
+    bool isVisible = true;
+};
+
+enum class Look {
+    Flat,  ///< a drawing, seen in 2D: top copper red, bottom blue; lacquer and bodies of components hidden
+    Solid  ///< a board, seen in 3D: bare copper golden under green lacquer
+};
+
+enum class Palette {
+    Standard,        ///< as in other programs: top red, bottom blue, lacquer green
+    ColourBlindSafe  ///< after Okabe and Ito, with steps of lightness; told apart with protanopia and deuteranopia too
+};
+
+/// Colours by layer type as users know them (inner layers distinct hues, silk white); mask openings, documentation and
+/// component layers start hidden.
+[[nodiscard]] std::vector<LayerStyle> defaultStyles(const model::Document& document, Look look = Look::Solid,
+                                                    Palette palette = Palette::Standard);
+
+}  // namespace render

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <optional>
+
+#include "render/gpu/frame_ring.h"
+#include "render/modelling/let_tables.h"
+#include "render/scene/board_scene.h"
+#include "render/scene/scene_layers.h"
+
+namespace render {
+
+/// A step on the GPU: one buffer per column, made once.
+struct GeometryBuffers {
+    gpu::Buffer lets;
+    gpu::Buffer clusters;
+    gpu::Buffer vertices;
+    gpu::Buffer next;
+    gpu::Buffer indices;
+    gpu::Buffer instances;
+    gpu::Buffer drawOfInstance;
+    gpu::Buffer bounds;
+    gpu::Buffer elementStates;  ///< a byte per element, ElementState
+    gpu::Buffer capDraws;       ///< commands without instances: what each frame starts from
+    gpu::Buffer wallDraws;
+};
+
+/// A part of a buffer.
+struct BufferPart {
+    VkBuffer buffer = VK_NULL_HANDLE;
+    std::uint64_t offset = 0;
+    std::uint64_t size = 0;
+    VkDeviceAddress address = 0;
+};
+
+/// What drawing one copy of a step rewrites in every frame: which of its parts are seen, and the commands that draw
+/// them.
+struct DrawLists {
+    BufferPart visibleClusters;
+    BufferPart letSlots;
+    BufferPart visibleLets;
+    BufferPart letDraws;
+    BufferPart visibleInstances;
+    BufferPart capDraws;
+    BufferPart wallDraws;
+};
+
+/// The board in the standard pipeline: buffers by part.
+struct StandardBuffers {
+    std::vector<gpu::Buffer> vertices;
+    std::vector<gpu::Buffer> indices;
+    std::vector<std::uint32_t> indexCounts;
+    std::vector<LayerRun> partsOfLayer;
+    gpu::Buffer records;  ///< shader::StandardPartRecord
+
+    [[nodiscard]] std::uint64_t bytes() const;
+};
+
+/// A step as the back ends draw it.
+struct SceneStep {
+    struct Layer {
+        LayerRun clusters;
+        LayerRun areaBatches;
+    };
+    std::vector<Layer> layers;
+    glm::vec2 reachMin{0.0F};  ///< of everything it draws, mm
+    glm::vec2 reachMax{0.0F};
+    std::uint32_t letCount = 0;
+    std::uint32_t clusterCount = 0;
+    std::uint32_t instanceCount = 0;
+    std::uint32_t areaDrawCount = 0;
+    std::vector<ElementState> states;  ///< what `geometry.elementStates` holds
+    GeometryBuffers geometry;
+    std::optional<StandardBuffers> standard;  ///< then there is nothing but this and the states of elements
+
+    /// `layerCount` of the board; a step has the same rows or fewer.
+    SceneStep(gpu::Device& device, const BoardModel& model, std::size_t layerCount);
+    SceneStep(gpu::Device& device, const StandardModel& model, std::size_t layerCount);
+    [[nodiscard]] bool isEmpty() const { return clusterCount == 0 && instanceCount == 0 && !standard; }
+    /// Bytes of the draw lists of one copy; the standard pipeline has none.
+    [[nodiscard]] std::uint64_t listBytes() const;
+    [[nodiscard]] DrawLists listsAt(const gpu::Buffer& buffer, std::uint64_t offset) const;
+    /// Fills in where the shaders of a frame find this step.
+    void setAddresses(shader::FrameData& data, const DrawLists& lists) const;
+};
+
+struct BoardScene::Impl {
+    gpu::Device* device = nullptr;
+    gpu::FrameRing uploads;  ///< for small changes; its memory stays small
+    SceneLayers layers;
+    LetTables letTables;
+    gpu::Buffer letIndices;
+    std::vector<SceneStep> steps;  ///< the board itself first
+    std::vector<ModelCopy> copies;
+    /// Draw lists of as many copies as fit. One buffer serves all views: they draw one after the other on one queue.
+    gpu::Buffer lists;
+
+    Impl(gpu::Device& owner, const BoardModel& model, std::uint64_t mostListBytes);
+    Impl(gpu::Device& owner, const StandardModel& model);
+};
+
+}  // namespace render

@@ -1,0 +1,324 @@
+#include "ui/canvas/camera_controller.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace ui {
+
+namespace {
+
+constexpr double kWheelNotch = 120.0;  // QWheelEvent: eighths of a degree, 15 degrees a notch
+constexpr double kArrowPixels = 40.0;  // an arrow key moves as much as a drag of this length
+
+bool isUse(QEvent::Type type) {
+    return type == QEvent::MouseButtonPress || type == QEvent::Wheel || type == QEvent::ShortcutOverride;
+}
+
+/// A part of the board that is shown fills this much of the canvas, so that its surroundings are seen.
+constexpr float kShownPart = 0.4F;
+constexpr float kSmallestShownMm = 1.0F;
+
+}  // namespace
+
+void CameraController::setViewport(QSizeF size) {
+    m_viewport = size.expandedTo({1.0, 1.0});
+    if (m_isFitted) {
+        fit();
+    } else {
+        emit moved();
+    }
+}
+
+void CameraController::setBox(const glm::vec3& boxMin, const glm::vec3& boxMax) {
+    m_boxMin = boxMin;
+    m_boxMax = boxMax;
+    if (m_isFitted) {
+        fit();
+    }
+}
+
+void CameraController::fit() {
+    m_camera.fit(m_boxMin, m_boxMax, aspect());
+    m_isFitted = true;
+    emit moved();
+}
+
+void CameraController::look(render::NamedView view) {
+    m_camera.fit(m_boxMin, m_boxMax, view, aspect());
+    m_isFitted = true;
+    emit moved();
+}
+
+void CameraController::setPlan() {
+    m_isPlan = true;
+    m_camera.setOrthographic(true);
+    look(render::NamedView::Top);
+}
+
+void CameraController::flip() {
+    m_camera.flipOver();
+    emit moved();
+}
+
+void CameraController::lookFrom(const glm::vec3& side) {
+    if (!m_isFitted) {
+        focusAt(centre());
+    }
+    const glm::vec3 along = -glm::normalize(side);
+    render::CameraPose pose = m_camera.pose();
+    pose.pitch = std::asin(along.z);
+    // From straight above and below the other named views say what is up.
+    const bool isUpright = side.x == 0.0F && side.y == 0.0F;
+    pose.yaw = !isUpright ? std::atan2(along.x, along.y) : side.z > 0.0F ? 0.0F : std::numbers::pi_v<float>;
+    m_camera.setPose(pose);
+    m_isFitted ? fit() : emit moved();
+}
+
+void CameraController::orbit(QPointF pixels) {
+    focusAt(centre());
+    orbitBy(pixels);
+}
+
+void CameraController::show(const glm::vec3& boxMin, const glm::vec3& boxMax) {
+    const glm::vec3 middle = (boxMin + boxMax) / 2.0F;
+    const glm::vec3 half =
+        glm::max((boxMax - boxMin) / 2.0F / kShownPart, glm::vec3(glm::vec2(kSmallestShownMm), 0.0F));
+    m_camera.show(middle - half, middle + half, aspect());
+    announceUserMove();
+}
+
+void CameraController::setOrthographic(bool isOrthographic) {
+    m_camera.setOrthographic(isOrthographic);
+    emit moved();
+}
+
+void CameraController::setPose(const render::CameraPose& pose) {
+    m_camera.setPose(pose);
+    if (m_isPlan) {
+        const bool isFromBelow = pose.pitch > 0.0F;
+        render::CameraPose straight = pose;
+        straight.yaw = isFromBelow ? std::numbers::pi_v<float> : 0.0F;
+        straight.pitch = std::numbers::pi_v<float> * (isFromBelow ? 0.5F : -0.5F);
+        straight.isOrthographic = true;
+        m_camera.setPose(straight);
+    }
+    announceUserMove();
+}
+
+void CameraController::zoomAt(QPointF position, float factor) {
+    focusAt(position);
+    m_camera.zoom(factor, ndcOf(position), aspect());
+    announceUserMove();
+}
+
+void CameraController::zoomAtCentre(float factor) {
+    zoomAt(centre(), factor);
+}
+
+void CameraController::zoomToBox(QPointF from, QPointF to) {
+    const QPointF way = to - from;
+    const double ratio = std::min(m_viewport.width() / std::max(std::abs(way.x()), 1.0),
+                                  m_viewport.height() / std::max(std::abs(way.y()), 1.0));
+    const bool isInto = way.x() > 0.0 && way.y() > 0.0;
+    panBy(centre() - (from + to) / 2.0);
+    zoomAtCentre(static_cast<float>(isInto ? ratio : 1.0 / ratio));
+}
+
+glm::vec2 CameraController::ndcOf(QPointF position) const {
+    return {static_cast<float>(2.0 * position.x() / m_viewport.width() - 1.0),
+            static_cast<float>(1.0 - 2.0 * position.y() / m_viewport.height())};
+}
+
+glm::mat4 CameraController::clipFromBoard() const {
+    return m_camera.projection(aspect()) * m_camera.view();
+}
+
+CameraController::Ray CameraController::rayAt(QPointF position) const {
+    const glm::mat4 toBoard = glm::inverse(clipFromBoard());
+    const glm::vec2 ndc = ndcOf(position);
+    const auto at = [&](float depth) {  // y down and depth reversed, as the projection has them
+        const glm::vec4 p = toBoard * glm::vec4(ndc.x, -ndc.y, depth, 1.0F);
+        return glm::vec3(p) / p.w;
+    };
+    const glm::vec3 from = at(1.0F);
+    return {from, at(0.5F) - from};
+}
+
+std::optional<QPointF> CameraController::screenOf(const glm::vec3& point) const {
+    const glm::vec4 clip = clipFromBoard() * glm::vec4(point, 1.0F);
+    if (clip.w <= 0.0F) {
+        return std::nullopt;
+    }
+    return QPointF((clip.x / clip.w + 1.0) / 2.0 * m_viewport.width(),
+                   (clip.y / clip.w + 1.0) / 2.0 * m_viewport.height());
+}
+
+std::optional<glm::vec3> CameraController::boardPointAt(QPointF position) const {
+    const auto [from, along] = rayAt(position);
+    const float face = m_camera.direction().z < 0.0F ? m_boxMax.z : m_boxMin.z;
+    const float way = (face - from.z) / along.z;
+    const glm::vec3 point = from + along * way;
+    const bool isInside =
+        point.x >= m_boxMin.x && point.x <= m_boxMax.x && point.y >= m_boxMin.y && point.y <= m_boxMax.y;
+    // Written so that a line of sight along the face (way is infinite or not a number) misses.
+    return way > 0.0F && isInside ? std::optional(point) : std::nullopt;
+}
+
+void CameraController::focusAt(QPointF position) {
+    if (const std::optional<glm::vec3> point = boardPointAt(position)) {
+        m_camera.focusOn(*point);
+    }
+}
+
+bool CameraController::handle(QEvent& event) {
+    if (isUse(event.type())) {
+        emit used();
+    }
+    if (m_taker && m_button == Qt::NoButton && m_taker(event)) {
+        return true;
+    }
+    return dispatch(event);
+}
+
+bool CameraController::dispatch(QEvent& event) {
+    switch (event.type()) {
+        case QEvent::MouseButtonPress: return press(static_cast<const QMouseEvent&>(event));
+        case QEvent::MouseButtonDblClick: {
+            const auto& mouse = static_cast<const QMouseEvent&>(event);
+            emit doubleClicked(mouse.position(), mouse.modifiers());
+            return true;
+        }
+        case QEvent::Leave: emit left(); return false;
+        case QEvent::MouseMove: return move(static_cast<const QMouseEvent&>(event));
+        case QEvent::MouseButtonRelease: return release(static_cast<const QMouseEvent&>(event));
+        case QEvent::Wheel: return wheel(static_cast<const QWheelEvent&>(event));
+        case QEvent::KeyPress: return key(static_cast<const QKeyEvent&>(event));
+        default: return false;
+    }
+}
+
+/// What a drag with this button and these modifiers is.
+CameraController::Drag CameraController::kindOf(const QMouseEvent& event) const {
+    const bool isShifted = event.modifiers().testFlag(Qt::ShiftModifier);
+    const bool isRight = event.button() == Qt::RightButton;
+    if (isRight && m_isPlan && m_habits.rightDragZooms && !isShifted) {
+        return Drag::ZoomBox;
+    }
+    if (isRight && !m_isPlan && m_habits.shiftRightDragOrbits && isShifted) {
+        return Drag::Orbit;
+    }
+    if (event.button() != Qt::LeftButton || isShifted) {
+        return Drag::Pan;
+    }
+    return m_isPlan ? Drag::Box : Drag::Orbit;
+}
+
+bool CameraController::press(const QMouseEvent& event) {
+    if (m_button != Qt::NoButton) {
+        return true;  // one drag at a time: a second button does not disturb the first
+    }
+    m_button = event.button();
+    m_pressed = m_last = event.position();
+    m_drag = Drag::Undecided;
+    m_dragKind = kindOf(event);
+    // A pan keeps the board under the cursor; an orbit turns about what is in the middle of the canvas.
+    if (m_dragKind == Drag::Pan || m_dragKind == Drag::Orbit) {
+        focusAt(m_dragKind == Drag::Pan ? m_pressed : centre());
+    }
+    return true;
+}
+
+bool CameraController::move(const QMouseEvent& event) {
+    if (m_drag == Drag::None) {
+        emit hovered(event.position());
+        return false;
+    }
+    if (m_drag == Drag::Undecided) {
+        const QPointF way = event.position() - m_pressed;
+        if (std::hypot(way.x(), way.y()) < kClickPixels) {
+            return true;
+        }
+        m_drag = m_dragKind;
+    }
+    const QPointF step = event.position() - m_last;
+    m_last = event.position();
+    switch (m_drag) {
+        case Drag::Orbit: orbitBy(step); break;
+        case Drag::Pan: panBy(step); break;
+        default: emit boxDrawn(m_pressed, m_last); break;
+    }
+    return true;
+}
+
+bool CameraController::release(const QMouseEvent& event) {
+    if (event.button() != m_button) {
+        return false;
+    }
+    const bool wasClick = m_drag == Drag::Undecided && m_button == Qt::LeftButton;
+    const Drag drag = std::exchange(m_drag, Drag::None);
+    m_button = Qt::NoButton;
+    if (drag == Drag::Box) {
+        emit boxFinished(m_pressed, event.position(), event.modifiers());
+    } else if (drag == Drag::ZoomBox) {
+        zoomToBox(m_pressed, event.position());
+        emit zoomedToBox();
+    }
+    if (wasClick) {
+        emit clicked(m_pressed, event.modifiers());
+    }
+    return true;
+}
+
+bool CameraController::wheel(const QWheelEvent& event) {
+    const double notches = event.angleDelta().y() / kWheelNotch;
+    if (notches == 0.0) {
+        return false;
+    }
+    zoomAt(event.position(), std::pow(kZoomPerNotch, static_cast<float>(notches)));
+    return true;
+}
+
+bool CameraController::key(const QKeyEvent& event) {
+    if ((event.modifiers() & (Qt::AltModifier | Qt::ControlModifier)) != 0) {
+        return false;  // a command's
+    }
+    QPointF way;
+    switch (event.key()) {
+        case Qt::Key_Left: way = {-kArrowPixels, 0.0}; break;
+        case Qt::Key_Right: way = {kArrowPixels, 0.0}; break;
+        case Qt::Key_Up: way = {0.0, -kArrowPixels}; break;
+        case Qt::Key_Down: way = {0.0, kArrowPixels}; break;
+        default: return false;
+    }
+    // The arrow says where the viewer goes, a drag where the board goes.
+    m_isPlan || event.modifiers().testFlag(Qt::ShiftModifier) ? panBy(-way) : orbitBy(-way);
+    return true;
+}
+
+void CameraController::orbitBy(QPointF pixels) {
+    // Half a turn across the height of the canvas; the surface under the cursor follows it.
+    const double radPerPixel = std::numbers::pi / m_viewport.height();
+    m_camera.orbit(static_cast<float>(pixels.x() * radPerPixel), static_cast<float>(-pixels.y() * radPerPixel));
+    announceUserMove();
+}
+
+void CameraController::panBy(QPointF pixels) {
+    m_camera.pan({static_cast<float>(pixels.x()), static_cast<float>(pixels.y())}, height());
+    announceUserMove();
+}
+
+void CameraController::announceUserMove() {
+    m_isFitted = false;
+    emit moved();
+}
+
+float CameraController::aspect() const {
+    return static_cast<float>(m_viewport.width() / m_viewport.height());
+}
+
+}  // namespace ui

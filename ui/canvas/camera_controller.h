@@ -1,0 +1,145 @@
+#pragma once
+
+#include <QObject>
+#include <QPointF>
+#include <QSizeF>
+#include <functional>
+#include <optional>
+#include <utility>
+
+#include "render/scene/camera.h"
+
+class QEvent;
+class QKeyEvent;
+class QMouseEvent;
+class QWheelEvent;
+
+namespace ui {
+
+/// What drags of the right button do otherwise than pan.
+struct MouseHabits {
+    bool rightDragZooms = false;        ///< in a plan: into a box, or out of it; with Shift it pans
+    bool shiftRightDragOrbits = false;  ///< but in a plan, where it pans
+};
+
+/// Turns mouse, wheel and arrow keys into camera moves; knows nothing of the kind of widget that receives them.
+/// Positions are logical pixels.
+///
+/// Left drag orbits; middle drag, right drag or Shift with left drag pans; the wheel zooms to the cursor; arrows orbit
+/// and with Shift pan. A press that moves less than kClickPixels before its release is a click and leaves the camera
+/// alone. In a plan nothing orbits: left drag draws a box and arrows pan.
+class CameraController : public QObject {
+    Q_OBJECT
+
+public:
+    static constexpr double kClickPixels = 4.0;
+    static constexpr float kZoomPerNotch = 1.2F;
+
+    using QObject::QObject;
+
+    void setHabits(const MouseHabits& habits) { m_habits = habits; }
+    /// Looks straight at the board and stays so: parallel, from above or below.
+    void setPlan();
+    [[nodiscard]] bool isPlan() const { return m_isPlan; }
+    /// Until the user moves the camera, the board is fitted again whenever viewport or box change.
+    void setViewport(QSizeF size);
+    /// The box `fit` shows, in board model millimetres.
+    void setBox(const glm::vec3& boxMin, const glm::vec3& boxMax);
+
+    void fit();
+    void look(render::NamedView view);
+    /// Looks at the other side of the board, at what is in the middle of the canvas now.
+    void flip();
+    /// Brings a part of the board to the middle, large enough to be looked at.
+    void show(const glm::vec3& boxMin, const glm::vec3& boxMax);
+    void setOrthographic(bool isOrthographic);
+    /// Looks as told; a plan stays straight.
+    void setPose(const render::CameraPose& pose);
+    /// Zooms by `factor` (> 1 is closer) and keeps the point at `position` where it is on the screen.
+    void zoomAt(QPointF position, float factor);
+    void zoomAtCentre(float factor);
+    /// Zooms until a box of the canvas fills it, or drawn to another corner than the lower right one, until the canvas
+    /// fits into the box.
+    void zoomToBox(QPointF from, QPointF to);
+
+    /// Looks at the board from a side, an edge or a corner of it (x right, y up, z above the top), at what is in the
+    /// middle of the canvas now; all of the board stays in sight if it was shown whole.
+    void lookFrom(const glm::vec3& side);
+    /// Turns the board as a drag of so many pixels does.
+    void orbit(QPointF pixels);
+
+    /// Something over the canvas that gets mouse events first; true: it was for that and is over.
+    using Taker = std::function<bool(QEvent&)>;
+    void setTaker(Taker taker) { m_taker = std::move(taker); }
+    /// Takes the event if it is one of the gestures above; the answer says so.
+    bool handle(QEvent& event);
+
+    [[nodiscard]] const render::Camera& camera() const { return m_camera; }
+    /// Where the line of sight through `position` meets the face of the board turned to the viewer; none if it misses
+    /// the board.
+    [[nodiscard]] std::optional<glm::vec3> boardPointAt(QPointF position) const;
+    /// The line of sight through `position`.
+    struct Ray {
+        glm::vec3 origin;
+        glm::vec3 direction;
+    };
+    [[nodiscard]] Ray rayAt(QPointF position) const;
+    /// Where a point of the board is on the canvas; none behind the eye.
+    [[nodiscard]] std::optional<QPointF> screenOf(const glm::vec3& point) const;
+    /// From millimetres of the board model to clip space, y down as Vulkan has it.
+    [[nodiscard]] glm::mat4 clipFromBoard() const;
+    /// Millimetres per logical pixel at the target.
+    [[nodiscard]] float mmPerPixel() const { return m_camera.mmPerPixel(height()); }
+    [[nodiscard]] QSizeF viewport() const { return m_viewport; }
+
+signals:
+    /// The camera changed: draw again.
+    void moved();
+    void clicked(QPointF position, Qt::KeyboardModifiers modifiers);
+    void doubleClicked(QPointF position, Qt::KeyboardModifiers modifiers);
+    /// The cursor rests or moves over the canvas with no button down; `left` when it goes away.
+    void hovered(QPointF position);
+    void left();
+    /// A box being drawn, and the same once it is done. In a drawn box left and right may be exchanged.
+    void boxDrawn(QPointF from, QPointF to);
+    void boxFinished(QPointF from, QPointF to, Qt::KeyboardModifiers modifiers);
+    /// The box that was drawn was one to zoom to, and is gone.
+    void zoomedToBox();
+    /// A button, a wheel or a key: this is the canvas in use.
+    void used();
+
+private:
+    enum class Drag { None, Undecided, Orbit, Pan, Box, ZoomBox };
+
+    [[nodiscard]] Drag kindOf(const QMouseEvent& event) const;
+    bool press(const QMouseEvent& event);
+    bool move(const QMouseEvent& event);
+    bool release(const QMouseEvent& event);
+    bool wheel(const QWheelEvent& event);
+    bool key(const QKeyEvent& event);
+    bool dispatch(QEvent& event);
+    void orbitBy(QPointF pixels);
+    void panBy(QPointF pixels);
+    void announceUserMove();
+    void focusAt(QPointF position);
+    [[nodiscard]] glm::vec2 ndcOf(QPointF position) const;
+    [[nodiscard]] QPointF centre() const { return {m_viewport.width() / 2.0, m_viewport.height() / 2.0}; }
+    [[nodiscard]] float aspect() const;
+    [[nodiscard]] float height() const { return static_cast<float>(m_viewport.height()); }
+
+    render::Camera m_camera;
+    glm::vec3 m_boxMin{-1.0F};
+    glm::vec3 m_boxMax{1.0F};
+    QSizeF m_viewport{1.0, 1.0};
+    bool m_isFitted = true;
+    bool m_isPlan = false;
+    MouseHabits m_habits;
+    Taker m_taker;
+    Drag m_drag = Drag::None;
+    Drag m_dragKind = Drag::None;  ///< what the drag becomes once it is one
+    Qt::MouseButton m_button = Qt::NoButton;
+    QPointF m_pressed;
+    QPointF m_last;
+};
+
+}  // namespace ui

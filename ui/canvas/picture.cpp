@@ -1,0 +1,52 @@
+#include "ui/canvas/picture.h"
+
+#include <QColor>
+#include <memory>
+
+namespace ui {
+
+namespace {
+
+QImage background(const render::ViewSettings& settings, QSize size) {
+    QImage image(size, QImage::Format_RGBA8888);
+    image.fill(QColor::fromRgbF(settings.background.r, settings.background.g, settings.background.b));
+    return image;
+}
+
+/// A QImage over the pixels, which live as long as it does.
+QImage adopt(render::Image pixels) {
+    auto* owner = new render::Image(std::move(pixels));
+    return QImage(
+        owner->rgba.data(), static_cast<int>(owner->width), static_cast<int>(owner->height),
+        static_cast<qsizetype>(owner->width) * 4, QImage::Format_RGBA8888,
+        [](void* image) { delete static_cast<render::Image*>(image); }, owner);
+}
+
+}  // namespace
+
+render::ViewSettings Picture::frameSettings() const {
+    if (scene != nullptr) {
+        scene->setStyles(styles);
+    }
+    render::ViewSettings withOverlay = settings;
+    if (!overlay.isNull()) {
+        withOverlay.overlay = {static_cast<std::uint32_t>(overlay.width()),
+                               static_cast<std::uint32_t>(overlay.height()), overlay.constBits()};
+    }
+    return withOverlay;
+}
+
+base::Result<QImage> drawPicture(render::OffscreenPresenter& presenter, const Picture& picture,
+                                 const render::Camera& camera, QSize size) {
+    if (picture.scene == nullptr) {
+        return background(picture.settings, size);
+    }
+    auto pixels = presenter.render(*picture.scene, camera, picture.frameSettings(),
+                                   static_cast<std::uint32_t>(size.width()), static_cast<std::uint32_t>(size.height()));
+    if (!pixels) {
+        return pixels.error();
+    }
+    return adopt(std::move(*pixels));
+}
+
+}  // namespace ui

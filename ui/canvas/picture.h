@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QImage>
+#include <QSize>
+#include <functional>
+#include <vector>
+
+#include "model/base/result.h"
+#include "render/frame/offscreen_presenter.h"
+
+namespace ui {
+
+/// What a canvas draws; the board view owns it, its canvas reads it.
+struct Picture {
+    render::BoardScene* scene = nullptr;  ///< null while no board is open
+    render::ViewSettings settings;
+    std::vector<render::LayerStyle> styles;  ///< one per layer of the scene; views may differ
+    QImage overlay;                          ///< null for none; RGBA8888_Premultiplied, in pixels of the picture
+    /// Called before each frame of a canvas with the picture's size in pixels: paints the overlay.
+    std::function<void(QSize pixels)> prepare;
+
+    /// The settings with the overlay; the scene has the styles of this picture afterwards.
+    [[nodiscard]] render::ViewSettings frameSettings() const;
+};
+
+/// Draws to memory, `size` in pixels. A null scene gives the background. Errors: those of OffscreenPresenter::render.
+[[nodiscard]] base::Result<QImage> drawPicture(render::OffscreenPresenter& presenter, const Picture& picture,
+                                               const render::Camera& camera, QSize size);
+
+}  // namespace ui

@@ -1,0 +1,170 @@
+#include "ui/clearance/clearance_map_overlay.h"
+
+#include <QPainter>
+
+namespace ui {
+
+using model::DistanceField;
+
+ClearanceMapOverlay::ClearanceMapOverlay(BoardViews& views, SelectionModel& selection, QObject* parent)
+    : QObject(parent), m_views(views), m_selection(selection) {
+    m_refresh.setSingleShot(true);
+    m_refresh.setInterval(0);
+    connect(&m_refresh, &QTimer::timeout, this, &ClearanceMapOverlay::ask);
+    connect(&selection, &SelectionModel::selectionChanged, this, &ClearanceMapOverlay::refresh);
+    connect(&selection, &SelectionModel::netsChanged, this, &ClearanceMapOverlay::refresh);
+    connect(&views.flat().controller(), &CameraController::moved, this, &ClearanceMapOverlay::refresh);  // turned over?
+    connect(&m_work.background(), &Background::finished, this, &ClearanceMapOverlay::deliver);
+    for (BoardView* view : views.both()) {
+        m_pictures[static_cast<std::size_t>(view->kind())] = new ClearanceMapPicture(*view, this);
+        connect(m_pictures[static_cast<std::size_t>(view->kind())], &ClearanceMapPicture::failed, this,
+                &ClearanceMapOverlay::reported);
+        view->addPainter([this, view](QPainter& painter) { paintLegend(painter, *view); });
+    }
+}
+
+void ClearanceMapOverlay::setBoard(const LoadedBoard& board) {
+    m_work.cancel();
+    m_question.reset();
+    m_cursor.reset();
+    m_board = board.document;
+    m_position.origin = board.model->origin;
+    show(nullptr);
+    refresh();
+}
+
+void ClearanceMapOverlay::setUnit(LengthUnit unit) {
+    m_unit = unit;
+    m_views.requestOverlay();
+}
+
+void ClearanceMapOverlay::setOn(bool isOn) {
+    m_isOn = isOn;
+    refresh();
+}
+
+void ClearanceMapOverlay::setReach(double nm) {
+    m_reach = nm;
+    for (ClearanceMapPicture* picture : m_pictures) {
+        picture->setReach(nm);
+    }
+}
+
+void ClearanceMapOverlay::pointAt(std::optional<base::PointD> location) {
+    m_cursor = location;
+    if (m_field) {
+        m_views.requestOverlay();
+    }
+}
+
+bool ClearanceMapOverlay::isPending() const {
+    return m_refresh.isActive() || m_work.isRunning() || m_pictures[0]->isPending() || m_pictures[1]->isPending();
+}
+
+/// Does nothing if what is asked is what was asked before.
+void ClearanceMapOverlay::ask() {
+    std::optional<Question> question;
+    if (m_isOn && m_board) {
+        question = Question{m_layer(), m_selection.ownElements()};
+    }
+    if (question == m_question) {
+        return;
+    }
+    m_work.cancel();
+    m_question = question;
+    show(nullptr);
+    if (!question) {
+        emit reported({});
+    } else if (!question->layer.isValid()) {
+        emit reported(QStringLiteral("show a copper layer"));
+    } else {
+        work(std::move(*question));
+    }
+}
+
+void ClearanceMapOverlay::work(Question question) {
+    using Field = std::shared_ptr<const DistanceField>;
+    const auto measure = [board = m_board, question = std::move(question)](base::Progress& progress) {
+        base::Result<DistanceField> field = question.targets.empty()
+                                                ? DistanceField::betweenNets(*board, question.layer, progress)
+                                                : DistanceField::toTargets(*board, question.layer, question.targets);
+        return field ? base::Result<Field>(std::make_shared<const DistanceField>(std::move(*field))) : field.error();
+    };
+    m_work.ask(measure, "Measuring distances", "not enough memory for a map of this layer");
+    emit reported(QStringLiteral("measuring…"));
+}
+
+void ClearanceMapOverlay::deliver() {
+    if (const auto field = m_work.take()) {
+        show(*field);
+        emit reported(legend().title);
+    } else {
+        emit reported(reasonFor(field.error()));
+    }
+}
+
+void ClearanceMapOverlay::show(std::shared_ptr<const DistanceField> field) {
+    m_field = std::move(field);
+    for (ClearanceMapPicture* picture : m_pictures) {
+        const bool hasOutline = m_board && !m_board->board.isEmpty();
+        picture->setReach(m_reach);
+        picture->setField(m_field,
+                          hasOutline ? m_board->board
+                          : m_field  ? m_field->extent()
+                                     : model::Box(),
+                          m_position);
+    }
+}
+
+QString ClearanceMapOverlay::reasonFor(const base::Error& error) const {
+    QString text = QString::fromStdString(error.text);
+    if (m_question->targets.empty() && m_board->nets.empty()) {
+        text += QStringLiteral("; the board has no nets: Board, Nets from the copper finds them");
+    }
+    if (m_selection.tree().copies.size() > 1) {
+        text += QStringLiteral("; steps that the panel places are mapped when they are opened by themselves");
+    }
+    return text;
+}
+
+QString ClearanceMapOverlay::targetName() const {
+    const std::vector<model::BoardNet>& nets = m_selection.nets();
+    if (nets.size() == 1 && m_selection.selected().empty()) {
+        return QString::fromStdString(m_board->nets[nets.front().net.row()].name);
+    }
+    return !m_selection.title().isEmpty() && nets.empty() ? m_selection.title() : QStringLiteral("the selection");
+}
+
+ClearanceMapLegend ClearanceMapOverlay::legend() const {
+    ClearanceMapLegend legend;
+    legend.reach = m_reach;
+    legend.unit = m_unit;
+    if (m_field) {
+        const QString layer = QString::fromStdString(m_board->layer(m_field->layer()).name);
+        legend.title = m_field->kind() == DistanceField::Kind::BetweenNets
+                           ? QStringLiteral("%1: gaps between nets").arg(layer)
+                           : QStringLiteral("%1: distance to %2").arg(layer, targetName());
+        if (m_cursor) {
+            legend.mark = m_field->at(*m_cursor, model::kMostMapReach);
+        }
+    }
+    return legend;
+}
+
+QString ClearanceMapOverlay::textAt(base::PointD location) const {
+    const double value = m_field ? m_field->at(location, model::kMostMapReach) : 0.0;
+    if (value <= 0.0 || value > model::kMostMapReach) {
+        return {};
+    }
+    const bool isSpacing = m_field->kind() == DistanceField::Kind::BetweenNets;
+    return QStringLiteral("%1 %2").arg(isSpacing ? QStringLiteral("gap") : QStringLiteral("distance"),
+                                       lengthText(value, m_unit));
+}
+
+void ClearanceMapOverlay::paintLegend(QPainter& painter, const BoardView& view) const {
+    if (m_field) {
+        legend().paint(painter, view.controller().viewport());
+    }
+}
+
+}  // namespace ui

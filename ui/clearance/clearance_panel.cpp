@@ -1,0 +1,165 @@
+#include "ui/clearance/clearance_panel.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QSortFilterProxyModel>
+#include <QSplitter>
+#include <QToolBar>
+
+#include "ui/common/choice_delegate.h"
+#include "ui/common/table_view.h"
+#include "ui/common/tool_button.h"
+#include "ui/workspace/actions.h"
+
+namespace ui {
+
+namespace {
+
+constexpr int kLensSteps = 200;
+constexpr double kLensStepNm = 5'000.0;  // up to a millimetre
+constexpr int kLensStart = 30;
+
+}  // namespace
+
+ClearancePanel::ClearancePanel(ClearanceModel& locations, RuleModel& rules, const ActionSet& actions, QWidget* parent)
+    : QWidget(parent),
+      m_locations(locations),
+      m_sorted(new QSortFilterProxyModel(this)),
+      m_what(new QComboBox),
+      m_where(new QComboBox),
+      m_summary(new QLabel),
+      m_table(new TableView),
+      m_ruleTable(new TableView),
+      m_lens(new QSlider(Qt::Horizontal)),
+      m_lensText(new QLabel),
+      m_distances(new ClearanceMapBar(actions)),
+      m_notes(new QLabel) {
+    m_notes->setWordWrap(true);
+    m_notes->hide();
+    m_what->addItems({QStringLiteral("Narrowest gaps"), QStringLiteral("Rules")});
+    m_where->addItems({QStringLiteral("of the board"), QStringLiteral("of the current layer"),
+                       QStringLiteral("in the 2D view"), QStringLiteral("between the two highlighted nets")});
+    m_sorted->setSourceModel(&locations);
+    m_sorted->setSortRole(Qt::EditRole);
+    m_table->setModel(m_sorted);
+    m_table->horizontalHeader()->setSortIndicator(-1, Qt::AscendingOrder);  // as found: by rule, narrowest first
+    m_table->setSortingEnabled(true);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_ruleTable->setModel(&rules);
+    m_ruleTable->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
+    m_ruleTable->horizontalHeader()->setStretchLastSection(true);
+    m_lens->setRange(1, kLensSteps);
+    m_lens->setValue(kLensStart);
+    m_lens->setMaximumWidth(220);
+    m_lens->setToolTip(QStringLiteral("How near copper must come to be lit by the lens"));
+
+    m_ruleTable->setItemDelegate(new ChoiceDelegate(RuleModel::ChoicesRole, m_ruleTable));
+    for (const int column : {RuleModel::Kind, RuleModel::First, RuleModel::Second}) {
+        m_ruleTable->setColumnHidden(column, true);  // the title says them
+    }
+
+    // A tool bar folds what has no room into a menu: the buttons do not widen the window.
+    auto* tools = new QToolBar;
+    tools->addAction(&actions[ActionId::SearchClearances]);
+    tools->addAction(&actions[ActionId::ExportClearances]);
+    tools->addAction(&actions[ActionId::EditRules]);
+    m_openRules = tools->addAction(QStringLiteral("Open rules…"), this, &ClearancePanel::rulesAsked);
+    m_saveRules = tools->addAction(QStringLiteral("Save rules…"), this, &ClearancePanel::rulesSaved);
+    m_summary->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_what);
+    row->addWidget(m_where);
+    row->addWidget(tools, 3);
+    row->addWidget(m_summary, 2);
+    auto* lenses = new QHBoxLayout;
+    lenses->addWidget(toolButton(actions[ActionId::Lens]));
+    lenses->addWidget(m_lens, 1);
+    lenses->addWidget(m_lensText, 1);
+    lenses->addWidget(m_distances, 3);
+    auto* tables = new QSplitter;
+    tables->addWidget(m_ruleTable);
+    tables->addWidget(m_table);
+    tables->setStretchFactor(0, 2);
+    tables->setStretchFactor(1, 3);
+    tables->setChildrenCollapsible(false);
+    auto* all = new QVBoxLayout(this);
+    all->setContentsMargins(4, 4, 4, 4);
+    all->addLayout(row);
+    all->addLayout(lenses);
+    all->addWidget(tables, 1);
+    all->addWidget(m_notes);
+
+    connect(m_what, &QComboBox::currentIndexChanged, this, &ClearancePanel::onWhat);
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &ClearancePanel::choose);
+    connect(m_table, &QTableView::clicked, this, &ClearancePanel::choose);
+    connect(m_table, &TableView::enterPressed, this, &ClearancePanel::choose);
+    connect(&locations, &QAbstractItemModel::modelReset, this, &ClearancePanel::onReset);
+    connect(&rules, &QAbstractItemModel::dataChanged, m_ruleTable, &QTableView::resizeColumnsToContents);
+    connect(&rules, &QAbstractItemModel::modelReset, m_ruleTable, &QTableView::resizeColumnsToContents);
+    connect(m_lens, &QSlider::valueChanged, this, [this] { emit lensMoved(lensReach()); });
+    onWhat();
+    onReset();
+}
+
+ClearancePanel::What ClearancePanel::what() const {
+    return static_cast<What>(m_what->currentIndex());
+}
+
+ClearancePanel::Where ClearancePanel::where() const {
+    return static_cast<Where>(m_where->currentIndex());
+}
+
+double ClearancePanel::lensReach() const {
+    return m_lens->value() * kLensStepNm;
+}
+
+void ClearancePanel::showLens(const QString& text) {
+    m_lensText->setText(text);
+}
+
+void ClearancePanel::setRemarks(const QString& notes) {
+    m_notes->setText(notes);
+    m_notes->setVisible(!notes.isEmpty());
+}
+
+QString ClearancePanel::notes() const {
+    return m_notes->text();
+}
+
+QString ClearancePanel::summary() const {
+    return m_summary->text();
+}
+
+void ClearancePanel::setUnit(LengthUnit unit) {
+    m_distances->setUnit(unit);
+    m_summary->setText(m_locations.summary());
+    m_table->resizeColumnsToContents();
+}
+
+void ClearancePanel::choose(const QModelIndex& index) {
+    if (index.isValid()) {
+        emit chosen(m_locations.location(m_sorted->mapToSource(index).row()));
+    }
+}
+
+void ClearancePanel::onWhat() {
+    const bool isOfRules = what() == What::Rules;
+    m_where->setVisible(!isOfRules);
+    m_ruleTable->setVisible(isOfRules);
+    m_openRules->setVisible(isOfRules);
+    m_saveRules->setVisible(isOfRules);
+    m_ruleTable->resizeColumnsToContents();
+}
+
+void ClearancePanel::onReset() {
+    m_summary->setText(m_locations.summary());
+    m_table->setColumnHidden(ClearanceModel::Rule, what() == What::Narrowest);
+    m_table->resizeColumnsToContents();
+}
+
+}  // namespace ui

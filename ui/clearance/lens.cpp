@@ -1,0 +1,125 @@
+#include "ui/clearance/lens.h"
+
+#include <QPainter>
+#include <algorithm>
+
+namespace ui {
+
+namespace {
+
+constexpr QColor kSpacingColour(255, 90, 60);
+constexpr double kSpacingPixels = 2.0;
+constexpr std::size_t kMostSpacings = 20'000;  ///< as many as are painted while the slider moves
+
+}  // namespace
+
+Lens::Lens(BoardViews& views, SelectionModel& selection, QObject* parent)
+    : QObject(parent), m_views(views), m_selection(selection) {
+    connect(&selection, &SelectionModel::selectionChanged, this, &Lens::search);
+    connect(&selection, &SelectionModel::netsChanged, this, &Lens::search);
+    connect(&m_search.background(), &Background::finished, this, &Lens::deliver);
+    views.flat().addPainter([this](QPainter& painter) { paint(painter); });
+}
+
+void Lens::setBoard(const LoadedBoard& board) {
+    m_search.cancel();
+    m_board = board.document;
+    m_position.origin = board.model->origin;
+    m_near.clear();
+    search();
+}
+
+void Lens::setOn(bool isOn) {
+    m_isOn = isOn;
+    search();
+}
+
+void Lens::setReach(double nm) {
+    m_reach = std::min(nm, kMostReach);
+    apply();
+}
+
+void Lens::search() {
+    m_search.cancel();
+    m_near.clear();
+    m_trouble.clear();
+    if (!m_isOn || !m_board) {
+        apply();
+        return;
+    }
+    std::vector<model::ElementId> elements = m_selection.ownElements();  // copies have no neighbours beyond their step
+    if (elements.empty()) {
+        apply();
+        return;
+    }
+    m_search.ask([board = m_board, elements = std::move(elements)](
+                     base::Progress& progress) { return model::copperNear(*board, elements, kMostReach, progress); },
+                 "Looking around", "there is not enough memory to look around");
+    emit reported(QStringLiteral("looking…"));
+}
+
+void Lens::deliver() {
+    if (auto near = m_search.take()) {
+        m_near = std::move(*near);
+    } else {
+        m_trouble = QString::fromStdString(near.error().text);
+    }
+    apply();
+}
+
+std::span<const model::Nearby> Lens::highlighted() const {
+    return std::span(m_near).first(m_highlightedCount);
+}
+
+void Lens::setUnit(LengthUnit unit) {
+    m_unit = unit;
+    tell();
+}
+
+void Lens::apply() {
+    const auto end =
+        std::ranges::upper_bound(m_near, m_reach, {}, [](const model::Nearby& n) { return n.gap.distance; });
+    m_highlightedCount = static_cast<std::size_t>(end - m_near.begin());
+    std::vector<model::BoardElement> elements;
+    for (const model::Nearby& near : highlighted()) {
+        elements.push_back({0, near.element});
+    }
+    m_selection.setNearby(std::move(elements));
+    m_views.flat().requestOverlay();
+    tell();
+}
+
+void Lens::tell() {
+    if (!m_isOn) {
+        emit reported({});
+    } else if (m_selection.selected().empty() && m_selection.nets().empty()) {
+        emit reported(QStringLiteral("select something"));
+    } else if (!m_trouble.isEmpty()) {
+        emit reported(m_trouble);
+    } else if (m_selection.ownElements().empty()) {
+        emit reported(QStringLiteral("not in copies of other steps"));
+    } else if (!isSearching()) {
+        emit reported(QStringLiteral("%L1 within %2").arg(m_highlightedCount).arg(lengthText(m_reach, m_unit)));
+    }
+}
+
+void Lens::paint(QPainter& painter) const {
+    painter.setPen(QPen(kSpacingColour, kSpacingPixels, Qt::SolidLine, Qt::RoundCap));
+    const CameraController& controller = m_views.flat().controller();
+    const QRectF canvas(QPointF(), controller.viewport());
+    for (const model::Nearby& near : highlighted().first(std::min(kMostSpacings, m_highlightedCount))) {
+        const auto from = controller.screenOf(m_position.toModel(near.gap.from));
+        const auto to = controller.screenOf(m_position.toModel(near.gap.to));
+        if (!from || !to || !(canvas.contains(*from) || canvas.contains(*to))) {
+            continue;
+        }
+        if ((*to - *from).manhattanLength() < kSpacingPixels) {
+            painter.fillRect(QRect(from->toPoint() - QPoint(1, 1), QSize(2, 2)),
+                             kSpacingColour);  // quicker than a stroke
+        } else {
+            painter.drawLine(*from, *to);
+        }
+    }
+}
+
+}  // namespace ui

@@ -1,0 +1,134 @@
+#include "ui/clearance/rule_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QGroupBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+
+#include "ui/common/choice_delegate.h"
+#include "ui/common/table_view.h"
+
+namespace ui {
+
+namespace {
+
+TableView* tableOf(QAbstractItemModel& model, const QString& name) {
+    auto* table = new TableView;
+    table->setModel(&model);
+    table->setAccessibleName(name);
+    table->setSelectionMode(QAbstractItemView::SingleSelection);
+    table->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked |
+                           QAbstractItemView::AnyKeyPressed);
+    table->horizontalHeader()->setStretchLastSection(true);
+    table->resizeColumnsToContents();
+    return table;
+}
+
+QPushButton* buttonIn(QLayout& column, const QString& text) {
+    auto* button = new QPushButton(text);
+    button->setAutoDefault(false);  // Enter in a table edits, it does not press these
+    column.addWidget(button);
+    return button;
+}
+
+}  // namespace
+
+RuleDialog::RuleDialog(const model::RuleTable& rules, std::vector<std::string> nets, LengthUnit unit, QWidget* parent)
+    : QDialog(parent), m_classes(m_rules, std::move(nets)), m_hint(new QLabel) {
+    setWindowTitle(QStringLiteral("Rules"));
+    m_rules.setRules(rules);
+    m_rules.setUnit(unit);
+    m_hint->setWordWrap(true);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+    auto* all = new QVBoxLayout(this);
+    all->addWidget(rulesBox(), 3);
+    all->addWidget(classesBox(), 2);
+    all->addWidget(m_hint);
+    all->addWidget(buttons);
+    resize(760, 560);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(&m_rules, &RuleModel::refused, m_hint, &QLabel::setText);
+    connect(&m_rules, &RuleModel::edited, m_hint, &QLabel::clear);
+    m_ruleTable->setCurrentIndex(m_rules.index(0, RuleModel::Kind));
+    m_ruleTable->setFocus();
+}
+
+QWidget* RuleDialog::rulesBox() {
+    m_ruleTable = tableOf(m_rules, QStringLiteral("Rules"));
+    m_ruleTable->setItemDelegate(new ChoiceDelegate(RuleModel::ChoicesRole, m_ruleTable));
+    m_ruleTable->setColumnHidden(RuleModel::Title, true);
+    m_ruleTable->setColumnHidden(RuleModel::Result, true);
+    m_ruleTable->setColumnWidth(RuleModel::First, 140);
+    m_ruleTable->setColumnWidth(RuleModel::Second, 140);
+    auto* box = new QGroupBox(QStringLiteral("Of several rules of one kind that fit, the last one holds"));
+    auto* side = new QVBoxLayout;
+    connect(buttonIn(*side, QStringLiteral("&Add rule")), &QPushButton::clicked, this, &RuleDialog::addRule);
+    connect(buttonIn(*side, QStringLiteral("&Remove rule")), &QPushButton::clicked, this, &RuleDialog::removeRule);
+    connect(buttonIn(*side, QStringLiteral("Move &up")), &QPushButton::clicked, this, [this] { moveRule(-1); });
+    connect(buttonIn(*side, QStringLiteral("Move &down")), &QPushButton::clicked, this, [this] { moveRule(1); });
+    side->addStretch(1);
+    auto* row = new QHBoxLayout(box);
+    row->addWidget(m_ruleTable, 1);
+    row->addLayout(side);
+    return box;
+}
+
+QWidget* RuleDialog::classesBox() {
+    m_classTable = tableOf(m_classes, QStringLiteral("Net classes"));
+    m_classTable->setColumnWidth(NetClassModel::Name, 140);
+    m_classTable->setColumnWidth(NetClassModel::Nets, 320);
+    auto* box = new QGroupBox(QStringLiteral("Net classes"));
+    auto* side = new QVBoxLayout;
+    connect(buttonIn(*side, QStringLiteral("Add &class")), &QPushButton::clicked, this, &RuleDialog::addClass);
+    connect(buttonIn(*side, QStringLiteral("R&emove class")), &QPushButton::clicked, this, &RuleDialog::removeClass);
+    side->addStretch(1);
+    auto* row = new QHBoxLayout(box);
+    row->addWidget(m_classTable, 1);
+    row->addLayout(side);
+    return box;
+}
+
+QString RuleDialog::hint() const {
+    return m_hint->text();
+}
+
+void RuleDialog::addRule() {
+    m_rules.addRule();
+    m_ruleTable->setCurrentIndex(m_rules.index(m_rules.rowCount() - 1, RuleModel::Kind));
+    m_ruleTable->setFocus();
+}
+
+void RuleDialog::removeRule() {
+    const int row = m_ruleTable->currentIndex().row();
+    if (row >= 0) {
+        m_rules.removeRule(row);
+        m_ruleTable->setCurrentIndex(m_rules.index(std::min(row, m_rules.rowCount() - 1), RuleModel::Kind));
+    }
+}
+
+void RuleDialog::moveRule(int by) {
+    const QModelIndex at = m_ruleTable->currentIndex();
+    if (at.isValid()) {
+        m_ruleTable->setCurrentIndex(m_rules.index(m_rules.moveRule(at.row(), by), at.column()));
+    }
+}
+
+void RuleDialog::addClass() {
+    m_classes.addClass();
+    m_classTable->setCurrentIndex(m_classes.index(m_classes.rowCount() - 1, NetClassModel::Name));
+    m_classTable->setFocus();
+}
+
+void RuleDialog::removeClass() {
+    const int row = m_classTable->currentIndex().row();
+    if (row >= 0) {
+        m_classes.removeClass(row);
+    }
+}
+
+}  // namespace ui

@@ -1,0 +1,224 @@
+#include "ui/element/element_facts.h"
+
+#include <QStringList>
+#include <algorithm>
+
+#include "model/statistics/element_sizes.h"
+
+namespace ui {
+
+namespace {
+
+using model::Document;
+using model::ElementId;
+using model::ElementKind;
+
+/// An element with the document it is a row of.
+struct Subject {
+    const Document& step;
+    ElementId element;
+    LengthUnit unit;
+
+    [[nodiscard]] std::uint32_t geometry() const { return step.elements.geometry[element.row()]; }
+    [[nodiscard]] bool has(model::ElementFlag flag) const { return (step.elements.flags[element.row()] & flag) != 0; }
+    [[nodiscard]] QString text(double nm) const { return lengthInBoth(nm, unit); }
+};
+
+QString kindText(const Subject& s) {
+    const ElementKind kind = s.step.elements.kind[s.element.row()];
+    QString text = QString::fromLatin1(model::toString(kind));
+    text[0] = text[0].toUpper();
+    if (s.has(model::kHole)) {
+        text = s.has(model::kPlated) ? QStringLiteral("Plated hole (%1)").arg(text.toLower())
+                                     : QStringLiteral("Hole without plating (%1)").arg(text.toLower());
+    } else if (s.has(model::kPad)) {
+        text = QStringLiteral("Pad (%1)").arg(text.toLower());
+    }
+    return text;
+}
+
+void addLocation(const Subject& s, model::Point point, const char* name, Facts& facts) {
+    facts.emplace_back(QString::fromLatin1(name), positionText(point.x, point.y, s.unit));
+}
+
+void addCircle(const Subject& s, Facts& facts) {
+    const model::CircleGeometry& circle = s.step.circles[s.geometry()];
+    facts.emplace_back(QStringLiteral("Diameter"), s.text(circle.diameter));
+    if (circle.innerDiameter > 0 && circle.innerDiameter != circle.diameter) {
+        facts.emplace_back(QStringLiteral("Inner diameter"), s.text(circle.innerDiameter));
+    }
+    addLocation(s, circle.centre, "Centre", facts);
+}
+
+void addTrail(const Subject& s, Facts& facts) {
+    const model::TrailGeometry& trail = s.step.trails[s.geometry()];
+    const auto nodes = s.step.nodesOf(trail);
+    facts.emplace_back(QStringLiteral("Width"), s.text(trail.width));
+    facts.emplace_back(QStringLiteral("Strokes"), QString::number(nodes.size() - 1));
+    addLocation(s, nodes.front().point, "From", facts);
+    addLocation(s, nodes.back().point, "To", facts);
+}
+
+void addArea(const Subject& s, Facts& facts) {
+    const auto contours = s.step.shapes.contoursOf(s.step.areas[s.geometry()].shape);
+    const auto holes = std::ranges::count_if(contours, &model::Contour::isHole);
+    facts.emplace_back(QStringLiteral("Islands"),
+                       QString::number(static_cast<std::ptrdiff_t>(contours.size()) - holes));
+    facts.emplace_back(QStringLiteral("Holes"), QString::number(holes));
+}
+
+void addShape(const Subject& s, Facts& facts) {
+    switch (s.step.elements.kind[s.element.row()]) {
+        case ElementKind::Line: {
+            const model::LineGeometry& line = s.step.lines[s.geometry()];
+            facts.emplace_back(QStringLiteral("Width"), s.text(line.width));
+            addLocation(s, line.a, "From", facts);
+            addLocation(s, line.b, "To", facts);
+            break;
+        }
+        case ElementKind::Arc: {
+            const model::ArcGeometry& arc = s.step.arcs[s.geometry()];
+            facts.emplace_back(QStringLiteral("Width"), s.text(arc.width));
+            addLocation(s, arc.node.point, "From", facts);
+            addLocation(s, arc.end, "To", facts);
+            addLocation(s, arc.node.centre, "Centre", facts);
+            break;
+        }
+        case ElementKind::Circle: addCircle(s, facts); break;
+        case ElementKind::Trail: addTrail(s, facts); break;
+        case ElementKind::Area: addArea(s, facts); break;
+    }
+}
+
+void addMeasures(const Subject& s, Facts& facts) {
+    if (const double length = model::lengthOf(s.step, s.element); length > 0.0) {
+        facts.emplace_back(QStringLiteral("Length"), s.text(length));
+    }
+    facts.emplace_back(QStringLiteral("Area"), areaText(model::areaOf(s.step, s.element), s.unit));
+    const model::Box box = s.step.boxOf(s.element);
+    facts.emplace_back(QStringLiteral("Extent"),
+                       QStringLiteral("%1 × %2").arg(lengthText(static_cast<double>(box.width()), s.unit),
+                                                     lengthText(static_cast<double>(box.height()), s.unit)));
+}
+
+/// Pins that lie on the element's net inside of its box: what a pad belongs to.
+std::vector<const model::Pin*> pinsOf(const Subject& s) {
+    std::vector<const model::Pin*> pins;
+    if (!s.has(model::kPad) && !s.has(model::kHole)) {
+        return pins;
+    }
+    const model::NetId net = s.step.elements.net[s.element.row()];
+    const model::Box box = s.step.boxOf(s.element);
+    for (const model::Pin& pin : s.step.pins) {
+        if (pin.net == net && pin.component.isValid() && pin.position.x >= box.min.x && pin.position.x <= box.max.x &&
+            pin.position.y >= box.min.y && pin.position.y <= box.max.y) {
+            pins.push_back(&pin);
+        }
+    }
+    return pins;
+}
+
+QString partText(const Subject& s, const model::Component& component) {
+    QStringList words{QString::fromStdString(component.refdes)};
+    if (!component.part.empty()) {
+        words += QString::fromStdString(component.part);
+    }
+    if (component.package.isValid()) {
+        words += QString::fromStdString(s.step.packages[component.package.row()].name);
+    }
+    return words.join(QStringLiteral("  "));
+}
+
+/// Pins, and the components they are of; of a body its component.
+void addParts(const Subject& s, Facts& facts) {
+    std::vector<model::ComponentId> parts;
+    for (const model::Pin* pin : pinsOf(s)) {
+        const std::string& refdes = s.step.components[pin->component.row()].refdes;
+        facts.emplace_back(QStringLiteral("Pin"), QString::fromStdString(refdes + '.' + s.step.text(pin->name)));
+        parts.push_back(pin->component);
+    }
+    if (const model::Body* body = s.step.bodyOf(s.element)) {
+        parts.push_back(body->component);
+    }
+    parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+    for (const model::ComponentId part : parts) {
+        if (part.isValid()) {
+            facts.emplace_back(QStringLiteral("Component"), partText(s, s.step.components[part.row()]));
+        }
+    }
+}
+
+void addSource(const Subject& s, const model::Layer& layer, Facts& facts) {
+    const auto& elements = s.step.elements;
+    for (const auto& [name, value] : s.step.attributes.values(elements.attributes[s.element.row()])) {
+        facts.emplace_back(QString::fromStdString(name),
+                           value.empty() ? QStringLiteral("yes") : QString::fromStdString(value));
+    }
+    if (!layer.file.empty() && elements.line[s.element.row()] > 0) {
+        facts.emplace_back(
+            QStringLiteral("Read from"),
+            QStringLiteral("%1:%2").arg(QString::fromStdString(layer.file)).arg(elements.line[s.element.row()]));
+    }
+}
+
+Subject subjectOf(const model::StepTree& tree, const model::BoardElement& at, LengthUnit unit) {
+    return {*tree.steps[tree.copies[at.copy].step], at.element, unit};
+}
+
+}  // namespace
+
+Facts factsOf(const model::StepTree& tree, const model::BoardElement& at, LengthUnit unit) {
+    const Subject s = subjectOf(tree, at, unit);
+    const auto& elements = s.step.elements;
+    const std::size_t row = at.element.row();
+    const model::Layer& layer = s.step.layer(elements.layer[row]);
+    Facts facts;
+    facts.emplace_back(QStringLiteral("Kind"), kindText(s));
+    facts.emplace_back(QStringLiteral("Layer"), QString::fromStdString(layer.name));
+    if (elements.net[row].isValid()) {
+        facts.emplace_back(QStringLiteral("Net"), QString::fromStdString(s.step.nets[elements.net[row].row()].name));
+    }
+    addParts(s, facts);
+    if (elements.symbol[row].isValid()) {
+        facts.emplace_back(QStringLiteral("Symbol"),
+                           QString::fromStdString(s.step.symbols[elements.symbol[row].row()]));
+    }
+    addShape(s, facts);
+    addMeasures(s, facts);
+    if (at.copy > 0) {
+        facts.emplace_back(QStringLiteral("Copy"),
+                           QStringLiteral("%1 of step %2").arg(at.copy).arg(QString::fromStdString(s.step.job.step)));
+    }
+    addSource(s, layer, facts);
+    return facts;
+}
+
+QString summaryOf(const model::StepTree& tree, const model::BoardElement& at, LengthUnit unit) {
+    const Subject s = subjectOf(tree, at, unit);
+    const auto& elements = s.step.elements;
+    const std::size_t row = at.element.row();
+    QStringList words{kindText(s)};
+    Facts shape;
+    addShape(s, shape);
+    for (const auto& [name, value] : shape) {
+        if (name == QLatin1String("Width") || name == QLatin1String("Diameter")) {
+            words.back() += QStringLiteral(", %1 %2").arg(value.section(' ', 0, 1), name == QLatin1String("Width")
+                                                                                        ? QStringLiteral("wide")
+                                                                                        : QStringLiteral("across"));
+        }
+    }
+    words += QString::fromStdString(s.step.layer(elements.layer[row]).name);
+    if (elements.net[row].isValid()) {
+        words += QString::fromStdString(s.step.nets[elements.net[row].row()].name);
+    }
+    Facts parts;
+    addParts(s, parts);
+    for (const auto& [name, value] : parts) {
+        if (name == QLatin1String("Pin") || parts.size() == 1) {  // pins name their components
+            words += value.section(QStringLiteral("  "), 0, 0);
+        }
+    }
+    return words.join(QStringLiteral(" · "));
+}
+
+}  // namespace ui

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <QString>
+#include <utility>
+#include <vector>
+
+#include "model/board/copies.h"
+#include "ui/common/lengths.h"
+
+/// What is known of an element, in words.
+namespace ui {
+
+using Facts = std::vector<std::pair<QString, QString>>;  ///< name and value
+
+/// Everything: kind, sizes, layer, net, symbol, place, attributes, file and line. `at` must be an element of `tree`.
+[[nodiscard]] Facts factsOf(const model::StepTree& tree, const model::BoardElement& at, LengthUnit unit);
+
+/// The same in a few words for a tip: "Trail, 0.25 mm wide · TOP · GND".
+[[nodiscard]] QString summaryOf(const model::StepTree& tree, const model::BoardElement& at, LengthUnit unit);
+
+}  // namespace ui

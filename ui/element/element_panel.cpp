@@ -1,0 +1,132 @@
+#include "ui/element/element_panel.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QShortcut>
+#include <QTableWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "ui/element/element_picture.h"
+
+namespace ui {
+
+namespace {
+
+constexpr std::pair<const char*, ElementPanel::Link> kLinks[] = {{"Layer", ElementPanel::Link::Layer},
+                                                                 {"Net", ElementPanel::Link::Net},
+                                                                 {"Pin", ElementPanel::Link::Pin},
+                                                                 {"Component", ElementPanel::Link::Component}};
+
+std::optional<ElementPanel::Link> linkOf(const QString& fact) {
+    const auto* found =
+        std::ranges::find_if(kLinks, [&](const auto& link) { return fact == QLatin1String(link.first); });
+    return found != std::end(kLinks) ? std::optional(found->second) : std::nullopt;
+}
+
+}  // namespace
+
+ElementPanel::ElementPanel(SelectionModel& selection, ElementPicture* picture, QWidget* parent)
+    : QWidget(parent),
+      m_selection(selection),
+      m_heading(new QLabel),
+      m_picture(picture),
+      m_table(new QTableWidget(0, 2)) {
+    m_heading->setWordWrap(true);
+    m_table->horizontalHeader()->hide();
+    m_table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setShowGrid(false);
+    m_table->setTabKeyNavigation(false);  // Tab leaves the table, as everywhere else
+    m_table->setAlternatingRowColors(true);
+    auto* copy = new QShortcut(QKeySequence::Copy, m_table, nullptr, nullptr, Qt::WidgetShortcut);
+    connect(copy, &QShortcut::activated, this, [this] {
+        if (const QTableWidgetItem* value = m_table->item(m_table->currentRow(), 1)) {
+            QGuiApplication::clipboard()->setText(value->text());
+        }
+    });
+    m_table->installEventFilter(this);
+    connect(m_table, &QTableWidget::cellClicked, this, [this](int row, int column) {
+        if (column == 1) {
+            follow(row);
+        }
+    });
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(2, 2, 2, 2);
+    layout->addWidget(m_heading);
+    layout->addWidget(m_picture);
+    layout->addWidget(m_table);
+    connect(&selection, &SelectionModel::selectionChanged, this, &ElementPanel::update);
+    update();
+}
+
+void ElementPanel::setUnit(LengthUnit unit) {
+    m_unit = unit;
+    update();
+}
+
+void ElementPanel::update() {
+    const std::size_t count = m_selection.selected().size();
+    const QString& title = m_selection.title();
+    m_heading->setText(count == 0         ? QStringLiteral("Click an element in a view to see what is known of it.")
+                       : !title.isEmpty() ? QStringLiteral("%1, %L2 elements; of the last one:").arg(title).arg(count)
+                       : count == 1       ? QStringLiteral("One element")
+                                          : QStringLiteral("%L1 elements; of the last one:").arg(count));
+    const auto current = m_selection.current();
+    fill(current ? factsOf(m_selection.tree(), *current, m_unit) : Facts());
+}
+
+void ElementPanel::fill(const Facts& facts) {
+    m_table->setRowCount(static_cast<int>(facts.size()));
+    for (int row = 0; row < m_table->rowCount(); ++row) {
+        const auto& [name, value] = facts[static_cast<std::size_t>(row)];
+        m_table->setItem(row, 0, new QTableWidgetItem(name));
+        auto* item = new QTableWidgetItem(value);
+        item->setToolTip(value);
+        if (linkOf(name)) {
+            item->setForeground(palette().link());
+            item->setToolTip(value + QStringLiteral("\nClick to go on to it"));
+        }
+        m_table->setItem(row, 1, item);
+    }
+}
+
+void ElementPanel::follow(int row) {
+    const QTableWidgetItem* name = m_table->item(row, 0);
+    if (const auto link = name != nullptr ? linkOf(name->text()) : std::nullopt) {
+        emit followed(*link);
+    }
+}
+
+bool ElementPanel::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == m_table && event->type() == QEvent::KeyPress) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+            follow(m_table->currentRow());
+            return true;
+        }
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+QString ElementPanel::fact(const QString& name) const {
+    for (int row = 0; row < m_table->rowCount(); ++row) {
+        if (m_table->item(row, 0)->text() == name) {
+            return m_table->item(row, 1)->text();
+        }
+    }
+    return {};
+}
+
+QString ElementPanel::heading() const {
+    return m_heading->text();
+}
+
+}  // namespace ui

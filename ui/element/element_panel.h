@@ -1,0 +1,54 @@
+#pragma once
+
+#include <QWidget>
+
+#include "ui/common/lengths.h"
+#include "ui/element/element_facts.h"
+#include "ui/workspace/selection_model.h"
+
+class QLabel;
+class QTableWidget;
+
+namespace ui {
+
+class ElementPicture;
+
+/// Everything known of the element selected last, one line per fact; a line copies with Ctrl+C. Says how many are
+/// selected when there are several, and shows it by itself. A click on its layer, net, pin or component, or Enter
+/// there, goes on to that.
+class ElementPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    /// Takes the picture over.
+    ElementPanel(SelectionModel& selection, ElementPicture* picture, QWidget* parent = nullptr);
+
+    void setUnit(LengthUnit unit);
+    /// Empty when there is no such line.
+    [[nodiscard]] QString fact(const QString& name) const;
+    [[nodiscard]] QString heading() const;
+    [[nodiscard]] QTableWidget& table() { return *m_table; }
+    [[nodiscard]] ElementPicture& picture() { return *m_picture; }
+
+    enum class Link { Layer, Net, Pin, Component };
+
+signals:
+    /// Of the element selected last.
+    void followed(ui::ElementPanel::Link link);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void update();
+    void fill(const Facts& facts);
+    void follow(int row);
+
+    SelectionModel& m_selection;
+    LengthUnit m_unit = LengthUnit::Millimetre;
+    QLabel* m_heading;
+    ElementPicture* m_picture;
+    QTableWidget* m_table;
+};
+
+}  // namespace ui

@@ -1,0 +1,132 @@
+#include "ui/element/element_picture.h"
+
+#include <QPainter>
+#include <algorithm>
+
+#include "model/board/lone_element.h"
+#include "ui/canvas/picture.h"
+
+namespace ui {
+
+namespace {
+
+constexpr int kWidth = 140;
+constexpr int kHeight = 110;
+constexpr int kGap = 4;
+constexpr int kSettleMs = 60;
+
+glm::vec3 rgb(const QColor& colour) {
+    return {static_cast<float>(colour.redF()), static_cast<float>(colour.greenF()), static_cast<float>(colour.blueF())};
+}
+
+/// All of the element, whatever the faces of its board are.
+render::Camera cameraFor(const model::Document& alone, const render::BoardModel& model, int view, QSize pixels) {
+    const model::ZRange heights = alone.heightsOf(model::ElementId{0});
+    const glm::vec3 low(model.boxMin.x, model.boxMin.y, base::toMm(heights.bottom));
+    const glm::vec3 high(model.boxMax.x, model.boxMax.y, base::toMm(heights.top));
+    const float aspect = static_cast<float>(pixels.width()) / static_cast<float>(pixels.height());
+    const bool isFlat = view == ElementPicture::Flat;
+    render::Camera camera;
+    camera.setOrthographic(isFlat);
+    camera.fit(low, high, isFlat ? render::NamedView::Top : render::NamedView::Iso, aspect);
+    return camera;
+}
+
+}  // namespace
+
+ElementPicture::ElementPicture(GpuContext& context, SelectionModel& selection, LayerModel& layers, QWidget* parent)
+    : QWidget(parent), m_context(context), m_selection(selection), m_layers(layers) {
+    setMaximumHeight(kHeight);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    m_settle.setSingleShot(true);
+    m_settle.setInterval(kSettleMs);
+    connect(&m_settle, &QTimer::timeout, this, qOverload<>(&QWidget::update));
+    setToolTip(QStringLiteral("The element by itself, from above and aslant, as high as it is"));
+    connect(&selection, &SelectionModel::selectionChanged, this, &ElementPicture::setStale);
+    connect(&layers, &LayerModel::stylesChanged, this, &ElementPicture::setStale);
+    setStale();
+}
+
+void ElementPicture::releaseDevice() {
+    m_presenter.reset();
+}
+
+QSize ElementPicture::sizeHint() const {
+    return {2 * kWidth + kGap, kHeight};
+}
+
+void ElementPicture::setStale() {
+    m_isStale = true;
+    m_images = {};
+    m_settle.start();
+    setVisible(m_selection.current().has_value());
+    update();
+}
+
+QRect ElementPicture::locationOf(int view) const {
+    const int width = std::max(1, std::min(kWidth, (this->width() - kGap) / 2));
+    return {view * (width + kGap), 0, width, std::max(1, height())};
+}
+
+void ElementPicture::paintEvent(QPaintEvent*) {
+    const QSize pixels = (QSizeF(locationOf(Flat).size()) * devicePixelRatioF()).toSize();
+    if (!m_settle.isActive() && (m_isStale || pixels != m_pixels)) {
+        draw(pixels);
+    }
+    QPainter painter(this);
+    if (!m_reason.isEmpty()) {
+        painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, m_reason);
+        return;
+    }
+    for (int view = 0; view < ViewCount; ++view) {
+        painter.drawImage(locationOf(view), m_images[static_cast<std::size_t>(view)]);
+    }
+}
+
+void ElementPicture::draw(QSize pixels) {
+    m_isStale = false;
+    m_pixels = pixels;
+    m_images = {};
+    m_reason.clear();
+    if (const auto current = m_selection.current()) {
+        m_reason = drawElement(m_selection.stepOf(*current), current->element, pixels);
+    }
+}
+
+QString ElementPicture::drawElement(const model::Document& document, model::ElementId element, QSize pixels) {
+    if (model::nodeCountOf(document, element) > kMostNodes) {
+        return QStringLiteral("Too large for a picture");
+    }
+    if (m_context.device().isLost()) {
+        return QStringLiteral("No picture: the graphics device failed");
+    }
+    const auto alone = model::elementAlone(document, element);
+    base::Progress progress;
+    const auto model = render::buildBoardModel(*alone, {}, progress);
+    if (!model) {
+        return QString::fromStdString(model.error().text);
+    }
+    auto scene = render::BoardScene::make(m_context.device(), *model);
+    if (!scene) {
+        return QString::fromStdString(scene.error().text);
+    }
+    if (!m_presenter) {
+        m_presenter.emplace(m_context.device());
+    }
+    const std::size_t layer = document.elements.layer[element.row()].row();
+    Picture picture;
+    picture.scene = &*scene;
+    picture.styles = {{rgb(m_layers.effectiveStyles()[layer].colour), 1.0F, true}};
+    for (const View view : {Flat, Solid}) {
+        picture.settings.is2d = view == Flat;
+        const auto image = drawPicture(*m_presenter, picture, cameraFor(*alone, *model, view, pixels), pixels);
+        if (!image) {
+            m_images = {};
+            return QString::fromStdString(image.error().text);
+        }
+        m_images[view] = *image;
+    }
+    return {};
+}
+
+}  // namespace ui

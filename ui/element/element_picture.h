@@ -1,0 +1,60 @@
+#pragma once
+
+#include <QImage>
+#include <QTimer>
+#include <QWidget>
+#include <array>
+#include <optional>
+
+#include "render/frame/offscreen_presenter.h"
+#include "ui/canvas/gpu_context.h"
+#include "ui/layers/layer_model.h"
+#include "ui/workspace/selection_model.h"
+
+namespace ui {
+
+/// The element selected last by itself, from above and aslant, in the colour of its layer and with its true height.
+/// Drawn a moment after the selection changed, so that the views answer first, and when it is painted, so that it costs
+/// nothing while it is out of sight; hidden while nothing is selected. It asks for no room of its own: a selection must
+/// not make the window grow.
+class ElementPicture : public QWidget {
+    Q_OBJECT
+
+public:
+    /// An element of more nodes is not drawn: that would hold up the window.
+    static constexpr std::size_t kMostNodes = 200'000;
+
+    ElementPicture(GpuContext& context, SelectionModel& selection, LayerModel& layers, QWidget* parent = nullptr);
+
+    /// Gives up what was made from the device, before it is renewed.
+    void releaseDevice();
+
+    enum View { Flat, Solid, ViewCount };
+    /// Null where nothing is, could be, or has yet been drawn.
+    [[nodiscard]] const QImage& image(View view) const { return m_images[view]; }
+    /// Why nothing is drawn; empty otherwise.
+    [[nodiscard]] const QString& reason() const { return m_reason; }
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override { return {0, 0}; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    void setStale();
+    void draw(QSize pixels);
+    [[nodiscard]] QString drawElement(const model::Document& document, model::ElementId element, QSize pixels);
+    [[nodiscard]] QRect locationOf(int view) const;
+
+    GpuContext& m_context;
+    SelectionModel& m_selection;
+    LayerModel& m_layers;
+    std::optional<render::OffscreenPresenter> m_presenter;  ///< kept: making its pipelines takes longer than drawing
+    std::array<QImage, ViewCount> m_images;
+    QSize m_pixels;  ///< of each image
+    QString m_reason;
+    QTimer m_settle;  ///< runs while the selection may be about to change again
+    bool m_isStale = true;
+};
+
+}  // namespace ui

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <QAbstractTableModel>
+#include <QColor>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "model/board/document.h"
+#include "model/session/session.h"
+
+namespace ui {
+
+/// How a layer is drawn, as the user edits it.
+struct LayerAppearance {
+    QColor colour = Qt::gray;
+    int opacityPercent = 100;  ///< 0 to 100
+    bool isVisible = true;
+    bool operator==(const LayerAppearance&) const = default;
+};
+
+/// The layers of a document as an editable table; row n is LayerId n. Looks live here, the document stays frozen. At
+/// most one layer is shown alone ("solo"): then it alone is drawn, whatever the check marks say, and they are untouched
+/// when solo ends.
+class LayerModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    enum Column { Visible, Colour, Name, Type, Opacity, Solo, ColumnCount };
+
+    using QAbstractTableModel::QAbstractTableModel;
+
+    /// `defaults` has one entry per layer. A null document empties the table.
+    void setDocument(std::shared_ptr<const model::Document> document, std::vector<LayerAppearance> defaults);
+
+    /// The same layers with other heights (model::restack); looks stay.
+    void setHeights(std::shared_ptr<const model::Document> document);
+
+    /// What the canvas is to draw: `isVisible` has solo worked in.
+    [[nodiscard]] std::vector<LayerAppearance> effectiveStyles() const;
+    [[nodiscard]] model::LayerId soloLayer() const { return m_solo; }
+
+    void showAll();
+    void hideAll();
+    void showCopperOnly();
+    /// By name; names that no layer has are passed over.
+    void showOnly(const std::vector<std::string>& names);
+    [[nodiscard]] std::vector<std::string> visibleNames() const;
+    /// As a session keeps them: colours only where they were changed. Names that no layer has are passed over.
+    [[nodiscard]] std::vector<model::session::LayerState> states() const;
+    void setStates(const std::vector<model::session::LayerState>& states);
+    /// Other colours to begin with: layers whose colour nobody changed take them.
+    void setDefaults(std::vector<LayerAppearance> defaults);
+    /// Back to the looks the document was opened with.
+    void restoreDefaults();
+    /// Shows `layer` alone; the same layer again, or none, ends it.
+    void toggleSolo(model::LayerId layer);
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+
+signals:
+    /// Once per edit, however many layers it concerns.
+    void stylesChanged();
+
+private:
+    template <class Rule>
+    void setVisibility(const Rule& rule);
+    void announceAllChanged();
+    [[nodiscard]] QVariant displayData(const model::Layer& layer, const LayerAppearance& look, int column) const;
+    [[nodiscard]] QVariant editData(const LayerAppearance& look, const QModelIndex& index) const;
+
+    std::shared_ptr<const model::Document> m_document;
+    std::vector<LayerAppearance> m_defaults;
+    std::vector<LayerAppearance> m_styles;
+    model::LayerId m_solo;
+};
+
+/// What a layer is for, in words instead of the matrix's capitals: "Signal", "Power plane", …
+[[nodiscard]] QString layerTypeText(model::LayerType type);
+
+}  // namespace ui

@@ -1,0 +1,172 @@
+#include "ui/measure/measurement_making.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/measure/separation.h"
+
+namespace ui {
+
+using model::BoardElement;
+using model::BoardIndex;
+using model::Measurement;
+using model::MeasurementKind;
+using model::SnapKind;
+
+namespace {
+
+base::Error noNumber(std::string why) {
+    return {base::ErrorCode::BadUsage, std::move(why)};
+}
+
+Measurement measurementOf(const BoardIndex& index, MeasurementKind kind, const Caught& from, const Caught& to) {
+    Measurement measurement;
+    measurement.kind = kind;
+    measurement.from = endOf(index, from);
+    measurement.to = endOf(index, to);
+    return measurement;
+}
+
+Caught edgeOf(base::PointD at, model::LayerId layer, BoardElement element) {
+    return {at, SnapKind::Edge, layer, element, {}, {}};
+}
+
+model::ZRange heightsOf(const model::Layer& layer) {
+    return {layer.z, layer.z + layer.thickness};
+}
+
+std::string layerName(const BoardIndex& index, model::LayerId layer) {
+    return layer.isValid() ? index.board->layer(layer).name : "";
+}
+
+/// Legs on one layer, one after the other, are a run.
+model::MeasuredPath wayOf(const BoardIndex& index, const model::NetPath& path) {
+    model::MeasuredPath way{{}, path.holeCount, path.holeHeight};
+    bool isBroken = true;
+    for (const model::PathLeg& leg : path.legs) {
+        if (leg.kind == model::PathLeg::Kind::Hole) {
+            isBroken = true;
+            continue;
+        }
+        if (isBroken) {
+            way.runs.push_back({layerName(index, leg.layer), 0.0, {}});
+            isBroken = false;
+        }
+        std::vector<base::PointD>& line = way.runs.back().line;
+        const std::vector<base::PointD> course = model::courseOf(index, leg);
+        line.insert(line.end(), course.begin() + (line.empty() ? 0 : 1), course.end());
+        way.runs.back().length += leg.length;
+    }
+    return way;
+}
+
+}  // namespace
+
+model::MeasuredEnd endOf(const BoardIndex& index, const Caught& caught) {
+    model::MeasuredEnd end{caught.at.x, caught.at.y, layerName(index, caught.layer), {}, toString(caught.kind)};
+    if (caught.element && caught.element->element.isValid()) {
+        const model::NetId net = model::netOf(index, *caught.element);
+        const model::Document& step = *index.tree.steps[index.tree.copies[caught.element->copy].step];
+        end.net = net.isValid() ? step.nets[net.row()].name : "";
+    }
+    return end;
+}
+
+Measurement pointToPoint(const BoardIndex& index, const Caught& from, const Caught& to) {
+    Measurement measurement = measurementOf(index, MeasurementKind::Points, from, to);
+    measurement.dz = model::heightBetween(*index.board, from.layer, to.layer).value_or(0.0);
+    if (measurement.dz > 0) {
+        const std::string note = model::noteOnHeight(*index.board, heightsOf(index.board->layer(from.layer)),
+                                                     heightsOf(index.board->layer(to.layer)));
+        measurement.notes = note.empty() ? std::vector<std::string>() : std::vector{note};
+    }
+    return measurement;
+}
+
+base::Result<Measurement> edgeToEdge(const BoardIndex& index, BoardElement a, BoardElement b) {
+    base::Progress progress;
+    const auto separation = model::separationOf(index, a, b, progress);
+    if (!separation) {
+        return separation.error();
+    }
+    const model::Way* way = separation->main();
+    if (way == nullptr) {
+        return noNumber(separation->notes.front());
+    }
+    Measurement measurement =
+        measurementOf(index, MeasurementKind::Gap, edgeOf(way->gap.from, way->from.layer, way->from.at),
+                      edgeOf(way->gap.to, way->to.layer, way->to.at));
+    measurement.dz = way->dz;
+    measurement.overlap = way->relation == model::Relation::Overlapping ? way->overlap : 0.0;
+    measurement.notes = separation->notes;
+    return measurement;
+}
+
+Measurement spacingOn(const BoardIndex& index, const model::LocalSpacing& gap) {
+    return measurementOf(index, MeasurementKind::Gap, edgeOf(gap.gap.from, gap.layer, gap.from),
+                         edgeOf(gap.gap.to, gap.layer, gap.to));
+}
+
+Measurement angleAt(const BoardIndex& index, const Caught& corner, const Caught& from, const Caught& to) {
+    Measurement measurement = measurementOf(index, MeasurementKind::Angle, from, to);
+    measurement.corner = endOf(index, corner);
+    return measurement;
+}
+
+base::Result<Measurement> angleOfLines(const BoardIndex& index, const Caught& a, const Caught& b) {
+    const std::optional<base::PointD> crossing = model::linesCross(*a.line, *b.line);
+    if (!crossing) {
+        return noNumber("both lines are parallel, so they cross nowhere");
+    }
+    return angleAt(index, {*crossing, SnapKind::Crossing, a.layer, std::nullopt, {}, {}}, a, b);
+}
+
+Measurement radiusOf(const BoardIndex& index, const Caught& caught) {
+    Caught centre = caught;
+    centre.at = caught.round->centre;
+    centre.kind = SnapKind::Centre;
+    return measurementOf(index, MeasurementKind::Radius, centre, caught);
+}
+
+base::Result<Measurement> lengthAlong(const BoardIndex& index, const Caught& from, const Caught& to,
+                                      const model::NetPath& path) {
+    if (path.legs.empty()) {
+        return noNumber("there is no way to measure: both ends are in one place");
+    }
+    Measurement measurement = measurementOf(index, MeasurementKind::Length, from, to);
+    measurement.way = wayOf(index, path);
+    measurement.notes = path.notes;
+    return measurement;
+}
+
+std::vector<std::pair<base::PointD, std::string>> locationsOf(const Measurement& measurement) {
+    std::vector<std::pair<base::PointD, std::string>> locations;
+    const auto add = [&](const model::MeasuredEnd& end) { locations.push_back({{end.x, end.y}, end.layer}); };
+    add(measurement.from);
+    add(measurement.to);
+    if (measurement.corner) {
+        add(*measurement.corner);
+    }
+    if (measurement.kind == MeasurementKind::Radius) {  // the whole circle
+        const double radius = std::hypot(measurement.dx(), measurement.dy());
+        locations.push_back({{measurement.from.x - radius, measurement.from.y - radius}, measurement.from.layer});
+        locations.push_back({{measurement.from.x + radius, measurement.from.y + radius}, measurement.from.layer});
+    }
+    for (std::size_t run = 0; measurement.way && run < measurement.way->runs.size(); ++run) {
+        for (const base::PointD& corner : measurement.way->runs[run].line) {
+            locations.push_back({corner, measurement.way->runs[run].layer});
+        }
+    }
+    return locations;
+}
+
+model::MeasureItem pathEndOf(const BoardIndex& index, const Caught& caught) {
+    const BoardElement at = *caught.element;
+    const model::Document& step = *index.tree.steps[index.tree.copies[at.copy].step];
+    const std::size_t row = at.element.row();
+    const bool isHub = (step.elements.flags[row] & (model::kPad | model::kHole)) != 0 ||
+                       step.elements.kind[row] == model::ElementKind::Circle;
+    return isHub ? model::MeasureItem(at) : model::MeasureItem(model::Location{caught.at, caught.layer});
+}
+
+}  // namespace ui

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+
+#include "model/measure/measurement.h"
+#include "model/measure/net_path.h"
+#include "ui/measure/measuring_cursor.h"
+
+/// From what was clicked to what is kept.
+namespace ui {
+
+[[nodiscard]] model::MeasuredEnd endOf(const model::BoardIndex& index, const Caught& caught);
+
+[[nodiscard]] model::Measurement pointToPoint(const model::BoardIndex& index, const Caught& from, const Caught& to);
+/// Of two elements on one layer, or through the stack. Errors: BadUsage where there is no distance, and why.
+[[nodiscard]] base::Result<model::Measurement> edgeToEdge(const model::BoardIndex& index, model::BoardElement a,
+                                                          model::BoardElement b);
+/// A gap that was found on a layer; the elements may be none.
+[[nodiscard]] model::Measurement spacingOn(const model::BoardIndex& index, const model::LocalSpacing& gap);
+[[nodiscard]] model::Measurement angleAt(const model::BoardIndex& index, const Caught& corner, const Caught& from,
+                                         const Caught& to);
+/// Of the lines of two Catch::Straight, seen from where they cross to where they were clicked. Errors: BadUsage for
+/// parallel ones.
+[[nodiscard]] base::Result<model::Measurement> angleOfLines(const model::BoardIndex& index, const Caught& a,
+                                                            const Caught& b);
+/// Of a Catch::Round.
+[[nodiscard]] model::Measurement radiusOf(const model::BoardIndex& index, const Caught& caught);
+/// Errors: BadUsage if the ends are one place.
+[[nodiscard]] base::Result<model::Measurement> lengthAlong(const model::BoardIndex& index, const Caught& from,
+                                                           const Caught& to, const model::NetPath& path);
+
+/// All places at which a measurement is drawn, and on which layers.
+[[nodiscard]] std::vector<std::pair<base::PointD, std::string>> locationsOf(const model::Measurement& measurement);
+/// Where a length along a net begins or ends: pads and holes as they are, else the place on its layer.
+[[nodiscard]] model::MeasureItem pathEndOf(const model::BoardIndex& index, const Caught& caught);
+
+}  // namespace ui

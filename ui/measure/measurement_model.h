@@ -1,0 +1,56 @@
+#pragma once
+
+#include <QAbstractTableModel>
+#include <QStringList>
+#include <vector>
+
+#include "model/measure/measurement.h"
+#include "ui/common/lengths.h"
+
+namespace ui {
+
+/// "overlap 0.12 mm (4.7 mil)", "0.25 mm (9.84 mil)", "45°", "R 0.3 mm (11.81 mil)  ⌀ 0.6 mm (23.62 mil)".
+[[nodiscard]] QString valueText(const model::Measurement& measurement);
+/// What the value is made of, in lines: "ΔX 0.25 mm  ΔY 0 mm  ΔZ 1.2 mm", without ΔZ where the layers are at one
+/// height; of a length what lies on each layer and in holes: "TOP 12 mm", "2 holes 3.2 mm".
+[[nodiscard]] QStringList partsText(const model::Measurement& measurement, LengthUnit unit);
+/// "TOP – BOTTOM", or one name if both ends are on one layer.
+[[nodiscard]] QString layersText(const model::Measurement& measurement);
+[[nodiscard]] QString netsText(const model::Measurement& measurement);
+[[nodiscard]] QStringList remarksText(const model::Measurement& measurement);
+
+/// What the user has measured, in the order it was measured. The box before a name says whether it is drawn. Names and
+/// boxes can be edited; whoever listens sets the changed list.
+class MeasurementModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    enum Column { Name, Kind, Value, DeltaX, DeltaY, DeltaZ, Layers, Nets, Details, ColumnCount };
+    using List = std::vector<model::Measurement>;
+
+    using QAbstractTableModel::QAbstractTableModel;
+
+    void setMeasurements(List measurements);
+    void setUnit(LengthUnit unit);
+    [[nodiscard]] const List& measurements() const { return m_measurements; }
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+
+signals:
+    void renamed(int row, const QString& name);
+    void shownChanged(int row, bool isShown);
+
+private:
+    [[nodiscard]] QString textOf(const model::Measurement& measurement, int column) const;
+    [[nodiscard]] QString detailsOf(const model::Measurement& measurement) const;
+
+    List m_measurements;
+    LengthUnit m_unit = LengthUnit::Millimetre;
+};
+
+}  // namespace ui

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <QObject>
+#include <optional>
+
+#include "ui/measure/measurement_making.h"
+#include "ui/measure/measurement_painter.h"
+#include "ui/measure/saved_measurements.h"
+#include "ui/workspace/background_result.h"
+
+namespace ui {
+
+/// Measuring with the mouse, in both views: from point to point, from edge to edge of two elements, angles of three
+/// points or of two lines, radii, and lengths along nets; and the gap at the cursor in one stroke. While a tool is in
+/// use, clicks measure instead of selecting, and the status line says what the next one is for. What was measured goes
+/// to the list and stays on the canvas.
+class Measuring : public QObject {
+    Q_OBJECT
+
+public:
+    enum class Tool { None, Points, Objects, Angle, Lines, Radius, Length };
+
+    Measuring(BoardViews& views, Probing& probing, SavedMeasurements& kept, QObject* parent = nullptr);
+
+    void setBoard(const LoadedBoard& board);
+    /// The same board with other thicknesses.
+    void setHeights(std::shared_ptr<const model::Document> document);
+    void setUnit(LengthUnit unit);
+    void setTool(Tool tool);
+    [[nodiscard]] Tool tool() const { return m_tool; }
+    /// Gives up the length that is being followed, or else the last click, or else the tool. False if there is nothing.
+    bool stepBack();
+    /// From the copper nearest to the cursor to the next copper on its layer, see model::spacingAt.
+    void measureSpacingAtCursor();
+    /// A gap that somebody else found is drawn with the measurements, but not kept; none: no longer.
+    void showSpacing(const std::optional<model::LocalSpacing>& gap);
+    /// Brings a kept measurement to the middle of both views.
+    void goTo(int row);
+    /// A length along a net is being followed.
+    [[nodiscard]] bool isFollowing() const { return m_path.isRunning(); }
+
+signals:
+    void toolChanged();
+    /// A distance begins here (nm of the board), or does no longer.
+    void begunAt(std::optional<base::PointD> location);
+    /// What came of a click, or what the next one is for.
+    void reported(const QString& what);
+    /// A net is being followed, see Background.
+    void followingBegan();
+    void progressed(const QString& phase, double fraction);
+    void followingEnded();
+
+private:
+    void watch(BoardView& view);
+    void hover(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers);
+    void click(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers);
+    [[nodiscard]] std::optional<Caught> catchAt(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers);
+    void tellWhyNothing(const BoardView& view, QPointF position);
+    /// Why a click cannot go with the ones before; empty if it can.
+    [[nodiscard]] QString refusalOf(const Caught& caught) const;
+    void tellNextClick();
+    void clearClicks();
+    void measure(const std::vector<Caught>& clicked);
+    /// What so many clicks measure. Not for lengths.
+    [[nodiscard]] base::Result<model::Measurement> measured(const std::vector<Caught>& clicked) const;
+    /// What it will be if the cursor is clicked; nothing if that is not known yet.
+    [[nodiscard]] std::optional<model::Measurement> preview() const;
+    void followNet(const Caught& from, const Caught& to);
+    void takePath();
+    void keep(const base::Result<model::Measurement>& measurement);
+    void paint(QPainter& painter, const BoardView& view) const;
+    void paintClicks(MeasurementPainter& on, const BoardView& view) const;
+
+    BoardViews& m_views;
+    Probing& m_probing;
+    SavedMeasurements& m_kept;
+    MeasuringCursor m_cursor;
+    std::shared_ptr<const model::BoardIndex> m_index;
+    BoardPosition m_position;
+    LengthUnit m_unit = LengthUnit::Millimetre;
+    Tool m_tool = Tool::None;
+    std::vector<Caught> m_clicked;
+    std::optional<Caught> m_under;     ///< the cursor, while a tool is in use
+    BoardView* m_hoverView = nullptr;  ///< null: the cursor is on no view
+    QPointF m_hoverAt;
+    bool m_isLatestFull = false;  ///< the last of the list was measured just now: all is told of it
+    std::optional<model::LocalSpacing> m_shownSpacing;
+
+    /// A length being followed.
+    struct Following {
+        std::shared_ptr<const model::BoardIndex> index;
+        Caught from;
+        Caught to;
+    };
+    Following m_following;  ///< what the path under way is for
+    BackgroundResult<model::NetPath> m_path;
+};
+
+}  // namespace ui

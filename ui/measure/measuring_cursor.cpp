@@ -1,0 +1,183 @@
+#include "ui/measure/measuring_cursor.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ui {
+
+using model::SnapKind;
+
+namespace {
+
+/// The step of directions that held keys ask for, in degrees; none: any.
+std::optional<double> lockOf(Qt::KeyboardModifiers modifiers) {
+    return modifiers.testFlag(Qt::ShiftModifier)     ? std::optional(90.0)
+           : modifiers.testFlag(Qt::ControlModifier) ? std::optional(45.0)
+                                                     : std::nullopt;
+}
+
+bool isOfPoints(Catch what) {
+    return what == Catch::Points || what == Catch::Copper;
+}
+
+}  // namespace
+
+void MeasuringCursor::setBoard(std::shared_ptr<const model::BoardIndex> index) {
+    m_index = std::move(index);
+    m_snapper.reset();
+    m_picker.reset();
+    m_figures = {};
+    if (m_index) {
+        m_snapper.emplace(m_index);
+        m_picker.emplace(m_index);
+    }
+}
+
+std::optional<Caught> MeasuringCursor::at(const BoardView& view, QPointF position, Catch what,
+                                          Qt::KeyboardModifiers modifiers, std::optional<base::PointD> from) {
+    const std::optional<Pointed> pointed = m_index ? pointedAt(view, position, what) : std::nullopt;
+    if (!pointed) {
+        return std::nullopt;
+    }
+    if (!isOfPoints(what)) {
+        return pointed->hit ? std::optional(elementAt(*pointed, reachIn(view), what)) : std::nullopt;
+    }
+    std::optional<Caught> caught = pointAt(view, *pointed, what, !modifiers.testFlag(Qt::AltModifier));
+    const std::optional<double> lock = from ? lockOf(modifiers) : std::nullopt;
+    if (caught && lock) {
+        const base::PointD straight = model::straightened(*from, caught->at, *lock);
+        if (std::hypot(straight.x - caught->at.x, straight.y - caught->at.y) > 1.0) {
+            caught->kind = SnapKind::Free;  // beside what was caught
+        }
+        caught->at = straight;
+    }
+    return caught;
+}
+
+std::optional<MeasuringCursor::Pointed> MeasuringCursor::pointedAt(const BoardView& view, QPointF position,
+                                                                   Catch what) {
+    const auto [origin, direction] = view.controller().rayAt(position);
+    const BoardPosition location = m_probing.position();
+    const bool isFlat = view.kind() == BoardView::Kind::Flat;
+    const auto seenAt = [&](const model::Hit& hit) {
+        // The picker counts its steps in millimetres.
+        return isFlat ? origin : origin + glm::normalize(direction) * static_cast<float>(hit.depth);
+    };
+    Pointed pointed{location.toJob(origin), std::nullopt, direction.z > 0.0F};
+    if (isFlat && what == Catch::Points) {
+        return pointed;  // all that is there may be caught, nothing need be looked for
+    }
+    for (const model::Hit& hit : m_probing.hitsAt(view, position)) {
+        const base::PointD seen = location.toJob(seenAt(hit));
+        if (isWanted(hit, seen, reachIn(view), what)) {
+            pointed.location = seen;
+            pointed.hit = hit;
+            return pointed;
+        }
+    }
+    const std::optional<glm::vec3> face = view.controller().boardPointAt(position);
+    if (!isFlat && !face) {
+        return std::nullopt;
+    }
+    pointed.location = isFlat ? pointed.location : location.toJob(*face);
+    return pointed;
+}
+
+bool MeasuringCursor::isWanted(const model::Hit& hit, base::PointD location, double reach, Catch what) {
+    switch (what) {
+        case Catch::Copper: return isNetCopper(hit.at);
+        case Catch::Straight: return model::straightAt(*m_index, m_figures, hit.at, location, reach).has_value();
+        case Catch::Round: return model::roundAt(*m_index, m_figures, hit.at, location, reach).has_value();
+        default: return true;
+    }
+}
+
+bool MeasuringCursor::isNetCopper(model::BoardElement at) const {
+    const model::Document& step = *m_index->tree.steps[m_index->tree.copies[at.copy].step];
+    const std::size_t row = at.element.row();
+    return model::netOf(*m_index, at).isValid() &&
+           (step.layer(step.elements.layer[row]).isCopper() || model::isPlatedHole(step.elements.flags[row]));
+}
+
+std::vector<model::PickLayer> MeasuringCursor::layersFor(const BoardView& view, const Pointed& pointed,
+                                                         Catch what) const {
+    std::vector<model::PickLayer> layers = m_probing.layersOf(view);
+    const bool isSolid = view.kind() == BoardView::Kind::Solid;
+    for (std::size_t row = 0; row < layers.size(); ++row) {
+        const model::Layer& layer = m_index->board->layers[row];
+        const bool isCopper = layer.isCopper() || layer.type == model::LayerType::Drill;
+        const bool isSeen = !isSolid || (pointed.hit && pointed.hit->layer == model::LayerId{row});
+        layers[row].isVisible = layers[row].isVisible && isSeen && (what != Catch::Copper || isCopper);
+    }
+    return layers;
+}
+
+std::optional<Caught> MeasuringCursor::pointAt(const BoardView& view, const Pointed& pointed, Catch what,
+                                               bool isSnapping) {
+    const std::vector<model::PickLayer> layers = layersFor(view, pointed, what);
+    if (layers.empty()) {
+        return std::nullopt;
+    }
+    if (isSnapping) {
+        const model::SnapPoint snap = m_snapper->at(pointed.location, reachIn(view), layers, pointed.isFromBelow);
+        if (snap.kind != SnapKind::Free && (what != Catch::Copper || isNetCopper(snap.element))) {
+            return Caught{snap.at, snap.kind, snap.layer, snap.element, {}, {}};
+        }
+    }
+    if (what == Catch::Copper) {
+        return pointed.hit ? std::optional(elementAt(pointed, 0.0, Catch::Elements)) : std::nullopt;
+    }
+    return Caught{pointed.location, SnapKind::Free, pointed.hit ? pointed.hit->layer : model::LayerId{}, {}, {}, {}};
+}
+
+Caught MeasuringCursor::elementAt(const Pointed& pointed, double reach, Catch what) {
+    const model::Hit& hit = *pointed.hit;
+    Caught caught{pointed.location, SnapKind::Free, hit.layer, hit.at, {}, {}};
+    if (what == Catch::Straight) {
+        caught.line = model::straightAt(*m_index, m_figures, hit.at, pointed.location, reach);
+        caught.at = model::nearestOn(*caught.line, pointed.location);
+        caught.kind = SnapKind::Edge;
+    } else if (what == Catch::Round) {
+        caught.round = model::roundAt(*m_index, m_figures, hit.at, pointed.location, reach);
+        caught.at = caught.round->on;
+        caught.kind = SnapKind::Edge;
+    }
+    return caught;
+}
+
+std::optional<model::BoardElement> MeasuringCursor::emptyAt(const BoardView& view, QPointF position) const {
+    if (!m_index || view.kind() != BoardView::Kind::Flat) {
+        return std::nullopt;
+    }
+    const base::PointD location = m_probing.position().toJob(view.controller().rayAt(position).origin);
+    const double reach = reachIn(view);
+    const std::vector<model::PickLayer> layers = m_probing.layersOf(view);
+    std::optional<model::BoardElement> found;
+    for (std::uint32_t copy = 0; copy < m_index->tree.copies.size() && !layers.empty(); ++copy) {
+        const model::StepCopy& how = m_index->tree.copies[copy];
+        const model::Document& step = *m_index->tree.steps[how.step];
+        const base::PointD there = model::unplaced(location, how.placement);
+        const base::Point middle{static_cast<base::Nm>(there.x), static_cast<base::Nm>(there.y)};
+        const base::Box box = base::Box{middle, middle}.grownBy(static_cast<base::Nm>(reach));
+        m_index->elements[how.step].visit(box, [&](std::uint32_t row) {
+            const model::BoardElement at{copy, model::ElementId{row}};
+            const model::LayerId layer = step.layerOfCopy(step.elements.layer[row], how.isFlipped);
+            if (layers[layer.row()].isVisible && model::piecesOf(*m_index, std::array{at}).pieces.empty()) {
+                found = found ? std::min(*found, at) : at;
+            }
+        });
+    }
+    return found;
+}
+
+std::optional<model::LocalSpacing> MeasuringCursor::spacingAt(const BoardView& view, QPointF position) {
+    const std::optional<Pointed> pointed = m_index ? pointedAt(view, position, Catch::Points) : std::nullopt;
+    return pointed ? model::spacingAt(*m_picker, pointed->location, m_probing.layersOf(view)) : std::nullopt;
+}
+
+double MeasuringCursor::reachIn(const BoardView& view) const {
+    return kCatchPixels * static_cast<double>(view.controller().mmPerPixel()) * base::kNmPerMm;
+}
+
+}  // namespace ui

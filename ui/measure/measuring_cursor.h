@@ -1,0 +1,80 @@
+#pragma once
+
+#include <optional>
+
+#include "model/measure/edge_at.h"
+#include "model/measure/local_spacing.h"
+#include "model/measure/snapping.h"
+#include "ui/views/probing.h"
+
+namespace ui {
+
+/// What a click is to catch.
+enum class Catch {
+    Points,    ///< centres, ends, middles, crossings and edges nearby, else the place itself
+    Copper,    ///< such points on copper and plated holes alone, else the copper under the cursor
+    Elements,  ///< the element under the cursor
+    Straight,  ///< the straight stroke or side under the cursor
+    Round      ///< the circle or arc under the cursor
+};
+
+/// What the cursor points at.
+struct Caught {
+    base::PointD at;  ///< nm of the board
+    model::SnapKind kind = model::SnapKind::Free;
+    model::LayerId layer;                        ///< of the board
+    std::optional<model::BoardElement> element;  ///< none: a place of nothing
+    std::optional<model::Edge> line;             ///< of Catch::Straight
+    std::optional<model::Round> round;           ///< of Catch::Round
+};
+
+/// Finds what may be measured under a cursor, in both views. In 3D only the layer that is seen at the cursor counts.
+class MeasuringCursor {
+public:
+    static constexpr double kCatchPixels = 14.0;
+
+    explicit MeasuringCursor(Probing& probing) : m_probing(probing) {}
+
+    void setBoard(std::shared_ptr<const model::BoardIndex> index);
+
+    /// Nothing if there is nothing of that kind. With Alt held no points are caught; with a place to come `from`, Shift
+    /// keeps points straight beside or above it, and Ctrl to steps of 45 degrees.
+    [[nodiscard]] std::optional<Caught> at(const BoardView& view, QPointF position, Catch what,
+                                           Qt::KeyboardModifiers modifiers = {},
+                                           std::optional<base::PointD> from = std::nullopt);
+    /// An element under the cursor that covers nothing, so that nothing above finds it.
+    [[nodiscard]] std::optional<model::BoardElement> emptyAt(const BoardView& view, QPointF position) const;
+    /// Is the cursor over the board?
+    [[nodiscard]] bool isOnBoard(const BoardView& view, QPointF position) {
+        return pointedAt(view, position, Catch::Points).has_value();
+    }
+    /// See model::spacingAt. In 3D what is seen may be lacquer or laminate: all visible layers count.
+    [[nodiscard]] std::optional<model::LocalSpacing> spacingAt(const BoardView& view, QPointF position);
+
+private:
+    /// A place of the board under the cursor, and what is seen there.
+    struct Pointed {
+        base::PointD location;
+        std::optional<model::Hit> hit;  ///< none: nothing that can be caught
+        bool isFromBelow = false;
+    };
+
+    [[nodiscard]] std::optional<Pointed> pointedAt(const BoardView& view, QPointF position, Catch what);
+    [[nodiscard]] bool isWanted(const model::Hit& hit, base::PointD location, double reach, Catch what);
+    [[nodiscard]] bool isNetCopper(model::BoardElement at) const;
+    [[nodiscard]] std::optional<Caught> pointAt(const BoardView& view, const Pointed& pointed, Catch what,
+                                                bool isSnapping);
+    [[nodiscard]] Caught elementAt(const Pointed& pointed, double reach, Catch what);
+    /// On which layers points may be caught.
+    [[nodiscard]] std::vector<model::PickLayer> layersFor(const BoardView& view, const Pointed& pointed,
+                                                          Catch what) const;
+    [[nodiscard]] double reachIn(const BoardView& view) const;
+
+    Probing& m_probing;
+    std::shared_ptr<const model::BoardIndex> m_index;
+    std::optional<model::Snapper> m_snapper;
+    std::optional<model::Picker> m_picker;
+    model::FigureCache m_figures;
+};
+
+}  // namespace ui

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QWidget>
+
+#include "ui/nets/net_check_model.h"
+
+class QLabel;
+class QLineEdit;
+class QSortFilterProxyModel;
+
+namespace ui {
+
+class ActionSet;
+class TableView;
+
+/// Opens, shorts and loose copper. A click on a row, or Enter, asks to be shown the place.
+class NetCheckPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    NetCheckPanel(NetCheckModel& model, const ActionSet& actions, QWidget* parent = nullptr);
+
+    [[nodiscard]] TableView& table() { return *m_table; }
+    [[nodiscard]] QLineEdit& filterEdit() { return *m_filterEdit; }
+    [[nodiscard]] QString summary() const;
+
+signals:
+    void chosen(const NetCheckModel::Finding& finding);
+
+private:
+    void choose(const QModelIndex& index);
+    void onReset();
+
+    NetCheckModel& m_model;
+    QSortFilterProxyModel* m_filter;
+    QLineEdit* m_filterEdit;
+    QLabel* m_summary;
+    TableView* m_table;
+};
+
+}  // namespace ui

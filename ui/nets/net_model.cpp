@@ -1,0 +1,404 @@
+#include "ui/nets/net_model.h"
+
+#include <QFont>
+#include <QRegularExpression>
+#include <algorithm>
+
+#include "ui/nets/net_text.h"
+
+namespace ui {
+
+namespace {
+
+struct ColumnText {
+    const char* heading;
+    const char* tip;
+};
+
+constexpr ColumnText kColumns[NetModel::ColumnCount] = {
+    {"Net", "Name in the job"},
+    {"Pins", "Pins of components on the net"},
+    {"Vias", "Plated holes that are there to join layers; not those of pins"},
+    {"Elements", "All elements of the net, on whatever layers"},
+    {"Length", "Middle lines of all strokes on copper layers, pads left out"},
+    {"Copper", "Area of what is drawn on copper layers; where elements overlap it counts twice"},
+    {"Colour", "The net's own colour; a click gives it one, or changes it"},
+    {"Show", "Whether the net is drawn"},
+};
+
+constexpr std::size_t kCheckEvery = 4096;  // nets between two looks at whether the answer is still wanted
+
+/// Decides on names; made once per filter.
+class Filter {
+public:
+    Filter(const QString& pattern, NetModel::FilterKind kind) {
+        if (kind == NetModel::FilterKind::Text) {
+            for (const QString& word : pattern.toLower().split(' ', Qt::SkipEmptyParts)) {
+                m_words.push_back(word.toStdString());
+            }
+            return;
+        }
+        const QString text =
+            kind == NetModel::FilterKind::Wildcard ? QRegularExpression::wildcardToRegularExpression(pattern) : pattern;
+        if (!pattern.isEmpty()) {
+            m_expression.emplace(text, QRegularExpression::CaseInsensitiveOption);
+        }
+    }
+
+    [[nodiscard]] bool isValid() const { return !m_expression || m_expression->isValid(); }
+    [[nodiscard]] bool takes(const std::string& name) const {
+        if (m_expression) {
+            return m_expression->match(QString::fromStdString(name)).hasMatch();
+        }
+        return std::ranges::all_of(m_words, [&](const std::string& word) { return contains(name, word); });
+    }
+
+private:
+    static bool contains(const std::string& name, const std::string& word) {
+        const auto same = [](char a, char b) {
+            return (a >= 'A' && a <= 'Z' ? static_cast<char>(a + ('a' - 'A')) : a) == b;
+        };
+        return std::search(name.begin(), name.end(), word.begin(), word.end(), same) != name.end();
+    }
+
+    std::vector<std::string> m_words;
+    std::optional<QRegularExpression> m_expression;
+};
+
+QString withThousands(qulonglong value) {
+    return QStringLiteral("%L1").arg(value);
+}
+
+}  // namespace
+
+struct NetModel::Arranged {
+    Rows rows;
+    Groups groups;
+    std::optional<model::NetGrouping> groupedBy;
+    int nets = 0;
+};
+
+/// What is worked out in the background, from frozen tables alone.
+struct NetModel::Task {
+    std::shared_ptr<const model::Document> document;
+    std::shared_ptr<const model::NetStatistics> statistics;
+    Filter filter;
+    std::optional<model::NetGrouping> grouping;
+    Groups groups;  ///< known from before, or null
+    int column = Name;
+    Qt::SortOrder order = Qt::AscendingOrder;
+
+    /// What rows are ordered by; equal ones by name.
+    [[nodiscard]] double keyOf(std::uint32_t net) const {
+        switch (column) {
+            case Pins: return statistics->pins[net];
+            case Vias: return statistics->vias[net];
+            case Elements: return document->netStart[net + 1] - document->netStart[net];
+            case Length: return statistics->lengthNm[net];
+            case Area: return statistics->areaNm2[net];
+            default: return statistics->nameRank[net];
+        }
+    }
+
+    template <class IsWanted>
+    [[nodiscard]] Arranged run(const IsWanted& isWanted) const {
+        Arranged out;
+        for (std::uint32_t net = 0; net < document->nets.size(); ++net) {
+            if (net % kCheckEvery == 0 && !isWanted()) {
+                return {};
+            }
+            if (filter.takes(document->nets[net].name)) {
+                out.rows.push_back(net);
+            }
+        }
+        out.nets = static_cast<int>(out.rows.size());
+        if (grouping) {
+            out.groupedBy = grouping;
+            out.groups = groups ? groups : std::make_shared<model::NetGroups>(model::groupNets(*document, *grouping));
+        }
+        sort(out);
+        if (out.groups) {
+            addHeadings(out);
+        }
+        return out;
+    }
+
+    void sort(Arranged& out) const {
+        const auto groupOf = [&](std::uint32_t net) { return out.groups ? out.groups->groupOf[net] : 0; };
+        const auto rank = [&](std::uint32_t net) { return statistics ? statistics->nameRank[net] : net; };
+        std::ranges::sort(out.rows, [&](std::uint32_t a, std::uint32_t b) {
+            if (groupOf(a) != groupOf(b)) {
+                return groupOf(a) < groupOf(b);
+            }
+            const double ka = statistics ? keyOf(a) : 0.0;
+            const double kb = statistics ? keyOf(b) : 0.0;
+            if (ka != kb) {
+                return order == Qt::AscendingOrder ? ka < kb : ka > kb;
+            }
+            return rank(a) < rank(b);
+        });
+    }
+
+    static void addHeadings(Arranged& out) {
+        Rows rows;
+        std::optional<std::uint32_t> last;
+        for (const std::uint32_t net : out.rows) {
+            const auto rest = static_cast<std::uint32_t>(out.groups->names.size());
+            const std::uint32_t group = std::min(out.groups->groupOf[net], rest);
+            if (group != last) {
+                rows.push_back(kHeading | group);
+                last = group;
+            }
+            rows.push_back(net);
+        }
+        out.rows = std::move(rows);
+    }
+};
+
+NetModel::NetModel(QObject* parent) : QAbstractTableModel(parent) {
+    m_pool.setMaxThreadCount(1);
+}
+
+NetModel::~NetModel() {
+    ++m_wanted;  // ends what is being worked out
+    m_pool.clear();
+    m_pool.waitForDone();
+}
+
+void NetModel::setNets(std::shared_ptr<const model::Document> document,
+                       std::shared_ptr<const model::NetStatistics> statistics, std::uint32_t step) {
+    beginResetModel();
+    m_step = step;
+    m_document = std::move(document);
+    m_statistics = std::move(statistics);
+    m_rows.clear();
+    m_groups.reset();
+    m_groupedBy.reset();
+    m_shownNets = 0;
+    endResetModel();
+    arrange();
+}
+
+void NetModel::setStyles(NetStyles& styles) {
+    m_styles = &styles;
+    connect(&styles, &NetStyles::changed, this, [this] {
+        if (!m_rows.empty()) {
+            emit dataChanged(index(0, Colour), index(rowCount() - 1, Shown));
+        }
+    });
+}
+
+void NetModel::setUnit(LengthUnit unit) {
+    m_unit = unit;
+    if (!m_rows.empty()) {
+        emit dataChanged(index(0, Length), index(rowCount() - 1, Area));
+    }
+}
+
+bool NetModel::setFilter(const QString& pattern, FilterKind kind) {
+    const bool isValid = Filter(pattern, kind).isValid();
+    m_pattern = isValid ? pattern : QString();
+    m_kind = kind;
+    arrange();
+    return isValid;
+}
+
+void NetModel::setGrouping(std::optional<model::NetGrouping> grouping) {
+    m_grouping = grouping;
+    arrange();
+}
+
+void NetModel::sort(int column, Qt::SortOrder order) {
+    m_column = column;
+    m_order = order;
+    arrange();
+}
+
+void NetModel::arrange() {
+    const std::uint64_t number = ++m_wanted;
+    if (!m_document) {
+        take(Arranged{}, number);
+        return;
+    }
+    m_pool.clear();  // what has not begun is not wanted any more
+    const Groups known = m_groupedBy == m_grouping ? m_groups : nullptr;
+    m_pool.start(
+        [this, number,
+         task = Task{m_document, m_statistics, Filter(m_pattern, m_kind), m_grouping, known, m_column, m_order}] {
+            const auto isWanted = [&] { return m_wanted == number; };
+            Arranged out = task.run(isWanted);
+            if (isWanted()) {
+                QMetaObject::invokeMethod(
+                    this, [this, number, out = std::move(out)]() mutable { take(std::move(out), number); },
+                    Qt::QueuedConnection);
+            }
+        });
+}
+
+void NetModel::take(Arranged arranged, std::uint64_t number) {
+    if (number != m_wanted) {
+        return;
+    }
+    beginResetModel();
+    m_rows = std::move(arranged.rows);
+    m_groups = std::move(arranged.groups);
+    m_groupedBy = arranged.groupedBy;
+    m_shownNets = arranged.nets;
+    m_shown = number;
+    endResetModel();
+    emit this->arranged();
+}
+
+model::NetId NetModel::netAt(int row) const {
+    return isHeading(row) ? model::NetId{} : model::NetId{m_rows[static_cast<std::size_t>(row)]};
+}
+
+int NetModel::endOfGroup(int heading) const {
+    const auto isHeading = [](std::uint32_t row) { return (row & kHeading) != 0; };
+    return static_cast<int>(std::find_if(m_rows.begin() + heading + 1, m_rows.end(), isHeading) - m_rows.begin());
+}
+
+std::optional<int> NetModel::rowOf(model::NetId net) const {
+    const auto found = std::ranges::find(m_rows, net.value);
+    return found == m_rows.end() ? std::nullopt : std::optional(static_cast<int>(found - m_rows.begin()));
+}
+
+int NetModel::total() const {
+    return m_document ? static_cast<int>(m_document->nets.size()) : 0;
+}
+
+int NetModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
+}
+
+int NetModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : ColumnCount;
+}
+
+QVariant NetModel::number(std::size_t net, int column) const {
+    if (!m_statistics) {
+        return 0;
+    }
+    switch (column) {
+        case Pins: return m_statistics->pins[net];
+        case Vias: return m_statistics->vias[net];
+        case Elements: return m_document->netStart[net + 1] - m_document->netStart[net];
+        case Length: return m_statistics->lengthNm[net] / nmPer(m_unit);
+        default: return m_statistics->areaNm2[net] / (base::kNmPerMm * base::kNmPerMm);
+    }
+}
+
+QString NetModel::text(std::size_t net, int column) const {
+    if (!m_statistics) {
+        return {};
+    }
+    switch (column) {
+        case Pins: return withThousands(m_statistics->pins[net]);
+        case Vias: return withThousands(m_statistics->vias[net]);
+        case Elements: return withThousands(m_document->netStart[net + 1] - m_document->netStart[net]);
+        case Length: return lengthText(m_statistics->lengthNm[net], m_unit);
+        default: return areaText(m_statistics->areaNm2[net], m_unit);
+    }
+}
+
+std::vector<model::BoardNet> NetModel::netsAt(int row) const {
+    const int first = isHeading(row) ? row + 1 : row;
+    const int end = isHeading(row) ? endOfGroup(row) : row + 1;
+    std::vector<model::BoardNet> nets;
+    for (int member = first; member < end; ++member) {
+        nets.push_back({m_step, netAt(member)});
+    }
+    return nets;
+}
+
+QVariant NetModel::look(int row, int column, int role) const {
+    if (column == Shown && role == Qt::CheckStateRole) {
+        const bool isAnyHidden =
+            m_styles != nullptr && !m_styles->state().empty() &&
+            std::ranges::any_of(netsAt(row), [&](const model::BoardNet& net) { return m_styles->isHidden(net); });
+        return isAnyHidden ? Qt::Unchecked : Qt::Checked;
+    }
+    if (column != Colour || m_styles == nullptr || isHeading(row)) {
+        return {};
+    }
+    const std::optional<QRgb> colour = m_styles->of({m_step, netAt(row)}).colour;
+    if (!colour) {
+        return {};
+    }
+    return role == Qt::EditRole      ? QVariant(QColor(*colour))
+           : role == Qt::DisplayRole ? QVariant(QColor(*colour).name())
+                                     : QVariant();
+}
+
+bool NetModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    if (m_styles == nullptr || !checkIndex(index, CheckIndexOption::IndexIsValid)) {
+        return false;
+    }
+    if (index.column() == Shown && role == Qt::CheckStateRole) {
+        m_styles->hide(netsAt(index.row()), value.toInt() == Qt::Unchecked);
+        return true;
+    }
+    if (index.column() == Colour && role == Qt::EditRole) {
+        const auto colour = value.value<QColor>();
+        m_styles->colour(netsAt(index.row()), colour.isValid() ? std::optional(colour.rgb()) : std::nullopt);
+        return true;
+    }
+    return false;
+}
+
+QVariant NetModel::heading(int row, int column, int role) const {
+    const std::uint32_t group = m_rows[static_cast<std::size_t>(row)] & ~kHeading;
+    if (role == Qt::FontRole) {
+        QFont font;
+        font.setBold(true);
+        return font;
+    }
+    if (column != Name || (role != Qt::DisplayRole && role != Qt::ToolTipRole)) {
+        return {};
+    }
+    if (role == Qt::ToolTipRole) {
+        return QStringLiteral("Select it to light up all nets of the group");
+    }
+    const bool isRest = group == m_groups->names.size();
+    const QString name = isRest ? QStringLiteral("Other nets") : QString::fromStdString(m_groups->names[group]);
+    return QStringLiteral("%1  (%L2)").arg(name).arg(endOfGroup(row) - row - 1);
+}
+
+QVariant NetModel::data(const QModelIndex& index, int role) const {
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) {
+        return {};
+    }
+    if (index.column() == Colour || index.column() == Shown) {
+        return look(index.row(), index.column(), role);
+    }
+    if (isHeading(index.row())) {
+        return heading(index.row(), index.column(), role);
+    }
+    const model::NetId net = netAt(index.row());
+    const bool isName = index.column() == Name;
+    switch (role) {
+        case Qt::DisplayRole:
+        case Qt::EditRole:
+            if (isName) {
+                return QString::fromStdString(m_document->nets[net.row()].name);
+            }
+            return role == Qt::EditRole ? number(net.row(), index.column()) : text(net.row(), index.column());
+        case Qt::TextAlignmentRole:
+            return QVariant::fromValue(Qt::Alignment(Qt::AlignVCenter | (isName ? Qt::AlignLeft : Qt::AlignRight)));
+        case Qt::ToolTipRole: return netsText(*m_document, m_statistics.get(), std::span(&net, 1), m_unit);
+        default: return {};
+    }
+}
+
+QVariant NetModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal || section < 0 || section >= ColumnCount) {
+        return {};
+    }
+    switch (role) {
+        case Qt::DisplayRole: return kColumns[section].heading;
+        case Qt::ToolTipRole: return kColumns[section].tip;
+        default: return {};
+    }
+}
+
+}  // namespace ui

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <QAbstractTableModel>
+#include <QThreadPool>
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "model/board/copies.h"
+#include "model/nets/net_groups.h"
+#include "model/nets/net_statistics.h"
+#include "ui/common/lengths.h"
+#include "ui/nets/net_styles.h"
+
+namespace ui {
+
+/// The nets of a board or of a step it places, filtered, sorted and under headings of groups if asked for; a row is an
+/// id and nothing else. All that runs in the background, so that the window stays usable with a million nets: until it
+/// is done the rows stay as they were.
+class NetModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    enum Column { Name, Pins, Vias, Elements, Length, Area, Colour, Shown, ColumnCount };
+    enum class FilterKind { Text, Wildcard, Regex };
+
+    explicit NetModel(QObject* parent = nullptr);
+    ~NetModel() override;
+
+    /// `statistics` may be null: then the numbers are 0 and names are in the order of the job. `step` is the row of the
+    /// document in model::StepTree::steps.
+    void setNets(std::shared_ptr<const model::Document> document,
+                 std::shared_ptr<const model::NetStatistics> statistics, std::uint32_t step = 0);
+    /// Colours and whether nets are shown: read here, and asked for where a cell is edited.
+    void setStyles(NetStyles& styles);
+    void setUnit(LengthUnit unit);
+    /// Case does not matter. Several words of a text must all be in the name; a wildcard has * and ? and fits the whole
+    /// name. False if a regular expression is not one: then all nets are shown.
+    bool setFilter(const QString& pattern, FilterKind kind);
+    /// Groups come in the order people count, each under a heading, what is in none of them last.
+    void setGrouping(std::optional<model::NetGrouping> grouping);
+    /// Filter and order have been worked out for what was asked last.
+    [[nodiscard]] bool isArranged() const { return m_shown == m_wanted; }
+
+    [[nodiscard]] bool isHeading(int row) const { return (m_rows[static_cast<std::size_t>(row)] & kHeading) != 0; }
+    /// None for headings.
+    [[nodiscard]] model::NetId netAt(int row) const;
+    /// The net of a row, or all that stand under a heading.
+    [[nodiscard]] std::vector<model::BoardNet> netsAt(int row) const;
+    [[nodiscard]] std::uint32_t step() const { return m_step; }
+    /// One behind the last row under a heading.
+    [[nodiscard]] int endOfGroup(int heading) const;
+    /// Of all rows, headings left out.
+    [[nodiscard]] int shown() const { return m_shownNets; }
+    /// None if the filter hides it.
+    [[nodiscard]] std::optional<int> rowOf(model::NetId net) const;
+    [[nodiscard]] int total() const;
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    void sort(int column, Qt::SortOrder order) override;
+
+signals:
+    /// The rows are those asked for last.
+    void arranged();
+
+private:
+    struct Task;
+    using Rows = std::vector<std::uint32_t>;
+    using Groups = std::shared_ptr<const model::NetGroups>;
+    struct Arranged;
+    static constexpr std::uint32_t kHeading = 1U << 31U;  ///< with the row of the group, or their number for the rest
+
+    void arrange();
+    void take(Arranged arranged, std::uint64_t number);
+    [[nodiscard]] QVariant number(std::size_t net, int column) const;
+    [[nodiscard]] QString text(std::size_t net, int column) const;
+    [[nodiscard]] QVariant heading(int row, int column, int role) const;
+    [[nodiscard]] QVariant look(int row, int column, int role) const;
+
+    std::shared_ptr<const model::Document> m_document;
+    std::shared_ptr<const model::NetStatistics> m_statistics;
+    NetStyles* m_styles = nullptr;
+    std::uint32_t m_step = 0;
+    LengthUnit m_unit = LengthUnit::Millimetre;
+    QString m_pattern;
+    FilterKind m_kind = FilterKind::Text;
+    int m_column = Name;
+    Qt::SortOrder m_order = Qt::AscendingOrder;
+    std::optional<model::NetGrouping> m_grouping;
+    Rows m_rows;      ///< row to net, or to a heading
+    Groups m_groups;  ///< those of the rows; null without grouping
+    std::optional<model::NetGrouping> m_groupedBy;
+    int m_shownNets = 0;
+    std::atomic<std::uint64_t> m_wanted = 0;  ///< number of the task asked for last
+    std::uint64_t m_shown = 0;
+    QThreadPool m_pool;  ///< of one thread; waits for it when it goes
+};
+
+}  // namespace ui

@@ -1,0 +1,131 @@
+#include "ui/nets/net_styles.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace ui {
+
+namespace {
+
+/// Okabe and Ito's hues without black, which no board shows.
+constexpr std::array<QRgb, 7> kHues = {0xffe69f00, 0xff56b4e9, 0xff009e73, 0xfff0e442,
+                                       0xff0072b2, 0xffd55e00, 0xffcc79a7};
+
+std::vector<model::BoardNet> sorted(std::span<const model::BoardNet> nets) {
+    std::vector<model::BoardNet> all(nets.begin(), nets.end());
+    std::ranges::sort(all);
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
+}
+
+/// The state with `edit` done to the looks of these nets.
+template <class Edit>
+NetStyles::State edited(const NetStyles::State& before, std::span<const model::BoardNet> nets, const Edit& edit) {
+    NetStyles::State after;
+    auto old = before.begin();
+    const auto keepUpTo = [&](const auto& isReached) {
+        while (old != before.end() && !isReached(*old)) {
+            after.push_back(*old++);
+        }
+    };
+    for (const model::BoardNet& net : sorted(nets)) {
+        keepUpTo([&](const NetStyle& look) { return look.net >= net; });
+        NetStyle look{net, std::nullopt, false};
+        if (old != before.end() && old->net == net) {
+            look = *old++;
+        }
+        edit(look);
+        if (look.colour || look.isHidden) {
+            after.push_back(look);
+        }
+    }
+    keepUpTo([](const NetStyle&) { return false; });
+    return after;
+}
+
+QString counted(std::size_t nets) {
+    return nets == 1 ? QStringLiteral("of a net") : QStringLiteral("of %L1 nets").arg(nets);
+}
+
+}  // namespace
+
+std::size_t nearestColour(std::span<const QRgb> palette, QRgb colour) {
+    const auto distance = [&](QRgb other) {
+        const int red = qRed(other) - qRed(colour);
+        const int green = qGreen(other) - qGreen(colour);
+        const int blue = qBlue(other) - qBlue(colour);
+        return red * red + green * green + blue * blue;
+    };
+    return static_cast<std::size_t>(std::ranges::min_element(palette, {}, distance) - palette.begin());
+}
+
+void NetStyles::setState(State state) {
+    m_state = std::move(state);
+    emit changed();
+}
+
+NetStyle NetStyles::of(const model::BoardNet& net) const {
+    const auto found = std::ranges::lower_bound(m_state, net, {}, &NetStyle::net);
+    return found != m_state.end() && found->net == net ? *found : NetStyle{net, std::nullopt, false};
+}
+
+bool NetStyles::hasColours() const {
+    return std::ranges::any_of(m_state, [](const NetStyle& look) { return look.colour.has_value(); });
+}
+
+void NetStyles::colour(std::span<const model::BoardNet> nets, std::optional<QRgb> colour) {
+    emit asked(QStringLiteral("colour ") + counted(nets.size()),
+               edited(m_state, nets, [&](NetStyle& look) { look.colour = colour; }));
+}
+
+void NetStyles::colourAnew(std::span<const model::BoardNet> nets) {
+    std::array<std::size_t, kHues.size()> uses{};
+    for (const NetStyle& look : m_state) {
+        const auto hue = std::ranges::find(kHues, look.colour.value_or(0));
+        if (hue != kHues.end()) {
+            ++uses[static_cast<std::size_t>(hue - kHues.begin())];
+        }
+    }
+    emit asked(QStringLiteral("colour ") + counted(nets.size()), edited(m_state, nets, [&](NetStyle& look) {
+                   if (!look.colour) {
+                       const auto least = static_cast<std::size_t>(std::ranges::min_element(uses) - uses.begin());
+                       ++uses[least];
+                       look.colour = kHues[least];
+                   }
+               }));
+}
+
+void NetStyles::hide(std::span<const model::BoardNet> nets, bool isHidden) {
+    emit asked((isHidden ? QStringLiteral("hiding ") : QStringLiteral("showing ")) + counted(nets.size()),
+               edited(m_state, nets, [&](NetStyle& look) { look.isHidden = isHidden; }));
+}
+
+void NetStyles::showAll() {
+    State after = m_state;
+    std::ranges::for_each(after, [](NetStyle& look) { look.isHidden = false; });
+    std::erase_if(after, [](const NetStyle& look) { return !look.colour; });
+    emit asked(QStringLiteral("showing all nets"), after);
+}
+
+void NetStyles::clearColours() {
+    State after = m_state;
+    std::ranges::for_each(after, [](NetStyle& look) { look.colour.reset(); });
+    std::erase_if(after, [](const NetStyle& look) { return !look.isHidden; });
+    emit asked(QStringLiteral("colours of nets"), after);
+}
+
+std::vector<QRgb> NetStyles::palette() const {
+    std::vector<QRgb> colours;
+    for (const NetStyle& look : m_state) {
+        if (look.colour) {
+            colours.push_back(*look.colour);
+        }
+    }
+    std::ranges::sort(colours);
+    colours.erase(std::unique(colours.begin(), colours.end()), colours.end());
+    colours.resize(std::min(colours.size(), kMostColours));
+    return colours;
+}
+
+}  // namespace ui

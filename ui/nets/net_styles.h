@@ -1,0 +1,61 @@
+#pragma once
+
+#include <QColor>
+#include <QObject>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "model/board/copies.h"
+
+namespace ui {
+
+/// How one net looks otherwise than its layers.
+struct NetStyle {
+    model::BoardNet net;
+    std::optional<QRgb> colour;
+    bool isHidden = false;
+    bool operator==(const NetStyle&) const = default;
+};
+
+/// The colours and the hiding of nets. Only nets that look otherwise have an entry, so that boards of a million nets
+/// cost nothing. Commands ask for a change (`asked`); whoever keeps the history of edits makes it with `setState`.
+class NetStyles : public QObject {
+    Q_OBJECT
+
+public:
+    using State = std::vector<NetStyle>;  ///< by net, rising; none that says nothing
+
+    using QObject::QObject;
+
+    void setState(State state);
+    [[nodiscard]] const State& state() const { return m_state; }
+    [[nodiscard]] NetStyle of(const model::BoardNet& net) const;
+    [[nodiscard]] bool isHidden(const model::BoardNet& net) const { return of(net).isHidden; }
+    [[nodiscard]] bool hasColours() const;
+
+    /// None takes the colour away.
+    void colour(std::span<const model::BoardNet> nets, std::optional<QRgb> colour);
+    /// Gives each net without a colour the hue that is used least, of eight that everybody can tell apart.
+    void colourAnew(std::span<const model::BoardNet> nets);
+    void hide(std::span<const model::BoardNet> nets, bool isHidden);
+    void showAll();
+    void clearColours();
+
+    /// The different colours, rising; at most `kMostColours`: nets beyond those take the one most alike.
+    static constexpr std::size_t kMostColours = 63;
+    [[nodiscard]] std::vector<QRgb> palette() const;
+
+signals:
+    /// The user wants this; `what` names the edit.
+    void asked(const QString& what, const ui::NetStyles::State& after);
+    void changed();
+
+private:
+    State m_state;
+};
+
+/// The row of a palette that is most like a colour; it has one.
+[[nodiscard]] std::size_t nearestColour(std::span<const QRgb> palette, QRgb colour);
+
+}  // namespace ui

@@ -1,0 +1,75 @@
+#include "ui/nets/net_text.h"
+
+#include <QStringList>
+#include <cmath>
+#include <map>
+
+namespace ui {
+
+namespace {
+
+/// Lengths per layer are measured when they are asked for; of more elements than this that would be felt.
+constexpr std::size_t kMostMeasured = 200'000;
+
+std::size_t elementsOf(const model::Document& document, std::span<const model::NetId> nets) {
+    std::size_t count = 0;
+    for (const model::NetId net : nets) {
+        count += document.elementsOf(net).size();
+    }
+    return count;
+}
+
+QString counted(std::uint64_t count, const char* one, const char* many) {
+    return QStringLiteral("%L1 %2").arg(count).arg(QLatin1String(count == 1 ? one : many));
+}
+
+QString totalsText(const model::NetStatistics& statistics, std::span<const model::NetId> nets, LengthUnit unit) {
+    std::uint64_t pins = 0;
+    std::uint64_t vias = 0;
+    double length = 0.0;
+    for (const model::NetId net : nets) {
+        pins += statistics.pins[net.row()];
+        vias += statistics.vias[net.row()];
+        length += statistics.lengthNm[net.row()];
+    }
+    return QStringList{counted(pins, "pin", "pins"), counted(vias, "via", "vias"),
+                       QStringLiteral("%1 routed").arg(lengthInBoth(length, unit))}
+        .join(QStringLiteral(" · "));
+}
+
+QString layersText(const model::Document& document, std::span<const model::NetId> nets, LengthUnit unit) {
+    std::map<model::LayerId, double> lengths;
+    for (const model::NetId net : nets) {
+        for (const auto& [layer, length] : model::routedLengths(document, net)) {
+            lengths[layer] += length;
+        }
+    }
+    QStringList texts;
+    for (const auto& [layer, length] : lengths) {
+        texts +=
+            QStringLiteral("%1: %2").arg(QString::fromStdString(document.layer(layer).name), lengthText(length, unit));
+    }
+    return texts.isEmpty() ? QString() : '\n' + texts.join(QStringLiteral(" · "));
+}
+
+}  // namespace
+
+QString netsText(const model::Document& document, const model::NetStatistics* statistics,
+                 std::span<const model::NetId> nets, LengthUnit unit) {
+    if (nets.empty()) {
+        return {};
+    }
+    QString text = nets.size() == 1 ? QString::fromStdString(document.nets[nets.front().row()].name)
+                                    : QStringLiteral("%L1 nets").arg(nets.size());
+    if (statistics != nullptr) {
+        text += '\n' + totalsText(*statistics, nets, unit);
+        if (nets.size() == 2) {
+            const double difference =
+                std::abs(statistics->lengthNm[nets[0].row()] - statistics->lengthNm[nets[1].row()]);
+            text += QStringLiteral("\nTheir lengths differ by %1").arg(lengthInBoth(difference, unit));
+        }
+    }
+    return elementsOf(document, nets) <= kMostMeasured ? text + layersText(document, nets, unit) : text;
+}
+
+}  // namespace ui

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <QString>
+#include <span>
+
+#include "model/nets/net_statistics.h"
+#include "ui/common/lengths.h"
+
+namespace ui {
+
+/// What is known of one or several nets together, in lines: pins, vias and routed length, by how much the lengths of
+/// two differ, and the length on each copper layer. Without `statistics` the counts are left out.
+[[nodiscard]] QString netsText(const model::Document& document, const model::NetStatistics* statistics,
+                               std::span<const model::NetId> nets, LengthUnit unit);
+
+}  // namespace ui

@@ -1,0 +1,352 @@
+#include "ui/nets/nets_panel.h"
+
+#include <QColorDialog>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QScopedValueRollback>
+#include <QSlider>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <iterator>
+
+#include "ui/common/table_view.h"
+#include "ui/common/tool_button.h"
+#include "ui/nets/net_delegate.h"
+#include "ui/nets/net_text.h"
+#include "ui/workspace/actions.h"
+
+namespace ui {
+
+namespace {
+
+constexpr const char* kKinds[] = {"Text", "Wildcard", "Regex"};
+constexpr std::pair<const char*, std::optional<model::NetGrouping>> kGroupings[] = {
+    {"No groups", std::nullopt},
+    {"By class", model::NetGrouping::Class},
+    {"By pair", model::NetGrouping::DifferentialPair},
+    {"By bus", model::NetGrouping::Bus},
+    {"By supply", model::NetGrouping::Supply},
+};
+
+/// In letters.
+constexpr std::pair<NetModel::Column, int> kWidths[] = {
+    {NetModel::Name, 15},   {NetModel::Pins, 6},  {NetModel::Vias, 6},   {NetModel::Elements, 8},
+    {NetModel::Length, 12}, {NetModel::Area, 12}, {NetModel::Colour, 6}, {NetModel::Shown, 5},
+};
+
+/// Rows that follow each other become one range: a million of them would be slow.
+void addRow(QItemSelection& rows, const NetModel& model, int row) {
+    const int last = NetModel::ColumnCount - 1;
+    if (!rows.empty() && rows.back().bottom() == row - 1) {
+        rows.back() = QItemSelectionRange(rows.back().topLeft(), model.index(row, last));
+    } else {
+        rows.select(model.index(row, 0), model.index(row, last));
+    }
+}
+
+}  // namespace
+
+NetsPanel::NetsPanel(NetModel& model, SelectionModel& selection, NetStyles& styles, const ActionSet& actions,
+                     QWidget* parent)
+    : QWidget(parent),
+      m_model(model),
+      m_selection(selection),
+      m_styles(styles),
+      m_filter(new QLineEdit),
+      m_kind(new QComboBox),
+      m_group(new QComboBox),
+      m_step(new QComboBox),
+      m_dim(new QSlider(Qt::Horizontal)),
+      m_summary(new QLabel),
+      m_details(new QLabel),
+      m_table(new TableView) {
+    setUpTable();
+    layOutControls(actions);
+    connect(m_filter, &QLineEdit::textChanged, this, &NetsPanel::applyFilter);
+    connect(m_kind, &QComboBox::currentIndexChanged, this, &NetsPanel::applyFilter);
+    connect(m_group, &QComboBox::currentIndexChanged, this, &NetsPanel::applyGrouping);
+    connect(m_step, &QComboBox::currentIndexChanged, this, &NetsPanel::applyStep);
+    connect(&model, &NetModel::arranged, this, &NetsPanel::onArranged);
+    connect(&selection, &SelectionModel::netsChanged, this, &NetsPanel::showInTable);
+    connect(&selection, &SelectionModel::netsChanged, this, &NetsPanel::showDetails);
+    connect(&selection, &SelectionModel::selectionChanged, this, &NetsPanel::scrollToSelected);
+}
+
+void NetsPanel::setUpTable() {
+    m_table->setModel(&m_model);
+    m_table->setItemDelegate(new NetDelegate(m_table));
+    m_table->setButtonColumns({NetModel::Shown, NetModel::Colour});
+    m_table->setTextElideMode(Qt::ElideMiddle);  // long names differ at their ends
+    m_table->setSortingEnabled(true);
+    m_table->sortByColumn(NetModel::Name, Qt::AscendingOrder);
+    const int letter = fontMetrics().horizontalAdvance('0');
+    for (const auto& [column, letters] : kWidths) {
+        m_table->setColumnWidth(column, letter * letters);
+    }
+    m_table->horizontalHeader()->moveSection(NetModel::Colour, 0);
+    m_table->horizontalHeader()->moveSection(NetModel::Shown, 0);
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->installEventFilter(this);
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &NetsPanel::takeFromTable);
+    connect(m_table, &QTableView::clicked, this, &NetsPanel::onClicked);
+    connect(m_table, &QTableView::activated, this, [this](const QModelIndex& index) {
+        if (index.column() != NetModel::Shown && index.column() != NetModel::Colour) {
+            emit showRequested(m_model.netsAt(index.row()));
+        }
+    });
+}
+
+void NetsPanel::layOutControls(const ActionSet& actions) {
+    m_filter->setPlaceholderText(QStringLiteral("Filter nets by name"));
+    m_filter->setClearButtonEnabled(true);
+    for (const char* kind : kKinds) {
+        m_kind->addItem(QString::fromLatin1(kind));
+    }
+    for (const auto& [name, grouping] : kGroupings) {
+        m_group->addItem(QString::fromLatin1(name));
+    }
+    m_group->setToolTip(
+        QStringLiteral("Groups by what the job says of its nets; pairs, buses and supplies also by their names"));
+    m_step->setToolTip(QStringLiteral("Whose nets are listed: the board's own, or those of a step it places"));
+    m_step->hide();
+    m_dim->setRange(0, 100);
+    m_dim->setToolTip(QStringLiteral("How far everything else is darkened while nets or elements stand out"));
+    m_details->setWordWrap(true);
+    m_details->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_details->hide();
+    auto* filter = new QHBoxLayout;
+    filter->addWidget(m_filter, 1);
+    filter->addWidget(m_kind);
+    auto* groups = new QHBoxLayout;
+    groups->addWidget(m_step);
+    groups->addWidget(m_group);
+    groups->addStretch();
+    groups->addWidget(m_summary);
+    auto* styles = new QHBoxLayout;
+    styles->addWidget(toolButton(actions[ActionId::ShowAllNets]));
+    styles->addWidget(toolButton(actions[ActionId::ClearNetColours]));
+    styles->addWidget(new QLabel(QStringLiteral("Dim")));
+    styles->addWidget(m_dim, 1);
+    auto* rows = new QVBoxLayout;
+    for (QHBoxLayout* row : {filter, groups, styles}) {
+        rows->addLayout(row);
+    }
+    layOut(*this, rows, m_table);
+    layout()->addWidget(m_details);
+}
+
+bool NetsPanel::eventFilter(QObject* watched, QEvent* event) {
+    if (watched != m_table || event->type() != QEvent::KeyPress) {
+        return QWidget::eventFilter(watched, event);
+    }
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    const QModelIndex current = m_table->currentIndex();
+    const bool isEnter = key == Qt::Key_Return || key == Qt::Key_Enter;
+    if (key == Qt::Key_Space) {
+        toggleSelected();
+    } else if (isEnter && current.column() == NetModel::Colour) {
+        chooseColour(m_model.netsAt(current.row()));
+    } else {
+        return QWidget::eventFilter(watched, event);
+    }
+    return true;
+}
+
+void NetsPanel::toggleSelected() {
+    // All follow the first, so that a mixed selection becomes uniform.
+    const auto& nets = m_selection.nets();
+    if (!nets.empty()) {
+        m_styles.hide(nets, !m_styles.isHidden(nets.front()));
+    }
+}
+
+void NetsPanel::onClicked(const QModelIndex& index) {
+    if (index.column() != NetModel::Colour) {
+        return;
+    }
+    const std::vector<model::BoardNet> nets = m_model.netsAt(index.row());
+    const bool isColoured = nets.size() == 1 && m_styles.of(nets.front()).colour.has_value();
+    if (isColoured) {
+        chooseColour(nets);
+    } else {
+        m_styles.colourAnew(nets);
+    }
+}
+
+void NetsPanel::chooseColour(std::vector<model::BoardNet> nets) {
+    if (nets.empty() || findChild<QColorDialog*>() != nullptr) {
+        return;
+    }
+    const QColor before = QColor(m_styles.of(nets.front()).colour.value_or(0xffffffffU));
+    auto* dialog = new QColorDialog(before, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(QStringLiteral("Colour of the net"));
+    // The board may be replaced while the dialog is open.
+    connect(dialog, &QColorDialog::colorSelected, this,
+            [this, nets = std::move(nets), board = std::weak_ptr(m_board)](const QColor& colour) {
+                if (board.lock() == m_board) {
+                    m_styles.colour(nets, colour.rgb());
+                }
+            });
+    dialog->open();
+}
+
+void NetsPanel::setBoard(std::shared_ptr<const model::Document> board, Statistics statistics) {
+    m_board = std::move(board);
+    m_statistics = std::move(statistics);
+    const QSignalBlocker blocker(m_step);
+    m_step->clear();
+    const auto& steps = m_selection.tree().steps;
+    for (std::uint32_t row = 0; row < steps.size(); ++row) {
+        if (!steps[row]->nets.empty()) {
+            m_step->addItem(QString::fromStdString(steps[row]->job.step), row);
+        }
+    }
+    m_step->setVisible(m_step->count() > 1 || step() > 0);
+    applyStep();
+}
+
+void NetsPanel::setUnit(LengthUnit unit) {
+    m_unit = unit;
+    m_model.setUnit(unit);
+    showDetails();
+}
+
+std::uint32_t NetsPanel::step() const {
+    return m_step->currentData().toUInt();  // 0 while there is none
+}
+
+void NetsPanel::applyStep() {
+    if (m_board) {
+        const std::shared_ptr<const model::Document> listed(m_board, m_selection.tree().steps[step()]);
+        m_model.setNets(listed, step() < m_statistics.size() ? m_statistics[step()] : nullptr, step());
+    }
+    showDetails();
+}
+
+void NetsPanel::applyFilter() {
+    const bool isValid = m_model.setFilter(m_filter->text(), static_cast<NetModel::FilterKind>(m_kind->currentIndex()));
+    m_filter->setToolTip(isValid ? QString() : QStringLiteral("This is not a regular expression; all nets are shown"));
+    QPalette colours = palette();
+    if (!isValid) {
+        colours.setColor(QPalette::Text, Qt::red);
+    }
+    m_filter->setPalette(colours);
+}
+
+void NetsPanel::applyGrouping() {
+    m_model.setGrouping(kGroupings[m_group->currentIndex()].second);
+}
+
+void NetsPanel::onArranged() {
+    m_summary->setText(QStringLiteral("%L1 of %L2").arg(m_model.shown()).arg(m_model.total()));
+    showInTable();
+    if (std::exchange(m_isToScroll, false)) {
+        scrollToSelected();
+    }
+}
+
+void NetsPanel::takeFromTable(const QItemSelection& selected, const QItemSelection& deselected) {
+    if (m_isSyncing) {
+        return;
+    }
+    std::vector<model::BoardNet> nets;
+    for (const QItemSelectionRange& range : m_table->selectionModel()->selection()) {
+        for (int row = range.top(); row <= range.bottom(); ++row) {
+            // A heading that was selected before stands for what is left of its group.
+            if (!m_model.isHeading(row) || selected.contains(m_model.index(row, 0))) {
+                std::ranges::copy(m_model.netsAt(row), std::back_inserter(nets));
+            }
+        }
+    }
+    // A heading taken back takes its nets with it; one that something else was chosen instead of does not.
+    const int row = m_table->currentIndex().row();
+    const bool isTakenBack = deselected.size() == 1 && deselected.front().height() == 1 &&
+                             deselected.front().top() == row && m_model.isHeading(row);
+    if (isTakenBack) {
+        std::vector<model::BoardNet> gone = m_model.netsAt(row);
+        std::ranges::sort(gone);
+        std::erase_if(nets, [&](const model::BoardNet& net) { return std::ranges::binary_search(gone, net); });
+    }
+    const bool isOne = nets.size() == 1;
+    m_selection.setNets(std::move(nets));
+    showInTable();  // a heading and its nets go together
+    if (m_showsChosen && isOne) {
+        emit showRequested(m_selection.nets());
+    }
+}
+
+void NetsPanel::showInTable() {
+    if (m_isSyncing) {
+        return;
+    }
+    const QScopedValueRollback guard(m_isSyncing, true);
+    const auto isHighlighted = [&](int row) {
+        return std::ranges::binary_search(m_selection.nets(), model::BoardNet{step(), m_model.netAt(row)});
+    };
+    QItemSelection rows;
+    for (int row = 0; !m_selection.nets().empty() && row < m_model.rowCount(); ++row) {
+        if (!m_model.isHeading(row)) {
+            if (isHighlighted(row)) {
+                addRow(rows, m_model, row);
+            }
+            continue;
+        }
+        int member = row + 1;
+        const int end = m_model.endOfGroup(row);
+        while (member < end && isHighlighted(member)) {
+            ++member;
+        }
+        if (member == end) {
+            addRow(rows, m_model, row);
+        }
+    }
+    m_table->selectionModel()->select(rows, QItemSelectionModel::ClearAndSelect);
+}
+
+void NetsPanel::showDetails() {
+    std::vector<model::NetId> nets;
+    for (const model::BoardNet& net : m_selection.nets()) {
+        if (net.step == step()) {
+            nets.push_back(net.net);
+        }
+    }
+    QString text;
+    if (m_board && !nets.empty()) {
+        const auto statistics = step() < m_statistics.size() ? m_statistics[step()] : nullptr;
+        text = netsText(*m_selection.tree().steps[step()], statistics.get(), nets, m_unit);
+    }
+    m_details->setText(text);
+    m_details->setVisible(!text.isEmpty());
+}
+
+void NetsPanel::scrollToSelected() {
+    const auto current = m_selection.current();
+    const auto net = m_follows && current ? m_selection.netOf(*current) : std::nullopt;
+    if (!net) {
+        return;
+    }
+    if (net->step != step()) {
+        m_isToScroll = true;
+        m_step->setCurrentIndex(m_step->findData(net->step));
+        return;
+    }
+    if (const std::optional<int> row = m_model.rowOf(net->net)) {
+        m_table->selectionModel()->setCurrentIndex(m_model.index(*row, NetModel::Name), QItemSelectionModel::NoUpdate);
+        m_table->scrollTo(m_model.index(*row, NetModel::Name));
+    }
+}
+
+QString NetsPanel::summary() const {
+    return m_summary->text();
+}
+
+QString NetsPanel::details() const {
+    return m_details->text();
+}
+
+}  // namespace ui

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <QWidget>
+
+#include "model/board/copies.h"
+#include "ui/nets/net_model.h"
+#include "ui/workspace/selection_model.h"
+
+class QComboBox;
+class QSlider;
+class QItemSelection;
+class QLabel;
+class QLineEdit;
+
+namespace ui {
+
+class ActionSet;
+class TableView;
+
+/// The nets of the board, or of a step it places: filter, sort, group, highlight. Selected rows are the highlighted
+/// nets, both ways, and a heading stands for all nets under it; Enter or a double click asks to see them. In front of
+/// each stands whether it is drawn and its colour. Below the table stands what is known of the highlighted ones.
+class NetsPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    using Statistics = std::vector<std::shared_ptr<const model::NetStatistics>>;  ///< as LoadedBoard::nets
+
+    /// The commands are those of the menu Nets.
+    NetsPanel(NetModel& model, SelectionModel& selection, NetStyles& styles, const ActionSet& actions,
+              QWidget* parent = nullptr);
+
+    /// The selection must be of this board already.
+    void setBoard(std::shared_ptr<const model::Document> board, Statistics statistics);
+    void setUnit(LengthUnit unit);
+    /// Whether the table follows the net of what is selected in the views.
+    void setFollows(bool isOn) { m_follows = isOn; }
+    /// Whether choosing a row also asks to see the net.
+    void setShowsChosen(bool isOn) { m_showsChosen = isOn; }
+    [[nodiscard]] TableView& table() { return *m_table; }
+    [[nodiscard]] QLineEdit& filterEdit() { return *m_filter; }
+    [[nodiscard]] QComboBox& kindBox() { return *m_kind; }
+    [[nodiscard]] QComboBox& groupBox() { return *m_group; }
+    /// Hidden while only the board itself has nets.
+    [[nodiscard]] QComboBox& stepBox() { return *m_step; }
+    [[nodiscard]] QString summary() const;
+    /// By how much the rest is darkened, in percent.
+    [[nodiscard]] QSlider& dimSlider() { return *m_dim; }
+    /// Opens the dialog for the colour of these nets; not with none.
+    void chooseColour(std::vector<model::BoardNet> nets);
+    /// What is known of the highlighted nets; empty for none.
+    [[nodiscard]] QString details() const;
+
+signals:
+    void showRequested(const std::vector<model::BoardNet>& nets);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void setUpTable();
+    void layOutControls(const ActionSet& actions);
+    void onClicked(const QModelIndex& index);
+    void toggleSelected();
+    void applyFilter();
+    void applyGrouping();
+    void applyStep();
+    void onArranged();
+    void takeFromTable(const QItemSelection& selected, const QItemSelection& deselected);
+    void showInTable();
+    void showDetails();
+    void scrollToSelected();
+    /// Row of model::StepTree::steps whose nets are listed.
+    [[nodiscard]] std::uint32_t step() const;
+
+    NetModel& m_model;
+    SelectionModel& m_selection;
+    NetStyles& m_styles;
+    std::shared_ptr<const model::Document> m_board;
+    Statistics m_statistics;
+    LengthUnit m_unit = LengthUnit::Millimetre;
+    QLineEdit* m_filter;
+    QComboBox* m_kind;
+    QComboBox* m_group;
+    QComboBox* m_step;
+    QSlider* m_dim;
+    QLabel* m_summary;
+    QLabel* m_details;
+    TableView* m_table;
+    bool m_isSyncing = false;   ///< the table is being changed to show what is highlighted
+    bool m_isToScroll = false;  ///< to the selected element's net, once the rows are arranged
+    bool m_follows = true;
+    bool m_showsChosen = false;
+};
+
+}  // namespace ui

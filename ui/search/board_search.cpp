@@ -1,0 +1,205 @@
+#include "ui/search/board_search.h"
+
+#include <QRegularExpression>
+#include <algorithm>
+#include <tuple>
+
+#include "model/nets/net_statistics.h"
+#include "ui/layers/layer_model.h"
+
+namespace ui {
+
+namespace {
+
+char lower(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+enum class Fit : std::uint8_t { Whole, Begins, Holds, None };
+
+/// How `name` fits a text that is in lower case.
+Fit fitOf(std::string_view name, std::string_view text) {
+    const auto at =
+        std::ranges::search(name, text, [](char inName, char inText) { return lower(inName) == inText; }).begin();
+    if (at == name.end()) {
+        return Fit::None;
+    }
+    return at != name.begin() ? Fit::Holds : name.size() == text.size() ? Fit::Whole : Fit::Begins;
+}
+
+struct Match {
+    Fit fit = Fit::None;
+    std::string_view name;  ///< in the document
+    Found found;
+};
+
+/// NET2 before NET10, but first of all what fits better.
+bool isBetter(const Match& a, const Match& b) {
+    const auto rank = [](const Match& match) { return std::tuple(match.fit, match.found.kind, match.name.size()); };
+    if (rank(a) != rank(b)) {
+        return rank(a) < rank(b);
+    }
+    if (a.name != b.name) {
+        return model::isNamedBefore(a.name, b.name);
+    }
+    return std::tuple(a.found.step, a.found.row) < std::tuple(b.found.step, b.found.row);
+}
+
+class Matcher {
+public:
+    explicit Matcher(const QString& text) : m_text(text.trimmed().toLower().toStdString()) {}
+
+    /// Of what comes next.
+    void setStep(std::uint32_t step) { m_step = step; }
+
+    template <class Table, class NameOf>
+    void look(FoundKind kind, const Table& table, const NameOf& nameOf) {
+        for (std::size_t row = 0; row < table.size(); ++row) {
+            const std::string& name = nameOf(table[row]);
+            const Fit fit = fitOf(name, m_text);
+            if (fit != Fit::None) {
+                m_matches.push_back({fit, name, {kind, static_cast<std::uint32_t>(row), m_step, {}}});
+            }
+        }
+    }
+
+    /// Pins are asked for by their component and their name.
+    void lookForPins(const model::Document& board) {
+        const std::size_t cut = m_text.find_last_of(".-");
+        if (cut == std::string::npos || cut == 0) {
+            return;
+        }
+        const std::string_view part = std::string_view(m_text).substr(0, cut);
+        const std::string_view pin = std::string_view(m_text).substr(cut + 1);
+        for (const model::Component& component : board.components) {
+            if (fitOf(component.refdes, part) != Fit::Whole) {
+                continue;
+            }
+            for (std::uint32_t row = component.firstPin; row < component.firstPin + component.pinCount; ++row) {
+                const std::string& name = board.text(board.pins[row].name);
+                const Fit fit = fitOf(name, pin);
+                if (fit == Fit::Whole || fit == Fit::Begins) {
+                    m_matches.push_back({fit, name, {FoundKind::Pin, row, m_step, {}}});
+                }
+            }
+        }
+    }
+
+    /// The best ones, in order.
+    [[nodiscard]] std::vector<Found> best(std::size_t most) {
+        const std::size_t count = std::min(most, m_matches.size());
+        const auto end = m_matches.begin() + static_cast<std::ptrdiff_t>(count);
+        std::ranges::partial_sort(m_matches, end, isBetter);
+        std::vector<Found> found;
+        std::transform(m_matches.begin(), end, std::back_inserter(found),
+                       [](const Match& match) { return match.found; });
+        return found;
+    }
+
+private:
+    std::string m_text;
+    std::uint32_t m_step = 0;
+    std::vector<Match> m_matches;
+};
+
+std::optional<double> nmPer(const QString& unit, LengthUnit otherwise) {
+    return unit.isEmpty()                                    ? nmPer(otherwise)
+           : unit == QLatin1String("mm")                     ? base::kNmPerMm
+           : unit == QLatin1String("mil")                    ? base::kNmPerMil
+           : unit == QLatin1String("in")                     ? base::kNmPerInch
+           : unit == QLatin1String("um") || unit == u"µm"_qs ? std::optional(base::kNmPerUm)
+                                                             : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<base::PointD> parsePlace(const QString& text, LengthUnit unit) {
+    static const QRegularExpression kPlace(
+        QStringLiteral(R"(^\s*([-+]?\d*\.?\d+)\s*([a-zµ]*)\s*[, ;]\s*([-+]?\d*\.?\d+)\s*([a-zµ]*)\s*$)"),
+        QRegularExpression::CaseInsensitiveOption);
+    const QRegularExpressionMatch match = kPlace.match(text);
+    if (!match.hasMatch()) {
+        return std::nullopt;
+    }
+    const QString last = match.captured(4).toLower();
+    const QString first = match.captured(2).isEmpty() ? last : match.captured(2).toLower();
+    const std::optional<double> nmX = nmPer(first, unit);
+    const std::optional<double> nmY = nmPer(last, unit);
+    if (!nmX || !nmY) {
+        return std::nullopt;
+    }
+    return base::PointD{match.captured(1).toDouble() * *nmX, match.captured(3).toDouble() * *nmY};
+}
+
+void BoardSearch::setBoard(std::shared_ptr<const model::Document> board) {
+    m_board = std::move(board);
+    m_steps = m_board ? model::distinctSteps(*m_board) : std::vector<const model::Document*>();
+}
+
+std::vector<Found> BoardSearch::find(const QString& text, LengthUnit unit, std::size_t most) const {
+    if (!m_board || text.trimmed().isEmpty()) {
+        return {};
+    }
+    Matcher matcher(text);
+    matcher.look(FoundKind::Layer, m_board->layers,
+                 [](const model::Layer& layer) -> const std::string& { return layer.name; });
+    for (std::uint32_t row = 0; row < m_steps.size(); ++row) {
+        const model::Document& step = *m_steps[row];
+        matcher.setStep(row);
+        matcher.look(FoundKind::Component, step.components,
+                     [](const model::Component& component) -> const std::string& { return component.refdes; });
+        matcher.look(FoundKind::Net, step.nets, [](const model::Net& net) -> const std::string& { return net.name; });
+        matcher.lookForPins(step);
+    }
+    std::vector<Found> found = matcher.best(most);
+    if (const std::optional<base::PointD> location = parsePlace(text, unit)) {
+        found.insert(found.begin(), {FoundKind::Location, 0, 0, *location});
+    }
+    return found;
+}
+
+QString BoardSearch::titleOf(const Found& found) const {
+    switch (found.kind) {
+        case FoundKind::Location: return positionText(found.location.x, found.location.y, LengthUnit::Millimetre);
+        case FoundKind::Layer: return QString::fromStdString(m_board->layers[found.row].name);
+        case FoundKind::Component: return QString::fromStdString(stepOf(found).components[found.row].refdes);
+        case FoundKind::Net: return QString::fromStdString(stepOf(found).nets[found.row].name);
+        case FoundKind::Pin: {
+            const model::Pin& pin = stepOf(found).pins[found.row];
+            const std::string& part = stepOf(found).components[pin.component.row()].refdes;
+            return QString::fromStdString(part + "." + stepOf(found).text(pin.name));
+        }
+    }
+    return {};
+}
+
+QString BoardSearch::detailOf(const Found& found) const {
+    return found.step == 0
+               ? whatIs(found)
+               : QStringLiteral("%1, in step %2").arg(whatIs(found), QString::fromStdString(stepOf(found).job.step));
+}
+
+QString BoardSearch::whatIs(const Found& found) const {
+    switch (found.kind) {
+        case FoundKind::Location: return QStringLiteral("Place");
+        case FoundKind::Layer: return QStringLiteral("Layer, %1").arg(layerTypeText(m_board->layers[found.row].type));
+        case FoundKind::Component: {
+            const model::Component& part = stepOf(found).components[found.row];
+            return QStringLiteral("Component, %1 pins, %2 side, %3")
+                .arg(QString::number(part.pinCount), QLatin1String(model::toString(part.side)),
+                     QString::fromStdString(part.part));
+        }
+        case FoundKind::Pin: {
+            const model::NetId net = stepOf(found).pins[found.row].net;
+            return net.isValid()
+                       ? QStringLiteral("Pin, net %1").arg(QString::fromStdString(stepOf(found).nets[net.row()].name))
+                       : QStringLiteral("Pin without a net");
+        }
+        case FoundKind::Net:
+            return QStringLiteral("Net, %L1 elements")
+                .arg(stepOf(found).elementsOf(model::NetId{std::size_t{found.row}}).size());
+    }
+    return {};
+}
+
+}  // namespace ui

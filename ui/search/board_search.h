@@ -1,0 +1,48 @@
+#pragma once
+
+#include <QString>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "model/board/copies.h"
+#include "ui/common/lengths.h"
+
+namespace ui {
+
+enum class FoundKind : std::uint8_t { Location, Layer, Component, Pin, Net };
+
+/// Something on the board that a text names.
+struct Found {
+    FoundKind kind = FoundKind::Net;
+    std::uint32_t row = 0;   ///< of the kind's table in the document of the step; none for places
+    std::uint32_t step = 0;  ///< row of model::StepTree::steps; of layers and places the board itself
+    base::PointD location;   ///< of places, nm in the board's coordinates
+};
+
+/// Finds nets, components, pins, layers and places by what people type: part of a name in any case, "U1.5" or "U1-5"
+/// for a pin, "12.5, 30 mm" for a place; in the board and in all the steps placed on it. Names are looked through as
+/// they lie in the document; nothing is indexed.
+class BoardSearch {
+public:
+    /// Null for no board.
+    void setBoard(std::shared_ptr<const model::Document> board);
+    /// Places first, then names that are the text, that begin with it, that hold it; short ones before long ones.
+    /// Coordinates without a unit are in `unit`.
+    [[nodiscard]] std::vector<Found> find(const QString& text, LengthUnit unit, std::size_t most) const;
+    [[nodiscard]] QString titleOf(const Found& found) const;
+    /// "Net, 5 elements", "Component, 0603 on the top side": what it is, and in which step if not in the board's own.
+    [[nodiscard]] QString detailOf(const Found& found) const;
+
+private:
+    [[nodiscard]] const model::Document& stepOf(const Found& found) const { return *m_steps[found.step]; }
+    [[nodiscard]] QString whatIs(const Found& found) const;
+
+    std::shared_ptr<const model::Document> m_board;
+    std::vector<const model::Document*> m_steps;  ///< rows of model::StepTree::steps
+};
+
+/// Two numbers, with or without a comma and a unit behind each or the last one (mm, mil, in, um); in nm.
+[[nodiscard]] std::optional<base::PointD> parsePlace(const QString& text, LengthUnit unit);
+
+}  // namespace ui

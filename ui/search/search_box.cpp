@@ -1,0 +1,107 @@
+#include "ui/search/search_box.h"
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QVBoxLayout>
+
+#include "ui/workspace/actions.h"
+
+namespace ui {
+
+namespace {
+
+constexpr std::size_t kMost = 50;  // more than anybody reads; typing on is quicker
+constexpr QChar kCommandsOnly = '>';
+
+}  // namespace
+
+SearchBox::SearchBox(const ActionSet& actions, QWidget& window)
+    : QFrame(&window, Qt::Popup), m_actions(actions), m_window(window), m_line(new QLineEdit), m_list(new QListWidget) {
+    setFrameShape(QFrame::StyledPanel);
+    m_line->setPlaceholderText(QStringLiteral("Net, part, U1.5, layer, 12.5, 30 mm, or > for commands"));
+    m_line->setClearButtonEnabled(true);
+    m_line->installEventFilter(this);
+    m_list->setFocusPolicy(Qt::NoFocus);
+    m_list->setUniformItemSizes(true);
+    connect(m_line, &QLineEdit::textChanged, this, &SearchBox::update);
+    connect(m_line, &QLineEdit::returnPressed, this, &SearchBox::take);
+    connect(m_list, &QListWidget::itemClicked, this, &SearchBox::take);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(6, 6, 6, 6);
+    layout->addWidget(m_line);
+    layout->addWidget(m_list);
+}
+
+void SearchBox::open(const QString& text) {
+    const int width = fontMetrics().averageCharWidth() * 80;
+    resize(std::min(width, m_window.width()), fontMetrics().height() * 20);
+    move(m_window.mapToGlobal(QPoint((m_window.width() - this->width()) / 2, fontMetrics().height() * 3)));
+    m_line->setText(text);
+    update();
+    show();
+    m_line->setFocus();
+}
+
+void SearchBox::update() {
+    const QString text = m_line->text();
+    const bool isCommand = text.startsWith(kCommandsOnly);
+    m_list->clear();
+    m_commands.clear();
+    m_found = isCommand ? std::vector<Found>{} : m_search.find(text, m_unit, kMost);
+    for (const Found& found : m_found) {
+        m_list->addItem(QStringLiteral("%1    %2").arg(m_search.titleOf(found), m_search.detailOf(found)));
+    }
+    if (isCommand || !text.trimmed().isEmpty()) {
+        listCommands(isCommand ? text.mid(1).trimmed() : text.trimmed());
+    }
+    m_list->setCurrentRow(0);
+}
+
+void SearchBox::listCommands(const QString& text) {
+    for (const ActionSpec& spec : actionSpecs()) {
+        QAction& action = m_actions[spec.id];
+        const QString name = QString::fromUtf8(spec.text).remove('&');
+        if (!action.isEnabled() || !name.contains(text, Qt::CaseInsensitive)) {
+            continue;
+        }
+        const QString keys = action.shortcut().toString(QKeySequence::NativeText);
+        const QString menu = QString::fromUtf8(menuTitle(spec.menu)).remove('&');
+        m_list->addItem(QStringLiteral("%1    Command, %2%3")
+                            .arg(name, menu, keys.isEmpty() ? QString() : QStringLiteral(", ") + keys));
+        m_commands.push_back(&action);
+    }
+}
+
+void SearchBox::take() {
+    const int row = m_list->currentRow();
+    if (row < 0) {
+        return;
+    }
+    close();  // first: a command may open a window of its own
+    const auto at = static_cast<std::size_t>(row);
+    if (at < m_found.size()) {
+        emit chosen(m_found[at]);
+    } else {
+        m_commands[at - m_found.size()]->trigger();
+    }
+}
+
+bool SearchBox::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::KeyPress) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Up || key == Qt::Key_Down || key == Qt::Key_PageUp || key == Qt::Key_PageDown) {
+            QCoreApplication::sendEvent(m_list, event);
+            return true;
+        }
+        if (key == Qt::Key_Escape) {
+            close();
+            return true;
+        }
+    }
+    return QFrame::eventFilter(watched, event);
+}
+
+}  // namespace ui

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <QFrame>
+
+#include "ui/search/board_search.h"
+
+class QAction;
+class QLineEdit;
+class QListWidget;
+
+namespace ui {
+
+class ActionSet;
+
+/// One line to find anything by: nets, components, pins, layers, places and commands, shown while typing. Up and Down
+/// choose, Enter takes, Esc closes. A text that begins with > finds commands alone.
+class SearchBox : public QFrame {
+    Q_OBJECT
+
+public:
+    SearchBox(const ActionSet& actions, QWidget& window);
+
+    [[nodiscard]] BoardSearch& search() { return m_search; }
+    void setUnit(LengthUnit unit) { m_unit = unit; }
+    /// Appears over the window with `text` in its line.
+    void open(const QString& text);
+    [[nodiscard]] QLineEdit& line() { return *m_line; }
+    [[nodiscard]] QListWidget& list() { return *m_list; }
+
+signals:
+    void chosen(const Found& found);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void update();
+    void listCommands(const QString& text);
+    void take();
+
+    const ActionSet& m_actions;
+    QWidget& m_window;
+    BoardSearch m_search;
+    LengthUnit m_unit = LengthUnit::Millimetre;
+    std::vector<Found> m_found;        ///< the first rows of the list
+    std::vector<QAction*> m_commands;  ///< the rest
+    QLineEdit* m_line;
+    QListWidget* m_list;
+};
+
+}  // namespace ui

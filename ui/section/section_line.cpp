@@ -1,0 +1,208 @@
+#include "ui/section/section_line.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <cmath>
+#include <utility>
+
+#include "model/measure/snapping.h"
+
+namespace ui {
+
+namespace {
+
+constexpr double kGripPixels = 8.0;
+constexpr double kCornerPixels = 4.0;
+constexpr QColor kInk(255, 120, 200);
+constexpr QColor kRim(20, 20, 24, 200);
+
+}  // namespace
+
+SectionLine::SectionLine(BoardView& flat, QObject* parent) : QObject(parent), m_view(flat) {
+    flat.addPainter([this](QPainter& painter) { paint(painter); });
+    flat.controller().setTaker([this](QEvent& event) { return take(event); });
+}
+
+void SectionLine::setBoard(const BoardPosition& location) {
+    m_position = location;
+    m_held.reset();
+    m_isDrawing = m_isLaying = false;
+    setLine({});
+}
+
+void SectionLine::setDrawing(bool isOn) {
+    if (isOn == m_isDrawing) {
+        return;
+    }
+    m_isDrawing = isOn;
+    if (isOn) {
+        m_before = m_line;
+        return;
+    }
+    m_held.reset();
+    m_isLaying = false;
+    setLine(m_before);
+    emit finished();
+}
+
+void SectionLine::setLine(std::vector<base::PointD> line) {
+    m_line = std::move(line);
+    m_view.requestOverlay();
+}
+
+bool SectionLine::take(QEvent& event) {
+    if (m_isLaying) {
+        return lay(event);
+    }
+    switch (event.type()) {
+        case QEvent::MouseButtonPress: return press(static_cast<const QMouseEvent&>(event));
+        case QEvent::MouseMove:
+            if (m_held) {
+                drag(static_cast<const QMouseEvent&>(event));
+            }
+            return m_held.has_value();
+        case QEvent::MouseButtonRelease:
+            if (!m_held || static_cast<const QMouseEvent&>(event).button() != Qt::LeftButton) {
+                return m_held.has_value();
+            }
+            release();
+            return true;
+        default: return false;
+    }
+}
+
+bool SectionLine::press(const QMouseEvent& event) {
+    if (m_held || event.button() != Qt::LeftButton || !m_view.hasScene()) {
+        return m_held.has_value();
+    }
+    if (m_isDrawing) {
+        const base::PointD start = m_position.toJob(m_view.controller().rayAt(event.position()).origin);
+        setLine({start, start});
+        m_held = 1;
+    } else if (!event.modifiers().testFlag(Qt::ControlModifier)) {
+        m_held = cornerAt(event.position());
+    }
+    return m_held.has_value();
+}
+
+void SectionLine::drag(const QMouseEvent& event) {
+    base::PointD to = m_position.toJob(m_view.controller().rayAt(event.position()).origin);
+    if (event.modifiers().testFlag(Qt::ShiftModifier)) {
+        to = model::straightened(m_line[*m_held == 0 ? 1 : *m_held - 1], to, 45.0);
+    }
+    m_line[*m_held] = to;
+    m_view.requestOverlay();
+    emit moved();
+}
+
+void SectionLine::release() {
+    m_held.reset();
+    if (m_isDrawing && isClick(m_line[0], m_line[1])) {
+        m_isLaying = true;  // its first corner stands
+        setLine({m_line[0], m_line[0]});
+        emit moved();
+        return;
+    }
+    m_isDrawing = false;
+    emit finished();
+}
+
+bool SectionLine::isClick(base::PointD from, base::PointD to) const {
+    const double nmPerPixel = static_cast<double>(m_view.controller().mmPerPixel()) * base::kNmPerMm;
+    return std::hypot(to.x - from.x, to.y - from.y) < CameraController::kClickPixels * nmPerPixel;
+}
+
+bool SectionLine::lay(QEvent& event) {
+    switch (event.type()) {
+        case QEvent::MouseButtonPress: return layPress(static_cast<const QMouseEvent&>(event));
+        case QEvent::MouseButtonDblClick: endLaying(); return true;
+        case QEvent::MouseMove: layTo(static_cast<const QMouseEvent&>(event)); return false;
+        case QEvent::KeyPress: return layKey(static_cast<const QKeyEvent&>(event));
+        default: return false;
+    }
+}
+
+bool SectionLine::layPress(const QMouseEvent& event) {
+    if (event.button() != Qt::LeftButton) {
+        return false;  // the camera moves meanwhile
+    }
+    layTo(event);
+    if (!isClick(m_line[m_line.size() - 2], m_line.back())) {
+        m_line.push_back(m_line.back());
+    }
+    return true;
+}
+
+/// The leg under way ends at the cursor.
+void SectionLine::layTo(const QMouseEvent& event) {
+    base::PointD to = m_position.toJob(m_view.controller().rayAt(event.position()).origin);
+    if (event.modifiers().testFlag(Qt::ShiftModifier)) {
+        to = model::straightened(m_line[m_line.size() - 2], to, 45.0);
+    }
+    m_line.back() = to;
+    m_view.requestOverlay();
+    emit moved();
+}
+
+bool SectionLine::layKey(const QKeyEvent& event) {
+    switch (event.key()) {
+        case Qt::Key_Return:
+        case Qt::Key_Enter: endLaying(); return true;
+        case Qt::Key_Backspace:
+            if (m_line.size() > 2) {
+                m_line.erase(m_line.end() - 2);
+            } else {
+                m_isLaying = false;  // the first corner is to be set anew
+                m_line.clear();
+            }
+            m_view.requestOverlay();
+            emit moved();
+            return true;
+        default: return false;
+    }
+}
+
+/// What was clicked is the line; the leg to the cursor is not part of it.
+void SectionLine::endLaying() {
+    if (m_line.size() < 3) {
+        return;  // one corner is no line
+    }
+    m_line.pop_back();
+    m_isLaying = m_isDrawing = false;
+    m_view.requestOverlay();
+    emit finished();
+}
+
+std::optional<std::size_t> SectionLine::cornerAt(QPointF position) const {
+    for (std::size_t i = 0; i < m_line.size(); ++i) {
+        const auto at = m_view.controller().screenOf(m_position.toModel(m_line[i]));
+        if (at && QLineF(*at, position).length() <= kGripPixels) {
+            return i;
+        }
+    }
+    return std::nullopt;
+}
+
+void SectionLine::paint(QPainter& painter) const {
+    QPolygonF corners;
+    for (const base::PointD& corner : m_line) {
+        if (const auto at = m_view.controller().screenOf(m_position.toModel(corner))) {
+            corners += *at;
+        }
+    }
+    if (corners.size() < 2) {
+        return;
+    }
+    painter.setPen(QPen(kRim, 4.0));
+    painter.drawPolyline(corners);
+    painter.setPen(QPen(kInk, 2.0));
+    painter.drawPolyline(corners);
+    painter.setBrush(kInk);
+    painter.setPen(QPen(kRim, 1.0));
+    for (const QPointF& corner : corners) {
+        painter.drawEllipse(corner, kCornerPixels, kCornerPixels);
+    }
+}
+
+}  // namespace ui

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <QObject>
+#include <optional>
+#include <vector>
+
+#include "ui/views/board_position.h"
+#include "ui/views/board_view.h"
+
+namespace ui {
+
+/// The line along which a board is cut, over the 2D view. Once that is asked for, a drag draws one leg; a click begins
+/// a line of many: every further click is a corner, a double click or Enter ends it, Backspace takes the last corner
+/// back. Corners are moved afterwards. Shift keeps a leg to multiples of 45 degrees.
+class SectionLine : public QObject {
+    Q_OBJECT
+
+public:
+    explicit SectionLine(BoardView& flat, QObject* parent = nullptr);
+
+    /// Another board has no line.
+    void setBoard(const BoardPosition& location);
+    /// Corners in nm of the board; none: no line.
+    void setLine(std::vector<base::PointD> line);
+    [[nodiscard]] const std::vector<base::PointD>& line() const { return m_line; }
+    /// Whether the next drag or clicks draw a line. Ends by itself when one was drawn; ended before, the line is what
+    /// it was.
+    void setDrawing(bool isOn);
+    [[nodiscard]] bool isDrawing() const { return m_isDrawing; }
+
+signals:
+    /// The hand has changed the line; it may have no length yet.
+    void moved();
+    /// The line is drawn or moved, or given up.
+    void finished();
+
+private:
+    bool take(QEvent& event);
+    bool press(const QMouseEvent& event);
+    void drag(const QMouseEvent& event);
+    void release();
+    bool lay(QEvent& event);
+    bool layPress(const QMouseEvent& event);
+    void layTo(const QMouseEvent& event);
+    bool layKey(const QKeyEvent& event);
+    void endLaying();
+    [[nodiscard]] bool isClick(base::PointD from, base::PointD to) const;
+    [[nodiscard]] std::optional<std::size_t> cornerAt(QPointF position) const;
+    void paint(QPainter& painter) const;
+
+    BoardView& m_view;
+    BoardPosition m_position;
+    std::vector<base::PointD> m_line;
+    std::optional<std::size_t> m_held;  ///< corner in the hand
+    bool m_isDrawing = false;
+    bool m_isLaying = false;             ///< corner by corner; the last one of the line follows the cursor
+    std::vector<base::PointD> m_before;  ///< the line when drawing began
+};
+
+}  // namespace ui

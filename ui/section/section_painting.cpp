@@ -1,0 +1,186 @@
+// How a cross-section is drawn.
+
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "model/export/stackup_drawing.h"
+#include "model/session/length_text.h"
+#include "ui/section/section_view.h"
+
+namespace ui {
+
+namespace {
+
+using model::SectionPiece;
+
+constexpr double kTickPixels = 90.0;  // between the numbers of the ruler, about
+
+/// The next smaller of 1, 2, 5, 10, 20, …
+double roundNumber(double value) {
+    const double ten = std::pow(10.0, std::floor(std::log10(value)));
+    return value >= 5 * ten ? 5 * ten : value >= 2 * ten ? 2 * ten : ten;
+}
+
+}  // namespace
+
+void SectionView::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.fillRect(rect(), palette().base());
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (!m_section) {
+        painter.setPen(palette().color(QPalette::PlaceholderText));
+        painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap,
+                         QStringLiteral("Draw a section (Board menu), then drag a line over the 2D view"));
+        return;
+    }
+    painter.save();
+    painter.setClipRect(plot());
+    paintPieces(painter);
+    paintHighlighted(painter);
+    paintCorners(painter);
+    paintDimension(painter);
+    painter.restore();
+    paintLayers(painter);
+    paintRuler(painter);
+}
+
+void SectionView::paintPieces(QPainter& painter) const {
+    for (const SectionPiece& piece : m_drawn) {
+        const QRectF rect = rectOf(piece);
+        if (rect.intersects(plot())) {
+            painter.fillRect(rect,
+                             piece.layer.row() < m_colours.size() ? m_colours[piece.layer.row()] : QColor(Qt::gray));
+        }
+    }
+}
+
+void SectionView::paintHighlighted(QPainter& painter) const {
+    QColor ink = palette().color(QPalette::Highlight);
+    painter.setPen(QPen(ink, 1.5));
+    ink.setAlpha(110);
+    painter.setBrush(ink);
+    for (const SectionPiece& piece : m_section->pieces) {
+        if (isHighlighted(piece) && rectOf(piece).intersects(plot())) {
+            painter.drawRect(rectOf(piece));
+        }
+    }
+}
+
+/// Where the line turns.
+void SectionView::paintCorners(QPainter& painter) const {
+    painter.setPen(QPen(palette().color(QPalette::Text), 0.7, Qt::DashLine));
+    for (std::size_t i = 1; i + 1 < m_section->stations.size(); ++i) {
+        const double x = positionOf(m_section->stations[i], 0.0).x();
+        painter.drawLine(QPointF(x, plot().top()), QPointF(x, plot().bottom()));
+    }
+}
+
+/// Rows of the stack that are in sight: all that there is room to name, or else the copper, or as much of it.
+std::vector<const model::StackupRow*> SectionView::namedRows() const {
+    std::vector<const model::StackupRow*> rows;
+    for (const model::StackupRow& row : board().stackup.rows) {
+        if (positionOf(0.0, row.z).y() >= plot().top() &&
+            positionOf(0.0, double{1} * row.z + row.thickness).y() <= plot().bottom()) {
+            rows.push_back(&row);
+        }
+    }
+    const auto room = static_cast<std::size_t>(std::max(1.0, plot().height() / lineHeight()));
+    if (rows.size() > room) {
+        std::erase_if(rows, [this](const model::StackupRow* row) {
+            return !row->layer.isValid() || !board().layer(row->layer).isCopper();
+        });
+    }
+    const std::size_t every = (rows.size() + room - 1) / room;
+    std::vector<const model::StackupRow*> named;
+    for (std::size_t i = 0; i < rows.size(); i += every) {
+        named.push_back(rows[i]);
+    }
+    return named;
+}
+
+/// Names, thicknesses, and how high above the bottom they lie.
+void SectionView::paintLayers(QPainter& painter) const {
+    const std::vector<const model::StackupRow*> rows = namedRows();
+    const QRectF area = plot();
+    model::StackupDrawing labels;
+    for (const model::StackupRow* row : rows) {
+        const double top = std::max(positionOf(0.0, double{1} * row->z + row->thickness).y(), area.top());
+        const double bottom = std::min(positionOf(0.0, row->z).y(), area.bottom());
+        labels.bands.push_back({top - area.top(), bottom - area.top(), (top + bottom) / 2 - area.top()});
+    }
+    labels.height = std::max(area.height(), lineHeight() * static_cast<double>(rows.size()));
+    model::spreadLabels(lineHeight(), labels);
+    const double left = area.right() + 34.0;
+    const double thicknessLeft = left + (width() - left) * 0.40;
+    const double heightLeft = left + (width() - left) * 0.67;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const model::StackupBand& band = labels.bands[i];
+        const double middle = area.top() + (band.top + band.bottom) / 2;
+        const double y = area.top() + band.label;
+        painter.setPen(QPen(palette().color(QPalette::PlaceholderText), 0.7));
+        painter.drawPolyline(
+            QPolygonF{{area.right() + 2.0, middle}, {area.right() + 8.0, middle}, {left - 9.0, y}, {left - 3.0, y}});
+        painter.setPen(palette().color(QPalette::Text));
+        const auto write = [&](double from, double to, const QString& text) {
+            painter.drawText(QRectF(from, y - lineHeight() / 2, to - from, lineHeight()), Qt::AlignVCenter,
+                             fontMetrics().elidedText(text, Qt::ElideMiddle, static_cast<int>(to - from)));
+        };
+        write(left, thicknessLeft - 6.0, QString::fromStdString(rows[i]->name));
+        QFont slanted = font();
+        slanted.setItalic(rows[i]->source == model::Source::Assumed);
+        painter.setFont(slanted);
+        write(thicknessLeft, heightLeft - 6.0,
+              QString::fromStdString(model::session::thicknessText(rows[i]->thickness)));
+        painter.setFont(font());
+        write(heightLeft, width(), QStringLiteral("at %1").arg(lengthText(static_cast<double>(rows[i]->z), m_unit)));
+    }
+}
+
+void SectionView::paintRuler(QPainter& painter) const {
+    const QRectF area = plot();
+    const double per = nmPer(m_unit);
+    const double step = roundNumber(2.0 * kTickPixels / m_perNm / per) * per;
+    const double first = std::max(0.0, std::ceil((m_along - area.width() / 2 / m_perNm) / step) * step);
+    const double last = std::min(m_section->stations.back(), m_along + area.width() / 2 / m_perNm);
+    painter.setPen(palette().color(QPalette::Text));
+    const double y = area.bottom() + 3.0;
+    painter.drawLine(QPointF(std::max(positionOf(0.0, 0.0).x(), area.left()), y),
+                     QPointF(positionOf(last, 0.0).x(), y));
+    for (int i = 0; first + i * step <= last; ++i) {
+        const double x = positionOf(first + i * step, 0.0).x();
+        painter.drawLine(QPointF(x, y), QPointF(x, y + 4.0));
+        const QString text = lengthText(first + i * step, m_unit);
+        const double wide = fontMetrics().horizontalAdvance(text);
+        painter.drawText(QPointF(std::max(x - wide / 2, 1.0), y + 4.0 + fontMetrics().ascent()), text);
+    }
+}
+
+void SectionView::paintDimension(QPainter& painter) const {
+    const QColor ink = palette().color(QPalette::Text);
+    painter.setPen(QPen(ink, 1.5));
+    painter.setBrush(ink);
+    const auto ends = m_dimension.ends();
+    if (!ends) {
+        if (const auto& from = m_dimension.from()) {
+            painter.drawEllipse(positionOf(from->along, from->z), 3.0, 3.0);
+        }
+        return;
+    }
+    const QPointF from = positionOf(ends->first.along, ends->first.z);
+    const QPointF to = positionOf(ends->second.along, ends->second.z);
+    painter.drawLine(from, to);
+    painter.drawEllipse(from, 3.0, 3.0);
+    painter.drawEllipse(to, 3.0, 3.0);
+    const QString text = m_dimension.text(m_unit);
+    QRectF box = QRectF(fontMetrics().boundingRect(text)).adjusted(-5, -2, 5, 2);
+    box.moveCenter((from + to) / 2.0 + QPointF(0.0, lineHeight()));
+    box.moveLeft(std::clamp(box.left(), plot().left(), std::max(plot().left(), plot().right() - box.width())));
+    box.moveTop(std::clamp(box.top(), plot().top(), std::max(plot().top(), plot().bottom() - box.height())));
+    painter.setPen(QPen(ink, 0.7));
+    painter.setBrush(palette().base());
+    painter.drawRoundedRect(box, 3, 3);
+    painter.drawText(box, Qt::AlignCenter, text);
+}
+
+}  // namespace ui

@@ -1,0 +1,40 @@
+#include "ui/shell/drop_target.h"
+
+#include <QDropEvent>
+#include <QMimeData>
+#include <QUrl>
+
+namespace ui {
+
+namespace {
+
+QStringList localPaths(const QMimeData& data) {
+    QStringList paths;
+    for (const QUrl& url : data.urls()) {
+        if (url.isLocalFile()) {
+            paths += url.toLocalFile();
+        }
+    }
+    return paths;
+}
+
+}  // namespace
+
+bool DropTarget::eventFilter(QObject* watched, QEvent* event) {
+    const bool isDrop = event->type() == QEvent::Drop;
+    if (!isDrop && event->type() != QEvent::DragEnter && event->type() != QEvent::DragMove) {
+        return QObject::eventFilter(watched, event);
+    }
+    auto& drop = static_cast<QDropEvent&>(*event);  // enter and move events are drop events too
+    const QStringList paths = localPaths(*drop.mimeData());
+    if (paths.isEmpty()) {
+        return false;
+    }
+    drop.acceptProposedAction();
+    if (isDrop) {
+        emit dropped(paths);
+    }
+    return true;
+}
+
+}  // namespace ui

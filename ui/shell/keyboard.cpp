@@ -1,0 +1,151 @@
+#include "ui/shell/keyboard.h"
+
+#include <QAbstractItemView>
+#include <QApplication>
+#include <QDockWidget>
+#include <QKeyEvent>
+#include <QWindow>
+#include <algorithm>
+#include <utility>
+
+#include "ui/workspace/key_presets.h"
+
+namespace ui {
+
+namespace {
+
+constexpr std::pair<ActionId, KeyPreset> kPresets[] = {{ActionId::KeysCopperscope, KeyPreset::Copperscope},
+                                                       {ActionId::KeysKiCad, KeyPreset::KiCad},
+                                                       {ActionId::KeysAltium, KeyPreset::Altium},
+                                                       {ActionId::KeysAllegro, KeyPreset::Allegro},
+                                                       {ActionId::KeysKLayout, KeyPreset::KLayout}};
+
+/// Keys that lists, buttons and fields work with.
+constexpr Qt::Key kPanelKeys[] = {Qt::Key_Space, Qt::Key_Return, Qt::Key_Enter,    Qt::Key_Home,
+                                  Qt::Key_End,   Qt::Key_PageUp, Qt::Key_PageDown, Qt::Key_F2};
+
+bool isPanelKey(const QKeyEvent& event) {
+    const bool isPlain = (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) == 0;
+    return isPlain && std::ranges::find(kPanelKeys, event.key()) != std::end(kPanelKeys);
+}
+
+bool canTakeKeys(const QWidget& widget) {
+    return (widget.focusPolicy() & Qt::TabFocus) != 0 && widget.isEnabled() && widget.isVisible();
+}
+
+/// What had the keyboard in a panel last, or else its table, or else what Tab reaches first.
+QWidget* innerFocus(QWidget& panel) {
+    if (QWidget* last = panel.focusWidget(); last != nullptr && canTakeKeys(*last)) {
+        return last;
+    }
+    if (auto* table = panel.findChild<QAbstractItemView*>(); table != nullptr && canTakeKeys(*table)) {
+        return table;
+    }
+    for (QWidget* next = panel.nextInFocusChain(); next != &panel; next = next->nextInFocusChain()) {
+        if (panel.isAncestorOf(next) && canTakeKeys(*next)) {
+            return next;
+        }
+    }
+    return &panel;
+}
+
+}  // namespace
+
+Keyboard::Keyboard(QMainWindow& window, ActionSet& actions, BoardViews& views, Settings& settings)
+    : QObject(&window),
+      m_actions(actions),
+      m_views(views),
+      m_settings(settings),
+      m_docks(window.findChildren<QDockWidget*>()) {
+    for (const auto& [id, preset] : kPresets) {
+        connect(&actions[id], &QAction::triggered, this, [this, preset = preset] { setPreset(preset); });
+    }
+    connect(&actions[ActionId::NextPanel], &QAction::triggered, this, [this] { step(1); });
+    connect(&actions[ActionId::PreviousPanel], &QAction::triggered, this, [this] { step(-1); });
+    for (QDockWidget* dock : m_docks) {
+        dock->installEventFilter(this);
+    }
+}
+
+void Keyboard::setPreset(KeyPreset preset) {
+    for (const auto& [id, value] : kPresets) {
+        m_actions[id].setChecked(value == preset);
+    }
+    m_actions.setKeys(preset);
+    m_settings.setKeys(preset);
+    for (BoardView* view : m_views.both()) {
+        view->controller().setHabits(mouseHabitsOf(preset));
+    }
+}
+
+QList<QWidget*> Keyboard::stops() const {
+    QList<QWidget*> stops;
+    for (BoardView* view : m_views.both()) {
+        if (view->isVisible()) {
+            stops += view;
+        }
+    }
+    for (QDockWidget* dock : m_docks) {
+        if (!dock->isHidden()) {
+            stops += dock;
+        }
+    }
+    return stops;
+}
+
+QWidget* Keyboard::current() const {
+    for (BoardView* view : m_views.both()) {
+        if (QGuiApplication::focusWindow() == &view->canvas()) {
+            return view;
+        }
+    }
+    const QWidget* focus = QApplication::focusWidget();
+    for (QWidget* stop : stops()) {
+        if (focus != nullptr && (stop == focus || stop->isAncestorOf(focus))) {
+            return stop;
+        }
+    }
+    return nullptr;
+}
+
+void Keyboard::step(int by) {
+    const QList<QWidget*> all = stops();
+    if (all.isEmpty()) {
+        return;  // the start page alone
+    }
+    const qsizetype at = all.indexOf(current());
+    const qsizetype next = at < 0 ? 0 : (at + by + all.size()) % all.size();
+    goTo(all[next]);
+}
+
+void Keyboard::goTo(QWidget* stop) {
+    auto* dock = qobject_cast<QDockWidget*>(stop);
+    m_visited = dock;
+    if (dock != nullptr) {
+        dock->raise();
+        dock->activateWindow();  // takes the keyboard from the window of a canvas
+        innerFocus(*dock->widget())->setFocus(Qt::ShortcutFocusReason);
+        return;
+    }
+    auto& view = static_cast<BoardView&>(*stop);
+    m_views.setActive(view);
+    view.takeKeyboard();
+}
+
+bool Keyboard::returnToView() {
+    if (m_visited == nullptr || current() != m_visited || !m_views.isVisible()) {
+        return false;
+    }
+    goTo(&m_views.active());
+    return true;
+}
+
+bool Keyboard::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride && isPanelKey(static_cast<QKeyEvent&>(*event))) {
+        event->accept();
+        return true;
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+}  // namespace ui

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <QMainWindow>
+
+#include "ui/views/board_views.h"
+#include "ui/workspace/actions.h"
+#include "ui/workspace/settings.h"
+
+class QDockWidget;
+
+namespace ui {
+
+/// How the window is used with keys: whose keys it has (and with them whose mouse habits), and which view or panel they
+/// go to. Shown views and panels take turns, views first; a panel that lies behind another one comes to the front.
+class Keyboard : public QObject {
+    Q_OBJECT
+
+public:
+    Keyboard(QMainWindow& window, ActionSet& actions, BoardViews& views, Settings& settings);
+
+    void setPreset(KeyPreset preset);
+    /// Moves from a panel that was reached with keys to the view in use; false when none has the keyboard.
+    bool returnToView();
+
+protected:
+    /// Leaves keys that move within panels, or press their buttons, to them, whatever command has them.
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void step(int by);
+    [[nodiscard]] QList<QWidget*> stops() const;
+    /// Where the keyboard is: one of `stops`, or none of them.
+    [[nodiscard]] QWidget* current() const;
+    void goTo(QWidget* stop);
+
+    ActionSet& m_actions;
+    BoardViews& m_views;
+    Settings& m_settings;
+    QWidget* m_visited = nullptr;  ///< the panel that was reached with keys
+    QList<QDockWidget*> m_docks;   ///< in the order they were made, which raising one would change among siblings
+};
+
+}  // namespace ui

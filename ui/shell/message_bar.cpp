@@ -1,0 +1,36 @@
+#include "ui/shell/message_bar.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+
+namespace ui {
+
+MessageBar::MessageBar(QWidget* parent) : QFrame(parent), m_label(new QLabel) {
+    setObjectName(QStringLiteral("messageBar"));
+    setStyleSheet(QStringLiteral(
+        "#messageBar { background: #7d2a22; } #messageBar QLabel, #messageBar QToolButton { color: white; }"));
+    m_label->setWordWrap(true);
+    m_label->setTextFormat(Qt::PlainText);  // reasons hold file names, which may look like markup
+    m_label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    auto* close = new QToolButton;
+    close->setText(QStringLiteral("Close"));
+    close->setAutoRaise(true);
+    connect(close, &QToolButton::clicked, this, &QWidget::hide);
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(10, 4, 6, 4);
+    layout->addWidget(m_label, 1);
+    layout->addWidget(close);
+    hide();
+}
+
+void MessageBar::showError(const QString& text) {
+    m_label->setText(text);
+    show();
+}
+
+QString MessageBar::text() const {
+    return m_label->text();
+}
+
+}  // namespace ui

@@ -1,0 +1,74 @@
+#include "ui/shell/theme.h"
+
+#include <QApplication>
+#include <QPalette>
+#include <QStyle>
+#include <QStyleFactory>
+
+namespace ui {
+
+namespace {
+
+struct Tone {
+    QPalette::ColorRole role;
+    QRgb dark;
+    QRgb light;
+};
+
+constexpr Tone kTones[] = {
+    {QPalette::Window, 0xff2b2d31, 0xfff2f2f3},
+    {QPalette::WindowText, 0xffdfe1e5, 0xff1d1e21},
+    {QPalette::Base, 0xff1f2124, 0xffffffff},
+    {QPalette::AlternateBase, 0xff26282c, 0xfff6f7f8},
+    {QPalette::Text, 0xffdfe1e5, 0xff1d1e21},
+    {QPalette::PlaceholderText, 0xff8b9098, 0xff7a7f87},
+    {QPalette::Button, 0xff34373c, 0xffe9eaec},
+    {QPalette::ButtonText, 0xffdfe1e5, 0xff1d1e21},
+    {QPalette::BrightText, 0xffffffff, 0xff000000},
+    {QPalette::ToolTipBase, 0xff3a3e44, 0xfffffbe6},
+    {QPalette::ToolTipText, 0xffe8eaed, 0xff1d1e21},
+    {QPalette::Highlight, 0xffa65a24, 0xffa65a24},
+    {QPalette::HighlightedText, 0xffffffff, 0xffffffff},
+    {QPalette::Link, 0xfff0a060, 0xff9a4b10},
+    {QPalette::Light, 0xff44484e, 0xffffffff},
+    {QPalette::Midlight, 0xff3c4046, 0xfff6f6f7},
+    {QPalette::Mid, 0xff212327, 0xffc0c3c8},
+    {QPalette::Dark, 0xff1a1b1e, 0xffa2a6ad},
+    {QPalette::Shadow, 0xff0c0d0f, 0xff6f737a},
+};
+
+constexpr QPalette::ColorRole kTextRoles[] = {QPalette::WindowText, QPalette::Text, QPalette::ButtonText,
+                                              QPalette::HighlightedText};
+
+QPalette ownPalette(bool isDark) {
+    QPalette palette;
+    for (const Tone& tone : kTones) {
+        palette.setColor(tone.role, QColor::fromRgb(isDark ? tone.dark : tone.light));
+    }
+    for (const QPalette::ColorRole role : kTextRoles) {
+        palette.setColor(QPalette::Disabled, role, QColor::fromRgb(isDark ? 0xff777c84 : 0xff9a9fa6));
+    }
+    return palette;
+}
+
+/// The desktop's own style by name, asked for before it is ever changed.
+QString systemStyle() {
+    static const QString name = QApplication::style()->name();
+    return name;
+}
+
+}  // namespace
+
+void applyTheme(Theme theme) {
+    const QString desktop = systemStyle();
+    if (theme == Theme::System) {
+        QApplication::setStyle(desktop);
+        QApplication::setPalette(QPalette());
+        return;
+    }
+    // Native styles ignore palettes in places; Fusion follows them everywhere.
+    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    QApplication::setPalette(ownPalette(theme == Theme::Dark));
+}
+
+}  // namespace ui

@@ -1,0 +1,256 @@
+#include "ui/stackup/stackup_view.h"
+
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QPainter>
+#include <QToolTip>
+#include <algorithm>
+
+#include "model/session/length_text.h"
+
+namespace ui {
+
+namespace {
+
+constexpr double kMargin = 8.0;
+constexpr double kBoreWidth = 10.0;
+constexpr double kLeader = 28.0;  // between a layer and its label
+constexpr QColor kSubstrate(0xb8, 0xa0, 0x60);
+constexpr QColor kPlating(0xc8, 0x79, 0x3a);
+
+QString boreNumber(std::size_t row) {
+    return QString::number(row + 1);
+}
+
+}  // namespace
+
+StackupView::StackupView(QWidget* parent) : QWidget(parent) {
+    setFocusPolicy(Qt::StrongFocus);
+    setAccessibleName(QStringLiteral("Stack drawing"));
+}
+
+void StackupView::setStackup(std::shared_ptr<const model::Document> document) {
+    m_document = std::move(document);
+    const model::StackupDrawing least =
+        m_document ? model::drawStackup(*m_document, {0.0, lineHeight(), false}) : model::StackupDrawing{};
+    m_boreCount = least.bores.size();
+    setMinimumHeight(static_cast<int>(least.height + roomBeside()));
+    arrange();
+}
+
+void StackupView::setStyles(std::vector<QColor> colours, model::LayerId alone) {
+    m_colours = std::move(colours);
+    m_isolated = alone;
+    update();
+}
+
+void StackupView::setExaggerated(bool isOn) {
+    m_isExaggerated = isOn;
+    arrange();
+}
+
+QSize StackupView::sizeHint() const {
+    return {fontMetrics().averageCharWidth() * 80, minimumHeight()};
+}
+
+double StackupView::lineHeight() const {
+    return fontMetrics().height() + 1.0;
+}
+
+double StackupView::labelLeft() const {
+    return width() * 0.42;
+}
+
+/// Above the layers a line for the numbers of the holes, below them a line for each and one to breathe.
+double StackupView::roomBeside() const {
+    return 2 * kMargin + lineHeight() * (static_cast<double>(m_boreCount) + 2.0);
+}
+
+void StackupView::arrange() {
+    m_drawing = m_document ? model::drawStackup(*m_document, {height() - roomBeside(), lineHeight(), m_isExaggerated})
+                           : model::StackupDrawing{};
+    update();
+}
+
+void StackupView::resizeEvent(QResizeEvent*) {
+    arrange();
+}
+
+QRectF StackupView::bandRect(std::size_t row) const {
+    const model::StackupBand& band = m_drawing.bands[row];
+    const double top = kMargin + lineHeight();
+    return {kMargin, top + band.top, labelLeft() - kLeader - kMargin, band.bottom - band.top};
+}
+
+QRectF StackupView::boreRect(std::size_t row) const {
+    const model::StackupBarrel& bore = m_drawing.bores[row];
+    const double room = (labelLeft() - kLeader - kMargin) / static_cast<double>(m_drawing.bores.size());
+    const double wide =
+        std::min(kBoreWidth, room / 2);  // the layers are seen between the holes, however many there are
+    const double x = kMargin + room * (static_cast<double>(row) + 0.5);
+    return {x - wide / 2, kMargin + lineHeight() + bore.top, wide, bore.bottom - bore.top};
+}
+
+QColor StackupView::colourOf(const model::StackupRow& row) const {
+    const bool hasOwn = row.layer.row() < m_colours.size() && row.type != model::LayerType::Dielectric;
+    QColor colour = hasOwn ? m_colours[row.layer.row()] : kSubstrate;
+    if (m_isolated.isValid() && row.layer != m_isolated) {
+        colour.setAlphaF(0.3F);
+    }
+    return colour;
+}
+
+void StackupView::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.fillRect(rect(), palette().base());
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (std::size_t row = 0; row < m_drawing.bands.size(); ++row) {
+        paintBand(painter, row);
+        paintLabel(painter, row);
+    }
+    for (std::size_t row = 0; row < m_drawing.bores.size(); ++row) {
+        paintBore(painter, row);
+        paintCaption(painter, row);
+    }
+}
+
+void StackupView::paintBand(QPainter& painter, std::size_t row) const {
+    const model::StackupRow& layer = m_document->stackup.rows[row];
+    const QRectF band = bandRect(row);
+    painter.fillRect(band, colourOf(layer));
+    const bool isIsolated = layer.layer.isValid() && layer.layer == m_isolated;
+    painter.setPen(isIsolated ? QPen(palette().color(QPalette::Highlight), 2.0)
+                              : QPen(palette().color(QPalette::Mid), 0.5));
+    painter.drawRect(band);
+}
+
+void StackupView::paintLabel(QPainter& painter, std::size_t row) const {
+    const model::StackupRow& layer = m_document->stackup.rows[row];
+    const QRectF band = bandRect(row);
+    const double y = kMargin + lineHeight() + m_drawing.bands[row].label;
+    painter.setPen(QPen(palette().color(QPalette::PlaceholderText), 0.7));
+    painter.drawPolyline(QPolygonF{{band.right(), band.center().y()},
+                                   {band.right() + 5.0, band.center().y()},
+                                   {labelLeft() - 7.0, y},
+                                   {labelLeft() - 3.0, y}});
+    painter.setPen(palette().color(QPalette::Text));
+    const double thicknessLeft = labelLeft() + (width() - labelLeft()) * 0.62;
+    const auto write = [&](double left, double right, const QString& text) {
+        painter.drawText(QRectF(left, y - lineHeight() / 2, right - left, lineHeight()), Qt::AlignVCenter,
+                         fontMetrics().elidedText(text, Qt::ElideMiddle, static_cast<int>(right - left)));
+    };
+    write(labelLeft(), thicknessLeft - 6.0, QString::fromStdString(layer.name));
+    QFont slanted = font();
+    slanted.setItalic(layer.source == model::Source::Assumed);
+    slanted.setBold(layer.source == model::Source::Session);
+    painter.setFont(slanted);
+    write(thicknessLeft, width(), QString::fromStdString(model::session::thicknessText(layer.thickness)));
+    painter.setFont(font());
+}
+
+void StackupView::paintBore(QPainter& painter, std::size_t row) const {
+    const model::StackupBarrel& bore = m_drawing.bores[row];
+    const bool isBackdrill = bore.span == model::HoleSpan::Backdrill;
+    const QRectF hole = boreRect(row);
+    painter.fillRect(hole, isBackdrill ? QBrush(palette().color(QPalette::Text), Qt::BDiagPattern)
+                                       : QBrush(palette().color(QPalette::Base)));
+    painter.setPen(bore.isPlated ? QPen(kPlating, 2.0) : QPen(palette().color(QPalette::Text), 1.0));
+    painter.drawLine(hole.topLeft(), hole.bottomLeft());
+    painter.drawLine(hole.topRight(), hole.bottomRight());
+    painter.setPen(palette().color(QPalette::Text));
+    painter.drawText(QRectF(hole.center().x() - 20.0, kMargin, 40.0, lineHeight()), Qt::AlignCenter, boreNumber(row));
+}
+
+void StackupView::paintCaption(QPainter& painter, std::size_t row) const {
+    const double top = kMargin + m_drawing.height + lineHeight() * (static_cast<double>(row) + 1.5);
+    const QString text =
+        boreNumber(row) + "  " + QString::fromStdString(model::boreText(*m_document, m_drawing.bores[row]));
+    painter.setPen(palette().color(QPalette::Text));
+    painter.drawText(QRectF(kMargin, top, width() - 2 * kMargin, lineHeight()), Qt::AlignVCenter,
+                     fontMetrics().elidedText(text, Qt::ElideMiddle, static_cast<int>(width() - 2 * kMargin)));
+}
+
+std::size_t StackupView::boreAt(QPointF at) const {
+    std::size_t row = 0;
+    while (row < m_drawing.bores.size() && !boreRect(row).contains(at)) {
+        ++row;
+    }
+    return row;
+}
+
+std::size_t StackupView::rowAt(QPointF at) const {
+    std::size_t row = 0;
+    for (; row < m_drawing.bands.size(); ++row) {
+        const double label = kMargin + lineHeight() + m_drawing.bands[row].label;
+        const bool isOnLabel = at.x() >= labelLeft() && std::abs(at.y() - label) <= lineHeight() / 2;
+        if (isOnLabel || bandRect(row).contains(at)) {
+            break;
+        }
+    }
+    return row;
+}
+
+model::LayerId StackupView::layerAt(QPointF at) const {
+    if (const std::size_t bore = boreAt(at); bore < m_drawing.bores.size()) {
+        return m_drawing.bores[bore].layer;
+    }
+    const std::size_t row = rowAt(at);
+    return row < m_drawing.bands.size() ? m_document->stackup.rows[row].layer : model::LayerId{};
+}
+
+QString StackupView::tipAt(QPointF at) const {
+    if (const std::size_t bore = boreAt(at); bore < m_drawing.bores.size()) {
+        return QString::fromStdString(model::boreText(*m_document, m_drawing.bores[bore]));
+    }
+    const std::size_t row = rowAt(at);
+    if (row >= m_drawing.bands.size()) {
+        return {};
+    }
+    const model::StackupRow& layer = m_document->stackup.rows[row];
+    return QStringLiteral("%1: %2, %3")
+        .arg(QString::fromStdString(layer.name), QString::fromStdString(model::session::thicknessText(layer.thickness)),
+             layer.layer.isValid() ? QStringLiteral("click to see it alone") : QStringLiteral("no layer of the job"));
+}
+
+void StackupView::mousePressEvent(QMouseEvent* event) {
+    const model::LayerId layer = layerAt(event->position());
+    if (event->button() == Qt::LeftButton && layer.isValid()) {
+        emit isolateRequested(layer);
+    }
+}
+
+void StackupView::keyPressEvent(QKeyEvent* event) {
+    switch (event->key()) {
+        case Qt::Key_Up: step(-1); break;
+        case Qt::Key_Down: step(1); break;
+        default: QWidget::keyPressEvent(event);
+    }
+}
+
+void StackupView::step(int way) {
+    if (!m_document) {
+        return;
+    }
+    const std::vector<model::StackupRow>& rows = m_document->stackup.rows;
+    const auto count = static_cast<int>(rows.size());
+    const auto now = std::ranges::find(rows, m_isolated, &model::StackupRow::layer);
+    const bool hasNow = m_isolated.isValid() && now != rows.end();
+    int row = hasNow ? static_cast<int>(now - rows.begin()) + way : way > 0 ? 0 : count - 1;
+    while (row >= 0 && row < count && !rows[static_cast<std::size_t>(row)].layer.isValid()) {
+        row += way;  // laminate that the job has no layer for
+    }
+    if (row >= 0 && row < count) {
+        emit isolateRequested(rows[static_cast<std::size_t>(row)].layer);
+    }
+}
+
+bool StackupView::event(QEvent* event) {
+    if (event->type() == QEvent::ToolTip) {
+        const auto* help = static_cast<QHelpEvent*>(event);
+        QToolTip::showText(help->globalPos(), tipAt(help->pos()), this);
+        return true;
+    }
+    return QWidget::event(event);
+}
+
+}  // namespace ui

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <QWidget>
+#include <memory>
+#include <vector>
+
+#include "model/export/stackup_drawing.h"
+
+namespace ui {
+
+/// The stack from the side: layers to scale or with copper exaggerated, labels, and what every kind of hole passes.
+/// A click on a layer, its label or a hole asks for that layer alone in the views, Up and Down for the next one.
+class StackupView : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit StackupView(QWidget* parent = nullptr);
+
+    /// A null document, or one without a stack, empties the drawing.
+    void setStackup(std::shared_ptr<const model::Document> document);
+    /// `colours` has one entry per layer of the document. `alone` is the layer that is shown alone, if one is.
+    void setStyles(std::vector<QColor> colours, model::LayerId alone);
+    void setExaggerated(bool isOn);
+
+    [[nodiscard]] bool isExaggerated() const { return m_isExaggerated; }
+    [[nodiscard]] const model::StackupDrawing& drawing() const { return m_drawing; }
+    /// Where a row of the stack and a kind of hole is drawn, in pixels.
+    [[nodiscard]] QRectF bandRect(std::size_t row) const;
+    [[nodiscard]] QRectF boreRect(std::size_t row) const;
+    [[nodiscard]] QSize sizeHint() const override;
+
+signals:
+    void isolateRequested(model::LayerId layer);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    bool event(QEvent* event) override;
+
+private:
+    void arrange();
+    void step(int way);
+    [[nodiscard]] double roomBeside() const;
+    [[nodiscard]] double lineHeight() const;
+    [[nodiscard]] double labelLeft() const;
+    /// The layer at a place, a hole before the layers it passes; none beside them or where the job has no layer.
+    [[nodiscard]] model::LayerId layerAt(QPointF at) const;
+    [[nodiscard]] QString tipAt(QPointF at) const;
+    [[nodiscard]] std::size_t boreAt(QPointF at) const;
+    [[nodiscard]] std::size_t rowAt(QPointF at) const;
+    [[nodiscard]] QColor colourOf(const model::StackupRow& row) const;
+    void paintBand(QPainter& painter, std::size_t row) const;
+    void paintLabel(QPainter& painter, std::size_t row) const;
+    void paintBore(QPainter& painter, std::size_t row) const;
+    void paintCaption(QPainter& painter, std::size_t row) const;
+
+    std::shared_ptr<const model::Document> m_document;
+    std::vector<QColor> m_colours;
+    model::StackupDrawing m_drawing;
+    std::size_t m_boreCount = 0;
+    model::LayerId m_isolated;
+    bool m_isExaggerated = true;
+};
+
+}  // namespace ui

@@ -1,0 +1,145 @@
+#include "ui/statistics/histogram_view.h"
+
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QLocale>
+#include <QPainter>
+#include <QToolTip>
+#include <algorithm>
+#include <cmath>
+
+namespace ui {
+
+namespace {
+
+constexpr std::size_t kMostBars = 16;
+constexpr double kMargin = 6.0;
+
+}  // namespace
+
+HistogramView::HistogramView(QWidget* parent) : QWidget(parent) {
+    setFocusPolicy(Qt::StrongFocus);
+    setAccessibleName(QStringLiteral("Histogram"));
+    setMinimumSize(fontMetrics().averageCharWidth() * 40, fontMetrics().height() * 5);
+}
+
+void HistogramView::setDocument(std::shared_ptr<const model::Document> document) {
+    m_document = std::move(document);
+    measure();
+}
+
+void HistogramView::setMeasure(model::Measure measure) {
+    m_measure = measure;
+    this->measure();
+}
+
+void HistogramView::setUnit(LengthUnit unit) {
+    m_unit = unit;
+    update();
+}
+
+void HistogramView::measure() {
+    m_histogram = m_document ? model::histogramOf(*m_document, m_measure, kMostBars) : model::Histogram{};
+    m_current = m_histogram.bars.size();
+    update();
+}
+
+QRectF HistogramView::columnRect(std::size_t bar) const {
+    const double line = fontMetrics().height();
+    const double wide = (width() - 2 * kMargin) / static_cast<double>(m_histogram.bars.size());
+    return {kMargin + wide * static_cast<double>(bar), kMargin, wide, height() - 2 * kMargin - line};
+}
+
+QString HistogramView::lengthsText(const model::HistogramBar& bar) const {
+    const QString least = lengthText(bar.least, m_unit);
+    return bar.least == bar.most ? least : QStringLiteral("%1 to %2").arg(least, lengthText(bar.most, m_unit));
+}
+
+void HistogramView::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.fillRect(rect(), palette().base());
+    painter.setPen(palette().color(QPalette::Text));
+    if (m_histogram.bars.empty()) {
+        painter.drawText(rect(), Qt::AlignCenter, QStringLiteral("There is nothing of this kind on the board"));
+        return;
+    }
+    painter.drawText(QRectF(rect()).adjusted(0.0, 2.0, -kMargin, 0.0), Qt::AlignRight, QLatin1String(unitName(m_unit)));
+    std::uint32_t highest = 0;
+    for (const model::HistogramBar& bar : m_histogram.bars) {
+        highest = std::max(highest, bar.elements.count);
+    }
+    for (std::size_t bar = 0; bar < m_histogram.bars.size(); ++bar) {
+        paintBar(painter, bar, highest);
+    }
+}
+
+void HistogramView::paintBar(QPainter& painter, std::size_t bar, std::uint32_t highest) const {
+    const model::HistogramBar& values = m_histogram.bars[bar];
+    const QRectF column = columnRect(bar);
+    const double line = fontMetrics().height();
+    const double room = column.height() - line;
+    // The square root keeps a bar of one element visible beside one of thousands; the count stands over it.
+    const double high = std::max(2.0, room * std::sqrt(double(values.elements.count) / highest));
+    const double gap = std::min(3.0, column.width() / 6);
+    const QRectF filled(column.left() + gap, column.bottom() - high, column.width() - 2 * gap, high);
+    painter.fillRect(filled, palette().color(bar == m_current ? QPalette::Highlight : QPalette::PlaceholderText));
+    painter.setPen(palette().color(QPalette::Text));
+    const QRectF above(column.left(), filled.top() - line, column.width(), line);
+    painter.drawText(above, Qt::AlignCenter, QLocale().toString(values.elements.count));
+    const QRectF below(column.left(), column.bottom(), column.width(), line);
+    const QString lengths = lengthsText(values).remove(QStringLiteral(" ") + QLatin1String(unitName(m_unit)));
+    painter.drawText(below, Qt::AlignCenter,
+                     fontMetrics().elidedText(lengths, Qt::ElideRight, static_cast<int>(column.width())));
+}
+
+std::size_t HistogramView::barAt(QPointF at) const {
+    std::size_t bar = 0;
+    while (bar < m_histogram.bars.size() && !(at.x() >= columnRect(bar).left() && at.x() < columnRect(bar).right())) {
+        ++bar;
+    }
+    return bar;
+}
+
+void HistogramView::choose(std::size_t bar) {
+    if (bar >= m_histogram.bars.size()) {
+        return;
+    }
+    m_current = bar;
+    update();
+    const model::Range range = m_histogram.bars[bar].elements;
+    const auto first = m_histogram.elements.begin() + range.first;
+    emit chosen({first, first + range.count});
+}
+
+void HistogramView::mousePressEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton) {
+        choose(barAt(event->position()));
+    }
+}
+
+void HistogramView::keyPressEvent(QKeyEvent* event) {
+    const std::size_t count = m_histogram.bars.size();
+    if (event->key() == Qt::Key_Right) {
+        choose(m_current >= count ? 0 : std::min(m_current + 1, count - 1));
+    } else if (event->key() == Qt::Key_Left && count > 0) {
+        choose(m_current >= count ? count - 1 : m_current - std::min<std::size_t>(m_current, 1));
+    } else {
+        QWidget::keyPressEvent(event);
+    }
+}
+
+bool HistogramView::event(QEvent* event) {
+    if (event->type() == QEvent::ToolTip) {
+        const auto* help = static_cast<QHelpEvent*>(event);
+        const std::size_t bar = barAt(help->pos());
+        const QString tip = bar < m_histogram.bars.size() ? QStringLiteral("%1: %L2 elements, click to select them")
+                                                                .arg(lengthsText(m_histogram.bars[bar]))
+                                                                .arg(m_histogram.bars[bar].elements.count)
+                                                          : QString();
+        QToolTip::showText(help->globalPos(), tip, this);
+        return true;
+    }
+    return QWidget::event(event);
+}
+
+}  // namespace ui

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QWidget>
+#include <memory>
+
+#include "model/statistics/histogram.h"
+#include "ui/common/lengths.h"
+
+namespace ui {
+
+/// A histogram of the board as bars. A click on a bar asks for its elements, Left and Right for those of the next
+/// one. Heights go by the square root of the counts, which stand over them.
+class HistogramView : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit HistogramView(QWidget* parent = nullptr);
+
+    /// A null document empties the plot.
+    void setDocument(std::shared_ptr<const model::Document> document);
+    void setMeasure(model::Measure measure);
+    void setUnit(LengthUnit unit);
+    [[nodiscard]] const model::Histogram& histogram() const { return m_histogram; }
+    /// The room of a bar from the top of the plot to its foot, pixels.
+    [[nodiscard]] QRectF columnRect(std::size_t bar) const;
+
+signals:
+    void chosen(const std::vector<model::ElementId>& elements);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    bool event(QEvent* event) override;
+
+private:
+    void measure();
+    void choose(std::size_t bar);
+    [[nodiscard]] std::size_t barAt(QPointF at) const;
+    [[nodiscard]] QString lengthsText(const model::HistogramBar& bar) const;
+    void paintBar(QPainter& painter, std::size_t bar, std::uint32_t highest) const;
+
+    std::shared_ptr<const model::Document> m_document;
+    model::Measure m_measure = model::Measure::TrackWidth;
+    LengthUnit m_unit = LengthUnit::Millimetre;
+    model::Histogram m_histogram;
+    std::size_t m_current = 0;  ///< the bar chosen last
+};
+
+}  // namespace ui

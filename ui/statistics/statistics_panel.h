@@ -1,0 +1,47 @@
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "model/base/ids.h"
+
+class QComboBox;
+class QTabWidget;
+
+namespace ui {
+
+class DrillModel;
+class StatisticsModel;
+class HistogramView;
+class TableView;
+
+/// Elements by kind per layer and in all, and behind a second tab the drill table; a click on a heading sorts, a second
+/// one turns the order. Beside them how track widths, holes or annular rings are spread.
+class StatisticsPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    StatisticsPanel(StatisticsModel& model, DrillModel& drills, QWidget* parent = nullptr);
+    [[nodiscard]] TableView& table() { return *m_table; }
+    [[nodiscard]] TableView& drillTable() { return *m_drillTable; }
+    [[nodiscard]] QTabWidget& tabs() { return *m_tabs; }
+    [[nodiscard]] HistogramView& plot() { return *m_plot; }
+    [[nodiscard]] QComboBox& measureBox() { return *m_measure; }
+
+signals:
+    /// The holes of the rows selected in the drill table: after a click into it, or Enter.
+    void holesChosen(const std::vector<model::ElementId>& holes);
+
+private:
+    void setUpDrills();
+    void chooseHoles();
+
+    DrillModel& m_drills;
+    TableView* m_table;
+    TableView* m_drillTable;
+    QTabWidget* m_tabs;
+    HistogramView* m_plot;
+    QComboBox* m_measure;
+};
+
+}  // namespace ui

@@ -1,0 +1,234 @@
+#include "ui/views/board_view.h"
+
+#include <QPainter>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "render/scene/explosion.h"
+#include "ui/canvas/image_canvas.h"
+#include "ui/canvas/vulkan_canvas.h"
+
+namespace ui {
+
+namespace {
+
+constexpr double kSlowMs = 50.0;  // 20 frames a second: below that a drag feels sticky
+constexpr int kRestMs = 250;
+
+/// As frames are while a slow view moves.
+void setCoarse(render::ViewSettings& settings, bool isCoarse) {
+    settings.isSmoothed = !isCoarse;
+    settings.levels = isCoarse ? render::LevelOfDetail::Coarse : render::LevelOfDetail::Error;
+}
+
+}  // namespace
+
+BoardView::BoardView(GpuContext& context, Kind kind, QWidget* parent)
+    : QWidget(parent), m_context(context), m_kind(kind) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    setMinimumSize(160, 120);
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(kRestMs);
+    connect(&m_rest, &QTimer::timeout, this, &BoardView::requestRestingFrame);
+    connect(&m_controller, &CameraController::moved, this, &BoardView::requestMovingFrame);
+    m_picture.settings.keepsBoard = true;
+    m_picture.prepare = [this](QSize pixels) {
+        m_picture.settings.isBoardKept = m_isBoardDrawn;
+        paintOverlay(m_picture, pixels, Shown::OnCanvas);
+    };
+    connect(this, &BoardView::drawn, this, [this] { m_isBoardDrawn = true; });
+    if (kind == Kind::Flat) {
+        m_picture.settings.is2d = true;
+        m_controller.setPlan();
+    }
+    if (context.surfaceInstance() != nullptr) {
+        showVulkanCanvas();
+    } else {
+        showImageCanvas();
+    }
+}
+
+BoardView::~BoardView() {
+    delete m_container;  // as a child it would go after the members that its canvas works on
+}
+
+void BoardView::showVulkanCanvas() {
+    m_window = new VulkanCanvas(m_context, m_controller, m_picture);
+    connect(m_window, &VulkanCanvas::drawn, this, &BoardView::drawn);
+    connect(m_window, &VulkanCanvas::timed, this, &BoardView::onTimed);
+    connect(m_window, &VulkanCanvas::deviceLost, this, &BoardView::deviceLost, Qt::QueuedConnection);
+    connect(m_window, &VulkanCanvas::unusable, this, &BoardView::showImageCanvas, Qt::QueuedConnection);
+    replaceCanvas(QWidget::createWindowContainer(m_window));
+}
+
+void BoardView::showImageCanvas() {
+    m_window = nullptr;
+    m_image = new ImageCanvas(m_context, m_controller, m_picture);
+    connect(m_image, &ImageCanvas::drawn, this, &BoardView::drawn);
+    connect(m_image, &ImageCanvas::timed, this, &BoardView::onTimed);
+    connect(m_image, &ImageCanvas::deviceLost, this, &BoardView::deviceLost, Qt::QueuedConnection);
+    replaceCanvas(m_image);
+}
+
+void BoardView::replaceCanvas(QWidget* canvas) {
+    delete m_container;
+    m_container = canvas;
+    canvas->setFocusPolicy(Qt::StrongFocus);
+    layout()->addWidget(canvas);
+    setFocusProxy(canvas);
+}
+
+void BoardView::setScene(render::BoardScene* scene, std::vector<render::LayerStyle> styles) {
+    m_picture.scene = scene;
+    m_picture.styles = std::move(styles);
+    m_isSlow = false;
+    requestRestingFrame();
+}
+
+void BoardView::setStyles(std::vector<render::LayerStyle> styles) {
+    m_picture.styles = std::move(styles);
+    requestFrame();
+}
+
+std::vector<render::ZRange> BoardView::drawnHeights() const {
+    if (m_picture.scene == nullptr) {
+        return {};
+    }
+    return m_picture.scene->drawnHeights(m_picture.frameSettings());
+}
+
+void BoardView::setDim(float dim) {
+    m_picture.settings.dim = dim;
+}
+
+void BoardView::setOutlined(bool isOn) {
+    m_picture.settings.isOutlined = isOn;
+    requestFrame();
+}
+
+void BoardView::paintOverlay(Picture& picture, QSize pixels, Shown where) const {
+    if (picture.overlay.size() != pixels) {
+        picture.overlay = m_painters.empty() ? QImage() : QImage(pixels, QImage::Format_RGBA8888_Premultiplied);
+    }
+    if (m_painters.empty()) {
+        return;
+    }
+    picture.overlay.fill(Qt::transparent);
+    QPainter painter(&picture.overlay);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.scale(pixels.width() / m_controller.viewport().width(), pixels.height() / m_controller.viewport().height());
+    for (const auto& [paint, shown] : m_painters) {
+        if (where == Shown::OnCanvas || shown == Shown::Everywhere) {
+            painter.save();
+            paint(painter);
+            painter.restore();
+        }
+    }
+}
+
+void BoardView::setBoard(const glm::vec3& boxMin, const glm::vec3& boxMax) {
+    m_boxMin = boxMin;
+    m_boxMax = boxMax;
+    updateBox();
+}
+
+void BoardView::setBackend(render::Backend backend) {
+    m_picture.settings.backend = backend;
+    requestFrame();
+}
+
+void BoardView::setExplode(float explode) {
+    m_picture.settings.explode = explode;
+    updateBox();
+    requestMovingFrame();
+}
+
+void BoardView::setZScale(const render::ZScale& scale) {
+    m_picture.settings.zScale = scale;
+    requestFrame();
+}
+
+void BoardView::setCut(std::shared_ptr<const render::Cut> cut) {
+    m_picture.settings.cut = std::move(cut);
+    requestMovingFrame();
+}
+
+void BoardView::updateBox() {
+    const render::Box3 box = render::explodedBox({m_boxMin, m_boxMax}, m_picture.settings.explode);
+    m_controller.setBox(box.min, box.max);
+}
+
+void BoardView::requestFrame() {
+    m_isBoardDrawn = false;
+    requestOverlay();
+}
+
+void BoardView::requestFrameAtRest() {
+    if (m_isSlow) {
+        m_rest.start();
+        requestOverlay();
+    } else {
+        requestFrame();
+    }
+}
+
+void BoardView::requestOverlay() {
+    if (m_window != nullptr) {
+        m_window->requestUpdate();
+    } else if (m_image != nullptr) {
+        m_image->requestFrame();
+    }
+}
+
+void BoardView::requestMovingFrame() {
+    if (m_isSlow) {
+        setCoarse(m_picture.settings, true);
+        m_rest.start();
+    }
+    requestFrame();
+}
+
+void BoardView::requestRestingFrame() {
+    setCoarse(m_picture.settings, false);
+    requestFrame();
+}
+
+void BoardView::onTimed(const render::FrameStats& stats) {
+    m_isSlow = m_isSlow || (!stats.isOverlayAlone && std::max(stats.cpuMs, stats.gpuMs) > kSlowMs);
+    emit timed(stats);
+}
+
+void BoardView::takeKeyboard() {
+    setFocus(Qt::ShortcutFocusReason);
+    if (m_window != nullptr) {
+        m_window->requestActivate();
+    }
+}
+
+QObject& BoardView::canvas() {
+    return m_window != nullptr ? static_cast<QObject&>(*m_window) : *m_image;
+}
+
+base::Result<QImage> BoardView::grabPicture(double scale) {
+    if (m_context.device().isLost()) {
+        return base::Error{base::ErrorCode::DeviceFailed, "The graphics device failed"};
+    }
+    render::OffscreenPresenter presenter(m_context.device());
+    const QSize pixels = (QSizeF(size()) * devicePixelRatioF() * scale).toSize();
+    Picture resting = m_picture;
+    setCoarse(resting.settings, false);
+    resting.settings.keepsBoard = resting.settings.isBoardKept = false;
+    paintOverlay(resting, pixels, Shown::Everywhere);
+    return drawPicture(presenter, resting, m_controller.camera(), pixels);
+}
+
+void BoardView::releaseDevice() {
+    if (m_window != nullptr) {
+        m_window->releaseDevice();
+    } else {
+        m_image->releaseDevice();
+    }
+}
+
+}  // namespace ui

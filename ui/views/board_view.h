@@ -1,0 +1,118 @@
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "ui/canvas/camera_controller.h"
+#include "ui/canvas/gpu_context.h"
+#include "ui/canvas/picture.h"
+
+class QPainter;
+
+namespace ui {
+
+class ImageCanvas;
+class VulkanCanvas;
+
+/// A viewport: a camera, its input, and a canvas of the kind the platform can show. Draws only when something changed,
+/// and once however much changed since the last frame. Where frames are slow (software Vulkan), outlines are coarser
+/// and edges not smoothed while the view moves, and are again as soon as it rests. A 2D view looks straight at the
+/// board with flat colours, a 3D view from anywhere.
+class BoardView : public QWidget {
+    Q_OBJECT
+
+public:
+    enum class Kind { Flat, Solid };  ///< 2D, 3D
+    /// Paints over the board, in logical pixels of the canvas.
+    using Painter = std::function<void(QPainter&)>;
+    enum class Shown { Everywhere, OnCanvas };  ///< the latter not in pictures that are saved
+
+    BoardView(GpuContext& context, Kind kind, QWidget* parent = nullptr);
+    ~BoardView() override;
+
+    /// Shows a scene, which the caller keeps alive until it sets another one; null shows the background. `styles` has
+    /// one entry per layer. The camera is the caller's affair.
+    void setScene(render::BoardScene* scene, std::vector<render::LayerStyle> styles);
+    /// Box of the board in model millimetres, before explosion.
+    void setBoard(const glm::vec3& boxMin, const glm::vec3& boxMax);
+    void setStyles(std::vector<render::LayerStyle> styles);
+    void setBackend(render::Backend backend);
+    /// Darkens what does not stand out, see render::ViewSettings; from the next frame of the board on.
+    void setDim(float dim);
+    /// Outlines and nothing in them; in 2D.
+    void setOutlined(bool isOn);
+    /// Painters paint in the order in which they were added, before every frame.
+    void addPainter(Painter painter, Shown shown = Shown::Everywhere) {
+        m_painters.emplace_back(std::move(painter), shown);
+    }
+    /// Paints before all others that were added so far.
+    void addGroundPainter(Painter painter) {
+        m_painters.emplace(m_painters.begin(), std::move(painter), Shown::Everywhere);
+    }
+    /// 0 to 1, see render::ViewSettings.
+    void setExplode(float explode);
+    /// The caller sets a box of these heights too.
+    void setZScale(const render::ZScale& scale);
+    /// Cuts the board open (3D); null: it is whole.
+    void setCut(std::shared_ptr<const render::Cut> cut);
+    [[nodiscard]] const render::Cut* cut() const { return m_picture.settings.cut.get(); }
+    void requestFrame();
+    /// Of the board, but where that is slow only when nothing has been asked for for a while, and an overlay at once.
+    void requestFrameAtRest();
+    /// The painters paint something else, all else is as it was: the board is not drawn again.
+    void requestOverlay();
+    /// Keys go to the canvas from now on.
+    void takeKeyboard();
+
+    [[nodiscard]] bool hasScene() const { return m_picture.scene != nullptr; }
+    [[nodiscard]] Kind kind() const { return m_kind; }
+    [[nodiscard]] CameraController& controller() { return m_controller; }
+    [[nodiscard]] const CameraController& controller() const { return m_controller; }
+    [[nodiscard]] const std::vector<render::LayerStyle>& styles() const { return m_picture.styles; }
+    /// Where layers are drawn, in millimetres; empty without a scene.
+    [[nodiscard]] std::vector<render::ZRange> drawnHeights() const;
+    /// Frames take long: what is not asked for should not be drawn.
+    [[nodiscard]] bool isSlow() const { return m_isSlow; }
+    /// The widget or window that takes the input.
+    [[nodiscard]] QObject& canvas();
+    /// What the canvas shows, drawn to memory in its size times `scale`. Errors: BadUsage, DeviceFailed.
+    [[nodiscard]] base::Result<QImage> grabPicture(double scale = 1.0);
+    /// Gives up what was made from the device, before it is renewed.
+    void releaseDevice();
+
+signals:
+    void drawn();
+    /// How long the last frame of the board took, once that is known; also after frames of the overlay alone, which
+    /// tell nothing new.
+    void timed(const render::FrameStats& stats);
+    void deviceLost();
+
+private:
+    void showVulkanCanvas();
+    void showImageCanvas();
+    void replaceCanvas(QWidget* canvas);
+    void requestMovingFrame();
+    void requestRestingFrame();
+    void onTimed(const render::FrameStats& stats);
+    void updateBox();
+    void paintOverlay(Picture& picture, QSize pixels, Shown where) const;
+
+    GpuContext& m_context;
+    Kind m_kind;
+    CameraController m_controller;
+    std::vector<std::pair<Painter, Shown>> m_painters;
+    Picture m_picture;
+    glm::vec3 m_boxMin{-1.0F};
+    glm::vec3 m_boxMax{1.0F};
+    VulkanCanvas* m_window = nullptr;  ///< at most one of the two; owned by its container
+    ImageCanvas* m_image = nullptr;
+    QWidget* m_container = nullptr;
+    QTimer m_rest;                ///< runs out when the view has not moved for a while
+    bool m_isBoardDrawn = false;  ///< as it is to be seen, by the last frame
+    bool m_isSlow = false;        ///< a frame of this scene took longer than an eye blinks away
+};
+
+}  // namespace ui

@@ -1,0 +1,269 @@
+#include "ui/views/board_views.h"
+
+#include <QPainter>
+#include <QSplitter>
+#include <QVBoxLayout>
+#include <array>
+#include <utility>
+
+#include "ui/views/layer_styles.h"
+
+namespace ui {
+
+namespace {
+
+constexpr int kExplodeMs = 250;
+constexpr int kEdge = 2;  // pixels: the edge that marks the view in use
+
+}  // namespace
+
+BoardViews::BoardViews(GpuContext& context, QWidget* parent)
+    : QWidget(parent), m_context(context), m_splitter(new QSplitter) {
+    m_views = {new BoardView(context, BoardView::Kind::Flat), new BoardView(context, BoardView::Kind::Solid)};
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, kEdge, 0, 0);
+    layout->addWidget(m_splitter);
+    m_splitter->setChildrenCollapsible(false);
+    for (BoardView* view : m_views) {
+        m_splitter->addWidget(view);
+        connect(view, &BoardView::timed, this, &BoardViews::onTimed);
+        connect(view, &BoardView::deviceLost, this, &BoardViews::onDeviceLost);
+        connect(&view->controller(), &CameraController::used, this, [this, view] { setActive(*view); });
+    }
+    connect(m_splitter, &QSplitter::splitterMoved, this, qOverload<>(&QWidget::update));
+    m_explosion.setDuration(kExplodeMs);
+    m_explosion.setEasingCurve(QEasingCurve::OutCubic);
+    connect(&m_explosion, &QVariantAnimation::valueChanged, this,
+            [this](const QVariant& value) { solid().setExplode(value.toFloat()); });
+    m_active = m_views[1];
+    setArrangement(m_arrangement);
+}
+
+BoardViews::~BoardViews() {
+    delete m_splitter;  // canvases must not draw a scene that is gone
+}
+
+void BoardViews::show(const LoadedBoard& board, const std::vector<LayerAppearance>& appearances) {
+    m_board = board;
+    m_styles = appearances;
+    m_states.clear();
+    m_elementColours.clear();
+    m_contrastLayer = {};
+    m_contrastLayers.clear();
+    makeScene();
+    applyHeights();
+    for (BoardView* view : m_views) {
+        view->setDim(0.0F);
+    }
+    flat().controller().look(render::NamedView::Top);
+    solid().controller().look(render::NamedView::Iso);
+}
+
+void BoardViews::setHeights(std::shared_ptr<const model::Document> document) {
+    m_board->document = std::move(document);
+    applyHeights();
+    if (m_scene) {
+        m_scene->setHeights(render::frameOf(*m_board->document));
+        requestFrame();
+    }
+}
+
+void BoardViews::setZScale(const render::ZScale& scale) {
+    m_zScale = scale;
+    solid().setZScale(scale);
+    if (m_board) {
+        applyHeights();
+    }
+}
+
+void BoardViews::applyHeights() {
+    const render::BoardFrame frame = render::frameOf(*m_board->document);
+    flat().setBoard(frame.boxMin, frame.boxMax);
+    const render::Box3 scaled = render::scaledBox(frame, m_zScale);
+    solid().setBoard(scaled.min, scaled.max);
+}
+
+void BoardViews::makeScene() {
+    for (BoardView* view : m_views) {
+        view->setScene(nullptr, {});
+    }
+    m_scene.reset();  // before the new one is made: the device may not have room for both
+    if (m_context.device().isLost()) {
+        return;  // that was told
+    }
+    base::Result<render::BoardScene> scene = render::BoardScene::make(m_context.device(), *m_board->model);
+    if (!scene) {
+        emit troubled(QString::fromStdString(scene.error().text));
+        return;
+    }
+    m_scene = std::make_unique<render::BoardScene>(std::move(*scene));
+    m_scene->setHeights(render::frameOf(*m_board->document));  // they may have been set since
+    applyStates();
+    for (BoardView* view : m_views) {
+        view->setScene(m_scene.get(), stylesOf(*view));
+    }
+}
+
+std::vector<render::LayerStyle> BoardViews::stylesOf(const BoardView& view) const {
+    const bool isFlat = view.kind() == BoardView::Kind::Flat;
+    std::vector<render::LayerStyle> styles =
+        isFlat ? flatStyles(*m_board->document, m_styles) : solidStyles(*m_board->document, m_styles, m_palette);
+    if (isFlat && m_contrastLayers.empty() && m_contrastLayer.isValid()) {
+        putInContrast(styles, std::array{m_contrastLayer});
+    }
+    putInContrast(styles, m_contrastLayers);
+    return styles;
+}
+
+void BoardViews::setStyles(const std::vector<LayerAppearance>& appearances) {
+    // Looks of a board that is about to be shown come again with it.
+    if (!m_scene || appearances.size() != m_board->document->layers.size()) {
+        return;
+    }
+    m_styles = appearances;
+    for (BoardView* view : m_views) {
+        view->setStyles(stylesOf(*view));
+    }
+}
+
+void BoardViews::setContrastLayer(model::LayerId layer) {
+    m_contrastLayer = layer;
+    if (m_scene) {
+        flat().setStyles(stylesOf(flat()));
+    }
+}
+
+void BoardViews::setContrastLayers(std::vector<model::LayerId> layers) {
+    if (layers == m_contrastLayers) {
+        return;
+    }
+    m_contrastLayers = std::move(layers);
+    for (BoardView* view : m_views) {
+        if (m_scene) {
+            view->setStyles(stylesOf(*view));
+        }
+    }
+}
+
+void BoardViews::applyStates() {
+    if (!m_scene) {
+        return;
+    }
+    m_scene->setPalette(m_elementColours);
+    for (std::uint32_t step = 0; step < m_states.size(); ++step) {
+        m_scene->setStates(m_states[step].bytes(), step);
+    }
+}
+
+void BoardViews::setStates(ElementStateLists states) {
+    m_states = std::move(states);
+    applyStates();
+}
+
+void BoardViews::setElementColours(std::vector<glm::vec3> colours) {
+    m_elementColours = std::move(colours);
+}
+
+void BoardViews::setDim(float dim) {
+    for (BoardView* view : m_views) {
+        view->setDim(dim);
+    }
+}
+
+void BoardViews::setBackend(render::Backend backend) {
+    for (BoardView* view : m_views) {
+        view->setBackend(backend);
+    }
+}
+
+void BoardViews::setArrangement(Arrangement arrangement) {
+    m_arrangement = arrangement;
+    m_splitter->setOrientation(arrangement == Arrangement::Stacked ? Qt::Vertical : Qt::Horizontal);
+    flat().setVisible(arrangement != Arrangement::Solid);
+    solid().setVisible(arrangement != Arrangement::Flat);
+    if (arrangement == Arrangement::Flat || arrangement == Arrangement::Solid) {
+        setActive(arrangement == Arrangement::Flat ? flat() : solid());
+    } else {
+        m_splitter->setSizes({1000, 1000});  // both alike, whatever the room
+    }
+    update();
+}
+
+void BoardViews::setActive(BoardView& view) {
+    if (std::exchange(m_active, &view) != &view) {
+        update();
+        emit activeChanged();
+    }
+}
+
+void BoardViews::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    const bool isSplit = m_arrangement == Arrangement::SideBySide || m_arrangement == Arrangement::Stacked;
+    for (const BoardView* view : m_views) {
+        if (isSplit && view == m_active && view->isVisible()) {
+            const QPoint corner = view->mapTo(this, QPoint(0, 0));
+            painter.fillRect(QRect(corner.x(), corner.y() - kEdge, view->width(), kEdge),
+                             palette().color(QPalette::Highlight));
+        }
+    }
+}
+
+void BoardViews::explode(bool isOn) {
+    const QVariant now = m_explosion.currentValue();
+    m_explosion.stop();
+    m_explosion.setStartValue(now.isValid() ? now.toFloat() : 0.0F);
+    m_explosion.setEndValue(isOn ? 1.0F : 0.0F);
+    m_explosion.start();
+}
+
+void BoardViews::requestFrame() {
+    for (BoardView* view : m_views) {
+        view->requestFrame();
+    }
+}
+
+void BoardViews::requestFrameAtRest() {
+    for (BoardView* view : m_views) {
+        view->requestFrameAtRest();
+    }
+}
+
+void BoardViews::requestOverlay() {
+    for (BoardView* view : m_views) {
+        view->requestOverlay();
+    }
+}
+
+void BoardViews::onTimed(const render::FrameStats& stats) {
+    m_isUntried = false;
+    if (!stats.isOverlayAlone) {
+        emit timed(stats);
+    }
+}
+
+void BoardViews::onDeviceLost() {
+    if (!m_context.device().isLost()) {
+        return;  // told twice of one loss
+    }
+    if (std::exchange(m_isUntried, true)) {
+        emit troubled(QStringLiteral("The graphics device keeps failing. Please start Copperscope again."));
+        return;
+    }
+    for (BoardView* view : m_views) {
+        view->setScene(nullptr, {});
+        view->releaseDevice();
+    }
+    m_scene.reset();
+    emit deviceGoes();
+    if (const base::Status renewed = m_context.renewDevice(); !renewed) {
+        emit troubled(
+            QStringLiteral("The graphics device failed. %1").arg(QString::fromStdString(renewed.error().text)));
+        return;
+    }
+    emit troubled(QStringLiteral("The graphics device failed and was started again."));
+    if (m_board) {
+        makeScene();
+    }
+}
+
+}  // namespace ui

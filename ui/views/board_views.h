@@ -1,0 +1,106 @@
+#pragma once
+
+#include <QVariantAnimation>
+#include <QWidget>
+#include <array>
+#include <memory>
+
+#include "ui/layers/layer_model.h"
+#include "ui/views/board_view.h"
+#include "ui/workspace/loader.h"
+#include "ui/workspace/settings.h"
+
+class QSplitter;
+
+namespace ui {
+
+/// Per row of model::StepTree::steps.
+using ElementStateLists = std::vector<render::ElementStates>;
+
+/// The 2D and the 3D view of one board: one scene on the device, one set of ids, two cameras. Either alone, side by
+/// side, or one above the other. Commands go to the view in use: the one last clicked, scrolled or typed in, which has
+/// a coloured edge.
+class BoardViews : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit BoardViews(GpuContext& context, QWidget* parent = nullptr);
+    ~BoardViews() override;
+
+    /// Puts the board on the device and looks at it anew.
+    void show(const LoadedBoard& board, const std::vector<LayerAppearance>& styles);
+    /// The same board with other heights: nothing but a few numbers per layer goes to the device.
+    void setHeights(std::shared_ptr<const model::Document> document);
+    void setStyles(const std::vector<LayerAppearance>& styles);
+    /// What layers look like in 3D whose colour nobody changed; `setStyles` comes after it.
+    void setPalette(render::Palette palette) { m_palette = palette; }
+    /// In 2D all layers but this one fade into the background; none ends it.
+    void setContrastLayer(model::LayerId layer);
+    /// The same in both views and for several layers, over what `setContrastLayer` says; none ends it.
+    void setContrastLayers(std::vector<model::LayerId> layers);
+    void setBackend(render::Backend backend);
+    void setArrangement(Arrangement arrangement);
+    [[nodiscard]] Arrangement arrangement() const { return m_arrangement; }
+    /// Spreads the layers of the 3D view apart, or folds them back.
+    void explode(bool isOn);
+    /// Thicknesses as the 3D view draws them.
+    void setZScale(const render::ZScale& scale);
+    /// Cuts the board of the 3D view open; null: it is whole.
+    void setCut(std::shared_ptr<const render::Cut> cut) { solid().setCut(std::move(cut)); }
+    /// See BoardView, all three.
+    void requestFrame();
+    void requestFrameAtRest();
+    void requestOverlay();
+    /// How elements look otherwise than their layers; the colours that they name, 63 at most; and by how much what does
+    /// not stand out is darkened, 0 to 1. They show in the next frame of the board, which the caller asks for.
+    void setStates(ElementStateLists states);
+    void setElementColours(std::vector<glm::vec3> colours);
+    void setDim(float dim);
+
+    [[nodiscard]] BoardView& flat() { return *m_views[0]; }
+    [[nodiscard]] BoardView& solid() { return *m_views[1]; }
+    [[nodiscard]] const std::array<BoardView*, 2>& both() const { return m_views; }
+    /// The view that commands are for; it is always shown.
+    [[nodiscard]] BoardView& active() { return *m_active; }
+    void setActive(BoardView& view);
+    /// Null while no board is on the device.
+    [[nodiscard]] render::BoardScene* scene() { return m_scene.get(); }
+
+signals:
+    /// The device failed and is about to be renewed: who made something from it gives that up.
+    void deviceGoes();
+    void timed(const render::FrameStats& stats);
+    void activeChanged();
+    /// The device failed; says whether it works again.
+    void troubled(const QString& what);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    void makeScene();
+    void applyHeights();
+    void applyStates();
+    void onTimed(const render::FrameStats& stats);
+    void onDeviceLost();
+    [[nodiscard]] std::vector<render::LayerStyle> stylesOf(const BoardView& view) const;
+
+    GpuContext& m_context;
+    std::unique_ptr<render::BoardScene> m_scene;
+    std::optional<LoadedBoard> m_board;
+    std::vector<LayerAppearance> m_styles;
+    ElementStateLists m_states;
+    std::vector<glm::vec3> m_elementColours;
+    render::Palette m_palette = render::Palette::Standard;
+    model::LayerId m_contrastLayer;                ///< in 2D
+    std::vector<model::LayerId> m_contrastLayers;  ///< in both views
+    render::ZScale m_zScale;
+    QVariantAnimation m_explosion;
+    Arrangement m_arrangement = Arrangement::SideBySide;
+    bool m_isUntried = false;  ///< the device was renewed and has not finished a frame since
+    QSplitter* m_splitter = nullptr;
+    std::array<BoardView*, 2> m_views{};
+    BoardView* m_active = nullptr;
+};
+
+}  // namespace ui

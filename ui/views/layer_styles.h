@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "model/board/document.h"
+#include "render/scene/layer_style.h"
+#include "ui/layers/layer_model.h"
+
+/// Layer looks between the panel (Qt) and the renderer.
+namespace ui {
+
+/// The colours of a drawing (render::Look::Flat), with everything visible that makes up a solid board.
+[[nodiscard]] std::vector<LayerAppearance> defaultAppearances(const model::Document& document, render::Palette palette);
+[[nodiscard]] std::vector<render::LayerStyle> toStyles(const std::vector<LayerAppearance>& appearances);
+/// For the 3D view: layers whose colour nobody changed have that of their material.
+[[nodiscard]] std::vector<render::LayerStyle> solidStyles(const model::Document& document,
+                                                          const std::vector<LayerAppearance>& appearances,
+                                                          render::Palette palette);
+/// For the 2D view: without laminate and lacquer, which would veil all layers below.
+[[nodiscard]] std::vector<render::LayerStyle> flatStyles(const model::Document& document,
+                                                         const std::vector<LayerAppearance>& appearances);
+/// These layers are shown as they are, whatever their check marks, and all others are faint and grey. None of them:
+/// nothing changes.
+void putInContrast(std::vector<render::LayerStyle>& styles, std::span<const model::LayerId> layers);
+
+}  // namespace ui

@@ -1,0 +1,336 @@
+#include "ui/views/plan_painter.h"
+
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+namespace ui {
+
+namespace {
+
+constexpr double kRulerPixels = 18.0;
+constexpr double kTickPixels = 64.0;   // between numbers of the rulers
+constexpr double kSmallestName = 8.0;  // pixels high; smaller ones cannot be read
+constexpr double kLargestName = 18.0;
+constexpr double kFilled = 0.7;       // of the width of a stroke by letters
+constexpr double kLineHeight = 1.15;  // of two lines, in heights of letters
+/// More elements than this in sight are too small to be named.
+constexpr std::size_t kMostInSight = 4000;
+constexpr std::size_t kMostNames = 400;
+/// Layers fainter than this are background.
+constexpr float kReadableOpacity = 0.3F;
+constexpr QColor kGridColour(150, 160, 175, 70);
+constexpr QColor kAxisColour(190, 200, 215, 130);
+constexpr QColor kRulerGround(24, 26, 31, 240);
+constexpr QColor kRulerInk(190, 195, 205);
+
+/// The stretch of an element that a name can be written along, in nm.
+struct Stretch {
+    model::Point a;
+    model::Point b;
+    double width = 0.0;
+};
+
+Stretch longestTrack(const model::Document& document, const model::TrailGeometry& trail) {
+    const auto nodes = document.nodesOf(trail);
+    Stretch best;
+    double longest = -1.0;
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+        const double length = std::hypot(double{1} * nodes[i + 1].point.x - nodes[i].point.x,
+                                         double{1} * nodes[i + 1].point.y - nodes[i].point.y);
+        if (length > longest) {
+            longest = length;
+            best = {nodes[i].point, nodes[i + 1].point, static_cast<double>(document.widthsOf(trail)[i])};
+        }
+    }
+    return best;
+}
+
+/// The middle line of a box, along its longer side.
+Stretch middleOf(const model::Box& box) {
+    const auto middle = [](model::Nm a, model::Nm b) { return static_cast<model::Nm>((std::int64_t{a} + b) / 2); };
+    if (box.width() >= box.height()) {
+        const model::Nm y = middle(box.min.y, box.max.y);
+        return {{box.min.x, y}, {box.max.x, y}, static_cast<double>(box.height())};
+    }
+    const model::Nm x = middle(box.min.x, box.max.x);
+    return {{x, box.min.y}, {x, box.max.y}, static_cast<double>(box.width())};
+}
+
+/// Areas other than pads have no place that is sure to be copper: they get no name.
+std::optional<Stretch> stretchOf(const model::Document& document, model::ElementId element) {
+    const std::uint32_t row = document.elements.geometry[element.row()];
+    switch (document.elements.kind[element.row()]) {
+        case model::ElementKind::Line:
+            return Stretch{document.lines[row].a, document.lines[row].b,
+                           static_cast<double>(document.lines[row].width)};
+        case model::ElementKind::Trail: return longestTrack(document, document.trails[row]);
+        case model::ElementKind::Circle: return middleOf(document.boxOf(element));
+        case model::ElementKind::Area:
+            if ((document.elements.flags[element.row()] & model::kPad) != 0) {
+                return middleOf(document.boxOf(element));
+            }
+            return std::nullopt;
+        case model::ElementKind::Arc: return std::nullopt;
+    }
+    return std::nullopt;
+}
+
+/// Pixels that letters may be high, so that the lines fit across a stroke and along the room there is.
+double heightOf(const QStringList& lines, double width, double room) {
+    qsizetype longest = 1;
+    for (const QString& line : lines) {
+        longest = std::max(longest, line.size());
+    }
+    const double across = width * kFilled / (lines.size() > 1 ? kLineHeight * static_cast<double>(lines.size()) : 1.0);
+    // Letters are about 0.6 as wide as high.
+    return std::min({across, kLargestName, room * 0.9 / (0.6 * static_cast<double>(longest))});
+}
+
+}  // namespace
+
+PlanPainter::PlanPainter(BoardView& view) : m_view(view) {
+    view.addPainter([this](QPainter& painter) { paint(painter); });
+}
+
+void PlanPainter::setBoard(std::shared_ptr<const model::BoardIndex> index, BoardPosition location) {
+    m_index = std::move(index);
+    m_pins.reset();
+    if (m_index) {
+        m_pins.emplace(*m_index->board);
+    }
+    m_position = location;
+    m_view.requestOverlay();
+}
+
+void PlanPainter::setUnit(LengthUnit unit) {
+    m_unit = unit;
+    m_view.requestOverlay();
+}
+
+void PlanPainter::showGrid(bool isOn) {
+    m_hasGrid = isOn;
+    m_view.requestOverlay();
+}
+
+void PlanPainter::showNames(bool isOn) {
+    m_hasNames = isOn;
+    m_view.requestOverlay();
+}
+
+void PlanPainter::showPinNames(bool isOn) {
+    m_hasPinNames = isOn;
+    m_view.requestOverlay();
+}
+
+void PlanPainter::setStyles(const NetStyles& styles) {
+    m_styles = &styles;
+}
+
+double PlanPainter::nmPerPixel() const {
+    return static_cast<double>(m_view.controller().mmPerPixel()) * base::kNmPerMm;
+}
+
+model::Box PlanPainter::shownBox() const {
+    const QSizeF size = m_view.controller().viewport();
+    model::Box box;
+    for (const QPointF corner : {QPointF(0, 0), QPointF(size.width(), size.height())}) {
+        const base::PointD at = m_position.toJob(m_view.controller().rayAt(corner).origin);
+        const auto clamp = [](double v) {
+            return static_cast<model::Nm>(std::clamp<double>(v, -base::kMaxCoordinate, base::kMaxCoordinate));
+        };
+        box.include(model::Point{clamp(at.x), clamp(at.y)});
+    }
+    return box;
+}
+
+double PlanPainter::gridStep(double nmPerPixel, LengthUnit unit, double pixels) {
+    const double least = nmPerPixel * pixels / nmPer(unit);
+    const double power = std::pow(10.0, std::floor(std::log10(least)));
+    for (const double factor : {1.0, 2.0, 5.0}) {
+        if (factor * power >= least * (1.0 - 1e-9)) {
+            return factor * power * nmPer(unit);
+        }
+    }
+    return 10.0 * power * nmPer(unit);
+}
+
+QPointF PlanPainter::screenOf(double x, double y) const {
+    return m_view.controller().screenOf(m_position.toModel({x, y})).value_or(QPointF());
+}
+
+void PlanPainter::paint(QPainter& painter) const {
+    if (!m_index) {
+        return;
+    }
+    if (m_hasGrid) {
+        paintGrid(painter, gridStep(nmPerPixel(), m_unit));
+    }
+    if (m_hasNames || m_hasPinNames) {
+        paintNames(painter);
+    }
+    if (m_hasGrid) {
+        paintRulers(painter, gridStep(nmPerPixel(), m_unit, kTickPixels));
+    }
+}
+
+void PlanPainter::paintGrid(QPainter& painter, double step) const {
+    const model::Box box = shownBox();
+    const QSizeF size = m_view.controller().viewport();
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    for (double x = std::ceil(box.min.x / step) * step; x <= box.max.x; x += step) {
+        painter.setPen(std::abs(x) < step / 2.0 ? kAxisColour : kGridColour);
+        const double at = screenOf(x, box.min.y).x();
+        painter.drawLine(QPointF(at, 0.0), QPointF(at, size.height()));
+    }
+    for (double y = std::ceil(box.min.y / step) * step; y <= box.max.y; y += step) {
+        painter.setPen(std::abs(y) < step / 2.0 ? kAxisColour : kGridColour);
+        const double at = screenOf(box.min.x, y).y();
+        painter.drawLine(QPointF(0.0, at), QPointF(size.width(), at));
+    }
+}
+
+void PlanPainter::paintRulers(QPainter& painter, double step) const {
+    const model::Box box = shownBox();
+    const QSizeF size = m_view.controller().viewport();
+    QFont font = painter.font();
+    font.setPixelSize(10);
+    painter.setFont(font);
+    painter.fillRect(QRectF(0, 0, size.width(), kRulerPixels), kRulerGround);
+    painter.fillRect(QRectF(0, kRulerPixels, kRulerPixels, size.height()), kRulerGround);
+    painter.setPen(kRulerInk);
+    const auto number = [&](double nm) { return QString::number(nm / nmPer(m_unit), 'g', 6); };
+    for (double x = std::ceil(box.min.x / step) * step; x <= box.max.x; x += step) {
+        const double at = screenOf(x, box.min.y).x();
+        painter.drawLine(QPointF(at, kRulerPixels - 5), QPointF(at, kRulerPixels));
+        painter.drawText(QPointF(at + 3, kRulerPixels - 6), number(x));
+    }
+    for (double y = std::ceil(box.min.y / step) * step; y <= box.max.y; y += step) {
+        const double at = screenOf(box.min.x, y).y();
+        painter.drawLine(QPointF(kRulerPixels - 5, at), QPointF(kRulerPixels, at));
+        painter.save();
+        painter.translate(kRulerPixels - 6, at - 3);
+        painter.rotate(-90);
+        painter.drawText(QPointF(0, 0), number(y));
+        painter.restore();
+    }
+    painter.fillRect(QRectF(0, 0, kRulerPixels, kRulerPixels), kRulerGround);
+    painter.drawText(QRectF(0, 0, kRulerPixels, kRulerPixels), Qt::AlignCenter, QLatin1String(unitName(m_unit)));
+}
+
+model::LayerId PlanPainter::namedLayer() const {
+    if (!m_index) {
+        return {};
+    }
+    const std::vector<model::Layer>& layers = m_index->board->layers;
+    const bool isFromBelow = m_view.controller().camera().direction().z > 0.0F;
+    model::LayerId nearest;
+    for (std::size_t row = 0; row < layers.size(); ++row) {
+        const render::LayerStyle& style = m_view.styles()[row];
+        if (layers[row].isCopper() && style.isVisible && style.opacity > kReadableOpacity &&
+            (isFromBelow || !nearest.isValid())) {
+            nearest = model::LayerId{row};
+        }
+    }
+    return nearest;
+}
+
+std::vector<model::ElementId> PlanPainter::namedElements() const {
+    const model::ElementTable& elements = m_index->board->elements;
+    const model::LayerId layer = namedLayer();
+    const auto isNamed = [&](std::uint32_t row) {
+        const model::NetId net = elements.net[row];
+        const bool isHidden = m_styles != nullptr && net.isValid() && m_styles->isHidden({0, net});
+        return elements.layer[row] == layer && !isHidden && (net.isValid() || (elements.flags[row] & model::kPad) != 0);
+    };
+    std::vector<model::ElementId> inSight;
+    m_index->elements.front().visit(shownBox(), [&](std::uint32_t row) {
+        if (inSight.size() <= kMostInSight && isNamed(row)) {
+            inSight.emplace_back(row);
+        }
+    });
+    if (inSight.size() > kMostInSight) {
+        return {};
+    }
+    std::ranges::sort(inSight);  // ids do not depend on how the index was walked
+    return inSight;
+}
+
+/// "U1.5", and "5" where there is no room for that; empty for what is no pad of one pin.
+QStringList PlanPainter::pinNames(model::ElementId element) const {
+    const model::Document& board = *m_index->board;
+    const std::vector<model::PinId> pins = m_hasPinNames ? m_pins->pinsOf(element) : std::vector<model::PinId>();
+    if (pins.size() != 1 || !board.pins[pins.front().row()].component.isValid()) {
+        return {};
+    }
+    const model::Pin& pin = board.pins[pins.front().row()];
+    const QString name = QString::fromStdString(board.text(pin.name));
+    return {QString::fromStdString(board.components[pin.component.row()].refdes) + '.' + name, name};
+}
+
+/// What may be written on an element, line by line, the most telling first.
+std::vector<QStringList> PlanPainter::textsFor(model::ElementId element) const {
+    const model::Document& board = *m_index->board;
+    const model::NetId id = board.elements.net[element.row()];
+    const QString net = m_hasNames && id.isValid() ? QString::fromStdString(board.nets[id.row()].name) : QString();
+    const QStringList pins = pinNames(element);
+    std::vector<QStringList> texts;
+    if (!net.isEmpty()) {
+        for (const QString& pin : pins) {
+            texts.push_back({pin, net});
+        }
+        texts.push_back({net});
+    }
+    for (const QString& pin : pins) {
+        texts.push_back({pin});
+    }
+    return texts;
+}
+
+std::vector<PlanPainter::Label> PlanPainter::labels() const {
+    std::vector<Label> labels;
+    const double perPixel = nmPerPixel();
+    for (const model::ElementId element : namedElements()) {
+        const std::optional<Stretch> stretch = stretchOf(*m_index->board, element);
+        if (!stretch || stretch->width / perPixel * kFilled < kSmallestName || labels.size() >= kMostNames) {
+            continue;
+        }
+        const QPointF a = screenOf(stretch->a.x, stretch->a.y);
+        const QPointF b = screenOf(stretch->b.x, stretch->b.y);
+        const double room = std::max(QLineF(a, b).length(), stretch->width / perPixel);
+        Label label;
+        label.middle = (a + b) / 2.0;
+        label.angleDeg = std::atan2(b.y() - a.y(), b.x() - a.x()) * 180.0 / M_PI;
+        label.angleDeg += label.angleDeg > 90.0 ? -180.0 : label.angleDeg <= -90.0 ? 180.0 : 0.0;
+        for (const QStringList& lines : textsFor(element)) {
+            label.height = heightOf(lines, stretch->width / perPixel, room);
+            if (label.height >= kSmallestName) {
+                label.text = lines.join('\n');
+                labels.push_back(label);
+                break;
+            }
+        }
+    }
+    return labels;
+}
+
+void PlanPainter::paintNames(QPainter& painter) const {
+    painter.setRenderHint(QPainter::TextAntialiasing);
+    for (const Label& label : labels()) {
+        QFont font = painter.font();
+        font.setPixelSize(static_cast<int>(label.height));
+        font.setBold(true);
+        painter.save();
+        painter.setFont(font);
+        painter.translate(label.middle);
+        painter.rotate(label.angleDeg);
+        const QRectF room(-500.0, -label.height * 2.0, 1000.0, label.height * 4.0);
+        painter.setPen(QColor(0, 0, 0, 190));
+        painter.drawText(room.translated(1.0, 1.0), Qt::AlignCenter, label.text);
+        painter.setPen(Qt::white);
+        painter.drawText(room, Qt::AlignCenter, label.text);
+        painter.restore();
+    }
+}
+
+}  // namespace ui

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <QStringList>
+#include <memory>
+#include <optional>
+
+#include "model/index/board_index.h"
+#include "model/index/pin_finder.h"
+#include "ui/common/lengths.h"
+#include "ui/nets/net_styles.h"
+#include "ui/views/board_position.h"
+#include "ui/views/board_view.h"
+
+namespace ui {
+
+/// What the 2D view shows over the board: a grid whose step follows the zoom, rulers along two edges, and the names of
+/// nets and pins on copper that is large enough on the screen to hold them.
+class PlanPainter {
+public:
+    /// Paints over `view` from now on; both must live as long as each other.
+    explicit PlanPainter(BoardView& view);
+
+    void setBoard(std::shared_ptr<const model::BoardIndex> index, BoardPosition location);
+    void setUnit(LengthUnit unit);
+    void showGrid(bool isOn);
+    void showNames(bool isOn);
+    void showPinNames(bool isOn);
+    /// What is hidden is not named.
+    void setStyles(const NetStyles& styles);
+
+    /// The part of the board the view shows, in nm.
+    [[nodiscard]] model::Box shownBox() const;
+    /// The copper layer nearest to the viewer that can be made out; none if there is none.
+    [[nodiscard]] model::LayerId namedLayer() const;
+    /// Distance of grid lines in nm: 1, 2 or 5 times a power of ten of the unit, at least `pixels` apart.
+    [[nodiscard]] static double gridStep(double nmPerPixel, LengthUnit unit, double pixels = 24.0);
+    /// A name and the middle of the place it is written at, in canvas coordinates.
+    struct Label {
+        QPointF middle;
+        double angleDeg = 0.0;
+        double height = 0.0;  ///< of the letters, in pixels
+        QString text;         ///< one line, or a pin and below it its net
+    };
+    /// Of the copper layer nearest to the viewer: names of what it hides would only confuse.
+    [[nodiscard]] std::vector<Label> labels() const;
+
+private:
+    void paint(QPainter& painter) const;
+    void paintGrid(QPainter& painter, double step) const;
+    void paintRulers(QPainter& painter, double step) const;
+    void paintNames(QPainter& painter) const;
+    [[nodiscard]] std::vector<model::ElementId> namedElements() const;
+    [[nodiscard]] QStringList pinNames(model::ElementId element) const;
+    [[nodiscard]] std::vector<QStringList> textsFor(model::ElementId element) const;
+    [[nodiscard]] QPointF screenOf(double x, double y) const;
+    [[nodiscard]] double nmPerPixel() const;
+
+    BoardView& m_view;
+    std::shared_ptr<const model::BoardIndex> m_index;
+    BoardPosition m_position;
+    LengthUnit m_unit = LengthUnit::Millimetre;
+    bool m_hasGrid = true;
+    bool m_hasNames = true;
+    bool m_hasPinNames = true;
+    const NetStyles* m_styles = nullptr;
+    std::optional<model::PinFinder> m_pins;
+};
+
+}  // namespace ui

@@ -1,0 +1,284 @@
+#include "ui/views/probing.h"
+
+#include <QPainter>
+#include <QToolTip>
+#include <algorithm>
+
+#include "ui/element/element_facts.h"
+
+namespace ui {
+
+namespace {
+
+constexpr int kRestMs = 30;
+constexpr int kSlowRestMs = 300;  // where a frame takes long, only a cursor that has come to rest lights anything up
+constexpr double kReachPixels = 4.0;
+constexpr QColor kInsideColour(90, 160, 255);
+constexpr QColor kTouchingColour(235, 165, 60);
+
+/// The laminate and what else we put around the copper is looked through.
+bool isPickable(const model::Layer& layer, const render::LayerStyle& style) {
+    return style.isVisible && layer.type != model::LayerType::Body && (!layer.isSynthetic || style.opacity >= 1.0F);
+}
+
+std::vector<model::BoardElement> elementsOf(const std::vector<model::Hit>& hits) {
+    std::vector<model::BoardElement> elements;
+    std::ranges::transform(hits, std::back_inserter(elements), &model::Hit::at);
+    return elements;
+}
+
+}  // namespace
+
+Probing::Probing(BoardViews& views, SelectionModel& selection, NetStyles& nets, QObject* parent)
+    : QObject(parent), m_views(views), m_selection(selection), m_nets(nets) {
+    m_rest.setSingleShot(true);
+    connect(&m_rest, &QTimer::timeout, this, &Probing::hover);
+    connect(&nets, &NetStyles::changed, this, &Probing::hideNets);
+    for (BoardView* view : views.both()) {
+        watch(*view);
+    }
+    CameraController& flat = views.flat().controller();
+    connect(&flat, &CameraController::boxDrawn, this, [this](QPointF from, QPointF to) {
+        m_box = {from, to};
+        m_views.flat().requestOverlay();
+    });
+    connect(&flat, &CameraController::boxFinished, this, &Probing::selectBox);
+    connect(&flat, &CameraController::zoomedToBox, this, [this] { m_box.reset(); });
+    views.flat().addPainter([this](QPainter& painter) { paintBox(painter); });
+}
+
+void Probing::watch(BoardView& view) {
+    CameraController& controller = view.controller();
+    connect(&controller, &CameraController::hovered, this, [this, &view](QPointF position) {
+        m_hoverView = &view;
+        m_hoverAt = position;
+        m_rest.start(view.isSlow() ? kSlowRestMs : kRestMs);
+        announceLocation(view, position);
+    });
+    connect(&controller, &CameraController::left, this, [this] {
+        m_rest.stop();
+        m_hoverView = nullptr;
+        m_selection.hover(std::nullopt);
+        emit pointedAway();
+    });
+    connect(&controller, &CameraController::clicked, this,
+            [this, &view](QPointF position, Qt::KeyboardModifiers modifiers) { click(view, position, modifiers); });
+    connect(&controller, &CameraController::doubleClicked, this, [this, &view] { showInOther(view); });
+}
+
+void Probing::setBoard(const LoadedBoard& board) {
+    m_rest.stop();
+    m_last = {};
+    m_hoverView = nullptr;
+    m_picker.reset();
+    if (board.index) {
+        m_picker.emplace(board.index);
+    }
+    m_position.origin = board.model->origin;
+    m_selection.setBoard(board.document);
+}
+
+void Probing::hideNets() {
+    if (!m_picker) {
+        return;
+    }
+    const auto& steps = m_picker->index().tree.steps;
+    std::vector<std::vector<bool>> hidden(steps.size());
+    for (const NetStyle& look : m_nets.state()) {
+        if (look.isHidden) {
+            hidden[look.net.step].resize(steps[look.net.step]->nets.size());
+            hidden[look.net.step][look.net.net.row()] = true;
+        }
+    }
+    m_picker->hideNets(std::move(hidden));
+    m_last = {};
+}
+
+std::vector<model::PickLayer> Probing::layersOf(const BoardView& view) const {
+    const std::vector<render::ZRange> heights = m_picker ? view.drawnHeights() : std::vector<render::ZRange>();
+    std::vector<model::PickLayer> layers(heights.size());
+    for (std::size_t row = 0; row < layers.size(); ++row) {
+        layers[row].isVisible = isPickable(m_picker->index().board->layers[row], view.styles()[row]);
+        layers[row].bottom = static_cast<double>(heights[row].z0) * base::kNmPerMm;
+        layers[row].top = static_cast<double>(heights[row].z1) * base::kNmPerMm;
+    }
+    return layers;
+}
+
+std::vector<model::Hit> Probing::hitsAt(const BoardView& view, QPointF position) {
+    if (!m_picker) {
+        return {};
+    }
+    const std::vector<model::PickLayer> layers = layersOf(view);
+    if (layers.empty()) {
+        return {};
+    }
+    const auto [origin, direction] = view.controller().rayAt(position);
+    const double reach = kReachPixels * static_cast<double>(view.controller().mmPerPixel()) * base::kNmPerMm;
+    if (view.kind() == BoardView::Kind::Flat) {
+        return m_picker->at(m_position.toJob(origin), reach, layers, direction.z > 0.0F);
+    }
+    // Steps of a length that keeps numbers near 1.
+    const glm::dvec3 step = glm::normalize(glm::dvec3(direction)) * base::kNmPerMm;
+    model::SightLine line{
+        m_position.toJob(origin), static_cast<double>(origin.z) * base::kNmPerMm, {step.x, step.y}, -step.z};
+    if (const render::Cut* cut = view.cut()) {
+        const glm::dvec2 along = cut->plane.direction;
+        line.kept = {m_position.toJob(glm::vec3(glm::vec2(cut->plane.start), 0.0F)), {-along.y, along.x}};
+    }
+    return m_picker->along(line, reach, layers);
+}
+
+void Probing::hover() {
+    if (m_hoverView == nullptr) {
+        return;
+    }
+    const std::vector<model::Hit> hits = hitsAt(*m_hoverView, m_hoverAt);
+    if (hits.empty()) {
+        m_selection.hover(std::nullopt);
+        QToolTip::hideText();
+        return;
+    }
+    m_selection.hover(hits.front().at);
+    if (!m_isSelecting) {
+        return;
+    }
+    QToolTip::showText(m_hoverView->mapToGlobal(m_hoverAt.toPoint()) + QPoint(0, 4),
+                       summaryOf(m_selection.tree(), hits.front().at, m_unit), m_hoverView);
+}
+
+void Probing::announceLocation(const BoardView& view, QPointF position) {
+    if (view.kind() == BoardView::Kind::Flat) {
+        const base::PointD location = m_position.toJob(view.controller().rayAt(position).origin);
+        emit pointedAt(location.x, location.y);
+    } else if (const auto point = view.controller().boardPointAt(position)) {
+        const base::PointD location = m_position.toJob(*point);
+        emit pointedAt(location.x, location.y);
+    } else {
+        emit pointedAway();
+    }
+}
+
+void Probing::click(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers) {
+    if (!m_isSelecting) {
+        return;
+    }
+    std::vector<model::BoardElement> found = elementsOf(hitsAt(view, position));
+    if (modifiers.testFlag(Qt::ControlModifier)) {
+        if (!found.empty() && modifiers.testFlag(Qt::ShiftModifier)) {
+            emit componentAsked(found.front());
+        } else if (!found.empty()) {
+            m_selection.select({found.front()}, SelectionModel::Mode::Toggle);
+        }
+        return;
+    }
+    const bool isRepeated = m_last.view == &view && found == m_last.found &&
+                            QLineF(m_last.position, position).length() < CameraController::kClickPixels &&
+                            m_selection.current().has_value();
+    const std::size_t taken = isRepeated && !found.empty() ? (m_last.taken + 1) % found.size() : 0;
+    m_last = {&view, position, found, taken};
+    m_selection.select(found.empty() ? std::vector<model::BoardElement>{} : std::vector{found[taken]});
+    BoardView& other = view.kind() == BoardView::Kind::Flat ? m_views.solid() : m_views.flat();
+    if (modifiers.testFlag(Qt::AltModifier)) {
+        showInOther(view);
+    } else if (!found.empty() && m_follows[static_cast<std::size_t>(other.kind())] && other.isVisible()) {
+        show(other, m_selection.selected());
+    }
+}
+
+void Probing::showInOther(BoardView& view) {
+    if (!m_isSelecting) {
+        return;
+    }
+    BoardView& other = view.kind() == BoardView::Kind::Flat ? m_views.solid() : m_views.flat();
+    show(other.isVisible() ? other : view, m_selection.selected());
+}
+
+void Probing::show(BoardView& view, std::span<const model::BoardElement> elements) {
+    if (elements.empty()) {
+        return;
+    }
+    const std::vector<render::ZRange> heights = view.drawnHeights();
+    glm::vec3 low(1e30F);
+    glm::vec3 high(-1e30F);
+    for (const model::BoardElement& at : elements) {
+        const model::StepCopy& copy = m_selection.tree().copies[at.copy];
+        const model::Document& step = m_selection.stepOf(at);
+        const model::Box box = copy.placement.boxOf(step.boxOf(at.element));
+        const model::LayerId layer = step.layerOfCopy(step.elements.layer[at.element.row()], copy.isFlipped);
+        const render::ZRange z = layer.row() < heights.size() ? heights[layer.row()] : render::ZRange{};
+        const glm::vec3 a = m_position.toModel(base::toDouble(box.min));
+        const glm::vec3 b = m_position.toModel(base::toDouble(box.max));
+        low = glm::min(low, {a.x, a.y, z.z0});
+        high = glm::max(high, {b.x, b.y, z.z1});
+    }
+    view.controller().show(low, high);
+}
+
+void Probing::showInBoth(std::span<const model::BoardElement> elements) {
+    for (BoardView* view : m_views.both()) {
+        if (view->isVisible()) {
+            show(*view, elements);
+        }
+    }
+}
+
+void Probing::showNets(std::span<const model::BoardNet> nets) {
+    const model::StepTree& tree = m_selection.tree();
+    std::vector<model::BoardElement> elements;
+    for (const model::BoardNet& net : nets) {
+        // Of steps that are placed often, the first copy.
+        const auto copy = std::ranges::find(tree.copies, net.step, &model::StepCopy::step);
+        for (const model::ElementId element : tree.steps[net.step]->elementsOf(net.net)) {
+            elements.push_back({static_cast<std::uint32_t>(copy - tree.copies.begin()), element});
+        }
+    }
+    showInBoth(elements);
+}
+
+void Probing::showPosition(base::PointD nm, model::LayerId layer, float aroundMm) {
+    for (BoardView* view : m_views.both()) {
+        const std::vector<render::ZRange> heights = view->drawnHeights();
+        const render::ZRange z = layer.row() < heights.size() ? heights[layer.row()] : render::ZRange{};
+        const glm::vec3 at = m_position.toModel(nm);
+        const float side = view == &m_views.flat() ? aroundMm : std::max(aroundMm, kAroundMm);
+        const glm::vec3 around(side, side, 0.0F);
+        view->controller().show(glm::vec3(at.x, at.y, z.z0) - around, glm::vec3(at.x, at.y, z.z1) + around);
+    }
+}
+
+void Probing::selectBox(QPointF from, QPointF to, Qt::KeyboardModifiers modifiers) {
+    m_box.reset();
+    m_views.flat().requestOverlay();
+    if (!m_picker || !m_isSelecting) {
+        return;
+    }
+    const CameraController& controller = m_views.flat().controller();
+    model::Box box;
+    for (const QPointF corner : {from, to}) {
+        const base::PointD location = m_position.toJob(controller.rayAt(corner).origin);
+        const auto clamp = [](double v) {
+            return static_cast<base::Nm>(std::clamp<double>(v, -base::kMaxCoordinate, base::kMaxCoordinate));
+        };
+        box.include(model::Point{clamp(location.x), clamp(location.y)});
+    }
+    // From left to right what is inside, from right to left also what is touched, as CAD users know it.
+    m_selection.select(
+        m_picker->inside(box, to.x() < from.x(), layersOf(m_views.flat())),
+        modifiers.testFlag(Qt::ControlModifier) ? SelectionModel::Mode::Toggle : SelectionModel::Mode::Replace);
+}
+
+void Probing::paintBox(QPainter& painter) const {
+    if (!m_box) {
+        return;
+    }
+    const auto& [from, to] = *m_box;
+    const bool isTouching = to.x() < from.x();
+    QColor colour = isTouching ? kTouchingColour : kInsideColour;
+    painter.setPen(QPen(colour, 1.0, isTouching ? Qt::DashLine : Qt::SolidLine));
+    colour.setAlpha(40);
+    painter.setBrush(colour);
+    painter.drawRect(QRectF(from, to).normalized());
+}
+
+}  // namespace ui

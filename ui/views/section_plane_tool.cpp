@@ -1,0 +1,78 @@
+#include "ui/views/section_plane_tool.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ui {
+
+namespace {
+
+base::PointD directionOf(double angle) {
+    // Against x at first: what lies to the left of that, nearer to an isometric view's eye, goes.
+    return {-std::cos(angle), -std::sin(angle)};
+}
+
+}  // namespace
+
+void SectionPlaneTool::setBoard(const LoadedBoard& board) {
+    m_index = board.index;
+    m_origin = board.model->origin;
+    m_cursor.reset();
+    m_isOn = false;
+    apply();
+}
+
+void SectionPlaneTool::setOn(bool isOn) {
+    m_isOn = isOn && m_index != nullptr;
+    m_through = m_cursor.value_or(base::toDouble(m_origin));
+    m_angle = 0.0;
+    m_eighths = 0;
+    m_isAlongLine = false;
+    apply();
+}
+
+void SectionPlaneTool::cutAlong(base::PointD from, base::PointD to) {
+    m_isOn = m_index != nullptr;
+    m_through = from;
+    m_angle = std::atan2(to.y - from.y, to.x - from.x);
+    m_eighths = 0;
+    m_isAlongLine = true;
+    apply();
+}
+
+base::PointD SectionPlaneTool::direction() const {
+    return directionOf(m_angle + m_eighths * std::numbers::pi / 4.0);
+}
+
+void SectionPlaneTool::turn() {
+    m_isAlongLine = false;
+    m_eighths = (m_eighths + 1) % 8;
+    apply();
+}
+
+void SectionPlaneTool::move(double part) {
+    if (!m_isOn) {
+        return;
+    }
+    const base::Box& board = m_index->board->board;
+    const double way = part * static_cast<double>(std::max(board.width(), board.height()));
+    const base::PointD direction = this->direction();
+    m_through = {m_through.x + direction.y * way, m_through.y - direction.x * way};  // to its right
+    apply();
+}
+
+void SectionPlaneTool::apply() {
+    std::shared_ptr<const render::Cut> cut;
+    if (m_isOn) {
+        const base::PointD direction = this->direction();
+        const base::PointD ahead = {m_through.x + direction.x * base::kNmPerMm,
+                                    m_through.y + direction.y * base::kNmPerMm};
+        if (base::Result<render::Cut> made = render::cutThrough(*m_index, m_origin, m_through, ahead)) {
+            cut = std::make_shared<const render::Cut>(std::move(*made));
+        }
+    }
+    m_views.setCut(std::move(cut));
+}
+
+}  // namespace ui

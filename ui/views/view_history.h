@@ -1,0 +1,39 @@
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <vector>
+
+#include "ui/canvas/camera_controller.h"
+
+namespace ui {
+
+/// Where a view has looked, as a browser knows where one has been: a place counts once the view has rested there.
+/// Going back and then moving elsewhere forgets what was ahead.
+class ViewHistory : public QObject {
+    Q_OBJECT
+
+public:
+    static constexpr int kRestMs = 400;
+    static constexpr std::size_t kMost = 100;
+
+    explicit ViewHistory(CameraController& controller, QObject* parent = nullptr);
+
+    /// Another board: begins anew.
+    void clear();
+    [[nodiscard]] bool canGoBack() const { return m_at > 0; }
+    [[nodiscard]] bool canGoForward() const { return m_at + 1 < m_locations.size(); }
+    void back();
+    void forward();
+
+private:
+    void onRest();
+    void goTo(std::size_t location);
+
+    CameraController& m_controller;
+    QTimer m_rest;
+    std::vector<render::CameraPose> m_locations;
+    std::size_t m_at = 0;
+};
+
+}  // namespace ui

@@ -1,0 +1,207 @@
+#pragma once
+
+#include <QAction>
+#include <QList>
+#include <QString>
+#include <array>
+#include <span>
+
+class QMenu;
+class QWidget;
+
+/// Every command of the workbench, declared in one table: menus, toolbar, shortcuts, tips and the keys sheet come from
+/// it.
+namespace ui {
+
+enum class ActionId {
+    OpenFile,
+    OpenFolder,
+    Reload,
+    CancelLoading,
+    SaveSession,
+    SavePicture,
+    SaveLargePicture,
+    CopyPicture,
+    Quit,
+    Undo,
+    Redo,
+    Find,
+    Commands,
+    Fit,
+    ViewTop,
+    ViewBottom,
+    ViewIso,
+    Flip,
+    ZoomIn,
+    ZoomOut,
+    ViewBack,
+    ViewForward,
+    SaveView,
+    Orthographic,
+    Explode,
+    ShowViewCube,
+    ShowFrameDisplay,
+    ExaggerateCopperHeight,
+    ExaggerateDielectricHeight,
+    SectionPlane,
+    RotateSectionPlane,
+    MoveSectionPlaneOn,
+    MoveSectionPlaneBack,
+    ShowFlat,
+    ShowSolid,
+    ShowSideBySide,
+    ShowStacked,
+    ShowLayersDock,
+    ShowNetsDock,
+    ShowElementDock,
+    ShowNetCheckDock,
+    ShowStackupDock,
+    ShowStatisticsDock,
+    ShowSavedViewsDock,
+    ShowClearanceDock,
+    ShowMeasurementsDock,
+    ShowSectionDock,
+    ShowMessagesDock,
+    ShowToolBar,
+    NextPanel,
+    PreviousPanel,
+    ThemeSystem,
+    ThemeDark,
+    ThemeLight,
+    BackendAuto,
+    BackendMesh,
+    BackendPull,
+    BackendImpostor,
+    BackendRaster,
+    KeysCopperscope,
+    KeysKiCad,
+    KeysAltium,
+    KeysAllegro,
+    KeysKLayout,
+    ShowAllLayers,
+    HideAllLayers,
+    ShowCopperOnly,
+    SoloLayer,
+    Contrast,
+    NextLayer,
+    PreviousLayer,
+    RestoreLayers,
+    SafeColours,
+    ColourNet,
+    ChooseNetColour,
+    HideNet,
+    ShowAllNets,
+    ClearNetColours,
+    CheckNets,
+    InferNets,
+    ExaggerateCopper,
+    ExportStackup,
+    SearchClearances,
+    NextClearance,
+    PreviousClearance,
+    EditRules,
+    ExportClearances,
+    Lens,
+    ClearanceMap,
+    DrawSection,
+    SectionAlongNet,
+    OpenAlongSection,
+    SaveSection,
+    ExportSection,
+    MeasurePoints,
+    MeasureObjects,
+    MeasureAngle,
+    MeasureLines,
+    MeasureRadius,
+    MeasureLength,
+    MeasureSpacing,
+    ExportMeasurements,
+    ClearSelection,
+    ShowSelection,
+    SelectComponent,
+    SelectPin,
+    SaveSelection,
+    HighlightNet,
+    DimOthers,
+    FollowInSolid,
+    FollowInFlat,
+    FollowInTables,
+    FollowFromTables,
+    NextUnit,
+    ShowGrid,
+    ShowNames,
+    ShowOutlines,
+    ShowPinNames,
+    ShowKeys,
+    ResetSettings,
+    About,
+    Count
+};
+inline constexpr std::size_t kActionCount = static_cast<std::size_t>(ActionId::Count);
+
+/// Where a command is found. Solid (what the 3D view draws otherwise) and Panels are submenus of View; so are
+/// Arrangement, Theme, Backend and Keys, with one choice each.
+enum class MenuId {
+    File,
+    Edit,
+    View,
+    Solid,
+    Arrangement,
+    Panels,
+    Theme,
+    Backend,
+    Keys,
+    Layers,
+    Nets,
+    Board,
+    Measure,
+    Select,
+    Help,
+    Count
+};
+inline constexpr std::size_t kMenuCount = static_cast<std::size_t>(MenuId::Count);
+
+struct ActionSpec {
+    ActionId id;
+    MenuId menu;
+    const char* text;       ///< with & before the mnemonic
+    const char* shortcuts;  ///< portable text, several separated by blanks; "Ctrl+K,D" are two keys one after the other
+    const char* tip;
+    bool isCheckable = false;
+    bool beginsGroup = false;  ///< a separator goes before it
+};
+
+/// The table, in menu order; row n has id n.
+[[nodiscard]] std::span<const ActionSpec> actionSpecs();
+[[nodiscard]] const char* menuTitle(MenuId menu);
+/// Keys written as in ActionSpec::shortcuts.
+[[nodiscard]] QList<QKeySequence> keysFrom(const char* shortcuts);
+
+/// Which program the keys of the workbench are like, see key_presets.h.
+enum class KeyPreset { Copperscope, KiCad, Altium, Allegro, KLayout };
+
+/// The live actions of one window.
+class ActionSet {
+public:
+    /// Makes all actions children of `window`, so that their shortcuts work wherever the focus is inside it.
+    explicit ActionSet(QWidget& window);
+
+    [[nodiscard]] QAction& operator[](ActionId id) const { return *m_actions[static_cast<std::size_t>(id)]; }
+    /// Uses an action that a widget made itself (a dock's own toggle) in place of ours.
+    void adopt(ActionId id, QAction& action);
+    /// Appends the actions of `menu` in table order.
+    void fill(QMenu& menu, MenuId id) const;
+    /// Gives all actions the keys of another program, in tips too.
+    void setKeys(KeyPreset keys);
+    [[nodiscard]] KeyPreset keys() const { return m_keys; }
+
+private:
+    void apply(const ActionSpec& spec, QAction& action) const;
+    void applyKeys(const ActionSpec& spec, QAction& action) const;
+
+    QWidget& m_window;
+    KeyPreset m_keys = KeyPreset::Copperscope;
+    std::array<QAction*, kActionCount> m_actions{};
+};
+
+}  // namespace ui
