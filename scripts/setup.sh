@@ -3,7 +3,7 @@
 # COPPERSCOPE_SKIP_SETUP=1 skips it all, for machines that are prepared in another way.
 # shellcheck shell=bash disable=SC2034,SC2119,SC2120,SC2154
 
-readonly kSetupFailed=4  # exit codes of the front door; 0 to 3 are copperscope's own (docs/architecture.md)
+readonly kSetupFailed=4  # exit codes of the front door; 0 to 3 are copperscope's own (docs/command-line.md)
 readonly kBuildFailed=5
 readonly kMeshShaderMesa=24.1  # the first Mesa whose software device has mesh shaders
 

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 
+#include "app/common/commit.h"
 #include "app/common/exit_code.h"
 
 namespace app {
@@ -236,11 +237,16 @@ void addTriangulationBench(CLI::App* command, bool& isWanted, TriangulationBench
         ->needs(wanted);
 }
 
+std::string versionText() {
+    const std::string commit = kCommit;
+    return "Copperscope " COPPERSCOPE_VERSION + (commit.empty() ? "" : ", commit " + commit);
+}
+
 }  // namespace
 
 Command parseCommandLine(int argc, char** argv) {
     CLI::App parser{"Copperscope looks into printed circuit boards", "copperscope"};
-    parser.set_version_flag("--version", COPPERSCOPE_VERSION);
+    parser.set_version_flag("--version", versionText());
     parser.require_subcommand(0, 1);
     WorkbenchArguments workbench;
     InfoArguments info;

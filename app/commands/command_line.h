@@ -32,7 +32,7 @@ struct Quit {
 using Command = std::variant<WorkbenchArguments, InfoArguments, RenderArguments, GenerateArguments, BenchArguments,
                              TriangulationBenchArguments, ClearanceArguments, SectionArguments, MeasureArguments, Quit>;
 
-/// Understands the command line of docs/architecture.md.
+/// Understands the command line of docs/command-line.md.
 [[nodiscard]] Command parseCommandLine(int argc, char** argv);
 
 }  // namespace app

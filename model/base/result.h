@@ -8,7 +8,7 @@
 
 namespace base {
 
-/// Why a whole operation failed. The command line maps these to exit codes (docs/architecture.md).
+/// Why a whole operation failed. The command line maps these to exit codes (docs/command-line.md).
 enum class ErrorCode {
     Cancelled,     ///< the user asked to stop; nothing is wrong
     BadInput,      ///< the input cannot be read or is not what it claims to be

@@ -77,18 +77,24 @@ bool namesBottom(const Layer& layer) {
     return name.find("bot") != std::string::npos || name.starts_with("b.");
 }
 
-Nm surfaceDefault(const Layer& layer) {
+struct SurfaceDefault {
+    const char* kind;
+    Nm thickness;
+};
+
+SurfaceDefault surfaceDefault(const Layer& layer) {
     switch (layer.use) {
-        case LayerUse::Coverlay: return kDefaultCoverlay;
-        case LayerUse::Adhesive: return kDefaultAdhesive;
-        case LayerUse::Stiffener: return kDefaultStiffener;
+        case LayerUse::Coverlay: return {"coverlay", kDefaultCoverlay};
+        case LayerUse::Adhesive: return {"adhesive", kDefaultAdhesive};
+        case LayerUse::Stiffener: return {"stiffener", kDefaultStiffener};
         default: break;
     }
     switch (layer.type) {
         case LayerType::SolderPaste:
-        case LayerType::ConductivePaste: return kDefaultPaste;
-        case LayerType::SilkScreen: return kDefaultSilk;
-        default: return kDefaultMask;
+        case LayerType::ConductivePaste: return {"paste", kDefaultPaste};
+        case LayerType::SilkScreen: return {"silk screen", kDefaultSilk};
+        case LayerType::SolderMask: return {"solder mask", kDefaultMask};
+        default: return {"other mask", kDefaultMask};
     }
 }
 
@@ -428,24 +434,26 @@ private:
     }
 
     void assumeSurfaces() {
-        bool isAnyAssumed = false;
-        bool isAnyLaid = false;
+        std::string surfaces;
+        std::string laidOn;
         for (Part& part : m_parts) {
             if (part.isCore || part.isKnown) {
                 continue;
             }
-            part.row.thickness = surfaceDefault(layerOf(part));
+            const SurfaceDefault assumed = surfaceDefault(layerOf(part));
+            part.row.thickness = assumed.thickness;
             part.row.source = Source::Assumed;
-            (isLaidOn(layerOf(part)) ? isAnyLaid : isAnyAssumed) = true;
+            std::string& kinds = isLaidOn(layerOf(part)) ? laidOn : surfaces;
+            const std::string kind = std::string(assumed.kind) + " " + inUm(static_cast<double>(assumed.thickness));
+            if (kinds.find(kind) == std::string::npos) {
+                kinds += (kinds.empty() ? "" : ", ") + kind;
+            }
         }
-        if (isAnyAssumed) {
-            report(Severity::Info, "thickness of surface layers is assumed: solder mask " + inUm(kDefaultMask) +
-                                       ", paste " + inUm(kDefaultPaste) + ", silk screen " + inUm(kDefaultSilk));
+        if (!surfaces.empty()) {
+            report(Severity::Info, "thickness of surface layers is assumed: " + surfaces);
         }
-        if (isAnyLaid) {
-            report(Severity::Info, "thickness of what is laid on the board is assumed: coverlay " +
-                                       inUm(kDefaultCoverlay) + ", adhesive " + inUm(kDefaultAdhesive) +
-                                       ", stiffener " + inUm(kDefaultStiffener));
+        if (!laidOn.empty()) {
+            report(Severity::Info, "thickness of what is laid on the board is assumed: " + laidOn);
         }
     }
 

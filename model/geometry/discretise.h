@@ -11,7 +11,7 @@ namespace model {
 /// How curves become polygons.
 struct Discretisation {
     double chordToleranceNm = 5000.0;  ///< largest distance between arc and chord; 500 (0.5 µm) to 50,000 (50 µm)
-    /// The paper's fixed numbers instead (triangulation-facts §1.3): 50 segments per full circle, 20 per arc.
+    /// The fixed numbers of the paper's Table 2 instead: 50 segments per full circle, 20 per arc.
     bool paperSegments = false;
 
     static constexpr double kMinChordNm = 500.0;

@@ -18,8 +18,8 @@ enum class EdgeKind : std::uint8_t { Line, ArcClockwise, ArcCounterClockwise };
 
 /// A vertex of a path together with the edge that leaves it towards the next vertex. Used by contours (the last edge
 /// returns to the first vertex) and by trails (the last node has no edge). An arc whose two ends coincide is a full
-/// circle. The two radii of an arc may differ by rounding in the job (odbpp-facts §4): both end points are kept, the
-/// drawn radius runs evenly from one to the other.
+/// circle. The two radii of an arc may differ by rounding in the job (odb-notes, Features): both end points are kept,
+/// the drawn radius runs evenly from one to the other.
 struct PathNode {
     Point point;
     Point centre;  ///< of the arc that leaves; unused for lines
@@ -80,7 +80,7 @@ private:
 };
 
 /// How a shape lies on the board: p' = origin + Mₓᵐ · R_cw(angle) · p — rotated clockwise first, then mirrored x → −x
-/// (odbpp-facts §4 "Pad orientation").
+/// (odb-notes, Features).
 struct Placement {
     Point origin;
     double clockwiseDeg = 0.0;

@@ -47,7 +47,7 @@ constexpr Row kRows[] = {
     // For devices whose compute dwarfs their raster units. None has been measured yet, so nobody gets it unasked.
     {Backend::Raster, [](const gpu::Caps&, const FramePlan&) { return false; }, canRasterise,
      "needs 64-bit atomics, an eye outside all layers and eight bytes per pixel"},
-    // Software devices run mesh shaders on one thread, compute and vertex shaders on all (vulkan-facts §2).
+    // Software devices run mesh shaders on one thread, compute and vertex shaders on all (docs/driver-notes.md).
     {Backend::Mesh, [](const gpu::Caps& caps, const FramePlan&) { return caps.hasMeshShader && !caps.isCpu; },
      [](const gpu::Caps& caps, const FramePlan&) { return caps.hasMeshShader; },
      "needs mesh shaders, which this device does not have"},

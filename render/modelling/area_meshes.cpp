@@ -43,7 +43,7 @@ void repair(ShapeMesh& mesh, tri::Triangulator triangulator) {
 }
 
 /// The wall of every contour edge of loops without the flag `wallless` (empty: none has it), except where two opposite
-/// edges coincide (the bridge of a keyhole contour, odbpp-facts §12).
+/// edges coincide (the bridge of a keyhole contour; odb-notes, Features).
 std::vector<std::uint32_t> findWalls(const PolygonSet& set, const std::vector<std::uint8_t>& wallless) {
     std::vector<std::uint32_t> next(set.points.size());
     std::iota(next.begin(), next.end(), 0U);

@@ -22,7 +22,7 @@ constexpr std::uint32_t kElementsPerPart = 1024;
 /// What an outline needs beside its plain prism.
 enum class Outline : std::uint8_t {
     Plain,
-    MayTouchItself,  ///< of an area: opposite edges cancel (odb-notes, keyholes)
+    MayTouchItself,  ///< of an area: opposite edges cancel (odb-notes, Features)
     WallOnly         ///< of a bare hole: there is nothing but its wall
 };
 

@@ -15,8 +15,7 @@ using model::ElementKind;
 
 namespace {
 
-/// Triangles of a prism over n vertices and h holes: n + 2h - 2 on top and bottom, 2n on the sides (triangulation-facts
-/// §1.3).
+/// Triangles of a prism over n vertices and h holes: n + 2h - 2 on top and bottom, 2n on the sides.
 std::uint64_t prismTriangles(std::uint64_t vertices, std::uint64_t holes) {
     return 4 * vertices + 4 * holes - 4;
 }

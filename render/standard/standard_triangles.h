@@ -7,8 +7,8 @@
 
 namespace render {
 
-/// Triangles the standard pipeline would store for the job's own layers with all copies of steps: the paper's Table 2
-/// (triangulation-facts §1.3). Counted, not built.
+/// Triangles the standard pipeline would store for the job's own layers with all copies of steps: the paper's Table 2,
+/// reproduced to the triangle for its model t1 (docs/performance.md). Counted, not built.
 [[nodiscard]] std::uint64_t countStandardTriangles(const model::Document& document, const model::Discretisation& how);
 
 }  // namespace render

@@ -1,6 +1,6 @@
 # The house as data (docs/architecture.md): a row per folder, which is one CMake target (copperscope_ and the path with _ for /).
 # The build links targets by this table and the test `architecture` holds every include line against it, so there is one truth:
-# the namespace of the folder's sources, the folders of ours it may include besides itself and model/base, and the libraries that
+# the namespace of the folder's sources, the folders of ours it may include besides itself and (but for shaders) model/base, and the libraries that
 # have a place in it. A folder without a row is an error, and so is a cycle.
 #
 # model/base is the common ground (ids, points, Result, parallelFor) below everything; tri/ sees it and nothing else of model/.
@@ -106,7 +106,9 @@ macro(read_architecture)
         foreach(column name IN ZIP_LISTS columns architecture_columns)
             separate_arguments(${name}_${folder} UNIX_COMMAND "${column}")
         endforeach()
-        list(APPEND may_include_${folder} model/base)
+        if(NOT folder MATCHES "^(model/base|shaders)")
+            list(APPEND may_include_${folder} model/base)
+        endif()
     endforeach()
 endmacro()
 set(architecture_columns folder namespaces_of may_include may_use)

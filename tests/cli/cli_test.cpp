@@ -575,10 +575,18 @@ private slots:
         }
     }
 
-    void helpAndVersionAnswerZero() {
+    void helpAnswersZero() {
         QCOMPARE(copperscope({"--help"}).exitCode, 0);
         QCOMPARE(copperscope({"render", "--help"}).exitCode, 0);
-        QVERIFY(copperscope({"--version"}).out.contains('.'));
+    }
+
+    void versionNamesProgramNumberAndCommit() {
+        const Outcome run = copperscope({"--version"});
+        QCOMPARE(run.exitCode, 0);
+        const QRegularExpression form("^Copperscope (\\S+?)(, commit [0-9a-f]{7,}\\+?)?\n$");
+        const QRegularExpressionMatch match = form.match(QString::fromUtf8(run.out));
+        QVERIFY2(match.hasMatch(), run.out.constData());
+        QCOMPARE(match.captured(1), QString(COPPERSCOPE_VERSION));
     }
 };
 

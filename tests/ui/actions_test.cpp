@@ -5,6 +5,7 @@
 #include <QtTest>
 #include <set>
 
+#include "tests/places.h"
 #include "ui/shell/help_dialogs.h"
 #include "ui/shell/icons.h"
 #include "ui/workspace/key_presets.h"
@@ -44,6 +45,17 @@ private slots:
         for (const ui::KeyPreset preset : kPresets) {
             for (const ActionSpec& spec : ui::actionSpecs()) {
                 QVERIFY2(!ui::keysOf(spec, preset).isEmpty(), spec.text);
+            }
+        }
+    }
+
+    void everyKeyIsInTheDocumentOfKeys() {
+        QFile file(QFileInfo(places::kTestData).dir().filePath("../docs/keys.md"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QString document = QString::fromUtf8(file.readAll());
+        for (const ActionSpec& spec : ui::actionSpecs()) {
+            for (const QString& key : QString::fromUtf8(spec.shortcuts).split(' ', Qt::SkipEmptyParts)) {
+                QVERIFY2(document.contains('`' + key + '`'), spec.text);
             }
         }
     }

@@ -12,7 +12,7 @@ namespace model::odb {
 
 enum class CornerStyle { Rounded, Chamfered };
 
-/// Corners are counted counter-clockwise from the top right (odb-notes, Features): bit 0 top right, 1 top left, 2
+/// Corners are counted counter-clockwise from the top right (odb-notes, Symbols): bit 0 top right, 1 top left, 2
 /// bottom left, 3 bottom right.
 inline constexpr unsigned kAllCorners = 0xF;
 

@@ -46,7 +46,7 @@ Nm milToNm(double mil) {
     return static_cast<Nm>(std::llround(mil * base::kNmPerMil));
 }
 
-/// Reads the grammar of triangulation-facts §1.1, one function per rule.
+/// One function per kind of record. The format has no description besides the published models.
 class Parser {
 public:
     Parser(std::string_view text, const std::string& file, Diagnostics& diagnostics, base::Progress& progress)

@@ -238,6 +238,18 @@ private slots:
         QVERIFY(findDiagnostic(stack.diagnostics, "too thin for a solder mask") != nullptr);
     }
 
+    void onlyWhatTheJobDoesNotStateIsReportedAsAssumed() {
+        Stack stack;
+        stack.add(LayerType::SilkScreen, "sst").add(LayerType::SolderMask, "smt", {17'780, {}, {}, {}});
+        stack.copper("top", 35'000).dielectric("d", 300'000).copper("bottom", 35'000);
+        stack.add(LayerType::SolderMask, "smb", {17'780, {}, {}, {}}).add(LayerType::SilkScreen, "ssb").build();
+        QCOMPARE(findDiagnostic(stack.diagnostics, "surface layers")->text,
+                 std::string("Thickness of surface layers is assumed: silk screen 15.0 µm"));
+        Stack stated;
+        stated.add(LayerType::SolderMask, "smt", {17'780, {}, {}, {}}).copper("top", 35'000).build();
+        QVERIFY(findDiagnostic(stated.diagnostics, "surface layers") == nullptr);
+    }
+
     void restackingGivesWhatReadingWouldHaveGiven() {
         const auto document = odb_testing::read(odb_testing::dataJob("everything"));
         const auto nmOf = [](const model::Document& d, const char* row) {

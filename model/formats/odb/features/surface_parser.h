@@ -9,9 +9,9 @@
 
 namespace model::odb {
 
-/// Collects the polygons of one S record into a ShapeTable: OB begins one, OS and OC add an edge, OE ends it (facts
-/// §4). The letter I or H decides between island and hole, never the winding. Polygons that are left open are closed by
-/// a straight edge; those without any area are left out; both are reported.
+/// Collects the polygons of one S record into a ShapeTable: OB begins one, OS and OC add an edge, OE ends it. The
+/// letter I or H decides between island and hole, never the winding (odb-notes, Features). Polygons that are left open
+/// are closed by a straight edge; those without any area are left out; both are reported.
 class SurfaceParser {
 public:
     SurfaceParser(ShapeTable& table, std::string_view path, Diagnostics& diagnostics)

@@ -10,7 +10,8 @@
 
 namespace model::odb {
 
-/// A STEP-REPEAT block: `columns` × `rows` copies of a step (odb-notes, Stack). The datum of copy (i, j) lands on first
+/// A STEP-REPEAT block: `columns` × `rows` copies of a step (odb-notes, Panels). The datum of copy (i, j) lands on
+/// first
 /// + (i · pitch.x, j · pitch.y); the copy is turned clockwise, then mirrored x → −x.
 struct StepRepeat {
     std::string step;

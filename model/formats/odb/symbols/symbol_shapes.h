@@ -21,7 +21,7 @@ struct SymbolValues {
 };
 
 /// A ring of even line width: outer box, and an inner one with the radius reduced by the line width (odb-notes,
-/// Features).
+/// Symbols).
 [[nodiscard]] ShapeSketch boxRing(double width, double height, double line, double radius, unsigned corners);
 [[nodiscard]] SymbolShape regionShape(ShapeSketch sketch);
 /// A node that a straight edge leaves.

@@ -1,0 +1,6 @@
+# Documents, comments and decisions point to what is there, and the proof that this test can fail.
+find_program(BASH bash REQUIRED)
+add_test(NAME documents COMMAND ${BASH} ${CMAKE_CURRENT_LIST_DIR}/check_documents.sh ${PROJECT_SOURCE_DIR})
+add_test(NAME documents_catch_violations
+    COMMAND ${BASH} ${CMAKE_CURRENT_LIST_DIR}/catches_violations.sh ${CMAKE_CURRENT_BINARY_DIR}/documents_scratch)
+set_tests_properties(documents documents_catch_violations PROPERTIES LABELS unit TIMEOUT 60)
