@@ -11,6 +11,8 @@ use_test_surroundings() {
     # Settings written by the tests stay out of the user's own.
     export XDG_CONFIG_HOME=$scratch/config XDG_DATA_HOME=$scratch/data XDG_RUNTIME_DIR=$scratch/runtime
     chmod 700 "$scratch/runtime"
+    # Tests run in other folders than the caller.
+    [ -z "${COPPERSCOPE_BOARDS:-}" ] || COPPERSCOPE_BOARDS=$(readlink -m "$COPPERSCOPE_BOARDS")
 }
 
 # Xvfb picks a free display and writes its number when it is ready. `timeout` ends it even if this script is killed.
