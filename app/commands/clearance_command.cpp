@@ -26,11 +26,8 @@ base::Result<model::ClearanceQuestion> questionFor(const Document& document, con
     model::ClearanceQuestion question;
     question.count = arguments.worst;
     if (!arguments.below.empty()) {
-        const base::Result<base::Nm> below = model::session::parseLength(arguments.below);
-        if (!below) {
-            return below.error();
-        }
-        question.below = static_cast<double>(*below);
+        ASSIGN_OR_RETURN(const base::Nm below, model::session::parseLength(arguments.below));
+        question.below = static_cast<double>(below);
     }
     if (!arguments.layer.empty()) {
         question.layer = document.findLayer(arguments.layer);
@@ -70,15 +67,9 @@ base::Result<std::vector<StepClearances>> measureSteps(const Document& board, co
         if (step->nets.empty()) {
             continue;
         }
-        const base::Result<model::ClearanceQuestion> question = questionFor(*step, arguments);
-        if (!question) {
-            return question.error();
-        }
-        base::Result<std::vector<Clearance>> clearances = model::narrowestClearances(*step, *question, progress);
-        if (!clearances) {
-            return clearances.error();
-        }
-        found.push_back({step, std::move(*clearances)});
+        ASSIGN_OR_RETURN(const model::ClearanceQuestion question, questionFor(*step, arguments));
+        ASSIGN_OR_RETURN(std::vector<Clearance> clearances, model::narrowestClearances(*step, question, progress));
+        found.push_back({step, std::move(clearances)});
     }
     if (!hasNets) {
         return base::Error{base::ErrorCode::BadInput,

@@ -202,27 +202,21 @@ constexpr Form kParsers[] = {
 }  // namespace
 
 Result<MeasureItem> parseItem(const BoardIndex& index, std::string_view text) {
-    const Result<InCopy> at = takeCopy(index, text);
-    if (!at) {
-        return at.error();
-    }
-    if (at->text == "edge") {
+    ASSIGN_OR_RETURN(const InCopy at, takeCopy(index, text));
+    if (at.text == "edge") {
         return MeasureItem(model::BoardEdge{});
     }
     for (const Form& form : kParsers) {
-        if (at->text.starts_with(form.prefix)) {
-            return form.parse(index, {at->copy, at->text.substr(form.prefix.size())});
+        if (at.text.starts_with(form.prefix)) {
+            return form.parse(index, {at.copy, at.text.substr(form.prefix.size())});
         }
     }
     return wrong("\"" + std::string(text) + "\" names nothing: write " + kForms);
 }
 
 Result<model::NetOfCopy> parseNet(const BoardIndex& index, std::string_view text) {
-    const Result<InCopy> at = takeCopy(index, text);
-    if (!at) {
-        return at.error();
-    }
-    const Result<MeasureItem> net = parseNetItem(index, *at);
+    ASSIGN_OR_RETURN(const InCopy at, takeCopy(index, text));
+    const Result<MeasureItem> net = parseNetItem(index, at);
     return net ? Result<model::NetOfCopy>(std::get<model::NetOfCopy>(*net)) : net.error();
 }
 

@@ -39,11 +39,8 @@ base::Result<Question> understand(const BoardIndex& index, const MeasureArgument
     }
     Question question{*from, *to, {}};
     if (!arguments.below.empty()) {
-        const auto below = model::session::parseLength(arguments.below);
-        if (!below) {
-            return below.error();
-        }
-        question.below = *below;
+        ASSIGN_OR_RETURN(const auto below, model::session::parseLength(arguments.below));
+        question.below = below;
     }
     return question;
 }
@@ -244,51 +241,33 @@ void printPathText(const BoardIndex& index, model::NetOfCopy net, const NetPath&
 
 base::Result<int> measurePath(const BoardIndex& index, const Question& question, const MeasureArguments& arguments,
                               base::Progress& progress) {
-    const auto net = parseNet(index, arguments.path);
-    if (!net) {
-        return net.error();
-    }
-    const auto path = model::pathAlong(index, *net, question.from, question.to, progress);
-    if (!path) {
-        return path.error();
-    }
-    arguments.format == "json"  ? printPathJson(index, *net, *path)
-    : arguments.format == "csv" ? printPathCsv(index, *path)
-                                : printPathText(index, *net, *path);
+    ASSIGN_OR_RETURN(const auto net, parseNet(index, arguments.path));
+    ASSIGN_OR_RETURN(const auto path, model::pathAlong(index, net, question.from, question.to, progress));
+    arguments.format == "json"  ? printPathJson(index, net, path)
+    : arguments.format == "csv" ? printPathCsv(index, path)
+                                : printPathText(index, net, path);
     return int{kDone};
 }
 
 base::Result<int> measureDistance(const BoardIndex& index, const Question& question, const MeasureArguments& arguments,
                                   base::Progress& progress) {
-    const auto separation = model::separationOf(index, question.from, question.to, progress);
-    if (!separation) {
-        return separation.error();
+    ASSIGN_OR_RETURN(const auto separation, model::separationOf(index, question.from, question.to, progress));
+    arguments.format == "json"  ? printJson(index, question, separation)
+    : arguments.format == "csv" ? printCsv(index, separation)
+                                : printText(index, question, separation);
+    if (question.below && separation.main() == nullptr) {
+        return base::Error{base::ErrorCode::BadUsage, "there is no distance to compare: " + separation.notes.front()};
     }
-    arguments.format == "json"  ? printJson(index, question, *separation)
-    : arguments.format == "csv" ? printCsv(index, *separation)
-                                : printText(index, question, *separation);
-    if (question.below && separation->main() == nullptr) {
-        return base::Error{base::ErrorCode::BadUsage, "there is no distance to compare: " + separation->notes.front()};
-    }
-    return question.below && separation->main()->distance < *question.below ? int{kTooClose} : int{kDone};
+    return question.below && separation.main()->distance < *question.below ? int{kTooClose} : int{kDone};
 }
 
 base::Result<int> measure(const MeasureArguments& arguments) {
     ConsoleProgress console;
-    const auto board = openDocument(arguments.board, console.progress());
-    if (!board) {
-        return board.error();
-    }
-    const auto index = model::indexBoard(*board, console.progress());
-    if (!index) {
-        return index.error();
-    }
-    const auto question = understand(**index, arguments);
-    if (!question) {
-        return question.error();
-    }
-    return arguments.path.empty() ? measureDistance(**index, *question, arguments, console.progress())
-                                  : measurePath(**index, *question, arguments, console.progress());
+    ASSIGN_OR_RETURN(const auto board, openDocument(arguments.board, console.progress()));
+    ASSIGN_OR_RETURN(const auto index, model::indexBoard(board, console.progress()));
+    ASSIGN_OR_RETURN(const auto question, understand(*index, arguments));
+    return arguments.path.empty() ? measureDistance(*index, question, arguments, console.progress())
+                                  : measurePath(*index, question, arguments, console.progress());
 }
 
 }  // namespace

@@ -131,18 +131,13 @@ Result<std::shared_ptr<const render::Cut>> cutOf(const RenderArguments& argument
         return std::shared_ptr<const render::Cut>();
     }
     base::Progress progress;
-    const auto index = model::indexBoard(document, progress);
-    if (!index) {
-        return index.error();
-    }
+    ASSIGN_OR_RETURN(const auto index, model::indexBoard(document, progress));
     const auto location = [&](std::size_t i) {
         return base::PointD{arguments.cut[i] * base::kNmPerMm, arguments.cut[i + 1] * base::kNmPerMm};
     };
-    Result<render::Cut> cut = render::cutThrough(**index, render::frameOf(*document).origin, location(0), location(2));
-    if (!cut) {
-        return cut.error();
-    }
-    return std::make_shared<const render::Cut>(std::move(*cut));
+    ASSIGN_OR_RETURN(render::Cut cut,
+                     render::cutThrough(*index, render::frameOf(*document).origin, location(0), location(2)));
+    return std::make_shared<const render::Cut>(std::move(cut));
 }
 
 /// What is drawn, beside the camera.
@@ -155,16 +150,10 @@ struct Scenery {
 
 template <class Model>
 Result<render::Image> draw(const RenderArguments& arguments, const Model& board, const Scenery& scenery) {
-    Result<HeadlessDevice> opened = HeadlessDevice::open();
-    if (!opened) {
-        return opened.error();
-    }
-    render::gpu::Device& device = *opened->device;
-    Result<render::BoardScene> made = render::BoardScene::make(device, board);
-    if (!made) {
-        return made.error();
-    }
-    render::BoardScene& scene = *made;
+    ASSIGN_OR_RETURN(HeadlessDevice opened, HeadlessDevice::open());
+    render::gpu::Device& device = *opened.device;
+    ASSIGN_OR_RETURN(render::BoardScene made, render::BoardScene::make(device, board));
+    render::BoardScene& scene = made;
     scene.setStyles(scenery.styles);
     for (std::uint32_t step = 0; step < scenery.highlights.size(); ++step) {
         scene.setStates(scenery.highlights[step].bytes(), step);
@@ -212,34 +201,14 @@ base::Status checkArguments(const RenderArguments& arguments) {
 }
 
 base::Status renderToFile(const RenderArguments& arguments) {
-    if (const base::Status usable = checkArguments(arguments); !usable) {
-        return usable.error();
-    }
-    const Result<render::NamedView> view = viewOf(arguments);
-    if (!view) {
-        return view.error();
-    }
-    const Result<std::shared_ptr<const Document>> document = readDocument(arguments);
-    if (!document) {
-        return document.error();
-    }
-    const Result<std::vector<render::LayerStyle>> styles = chooseLayers(**document, arguments);
-    if (!styles) {
-        return styles.error();
-    }
-    const Result<Highlights> highlight = elementsOfNets(**document, arguments.nets);
-    if (!highlight) {
-        return highlight.error();
-    }
-    const Result<std::shared_ptr<const render::Cut>> cut = cutOf(arguments, *document);
-    if (!cut) {
-        return cut.error();
-    }
-    const Result<render::Image> image = modelAndDraw(arguments, **document, {*styles, *highlight, *view, *cut});
-    if (!image) {
-        return image.error();
-    }
-    return render::writePng(*image, arguments.output);
+    RETURN_IF_ERROR(checkArguments(arguments));
+    ASSIGN_OR_RETURN(const render::NamedView view, viewOf(arguments));
+    ASSIGN_OR_RETURN(const std::shared_ptr<const Document> document, readDocument(arguments));
+    ASSIGN_OR_RETURN(const std::vector<render::LayerStyle> styles, chooseLayers(*document, arguments));
+    ASSIGN_OR_RETURN(const Highlights highlight, elementsOfNets(*document, arguments.nets));
+    ASSIGN_OR_RETURN(const std::shared_ptr<const render::Cut> cut, cutOf(arguments, document));
+    ASSIGN_OR_RETURN(const render::Image image, modelAndDraw(arguments, *document, {styles, highlight, view, cut}));
+    return render::writePng(image, arguments.output);
 }
 
 }  // namespace

@@ -77,29 +77,16 @@ std::string sectionJson(const model::BoardIndex& index, const Section& section) 
 
 base::Result<std::string> sectionText(const SectionArguments& arguments) {
     ConsoleProgress console;
-    const auto board = openDocument(arguments.board, console.progress());
-    if (!board) {
-        return board.error();
-    }
-    const auto question = questionFor(**board, arguments);
-    if (!question) {
-        return question.error();
-    }
-    const auto index = model::indexBoard(*board, console.progress());
-    if (!index) {
-        return index.error();
-    }
-    const auto section = model::cutBoard(**index, *question);
-    if (!section) {
-        return section.error();
-    }
-    for (const std::string& note : section->notes) {
+    ASSIGN_OR_RETURN(const auto board, openDocument(arguments.board, console.progress()));
+    ASSIGN_OR_RETURN(const auto question, questionFor(*board, arguments));
+    ASSIGN_OR_RETURN(const auto index, model::indexBoard(board, console.progress()));
+    ASSIGN_OR_RETURN(const auto section, model::cutBoard(*index, question));
+    for (const std::string& note : section.notes) {
         std::fprintf(stderr, "%s\n", note.c_str());
     }
-    return arguments.format == "json" ? sectionJson(**index, *section)
-           : arguments.format == "csv"
-               ? model::sectionCsv(**index, *section)
-               : model::sectionSvg(**board, *section, {coloursOf(**board), arguments.heightTimes});
+    return arguments.format == "json"  ? sectionJson(*index, section)
+           : arguments.format == "csv" ? model::sectionCsv(*index, section)
+                                       : model::sectionSvg(*board, section, {coloursOf(*board), arguments.heightTimes});
 }
 
 }  // namespace

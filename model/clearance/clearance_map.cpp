@@ -288,9 +288,7 @@ base::Result<DistanceField> DistanceField::betweenNets(const Document& document,
 }
 
 base::Result<ClearanceMap> DistanceField::map(const MapFrame& frame, double reach, base::Progress& progress) const {
-    if (const base::Status isMappable = check(frame); !isMappable) {
-        return isMappable.error();
-    }
+    RETURN_IF_ERROR(check(frame));
     progress.beginPhase("Measuring distances");
     ClearanceMap map{frame, std::vector<float>(frame.size(), kFar)};
     const MapFiller filler(m_plane, m_groups, m_kind == Kind::BetweenNets, std::clamp(reach, 0.0, kMostMapReach), map);

@@ -134,11 +134,8 @@ bool hasSeveralPadIslands(const NetReport& report, const OpenNet& open) {
 base::Result<std::vector<StepCheck>> checkAllNets(const Document& board, base::Progress& progress) {
     std::vector<StepCheck> checks;
     for (const Document* step : distinctSteps(board)) {
-        const auto connectivity = Connectivity::of(*step, progress);
-        if (!connectivity) {
-            return connectivity.error();
-        }
-        checks.push_back({step, connectivity->islandCount(), checkNets(*step, *connectivity)});
+        ASSIGN_OR_RETURN(const auto connectivity, Connectivity::of(*step, progress));
+        checks.push_back({step, connectivity.islandCount(), checkNets(*step, connectivity)});
     }
     return checks;
 }

@@ -313,16 +313,13 @@ bool hasSubstance(const Layer& layer) {
 }
 
 base::Result<Section> cutBoard(const BoardIndex& index, const SectionQuestion& question) {
-    const base::Result<std::vector<Leg>> legs = legsOf(question.line);
-    if (!legs) {
-        return legs.error();
-    }
+    ASSIGN_OR_RETURN(const std::vector<Leg> legs, legsOf(question.line));
     const std::vector<bool> layers = question.layers.empty() ? layersWithSubstance(*index.board) : question.layers;
     Cutter cutter(index, layers);
     Section section;
-    section.line.push_back(legs->front().a);
+    section.line.push_back(legs.front().a);
     section.stations.push_back(0.0);
-    for (const Leg& leg : *legs) {
+    for (const Leg& leg : legs) {
         cutter.cut(leg);
         section.line.push_back(leg.b);
         section.stations.push_back(leg.start + leg.length);

@@ -107,11 +107,8 @@ base::Result<ThicknessOverride> parseOverride(std::string_view text, const Stack
         return Error{ErrorCode::BadUsage,
                      "there is no layer " + std::string(name) + " in the stack; " + rowNames(stackup)};
     }
-    const base::Result<Nm> nm = parseThickness(text.substr(equals + 1), isCopperRow(*row));
-    if (!nm) {
-        return nm.error();
-    }
-    return ThicknessOverride{row->name, *nm};
+    ASSIGN_OR_RETURN(const Nm nm, parseThickness(text.substr(equals + 1), isCopperRow(*row)));
+    return ThicknessOverride{row->name, nm};
 }
 
 std::string thicknessText(Nm thickness) {

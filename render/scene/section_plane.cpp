@@ -48,14 +48,11 @@ base::Result<Cut> cutThrough(const model::BoardIndex& index, model::Point origin
     }
     const PointD unit = {(b.x - a.x) / length, (b.y - a.y) / length};
     const model::SectionQuestion question = throughBox(boxOf(index), a, unit);
-    const base::Result<model::Section> section = model::cutBoard(index, question);
-    if (!section) {
-        return section.error();
-    }
+    ASSIGN_OR_RETURN(const model::Section section, model::cutBoard(index, question));
     Cut cut;
     const PointD start = question.line.front();
     cut.plane = {{base::toMm(start.x - origin.x), base::toMm(start.y - origin.y)}, {unit.x, unit.y}};
-    for (const model::SectionPiece& piece : model::merged(section->pieces)) {
+    for (const model::SectionPiece& piece : model::merged(section.pieces)) {
         const model::Layer& layer = index.board->layer(piece.layer);
         if (piece.bottom >= piece.top || layer.thickness <= 0) {
             continue;
