@@ -127,13 +127,13 @@ render::ViewSettings settingsFor(const RenderArguments& arguments) {
 /// None if the board is to be whole.
 Result<std::shared_ptr<const render::Cut>> cutOf(const RenderArguments& arguments,
                                                  const std::shared_ptr<const Document>& document) {
-    if (arguments.cut.empty()) {
+    if (arguments.clip.empty()) {
         return std::shared_ptr<const render::Cut>();
     }
     base::Progress progress;
     ASSIGN_OR_RETURN(const auto index, model::indexBoard(document, progress));
     const auto location = [&](std::size_t i) {
-        return base::PointD{arguments.cut[i] * base::kNmPerMm, arguments.cut[i + 1] * base::kNmPerMm};
+        return base::PointD{arguments.clip[i] * base::kNmPerMm, arguments.clip[i + 1] * base::kNmPerMm};
     };
     ASSIGN_OR_RETURN(render::Cut cut,
                      render::cutThrough(*index, render::frameOf(*document).origin, location(0), location(2)));
@@ -194,7 +194,7 @@ base::Status checkArguments(const RenderArguments& arguments) {
         (arguments.window[0] == arguments.window[2] || arguments.window[1] == arguments.window[3])) {
         return base::Error{ErrorCode::BadUsage, "the window is empty"};
     }
-    if (!arguments.cut.empty() && arguments.mode == "2d") {
+    if (!arguments.clip.empty() && arguments.mode == "2d") {
         return base::Error{ErrorCode::BadUsage, "--clip cuts the board open in 3D; see copperscope section"};
     }
     return base::Done{};

@@ -23,10 +23,7 @@ struct MapFrame {
     [[nodiscard]] PointD centreOf(double column, double row) const {
         return {corner.x + (column + 0.5) * cell, corner.y + (row + 0.5) * cell};
     }
-    bool operator==(const MapFrame& other) const {
-        return corner.x == other.corner.x && corner.y == other.corner.y && cell == other.cell && width == other.width &&
-               height == other.height;
-    }
+    bool operator==(const MapFrame&) const = default;
 };
 
 /// The value at the centre of every cell in nm: 0 on copper, infinite beyond the reach it was made with.

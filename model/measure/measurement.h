@@ -38,7 +38,7 @@ struct MeasuredRun {
     std::string layer;
     double length = 0.0;             ///< nm
     std::vector<base::PointD> line;  ///< its course: corners in nm of the board, two at least
-    bool operator==(const MeasuredRun& other) const;
+    bool operator==(const MeasuredRun&) const = default;
 };
 
 /// A way along the copper of a net.
@@ -57,12 +57,12 @@ struct MeasuredPath {
 ///
 ///     {"name": "A", "step": "pcb", "kind": "edge to edge",
 ///      "from": {"at_nm": [0, 0], "layer": "TOP", "net": "GND", "snap": "edge"}, "to": {…},
-///      "dz_nm": 0, "overlap_nm": 0, "remarks": ["both are of net GND"], "shown": true}
+///      "dz_nm": 0, "overlap_nm": 0, "notes": ["both are of net GND"], "shown": true}
 ///
 /// an angle also has "corner": {…}, a length along a net
 ///
-///     "way": {"runs": [{"layer": "TOP", "length_nm": 1000, "line_nm": [[0, 0], [1000, 0]]}], "holes": 1,
-///             "hole_height_nm": 1500}
+///     "path": {"runs": [{"layer": "TOP", "length_nm": 1000, "line_nm": [[0, 0], [1000, 0]]}], "holes": 1,
+///              "hole_height_nm": 1500}
 struct Measurement {
     std::string name;
     std::string step;  ///< the one it was measured in
@@ -72,7 +72,7 @@ struct Measurement {
     double dz = 0.0;       ///< nm between the faces of the two layers that look at each other; not below 0
     double overlap = 0.0;  ///< nm, of elements that overlap: by that much at least
     std::optional<MeasuredEnd> corner{};  ///< of an angle, and of nothing else
-    std::optional<MeasuredPath> way{};    ///< of a length, and of nothing else
+    std::optional<MeasuredPath> path{};   ///< of a length, and of nothing else
     std::vector<std::string> notes{};     ///< what must be known to read it
     bool isShown = true;
     bool operator==(const Measurement&) const = default;

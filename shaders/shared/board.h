@@ -14,9 +14,20 @@ using vec4 = glm::vec4;
 using mat4 = glm::mat4;
 #define GPU_CONST constexpr uint
 #define GPU_SIZE(Name, bytes) static_assert(sizeof(Name) == (bytes))
+#define GPU_READ(Name, Item, align)
+#define GPU_WRITE(Name, Item, align)
 #else
 #define GPU_CONST const uint
 #define GPU_SIZE(Name, bytes)
+// Arrays of records, of which a shader has the address: read only, and written too.
+#define GPU_READ(Name, Item, align)                                                         \
+    layout(buffer_reference, scalar, buffer_reference_align = align) readonly buffer Name { \
+        Item at[];                                                                          \
+    }
+#define GPU_WRITE(Name, Item, align)                                               \
+    layout(buffer_reference, scalar, buffer_reference_align = align) buffer Name { \
+        Item at[];                                                                 \
+    }
 #endif
 
 // Lengths on the GPU are millimetres relative to the board model's origin: 32-bit floats then resolve 15 nm at 250 mm.

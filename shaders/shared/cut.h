@@ -19,11 +19,7 @@ struct CutRectangle {
 };
 GPU_SIZE(CutRectangle, 40);
 
-#ifndef __cplusplus
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer CutRectangles {
-    CutRectangle at[];
-};
-#endif
+GPU_READ(CutRectangles, CutRectangle, 4);
 
 // Push constants.
 struct CutPush {

@@ -25,11 +25,7 @@ struct Draw {
 GPU_SIZE(Draw, 16);
 
 // Some elements of one layer in the standard pipeline.
-#ifndef __cplusplus
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer StandardVertices {
-    StandardVertex at[];
-};
-#endif
+GPU_READ(StandardVertices, StandardVertex, 4);
 struct StandardPartRecord {
     GPU_ADDRESS(StandardVertices) vertices;
     uint layer;
@@ -46,42 +42,18 @@ struct ShapeBound {
 GPU_SIZE(ShapeBound, 16);
 
 #ifndef __cplusplus
-layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer StandardParts {
-    StandardPartRecord at[];
-};
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Lets {
-    Let at[];
-};
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Clusters {
-    Cluster at[];
-};
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Layers {
-    LayerState at[];
-};
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Vertices {
-    vec2 at[];
-};
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Words {
-    uint at[];
-};
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Instances {
-    AreaInstance at[];
-};
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Bounds {
-    ShapeBound at[];
-};
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Colours {
-    vec3 at[];
-};
-layout(buffer_reference, scalar, buffer_reference_align = 4) buffer WordList {
-    uint at[];
-};
-layout(buffer_reference, scalar, buffer_reference_align = 4) buffer IndexedDraws {
-    DrawIndexed at[];
-};
-layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Draws {
-    Draw at[];
-};
+GPU_READ(StandardParts, StandardPartRecord, 8);
+GPU_READ(Lets, Let, 4);
+GPU_READ(Clusters, Cluster, 4);
+GPU_READ(Layers, LayerState, 4);
+GPU_READ(Vertices, vec2, 4);
+GPU_READ(Words, uint, 4);
+GPU_READ(Instances, AreaInstance, 4);
+GPU_READ(Bounds, ShapeBound, 4);
+GPU_READ(Colours, vec3, 4);
+GPU_WRITE(WordList, uint, 4);
+GPU_WRITE(IndexedDraws, DrawIndexed, 4);
+GPU_WRITE(Draws, Draw, 4);
 // The clusters in view, with the command that dispatches one workgroup for each (up to a limit; the rest by striding).
 layout(buffer_reference, scalar, buffer_reference_align = 4) buffer ClusterList {
     uint groupsX, groupsY, groupsZ, count, at[];

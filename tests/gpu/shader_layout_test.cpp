@@ -166,10 +166,13 @@ private slots:
 
     void compiledShadersAreValid_data() {
         QTest::addColumn<QByteArray>("code");
-        for (const shader::spirv::Named& shader : shader::spirv::all()) {
-            QTest::newRow(shader.name) << QByteArray(reinterpret_cast<const char*>(shader.code.data()),
-                                                     static_cast<qsizetype>(shader.code.size_bytes()));
-        }
+        const auto addRow = [](const char* name, shader::spirv::Code code) {
+            QTest::newRow(name) << QByteArray(reinterpret_cast<const char*>(code.data()),
+                                              static_cast<qsizetype>(code.size_bytes()));
+        };
+#define ADD_ROW(name, words) addRow(#words, shader::spirv::name);
+        COPPERSCOPE_SHADERS(ADD_ROW)
+#undef ADD_ROW
     }
     void compiledShadersAreValid() {
         const QString validator = QStandardPaths::findExecutable("spirv-val");

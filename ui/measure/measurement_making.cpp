@@ -134,7 +134,7 @@ base::Result<Measurement> lengthAlong(const BoardIndex& index, const Caught& fro
         return noNumber("there is no way to measure: both ends are in one place");
     }
     Measurement measurement = measurementOf(index, MeasurementKind::Length, from, to);
-    measurement.way = wayOf(index, path);
+    measurement.path = wayOf(index, path);
     measurement.notes = path.notes;
     return measurement;
 }
@@ -152,9 +152,9 @@ std::vector<std::pair<base::PointD, std::string>> locationsOf(const Measurement&
         locations.push_back({{measurement.from.x - radius, measurement.from.y - radius}, measurement.from.layer});
         locations.push_back({{measurement.from.x + radius, measurement.from.y + radius}, measurement.from.layer});
     }
-    for (std::size_t run = 0; measurement.way && run < measurement.way->runs.size(); ++run) {
-        for (const base::PointD& corner : measurement.way->runs[run].line) {
-            locations.push_back({corner, measurement.way->runs[run].layer});
+    for (std::size_t run = 0; measurement.path && run < measurement.path->runs.size(); ++run) {
+        for (const base::PointD& corner : measurement.path->runs[run].line) {
+            locations.push_back({corner, measurement.path->runs[run].layer});
         }
     }
     return locations;

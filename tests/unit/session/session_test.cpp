@@ -73,7 +73,7 @@ Measurement measuredAngle() {
 Measurement measuredLength() {
     Measurement length = measured("length");
     length.kind = model::MeasurementKind::Length;
-    length.way = {{{"TOP", 4.0, {{0, 0}, {3, 0}, {3, 0.5}}}, {"SMT", 1e10, {{3, 0.5}, {4.25, -7}}}}, 1, 13.0};
+    length.path = {{{"TOP", 4.0, {{0, 0}, {3, 0}, {3, 0.5}}}, {"SMT", 1e10, {{3, 0.5}, {4.25, -7}}}}, 1, 13.0};
     return length;
 }
 
@@ -339,7 +339,7 @@ private slots:
         QVERIFY(saveMeasurements(location.board, *location.document, {measuredAngle(), measuredLength()}).ok());
         const std::string good = location.file();
         const std::pair<const char*, const char*> wrongs[] = {
-            {"\"corner\"", "\"other\""},       {"\"kind\": \"angle\"", "\"kind\": \"angel\""}, {"\"way\"", "\"path\""},
+            {"\"corner\"", "\"other\""},       {"\"kind\": \"angle\"", "\"kind\": \"angel\""}, {"\"path\"", "\"patch\""},
             {"\"holes\": 1", "\"holes\": -1"}, {"\"length_nm\": 4", "\"length_nm\": -4"},      {"\"a remark\"", "7"}};
         for (const auto& [right, wrong] : wrongs) {
             std::string text = good;
