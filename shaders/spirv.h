@@ -17,8 +17,8 @@ using Code = std::span<const std::uint32_t>;
     SHADER(kCullAreasComp, cull_areas_comp)                      \
     SHADER(kCullClustersComp, cull_clusters_comp)                \
     SHADER(kCullLetsComp, cull_lets_comp)                        \
-    SHADER(kCutFaceFrag, cut_face_frag)                          \
-    SHADER(kCutFaceVert, cut_face_vert)                          \
+    SHADER(kSectionFaceFrag, section_face_frag)                  \
+    SHADER(kSectionFaceVert, section_face_vert)                  \
     SHADER(kLetBoxFrag, let_box_frag)                            \
     SHADER(kLetBoxVert, let_box_vert)                            \
     SHADER(kLetImpostorFrag, let_impostor_frag)                  \

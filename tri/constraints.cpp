@@ -84,7 +84,7 @@ private:
                 continue;
             }
             if (m_corridor.explore(m_mesh, m_triangleAt, edge.from, edge.to, IsContour{m_contours}) ==
-                Corridor::Way::Clear) {
+                Corridor::Course::Clear) {
                 m_corridor.rebuild(m_mesh, m_triangleAt, m_dirty);
             } else {
                 blocked.push_back(edge);
@@ -118,9 +118,9 @@ private:
         m_contours.forEachEdge(m_mesh, [&](const DirectedEdge& other) {
             const auto [otherLow, otherHigh] = std::minmax(m_mesh.points[other.from], m_mesh.points[other.to]);
             const bool isSame = otherLow == low && otherHigh == high;
-            found =
-                found || (!isSame && m_mesh.turn(from, to, other.from) == 0 && m_mesh.turn(from, to, other.to) == 0 &&
-                          std::max(low, otherLow) < std::min(high, otherHigh));
+            found = found || (!isSame && m_mesh.orientation(from, to, other.from) == 0 &&
+                              m_mesh.orientation(from, to, other.to) == 0 &&
+                              std::max(low, otherLow) < std::min(high, otherHigh));
         });
         return found;
     }

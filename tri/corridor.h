@@ -34,15 +34,15 @@ struct Ahead {
 /// The triangles that the segment from vertex a to vertex b crosses, and what borders on them.
 class Corridor {
 public:
-    enum class Way : std::uint8_t {
+    enum class Course : std::uint8_t {
         Clear,    ///< to b across triangles only
         Blocked,  ///< runs into a vertex before b, or would cross an edge that has to stay
     };
 
     /// Walks from a to b. `isFixed(u, v)` tells which edges have to stay.
     template <class IsFixed>
-    [[nodiscard]] Way explore(const Mesh& mesh, TriangleAt triangleAt, std::uint32_t a, std::uint32_t b,
-                              const IsFixed& isFixed) {
+    [[nodiscard]] Course explore(const Mesh& mesh, TriangleAt triangleAt, std::uint32_t a, std::uint32_t b,
+                                 const IsFixed& isFixed) {
         m_blocking = kOutside;
         Ahead ahead = lookAhead(mesh, triangleAt, a, b);
         begin(mesh, ahead, a);
@@ -50,13 +50,13 @@ public:
             const Triangle& t = mesh.triangles[ahead.edge.triangle()];
             if (isFixed(t.v[kNext[ahead.edge.corner()]], t.v[kPrevious[ahead.edge.corner()]])) {
                 m_blocking = ahead.edge;
-                return Way::Blocked;
+                return Course::Blocked;
             }
             const EdgeRef entered = t.across[ahead.edge.corner()];
             ahead = lookAhead(mesh, ahead.edge, a, b);
             extend(mesh, entered, ahead);
         }
-        return ahead.vertex == b ? Way::Clear : Way::Blocked;
+        return ahead.vertex == b ? Course::Clear : Course::Blocked;
     }
 
     /// The edge that has to stay and stopped explore(); kOutside if it was a vertex.

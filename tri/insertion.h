@@ -72,12 +72,13 @@ private:
                 if (k == entered) {
                     continue;
                 }
-                const std::int64_t turn = orient(m_mesh.points[t.v[kNext[k]]], m_mesh.points[t.v[kPrevious[k]]], p);
-                if (turn < 0) {
+                const std::int64_t orientation =
+                    orient(m_mesh.points[t.v[kNext[k]]], m_mesh.points[t.v[kPrevious[k]]], p);
+                if (orientation < 0) {
                     leave = t.across[k];
                     break;
                 }
-                onEdge = turn == 0 ? k : onEdge;
+                onEdge = orientation == 0 ? k : onEdge;
             }
             if (leave == kOutside) {
                 return {m_near, onEdge};
@@ -162,11 +163,11 @@ private:
         Seen<Lift> a = seen(m_mesh.triangles[start].v[1]);
         do {
             Seen<Lift> b = seen(m_mesh.triangles[edge.triangle()].v[kPrevious[edge.corner()]]);
-            std::int64_t turnAB = turn(a, b);
+            std::int64_t turnAB = orientation(a, b);
             for (EdgeRef other = beyond(edge); other != kOutside; other = beyond(edge)) {
                 const Seen<Lift> d = seen(m_mesh.triangles[other.triangle()].v[other.corner()]);
-                const std::int64_t turnAD = turn(a, d);
-                const Int128 outside = outsideCircleOfEye(a, b, d, turnAB, turn(b, d), turnAD);
+                const std::int64_t turnAD = orientation(a, d);
+                const Int128 outside = outsideCircleOfEye(a, b, d, turnAB, orientation(b, d), turnAD);
                 if (outside > 0 || (outside == 0 && !m_mesh.isFlipNeededOnCircle(edge))) [[likely]] {
                     break;
                 }

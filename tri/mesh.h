@@ -42,7 +42,7 @@ struct Mesh {
     bool isCompact = false;  ///< all points lie within kCompactExtent
 
     [[nodiscard]] Site site(std::uint32_t vertex) const { return {points[vertex], ids[vertex]}; }
-    [[nodiscard]] std::int64_t turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    [[nodiscard]] std::int64_t orientation(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
         return orient(points[a], points[b], points[c]);
     }
 

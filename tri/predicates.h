@@ -55,7 +55,7 @@ struct Seen {
 
 /// Twice the signed area of (eye, a, b).
 template <class Lift>
-constexpr std::int64_t turn(const Seen<Lift>& a, const Seen<Lift>& b) {
+constexpr std::int64_t orientation(const Seen<Lift>& a, const Seen<Lift>& b) {
     return a.x * b.y - a.y * b.x;
 }
 

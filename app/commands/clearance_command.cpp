@@ -22,16 +22,16 @@ base::Error unknown(const char* kind, const std::string& name) {
     return {base::ErrorCode::BadUsage, "the board has no " + std::string(kind) + " " + name};
 }
 
-base::Result<model::ClearanceQuestion> questionFor(const Document& document, const ClearanceArguments& arguments) {
-    model::ClearanceQuestion question;
-    question.count = arguments.worst;
+base::Result<model::ClearanceRequest> requestFor(const Document& document, const ClearanceArguments& arguments) {
+    model::ClearanceRequest request;
+    request.count = arguments.worst;
     if (!arguments.below.empty()) {
         ASSIGN_OR_RETURN(const base::Nm below, model::session::parseLength(arguments.below));
-        question.below = static_cast<double>(below);
+        request.below = static_cast<double>(below);
     }
     if (!arguments.layer.empty()) {
-        question.layer = document.findLayer(arguments.layer);
-        if (!question.layer.isValid() || !document.layer(question.layer).isCopper()) {
+        request.layer = document.findLayer(arguments.layer);
+        if (!request.layer.isValid() || !document.layer(request.layer).isCopper()) {
             return unknown("copper layer", arguments.layer);
         }
     }
@@ -44,9 +44,9 @@ base::Result<model::ClearanceQuestion> questionFor(const Document& document, con
         if (a == b) {
             return base::Error{base::ErrorCode::BadUsage, "a net has no clearance to itself: --nets names two"};
         }
-        question.between = {a, b};
+        request.between = {a, b};
     }
-    return question;
+    return request;
 }
 
 void print(const std::string& report) {
@@ -67,8 +67,8 @@ base::Result<std::vector<StepClearances>> measureSteps(const Document& board, co
         if (step->nets.empty()) {
             continue;
         }
-        ASSIGN_OR_RETURN(const model::ClearanceQuestion question, questionFor(*step, arguments));
-        ASSIGN_OR_RETURN(std::vector<Clearance> clearances, model::narrowestClearances(*step, question, progress));
+        ASSIGN_OR_RETURN(const model::ClearanceRequest request, requestFor(*step, arguments));
+        ASSIGN_OR_RETURN(std::vector<Clearance> clearances, model::smallestClearances(*step, request, progress));
         found.push_back({step, std::move(clearances)});
     }
     if (!hasNets) {

@@ -19,8 +19,8 @@ using model::Document;
 namespace {
 
 Result<std::vector<render::LayerStyle>> chooseLayers(const Document& document, const RenderArguments& arguments) {
-    const render::Look look = arguments.mode == "2d" ? render::Look::Flat : render::Look::Solid;
-    std::vector<render::LayerStyle> styles = render::defaultStyles(document, look);
+    const render::Appearance appearance = arguments.mode == "2d" ? render::Appearance::Flat : render::Appearance::Solid;
+    std::vector<render::LayerStyle> styles = render::defaultStyles(document, appearance);
     if (arguments.layers.empty()) {
         for (std::size_t row = 0; row < styles.size(); ++row) {
             // A raster of shapes is about copper and print, not about the laminate around them.
@@ -125,19 +125,19 @@ render::ViewSettings settingsFor(const RenderArguments& arguments) {
 }
 
 /// None if the board is to be whole.
-Result<std::shared_ptr<const render::Cut>> cutOf(const RenderArguments& arguments,
-                                                 const std::shared_ptr<const Document>& document) {
+Result<std::shared_ptr<const render::SectionCut>> cutOf(const RenderArguments& arguments,
+                                                        const std::shared_ptr<const Document>& document) {
     if (arguments.clip.empty()) {
-        return std::shared_ptr<const render::Cut>();
+        return std::shared_ptr<const render::SectionCut>();
     }
     base::Progress progress;
     ASSIGN_OR_RETURN(const auto index, model::indexBoard(document, progress));
     const auto location = [&](std::size_t i) {
         return base::PointD{arguments.clip[i] * base::kNmPerMm, arguments.clip[i + 1] * base::kNmPerMm};
     };
-    ASSIGN_OR_RETURN(render::Cut cut,
-                     render::cutThrough(*index, render::frameOf(*document).origin, location(0), location(2)));
-    return std::make_shared<const render::Cut>(std::move(cut));
+    ASSIGN_OR_RETURN(render::SectionCut cut,
+                     render::makeSectionCut(*index, render::frameOf(*document).origin, location(0), location(2)));
+    return std::make_shared<const render::SectionCut>(std::move(cut));
 }
 
 /// What is drawn, beside the camera.
@@ -145,7 +145,7 @@ struct Scenery {
     std::vector<render::LayerStyle> styles;
     Highlights highlights;
     render::NamedView view;
-    std::shared_ptr<const render::Cut> cut;
+    std::shared_ptr<const render::SectionCut> cut;
 };
 
 template <class Model>
@@ -160,7 +160,7 @@ Result<render::Image> draw(const RenderArguments& arguments, const Model& board,
     }
     render::OffscreenPresenter presenter(device);
     render::ViewSettings settings = settingsFor(arguments);
-    settings.cut = scenery.cut;
+    settings.section = scenery.cut;
     return presenter.render(scene, cameraFor(arguments, board, scenery.view), settings, arguments.width,
                             arguments.height);
 }
@@ -206,7 +206,7 @@ base::Status renderToFile(const RenderArguments& arguments) {
     ASSIGN_OR_RETURN(const std::shared_ptr<const Document> document, readDocument(arguments));
     ASSIGN_OR_RETURN(const std::vector<render::LayerStyle> styles, chooseLayers(*document, arguments));
     ASSIGN_OR_RETURN(const Highlights highlight, elementsOfNets(*document, arguments.nets));
-    ASSIGN_OR_RETURN(const std::shared_ptr<const render::Cut> cut, cutOf(arguments, document));
+    ASSIGN_OR_RETURN(const std::shared_ptr<const render::SectionCut> cut, cutOf(arguments, document));
     ASSIGN_OR_RETURN(const render::Image image, modelAndDraw(arguments, *document, {styles, highlight, view, cut}));
     return render::writePng(image, arguments.output);
 }

@@ -12,7 +12,7 @@ namespace model {
 namespace {
 
 /// How far above and below the outermost surface layer the planes of all other layers lie.
-constexpr Nm kPlaneGap = 100'000;
+constexpr Nm kPasteDistance = 100'000;
 /// Copper that takes an even share of the board may be this thick; beyond it the share is no copper thickness.
 constexpr double kLeastCopperShare = 5'000;
 constexpr double kMostCopperShare = 210'000;
@@ -164,7 +164,7 @@ private:
     void collectParts() {
         for (std::size_t i = 0; i < m_layers.size(); ++i) {
             if (isBoardCopper(m_layers[i])) {
-                addGapBefore();
+                addDielectricBefore();
                 addLayer(i, kMostCopper);
             } else if (isPhysical(m_layers[i])) {
                 addLayer(i, m_most);
@@ -233,7 +233,7 @@ private:
     }
 
     /// Two copper layers without a row between them: the dielectric is only known from the upper one, if at all.
-    void addGapBefore() {
+    void addDielectricBefore() {
         if (!m_parts.empty() && m_parts.back().isCopper) {
             const std::size_t above = m_parts.back().row.layer.row();
             addPart(spacingBelow(above), m_facts.layers[above].belowNm, m_most);
@@ -324,14 +324,14 @@ private:
         const bool hasRoom = left >= count * kLeastDielectric;
         const std::int64_t share = hasRoom ? left / count : kLeastDielectric;
         setAll(parts, share, m_board && hasRoom ? Source::Derived : Source::Assumed);
-        const std::string gaps = std::to_string(count) + " dielectric(s) without a thickness in the job: taken as " +
-                                 inUm(static_cast<double>(share)) + " each, ";
+        const std::string unknown = std::to_string(count) + " dielectric(s) without a thickness in the job: taken as " +
+                                    inUm(static_cast<double>(share)) + " each, ";
         if (!hasRoom) {
-            report(Severity::Warning, gaps + "because the board's thickness leaves no room for them");
+            report(Severity::Warning, unknown + "because the board's thickness leaves no room for them");
         } else if (m_board) {
-            report(Severity::Info, gaps + "an even share of the board's " + inUm(*m_board));
+            report(Severity::Info, unknown + "an even share of the board's " + inUm(*m_board));
         } else {
-            report(Severity::Info, gaps + "an even share of an assumed board of " + inUm(kDefaultBoard));
+            report(Severity::Info, unknown + "an even share of an assumed board of " + inUm(kDefaultBoard));
         }
     }
 
@@ -480,7 +480,7 @@ private:
             const bool isBottom = namesBottom(layer);
             layer.side =
                 layer.type == LayerType::Component ? (isBottom ? LayerSide::Bottom : LayerSide::Top) : LayerSide::None;
-            layer.z = isBottom ? m_floor - kDefaultPaste - kPlaneGap : top + kDefaultPaste + kPlaneGap;
+            layer.z = isBottom ? m_floor - kDefaultPaste - kPasteDistance : top + kDefaultPaste + kPasteDistance;
             layer.thickness = 0;
             layer.thicknessSource = Source::Assumed;
         }

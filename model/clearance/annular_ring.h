@@ -11,7 +11,7 @@ namespace model {
 struct AnnularRing {
     ElementId hole;
     ElementId pad;  ///< the element that leaves most of itself around the hole
-    Gap width;      ///< from the edge of the hole to the nearest edge of the pad, nm; 0: the hole breaks out
+    Spacing width;  ///< from the edge of the hole to the nearest edge of the pad, nm; 0: the hole breaks out
 };
 
 /// The rings on a copper layer that are narrower than `below` (nm), by hole. A hole's ring is that of the one element

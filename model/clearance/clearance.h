@@ -21,11 +21,11 @@ struct Clearance {
     NetId netB;
     ElementId a;  ///< of netA: copper of the layer, or a plated hole through it
     ElementId b;
-    Gap gap;  ///< in nanometres; `from` lies on a, `to` on b; distance 0: they touch or overlap
+    Spacing spacing;  ///< in nanometres; `from` lies on a, `to` on b; distance 0: they touch or overlap
 };
 
 /// Which clearances are asked for. Two nets are one answer per layer, however long they run side by side.
-struct ClearanceQuestion {
+struct ClearanceRequest {
     std::size_t count = 100;                                 ///< so many of the narrowest
     double below = std::numeric_limits<double>::infinity();  ///< only gaps less than this, in nanometres
     LayerId layer;                                           ///< only here; none: on all copper layers
@@ -42,9 +42,9 @@ struct ClearanceQuestion {
 /// Neighbours are looked for within a distance that doubles until there are enough, so the cost follows the number of
 /// elements and of answers, not the number of pairs. The answer does not depend on the number of threads.
 /// Errors: Cancelled.
-[[nodiscard]] base::Result<std::vector<Clearance>> narrowestClearances(const Document& document,
-                                                                       const ClearanceQuestion& question,
-                                                                       base::Progress& progress);
+[[nodiscard]] base::Result<std::vector<Clearance>> smallestClearances(const Document& document,
+                                                                      const ClearanceRequest& request,
+                                                                      base::Progress& progress);
 
 /// Does a step have copper, but no nets to tell it apart by? Nothing can be measured there.
 [[nodiscard]] bool isCopperWithoutNets(const Document& step);

@@ -155,22 +155,22 @@ private:
     void gather(const Block& tile) {
         const PointD middle = middleOf(tile);
         const double radius = radiusOf(tile);
-        for (double looked = 2 * radius + m_map.frame.cell;;) {
+        for (double searched = 2 * radius + m_map.frame.cell;;) {
             m_near.clear();
             TwoNearest nearest;
             const Box spot = boxAround(middle, middle);
-            const Box box = spot.grownBy(static_cast<Nm>(looked) + 1);
-            m_plane.visitNear(spot, looked, [&](std::uint32_t figure) {
+            const Box box = spot.grownBy(static_cast<Nm>(searched) + 1);
+            m_plane.visitNear(spot, searched, [&](std::uint32_t figure) {
                 visitEdges(m_plane.figures(), figure, box, [&](const Edge& edge) {
                     m_near.push_back({&edge, m_groups[figure], distanceTo(edge, middle)});
                     nearest.offer(m_groups[figure], std::max(m_near.back().distance, 0.0));
                 });
             });
             const double need = needOf(nearest, radius);
-            if (looked >= need) {
+            if (searched >= need) {
                 return;
             }
-            looked = std::min(need, 2 * looked);
+            searched = std::min(need, 2 * searched);
         }
     }
 

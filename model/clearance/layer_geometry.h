@@ -55,10 +55,10 @@ using ElementFilter = std::function<bool(ElementId)>;
 struct FigurePair {
     std::uint32_t a = 0;  ///< rows of their sheets
     std::uint32_t b = 0;
-    Gap gap;
+    Spacing spacing;
 };
 
-struct PairQuestion {
+struct PairRequest {
     double reach = 0.0;  ///< gaps up to this, nm
     /// Does this pair count?
     std::function<bool(std::uint32_t a, std::uint32_t b)> isWanted;
@@ -73,7 +73,7 @@ struct PairQuestion {
 /// The narrowest pair of every group, in rising order of width, then rows. With the same sheet twice every pair is
 /// looked at once, the lower row first. Over all cores, the same with any number of threads; partial once `progress` is
 /// cancelled.
-[[nodiscard]] std::vector<FigurePair> narrowestPairs(const LayerGeometry& a, const LayerGeometry& b,
-                                                     const PairQuestion& question, base::Progress& progress);
+[[nodiscard]] std::vector<FigurePair> closestPairs(const LayerGeometry& a, const LayerGeometry& b,
+                                                   const PairRequest& request, base::Progress& progress);
 
 }  // namespace model

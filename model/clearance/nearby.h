@@ -15,7 +15,7 @@ namespace model {
 struct Nearby {
     ElementId element;
     LayerId layer;
-    Gap gap;  ///< from the element to what it is near to, nm
+    Spacing spacing;  ///< from the element to what it is near to, nm
 };
 
 /// Copper and plated holes that come within `reach` (nm) of any of the targets on a copper layer, once each, the

@@ -11,8 +11,8 @@ struct RuleFinding {
     std::size_t rule = 0;  ///< row of RuleTable::rules
     LayerId layer;         ///< the first one where this is so
     ElementId a;
-    ElementId b;  ///< none for the edge of the board
-    Gap gap;      ///< nm; 0: they touch or overlap. Of a ring: from the hole's edge to the pad's
+    ElementId b;      ///< none for the edge of the board
+    Spacing spacing;  ///< nm; 0: they touch or overlap. Of a ring: from the hole's edge to the pad's
 };
 
 /// What lies on one side of a place: the name of its net, "(no net)", or for no element "(board edge)".

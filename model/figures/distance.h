@@ -14,20 +14,20 @@ inline constexpr double kTouchNm = 0.5;
 
 /// The gap between two figures of any kind; nothing if it is larger than `limit`. Things that touch or overlap have a
 /// gap of 0 at a place both cover. Figures may come from different tables.
-[[nodiscard]] std::optional<Gap> spacingBetween(const FigureTable& a, std::size_t rowA, const FigureTable& b,
-                                                std::size_t rowB,
-                                                double limit = std::numeric_limits<double>::infinity());
+[[nodiscard]] std::optional<Spacing> spacingBetween(const FigureTable& a, std::size_t rowA, const FigureTable& b,
+                                                    std::size_t rowB,
+                                                    double limit = std::numeric_limits<double>::infinity());
 
 /// The gap between two elements, over all their pieces; nothing if one of them covers nothing or it is larger than
 /// `limit`. For many elements make the tables once and use the function above.
-[[nodiscard]] std::optional<Gap> spacingBetween(const Document& document, ElementId a, ElementId b,
-                                                double limit = std::numeric_limits<double>::infinity());
+[[nodiscard]] std::optional<Spacing> spacingBetween(const Document& document, ElementId a, ElementId b,
+                                                    double limit = std::numeric_limits<double>::infinity());
 
 /// Is the point inside of a filled figure? Never for strokes.
 [[nodiscard]] bool isInside(const FigureTable& table, std::size_t row, PointD p);
 
 /// The shortest way from a point to an edge of a figure, pen and inside left out of account.
-[[nodiscard]] Gap spacingToEdges(const FigureTable& table, std::size_t row, PointD p);
+[[nodiscard]] Spacing spacingToEdges(const FigureTable& table, std::size_t row, PointD p);
 
 /// Calls `visit` for the edges of a figure that may come into the box, and for some that lie beside it.
 void visitEdges(const FigureTable& table, std::size_t row, const Box& box,

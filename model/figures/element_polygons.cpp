@@ -8,7 +8,7 @@ namespace model {
 
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kFullCircle = 2.0 * std::numbers::pi;
 
 Nm toNm(double value) {
     return static_cast<Nm>(std::llround(value));
@@ -68,7 +68,7 @@ void addArcTrack(const PathNode& node, Point end, Nm width, const Discretisation
     const double sweep = sweepOf(node, end);
     const double radius = std::hypot(double(node.point.x) - node.centre.x, double(node.point.y) - node.centre.y);
     const double half = width / 2.0;
-    if (std::abs(sweep) >= kTurn) {
+    if (std::abs(sweep) >= kFullCircle) {
         set.beginPolygon();
         set.addLoop(circlePoints(node.centre, toNm(2.0 * (radius + half)), how));
         if (radius > half) {

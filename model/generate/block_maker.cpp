@@ -138,7 +138,7 @@ void BlockMaker::addBottomTrails() {
         const std::int32_t y = m_corner.y + kFirstTrack + kTrackPitch * trail;
         const std::int32_t depth = 120 + 20 * random(6);
         // Long traces take more of the strokes; three are the way down, along and up.
-        const std::int64_t tracks = std::int64_t{m_share.strokesPerTrail} * m_bottomTrails * spanOf(trail) / spans;
+        const std::int64_t tracks = std::int64_t{m_share.tracksPerTrail} * m_bottomTrails * spanOf(trail) / spans;
         const int bumps = static_cast<int>(std::max<std::int64_t>(0, (tracks - 3 + 2) / 4));
         std::vector<PointUm> path{from, {from.x, y}};
         meander(path.back(), {{1, 0}, {0, 1}, bumps}, to.x - from.x, depth, path);
@@ -155,7 +155,7 @@ void BlockMaker::addTopTrails() {
         const PointUm from{x, m_corner.y + kUpperRow};
         const PointUm start{x, m_corner.y + kUpperRow - 600};
         std::vector<PointUm> path{from};
-        const int bumps = (m_share.strokesPerTrail - 1) / 4;
+        const int bumps = (m_share.tracksPerTrail - 1) / 4;
         if (bumps > 0) {
             meander(start, {{0, -1}, {1, 0}, bumps}, kUpperRow - kLowerRow - 1200, depth, path);
         } else {

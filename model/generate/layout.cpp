@@ -68,7 +68,7 @@ Block Layout::block(std::uint64_t index) const {
     share_.circles = static_cast<int>(share(m_wanted.counts[kCircle], index));
     share_.trails = static_cast<int>(share(m_wanted.counts[kTrail], index));
     share_.pads = static_cast<int>(share(m_pads, index));
-    share_.strokesPerTrail = m_wanted.strokesPerTrail;
+    share_.tracksPerTrail = m_wanted.tracksPerTrail;
     share_.random = mixed(m_wanted.seed, index);
     return BlockMaker(cornerOf(index), share_).make();
 }

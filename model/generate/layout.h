@@ -56,7 +56,7 @@ struct Tile {
 
 struct Wanted {
     Counts counts{};
-    int strokesPerTrail = 3;
+    int tracksPerTrail = 3;
     std::uint64_t seed = 1;
 };
 

@@ -34,7 +34,7 @@ struct Edge {
 [[nodiscard]] Box boxOf(const Edge& edge);
 
 /// The shortest way between two things. Both ends are the place of contact when `distance` is 0.
-struct Gap {
+struct Spacing {
     double distance = 0.0;
     PointD from;
     PointD to;
@@ -42,7 +42,7 @@ struct Gap {
 
 /// The gap between two strokes; 0 when they touch or overlap. Errors stay below 1e-3 nm: coordinates are integers of at
 /// most 2^30, and double keeps 53 bits of their differences and products.
-[[nodiscard]] Gap spacingBetween(const Edge& a, const Edge& b);
+[[nodiscard]] Spacing spacingBetween(const Edge& a, const Edge& b);
 
 /// The point of the middle line that is nearest to `p`.
 [[nodiscard]] PointD nearestOn(const Edge& edge, PointD p);
@@ -53,7 +53,7 @@ struct Gap {
 /// Length of the whole middle line.
 [[nodiscard]] double lengthOf(const Edge& edge);
 /// The point so far along the middle line.
-[[nodiscard]] PointD pointAt(const Edge& edge, double way);
+[[nodiscard]] PointD pointAt(const Edge& edge, double delta);
 
 /// How often the edge, closed by nothing else, contributes to the winding number of its contour around `p`: sum over
 /// the contour is 0 outside. Points on a chord count to one side in every edge alike.

@@ -18,7 +18,7 @@ public:
 private:
     std::unordered_map<std::uint64_t, FigureTable> m_large;
     FigureTable m_small;  ///< of the element asked for last, if that is not worth keeping
-    std::size_t m_keptEdges = 0;
+    std::size_t m_cachedEdges = 0;
 };
 
 }  // namespace model

@@ -18,7 +18,7 @@ struct PickLayer {
 };
 
 /// What is left of a board that is cut open: what does not lie beyond a line.
-struct SavedSide {
+struct CutSide {
     PointD at;
     PointD outward;  ///< across the line, to what is gone
 };
@@ -28,8 +28,8 @@ struct SightLine {
     PointD origin;
     double z = 0.0;
     PointD direction;
-    double down = 0.0;                ///< how much z falls per step along the line; negative when looking up
-    std::optional<SavedSide> kept{};  ///< none: the board is whole
+    double down = 0.0;                 ///< how much z falls per step along the line; negative when looking up
+    std::optional<CutSide> cutSide{};  ///< none: the board is whole
 };
 
 struct Hit {

@@ -10,7 +10,7 @@ namespace model {
 
 /// The narrow place at a cursor: from copper to the next copper of the same layer.
 struct LocalSpacing {
-    Gap gap;  ///< nm of the board; square to both edges where these are parallel
+    Spacing spacing;  ///< nm of the board; square to both edges where these are parallel
     BoardElement from;
     BoardElement to;
     LayerId layer;

@@ -23,11 +23,11 @@ struct MeasuredEnd {
 
 /// What `from` and `to` are the ends of.
 enum class MeasurementKind : std::uint8_t {
-    Points,  ///< a distance from point to point
-    Gap,     ///< the shortest way from edge to edge of two elements
-    Angle,   ///< the arms of an angle, which meet in `corner`
-    Radius,  ///< a radius: `from` is the centre, `to` lies on the circle or arc
-    Length   ///< a way along the copper of a net
+    Points,     ///< a distance from point to point
+    Clearance,  ///< the shortest way from edge to edge of two elements
+    Angle,      ///< the arms of an angle, which meet in `corner`
+    Radius,     ///< a radius: `from` is the centre, `to` lies on the circle or arc
+    Length      ///< a way along the copper of a net
 };
 [[nodiscard]] const char* toString(MeasurementKind kind);  ///< "point to point", "edge to edge", "angle", …
 /// Nothing for no name of a kind.

@@ -78,8 +78,8 @@ private:
     /// Where the middle lines of two strokes are nearest to each other.
     [[nodiscard]] PointD middlesMeet(std::uint32_t i, std::uint32_t j) const;
     void joinPieces(std::uint32_t i, std::uint32_t j, PointD meeting);
-    std::vector<std::uint32_t> endsAtPlace(const Location& location);
-    void standFor(std::uint32_t row, std::vector<std::uint32_t>& nodes);
+    std::vector<std::uint32_t> endsAtLocation(const Location& location);
+    void addNodesOf(std::uint32_t row, std::vector<std::uint32_t>& nodes);
     void linkAlong(std::uint32_t row);
     void linkThrough(std::uint32_t row);
 

@@ -88,14 +88,14 @@ private:
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> m_queue;
 };
 
-NetPath pathTo(const NetGraph& graph, const ShortestPath& way, std::uint32_t end) {
+NetPath pathTo(const NetGraph& graph, const ShortestPath& path, std::uint32_t end) {
     NetPath path;
-    path.length = way.reached(end).length;
-    for (std::uint32_t node = end; way.reached(node).before != kNone; node = way.reached(node).before) {
-        const std::uint32_t before = way.reached(node).before;
-        const double length = way.reached(node).length - way.reached(before).length;
+    path.length = path.reached(end).length;
+    for (std::uint32_t node = end; path.reached(node).before != kNone; node = path.reached(node).before) {
+        const std::uint32_t before = path.reached(node).before;
+        const double length = path.reached(node).length - path.reached(before).length;
         if (length > 0) {
-            path.legs.push_back({way.reached(node).kind, graph.nodes()[before].layer, graph.pieceOf(before).at,
+            path.legs.push_back({path.reached(node).kind, graph.nodes()[before].layer, graph.pieceOf(before).at,
                                  graph.nodes()[before].at, graph.nodes()[node].at, length, graph.nodes()[before].along,
                                  graph.nodes()[node].along});
         }
@@ -193,8 +193,8 @@ base::Result<NetPath> pathAlong(const BoardIndex& index, NetOfCopy net, const Me
         }
     }
     graph.finish();
-    ShortestPath way(graph, progress);
-    const std::optional<std::uint32_t> end = way.find(ends[0], ends[1]);
+    ShortestPath path(graph, progress);
+    const std::optional<std::uint32_t> end = path.find(ends[0], ends[1]);
     if (progress.isCancelled()) {
         return base::Error{base::ErrorCode::Cancelled, "cancelled"};
     }
@@ -202,7 +202,7 @@ base::Result<NetPath> pathAlong(const BoardIndex& index, NetOfCopy net, const Me
         return base::Error{base::ErrorCode::BadUsage, "no copper of " + nameOf(index, net) + " leads from " +
                                                           nameOf(index, from) + " to " + nameOf(index, to)};
     }
-    NetPath path = pathTo(graph, way, *end);
+    NetPath path = pathTo(graph, path, *end);
     addUp(index, path);
     return path;
 }

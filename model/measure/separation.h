@@ -16,8 +16,8 @@ enum class Relation : std::uint8_t { Apart, Touching, Overlapping };
 [[nodiscard]] const char* toString(Relation relation);  ///< "apart", "touching", "overlapping"
 
 /// The shortest way between two pieces, straight or through the stack. Lengths in nm.
-struct Way {
-    Gap gap;                ///< in the plane; 0 with both ends in a common place if one lies over the other
+struct PieceDistance {
+    Spacing spacing;        ///< in the plane; 0 with both ends in a common place if one lies over the other
     double dz = 0.0;        ///< between the faces that look at each other; 0 where their heights meet
     double distance = 0.0;  ///< of gap and dz together
     Piece from;             ///< of the first thing
@@ -32,13 +32,13 @@ struct Way {
 /// The answer. Elements are upright prisms, so the shortest way in space is the gap in the plane and the difference of
 /// heights of one pair of pieces, exactly.
 struct Separation {
-    std::optional<Way> inPlane;         ///< as seen from above, whatever the layers
-    std::optional<Way> onLayer;         ///< between pieces that lie on one layer; none: there is no common layer
-    std::optional<Way> throughStackup;  ///< shortest in space; none: one of them has no heights
-    std::vector<std::string> notes;     ///< what must be known to read it, in plain words
+    std::optional<PieceDistance> inPlane;  ///< as seen from above, whatever the layers
+    std::optional<PieceDistance> onLayer;  ///< between pieces that lie on one layer; none: there is no common layer
+    std::optional<PieceDistance> throughStackup;  ///< shortest in space; none: one of them has no heights
+    std::vector<std::string> notes;               ///< what must be known to read it, in plain words
 
     /// What people mean by "the distance": on one layer if there is one, else through the stack, else from above.
-    [[nodiscard]] const Way* main() const {
+    [[nodiscard]] const PieceDistance* main() const {
         return onLayer ? &*onLayer : throughStackup ? &*throughStackup : inPlane ? &*inPlane : nullptr;
     }
 };

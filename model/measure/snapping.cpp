@@ -14,7 +14,7 @@ namespace {
 /// Edges whose crossings are looked for; where more are near nobody can tell them apart.
 constexpr std::size_t kMostCrossing = 64;
 /// Points nearer to each other are in one place.
-constexpr double kOnePlaceNm = 1.0;
+constexpr double kSameLocationNm = 1.0;
 
 double distance(PointD a, PointD b) {
     return std::hypot(a.x - b.x, a.y - b.y);
@@ -59,7 +59,7 @@ private:
         if (a.kind != b.kind) {
             return a.kind < b.kind;
         }
-        if (distance(a.at, b.at) > kOnePlaceNm && a.missedBy != b.missedBy) {
+        if (distance(a.at, b.at) > kSameLocationNm && a.missedBy != b.missedBy) {
             return a.missedBy < b.missedBy;
         }
         const auto rank = [&](const SnapPoint& p) {

@@ -15,7 +15,7 @@ constexpr double kParallel = 1e-14;
 /// Where a line passes a contour, and how that changes how often the contour winds around the line's points.
 struct Crossing {
     double at = 0.0;
-    int turn = 0;
+    int winding = 0;
 };
 
 /// Adds the places where a line passes the edges of one contour. What decides is on which side of the line vertices
@@ -36,7 +36,7 @@ public:
         std::vector<Interval> inside;
         int winding = 0;
         for (std::size_t i = 0; i + 1 < m_crossings.size(); ++i) {
-            winding += m_crossings[i].turn;
+            winding += m_crossings[i].winding;
             if (winding != 0) {
                 inside.push_back({m_crossings[i].at, m_crossings[i + 1].at});
             }
@@ -240,8 +240,8 @@ CutLine CutLine::through(PointD a, PointD b) {
 }
 
 CutLine CutLine::seenFrom(const Placement& placement) const {
-    const Placement turnOnly = {Point{}, placement.clockwiseDeg, placement.isMirrored};
-    return {unplaced(origin, placement), unplaced(unit, turnOnly)};
+    const Placement rotationOnly = {Point{}, placement.clockwiseDeg, placement.isMirrored};
+    return {unplaced(origin, placement), unplaced(unit, rotationOnly)};
 }
 
 bool CutLine::meets(const Box& box) const {

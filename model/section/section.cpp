@@ -13,7 +13,7 @@ namespace model {
 namespace {
 
 /// A slanting line is looked up in this many boxes, which hug it; elements in several are met once.
-constexpr double kLookups = 64.0;
+constexpr double kQueries = 64.0;
 
 /// Bores by the heights they pass.
 using Bores = std::map<std::pair<Nm, Nm>, std::vector<Interval>>;
@@ -51,7 +51,7 @@ bool overlap(const Box& a, const Box& b) {
 }
 
 /// Keeps a far line's coordinates within those of boards.
-PointD kept(PointD p) {
+PointD clamped(PointD p) {
     return {std::clamp<double>(p.x, -base::kMaxCoordinate, base::kMaxCoordinate),
             std::clamp<double>(p.y, -base::kMaxCoordinate, base::kMaxCoordinate)};
 }
@@ -82,18 +82,18 @@ private:
 
     /// Elements whose boxes the leg meets, rising.
     [[nodiscard]] std::vector<std::uint32_t> near(const Leg& leg, const Placed& placed) const {
-        const PointD a = kept(unplaced(leg.a, placed.how.placement));
-        const PointD b = kept(unplaced(leg.b, placed.how.placement));
+        const PointD a = clamped(unplaced(leg.a, placed.how.placement));
+        const PointD b = clamped(unplaced(leg.b, placed.how.placement));
         std::vector<std::uint32_t> rows;
         if (!overlap(boxAround(a, b), m_index.extents[placed.how.step])) {
             return rows;
         }
         const Leg own{a, b, 0.0, 0.0};
         const bool isSlanting = std::min(std::abs(a.x - b.x), std::abs(a.y - b.y)) > 1e5;
-        const double lookups = isSlanting ? kLookups : 1.0;
-        for (double i = 0.0; i < lookups; ++i) {
+        const double queries = isSlanting ? kQueries : 1.0;
+        for (double i = 0.0; i < queries; ++i) {
             m_index.elements[placed.how.step].visit(
-                boxAround(pointOn(own, i / lookups), pointOn(own, (i + 1.0) / lookups)),
+                boxAround(pointOn(own, i / queries), pointOn(own, (i + 1.0) / queries)),
                 [&](std::uint32_t row) { rows.push_back(row); });
         }
         std::ranges::sort(rows);
@@ -253,20 +253,20 @@ std::string listed(const std::vector<std::string>& names) {
 /// Names of the cut layers that have a property.
 template <class Has>
 std::string cutLayers(const Document& board, const std::vector<SectionPiece>& pieces, Has has) {
-    std::vector<bool> isCut(board.layers.size());
+    std::vector<bool> hasSection(board.layers.size());
     for (const SectionPiece& piece : pieces) {
-        isCut[piece.layer.row()] = true;
+        hasSection[piece.layer.row()] = true;
     }
     std::vector<std::string> names;
     for (std::size_t row = 0; row < board.layers.size(); ++row) {
-        if (isCut[row] && has(board.layers[row])) {
+        if (hasSection[row] && has(board.layers[row])) {
             names.push_back(board.layers[row].name);
         }
     }
     return listed(names);
 }
 
-void addRemarks(const Document& board, std::size_t wallless, Section& section) {
+void addNotes(const Document& board, std::size_t wallless, Section& section) {
     if (wallless > 0) {
         section.notes.push_back("plated holes whose wall has no known thickness, cut without it: " +
                                 std::to_string(wallless));
@@ -312,9 +312,9 @@ bool hasSubstance(const Layer& layer) {
     }
 }
 
-base::Result<Section> cutBoard(const BoardIndex& index, const SectionQuestion& question) {
-    ASSIGN_OR_RETURN(const std::vector<Leg> legs, legsOf(question.line));
-    const std::vector<bool> layers = question.layers.empty() ? layersWithSubstance(*index.board) : question.layers;
+base::Result<Section> makeSection(const BoardIndex& index, const SectionRequest& request) {
+    ASSIGN_OR_RETURN(const std::vector<Leg> legs, legsOf(request.line));
+    const std::vector<bool> layers = request.layers.empty() ? layersWithSubstance(*index.board) : request.layers;
     Cutter cutter(index, layers);
     Section section;
     section.line.push_back(legs.front().a);
@@ -328,7 +328,7 @@ base::Result<Section> cutBoard(const BoardIndex& index, const SectionQuestion& q
     section.bores = std::move(cutter.bores);
     sort(section.pieces);
     sort(section.bores);
-    addRemarks(*index.board, cutter.wallless, section);
+    addNotes(*index.board, cutter.wallless, section);
     return section;
 }
 

@@ -10,7 +10,7 @@
 /// so the cut is made of rectangles, and they are exact.
 namespace model {
 
-struct SectionQuestion {
+struct SectionRequest {
     std::vector<PointD> line;  ///< corners of the line in nanometres of the board, two at least
     std::vector<bool> layers;  ///< which take part, by layer; empty: all that are made of something
 };
@@ -44,7 +44,7 @@ struct Section {
 /// A line beside the board gives no pieces and a remark, as do layers without a thickness or with an assumed one, and
 /// plated holes whose wall has no thickness (routed areas): they are cut without it.
 /// Errors: BadUsage for a line without length, of more than kMostCorners corners, or off the coordinates of boards.
-[[nodiscard]] base::Result<Section> cutBoard(const BoardIndex& index, const SectionQuestion& question);
+[[nodiscard]] base::Result<Section> makeSection(const BoardIndex& index, const SectionRequest& request);
 
 inline constexpr std::size_t kMostCorners = 10'000;
 

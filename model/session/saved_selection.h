@@ -50,7 +50,7 @@ struct FoundSelection {
 
 /// Elements that lie where another one of the same kind lies are found as often as they were kept. Looks at every
 /// element of the board once.
-[[nodiscard]] FoundSelection findSelection(const StepTree& board, const SavedSelection& kept);
+[[nodiscard]] FoundSelection findSelection(const StepTree& board, const SavedSelection& saved);
 
 /// "line", "arc", "circle", "trail", "area".
 [[nodiscard]] const char* kindWord(ElementKind kind);

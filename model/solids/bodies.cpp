@@ -33,7 +33,7 @@ ZRange facesOf(const Document& document) {
     return faces;
 }
 
-void place(Layer& layer, const ZRange& faces) {
+void setHeights(Layer& layer, const ZRange& faces) {
     layer.z = layer.side == LayerSide::Bottom ? faces.bottom - layer.thickness : faces.top;
 }
 
@@ -64,7 +64,7 @@ public:
         layer.isSynthetic = true;
         layer.thickness = thickness;
         layer.thicknessSource = Source::Derived;
-        place(layer, faces);
+        setHeights(layer, faces);
         m_builder.beginLayer(m_builder.addLayer(std::move(layer)));
         for (std::size_t row = 0; row < m_document.components.size(); ++row) {
             if (m_document.components[row].side == side) {
@@ -204,7 +204,7 @@ void placeBodies(Document& document) {
     const ZRange faces = facesOf(document);
     for (Layer& layer : document.layers) {
         if (layer.type == LayerType::ComponentBody) {
-            place(layer, faces);
+            setHeights(layer, faces);
         }
     }
 }

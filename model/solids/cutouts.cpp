@@ -1,9 +1,10 @@
+#include "model/solids/cutouts.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "model/figures/element_polygons.h"
-#include "model/solids/cut.h"
-#include "model/solids/nearness.h"
+#include "model/solids/region_distance.h"
 
 namespace model {
 

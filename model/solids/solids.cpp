@@ -4,7 +4,7 @@
 
 #include "model/base/parallel.h"
 #include "model/solids/bodies.h"
-#include "model/solids/cut.h"
+#include "model/solids/cutouts.h"
 #include "model/solids/substrates.h"
 
 namespace model {
@@ -33,7 +33,7 @@ Layer plateLayer(std::string name, LayerType type, LayerSide side, Nm bottom, Nm
 }
 
 void planBody(const Document& document, std::vector<Plate>& plates) {
-    std::vector<SubstratePart> parts = slabsOf(document);
+    std::vector<SubstratePart> parts = substratesOf(document);
     for (std::size_t i = 0; i < parts.size(); ++i) {
         std::string name = parts.size() == 1 ? "board" : "board " + std::to_string(i + 1);
         plates.push_back({plateLayer(std::move(name), LayerType::Body, LayerSide::Through, parts[i].bottom,
@@ -60,7 +60,7 @@ std::vector<LayerId> holesUnder(const Document& document, const Layer& mask) {
     return holes;
 }
 
-void planCoats(const Document& document, std::vector<Plate>& plates) {
+void planSolderMasks(const Document& document, std::vector<Plate>& plates) {
     for (std::size_t row = 0; row < document.layers.size(); ++row) {
         const Layer& mask = document.layers[row];
         if (mask.type != LayerType::SolderMask || mask.context != LayerContext::Board) {
@@ -134,7 +134,7 @@ void cutPlate(const Document& document, Plate& plate, const base::Progress& prog
     }
     PlateCutter cutter(plate);
     cutter.take(document, {}, false);
-    plate.sketch = cut(document.shapes, plate.outline, cutter.cutouts(), progress);
+    plate.sketch = subtract(document.shapes, plate.outline, cutter.cutouts(), progress);
 }
 
 }  // namespace
@@ -143,7 +143,7 @@ bool addSolids(DocumentBuilder& builder, const base::Progress& progress) {
     const Document& document = builder.soFar();
     std::vector<Plate> plates;
     planBody(document, plates);
-    planCoats(document, plates);
+    planSolderMasks(document, plates);
     base::parallelFor(plates.size(), [&](std::size_t i) { cutPlate(document, plates[i], progress); });
     for (Plate& plate : plates) {
         builder.beginLayer(builder.addLayer(std::move(plate.layer)));
@@ -155,7 +155,7 @@ bool addSolids(DocumentBuilder& builder, const base::Progress& progress) {
 }
 
 void placeSolids(Document& document) {
-    const std::vector<SubstratePart> parts = slabsOf(document);
+    const std::vector<SubstratePart> parts = substratesOf(document);
     auto part = parts.begin();
     for (Layer& layer : document.layers) {
         if (layer.type == LayerType::Body && layer.isSynthetic && part != parts.end()) {

@@ -13,8 +13,8 @@ inline constexpr Nm kWidestTent = 500'000;
 /// Adds what a board has besides the features of its job, as synthetic layers (Layer::isSynthetic), to be called when
 /// all other layers are complete:
 /// - the laminate (LayerType::Body): the outline minus all holes, from the upper face of the lowest to the lower face
-///   of the highest copper layer. Cut into slabs where blind and buried holes end, so that every slab has the holes
-///   that pass it; slabs are called "board", or "board 1", "board 2", … from the top.
+///   of the highest copper layer. SectionCut into slabs where blind and buried holes end, so that every slab has the
+///   holes that pass it; slabs are called "board", or "board 1", "board 2", … from the top.
 /// - the lacquer of every solder mask (LayerType::SolderMask): the outline minus the mask's openings and minus the
 /// holes
 ///   that stay open (routs, bare holes, plated ones wider than kWidestTent), called as its mask with " coat" behind.

@@ -24,6 +24,6 @@ struct SubstratePart {
 /// where a layer with an outline of its own begins or ends (rigid-flex); slabs that are alike are one. A dielectric
 /// that is no layer of the job is where the copper above and below it is. Heights and holes depend on the layers only,
 /// not on what is on them, so that all steps of a panel have the same slabs, each with its own outlines.
-[[nodiscard]] std::vector<SubstratePart> slabsOf(const Document& document);
+[[nodiscard]] std::vector<SubstratePart> substratesOf(const Document& document);
 
 }  // namespace model

@@ -20,7 +20,7 @@ using PassPipelines = std::array<gpu::Pipeline, 3>;
 struct TargetFormat {
     VkFormat colour = VK_FORMAT_UNDEFINED;
     VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
-    bool cuts = false;  ///< the board is cut open: fragments ask where they are (shaders/lib/cut.glsl)
+    bool hasSection = false;  ///< the board is cut open: fragments ask where they are (shaders/lib/section.glsl)
     bool operator==(const TargetFormat&) const = default;
 };
 

@@ -157,11 +157,11 @@ void rankFaces(std::vector<shader::LayerState>& layers, float shader::LayerState
 /// Visible layers, opaque or translucent ones, the one farthest from the viewer first.
 std::vector<std::uint32_t> visibleFromBack(const std::vector<shader::LayerState>& layers, bool isTranslucent,
                                            bool isSeenFromAbove) {
-    constexpr std::uint32_t kAsked = shader::kLayerVisible | shader::kLayerTranslucent;
+    constexpr std::uint32_t kRelevant = shader::kLayerVisible | shader::kLayerTranslucent;
     const std::uint32_t wanted = shader::kLayerVisible | (isTranslucent ? shader::kLayerTranslucent : 0);
     std::vector<std::uint32_t> order;
     for (std::uint32_t i = 0; i < layers.size(); ++i) {
-        if ((layers[i].flags & kAsked) == wanted) {
+        if ((layers[i].flags & kRelevant) == wanted) {
             order.push_back(i);
         }
     }
@@ -291,7 +291,7 @@ void setTriangleRun(SeenFaces faces, shader::FrameData& data) {
 }
 
 /// Left of the plane's line, for places relative to the camera's target.
-glm::vec3 cutOf(const CutPlane& plane, const glm::vec3& centre) {
+glm::vec3 sectionOf(const SectionPlane& plane, const glm::vec3& centre) {
     const glm::dvec2 left(-plane.direction.y, plane.direction.x);
     return {left, glm::dot(left, plane.start - glm::dvec2(centre))};
 }
@@ -334,8 +334,8 @@ FramePlan planFrame(const SceneLayers& scene, const Camera& camera, const ViewSe
     data.sliverNudge = kPositionRoundingPx * depthPerMm / data.pixelsPerMm;
     data.boreProtrusionMm = std::max(kBoreProtrusionMm, kBoreProtrusionSteps * eye.stepMm);
     data.light = kLight;
-    plan.isCut = settings.cut != nullptr && !settings.is2d;
-    data.cut = plan.isCut ? cutOf(settings.cut->plane, data.centre) : glm::vec3(0.0F);
+    plan.hasSection = settings.section != nullptr && !settings.is2d;
+    data.sectionPlane = plan.hasSection ? sectionOf(settings.section->plane, data.centre) : glm::vec3(0.0F);
     data.restBrightness = 1.0F - std::clamp(settings.dim, 0.0F, 1.0F);
     data.flags = flagsOf(settings) | (settings.isOutlined && isFlatView(plan) ? shader::kFrameOutlines : 0);
     setTriangleRun(plan.faces, data);

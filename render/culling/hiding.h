@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "render/modelling/insets.h"
+#include "render/modelling/substrate_margins.h"
 #include "shaders/shared/board.h"
 
 namespace render {

@@ -44,7 +44,7 @@ private:
     gpu::Device* m_device;
     std::vector<std::unique_ptr<Drawers>> m_drawers;
     std::vector<std::unique_ptr<OverlayDrawer>> m_overlays;
-    std::vector<std::unique_ptr<CutDrawer>> m_cuts;
+    std::vector<std::unique_ptr<SectionDrawer>> m_sections;
     Backend m_last = Backend::Auto;  ///< drew the board last
     bool m_isOverlayAlone = false;
     bool m_hasWarned = false;

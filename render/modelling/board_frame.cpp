@@ -72,9 +72,9 @@ std::vector<ModelCopy> placeCopies(const model::StepTree& tree) {
     std::vector<ModelCopy> copies;
     for (const model::StepCopy& copy : tree.copies) {
         const model::PointD origin = copy.placement.apply(base::toDouble(origins[copy.step]));
-        const model::Placement turn{{}, copy.placement.clockwiseDeg, copy.placement.isMirrored};
-        const model::PointD x = turn.apply(model::PointD{1.0, 0.0});
-        const model::PointD y = turn.apply(model::PointD{0.0, 1.0});
+        const model::Placement rotation{{}, copy.placement.clockwiseDeg, copy.placement.isMirrored};
+        const model::PointD x = rotation.apply(model::PointD{1.0, 0.0});
+        const model::PointD y = rotation.apply(model::PointD{0.0, 1.0});
         copies.push_back({copy.step,
                           {base::toMm(origin.x - origins[0].x), base::toMm(origin.y - origins[0].y)},
                           {{x.x, x.y}, {y.x, y.y}},

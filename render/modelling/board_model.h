@@ -9,7 +9,7 @@
 #include "model/geometry/discretise.h"
 #include "render/modelling/area_meshes.h"
 #include "render/modelling/board_frame.h"
-#include "render/modelling/insets.h"
+#include "render/modelling/substrate_margins.h"
 #include "shaders/shared/board.h"
 
 namespace render {

@@ -106,7 +106,7 @@ private:
         if (width > 0) {
             return true;
         }
-        if (m_out.zeroWidthStrokes++ == 0) {
+        if (m_out.zeroWidthTracks++ == 0) {
             m_out.firstZeroWidthLine = m_document.elements.line[m_element.row()];
         }
         return false;
@@ -126,8 +126,8 @@ private:
 
     void addHoles(const model::AreaGeometry& area) {
         const std::span<const RoundHole> holes = m_holesOf ? m_holesOf(area.shape) : std::span<const RoundHole>();
-        const model::Placement turn{{}, area.placement.clockwiseDeg, area.placement.isMirrored};
-        const CellFrame frame = cellFrame(turn.apply(model::PointD{1.0, 0.0}), area.placement.isMirrored);
+        const model::Placement rotation{{}, area.placement.clockwiseDeg, area.placement.isMirrored};
+        const CellFrame frame = cellFrame(rotation.apply(model::PointD{1.0, 0.0}), area.placement.isMirrored);
         for (const RoundHole& hole : holes) {
             const glm::vec2 centre = toGpu(area.placement.apply(base::toDouble(hole.centre)), m_origin);
             const Reaches reaches = frame.rotated(reachesOf(hole));

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "model/geometry/box_index.h"
-#include "model/solids/nearness.h"
+#include "model/solids/region_distance.h"
 #include "render/modelling/hole_cells.h"
 
 namespace render {

@@ -135,7 +135,7 @@ std::vector<LayerInSubstrate> inSubstrate(const BoardModel& model) {
     for (const BoardModel& step : model.steps) {
         for (std::size_t i = 0; i < std::min(layers.size(), step.inSubstrate.size()); ++i) {
             const LayerInSubstrate& own = step.inSubstrate[i];
-            layers[i].insetMm = std::min(layers[i].insetMm, own.insetMm);
+            layers[i].marginMm = std::min(layers[i].marginMm, own.marginMm);
             layers[i].role = own.role == LayerInSubstrate::Role::Content ? layers[i].role : own.role;
         }
     }

@@ -123,9 +123,9 @@ void Camera::pan(const glm::vec2& pixels, float height) {
 void Camera::zoom(float factor, const glm::vec2& ndc, float aspect) {
     const float newDistance = std::clamp(m_pose.distance / factor, kMinDistance, 50.0F * m_radius);
     const float halfHeight = m_pose.distance * halfHeightAtOne();
-    const glm::vec3 underCursor{ndc.x * halfHeight * aspect, ndc.y * halfHeight, 0.0F};
+    const glm::vec3 atPointer{ndc.x * halfHeight * aspect, ndc.y * halfHeight, 0.0F};
     const glm::mat3 toWorld = glm::transpose(glm::mat3(view()));
-    m_pose.target += toWorld * underCursor * (1.0F - newDistance / m_pose.distance);
+    m_pose.target += toWorld * atPointer * (1.0F - newDistance / m_pose.distance);
     m_pose.distance = newDistance;
 }
 

@@ -14,7 +14,7 @@ struct LayerStyle {
     bool isVisible = true;
 };
 
-enum class Look {
+enum class Appearance {
     Flat,  ///< a drawing, seen in 2D: top copper red, bottom blue; lacquer and bodies of components hidden
     Solid  ///< a board, seen in 3D: bare copper golden under green lacquer
 };
@@ -26,7 +26,8 @@ enum class Palette {
 
 /// Colours by layer type as users know them (inner layers distinct hues, silk white); mask openings, documentation and
 /// component layers start hidden.
-[[nodiscard]] std::vector<LayerStyle> defaultStyles(const model::Document& document, Look look = Look::Solid,
+[[nodiscard]] std::vector<LayerStyle> defaultStyles(const model::Document& document,
+                                                    Appearance appearance = Appearance::Solid,
                                                     Palette palette = Palette::Standard);
 
 }  // namespace render

@@ -46,12 +46,12 @@ void addOutlines(Draft& draft, const PolygonSet& set, std::uint32_t owner, Outli
 /// The wall of a hole is what lies between its outline and its opening; the opening itself is drawn dark. The strokes
 /// of a routed path overlap: there the wall is left solid below the dark opening, as the lets do.
 void addHole(Draft& draft, PolygonSet outline, const PolygonSet& opening, std::uint32_t element, bool isPath) {
-    const bool isBare = !isPath && outline.points == opening.points;
-    const bool isBarrel = !isPath && !isBare && !outline.polygons.empty();
+    const bool isUnplated = !isPath && outline.points == opening.points;
+    const bool isBarrel = !isPath && !isUnplated && !outline.polygons.empty();
     for (std::size_t loop = 0; loop < opening.loopCount() && isBarrel; ++loop) {
         outline.addLoop(opening.loop(loop));
     }
-    addOutlines(draft, outline, element, isBare ? Outline::WallOnly : Outline::Plain);
+    addOutlines(draft, outline, element, isUnplated ? Outline::WallOnly : Outline::Plain);
     addOutlines(draft, opening, element | shader::kStandardBore, Outline::Plain);
 }
 

@@ -38,8 +38,8 @@ vec3 fromRound(vec2 a, vec2 b, float radius, vec2 p) {
     const vec2 d = b - a;
     const float len = dot(d, d);
     const float t = len > 0.0 ? clamp(dot(p - a, d) / len, 0.0, 1.0) : 0.0;
-    const vec2 way = p - a - t * d;
-    return vec3(way, length(way) - radius);
+    const vec2 delta = p - a - t * d;
+    return vec3(delta, length(delta) - radius);
 }
 
 // What an axis-parallel square pen passes: a hexagon, the box around both ends cut by a strip along the stroke.
@@ -71,8 +71,8 @@ vec3 fromOutline(Let let, vec2 p) {
         return fromArc(let, p);
     }
     if (kind == kLetHole) {
-        const vec2 way = vec2(let.p0, let.p1) - p;
-        return vec3(way, let.p5 - length(way));
+        const vec2 delta = vec2(let.p0, let.p1) - p;
+        return vec3(delta, let.p5 - length(delta));
     }
     const vec3 outer = fromTrack(let, let.p4, p);
     if (let.p5 == 0.0) {

@@ -18,10 +18,10 @@ vec2 squareSupport(vec2 u) {
 // Point `k` of a rounded end with `points` points, counted from its side (k = 0, exactly one radius off the axis) to its tip. The points between
 // stand out by half the chord error, so that the polygon strays as far to the outside as to the inside: half as far as an inscribed one.
 // A square pen's outline is spanned by the farthest corners in the same directions.
-vec2 endPoint(vec2 centre, vec2 outward, float turn, float radius, bool isSquare, uint k, uint points) {
+vec2 endPoint(vec2 centre, vec2 outward, float sign, float radius, bool isSquare, uint k, uint points) {
     const float steps = float(points - 1u);
     const float angle = kHalfPi * (1.0 - 2.0 * float(k) / steps);
-    const vec2 side = turn * leftOf(outward);
+    const vec2 side = sign * leftOf(outward);
     const vec2 u = k == 0u ? side : cos(angle) * outward + sin(angle) * side;
     if (isSquare) {
         return centre + radius * squareSupport(u);
@@ -40,17 +40,17 @@ vec2 stadiumPoint(Let let, uint level, uint segment, bool isLeft) {
     const vec2 a = vec2(let.p0, let.p1);
     const vec2 b = vec2(let.p2, let.p3);
     const vec2 d = trackDirection(a, b);
-    const float turn = isLeft ? 1.0 : -1.0;
+    const float sign = isLeft ? 1.0 : -1.0;
     const bool isSquare = has(let.meta, kLetSquarePen);
     if (level == kLevelQuad) {
         // As long as it must be to cover the area of the true outline.
         const vec2 along = d * let.p4 * (isSquare ? 1.0 : 0.5 * kHalfPi);
-        return (segment == 0u ? a - along : b + along) + turn * let.p4 * leftOf(d);
+        return (segment == 0u ? a - along : b + along) + sign * let.p4 * leftOf(d);
     }
     const uint points = kEndPoints[level];
     const uint ends = points / 2u;
-    return segment < ends ? endPoint(a, -d, -turn, let.p4, isSquare, ends - 1u - segment, points)
-                       : endPoint(b, d, turn, let.p4, isSquare, segment - ends, points);
+    return segment < ends ? endPoint(a, -d, -sign, let.p4, isSquare, ends - 1u - segment, points)
+                       : endPoint(b, d, sign, let.p4, isSquare, segment - ends, points);
 }
 
 // Rung `rung` of a tube, counter-clockwise from the right side of end b.
@@ -69,13 +69,13 @@ vec2 barrelPoint(Let let, uint level, uint segment, bool isInner) {
 
 // Rung `rung` of what surrounds a round hole, counter-clockwise: the circle inside, the cell outside. Corners of the cell are rungs at all levels.
 vec2 holePoint(Let let, uint level, uint segment, bool isInner) {
-    const float rungs = float(2u * kEndPoints[level]);
-    const float angle = 4.0 * kHalfPi * float(segment) / rungs;
+    const float segments = float(2u * kEndPoints[level]);
+    const float angle = 4.0 * kHalfPi * float(segment) / segments;
     const vec2 u = vec2(cos(angle), sin(angle));
     if (!isInner) {
         return placeInCell(let, u / max(abs(u.x), abs(u.y)));
     }
-    const vec2 local = let.p5 * 2.0 / (1.0 + cos(2.0 * kHalfPi / rungs)) * u;
+    const vec2 local = let.p5 * 2.0 / (1.0 + cos(2.0 * kHalfPi / segments)) * u;
     const vec2 along = cellAlong(let);
     return vec2(let.p0, let.p1) + local.x * along + local.y * leftOf(along);
 }
@@ -87,10 +87,10 @@ vec2 cellCorner(Let let, uint segment, bool isLeft) {
 
 vec2 arcPoint(Let let, uint level, uint segment, bool isLeft) {
     const vec2 centre = vec2(let.p0, let.p1);
-    const uint ends = kArcEndRungs[level];
-    const uint rungs = kEndPoints[level];
+    const uint ends = kArcEndSegments[level];
+    const uint segments = kEndPoints[level];
     const uint chords = kArcChords[level];
-    const float turn = isLeft ? 1.0 : -1.0;
+    const float sign = isLeft ? 1.0 : -1.0;
     const float forward = let.p4 < 0.0 ? -1.0 : 1.0;
     // Rungs ends - 1 and rungs - ends are the two ends of the centre line, those between divide it evenly.
     const uint step = uint(clamp(int(segment) - int(ends) + 1, 0, int(chords)));
@@ -99,12 +99,12 @@ vec2 arcPoint(Let let, uint level, uint segment, bool isLeft) {
     const vec2 onLine = centre + let.p2 * radial;
     const vec2 tangent = forward * leftOf(radial);
     if (segment < ends) {
-        return endPoint(onLine, -tangent, -turn, let.p5, false, ends - 1u - segment, 2u * ends);
+        return endPoint(onLine, -tangent, -sign, let.p5, false, ends - 1u - segment, 2u * ends);
     }
-    if (segment >= rungs - ends) {
-        return endPoint(onLine, tangent, turn, let.p5, false, segment - (rungs - ends), 2u * ends);
+    if (segment >= segments - ends) {
+        return endPoint(onLine, tangent, sign, let.p5, false, segment - (segments - ends), 2u * ends);
     }
-    return onLine + turn * let.p5 * leftOf(tangent);
+    return onLine + sign * let.p5 * leftOf(tangent);
 }
 
 vec2 letPoint(Let let, uint level, uint segment, uint side) {
@@ -121,8 +121,8 @@ vec2 letPoint(Let let, uint level, uint segment, uint side) {
 
 // Where a vertex of a let lies on the board.
 vec3 letPosition(Let let, LayerState layer, uint level, uint code) {
-    const float proud = has(let.meta, kLetBore) ? FRAME.boreProtrusionMm : 0.0;
-    const float z = (code & 1u) == 0u ? layer.z1 + proud : layer.z0 - proud;
+    const float protrusion = has(let.meta, kLetBore) ? FRAME.boreProtrusionMm : 0.0;
+    const float z = (code & 1u) == 0u ? layer.z1 + protrusion : layer.z0 - protrusion;
     return vec3(letPoint(let, level, code >> 2u, (code >> 1u) & 1u), z);
 }
 

@@ -87,7 +87,7 @@ struct FrameData {
     float quadRadiusPx;      // lets with a smaller pen become quads; 0 = never
     float rasterRadiusPx;    // lets with a smaller circle around them are rasterised by compute shaders; 0 = never
     float thinPx;            // walls of fewer pixels are left out; 0 = never
-    vec3 cut;                // p relative to `centre` is cut away where dot(cut.xy, p.xy) > cut.z (lib/cut.glsl)
+    vec3 sectionPlane;       // p relative to `centre` is cut away where dot(cut.xy, p.xy) > cut.z (lib/section.glsl)
     float restBrightness;    // of what neither is lit nor has a colour of its own, 0 to 1
     float nudgeZ, nudgeW;    // one step of tie-break moves z by nudgeZ * z + nudgeW * w
     float sliverNudge;       // by how much of itself a step grows for each width a let is long

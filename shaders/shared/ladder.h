@@ -37,7 +37,7 @@ GPU_CONST kBucketRaster = 11;
 // Points of one rounded end by level; an open ladder has as many rungs, a tube's outline twice as many points.
 GPU_TABLE kEndPoints[6] = {64, 16, 8, 4, 4, 2};
 // Rungs of an arc that round either end, and chords of its body: rungs - 2 * ends + 1.
-GPU_TABLE kArcEndRungs[5] = {16, 4, 2, 2, 2};
+GPU_TABLE kArcEndSegments[5] = {16, 4, 2, 2, 2};
 GPU_TABLE kArcChords[5] = {33, 9, 5, 1, 1};
 
 // Triangles of an interval by codes relative to its first rung (0-3 that rung, 4-7 the next), counter-clockwise from

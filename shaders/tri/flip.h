@@ -66,7 +66,7 @@ TRI_FN void relocateFlipped(uint p) {
         return;
     }
     const uint i = STAMP(t) & 3u;
-    if (turnAt(CORNER(t, nextCorner(i)), CORNER(t, previousCorner(i)), p) < 0) {
+    if (orientationAt(CORNER(t, nextCorner(i)), CORNER(t, previousCorner(i)), p) < 0) {
         WHERE(p) = triangleOf(ACROSS(t, i));
     }
 }

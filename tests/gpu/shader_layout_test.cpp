@@ -4,9 +4,9 @@
 #include <QtTest>
 #include <cstddef>
 
-#include "shaders/shared/cut.h"
 #include "shaders/shared/frame.h"
 #include "shaders/shared/raster.h"
+#include "shaders/shared/section.h"
 #include "shaders/spirv.h"
 
 /// C++ and GLSL agree on every struct that crosses; the compiled shaders are valid.
@@ -94,7 +94,7 @@ class ShaderLayoutTest : public QObject {
         MEMBER(frameData, FrameData, rasterRadiusPx);
         MEMBER(frameData, FrameData, thinPx);
         MEMBER(frameData, FrameData, nudgeZ);
-        MEMBER(frameData, FrameData, cut);
+        MEMBER(frameData, FrameData, sectionPlane);
         MEMBER(frameData, FrameData, restBrightness);
         MEMBER(frameData, FrameData, nudgeW);
         MEMBER(frameData, FrameData, sliverNudge);
@@ -133,12 +133,12 @@ class ShaderLayoutTest : public QObject {
         MEMBER(standardPart, StandardPartRecord, vertices);
         MEMBER(standardPart, StandardPartRecord, layer);
         MEMBER(standardPart, StandardPartRecord, reserved);
-        MEMBER(cutRectangle, CutRectangle, colour);
-        MEMBER(cutRectangle, CutRectangle, rank);
-        MEMBER(cutRectangle, CutRectangle, from);
-        MEMBER(cutRectangle, CutRectangle, to);
-        MEMBER(cutRectangle, CutRectangle, bottom);
-        MEMBER(cutRectangle, CutRectangle, top);
+        MEMBER(cutRectangle, SectionRectangle, colour);
+        MEMBER(cutRectangle, SectionRectangle, rank);
+        MEMBER(cutRectangle, SectionRectangle, from);
+        MEMBER(cutRectangle, SectionRectangle, to);
+        MEMBER(cutRectangle, SectionRectangle, bottom);
+        MEMBER(cutRectangle, SectionRectangle, top);
         MEMBER(rasterCopy, RasterCopy, frame);
         MEMBER(rasterCopy, RasterCopy, firstId);
         MEMBER(rasterCopy, RasterCopy, reserved);

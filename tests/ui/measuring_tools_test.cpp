@@ -286,7 +286,7 @@ private slots:
     void aGapThatIsShownIsDrawnInBothViews() {
         const QImage before[] = {picture(flat()), picture(solid())};
         model::LocalSpacing gap;
-        gap.gap = {5e6, {-3e6, 1e6}, {2e6, 1e6}};
+        gap.spacing = {5e6, {-3e6, 1e6}, {2e6, 1e6}};
         gap.layer = model::LayerId{Top};
         window().measuring().showSpacing(gap);
         QVERIFY(differingPixels(before[0], picture(flat())) > 200);

@@ -89,13 +89,13 @@ base::Result<Measurement> edgeToEdge(const BoardIndex& index, BoardElement a, Bo
     if (!separation) {
         return separation.error();
     }
-    const model::Way* way = separation->main();
+    const model::PieceDistance* way = separation->main();
     if (way == nullptr) {
         return noNumber(separation->notes.front());
     }
     Measurement measurement =
-        measurementOf(index, MeasurementKind::Gap, edgeOf(way->gap.from, way->from.layer, way->from.at),
-                      edgeOf(way->gap.to, way->to.layer, way->to.at));
+        measurementOf(index, MeasurementKind::Clearance, edgeOf(way->spacing.from, way->from.layer, way->from.at),
+                      edgeOf(way->spacing.to, way->to.layer, way->to.at));
     measurement.dz = way->dz;
     measurement.overlap = way->relation == model::Relation::Overlapping ? way->overlap : 0.0;
     measurement.notes = separation->notes;
@@ -103,8 +103,8 @@ base::Result<Measurement> edgeToEdge(const BoardIndex& index, BoardElement a, Bo
 }
 
 Measurement spacingOn(const BoardIndex& index, const model::LocalSpacing& gap) {
-    return measurementOf(index, MeasurementKind::Gap, edgeOf(gap.gap.from, gap.layer, gap.from),
-                         edgeOf(gap.gap.to, gap.layer, gap.to));
+    return measurementOf(index, MeasurementKind::Clearance, edgeOf(gap.spacing.from, gap.layer, gap.from),
+                         edgeOf(gap.spacing.to, gap.layer, gap.to));
 }
 
 Measurement angleAt(const BoardIndex& index, const Caught& corner, const Caught& from, const Caught& to) {

@@ -19,7 +19,7 @@ QString pairText(const std::string& a, const std::string& b, const char* none) {
 
 /// Distances have parts along the axes.
 bool hasDeltas(const Measurement& measurement) {
-    return measurement.kind == MeasurementKind::Points || measurement.kind == MeasurementKind::Gap;
+    return measurement.kind == MeasurementKind::Points || measurement.kind == MeasurementKind::Clearance;
 }
 
 }  // namespace

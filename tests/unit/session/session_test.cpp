@@ -53,7 +53,7 @@ SavedView selectionOf(std::vector<model::session::SavedElement> elements) {
 }
 
 Measurement measured(const char* name) {
-    Measurement measurement{name, "pcb", model::MeasurementKind::Gap};
+    Measurement measurement{name, "pcb", model::MeasurementKind::Clearance};
     measurement.from = {1.5, -2, "TOP", "GND", "edge"};
     measurement.to = {4.5, 2, "SMT", "", "centre"};
     measurement.dz = 12.0;
@@ -338,9 +338,12 @@ private slots:
         const Location location;
         QVERIFY(saveMeasurements(location.board, *location.document, {measuredAngle(), measuredLength()}).ok());
         const std::string good = location.file();
-        const std::pair<const char*, const char*> wrongs[] = {
-            {"\"corner\"", "\"other\""},       {"\"kind\": \"angle\"", "\"kind\": \"angel\""}, {"\"path\"", "\"patch\""},
-            {"\"holes\": 1", "\"holes\": -1"}, {"\"length_nm\": 4", "\"length_nm\": -4"},      {"\"a remark\"", "7"}};
+        const std::pair<const char*, const char*> wrongs[] = {{"\"corner\"", "\"other\""},
+                                                              {"\"kind\": \"angle\"", "\"kind\": \"angel\""},
+                                                              {"\"path\"", "\"patch\""},
+                                                              {"\"holes\": 1", "\"holes\": -1"},
+                                                              {"\"length_nm\": 4", "\"length_nm\": -4"},
+                                                              {"\"a remark\"", "7"}};
         for (const auto& [right, wrong] : wrongs) {
             std::string text = good;
             QVERIFY2(text.find(right) != std::string::npos, right);

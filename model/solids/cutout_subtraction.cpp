@@ -1,10 +1,9 @@
-#include "model/solids/cut.h"
-
 #include <algorithm>
 #include <numeric>
 
 #include "model/geometry/boolean.h"
-#include "model/solids/nearness.h"
+#include "model/solids/cutouts.h"
+#include "model/solids/region_distance.h"
 
 namespace model {
 
@@ -179,7 +178,7 @@ private:
 
 }  // namespace
 
-ShapeSketch cut(const ShapeTable& shapes, ShapeId from, const Cutouts& cutouts, const base::Progress& progress) {
+ShapeSketch subtract(const ShapeTable& shapes, ShapeId from, const Cutouts& cutouts, const base::Progress& progress) {
     return Cutter(shapes, from, cutouts, progress).run();
 }
 

@@ -62,7 +62,7 @@ private:
 /// The shape without the cutouts. Where cutouts neither touch each other nor the outline, everything stays exact: a
 /// round hole is a circle. Only those that overlap are united as polygons, and only if one reaches the outline does the
 /// outline become a polygon (5 µm chords). Empty when nothing is left, or when cancelled.
-[[nodiscard]] ShapeSketch cut(const ShapeTable& shapes, ShapeId from, const Cutouts& cutouts,
-                              const base::Progress& progress);
+[[nodiscard]] ShapeSketch subtract(const ShapeTable& shapes, ShapeId from, const Cutouts& cutouts,
+                                   const base::Progress& progress);
 
 }  // namespace model

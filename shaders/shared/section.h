@@ -1,6 +1,6 @@
 // What fills the cut through a board that is cut open.
-#ifndef COPPERSCOPE_SHADERS_SHARED_CUT_H
-#define COPPERSCOPE_SHADERS_SHARED_CUT_H
+#ifndef COPPERSCOPE_SHADERS_SHARED_SECTION_H
+#define COPPERSCOPE_SHADERS_SHARED_SECTION_H
 
 #include "frame.h"
 
@@ -9,7 +9,7 @@ namespace shader {
 #endif
 
 // An upright rectangle as it is drawn, mm in the coordinates of the board.
-struct CutRectangle {
+struct SectionRectangle {
     vec3 colour;  // linear
     uint rank;    // of rectangles at the same place the one of higher rank is seen
     vec2 from;
@@ -17,16 +17,16 @@ struct CutRectangle {
     float bottom;
     float top;
 };
-GPU_SIZE(CutRectangle, 40);
+GPU_SIZE(SectionRectangle, 40);
 
-GPU_READ(CutRectangles, CutRectangle, 4);
+GPU_READ(SectionRectangles, SectionRectangle, 4);
 
 // Push constants.
-struct CutPush {
+struct SectionPush {
     GPU_ADDRESS(Frame) frame;
-    GPU_ADDRESS(CutRectangles) rectangles;
+    GPU_ADDRESS(SectionRectangles) rectangles;
 };
-GPU_SIZE(CutPush, 16);
+GPU_SIZE(SectionPush, 16);
 
 #ifdef __cplusplus
 }  // namespace shader

@@ -16,14 +16,15 @@ struct LayerInSubstrate {
         Plug        ///< its holes go through the laminate and fill them as long as they are drawn
     };
     Role role = Role::Content;
-    /// How far everything on the layer keeps inside the laminate's edge, mm; kFarthestInset if it is farther.
+    /// How far everything on the layer keeps inside the laminate's edge, mm; kLargestMargin if it is farther.
     /// Negative: something sticks out, or there is no laminate. Holes with a plug are no edge.
-    float insetMm = -1.0F;
+    float marginMm = -1.0F;
 };
 
-inline constexpr float kFarthestInset = 2.0F;
+inline constexpr float kLargestMargin = 2.0F;
 
 /// By layer. `model` has its lets, instances, vertices and walls.
-[[nodiscard]] std::vector<LayerInSubstrate> findInsets(const model::Document& document, const BoardModel& model);
+[[nodiscard]] std::vector<LayerInSubstrate> findSubstrateMargins(const model::Document& document,
+                                                                 const BoardModel& model);
 
 }  // namespace render
