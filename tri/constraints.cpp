@@ -75,7 +75,7 @@ public:
     }
 
 private:
-    /// Inserts the edges that are (still) contours and not there yet. Returns those that are blocked; m_crossing tells
+    /// Inserts the edges that are (still) contours and not there yet. Returns those that are blocked; m_crossing says
     /// about the last of them. Stops at a crossing that is certain.
     std::vector<DirectedEdge> insert(const std::vector<DirectedEdge>& edges) {
         std::vector<DirectedEdge> blocked;
@@ -99,7 +99,7 @@ private:
     }
 
     /// What two edges do that meet between their ends is a crossing, unless another run along one of them cancels it
-    /// there. Looking for one takes a pass over all contours, so only the 1st, 2nd, 4th, 8th, ... meeting is looked at:
+    /// there. Looking for one takes a pass over all contours, so only the 1st, 2nd, 4th, 8th, ... meeting is tested:
     /// enough to stop soon where everything crosses everything.
     bool isCertainlyCrossing(const DirectedEdge& edge, EdgeRef blocking) {
         if (blocking == kOutside || !std::has_single_bit(++m_meetings)) {

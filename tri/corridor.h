@@ -15,10 +15,10 @@ using TriangleAt = std::span<std::uint32_t>;
 
 inline constexpr std::uint32_t kNoVertex = 0xFFFFFFFF;
 
-/// The next thing on the straight way from vertex a to vertex b: a vertex, or an edge to cross.
+/// The next item on the straight line from vertex a to vertex b: a vertex, or an edge to cross.
 struct Ahead {
     std::uint32_t vertex;
-    EdgeRef edge;  ///< if vertex is kNoVertex: seen from the near side, corner+1 is right and corner+2 left of the way
+    EdgeRef edge;  ///< if vertex is kNoVertex: seen from the near side, corner+1 is right and corner+2 left of the path
 };
 
 /// What is ahead at a itself; its vertex is b if the edge a-b exists.
@@ -39,7 +39,7 @@ public:
         Blocked,  ///< runs into a vertex before b, or would cross an edge that has to stay
     };
 
-    /// Walks from a to b. `isFixed(u, v)` tells which edges have to stay.
+    /// Walks from a to b. `isFixed(u, v)` says which edges have to stay.
     template <class IsFixed>
     [[nodiscard]] Course explore(const Mesh& mesh, TriangleAt triangleAt, std::uint32_t a, std::uint32_t b,
                                  const IsFixed& isFixed) {
@@ -62,7 +62,7 @@ public:
     /// The edge that has to stay and stopped explore(); kOutside if it was a vertex.
     [[nodiscard]] EdgeRef blockingEdge() const { return m_blocking; }
 
-    /// After a clear way: replaces the triangles by others that have the edge a-b, and keeps `triangleAt` right.
+    /// After a clear course: replaces the triangles by others that have the edge a-b, and keeps `triangleAt` right.
     /// Appends the edges of the new triangles to `dirty`. Nothing happens if the edge is there already.
     void rebuild(Mesh& mesh, TriangleAt triangleAt, std::vector<EdgeRef>& dirty);
 

@@ -31,10 +31,10 @@ struct Within {
 template <class Area>
 class Insertion {
 public:
-    /// Starts looking for the first vertex at triangle `near`, which is in the area.
+    /// Starts searching for the first vertex at triangle `near`, which is in the area.
     Insertion(Mesh& mesh, Area area, std::uint32_t near) : m_mesh(mesh), m_area(area), m_near(near) {}
 
-    /// Looks for the next vertex from triangle `near` on, which is in the area.
+    /// Finds the next vertex from triangle `near` on, which is in the area.
     void restart(std::uint32_t near) { m_near = near; }
 
     /// Inserts vertex q, whose position is new; it takes the triangle slots `slot` and `slot` + 1. False, and the mesh
@@ -153,7 +153,7 @@ private:
     }
 
     /// Goes once around the newest vertex, corner 0 of triangle `start`, and flips the edge opposite to it as long as
-    /// that is not Delaunay. All flips of an insertion happen there, so no stack is needed; and every question is asked
+    /// that is not Delaunay. All flips of an insertion happen there, so no stackup is needed; and every test is made
     /// from there, so of its four points only the one beyond the edge is new.
     template <class Lift>
     bool legaliseAround(std::uint32_t start) {

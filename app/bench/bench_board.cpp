@@ -132,7 +132,7 @@ private:
         return base::Done{};
     }
 
-    /// What Auto takes for a view; asked once.
+    /// What Auto takes for a view; found once.
     Backend autoBackend(render::BoardScene& scene, const render::Camera& camera, const View& view) {
         const auto [location, isNew] = m_auto.try_emplace(view.name, Backend::Auto);
         if (isNew && m_presenter.render(scene, camera, settingsFor(Backend::Auto, m_levels, true), kWidth, kHeight)) {

@@ -80,7 +80,7 @@ bench::Options optionsFor(const TriangulationBenchArguments& arguments, std::opt
     return options;
 }
 
-/// Opens a device if one is wanted. It has to be there if it was asked for by name; a software device takes part only
+/// Opens a device if one is wanted. It has to be there if it was requested by name; a software device takes part only
 /// then, because it measures nothing.
 base::Status openDevice(const TriangulationBenchArguments& arguments, std::optional<DeviceTriangulator>& device) {
     if (!isWanted(arguments.triangulators, "gpu")) {
@@ -95,7 +95,7 @@ base::Status openDevice(const TriangulationBenchArguments& arguments, std::optio
     return base::Done{};
 }
 
-/// The processor, its cores and the Vulkan device, as far as the machine tells.
+/// The processor, its cores and the Vulkan device, as far as the machine reports it.
 std::string describeMachine(const std::optional<DeviceTriangulator>& device) {
     std::string processor = "unknown processor";
     std::ifstream file("/proc/cpuinfo");

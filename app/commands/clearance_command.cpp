@@ -72,8 +72,9 @@ base::Result<std::vector<StepClearances>> measureSteps(const Document& board, co
         found.push_back({step, std::move(clearances)});
     }
     if (!hasNets) {
-        return base::Error{base::ErrorCode::BadInput,
-                           "the board has no nets, so nothing can be too close; --infer-nets finds them in the copper"};
+        return base::Error{
+            base::ErrorCode::BadInput,
+            "the board has no nets, so there are no clearances; --infer-nets infers them from the copper"};
     }
     for (const std::string& note : model::unmeasuredSteps(board)) {
         std::fprintf(stderr, "copperscope: %s\n", note.c_str());

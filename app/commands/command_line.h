@@ -4,7 +4,7 @@
 
 namespace app {
 
-/// What the command line asks for, ready to run; returns the exit code.
+/// What the command line requests, ready to run; returns the exit code.
 using Command = std::function<int()>;
 
 /// Understands the command line of docs/command-line.md. Help and wrong arguments are printed here: then the command

@@ -24,7 +24,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-/// What was asked for, understood.
+/// What was requested, understood.
 struct Request {
     MeasureItem from;
     MeasureItem to;
@@ -62,7 +62,7 @@ struct NamedDistance {
 
 std::array<NamedDistance, 3> distancesOf(const Separation& separation) {
     return {NamedDistance{"on_layer", "on one layer", separation.onLayer},
-            NamedDistance{"through_stack", "through the stack", separation.throughStackup},
+            NamedDistance{"through_stackup", "through the stackup", separation.throughStackup},
             NamedDistance{"in_plane", "in the plane", separation.inPlane}};
 }
 
@@ -87,6 +87,7 @@ ordered_json distanceJson(const BoardIndex& index, const std::optional<PieceDist
     }
     return {
         {"distance_nm", shortest->distance},
+        {"spacing_nm", shortest->spacing.distance},
         {"gap_nm", shortest->spacing.distance},
         {"dx_nm", shortest->spacing.to.x - shortest->spacing.from.x},
         {"dy_nm", shortest->spacing.to.y - shortest->spacing.from.y},
@@ -103,15 +104,17 @@ void printJson(const BoardIndex& index, const Request& request, const Separation
     for (const NamedDistance& named : distancesOf(separation)) {
         json[named.key] = distanceJson(index, named.shortest);
     }
+    json["through_stack"] = json["through_stackup"];  // here and below: names of older versions
     const std::optional<double> angle = angleOf(index, request);
     json["angle_deg"] = angle ? ordered_json(*angle) : ordered_json(nullptr);
+    json["notes"] = separation.notes;
     json["remarks"] = separation.notes;
     std::fputs(jsonText(json).c_str(), stdout);
 }
 
 void printCsv(const BoardIndex& index, const Separation& separation) {
     std::printf(
-        "way,distance um,gap um,dx um,dy um,dz um,relation,overlap um,layer a,layer b,net a,net b,x mm on a,"
+        "kind,distance um,spacing um,dx um,dy um,dz um,relation,overlap um,layer a,layer b,net a,net b,x mm on a,"
         "y mm on a,x mm on b,y mm on b\n");
     for (const NamedDistance& named : distancesOf(separation)) {
         if (!named.shortest) {
@@ -192,7 +195,7 @@ void printText(const BoardIndex& index, const Request& request, const Separation
 }
 
 const char* kindName(model::PathLeg::Kind kind) {
-    constexpr const char* kNames[] = {"stroke", "pad", "area", "hole"};
+    constexpr const char* kNames[] = {"track", "pad", "area", "hole"};
     return kNames[static_cast<std::size_t>(kind)];
 }
 
@@ -217,6 +220,7 @@ void printPathJson(const BoardIndex& index, model::NetOfCopy net, const NetPath&
                          {"hole_height_nm", path.holeHeight},
                          {"layers", layers},
                          {"legs", legs},
+                         {"notes", path.notes},
                          {"remarks", path.notes}})
                    .c_str(),
                stdout);

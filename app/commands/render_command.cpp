@@ -23,7 +23,7 @@ Result<std::vector<render::LayerStyle>> chooseLayers(const Document& document, c
     std::vector<render::LayerStyle> styles = render::defaultStyles(document, appearance);
     if (arguments.layers.empty()) {
         for (std::size_t row = 0; row < styles.size(); ++row) {
-            // A raster of shapes is about copper and print, not about the laminate around them.
+            // A raster of shapes is about copper and print, not about the substrate around them.
             styles[row].isVisible = styles[row].isVisible && !(arguments.isMono && document.layers[row].isSynthetic);
         }
         return styles;
@@ -32,17 +32,14 @@ Result<std::vector<render::LayerStyle>> chooseLayers(const Document& document, c
         style.isVisible = false;
     }
     for (const std::string& name : arguments.layers) {
-        const model::LayerId layer = document.findLayer(name);
-        if (!layer.isValid()) {
-            return base::Error{ErrorCode::BadUsage, "there is no layer " + name + " (see copperscope info)"};
-        }
+        ASSIGN_OR_RETURN(const model::LayerId layer, findLayer(document, name));
         styles[layer.row()].isVisible = true;
         styles[layer.row()].opacity = 1.0F;
     }
     return styles;
 }
 
-/// What to light up in the board itself and in each step it places, rows as in BoardScene::setStates.
+/// What to highlight in the board itself and in each step it places, rows as in BoardScene::setStates.
 using Highlights = std::vector<render::ElementStates>;
 
 /// A net of a panel is that of all its steps.
@@ -195,7 +192,7 @@ base::Status checkArguments(const RenderArguments& arguments) {
         return base::Error{ErrorCode::BadUsage, "the window is empty"};
     }
     if (!arguments.clip.empty() && arguments.mode == "2d") {
-        return base::Error{ErrorCode::BadUsage, "--clip cuts the board open in 3D; see copperscope section"};
+        return base::Error{ErrorCode::BadUsage, "--clip sets a section plane in 3D; see copperscope section"};
     }
     return base::Done{};
 }

@@ -27,10 +27,7 @@ base::Result<model::SectionRequest> requestFor(const Document& board, const Sect
         request.line.push_back({arguments.line[i] * base::kNmPerMm, arguments.line[i + 1] * base::kNmPerMm});
     }
     for (const std::string& name : arguments.layers) {
-        const model::LayerId layer = board.findLayer(name);
-        if (!layer.isValid()) {
-            return base::Error{ErrorCode::BadUsage, "there is no layer " + name + " (see copperscope info)"};
-        }
+        ASSIGN_OR_RETURN(const model::LayerId layer, findLayer(board, name));
         request.layers.resize(board.layers.size());
         request.layers[layer.row()] = true;
     }
@@ -71,6 +68,7 @@ std::string sectionJson(const model::BoardIndex& index, const Section& section) 
                                         {"stations_nm", section.stations},
                                         {"pieces", piecesJson(index, section.pieces)},
                                         {"bores", piecesJson(index, section.bores)},
+                                        {"notes", section.notes},
                                         {"remarks", section.notes}};
     return jsonText(all);
 }

@@ -82,6 +82,20 @@ base::Result<OpenBoard> openBoard(const BoardArguments& arguments) {
     return OpenBoard{document, std::move(model), discretisationOf(arguments)};
 }
 
+base::Result<model::LayerId> findLayer(const model::Document& document, const std::string& name) {
+    constexpr std::string_view kOld = " coat";
+    model::LayerId layer = document.findLayer(name);
+    if (!layer.isValid() && name.ends_with(kOld)) {
+        const std::string now = name.substr(0, name.size() - kOld.size()) + " solder mask";
+        layer = document.findLayer(now);
+        std::fprintf(stderr, "copperscope: layer \"%s\" is now named \"%s\"\n", name.c_str(), now.c_str());
+    }
+    if (!layer.isValid()) {
+        return base::Error{base::ErrorCode::BadUsage, "there is no layer " + name + " (see copperscope info)"};
+    }
+    return layer;
+}
+
 render::LevelOfDetail levelsOf(const std::string& name) {
     return name == "paper"    ? render::LevelOfDetail::Paper
            : name == "coarse" ? render::LevelOfDetail::Coarse

@@ -98,7 +98,8 @@ SurfaceDefault surfaceDefault(const Layer& layer) {
     }
 }
 
-/// Laid or glued onto what is already there, in the order of the matrix, instead of filling gaps beside the copper.
+/// Laid or glued onto what is already there, in the order of the matrix, instead of filling the space beside the
+/// copper.
 bool isLaidOn(const Layer& layer) {
     return layer.use == LayerUse::Coverlay || layer.use == LayerUse::Adhesive || layer.use == LayerUse::Stiffener;
 }
@@ -240,7 +241,7 @@ private:
         }
     }
 
-    /// A board of one copper layer has its laminate below it.
+    /// A board of one copper layer has its substrate below it.
     void addDielectricBelow() {
         Part part = spacingBelow(m_first);
         const auto copper = std::ranges::find_if(m_parts, &Part::isCopper);
@@ -250,7 +251,7 @@ private:
         part.row.source = set != nullptr ? Source::Session : m_board ? Source::Job : Source::Assumed;
         part.isKnown = true;
         m_floor = -part.row.thickness;
-        report(Severity::Info, "there is one copper layer; below it lies a laminate of " + inUm(part.row.thickness) +
+        report(Severity::Info, "there is one copper layer; below it lies a dielectric of " + inUm(part.row.thickness) +
                                    (set != nullptr ? ", set by you"
                                     : m_board      ? ", the board's thickness"
                                                    : ", which is assumed"));
@@ -363,7 +364,7 @@ private:
         }
     }
 
-    /// Bottom up from z = 0, or from the lower face of a single copper layer's laminate. Returns the upper face of the
+    /// Bottom up from z = 0, or from the lower face of a single copper layer's substrate. Returns the upper face of the
     /// highest copper.
     Nm placeCore() {
         Nm z = m_floor;
@@ -492,7 +493,7 @@ private:
     double m_most;
     std::optional<Nm> m_board;                    ///< the job's, within bounds
     std::vector<Part> m_parts;                    ///< from the top
-    std::unordered_map<std::string, int> m_used;  ///< how often a name was asked for, in lower case
+    std::unordered_map<std::string, int> m_used;  ///< how often a name was requested, in lower case
     std::size_t m_first = 0;
     std::size_t m_last = 0;
     Nm m_floor = 0;  ///< lower face of the board
@@ -517,7 +518,7 @@ Nm thicknessOf(const Stackup& stackup) {
     if (first == stackup.rows.end()) {
         return 0;
     }
-    // A single copper layer's laminate is the row below it.
+    // A single copper layer's substrate is the row below it.
     return &*first == &*last ? (first + 1)->thickness : first->z + first->thickness - last->z;
 }
 

@@ -12,14 +12,14 @@ namespace model {
 
 namespace {
 
-/// The way from a point inside of a figure to its nearest edge; nothing if the point lies outside.
+/// The line from a point inside of a figure to its nearest edge; nothing if the point lies outside.
 std::optional<Spacing> shortestOut(const FigureTable& table, std::size_t row, PointD p) {
     if (table[row].isFilled) {
         return isInside(table, row, p) ? std::optional(spacingToEdges(table, row, p)) : std::nullopt;
     }
     Edge dot;
     dot.a = dot.b = p;
-    // Of a stroke: across it, where its middle line is nearest.
+    // Of a track: across it, where its middle line is nearest.
     std::optional<Spacing> farthest;
     for (Edge edge : table.edges(row)) {
         const double pen = std::exchange(edge.pen, 0.0);

@@ -22,7 +22,7 @@ bool isSmaller(const Clearance& a, const Clearance& b) {
     return rank(a) < rank(b);
 }
 
-/// The copper of one layer as an answer sees it.
+/// The copper of one layer as a result sees it.
 class CopperPairs {
 public:
     CopperPairs(const Document& document, LayerId layer, const ClearanceRequest& request, LayerGeometry plane)

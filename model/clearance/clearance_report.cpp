@@ -43,7 +43,7 @@ std::string textOf(const StepClearances& found) {
     const Document& step = *found.step;
     std::string text = "step " + step.job.step + ": " + std::to_string(found.clearances.size()) + " clearances\n";
     if (!found.clearances.empty()) {
-        text += formatted("%10s  %-20s %11s %11s  %-32s %s\n", "gap um", "layer", "x mm", "y mm", "net", "net");
+        text += formatted("%10s  %-20s %11s %11s  %-32s %s\n", "clear. um", "layer", "x mm", "y mm", "net", "net");
     }
     for (const Clearance& c : found.clearances) {
         text += formatted("%10.3f  ", micrometres(c.spacing.distance)) + padded(step.layer(c.layer).name, 20) +
@@ -68,7 +68,8 @@ ordered_json jsonOf(const StepClearances& found) {
     const Document& step = *found.step;
     ordered_json list = ordered_json::array();
     for (const Clearance& c : found.clearances) {
-        list.push_back({{"gap_um", micrometres(c.spacing.distance)},
+        list.push_back({{"clearance_um", micrometres(c.spacing.distance)},
+                        {"gap_um", micrometres(c.spacing.distance)},
                         {"layer", step.layer(c.layer).name},
                         {"nets", {sideOf(step, c.a), sideOf(step, c.b)}},
                         {"elements", {c.a.value, c.b.value}},
@@ -95,7 +96,7 @@ std::string textOf(const RuleTable& table, const StepRules& found, std::size_t m
         const std::size_t count = found.report.counts[rule];
         text += std::string(wordOf(table, found, rule)) + "  " + titleOf(table.rules[rule]) +
                 formatted(", at least %.1f um: %zu %s\n", micrometres(static_cast<double>(table.rules[rule].least)),
-                          count, count == 1 ? "place" : "places");
+                          count, count == 1 ? "location" : "locations");
         for (const RuleFinding& f : findingsOf(found, rule, most)) {
             text += formatted("  %10.3f um  ", micrometres(f.spacing.distance)) + padded(step.layer(f.layer).name, 20) +
                     formatted(" %11.4f %11.4f mm  ", base::toMm(f.spacing.from.x), base::toMm(f.spacing.from.y)) +
@@ -125,7 +126,8 @@ ordered_json jsonOf(const Document& step, const RuleFinding& f) {
     if (f.b.isValid()) {
         elements.push_back(f.b.value);
     }
-    return {{"gap_um", micrometres(f.spacing.distance)},
+    return {{"clearance_um", micrometres(f.spacing.distance)},
+            {"gap_um", micrometres(f.spacing.distance)},
             {"layer", step.layer(f.layer).name},
             {"nets", {sideOf(step, f.a), sideOf(step, f.b)}},
             {"elements", elements},
@@ -164,8 +166,9 @@ std::optional<ReportFormat> reportFormatOf(std::string_view name) {
 
 std::string clearanceReport(std::span<const StepClearances> steps, ReportFormat format) {
     ordered_json json = ordered_json::array();
-    std::string text =
-        format == ReportFormat::Csv ? "step,layer,gap um,net a,net b,x mm on a,y mm on a,x mm on b,y mm on b\n" : "";
+    std::string text = format == ReportFormat::Csv
+                           ? "step,layer,clearance um,net a,net b,x mm on a,y mm on a,x mm on b,y mm on b\n"
+                           : "";
     for (const StepClearances& step : steps) {
         if (format == ReportFormat::Json) {
             json.push_back(jsonOf(step));
@@ -180,7 +183,7 @@ std::string ruleReport(const RuleTable& table, std::span<const StepRules> steps,
                        std::size_t most) {
     ordered_json json = ordered_json::array();
     std::string text = format == ReportFormat::Csv
-                           ? "step,rule,least um,layer,gap um,a,b,x mm on a,y mm on a,x mm on b,y mm on b\n"
+                           ? "step,rule,least um,layer,clearance um,a,b,x mm on a,y mm on a,x mm on b,y mm on b\n"
                            : "";
     for (const StepRules& step : steps) {
         if (format == ReportFormat::Json) {

@@ -36,7 +36,7 @@ public:
     PairSearch(const LayerGeometry& a, const LayerGeometry& b, const PairRequest& request)
         : m_a(a), m_b(b), m_request(request) {}
 
-    /// Between figures first … end - 1 of the first sheet and those of the second.
+    /// Between figures first … end - 1 of the first layer geometry and those of the second.
     void search(std::size_t first, std::size_t end, Closest& found) const {
         std::vector<std::uint32_t> near;
         for (std::size_t i = first; i < end; ++i) {

@@ -11,7 +11,7 @@
 /// What lies near something: the clearance lens.
 namespace model {
 
-/// Copper of another net, at its narrowest place on any layer.
+/// Copper of another net, at its smallest spacing on any layer.
 struct Nearby {
     ElementId element;
     LayerId layer;

@@ -287,7 +287,7 @@ private:
             m_report.notes.emplace_back("the board has no outline, so copper was not held against its edge");
         }
         if (ruleOf(RuleKind::MaskSliver) && std::ranges::none_of(m_document.layers, isMask)) {
-            m_report.notes.emplace_back("the board has no layer of solder mask, so no slivers were looked for");
+            m_report.notes.emplace_back("the board has no solder mask layer, so slivers are not checked");
         }
         if (ruleOf(RuleKind::AnnularRing)) {
             noteRings();

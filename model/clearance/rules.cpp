@@ -29,7 +29,7 @@ base::Result<NetClass> parseClass(const std::string& name, const ordered_json& n
     NetClass netClass{name, {}};
     for (const ordered_json& net : nets) {
         if (!net.is_string()) {
-            return bad("class \"" + name + "\" lists something that is no name");
+            return bad("class \"" + name + "\" lists an item that is no name");
         }
         netClass.nets.push_back(net);
     }

@@ -8,7 +8,7 @@ namespace model {
 
 namespace {
 
-/// A lower bound of the gap between what two boxes hold. Boxes are rounded outwards, so it is never too large.
+/// A lower bound of the spacing between what two boxes hold. Boxes are rounded outwards, so it is never too large.
 double apart(const Box& a, const Box& b) {
     const double dx = std::max({double{0}, double(b.min.x) - a.max.x, double(a.min.x) - b.max.x});
     const double dy = std::max({double{0}, double(b.min.y) - a.max.y, double(a.min.y) - b.max.y});
@@ -133,7 +133,7 @@ void descend(const Levels& levels, std::size_t level, std::size_t index, const B
     }
 }
 
-/// The nearest way from a point to the edges below a box, or `best` if that is shorter.
+/// The shortest line from a point to the edges below a box, or `best` if that is shorter.
 Spacing nearest(const Levels& levels, std::size_t level, std::size_t index, const Edge& dot, Spacing best) {
     if (apart(levels.box(level, index), boxOf(dot)) >= best.distance) {
         return best;

@@ -18,7 +18,7 @@ constexpr std::size_t kMostCorners = 64;
 constexpr double kRoundingNm = 1.5;
 /// Points of one outline that are tried as the middle of a disc.
 constexpr std::size_t kMostTried = 64;
-/// Crossings of two outlines that are looked at.
+/// Crossings of two outlines that are tested.
 constexpr int kMostCrossings = 256;
 
 PointD minus(PointD a, PointD b) {
@@ -61,7 +61,7 @@ bool isConvex(std::span<const PointD> corners) {
     return std::abs(rotated) < 3 * std::numbers::pi;
 }
 
-/// Do the edges bend to the filled side only, all with one radius? Answers that radius, 0 if none bends.
+/// Do the edges bend to the filled side only, all with one radius? Returns that radius, 0 if none bends.
 std::optional<double> cornerRadius(std::span<const Edge> edges) {
     double radius = 0.0;
     for (const Edge& edge : edges) {
@@ -157,7 +157,7 @@ double depthBetween(const Convex& a, const Convex& b) {
     }
     std::vector<PointD> hull = hullOf(std::move(differences));
     if (hull.empty()) {
-        hull.push_back(minus(a.points.front(), b.points.front()));  // all points in one place
+        hull.push_back(minus(a.points.front(), b.points.front()));  // all points at one location
     }
     return std::max(0.0, a.pen + b.pen + depthOfOrigin(hull));
 }
@@ -205,7 +205,7 @@ private:
         m_deepest = std::max(m_deepest, inA > 0 && inB > 0 ? inA + inB : 0.0);
     }
 
-    /// Of a stroke the middle line is deepest inside; of a boundary what it holds, so its corners are tried in the
+    /// Of a track the middle line is deepest inside; of a boundary what it holds, so its corners are tried in the
     /// other.
     void tryAlong(const FigureTable& table, std::size_t row, const FigureTable& other, std::size_t otherRow) {
         const std::span<const Edge> edges = table.edges(row);

@@ -284,7 +284,7 @@ Spacing spacingBetween(const Edge& a, const Edge& b) {
     if (distance > 0) {
         return {distance, along(nearest.p, delta, a.pen / middles), along(nearest.q, delta, -b.pen / middles)};
     }
-    // The middle of what both cover on the way from one middle to the other.
+    // The middle of what both cover on the line from one middle to the other.
     const double from = std::max(middles - b.pen, 0.0);
     const double to = std::min(a.pen, middles);
     const PointD location = middles > 0 ? along(nearest.p, delta, (from + to) / 2 / middles) : nearest.p;

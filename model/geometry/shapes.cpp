@@ -87,7 +87,7 @@ Placement Placement::after(const Placement& inner) const {
 
 namespace {
 
-/// Is the direction `angle` (rad) passed on the way from `start` over `sweep`?
+/// Is the direction `angle` (rad) passed on the line from `start` over `sweep`?
 bool isWithinSweep(double angle, double start, double sweep) {
     constexpr double kFullCircle = 2.0 * std::numbers::pi;
     double ahead = sweep >= 0 ? angle - start : start - angle;

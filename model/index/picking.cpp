@@ -13,7 +13,7 @@ namespace model {
 
 namespace {
 
-/// Halvings of a way through a layer: to 1 nm of 1 m.
+/// Halvings of a line through a layer: to 1 nm of 1 m.
 constexpr int kHalvings = 30;
 
 Point rounded(PointD p) {
@@ -34,7 +34,7 @@ PointD along(PointD a, PointD b, double part) {
     return {a.x + (b.x - a.x) * part, a.y + (b.y - a.y) * part};
 }
 
-/// How far the figures are from the stroke from `a` to `b`; more than `reach` counts as infinitely far.
+/// How far the figures are from the track from `a` to `b`; more than `reach` counts as infinitely far.
 double spacingTo(const FigureTable& figures, PointD a, PointD b, double reach) {
     FigureTable probe;
     probe.addTrack(a, b, 0.0);
@@ -47,7 +47,7 @@ double spacingTo(const FigureTable& figures, PointD a, PointD b, double reach) {
     return least <= kTouchNm ? 0.0 : least;
 }
 
-/// The part of the way from `a` to `b` after which the figures are first touched; they are somewhere on it.
+/// The part of the line from `a` to `b` after which the figures are first touched; they are somewhere on it.
 double firstContact(const FigureTable& figures, PointD a, PointD b) {
     if (spacingTo(figures, a, a, 0.0) == 0.0) {
         return 0.0;
@@ -87,7 +87,7 @@ struct ClippedRange {
 
 }  // namespace
 
-/// What is asked for: a straight way over the board between two depths. Of a line of sight, the part within a layer.
+/// What is requested: a straight line over the board between two depths. Of a line of sight, the part within a layer.
 struct Picker::Probe {
     PointD a;
     PointD b;
@@ -112,7 +112,7 @@ struct Picker::Probe {
 
 namespace {
 
-/// Where a body is drawn within its layer, which may be turned over.
+/// Where a body is drawn within its layer, which may be flipped.
 std::pair<double, double> drawnHeights(const Document& step, ElementId body, bool isFlipped, const PickLayer& drawn) {
     const Layer& layer = step.layer(step.elements.layer[body.row()]);
     const ZRange z = step.heightsOf(body);

@@ -31,7 +31,7 @@ Box boxAround(PointD location, double reach) {
             {nm(std::ceil(location.x + reach)), nm(std::ceil(location.y + reach))}};
 }
 
-/// The edge of an element whose middle is nearest to a place, if it covers the place or comes so near.
+/// The edge of an element whose middle is nearest to a location, if it covers the location or comes so near.
 std::optional<Edge> nearestEdge(const BoardIndex& index, FigureCache& cache, BoardElement element, PointD location,
                                 double reach) {
     const StepCopy& copy = index.tree.copies[element.copy];

@@ -28,7 +28,7 @@ bool isOneNet(const BoardIndex& index, BoardElement a, BoardElement b) {
     return a.copy == b.copy && net.isValid() && net == netOf(index, b);
 }
 
-/// The gap of the two nearest of `hits`, which come nearest first.
+/// The spacing of the two nearest of `hits`, which come nearest first.
 std::optional<LocalSpacing> nearestSpacing(const BoardIndex& index, PointD location, std::span<const Hit> hits) {
     if (hits.size() < 2) {
         return std::nullopt;

@@ -110,7 +110,7 @@ double Measurement::angleDeg() const {
 std::string measurementsCsv(const std::vector<Measurement>& measurements) {
     std::string csv =
         "name,step,kind,value mm,value mil,value deg,dx mm,dy mm,dz mm,overlap mm,layer a,layer b,net a,net b,"
-        "x mm on a,y mm on a,x mm on b,y mm on b,x mm at corner,y mm at corner,parts mm,remarks\n";
+        "x mm on a,y mm on a,x mm on b,y mm on b,x mm at corner,y mm at corner,parts mm,notes\n";
     for (const Measurement& m : measurements) {
         for (const std::string& cell : cellsOf(m)) {
             csv += csvField(cell) + ",";

@@ -24,16 +24,16 @@ struct MeasuredEnd {
 /// What `from` and `to` are the ends of.
 enum class MeasurementKind : std::uint8_t {
     Points,     ///< a distance from point to point
-    Clearance,  ///< the shortest way from edge to edge of two elements
+    Clearance,  ///< the clearance of two elements
     Angle,      ///< the arms of an angle, which meet in `corner`
     Radius,     ///< a radius: `from` is the centre, `to` lies on the circle or arc
-    Length      ///< a way along the copper of a net
+    Length      ///< a path along the copper of a net
 };
 [[nodiscard]] const char* toString(MeasurementKind kind);  ///< "point to point", "edge to edge", "angle", …
 /// Nothing for no name of a kind.
 [[nodiscard]] std::optional<MeasurementKind> kindNamed(const std::string& name);
 
-/// What of a way along a net lies on one layer until it changes to another.
+/// What of a path along a net lies on one layer until it changes to another.
 struct MeasuredRun {
     std::string layer;
     double length = 0.0;             ///< nm
@@ -41,7 +41,7 @@ struct MeasuredRun {
     bool operator==(const MeasuredRun&) const = default;
 };
 
-/// A way along the copper of a net.
+/// A path along the copper of a net.
 struct MeasuredPath {
     std::vector<MeasuredRun> runs;  ///< one after the other; from one to the next through a plated hole
     std::size_t holeCount = 0;      ///< in which the layer changes
@@ -53,7 +53,7 @@ struct MeasuredPath {
     [[nodiscard]] std::vector<std::pair<std::string, double>> perLayer() const;
 };
 
-/// Something that the user measured and keeps. In a session file:
+/// Something that the user measured. In a session file:
 ///
 ///     {"name": "A", "step": "pcb", "kind": "edge to edge",
 ///      "from": {"at_nm": [0, 0], "layer": "TOP", "net": "GND", "snap": "edge"}, "to": {…},
@@ -69,8 +69,8 @@ struct Measurement {
     MeasurementKind kind = MeasurementKind::Points;
     MeasuredEnd from{};
     MeasuredEnd to{};
-    double dz = 0.0;       ///< nm between the faces of the two layers that look at each other; not below 0
-    double overlap = 0.0;  ///< nm, of elements that overlap: by that much at least
+    double dz = 0.0;                      ///< nm between the faces of the two layers that face each other; not below 0
+    double overlap = 0.0;                 ///< nm, of elements that overlap: by that much at least
     std::optional<MeasuredEnd> corner{};  ///< of an angle, and of nothing else
     std::optional<MeasuredPath> path{};   ///< of a length, and of nothing else
     std::vector<std::string> notes{};     ///< what must be known to read it

@@ -13,7 +13,7 @@ namespace model {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// So many overlapping pairs of two things are looked at for the deepest.
+/// So many overlapping pairs of two items are tested for the deepest.
 constexpr std::size_t kMostOverlaps = 256;
 
 double apart(Nm highOfLower, Nm lowOfUpper) {
@@ -47,7 +47,7 @@ PointD middleOf(const Box& box) {
     return {(double(box.min.x) + box.max.x) / 2, (double(box.min.y) + box.max.y) / 2};
 }
 
-/// Looks for the closest pair of pieces of two things.
+/// Finds the closest pair of pieces of two items.
 class ClosestPieces {
 public:
     ClosestPieces(const Pieces& a, const Pieces& b, const BoxIndex& indexOfB, base::Progress& progress)
@@ -197,7 +197,7 @@ void noteOnEmpty(const BoardIndex& index, const MeasureItem& item, const Pieces&
                                    : isPart ? "the job ties no copper to " + nameOf(index, item)
                                             : nameOf(index, item) + " covers nothing, so it has no distance");
     } else if (!pieces.empty.empty()) {
-        separation.notes.push_back(std::to_string(pieces.empty.size()) + " strokes of " + nameOf(index, item) +
+        separation.notes.push_back(std::to_string(pieces.empty.size()) + " tracks of " + nameOf(index, item) +
                                    " have no width and were left out");
     }
 }
@@ -215,7 +215,7 @@ void noteOnStackup(const BoardIndex& index, const MeasureItem& a, const MeasureI
         separation.notes.push_back(nameOf(index, a) + " and " + nameOf(index, b) + " have no common layer");
     }
     if (!separation.throughStackup) {
-        separation.notes.push_back("one of them has no place in the stack, so the distance is in the plane only");
+        separation.notes.push_back("one of them is not in the stackup, so the distance is in the plane only");
         return;
     }
     const PieceDistance& shortest = *separation.throughStackup;

@@ -11,9 +11,9 @@ namespace model {
 
 namespace {
 
-/// Edges whose crossings are looked for; where more are near nobody can tell them apart.
+/// Edges whose crossings are searched for; where more are near nobody can distinguish them.
 constexpr std::size_t kMostCrossing = 64;
-/// Points nearer to each other are in one place.
+/// Points nearer to each other are at one location.
 constexpr double kSameLocationNm = 1.0;
 
 double distance(PointD a, PointD b) {
@@ -30,7 +30,7 @@ Box boxAround(PointD location, double reach) {
     return box;
 }
 
-/// An edge near the cursor, on the board.
+/// An edge near the pointer, on the board.
 struct NearEdge {
     Edge edge;
     BoardElement element;
@@ -98,7 +98,7 @@ std::optional<PointD> centreOf(const Document& step, ElementId element) {
     }
 }
 
-/// Looks at everything near one place.
+/// Visits everything near one location.
 class Search {
 public:
     Search(const BoardIndex& index, FigureCache& figures, BestPoint& best, PointD location, double reach,
@@ -164,7 +164,7 @@ private:
         }
     }
 
-    /// The nearest point of the edge that is seen: a boundary itself, or the rim of a stroke.
+    /// The nearest point of the edge that is seen: a boundary itself, or the rim of a track.
     void offerRim(const NearEdge& near, PointD onMiddle, double beside) {
         PointD rim = onMiddle;
         if (near.edge.pen > 0 && beside > 0) {

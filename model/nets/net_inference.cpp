@@ -43,7 +43,7 @@ private:
         m_document.diagnostics.report(severity, layer.file, m_document.elements.line[element.row()], text, element);
     }
 
-    /// Pieces a side's outer copper has at a place.
+    /// Pieces a side's outer copper has at a location.
     [[nodiscard]] std::vector<std::uint32_t> piecesAt(Point p, LayerSide side) const {
         if (!m_top.isValid()) {
             return {};

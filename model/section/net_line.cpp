@@ -23,14 +23,14 @@ struct Track {
     std::uint32_t b = 0;
 };
 
-/// How each place is reached from one of them.
+/// How each location is reached from one of them.
 struct Reached {
     std::vector<double> length;
-    std::vector<std::uint32_t> by;  ///< stroke; none at the start and where nothing leads
+    std::vector<std::uint32_t> by;  ///< track; none at the start and where nothing leads
     std::uint32_t farthest = 0;
 };
 
-/// The middle lines of a net's strokes as a graph.
+/// The middle lines of a net's tracks as a graph.
 class Tracks {
 public:
     explicit Tracks(const Pieces& pieces, const BoardIndex& index) {
@@ -123,7 +123,7 @@ private:
         return m_tracks[row].a == location ? m_tracks[row].b : m_tracks[row].a;
     }
 
-    /// Back from the farthest place to the start.
+    /// Back from the farthest location to the start.
     [[nodiscard]] std::vector<PointD> walk(const Reached& reached) const {
         std::vector<PointD> line;
         std::uint32_t location = reached.farthest;
@@ -133,7 +133,7 @@ private:
             if (track.a != location) {
                 std::ranges::reverse(corners);
             }
-            // Tracks meet in one place: its corner counts once.
+            // Tracks meet at one location: its corner counts once.
             line.insert(line.end(), corners.begin() + (line.empty() ? 0 : 1), corners.end());
             location = otherEnd(reached.by[location], location);
         }
@@ -158,7 +158,7 @@ private:
 
     std::vector<Track> m_tracks;
     std::map<std::pair<long long, long long>, std::uint32_t> m_locations;
-    std::vector<std::vector<std::uint32_t>> m_at;  ///< by place: strokes that end there
+    std::vector<std::vector<std::uint32_t>> m_at;  ///< by location: tracks that end there
 };
 
 }  // namespace
@@ -166,7 +166,7 @@ private:
 base::Result<std::vector<PointD>> lineAlong(const BoardIndex& index, NetOfCopy net) {
     const Tracks tracks(piecesOf(index, net), index);
     if (tracks.isEmpty()) {
-        return base::Error{base::ErrorCode::BadUsage, nameOf(index, net) + " has no strokes to follow"};
+        return base::Error{base::ErrorCode::BadUsage, nameOf(index, net) + " has no tracks to follow"};
     }
     return tracks.longest();
 }

@@ -168,7 +168,7 @@ private:
         }
     }
 
-    /// Takes what a leg has bored out of what it has found.
+    /// Takes what a leg has drilled out of what it has found.
     void finishLeg() {
         Bores byHeight;
         for (const SectionPiece& bore : m_drilled) {
@@ -212,7 +212,7 @@ private:
 base::Result<std::vector<Leg>> legsOf(const std::vector<PointD>& line) {
     const auto error = [](const char* why) { return base::Error{base::ErrorCode::BadUsage, why}; };
     if (line.size() > kMostCorners) {
-        return error("a line to cut along has 10000 corners at most");
+        return error("a section line has 10000 corners at most");
     }
     std::vector<Leg> legs;
     double start = 0.0;
@@ -220,7 +220,7 @@ base::Result<std::vector<Leg>> legsOf(const std::vector<PointD>& line) {
         const bool isOnBoards =
             std::abs(line[i].x) <= base::kMaxCoordinate && std::abs(line[i].y) <= base::kMaxCoordinate;
         if (!isOnBoards) {
-            return error("the line to cut along leaves the coordinates of boards (1.07 m around the origin)");
+            return error("the section line leaves the coordinates of boards (1.07 m around the origin)");
         }
         const double length = i == 0 ? 0.0 : std::hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y);
         if (length > 0.0) {
@@ -229,7 +229,7 @@ base::Result<std::vector<Leg>> legsOf(const std::vector<PointD>& line) {
         }
     }
     if (legs.empty()) {
-        return error("a line to cut along needs two places that are apart");
+        return error("a section line needs two locations that are apart");
     }
     return legs;
 }
@@ -268,13 +268,13 @@ std::string cutLayers(const Document& board, const std::vector<SectionPiece>& pi
 
 void addNotes(const Document& board, std::size_t wallless, Section& section) {
     if (wallless > 0) {
-        section.notes.push_back("plated holes whose wall has no known thickness, cut without it: " +
+        section.notes.push_back("plated holes without a known plating thickness, drawn without it: " +
                                 std::to_string(wallless));
     }
     if (section.pieces.empty() && section.bores.empty()) {
         section.notes.push_back("the line meets nothing of the board");
     }
-    // Holes and the laminate follow from other layers, bodies of components have heights of their own.
+    // Holes and the substrate follow from other layers, bodies of components have heights of their own.
     const auto hasOwn = [](const Layer& l) {
         return l.type != LayerType::Drill && l.type != LayerType::Rout && l.type != LayerType::Body &&
                l.type != LayerType::ComponentBody;
@@ -282,7 +282,7 @@ void addNotes(const Document& board, std::size_t wallless, Section& section) {
     const std::string flat =
         cutLayers(board, section.pieces, [&](const Layer& l) { return l.thickness == 0 && hasOwn(l); });
     if (!flat.empty()) {
-        section.notes.push_back("without a thickness, cut as a line: " + flat);
+        section.notes.push_back("without a thickness, drawn as a line: " + flat);
     }
     const std::string assumed = cutLayers(board, section.pieces, [&](const Layer& l) {
         return l.thickness > 0 && l.thicknessSource == Source::Assumed && hasOwn(l);

@@ -74,7 +74,7 @@ void readThicknesses(const Json& json, const Stackup& stackup, LoadedSession& ou
     for (const auto& [name, value] : json.items()) {
         const StackupRow* row = findRow(stackup, name);
         if (row == nullptr) {
-            out.ignored.push_back("the thickness of " + name + ": the stack has no such layer");
+            out.ignored.push_back("the thickness of " + name + ": the stackup has no such layer");
         } else if (!isThickness(value)) {
             out.ignored.push_back("the thickness of " + name + ": " + value.dump(-1, ' ', true) +
                                   " is no number of nanometres from 1 µm to 10 mm");
@@ -129,7 +129,7 @@ void readDesk(const Json& json, const Document& document, LoadedSession& out) {
         return !isThere;
     });
     if (!missing.empty()) {
-        out.ignored.push_back("the look of layers that the board does not have: " + missing);
+        out.ignored.push_back("the style of layers that the board does not have: " + missing);
     }
     out.session.desk = std::move(*desk);
 }

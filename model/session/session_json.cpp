@@ -103,11 +103,18 @@ std::optional<std::uint32_t> colourAt(const Json& json) {
     return colour;
 }
 
+/// Solder masks had other names in older versions.
+std::string layerNameFrom(const Json& json) {
+    std::string name = json.get<std::string>();
+    constexpr std::string_view kOld = " coat";
+    return name.ends_with(kOld) ? name.replace(name.size() - kOld.size(), kOld.size(), " solder mask") : name;
+}
+
 LayerState layerFrom(const Json& json) {
     const Json& opacity = json.at("opacity_percent");
     require(opacity.is_number_integer());
-    return {json.at("name"), json.at("visible").get<bool>(), static_cast<int>(numberFrom(opacity, 0, 100)),
-            colourAt(json)};
+    return {layerNameFrom(json.at("name")), json.at("visible").get<bool>(),
+            static_cast<int>(numberFrom(opacity, 0, 100)), colourAt(json)};
 }
 
 Json toJson(const LayerState& layer) {
@@ -128,7 +135,7 @@ SavedView viewFrom(const Json& json) {
             json.at("step"),
             poseFrom(json.at("flat")),
             poseFrom(json.at("solid")),
-            json.at("layers").get<std::vector<std::string>>(),
+            listFrom(json.at("layers"), layerNameFrom),
             std::nullopt};
 }
 

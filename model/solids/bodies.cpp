@@ -19,7 +19,7 @@ bool isFace(const Layer& layer) {
            (layer.isCopper() || layer.type == LayerType::SolderMask || layer.type == LayerType::Body);
 }
 
-/// The lowest and the highest face of copper, laminate and solder mask.
+/// The lowest and the highest face of copper, substrate and solder mask.
 ZRange facesOf(const Document& document) {
     ZRange faces{0, document.boardThickness};
     bool isFirst = true;
@@ -74,7 +74,7 @@ public:
     }
 
 private:
-    /// An outline and from where it comes: nullptr if the package draws it, else what to tell.
+    /// An outline and from where it comes: nullptr if the package draws it, else what to report.
     struct Outline {
         ShapeId shape;
         const char* message = nullptr;

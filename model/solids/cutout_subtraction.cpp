@@ -170,7 +170,7 @@ private:
     PolygonSet m_outline;
     EdgeStrips m_edges;
     Groups m_groups;
-    std::vector<std::vector<std::size_t>> m_members;  ///< by the row that stands for a group, rising
+    std::vector<std::vector<std::size_t>> m_members;  ///< by the row that represents a group, rising
     std::vector<std::uint8_t> m_reachesOutline;       ///< likewise
     ShapeSketch m_result;
     bool m_isGone = false;

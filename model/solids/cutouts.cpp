@@ -10,7 +10,7 @@ namespace model {
 
 namespace {
 
-/// The edge of a round pen along a straight stroke, counter-clockwise.
+/// The edge of a round pen along a straight track, counter-clockwise.
 void addCapsule(ShapeSketch& sketch, Point a, Point b, Nm width) {
     if (a == b) {
         return sketch.addCircle(a, width / 2, false);

@@ -16,7 +16,7 @@ struct Plate {
     Layer layer;
     ShapeId outline;
     std::vector<LayerId> wholeLayers;  ///< all of their elements are cut out
-    std::vector<LayerId> openHoles;    ///< hole layers, of which those are cut out that lacquer does not close
+    std::vector<LayerId> openHoles;    ///< hole layers, of which those are cut out that solder mask does not close
     ShapeSketch sketch;                ///< the result
 };
 
@@ -66,8 +66,8 @@ void planSolderMasks(const Document& document, std::vector<Plate>& plates) {
         if (mask.type != LayerType::SolderMask || mask.context != LayerContext::Board) {
             continue;
         }
-        Layer layer = plateLayer(mask.name + " coat", LayerType::SolderMask, mask.side, mask.z, mask.z + mask.thickness,
-                                 mask.thicknessSource);
+        Layer layer = plateLayer(mask.name + " solder mask", LayerType::SolderMask, mask.side, mask.z,
+                                 mask.z + mask.thickness, mask.thicknessSource);
         layer.row = mask.row;
         Plate plate{std::move(layer), mask.profile.isValid() ? mask.profile : document.profile, {}, {}, {}};
         plate.wholeLayers = {LayerId{row}};
@@ -112,7 +112,7 @@ private:
         }
     }
 
-    /// Lacquer closes a plated hole that is small enough. Bare holes and routs are made after it was applied.
+    /// Solder mask closes a plated hole that is small enough. NPTHs and routs are made after it was applied.
     static bool isTented(const Document& document, ElementId hole) {
         const Box box = document.boxOf(hole);
         return (document.elements.flags[hole.row()] & kPlated) != 0 &&

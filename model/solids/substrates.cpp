@@ -43,7 +43,7 @@ Heights bodyHeights(const Document& document) {
     return {upperFace(*lowest), highest->z};
 }
 
-/// Heights at which something about the laminate changes, rising.
+/// Heights at which something about the substrate changes, rising.
 std::set<Nm> planesOf(const Document& document, const Heights& body) {
     const bool hasOutlines =
         std::ranges::any_of(document.layers, [](const Layer& layer) { return layer.outlineGroup > 0; });
@@ -57,7 +57,7 @@ std::set<Nm> planesOf(const Document& document, const Heights& body) {
     return planes;
 }
 
-/// What lies between two heights: a layer of the stack, or else what lies above and below it.
+/// What lies between two heights: a layer of the stackup, or else what lies above and below it.
 struct Neighbours {
     const Layer* here = nullptr;
     const Layer* above = nullptr;
@@ -81,7 +81,7 @@ Neighbours neighboursOf(const Document& document, Nm bottom, Nm top) {
     return found;
 }
 
-/// The layer whose outline a slab has; nullptr for the board's.
+/// The layer whose outline a part has; nullptr for the board's.
 const Layer* bounding(const Neighbours& neighbours) {
     const bool isSpacing = neighbours.here == nullptr;
     for (const Layer* layer :

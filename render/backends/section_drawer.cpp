@@ -13,7 +13,7 @@ gpu::Pipeline makePipeline(gpu::Device& device, const TargetFormat& target) {
     const gpu::ShaderStage stages[] = {{VK_SHADER_STAGE_VERTEX_BIT, shader::spirv::kSectionFaceVert},
                                        {VK_SHADER_STAGE_FRAGMENT_BIT, shader::spirv::kSectionFaceFrag}};
     gpu::GraphicsPipelineOptions options;
-    options.label = "cut faces";
+    options.label = "section faces";
     options.stages = stages;
     options.pushBytes = sizeof(shader::SectionPush);
     options.colourFormat = target.colour;

@@ -5,8 +5,8 @@
 
 namespace render {
 
-/// Fills the cut through a board that is cut open. The rectangles go through the memory of the frame: nothing is kept
-/// on the device.
+/// Fills the cut through a board that is cut by a section plane. The rectangles go through the memory of the frame:
+/// nothing is kept on the device.
 class SectionDrawer {
 public:
     SectionDrawer(gpu::Device& device, const TargetFormat& target);

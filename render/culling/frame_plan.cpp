@@ -15,7 +15,7 @@ constexpr float kMonoTolerancePx = 0.1F;
 constexpr float kCoarseTolerancePx = 2.0F;
 /// Lets whose pen radius is below this many pixels become quads (vulkan-facts, recipes).
 constexpr float kQuadRadiusPx = 0.7F;
-/// The inside of a hole stands out by 2 µm, or by 16 steps of tie-break where depth resolves less: enough to win
+/// The inside of a hole protrudes by 2 µm, or by 16 steps of tie-break where depth resolves less: enough to win
 /// against all faces it passes, too little to be seen.
 constexpr float kBoreProtrusionMm = 0.002F;
 constexpr float kBoreProtrusionSteps = 16.0F;
@@ -112,7 +112,7 @@ glm::vec4 linearColour(const LayerStyle& style) {
     return {toLinear(style.colour), std::clamp(style.opacity, 0.0F, 1.0F)};
 }
 
-/// While others are dimmed to show a net, the laminate lets inner copper shine through.
+/// While others are dimmed to show a net, the substrate lets inner copper shine through.
 LayerStyle shownStyle(const SceneLayers& scene, const ViewSettings& settings, std::size_t layer) {
     constexpr float kGlassy = 0.85F;
     LayerStyle style = scene.styles[layer];
@@ -220,7 +220,7 @@ LayerPlan planLayers(const SceneLayers& scene, const ViewSettings& settings, con
     return plan;
 }
 
-/// Turned over, a layer looks like the one it lies on; one without a counterpart keeps its looks and lies at its mirror
+/// Flipped, a layer is drawn as the one it lies on; one without a counterpart keeps its style and lies at its mirror
 /// image.
 LayerPlan flippedPlan(const SceneLayers& scene, const LayerPlan& upright, const Eye& eye) {
     LayerPlan plan;

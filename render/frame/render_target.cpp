@@ -120,7 +120,7 @@ void RenderTarget::copy(VkCommandBuffer commands, VkImage from, VkImage to) cons
 
 void RenderTarget::keep(VkCommandBuffer commands) {
     if (!m_cached) {
-        m_cached = gpu::Image(*m_device, {"kept picture", m_format.colour, m_extent,
+        m_cached = gpu::Image(*m_device, {"cached picture", m_format.colour, m_extent,
                                           VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
                                               VK_IMAGE_USAGE_TRANSFER_DST_BIT});
     }

@@ -140,7 +140,7 @@ Renderer::Drawers& Renderer::drawersFor(const TargetFormat& format, Backend back
     return *m_drawers.emplace_back(std::make_unique<Drawers>(*m_device, format, backend));
 }
 
-/// The one for this format, made when it is first asked for.
+/// The one for this format, made when it is first requested.
 template <class Drawer, class Format>
 const Drawer& Renderer::drawerFor(std::vector<std::unique_ptr<Drawer>>& drawers, const Format& format) {
     const auto fits = [&](const auto& drawer) { return drawer->format() == format; };

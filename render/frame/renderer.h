@@ -23,7 +23,7 @@ public:
     Backend record(gpu::Frame& frame, RenderTarget& target, VkExtent2D extent, VkFormat colour, BoardScene* scene,
                    const Camera& camera, const ViewSettings& settings);
 
-    /// Did `record` find the board kept?
+    /// Did `record` find the board cached?
     [[nodiscard]] bool drewOverlayAlone() const { return m_isOverlayAlone; }
 
     struct Drawers;
@@ -33,7 +33,7 @@ private:
     [[nodiscard]] Backend resolve(Backend wanted, const FramePlan& plan);
     template <class Drawer, class Format>
     const Drawer& drawerFor(std::vector<std::unique_ptr<Drawer>>& drawers, const Format& format);
-    /// Smoothed if asked for, where there is room.
+    /// Smoothed if requested, where there is room.
     TargetFormat makeTarget(RenderTarget& target, VkExtent2D extent, VkFormat colour, Backend backend,
                             const ViewSettings& settings);
     Backend recordBoard(gpu::Frame& frame, RenderTarget& target, VkExtent2D extent, VkFormat colour, BoardScene& scene,

@@ -46,7 +46,7 @@ struct Device::State {
         if (handle == VK_NULL_HANDLE) {
             return;
         }
-        vkDeviceWaitIdle(handle);  // a lost device is idle too: its answer changes nothing here
+        vkDeviceWaitIdle(handle);  // a lost device is idle too: its result changes nothing here
         if (graveyard != nullptr) {
             graveyard->collectAll();
         }

@@ -47,7 +47,7 @@ struct Features {
     Features& operator=(const Features&) = delete;
 };
 
-/// The first thing we need and the device lacks, or null.
+/// The first item we need and the device lacks, or null.
 const char* missingFeature(const Features& f) {
     const struct {
         VkBool32 isThere;
@@ -81,7 +81,7 @@ struct Family {
     bool hasTimestamps = false;
 };
 
-/// One family that draws, computes and, when asked, presents: all hardware we know has it first in its list.
+/// One family that draws, computes and, when requested, presents: all hardware we know has it first in its list.
 std::optional<Family> findFamily(VkPhysicalDevice device, VkSurfaceKHR presentTo) {
     std::uint32_t count = 0;
     vkGetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
@@ -233,7 +233,7 @@ base::Result<DeviceChoice> chooseDevice(VkInstance instance, VkSurfaceKHR presen
     std::string reasons;
     for (VkPhysicalDevice device : devices) {
         const std::string name = nameOf(device);
-        std::string why = std::string("is not the one COPPERSCOPE_DEVICE asks for");
+        std::string why = std::string("is not the one that COPPERSCOPE_DEVICE names");
         if (wanted == nullptr || name.find(wanted) != std::string::npos) {
             if (std::optional<DeviceChoice> choice = examine(device, presentTo, why)) {
                 return *choice;

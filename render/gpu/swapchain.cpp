@@ -66,7 +66,7 @@ VkCompositeAlphaFlagBitsKHR compositeAlpha(VkCompositeAlphaFlagsKHR supported) {
                                                                 : VK_COMPOSITE_ALPHA_INHERIT_BIT_KHR;
 }
 
-/// How many images to ask for: one more than the least, so that drawing need not wait for the display; at most what the
+/// How many images to request: one more than the least, so that drawing need not wait for the display; at most what the
 /// surface allows (0 = any).
 std::uint32_t imageCount(const VkSurfaceCapabilitiesKHR& caps) {
     const std::uint32_t wanted = caps.minImageCount + 1;

@@ -33,7 +33,7 @@ void setHeights(const model::Document& document, BoardFrame& out) {
     }
 }
 
-/// The lower and the upper face of the board: of its copper, and of the laminate below a single copper layer.
+/// The lower and the upper face of the board: of its copper, and of the substrate below a single copper layer.
 float sumOfFaces(const model::Document& document) {
     model::Nm low = 0;
     model::Nm high = document.boardThickness;

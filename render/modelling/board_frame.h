@@ -16,7 +16,7 @@ struct BoardFrame {
     std::vector<std::uint32_t>
         layerGrowth;             ///< kLayerGrowsUp or kLayerGrowsDown where heights differ on a layer, else 0
     std::vector<bool> isCopper;  ///< by layer
-    float facesMm = 0.0F;        ///< z of the board's lower plus z of its upper face: turned over, z is this minus z
+    float facesMm = 0.0F;        ///< z of the board's lower plus z of its upper face: flipped, z is this minus z
     glm::vec3 boxMin{0.0F};      ///< of the board, mm
     glm::vec3 boxMax{0.0F};
 };

@@ -35,7 +35,7 @@ void joinLets(const Document& document, std::vector<LayerLets>& perLayer, BoardM
         if (layer.zeroWidthTracks > 0) {
             out.diagnostics.report(model::Severity::Info, document.layers[row].file, layer.firstZeroWidthLine,
                                    "layer " + document.layers[row].name + ": " + std::to_string(layer.zeroWidthTracks) +
-                                       " strokes or pads of no width are kept but not drawn");
+                                       " tracks or pads without a width are not drawn");
         }
     }
 }

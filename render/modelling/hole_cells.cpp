@@ -52,7 +52,7 @@ void HoleFields::cut(std::size_t row) {
     }
 }
 
-/// At every place where no square is; false if there is none.
+/// At every location where no square is; false if there is none.
 bool HoleFields::cutAlong(std::size_t row, std::uint8_t axis) {
     const Field field = m_fields[row];
     sortAlong(field, axis);

@@ -15,7 +15,7 @@ namespace render {
 /// Squares at which no line passes between (a whirl, or squares that touch) are a knot, whose field cannot be tiled.
 class HoleFields {
 public:
-    /// `gap`: squares closer than this, nm, count as touching.
+    /// `spacing`: squares closer than this, nm, count as touching.
     HoleFields(std::span<const base::Box> squares, base::Nm spacing);
 
     struct Field {

@@ -13,7 +13,7 @@
 namespace render {
 namespace {
 
-/// With more windows than this in the laminate it is not worked out which of them areas lie around.
+/// With more windows than this in the substrate it is not worked out which of them areas lie around.
 constexpr std::size_t kMostLoops = 512;
 
 /// Lines closer than this, mm, lie on each other.
@@ -82,7 +82,7 @@ void forLets(const BoardModel& model, const shader::Cluster& cluster, const Visi
     }
 }
 
-/// The straight holes and slots of a board: what fills the laminate's holes.
+/// The straight holes and slots of a board: what fills the substrate's holes.
 class Plugs {
 public:
     Plugs(const BoardModel& model, const std::vector<std::size_t>& holeLayers) : m_lets(model.lets) {
@@ -155,7 +155,7 @@ private:
     std::vector<Location> m_locations;
 };
 
-/// A slab of the laminate: its edges, and one point of each loop.
+/// a part of the substrate: its edges, and one point of each loop.
 struct SubstratePart {
     std::vector<Edge> edges;
     Loop loopPoints;
@@ -187,7 +187,7 @@ bool winds(const Loop& loop, glm::vec2 p) {
     return isIn;
 }
 
-/// How far the content of layers keeps inside one slab.
+/// How far the content of layers keeps inside one part.
 class SubstratePartMargins {
 public:
     SubstratePartMargins(const BoardModel& model, const SubstratePart& part)
@@ -235,7 +235,7 @@ private:
         return lessened(margin, distance, startOf(let));
     }
 
-    /// Along its walls; an area may also lie around a loop of the laminate without meeting it.
+    /// Along its walls; an area may also lie around a loop of the substrate without meeting it.
     [[nodiscard]] float marginOfAreas(std::size_t layer) const {
         if (m_loopPoints.size() > kMostLoops) {
             return m_model.areaBatchesOfLayer[layer].count == 0 ? kLargestMargin : -1.0F;
@@ -251,7 +251,7 @@ private:
                 }
             }
         });
-        // Lacquer ends at the very edge of the laminate, where rounding would decide.
+        // Solder mask ends at the very edge of the substrate, where rounding would decide.
         const bool isAroundAny = margin > kSlack && std::ranges::count(isAround, 1) > 0;
         return isAroundAny ? -1.0F : margin;
     }

@@ -8,16 +8,16 @@ namespace render {
 
 struct BoardModel;
 
-/// What a layer has to do with the laminate, which hides what lies in it (hiding.h).
+/// What a layer has to do with the substrate, which hides what lies in it (hiding.h).
 struct LayerInSubstrate {
     enum class Role : std::uint8_t {
         Content,
-        Substrate,  ///< a slab of it
-        Plug        ///< its holes go through the laminate and fill them as long as they are drawn
+        Substrate,  ///< a part of it
+        Plug        ///< its holes go through the substrate and fill them as long as they are drawn
     };
     Role role = Role::Content;
-    /// How far everything on the layer keeps inside the laminate's edge, mm; kLargestMargin if it is farther.
-    /// Negative: something sticks out, or there is no laminate. Holes with a plug are no edge.
+    /// How far everything on the layer keeps inside the substrate's edge, mm; kLargestMargin if it is farther.
+    /// Negative: something sticks out, or there is no substrate. Holes with a plug are no edge.
     float marginMm = -1.0F;
 };
 

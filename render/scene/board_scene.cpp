@@ -100,7 +100,7 @@ Reach reachOf(const BoardModel& model) {
     }
     const std::vector<shader::ShapeBound> bounds = boundsOf(model);
     for (const shader::AreaInstance& area : model.instances) {
-        // However the area is turned, its circle lies within this far of its origin.
+        // However the area is rotated, its circle lies within this far of its origin.
         const shader::ShapeBound& bound = bounds[area.shape];
         const float radius = glm::length(bound.centre) + bound.radius;
         reach.include(area.origin - radius, area.origin + radius);

@@ -10,7 +10,7 @@ namespace render {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
-constexpr float kFieldOfView = 40.0F * kPi / 180.0F;  // vertical; long enough a lens that a board looks flat
+constexpr float kFieldOfView = 40.0F * kPi / 180.0F;  // vertical; long enough a lens that a board appears flat
 constexpr float kStraightDown = -kPi / 2.0F;
 constexpr float kMinDistance = 0.01F;  // mm: 7 µm high views, below that floats of the model end
 
@@ -171,7 +171,7 @@ glm::mat4 Camera::view() const {
 }
 
 glm::mat4 Camera::projection(float aspect) const {
-    // The scene's sphere, wherever the target was panned to, with room for an exploded stack.
+    // The scene's sphere, wherever the target was panned to, with room for an exploded stackup.
     const float far = m_pose.distance + 4.0F * m_radius;
     const float halfHeight = m_pose.distance * halfHeightAtOne();
     glm::mat4 p(0.0F);

@@ -134,7 +134,7 @@ void showSubstrates(const model::Document& document, std::vector<LayerStyle>& st
     }
 }
 
-/// What a board looks like: outer copper as metal under a coat of lacquer, which it shows through.
+/// What a board is drawn as: outer copper as metal under a solder mask, which it shows through.
 void makeSolid(const model::Document& document, const Colours& colours, std::vector<LayerStyle>& styles) {
     for (std::size_t row = 0; row < styles.size(); ++row) {
         const Layer& layer = document.layers[row];

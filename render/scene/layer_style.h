@@ -15,13 +15,14 @@ struct LayerStyle {
 };
 
 enum class Appearance {
-    Flat,  ///< a drawing, seen in 2D: top copper red, bottom blue; lacquer and bodies of components hidden
-    Solid  ///< a board, seen in 3D: bare copper golden under green lacquer
+    Flat,  ///< a drawing, seen in 2D: top copper red, bottom blue; solder mask and bodies of components hidden
+    Solid  ///< a board, seen in 3D: bare copper golden under green solder mask
 };
 
 enum class Palette {
-    Standard,        ///< as in other programs: top red, bottom blue, lacquer green
-    ColourBlindSafe  ///< after Okabe and Ito, with steps of lightness; told apart with protanopia and deuteranopia too
+    Standard,        ///< as in other programs: top red, bottom blue, solder mask green
+    ColourBlindSafe  ///< after Okabe and Ito, with steps of lightness; distinguished with protanopia and deuteranopia
+                     ///< too
 };
 
 /// Colours by layer type as users know them (inner layers distinct hues, silk white); mask openings, documentation and

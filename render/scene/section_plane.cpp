@@ -46,7 +46,7 @@ model::SectionRequest throughBox(const model::Box& box, PointD start, PointD uni
 base::Result<SectionCut> makeSectionCut(const model::BoardIndex& index, model::Point origin, PointD a, PointD b) {
     const double length = std::hypot(b.x - a.x, b.y - a.y);
     if (!(length > 0.0)) {
-        return base::Error{base::ErrorCode::BadUsage, "a line to cut along needs two places that are apart"};
+        return base::Error{base::ErrorCode::BadUsage, "a section line needs two locations that are apart"};
     }
     const PointD unit = {(b.x - a.x) / length, (b.y - a.y) / length};
     const model::SectionRequest request = throughBox(boxOf(index), a, unit);

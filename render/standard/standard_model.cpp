@@ -23,7 +23,7 @@ constexpr std::uint32_t kElementsPerPart = 1024;
 enum class Outline : std::uint8_t {
     Plain,
     MayTouchItself,  ///< of an area: opposite edges cancel (odb-notes, Features)
-    WallOnly         ///< of a bare hole: there is nothing but its wall
+    WallOnly         ///< of an NPTH: there is nothing but its wall
 };
 
 /// A part on its way: outlines of its elements, then triangles.
@@ -222,7 +222,7 @@ base::Result<StandardModel> buildStep(const Document& document, const model::Dis
     }
     std::vector<Draft> drafts = makeDrafts(document);
     out.parts.resize(drafts.size());
-    const bool isDone = forDrafts(drafts, progress, "Inflating strokes and rounding curves", out.times.discretiseMs,
+    const bool isDone = forDrafts(drafts, progress, "Inflating tracks and rounding curves", out.times.discretiseMs,
                                   [&](std::size_t i) { discretiseDraft(document, how, drafts[i]); }) &&
                         forDrafts(drafts, progress, "Triangulating every element", out.times.triangulateMs,
                                   [&](std::size_t i) { triangulateDraft(drafts[i]); }) &&

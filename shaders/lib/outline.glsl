@@ -1,6 +1,6 @@
-// The true outlines of lets, as seen from a place p beside, on or inside one.
+// The true outlines of lets, as seen from a location p beside, on or inside one.
 //
-// The functions from...() answer with xy: the way from the outline to p or on from it, a normal pointing outwards, not of unit length; z: how far outside p lies, mm,
+// The functions from...() answer with xy: the line from the outline to p or on from it, a normal pointing outwards, not of unit length; z: how far outside p lies, mm,
 // negative inside, exact in its sign.
 
 // How wide outlines are where nothing but outlines is drawn.
@@ -42,7 +42,7 @@ vec3 fromRound(vec2 a, vec2 b, float radius, vec2 p) {
     return vec3(delta, length(delta) - radius);
 }
 
-// What an axis-parallel square pen passes: a hexagon, the box around both ends cut by a strip along the stroke.
+// What an axis-parallel square pen passes: a hexagon, the box around both ends cut by a strip along the track.
 vec3 fromSquare(vec2 a, vec2 b, float radius, vec2 p) {
     const vec2 q = p - 0.5 * (a + b);
     const vec2 beyond = abs(q) - 0.5 * abs(b - a) - radius;

@@ -1,4 +1,4 @@
-// The one place where a let becomes points: vertices of both back ends come from here. See ladder.h for rungs, sides and codes.
+// The one location where a let becomes points: vertices of both back ends come from here. See ladder.h for segments, sides and codes.
 #include "cell.glsl"
 
 const float kHalfPi = 1.57079632679;
@@ -53,7 +53,7 @@ vec2 stadiumPoint(Let let, uint level, uint segment, bool isLeft) {
                        : endPoint(b, d, sign, let.p4, isSquare, segment - ends, points);
 }
 
-// Rung `rung` of a tube, counter-clockwise from the right side of end b.
+// Segment `segment` of a ring, counter-clockwise from the right side of end b.
 vec2 barrelPoint(Let let, uint level, uint segment, bool isInner) {
     const vec2 a = vec2(let.p0, let.p1);
     const vec2 b = vec2(let.p2, let.p3);
@@ -67,7 +67,7 @@ vec2 barrelPoint(Let let, uint level, uint segment, bool isInner) {
                     has(let.meta, kLetSquarePen), isRight ? along : points - 1u - along, points);
 }
 
-// Rung `rung` of what surrounds a round hole, counter-clockwise: the circle inside, the cell outside. Corners of the cell are rungs at all levels.
+// Segment `segment` of what surrounds a round hole, counter-clockwise: the circle inside, the cell outside. Corners of the cell are segments at all levels.
 vec2 holePoint(Let let, uint level, uint segment, bool isInner) {
     const float segments = float(2u * kEndPoints[level]);
     const float angle = 4.0 * kHalfPi * float(segment) / segments;
@@ -92,7 +92,7 @@ vec2 arcPoint(Let let, uint level, uint segment, bool isLeft) {
     const uint chords = kArcChords[level];
     const float sign = isLeft ? 1.0 : -1.0;
     const float forward = let.p4 < 0.0 ? -1.0 : 1.0;
-    // Rungs ends - 1 and rungs - ends are the two ends of the centre line, those between divide it evenly.
+    // Segments ends - 1 and segments - ends are the two ends of the centre line, those between divide it evenly.
     const uint step = uint(clamp(int(segment) - int(ends) + 1, 0, int(chords)));
     const float angle = let.p3 + let.p4 * float(step) / float(chords);
     const vec2 radial = vec2(cos(angle), sin(angle));
@@ -114,7 +114,7 @@ vec2 letPoint(Let let, uint level, uint segment, uint side) {
     if ((let.meta & kLetKindMask) == kLetHole) {
         return level == kLevelQuad ? cellCorner(let, segment, side == 0u) : holePoint(let, level, segment, side == 0u);
     }
-    // A tube of less than a pixel is drawn as a full quad.
+    // A ring of less than a pixel is drawn as a full quad.
     return let.p5 > 0.0 && level != kLevelQuad ? barrelPoint(let, level, segment, side == 0u)
                                                : stadiumPoint(let, level, segment, side == 0u);
 }
@@ -131,7 +131,7 @@ vec2 quadCorner(uint code) {
     return vec2((code >> 2u) == 0u ? -1.0 : 1.0, (code & 2u) == 0u ? 1.0 : -1.0);
 }
 
-// Corner (-1 or 1 each) of the narrowest rectangle around a let, `margin` mm larger than it. What surrounds a hole is that rectangle: its sides are exact.
+// Corner (-1 or 1 each) of the smallest rectangle around a let, `margin` mm larger than it. What surrounds a hole is that rectangle: its sides are exact.
 vec2 boundCorner(Let let, vec2 corner, float margin) {
     const vec2 p = vec2(let.p0, let.p1);
     const uint kind = let.meta & kLetKindMask;
@@ -152,7 +152,7 @@ vec2 boundCorner(Let let, vec2 corner, float margin) {
     return (corner.x < 0.0 ? p : q) + reach * (corner.x * d + corner.y * leftOf(d));
 }
 
-// Length over width of a stroke; arcs are cut into short pieces, and cells keep clear of others.
+// Length over width of a track; arcs are cut into short pieces, and cells keep clear of others.
 float slendernessOf(Let let) {
     const bool isTrack = (let.meta & kLetKindMask) == kLetStadium;
     return !isTrack ? 0.0 : distance(vec2(let.p0, let.p1), vec2(let.p2, let.p3)) / (2.0 * let.p4);

@@ -7,7 +7,7 @@ struct Sight {
     vec3 along;
 };
 
-// Through a place of the picture, pixels from its upper left corner.
+// Through a location of the picture, pixels from its upper left corner.
 Sight sightAt(vec2 pixel) {
     const vec3 start = FRAME.screen + pixel.x * FRAME.screenRight + pixel.y * FRAME.screenDown;
     return Sight(start, FRAME.eye.w == 0.0 ? -FRAME.eye.xyz : start - FRAME.eye.xyz);
@@ -38,7 +38,7 @@ Span inDisc(vec2 centre, float radius, vec2 o, vec2 d) {
     return room < 0.0 ? kNowhere : Span(nearest - reach, nearest + reach);
 }
 
-// Of a strip, from how far a place is beside its middle and by how much that grows with t.
+// Of a strip, from how far a location is beside its middle and by how much that grows with t.
 Span inStrip(float beside, float slope, float halfWidth) {
     if (slope == 0.0) {
         return abs(beside) <= halfWidth ? Span(-kFar, kFar) : kNowhere;

@@ -77,7 +77,7 @@ struct FrameData {
     vec4 planes[kPlaneCount];  // of the frustum, pointing inwards, for positions relative to `centre`
     vec4 eye;                  // relative to `centre`; w = 1: a point (perspective), w = 0: the direction to the viewer
     vec3 centre;               // what the camera looks at, mm
-    // The picture stood up at `centre`, facing the viewer, relative to it: its upper left corner and the way from one
+    // The picture stood up at `centre`, facing the viewer, relative to it: its upper left corner and the line from one
     // pixel to the next, mm.
     vec3 screen, screenRight, screenDown;
     uint width, height;      // of the picture, pixels
@@ -88,10 +88,10 @@ struct FrameData {
     float rasterRadiusPx;    // lets with a smaller circle around them are rasterised by compute shaders; 0 = never
     float thinPx;            // walls of fewer pixels are left out; 0 = never
     vec3 sectionPlane;       // p relative to `centre` is cut away where dot(cut.xy, p.xy) > cut.z (lib/section.glsl)
-    float restBrightness;    // of what neither is lit nor has a colour of its own, 0 to 1
+    float restBrightness;    // of what is neither highlighted nor has a colour of its own, 0 to 1
     float nudgeZ, nudgeW;    // one step of tie-break moves z by nudgeZ * z + nudgeW * w
     float sliverNudge;       // by how much of itself a step grows for each width a let is long
-    float boreProtrusionMm;  // how far the dark inside of a hole stands out of the outer faces
+    float boreProtrusionMm;  // how far the dark inside of a hole protrudes from the outer faces
     uint flags;
     uint firstTriangle;  // of the 8 of a ladder interval, the run that can be seen (ladder.h)
     uint triangleCount;

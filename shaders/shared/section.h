@@ -1,4 +1,4 @@
-// What fills the cut through a board that is cut open.
+// What fills the cut through a board that is cut by a section plane.
 #ifndef COPPERSCOPE_SHADERS_SHARED_SECTION_H
 #define COPPERSCOPE_SHADERS_SHARED_SECTION_H
 
@@ -11,7 +11,7 @@ namespace shader {
 // An upright rectangle as it is drawn, mm in the coordinates of the board.
 struct SectionRectangle {
     vec3 colour;  // linear
-    uint rank;    // of rectangles at the same place the one of higher rank is seen
+    uint rank;    // of rectangles at the same location the one of higher rank is seen
     vec2 from;
     vec2 to;
     float bottom;

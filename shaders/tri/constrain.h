@@ -40,7 +40,7 @@ TRI_FN bool isAhead(uint a, uint b, uint c) {
     return (p.x > from.x) == (q.x > from.x) && (p.y > from.y) == (q.y > from.y);
 }
 
-// The first edge that the way from a to b crosses, seen from the triangle at a; kNone if it meets a vertex there.
+// The first edge that the line from a to b crosses, seen from the triangle at a; kNone if it meets a vertex there.
 TRI_FN uint firstObstacle(uint a, uint b) {
     uint t = AROUND(a);
     for (;;) {
@@ -57,7 +57,7 @@ TRI_FN uint firstObstacle(uint a, uint b) {
     }
 }
 
-// The edge that the way from a to b crosses next, after it entered a triangle over the edge `entered` of it. kNone if
+// The edge that the line from a to b crosses next, after it entered a triangle over the edge `entered` of it. kNone if
 // it meets the apex.
 TRI_FN uint nextObstacle(uint entered, uint a, uint b) {
     const uint t = triangleOf(entered);
@@ -123,7 +123,7 @@ TRI_FN uint ownedLength(uint edge, uint a, uint b) {
 }
 
 // A corridor of n triangles in the scratch memory: the triangles, then for its left and its right side up to n + 1
-// vertices, and for the edge that leads to each of them what it was before and what lies beyond; then a stack of
+// vertices, and for the edge that leads to each of them what it was before and what lies beyond; then a stackup of
 // vertices with the edge to the one below.
 TRI_FN uint scratchFor(uint length) {
     return length + 8u * (length + 2u);

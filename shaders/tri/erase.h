@@ -1,6 +1,6 @@
 // Erasing: one thread per triangle, then the proof that what is left is the polygon (tri/erase.h).
 
-// Contours::sideAt: is the place right beside a, in the direction of b, inside? Here for one contour through a.
+// Contours::sideAt: is the location right beside a, in the direction of b, inside? Here for one contour through a.
 TRI_FN uint sideOfSector(uint a, uint b, uint next, uint previous) {
     if (b == next || b == previous) {
         return b == next ? kStays : kErased;

@@ -1,4 +1,4 @@
-// A round of flips. Every awake triangle looks for an edge that is not Delaunay and claims the triangles on both sides
+// A round of flips. Every awake triangle finds an edge that is not Delaunay and claims the triangles on both sides
 // of it; who has both flips.
 
 TRI_FN void testEdges(uint t) {

@@ -270,7 +270,7 @@ private slots:
         click(flat(), {-3, 4});
         click(flat(), {-3, 6});
         QCOMPARE(list().size(), std::size_t{1});
-        QVERIFY2(details(0).contains("no place in the stack"), qPrintable(details(0)));
+        QVERIFY2(details(0).contains("not in the stackup"), qPrintable(details(0)));
         QVERIFY(std::abs(list()[0].distance() - 1e6) < 1.0);
     }
 

@@ -334,6 +334,20 @@ private slots:
         QVERIFY(location.load().session.measurements == all);
     }
 
+    void oldNamesOfPartsAreStillRead() {
+        const Location location;
+        QVERIFY(saveMeasurements(location.board, *location.document, {measuredLength()}).ok());
+        std::string text = location.file();
+        text.replace(text.find("\"path\""), 6, "\"way\"");
+        text.replace(text.find("\"notes\""), 7, "\"remarks\"");
+        location.write(text);
+        QCOMPARE(location.load().session.measurements, std::vector{measuredLength()});
+        model::session::Desk other = desk();
+        other.layers.front().layer = "SMT coat";
+        QVERIFY(model::session::saveDesk(location.board, *location.document, other).ok());
+        QCOMPARE(location.load().session.desk->layers.front().layer, std::string("SMT solder mask"));
+    }
+
     void whatLacksItsPartsIsNoMeasurement() {
         const Location location;
         QVERIFY(saveMeasurements(location.board, *location.document, {measuredAngle(), measuredLength()}).ok());

@@ -411,7 +411,7 @@ private slots:
         QVERIFY(!says(known, "assumed") && says(known, "both are of net B"));
 
         const Separation drawn = measured(*index, own(top), own(text));
-        QVERIFY(!drawn.throughStackup && says(drawn, "no place in the stack"));
+        QVERIFY(!drawn.throughStackup && says(drawn, "not in the stackup"));
         QCOMPARE(drawn.inPlane->distance, 2.0 * kMm - 500'000 - 50'000);
 
         // Nets: the nearest pair in space is not the nearest in the plane.
