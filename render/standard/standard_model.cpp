@@ -26,7 +26,7 @@ enum class Outline : std::uint8_t {
     WallOnly         ///< of an NPTH: there is nothing but its wall
 };
 
-/// A part on its way: outlines of its elements, then triangles.
+/// A part on its path: outlines of its elements, then triangles.
 struct Draft {
     std::uint32_t layer = 0;
     model::Range elements;
@@ -43,7 +43,7 @@ void addOutlines(Draft& draft, const PolygonSet& set, std::uint32_t owner, Outli
     draft.kind.resize(draft.outlines.polygons.size(), kind);
 }
 
-/// The wall of a hole is what lies between its outline and its opening; the opening itself is drawn dark. The strokes
+/// The wall of a hole is what lies between its outline and its opening; the opening itself is drawn dark. The tracks
 /// of a routed path overlap: there the wall is left solid below the dark opening, as the lets do.
 void addHole(Draft& draft, PolygonSet outline, const PolygonSet& opening, std::uint32_t element, bool isPath) {
     const bool isUnplated = !isPath && outline.points == opening.points;
