@@ -20,9 +20,9 @@ void main() {
     const float side = ((0x0bu >> corner) & 1u) != 0u ? 0.5 : -0.5;
     const vec2 from = placed(instance, FRAME.vertices.at[vertex]);
     const vec2 to = placed(instance, FRAME.vertices.at[FRAME.next.at[vertex]]);
-    const vec2 way = to - from;
-    const float len = length(way);
-    const vec2 across = len > 0.0 ? vec2(-way.y, way.x) * (side * kOutlinePx / FRAME.pixelsPerMm / len) : vec2(0.0);
+    const vec2 delta = to - from;
+    const float len = length(delta);
+    const vec2 across = len > 0.0 ? vec2(-delta.y, delta.x) * (side * kOutlinePx / FRAME.pixelsPerMm / len) : vec2(0.0);
     const bool isUpper = FRAME.quadFace == 0u;
     const vec3 position = vec3((isNext ? to : from) + across, faceOf(instance, layer, isUpper));
     outPosition = position - FRAME.centre;

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/frame.glsl"
-#include "lib/cut.glsl"
+#include "lib/section.glsl"
 #include "lib/shading.glsl"
 
 layout(location = 0) in vec3 inPosition;
@@ -22,7 +22,7 @@ void main() {
         const vec3 toEye = FRAME.eye.xyz - inPosition * FRAME.eye.w;
         outColour.rgb *= brightness(faceNormal(toEye));
     }
-    if (isCutAway(inPosition)) {
+    if (isClipped(inPosition)) {
         discard;
     }
 }

@@ -13,12 +13,12 @@ void main() {
     outLet = FRAME.visibleLets.at[gl_InstanceIndex];
     const Let let = FRAME.lets.at[outLet];
     const LayerState layer = FRAME.layers.at[let.meta >> kLetLayerShift];
-    const float proud = has(let.meta, kLetBore) ? FRAME.boreProtrusionMm : 0.0;
+    const float protrusion = has(let.meta, kLetBore) ? FRAME.boreProtrusionMm : 0.0;
     const vec2 corner = quadCorner(code);
     const bool isUpper = (code & 1u) == 0u;
     const vec3 middle = vec3(let.p0, let.p1, isUpper ? layer.z1 : layer.z0) - FRAME.centre;
     const float margin = kSnapPx * abs((FRAME.clipFromBoard * vec4(middle, 1.0)).w) / FRAME.pixelsPerMm;
-    const float z = isUpper ? layer.z1 + proud + margin : layer.z0 - proud - margin;
+    const float z = isUpper ? layer.z1 + protrusion + margin : layer.z0 - protrusion - margin;
     const vec3 position = vec3(boundCorner(let, corner, margin), z) - FRAME.centre;
     // Nearer than all that its fragments find in it, which they promise (depth_less): what is hidden can be left out before they run.
     const uint top = (layer.flags >> kLayerTopRankShift) & 0xffu;

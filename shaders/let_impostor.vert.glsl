@@ -5,7 +5,7 @@
 #include "lib/surface.glsl"
 
 // Impostor back end: a rectangle around the face of a let; the fragment shader cuts the shape out. The index table is that of quads.
-layout(location = 0) out vec2 outPlace;
+layout(location = 0) out vec2 outLocation;
 layout(location = 1) flat out vec4 outColour;
 layout(location = 2) flat out uint outLet;
 invariant gl_Position;
@@ -17,11 +17,11 @@ void main() {
     const LayerState layer = FRAME.layers.at[let.meta >> kLetLayerShift];
     const bool isBore = has(let.meta, kLetBore);
     const bool isUpper = (code & 1u) == 0u;
-    const float proud = isBore ? FRAME.boreProtrusionMm : 0.0;
+    const float protrusion = isBore ? FRAME.boreProtrusionMm : 0.0;
     const vec2 corner = quadCorner(code);
-    const float z = isUpper ? layer.z1 + proud : layer.z0 - proud;
+    const float z = isUpper ? layer.z1 + protrusion : layer.z0 - protrusion;
     const vec3 position = vec3(boundCorner(let, corner, 1.0 / FRAME.pixelsPerMm), z) - FRAME.centre;
-    outPlace = position.xy;
+    outLocation = position.xy;
     outColour = colourOf(layer, let.element, isBore);
     gl_Position = clipPosition(position, layer, let.element, isBore, float(isUpper), slendernessOf(let));
 }

@@ -7,7 +7,7 @@
 #include "lib/payload.glsl"
 
 // Mesh back end, first half (paper, "Procedural"): one workgroup per cluster leaves out what is not in view, picks the level of
-// detail of the rest and asks for the mesh workgroups that will make it.
+// detail of the rest and requests the mesh workgroups that will make it.
 layout(local_size_x = kClusterSize) in;
 
 shared uint counts[kBucketCount];

@@ -16,12 +16,12 @@ layout(buffer_reference, scalar, buffer_reference_align = 8) buffer NearestLets 
 
 // Pixels whose centres lie in the picture of the let's box: from xy to before zw.
 ivec4 pixelsOf(Let let, LayerState layer) {
-    const float proud = has(let.meta, kLetBore) ? FRAME.boreProtrusionMm : 0.0;
+    const float protrusion = has(let.meta, kLetBore) ? FRAME.boreProtrusionMm : 0.0;
     vec2 low = vec2(1e30);
     vec2 high = vec2(-1e30);
     for (int i = 0; i < 8; ++i) {
         const vec2 corner = vec2((i & 1) == 0 ? -1.0 : 1.0, (i & 2) == 0 ? -1.0 : 1.0);
-        const float z = (i & 4) == 0 ? layer.z0 - proud : layer.z1 + proud;
+        const float z = (i & 4) == 0 ? layer.z0 - protrusion : layer.z1 + protrusion;
         const vec4 clip = FRAME.clipFromBoard * vec4(vec3(boundCorner(let, corner, 0.0), z) - FRAME.centre, 1.0);
         low = min(low, clip.xy / clip.w);
         high = max(high, clip.xy / clip.w);

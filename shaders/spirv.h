@@ -8,54 +8,53 @@ namespace shader::spirv {
 
 using Code = std::span<const std::uint32_t>;
 
-extern const Code kAreaCapVert;
-extern const Code kAreaOutlineVert;
-extern const Code kAreaWallVert;
-extern const Code kBoardFrag;
-extern const Code kCullAreasComp;
-extern const Code kCullClustersComp;
-extern const Code kCullLetsComp;
-extern const Code kCutFaceFrag;
-extern const Code kCutFaceVert;
-extern const Code kLetBoxFrag;
-extern const Code kLetBoxVert;
-extern const Code kLetImpostorFrag;
-extern const Code kLetImpostorVert;
-extern const Code kLetMeshMesh;
-extern const Code kLetMeshTask;
-extern const Code kLetPullVert;
-extern const Code kLineUpDrawsComp;
-extern const Code kOverlayFrag;
-extern const Code kOverlayVert;
-extern const Code kPlaceLetsComp;
-extern const Code kRasterLetsComp;
-extern const Code kRasterResolveFrag;
-extern const Code kStandardVert;
-extern const Code kTriAdvanceComp;
-extern const Code kTriClaimCorridorComp;
-extern const Code kTriClaimPlaceComp;
-extern const Code kTriCountKeptComp;
-extern const Code kTriDecideComp;
-extern const Code kTriFixLinksComp;
-extern const Code kTriFlipComp;
-extern const Code kTriInitComp;
-extern const Code kTriLookForContoursComp;
-extern const Code kTriProveComp;
-extern const Code kTriRebuildCorridorComp;
-extern const Code kTriRelocateFlippedComp;
-extern const Code kTriRelocateInsertedComp;
-extern const Code kTriSmallComp;
-extern const Code kTriSplitComp;
-extern const Code kTriSumKeptComp;
-extern const Code kTriTestEdgesComp;
-extern const Code kTriVoteComp;
-extern const Code kTriWriteKeptComp;
+/// SHADER(name here, name that CMakeLists.txt gives its words): a row per shader.
+#define COPPERSCOPE_SHADERS(SHADER)                              \
+    SHADER(kAreaCapVert, area_cap_vert)                          \
+    SHADER(kAreaOutlineVert, area_outline_vert)                  \
+    SHADER(kAreaWallVert, area_wall_vert)                        \
+    SHADER(kBoardFrag, board_frag)                               \
+    SHADER(kCullAreasComp, cull_areas_comp)                      \
+    SHADER(kCullClustersComp, cull_clusters_comp)                \
+    SHADER(kCullLetsComp, cull_lets_comp)                        \
+    SHADER(kSectionFaceFrag, section_face_frag)                  \
+    SHADER(kSectionFaceVert, section_face_vert)                  \
+    SHADER(kLetBoxFrag, let_box_frag)                            \
+    SHADER(kLetBoxVert, let_box_vert)                            \
+    SHADER(kLetImpostorFrag, let_impostor_frag)                  \
+    SHADER(kLetImpostorVert, let_impostor_vert)                  \
+    SHADER(kLetMeshMesh, let_mesh_mesh)                          \
+    SHADER(kLetMeshTask, let_mesh_task)                          \
+    SHADER(kLetPullVert, let_pull_vert)                          \
+    SHADER(kLineUpDrawsComp, line_up_draws_comp)                 \
+    SHADER(kOverlayFrag, overlay_frag)                           \
+    SHADER(kOverlayVert, overlay_vert)                           \
+    SHADER(kPlaceLetsComp, place_lets_comp)                      \
+    SHADER(kRasterLetsComp, raster_lets_comp)                    \
+    SHADER(kRasterResolveFrag, raster_resolve_frag)              \
+    SHADER(kStandardVert, standard_vert)                         \
+    SHADER(kTriAdvanceComp, tri_advance_comp)                    \
+    SHADER(kTriClaimCorridorComp, tri_claim_corridor_comp)       \
+    SHADER(kTriClaimPlaceComp, tri_claim_place_comp)             \
+    SHADER(kTriCountKeptComp, tri_count_kept_comp)               \
+    SHADER(kTriDecideComp, tri_decide_comp)                      \
+    SHADER(kTriFixLinksComp, tri_fix_links_comp)                 \
+    SHADER(kTriFlipComp, tri_flip_comp)                          \
+    SHADER(kTriInitComp, tri_init_comp)                          \
+    SHADER(kTriLookForContoursComp, tri_look_for_contours_comp)  \
+    SHADER(kTriProveComp, tri_prove_comp)                        \
+    SHADER(kTriRebuildCorridorComp, tri_rebuild_corridor_comp)   \
+    SHADER(kTriRelocateFlippedComp, tri_relocate_flipped_comp)   \
+    SHADER(kTriRelocateInsertedComp, tri_relocate_inserted_comp) \
+    SHADER(kTriSmallComp, tri_small_comp)                        \
+    SHADER(kTriSplitComp, tri_split_comp)                        \
+    SHADER(kTriSumKeptComp, tri_sum_kept_comp)                   \
+    SHADER(kTriTestEdgesComp, tri_test_edges_comp)               \
+    SHADER(kTriVoteComp, tri_vote_comp)                          \
+    SHADER(kTriWriteKeptComp, tri_write_kept_comp)
 
-/// All of them by file name without .glsl, for tests.
-struct Named {
-    const char* name;
-    Code code;
-};
-[[nodiscard]] std::span<const Named> all();
+#define COPPERSCOPE_DECLARE(name, words) extern const Code name;
+COPPERSCOPE_SHADERS(COPPERSCOPE_DECLARE)
+#undef COPPERSCOPE_DECLARE
 
 }  // namespace shader::spirv

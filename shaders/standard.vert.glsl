@@ -14,8 +14,8 @@ void main() {
     const bool isBore = has(vertex.owner, kStandardBore);
     const bool isUpper = vertex.face > 0.5;
     const uint element = vertex.owner & ~kStandardBore;
-    const float proud = isBore ? FRAME.boreProtrusionMm : 0.0;
-    const vec3 position = vec3(vertex.x, vertex.y, mix(layer.z0 - proud, layer.z1 + proud, vertex.face));
+    const float protrusion = isBore ? FRAME.boreProtrusionMm : 0.0;
+    const vec3 position = vec3(vertex.x, vertex.y, mix(layer.z0 - protrusion, layer.z1 + protrusion, vertex.face));
     outPosition = position - FRAME.centre;
     outColour = colourOf(layer, element, isBore);
     gl_Position = isHidden(element) ? vec4(0.0, 0.0, -1.0, 1.0)  // behind the far end

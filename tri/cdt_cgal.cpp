@@ -30,7 +30,7 @@ using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Ke
 using FaceBase =
     CGAL::Constrained_triangulation_face_base_2<Kernel, CGAL::Triangulation_face_base_with_info_2<FaceInfo, Kernel>>;
 using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
-// Crossing constraints throw instead of growing vertices at inexact places; those that overlap along an edge may.
+// Crossing constraints throw instead of growing vertices at inexact locations; those that overlap along an edge may.
 using Triangulation =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure,
                                                CGAL::No_constraint_intersection_requiring_constructions_tag>;

@@ -109,7 +109,7 @@ private:
         return slot - slotOf(first);
     }
 
-    /// Looks for the vertex from a triangle of the area near it; false if there is none.
+    /// Finds the vertex from a triangle of the area near it; false if there is none.
     bool goHome(Insertion<Within>& insertion, const Within& area, std::uint32_t vertex) const {
         const std::uint32_t home = m_homes.near(m_grid.keyOf(m_mesh.points[vertex]));
         if (home == Homes::kNone || !area.has(home)) {

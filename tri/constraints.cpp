@@ -75,7 +75,7 @@ public:
     }
 
 private:
-    /// Inserts the edges that are (still) contours and not there yet. Returns those that are blocked; m_crossing tells
+    /// Inserts the edges that are (still) contours and not there yet. Returns those that are blocked; m_crossing says
     /// about the last of them. Stops at a crossing that is certain.
     std::vector<DirectedEdge> insert(const std::vector<DirectedEdge>& edges) {
         std::vector<DirectedEdge> blocked;
@@ -84,7 +84,7 @@ private:
                 continue;
             }
             if (m_corridor.explore(m_mesh, m_triangleAt, edge.from, edge.to, IsContour{m_contours}) ==
-                Corridor::Way::Clear) {
+                Corridor::Course::Clear) {
                 m_corridor.rebuild(m_mesh, m_triangleAt, m_dirty);
             } else {
                 blocked.push_back(edge);
@@ -99,7 +99,7 @@ private:
     }
 
     /// What two edges do that meet between their ends is a crossing, unless another run along one of them cancels it
-    /// there. Looking for one takes a pass over all contours, so only the 1st, 2nd, 4th, 8th, ... meeting is looked at:
+    /// there. Looking for one takes a pass over all contours, so only the 1st, 2nd, 4th, 8th, ... meeting is tested:
     /// enough to stop soon where everything crosses everything.
     bool isCertainlyCrossing(const DirectedEdge& edge, EdgeRef blocking) {
         if (blocking == kOutside || !std::has_single_bit(++m_meetings)) {
@@ -118,9 +118,9 @@ private:
         m_contours.forEachEdge(m_mesh, [&](const DirectedEdge& other) {
             const auto [otherLow, otherHigh] = std::minmax(m_mesh.points[other.from], m_mesh.points[other.to]);
             const bool isSame = otherLow == low && otherHigh == high;
-            found =
-                found || (!isSame && m_mesh.turn(from, to, other.from) == 0 && m_mesh.turn(from, to, other.to) == 0 &&
-                          std::max(low, otherLow) < std::min(high, otherHigh));
+            found = found || (!isSame && m_mesh.orientation(from, to, other.from) == 0 &&
+                              m_mesh.orientation(from, to, other.to) == 0 &&
+                              std::max(low, otherLow) < std::min(high, otherHigh));
         });
         return found;
     }

@@ -173,9 +173,9 @@ Contours::Side Contours::sideAt(const Mesh& mesh, std::uint32_t a, std::uint32_t
     if (b == next || b == previous) {
         return b == next ? Side::Inside : Side::Outside;
     }
-    const bool isLeftOfNext = mesh.turn(a, next, b) > 0;
-    const bool isRightOfPrevious = mesh.turn(a, previous, b) < 0;
-    const bool isConvex = mesh.turn(a, next, previous) > 0;
+    const bool isLeftOfNext = mesh.orientation(a, next, b) > 0;
+    const bool isRightOfPrevious = mesh.orientation(a, previous, b) < 0;
+    const bool isConvex = mesh.orientation(a, next, previous) > 0;
     const bool isInside = isConvex ? isLeftOfNext && isRightOfPrevious : isLeftOfNext || isRightOfPrevious;
     return isInside ? Side::Inside : Side::Outside;
 }
@@ -184,9 +184,9 @@ Contours::Side Contours::sideAtBusy(const Mesh& mesh, std::uint32_t a, std::uint
     const Point origin = mesh.points[a];
     // Less than half a turn clockwise from the direction of b?
     const auto isNear = [&](std::uint32_t other) {
-        const std::int64_t turn = mesh.turn(a, b, other);
-        if (turn != 0) {
-            return turn < 0;
+        const std::int64_t orientation = mesh.orientation(a, b, other);
+        if (orientation != 0) {
+            return orientation < 0;
         }
         const Point p = mesh.points[b];
         const Point q = mesh.points[other];
@@ -195,7 +195,7 @@ Contours::Side Contours::sideAtBusy(const Mesh& mesh, std::uint32_t a, std::uint
     const std::span<const Ray> rays = raysAt(a);
     const auto first = std::ranges::min_element(rays, [&](const Ray& r, const Ray& s) {
         const bool isRNear = isNear(r.other);
-        return isRNear != isNear(s.other) ? isRNear : mesh.turn(a, r.other, s.other) < 0;
+        return isRNear != isNear(s.other) ? isRNear : mesh.orientation(a, r.other, s.other) < 0;
     });
     if (first == rays.end()) {
         return Side::Unknown;

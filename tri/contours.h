@@ -79,9 +79,9 @@ public:
     /// Any contour edge at a vertex; kNoEdge if it is free.
     [[nodiscard]] std::uint32_t anyEdgeAt(const Mesh& mesh, std::uint32_t vertex) const;
 
-    /// Is the place right beside a, in the direction of b, inside? Looks for the first contour clockwise from a→b:
-    /// if it leaves a, the place lies to its left. For contours that are edges of the triangulation and a triangle to
-    /// the left of its edge a→b.
+    /// Is the location right beside a, in the direction of b, inside? Finds the first contour clockwise from a→b:
+    /// if it leaves a, the location lies to its left. For contours that are edges of the triangulation and a triangle
+    /// to the left of its edge a→b.
     enum class Side : std::uint8_t { Outside, Inside, Unknown };
     [[nodiscard]] Side sideAt(const Mesh& mesh, std::uint32_t a, std::uint32_t b) const;
 

@@ -36,11 +36,11 @@ Ahead lookAhead(const Mesh& mesh, TriangleAt triangleAt, std::uint32_t a, std::u
         const Triangle& t = mesh.triangles[at];
         const std::uint32_t corner = t.v[0] == a ? 0 : (t.v[1] == a ? 1 : 2);
         const std::uint32_t right = t.v[kNext[corner]];
-        const std::int64_t turn = mesh.turn(a, b, right);
-        if (turn == 0 && isForward(mesh, a, b, right)) {
+        const std::int64_t orientation = mesh.orientation(a, b, right);
+        if (orientation == 0 && isForward(mesh, a, b, right)) {
             return {right, kOutside};
         }
-        if (turn < 0 && mesh.turn(a, b, t.v[kPrevious[corner]]) > 0) {
+        if (orientation < 0 && mesh.orientation(a, b, t.v[kPrevious[corner]]) > 0) {
             return {kNoVertex, EdgeRef::of(at, corner)};
         }
         at = t.across[kNext[corner]].triangle();
@@ -50,12 +50,12 @@ Ahead lookAhead(const Mesh& mesh, TriangleAt triangleAt, std::uint32_t a, std::u
 Ahead lookAhead(const Mesh& mesh, EdgeRef crossed, std::uint32_t a, std::uint32_t b) {
     const EdgeRef entered = mesh.triangles[crossed.triangle()].across[crossed.corner()];
     const std::uint32_t apex = mesh.triangles[entered.triangle()].v[entered.corner()];
-    const std::int64_t turn = mesh.turn(a, b, apex);
-    if (turn == 0) {
+    const std::int64_t orientation = mesh.orientation(a, b, apex);
+    if (orientation == 0) {
         return {apex, kOutside};
     }
     // Seen from here, corner+1 is the left end of the crossed edge and corner+2 the right one.
-    const std::uint32_t corner = turn > 0 ? kNext[entered.corner()] : kPrevious[entered.corner()];
+    const std::uint32_t corner = orientation > 0 ? kNext[entered.corner()] : kPrevious[entered.corner()];
     return {kNoVertex, EdgeRef::of(entered.triangle(), corner)};
 }
 
@@ -147,8 +147,8 @@ EdgeRef Corridor::fill(Mesh& mesh, Chain& chain, bool isLeft) {
         for (; m_open.size() > 1; m_open.pop_back()) {
             const std::uint32_t ear = m_open.back().vertex;
             const std::uint32_t before = m_open[m_open.size() - 2].vertex;
-            const std::int64_t turn = mesh.turn(before, ear, vertex);
-            if (isLeft ? turn >= 0 : turn <= 0) {
+            const std::int64_t orientation = mesh.orientation(before, ear, vertex);
+            if (isLeft ? orientation >= 0 : orientation <= 0) {
                 break;
             }
             const std::uint32_t made = m_triangles[m_reused++];

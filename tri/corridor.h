@@ -15,10 +15,10 @@ using TriangleAt = std::span<std::uint32_t>;
 
 inline constexpr std::uint32_t kNoVertex = 0xFFFFFFFF;
 
-/// The next thing on the straight way from vertex a to vertex b: a vertex, or an edge to cross.
+/// The next item on the straight line from vertex a to vertex b: a vertex, or an edge to cross.
 struct Ahead {
     std::uint32_t vertex;
-    EdgeRef edge;  ///< if vertex is kNoVertex: seen from the near side, corner+1 is right and corner+2 left of the way
+    EdgeRef edge;  ///< if vertex is kNoVertex: seen from the near side, corner+1 is right and corner+2 left of the path
 };
 
 /// What is ahead at a itself; its vertex is b if the edge a-b exists.
@@ -34,15 +34,15 @@ struct Ahead {
 /// The triangles that the segment from vertex a to vertex b crosses, and what borders on them.
 class Corridor {
 public:
-    enum class Way : std::uint8_t {
+    enum class Course : std::uint8_t {
         Clear,    ///< to b across triangles only
         Blocked,  ///< runs into a vertex before b, or would cross an edge that has to stay
     };
 
-    /// Walks from a to b. `isFixed(u, v)` tells which edges have to stay.
+    /// Walks from a to b. `isFixed(u, v)` says which edges have to stay.
     template <class IsFixed>
-    [[nodiscard]] Way explore(const Mesh& mesh, TriangleAt triangleAt, std::uint32_t a, std::uint32_t b,
-                              const IsFixed& isFixed) {
+    [[nodiscard]] Course explore(const Mesh& mesh, TriangleAt triangleAt, std::uint32_t a, std::uint32_t b,
+                                 const IsFixed& isFixed) {
         m_blocking = kOutside;
         Ahead ahead = lookAhead(mesh, triangleAt, a, b);
         begin(mesh, ahead, a);
@@ -50,19 +50,19 @@ public:
             const Triangle& t = mesh.triangles[ahead.edge.triangle()];
             if (isFixed(t.v[kNext[ahead.edge.corner()]], t.v[kPrevious[ahead.edge.corner()]])) {
                 m_blocking = ahead.edge;
-                return Way::Blocked;
+                return Course::Blocked;
             }
             const EdgeRef entered = t.across[ahead.edge.corner()];
             ahead = lookAhead(mesh, ahead.edge, a, b);
             extend(mesh, entered, ahead);
         }
-        return ahead.vertex == b ? Way::Clear : Way::Blocked;
+        return ahead.vertex == b ? Course::Clear : Course::Blocked;
     }
 
     /// The edge that has to stay and stopped explore(); kOutside if it was a vertex.
     [[nodiscard]] EdgeRef blockingEdge() const { return m_blocking; }
 
-    /// After a clear way: replaces the triangles by others that have the edge a-b, and keeps `triangleAt` right.
+    /// After a clear course: replaces the triangles by others that have the edge a-b, and keeps `triangleAt` right.
     /// Appends the edges of the new triangles to `dirty`. Nothing happens if the edge is there already.
     void rebuild(Mesh& mesh, TriangleAt triangleAt, std::vector<EdgeRef>& dirty);
 

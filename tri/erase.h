@@ -11,7 +11,7 @@
 namespace tri {
 
 /// Triangle erasing: appends the triangles inside the contours as indices into the polygon's points. Every contour is
-/// an edge of the mesh. No triangle crosses a contour, so looking along one edge from one corner tells on which side
+/// an edge of the mesh. No triangle crosses a contour, so looking along one edge from one corner says on which side
 /// the whole triangle lies: constant time, no flooding, no point-in-polygon test, and every triangle for itself.
 ///
 /// Proves its result: the triangles that stay border on erased ones exactly along the contours, each on the left. So

@@ -31,10 +31,10 @@ struct Within {
 template <class Area>
 class Insertion {
 public:
-    /// Starts looking for the first vertex at triangle `near`, which is in the area.
+    /// Starts searching for the first vertex at triangle `near`, which is in the area.
     Insertion(Mesh& mesh, Area area, std::uint32_t near) : m_mesh(mesh), m_area(area), m_near(near) {}
 
-    /// Looks for the next vertex from triangle `near` on, which is in the area.
+    /// Finds the next vertex from triangle `near` on, which is in the area.
     void restart(std::uint32_t near) { m_near = near; }
 
     /// Inserts vertex q, whose position is new; it takes the triangle slots `slot` and `slot` + 1. False, and the mesh
@@ -72,12 +72,13 @@ private:
                 if (k == entered) {
                     continue;
                 }
-                const std::int64_t turn = orient(m_mesh.points[t.v[kNext[k]]], m_mesh.points[t.v[kPrevious[k]]], p);
-                if (turn < 0) {
+                const std::int64_t orientation =
+                    orient(m_mesh.points[t.v[kNext[k]]], m_mesh.points[t.v[kPrevious[k]]], p);
+                if (orientation < 0) {
                     leave = t.across[k];
                     break;
                 }
-                onEdge = turn == 0 ? k : onEdge;
+                onEdge = orientation == 0 ? k : onEdge;
             }
             if (leave == kOutside) {
                 return {m_near, onEdge};
@@ -152,7 +153,7 @@ private:
     }
 
     /// Goes once around the newest vertex, corner 0 of triangle `start`, and flips the edge opposite to it as long as
-    /// that is not Delaunay. All flips of an insertion happen there, so no stack is needed; and every question is asked
+    /// that is not Delaunay. All flips of an insertion happen there, so no stackup is needed; and every test is made
     /// from there, so of its four points only the one beyond the edge is new.
     template <class Lift>
     bool legaliseAround(std::uint32_t start) {
@@ -162,11 +163,11 @@ private:
         Seen<Lift> a = seen(m_mesh.triangles[start].v[1]);
         do {
             Seen<Lift> b = seen(m_mesh.triangles[edge.triangle()].v[kPrevious[edge.corner()]]);
-            std::int64_t turnAB = turn(a, b);
+            std::int64_t turnAB = orientation(a, b);
             for (EdgeRef other = beyond(edge); other != kOutside; other = beyond(edge)) {
                 const Seen<Lift> d = seen(m_mesh.triangles[other.triangle()].v[other.corner()]);
-                const std::int64_t turnAD = turn(a, d);
-                const Int128 outside = outsideCircleOfEye(a, b, d, turnAB, turn(b, d), turnAD);
+                const std::int64_t turnAD = orientation(a, d);
+                const Int128 outside = outsideCircleOfEye(a, b, d, turnAB, orientation(b, d), turnAD);
                 if (outside > 0 || (outside == 0 && !m_mesh.isFlipNeededOnCircle(edge))) [[likely]] {
                     break;
                 }

@@ -42,7 +42,7 @@ struct Mesh {
     bool isCompact = false;  ///< all points lie within kCompactExtent
 
     [[nodiscard]] Site site(std::uint32_t vertex) const { return {points[vertex], ids[vertex]}; }
-    [[nodiscard]] std::int64_t turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    [[nodiscard]] std::int64_t orientation(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
         return orient(points[a], points[b], points[c]);
     }
 
@@ -80,8 +80,8 @@ struct Mesh {
 
     /// Replaces the diagonal of the quadrangle around the edge:
     ///     t = (q, a, b), u = (d, b, a)  →  t = (q, a, d), u = (d, b, q)
-    /// where q is corner i of t and d corner j of u; both stay at their places. Afterwards edge i of t and edge j+2 of
-    /// u are the border that was u's, edge i+2 of t and edge j of u the one that was t's.
+    /// where q is corner i of t and d corner j of u; both stay at their locations. Afterwards edge i of t and edge j+2
+    /// of u are the border that was u's, edge i+2 of t and edge j of u the one that was t's.
     void flip(EdgeRef edge) {
         const std::uint32_t i = edge.corner();
         Triangle& t = triangles[edge.triangle()];

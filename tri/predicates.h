@@ -4,7 +4,7 @@
 
 #include "model/base/point.h"
 
-/// The two questions every triangulation asks, answered in plain integers: no rounding, no filter, no special case.
+/// The two predicates of every triangulation in plain integers: no rounding, no filter, no special case.
 ///
 /// Coordinates are at most 2^30 in size, and a triangulation's bounding corners reach an eighth of the extent further,
 /// so two points differ by S <= 1.25 * 2^31 in each axis:
@@ -39,7 +39,7 @@ constexpr Int128 inCircle(Point a, Point b, Point c, Point d) {
     return lift(ax, ay) * (bx * cy - by * cx) + lift(bx, by) * (cx * ay - cy * ax) + lift(cx, cy) * (ax * by - ay * bx);
 }
 
-/// A point as seen from another one, lifted; what many in-circle questions about one point have in common. For `Lift`
+/// A point as seen from another one, lifted; what many in-circle tests about one point have in common. For `Lift`
 /// see inCircle.
 template <class Lift>
 struct Seen {
@@ -55,7 +55,7 @@ struct Seen {
 
 /// Twice the signed area of (eye, a, b).
 template <class Lift>
-constexpr std::int64_t turn(const Seen<Lift>& a, const Seen<Lift>& b) {
+constexpr std::int64_t orientation(const Seen<Lift>& a, const Seen<Lift>& b) {
     return a.x * b.y - a.y * b.x;
 }
 

@@ -29,8 +29,8 @@ struct Below {
 
     /// Sign of how far `later` starts above `early`; if they start together, how far it ends above.
     static std::int64_t isAbove(const Segment& early, const Segment& later) {
-        const std::int64_t turn = orient(early.low, early.high, later.low);
-        return turn != 0 ? turn : orient(early.low, early.high, later.high);
+        const std::int64_t orientation = orient(early.low, early.high, later.low);
+        return orientation != 0 ? orientation : orient(early.low, early.high, later.high);
     }
 };
 

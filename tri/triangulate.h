@@ -29,7 +29,7 @@ using base::Point;
 ///
 /// Loops may touch themselves and each other at points (also a vertex inside an edge) and along edges: the runs of
 /// contours along an edge are added up, opposite ones cancel (the bridge of a keyhole, a slit, a spike). They may not
-/// cross, and no place may be surrounded twice.
+/// cross, and no location may be surrounded twice.
 struct Polygon {
     std::span<const Point> points;
     std::span<const std::uint32_t> loopStart;

@@ -15,7 +15,7 @@ enum class Fault : std::uint8_t {
     NotCounterClockwise,  ///< clockwise or flat
     WrongArea,            ///< the areas do not add up to the polygon's
     WrongBorder,          ///< the border of the triangles is not the contours
-    Overlap,              ///< some place is covered twice, or the contours cross
+    Overlap,              ///< some location is covered twice, or the contours cross
     MissingVertex,        ///< a point of the polygon inside is no corner
     NotDelaunay,          ///< an edge between two triangles that the perturbed circle test would flip
 };
@@ -24,7 +24,8 @@ enum class Fault : std::uint8_t {
 
 /// Checks a result from nothing but the input, in exact integers, sharing only the predicates with the triangulators.
 /// `Fault::None` proves that the triangles are the unique triangulation of triangulate.h, all of it:
-///  - their border, as a sum of directed edges, is the sum of the contours, so that every place is covered as often as
+///  - their border, as a sum of directed edges, is the sum of the contours, so that every location is covered as often
+///  as
 ///    contours wind around it;
 ///  - a sweep over the border finds no crossing and the inside always on the left, so that this is once or never;
 ///  - the sweep finds no point inside that is not a corner;

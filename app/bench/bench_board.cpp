@@ -112,15 +112,12 @@ private:
         render::Image picture;
         for (int i = 0; i < kWarmUp + m_frames; ++i) {
             const base::Stopwatch watch;
-            base::Result<render::Image> image = m_presenter.render(scene, camera, settings, kWidth, kHeight);
-            if (!image) {
-                return image.error();
-            }
+            ASSIGN_OR_RETURN(render::Image image, m_presenter.render(scene, camera, settings, kWidth, kHeight));
             const render::FrameStats stats = m_presenter.stats();
             if (i >= kWarmUp) {
                 times.push_back(stats.gpuMs > 0.0 ? stats.gpuMs : watch.milliseconds());
             }
-            picture = std::move(*image);
+            picture = std::move(image);
         }
         FrameResult result;
         result.view = view.name;
@@ -135,7 +132,7 @@ private:
         return base::Done{};
     }
 
-    /// What Auto takes for a view; asked once.
+    /// What Auto takes for a view; found once.
     Backend autoBackend(render::BoardScene& scene, const render::Camera& camera, const View& view) {
         const auto [location, isNew] = m_auto.try_emplace(view.name, Backend::Auto);
         if (isNew && m_presenter.render(scene, camera, settingsFor(Backend::Auto, m_levels, true), kWidth, kHeight)) {
@@ -189,11 +186,8 @@ base::Status benchModel(render::gpu::Device& device, const model::Document& docu
     out.cpuBytes = render::cpuBytes(model);
     out.triangles = storedTriangles(model);
     const base::Stopwatch upload;
-    base::Result<render::BoardScene> made = render::BoardScene::make(device, model);
-    if (!made) {
-        return made.error();
-    }
-    render::BoardScene& scene = *made;
+    ASSIGN_OR_RETURN(render::BoardScene made, render::BoardScene::make(device, model));
+    render::BoardScene& scene = made;
     device.waitIdle();
     out.uploadMs = upload.milliseconds();
     out.gpuBytes = scene.gpuBytes();
@@ -246,14 +240,11 @@ std::uint64_t BoardResult::elementCount() const {
 
 base::Result<BoardResult> benchBoard(render::gpu::Device& device, const std::string& path,
                                      const BenchArguments& arguments) {
-    const auto document = read(path, arguments);
-    if (!document) {
-        return document.error();
-    }
+    ASSIGN_OR_RETURN(const auto document, read(path, arguments));
     BoardResult out;
     out.name = std::filesystem::path(path).filename().string();
-    std::ranges::copy((*document)->elementCounts(), out.elements.begin());
-    const base::Status status = benchPipelines(device, **document, arguments, out);
+    std::ranges::copy(document->elementCounts(), out.elements.begin());
+    const base::Status status = benchPipelines(device, *document, arguments, out);
     return status ? base::Result<BoardResult>(std::move(out)) : status.error();
 }
 

@@ -12,19 +12,13 @@ namespace app {
 namespace {
 
 base::Result<BenchReport> measure(const BenchArguments& arguments) {
-    base::Result<HeadlessDevice> opened = HeadlessDevice::open();
-    if (!opened) {
-        return opened.error();
-    }
-    render::gpu::Device& device = *opened->device;
+    ASSIGN_OR_RETURN(HeadlessDevice opened, HeadlessDevice::open());
+    render::gpu::Device& device = *opened.device;
     BenchReport report;
     report.device = device.caps().name + ", " + device.caps().driver;
     for (const std::string& path : arguments.boards) {
-        base::Result<BoardResult> board = benchBoard(device, path, arguments);
-        if (!board) {
-            return board.error();
-        }
-        report.boards.push_back(std::move(*board));
+        ASSIGN_OR_RETURN(BoardResult board, benchBoard(device, path, arguments));
+        report.boards.push_back(std::move(board));
     }
     return report;
 }

@@ -17,7 +17,7 @@ struct BenchArguments {
     bool asJson = false;
 };
 
-/// `copperscope bench BOARD…`: the paper's Tables 2, 4 and 5 for these boards on this device. Answers an exit code.
+/// `copperscope bench BOARD…`: the paper's Tables 2, 4 and 5 for these boards on this device. Returns an exit code.
 int runBench(const BenchArguments& arguments);
 
 }  // namespace app

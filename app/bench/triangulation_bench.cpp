@@ -24,12 +24,9 @@ namespace {
 /// The areas of a board as polygons that can be triangulated: after the repair of those that cross themselves.
 base::Result<bench::Set> boardSet(const std::string& path) {
     ConsoleProgress console;
-    const auto document = model::readBoard(path, {}, console.progress());
-    if (!document) {
-        return document.error();
-    }
+    ASSIGN_OR_RETURN(const auto document, model::readBoard(path, {}, console.progress()));
     std::vector<render::ShapeMesh> meshes =
-        render::discretiseShapes(**document, render::shapesInUse(**document), {}, console.progress());
+        render::discretiseShapes(*document, render::shapesInUse(*document), {}, console.progress());
     render::triangulateShapes(meshes, {}, console.progress());
     bench::Set set{std::filesystem::path(path).stem().string(), {}};
     for (const render::ShapeMesh& mesh : meshes) {
@@ -50,11 +47,8 @@ bool isWanted(const std::vector<std::string>& names, const std::string& name) {
 base::Result<std::vector<bench::Set>> collectSets(const TriangulationBenchArguments& arguments) {
     std::vector<bench::Set> sets;
     for (const std::string& path : arguments.boards) {
-        base::Result<bench::Set> set = boardSet(path);
-        if (!set) {
-            return set.error();
-        }
-        sets.push_back(std::move(*set));
+        ASSIGN_OR_RETURN(bench::Set set, boardSet(path));
+        sets.push_back(std::move(set));
     }
     for (bench::Set& set : bench::standardSets(arguments.withHuge)) {
         if (isWanted(arguments.sets, set.name)) {
@@ -86,7 +80,7 @@ bench::Options optionsFor(const TriangulationBenchArguments& arguments, std::opt
     return options;
 }
 
-/// Opens a device if one is wanted. It has to be there if it was asked for by name; a software device takes part only
+/// Opens a device if one is wanted. It has to be there if it was requested by name; a software device takes part only
 /// then, because it measures nothing.
 base::Status openDevice(const TriangulationBenchArguments& arguments, std::optional<DeviceTriangulator>& device) {
     if (!isWanted(arguments.triangulators, "gpu")) {
@@ -101,7 +95,7 @@ base::Status openDevice(const TriangulationBenchArguments& arguments, std::optio
     return base::Done{};
 }
 
-/// The processor, its cores and the Vulkan device, as far as the machine tells.
+/// The processor, its cores and the Vulkan device, as far as the machine reports it.
 std::string describeMachine(const std::optional<DeviceTriangulator>& device) {
     std::string processor = "unknown processor";
     std::ifstream file("/proc/cpuinfo");

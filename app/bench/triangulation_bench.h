@@ -16,7 +16,7 @@ struct TriangulationBenchArguments {
 };
 
 /// `copperscope bench --triangulation [BOARD...]`: every triangulator over the areas of the boards and over generated
-/// sets, in one run; a table or JSON on stdout. Answers an exit code: OutputFailed's if triangulators disagree or the
+/// sets, in one run; a table or JSON on stdout. Returns an exit code: OutputFailed's if triangulators disagree or the
 /// verifier finds a fault.
 int runTriangulationBench(const TriangulationBenchArguments& arguments);
 

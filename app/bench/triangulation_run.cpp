@@ -61,16 +61,16 @@ void triangulateAll(const Set& set, const std::vector<std::size_t>& order, Trian
         triangulateOnDevice(set, *device, out);
         return;
     }
-    const auto one = [&](std::size_t place) {
-        const std::size_t i = order[place];
+    const auto one = [&](std::size_t rank) {
+        const std::size_t i = order[rank];
         const Status status = triangulate(set.shapes[i].polygon(), triangulator, out[i]);
         if (status.outcome != Outcome::Ok) {
             out[i].clear();  // the verifier will say so
         }
     };
     if (triangulator == Triangulator::Parallel) {
-        for (std::size_t place = 0; place < order.size(); ++place) {
-            one(place);
+        for (std::size_t rank = 0; rank < order.size(); ++rank) {
+            one(rank);
         }
     } else {
         base::parallelFor(order.size(), one);

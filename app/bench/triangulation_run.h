@@ -17,7 +17,7 @@ struct Run {
     double deviceMs = 0.0;  ///< Gpu: time of the kernels in the last repeat
     double cpuMs = 0.0;  ///< processor time of all threads in that repeat; far from ms * threads: the machine was busy
     /// How much the process grew at its peak, output included; for Gpu the device's memory. What earlier runs gave back
-    /// is used again first, so only the first run of a process tells all of it.
+    /// is used again first, so only the first run of a process shows all of it.
     double bytesPerVertex = 0.0;
     std::uint64_t hash = 0;    ///< of all triangle sets
     bool isVerified = false;   ///< verify() found no fault in any of them

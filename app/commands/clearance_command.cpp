@@ -22,19 +22,16 @@ base::Error unknown(const char* kind, const std::string& name) {
     return {base::ErrorCode::BadUsage, "the board has no " + std::string(kind) + " " + name};
 }
 
-base::Result<model::ClearanceQuestion> questionFor(const Document& document, const ClearanceArguments& arguments) {
-    model::ClearanceQuestion question;
-    question.count = arguments.worst;
+base::Result<model::ClearanceRequest> requestFor(const Document& document, const ClearanceArguments& arguments) {
+    model::ClearanceRequest request;
+    request.count = arguments.worst;
     if (!arguments.below.empty()) {
-        const base::Result<base::Nm> below = model::session::parseLength(arguments.below);
-        if (!below) {
-            return below.error();
-        }
-        question.below = static_cast<double>(*below);
+        ASSIGN_OR_RETURN(const base::Nm below, model::session::parseLength(arguments.below));
+        request.below = static_cast<double>(below);
     }
     if (!arguments.layer.empty()) {
-        question.layer = document.findLayer(arguments.layer);
-        if (!question.layer.isValid() || !document.layer(question.layer).isCopper()) {
+        request.layer = document.findLayer(arguments.layer);
+        if (!request.layer.isValid() || !document.layer(request.layer).isCopper()) {
             return unknown("copper layer", arguments.layer);
         }
     }
@@ -47,9 +44,9 @@ base::Result<model::ClearanceQuestion> questionFor(const Document& document, con
         if (a == b) {
             return base::Error{base::ErrorCode::BadUsage, "a net has no clearance to itself: --nets names two"};
         }
-        question.between = {a, b};
+        request.between = {a, b};
     }
-    return question;
+    return request;
 }
 
 void print(const std::string& report) {
@@ -70,19 +67,14 @@ base::Result<std::vector<StepClearances>> measureSteps(const Document& board, co
         if (step->nets.empty()) {
             continue;
         }
-        const base::Result<model::ClearanceQuestion> question = questionFor(*step, arguments);
-        if (!question) {
-            return question.error();
-        }
-        base::Result<std::vector<Clearance>> clearances = model::narrowestClearances(*step, *question, progress);
-        if (!clearances) {
-            return clearances.error();
-        }
-        found.push_back({step, std::move(*clearances)});
+        ASSIGN_OR_RETURN(const model::ClearanceRequest request, requestFor(*step, arguments));
+        ASSIGN_OR_RETURN(std::vector<Clearance> clearances, model::smallestClearances(*step, request, progress));
+        found.push_back({step, std::move(clearances)});
     }
     if (!hasNets) {
-        return base::Error{base::ErrorCode::BadInput,
-                           "the board has no nets, so nothing can be too close; --infer-nets finds them in the copper"};
+        return base::Error{
+            base::ErrorCode::BadInput,
+            "the board has no nets, so there are no clearances; --infer-nets infers them from the copper"};
     }
     for (const std::string& note : model::unmeasuredSteps(board)) {
         std::fprintf(stderr, "copperscope: %s\n", note.c_str());

@@ -11,15 +11,15 @@ namespace app {
 struct ClearanceArguments {
     BoardArguments board;
     std::size_t worst = 100;
-    std::string below;              ///< a length; empty: list the narrowest, whatever they are
+    std::string below;              ///< a length; empty: list the smallest, whatever they are
     std::string layer;              ///< empty: all copper layers
     std::vector<std::string> nets;  ///< two names, or none
     std::string format = "text";    ///< text, json or csv
     std::string rules;              ///< a file of rules, "default", or empty: no rules
 };
 
-/// `copperscope clearance BOARD [--below 100um] [--layer NAME] [--nets A,B]`: the narrowest places between nets, on
-/// stdout; with `--rules FILE` what every rule says of the board (model::RuleTable). Answers an exit code: kTooClose if
+/// `copperscope clearance BOARD [--below 100um] [--layer NAME] [--nets A,B]`: the smallest clearances between nets, on
+/// stdout; with `--rules FILE` what every rule says of the board (model::RuleTable). Returns an exit code: kTooClose if
 /// --below was given and anything is closer, or if a rule is broken.
 int runClearance(const ClearanceArguments& arguments);
 

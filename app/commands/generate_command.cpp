@@ -20,7 +20,7 @@ base::Result<model::generate::Wanted> wantedBy(const GenerateArguments& argument
     if (!arguments.output.ends_with(".tgz") && !arguments.output.ends_with(".tar.gz")) {
         return base::Error{base::ErrorCode::BadUsage, arguments.output + ": jobs are written as .tgz"};
     }
-    model::generate::Wanted wanted{{}, model->strokesPerTrail, arguments.seed};
+    model::generate::Wanted wanted{{}, model->tracksPerTrail, arguments.seed};
     std::ranges::transform(model->counts, wanted.counts.begin(), [&](std::uint64_t count) {
         return static_cast<std::uint64_t>(std::llround(static_cast<double>(count) * arguments.scale));
     });

@@ -13,7 +13,7 @@ struct GenerateArguments {
 };
 
 /// `copperscope generate --like t3 -o job.tgz`: a made-up board with exactly the row's element counts times the scale.
-/// Answers an exit code.
+/// Returns an exit code.
 int runGenerate(const GenerateArguments& arguments);
 
 }  // namespace app

@@ -33,7 +33,7 @@ void printJob(const Document& document) {
                 base::toMm(static_cast<double>(document.board.height())), base::toMm(document.boardThickness));
     std::printf("nets        %zu\ncomponents  %zu\n", document.nets.size(), document.components.size());
     for (const PlacedStep& placed : placedSteps(document)) {
-        std::printf("places      %llu x %s with %zu nets and %zu components\n",
+        std::printf("copies      %llu x %s with %zu nets and %zu components\n",
                     static_cast<unsigned long long>(placed.copies), placed.step->job.step.c_str(),
                     placed.step->nets.size(), placed.step->components.size());
     }
@@ -64,7 +64,7 @@ void printPackages(const Document& document) {
 
 void printLayers(const Document& document) {
     std::printf("\n%-28s %-16s %-8s %9s %9s %-8s %8s %7s %7s %7s %7s %7s\n", "layer", "type", "side", "z mm",
-                "thick mm", "from", "features", "lines", "arcs", "circles", "trails", "areas");
+                "height mm", "from", "features", "lines", "arcs", "circles", "trails", "areas");
     for (const Layer& layer : document.layers) {
         if (layer.isSynthetic) {
             continue;
@@ -99,7 +99,8 @@ void printModel(const OpenBoard& board) {
     const model::ReadTimes& read = board.document->times;
     const render::ModelTimes& modelled = board.model.times;
     std::printf(
-        "\nmodel       %zu lets, %zu pieces of areas in %zu places, %zu triangles stored (standard pipeline: %llu)\n",
+        "\nmodel       %zu lets, %zu pieces of areas at %zu locations, %zu triangles stored (standard pipeline: "
+        "%llu)\n",
         board.model.lets.size(), board.model.shapes.size(), board.model.instances.size(),
         board.model.indices.size() / 3,
         static_cast<unsigned long long>(render::countStandardTriangles(*board.document, board.how)));

@@ -10,7 +10,7 @@ struct InfoArguments {
     bool checkNets = false;
 };
 
-/// `copperscope info BOARD [--json] [--check-nets]`: what is in the job, on stdout. Answers an exit code.
+/// `copperscope info BOARD [--json] [--check-nets]`: what is in the job, on stdout. Returns an exit code.
 int runInfo(const InfoArguments& arguments);
 
 }  // namespace app

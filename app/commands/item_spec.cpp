@@ -20,7 +20,7 @@ using model::MeasureItem;
 namespace {
 
 constexpr const char* kForms = "net:NAME, part:NAME, pin:PART.PIN, element:NUMBER, at:X,Y[,LAYER] with units, or edge";
-/// Names this unlike are no slips of the hand.
+/// Names this unlike are no typing errors.
 constexpr std::size_t kMostSlips = 3;
 constexpr std::size_t kMostSuggestions = 3;
 
@@ -165,7 +165,7 @@ Result<MeasureItem> parseAt(const BoardIndex& index, const InCopy& at) {
     const std::size_t first = at.text.find(',');
     const std::size_t second = first == std::string_view::npos ? first : at.text.find(',', first + 1);
     if (first == std::string_view::npos) {
-        return wrong("\"" + std::string(at.text) + "\" is no place: write X,Y or X,Y,LAYER, for example 12.3mm,4mm");
+        return wrong("\"" + std::string(at.text) + "\" is no location: write X,Y or X,Y,LAYER, for example 12.3mm,4mm");
     }
     const auto x = parseCoordinate(at.text.substr(0, first));
     const auto y = parseCoordinate(at.text.substr(first + 1, second - first - 1));
@@ -202,27 +202,21 @@ constexpr Form kParsers[] = {
 }  // namespace
 
 Result<MeasureItem> parseItem(const BoardIndex& index, std::string_view text) {
-    const Result<InCopy> at = takeCopy(index, text);
-    if (!at) {
-        return at.error();
-    }
-    if (at->text == "edge") {
+    ASSIGN_OR_RETURN(const InCopy at, takeCopy(index, text));
+    if (at.text == "edge") {
         return MeasureItem(model::BoardEdge{});
     }
     for (const Form& form : kParsers) {
-        if (at->text.starts_with(form.prefix)) {
-            return form.parse(index, {at->copy, at->text.substr(form.prefix.size())});
+        if (at.text.starts_with(form.prefix)) {
+            return form.parse(index, {at.copy, at.text.substr(form.prefix.size())});
         }
     }
-    return wrong("\"" + std::string(text) + "\" names nothing: write " + kForms);
+    return wrong("\"" + std::string(text) + "\" names no item: write " + kForms);
 }
 
 Result<model::NetOfCopy> parseNet(const BoardIndex& index, std::string_view text) {
-    const Result<InCopy> at = takeCopy(index, text);
-    if (!at) {
-        return at.error();
-    }
-    const Result<MeasureItem> net = parseNetItem(index, *at);
+    ASSIGN_OR_RETURN(const InCopy at, takeCopy(index, text));
+    const Result<MeasureItem> net = parseNetItem(index, at);
     return net ? Result<model::NetOfCopy>(std::get<model::NetOfCopy>(*net)) : net.error();
 }
 

@@ -18,34 +18,31 @@ namespace app {
 using model::BoardIndex;
 using model::MeasureItem;
 using model::NetPath;
+using model::PieceDistance;
 using model::Separation;
-using model::Way;
 using nlohmann::ordered_json;
 
 namespace {
 
-/// What was asked for, understood.
-struct Question {
+/// What was requested, understood.
+struct Request {
     MeasureItem from;
     MeasureItem to;
     std::optional<base::Nm> below;
 };
 
-base::Result<Question> understand(const BoardIndex& index, const MeasureArguments& arguments) {
+base::Result<Request> requestFrom(const BoardIndex& index, const MeasureArguments& arguments) {
     const auto from = parseItem(index, arguments.from);
     const auto to = parseItem(index, arguments.to);
     if (!from || !to) {
         return from ? to.error() : from.error();
     }
-    Question question{*from, *to, {}};
+    Request request{*from, *to, {}};
     if (!arguments.below.empty()) {
-        const auto below = model::session::parseLength(arguments.below);
-        if (!below) {
-            return below.error();
-        }
-        question.below = *below;
+        ASSIGN_OR_RETURN(const auto below, model::session::parseLength(arguments.below));
+        request.below = below;
     }
-    return question;
+    return request;
 }
 
 std::string layerName(const BoardIndex& index, model::LayerId layer) {
@@ -57,21 +54,21 @@ std::string netName(const BoardIndex& index, const model::Piece& piece) {
     return net.isValid() ? index.tree.steps[index.tree.copies[piece.at.copy].step]->nets[net.row()].name : "";
 }
 
-struct NamedPath {
+struct NamedDistance {
     const char* key;
     const char* text;
-    const std::optional<Way>& way;
+    const std::optional<PieceDistance>& shortest;
 };
 
-std::array<NamedPath, 3> waysOf(const Separation& separation) {
-    return {NamedPath{"on_layer", "on one layer", separation.onLayer},
-            NamedPath{"through_stack", "through the stack", separation.throughStackup},
-            NamedPath{"in_plane", "in the plane", separation.inPlane}};
+std::array<NamedDistance, 3> distancesOf(const Separation& separation) {
+    return {NamedDistance{"on_layer", "on one layer", separation.onLayer},
+            NamedDistance{"through_stackup", "through the stackup", separation.throughStackup},
+            NamedDistance{"in_plane", "in the plane", separation.inPlane}};
 }
 
-std::optional<double> angleOf(const BoardIndex& index, const Question& question) {
-    const auto* a = std::get_if<model::BoardElement>(&question.from);
-    const auto* b = std::get_if<model::BoardElement>(&question.to);
+std::optional<double> angleOf(const BoardIndex& index, const Request& request) {
+    const auto* a = std::get_if<model::BoardElement>(&request.from);
+    const auto* b = std::get_if<model::BoardElement>(&request.to);
     return a != nullptr && b != nullptr ? model::angleBetween(index, *a, *b) : std::nullopt;
 }
 
@@ -84,49 +81,55 @@ ordered_json endJson(const BoardIndex& index, const model::Piece& piece, base::P
     return end;
 }
 
-ordered_json pathJson(const BoardIndex& index, const std::optional<Way>& way) {
-    if (!way) {
+ordered_json distanceJson(const BoardIndex& index, const std::optional<PieceDistance>& shortest) {
+    if (!shortest) {
         return nullptr;
     }
-    return {{"distance_nm", way->distance},
-            {"gap_nm", way->gap.distance},
-            {"dx_nm", way->gap.to.x - way->gap.from.x},
-            {"dy_nm", way->gap.to.y - way->gap.from.y},
-            {"dz_nm", way->dz},
-            {"relation", toString(way->relation)},
-            {"overlap_nm", way->overlap},
-            {"is_overlap_exact", way->isOverlapExact},
-            {"ends", {endJson(index, way->from, way->gap.from), endJson(index, way->to, way->gap.to)}}};
+    return {
+        {"distance_nm", shortest->distance},
+        {"spacing_nm", shortest->spacing.distance},
+        {"gap_nm", shortest->spacing.distance},
+        {"dx_nm", shortest->spacing.to.x - shortest->spacing.from.x},
+        {"dy_nm", shortest->spacing.to.y - shortest->spacing.from.y},
+        {"dz_nm", shortest->dz},
+        {"relation", toString(shortest->relation)},
+        {"overlap_nm", shortest->overlap},
+        {"is_overlap_exact", shortest->isOverlapExact},
+        {"ends",
+         {endJson(index, shortest->from, shortest->spacing.from), endJson(index, shortest->to, shortest->spacing.to)}}};
 }
 
-void printJson(const BoardIndex& index, const Question& question, const Separation& separation) {
-    ordered_json json = {{"from", nameOf(index, question.from)}, {"to", nameOf(index, question.to)}};
-    for (const NamedPath& named : waysOf(separation)) {
-        json[named.key] = pathJson(index, named.way);
+void printJson(const BoardIndex& index, const Request& request, const Separation& separation) {
+    ordered_json json = {{"from", nameOf(index, request.from)}, {"to", nameOf(index, request.to)}};
+    for (const NamedDistance& named : distancesOf(separation)) {
+        json[named.key] = distanceJson(index, named.shortest);
     }
-    const std::optional<double> angle = angleOf(index, question);
+    json["through_stack"] = json["through_stackup"];  // here and below: names of older versions
+    const std::optional<double> angle = angleOf(index, request);
     json["angle_deg"] = angle ? ordered_json(*angle) : ordered_json(nullptr);
+    json["notes"] = separation.notes;
     json["remarks"] = separation.notes;
     std::fputs(jsonText(json).c_str(), stdout);
 }
 
 void printCsv(const BoardIndex& index, const Separation& separation) {
     std::printf(
-        "way,distance um,gap um,dx um,dy um,dz um,relation,overlap um,layer a,layer b,net a,net b,x mm on a,"
+        "kind,distance um,spacing um,dx um,dy um,dz um,relation,overlap um,layer a,layer b,net a,net b,x mm on a,"
         "y mm on a,x mm on b,y mm on b\n");
-    for (const NamedPath& named : waysOf(separation)) {
-        if (!named.way) {
+    for (const NamedDistance& named : distancesOf(separation)) {
+        if (!named.shortest) {
             continue;
         }
-        const Way& w = *named.way;
+        const PieceDistance& w = *named.shortest;
         const auto um = [](double nm) { return model::fixedText(nm / base::kNmPerUm, 3); };
         std::printf("%s,%s,%s,%s,%s,%s,%s,%s,%s,%s,%s,%s,%.6f,%.6f,%.6f,%.6f\n", named.key, um(w.distance).c_str(),
-                    um(w.gap.distance).c_str(), um(w.gap.to.x - w.gap.from.x).c_str(),
-                    um(w.gap.to.y - w.gap.from.y).c_str(), um(w.dz).c_str(), toString(w.relation),
+                    um(w.spacing.distance).c_str(), um(w.spacing.to.x - w.spacing.from.x).c_str(),
+                    um(w.spacing.to.y - w.spacing.from.y).c_str(), um(w.dz).c_str(), toString(w.relation),
                     um(w.overlap).c_str(), model::csvField(layerName(index, w.from.layer)).c_str(),
                     model::csvField(layerName(index, w.to.layer)).c_str(),
                     model::csvField(netName(index, w.from)).c_str(), model::csvField(netName(index, w.to)).c_str(),
-                    base::toMm(w.gap.from.x), base::toMm(w.gap.from.y), base::toMm(w.gap.to.x), base::toMm(w.gap.to.y));
+                    base::toMm(w.spacing.from.x), base::toMm(w.spacing.from.y), base::toMm(w.spacing.to.x),
+                    base::toMm(w.spacing.to.y));
     }
 }
 
@@ -136,16 +139,17 @@ std::string inBothUnits(double nm) {
     return text;
 }
 
-void printPath(const BoardIndex& index, const char* name, const Way& way) {
-    std::string relation = toString(way.relation);
-    if (way.relation == model::Relation::Overlapping) {
-        relation += std::string(way.isOverlapExact ? " by " : " by at least ") + inBothUnits(way.overlap);
+void printDistance(const BoardIndex& index, const char* name, const PieceDistance& shortest) {
+    std::string relation = toString(shortest.relation);
+    if (shortest.relation == model::Relation::Overlapping) {
+        relation += std::string(shortest.isOverlapExact ? " by " : " by at least ") + inBothUnits(shortest.overlap);
     }
-    std::printf("%-18s %s, %s\n", name, inBothUnits(way.distance).c_str(), relation.c_str());
+    std::printf("%-18s %s, %s\n", name, inBothUnits(shortest.distance).c_str(), relation.c_str());
     const auto mm = [](double nm) { return model::fixedText(base::toMm(nm), 6); };
-    std::printf("%-18s dx %s, dy %s, dz %s mm\n", "", mm(way.gap.to.x - way.gap.from.x).c_str(),
-                mm(way.gap.to.y - way.gap.from.y).c_str(), mm(way.dz).c_str());
-    for (const auto& [piece, at] : {std::pair(way.from, way.gap.from), std::pair(way.to, way.gap.to)}) {
+    std::printf("%-18s dx %s, dy %s, dz %s mm\n", "", mm(shortest.spacing.to.x - shortest.spacing.from.x).c_str(),
+                mm(shortest.spacing.to.y - shortest.spacing.from.y).c_str(), mm(shortest.dz).c_str());
+    for (const auto& [piece, at] :
+         {std::pair(shortest.from, shortest.spacing.from), std::pair(shortest.to, shortest.spacing.to)}) {
         const std::string element =
             piece.at.element.isValid() ? "element " + std::to_string(piece.at.element.value) : "no element";
         const std::string net = netName(index, piece);
@@ -173,25 +177,25 @@ void printSizes(const BoardIndex& index, const MeasureItem& item) {
     }
 }
 
-void printText(const BoardIndex& index, const Question& question, const Separation& separation) {
-    std::printf("%s to %s\n", nameOf(index, question.from).c_str(), nameOf(index, question.to).c_str());
-    for (const NamedPath& named : waysOf(separation)) {
-        if (named.way) {
-            printPath(index, named.text, *named.way);
+void printText(const BoardIndex& index, const Request& request, const Separation& separation) {
+    std::printf("%s to %s\n", nameOf(index, request.from).c_str(), nameOf(index, request.to).c_str());
+    for (const NamedDistance& named : distancesOf(separation)) {
+        if (named.shortest) {
+            printDistance(index, named.text, *named.shortest);
         }
     }
-    if (const auto angle = angleOf(index, question)) {
+    if (const auto angle = angleOf(index, request)) {
         std::printf("%-18s %.4f degrees\n", "angle", *angle);
     }
-    printSizes(index, question.from);
-    printSizes(index, question.to);
+    printSizes(index, request.from);
+    printSizes(index, request.to);
     for (const std::string& note : separation.notes) {
         std::printf("%s\n", note.c_str());
     }
 }
 
 const char* kindName(model::PathLeg::Kind kind) {
-    constexpr const char* kNames[] = {"stroke", "pad", "area", "hole"};
+    constexpr const char* kNames[] = {"track", "pad", "area", "hole"};
     return kNames[static_cast<std::size_t>(kind)];
 }
 
@@ -216,6 +220,7 @@ void printPathJson(const BoardIndex& index, model::NetOfCopy net, const NetPath&
                          {"hole_height_nm", path.holeHeight},
                          {"layers", layers},
                          {"legs", legs},
+                         {"notes", path.notes},
                          {"remarks", path.notes}})
                    .c_str(),
                stdout);
@@ -242,53 +247,35 @@ void printPathText(const BoardIndex& index, model::NetOfCopy net, const NetPath&
     }
 }
 
-base::Result<int> measurePath(const BoardIndex& index, const Question& question, const MeasureArguments& arguments,
+base::Result<int> measurePath(const BoardIndex& index, const Request& request, const MeasureArguments& arguments,
                               base::Progress& progress) {
-    const auto net = parseNet(index, arguments.path);
-    if (!net) {
-        return net.error();
-    }
-    const auto path = model::pathAlong(index, *net, question.from, question.to, progress);
-    if (!path) {
-        return path.error();
-    }
-    arguments.format == "json"  ? printPathJson(index, *net, *path)
-    : arguments.format == "csv" ? printPathCsv(index, *path)
-                                : printPathText(index, *net, *path);
+    ASSIGN_OR_RETURN(const auto net, parseNet(index, arguments.path));
+    ASSIGN_OR_RETURN(const auto path, model::pathAlong(index, net, request.from, request.to, progress));
+    arguments.format == "json"  ? printPathJson(index, net, path)
+    : arguments.format == "csv" ? printPathCsv(index, path)
+                                : printPathText(index, net, path);
     return int{kDone};
 }
 
-base::Result<int> measureDistance(const BoardIndex& index, const Question& question, const MeasureArguments& arguments,
+base::Result<int> measureDistance(const BoardIndex& index, const Request& request, const MeasureArguments& arguments,
                                   base::Progress& progress) {
-    const auto separation = model::separationOf(index, question.from, question.to, progress);
-    if (!separation) {
-        return separation.error();
+    ASSIGN_OR_RETURN(const auto separation, model::separationOf(index, request.from, request.to, progress));
+    arguments.format == "json"  ? printJson(index, request, separation)
+    : arguments.format == "csv" ? printCsv(index, separation)
+                                : printText(index, request, separation);
+    if (request.below && separation.main() == nullptr) {
+        return base::Error{base::ErrorCode::BadUsage, "there is no distance to compare: " + separation.notes.front()};
     }
-    arguments.format == "json"  ? printJson(index, question, *separation)
-    : arguments.format == "csv" ? printCsv(index, *separation)
-                                : printText(index, question, *separation);
-    if (question.below && separation->main() == nullptr) {
-        return base::Error{base::ErrorCode::BadUsage, "there is no distance to compare: " + separation->notes.front()};
-    }
-    return question.below && separation->main()->distance < *question.below ? int{kTooClose} : int{kDone};
+    return request.below && separation.main()->distance < *request.below ? int{kTooClose} : int{kDone};
 }
 
 base::Result<int> measure(const MeasureArguments& arguments) {
     ConsoleProgress console;
-    const auto board = openDocument(arguments.board, console.progress());
-    if (!board) {
-        return board.error();
-    }
-    const auto index = model::indexBoard(*board, console.progress());
-    if (!index) {
-        return index.error();
-    }
-    const auto question = understand(**index, arguments);
-    if (!question) {
-        return question.error();
-    }
-    return arguments.path.empty() ? measureDistance(**index, *question, arguments, console.progress())
-                                  : measurePath(**index, *question, arguments, console.progress());
+    ASSIGN_OR_RETURN(const auto board, openDocument(arguments.board, console.progress()));
+    ASSIGN_OR_RETURN(const auto index, model::indexBoard(board, console.progress()));
+    ASSIGN_OR_RETURN(const auto request, requestFrom(*index, arguments));
+    return arguments.path.empty() ? measureDistance(*index, request, arguments, console.progress())
+                                  : measurePath(*index, request, arguments, console.progress());
 }
 
 }  // namespace

@@ -19,11 +19,11 @@ using model::Document;
 namespace {
 
 Result<std::vector<render::LayerStyle>> chooseLayers(const Document& document, const RenderArguments& arguments) {
-    const render::Look look = arguments.mode == "2d" ? render::Look::Flat : render::Look::Solid;
-    std::vector<render::LayerStyle> styles = render::defaultStyles(document, look);
+    const render::Appearance appearance = arguments.mode == "2d" ? render::Appearance::Flat : render::Appearance::Solid;
+    std::vector<render::LayerStyle> styles = render::defaultStyles(document, appearance);
     if (arguments.layers.empty()) {
         for (std::size_t row = 0; row < styles.size(); ++row) {
-            // A raster of shapes is about copper and print, not about the laminate around them.
+            // A raster of shapes is about copper and print, not about the substrate around them.
             styles[row].isVisible = styles[row].isVisible && !(arguments.isMono && document.layers[row].isSynthetic);
         }
         return styles;
@@ -32,17 +32,14 @@ Result<std::vector<render::LayerStyle>> chooseLayers(const Document& document, c
         style.isVisible = false;
     }
     for (const std::string& name : arguments.layers) {
-        const model::LayerId layer = document.findLayer(name);
-        if (!layer.isValid()) {
-            return base::Error{ErrorCode::BadUsage, "there is no layer " + name + " (see copperscope info)"};
-        }
+        ASSIGN_OR_RETURN(const model::LayerId layer, findLayer(document, name));
         styles[layer.row()].isVisible = true;
         styles[layer.row()].opacity = 1.0F;
     }
     return styles;
 }
 
-/// What to light up in the board itself and in each step it places, rows as in BoardScene::setStates.
+/// What to highlight in the board itself and in each step it places, rows as in BoardScene::setStates.
 using Highlights = std::vector<render::ElementStates>;
 
 /// A net of a panel is that of all its steps.
@@ -125,24 +122,19 @@ render::ViewSettings settingsFor(const RenderArguments& arguments) {
 }
 
 /// None if the board is to be whole.
-Result<std::shared_ptr<const render::Cut>> cutOf(const RenderArguments& arguments,
-                                                 const std::shared_ptr<const Document>& document) {
-    if (arguments.cut.empty()) {
-        return std::shared_ptr<const render::Cut>();
+Result<std::shared_ptr<const render::SectionCut>> cutOf(const RenderArguments& arguments,
+                                                        const std::shared_ptr<const Document>& document) {
+    if (arguments.clip.empty()) {
+        return std::shared_ptr<const render::SectionCut>();
     }
     base::Progress progress;
-    const auto index = model::indexBoard(document, progress);
-    if (!index) {
-        return index.error();
-    }
+    ASSIGN_OR_RETURN(const auto index, model::indexBoard(document, progress));
     const auto location = [&](std::size_t i) {
-        return base::PointD{arguments.cut[i] * base::kNmPerMm, arguments.cut[i + 1] * base::kNmPerMm};
+        return base::PointD{arguments.clip[i] * base::kNmPerMm, arguments.clip[i + 1] * base::kNmPerMm};
     };
-    Result<render::Cut> cut = render::cutThrough(**index, render::frameOf(*document).origin, location(0), location(2));
-    if (!cut) {
-        return cut.error();
-    }
-    return std::make_shared<const render::Cut>(std::move(*cut));
+    ASSIGN_OR_RETURN(render::SectionCut cut,
+                     render::makeSectionCut(*index, render::frameOf(*document).origin, location(0), location(2)));
+    return std::make_shared<const render::SectionCut>(std::move(cut));
 }
 
 /// What is drawn, beside the camera.
@@ -150,28 +142,22 @@ struct Scenery {
     std::vector<render::LayerStyle> styles;
     Highlights highlights;
     render::NamedView view;
-    std::shared_ptr<const render::Cut> cut;
+    std::shared_ptr<const render::SectionCut> cut;
 };
 
 template <class Model>
 Result<render::Image> draw(const RenderArguments& arguments, const Model& board, const Scenery& scenery) {
-    Result<HeadlessDevice> opened = HeadlessDevice::open();
-    if (!opened) {
-        return opened.error();
-    }
-    render::gpu::Device& device = *opened->device;
-    Result<render::BoardScene> made = render::BoardScene::make(device, board);
-    if (!made) {
-        return made.error();
-    }
-    render::BoardScene& scene = *made;
+    ASSIGN_OR_RETURN(HeadlessDevice opened, HeadlessDevice::open());
+    render::gpu::Device& device = *opened.device;
+    ASSIGN_OR_RETURN(render::BoardScene made, render::BoardScene::make(device, board));
+    render::BoardScene& scene = made;
     scene.setStyles(scenery.styles);
     for (std::uint32_t step = 0; step < scenery.highlights.size(); ++step) {
         scene.setStates(scenery.highlights[step].bytes(), step);
     }
     render::OffscreenPresenter presenter(device);
     render::ViewSettings settings = settingsFor(arguments);
-    settings.cut = scenery.cut;
+    settings.section = scenery.cut;
     return presenter.render(scene, cameraFor(arguments, board, scenery.view), settings, arguments.width,
                             arguments.height);
 }
@@ -205,41 +191,21 @@ base::Status checkArguments(const RenderArguments& arguments) {
         (arguments.window[0] == arguments.window[2] || arguments.window[1] == arguments.window[3])) {
         return base::Error{ErrorCode::BadUsage, "the window is empty"};
     }
-    if (!arguments.cut.empty() && arguments.mode == "2d") {
-        return base::Error{ErrorCode::BadUsage, "--clip cuts the board open in 3D; see copperscope section"};
+    if (!arguments.clip.empty() && arguments.mode == "2d") {
+        return base::Error{ErrorCode::BadUsage, "--clip sets a section plane in 3D; see copperscope section"};
     }
     return base::Done{};
 }
 
 base::Status renderToFile(const RenderArguments& arguments) {
-    if (const base::Status usable = checkArguments(arguments); !usable) {
-        return usable.error();
-    }
-    const Result<render::NamedView> view = viewOf(arguments);
-    if (!view) {
-        return view.error();
-    }
-    const Result<std::shared_ptr<const Document>> document = readDocument(arguments);
-    if (!document) {
-        return document.error();
-    }
-    const Result<std::vector<render::LayerStyle>> styles = chooseLayers(**document, arguments);
-    if (!styles) {
-        return styles.error();
-    }
-    const Result<Highlights> highlight = elementsOfNets(**document, arguments.nets);
-    if (!highlight) {
-        return highlight.error();
-    }
-    const Result<std::shared_ptr<const render::Cut>> cut = cutOf(arguments, *document);
-    if (!cut) {
-        return cut.error();
-    }
-    const Result<render::Image> image = modelAndDraw(arguments, **document, {*styles, *highlight, *view, *cut});
-    if (!image) {
-        return image.error();
-    }
-    return render::writePng(*image, arguments.output);
+    RETURN_IF_ERROR(checkArguments(arguments));
+    ASSIGN_OR_RETURN(const render::NamedView view, viewOf(arguments));
+    ASSIGN_OR_RETURN(const std::shared_ptr<const Document> document, readDocument(arguments));
+    ASSIGN_OR_RETURN(const std::vector<render::LayerStyle> styles, chooseLayers(*document, arguments));
+    ASSIGN_OR_RETURN(const Highlights highlight, elementsOfNets(*document, arguments.nets));
+    ASSIGN_OR_RETURN(const std::shared_ptr<const render::SectionCut> cut, cutOf(arguments, document));
+    ASSIGN_OR_RETURN(const render::Image image, modelAndDraw(arguments, *document, {styles, highlight, view, cut}));
+    return render::writePng(image, arguments.output);
 }
 
 }  // namespace

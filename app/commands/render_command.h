@@ -25,12 +25,12 @@ struct RenderArguments {
     std::vector<float> zScale;     ///< of copper and of everything else; empty: as it is
     std::string levels = "error";  ///< of detail; or "paper", "coarse"
     std::vector<double> window;    ///< x0, y0, x1, y1 in millimetres of the job's coordinates; implies 2D
-    std::vector<double> cut;       ///< x0, y0, x1, y1 likewise: cut open there, what is to the left is gone
+    std::vector<double> clip;  ///< x0, y0, x1, y1 likewise: cut by a section plane there, what is to the left is gone
     bool isMono = false;
     bool isOutlined = false;
 };
 
-/// `copperscope render BOARD -o out.png`: a picture. Answers an exit code.
+/// `copperscope render BOARD -o out.png`: a picture. Returns an exit code.
 int runRender(const RenderArguments& arguments);
 
 }  // namespace app

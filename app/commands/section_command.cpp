@@ -18,23 +18,20 @@ using model::Section;
 
 namespace {
 
-base::Result<model::SectionQuestion> questionFor(const Document& board, const SectionArguments& arguments) {
+base::Result<model::SectionRequest> requestFor(const Document& board, const SectionArguments& arguments) {
     if (arguments.line.size() < 4 || arguments.line.size() % 2 != 0) {
         return base::Error{ErrorCode::BadUsage, "--line takes two corners or more: x0,y0,x1,y1 in millimetres"};
     }
-    model::SectionQuestion question;
+    model::SectionRequest request;
     for (std::size_t i = 0; i + 1 < arguments.line.size(); i += 2) {
-        question.line.push_back({arguments.line[i] * base::kNmPerMm, arguments.line[i + 1] * base::kNmPerMm});
+        request.line.push_back({arguments.line[i] * base::kNmPerMm, arguments.line[i + 1] * base::kNmPerMm});
     }
     for (const std::string& name : arguments.layers) {
-        const model::LayerId layer = board.findLayer(name);
-        if (!layer.isValid()) {
-            return base::Error{ErrorCode::BadUsage, "there is no layer " + name + " (see copperscope info)"};
-        }
-        question.layers.resize(board.layers.size());
-        question.layers[layer.row()] = true;
+        ASSIGN_OR_RETURN(const model::LayerId layer, findLayer(board, name));
+        request.layers.resize(board.layers.size());
+        request.layers[layer.row()] = true;
     }
-    return question;
+    return request;
 }
 
 /// As the 3D view has them.
@@ -71,35 +68,23 @@ std::string sectionJson(const model::BoardIndex& index, const Section& section) 
                                         {"stations_nm", section.stations},
                                         {"pieces", piecesJson(index, section.pieces)},
                                         {"bores", piecesJson(index, section.bores)},
+                                        {"notes", section.notes},
                                         {"remarks", section.notes}};
     return jsonText(all);
 }
 
 base::Result<std::string> sectionText(const SectionArguments& arguments) {
     ConsoleProgress console;
-    const auto board = openDocument(arguments.board, console.progress());
-    if (!board) {
-        return board.error();
-    }
-    const auto question = questionFor(**board, arguments);
-    if (!question) {
-        return question.error();
-    }
-    const auto index = model::indexBoard(*board, console.progress());
-    if (!index) {
-        return index.error();
-    }
-    const auto section = model::cutBoard(**index, *question);
-    if (!section) {
-        return section.error();
-    }
-    for (const std::string& note : section->notes) {
+    ASSIGN_OR_RETURN(const auto board, openDocument(arguments.board, console.progress()));
+    ASSIGN_OR_RETURN(const auto request, requestFor(*board, arguments));
+    ASSIGN_OR_RETURN(const auto index, model::indexBoard(board, console.progress()));
+    ASSIGN_OR_RETURN(const auto section, model::makeSection(*index, request));
+    for (const std::string& note : section.notes) {
         std::fprintf(stderr, "%s\n", note.c_str());
     }
-    return arguments.format == "json" ? sectionJson(**index, *section)
-           : arguments.format == "csv"
-               ? model::sectionCsv(**index, *section)
-               : model::sectionSvg(**board, *section, {coloursOf(**board), arguments.heightTimes});
+    return arguments.format == "json"  ? sectionJson(*index, section)
+           : arguments.format == "csv" ? model::sectionCsv(*index, section)
+                                       : model::sectionSvg(*board, section, {coloursOf(*board), arguments.heightTimes});
 }
 
 }  // namespace

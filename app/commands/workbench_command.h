@@ -1,11 +1,20 @@
 #pragma once
 
-#include "app/commands/command_line.h"
+#include <string>
+#include <vector>
 
 namespace app {
 
-/// `copperscope [BOARD]`: opens the desktop workbench. Answers an exit code; a build without the workbench says so and
-/// answers kFailed.
+struct WorkbenchArguments {
+    std::string path;  ///< empty: the bundled sample
+    std::string step;
+    std::vector<std::string> thicknesses;  ///< as BoardArguments, and so the rest
+    bool noSession = false;
+    bool inferNets = false;
+};
+
+/// `copperscope [BOARD]`: opens the desktop workbench. Returns an exit code; a build without the workbench says so and
+/// returns kFailed.
 int runWorkbench(int argc, char** argv, const WorkbenchArguments& arguments);
 
 }  // namespace app

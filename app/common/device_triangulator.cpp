@@ -5,11 +5,8 @@
 namespace app {
 
 base::Result<DeviceTriangulator> DeviceTriangulator::open() {
-    base::Result<HeadlessDevice> device = HeadlessDevice::open();
-    if (!device) {
-        return device.error();
-    }
-    return DeviceTriangulator(std::move(*device));
+    ASSIGN_OR_RETURN(HeadlessDevice device, HeadlessDevice::open());
+    return DeviceTriangulator(std::move(device));
 }
 
 DeviceTriangulator::DeviceTriangulator(HeadlessDevice device)

@@ -4,7 +4,7 @@
 
 namespace app {
 
-/// What the process answers (docs/command-line.md).
+/// What the process returns (docs/command-line.md).
 enum ExitCode : int { kDone = 0, kWrongUsage = 1, kBadInput = 2, kFailed = 3, kTooClose = 4 };
 
 /// Prints the error to stderr and says which code it means.

@@ -39,13 +39,9 @@ base::Result<Board> stacked(const Board& read, const std::filesystem::path& path
         std::fprintf(stderr, "copperscope: %s\n", text.c_str());
     }
     std::vector<model::ThicknessOverride>& wanted = found.session.thicknesses;
-    if (const base::Status added = addThicknesses(arguments.thicknesses, read->stackup, wanted); !added) {
-        return added.error();
-    }
+    RETURN_IF_ERROR(addThicknesses(arguments.thicknesses, read->stackup, wanted));
     if (arguments.saveSession) {
-        if (const base::Status saved = session::saveThicknesses(path, *read, wanted); !saved) {
-            return saved.error();
-        }
+        RETURN_IF_ERROR(session::saveThicknesses(path, *read, wanted));
     }
     return session::applyThicknesses(read, wanted);
 }
@@ -54,11 +50,8 @@ base::Result<Board> stacked(const Board& read, const std::filesystem::path& path
 
 base::Result<Board> openDocument(const BoardArguments& arguments, base::Progress& progress) {
     const std::filesystem::path path = arguments.path.empty() ? sampleBoard() : std::filesystem::path(arguments.path);
-    const base::Result<Board> read = model::readBoard(path, {arguments.step, arguments.inferNets}, progress);
-    if (!read) {
-        return read.error();
-    }
-    return stacked(*read, path, arguments);
+    ASSIGN_OR_RETURN(const Board read, model::readBoard(path, {arguments.step, arguments.inferNets}, progress));
+    return stacked(read, path, arguments);
 }
 
 model::Discretisation discretisationOf(const BoardArguments& arguments) {
@@ -71,11 +64,8 @@ base::Result<render::BoardModel> modelBoard(const model::Document& document, con
     render::AreaTriangulator areas;
     std::optional<DeviceTriangulator> device;
     if (wanted == tri::Triangulator::Gpu) {
-        base::Result<DeviceTriangulator> opened = DeviceTriangulator::open();
-        if (!opened) {
-            return opened.error();
-        }
-        device.emplace(std::move(*opened));
+        ASSIGN_OR_RETURN(DeviceTriangulator opened, DeviceTriangulator::open());
+        device.emplace(std::move(opened));
         areas.onDevice = [&device](std::span<const tri::Polygon> polygons, base::Progress& work) {
             return device->get().triangulate(polygons, work);
         };
@@ -87,15 +77,23 @@ base::Result<render::BoardModel> modelBoard(const model::Document& document, con
 
 base::Result<OpenBoard> openBoard(const BoardArguments& arguments) {
     ConsoleProgress console;
-    const base::Result<Board> document = openDocument(arguments, console.progress());
-    if (!document) {
-        return document.error();
+    ASSIGN_OR_RETURN(const Board document, openDocument(arguments, console.progress()));
+    ASSIGN_OR_RETURN(render::BoardModel model, modelBoard(*document, arguments, console.progress()));
+    return OpenBoard{document, std::move(model), discretisationOf(arguments)};
+}
+
+base::Result<model::LayerId> findLayer(const model::Document& document, const std::string& name) {
+    constexpr std::string_view kOld = " coat";
+    model::LayerId layer = document.findLayer(name);
+    if (!layer.isValid() && name.ends_with(kOld)) {
+        const std::string now = name.substr(0, name.size() - kOld.size()) + " solder mask";
+        layer = document.findLayer(now);
+        std::fprintf(stderr, "copperscope: layer \"%s\" is now named \"%s\"\n", name.c_str(), now.c_str());
     }
-    base::Result<render::BoardModel> model = modelBoard(**document, arguments, console.progress());
-    if (!model) {
-        return model.error();
+    if (!layer.isValid()) {
+        return base::Error{base::ErrorCode::BadUsage, "there is no layer " + name + " (see copperscope info)"};
     }
-    return OpenBoard{*document, std::move(*model), discretisationOf(arguments)};
+    return layer;
 }
 
 render::LevelOfDetail levelsOf(const std::string& name) {

@@ -17,14 +17,15 @@ struct BoardArguments {
     double chordUm = 5.0;
     bool paperSegments = false;
     std::vector<std::string> thicknesses;  ///< LAYER=LENGTH, over what the job and the session say
-    bool saveSession = false;              ///< keeps them in the session file
+    bool saveSession = false;              ///< saves them in the session file
     bool noSession = false;                ///< as if there were no session file
     bool inferNets = false;
     std::string triangulator = "auto";  ///< of areas; as tri::triangulatorNamed
 };
 
-/// Reads the board and stacks it as its session file and `thicknesses` say; what of the session is not used is said on
-/// stderr. Errors as model::readBoard; BadUsage for thicknesses, OutputFailed when the session cannot be saved.
+/// Reads the board and applies to its stackup what its session file and `thicknesses` say; what of the session is not
+/// used is said on stderr. Errors as model::readBoard; BadUsage for thicknesses, OutputFailed when the session cannot
+/// be saved.
 [[nodiscard]] base::Result<std::shared_ptr<const model::Document>> openDocument(const BoardArguments& arguments,
                                                                                 base::Progress& progress);
 
@@ -37,13 +38,17 @@ struct OpenBoard {
     model::Discretisation how;  ///< what it was modelled with
 };
 
-/// Lets and triangles, with the triangulator that was asked for. Errors as render::buildBoardModel; DeviceFailed if a
+/// Lets and triangles, with the triangulator that was requested. Errors as render::buildBoardModel; DeviceFailed if a
 /// device is to triangulate and there is none.
 [[nodiscard]] base::Result<render::BoardModel> modelBoard(const model::Document& document,
                                                           const BoardArguments& arguments, base::Progress& progress);
 
 /// Reads and models, with progress on stderr. Errors as openDocument and modelBoard.
 [[nodiscard]] base::Result<OpenBoard> openBoard(const BoardArguments& arguments);
+
+/// The layer of that name; the names that solder masks had in older versions work too, with a note on stderr. Errors:
+/// BadUsage.
+[[nodiscard]] base::Result<model::LayerId> findLayer(const model::Document& document, const std::string& name);
 
 /// What `--lod` says: "error" or "paper".
 [[nodiscard]] render::LevelOfDetail levelsOf(const std::string& name);

@@ -36,6 +36,7 @@ ordered_json rowJson(const model::Document& document, const DrillRow& row) {
             {"plated", row.kind != model::HoleKind::NonPlated},
             {"shape", row.shape},
             {"diameter_nm", row.diameter},
+            {"inside_nm", row.open},
             {"open_nm", row.open},
             {"tool", row.tool != nullptr ? ordered_json(tool.number) : ordered_json()},
             {"process", textOrNull(tool.process)},
@@ -67,7 +68,7 @@ void printDrills(const model::Document& document) {
         return;
     }
     std::printf("\n%-28s %-9s %-10s %-6s %9s %9s %5s %11s %9s %8s  %s\n", "holes on", "span", "kind", "shape",
-                "hole mm", "open mm", "tool", "finished mm", "drill mm", "count", "from - to");
+                "hole mm", "inside mm", "tool", "finished mm", "drill mm", "count", "from - to");
     for (const DrillRow& row : rows) {
         const model::Layer& layer = document.layer(row.layer);
         const bool hasTool = row.tool != nullptr;

@@ -89,7 +89,7 @@ ordered_json pointJson(std::int64_t x, std::int64_t y) {
     return {{"x_nm", x}, {"y_nm", y}};
 }
 
-/// Where the first occurrence of a message is to be seen; nothing if it concerns no place.
+/// Where the first occurrence of a message is to be seen; nothing if it concerns no location.
 ordered_json locationJson(const Document& document, const model::Diagnostic& entry) {
     if (entry.element.isValid()) {
         const model::Box box = document.boxOf(entry.element);
@@ -109,6 +109,7 @@ void addDiagnostics(const Document& document, const model::Diagnostics& diagnost
                         {"line", entry.line},
                         {"text", entry.text},
                         {"count", entry.count},
+                        {"location", locationJson(document, entry)},
                         {"place", locationJson(document, entry)}});
     }
 }

@@ -46,7 +46,7 @@ ordered_json shortJson(const StepCheck& check, const model::ShortedNets& entry) 
 
 void printOpen(const StepCheck& check, const model::OpenNet& open) {
     const bool isOpen = model::hasSeveralPadIslands(check.report, open);
-    std::printf("  %-6s %s: %u islands\n", isOpen ? "open" : "loose", nameOf(*check.step, open.net).c_str(),
+    std::printf("  %-8s %s: %u islands\n", isOpen ? "open" : "floating", nameOf(*check.step, open.net).c_str(),
                 open.islandCount);
     constexpr std::size_t kShown = 4;
     for (const model::NetIsland& island :
@@ -122,18 +122,18 @@ ordered_json componentsJson(const Document& document) {
 ordered_json connectivityJson(const std::vector<StepCheck>& checks) {
     std::size_t islands = 0;
     ordered_json opens = ordered_json::array();
-    ordered_json loose = ordered_json::array();
+    ordered_json floating = ordered_json::array();
     ordered_json shorts = ordered_json::array();
     for (const StepCheck& check : checks) {
         islands += check.islandCount;
         for (const model::OpenNet& open : check.report.opens) {
-            (model::hasSeveralPadIslands(check.report, open) ? opens : loose).push_back(openJson(check, open));
+            (model::hasSeveralPadIslands(check.report, open) ? opens : floating).push_back(openJson(check, open));
         }
         for (const model::ShortedNets& entry : check.report.shorts) {
             shorts.push_back(shortJson(check, entry));
         }
     }
-    return {{"islands", islands}, {"opens", opens}, {"loose", loose}, {"shorts", shorts}};
+    return {{"islands", islands}, {"opens", opens}, {"floating", floating}, {"loose", floating}, {"shorts", shorts}};
 }
 
 void printConnectivity(const std::vector<StepCheck>& checks) {

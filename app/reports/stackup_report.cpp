@@ -60,7 +60,7 @@ void printStackup(const model::Stackup& stackup) {
     if (stackup.rows.empty()) {
         return;
     }
-    std::printf("\n%-28s %-16s %10s %-8s %8s %-8s %8s %8s  %s\n", "stack from the top", "type", "thick um", "from",
+    std::printf("\n%-28s %-16s %10s %-8s %8s %-8s %8s %8s  %s\n", "stackup from the top", "type", "height um", "from",
                 "copper oz", "from", "Dk", "Df", "material");
     for (const StackupRow& row : stackup.rows) {
         const std::optional<model::CopperWeight> weight = model::copperWeightOf(row);

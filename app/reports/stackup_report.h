@@ -12,7 +12,7 @@ namespace app {
 /// null.
 [[nodiscard]] nlohmann::ordered_json stackupJson(const model::Stackup& stackup);
 
-/// The same as a table on stdout; nothing for a format without a stack.
+/// The same as a table on stdout; nothing for a format without a stackup.
 void printStackup(const model::Stackup& stackup);
 
 }  // namespace app

@@ -20,6 +20,7 @@ struct Point {
 struct PointD {
     double x = 0.0;
     double y = 0.0;
+    constexpr bool operator==(const PointD&) const = default;
 };
 
 constexpr PointD toDouble(Point p) {

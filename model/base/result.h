@@ -60,3 +60,21 @@ struct Done {};
 using Status = Result<Done>;
 
 }  // namespace base
+
+/// Declares what a Result holds, or returns its error: `ASSIGN_OR_RETURN(const Board board, readBoard(path));`.
+#define ASSIGN_OR_RETURN(declaration, ...) ASSIGN_OR_RETURN_AS(RESULT_NAME(result_, __LINE__), declaration, __VA_ARGS__)
+#define ASSIGN_OR_RETURN_AS(result, declaration, ...) \
+    auto result = __VA_ARGS__;                        \
+    if (!result) {                                    \
+        return result.error();                        \
+    }                                                 \
+    declaration = std::move(*result)
+#define RESULT_NAME(prefix, line) RESULT_NAME_OF(prefix, line)
+#define RESULT_NAME_OF(prefix, line) prefix##line
+/// Returns the error of a Status, if it has one.
+#define RETURN_IF_ERROR(...)                                      \
+    do {                                                          \
+        if (const base::Status status_ = __VA_ARGS__; !status_) { \
+            return status_.error();                               \
+        }                                                         \
+    } while (false)

@@ -18,7 +18,7 @@ struct StepCopy {
 };
 
 /// Row 0 of both is the board itself. The row of a copy together with the ElementId inside its step names one element
-/// of the board: (copy, element) is what picking answers.
+/// of the board: (copy, element) is what picking returns.
 struct StepTree {
     std::vector<const Document*> steps;  ///< each document once, in the order of first appearance
     std::vector<StepCopy> copies;        ///< a copy stands before those it holds

@@ -20,7 +20,7 @@ struct Diagnostic {
     Severity severity = Severity::Info;
     std::string file;         ///< path inside the job, or the job itself; empty if it concerns no file
     std::uint32_t line = 0;   ///< 1-based; 0 if it concerns the whole file
-    std::string text;         ///< a sentence in plain words that names the thing concerned; begins with a capital
+    std::string text;         ///< a sentence in plain words that names the item concerned; begins with a capital
     ElementId element;        ///< the element it concerns, if there is one
     std::uint32_t count = 1;  ///< how often it happened
     std::optional<base::Point> location;  ///< where it is on the board, if no element came out of it

@@ -18,7 +18,7 @@ Box boxOfArea(const Document& document, const AreaGeometry& area) {
         const Point o = area.placement.origin;
         return {{own.min.x + o.x, own.min.y + o.y}, {own.max.x + o.x, own.max.y + o.y}};
     }
-    // Turned shapes: place every node with its arc centre and measure again.
+    // Rotated shapes: place every node with its arc centre and measure again.
     Box box;
     std::vector<PathNode> placed;
     for (const Contour& contour : document.shapes.contoursOf(area.shape)) {

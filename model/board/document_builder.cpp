@@ -220,7 +220,7 @@ void DocumentBuilder::countCopies() {
 void DocumentBuilder::measureExtents() {
     Document& d = *m_document;
     for (const Layer& l : d.layers) {
-        // Components may hang far over the board.
+        // Components may reach far over the board.
         if (l.context != LayerContext::Board || l.type == LayerType::Document || l.type == LayerType::ComponentBody) {
             continue;
         }

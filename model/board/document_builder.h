@@ -51,7 +51,7 @@ public:
     void addNetPoint(const NetPoint& point) { m_document->netPoints.push_back(point); }
     void setProfile(ShapeId shape) { m_document->profile = shape; }
     void addZone(Zone zone) { m_document->zones.push_back(std::move(zone)); }
-    /// A step to place copies of; it must have the same layer rows. Answers its row.
+    /// A step to place copies of; it must have the same layer rows. Returns its row.
     std::uint32_t addStep(std::shared_ptr<const Document> step);
     void addInstance(const StepInstance& instance);
     void addBody(const Body& body) { m_document->bodies.push_back(body); }

@@ -6,7 +6,7 @@
 
 namespace model {
 
-/// Fills Layer::opposite: on which layer of a panel the elements of a card's layer lie when the card is turned over.
+/// Fills Layer::opposite: on which layer of a panel the elements of a card's layer lie when the card is flipped.
 /// Counted from the outside, the first copper layer becomes the last, and so do the dielectrics between them; a mask,
 /// paste, silk or component layer becomes the one of its type on the other side that is as many rows away from the
 /// board; drills become those that span the mirrored layers. Layers that find no such partner keep none: their mirror

@@ -99,7 +99,7 @@ std::vector<DrillTool const*> toolsOf(const Document& document, LayerId layer) {
     return tools;
 }
 
-/// The reader takes both sizes from the tool where it knows them, so these are asked for first.
+/// The reader takes both sizes from the tool where it knows them, so these are requested first.
 const DrillTool* toolFor(const std::vector<const DrillTool*>& tools, const DrillRow& hole) {
     const bool isPlated = hole.kind != HoleKind::NonPlated;
     const DrillTool* best = nullptr;

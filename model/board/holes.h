@@ -33,9 +33,9 @@ struct DrillRow {
     LayerId layer;
     HoleSpan span = HoleSpan::Through;
     HoleKind kind = HoleKind::NonPlated;
-    const char* shape = "round";      ///< "round", "slot" (one straight or curved stroke), "path" (a rout), "area"
+    const char* shape = "round";      ///< "round", "slot" (one straight or curved track), "path" (a rout), "area"
     Nm diameter = 0;                  ///< as drilled, or width of a slot or path; 0 for areas
-    Nm open = 0;                      ///< what the plating leaves; as drilled for bare holes
+    Nm open = 0;                      ///< what the plating leaves; as drilled for NPTHs
     const DrillTool* tool = nullptr;  ///< in Document::tools; none if no tool of the layer fits
     std::uint32_t count = 0;
 };

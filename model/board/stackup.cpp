@@ -12,7 +12,7 @@ namespace model {
 namespace {
 
 /// How far above and below the outermost surface layer the planes of all other layers lie.
-constexpr Nm kPlaneGap = 100'000;
+constexpr Nm kPasteDistance = 100'000;
 /// Copper that takes an even share of the board may be this thick; beyond it the share is no copper thickness.
 constexpr double kLeastCopperShare = 5'000;
 constexpr double kMostCopperShare = 210'000;
@@ -98,7 +98,8 @@ SurfaceDefault surfaceDefault(const Layer& layer) {
     }
 }
 
-/// Laid or glued onto what is already there, in the order of the matrix, instead of filling gaps beside the copper.
+/// Laid or glued onto what is already there, in the order of the matrix, instead of filling the space beside the
+/// copper.
 bool isLaidOn(const Layer& layer) {
     return layer.use == LayerUse::Coverlay || layer.use == LayerUse::Adhesive || layer.use == LayerUse::Stiffener;
 }
@@ -164,7 +165,7 @@ private:
     void collectParts() {
         for (std::size_t i = 0; i < m_layers.size(); ++i) {
             if (isBoardCopper(m_layers[i])) {
-                addGapBefore();
+                addDielectricBefore();
                 addLayer(i, kMostCopper);
             } else if (isPhysical(m_layers[i])) {
                 addLayer(i, m_most);
@@ -233,14 +234,14 @@ private:
     }
 
     /// Two copper layers without a row between them: the dielectric is only known from the upper one, if at all.
-    void addGapBefore() {
+    void addDielectricBefore() {
         if (!m_parts.empty() && m_parts.back().isCopper) {
             const std::size_t above = m_parts.back().row.layer.row();
             addPart(spacingBelow(above), m_facts.layers[above].belowNm, m_most);
         }
     }
 
-    /// A board of one copper layer has its laminate below it.
+    /// A board of one copper layer has its substrate below it.
     void addDielectricBelow() {
         Part part = spacingBelow(m_first);
         const auto copper = std::ranges::find_if(m_parts, &Part::isCopper);
@@ -250,7 +251,7 @@ private:
         part.row.source = set != nullptr ? Source::Session : m_board ? Source::Job : Source::Assumed;
         part.isKnown = true;
         m_floor = -part.row.thickness;
-        report(Severity::Info, "there is one copper layer; below it lies a laminate of " + inUm(part.row.thickness) +
+        report(Severity::Info, "there is one copper layer; below it lies a dielectric of " + inUm(part.row.thickness) +
                                    (set != nullptr ? ", set by you"
                                     : m_board      ? ", the board's thickness"
                                                    : ", which is assumed"));
@@ -324,14 +325,14 @@ private:
         const bool hasRoom = left >= count * kLeastDielectric;
         const std::int64_t share = hasRoom ? left / count : kLeastDielectric;
         setAll(parts, share, m_board && hasRoom ? Source::Derived : Source::Assumed);
-        const std::string gaps = std::to_string(count) + " dielectric(s) without a thickness in the job: taken as " +
-                                 inUm(static_cast<double>(share)) + " each, ";
+        const std::string unknown = std::to_string(count) + " dielectric(s) without a thickness in the job: taken as " +
+                                    inUm(static_cast<double>(share)) + " each, ";
         if (!hasRoom) {
-            report(Severity::Warning, gaps + "because the board's thickness leaves no room for them");
+            report(Severity::Warning, unknown + "because the board's thickness leaves no room for them");
         } else if (m_board) {
-            report(Severity::Info, gaps + "an even share of the board's " + inUm(*m_board));
+            report(Severity::Info, unknown + "an even share of the board's " + inUm(*m_board));
         } else {
-            report(Severity::Info, gaps + "an even share of an assumed board of " + inUm(kDefaultBoard));
+            report(Severity::Info, unknown + "an even share of an assumed board of " + inUm(kDefaultBoard));
         }
     }
 
@@ -363,7 +364,7 @@ private:
         }
     }
 
-    /// Bottom up from z = 0, or from the lower face of a single copper layer's laminate. Returns the upper face of the
+    /// Bottom up from z = 0, or from the lower face of a single copper layer's substrate. Returns the upper face of the
     /// highest copper.
     Nm placeCore() {
         Nm z = m_floor;
@@ -480,7 +481,7 @@ private:
             const bool isBottom = namesBottom(layer);
             layer.side =
                 layer.type == LayerType::Component ? (isBottom ? LayerSide::Bottom : LayerSide::Top) : LayerSide::None;
-            layer.z = isBottom ? m_floor - kDefaultPaste - kPlaneGap : top + kDefaultPaste + kPlaneGap;
+            layer.z = isBottom ? m_floor - kDefaultPaste - kPasteDistance : top + kDefaultPaste + kPasteDistance;
             layer.thickness = 0;
             layer.thicknessSource = Source::Assumed;
         }
@@ -492,7 +493,7 @@ private:
     double m_most;
     std::optional<Nm> m_board;                    ///< the job's, within bounds
     std::vector<Part> m_parts;                    ///< from the top
-    std::unordered_map<std::string, int> m_used;  ///< how often a name was asked for, in lower case
+    std::unordered_map<std::string, int> m_used;  ///< how often a name was requested, in lower case
     std::size_t m_first = 0;
     std::size_t m_last = 0;
     Nm m_floor = 0;  ///< lower face of the board
@@ -517,7 +518,7 @@ Nm thicknessOf(const Stackup& stackup) {
     if (first == stackup.rows.end()) {
         return 0;
     }
-    // A single copper layer's laminate is the row below it.
+    // A single copper layer's substrate is the row below it.
     return &*first == &*last ? (first + 1)->thickness : first->z + first->thickness - last->z;
 }
 

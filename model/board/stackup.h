@@ -9,7 +9,7 @@
 /// Heights of the layers, from what a job says and defaults for what it does not.
 namespace model {
 
-/// Defaults where a job is silent; each use is told in the diagnostics.
+/// Defaults where a job is silent; each use is reported in the diagnostics.
 inline constexpr Nm kDefaultBoard = 1'600'000;
 inline constexpr Nm kDefaultCopper = 35'000;
 inline constexpr Nm kDefaultMask = 25'000;
@@ -27,19 +27,19 @@ inline constexpr double kLeastThickness = 1'000;
 /// By how much programs differ about what an ounce of copper is: 34 to 35.8 µm (odb-notes, Stack).
 inline constexpr double kOunceTolerance = 0.035;
 
-/// Gives every layer its z, thickness, side and source, and answers the stack's rows from the top. `layers` come in
+/// Gives every layer its z, thickness, side and source, and returns the stackup's rows from the top. `layers` come in
 /// document order: the physical ones (copper, dielectric, mask, paste, silk) from the top first; `facts.layers` has one
 /// entry per layer. z = 0 is the lower face of the lowest copper; surface layers lie outside of the outer copper;
 /// drills and routs must have their spans set and reach from the lower face of the lowest to the upper face of the
 /// highest copper they pass; everything else is a plane above or below the board. A board of one copper layer has its
-/// laminate below z = 0. Coverlays, adhesives and stiffeners lie one on the other, from the board outwards; between
+/// substrate below z = 0. Coverlays, adhesives and stiffeners lie one on the other, from the board outwards; between
 /// copper layers they lie on the flexible copper next to them.
 ///
 /// What the user set counts most, then the job's own number; what is left of the job's board thickness is shared by
 /// those dielectrics (or, where all of them are known, copper layers) that have no number; defaults come last.
 [[nodiscard]] Stackup buildStackup(std::vector<Layer>& layers, StackupFacts facts, Diagnostics& diagnostics);
 
-/// From the lowest to the highest face of copper and what lies between; the laminate of a single copper layer for
+/// From the lowest to the highest face of copper and what lies between; the substrate of a single copper layer for
 /// itself.
 [[nodiscard]] Nm thicknessOf(const Stackup& stackup);
 

@@ -12,23 +12,23 @@ namespace model {
 
 namespace {
 
-/// The way from a point inside of a figure to its nearest edge; nothing if the point lies outside.
-std::optional<Gap> wayOut(const FigureTable& table, std::size_t row, PointD p) {
+/// The line from a point inside of a figure to its nearest edge; nothing if the point lies outside.
+std::optional<Spacing> shortestOut(const FigureTable& table, std::size_t row, PointD p) {
     if (table[row].isFilled) {
         return isInside(table, row, p) ? std::optional(spacingToEdges(table, row, p)) : std::nullopt;
     }
     Edge dot;
     dot.a = dot.b = p;
-    // Of a stroke: across it, where its middle line is nearest.
-    std::optional<Gap> farthest;
+    // Of a track: across it, where its middle line is nearest.
+    std::optional<Spacing> farthest;
     for (Edge edge : table.edges(row)) {
         const double pen = std::exchange(edge.pen, 0.0);
-        Gap gap = spacingBetween(dot, edge);
-        const double deep = pen - gap.distance;
+        Spacing spacing = spacingBetween(dot, edge);
+        const double deep = pen - spacing.distance;
         if (deep > 0 && (!farthest || deep > farthest->distance)) {
-            const double scale = gap.distance > 0 ? pen / gap.distance : 0.0;
-            const PointD out{gap.to.x + scale * (p.x - gap.to.x), gap.to.y + scale * (p.y - gap.to.y)};
-            farthest = Gap{deep, p, scale > 0 ? out : PointD{p.x + pen, p.y}};
+            const double scale = spacing.distance > 0 ? pen / spacing.distance : 0.0;
+            const PointD out{spacing.to.x + scale * (p.x - spacing.to.x), spacing.to.y + scale * (p.y - spacing.to.y)};
+            farthest = Spacing{deep, p, scale > 0 ? out : PointD{p.x + pen, p.y}};
         }
     }
     return farthest;
@@ -48,7 +48,7 @@ std::optional<AnnularRing> ringOf(const Document& document, const LayerGeometry&
         if (document.elements.net[element.row()] != document.elements.net[hole.row()]) {
             return;
         }
-        const std::optional<Gap> out = wayOut(copper.figures(), row, centre);
+        const std::optional<Spacing> out = shortestOut(copper.figures(), row, centre);
         const double width = out ? std::max(0.0, out->distance - circle.diameter / 2.0) : 0.0;
         if (out && (!widest || width > widest->width.distance)) {
             const double part = out->distance > 0 ? (circle.diameter / 2.0) / out->distance : 0.0;
@@ -75,13 +75,13 @@ std::vector<AnnularRing> annularRings(const Document& document, LayerId layer, d
     }
     std::vector<std::optional<AnnularRing>> rings(holes.size());
     base::parallelFor(holes.size(), [&](std::size_t i) { rings[i] = ringOf(document, copper, holes[i]); });
-    std::vector<AnnularRing> narrow;
+    std::vector<AnnularRing> small;
     for (const std::optional<AnnularRing>& ring : rings) {
         if (ring && ring->width.distance < below) {
-            narrow.push_back(*ring);
+            small.push_back(*ring);
         }
     }
-    return narrow;
+    return small;
 }
 
 HolesWithoutRings holesWithoutRings(const Document& document) {

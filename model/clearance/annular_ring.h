@@ -11,10 +11,10 @@ namespace model {
 struct AnnularRing {
     ElementId hole;
     ElementId pad;  ///< the element that leaves most of itself around the hole
-    Gap width;      ///< from the edge of the hole to the nearest edge of the pad, nm; 0: the hole breaks out
+    Spacing width;  ///< from the edge of the hole to the nearest edge of the pad, nm; 0: the hole breaks out
 };
 
-/// The rings on a copper layer that are narrower than `below` (nm), by hole. A hole's ring is that of the one element
+/// The rings on a copper layer that are smaller than `below` (nm), by hole. A hole's ring is that of the one element
 /// of its net that leaves most around it: pads, tracks and planes alike, so copper made of several elements may leave
 /// more than is said. Holes that meet no copper of their net on the layer have no ring there; those of
 /// `holesWithoutRings` are left out.

@@ -14,39 +14,39 @@
 /// How close copper of different nets comes to each other.
 namespace model {
 
-/// The narrowest place between two nets on one layer.
+/// The smallest spacing between two nets on one layer.
 struct Clearance {
     LayerId layer;
     NetId netA;  ///< the lower row; copper without a net counts as one more net behind all others ("none")
     NetId netB;
     ElementId a;  ///< of netA: copper of the layer, or a plated hole through it
     ElementId b;
-    Gap gap;  ///< in nanometres; `from` lies on a, `to` on b; distance 0: they touch or overlap
+    Spacing spacing;  ///< in nanometres; `from` lies on a, `to` on b; distance 0: they touch or overlap
 };
 
-/// Which clearances are asked for. Two nets are one answer per layer, however long they run side by side.
-struct ClearanceQuestion {
-    std::size_t count = 100;                                 ///< so many of the narrowest
-    double below = std::numeric_limits<double>::infinity();  ///< only gaps less than this, in nanometres
+/// Which clearances are requested. Two nets are one result per layer, however long they run side by side.
+struct ClearanceRequest {
+    std::size_t count = 100;                                 ///< so many of the smallest
+    double below = std::numeric_limits<double>::infinity();  ///< only clearances less than this, in nanometres
     LayerId layer;                                           ///< only here; none: on all copper layers
     std::pair<NetId, NetId> between;                         ///< only between these; none: any two
-    std::optional<Box> within;                               ///< only elements whose narrowest place has an end in here
+    std::optional<Box> within;  ///< only elements whose smallest spacing has an end in here
 };
 
-/// The narrowest gaps in the plane of a layer, in rising order. What takes part is the copper of the layer and the
+/// The smallest clearances in the plane of a layer, in rising order. What takes part is the copper of the layer and the
 /// walls of plated holes that reach it after back-drilling (Document::platedSpanOf), exact arcs and areas included.
-/// Copper that a bare hole takes away counts as there. Left out: pairs of one net, copper without a net
+/// Copper that an NPTH takes away counts as there. Left out: pairs of one net, copper without a net
 /// among itself, and copper without a net that touches the other net (it belongs to it). Copies of other steps are not
 /// part of it: they have a document of their own.
 ///
-/// Neighbours are looked for within a distance that doubles until there are enough, so the cost follows the number of
-/// elements and of answers, not the number of pairs. The answer does not depend on the number of threads.
+/// Neighbours are searched for within a distance that doubles until there are enough, so the cost follows the number of
+/// elements and of results, not the number of pairs. The result does not depend on the number of threads.
 /// Errors: Cancelled.
-[[nodiscard]] base::Result<std::vector<Clearance>> narrowestClearances(const Document& document,
-                                                                       const ClearanceQuestion& question,
-                                                                       base::Progress& progress);
+[[nodiscard]] base::Result<std::vector<Clearance>> smallestClearances(const Document& document,
+                                                                      const ClearanceRequest& request,
+                                                                      base::Progress& progress);
 
-/// Does a step have copper, but no nets to tell it apart by? Nothing can be measured there.
+/// Does a step have copper, but no nets to distinguish it by? Nothing can be measured there.
 [[nodiscard]] bool isCopperWithoutNets(const Document& step);
 /// A sentence for each such step of a board.
 [[nodiscard]] std::vector<std::string> unmeasuredSteps(const Document& board);

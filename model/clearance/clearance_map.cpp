@@ -17,7 +17,7 @@ namespace {
 
 constexpr float kFar = std::numeric_limits<float>::infinity();
 constexpr double kEndless = std::numeric_limits<double>::infinity();
-/// Cells along a side of what one task works on: so few that edges in sight are few, so many that looking for them
+/// Cells along a side of what one task works on: so few that edges in sight are few, so many that searching for them
 /// costs little.
 constexpr std::uint32_t kTile = 32;
 
@@ -64,7 +64,7 @@ struct Block {
 };
 
 /// Fills a map, block by block. A block is halved until it is a cell; each passes on the edges that can be nearest to
-/// one of its cells. What makes that sure is that no distance changes by more than the way one goes.
+/// one of its cells. What makes that sure is that no distance changes by more than the distance one moves.
 class MapFiller {
 public:
     MapFiller(const LayerGeometry& plane, std::span<const std::uint32_t> groups, bool isBetween, double reach,
@@ -150,27 +150,27 @@ private:
         return std::min(std::max(known, 0.0) + radius, m_reach) + radius;
     }
 
-    /// Puts the edges that matter to a tile into m_near, looking farther and farther until it is sure that there are no
-    /// others.
+    /// Puts the edges that matter to a tile into m_near, searching farther and farther until it is sure that there are
+    /// no others.
     void gather(const Block& tile) {
         const PointD middle = middleOf(tile);
         const double radius = radiusOf(tile);
-        for (double looked = 2 * radius + m_map.frame.cell;;) {
+        for (double searched = 2 * radius + m_map.frame.cell;;) {
             m_near.clear();
             TwoNearest nearest;
             const Box spot = boxAround(middle, middle);
-            const Box box = spot.grownBy(static_cast<Nm>(looked) + 1);
-            m_plane.visitNear(spot, looked, [&](std::uint32_t figure) {
+            const Box box = spot.grownBy(static_cast<Nm>(searched) + 1);
+            m_plane.visitNear(spot, searched, [&](std::uint32_t figure) {
                 visitEdges(m_plane.figures(), figure, box, [&](const Edge& edge) {
                     m_near.push_back({&edge, m_groups[figure], distanceTo(edge, middle)});
                     nearest.offer(m_groups[figure], std::max(m_near.back().distance, 0.0));
                 });
             });
             const double need = needOf(nearest, radius);
-            if (looked >= need) {
+            if (searched >= need) {
                 return;
             }
-            looked = std::min(need, 2 * looked);
+            searched = std::min(need, 2 * searched);
         }
     }
 
@@ -190,7 +190,7 @@ private:
             return write(block, valueOf(nearest));
         }
         if (deepest <= -radius) {
-            return write(block, 0.0F);  // all under one stroke
+            return write(block, 0.0F);  // all under one track
         }
         if (isBeyond(nearest, radius)) {
             return;
@@ -267,7 +267,7 @@ base::Result<DistanceField> DistanceField::toTargets(const Document& document, L
     DistanceField field(Kind::ToTargets, layer,
                         copperGeometry(document, layer, [&](ElementId element) { return isTarget[element.row()]; }));
     if (field.m_plane.size() == 0) {
-        return refused("nothing of the selection is copper of " + document.layer(layer).name);
+        return refused("the selection has no copper on " + document.layer(layer).name);
     }
     field.m_groups.resize(field.m_plane.size());
     return field;
@@ -288,9 +288,7 @@ base::Result<DistanceField> DistanceField::betweenNets(const Document& document,
 }
 
 base::Result<ClearanceMap> DistanceField::map(const MapFrame& frame, double reach, base::Progress& progress) const {
-    if (const base::Status isMappable = check(frame); !isMappable) {
-        return isMappable.error();
-    }
+    RETURN_IF_ERROR(check(frame));
     progress.beginPhase("Measuring distances");
     ClearanceMap map{frame, std::vector<float>(frame.size(), kFar)};
     const MapFiller filler(m_plane, m_groups, m_kind == Kind::BetweenNets, std::clamp(reach, 0.0, kMostMapReach), map);

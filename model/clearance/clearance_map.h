@@ -9,7 +9,7 @@
 #include "model/base/result.h"
 #include "model/clearance/layer_geometry.h"
 
-/// How far every place of a layer is from copper.
+/// How far every location of a layer is from copper.
 namespace model {
 
 /// Square cells laid over a part of the board, row by row from the lower left corner.
@@ -23,10 +23,7 @@ struct MapFrame {
     [[nodiscard]] PointD centreOf(double column, double row) const {
         return {corner.x + (column + 0.5) * cell, corner.y + (row + 0.5) * cell};
     }
-    bool operator==(const MapFrame& other) const {
-        return corner.x == other.corner.x && corner.y == other.corner.y && cell == other.cell && width == other.width &&
-               height == other.height;
-    }
+    bool operator==(const MapFrame&) const = default;
 };
 
 /// The value at the centre of every cell in nm: 0 on copper, infinite beyond the reach it was made with.
@@ -39,22 +36,22 @@ inline constexpr double kMostMapReach = 10e6;
 inline constexpr double kMostMapCell = 10e6;
 inline constexpr std::size_t kMostMapCells = std::size_t{1} << 25;  ///< more than any picture shows
 
-/// The copper of one layer, and what is asked about the places around it. Made once per layer and question, then asked
-/// for any part of the board, from any thread. What counts as copper is copperGeometry's: plated holes are part of it,
-/// copper that a bare hole takes away counts as there, copies of other steps are not.
+/// The copper of one layer, and what is asked about the locations around it. Made once per layer and request, then
+/// called for any part of the board, from any thread. What counts as copper is copperGeometry's: plated holes are part
+/// of it, copper that an NPTH takes away counts as there, copies of other steps are not.
 class DistanceField {
 public:
     enum class Kind {
         ToTargets,    ///< how far is the nearest target?
-        BetweenNets,  ///< how wide is the gap here?
+        BetweenNets,  ///< how large is the spacing here?
     };
 
     /// The exact distance to the nearest of some elements. Errors: BadUsage if none of them is copper of the layer.
     [[nodiscard]] static base::Result<DistanceField> toTargets(const Document& document, LayerId layer,
                                                                std::span<const ElementId> targets);
-    /// The width of the gap at a place beside copper: how far the nearest net is, and the nearest other one, together.
-    /// Between two edges that run side by side this is the same all across, their clearance; on the shortest way
-    /// between any two nets it is the length of that way, and nowhere is it less than the narrowest gap there.
+    /// The spacing at a location beside copper: how far the nearest net is, and the nearest other one, together.
+    /// Between two edges that run side by side this is the same all across, their clearance; on the shortest path
+    /// between any two nets it is the length of that path, and nowhere is it less than the smallest clearances there.
     /// Copper without a net belongs to the net that it touches, alone or by more such copper; the rest of it counts as
     /// one more net. Errors: BadUsage if there are no two nets on the layer, Cancelled.
     [[nodiscard]] static base::Result<DistanceField> betweenNets(const Document& document, LayerId layer,
@@ -70,7 +67,7 @@ public:
     /// any number of threads. Errors: BadUsage for frames without cells, of more than kMostMapCells, of larger cells
     /// than kMostMapCell or beyond base::kMaxCoordinate, Cancelled.
     [[nodiscard]] base::Result<ClearanceMap> map(const MapFrame& frame, double reach, base::Progress& progress) const;
-    /// The value at one place; infinite off the coordinates of boards.
+    /// The value at one location; infinite off the coordinates of boards.
     [[nodiscard]] double at(PointD location, double reach) const;
 
 private:

@@ -34,20 +34,20 @@ ordered_json inMm(PointD p) {
     return {base::toMm(p.x), base::toMm(p.y)};
 }
 
-std::string csvLocations(const Gap& gap) {
-    return formatted("%.6f,%.6f,%.6f,%.6f\n", base::toMm(gap.from.x), base::toMm(gap.from.y), base::toMm(gap.to.x),
-                     base::toMm(gap.to.y));
+std::string csvLocations(const Spacing& spacing) {
+    return formatted("%.6f,%.6f,%.6f,%.6f\n", base::toMm(spacing.from.x), base::toMm(spacing.from.y),
+                     base::toMm(spacing.to.x), base::toMm(spacing.to.y));
 }
 
 std::string textOf(const StepClearances& found) {
     const Document& step = *found.step;
     std::string text = "step " + step.job.step + ": " + std::to_string(found.clearances.size()) + " clearances\n";
     if (!found.clearances.empty()) {
-        text += formatted("%10s  %-20s %11s %11s  %-32s %s\n", "gap um", "layer", "x mm", "y mm", "net", "net");
+        text += formatted("%10s  %-20s %11s %11s  %-32s %s\n", "clear. um", "layer", "x mm", "y mm", "net", "net");
     }
     for (const Clearance& c : found.clearances) {
-        text += formatted("%10.3f  ", micrometres(c.gap.distance)) + padded(step.layer(c.layer).name, 20) +
-                formatted(" %11.4f %11.4f  ", base::toMm(c.gap.from.x), base::toMm(c.gap.from.y)) +
+        text += formatted("%10.3f  ", micrometres(c.spacing.distance)) + padded(step.layer(c.layer).name, 20) +
+                formatted(" %11.4f %11.4f  ", base::toMm(c.spacing.from.x), base::toMm(c.spacing.from.y)) +
                 padded(sideOf(step, c.a), 32) + ' ' + sideOf(step, c.b) + '\n';
     }
     return text;
@@ -58,8 +58,8 @@ std::string csvOf(const StepClearances& found) {
     std::string text;
     for (const Clearance& c : found.clearances) {
         text += csvField(step.job.step) + ',' + csvField(step.layer(c.layer).name) +
-                formatted(",%.3f,", micrometres(c.gap.distance)) + csvField(sideOf(step, c.a)) + ',' +
-                csvField(sideOf(step, c.b)) + ',' + csvLocations(c.gap);
+                formatted(",%.3f,", micrometres(c.spacing.distance)) + csvField(sideOf(step, c.a)) + ',' +
+                csvField(sideOf(step, c.b)) + ',' + csvLocations(c.spacing);
     }
     return text;
 }
@@ -68,12 +68,13 @@ ordered_json jsonOf(const StepClearances& found) {
     const Document& step = *found.step;
     ordered_json list = ordered_json::array();
     for (const Clearance& c : found.clearances) {
-        list.push_back({{"gap_um", micrometres(c.gap.distance)},
+        list.push_back({{"clearance_um", micrometres(c.spacing.distance)},
+                        {"gap_um", micrometres(c.spacing.distance)},
                         {"layer", step.layer(c.layer).name},
                         {"nets", {sideOf(step, c.a), sideOf(step, c.b)}},
                         {"elements", {c.a.value, c.b.value}},
-                        {"from_mm", inMm(c.gap.from)},
-                        {"to_mm", inMm(c.gap.to)}});
+                        {"from_mm", inMm(c.spacing.from)},
+                        {"to_mm", inMm(c.spacing.to)}});
     }
     return {{"step", step.job.step}, {"clearances", list}};
 }
@@ -95,10 +96,10 @@ std::string textOf(const RuleTable& table, const StepRules& found, std::size_t m
         const std::size_t count = found.report.counts[rule];
         text += std::string(wordOf(table, found, rule)) + "  " + titleOf(table.rules[rule]) +
                 formatted(", at least %.1f um: %zu %s\n", micrometres(static_cast<double>(table.rules[rule].least)),
-                          count, count == 1 ? "place" : "places");
+                          count, count == 1 ? "location" : "locations");
         for (const RuleFinding& f : findingsOf(found, rule, most)) {
-            text += formatted("  %10.3f um  ", micrometres(f.gap.distance)) + padded(step.layer(f.layer).name, 20) +
-                    formatted(" %11.4f %11.4f mm  ", base::toMm(f.gap.from.x), base::toMm(f.gap.from.y)) +
+            text += formatted("  %10.3f um  ", micrometres(f.spacing.distance)) + padded(step.layer(f.layer).name, 20) +
+                    formatted(" %11.4f %11.4f mm  ", base::toMm(f.spacing.from.x), base::toMm(f.spacing.from.y)) +
                     padded(sideOf(step, f.a), 28) + ' ' + sideOf(step, f.b) + '\n';
         }
     }
@@ -113,8 +114,8 @@ std::string csvOf(const RuleTable& table, const StepRules& found, std::size_t mo
         for (const RuleFinding& f : findingsOf(found, row, most)) {
             text += csvField(step.job.step) + ',' + csvField(titleOf(rule)) +
                     formatted(",%.3f,", micrometres(static_cast<double>(rule.least))) +
-                    csvField(step.layer(f.layer).name) + formatted(",%.3f,", micrometres(f.gap.distance)) +
-                    csvField(sideOf(step, f.a)) + ',' + csvField(sideOf(step, f.b)) + ',' + csvLocations(f.gap);
+                    csvField(step.layer(f.layer).name) + formatted(",%.3f,", micrometres(f.spacing.distance)) +
+                    csvField(sideOf(step, f.a)) + ',' + csvField(sideOf(step, f.b)) + ',' + csvLocations(f.spacing);
         }
     }
     return text;
@@ -125,12 +126,13 @@ ordered_json jsonOf(const Document& step, const RuleFinding& f) {
     if (f.b.isValid()) {
         elements.push_back(f.b.value);
     }
-    return {{"gap_um", micrometres(f.gap.distance)},
+    return {{"clearance_um", micrometres(f.spacing.distance)},
+            {"gap_um", micrometres(f.spacing.distance)},
             {"layer", step.layer(f.layer).name},
             {"nets", {sideOf(step, f.a), sideOf(step, f.b)}},
             {"elements", elements},
-            {"from_mm", inMm(f.gap.from)},
-            {"to_mm", inMm(f.gap.to)}};
+            {"from_mm", inMm(f.spacing.from)},
+            {"to_mm", inMm(f.spacing.to)}};
 }
 
 ordered_json jsonOf(const RuleTable& table, const StepRules& found, std::size_t most) {
@@ -164,8 +166,9 @@ std::optional<ReportFormat> reportFormatOf(std::string_view name) {
 
 std::string clearanceReport(std::span<const StepClearances> steps, ReportFormat format) {
     ordered_json json = ordered_json::array();
-    std::string text =
-        format == ReportFormat::Csv ? "step,layer,gap um,net a,net b,x mm on a,y mm on a,x mm on b,y mm on b\n" : "";
+    std::string text = format == ReportFormat::Csv
+                           ? "step,layer,clearance um,net a,net b,x mm on a,y mm on a,x mm on b,y mm on b\n"
+                           : "";
     for (const StepClearances& step : steps) {
         if (format == ReportFormat::Json) {
             json.push_back(jsonOf(step));
@@ -180,7 +183,7 @@ std::string ruleReport(const RuleTable& table, std::span<const StepRules> steps,
                        std::size_t most) {
     ordered_json json = ordered_json::array();
     std::string text = format == ReportFormat::Csv
-                           ? "step,rule,least um,layer,gap um,a,b,x mm on a,y mm on a,x mm on b,y mm on b\n"
+                           ? "step,rule,least um,layer,clearance um,a,b,x mm on a,y mm on a,x mm on b,y mm on b\n"
                            : "";
     for (const StepRules& step : steps) {
         if (format == ReportFormat::Json) {

@@ -12,7 +12,7 @@
 /// What was found out about clearances, as text for people and files for programs.
 namespace model {
 
-/// The narrowest places of one step.
+/// The smallest clearances of one step.
 struct StepClearances {
     const Document* step = nullptr;
     std::vector<Clearance> clearances;
@@ -28,9 +28,9 @@ enum class ReportFormat { Text, Json, Csv };
 /// "text", "json", "csv"; also as endings of files (".txt", ".json", ".csv"). None if it is none of them.
 [[nodiscard]] std::optional<ReportFormat> reportFormatOf(std::string_view name);
 
-/// The narrowest places, step by step. Widths in micrometres, places in millimetres.
+/// The smallest clearances, step by step. Widths in micrometres, places in millimetres.
 [[nodiscard]] std::string clearanceReport(std::span<const StepClearances> steps, ReportFormat format);
-/// Every rule with pass or fail, or that it is off, and its places, `most` of each at most. Remarks are not part of it.
+/// Every rule with pass or fail, or that it is off, and its places, `most` of each at most. Notes are not part of it.
 [[nodiscard]] std::string ruleReport(const RuleTable& table, std::span<const StepRules> steps, ReportFormat format,
                                      std::size_t most);
 

@@ -14,15 +14,15 @@ namespace {
 /// Figures per task: small enough to share out one heavy layer, large enough to be worth a task.
 constexpr std::size_t kFiguresPerTask = 512;
 
-using Narrowest = std::unordered_map<std::uint64_t, FigurePair>;
+using Closest = std::unordered_map<std::uint64_t, FigurePair>;
 
-bool isNarrower(const FigurePair& x, const FigurePair& y) {
-    return std::tuple(x.gap.distance, x.a, x.b) < std::tuple(y.gap.distance, y.a, y.b);
+bool isCloser(const FigurePair& x, const FigurePair& y) {
+    return std::tuple(x.spacing.distance, x.a, x.b) < std::tuple(y.spacing.distance, y.a, y.b);
 }
 
-void keep(Narrowest& narrowest, std::uint64_t group, const FigurePair& found) {
-    const auto [location, isFirst] = narrowest.try_emplace(group, found);
-    if (!isFirst && isNarrower(found, location->second)) {
+void retain(Closest& closest, std::uint64_t group, const FigurePair& found) {
+    const auto [location, isFirst] = closest.try_emplace(group, found);
+    if (!isFirst && isCloser(found, location->second)) {
         location->second = found;
     }
 }
@@ -33,17 +33,17 @@ bool holds(const Box& box, PointD p) {
 
 class PairSearch {
 public:
-    PairSearch(const LayerGeometry& a, const LayerGeometry& b, const PairQuestion& question)
-        : m_a(a), m_b(b), m_question(question) {}
+    PairSearch(const LayerGeometry& a, const LayerGeometry& b, const PairRequest& request)
+        : m_a(a), m_b(b), m_request(request) {}
 
-    /// Between figures first … end - 1 of the first sheet and those of the second.
-    void search(std::size_t first, std::size_t end, Narrowest& found) const {
+    /// Between figures first … end - 1 of the first layer geometry and those of the second.
+    void search(std::size_t first, std::size_t end, Closest& found) const {
         std::vector<std::uint32_t> near;
         for (std::size_t i = first; i < end; ++i) {
             const auto row = static_cast<std::uint32_t>(i);
             near.clear();
-            m_b.visitNear(m_a.figures().box(i), m_question.reach, [&](std::uint32_t j) {
-                if ((&m_a != &m_b || j > row) && m_question.isWanted(row, j)) {
+            m_b.visitNear(m_a.figures().box(i), m_request.reach, [&](std::uint32_t j) {
+                if ((&m_a != &m_b || j > row) && m_request.isWanted(row, j)) {
                     near.push_back(j);
                 }
             });
@@ -55,23 +55,23 @@ public:
     }
 
 private:
-    [[nodiscard]] bool isInside(const Gap& gap) const {
-        return !m_question.within || holds(*m_question.within, gap.from) || holds(*m_question.within, gap.to);
+    [[nodiscard]] bool isInside(const Spacing& spacing) const {
+        return !m_request.within || holds(*m_request.within, spacing.from) || holds(*m_request.within, spacing.to);
     }
 
-    void measure(std::uint32_t i, std::uint32_t j, Narrowest& found) const {
-        const std::uint64_t group = m_question.groupOf(i, j);
+    void measure(std::uint32_t i, std::uint32_t j, Closest& found) const {
+        const std::uint64_t group = m_request.groupOf(i, j);
         const auto known = found.find(group);
-        const double limit = known == found.end() ? m_question.reach : known->second.gap.distance;
-        const std::optional<Gap> gap = spacingBetween(m_a.figures(), i, m_b.figures(), j, limit);
-        if (gap && isInside(*gap) && (gap->distance > kTouchNm || m_question.mayTouch(i, j))) {
-            keep(found, group, {i, j, *gap});
+        const double limit = known == found.end() ? m_request.reach : known->second.spacing.distance;
+        const std::optional<Spacing> spacing = spacingBetween(m_a.figures(), i, m_b.figures(), j, limit);
+        if (spacing && isInside(*spacing) && (spacing->distance > kTouchNm || m_request.mayTouch(i, j))) {
+            retain(found, group, {i, j, *spacing});
         }
     }
 
     const LayerGeometry& m_a;
     const LayerGeometry& m_b;
-    const PairQuestion& m_question;
+    const PairRequest& m_request;
 };
 
 void addLayer(LayerGeometry& plane, const Document& document, const Layer& layer, const ElementFilter& isWanted) {
@@ -151,27 +151,27 @@ LayerGeometry edgeGeometry(const Document& document) {
     return plane;
 }
 
-std::vector<FigurePair> narrowestPairs(const LayerGeometry& a, const LayerGeometry& b, const PairQuestion& question,
-                                       base::Progress& progress) {
-    const PairSearch search(a, b, question);
-    std::vector<Narrowest> found((a.size() + kFiguresPerTask - 1) / kFiguresPerTask);
+std::vector<FigurePair> closestPairs(const LayerGeometry& a, const LayerGeometry& b, const PairRequest& request,
+                                     base::Progress& progress) {
+    const PairSearch search(a, b, request);
+    std::vector<Closest> found((a.size() + kFiguresPerTask - 1) / kFiguresPerTask);
     base::parallelFor(found.size(), [&](std::size_t task) {
         if (!progress.isCancelled()) {
             const std::size_t first = task * kFiguresPerTask;
             search.search(first, std::min(first + kFiguresPerTask, a.size()), found[task]);
         }
     });
-    Narrowest all;
-    for (const Narrowest& part : found) {
+    Closest all;
+    for (const Closest& part : found) {
         for (const auto& [group, pair] : part) {
-            keep(all, group, pair);
+            retain(all, group, pair);
         }
     }
     std::vector<FigurePair> pairs;
     for (const auto& [group, pair] : all) {
         pairs.push_back(pair);
     }
-    std::ranges::sort(pairs, isNarrower);
+    std::ranges::sort(pairs, isCloser);
     return pairs;
 }
 

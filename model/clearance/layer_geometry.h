@@ -22,7 +22,7 @@ public:
     void add(const Document& document, ElementId element) { m_figures.add(document, element); }
     /// The outlines of a shape as lines without width.
     void addOutlines(const Document& document, ShapeId shape);
-    /// After the last figure, before anything is looked for.
+    /// After the last figure, before anything is searched for.
     void finish();
 
     [[nodiscard]] std::size_t size() const { return m_figures.size(); }
@@ -44,36 +44,36 @@ using ElementFilter = std::function<bool(ElementId)>;
 /// The copper of a layer, and the walls of plated holes that reach it after back-drilling (Document::platedSpanOf).
 [[nodiscard]] LayerGeometry copperGeometry(const Document& document, LayerId layer,
                                            const ElementFilter& isWanted = isAnyElement);
-/// Drilled and routed holes through a copper layer, plated or bare, as wide as drilled.
+/// Drilled and routed holes through a copper layer, plated or not, as wide as drilled.
 [[nodiscard]] LayerGeometry holeGeometry(const Document& document, LayerId layer);
 /// Everything on one layer.
 [[nodiscard]] LayerGeometry layerGeometry(const Document& document, LayerId layer);
 /// The outline of the board (Document::profile) with its cut-outs, as lines.
 [[nodiscard]] LayerGeometry edgeGeometry(const Document& document);
 
-/// Two figures and the shortest way between them, from the first one to the second.
+/// Two figures and the shortest distance between them, from the first one to the second.
 struct FigurePair {
-    std::uint32_t a = 0;  ///< rows of their sheets
+    std::uint32_t a = 0;  ///< rows of their layer geometry
     std::uint32_t b = 0;
-    Gap gap;
+    Spacing spacing;
 };
 
-struct PairQuestion {
-    double reach = 0.0;  ///< gaps up to this, nm
+struct PairRequest {
+    double reach = 0.0;  ///< spacings up to this, nm
     /// Does this pair count?
     std::function<bool(std::uint32_t a, std::uint32_t b)> isWanted;
-    /// Of pairs with the same number the narrowest is the answer.
+    /// Of pairs with the same number the closest is the result.
     std::function<std::uint64_t(std::uint32_t a, std::uint32_t b)> groupOf;
-    /// May a gap of 0 be the answer? Asked of pairs that touch or overlap.
+    /// May a spacing of 0 be the result? Called for pairs that touch or overlap.
     std::function<bool(std::uint32_t a, std::uint32_t b)> mayTouch;
-    /// Only pairs whose narrowest place has an end in here.
+    /// Only pairs whose smallest spacing has an end in here.
     std::optional<Box> within{};
 };
 
-/// The narrowest pair of every group, in rising order of width, then rows. With the same sheet twice every pair is
-/// looked at once, the lower row first. Over all cores, the same with any number of threads; partial once `progress` is
-/// cancelled.
-[[nodiscard]] std::vector<FigurePair> narrowestPairs(const LayerGeometry& a, const LayerGeometry& b,
-                                                     const PairQuestion& question, base::Progress& progress);
+/// The closest pair of every group, in rising order of width, then rows. With the same layer geometry twice every pair
+/// is visited once, the lower row first. Over all cores, the same with any number of threads; partial once `progress`
+/// is cancelled.
+[[nodiscard]] std::vector<FigurePair> closestPairs(const LayerGeometry& a, const LayerGeometry& b,
+                                                   const PairRequest& request, base::Progress& progress);
 
 }  // namespace model

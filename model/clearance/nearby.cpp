@@ -10,7 +10,7 @@ namespace model {
 namespace {
 
 bool isNearer(const Nearby& a, const Nearby& b) {
-    return std::tuple(a.gap.distance, a.element) < std::tuple(b.gap.distance, b.element);
+    return std::tuple(a.spacing.distance, a.element) < std::tuple(b.spacing.distance, b.element);
 }
 
 /// Which elements are targets, and which have a net of theirs.
@@ -45,13 +45,13 @@ void addNear(const Document& document, LayerId layer, const Sides& sides, double
         return;
     }
     const LayerGeometry others = copperGeometry(document, layer, [&](ElementId e) { return sides.isOther(e); });
-    PairQuestion question;
-    question.reach = reach;
-    question.isWanted = [](std::uint32_t, std::uint32_t) { return true; };
-    question.mayTouch = question.isWanted;
-    question.groupOf = [&](std::uint32_t other, std::uint32_t) { return others.elementOf(other).value; };
-    for (const FigurePair& pair : narrowestPairs(others, targets, question, progress)) {
-        found.push_back({others.elementOf(pair.a), layer, pair.gap});
+    PairRequest request;
+    request.reach = reach;
+    request.isWanted = [](std::uint32_t, std::uint32_t) { return true; };
+    request.mayTouch = request.isWanted;
+    request.groupOf = [&](std::uint32_t other, std::uint32_t) { return others.elementOf(other).value; };
+    for (const FigurePair& pair : closestPairs(others, targets, request, progress)) {
+        found.push_back({others.elementOf(pair.a), layer, pair.spacing});
     }
 }
 

@@ -11,11 +11,11 @@
 /// What lies near something: the clearance lens.
 namespace model {
 
-/// Copper of another net, at its narrowest place on any layer.
+/// Copper of another net, at its smallest spacing on any layer.
 struct Nearby {
     ElementId element;
     LayerId layer;
-    Gap gap;  ///< from the element to what it is near to, nm
+    Spacing spacing;  ///< from the element to what it is near to, nm
 };
 
 /// Copper and plated holes that come within `reach` (nm) of any of the targets on a copper layer, once each, the

@@ -106,8 +106,9 @@ public:
         }
         checkHoles();
         note();
-        std::ranges::sort(m_report.findings, {},
-                          [](const RuleFinding& f) { return std::tuple(f.rule, f.gap.distance, f.layer, f.a, f.b); });
+        std::ranges::sort(m_report.findings, {}, [](const RuleFinding& f) {
+            return std::tuple(f.rule, f.spacing.distance, f.layer, f.a, f.b);
+        });
         for (const RuleFinding& finding : m_report.findings) {
             ++m_report.counts[finding.rule];
         }
@@ -128,9 +129,9 @@ private:
                                             : std::optional<std::size_t>(m_table.rules.rend() - last - 1);
     }
 
-    void add(std::size_t rule, LayerId layer, ElementId a, ElementId b, const Gap& gap) {
-        if (gap.distance < m_table.rules[rule].least) {
-            m_report.findings.push_back({rule, layer, a, b, gap});
+    void add(std::size_t rule, LayerId layer, ElementId a, ElementId b, const Spacing& spacing) {
+        if (spacing.distance < m_table.rules[rule].least) {
+            m_report.findings.push_back({rule, layer, a, b, spacing});
         }
     }
 
@@ -148,23 +149,23 @@ private:
 
     void checkNets(LayerId layer, const LayerGeometry& copper) {
         const auto net = [&](std::uint32_t row) { return netOf(copper.elementOf(row)); };
-        PairQuestion question;
-        question.reach = m_classRules.reach();
-        question.isWanted = [&](std::uint32_t a, std::uint32_t b) {
+        PairRequest request;
+        request.reach = m_classRules.reach();
+        request.isWanted = [&](std::uint32_t a, std::uint32_t b) {
             return net(a) != net(b) && m_classRules.between(net(a), net(b));
         };
-        question.groupOf = [&](std::uint32_t a, std::uint32_t b) {
+        request.groupOf = [&](std::uint32_t a, std::uint32_t b) {
             const auto [low, high] = std::minmax({net(a), net(b)});
             return both(low.value, high.value);
         };
         // Copper without a net that touches a net belongs to it.
-        question.mayTouch = [&](std::uint32_t a, std::uint32_t b) { return net(a).isValid() && net(b).isValid(); };
-        if (question.reach <= 0) {
+        request.mayTouch = [&](std::uint32_t a, std::uint32_t b) { return net(a).isValid() && net(b).isValid(); };
+        if (request.reach <= 0) {
             return;
         }
-        for (const FigurePair& pair : narrowestPairs(copper, copper, question, m_progress)) {
+        for (const FigurePair& pair : closestPairs(copper, copper, request, m_progress)) {
             add(*m_classRules.between(net(pair.a), net(pair.b)), layer, copper.elementOf(pair.a),
-                copper.elementOf(pair.b), pair.gap);
+                copper.elementOf(pair.b), pair.spacing);
         }
     }
 
@@ -175,19 +176,19 @@ private:
         }
         const LayerGeometry copper = layerGeometry(m_document, layer);
         const LayerGeometry holes = holeGeometry(m_document, layer);
-        PairQuestion question;
-        question.reach = m_table.rules[*rule].least;
-        question.isWanted = [&](std::uint32_t a, std::uint32_t b) {
+        PairRequest request;
+        request.reach = m_table.rules[*rule].least;
+        request.isWanted = [&](std::uint32_t a, std::uint32_t b) {
             const ElementId hole = holes.elementOf(b);
             const bool isPlated = isPlatedHole(m_document.elements.flags[hole.row()]);
             return !isPlated || netOf(copper.elementOf(a)) != netOf(hole);
         };
-        question.groupOf = [&](std::uint32_t a, std::uint32_t b) {
+        request.groupOf = [&](std::uint32_t a, std::uint32_t b) {
             return both(copper.elementOf(a).value, holes.elementOf(b).value);
         };
-        question.mayTouch = [](std::uint32_t, std::uint32_t) { return true; };
-        for (const FigurePair& pair : narrowestPairs(copper, holes, question, m_progress)) {
-            add(*rule, layer, copper.elementOf(pair.a), holes.elementOf(pair.b), pair.gap);
+        request.mayTouch = [](std::uint32_t, std::uint32_t) { return true; };
+        for (const FigurePair& pair : closestPairs(copper, holes, request, m_progress)) {
+            add(*rule, layer, copper.elementOf(pair.a), holes.elementOf(pair.b), pair.spacing);
         }
     }
 
@@ -197,13 +198,13 @@ private:
             return;
         }
         const LayerGeometry edge = edgeGeometry(m_document);
-        PairQuestion question;
-        question.reach = m_table.rules[*rule].least;
-        question.isWanted = [](std::uint32_t, std::uint32_t) { return true; };
-        question.mayTouch = question.isWanted;
-        question.groupOf = [&](std::uint32_t a, std::uint32_t) { return copper.elementOf(a).value; };
-        for (const FigurePair& pair : narrowestPairs(copper, edge, question, m_progress)) {
-            add(*rule, layer, copper.elementOf(pair.a), {}, pair.gap);
+        PairRequest request;
+        request.reach = m_table.rules[*rule].least;
+        request.isWanted = [](std::uint32_t, std::uint32_t) { return true; };
+        request.mayTouch = request.isWanted;
+        request.groupOf = [&](std::uint32_t a, std::uint32_t) { return copper.elementOf(a).value; };
+        for (const FigurePair& pair : closestPairs(copper, edge, request, m_progress)) {
+            add(*rule, layer, copper.elementOf(pair.a), {}, pair.spacing);
         }
     }
 
@@ -213,26 +214,26 @@ private:
             return;
         }
         const LayerGeometry openings = layerGeometry(m_document, layer);
-        PairQuestion question;
-        question.reach = m_table.rules[*rule].least;
-        question.isWanted = [](std::uint32_t, std::uint32_t) { return true; };
-        question.mayTouch = [](std::uint32_t, std::uint32_t) { return false; };  // they are one opening
-        question.groupOf = [&](std::uint32_t a, std::uint32_t b) {
+        PairRequest request;
+        request.reach = m_table.rules[*rule].least;
+        request.isWanted = [](std::uint32_t, std::uint32_t) { return true; };
+        request.mayTouch = [](std::uint32_t, std::uint32_t) { return false; };  // they are one opening
+        request.groupOf = [&](std::uint32_t a, std::uint32_t b) {
             return both(openings.elementOf(a).value, openings.elementOf(b).value);
         };
-        for (const FigurePair& pair : narrowestPairs(openings, openings, question, m_progress)) {
-            if (!isOpenBetween(openings, pair.gap)) {
-                add(*rule, layer, openings.elementOf(pair.a), openings.elementOf(pair.b), pair.gap);
+        for (const FigurePair& pair : closestPairs(openings, openings, request, m_progress)) {
+            if (!isOpenBetween(openings, pair.spacing)) {
+                add(*rule, layer, openings.elementOf(pair.a), openings.elementOf(pair.b), pair.spacing);
             }
         }
     }
 
     /// A third opening may leave nothing of what is between two.
-    static bool isOpenBetween(const LayerGeometry& openings, const Gap& gap) {
+    static bool isOpenBetween(const LayerGeometry& openings, const Spacing& spacing) {
         FigureTable middle;
-        middle.addTrack(gap.from, gap.to, 0.0);
+        middle.addTrack(spacing.from, spacing.to, 0.0);
         FigureTable point;
-        const PointD half{(gap.from.x + gap.to.x) / 2, (gap.from.y + gap.to.y) / 2};
+        const PointD half{(spacing.from.x + spacing.to.x) / 2, (spacing.from.y + spacing.to.y) / 2};
         point.addTrack(half, half, 0.0);
         bool isOpen = false;
         openings.visitNear(middle.box(0), 0.0, [&](std::uint32_t row) {
@@ -255,16 +256,16 @@ private:
             }
         }
         holes.finish();
-        PairQuestion question;
-        question.reach = m_table.rules[*rule].least;
-        question.isWanted = [&](std::uint32_t a, std::uint32_t b) { return areApart(holes, a, b); };
-        question.mayTouch = [](std::uint32_t, std::uint32_t) { return true; };
-        question.groupOf = [&](std::uint32_t a, std::uint32_t b) {
+        PairRequest request;
+        request.reach = m_table.rules[*rule].least;
+        request.isWanted = [&](std::uint32_t a, std::uint32_t b) { return areApart(holes, a, b); };
+        request.mayTouch = [](std::uint32_t, std::uint32_t) { return true; };
+        request.groupOf = [&](std::uint32_t a, std::uint32_t b) {
             return both(holes.elementOf(a).value, holes.elementOf(b).value);
         };
-        for (const FigurePair& pair : narrowestPairs(holes, holes, question, m_progress)) {
+        for (const FigurePair& pair : closestPairs(holes, holes, request, m_progress)) {
             const ElementId hole = holes.elementOf(pair.a);
-            add(*rule, m_document.elements.layer[hole.row()], hole, holes.elementOf(pair.b), pair.gap);
+            add(*rule, m_document.elements.layer[hole.row()], hole, holes.elementOf(pair.b), pair.spacing);
         }
     }
 
@@ -286,7 +287,7 @@ private:
             m_report.notes.emplace_back("the board has no outline, so copper was not held against its edge");
         }
         if (ruleOf(RuleKind::MaskSliver) && std::ranges::none_of(m_document.layers, isMask)) {
-            m_report.notes.emplace_back("the board has no layer of solder mask, so no slivers were looked for");
+            m_report.notes.emplace_back("the board has no solder mask layer, so slivers are not checked");
         }
         if (ruleOf(RuleKind::AnnularRing)) {
             noteRings();

@@ -29,7 +29,7 @@ base::Result<NetClass> parseClass(const std::string& name, const ordered_json& n
     NetClass netClass{name, {}};
     for (const ordered_json& net : nets) {
         if (!net.is_string()) {
-            return bad("class \"" + name + "\" lists something that is no name");
+            return bad("class \"" + name + "\" lists an item that is no name");
         }
         netClass.nets.push_back(net);
     }
@@ -72,9 +72,7 @@ base::Result<Rule> parseRule(const ordered_json& json, const RuleTable& table, s
     }
     Rule rule{*kind, static_cast<Nm>(std::lround(least * base::kNmPerUm)), {}, isOn};
     if (json.contains("between")) {
-        if (const base::Status known = parseBetween(json["between"], table, where, rule); !known) {
-            return known.error();
-        }
+        RETURN_IF_ERROR(parseBetween(json["between"], table, where, rule));
     }
     return rule;
 }
@@ -122,21 +120,15 @@ base::Result<RuleTable> parseRules(std::string_view text) {
     }
     RuleTable table;
     for (const auto& [name, nets] : classes.items()) {
-        base::Result<NetClass> netClass = parseClass(name, nets);
-        if (!netClass) {
-            return netClass.error();
-        }
-        table.classes.push_back(std::move(*netClass));
+        ASSIGN_OR_RETURN(NetClass netClass, parseClass(name, nets));
+        table.classes.push_back(std::move(netClass));
     }
     if (table.classes.size() > kMostNetClasses) {
         return bad("there are more than " + std::to_string(kMostNetClasses) + " net classes");
     }
     for (const ordered_json& rule : rules) {
-        base::Result<Rule> parsed = parseRule(rule, table, table.rules.size());
-        if (!parsed) {
-            return parsed.error();
-        }
-        table.rules.push_back(*parsed);
+        ASSIGN_OR_RETURN(Rule parsed, parseRule(rule, table, table.rules.size()));
+        table.rules.push_back(parsed);
     }
     return table.rules.empty() ? base::Result<RuleTable>(bad("there are none")) : table;
 }

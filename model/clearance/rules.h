@@ -15,7 +15,7 @@ namespace model {
 
 enum class RuleKind : std::uint8_t {
     CopperToCopper,  ///< between nets, on one layer; walls of plated holes count as copper
-    CopperToHole,    ///< from copper to holes as drilled: bare ones, and plated ones of other nets
+    CopperToHole,    ///< from copper to holes as drilled: NPTHs, and plated ones of other nets
     CopperToEdge,    ///< from copper to the board's outline and cut-outs
     HoleToHole,      ///< between holes as drilled that pass a common copper layer
     AnnularRing,     ///< what is left of a pad around a plated hole, on every layer where it has one
@@ -55,7 +55,7 @@ struct RuleTable {
 inline constexpr std::size_t kMostNetClasses = 63;
 inline constexpr Nm kMostLeast = 100'000'000;  ///< nothing on a board is asked to stay a decimetre apart
 
-/// A rule of every kind, as common fabricators ask for without extra cost.
+/// A rule of every kind, as common fabricators offer without extra cost.
 [[nodiscard]] RuleTable defaultRules();
 
 /// From JSON:

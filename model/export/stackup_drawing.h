@@ -6,17 +6,17 @@
 #include "model/board/document.h"
 #include "model/board/holes.h"
 
-/// The stack of a board as a drawing from the side: where every layer and every kind of hole begins and ends, and where
-/// there is room to write beside it. Whoever draws chooses the unit; y goes down from 0.
+/// The stackup of a board as a drawing from the side: where every layer and every kind of hole begins and ends, and
+/// where there is room to write beside it. Whoever draws chooses the unit; y goes down from 0.
 namespace model {
 
 struct StackupLayout {
     double height = 0.0;         ///< of all layers together; grows where the labels need more
     double lineHeight = 0.0;     ///< of a label
-    bool isExaggerated = false;  ///< copper is drawn as thick as the laminate, all together; else all is to scale
+    bool isExaggerated = false;  ///< copper is drawn as thick as the substrate, all together; else all is to scale
 };
 
-/// A row of the stack.
+/// A row of the stackup.
 struct StackupBand {
     double top = 0.0;
     double bottom = 0.0;
@@ -42,7 +42,7 @@ struct StackupDrawing {
     double copperTimes = 1.0;  ///< by how much copper is drawn thicker than everything else
 };
 
-/// Empty for boards that have no stack rows. Holes whose ends are no rows of the stack are left out.
+/// Empty for boards that have no stackup rows. Holes whose ends are no rows of the stackup are left out.
 [[nodiscard]] StackupDrawing drawStackup(const Document& document, const StackupLayout& layout);
 
 /// Moves the labels of bands, which are listed from the top, apart as little as needed to keep each within `height`.

@@ -76,9 +76,8 @@ std::string csvNumber(const std::optional<double>& value) {
 }
 
 std::string titleOf(const Document& document, const StackupDrawing& drawing) {
-    const std::string scale = drawing.copperTimes > 1.0
-                                  ? formatted("copper %g times as thick, else to scale", drawing.copperTimes)
-                                  : "to scale";
+    const std::string scale =
+        drawing.copperTimes > 1.0 ? formatted("copper scale x%g, else to scale", drawing.copperTimes) : "to scale";
     return document.job.name + ": " + lengthText(document.boardThickness) + ", " + scale;
 }
 
@@ -122,11 +121,11 @@ std::string stackupCsv(const Document& document) {
 base::Status writeStackup(const Document& document, const std::filesystem::path& path, bool isExaggerated) {
     const std::string ending = path.extension().string();
     if (ending != ".svg" && ending != ".csv") {
-        return base::Error{base::ErrorCode::BadUsage, path.string() + ": a stack is written as .svg or .csv"};
+        return base::Error{base::ErrorCode::BadUsage, path.string() + ": a stackup is written as .svg or .csv"};
     }
     if (document.stackup.rows.empty()) {
         return base::Error{base::ErrorCode::BadUsage,
-                           "This board states its heights itself; there is no stack to write"};
+                           "This board states its heights itself; there is no stackup to write"};
     }
     std::ofstream file(path, std::ios::binary);
     file << (ending == ".svg" ? stackupSvg(document, isExaggerated) : stackupCsv(document));

@@ -6,15 +6,16 @@
 #include "model/base/result.h"
 #include "model/board/document.h"
 
-/// The stack of a board for others: a drawing and a table.
+/// The stackup of a board for others: a drawing and a table.
 namespace model {
 
 /// A drawing with labels and holes, as SVG 1.1 in UTF-8.
 [[nodiscard]] std::string stackupSvg(const Document& document, bool isExaggerated);
-/// A line per row of the stack with headings, comma separated (RFC 4180); lengths in nm, empty where nothing is known.
+/// A line per row of the stackup with headings, comma separated (RFC 4180); lengths in nm, empty where nothing is
+/// known.
 [[nodiscard]] std::string stackupCsv(const Document& document);
 
-/// Writes one of them, as the name's ending says. Errors: BadUsage for other endings and boards without a stack,
+/// Writes one of them, as the name's ending says. Errors: BadUsage for other endings and boards without a stackup,
 /// OutputFailed with the path and the reason.
 [[nodiscard]] base::Status writeStackup(const Document& document, const std::filesystem::path& path,
                                         bool isExaggerated);

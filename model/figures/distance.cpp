@@ -8,7 +8,7 @@ namespace model {
 
 namespace {
 
-/// A lower bound of the gap between what two boxes hold. Boxes are rounded outwards, so it is never too large.
+/// A lower bound of the spacing between what two boxes hold. Boxes are rounded outwards, so it is never too large.
 double apart(const Box& a, const Box& b) {
     const double dx = std::max({double{0}, double(b.min.x) - a.max.x, double(a.min.x) - b.max.x});
     const double dy = std::max({double{0}, double(b.min.y) - a.max.y, double(a.min.y) - b.max.y});
@@ -47,7 +47,7 @@ class ClosestEdges {
 public:
     ClosestEdges(const Levels& a, const Levels& b, double limit) : m_a(a), m_b(b), m_limit(limit) {}
 
-    std::optional<Gap> find() {
+    std::optional<Spacing> find() {
         descend(m_a.top, 0, m_b.top, 0);
         return m_best;
     }
@@ -78,10 +78,10 @@ private:
         const auto [firstB, endB] = m_b.children(0, b);
         for (std::size_t i = firstA; i < endA; ++i) {
             for (std::size_t j = firstB; j < endB && !isDone(); ++j) {
-                const Gap gap = spacingBetween(m_a.edges[i], m_b.edges[j]);
-                if (gap.distance <= m_limit) {
-                    m_best = gap;
-                    m_limit = gap.distance;
+                const Spacing spacing = spacingBetween(m_a.edges[i], m_b.edges[j]);
+                if (spacing.distance <= m_limit) {
+                    m_best = spacing;
+                    m_limit = spacing.distance;
                 }
             }
         }
@@ -92,7 +92,7 @@ private:
     const Levels& m_a;
     const Levels& m_b;
     double m_limit;
-    std::optional<Gap> m_best;
+    std::optional<Spacing> m_best;
 };
 
 /// Winding numbers of the island and of the holes around a point, over the edges a ray to the right may meet.
@@ -133,8 +133,8 @@ void descend(const Levels& levels, std::size_t level, std::size_t index, const B
     }
 }
 
-/// The nearest way from a point to the edges below a box, or `best` if that is shorter.
-Gap nearest(const Levels& levels, std::size_t level, std::size_t index, const Edge& dot, Gap best) {
+/// The shortest line from a point to the edges below a box, or `best` if that is shorter.
+Spacing nearest(const Levels& levels, std::size_t level, std::size_t index, const Edge& dot, Spacing best) {
     if (apart(levels.box(level, index), boxOf(dot)) >= best.distance) {
         return best;
     }
@@ -145,14 +145,14 @@ Gap nearest(const Levels& levels, std::size_t level, std::size_t index, const Ed
         } else {
             Edge edge = levels.edges[i];
             edge.pen = 0;
-            const Gap gap = spacingBetween(dot, edge);
-            best = gap.distance < best.distance ? gap : best;
+            const Spacing spacing = spacingBetween(dot, edge);
+            best = spacing.distance < best.distance ? spacing : best;
         }
     }
     return best;
 }
 
-std::optional<Gap> closer(const std::optional<Gap>& a, const std::optional<Gap>& b) {
+std::optional<Spacing> closer(const std::optional<Spacing>& a, const std::optional<Spacing>& b) {
     return !a || (b && b->distance < a->distance) ? b : a;
 }
 
@@ -162,7 +162,7 @@ bool isInside(const FigureTable& table, std::size_t row, PointD p) {
     return table[row].isFilled && RayToTheRight(Levels(table, row), p).isInside();
 }
 
-Gap spacingToEdges(const FigureTable& table, std::size_t row, PointD p) {
+Spacing spacingToEdges(const FigureTable& table, std::size_t row, PointD p) {
     Edge dot;
     dot.a = dot.b = p;
     const Levels levels(table, row);
@@ -176,14 +176,14 @@ void visitEdges(const FigureTable& table, std::size_t row, const Box& box,
     descend(levels, levels.top, 0, box, visit);
 }
 
-std::optional<Gap> spacingBetween(const FigureTable& a, std::size_t rowA, const FigureTable& b, std::size_t rowB,
-                                  double limit) {
+std::optional<Spacing> spacingBetween(const FigureTable& a, std::size_t rowA, const FigureTable& b, std::size_t rowB,
+                                      double limit) {
     if (apart(a.box(rowA), b.box(rowB)) > limit) {
         return std::nullopt;
     }
     const Levels levelsA(a, rowA);
     const Levels levelsB(b, rowB);
-    const std::optional<Gap> edges = ClosestEdges(levelsA, levelsB, limit).find();
+    const std::optional<Spacing> edges = ClosestEdges(levelsA, levelsB, limit).find();
     if (edges && edges->distance <= 0) {
         return edges;
     }
@@ -191,20 +191,20 @@ std::optional<Gap> spacingBetween(const FigureTable& a, std::size_t rowA, const 
     const PointD pointOfA = a[rowA].anchor;
     const PointD pointOfB = b[rowB].anchor;
     if (isInside(b, rowB, pointOfA)) {
-        return Gap{0.0, pointOfA, pointOfA};
+        return Spacing{0.0, pointOfA, pointOfA};
     }
     if (isInside(a, rowA, pointOfB)) {
-        return Gap{0.0, pointOfB, pointOfB};
+        return Spacing{0.0, pointOfB, pointOfB};
     }
     return edges;
 }
 
-std::optional<Gap> spacingBetween(const Document& document, ElementId a, ElementId b, double limit) {
+std::optional<Spacing> spacingBetween(const Document& document, ElementId a, ElementId b, double limit) {
     FigureTable figuresA;
     FigureTable figuresB;
     figuresA.add(document, a);
     figuresB.add(document, b);
-    std::optional<Gap> best;
+    std::optional<Spacing> best;
     for (std::size_t i = 0; i < figuresA.size(); ++i) {
         for (std::size_t j = 0; j < figuresB.size(); ++j) {
             best = closer(best, spacingBetween(figuresA, i, figuresB, j, best ? best->distance : limit));

@@ -8,26 +8,26 @@
 
 namespace model {
 
-/// Largest gap that counts as touching. Coordinates are whole nanometres, so two things that are apart are at least
+/// Largest spacing that counts as touching. Coordinates are whole nanometres, so two items that are apart are at least
 /// 1 nm apart; less than half of that comes from rounding placed shapes and arcs.
 inline constexpr double kTouchNm = 0.5;
 
-/// The gap between two figures of any kind; nothing if it is larger than `limit`. Things that touch or overlap have a
-/// gap of 0 at a place both cover. Figures may come from different tables.
-[[nodiscard]] std::optional<Gap> spacingBetween(const FigureTable& a, std::size_t rowA, const FigureTable& b,
-                                                std::size_t rowB,
-                                                double limit = std::numeric_limits<double>::infinity());
+/// The spacing between two figures of any kind; nothing if it is larger than `limit`. Items that touch or overlap have
+/// a spacing of 0 at a location both cover. Figures may come from different tables.
+[[nodiscard]] std::optional<Spacing> spacingBetween(const FigureTable& a, std::size_t rowA, const FigureTable& b,
+                                                    std::size_t rowB,
+                                                    double limit = std::numeric_limits<double>::infinity());
 
-/// The gap between two elements, over all their pieces; nothing if one of them covers nothing or it is larger than
+/// The spacing between two elements, over all their pieces; nothing if one of them covers nothing or it is larger than
 /// `limit`. For many elements make the tables once and use the function above.
-[[nodiscard]] std::optional<Gap> spacingBetween(const Document& document, ElementId a, ElementId b,
-                                                double limit = std::numeric_limits<double>::infinity());
+[[nodiscard]] std::optional<Spacing> spacingBetween(const Document& document, ElementId a, ElementId b,
+                                                    double limit = std::numeric_limits<double>::infinity());
 
-/// Is the point inside of a filled figure? Never for strokes.
+/// Is the point inside of a filled figure? Never for tracks.
 [[nodiscard]] bool isInside(const FigureTable& table, std::size_t row, PointD p);
 
-/// The shortest way from a point to an edge of a figure, pen and inside left out of account.
-[[nodiscard]] Gap spacingToEdges(const FigureTable& table, std::size_t row, PointD p);
+/// The shortest line from a point to an edge of a figure, pen and inside left out of account.
+[[nodiscard]] Spacing spacingToEdges(const FigureTable& table, std::size_t row, PointD p);
 
 /// Calls `visit` for the edges of a figure that may come into the box, and for some that lie beside it.
 void visitEdges(const FigureTable& table, std::size_t row, const Box& box,

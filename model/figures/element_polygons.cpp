@@ -8,7 +8,7 @@ namespace model {
 
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kFullCircle = 2.0 * std::numbers::pi;
 
 Nm toNm(double value) {
     return static_cast<Nm>(std::llround(value));
@@ -30,7 +30,7 @@ std::vector<Point> circlePoints(Point centre, Nm diameter, const Discretisation&
     return points;
 }
 
-/// The region of a round pen along a straight stroke, counter-clockwise.
+/// The region of a round pen along a straight track, counter-clockwise.
 std::vector<Point> capsulePoints(Point a, Point b, Nm width, const Discretisation& how) {
     if (a == b) {
         return circlePoints(a, width, how);
@@ -52,7 +52,7 @@ std::vector<Point> capsulePoints(Point a, Point b, Nm width, const Discretisatio
 std::vector<Point> squarePenPoints(const LineGeometry& line) {
     const Nm r = line.width / 2;
     // Both squares' corners; the hull of two equal squares has at most six corners and `unite` is not needed: take the
-    // extreme corners on either side of the stroke.
+    // extreme corners on either side of the track.
     const bool isRising = (std::int64_t{line.b.x} - line.a.x) * (std::int64_t{line.b.y} - line.a.y) >= 0;
     const Point low{std::min(line.a.x, line.b.x), std::min(line.a.y, line.b.y)};
     const Point high{std::max(line.a.x, line.b.x), std::max(line.a.y, line.b.y)};
@@ -68,7 +68,7 @@ void addArcTrack(const PathNode& node, Point end, Nm width, const Discretisation
     const double sweep = sweepOf(node, end);
     const double radius = std::hypot(double(node.point.x) - node.centre.x, double(node.point.y) - node.centre.y);
     const double half = width / 2.0;
-    if (std::abs(sweep) >= kTurn) {
+    if (std::abs(sweep) >= kFullCircle) {
         set.beginPolygon();
         set.addLoop(circlePoints(node.centre, toNm(2.0 * (radius + half)), how));
         if (radius > half) {
@@ -76,7 +76,7 @@ void addArcTrack(const PathNode& node, Point end, Nm width, const Discretisation
         }
         return;
     }
-    // A pen wider than the arc's radius would turn the inner edge inside out: then strokes along the chords, which
+    // A pen wider than the arc's radius would turn the inner edge inside out: then tracks along the chords, which
     // unite to the same region.
     std::vector<Point> chords;
     discretiseEdge(node, end, how, chords);

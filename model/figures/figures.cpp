@@ -21,14 +21,14 @@ std::uint64_t spread(std::uint64_t bits) {
     return bits;
 }
 
-/// The place of a point on the Morton curve.
+/// The location of a point on the Morton curve.
 std::uint64_t mortonOf(PointD p) {
     constexpr double kOffset = 2147483648.0;  // coordinates reach ±2^31
     return spread(static_cast<std::uint64_t>(p.x + kOffset)) |
            (spread(static_cast<std::uint64_t>(p.y + kOffset)) << 1U);
 }
 
-/// Corners of what an axis-parallel square covers on its way: the hull of the square at both ends, counter-clockwise.
+/// Corners of what an axis-parallel square covers on its path: the hull of the square at both ends, counter-clockwise.
 std::vector<PointD> sweptSquare(const LineGeometry& line) {
     const double r = line.width / 2.0;
     const PointD a = base::toDouble(line.a.x <= line.b.x ? line.a : line.b);
@@ -46,7 +46,7 @@ std::vector<PointD> sweptSquare(const LineGeometry& line) {
             {b.x + r, b.y + r}, {a.x + r, a.y + r}, {a.x - r, a.y + r}};
 }
 
-/// Moves edges to where they are placed. Turned over, a contour runs the other way round.
+/// Moves edges to where they are placed. Flipped, a contour runs the other way round.
 void lay(std::span<Edge> edges, const Placement& placement) {
     if (isIdentity(placement)) {
         return;
@@ -195,7 +195,7 @@ void FigureTable::addCircle(const CircleGeometry& circle, bool isHole) {
     if (!isRing) {
         return addTrack(edgeOf(straightFrom(circle.centre), circle.centre), circle.diameter);
     }
-    // A ring is a stroke along the circle half way between its two edges.
+    // A ring is a track along the circle half way between its two edges.
     Edge middle;
     middle.centre = base::toDouble(circle.centre);
     middle.radius = (double{1} * circle.diameter + circle.innerDiameter) / 4;

@@ -9,7 +9,7 @@
 namespace model {
 
 /// What elements cover, in a form that can be measured exactly: arcs stay arcs, pens stay pens. A figure is one
-/// connected piece: a stroke (edges with a pen), or an island of an area with its holes (boundary edges around a filled
+/// connected piece: a track (edges with a pen), or an island of an area with its holes (boundary edges around a filled
 /// inside). An area of several islands gives one figure each; holes count as filled, as far as the drill reaches.
 ///
 /// The edges of a figure are grouped in eights, those in eights again and so on up to one box, so that a figure of
@@ -24,19 +24,19 @@ public:
         std::uint32_t firstBox = 0;  ///< level by level, the finest first, the last box holds the whole figure
         std::uint32_t boxCount = 0;
         bool isFilled = false;
-        PointD anchor;  ///< a point on its outline, or on the middle of its stroke
+        PointD anchor;  ///< a point on its outline, or on the middle of its track
     };
 
     static constexpr std::uint32_t kBranch = 8;
 
-    /// Adds the figures of an element, laid on the board by `placement`. Strokes without width cover nothing and add
+    /// Adds the figures of an element, laid on the board by `placement`. Tracks without width cover nothing and add
     /// none.
     void add(const Document& document, ElementId element, const Placement& placement = {});
     /// Adds the contours of a shape as lines without width, a figure each: an outline that covers nothing.
     void addOutline(const ShapeTable& shapes, ShapeId shape);
     /// Adds a disc that belongs to no element; radius 0 is a point.
     void addDisc(Point centre, double radius);
-    /// The same for a straight stroke; pen radius 0 is a line without width.
+    /// The same for a straight track; pen radius 0 is a line without width.
     void addTrack(PointD a, PointD b, double radius);
 
     [[nodiscard]] std::size_t size() const { return m_figures.size(); }

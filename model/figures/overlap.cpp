@@ -18,7 +18,7 @@ constexpr std::size_t kMostCorners = 64;
 constexpr double kRoundingNm = 1.5;
 /// Points of one outline that are tried as the middle of a disc.
 constexpr std::size_t kMostTried = 64;
-/// Crossings of two outlines that are looked at.
+/// Crossings of two outlines that are tested.
 constexpr int kMostCrossings = 256;
 
 PointD minus(PointD a, PointD b) {
@@ -52,16 +52,16 @@ bool isConvex(std::span<const PointD> corners) {
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const PointD in = minus(corners[(i + 1) % corners.size()], corners[i]);
         const PointD out = minus(corners[(i + 2) % corners.size()], corners[(i + 1) % corners.size()]);
-        const double turn = std::atan2(cross(in, out), dot(in, out));
-        if (turn * rotated < 0) {
+        const double angle = std::atan2(cross(in, out), dot(in, out));
+        if (angle * rotated < 0) {
             return false;
         }
-        rotated += turn;
+        rotated += angle;
     }
     return std::abs(rotated) < 3 * std::numbers::pi;
 }
 
-/// Do the edges bend to the filled side only, all with one radius? Answers that radius, 0 if none bends.
+/// Do the edges bend to the filled side only, all with one radius? Returns that radius, 0 if none bends.
 std::optional<double> cornerRadius(std::span<const Edge> edges) {
     double radius = 0.0;
     for (const Edge& edge : edges) {
@@ -82,8 +82,8 @@ bool isSmooth(const Edge& edge, const Edge& next, double radius) {
     }
     const Edge& side = edge.isArc() ? next : edge;
     const Edge& corner = edge.isArc() ? edge : next;
-    const PointD way = minus(side.b, side.a);
-    const double beside = std::abs(cross(way, minus(corner.centre, side.a))) / length(way);
+    const PointD delta = minus(side.b, side.a);
+    const double beside = std::abs(cross(delta, minus(corner.centre, side.a))) / length(delta);
     return corner.isArc() && std::abs(beside - radius) <= kRoundingNm;
 }
 
@@ -157,7 +157,7 @@ double depthBetween(const Convex& a, const Convex& b) {
     }
     std::vector<PointD> hull = hullOf(std::move(differences));
     if (hull.empty()) {
-        hull.push_back(minus(a.points.front(), b.points.front()));  // all points in one place
+        hull.push_back(minus(a.points.front(), b.points.front()));  // all points at one location
     }
     return std::max(0.0, a.pen + b.pen + depthOfOrigin(hull));
 }
@@ -205,7 +205,7 @@ private:
         m_deepest = std::max(m_deepest, inA > 0 && inB > 0 ? inA + inB : 0.0);
     }
 
-    /// Of a stroke the middle line is deepest inside; of a boundary what it holds, so its corners are tried in the
+    /// Of a track the middle line is deepest inside; of a boundary what it holds, so its corners are tried in the
     /// other.
     void tryAlong(const FigureTable& table, std::size_t row, const FigureTable& other, std::size_t otherRow) {
         const std::span<const Edge> edges = table.edges(row);
@@ -226,20 +226,20 @@ private:
         if (e.pen + f.pen > 0) {
             m_deepest = std::max(m_deepest, e.pen + f.pen - spacingBetween(middleE, middleF).distance);
         } else if (m_a[m_rowA].isFilled && m_b[m_rowB].isFilled && m_crossings < kMostCrossings) {
-            const Gap gap = spacingBetween(middleE, middleF);
-            if (gap.distance <= kTouchNm) {
+            const Spacing spacing = spacingBetween(middleE, middleF);
+            if (spacing.distance <= kTouchNm) {
                 ++m_crossings;
-                lookBehind(gap.from, inwardAt(e, gap.from), inwardAt(f, gap.to));
+                tryBehind(spacing.from, inwardAt(e, spacing.from), inwardAt(f, spacing.to));
             }
         }
     }
 
     /// Where two boundaries meet, what both fill begins between their inner sides, if there is anything.
-    void lookBehind(PointD location, PointD inA, PointD inB) {
-        const PointD way = {inA.x + inB.x, inA.y + inB.y};
-        const double full = length(way);
+    void tryBehind(PointD location, PointD inA, PointD inB) {
+        const PointD delta = {inA.x + inB.x, inA.y + inB.y};
+        const double full = length(delta);
         for (double step = 1.0; full > 1e-6 && step < 1e7; step *= 10) {
-            tryAt({location.x + way.x / full * step, location.y + way.y / full * step});
+            tryAt({location.x + delta.x / full * step, location.y + delta.y / full * step});
         }
     }
 

@@ -13,7 +13,7 @@ namespace {
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
 /// Where the winding numbers along a row change.
-struct Turn {
+struct Crossing {
     double x = 0.0;
     int island = 0;
     int holes = 0;
@@ -21,13 +21,13 @@ struct Turn {
 
 /// windingAround (geometry/edges.h) along a row: the chord of an edge counts for the points left of it, and what lies
 /// between an arc and its chord counts once more.
-class RowTurns {
+class RowCrossings {
 public:
-    explicit RowTurns(double y) : m_y(y) {}
+    explicit RowCrossings(double y) : m_y(y) {}
 
     void add(const Edge& edge) {
         if ((edge.a.y > m_y) != (edge.b.y > m_y)) {
-            turnAt(chordAt(edge), edge.b.y > edge.a.y ? -edge.winding : edge.winding, edge.isHole);
+            crossAt(chordAt(edge), edge.b.y > edge.a.y ? -edge.winding : edge.winding, edge.isHole);
         }
         if (edge.isArc()) {
             addSegment(edge);
@@ -35,21 +35,23 @@ public:
     }
 
     void addRuns(std::vector<CoveredRun>& runs) {
-        std::ranges::sort(m_turns, {}, &Turn::x);
+        std::ranges::sort(m_crossings, {}, &Crossing::x);
         int island = 0;
         int holes = 0;
-        for (std::size_t i = 0; i < m_turns.size(); ++i) {
-            island += m_turns[i].island;
-            holes += m_turns[i].holes;
-            const double to = i + 1 < m_turns.size() ? m_turns[i + 1].x : kFar;
-            if (island > 0 && holes <= 0 && to > m_turns[i].x) {
-                runs.push_back({m_turns[i].x, to});
+        for (std::size_t i = 0; i < m_crossings.size(); ++i) {
+            island += m_crossings[i].island;
+            holes += m_crossings[i].holes;
+            const double to = i + 1 < m_crossings.size() ? m_crossings[i + 1].x : kFar;
+            if (island > 0 && holes <= 0 && to > m_crossings[i].x) {
+                runs.push_back({m_crossings[i].x, to});
             }
         }
     }
 
 private:
-    void turnAt(double x, int turn, bool isHole) { m_turns.push_back({x, isHole ? 0 : turn, isHole ? turn : 0}); }
+    void crossAt(double x, int winding, bool isHole) {
+        m_crossings.push_back({x, isHole ? 0 : winding, isHole ? winding : 0});
+    }
 
     [[nodiscard]] double chordAt(const Edge& edge) const {
         return edge.a.x + (m_y - edge.a.y) / (edge.b.y - edge.a.y) * (edge.b.x - edge.a.x);
@@ -66,9 +68,9 @@ private:
             clipToSegment(arc, from, to);
         }
         if (from < to) {
-            const int turn = arc.isClockwise ? -arc.winding : arc.winding;
-            turnAt(from, turn, arc.isHole);
-            turnAt(to, -turn, arc.isHole);
+            const int winding = arc.isClockwise ? -arc.winding : arc.winding;
+            crossAt(from, winding, arc.isHole);
+            crossAt(to, -winding, arc.isHole);
         }
     }
 
@@ -87,7 +89,7 @@ private:
     }
 
     double m_y;
-    std::vector<Turn> m_turns;
+    std::vector<Crossing> m_crossings;
 };
 
 Box rowBox(const Box& figure, double y, double toX) {
@@ -103,9 +105,9 @@ void addCoveredRuns(const FigureTable& table, std::size_t row, double y, double 
     if (!table[row].isFilled || y < box.min.y || y > box.max.y || toX < box.min.x) {
         return;
     }
-    RowTurns turns(y);
-    visitEdges(table, row, rowBox(box, y, toX), [&](const Edge& edge) { turns.add(edge); });
-    turns.addRuns(runs);
+    RowCrossings crossings(y);
+    visitEdges(table, row, rowBox(box, y, toX), [&](const Edge& edge) { crossings.add(edge); });
+    crossings.addRuns(runs);
 }
 
 }  // namespace model

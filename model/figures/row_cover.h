@@ -13,7 +13,7 @@ struct CoveredRun {
 };
 
 /// Adds to `runs` where the row at height `y` lies inside of a filled figure, from its left end up to `toX` at least:
-/// isInside for all points of the row at once, at the cost of the edges that the row meets. Never for strokes.
+/// isInside for all points of the row at once, at the cost of the edges that the row meets. Never for tracks.
 void addCoveredRuns(const FigureTable& table, std::size_t row, double y, double toX, std::vector<CoveredRun>& runs);
 
 }  // namespace model

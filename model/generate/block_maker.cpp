@@ -19,7 +19,7 @@ constexpr std::int32_t kPitch = 400;
 constexpr std::int32_t kFirstTrack = 700;
 constexpr std::int32_t kTrackPitch = 500;
 
-/// Every other site of a row of pads stands above a via.
+/// Every other site of a row of pads is above a via.
 constexpr std::int32_t siteX(int site) {
     return kPitch + kPitch * site + (site >= kSitesPerRow / 2 ? 800 : 0);
 }
@@ -35,7 +35,7 @@ PointUm moved(PointUm p, PointUm step, std::int32_t by) {
     return {p.x + step.x * by, p.y + step.y * by};
 }
 
-/// Corners between `from` and the point `length` along, both left out; four strokes are added per bump.
+/// Corners between `from` and the point `length` along, both left out; four tracks are added per bump.
 void meander(PointUm from, const Meander& how, std::int32_t length, std::int32_t depth, std::vector<PointUm>& path) {
     for (int i = 0; i < how.bumps; ++i) {
         const std::int32_t out = length * (2 * i + 1) / (2 * how.bumps + 1);
@@ -137,8 +137,8 @@ void BlockMaker::addBottomTrails() {
         const PointUm to = viaSite(2 * trail + 1);
         const std::int32_t y = m_corner.y + kFirstTrack + kTrackPitch * trail;
         const std::int32_t depth = 120 + 20 * random(6);
-        // Long traces take more of the strokes; three are the way down, along and up.
-        const std::int64_t tracks = std::int64_t{m_share.strokesPerTrail} * m_bottomTrails * spanOf(trail) / spans;
+        // Long traces take more of the tracks; three are the way down, along and up.
+        const std::int64_t tracks = std::int64_t{m_share.tracksPerTrail} * m_bottomTrails * spanOf(trail) / spans;
         const int bumps = static_cast<int>(std::max<std::int64_t>(0, (tracks - 3 + 2) / 4));
         std::vector<PointUm> path{from, {from.x, y}};
         meander(path.back(), {{1, 0}, {0, 1}, bumps}, to.x - from.x, depth, path);
@@ -155,7 +155,7 @@ void BlockMaker::addTopTrails() {
         const PointUm from{x, m_corner.y + kUpperRow};
         const PointUm start{x, m_corner.y + kUpperRow - 600};
         std::vector<PointUm> path{from};
-        const int bumps = (m_share.strokesPerTrail - 1) / 4;
+        const int bumps = (m_share.tracksPerTrail - 1) / 4;
         if (bumps > 0) {
             meander(start, {{0, -1}, {1, 0}, bumps}, kUpperRow - kLowerRow - 1200, depth, path);
         } else {

@@ -11,7 +11,7 @@ struct BlockShare {
     int circles = 0;
     int trails = 0;
     int pads = 0;
-    int strokesPerTrail = 3;
+    int tracksPerTrail = 3;
     std::uint64_t random = 0;  ///< chooses the sizes of pads and the depth of meanders
 };
 

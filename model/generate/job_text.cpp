@@ -141,7 +141,7 @@ void writeProfile(TextSink& out, const Layout& layout) {
 
 // ---- nets ----
 
-/// Counts the features of each sheet while blocks go by in the order in which they are written.
+/// Counts the features of each layer while blocks go by in the order in which they are written.
 class NetWriter {
 public:
     NetWriter(TextSink& out, const Layout& layout, const base::Progress& progress)

@@ -17,7 +17,7 @@ struct JobFile {
     std::function<void(TextSink&)> write;
 };
 
-/// All files of an ODB++ 8.1 job that shows `layout`: matrix, features by sheet, tools, nets, profile, thicknesses. The
+/// All files of an ODB++ 8.1 job that shows `layout`: matrix, features by layer, tools, nets, profile, thicknesses. The
 /// layout must outlive them. Writers return early when `progress` is cancelled.
 [[nodiscard]] std::vector<JobFile> jobFiles(const Layout& layout, const base::Progress& progress);
 

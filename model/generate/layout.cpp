@@ -46,7 +46,7 @@ Layout::Layout(const Wanted& wanted) : m_wanted(wanted), m_blocks(blocksFor(want
     m_rows = ceilDiv(m_blocks, m_columns);
     m_tileColumns = ceilDiv(m_columns, kTileColumns);
     const std::uint64_t tiles = m_tileColumns * ceilDiv(m_rows, kTileRows);
-    // A tile has a plane on two sheets; a board of hardly any areas has fewer.
+    // A tile has a plane on two layers; a board of hardly any areas has fewer.
     m_tilesWithPour = std::min(tiles, wanted.counts[kArea] / 2);
     m_pads = wanted.counts[kArea] - 2 * m_tilesWithPour;
 }
@@ -68,7 +68,7 @@ Block Layout::block(std::uint64_t index) const {
     share_.circles = static_cast<int>(share(m_wanted.counts[kCircle], index));
     share_.trails = static_cast<int>(share(m_wanted.counts[kTrail], index));
     share_.pads = static_cast<int>(share(m_pads, index));
-    share_.strokesPerTrail = m_wanted.strokesPerTrail;
+    share_.tracksPerTrail = m_wanted.tracksPerTrail;
     share_.random = mixed(m_wanted.seed, index);
     return BlockMaker(cornerOf(index), share_).make();
 }

@@ -5,7 +5,7 @@
 
 #include "model/generate/paper_models.h"
 
-/// Where the elements of a made-up board lie. Arithmetic only: a block is worked out whenever it is asked for, so that
+/// Where the elements of a made-up board lie. Arithmetic only: a block is worked out whenever it is requested, so that
 /// a board of millions of elements needs no memory.
 namespace model::generate {
 
@@ -29,13 +29,13 @@ inline constexpr BlockNet kPowerNet = -3;
 /// Rows of the symbol table that every features file of the job starts with.
 enum class Pen : std::uint8_t { Trace, Mark, ViaPad, TestPad, Drill, PadSmall, PadMiddle, PadLarge };
 
-/// One feature record. A run of strokes that start where the one before ends is a trail.
+/// One feature record. A run of tracks that start where the one before ends is a trail.
 struct Feature {
     enum class Kind : std::uint8_t { Track, Arc, Pad } kind = Kind::Pad;
     Pen pen = Pen::Trace;
     BlockNet net = kNoNet;
     PointUm a;
-    PointUm b;       ///< end of a stroke or an arc
+    PointUm b;       ///< end of a track or an arc
     PointUm centre;  ///< of an arc, which runs clockwise
 };
 
@@ -47,7 +47,7 @@ struct Block {
     std::vector<PointUm> viasNotOnPower;
 };
 
-/// A copper plane below a tile of blocks, on both plane sheets.
+/// A copper plane below a tile of blocks, on both plane layers.
 struct Tile {
     PointUm min;
     PointUm max;
@@ -56,7 +56,7 @@ struct Tile {
 
 struct Wanted {
     Counts counts{};
-    int strokesPerTrail = 3;
+    int tracksPerTrail = 3;
     std::uint64_t seed = 1;
 };
 

@@ -12,12 +12,12 @@ namespace model::generate {
 /// Elements by kind, in the order of model::ElementKind: line, arc, circle, trail, area.
 using Counts = std::array<std::uint64_t, 5>;
 
-/// A row of the paper's Table 3. `strokesPerTrail` is ours: with it, and with the paper's fixed segments, a generated
+/// A row of the paper's Table 3. `tracksPerTrail` is ours: with it, and with the paper's fixed segments, a generated
 /// board has about the number of triangles that Table 2 gives for the row.
 struct PaperModel {
     std::string_view name;
     Counts counts;
-    int strokesPerTrail = 0;
+    int tracksPerTrail = 0;
     std::uint64_t paperTriangles = 0;  ///< Table 2
 };
 

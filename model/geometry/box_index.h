@@ -9,8 +9,8 @@
 
 namespace model {
 
-/// Finds boxes near a place: an R-tree, packed once. Rows are those of the span it was made from; empty boxes are never
-/// found. Reading is safe from every thread; copies share the tree.
+/// Finds boxes near a location: an R-tree, packed once. Rows are those of the span it was made from; empty boxes are
+/// never found. Reading is safe from every thread; copies share the tree.
 class BoxIndex {
 public:
     explicit BoxIndex(std::span<const base::Box> boxes);

@@ -10,7 +10,7 @@ namespace model {
 
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kFullCircle = 2.0 * std::numbers::pi;
 
 Nm toNm(double value) {
     return static_cast<Nm>(std::llround(value));
@@ -112,8 +112,8 @@ int chordCount(double radius, double sweep, bool isFullCircle, const Discretisat
     }
     // The sagitta of a chord over the angle t is r(1 - cos(t/2)); at least an octagon, so that tiny circles stay round.
     const double tolerance = std::clamp(how.chordToleranceNm, Discretisation::kMinChordNm, Discretisation::kMaxChordNm);
-    const double step =
-        tolerance >= radius ? kTurn / 8.0 : std::min(kTurn / 8.0, 2.0 * std::acos(1.0 - tolerance / radius));
+    const double step = tolerance >= radius ? kFullCircle / 8.0
+                                            : std::min(kFullCircle / 8.0, 2.0 * std::acos(1.0 - tolerance / radius));
     return std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / step - 1e-9)));
 }
 
@@ -121,12 +121,12 @@ double sweepOf(const PathNode& from, Point to) {
     ASSERT(from.edge != EdgeKind::Line);
     const bool isClockwise = from.edge == EdgeKind::ArcClockwise;
     if (from.point == to) {
-        return isClockwise ? -kTurn : kTurn;
+        return isClockwise ? -kFullCircle : kFullCircle;
     }
     const double start = std::atan2(double(from.point.y) - from.centre.y, double(from.point.x) - from.centre.x);
     const double end = std::atan2(double(to.y) - from.centre.y, double(to.x) - from.centre.x);
     double sweep = isClockwise ? start - end : end - start;
-    sweep -= kTurn * std::floor(sweep / kTurn);
+    sweep -= kFullCircle * std::floor(sweep / kFullCircle);
     return isClockwise ? -sweep : sweep;
 }
 

@@ -34,7 +34,7 @@ struct PolygonSet {
     std::vector<Polygon> polygons;
 
     void beginPolygon() { polygons.push_back({static_cast<std::uint32_t>(loopCount()), 0}); }
-    /// Adds a loop to the last polygon, turned to the winding its place asks for. Loops of fewer than three points are
+    /// Adds a loop to the last polygon, with the winding that its level needs. Loops of fewer than three points are
     /// left out: returns false.
     bool addLoop(std::span<const Point> loop);
     [[nodiscard]] std::size_t loopCount() const { return loopStart.empty() ? 0 : loopStart.size() - 1; }

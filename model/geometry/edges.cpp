@@ -13,8 +13,8 @@ PointD minus(PointD a, PointD b) {
     return {a.x - b.x, a.y - b.y};
 }
 
-PointD along(PointD from, PointD way, double t) {
-    return {from.x + way.x * t, from.y + way.y * t};
+PointD along(PointD from, PointD delta, double t) {
+    return {from.x + delta.x * t, from.y + delta.y * t};
 }
 
 double cross(PointD a, PointD b) {
@@ -44,13 +44,13 @@ bool passes(const Edge& arc, PointD v) {
         return true;
     }
     const auto [u, w] = counterClockwiseEnds(arc);
-    const double turn = cross(u, w);
+    const double angle = cross(u, w);
     const bool isBehindStart = cross(u, v) >= 0;
     const bool isBeforeEnd = cross(v, w) >= 0;
-    if (turn == 0 && dot(u, w) > 0) {
+    if (angle == 0 && dot(u, w) > 0) {
         return false;  // both ends in one direction: nothing lies between them
     }
-    const bool isAtMostHalf = turn >= 0;
+    const bool isAtMostHalf = angle >= 0;
     return isAtMostHalf ? isBehindStart && isBeforeEnd : isBehindStart || isBeforeEnd;
 }
 
@@ -63,8 +63,8 @@ struct Nearest {
     PointD q;
 
     void offer(PointD onFirst, PointD onSecond) {
-        const PointD way = minus(onFirst, onSecond);
-        const double d = dot(way, way);
+        const PointD delta = minus(onFirst, onSecond);
+        const double d = dot(delta, delta);
         if (d < squared) {
             *this = {d, onFirst, onSecond};
         }
@@ -73,13 +73,13 @@ struct Nearest {
 };
 
 PointD nearestOnLine(const Edge& line, PointD p) {
-    const PointD way = minus(line.b, line.a);
-    const double squared = dot(way, way);
+    const PointD delta = minus(line.b, line.a);
+    const double squared = dot(delta, delta);
     if (squared == 0) {
         return line.a;
     }
-    const double t = dot(minus(p, line.a), way) / squared;
-    return t <= 0 ? line.a : t >= 1 ? line.b : along(line.a, way, t);
+    const double t = dot(minus(p, line.a), delta) / squared;
+    return t <= 0 ? line.a : t >= 1 ? line.b : along(line.a, delta, t);
 }
 
 PointD nearestOnArc(const Edge& arc, PointD p) {
@@ -128,12 +128,12 @@ Nearest lineToLine(const Edge& e, const Edge& f) {
 /// Calls `meet` for the points where a line meets an arc.
 template <class Meet>
 void meetLineAndArc(const Edge& line, const Edge& arc, const Meet& meet) {
-    const PointD way = minus(line.b, line.a);
-    const double full = length(way);
+    const PointD delta = minus(line.b, line.a);
+    const double full = length(delta);
     if (full == 0) {
         return;
     }
-    const PointD unit = {way.x / full, way.y / full};
+    const PointD unit = {delta.x / full, delta.y / full};
     const PointD toCentre = minus(arc.centre, line.a);
     const double foot = dot(toCentre, unit);
     const double height = cross(unit, toCentre);
@@ -163,12 +163,12 @@ Nearest lineToArc(const Edge& line, const Edge& arc) {
 /// Calls `meet` for the points where two arcs meet.
 template <class Meet>
 void meetArcs(const Edge& e, const Edge& f, const Meet& meet) {
-    const PointD way = minus(f.centre, e.centre);
-    const double apart = length(way);
+    const PointD delta = minus(f.centre, e.centre);
+    const double apart = length(delta);
     if (apart == 0) {
         return;
     }
-    const PointD unit = {way.x / apart, way.y / apart};
+    const PointD unit = {delta.x / apart, delta.y / apart};
     const double x = (apart * apart + (e.radius - f.radius) * (e.radius + f.radius)) / (2 * apart);
     const double squared = (e.radius - x) * (e.radius + x);
     for (const double y : {std::sqrt(std::max(squared, 0.0)), -std::sqrt(std::max(squared, 0.0))}) {
@@ -181,12 +181,12 @@ void meetArcs(const Edge& e, const Edge& f, const Meet& meet) {
 
 /// Offers the points where two arcs meet, and those on the line through both centres.
 void offerAcrossCentres(const Edge& e, const Edge& f, Nearest& nearest) {
-    const PointD way = minus(f.centre, e.centre);
-    const double apart = length(way);
+    const PointD delta = minus(f.centre, e.centre);
+    const double apart = length(delta);
     if (apart == 0) {
         return;  // concentric: the ends tell
     }
-    const PointD unit = {way.x / apart, way.y / apart};
+    const PointD unit = {delta.x / apart, delta.y / apart};
     for (const double side : {1.0, -1.0}) {
         const PointD v = {unit.x * side, unit.y * side};
         if (passes(e, v)) {
@@ -217,9 +217,9 @@ Nearest nearestBetween(const Edge& a, const Edge& b) {
 
 /// On which side of the chord: positive left. Points on it are taken as moved right by nothing, then up by less.
 double sideOf(const Edge& edge, PointD p) {
-    const PointD way = minus(edge.b, edge.a);
-    const double side = cross(way, minus(p, edge.a));
-    return side != 0 ? side : way.y != 0 ? -way.y : way.x;
+    const PointD delta = minus(edge.b, edge.a);
+    const double side = cross(delta, minus(p, edge.a));
+    return side != 0 ? side : delta.y != 0 ? -delta.y : delta.x;
 }
 
 Nm floored(double value) {
@@ -245,10 +245,10 @@ Edge edgeOf(const PathNode& from, Point to) {
 }
 
 PointD unplaced(PointD p, const Placement& placement) {
-    const double turn = placement.clockwiseDeg * std::numbers::pi / 180.0;
+    const double angle = placement.clockwiseDeg * std::numbers::pi / 180.0;
     const double x = (placement.isMirrored ? -1.0 : 1.0) * (p.x - placement.origin.x);
     const double y = p.y - placement.origin.y;
-    return {x * std::cos(turn) - y * std::sin(turn), x * std::sin(turn) + y * std::cos(turn)};
+    return {x * std::cos(angle) - y * std::sin(angle), x * std::sin(angle) + y * std::cos(angle)};
 }
 
 Edge placed(const Edge& edge, const Placement& placement) {
@@ -276,18 +276,18 @@ Box boxOf(const Edge& edge) {
     return {{floored(-reach[2] - pen), floored(-reach[3] - pen)}, {ceiled(reach[0] + pen), ceiled(reach[1] + pen)}};
 }
 
-Gap spacingBetween(const Edge& a, const Edge& b) {
+Spacing spacingBetween(const Edge& a, const Edge& b) {
     const Nearest nearest = nearestBetween(a, b);
     const double middles = std::sqrt(nearest.squared);
-    const PointD way = minus(nearest.q, nearest.p);
+    const PointD delta = minus(nearest.q, nearest.p);
     const double distance = middles - a.pen - b.pen;
     if (distance > 0) {
-        return {distance, along(nearest.p, way, a.pen / middles), along(nearest.q, way, -b.pen / middles)};
+        return {distance, along(nearest.p, delta, a.pen / middles), along(nearest.q, delta, -b.pen / middles)};
     }
-    // The middle of what both cover on the way from one middle to the other.
+    // The middle of what both cover on the line from one middle to the other.
     const double from = std::max(middles - b.pen, 0.0);
     const double to = std::min(a.pen, middles);
-    const PointD location = middles > 0 ? along(nearest.p, way, (from + to) / 2 / middles) : nearest.p;
+    const PointD location = middles > 0 ? along(nearest.p, delta, (from + to) / 2 / middles) : nearest.p;
     return {0.0, location, location};
 }
 
@@ -312,9 +312,9 @@ std::vector<PointD> crossingsOf(const Edge& a, const Edge& b) {
 namespace {
 
 /// The angle from one direction to another, 0 to 2π, counter-clockwise.
-double turnBetween(PointD from, PointD to) {
-    const double turn = std::atan2(cross(from, to), dot(from, to));
-    return turn < 0 ? turn + 2 * std::numbers::pi : turn;
+double angleTo(PointD from, PointD to) {
+    const double angle = std::atan2(cross(from, to), dot(from, to));
+    return angle < 0 ? angle + 2 * std::numbers::pi : angle;
 }
 
 }  // namespace
@@ -325,22 +325,22 @@ double lengthTo(const Edge& edge, PointD on) {
     }
     const PointD start = minus(edge.a, edge.centre);
     const PointD end = minus(on, edge.centre);
-    return edge.radius * (edge.isClockwise ? turnBetween(end, start) : turnBetween(start, end));
+    return edge.radius * (edge.isClockwise ? angleTo(end, start) : angleTo(start, end));
 }
 
 double lengthOf(const Edge& edge) {
     return edge.isFullCircle() ? 2 * std::numbers::pi * edge.radius : lengthTo(edge, edge.b);
 }
 
-PointD pointAt(const Edge& edge, double way) {
+PointD pointAt(const Edge& edge, double delta) {
     if (!edge.isArc()) {
         const double full = lengthOf(edge);
-        return full > 0 ? along(edge.a, minus(edge.b, edge.a), way / full) : edge.a;
+        return full > 0 ? along(edge.a, minus(edge.b, edge.a), delta / full) : edge.a;
     }
-    const double turn = (edge.isClockwise ? -way : way) / edge.radius;
+    const double angle = (edge.isClockwise ? -delta : delta) / edge.radius;
     const PointD v = minus(edge.a, edge.centre);
-    return {edge.centre.x + v.x * std::cos(turn) - v.y * std::sin(turn),
-            edge.centre.y + v.x * std::sin(turn) + v.y * std::cos(turn)};
+    return {edge.centre.x + v.x * std::cos(angle) - v.y * std::sin(angle),
+            edge.centre.y + v.x * std::sin(angle) + v.y * std::cos(angle)};
 }
 
 int windingAround(const Edge& edge, PointD p) {

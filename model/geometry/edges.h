@@ -6,14 +6,14 @@
 
 namespace model {
 
-/// A straight line or an arc of a circle in nanometres: a piece of a boundary, or the middle of a stroke. An arc is one
+/// A straight line or an arc of a circle in nanometres: a piece of a boundary, or the middle of a track. An arc is one
 /// true circle: where the job's two radii differ by rounding, `radius` is their mean and the ends stay where they are.
 struct Edge {
     PointD a;
     PointD b;             ///< equal to `a`: a dot when straight, a full circle when an arc
     PointD centre;        ///< of an arc
     double radius = 0.0;  ///< of an arc; 0: straight
-    double pen = 0.0;     ///< half the width of the stroke, 0 on boundaries
+    double pen = 0.0;     ///< half the width of the track, 0 on boundaries
     bool isClockwise = false;
     bool isHole = false;      ///< part of a hole of its region
     std::int8_t winding = 1;  ///< 1 when its contour runs counter-clockwise, else -1
@@ -33,16 +33,16 @@ struct Edge {
 /// Smallest box around the edge and its pen, rounded outwards.
 [[nodiscard]] Box boxOf(const Edge& edge);
 
-/// The shortest way between two things. Both ends are the place of contact when `distance` is 0.
-struct Gap {
+/// The shortest distance between two items. Both ends are the location of contact when `distance` is 0.
+struct Spacing {
     double distance = 0.0;
     PointD from;
     PointD to;
 };
 
-/// The gap between two strokes; 0 when they touch or overlap. Errors stay below 1e-3 nm: coordinates are integers of at
-/// most 2^30, and double keeps 53 bits of their differences and products.
-[[nodiscard]] Gap spacingBetween(const Edge& a, const Edge& b);
+/// The spacing between two tracks; 0 when they touch or overlap. Errors stay below 1e-3 nm: coordinates are integers of
+/// at most 2^30, and double keeps 53 bits of their differences and products.
+[[nodiscard]] Spacing spacingBetween(const Edge& a, const Edge& b);
 
 /// The point of the middle line that is nearest to `p`.
 [[nodiscard]] PointD nearestOn(const Edge& edge, PointD p);
@@ -53,7 +53,7 @@ struct Gap {
 /// Length of the whole middle line.
 [[nodiscard]] double lengthOf(const Edge& edge);
 /// The point so far along the middle line.
-[[nodiscard]] PointD pointAt(const Edge& edge, double way);
+[[nodiscard]] PointD pointAt(const Edge& edge, double delta);
 
 /// How often the edge, closed by nothing else, contributes to the winding number of its contour around `p`: sum over
 /// the contour is 0 outside. Points on a chord count to one side in every edge alike.

@@ -32,16 +32,16 @@ std::span<const PathNode> ShapeSketch::contour(std::size_t index) const {
 
 namespace {
 
-struct Turn {
+struct Rotation {
     double cosine;
     double sine;
 };
 
 /// Cosine and sine of a clockwise angle; quarter turns are exact, so that pads at 90° stay on the grid.
-Turn turnOf(double clockwiseDeg) {
+Rotation rotationOf(double clockwiseDeg) {
     const double quarters = clockwiseDeg / 90.0;
     if (quarters == std::floor(quarters)) {
-        constexpr Turn kExact[4] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+        constexpr Rotation kExact[4] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
         return kExact[((static_cast<long long>(quarters) % 4) + 4) % 4];
     }
     const double radians = clockwiseDeg * std::numbers::pi / 180.0;
@@ -55,9 +55,9 @@ Nm toNm(double value) {
 }  // namespace
 
 PointD Placement::apply(PointD p) const {
-    const Turn turn = turnOf(clockwiseDeg);
-    const double x = turn.cosine * p.x + turn.sine * p.y;
-    const double y = -turn.sine * p.x + turn.cosine * p.y;
+    const Rotation rotation = rotationOf(clockwiseDeg);
+    const double x = rotation.cosine * p.x + rotation.sine * p.y;
+    const double y = -rotation.sine * p.x + rotation.cosine * p.y;
     return {origin.x + (isMirrored ? -x : x), origin.y + y};
 }
 
@@ -87,11 +87,11 @@ Placement Placement::after(const Placement& inner) const {
 
 namespace {
 
-/// Is the direction `angle` (rad) passed on the way from `start` over `sweep`?
+/// Is the direction `angle` (rad) passed on the line from `start` over `sweep`?
 bool isWithinSweep(double angle, double start, double sweep) {
-    constexpr double kTurn = 2.0 * std::numbers::pi;
+    constexpr double kFullCircle = 2.0 * std::numbers::pi;
     double ahead = sweep >= 0 ? angle - start : start - angle;
-    ahead -= kTurn * std::floor(ahead / kTurn);
+    ahead -= kFullCircle * std::floor(ahead / kFullCircle);
     return ahead <= std::abs(sweep);
 }
 
@@ -122,11 +122,11 @@ Box boxOfEdge(const PathNode& from, Point to) {
     const PointD c = toDouble(from.centre);
     const double start = std::atan2(from.point.y - c.y, from.point.x - c.x);
     const double end = std::atan2(to.y - c.y, to.x - c.x);
-    constexpr double kTurn = 2.0 * std::numbers::pi;
+    constexpr double kFullCircle = 2.0 * std::numbers::pi;
     double sweep = from.edge == EdgeKind::ArcCounterClockwise ? end - start : start - end;
-    sweep -= kTurn * std::floor(sweep / kTurn);
+    sweep -= kFullCircle * std::floor(sweep / kFullCircle);
     if (from.point == to) {
-        sweep = kTurn;
+        sweep = kFullCircle;
     }
     if (from.edge == EdgeKind::ArcClockwise) {
         sweep = -sweep;

@@ -6,14 +6,14 @@ namespace {
 
 /// Outlines kept for areas: those of more edges than this, until so many edges are kept (72 bytes each).
 constexpr std::size_t kLargeArea = 256;
-constexpr std::size_t kMostKeptEdges = 4'000'000;
+constexpr std::size_t kMostCachedEdges = 4'000'000;
 
 }  // namespace
 
 const FigureTable& FigureCache::of(const BoardIndex& index, std::uint32_t step, ElementId element) {
     const std::uint64_t key = std::uint64_t{step} << 32U | element.value;
-    if (const auto kept = m_large.find(key); kept != m_large.end()) {
-        return kept->second;
+    if (const auto cached = m_large.find(key); cached != m_large.end()) {
+        return cached->second;
     }
     FigureTable figures;
     figures.add(*index.tree.steps[step], element);
@@ -25,11 +25,11 @@ const FigureTable& FigureCache::of(const BoardIndex& index, std::uint32_t step, 
         m_small = std::move(figures);
         return m_small;
     }
-    if (m_keptEdges + edges > kMostKeptEdges) {
+    if (m_cachedEdges + edges > kMostCachedEdges) {
         m_large.clear();
-        m_keptEdges = 0;
+        m_cachedEdges = 0;
     }
-    m_keptEdges += edges;
+    m_cachedEdges += edges;
     return m_large.emplace(key, std::move(figures)).first->second;
 }
 

@@ -8,8 +8,8 @@
 
 namespace model {
 
-/// The figures of elements for whoever asks again and again, as a cursor does: outlines of large areas are kept once
-/// they were asked for. One thread at a time.
+/// The figures of elements for repeated requests, as of a pointer: outlines of large areas are cached once
+/// they were requested. One thread at a time.
 class FigureCache {
 public:
     /// In the coordinates of the step, a row of `index.tree.steps`. Counts until the next call.
@@ -17,8 +17,8 @@ public:
 
 private:
     std::unordered_map<std::uint64_t, FigureTable> m_large;
-    FigureTable m_small;  ///< of the element asked for last, if that is not worth keeping
-    std::size_t m_keptEdges = 0;
+    FigureTable m_small;  ///< of the element requested last, if that is not worth keeping
+    std::size_t m_cachedEdges = 0;
 };
 
 }  // namespace model

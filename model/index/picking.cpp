@@ -13,7 +13,7 @@ namespace model {
 
 namespace {
 
-/// Halvings of a way through a layer: to 1 nm of 1 m.
+/// Halvings of a line through a layer: to 1 nm of 1 m.
 constexpr int kHalvings = 30;
 
 Point rounded(PointD p) {
@@ -34,20 +34,20 @@ PointD along(PointD a, PointD b, double part) {
     return {a.x + (b.x - a.x) * part, a.y + (b.y - a.y) * part};
 }
 
-/// How far the figures are from the stroke from `a` to `b`; more than `reach` counts as infinitely far.
+/// How far the figures are from the track from `a` to `b`; more than `reach` counts as infinitely far.
 double spacingTo(const FigureTable& figures, PointD a, PointD b, double reach) {
     FigureTable probe;
     probe.addTrack(a, b, 0.0);
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t row = 0; row < figures.size(); ++row) {
-        if (const auto gap = spacingBetween(figures, row, probe, 0, std::min(least, std::max(reach, kTouchNm)))) {
-            least = std::min(least, gap->distance);
+        if (const auto spacing = spacingBetween(figures, row, probe, 0, std::min(least, std::max(reach, kTouchNm)))) {
+            least = std::min(least, spacing->distance);
         }
     }
     return least <= kTouchNm ? 0.0 : least;
 }
 
-/// The part of the way from `a` to `b` after which the figures are first touched; they are somewhere on it.
+/// The part of the line from `a` to `b` after which the figures are first touched; they are somewhere on it.
 double firstContact(const FigureTable& figures, PointD a, PointD b) {
     if (spacingTo(figures, a, a, 0.0) == 0.0) {
         return 0.0;
@@ -67,11 +67,11 @@ double sizeOf(const Box& box) {
 
 /// The part of a line of sight between two heights and inside of a box around the board, in steps; empty if first >
 /// last.
-struct Way {
+struct ClippedRange {
     double first = 0.0;
     double last = std::numeric_limits<double>::infinity();
 
-    void keep(double from, double step, double low, double high) {
+    void clip(double from, double step, double low, double high) {
         if (step == 0.0) {
             if (from < low || from > high) {
                 last = -1.0;
@@ -87,7 +87,7 @@ struct Way {
 
 }  // namespace
 
-/// What is asked for: a straight way over the board between two depths. Of a line of sight, the part within a layer.
+/// What is requested: a straight line over the board between two depths. Of a line of sight, the part within a layer.
 struct Picker::Probe {
     PointD a;
     PointD b;
@@ -99,20 +99,20 @@ struct Picker::Probe {
 
     /// The part that passes the board between two heights; none if it does not.
     [[nodiscard]] std::optional<Probe> between(double low, double high) const {
-        Way way{depthA, depthB};
-        way.keep(line->z, -line->down, low, high);
-        if (way.first > way.last) {
+        ClippedRange range{depthA, depthB};
+        range.clip(line->z, -line->down, low, high);
+        if (range.first > range.last) {
             return std::nullopt;
         }
         const double length = depthB - depthA;
         const auto at = [&](double depth) { return length > 0.0 ? model::along(a, b, (depth - depthA) / length) : a; };
-        return Probe{at(way.first), at(way.last), reach, way.first, way.last, layers, line};
+        return Probe{at(range.first), at(range.last), reach, range.first, range.last, layers, line};
     }
 };
 
 namespace {
 
-/// Where a body is drawn within its layer, which may be turned over.
+/// Where a body is drawn within its layer, which may be flipped.
 std::pair<double, double> drawnHeights(const Document& step, ElementId body, bool isFlipped, const PickLayer& drawn) {
     const Layer& layer = step.layer(step.elements.layer[body.row()]);
     const ZRange z = step.heightsOf(body);
@@ -200,22 +200,22 @@ std::vector<Hit> Picker::along(const SightLine& line, double reach, std::span<co
     around = around.grownBy(1'000'000);
     std::vector<Hit> hits;
     for (std::size_t row = 0; row < layers.size(); ++row) {
-        Way way;
-        way.keep(line.z, -line.down, layers[row].bottom, layers[row].top);
-        way.keep(line.origin.x, line.direction.x, around.min.x, around.max.x);
-        way.keep(line.origin.y, line.direction.y, around.min.y, around.max.y);
-        if (line.kept) {
-            const auto [at, outward] = *line.kept;
-            way.keep((line.origin.x - at.x) * outward.x + (line.origin.y - at.y) * outward.y,
-                     line.direction.x * outward.x + line.direction.y * outward.y,
-                     -std::numeric_limits<double>::infinity(), 0.0);
+        ClippedRange range;
+        range.clip(line.z, -line.down, layers[row].bottom, layers[row].top);
+        range.clip(line.origin.x, line.direction.x, around.min.x, around.max.x);
+        range.clip(line.origin.y, line.direction.y, around.min.y, around.max.y);
+        if (line.cutSide) {
+            const auto [at, outward] = *line.cutSide;
+            range.clip((line.origin.x - at.x) * outward.x + (line.origin.y - at.y) * outward.y,
+                       line.direction.x * outward.x + line.direction.y * outward.y,
+                       -std::numeric_limits<double>::infinity(), 0.0);
         }
-        if (!layers[row].isVisible || way.first > way.last || !std::isfinite(way.last)) {
+        if (!layers[row].isVisible || range.first > range.last || !std::isfinite(range.last)) {
             continue;
         }
         const PointD end = {line.origin.x + line.direction.x, line.origin.y + line.direction.y};
-        collect({model::along(line.origin, end, way.first), model::along(line.origin, end, way.last), reach, way.first,
-                 way.last, layers, &line},
+        collect({model::along(line.origin, end, range.first), model::along(line.origin, end, range.last), reach,
+                 range.first, range.last, layers, &line},
                 LayerId{row}, hits);
     }
     sortHits(hits);

@@ -17,8 +17,8 @@ struct PickLayer {
     double top = 0.0;
 };
 
-/// What is left of a board that is cut open: what does not lie beyond a line.
-struct SavedSide {
+/// What is left of a board that is cut by a section plane: what does not lie beyond a line.
+struct CutSide {
     PointD at;
     PointD outward;  ///< across the line, to what is gone
 };
@@ -28,34 +28,34 @@ struct SightLine {
     PointD origin;
     double z = 0.0;
     PointD direction;
-    double down = 0.0;                ///< how much z falls per step along the line; negative when looking up
-    std::optional<SavedSide> kept{};  ///< none: the board is whole
+    double down = 0.0;                 ///< how much z falls per step along the line; negative when looking up
+    std::optional<CutSide> cutSide{};  ///< none: the board is whole
 };
 
 struct Hit {
     BoardElement at;
     LayerId layer;        ///< of the board, where a flipped copy has put it
     double depth = 0.0;   ///< steps along the line of sight; in 2D how far its layer is below the nearest one, nm
-    double missedBy = 0;  ///< nm; 0 where the element covers the place
+    double missedBy = 0;  ///< nm; 0 where the element covers the location
     double size = 0.0;    ///< diagonal of its box, nm
 };
 
-/// Which elements a place of the board shows, from the exact geometry: arcs are arcs, holes are filled as far as the
-/// drill reaches. The answer is a list from what is seen first to what lies beneath, so that repeated clicks walk
-/// through it: what covers the place before what only comes near, nearer layers before farther ones, in one plane the
-/// smaller before the larger and then what was drawn later. Equal input gives equal order.
+/// Which elements a location of the board shows, from the exact geometry: arcs are arcs, holes are filled as far as the
+/// drill reaches. The result is a list from what is seen first to what lies beneath, so that repeated clicks walk
+/// through it: what covers the location before what only comes near, nearer layers before farther ones, in one plane
+/// the smaller before the larger and then what was drawn later. Equal input gives equal order.
 ///
-/// Outlines of large areas are kept once they were asked for; one thread at a time.
+/// Outlines of large areas are kept once they were requested; one thread at a time.
 class Picker {
 public:
     explicit Picker(std::shared_ptr<const BoardIndex> index) : m_index(std::move(index)) {}
 
-    /// `layers` has one entry per layer of the board; `reach` is how far beside an element a place still counts.
+    /// `layers` has one entry per layer of the board; `reach` is how far beside an element a location still counts.
     [[nodiscard]] std::vector<Hit> at(PointD location, double reach, std::span<const PickLayer> layers,
                                       bool isFromBelow);
     [[nodiscard]] std::vector<Hit> along(const SightLine& line, double reach, std::span<const PickLayer> layers);
-    /// Elements of visible layers that lie inside of the box, or with `isTouching` share a place with it, in the order
-    /// of copies and ids.
+    /// Elements of visible layers that lie inside of the box, or with `isTouching` share a location with it, in the
+    /// order of copies and ids.
     [[nodiscard]] std::vector<BoardElement> inside(const Box& box, bool isTouching, std::span<const PickLayer> layers);
 
     /// Elements of these nets are not there; per row of StepTree::steps one entry per net, short lists are filled up.

@@ -32,7 +32,7 @@ std::size_t PinFinder::groupOf(NetId net) const {
 bool PinFinder::mayHavePins(ElementId element) const {
     const ElementTable& elements = m_document->elements;
     const Layer& layer = m_document->layer(elements.layer[element.row()]);
-    // Without a net, pads of paste and lacquer would count too.
+    // Without a net, pads of paste and solder mask would count too.
     return (elements.flags[element.row()] & (kPad | kHole)) != 0 &&
            (elements.net[element.row()].isValid() || layer.isCopper() || layer.type == LayerType::Drill);
 }

@@ -15,7 +15,7 @@ double distance(PointD a, PointD b) {
     return std::hypot(a.x - b.x, a.y - b.y);
 }
 
-PointD wayOf(const Edge& edge) {
+PointD directionOf(const Edge& edge) {
     return {edge.b.x - edge.a.x, edge.b.y - edge.a.y};
 }
 
@@ -31,7 +31,7 @@ Box boxAround(PointD location, double reach) {
             {nm(std::ceil(location.x + reach)), nm(std::ceil(location.y + reach))}};
 }
 
-/// The edge of an element whose middle is nearest to a place, if it covers the place or comes so near.
+/// The edge of an element whose middle is nearest to a location, if it covers the location or comes so near.
 std::optional<Edge> nearestEdge(const BoardIndex& index, FigureCache& cache, BoardElement element, PointD location,
                                 double reach) {
     const StepCopy& copy = index.tree.copies[element.copy];
@@ -52,9 +52,9 @@ std::optional<Edge> nearestEdge(const BoardIndex& index, FigureCache& cache, Boa
 
 Round roundOf(PointD centre, double radius, PointD location) {
     const double beside = distance(centre, location);
-    const PointD way =
+    const PointD direction =
         beside > 0 ? PointD{(location.x - centre.x) / beside, (location.y - centre.y) / beside} : PointD{1.0, 0.0};
-    return {centre, radius, {centre.x + radius * way.x, centre.y + radius * way.y}};
+    return {centre, radius, {centre.x + radius * direction.x, centre.y + radius * direction.y}};
 }
 
 /// A disc is a dot with a pen, a ring a circle with one.
@@ -87,8 +87,8 @@ std::optional<Edge> straightAt(const BoardIndex& index, FigureCache& figures, Bo
 }
 
 std::optional<PointD> linesCross(const Edge& a, const Edge& b) {
-    const PointD u = wayOf(a);
-    const PointD v = wayOf(b);
+    const PointD u = directionOf(a);
+    const PointD v = directionOf(b);
     const double across = cross(u, v);
     if (across == 0.0) {
         return std::nullopt;

@@ -5,23 +5,23 @@
 #include "model/index/figure_cache.h"
 #include "model/measure/items.h"
 
-/// What is straight or round about an element where a cursor is. Places are nm of the board. The cost follows what lies
-/// within reach, once the cache knows the element.
+/// What is straight or round about an element where a pointer is. Places are nm of the board. The cost follows what
+/// lies within reach, once the cache knows the element.
 namespace model {
 
 /// A circle, or an arc of one.
 struct Round {
     PointD centre;
     double radius = 0.0;
-    PointD on;  ///< the point of the circle that is nearest to the place
+    PointD on;  ///< the point of the circle that is nearest to the location
 };
 
-/// Of discs, holes and rings the rim nearest to the place, however far; of others the arc nearest to it: the middle
-/// line of a stroke or a side of an area. Nothing if what is nearest is straight or farther away than `reach`.
+/// Of discs, holes and rings the rim nearest to the location, however far; of others the arc nearest to it: the middle
+/// line of a track or a side of an area. Nothing if what is nearest is straight or farther away than `reach`.
 [[nodiscard]] std::optional<Round> roundAt(const BoardIndex& index, FigureCache& figures, BoardElement element,
                                            PointD location, double reach);
 
-/// The straight middle line of a stroke, or side of an area, that is nearest to the place. Nothing if what is nearest
+/// The straight middle line of a track, or side of an area, that is nearest to the location. Nothing if what is nearest
 /// is curved, a dot, or farther away than `reach`.
 [[nodiscard]] std::optional<Edge> straightAt(const BoardIndex& index, FigureCache& figures, BoardElement element,
                                              PointD location, double reach);

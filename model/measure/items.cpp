@@ -67,7 +67,7 @@ PlatedSpan spanOf(const Document& step, ElementId element) {
     return isHole ? PlatedSpan{element, layer.spanTop, layer.spanBottom} : PlatedSpan{element, own, own};
 }
 
-/// Where a body stands within its layer, which may be turned over.
+/// Where a body lies within its layer, which may be flipped.
 ZRange rotated(ZRange z, const Layer& from, const Layer& to) {
     const Nm above = from.z + from.thickness - z.top;
     return {to.z + above, to.z + above + (z.top - z.bottom)};
@@ -107,7 +107,7 @@ std::string pinName(const Document& step, PinId id) {
     return "pin " + part + step.text(pin.name);
 }
 
-/// Says what a thing is called.
+/// Says what an item is called.
 struct Namer {
     const BoardIndex& index;
 
@@ -121,10 +121,10 @@ struct Namer {
     std::string operator()(PartOfCopy at) const { return stepOf(index, at.copy).components[at.component.row()].refdes; }
     std::string operator()(PinOfCopy at) const { return pinName(stepOf(index, at.copy), at.pin); }
     std::string operator()(BoardEdge) const { return "the board's edge"; }
-    std::string operator()(const Location&) const { return "the place"; }
+    std::string operator()(const Location&) const { return "the location"; }
 };
 
-/// Collects the elements of a thing.
+/// Collects the elements of an item.
 struct Collector {
     const BoardIndex& index;
 

@@ -25,7 +25,7 @@ struct PinOfCopy {
     std::uint32_t copy = 0;
     PinId pin;
 };
-/// The outline of the board with its cut-outs, a line without width all through the stack.
+/// The outline of the board with its cut-outs, a line without width all through the stackup.
 struct BoardEdge {};
 /// A point; without a layer it is measured in the plane only.
 struct Location {
@@ -34,25 +34,25 @@ struct Location {
 };
 using MeasureItem = std::variant<BoardElement, NetOfCopy, PartOfCopy, PinOfCopy, BoardEdge, Location>;
 
-/// The elements of a thing, rising; none for the board's edge and places. A net is its copper and its plated holes.
+/// The elements of an item, rising; none for the board's edge and places. A net is its copper and its plated holes.
 [[nodiscard]] std::vector<BoardElement> elementsOf(const BoardIndex& index, const MeasureItem& item);
 
 /// The net of an element; none if it has none.
 [[nodiscard]] NetId netOf(const BoardIndex& index, BoardElement at);
-/// What people call it: "net GND", "U1", "pin U1.3", "element 12 (TOP)", "the board's edge", "the place".
+/// What people call it: "net GND", "U1", "pin U1.3", "element 12 (TOP)", "the board's edge", "the location".
 [[nodiscard]] std::string nameOf(const BoardIndex& index, const MeasureItem& item);
 
-/// How far the faces of two layers of the board that look at each other are apart, in nm; 0 where their heights meet.
-/// Nothing if one is none or has no place in the stack.
+/// How far the faces of two layers of the board that face each other are apart, in nm; 0 where their heights meet.
+/// Nothing if one is none or is not in the stackup.
 [[nodiscard]] std::optional<double> heightBetween(const Document& board, LayerId a, LayerId b);
 
-/// One connected piece of a thing: an upright prism over a figure.
+/// One connected piece of an item: an upright prism over a figure.
 struct Piece {
-    BoardElement at;  ///< element none: of the board's edge or a place
+    BoardElement at;  ///< element none: of the board's edge or a location
     LayerId layer;    ///< of the board, where a flipped copy has put it; none: of no layer
     LayerId top;      ///< holes: the layers they join or pass; others: their own
     LayerId bottom;
-    bool hasHeights = false;  ///< drawings and the like have no place in the stack
+    bool hasHeights = false;  ///< drawings and the like are not in the stackup
     ZRange z;
 
     /// Lie both on one layer at least? What is on no layer lies on all.
@@ -61,12 +61,12 @@ struct Piece {
     }
 };
 
-/// A thing laid on the board: row n of `figures` is what piece n covers.
+/// An item laid on the board: row n of `figures` is what piece n covers.
 struct Pieces {
     FigureTable figures;
     std::vector<Piece> pieces;
-    std::vector<BoardElement> elements;  ///< of the thing, rising
-    std::vector<BoardElement> empty;     ///< elements that cover nothing: strokes without width
+    std::vector<BoardElement> elements;  ///< of the item, rising
+    std::vector<BoardElement> empty;     ///< elements that cover nothing: tracks without width
 };
 [[nodiscard]] Pieces piecesOf(const BoardIndex& index, const MeasureItem& item);
 [[nodiscard]] Pieces piecesOf(const BoardIndex& index, std::span<const BoardElement> elements);

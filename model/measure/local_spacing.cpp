@@ -11,13 +11,13 @@ namespace {
 constexpr double kFirstReach = 0.1e6;
 
 /// The closest place of two tables of figures; nothing if one is empty.
-std::optional<Gap> between(const FigureTable& a, const FigureTable& b) {
-    std::optional<Gap> best;
+std::optional<Spacing> between(const FigureTable& a, const FigureTable& b) {
+    std::optional<Spacing> best;
     for (std::size_t i = 0; i < a.size(); ++i) {
         for (std::size_t j = 0; j < b.size(); ++j) {
-            const auto gap =
+            const auto spacing =
                 spacingBetween(a, i, b, j, best ? best->distance : std::numeric_limits<double>::infinity());
-            best = gap && (!best || gap->distance < best->distance) ? gap : best;
+            best = spacing && (!best || spacing->distance < best->distance) ? spacing : best;
         }
     }
     return best;
@@ -28,7 +28,7 @@ bool isOneNet(const BoardIndex& index, BoardElement a, BoardElement b) {
     return a.copy == b.copy && net.isValid() && net == netOf(index, b);
 }
 
-/// The gap of the two nearest of `hits`, which come nearest first.
+/// The spacing of the two nearest of `hits`, which come nearest first.
 std::optional<LocalSpacing> nearestSpacing(const BoardIndex& index, PointD location, std::span<const Hit> hits) {
     if (hits.size() < 2) {
         return std::nullopt;

@@ -8,9 +8,9 @@
 
 namespace model {
 
-/// The narrow place at a cursor: from copper to the next copper of the same layer.
+/// The spacing at the pointer: from copper to the next copper of the same layer.
 struct LocalSpacing {
-    Gap gap;  ///< nm of the board; square to both edges where these are parallel
+    Spacing spacing;  ///< nm of the board; square to both edges where these are parallel
     BoardElement from;
     BoardElement to;
     LayerId layer;
@@ -19,10 +19,10 @@ struct LocalSpacing {
 /// How far away copper still counts, in nm.
 inline constexpr double kLocalReach = 10e6;
 
-/// Of every visible copper layer the two pieces of copper nearest to the place that do not touch and are not of one
-/// net; of these pairs the one whose farther piece is nearest. The gap runs from the point of the farther piece that is
-/// nearest to the place, the shortest way to the other. Nothing if there are no two within kLocalReach. `layers` as for
-/// the picker.
+/// Of every visible copper layer the two pieces of copper nearest to the location that do not touch and are not of one
+/// net; of these pairs the one whose farther piece is nearest. The spacing runs from the point of the farther piece
+/// that is nearest to the location, the shortest path to the other. Nothing if there are no two within kLocalReach.
+/// `layers` as for the picker.
 [[nodiscard]] std::optional<LocalSpacing> spacingAt(Picker& picker, PointD location, std::span<const PickLayer> layers);
 
 }  // namespace model

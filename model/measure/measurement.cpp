@@ -23,12 +23,12 @@ std::string mil(double nm) {
 }
 
 /// "TOP 1.500000; 2 holes 3.000000"
-std::string partsOf(const MeasuredPath& way) {
+std::string partsOf(const MeasuredPath& path) {
     std::string parts;
-    for (const auto& [layer, length] : way.perLayer()) {
+    for (const auto& [layer, length] : path.perLayer()) {
         parts += layer + " " + mm(length) + "; ";
     }
-    return parts + std::to_string(way.holeCount) + " holes " + mm(way.holeHeight);
+    return parts + std::to_string(path.holeCount) + " holes " + mm(path.holeHeight);
 }
 
 std::string joined(const std::vector<std::string>& notes) {
@@ -40,9 +40,9 @@ std::string joined(const std::vector<std::string>& notes) {
 }
 
 std::vector<std::string> cellsOf(const Measurement& m) {
-    const bool isLength = m.way.has_value();
+    const bool isLength = m.path.has_value();
     const bool isAngle = m.kind == MeasurementKind::Angle;
-    const double value = isLength ? m.way->length() : m.distance();
+    const double value = isLength ? m.path->length() : m.distance();
     return {m.name,
             m.step,
             toString(m.kind),
@@ -63,7 +63,7 @@ std::vector<std::string> cellsOf(const Measurement& m) {
             mm(m.to.y),
             m.corner ? mm(m.corner->x) : "",
             m.corner ? mm(m.corner->y) : "",
-            isLength ? partsOf(*m.way) : "",
+            isLength ? partsOf(*m.path) : "",
             joined(m.notes)};
 }
 
@@ -76,11 +76,6 @@ const char* toString(MeasurementKind kind) {
 std::optional<MeasurementKind> kindNamed(const std::string& name) {
     const auto* const at = std::ranges::find(kKindNames, name);
     return at == kKindNames.end() ? std::nullopt : std::optional(static_cast<MeasurementKind>(at - kKindNames.begin()));
-}
-
-bool MeasuredRun::operator==(const MeasuredRun& other) const {
-    const auto isSame = [](base::PointD a, base::PointD b) { return a.x == b.x && a.y == b.y; };
-    return layer == other.layer && length == other.length && std::ranges::equal(line, other.line, isSame);
 }
 
 double MeasuredPath::length() const {
@@ -115,7 +110,7 @@ double Measurement::angleDeg() const {
 std::string measurementsCsv(const std::vector<Measurement>& measurements) {
     std::string csv =
         "name,step,kind,value mm,value mil,value deg,dx mm,dy mm,dz mm,overlap mm,layer a,layer b,net a,net b,"
-        "x mm on a,y mm on a,x mm on b,y mm on b,x mm at corner,y mm at corner,parts mm,remarks\n";
+        "x mm on a,y mm on a,x mm on b,y mm on b,x mm at corner,y mm at corner,parts mm,notes\n";
     for (const Measurement& m : measurements) {
         for (const std::string& cell : cellsOf(m)) {
             csv += csvField(cell) + ",";

@@ -23,25 +23,25 @@ struct MeasuredEnd {
 
 /// What `from` and `to` are the ends of.
 enum class MeasurementKind : std::uint8_t {
-    Points,  ///< a distance from point to point
-    Gap,     ///< the shortest way from edge to edge of two elements
-    Angle,   ///< the arms of an angle, which meet in `corner`
-    Radius,  ///< a radius: `from` is the centre, `to` lies on the circle or arc
-    Length   ///< a way along the copper of a net
+    Points,     ///< a distance from point to point
+    Clearance,  ///< the clearance of two elements
+    Angle,      ///< the arms of an angle, which meet in `corner`
+    Radius,     ///< a radius: `from` is the centre, `to` lies on the circle or arc
+    Length      ///< a path along the copper of a net
 };
 [[nodiscard]] const char* toString(MeasurementKind kind);  ///< "point to point", "edge to edge", "angle", …
 /// Nothing for no name of a kind.
 [[nodiscard]] std::optional<MeasurementKind> kindNamed(const std::string& name);
 
-/// What of a way along a net lies on one layer until it changes to another.
+/// What of a path along a net lies on one layer until it changes to another.
 struct MeasuredRun {
     std::string layer;
     double length = 0.0;             ///< nm
     std::vector<base::PointD> line;  ///< its course: corners in nm of the board, two at least
-    bool operator==(const MeasuredRun& other) const;
+    bool operator==(const MeasuredRun&) const = default;
 };
 
-/// A way along the copper of a net.
+/// A path along the copper of a net.
 struct MeasuredPath {
     std::vector<MeasuredRun> runs;  ///< one after the other; from one to the next through a plated hole
     std::size_t holeCount = 0;      ///< in which the layer changes
@@ -53,26 +53,26 @@ struct MeasuredPath {
     [[nodiscard]] std::vector<std::pair<std::string, double>> perLayer() const;
 };
 
-/// Something that the user measured and keeps. In a session file:
+/// Something that the user measured. In a session file:
 ///
 ///     {"name": "A", "step": "pcb", "kind": "edge to edge",
 ///      "from": {"at_nm": [0, 0], "layer": "TOP", "net": "GND", "snap": "edge"}, "to": {…},
-///      "dz_nm": 0, "overlap_nm": 0, "remarks": ["both are of net GND"], "shown": true}
+///      "dz_nm": 0, "overlap_nm": 0, "notes": ["both are of net GND"], "shown": true}
 ///
 /// an angle also has "corner": {…}, a length along a net
 ///
-///     "way": {"runs": [{"layer": "TOP", "length_nm": 1000, "line_nm": [[0, 0], [1000, 0]]}], "holes": 1,
-///             "hole_height_nm": 1500}
+///     "path": {"runs": [{"layer": "TOP", "length_nm": 1000, "line_nm": [[0, 0], [1000, 0]]}], "holes": 1,
+///              "hole_height_nm": 1500}
 struct Measurement {
     std::string name;
     std::string step;  ///< the one it was measured in
     MeasurementKind kind = MeasurementKind::Points;
     MeasuredEnd from{};
     MeasuredEnd to{};
-    double dz = 0.0;       ///< nm between the faces of the two layers that look at each other; not below 0
-    double overlap = 0.0;  ///< nm, of elements that overlap: by that much at least
+    double dz = 0.0;                      ///< nm between the faces of the two layers that face each other; not below 0
+    double overlap = 0.0;                 ///< nm, of elements that overlap: by that much at least
     std::optional<MeasuredEnd> corner{};  ///< of an angle, and of nothing else
-    std::optional<MeasuredPath> way{};    ///< of a length, and of nothing else
+    std::optional<MeasuredPath> path{};   ///< of a length, and of nothing else
     std::vector<std::string> notes{};     ///< what must be known to read it
     bool isShown = true;
     bool operator==(const Measurement&) const = default;

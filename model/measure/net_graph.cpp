@@ -35,8 +35,8 @@ bool NetGraph::join(base::Progress& progress) {
         });
         std::ranges::sort(near);
         for (const std::uint32_t j : near) {
-            if (const auto gap = spacingBetween(m_pieces.figures, i, m_pieces.figures, j, kTouchNm)) {
-                joinPieces(i, j, gap->from);
+            if (const auto spacing = spacingBetween(m_pieces.figures, i, m_pieces.figures, j, kTouchNm)) {
+                joinPieces(i, j, spacing->from);
             }
         }
         progress.setFraction(static_cast<float>(i) / static_cast<float>(m_pieces.pieces.size()));
@@ -49,13 +49,13 @@ bool NetGraph::join(base::Progress& progress) {
 
 std::vector<std::uint32_t> NetGraph::endsAt(const MeasureItem& item) {
     if (const Location* location = std::get_if<Location>(&item)) {
-        return endsAtPlace(*location);
+        return endsAtLocation(*location);
     }
     std::vector<std::uint32_t> nodes;
     for (const BoardElement at : elementsOf(m_index, item)) {
         for (std::uint32_t row = 0; row < m_pieces.pieces.size(); ++row) {
             if (m_pieces.pieces[row].at == at) {
-                standFor(row, nodes);
+                addNodesOf(row, nodes);
             }
         }
     }
@@ -166,12 +166,12 @@ std::optional<PointD> NetGraph::endInside(std::uint32_t track, std::uint32_t are
 }
 
 PointD NetGraph::middlesMeet(std::uint32_t i, std::uint32_t j) const {
-    Gap nearest{std::numeric_limits<double>::infinity(), {}, {}};
+    Spacing nearest{std::numeric_limits<double>::infinity(), {}, {}};
     for (Edge e : m_pieces.figures.edges(i)) {
         for (Edge f : m_pieces.figures.edges(j)) {
             e.pen = f.pen = 0.0;
-            if (const Gap gap = spacingBetween(e, f); gap.distance < nearest.distance) {
-                nearest = gap;
+            if (const Spacing spacing = spacingBetween(e, f); spacing.distance < nearest.distance) {
+                nearest = spacing;
             }
         }
     }
@@ -195,7 +195,7 @@ void NetGraph::joinPieces(std::uint32_t i, std::uint32_t j, PointD meeting) {
     }
 }
 
-std::vector<std::uint32_t> NetGraph::endsAtPlace(const Location& location) {
+std::vector<std::uint32_t> NetGraph::endsAtLocation(const Location& location) {
     FigureTable dot;
     dot.addTrack(location.at, location.at, 0.0);
     std::vector<std::uint32_t> nodes;
@@ -210,7 +210,7 @@ std::vector<std::uint32_t> NetGraph::endsAtPlace(const Location& location) {
     return nodes;
 }
 
-void NetGraph::standFor(std::uint32_t row, std::vector<std::uint32_t>& nodes) {
+void NetGraph::addNodesOf(std::uint32_t row, std::vector<std::uint32_t>& nodes) {
     if (m_carriers[row] == Carrier::Hub && m_hubs[row].empty() && m_pieces.pieces[row].top.isValid()) {
         hubOf(row, m_pieces.pieces[row].top);
     }

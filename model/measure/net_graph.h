@@ -11,19 +11,19 @@
 
 namespace model {
 
-/// How the way goes on inside of a piece.
+/// How the path continues inside of a piece.
 enum class Carrier : std::uint8_t {
     Track,  ///< along its middle lines
     Hub,    ///< over its centre
     Area    ///< straight from contact to contact
 };
 
-/// A place where the way can turn: on a piece, on a layer.
+/// A location where the path can change direction: on a piece, on a layer.
 struct NetNode {
     std::uint32_t piece = 0;
     LayerId layer;
     PointD at;
-    double along = 0.0;  ///< strokes: length of the middle line up to here
+    double along = 0.0;  ///< tracks: length of the middle line up to here
 };
 
 struct NetLink {
@@ -41,10 +41,10 @@ public:
     /// Joins what touches. False after a cancel.
     [[nodiscard]] bool join(base::Progress& progress);
 
-    /// Nodes that stand for an end of the way; empty if it is not on the net.
+    /// Nodes of an end of the path; empty if it is not on the net.
     [[nodiscard]] std::vector<std::uint32_t> endsAt(const MeasureItem& item);
 
-    /// Links along strokes, up and down holes. Call when all nodes are there.
+    /// Links along tracks, up and down holes. Call when all nodes are there.
     void finish();
     [[nodiscard]] const std::vector<NetNode>& nodes() const { return m_nodes; }
     [[nodiscard]] std::span<const NetLink> linksOf(std::uint32_t node) const { return m_links[node]; }
@@ -64,22 +64,22 @@ private:
     /// The node of a pad or hole on one layer.
     std::uint32_t hubOf(std::uint32_t row, LayerId layer);
 
-    /// The node of a piece that is nearest to a place both it and another piece cover.
+    /// The node of a piece that is nearest to a location both it and another piece cover.
     std::uint32_t nodeNear(std::uint32_t row, LayerId layer, PointD location);
     std::uint32_t nodeOnTrack(std::uint32_t row, LayerId layer, PointD location);
 
-    /// The place at which two pieces are joined: the centre of a pad if one is a pad, the end of a stroke that lies in
-    /// an area, else where middle lines are nearest or copper meets.
+    /// The location at which two pieces are joined: the centre of a pad if one is a pad, the end of a track that lies
+    /// in an area, else where middle lines are nearest or copper meets.
     [[nodiscard]] PointD jointOf(std::uint32_t i, std::uint32_t j, PointD meeting) const;
 
-    /// The end of a stroke that lies in an area.
+    /// The end of a track that lies in an area.
     [[nodiscard]] std::optional<PointD> endInside(std::uint32_t track, std::uint32_t area) const;
 
-    /// Where the middle lines of two strokes are nearest to each other.
+    /// Where the middle lines of two tracks are nearest to each other.
     [[nodiscard]] PointD middlesMeet(std::uint32_t i, std::uint32_t j) const;
     void joinPieces(std::uint32_t i, std::uint32_t j, PointD meeting);
-    std::vector<std::uint32_t> endsAtPlace(const Location& location);
-    void standFor(std::uint32_t row, std::vector<std::uint32_t>& nodes);
+    std::vector<std::uint32_t> endsAtLocation(const Location& location);
+    void addNodesOf(std::uint32_t row, std::vector<std::uint32_t>& nodes);
     void linkAlong(std::uint32_t row);
     void linkThrough(std::uint32_t row);
 

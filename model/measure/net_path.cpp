@@ -35,7 +35,7 @@ public:
         bool isDone = false;
     };
 
-    /// The node of `to` that is reached first; none if there is no way.
+    /// The node of `to` that is reached first; none if there is no path.
     [[nodiscard]] std::optional<std::uint32_t> find(std::span<const std::uint32_t> from,
                                                     std::span<const std::uint32_t> to) {
         std::vector<bool> isEnd(m_reached.size());
@@ -88,14 +88,14 @@ private:
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> m_queue;
 };
 
-NetPath pathTo(const NetGraph& graph, const ShortestPath& way, std::uint32_t end) {
+NetPath pathTo(const NetGraph& graph, const ShortestPath& search, std::uint32_t end) {
     NetPath path;
-    path.length = way.reached(end).length;
-    for (std::uint32_t node = end; way.reached(node).before != kNone; node = way.reached(node).before) {
-        const std::uint32_t before = way.reached(node).before;
-        const double length = way.reached(node).length - way.reached(before).length;
+    path.length = search.reached(end).length;
+    for (std::uint32_t node = end; search.reached(node).before != kNone; node = search.reached(node).before) {
+        const std::uint32_t before = search.reached(node).before;
+        const double length = search.reached(node).length - search.reached(before).length;
         if (length > 0) {
-            path.legs.push_back({way.reached(node).kind, graph.nodes()[before].layer, graph.pieceOf(before).at,
+            path.legs.push_back({search.reached(node).kind, graph.nodes()[before].layer, graph.pieceOf(before).at,
                                  graph.nodes()[before].at, graph.nodes()[node].at, length, graph.nodes()[before].along,
                                  graph.nodes()[node].along});
         }
@@ -119,7 +119,7 @@ void addUp(const BoardIndex& index, NetPath& path) {
     }
     path.perLayer.assign(perLayer.begin(), perLayer.end());
     if (path.areaLength > 0) {
-        path.notes.emplace_back("part of the way runs straight through areas, so its length is a guess");
+        path.notes.emplace_back("part of the path runs straight through areas, so its length is an estimate");
     }
     const Document& board = *index.board;
     if (path.holeCount > 0 && !assumedBetween(board, 0, board.boardThickness).empty()) {
@@ -127,7 +127,7 @@ void addUp(const BoardIndex& index, NetPath& path) {
     }
 }
 
-/// Corners of a stroke, and points of its arcs, whose length along its middle line is between `low` and `high`.
+/// Corners of a track, and points of its arcs, whose length along its middle line is between `low` and `high`.
 void addBetween(std::span<const Edge> track, double low, double high, std::vector<PointD>& course) {
     constexpr double kStep = std::numbers::pi / 30.0;
     double before = 0.0;
@@ -144,7 +144,7 @@ void addBetween(std::span<const Edge> track, double low, double high, std::vecto
     }
 }
 
-/// What lies between the ends of a leg along a stroke.
+/// What lies between the ends of a leg along a track.
 std::vector<PointD> between(std::span<const Edge> track, const PathLeg& leg) {
     const double low = std::min(leg.fromAlong, leg.toAlong);
     const double high = std::max(leg.fromAlong, leg.toAlong);
@@ -189,12 +189,12 @@ base::Result<NetPath> pathAlong(const BoardIndex& index, NetOfCopy net, const Me
         nodes = graph.endsAt(*item);
         if (nodes.empty()) {
             return base::Error{base::ErrorCode::BadUsage, nameOf(index, *item) + " has no copper of " +
-                                                              nameOf(index, net) + " that anything touches"};
+                                                              nameOf(index, net) + " that an item touches"};
         }
     }
     graph.finish();
-    ShortestPath way(graph, progress);
-    const std::optional<std::uint32_t> end = way.find(ends[0], ends[1]);
+    ShortestPath search(graph, progress);
+    const std::optional<std::uint32_t> end = search.find(ends[0], ends[1]);
     if (progress.isCancelled()) {
         return base::Error{base::ErrorCode::Cancelled, "cancelled"};
     }
@@ -202,7 +202,7 @@ base::Result<NetPath> pathAlong(const BoardIndex& index, NetOfCopy net, const Me
         return base::Error{base::ErrorCode::BadUsage, "no copper of " + nameOf(index, net) + " leads from " +
                                                           nameOf(index, from) + " to " + nameOf(index, to)};
     }
-    NetPath path = pathTo(graph, way, *end);
+    NetPath path = pathTo(graph, search, *end);
     addUp(index, path);
     return path;
 }

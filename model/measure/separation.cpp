@@ -13,7 +13,7 @@ namespace model {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// So many overlapping pairs of two things are looked at for the deepest.
+/// So many overlapping pairs of two items are tested for the deepest.
 constexpr std::size_t kMostOverlaps = 256;
 
 double apart(Nm highOfLower, Nm lowOfUpper) {
@@ -47,13 +47,13 @@ PointD middleOf(const Box& box) {
     return {(double(box.min.x) + box.max.x) / 2, (double(box.min.y) + box.max.y) / 2};
 }
 
-/// Looks for the closest pair of pieces of two things.
+/// Finds the closest pair of pieces of two items.
 class ClosestPieces {
 public:
     ClosestPieces(const Pieces& a, const Pieces& b, const BoxIndex& indexOfB, base::Progress& progress)
         : m_a(a), m_b(b), m_indexOfB(indexOfB), m_progress(progress) {}
 
-    std::optional<Way> find(const Heights& heights) {
+    std::optional<PieceDistance> find(const Heights& heights) {
         m_best.reset();
         m_limit = kInfinity;
         if (!guess(heights)) {
@@ -70,7 +70,7 @@ public:
             }
         }
         if (m_best) {
-            tellRelation();
+            findRelation();
         }
         return m_best;
     }
@@ -117,29 +117,30 @@ private:
             return;
         }
         const double limit = m_limit == kInfinity ? kInfinity : std::sqrt(m_limit * m_limit - *dz * *dz);
-        const std::optional<Gap> gap = spacingBetween(m_a.figures, i, m_b.figures, j, std::max(limit, kTouchNm));
-        if (!gap) {
+        const std::optional<Spacing> spacing =
+            spacingBetween(m_a.figures, i, m_b.figures, j, std::max(limit, kTouchNm));
+        if (!spacing) {
             return;
         }
-        const double distance = *dz > 0 ? std::hypot(gap->distance, *dz) : gap->distance;
+        const double distance = *dz > 0 ? std::hypot(spacing->distance, *dz) : spacing->distance;
         if (*dz == 0 && distance <= kTouchNm && m_meeting.size() <= kMostOverlaps) {
-            m_meeting.push_back({i, j, gap->from});
+            m_meeting.push_back({i, j, spacing->from});
         }
         if (!m_best || distance < m_best->distance) {
-            m_best = Way{*gap, *dz, distance, m_a.pieces[i], m_b.pieces[j], Relation::Apart, 0.0, true};
+            m_best = PieceDistance{*spacing, *dz, distance, m_a.pieces[i], m_b.pieces[j], Relation::Apart, 0.0, true};
             m_limit = std::max(distance, kTouchNm);
         }
     }
 
     /// Touching, or overlapping and by how much: the deepest of all pairs that meet.
-    void tellRelation() {
+    void findRelation() {
         for (const Meeting& pair : m_meeting) {
             const Overlap overlap = overlapBetween(m_a.figures, pair.a, m_b.figures, pair.b, pair.location);
             if (m_best->relation == Relation::Apart || overlap.depth > m_best->overlap) {
                 m_best->relation = overlap.depth > kTouchNm ? Relation::Overlapping : Relation::Touching;
                 m_best->overlap = overlap.depth;
                 m_best->isOverlapExact = overlap.isExact;
-                m_best->gap = {0.0, pair.location, pair.location};
+                m_best->spacing = {0.0, pair.location, pair.location};
                 m_best->distance = 0.0;
                 m_best->from = m_a.pieces[pair.a];
                 m_best->to = m_b.pieces[pair.b];
@@ -159,7 +160,7 @@ private:
     const Pieces& m_b;
     const BoxIndex& m_indexOfB;
     base::Progress& m_progress;
-    std::optional<Way> m_best;
+    std::optional<PieceDistance> m_best;
     double m_limit = kInfinity;
     std::vector<Meeting> m_meeting;
 };
@@ -196,7 +197,7 @@ void noteOnEmpty(const BoardIndex& index, const MeasureItem& item, const Pieces&
                                    : isPart ? "the job ties no copper to " + nameOf(index, item)
                                             : nameOf(index, item) + " covers nothing, so it has no distance");
     } else if (!pieces.empty.empty()) {
-        separation.notes.push_back(std::to_string(pieces.empty.size()) + " strokes of " + nameOf(index, item) +
+        separation.notes.push_back(std::to_string(pieces.empty.size()) + " tracks of " + nameOf(index, item) +
                                    " have no width and were left out");
     }
 }
@@ -214,24 +215,24 @@ void noteOnStackup(const BoardIndex& index, const MeasureItem& a, const MeasureI
         separation.notes.push_back(nameOf(index, a) + " and " + nameOf(index, b) + " have no common layer");
     }
     if (!separation.throughStackup) {
-        separation.notes.push_back("one of them has no place in the stack, so the distance is in the plane only");
+        separation.notes.push_back("one of them is not in the stackup, so the distance is in the plane only");
         return;
     }
-    const Way& way = *separation.throughStackup;
-    if (way.dz > 0) {
-        if (std::string note = noteOnHeight(*index.board, way.from.z, way.to.z); !note.empty()) {
+    const PieceDistance& shortest = *separation.throughStackup;
+    if (shortest.dz > 0) {
+        if (std::string note = noteOnHeight(*index.board, shortest.from.z, shortest.to.z); !note.empty()) {
             separation.notes.push_back(std::move(note));
         }
     }
 }
 
-void noteOnEdge(const BoardIndex& index, const MeasureItem& edge, const Way& way, bool isFromEdge,
+void noteOnEdge(const BoardIndex& index, const MeasureItem& edge, const PieceDistance& shortest, bool isFromEdge,
                 std::vector<std::string>& notes) {
     const Document& board = *index.board;
-    if (!std::holds_alternative<BoardEdge>(edge) || way.relation != Relation::Apart) {
+    if (!std::holds_alternative<BoardEdge>(edge) || shortest.relation != Relation::Apart) {
         return;
     }
-    const PointD location = isFromEdge ? way.gap.to : way.gap.from;
+    const PointD location = isFromEdge ? shortest.spacing.to : shortest.spacing.from;
     int winding = 0;
     for (const Contour& contour : board.shapes.contoursOf(board.profile)) {
         const auto nodes = board.shapes.nodesOf(contour);

@@ -9,50 +9,50 @@
 #include "model/geometry/edges.h"
 #include "model/measure/items.h"
 
-/// How far two things of a board are apart.
+/// How far two items of a board are apart.
 namespace model {
 
 enum class Relation : std::uint8_t { Apart, Touching, Overlapping };
 [[nodiscard]] const char* toString(Relation relation);  ///< "apart", "touching", "overlapping"
 
-/// The shortest way between two pieces, straight or through the stack. Lengths in nm.
-struct Way {
-    Gap gap;                ///< in the plane; 0 with both ends in a common place if one lies over the other
-    double dz = 0.0;        ///< between the faces that look at each other; 0 where their heights meet
-    double distance = 0.0;  ///< of gap and dz together
-    Piece from;             ///< of the first thing
+/// The shortest distance between two pieces, straight or through the stackup. Lengths in nm.
+struct PieceDistance {
+    Spacing spacing;        ///< in the plane; 0 with both ends in a common location if one lies over the other
+    double dz = 0.0;        ///< between the faces that face each other; 0 where their heights meet
+    double distance = 0.0;  ///< of spacing and dz together
+    Piece from;             ///< of the first item
     Piece to;
     Relation relation = Relation::Apart;
-    /// Overlapping: how far one would have to move in the plane so that they only touch (geometry/overlap.h); of things
+    /// Overlapping: how far one would have to move in the plane so that they only touch (geometry/overlap.h); of items
     /// of several pieces that of the deepest pair.
     double overlap = 0.0;
     bool isOverlapExact = true;  ///< else they overlap by that much at least
 };
 
-/// The answer. Elements are upright prisms, so the shortest way in space is the gap in the plane and the difference of
-/// heights of one pair of pieces, exactly.
+/// The result. Elements are upright prisms, so the shortest distance in space is the spacing in the plane and the
+/// difference of heights of one pair of pieces, exactly.
 struct Separation {
-    std::optional<Way> inPlane;         ///< as seen from above, whatever the layers
-    std::optional<Way> onLayer;         ///< between pieces that lie on one layer; none: there is no common layer
-    std::optional<Way> throughStackup;  ///< shortest in space; none: one of them has no heights
-    std::vector<std::string> notes;     ///< what must be known to read it, in plain words
+    std::optional<PieceDistance> inPlane;  ///< as seen from above, whatever the layers
+    std::optional<PieceDistance> onLayer;  ///< between pieces that lie on one layer; none: there is no common layer
+    std::optional<PieceDistance> throughStackup;  ///< shortest in space; none: one of them has no heights
+    std::vector<std::string> notes;               ///< what must be known to read it, in plain words
 
-    /// What people mean by "the distance": on one layer if there is one, else through the stack, else from above.
-    [[nodiscard]] const Way* main() const {
+    /// What people mean by "the distance": on one layer if there is one, else through the stackup, else from above.
+    [[nodiscard]] const PieceDistance* main() const {
         return onLayer ? &*onLayer : throughStackup ? &*throughStackup : inPlane ? &*inPlane : nullptr;
     }
 };
 
-/// Measures two things. Holes count as filled as far as the drill reaches, copper that a bare hole takes away as there.
-/// There is no number, but a remark, if both are the same thing, one is part of the other, or one covers nothing. The
-/// cost follows what lies near the shortest way, so nets of thousands of elements take milliseconds; equal input gives
-/// equal output. Errors: Cancelled.
+/// Measures two items. Holes count as filled as far as the drill reaches, copper that an NPTH takes away as there.
+/// There is no number, but a note, if both are the same item, one is part of the other, or one covers nothing. The
+/// cost follows what lies near the shortest distance, so nets of thousands of elements take milliseconds; equal input
+/// gives equal output. Errors: Cancelled.
 [[nodiscard]] base::Result<Separation> separationOf(const BoardIndex& index, const MeasureItem& a, const MeasureItem& b,
                                                     base::Progress& progress);
 
-/// The stack rows between two heights whose thickness the job does not state, for remarks; empty if all are known.
+/// The stackup rows between two heights whose thickness the job does not state, for notes; empty if all are known.
 [[nodiscard]] std::vector<std::string> assumedBetween(const Document& board, Nm low, Nm high);
-/// What must be known to read the height between the faces of two layers that look at each other; empty: nothing.
+/// What must be known to read the height between the faces of two layers that face each other; empty: nothing.
 [[nodiscard]] std::string noteOnHeight(const Document& board, ZRange a, ZRange b);
 
 }  // namespace model

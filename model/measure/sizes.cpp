@@ -44,7 +44,7 @@ bool isTrack(const BoardIndex& index, BoardElement at) {
     return kind == ElementKind::Line || kind == ElementKind::Trail;
 }
 
-/// The strokes of two tables whose middles are nearest to each other.
+/// The tracks of two tables whose middles are nearest to each other.
 std::pair<Edge, Edge> nearestEdges(const FigureTable& a, const FigureTable& b) {
     std::pair<Edge, Edge> nearest;
     double least = std::numeric_limits<double>::infinity();

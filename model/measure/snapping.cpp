@@ -11,10 +11,10 @@ namespace model {
 
 namespace {
 
-/// Edges whose crossings are looked for; where more are near nobody can tell them apart.
+/// Edges whose crossings are searched for; where more are near nobody can distinguish them.
 constexpr std::size_t kMostCrossing = 64;
-/// Points nearer to each other are in one place.
-constexpr double kOnePlaceNm = 1.0;
+/// Points nearer to each other are at one location.
+constexpr double kSameLocationNm = 1.0;
 
 double distance(PointD a, PointD b) {
     return std::hypot(a.x - b.x, a.y - b.y);
@@ -30,7 +30,7 @@ Box boxAround(PointD location, double reach) {
     return box;
 }
 
-/// An edge near the cursor, on the board.
+/// An edge near the pointer, on the board.
 struct NearEdge {
     Edge edge;
     BoardElement element;
@@ -59,7 +59,7 @@ private:
         if (a.kind != b.kind) {
             return a.kind < b.kind;
         }
-        if (distance(a.at, b.at) > kOnePlaceNm && a.missedBy != b.missedBy) {
+        if (distance(a.at, b.at) > kSameLocationNm && a.missedBy != b.missedBy) {
             return a.missedBy < b.missedBy;
         }
         const auto rank = [&](const SnapPoint& p) {
@@ -98,7 +98,7 @@ std::optional<PointD> centreOf(const Document& step, ElementId element) {
     }
 }
 
-/// Looks at everything near one place.
+/// Visits everything near one location.
 class Search {
 public:
     Search(const BoardIndex& index, FigureCache& figures, BestPoint& best, PointD location, double reach,
@@ -164,7 +164,7 @@ private:
         }
     }
 
-    /// The nearest point of the edge that is seen: a boundary itself, or the rim of a stroke.
+    /// The nearest point of the edge that is seen: a boundary itself, or the rim of a track.
     void offerRim(const NearEdge& near, PointD onMiddle, double beside) {
         PointD rim = onMiddle;
         if (near.edge.pen > 0 && beside > 0) {

@@ -8,13 +8,13 @@
 
 namespace model {
 
-/// What a cursor can snap to, the most wanted first.
+/// What a pointer can snap to, the most wanted first.
 enum class SnapKind : std::uint8_t {
     Centre,     ///< of a pad, a disc or a hole
-    End,        ///< of a stroke, a corner of an outline
-    ArcCentre,  ///< of an arc, stroke or outline
-    Middle,     ///< of a stroke or a side
-    Crossing,   ///< where middle lines of strokes or sides of outlines of one layer cross
+    End,        ///< of a track, a corner of an outline
+    ArcCentre,  ///< of an arc, track or outline
+    Middle,     ///< of a track or a side
+    Crossing,   ///< where middle lines of tracks or sides of outlines of one layer cross
     Edge,       ///< the nearest point on an edge of what is drawn
     Free        ///< nothing near
 };
@@ -25,20 +25,20 @@ struct SnapPoint {
     PointD at;              ///< nm of the board
     BoardElement element;   ///< whose point it is; none: of nothing
     LayerId layer;          ///< of the board; of a hole: its drill layer
-    double missedBy = 0.0;  ///< nm from the place asked for
+    double missedBy = 0.0;  ///< nm from the location requested
 };
 
-/// A place moved onto the nearest line through `from` whose direction is a multiple of `stepDeg`.
+/// A location moved onto the nearest line through `from` whose direction is a multiple of `stepDeg`.
 [[nodiscard]] PointD straightened(PointD from, PointD location, double stepDeg);
 
-/// Finds what is near a cursor. One thread at a time.
+/// Finds what is near a pointer. One thread at a time.
 class Snapper {
 public:
     explicit Snapper(std::shared_ptr<const BoardIndex> index) : m_index(std::move(index)) {}
 
-    /// The best point within `reach` nm: the kind decides, then how near it is; of points in one place that of a net,
-    /// then that of the layer nearer to the viewer, then the lower element. Only visible layers count (`layers` has one
-    /// entry per layer of the board). A Free point where nothing is near: the place itself.
+    /// The best point within `reach` nm: the kind decides, then how near it is; of points at one location that of a
+    /// net, then that of the layer nearer to the viewer, then the lower element. Only visible layers count (`layers`
+    /// has one entry per layer of the board). A Free point where nothing is near: the location itself.
     [[nodiscard]] SnapPoint at(PointD location, double reach, std::span<const PickLayer> layers,
                                bool isFromBelow = false);
 

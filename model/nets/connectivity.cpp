@@ -99,9 +99,9 @@ void Connectivity::touchWithin(std::size_t row, std::size_t first, std::size_t e
         });
         std::ranges::sort(near);
         for (const std::uint32_t j : near) {
-            if (const auto gap = spacingBetween(plane.figures, i, plane.figures, j, kTouchNm)) {
+            if (const auto spacing = spacingBetween(plane.figures, i, plane.figures, j, kTouchNm)) {
                 found.push_back(
-                    {m_start[row] + static_cast<std::uint32_t>(i), m_start[row] + j, gap->from, plane.layer});
+                    {m_start[row] + static_cast<std::uint32_t>(i), m_start[row] + j, spacing->from, plane.layer});
             }
         }
     }
@@ -122,9 +122,9 @@ void Connectivity::touchHoles(const Document& document, std::size_t first, std::
             plane.index.front().visit(holes.boxes[hole], [&](std::uint32_t i) { near.push_back(i); });
             std::ranges::sort(near);
             for (const std::uint32_t i : near) {
-                if (const auto gap = spacingBetween(plane.figures, i, holes.figures, hole, kTouchNm)) {
+                if (const auto spacing = spacingBetween(plane.figures, i, holes.figures, hole, kTouchNm)) {
                     found.push_back(
-                        {m_start[row] + i, start + static_cast<std::uint32_t>(hole), gap->from, plane.layer});
+                        {m_start[row] + i, start + static_cast<std::uint32_t>(hole), spacing->from, plane.layer});
                 }
             }
         }

@@ -19,11 +19,11 @@ struct Contact {
     LayerId layer;    ///< the copper layer where they touch
 };
 
-/// What copper of a document hangs together, by geometry alone: copper of one layer that touches (gap 0, arcs and areas
-/// taken exactly), and plated holes that touch copper of the layers they pass.
+/// What copper of a document is connected, by geometry alone: copper of one layer that touches (spacing 0, arcs and
+/// areas taken exactly), and plated holes that touch copper of the layers they pass.
 ///
 /// The unit is the piece: an element, or one island of an area that has several. Pieces are numbered layer by layer in
-/// document order, element by element; those of plated holes come last. Copper without width, and what a bare hole cuts
+/// document order, element by element; those of plated holes come last. Copper without width, and what an NPTH cuts
 /// away, is left out of account. Copies of other steps are not part of it: they have a document of their own.
 class Connectivity {
 public:
@@ -59,7 +59,7 @@ private:
     [[nodiscard]] std::size_t geometryOf(std::uint32_t piece) const;
 
     std::vector<LayerGeometry> m_sheets;
-    std::vector<std::uint32_t> m_start;  ///< pieces of sheet s: m_start[s] .. m_start[s + 1]
+    std::vector<std::uint32_t> m_start;  ///< pieces of layer s: m_start[s] .. m_start[s + 1]
     std::vector<Contact> m_contacts;
     std::vector<std::uint32_t> m_island;
     std::size_t m_islandCount = 0;

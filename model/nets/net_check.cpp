@@ -84,21 +84,21 @@ private:
 
     /// Copper without a net that touches several nets joins them; each is reported against the first.
     void findShortsThroughOtherCopper() {
-        DisjointSets loose(m_connectivity.pieceCount());
+        DisjointSets unassigned(m_connectivity.pieceCount());
         for (const Contact& contact : m_connectivity.contacts()) {
             if (!netOf(contact.a).isValid() && !netOf(contact.b).isValid()) {
-                loose.join(contact.a, contact.b);
+                unassigned.join(contact.a, contact.b);
             }
         }
         std::map<std::uint32_t, std::uint32_t> firstPiece;  // by set: the first piece with a net that touches it
         for (const Contact& contact : m_connectivity.contacts()) {
-            const bool isLooseA = !netOf(contact.a).isValid();
-            if (isLooseA == !netOf(contact.b).isValid()) {
+            const bool isUnassignedA = !netOf(contact.a).isValid();
+            if (isUnassignedA == !netOf(contact.b).isValid()) {
                 continue;
             }
-            const std::uint32_t other = isLooseA ? contact.a : contact.b;
-            const std::uint32_t piece = isLooseA ? contact.b : contact.a;
-            const std::uint32_t first = firstPiece.try_emplace(loose.find(other), piece).first->second;
+            const std::uint32_t other = isUnassignedA ? contact.a : contact.b;
+            const std::uint32_t piece = isUnassignedA ? contact.b : contact.a;
+            const std::uint32_t first = firstPiece.try_emplace(unassigned.find(other), piece).first->second;
             if (netOf(first) != netOf(piece)) {
                 addShort({netOf(first), netOf(piece), contact.layer, m_connectivity.element(first),
                           m_connectivity.element(piece), contact.location, m_connectivity.element(other), 0});
@@ -134,11 +134,8 @@ bool hasSeveralPadIslands(const NetReport& report, const OpenNet& open) {
 base::Result<std::vector<StepCheck>> checkAllNets(const Document& board, base::Progress& progress) {
     std::vector<StepCheck> checks;
     for (const Document* step : distinctSteps(board)) {
-        const auto connectivity = Connectivity::of(*step, progress);
-        if (!connectivity) {
-            return connectivity.error();
-        }
-        checks.push_back({step, connectivity->islandCount(), checkNets(*step, *connectivity)});
+        ASSIGN_OR_RETURN(const auto connectivity, Connectivity::of(*step, progress));
+        checks.push_back({step, connectivity.islandCount(), checkNets(*step, connectivity)});
     }
     return checks;
 }

@@ -4,7 +4,7 @@
 
 namespace model {
 
-/// A part of a net that hangs together.
+/// A connected part of a net.
 struct NetIsland {
     ElementId element;  ///< its first piece, in document order
     LayerId layer;      ///< of that element

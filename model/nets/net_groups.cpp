@@ -72,7 +72,7 @@ char opposite(char sign, char before) {
 
 /// Is the character at `at` a sign of polarity rather than a letter of a word? It ends the name, or has its number
 /// behind it, or is a word of its own.
-bool isSignPlace(std::string_view name, std::size_t at) {
+bool isSignAt(std::string_view name, std::size_t at) {
     const std::size_t behind = at + 1;
     if (at == 0 || behind + digitsFrom(name, behind) == name.size()) {
         return at > 0;
@@ -293,7 +293,7 @@ std::vector<std::string> polarTwins(std::string_view name) {
     for (std::size_t at = name.size(); at-- > 0;) {
         const char before = at > 0 ? name[at - 1] : '\0';
         const char other = opposite(name[at], before);
-        if (other == '\0' || !isSignPlace(name, at)) {
+        if (other == '\0' || !isSignAt(name, at)) {
             continue;
         }
         add(at, other);

@@ -31,7 +31,7 @@ struct NetGroups {
 /// "CLK_N0" for "CLK_P0", "DM" for "DP". A name may allow several; the likeliest (nearest to its end) comes first.
 [[nodiscard]] std::vector<std::string> polarTwins(std::string_view name);
 
-/// A name as a member of a bus: what stands before and behind its number.
+/// A name as a member of a bus: what is before and behind its number.
 struct BusMember {
     std::string_view before;
     std::uint32_t number = 0;

@@ -43,7 +43,7 @@ private:
         m_document.diagnostics.report(severity, layer.file, m_document.elements.line[element.row()], text, element);
     }
 
-    /// Pieces a side's outer copper has at a place.
+    /// Pieces a side's outer copper has at a location.
     [[nodiscard]] std::vector<std::uint32_t> piecesAt(Point p, LayerSide side) const {
         if (!m_top.isValid()) {
             return {};
@@ -126,19 +126,13 @@ base::Result<std::shared_ptr<const Document>> inferred(const Document& document,
     for (std::shared_ptr<const Document>& step : copy->steps) {
         std::shared_ptr<const Document>& location = done[step.get()];
         if (location == nullptr) {
-            auto result = inferred(*step, progress, done);
-            if (!result) {
-                return result.error();
-            }
-            done[step.get()] = *result;
+            ASSIGN_OR_RETURN(auto result, inferred(*step, progress, done));
+            done[step.get()] = result;
         }
         step = done[step.get()];
     }
-    const base::Result<Connectivity> connectivity = Connectivity::of(*copy, progress);
-    if (!connectivity) {
-        return connectivity.error();
-    }
-    NetFinder(*copy, *connectivity).run();
+    ASSIGN_OR_RETURN(const Connectivity connectivity, Connectivity::of(*copy, progress));
+    NetFinder(*copy, connectivity).run();
     return std::shared_ptr<const Document>(std::move(copy));
 }
 

@@ -13,7 +13,7 @@ namespace model {
 struct NetStatistics {
     std::vector<std::uint32_t> pins;      ///< of components
     std::vector<std::uint32_t> vias;      ///< plated holes that are there to join layers
-    std::vector<double> lengthNm;         ///< of all strokes on copper layers that are no pads
+    std::vector<double> lengthNm;         ///< of all tracks on copper layers that are no pads
     std::vector<double> areaNm2;          ///< of what is drawn on copper layers; where two elements overlap, twice
     std::vector<std::uint32_t> nameRank;  ///< place among all names in the order people count: NET2 before NET10
 };

@@ -39,9 +39,9 @@ Intervals subtracted(const Intervals& from, const Intervals& what) {
 Intervals clipped(const Intervals& pieces, double from, double to) {
     Intervals out;
     for (const Interval& piece : pieces) {
-        const Interval kept{std::max(piece.from, from), std::min(piece.to, to)};
-        if (kept.from < kept.to) {
-            out.push_back(kept);
+        const Interval clipped{std::max(piece.from, from), std::min(piece.to, to)};
+        if (clipped.from < clipped.to) {
+            out.push_back(clipped);
         }
     }
     return out;

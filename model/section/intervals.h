@@ -14,12 +14,12 @@ struct Interval {
 /// Pieces of one line: each longer than nothing, in rising order, apart from each other.
 using Intervals = std::vector<Interval>;
 
-/// The places that at least one of the pieces covers. They may come in any order, overlap, and be empty or turned
+/// The locations that at least one of the pieces covers. They may come in any order, overlap, and be empty or turned
 /// round (which counts as nothing). Pieces that touch become one.
 [[nodiscard]] Intervals united(std::vector<Interval> pieces);
 /// What `from` covers and `what` does not.
 [[nodiscard]] Intervals subtracted(const Intervals& from, const Intervals& what);
-/// What lies between two places.
+/// What lies between two locations.
 [[nodiscard]] Intervals clipped(const Intervals& pieces, double from, double to);
 
 }  // namespace model

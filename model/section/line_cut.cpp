@@ -15,11 +15,11 @@ constexpr double kParallel = 1e-14;
 /// Where a line passes a contour, and how that changes how often the contour winds around the line's points.
 struct Crossing {
     double at = 0.0;
-    int turn = 0;
+    int winding = 0;
 };
 
-/// Adds the places where a line passes the edges of one contour. What decides is on which side of the line vertices
-/// lie, so that the turns of a closed contour add up to nothing, whatever rounding does to the places.
+/// Adds the locations where a line passes the edges of one contour. What decides is on which side of the line vertices
+/// lie, so that the turns of a closed contour add up to nothing, whatever rounding does to the locations.
 class ContourCrossings {
 public:
     explicit ContourCrossings(const CutLine& line) : m_line(line) {}
@@ -30,13 +30,13 @@ public:
         edge.isArc() ? addArc(edge, from >= 0, to >= 0) : addLine(edge, from, to);
     }
 
-    /// The places inside of the contour; forgets it.
+    /// The locations inside of the contour; forgets it.
     [[nodiscard]] Intervals take() {
         std::ranges::sort(m_crossings, {}, &Crossing::at);
         std::vector<Interval> inside;
         int winding = 0;
         for (std::size_t i = 0; i + 1 < m_crossings.size(); ++i) {
-            winding += m_crossings[i].turn;
+            winding += m_crossings[i].winding;
             if (winding != 0) {
                 inside.push_back({m_crossings[i].at, m_crossings[i + 1].at});
             }
@@ -94,7 +94,7 @@ void addCircle(const CutLine& line, PointD centre, double radius, std::vector<do
     }
 }
 
-/// Where a line passes the two straight sides of a stroke.
+/// Where a line passes the two straight sides of a track.
 void addSides(const CutLine& line, const Edge& track, std::vector<double>& breaks) {
     const CutLine middle = CutLine::through(track.a, track.b);
     const double slope = middle.unit.x * line.unit.y - middle.unit.y * line.unit.x;
@@ -109,8 +109,8 @@ bool isDot(const Edge& track) {
     return !track.isArc() && track.a.x == track.b.x && track.a.y == track.b.y;
 }
 
-/// The places that a round pen covers. Its outline is made of pieces of the circles around its ends and of its two
-/// sides: between two of the places where the line meets those, all is covered or nothing.
+/// The locations that a round pen covers. Its outline is made of pieces of the circles around its ends and of its two
+/// sides: between two of the locations where the line meets those, all is covered or nothing.
 void addTrack(const CutLine& line, const Edge& track, std::vector<Interval>& covered) {
     std::vector<double> breaks;
     addCircle(line, track.a, track.pen, breaks);
@@ -132,7 +132,7 @@ void addTrack(const CutLine& line, const Edge& track, std::vector<Interval>& cov
     }
 }
 
-/// A stroke drawn with the pens that make an element's outside and its inside.
+/// A track drawn with the pens that make an element's outside and its inside.
 class PenCut {
 public:
     explicit PenCut(const CutLine& line) : m_line(line) {}
@@ -240,8 +240,8 @@ CutLine CutLine::through(PointD a, PointD b) {
 }
 
 CutLine CutLine::seenFrom(const Placement& placement) const {
-    const Placement turnOnly = {Point{}, placement.clockwiseDeg, placement.isMirrored};
-    return {unplaced(origin, placement), unplaced(unit, turnOnly)};
+    const Placement rotationOnly = {Point{}, placement.clockwiseDeg, placement.isMirrored};
+    return {unplaced(origin, placement), unplaced(unit, rotationOnly)};
 }
 
 bool CutLine::meets(const Box& box) const {

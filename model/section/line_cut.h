@@ -26,7 +26,7 @@ struct CutLine {
 /// What an element covers of a line.
 struct ElementCut {
     Intervals covered;  ///< all of it; of a hole as far as its drill reaches
-    Intervals opening;  ///< what a ring or a tube leaves open inside; all of a routed area, whose wall is not known
+    Intervals opening;  ///< what a ring leaves open inside; all of a routed area, whose wall is not known
 };
 
 [[nodiscard]] ElementCut cutElement(const Document& document, ElementId element, const CutLine& line);

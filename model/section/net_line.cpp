@@ -19,21 +19,21 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 
 struct Track {
     Edge edge;
-    std::uint32_t a = 0;  ///< places, see Strokes
+    std::uint32_t a = 0;  ///< places, see Tracks
     std::uint32_t b = 0;
 };
 
-/// How each place is reached from one of them.
+/// How each location is reached from one of them.
 struct Reached {
     std::vector<double> length;
-    std::vector<std::uint32_t> by;  ///< stroke; none at the start and where nothing leads
+    std::vector<std::uint32_t> by;  ///< track; none at the start and where nothing leads
     std::uint32_t farthest = 0;
 };
 
-/// The middle lines of a net's strokes as a graph.
-class Strokes {
+/// The middle lines of a net's tracks as a graph.
+class Tracks {
 public:
-    explicit Strokes(const Pieces& pieces, const BoardIndex& index) {
+    explicit Tracks(const Pieces& pieces, const BoardIndex& index) {
         for (std::size_t row = 0; row < pieces.pieces.size(); ++row) {
             const BoardElement at = pieces.pieces[row].at;
             const Document& step = *index.tree.steps[index.tree.copies[at.copy].step];
@@ -48,7 +48,7 @@ public:
         }
     }
 
-    [[nodiscard]] bool isEmpty() const { return m_strokes.empty(); }
+    [[nodiscard]] bool isEmpty() const { return m_tracks.empty(); }
 
     /// From one end of the longest chain to the other.
     [[nodiscard]] std::vector<PointD> longest() const {
@@ -77,10 +77,10 @@ private:
         if (edge.a.x == edge.b.x && edge.a.y == edge.b.y) {
             return;  // a dot or a full circle leads nowhere
         }
-        const auto row = static_cast<std::uint32_t>(m_strokes.size());
-        m_strokes.push_back({edge, locationOf(edge.a), locationOf(edge.b)});
-        m_at[m_strokes[row].a].push_back(row);
-        m_at[m_strokes[row].b].push_back(row);
+        const auto row = static_cast<std::uint32_t>(m_tracks.size());
+        m_tracks.push_back({edge, locationOf(edge.a), locationOf(edge.b)});
+        m_at[m_tracks[row].a].push_back(row);
+        m_at[m_tracks[row].b].push_back(row);
     }
 
     std::uint32_t locationOf(PointD p) {
@@ -108,7 +108,7 @@ private:
             out.farthest = entry.second;  // they come in rising order
             for (const std::uint32_t row : m_at[entry.second]) {
                 const std::uint32_t to = otherEnd(row, entry.second);
-                const double length = entry.first + lengthOf(m_strokes[row].edge);
+                const double length = entry.first + lengthOf(m_tracks[row].edge);
                 if (length < out.length[to]) {
                     out.length[to] = length;
                     out.by[to] = row;
@@ -120,20 +120,20 @@ private:
     }
 
     [[nodiscard]] std::uint32_t otherEnd(std::uint32_t row, std::uint32_t location) const {
-        return m_strokes[row].a == location ? m_strokes[row].b : m_strokes[row].a;
+        return m_tracks[row].a == location ? m_tracks[row].b : m_tracks[row].a;
     }
 
-    /// Back from the farthest place to the start.
+    /// Back from the farthest location to the start.
     [[nodiscard]] std::vector<PointD> walk(const Reached& reached) const {
         std::vector<PointD> line;
         std::uint32_t location = reached.farthest;
         while (reached.by[location] != kNone) {
-            const Track& track = m_strokes[reached.by[location]];
+            const Track& track = m_tracks[reached.by[location]];
             std::vector<PointD> corners = cornersOf(track.edge);
             if (track.a != location) {
                 std::ranges::reverse(corners);
             }
-            // Strokes meet in one place: its corner counts once.
+            // Tracks meet at one location: its corner counts once.
             line.insert(line.end(), corners.begin() + (line.empty() ? 0 : 1), corners.end());
             location = otherEnd(reached.by[location], location);
         }
@@ -156,17 +156,17 @@ private:
         return corners;
     }
 
-    std::vector<Track> m_strokes;
+    std::vector<Track> m_tracks;
     std::map<std::pair<long long, long long>, std::uint32_t> m_locations;
-    std::vector<std::vector<std::uint32_t>> m_at;  ///< by place: strokes that end there
+    std::vector<std::vector<std::uint32_t>> m_at;  ///< by location: tracks that end there
 };
 
 }  // namespace
 
 base::Result<std::vector<PointD>> lineAlong(const BoardIndex& index, NetOfCopy net) {
-    const Strokes tracks(piecesOf(index, net), index);
+    const Tracks tracks(piecesOf(index, net), index);
     if (tracks.isEmpty()) {
-        return base::Error{base::ErrorCode::BadUsage, nameOf(index, net) + " has no strokes to follow"};
+        return base::Error{base::ErrorCode::BadUsage, nameOf(index, net) + " has no tracks to follow"};
     }
     return tracks.longest();
 }

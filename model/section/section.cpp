@@ -13,7 +13,7 @@ namespace model {
 namespace {
 
 /// A slanting line is looked up in this many boxes, which hug it; elements in several are met once.
-constexpr double kLookups = 64.0;
+constexpr double kQueries = 64.0;
 
 /// Bores by the heights they pass.
 using Bores = std::map<std::pair<Nm, Nm>, std::vector<Interval>>;
@@ -51,7 +51,7 @@ bool overlap(const Box& a, const Box& b) {
 }
 
 /// Keeps a far line's coordinates within those of boards.
-PointD kept(PointD p) {
+PointD clamped(PointD p) {
     return {std::clamp<double>(p.x, -base::kMaxCoordinate, base::kMaxCoordinate),
             std::clamp<double>(p.y, -base::kMaxCoordinate, base::kMaxCoordinate)};
 }
@@ -82,18 +82,18 @@ private:
 
     /// Elements whose boxes the leg meets, rising.
     [[nodiscard]] std::vector<std::uint32_t> near(const Leg& leg, const Placed& placed) const {
-        const PointD a = kept(unplaced(leg.a, placed.how.placement));
-        const PointD b = kept(unplaced(leg.b, placed.how.placement));
+        const PointD a = clamped(unplaced(leg.a, placed.how.placement));
+        const PointD b = clamped(unplaced(leg.b, placed.how.placement));
         std::vector<std::uint32_t> rows;
         if (!overlap(boxAround(a, b), m_index.extents[placed.how.step])) {
             return rows;
         }
         const Leg own{a, b, 0.0, 0.0};
         const bool isSlanting = std::min(std::abs(a.x - b.x), std::abs(a.y - b.y)) > 1e5;
-        const double lookups = isSlanting ? kLookups : 1.0;
-        for (double i = 0.0; i < lookups; ++i) {
+        const double queries = isSlanting ? kQueries : 1.0;
+        for (double i = 0.0; i < queries; ++i) {
             m_index.elements[placed.how.step].visit(
-                boxAround(pointOn(own, i / lookups), pointOn(own, (i + 1.0) / lookups)),
+                boxAround(pointOn(own, i / queries), pointOn(own, (i + 1.0) / queries)),
                 [&](std::uint32_t row) { rows.push_back(row); });
         }
         std::ranges::sort(rows);
@@ -168,7 +168,7 @@ private:
         }
     }
 
-    /// Takes what a leg has bored out of what it has found.
+    /// Takes what a leg has drilled out of what it has found.
     void finishLeg() {
         Bores byHeight;
         for (const SectionPiece& bore : m_drilled) {
@@ -212,7 +212,7 @@ private:
 base::Result<std::vector<Leg>> legsOf(const std::vector<PointD>& line) {
     const auto error = [](const char* why) { return base::Error{base::ErrorCode::BadUsage, why}; };
     if (line.size() > kMostCorners) {
-        return error("a line to cut along has 10000 corners at most");
+        return error("a section line has 10000 corners at most");
     }
     std::vector<Leg> legs;
     double start = 0.0;
@@ -220,7 +220,7 @@ base::Result<std::vector<Leg>> legsOf(const std::vector<PointD>& line) {
         const bool isOnBoards =
             std::abs(line[i].x) <= base::kMaxCoordinate && std::abs(line[i].y) <= base::kMaxCoordinate;
         if (!isOnBoards) {
-            return error("the line to cut along leaves the coordinates of boards (1.07 m around the origin)");
+            return error("the section line leaves the coordinates of boards (1.07 m around the origin)");
         }
         const double length = i == 0 ? 0.0 : std::hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y);
         if (length > 0.0) {
@@ -229,7 +229,7 @@ base::Result<std::vector<Leg>> legsOf(const std::vector<PointD>& line) {
         }
     }
     if (legs.empty()) {
-        return error("a line to cut along needs two places that are apart");
+        return error("a section line needs two locations that are apart");
     }
     return legs;
 }
@@ -253,28 +253,28 @@ std::string listed(const std::vector<std::string>& names) {
 /// Names of the cut layers that have a property.
 template <class Has>
 std::string cutLayers(const Document& board, const std::vector<SectionPiece>& pieces, Has has) {
-    std::vector<bool> isCut(board.layers.size());
+    std::vector<bool> hasSection(board.layers.size());
     for (const SectionPiece& piece : pieces) {
-        isCut[piece.layer.row()] = true;
+        hasSection[piece.layer.row()] = true;
     }
     std::vector<std::string> names;
     for (std::size_t row = 0; row < board.layers.size(); ++row) {
-        if (isCut[row] && has(board.layers[row])) {
+        if (hasSection[row] && has(board.layers[row])) {
             names.push_back(board.layers[row].name);
         }
     }
     return listed(names);
 }
 
-void addRemarks(const Document& board, std::size_t wallless, Section& section) {
+void addNotes(const Document& board, std::size_t wallless, Section& section) {
     if (wallless > 0) {
-        section.notes.push_back("plated holes whose wall has no known thickness, cut without it: " +
+        section.notes.push_back("plated holes without a known plating thickness, drawn without it: " +
                                 std::to_string(wallless));
     }
     if (section.pieces.empty() && section.bores.empty()) {
         section.notes.push_back("the line meets nothing of the board");
     }
-    // Holes and the laminate follow from other layers, bodies of components have heights of their own.
+    // Holes and the substrate follow from other layers, bodies of components have heights of their own.
     const auto hasOwn = [](const Layer& l) {
         return l.type != LayerType::Drill && l.type != LayerType::Rout && l.type != LayerType::Body &&
                l.type != LayerType::ComponentBody;
@@ -282,7 +282,7 @@ void addRemarks(const Document& board, std::size_t wallless, Section& section) {
     const std::string flat =
         cutLayers(board, section.pieces, [&](const Layer& l) { return l.thickness == 0 && hasOwn(l); });
     if (!flat.empty()) {
-        section.notes.push_back("without a thickness, cut as a line: " + flat);
+        section.notes.push_back("without a thickness, drawn as a line: " + flat);
     }
     const std::string assumed = cutLayers(board, section.pieces, [&](const Layer& l) {
         return l.thickness > 0 && l.thicknessSource == Source::Assumed && hasOwn(l);
@@ -312,17 +312,14 @@ bool hasSubstance(const Layer& layer) {
     }
 }
 
-base::Result<Section> cutBoard(const BoardIndex& index, const SectionQuestion& question) {
-    const base::Result<std::vector<Leg>> legs = legsOf(question.line);
-    if (!legs) {
-        return legs.error();
-    }
-    const std::vector<bool> layers = question.layers.empty() ? layersWithSubstance(*index.board) : question.layers;
+base::Result<Section> makeSection(const BoardIndex& index, const SectionRequest& request) {
+    ASSIGN_OR_RETURN(const std::vector<Leg> legs, legsOf(request.line));
+    const std::vector<bool> layers = request.layers.empty() ? layersWithSubstance(*index.board) : request.layers;
     Cutter cutter(index, layers);
     Section section;
-    section.line.push_back(legs->front().a);
+    section.line.push_back(legs.front().a);
     section.stations.push_back(0.0);
-    for (const Leg& leg : *legs) {
+    for (const Leg& leg : legs) {
         cutter.cut(leg);
         section.line.push_back(leg.b);
         section.stations.push_back(leg.start + leg.length);
@@ -331,7 +328,7 @@ base::Result<Section> cutBoard(const BoardIndex& index, const SectionQuestion& q
     section.bores = std::move(cutter.bores);
     sort(section.pieces);
     sort(section.bores);
-    addRemarks(*index.board, cutter.wallless, section);
+    addNotes(*index.board, cutter.wallless, section);
     return section;
 }
 

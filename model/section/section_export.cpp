@@ -14,7 +14,7 @@ namespace {
 constexpr double kMargin = 20;
 constexpr double kLine = 18;
 constexpr double kWidth = 1100;       ///< of the cut
-constexpr double kBoardHeight = 260;  ///< about, of the board in the cut; more where its stack has many rows
+constexpr double kBoardHeight = 260;  ///< about, of the board in the cut; more where its stackup has many rows
 constexpr double kTop = 4 * kLine;
 constexpr double kLabels = 300;
 
@@ -76,7 +76,7 @@ std::string svgPieces(const Document& board, const Section& section, const Secti
     return "<g stroke=\"#00000050\" stroke-width=\"0.3\">\n" + out + "</g>\n";
 }
 
-/// Names and thicknesses of the stack's rows.
+/// Names and thicknesses of the stackup's rows.
 std::string svgStackup(const Document& board, const Scale& scale) {
     StackupDrawing labels;
     for (const StackupRow& row : board.stackup.rows) {
@@ -126,7 +126,7 @@ std::string positionText(PointD p) {
 }
 
 std::string titleOf(const Document& board, const Section& section, const Scale& scale) {
-    return board.job.name + ": cut from " + positionText(section.line.front()) + " to " +
+    return board.job.name + ": section from " + positionText(section.line.front()) + " to " +
            positionText(section.line.back()) +
            formatted(" mm, %.5g mm long, heights %g times", base::toMm(section.stations.back()), scale.times);
 }

@@ -14,8 +14,8 @@ struct SectionPicture {
     double heightTimes = 0.0;            ///< heights are drawn so many times larger than lengths; 0: as reads well
 };
 
-/// SVG 1.1 in UTF-8: the cut to scale, with the heights of the stack beside it, a bar of round length below, and the
-/// remarks. Parts are drawn as far as the board's thickness above and below it.
+/// SVG 1.1 in UTF-8: the cut to scale, with the heights of the stackup beside it, a bar of round length below, and the
+/// notes. Parts are drawn as far as the board's thickness above and below it.
 [[nodiscard]] std::string sectionSvg(const Document& board, const Section& section, const SectionPicture& how);
 
 /// A line per piece and then per bore, comma separated (RFC 4180), with headings; lengths in nm.

@@ -63,7 +63,7 @@ std::string rowNames(const Stackup& stackup) {
     for (const StackupRow& row : stackup.rows) {
         names += (names.empty() ? "" : ", ") + row.name;
     }
-    return names.empty() ? "the board states its heights itself" : "the stack has " + names;
+    return names.empty() ? "the board states its heights itself" : "the stackup has " + names;
 }
 
 }  // namespace
@@ -105,13 +105,10 @@ base::Result<ThicknessOverride> parseOverride(std::string_view text, const Stack
     const StackupRow* row = findRow(stackup, name);
     if (row == nullptr) {
         return Error{ErrorCode::BadUsage,
-                     "there is no layer " + std::string(name) + " in the stack; " + rowNames(stackup)};
+                     "there is no layer " + std::string(name) + " in the stackup; " + rowNames(stackup)};
     }
-    const base::Result<Nm> nm = parseThickness(text.substr(equals + 1), isCopperRow(*row));
-    if (!nm) {
-        return nm.error();
-    }
-    return ThicknessOverride{row->name, *nm};
+    ASSIGN_OR_RETURN(const Nm nm, parseThickness(text.substr(equals + 1), isCopperRow(*row)));
+    return ThicknessOverride{row->name, nm};
 }
 
 std::string thicknessText(Nm thickness) {

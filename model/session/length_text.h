@@ -9,7 +9,7 @@
 
 namespace model::session {
 
-/// Thicknesses that a user may set; what is outside of them is a slip of the hand.
+/// Thicknesses that a user may set; what is outside of them is a typing error.
 inline constexpr Nm kLeastSet = 1'000;
 inline constexpr Nm kMostSet = 10'000'000;
 
@@ -22,8 +22,8 @@ inline constexpr Nm kMostSet = 10'000'000;
 /// copper.
 [[nodiscard]] base::Result<Nm> parseThickness(std::string_view text, bool isCopper);
 
-/// "LAYER=LENGTH" for a row of the stack, in any case. Layer names may hold "=": the last one counts. Errors: BadUsage
-/// as above, and when there is no such row (the text lists those that are there).
+/// "LAYER=LENGTH" for a row of the stackup, in any case. Layer names may hold "=": the last one counts. Errors:
+/// BadUsage as above, and when there is no such row (the text lists those that are there).
 [[nodiscard]] base::Result<ThicknessOverride> parseOverride(std::string_view text, const Stackup& stackup);
 
 /// "35 µm", "1.2 mm" below and from 1 mm; exact to the nanometre, and read back by parseThickness.

@@ -10,7 +10,7 @@
 
 namespace model::session {
 
-/// How the user wants a net to look. Nets are kept by name: rows may differ after the job was written again.
+/// The style that the user set for a net. Nets are saved by name: rows may differ after the job was written again.
 struct SavedNet {
     std::string name;
     std::string step;                     ///< the one it is a net of

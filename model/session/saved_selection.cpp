@@ -23,9 +23,9 @@ Key keyOf(std::size_t layer, ElementKind kind, const Box& box) {
 }
 
 /// How often each is wanted; elements of layers that the board does not have are counted as missing.
-std::map<Key, std::size_t> wantedOf(const Document& board, const SavedSelection& kept, std::size_t& missing) {
+std::map<Key, std::size_t> wantedOf(const Document& board, const SavedSelection& saved, std::size_t& missing) {
     std::map<Key, std::size_t> wanted;
-    for (const SavedElement& element : kept.elements) {
+    for (const SavedElement& element : saved.elements) {
         const auto layer = std::ranges::find(board.layers, element.layer, &Layer::name);
         if (layer == board.layers.end()) {
             ++missing;
@@ -36,8 +36,8 @@ std::map<Key, std::size_t> wantedOf(const Document& board, const SavedSelection&
     return wanted;
 }
 
-void addElements(const StepTree& board, const SavedSelection& kept, FoundSelection& found) {
-    std::map<Key, std::size_t> wanted = wantedOf(*board.steps.front(), kept, found.missingElements);
+void addElements(const StepTree& board, const SavedSelection& saved, FoundSelection& found) {
+    std::map<Key, std::size_t> wanted = wantedOf(*board.steps.front(), saved, found.missingElements);
     if (wanted.empty()) {
         return;
     }
@@ -59,8 +59,8 @@ void addElements(const StepTree& board, const SavedSelection& kept, FoundSelecti
     }
 }
 
-void addNets(const StepTree& board, const SavedSelection& kept, FoundSelection& found) {
-    for (const NetName& net : kept.nets) {
+void addNets(const StepTree& board, const SavedSelection& saved, FoundSelection& found) {
+    for (const NetName& net : saved.nets) {
         const auto step =
             std::ranges::find_if(board.steps, [&](const Document* each) { return each->job.step == net.step; });
         const NetId id = step == board.steps.end() ? NetId{} : (*step)->findNet(net.name);
@@ -77,24 +77,24 @@ void addNets(const StepTree& board, const SavedSelection& kept, FoundSelection& 
 
 SavedSelection saveSelection(const StepTree& board, std::span<const BoardElement> elements,
                              std::span<const BoardNet> nets) {
-    SavedSelection kept;
+    SavedSelection saved;
     for (const BoardElement& at : elements) {
         const StepCopy& copy = board.copies[at.copy];
         const Document& step = *board.steps[copy.step];
-        kept.elements.push_back({step.layers[layerOf(step, copy, at.element).row()].name,
-                                 step.elements.kind[at.element.row()], copy.placement.boxOf(step.boxOf(at.element))});
+        saved.elements.push_back({step.layers[layerOf(step, copy, at.element).row()].name,
+                                  step.elements.kind[at.element.row()], copy.placement.boxOf(step.boxOf(at.element))});
     }
     for (const BoardNet& net : nets) {
         const Document& step = *board.steps[net.step];
-        kept.nets.push_back({step.job.step, step.nets[net.net.row()].name});
+        saved.nets.push_back({step.job.step, step.nets[net.net.row()].name});
     }
-    return kept;
+    return saved;
 }
 
-FoundSelection findSelection(const StepTree& board, const SavedSelection& kept) {
+FoundSelection findSelection(const StepTree& board, const SavedSelection& saved) {
     FoundSelection found;
-    addElements(board, kept, found);
-    addNets(board, kept, found);
+    addElements(board, saved, found);
+    addNets(board, saved, found);
     return found;
 }
 

@@ -34,7 +34,7 @@ struct SavedSelection {
     bool operator==(const SavedSelection&) const = default;
 };
 
-/// No selection with more elements is kept: a session is to stay a small file.
+/// No selection with more elements is saved: a session is to stay a small file.
 inline constexpr std::size_t kMostSavedElements = 4000;
 
 [[nodiscard]] SavedSelection saveSelection(const StepTree& board, std::span<const BoardElement> elements,
@@ -48,9 +48,9 @@ struct FoundSelection {
     std::vector<std::string> missingNets;
 };
 
-/// Elements that lie where another one of the same kind lies are found as often as they were kept. Looks at every
+/// Elements that lie where another one of the same kind lies are found as often as they were saved. Visits every
 /// element of the board once.
-[[nodiscard]] FoundSelection findSelection(const StepTree& board, const SavedSelection& kept);
+[[nodiscard]] FoundSelection findSelection(const StepTree& board, const SavedSelection& saved);
 
 /// "line", "arc", "circle", "trail", "area".
 [[nodiscard]] const char* kindWord(ElementKind kind);

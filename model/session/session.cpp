@@ -9,20 +9,16 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "model/board/stackup.h"
 #include "model/session/length_text.h"
-#include "model/session/measurement_json.h"
-#include "model/session/saved_section_json.h"
 #include "model/session/session_json.h"
 #include "model/solids/restack.h"
 
 namespace model::session {
 
 namespace fs = std::filesystem;
-using nlohmann::ordered_json;
 
 namespace {
 
@@ -42,7 +38,7 @@ base::Error cannotWrite(const fs::path& path, const std::string& why) {
 }
 
 /// The file as JSON; nothing when it is missing or no JSON object. `problem` says which.
-std::optional<ordered_json> readJson(const fs::path& path, std::string& problem) {
+std::optional<Json> readJson(const fs::path& path, std::string& problem) {
     std::error_code error;
     const std::uintmax_t size = fs::file_size(path, error);
     if (error) {
@@ -53,7 +49,7 @@ std::optional<ordered_json> readJson(const fs::path& path, std::string& problem)
         problem = file ? "is too large for a session" : "cannot be read";
         return std::nullopt;
     }
-    ordered_json json = ordered_json::parse(file, nullptr, false);
+    Json json = Json::parse(file, nullptr, false);
     if (!json.is_object() || !json.contains(kVersionKey) || !json[kVersionKey].is_number_integer()) {
         problem = "is no session of Copperscope";
         return std::nullopt;
@@ -66,11 +62,11 @@ std::optional<ordered_json> readJson(const fs::path& path, std::string& problem)
     return json;
 }
 
-bool isThickness(const ordered_json& value) {
+bool isThickness(const Json& value) {
     return value.is_number_integer() && value.get<std::int64_t>() >= kLeastSet && value.get<std::int64_t>() <= kMostSet;
 }
 
-void readThicknesses(const ordered_json& json, const Stackup& stackup, LoadedSession& out) {
+void readThicknesses(const Json& json, const Stackup& stackup, LoadedSession& out) {
     if (!json.is_object()) {
         out.ignored.push_back(std::string(kThicknessKey) + " is not a list of layers");
         return;
@@ -78,7 +74,7 @@ void readThicknesses(const ordered_json& json, const Stackup& stackup, LoadedSes
     for (const auto& [name, value] : json.items()) {
         const StackupRow* row = findRow(stackup, name);
         if (row == nullptr) {
-            out.ignored.push_back("the thickness of " + name + ": the stack has no such layer");
+            out.ignored.push_back("the thickness of " + name + ": the stackup has no such layer");
         } else if (!isThickness(value)) {
             out.ignored.push_back("the thickness of " + name + ": " + value.dump(-1, ' ', true) +
                                   " is no number of nanometres from 1 µm to 10 mm");
@@ -88,64 +84,25 @@ void readThicknesses(const ordered_json& json, const Stackup& stackup, LoadedSes
     }
 }
 
-/// Reads a list of what the user kept, element by element.
-template <class Kept, class Read>
-void readList(const ordered_json& json, const char* key, const char* kind, const Read& read, std::vector<Kept>& kept,
+/// Reads a list of what the user saved, item by item.
+template <class Read, class List>
+void readList(const Json& json, const std::string& kind, const Read& read, List& list,
               std::vector<std::string>& ignored) {
     if (!json.is_array()) {
-        ignored.push_back(std::string(key) + " is not a list of " + kind + "s");
+        ignored.push_back(kind + "s is not a list of " + kind + "s");
         return;
     }
     for (std::size_t i = 0; i < json.size(); ++i) {
-        if (std::optional<Kept> one = read(json[i])) {
-            kept.push_back(std::move(*one));
+        if (auto item = tryRead(json[i], read)) {
+            list.push_back(std::move(*item));
         } else {
-            ignored.push_back(std::string(kind) + " " + std::to_string(i + 1) + ", which is no " + kind);
+            ignored.push_back(kind + " " + std::to_string(i + 1) + ", which is no " + kind);
         }
     }
 }
 
-std::optional<SavedNet> netFrom(const ordered_json& json) {
-    if (!json.is_object()) {
-        return std::nullopt;
-    }
-    const ordered_json name = json.value("name", ordered_json());
-    const ordered_json step = json.value("step", ordered_json());
-    const ordered_json colour = json.value("colour", ordered_json(""));
-    const ordered_json hidden = json.value("hidden", ordered_json(false));
-    if (!name.is_string() || !step.is_string() || !colour.is_string() || !hidden.is_boolean()) {
-        return std::nullopt;
-    }
-    SavedNet net{name.get<std::string>(), step.get<std::string>(), colourFrom(colour.get<std::string>()),
-                 hidden.get<bool>()};
-    const bool isColour = net.colour || colour.get<std::string>().empty();
-    return isColour ? std::optional(std::move(net)) : std::nullopt;
-}
-
-ordered_json jsonOf(const SavedNet& net) {
-    ordered_json json{{"name", net.name}, {"step", net.step}};
-    if (net.colour) {
-        json["colour"] = colourText(*net.colour);
-    }
-    if (net.isHidden) {
-        json["hidden"] = true;
-    }
-    return json;
-}
-
-void readNets(const ordered_json& json, const Document& document, LoadedSession& out) {
-    if (!json.is_array()) {
-        out.ignored.push_back(std::string(kNetsKey) + " is not a list of nets");
-        return;
-    }
-    for (std::size_t i = 0; i < json.size(); ++i) {
-        if (std::optional<SavedNet> net = netFrom(json[i])) {
-            out.session.nets.push_back(std::move(*net));
-        } else {
-            out.ignored.push_back("net " + std::to_string(i + 1) +
-                                  ", which has no name and step, or no colour #rrggbb");
-        }
-    }
+void readNets(const Json& json, const Document& document, LoadedSession& out) {
+    readList(json, "net", netFrom, out.session.nets, out.ignored);
     const StepTree tree = unfoldCopies(document);
     const auto found = findNets(tree, out.session.nets);
     for (std::size_t i = 0; i < found.size(); ++i) {
@@ -159,8 +116,8 @@ void readNets(const ordered_json& json, const Document& document, LoadedSession&
 }
 
 /// Layers that the board does not have are named and left out.
-void readDesk(const ordered_json& json, const Document& document, LoadedSession& out) {
-    std::optional<Desk> desk = deskFrom(json);
+void readDesk(const Json& json, const Document& document, LoadedSession& out) {
+    std::optional<Desk> desk = tryRead(json, deskFrom);
     if (!desk) {
         out.ignored.push_back(std::string(kDeskKey) + ", which is not what a window shows");
         return;
@@ -172,7 +129,7 @@ void readDesk(const ordered_json& json, const Document& document, LoadedSession&
         return !isThere;
     });
     if (!missing.empty()) {
-        out.ignored.push_back("the look of layers that the board does not have: " + missing);
+        out.ignored.push_back("the style of layers that the board does not have: " + missing);
     }
     out.session.desk = std::move(*desk);
 }
@@ -224,16 +181,16 @@ base::Status removeFile(const fs::path& path) {
     return error ? base::Status(cannotWrite(path, error.message())) : base::Status(base::Done{});
 }
 
-bool holdsNothing(const ordered_json& json) {
+bool holdsNothing(const Json& json) {
     return std::ranges::all_of(json.items(),
                                [](const auto& item) { return item.key() == kVersionKey || item.key() == kJobKey; });
 }
 
 /// Sets one part of the file, or removes it when it is null.
-base::Status savePart(const fs::path& board, const Document& document, const char* key, const ordered_json& part) {
+base::Status savePart(const fs::path& board, const Document& document, const char* key, const Json& part) {
     const fs::path path = sessionPath(board);
     std::string problem;
-    ordered_json json = readJson(path, problem).value_or(ordered_json::object());
+    Json json = readJson(path, problem).value_or(Json::object());
     if (!problem.empty()) {
         return cannotWrite(path, "the file there " + problem);
     }
@@ -246,11 +203,16 @@ base::Status savePart(const fs::path& board, const Document& document, const cha
     if (holdsNothing(json)) {
         return removeFile(path);
     }
-    const std::string text = json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+    const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
     if (text.size() > kMostBytes) {
         return cannotWrite(path, "it would be larger than a session may be");
     }
     return replaceFile(path, text);
+}
+
+template <class List>
+base::Status saveList(const fs::path& board, const Document& document, const char* key, const List& list) {
+    return savePart(board, document, key, list.empty() ? Json() : listJson(list));
 }
 
 }  // namespace
@@ -265,15 +227,15 @@ LoadedSession loadSession(const fs::path& board, const Document& document) {
     LoadedSession out;
     const fs::path path = sessionPath(board);
     std::string problem;
-    const std::optional<ordered_json> json = readJson(path, problem);
+    const std::optional<Json> json = readJson(path, problem);
     if (!json) {
         if (!problem.empty()) {
             out.ignored.push_back(path.string() + " " + problem + "; it is ignored");
         }
         return out;
     }
-    const std::string job = json->value(kJobKey, ordered_json()).dump(-1, ' ', true);
-    if (job != ordered_json(document.job.name).dump(-1, ' ', true, ordered_json::error_handler_t::replace)) {
+    const std::string job = json->value(kJobKey, Json()).dump(-1, ' ', true);
+    if (job != Json(document.job.name).dump(-1, ' ', true, Json::error_handler_t::replace)) {
         out.ignored.push_back(path.string() + " is the session of another board, " + job + "; it is ignored");
         return out;
     }
@@ -281,15 +243,15 @@ LoadedSession loadSession(const fs::path& board, const Document& document) {
         if (key == kThicknessKey) {
             readThicknesses(value, document.stackup, out);
         } else if (key == kViewsKey) {
-            readList(value, kViewsKey, "view", viewFrom, out.session.views, out.ignored);
+            readList(value, "view", viewFrom, out.session.views, out.ignored);
         } else if (key == kNetsKey) {
             readNets(value, document, out);
         } else if (key == kDeskKey) {
             readDesk(value, document, out);
         } else if (key == kMeasurementsKey) {
-            readList(value, kMeasurementsKey, "measurement", measurementFrom, out.session.measurements, out.ignored);
+            readList(value, "measurement", measurementFrom, out.session.measurements, out.ignored);
         } else if (key == kSectionsKey) {
-            readList(value, kSectionsKey, "section", sectionFrom, out.session.sections, out.ignored);
+            readList(value, "section", sectionFrom, out.session.sections, out.ignored);
         } else if (key != kVersionKey && key != kJobKey) {
             out.ignored.push_back("\"" + key + "\" is not known");
         }
@@ -302,7 +264,7 @@ LoadedSession loadSession(const fs::path& board, const Document& document) {
 
 base::Status saveThicknesses(const fs::path& board, const Document& document,
                              const std::vector<ThicknessOverride>& thicknesses) {
-    ordered_json json;
+    Json json;
     for (const ThicknessOverride& set : thicknesses) {
         json[set.layer] = set.thickness;
     }
@@ -310,40 +272,24 @@ base::Status saveThicknesses(const fs::path& board, const Document& document,
 }
 
 base::Status saveViews(const fs::path& board, const Document& document, const std::vector<SavedView>& views) {
-    ordered_json json;
-    for (const SavedView& view : views) {
-        json.push_back(jsonOf(view));
-    }
-    return savePart(board, document, kViewsKey, json);
+    return saveList(board, document, kViewsKey, views);
 }
 
 base::Status saveNets(const fs::path& board, const Document& document, const std::vector<SavedNet>& nets) {
-    ordered_json json;
-    for (const SavedNet& net : nets) {
-        json.push_back(jsonOf(net));
-    }
-    return savePart(board, document, kNetsKey, json);
+    return saveList(board, document, kNetsKey, nets);
 }
 
 base::Status saveDesk(const fs::path& board, const Document& document, const Desk& desk) {
-    return savePart(board, document, kDeskKey, jsonOf(desk));
+    return savePart(board, document, kDeskKey, toJson(desk));
 }
 
 base::Status saveMeasurements(const fs::path& board, const Document& document,
                               const std::vector<Measurement>& measurements) {
-    ordered_json json;
-    for (const Measurement& measurement : measurements) {
-        json.push_back(toJson(measurement));
-    }
-    return savePart(board, document, kMeasurementsKey, json);
+    return saveList(board, document, kMeasurementsKey, measurements);
 }
 
 base::Status saveSections(const fs::path& board, const Document& document, const std::vector<SavedSection>& sections) {
-    ordered_json json;
-    for (const SavedSection& section : sections) {
-        json.push_back(toJson(section));
-    }
-    return savePart(board, document, kSectionsKey, json);
+    return saveList(board, document, kSectionsKey, sections);
 }
 
 std::shared_ptr<const Document> applyThicknesses(std::shared_ptr<const Document> document,

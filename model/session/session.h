@@ -30,7 +30,7 @@ namespace model::session {
 
 inline constexpr int kVersion = 1;
 
-/// How a camera looks at the board. Lengths are millimetres from the middle of the board.
+/// How a camera sees the board. Lengths are millimetres from the middle of the board.
 struct Pose {
     std::array<double, 3> target{};
     double distance = 100.0;  ///< from the eye to the target, above 0
@@ -40,7 +40,7 @@ struct Pose {
     bool operator==(const Pose&) const = default;
 };
 
-/// A way of looking at the board that the user kept, or a selection.
+/// A view or a selection that the user saved.
 struct SavedView {
     std::string name;
     std::string step;                 ///< the one it shows
@@ -92,7 +92,7 @@ struct LoadedSession {
 [[nodiscard]] std::filesystem::path sessionPath(const std::filesystem::path& board);
 
 /// Reads the session of a board. A missing file is an empty session. What is not for this board (another job, another
-/// version, rows that the stack does not have, values that are no thickness) is named in `ignored`; nothing is an
+/// version, rows that the stackup does not have, values that are no thickness) is named in `ignored`; nothing is an
 /// error.
 [[nodiscard]] LoadedSession loadSession(const std::filesystem::path& board, const Document& document);
 

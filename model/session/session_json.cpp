@@ -1,48 +1,58 @@
 #include "model/session/session_json.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 
 namespace model::session {
 
-using nlohmann::ordered_json;
+double numberFrom(const Json& json, double low, double high) {
+    require(json.is_number());
+    const double number = json.get<double>();
+    require(low <= number && number <= high);
+    return number;
+}
+
+base::PointD pointFrom(const Json& json) {
+    constexpr double kMost = base::kMaxCoordinate;
+    require(json.is_array() && json.size() == 2);
+    return {numberFrom(json[0], -kMost, kMost), numberFrom(json[1], -kMost, kMost)};
+}
+
+std::vector<base::PointD> lineFrom(const Json& json) {
+    std::vector<base::PointD> line = listFrom(json, pointFrom);
+    require(line.size() >= 2);
+    return line;
+}
+
+Json lineJson(const std::vector<base::PointD>& line) {
+    Json json = Json::array();
+    for (const base::PointD corner : line) {
+        json.push_back(std::array{corner.x, corner.y});
+    }
+    return json;
+}
 
 namespace {
 
 /// No camera is farther from a board, in mm.
 constexpr double kFarthest = 1e6;
 
-bool isText(const ordered_json& value) {
-    return value.is_string();
+double poseNumber(const Json& json) {
+    return numberFrom(json, -kFarthest, kFarthest);
 }
 
-bool isNumber(const ordered_json& value) {
-    return value.is_number() && std::abs(value.get<double>()) <= kFarthest;
+Pose poseFrom(const Json& json) {
+    const std::vector<double> target = listFrom(json.at("target_mm"), poseNumber);
+    const double distance = poseNumber(json.at("distance_mm"));
+    require(target.size() == 3 && distance > 0);
+    return {{target[0], target[1], target[2]},
+            distance,
+            poseNumber(json.at("yaw_deg")),
+            poseNumber(json.at("pitch_deg")),
+            json.at("parallel").get<bool>()};
 }
 
-std::optional<Pose> poseFrom(const ordered_json& json) {
-    if (!json.is_object()) {
-        return std::nullopt;
-    }
-    const ordered_json target = json.value("target_mm", ordered_json());
-    const ordered_json distance = json.value("distance_mm", ordered_json());
-    const ordered_json yaw = json.value("yaw_deg", ordered_json());
-    const ordered_json pitch = json.value("pitch_deg", ordered_json());
-    const ordered_json parallel = json.value("parallel", ordered_json());
-    const bool isPose = target.is_array() && target.size() == 3 && std::ranges::all_of(target, isNumber) &&
-                        isNumber(distance) && distance.get<double>() > 0 && isNumber(yaw) && isNumber(pitch) &&
-                        parallel.is_boolean();
-    if (!isPose) {
-        return std::nullopt;
-    }
-    return Pose{{target[0].get<double>(), target[1].get<double>(), target[2].get<double>()},
-                distance.get<double>(),
-                yaw.get<double>(),
-                pitch.get<double>(),
-                parallel.get<bool>()};
-}
-
-ordered_json jsonOf(const Pose& pose) {
+Json toJson(const Pose& pose) {
     return {{"target_mm", pose.target},
             {"distance_mm", pose.distance},
             {"yaw_deg", pose.yawDeg},
@@ -51,81 +61,64 @@ ordered_json jsonOf(const Pose& pose) {
 }
 
 /// ["TOP", "line", x0, y0, x1, y1]
-std::optional<SavedElement> elementFrom(const ordered_json& json) {
-    if (!json.is_array() || json.size() != 6 || !json[0].is_string() || !json[1].is_string()) {
-        return std::nullopt;
-    }
-    const std::optional<ElementKind> kind = kindOf(json[1].get<std::string>());
-    std::array<Nm, 4> sides{};
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-        const ordered_json& side = json[i + 2];
-        if (!side.is_number_integer() || std::abs(side.get<double>()) > double{base::kMaxCoordinate}) {
-            return std::nullopt;
-        }
-        sides[i] = side.get<Nm>();
-    }
-    if (!kind) {
-        return std::nullopt;
-    }
-    return SavedElement{json[0].get<std::string>(), *kind, Box{{sides[0], sides[1]}, {sides[2], sides[3]}}};
+SavedElement elementFrom(const Json& json) {
+    require(json.is_array() && json.size() == 6);
+    const std::optional<ElementKind> kind = kindOf(json[1]);
+    require(kind.has_value());
+    const auto side = [&](std::size_t i) {
+        require(json[i].is_number_integer());
+        return static_cast<Nm>(numberFrom(json[i], -base::kMaxCoordinate, base::kMaxCoordinate));
+    };
+    return {json[0], *kind, Box{{side(2), side(3)}, {side(4), side(5)}}};
 }
 
-std::optional<SavedSelection> selectionFrom(const ordered_json& json) {
-    const ordered_json nets = json.is_object() ? json.value("nets", ordered_json()) : ordered_json();
-    const ordered_json elements = json.is_object() ? json.value("elements", ordered_json()) : ordered_json();
-    if (!nets.is_array() || !elements.is_array() || elements.size() > kMostSavedElements) {
-        return std::nullopt;
-    }
-    SavedSelection selection;
-    for (const ordered_json& net : nets) {
-        if (!net.is_array() || net.size() != 2 || !std::ranges::all_of(net, isText)) {
-            return std::nullopt;
-        }
-        selection.nets.push_back({net[0].get<std::string>(), net[1].get<std::string>()});
-    }
-    for (const ordered_json& each : elements) {
-        std::optional<SavedElement> element = elementFrom(each);
-        if (!element) {
-            return std::nullopt;
-        }
-        selection.elements.push_back(std::move(*element));
-    }
-    return selection;
+SavedSelection selectionFrom(const Json& json) {
+    require(json.at("elements").size() <= kMostSavedElements);
+    const auto netName = [](const Json& net) {
+        require(net.is_array() && net.size() == 2);
+        return NetName{net[0], net[1]};
+    };
+    return {listFrom(json.at("nets"), netName), listFrom(json.at("elements"), elementFrom)};
 }
 
-ordered_json jsonOf(const SavedSelection& selection) {
-    ordered_json nets = ordered_json::array();
+Json toJson(const SavedSelection& selection) {
+    Json nets = Json::array();
     for (const NetName& net : selection.nets) {
-        nets.push_back(ordered_json::array({net.step, net.name}));
+        nets.push_back(Json::array({net.step, net.name}));
     }
-    ordered_json elements = ordered_json::array();
+    Json elements = Json::array();
     for (const SavedElement& element : selection.elements) {
-        elements.push_back(ordered_json::array({element.layer, kindWord(element.kind), element.box.min.x,
-                                                element.box.min.y, element.box.max.x, element.box.max.y}));
+        elements.push_back(Json::array({element.layer, kindWord(element.kind), element.box.min.x, element.box.min.y,
+                                        element.box.max.x, element.box.max.y}));
     }
     return {{"nets", nets}, {"elements", elements}};
 }
 
-std::optional<LayerState> layerFrom(const ordered_json& json) {
-    if (!json.is_object()) {
+std::optional<std::uint32_t> colourAt(const Json& json) {
+    if (!json.contains("colour")) {
         return std::nullopt;
     }
-    const ordered_json name = json.value("name", ordered_json());
-    const ordered_json visible = json.value("visible", ordered_json());
-    const ordered_json opacity = json.value("opacity_percent", ordered_json());
-    const bool hasColour = json.contains("colour");
-    const std::optional<std::uint32_t> rgb =
-        hasColour && json["colour"].is_string() ? colourFrom(json["colour"].get<std::string>()) : std::nullopt;
-    const bool isOpacity = opacity.is_number_integer() && opacity >= 0 && opacity <= 100;
-    if (!name.is_string() || !visible.is_boolean() || !isOpacity || (hasColour && !rgb)) {
-        return std::nullopt;
-    }
-    return LayerState{name.get<std::string>(), visible.get<bool>(), opacity.get<int>(), rgb};
+    const std::optional<std::uint32_t> colour = colourFrom(json.at("colour").get<std::string>());
+    require(colour.has_value());
+    return colour;
 }
 
-ordered_json jsonOf(const LayerState& layer) {
-    ordered_json json = {
-        {"name", layer.layer}, {"visible", layer.isVisible}, {"opacity_percent", layer.opacityPercent}};
+/// Solder masks had other names in older versions.
+std::string layerNameFrom(const Json& json) {
+    std::string name = json.get<std::string>();
+    constexpr std::string_view kOld = " coat";
+    return name.ends_with(kOld) ? name.replace(name.size() - kOld.size(), kOld.size(), " solder mask") : name;
+}
+
+LayerState layerFrom(const Json& json) {
+    const Json& opacity = json.at("opacity_percent");
+    require(opacity.is_number_integer());
+    return {layerNameFrom(json.at("name")), json.at("visible").get<bool>(),
+            static_cast<int>(numberFrom(opacity, 0, 100)), colourAt(json)};
+}
+
+Json toJson(const LayerState& layer) {
+    Json json = {{"name", layer.layer}, {"visible", layer.isVisible}, {"opacity_percent", layer.opacityPercent}};
     if (layer.rgb) {
         json["colour"] = colourText(*layer.rgb);
     }
@@ -134,76 +127,69 @@ ordered_json jsonOf(const LayerState& layer) {
 
 }  // namespace
 
-std::optional<SavedView> viewFrom(const ordered_json& json) {
-    if (!json.is_object()) {
-        return std::nullopt;
+SavedView viewFrom(const Json& json) {
+    if (json.contains("selection")) {
+        return {json.at("name"), json.at("step"), {}, {}, {}, selectionFrom(json.at("selection"))};
     }
-    const ordered_json name = json.value("name", ordered_json());
-    const ordered_json step = json.value("step", ordered_json());
-    if (name.is_string() && step.is_string() && json.contains("selection")) {
-        std::optional<SavedSelection> selection = selectionFrom(json["selection"]);
-        return selection ? std::optional(SavedView{name, step, {}, {}, {}, std::move(selection)}) : std::nullopt;
-    }
-    const ordered_json layers = json.value("layers", ordered_json());
-    const std::optional<Pose> flat = poseFrom(json.value("flat", ordered_json()));
-    const std::optional<Pose> solid = poseFrom(json.value("solid", ordered_json()));
-    if (!name.is_string() || !step.is_string() || !layers.is_array() || !std::ranges::all_of(layers, isText) || !flat ||
-        !solid) {
-        return std::nullopt;
-    }
-    return SavedView{name.get<std::string>(),
-                     step.get<std::string>(),
-                     *flat,
-                     *solid,
-                     layers.get<std::vector<std::string>>(),
-                     std::nullopt};
+    return {json.at("name"),
+            json.at("step"),
+            poseFrom(json.at("flat")),
+            poseFrom(json.at("solid")),
+            listFrom(json.at("layers"), layerNameFrom),
+            std::nullopt};
 }
 
-ordered_json jsonOf(const SavedView& view) {
+Json toJson(const SavedView& view) {
     if (view.selection) {
-        return {{"name", view.name}, {"step", view.step}, {"selection", jsonOf(*view.selection)}};
+        return {{"name", view.name}, {"step", view.step}, {"selection", toJson(*view.selection)}};
     }
     return {{"name", view.name},
             {"step", view.step},
             {"layers", view.layers},
-            {"flat", jsonOf(view.flat)},
-            {"solid", jsonOf(view.solid)}};
+            {"flat", toJson(view.flat)},
+            {"solid", toJson(view.solid)}};
 }
 
-std::optional<Desk> deskFrom(const ordered_json& json) {
-    if (!json.is_object()) {
-        return std::nullopt;
+SavedNet netFrom(const Json& json) {
+    return {json.at("name"), json.at("step"), colourAt(json), json.contains("hidden") && json.at("hidden").get<bool>()};
+}
+
+Json toJson(const SavedNet& net) {
+    Json json{{"name", net.name}, {"step", net.step}};
+    if (net.colour) {
+        json["colour"] = colourText(*net.colour);
     }
-    const ordered_json step = json.value("step", ordered_json());
-    const ordered_json unit = json.value("unit", ordered_json());
-    const ordered_json layers = json.value("layers", ordered_json());
-    const std::optional<Pose> flat = poseFrom(json.value("flat", ordered_json()));
-    const std::optional<Pose> solid = poseFrom(json.value("solid", ordered_json()));
-    const bool isUnit = unit == "mm" || unit == "mil" || unit == "in";
-    if (!step.is_string() || !isUnit || !layers.is_array() || !flat || !solid) {
-        return std::nullopt;
+    if (net.isHidden) {
+        json["hidden"] = true;
     }
-    Desk desk{step, *flat, *solid, unit, {}};
-    for (const ordered_json& each : layers) {
-        std::optional<LayerState> layer = layerFrom(each);
-        if (!layer) {
-            return std::nullopt;
-        }
-        desk.layers.push_back(std::move(*layer));
-    }
+    return json;
+}
+
+Desk deskFrom(const Json& json) {
+    Desk desk{json.at("step"), poseFrom(json.at("flat")), poseFrom(json.at("solid")), json.at("unit"),
+              listFrom(json.at("layers"), layerFrom)};
+    require(desk.unit == "mm" || desk.unit == "mil" || desk.unit == "in");
     return desk;
 }
 
-ordered_json jsonOf(const Desk& desk) {
-    ordered_json layers = ordered_json::array();
+Json toJson(const Desk& desk) {
+    Json layers = Json::array();
     for (const LayerState& layer : desk.layers) {
-        layers.push_back(jsonOf(layer));
+        layers.push_back(toJson(layer));
     }
     return {{"step", desk.step},
-            {"flat", jsonOf(desk.flat)},
-            {"solid", jsonOf(desk.solid)},
+            {"flat", toJson(desk.flat)},
+            {"solid", toJson(desk.solid)},
             {"unit", desk.unit},
             {"layers", layers}};
+}
+
+SavedSection sectionFrom(const Json& json) {
+    return {json.at("name"), json.at("step"), lineFrom(json.at("line_nm"))};
+}
+
+Json toJson(const SavedSection& section) {
+    return {{"name", section.name}, {"step", section.step}, {"line_nm", lineJson(section.line)}};
 }
 
 }  // namespace model::session

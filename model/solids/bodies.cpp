@@ -19,7 +19,7 @@ bool isFace(const Layer& layer) {
            (layer.isCopper() || layer.type == LayerType::SolderMask || layer.type == LayerType::Body);
 }
 
-/// The lowest and the highest face of copper, laminate and solder mask.
+/// The lowest and the highest face of copper, substrate and solder mask.
 ZRange facesOf(const Document& document) {
     ZRange faces{0, document.boardThickness};
     bool isFirst = true;
@@ -33,7 +33,7 @@ ZRange facesOf(const Document& document) {
     return faces;
 }
 
-void place(Layer& layer, const ZRange& faces) {
+void setHeights(Layer& layer, const ZRange& faces) {
     layer.z = layer.side == LayerSide::Bottom ? faces.bottom - layer.thickness : faces.top;
 }
 
@@ -64,7 +64,7 @@ public:
         layer.isSynthetic = true;
         layer.thickness = thickness;
         layer.thicknessSource = Source::Derived;
-        place(layer, faces);
+        setHeights(layer, faces);
         m_builder.beginLayer(m_builder.addLayer(std::move(layer)));
         for (std::size_t row = 0; row < m_document.components.size(); ++row) {
             if (m_document.components[row].side == side) {
@@ -74,7 +74,7 @@ public:
     }
 
 private:
-    /// An outline and from where it comes: nullptr if the package draws it, else what to tell.
+    /// An outline and from where it comes: nullptr if the package draws it, else what to report.
     struct Outline {
         ShapeId shape;
         const char* message = nullptr;
@@ -204,7 +204,7 @@ void placeBodies(Document& document) {
     const ZRange faces = facesOf(document);
     for (Layer& layer : document.layers) {
         if (layer.type == LayerType::ComponentBody) {
-            place(layer, faces);
+            setHeights(layer, faces);
         }
     }
 }

@@ -1,15 +1,16 @@
+#include "model/solids/cutouts.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "model/figures/element_polygons.h"
-#include "model/solids/cut.h"
-#include "model/solids/nearness.h"
+#include "model/solids/region_distance.h"
 
 namespace model {
 
 namespace {
 
-/// The edge of a round pen along a straight stroke, counter-clockwise.
+/// The edge of a round pen along a straight track, counter-clockwise.
 void addCapsule(ShapeSketch& sketch, Point a, Point b, Nm width) {
     if (a == b) {
         return sketch.addCircle(a, width / 2, false);

@@ -4,7 +4,7 @@
 
 #include "model/base/parallel.h"
 #include "model/solids/bodies.h"
-#include "model/solids/cut.h"
+#include "model/solids/cutouts.h"
 #include "model/solids/substrates.h"
 
 namespace model {
@@ -16,7 +16,7 @@ struct Plate {
     Layer layer;
     ShapeId outline;
     std::vector<LayerId> wholeLayers;  ///< all of their elements are cut out
-    std::vector<LayerId> openHoles;    ///< hole layers, of which those are cut out that lacquer does not close
+    std::vector<LayerId> openHoles;    ///< hole layers, of which those are cut out that solder mask does not close
     ShapeSketch sketch;                ///< the result
 };
 
@@ -33,7 +33,7 @@ Layer plateLayer(std::string name, LayerType type, LayerSide side, Nm bottom, Nm
 }
 
 void planBody(const Document& document, std::vector<Plate>& plates) {
-    std::vector<SubstratePart> parts = slabsOf(document);
+    std::vector<SubstratePart> parts = substratesOf(document);
     for (std::size_t i = 0; i < parts.size(); ++i) {
         std::string name = parts.size() == 1 ? "board" : "board " + std::to_string(i + 1);
         plates.push_back({plateLayer(std::move(name), LayerType::Body, LayerSide::Through, parts[i].bottom,
@@ -60,14 +60,14 @@ std::vector<LayerId> holesUnder(const Document& document, const Layer& mask) {
     return holes;
 }
 
-void planCoats(const Document& document, std::vector<Plate>& plates) {
+void planSolderMasks(const Document& document, std::vector<Plate>& plates) {
     for (std::size_t row = 0; row < document.layers.size(); ++row) {
         const Layer& mask = document.layers[row];
         if (mask.type != LayerType::SolderMask || mask.context != LayerContext::Board) {
             continue;
         }
-        Layer layer = plateLayer(mask.name + " coat", LayerType::SolderMask, mask.side, mask.z, mask.z + mask.thickness,
-                                 mask.thicknessSource);
+        Layer layer = plateLayer(mask.name + " solder mask", LayerType::SolderMask, mask.side, mask.z,
+                                 mask.z + mask.thickness, mask.thicknessSource);
         layer.row = mask.row;
         Plate plate{std::move(layer), mask.profile.isValid() ? mask.profile : document.profile, {}, {}, {}};
         plate.wholeLayers = {LayerId{row}};
@@ -112,7 +112,7 @@ private:
         }
     }
 
-    /// Lacquer closes a plated hole that is small enough. Bare holes and routs are made after it was applied.
+    /// Solder mask closes a plated hole that is small enough. NPTHs and routs are made after it was applied.
     static bool isTented(const Document& document, ElementId hole) {
         const Box box = document.boxOf(hole);
         return (document.elements.flags[hole.row()] & kPlated) != 0 &&
@@ -134,7 +134,7 @@ void cutPlate(const Document& document, Plate& plate, const base::Progress& prog
     }
     PlateCutter cutter(plate);
     cutter.take(document, {}, false);
-    plate.sketch = cut(document.shapes, plate.outline, cutter.cutouts(), progress);
+    plate.sketch = subtract(document.shapes, plate.outline, cutter.cutouts(), progress);
 }
 
 }  // namespace
@@ -143,7 +143,7 @@ bool addSolids(DocumentBuilder& builder, const base::Progress& progress) {
     const Document& document = builder.soFar();
     std::vector<Plate> plates;
     planBody(document, plates);
-    planCoats(document, plates);
+    planSolderMasks(document, plates);
     base::parallelFor(plates.size(), [&](std::size_t i) { cutPlate(document, plates[i], progress); });
     for (Plate& plate : plates) {
         builder.beginLayer(builder.addLayer(std::move(plate.layer)));
@@ -155,7 +155,7 @@ bool addSolids(DocumentBuilder& builder, const base::Progress& progress) {
 }
 
 void placeSolids(Document& document) {
-    const std::vector<SubstratePart> parts = slabsOf(document);
+    const std::vector<SubstratePart> parts = substratesOf(document);
     auto part = parts.begin();
     for (Layer& layer : document.layers) {
         if (layer.type == LayerType::Body && layer.isSynthetic && part != parts.end()) {

@@ -6,25 +6,25 @@
 
 namespace model {
 
-/// Widest plated hole that lacquer closes where the mask has no opening over it; tenting is not done beyond half a
+/// Widest plated hole that solder mask closes where the mask has no opening over it; tenting is not done beyond half a
 /// millimetre.
 inline constexpr Nm kWidestTent = 500'000;
 
 /// Adds what a board has besides the features of its job, as synthetic layers (Layer::isSynthetic), to be called when
 /// all other layers are complete:
-/// - the laminate (LayerType::Body): the outline minus all holes, from the upper face of the lowest to the lower face
-///   of the highest copper layer. Cut into slabs where blind and buried holes end, so that every slab has the holes
-///   that pass it; slabs are called "board", or "board 1", "board 2", … from the top.
-/// - the lacquer of every solder mask (LayerType::SolderMask): the outline minus the mask's openings and minus the
+/// - the substrate (LayerType::Body): the outline minus all holes, from the upper face of the lowest to the lower face
+///   of the highest copper layer. Cut into parts where blind and buried holes end, so that every part has the
+///   holes that pass it; parts are called "board", or "board 1", "board 2", … from the top.
+/// - the solder masks (LayerType::SolderMask): the outline minus the mask's openings and minus the
 /// holes
-///   that stay open (routs, bare holes, plated ones wider than kWidestTent), called as its mask with " coat" behind.
+///   that stay open (routs, NPTHs, plated ones wider than kWidestTent), named "<mask> solder mask".
 /// Layers with an outline of their own keep within it. On a panel the outlines of the steps it places are cut out: they
 /// have solids of their own. The layers depend on those of the job only, so that all steps of a panel have the same
 /// rows; they are empty where there is no outline, or a mask has no openings. False when cancelled.
 [[nodiscard]] bool addSolids(DocumentBuilder& builder, const base::Progress& progress);
 
 /// Gives solids that are there already the heights that follow from what the layers of the job now have. Which holes
-/// cut which slab does not change with thicknesses.
+/// cut which part does not change with thicknesses.
 void placeSolids(Document& document);
 
 }  // namespace model

@@ -16,7 +16,7 @@ Nm upperFace(const Layer& layer) {
     return layer.z + layer.thickness;
 }
 
-bool isStack(const Layer& layer) {
+bool isStackupLayer(const Layer& layer) {
     return layer.context == LayerContext::Board && (layer.isCopper() || layer.type == LayerType::Dielectric);
 }
 
@@ -43,13 +43,13 @@ Heights bodyHeights(const Document& document) {
     return {upperFace(*lowest), highest->z};
 }
 
-/// Heights at which something about the laminate changes, rising.
+/// Heights at which something about the substrate changes, rising.
 std::set<Nm> planesOf(const Document& document, const Heights& body) {
     const bool hasOutlines =
         std::ranges::any_of(document.layers, [](const Layer& layer) { return layer.outlineGroup > 0; });
     std::set<Nm> planes{body.bottom, body.top};
     for (const Layer& layer : document.layers) {
-        if (isHoles(layer) || (hasOutlines && isStack(layer))) {
+        if (isHoles(layer) || (hasOutlines && isStackupLayer(layer))) {
             planes.insert(std::clamp(layer.z, body.bottom, body.top));
             planes.insert(std::clamp(upperFace(layer), body.bottom, body.top));
         }
@@ -57,7 +57,7 @@ std::set<Nm> planesOf(const Document& document, const Heights& body) {
     return planes;
 }
 
-/// What lies between two heights: a layer of the stack, or else what lies above and below it.
+/// What lies between two heights: a layer of the stackup, or else what lies above and below it.
 struct Neighbours {
     const Layer* here = nullptr;
     const Layer* above = nullptr;
@@ -67,7 +67,7 @@ struct Neighbours {
 Neighbours neighboursOf(const Document& document, Nm bottom, Nm top) {
     Neighbours found;
     for (const Layer& layer : document.layers) {
-        if (!isStack(layer)) {
+        if (!isStackupLayer(layer)) {
             continue;
         }
         if (layer.z <= bottom && upperFace(layer) >= top) {
@@ -81,7 +81,7 @@ Neighbours neighboursOf(const Document& document, Nm bottom, Nm top) {
     return found;
 }
 
-/// The layer whose outline a slab has; nullptr for the board's.
+/// The layer whose outline a part has; nullptr for the board's.
 const Layer* bounding(const Neighbours& neighbours) {
     const bool isSpacing = neighbours.here == nullptr;
     for (const Layer* layer :
@@ -130,7 +130,7 @@ SubstratePart partBetween(const Document& document, Nm bottom, Nm top) {
 
 }  // namespace
 
-std::vector<SubstratePart> slabsOf(const Document& document) {
+std::vector<SubstratePart> substratesOf(const Document& document) {
     std::vector<SubstratePart> parts;
     const Heights body = bodyHeights(document);
     if (body.top <= body.bottom) {

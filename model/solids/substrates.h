@@ -6,7 +6,7 @@
 
 namespace model {
 
-/// A part of the laminate that the same holes pass all the way and that has one outline.
+/// A part of the substrate that the same holes pass all the way and that has one outline.
 struct SubstratePart {
     Nm bottom = 0;
     Nm top = 0;
@@ -19,11 +19,11 @@ struct SubstratePart {
     }
 };
 
-/// The laminate from the top. It reaches from the upper face of the lowest to the lower face of the highest copper
+/// The substrate from the top. It reaches from the upper face of the lowest to the lower face of the highest copper
 /// layer (of a board with one copper layer: the board's thickness below it) and is cut where a hole layer ends and
-/// where a layer with an outline of its own begins or ends (rigid-flex); slabs that are alike are one. A dielectric
+/// where a layer with an outline of its own begins or ends (rigid-flex); parts that are alike are one. A dielectric
 /// that is no layer of the job is where the copper above and below it is. Heights and holes depend on the layers only,
-/// not on what is on them, so that all steps of a panel have the same slabs, each with its own outlines.
-[[nodiscard]] std::vector<SubstratePart> slabsOf(const Document& document);
+/// not on what is on them, so that all steps of a panel have the same parts, each with its own outlines.
+[[nodiscard]] std::vector<SubstratePart> substratesOf(const Document& document);
 
 }  // namespace model

@@ -6,11 +6,11 @@
 
 namespace model {
 
-/// Length of the middle line of a stroke in nanometres; 0 for circles and areas.
+/// Length of the middle line of a track in nanometres; 0 for circles and areas.
 [[nodiscard]] double lengthOf(const Document& document, ElementId element);
 
-/// What an element covers in nm², arcs exactly. Strokes of a trail that overlap at their joints count once there: each
-/// joint is taken as a round one, which is exact for trails that do not cross themselves and whose strokes are longer
+/// What an element covers in nm², arcs exactly. Tracks of a trail that overlap at their joints count once there: each
+/// joint is taken as a round one, which is exact for trails that do not cross themselves and whose tracks are longer
 /// than the pen is wide. A hole is what the drill removes.
 [[nodiscard]] double areaOf(const Document& document, ElementId element);
 

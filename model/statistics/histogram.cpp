@@ -83,7 +83,7 @@ private:
 
     const Document& m_document;
     Measure m_measure;
-    std::unordered_map<std::uint64_t, Nm> m_pads;  ///< narrowest round pad by its centre
+    std::unordered_map<std::uint64_t, Nm> m_pads;  ///< smallest round pad by its centre
 };
 
 std::size_t distinctLengths(const std::vector<Value>& values) {

@@ -8,9 +8,9 @@
 namespace model {
 
 enum class Measure : std::uint8_t {
-    TrackWidth,    ///< of strokes on copper layers of the board that are no pads
+    TrackWidth,    ///< of tracks on copper layers of the board that are no pads
     HoleDiameter,  ///< as drilled, round holes
-    AnnularRing    ///< of plated round holes: the narrowest round pad of the same centre, less the hole, halved
+    AnnularRing    ///< of plated round holes: the smallest round pad of the same centre, less the hole, halved
 };
 inline constexpr std::size_t kMeasureCount = 3;
 

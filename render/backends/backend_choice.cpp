@@ -66,11 +66,11 @@ BackendChoice chooseBackend(Backend wanted, const gpu::Caps& caps, const FramePl
         return {Backend::Impostor};
     }
     const auto best = std::ranges::find_if(kRows, [&](const Row& row) { return row.suits(caps, plan); });
-    const auto asked = std::ranges::find(kRows, wanted, &Row::backend);
-    if (asked == std::end(kRows)) {
+    const auto requested = std::ranges::find(kRows, wanted, &Row::backend);
+    if (requested == std::end(kRows)) {
         return {best->backend};
     }
-    return asked->canDraw(caps, plan) ? BackendChoice{wanted} : BackendChoice{best->backend, asked->needs};
+    return requested->canDraw(caps, plan) ? BackendChoice{wanted} : BackendChoice{best->backend, requested->needs};
 }
 
 }  // namespace render

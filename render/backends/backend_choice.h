@@ -11,10 +11,10 @@ struct Caps;
 /// Which back end draws a frame.
 struct BackendChoice {
     Backend backend = Backend::Pull;
-    const char* needs = nullptr;  ///< where the one asked for cannot: what it needs, to go on after its name
+    const char* needs = nullptr;  ///< where the one requested cannot: what it needs, to go on after its name
 };
 
-/// The one asked for, where it can draw this frame on this device; else, and for Auto, the one that suits best.
+/// The one requested, where it can draw this frame on this device; else, and for Auto, the one that suits best.
 [[nodiscard]] BackendChoice chooseBackend(Backend wanted, const gpu::Caps& caps, const FramePlan& plan);
 
 }  // namespace render

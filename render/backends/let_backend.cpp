@@ -10,7 +10,7 @@ PassPipelines makePassPipelines(gpu::Device& device, std::string_view label, std
     for (const gpu::Pass pass : {gpu::Pass::Opaque, gpu::Pass::DepthOnly, gpu::Pass::Blend}) {
         pipelines[passRow(pass)] =
             gpu::Pipeline(device, {label, stages, sizeof(shader::Push), pass, cullsBackFaces, cover, target.colour,
-                                   gpu::kDepthFormat, target.samples, target.cuts});
+                                   gpu::kDepthFormat, target.samples, target.hasSection});
     }
     return pipelines;
 }

@@ -20,7 +20,8 @@ using PassPipelines = std::array<gpu::Pipeline, 3>;
 struct TargetFormat {
     VkFormat colour = VK_FORMAT_UNDEFINED;
     VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
-    bool cuts = false;  ///< the board is cut open: fragments ask where they are (shaders/lib/cut.glsl)
+    bool hasSection =
+        false;  ///< the board is cut by a section plane: fragments test where they are (shaders/lib/section.glsl)
     bool operator==(const TargetFormat&) const = default;
 };
 
@@ -68,7 +69,7 @@ public:
 
 /// Compute shaders find the nearest of all small opaque lets for every pixel, by the same lines of sight as impostors,
 /// and a pass over the picture adds them; larger and translucent ones are drawn as pull draws them. Needs
-/// Caps::hasAtomic64 and one sample per pixel. Lets at one depth are told apart by their rows: the picture does not
+/// Caps::hasAtomic64 and one sample per pixel. Lets at one depth are distinguished by their rows: the picture does not
 /// depend on the order of drawing.
 [[nodiscard]] std::unique_ptr<LetBackend> makeRasterBackend(gpu::Device& device, const TargetFormat& target);
 

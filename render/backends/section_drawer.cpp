@@ -3,19 +3,19 @@
 #include <algorithm>
 
 #include "render/gpu/device_select.h"
-#include "shaders/shared/cut.h"
+#include "shaders/shared/section.h"
 #include "shaders/spirv.h"
 
 namespace render {
 namespace {
 
 gpu::Pipeline makePipeline(gpu::Device& device, const TargetFormat& target) {
-    const gpu::ShaderStage stages[] = {{VK_SHADER_STAGE_VERTEX_BIT, shader::spirv::kCutFaceVert},
-                                       {VK_SHADER_STAGE_FRAGMENT_BIT, shader::spirv::kCutFaceFrag}};
+    const gpu::ShaderStage stages[] = {{VK_SHADER_STAGE_VERTEX_BIT, shader::spirv::kSectionFaceVert},
+                                       {VK_SHADER_STAGE_FRAGMENT_BIT, shader::spirv::kSectionFaceFrag}};
     gpu::GraphicsPipelineOptions options;
-    options.label = "cut faces";
+    options.label = "section faces";
     options.stages = stages;
-    options.pushBytes = sizeof(shader::CutPush);
+    options.pushBytes = sizeof(shader::SectionPush);
     options.colourFormat = target.colour;
     options.depthFormat = gpu::kDepthFormat;
     options.samples = target.samples;
@@ -24,7 +24,7 @@ gpu::Pipeline makePipeline(gpu::Device& device, const TargetFormat& target) {
 
 /// Where a face is drawn. Bodies of components keep their heights, on whichever face of their layer they stand;
 /// everything else grows with its layer.
-ZRange drawn(const CutFace& face, const SceneLayers::Layer& real, const shader::LayerState& state) {
+ZRange drawn(const SectionFace& face, const SceneLayers::Layer& real, const shader::LayerState& state) {
     const float thickness = real.z1 - real.z0;
     if ((state.flags & shader::kLayerGrowsUp) != 0) {
         return {state.z0 + face.bottom * thickness, state.z0 + face.top * thickness};
@@ -35,9 +35,10 @@ ZRange drawn(const CutFace& face, const SceneLayers::Layer& real, const shader::
     return {glm::mix(state.z0, state.z1, face.bottom), glm::mix(state.z0, state.z1, face.top)};
 }
 
-std::vector<shader::CutRectangle> rectangles(const FramePlan& plan, const SceneLayers& scene, const Cut& cut) {
-    std::vector<shader::CutRectangle> list;
-    for (const CutFace& face : cut.faces) {
+std::vector<shader::SectionRectangle> rectangles(const FramePlan& plan, const SceneLayers& scene,
+                                                 const SectionCut& cut) {
+    std::vector<shader::SectionRectangle> list;
+    for (const SectionFace& face : cut.faces) {
         const std::size_t layer = face.layer.row();
         const shader::LayerState& state = plan.upright.states[layer];
         if (!scene.styles[layer].isVisible) {
@@ -52,19 +53,20 @@ std::vector<shader::CutRectangle> rectangles(const FramePlan& plan, const SceneL
 
 }  // namespace
 
-CutDrawer::CutDrawer(gpu::Device& device, const TargetFormat& target)
+SectionDrawer::SectionDrawer(gpu::Device& device, const TargetFormat& target)
     : m_format(target), m_pipeline(makePipeline(device, target)) {}
 
-void CutDrawer::draw(gpu::Frame& frame, const FramePlan& plan, const SceneLayers& scene, const Cut& cut) const {
-    const std::vector<shader::CutRectangle> list = rectangles(plan, scene, cut);
+void SectionDrawer::draw(gpu::Frame& frame, const FramePlan& plan, const SceneLayers& scene,
+                         const SectionCut& cut) const {
+    const std::vector<shader::SectionRectangle> list = rectangles(plan, scene, cut);
     if (list.empty()) {
         return;
     }
     const gpu::Frame::Slice data = frame.put(std::span<const shader::FrameData>(&plan.data, 1));
-    const gpu::Frame::Slice faces = frame.put(std::span<const shader::CutRectangle>(list));
+    const gpu::Frame::Slice faces = frame.put(std::span<const shader::SectionRectangle>(list));
     gpu::Pipeline::setFrontFace(frame.commands(), false);
     m_pipeline.bind(frame.commands());
-    m_pipeline.push(frame.commands(), shader::CutPush{data.address, faces.address});
+    m_pipeline.push(frame.commands(), shader::SectionPush{data.address, faces.address});
     vkCmdDraw(frame.commands(), static_cast<std::uint32_t>(6 * list.size()), 1, 0, 0);
 }
 

@@ -5,14 +5,14 @@
 
 namespace render {
 
-/// Fills the cut through a board that is cut open. The rectangles go through the memory of the frame: nothing is kept
-/// on the device.
-class CutDrawer {
+/// Fills the cut through a board that is cut by a section plane. The rectangles go through the memory of the frame:
+/// nothing is kept on the device.
+class SectionDrawer {
 public:
-    CutDrawer(gpu::Device& device, const TargetFormat& target);
+    SectionDrawer(gpu::Device& device, const TargetFormat& target);
     [[nodiscard]] const TargetFormat& format() const { return m_format; }
     /// Of visible layers, at the heights at which the plan draws them.
-    void draw(gpu::Frame& frame, const FramePlan& plan, const SceneLayers& scene, const Cut& cut) const;
+    void draw(gpu::Frame& frame, const FramePlan& plan, const SceneLayers& scene, const SectionCut& cut) const;
 
 private:
     TargetFormat m_format;

@@ -15,7 +15,7 @@ constexpr float kMonoTolerancePx = 0.1F;
 constexpr float kCoarseTolerancePx = 2.0F;
 /// Lets whose pen radius is below this many pixels become quads (vulkan-facts, recipes).
 constexpr float kQuadRadiusPx = 0.7F;
-/// The inside of a hole stands out by 2 µm, or by 16 steps of tie-break where depth resolves less: enough to win
+/// The inside of a hole protrudes by 2 µm, or by 16 steps of tie-break where depth resolves less: enough to win
 /// against all faces it passes, too little to be seen.
 constexpr float kBoreProtrusionMm = 0.002F;
 constexpr float kBoreProtrusionSteps = 16.0F;
@@ -112,7 +112,7 @@ glm::vec4 linearColour(const LayerStyle& style) {
     return {toLinear(style.colour), std::clamp(style.opacity, 0.0F, 1.0F)};
 }
 
-/// While others are dimmed to show a net, the laminate lets inner copper shine through.
+/// While others are dimmed to show a net, the substrate lets inner copper shine through.
 LayerStyle shownStyle(const SceneLayers& scene, const ViewSettings& settings, std::size_t layer) {
     constexpr float kGlassy = 0.85F;
     LayerStyle style = scene.styles[layer];
@@ -157,11 +157,11 @@ void rankFaces(std::vector<shader::LayerState>& layers, float shader::LayerState
 /// Visible layers, opaque or translucent ones, the one farthest from the viewer first.
 std::vector<std::uint32_t> visibleFromBack(const std::vector<shader::LayerState>& layers, bool isTranslucent,
                                            bool isSeenFromAbove) {
-    constexpr std::uint32_t kAsked = shader::kLayerVisible | shader::kLayerTranslucent;
+    constexpr std::uint32_t kRelevant = shader::kLayerVisible | shader::kLayerTranslucent;
     const std::uint32_t wanted = shader::kLayerVisible | (isTranslucent ? shader::kLayerTranslucent : 0);
     std::vector<std::uint32_t> order;
     for (std::uint32_t i = 0; i < layers.size(); ++i) {
-        if ((layers[i].flags & kAsked) == wanted) {
+        if ((layers[i].flags & kRelevant) == wanted) {
             order.push_back(i);
         }
     }
@@ -220,7 +220,7 @@ LayerPlan planLayers(const SceneLayers& scene, const ViewSettings& settings, con
     return plan;
 }
 
-/// Turned over, a layer looks like the one it lies on; one without a counterpart keeps its looks and lies at its mirror
+/// Flipped, a layer is drawn as the one it lies on; one without a counterpart keeps its style and lies at its mirror
 /// image.
 LayerPlan flippedPlan(const SceneLayers& scene, const LayerPlan& upright, const Eye& eye) {
     LayerPlan plan;
@@ -291,7 +291,7 @@ void setTriangleRun(SeenFaces faces, shader::FrameData& data) {
 }
 
 /// Left of the plane's line, for places relative to the camera's target.
-glm::vec3 cutOf(const CutPlane& plane, const glm::vec3& centre) {
+glm::vec3 sectionOf(const SectionPlane& plane, const glm::vec3& centre) {
     const glm::dvec2 left(-plane.direction.y, plane.direction.x);
     return {left, glm::dot(left, plane.start - glm::dvec2(centre))};
 }
@@ -334,8 +334,8 @@ FramePlan planFrame(const SceneLayers& scene, const Camera& camera, const ViewSe
     data.sliverNudge = kPositionRoundingPx * depthPerMm / data.pixelsPerMm;
     data.boreProtrusionMm = std::max(kBoreProtrusionMm, kBoreProtrusionSteps * eye.stepMm);
     data.light = kLight;
-    plan.isCut = settings.cut != nullptr && !settings.is2d;
-    data.cut = plan.isCut ? cutOf(settings.cut->plane, data.centre) : glm::vec3(0.0F);
+    plan.hasSection = settings.section != nullptr && !settings.is2d;
+    data.sectionPlane = plan.hasSection ? sectionOf(settings.section->plane, data.centre) : glm::vec3(0.0F);
     data.restBrightness = 1.0F - std::clamp(settings.dim, 0.0F, 1.0F);
     data.flags = flagsOf(settings) | (settings.isOutlined && isFlatView(plan) ? shader::kFrameOutlines : 0);
     setTriangleRun(plan.faces, data);

@@ -28,12 +28,12 @@ struct Block {
     float bottom = 0.0F;
 };
 
-/// A layer's heights as one sees them from above; from below the world is turned over.
+/// A layer's heights as one sees them from above; from below the world is flipped.
 Block blockOf(const LayerState& state, bool isFromAbove) {
     return isFromAbove ? Block{state.z1, state.z0} : Block{-state.z0, -state.z1};
 }
 
-/// The opaque laminate, slabs that lie on each other as one; from the top.
+/// The opaque substrate, parts that lie on each other as one; from the top.
 std::vector<Block> substrateOf(std::span<const LayerInSubstrate> layers, std::span<const LayerState> states,
                                bool isFromAbove) {
     std::vector<Block> parts;
@@ -54,12 +54,12 @@ std::vector<Block> substrateOf(std::span<const LayerInSubstrate> layers, std::sp
     return blocks;
 }
 
-/// Does the laminate hide what lies under its surface, down to `bottom`? What is below its lower face could be seen
+/// Does the substrate hide what lies under its surface, down to `bottom`? What is below its lower face could be seen
 /// past its edge, unless it keeps far enough inside or is thinner than a pixel shows.
-bool hides(const Block& substrate, float bottom, float insetMm, const Sight& sight) {
+bool hides(const Block& substrate, float bottom, float marginMm, const Sight& sight) {
     const float below = std::max(0.0F, substrate.bottom - bottom);
-    return insetMm >= 0.0F &&
-           (below == 0.0F || below * sight.flatness <= insetMm || below * sight.pixelsPerMm < kThinPx);
+    return marginMm >= 0.0F &&
+           (below == 0.0F || below * sight.flatness <= marginMm || below * sight.pixelsPerMm < kThinPx);
 }
 
 void cutAt(const Block& substrate, const Sight& sight, LayerState& state) {
@@ -119,7 +119,7 @@ void hideBuried(std::span<const LayerInSubstrate> layers, const Sight& sight, st
             // Areas stand on a face of such a layer: it has to stay where it is.
             const bool isUneven = (states[i].flags & (shader::kLayerGrowsUp | shader::kLayerGrowsDown)) != 0;
             if (!isVisible(states[i]) || layers[i].role == Role::Substrate ||
-                !hides(substrate, block.bottom, layers[i].insetMm, sight)) {
+                !hides(substrate, block.bottom, layers[i].marginMm, sight)) {
                 continue;
             }
             if (block.top < substrate.top - kSameHeight) {

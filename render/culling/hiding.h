@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "render/modelling/insets.h"
+#include "render/modelling/substrate_margins.h"
 #include "shaders/shared/board.h"
 
 namespace render {
@@ -32,7 +32,7 @@ struct EyePoint {
 /// Walls of fewer pixels are not drawn: tilted as boards are looked at, less than a third of a pixel would show.
 inline constexpr float kThinPx = 0.6F;
 
-/// Leaves out what opaque laminate hides. Layers in it or behind it lose kLayerVisible, barrels that go through it end
+/// Leaves out what opaque substrate hides. Layers in it or behind it lose kLayerVisible, barrels that go through it end
 /// a little below its surface. Holes let nobody see into it while the layers that fill them are visible and opaque.
 /// `layers` are in the rows of `states`.
 void hideBuried(std::span<const LayerInSubstrate> layers, const Sight& sight, std::vector<shader::LayerState>& states);

@@ -42,21 +42,21 @@ VkDeviceAddress putStates(gpu::Frame& frame, const LayerPlan& layers) {
 
 shader::FrameData frameOfCopy(const shader::FrameData& board, const ModelCopy& copy) {
     // The turn is its own transpose's inverse.
-    const glm::dmat2 back = glm::transpose(copy.turn);
-    const auto turnBack = [&](glm::dvec2 v) { return glm::vec2(back * v); };
+    const glm::dmat2 back = glm::transpose(copy.rotation);
+    const auto rotateBack = [&](glm::dvec2 v) { return glm::vec2(back * v); };
     shader::FrameData data = board;
-    data.clipFromBoard = glm::mat4(glm::dmat4(board.clipFromBoard) * glm::dmat4(glm::dmat3(copy.turn)));
+    data.clipFromBoard = glm::mat4(glm::dmat4(board.clipFromBoard) * glm::dmat4(glm::dmat3(copy.rotation)));
     for (glm::vec4& plane : data.planes) {
-        plane = {turnBack(glm::vec2(plane)), plane.z, plane.w};
+        plane = {rotateBack(glm::vec2(plane)), plane.z, plane.w};
     }
-    data.eye = {turnBack(glm::vec2(board.eye)), board.eye.z, board.eye.w};
-    data.centre = {turnBack(glm::dvec2(board.centre) - copy.origin), board.centre.z};
-    for (glm::vec3 shader::FrameData::*way :
+    data.eye = {rotateBack(glm::vec2(board.eye)), board.eye.z, board.eye.w};
+    data.centre = {rotateBack(glm::dvec2(board.centre) - copy.origin), board.centre.z};
+    for (glm::vec3 shader::FrameData::*vector :
          {&shader::FrameData::screen, &shader::FrameData::screenRight, &shader::FrameData::screenDown}) {
-        data.*way = {turnBack(glm::vec2(board.*way)), (board.*way).z};
+        data.*vector = {rotateBack(glm::vec2(board.*vector)), (board.*vector).z};
     }
-    data.light = turnBack(board.light);
-    data.cut = {turnBack(glm::vec2(board.cut)), board.cut.z};
+    data.light = rotateBack(board.light);
+    data.sectionPlane = {rotateBack(glm::vec2(board.sectionPlane)), board.sectionPlane.z};
     return data;
 }
 

@@ -83,7 +83,7 @@ std::optional<std::uint64_t> areaTriangles(const Recording& copy) {
     return sum;
 }
 
-/// Of all copies; none when several groups of them took turns in the draw lists, which then tell of the last one only.
+/// Of all copies; none when several groups of them took turns in the draw lists, which then report the last one only.
 std::optional<std::uint64_t> hybridTriangles(const FrameCopies& copies) {
     std::uint64_t sum = 0;
     for (const std::vector<Recording>& group : copies.groups()) {

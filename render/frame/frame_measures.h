@@ -9,7 +9,7 @@
 
 namespace render {
 
-/// Numbers that only a benchmark asks for.
+/// Numbers that only a benchmark requests.
 
 /// Memory of a model's columns.
 [[nodiscard]] std::uint64_t cpuBytes(const BoardModel& model);

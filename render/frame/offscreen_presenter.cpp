@@ -98,9 +98,7 @@ OffscreenPresenter& OffscreenPresenter::operator=(OffscreenPresenter&&) noexcept
 base::Result<Image> OffscreenPresenter::render(BoardScene& scene, const Camera& camera, const ViewSettings& settings,
                                                std::uint32_t width, std::uint32_t height) {
     Impl& impl = *m_impl;
-    if (base::Status size = checkSize(width, height, impl.device->caps()); !size) {
-        return size.error();
-    }
+    RETURN_IF_ERROR(checkSize(width, height, impl.device->caps()));
     try {
         return impl.draw(scene, camera, settings, {width, height});
     } catch (const gpu::OutOfMemory& shortage) {

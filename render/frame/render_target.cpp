@@ -38,7 +38,7 @@ void RenderTarget::setSize(VkExtent2D extent, const TargetFormat& format) {
     m_colour = gpu::Image();
     m_samples = gpu::Image();
     m_depth = gpu::Image();
-    m_kept = gpu::Image();
+    m_cached = gpu::Image();
     m_colour = gpu::Image(*m_device, {"colour", format.colour, extent,
                                       VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
                                           VK_IMAGE_USAGE_TRANSFER_DST_BIT});
@@ -119,20 +119,20 @@ void RenderTarget::copy(VkCommandBuffer commands, VkImage from, VkImage to) cons
 }
 
 void RenderTarget::keep(VkCommandBuffer commands) {
-    if (!m_kept) {
-        m_kept = gpu::Image(*m_device, {"kept picture", m_format.colour, m_extent,
-                                        VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
-                                            VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+    if (!m_cached) {
+        m_cached = gpu::Image(*m_device, {"cached picture", m_format.colour, m_extent,
+                                          VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
+                                              VK_IMAGE_USAGE_TRANSFER_DST_BIT});
     }
-    copy(commands, m_colour.handle(), m_kept.handle());
+    copy(commands, m_colour.handle(), m_cached.handle());
 }
 
 void RenderTarget::restore(VkCommandBuffer commands) const {
-    copy(commands, m_kept.handle(), m_colour.handle());
+    copy(commands, m_cached.handle(), m_colour.handle());
 }
 
-bool RenderTarget::hasKept(VkExtent2D extent, VkFormat colour) const {
-    return m_kept && extent.width == m_extent.width && extent.height == m_extent.height && colour == m_format.colour;
+bool RenderTarget::hasCached(VkExtent2D extent, VkFormat colour) const {
+    return m_cached && extent.width == m_extent.width && extent.height == m_extent.height && colour == m_format.colour;
 }
 
 void RenderTarget::start(VkCommandBuffer commands, VkAttachmentLoadOp load, const glm::vec3& background) const {

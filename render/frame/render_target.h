@@ -35,7 +35,7 @@ public:
     /// Makes the copy the finished picture again.
     void restore(VkCommandBuffer commands) const;
     /// Is there one of this size and format?
-    [[nodiscard]] bool hasKept(VkExtent2D extent, VkFormat colour) const;
+    [[nodiscard]] bool hasCached(VkExtent2D extent, VkFormat colour) const;
     [[nodiscard]] VkImage picture() const { return m_colour.handle(); }
 
 private:
@@ -51,7 +51,7 @@ private:
     gpu::Image m_colour;   ///< one sample
     gpu::Image m_samples;  ///< only when smoothed
     gpu::Image m_depth;
-    gpu::Image m_kept;  ///< between uses ready to be copied from
+    gpu::Image m_cached;  ///< between uses ready to be copied from
 };
 
 }  // namespace render

@@ -140,7 +140,7 @@ Renderer::Drawers& Renderer::drawersFor(const TargetFormat& format, Backend back
     return *m_drawers.emplace_back(std::make_unique<Drawers>(*m_device, format, backend));
 }
 
-/// The one for this format, made when it is first asked for.
+/// The one for this format, made when it is first requested.
 template <class Drawer, class Format>
 const Drawer& Renderer::drawerFor(std::vector<std::unique_ptr<Drawer>>& drawers, const Format& format) {
     const auto fits = [&](const auto& drawer) { return drawer->format() == format; };
@@ -189,13 +189,13 @@ TargetFormat Renderer::makeTarget(RenderTarget& target, VkExtent2D extent, VkFor
 
 Backend Renderer::record(gpu::Frame& frame, RenderTarget& target, VkExtent2D extent, VkFormat colour, BoardScene* scene,
                          const Camera& camera, const ViewSettings& settings) {
-    m_isOverlayAlone = settings.isBoardKept && target.hasKept(extent, colour);
+    m_isOverlayAlone = settings.isBoardCached && target.hasCached(extent, colour);
     if (m_isOverlayAlone) {
         frame.leaveUntimed();
         target.restore(frame.commands());
     } else if (scene != nullptr) {
         m_last = recordBoard(frame, target, extent, colour, *scene, camera, settings);
-        if (settings.keepsBoard) {
+        if (settings.cachesBoard) {
             keep(frame, target);
         }
     } else {
@@ -218,11 +218,12 @@ Backend Renderer::recordBoard(gpu::Frame& frame, RenderTarget& target, VkExtent2
                        (format.samples != VK_SAMPLE_COUNT_1_BIT ? shader::kFrameSmoothed : 0);
     plan.data.rasterRadiusPx = backend == Backend::Raster ? kRasterRadiusPx : 0.0F;
     const FrameCopies copies(frame, plan, scene.impl());
-    Picture picture(drawersFor({format.colour, format.samples, plan.isCut}, backend), copies, target, frame.commands());
+    Picture picture(drawersFor({format.colour, format.samples, plan.hasSection}, backend), copies, target,
+                    frame.commands());
     picture.begin(background(settings));
     picture.drawOpaque();
-    if (plan.isCut) {
-        drawerFor(m_cuts, format).draw(frame, plan, scene.impl().layers, *settings.cut);
+    if (plan.hasSection) {
+        drawerFor(m_sections, format).draw(frame, plan, scene.impl().layers, *settings.section);
     }
     picture.drawTranslucent(plan.upright.batches.size());
     target.end(frame.commands());

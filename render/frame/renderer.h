@@ -23,7 +23,7 @@ public:
     Backend record(gpu::Frame& frame, RenderTarget& target, VkExtent2D extent, VkFormat colour, BoardScene* scene,
                    const Camera& camera, const ViewSettings& settings);
 
-    /// Did `record` find the board kept?
+    /// Did `record` find the board cached?
     [[nodiscard]] bool drewOverlayAlone() const { return m_isOverlayAlone; }
 
     struct Drawers;
@@ -33,7 +33,7 @@ private:
     [[nodiscard]] Backend resolve(Backend wanted, const FramePlan& plan);
     template <class Drawer, class Format>
     const Drawer& drawerFor(std::vector<std::unique_ptr<Drawer>>& drawers, const Format& format);
-    /// Smoothed if asked for, where there is room.
+    /// Smoothed if requested, where there is room.
     TargetFormat makeTarget(RenderTarget& target, VkExtent2D extent, VkFormat colour, Backend backend,
                             const ViewSettings& settings);
     Backend recordBoard(gpu::Frame& frame, RenderTarget& target, VkExtent2D extent, VkFormat colour, BoardScene& scene,
@@ -44,7 +44,7 @@ private:
     gpu::Device* m_device;
     std::vector<std::unique_ptr<Drawers>> m_drawers;
     std::vector<std::unique_ptr<OverlayDrawer>> m_overlays;
-    std::vector<std::unique_ptr<CutDrawer>> m_cuts;
+    std::vector<std::unique_ptr<SectionDrawer>> m_sections;
     Backend m_last = Backend::Auto;  ///< drew the board last
     bool m_isOverlayAlone = false;
     bool m_hasWarned = false;

@@ -109,7 +109,7 @@ std::optional<FrameStats> SwapchainPresenter::finishedStats() {
     }
     m_impl->stats.gpuMs = m_impl->ring.gpuMs();
     const FrameStats stats = m_impl->stats;
-    m_impl->stats.isOverlayAlone = true;  // told, until the board is drawn again
+    m_impl->stats.isOverlayAlone = true;  // reported, until the board is drawn again
     return stats;
 }
 

@@ -35,7 +35,7 @@ void failCall(VkResult result, const char* call, const char* file, int line) {
     if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY) {
         throw OutOfMemory{call};
     }
-    spdlog::critical("{}:{}: {} answered {} ({})", file, line, call, toString(result), static_cast<int>(result));
+    spdlog::critical("{}:{}: {} returned {} ({})", file, line, call, toString(result), static_cast<int>(result));
     spdlog::shutdown();
     std::abort();
 }

@@ -7,13 +7,13 @@
 namespace render::gpu {
 
 /// Thrown where the device or the machine has no memory left, at whatever depth. Everything that owns Vulkan objects
-/// is destroyed on the way up; it stops at the doors of the renderer (BoardScene::make, the presenters), which answer
+/// is destroyed on the way up; it stops at the doors of the renderer (BoardScene::make, the presenters), which return
 /// a Result or draw with less.
 struct OutOfMemory {
     std::string what;  ///< what there was no room for: "lets (12.5 MB)"
 };
 
-/// Throws OutOfMemory if that is what was answered. Anything else is logged and aborts: an answer we have no path for
+/// Throws OutOfMemory if that is what was returned. Anything else is logged and aborts: a result we have no path for
 /// is our bug or a broken driver, and going on would draw nonsense.
 [[noreturn]] void failCall(VkResult result, const char* call, const char* file, int line);
 

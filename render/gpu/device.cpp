@@ -46,7 +46,7 @@ struct Device::State {
         if (handle == VK_NULL_HANDLE) {
             return;
         }
-        vkDeviceWaitIdle(handle);  // a lost device is idle too: its answer changes nothing here
+        vkDeviceWaitIdle(handle);  // a lost device is idle too: its result changes nothing here
         if (graveyard != nullptr) {
             graveyard->collectAll();
         }
@@ -120,13 +120,10 @@ void Device::State::createObjects(bool hasDebugUtils) {
 }
 
 base::Result<Device> Device::create(const Instance& instance, VkSurfaceKHR presentTo) {
-    base::Result<DeviceChoice> choice = chooseDevice(instance.handle(), presentTo);
-    if (!choice) {
-        return choice.error();
-    }
+    ASSIGN_OR_RETURN(DeviceChoice choice, chooseDevice(instance.handle(), presentTo));
     auto state = std::make_unique<State>();
-    state->choice = *choice;
-    state->choice.hasSwapchain = choice->hasSwapchain && instance.hasSurfaces();
+    state->choice = choice;
+    state->choice.hasSwapchain = choice.hasSwapchain && instance.hasSurfaces();
     state->instance = instance.handle();
     const Caps& caps = state->choice.caps;
     if (const VkResult result = state->createDevice(); result != VK_SUCCESS) {

@@ -20,12 +20,12 @@ enum class MemoryUse : std::uint8_t {
     Geometry,   ///< the board itself
     Transient,  ///< rewritten every frame: draw lists, commands
     Targets,    ///< colour and depth images
-    Staging     ///< on its way to or from the device
+    Staging     ///< on its path to or from the device
 };
 inline constexpr std::size_t kMemoryUseCount = 4;
 [[nodiscard]] const char* toString(MemoryUse use);
 
-/// Bytes of device memory in our hands, by use.
+/// Bytes of device memory in use, by use.
 struct MemoryReport {
     std::array<std::uint64_t, kMemoryUseCount> bytes{};
     [[nodiscard]] std::uint64_t total() const;
@@ -65,8 +65,8 @@ struct Submission {
     VkSemaphore signal = VK_NULL_HANDLE;
 };
 
-/// A Vulkan 1.3 device with one queue that draws, computes, copies and (when asked) presents. Everything on it happens
-/// on one thread. Move-only; resources and presenters refer to it, so it neither moves nor dies before them.
+/// A Vulkan 1.3 device with one queue that draws, computes, copies and (when requested) presents. Everything on it
+/// happens on one thread. Move-only; resources and presenters refer to it, so it neither moves nor dies before them.
 class Device {
 public:
     /// Takes the best device: discrete before integrated before software; COPPERSCOPE_DEVICE=text keeps only devices
@@ -93,7 +93,7 @@ public:
     [[nodiscard]] bool isDone(std::uint64_t number) const;
     /// Waits for everything and frees what was retired.
     void waitIdle();
-    /// Notes that a call answered VK_ERROR_DEVICE_LOST; from now on submit and wait fail.
+    /// Notes that a call returned VK_ERROR_DEVICE_LOST; from now on submit and wait fail.
     void markLost();
     [[nodiscard]] bool isLost() const;
     void inject(const Faults& faults);

@@ -37,8 +37,8 @@ struct Features {
         vkInfo<VkPhysicalDeviceVulkan13Features>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES);
     VkPhysicalDeviceFeatures2 core = vkInfo<VkPhysicalDeviceFeatures2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2);
 
-    Features(VkPhysicalDevice device, bool askMesh) {
-        v12.pNext = askMesh ? &mesh : nullptr;
+    Features(VkPhysicalDevice device, bool wantsMesh) {
+        v12.pNext = wantsMesh ? &mesh : nullptr;
         v13.pNext = &v12;
         core.pNext = &v13;
         vkGetPhysicalDeviceFeatures2(device, &core);
@@ -47,7 +47,7 @@ struct Features {
     Features& operator=(const Features&) = delete;
 };
 
-/// The first thing we need and the device lacks, or null.
+/// The first item we need and the device lacks, or null.
 const char* missingFeature(const Features& f) {
     const struct {
         VkBool32 isThere;
@@ -81,7 +81,7 @@ struct Family {
     bool hasTimestamps = false;
 };
 
-/// One family that draws, computes and, when asked, presents: all hardware we know has it first in its list.
+/// One family that draws, computes and, when requested, presents: all hardware we know has it first in its list.
 std::optional<Family> findFamily(VkPhysicalDevice device, VkSurfaceKHR presentTo) {
     std::uint32_t count = 0;
     vkGetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
@@ -159,8 +159,8 @@ std::optional<DeviceChoice> examine(VkPhysicalDevice device, VkSurfaceKHR presen
         return std::nullopt;
     }
     const Extensions extensions = extensionsOf(device);
-    const bool asksMesh = has(extensions, VK_EXT_MESH_SHADER_EXTENSION_NAME);
-    const Features features(device, asksMesh);
+    const bool hasMeshExtension = has(extensions, VK_EXT_MESH_SHADER_EXTENSION_NAME);
+    const Features features(device, hasMeshExtension);
     if (const char* missing = missingFeature(features); missing != nullptr) {
         why = std::string("lacks ") + missing;
         return std::nullopt;
@@ -179,7 +179,7 @@ std::optional<DeviceChoice> examine(VkPhysicalDevice device, VkSurfaceKHR presen
     choice.physical = device;
     choice.queueFamily = family->index;
     choice.hasMemoryBudget = has(extensions, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
-    choice.caps = capsOf(device, extensions, asksMesh && features.mesh.taskShader && features.mesh.meshShader);
+    choice.caps = capsOf(device, extensions, hasMeshExtension && features.mesh.taskShader && features.mesh.meshShader);
     choice.caps.hasTimestamps = family->hasTimestamps;
     choice.caps.hasAtomic64 =
         features.core.features.shaderInt64 == VK_TRUE && features.v12.shaderBufferInt64Atomics == VK_TRUE;
@@ -233,7 +233,7 @@ base::Result<DeviceChoice> chooseDevice(VkInstance instance, VkSurfaceKHR presen
     std::string reasons;
     for (VkPhysicalDevice device : devices) {
         const std::string name = nameOf(device);
-        std::string why = std::string("is not the one COPPERSCOPE_DEVICE asks for");
+        std::string why = std::string("is not the one that COPPERSCOPE_DEVICE names");
         if (wanted == nullptr || name.find(wanted) != std::string::npos) {
             if (std::optional<DeviceChoice> choice = examine(device, presentTo, why)) {
                 return *choice;

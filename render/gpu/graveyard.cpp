@@ -34,7 +34,7 @@ void Graveyard::destroy(const Retired& object) {
             noteFree(h);
             vkFreeMemory(m_device, as<VkDeviceMemory>(h), nullptr);
             break;
-        default: ASSERT(false);  // objectType() knows no other
+        default: ASSERT(false);  // kObjectType has no other
     }
 }
 

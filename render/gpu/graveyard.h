@@ -51,39 +51,30 @@ private:
 
 // Handles are distinct pointer types on 64-bit machines, the only ones we build for.
 static_assert(sizeof(void*) == 8);
-constexpr VkObjectType objectType(VkBuffer) {
-    return VK_OBJECT_TYPE_BUFFER;
-}
-constexpr VkObjectType objectType(VkImage) {
-    return VK_OBJECT_TYPE_IMAGE;
-}
-constexpr VkObjectType objectType(VkImageView) {
-    return VK_OBJECT_TYPE_IMAGE_VIEW;
-}
-constexpr VkObjectType objectType(VkDeviceMemory) {
-    return VK_OBJECT_TYPE_DEVICE_MEMORY;
-}
-constexpr VkObjectType objectType(VkPipeline) {
-    return VK_OBJECT_TYPE_PIPELINE;
-}
-constexpr VkObjectType objectType(VkPipelineLayout) {
-    return VK_OBJECT_TYPE_PIPELINE_LAYOUT;
-}
-constexpr VkObjectType objectType(VkShaderModule) {
-    return VK_OBJECT_TYPE_SHADER_MODULE;
-}
-constexpr VkObjectType objectType(VkCommandPool) {
-    return VK_OBJECT_TYPE_COMMAND_POOL;
-}
-constexpr VkObjectType objectType(VkQueryPool) {
-    return VK_OBJECT_TYPE_QUERY_POOL;
-}
-constexpr VkObjectType objectType(VkSemaphore) {
-    return VK_OBJECT_TYPE_SEMAPHORE;
-}
-constexpr VkObjectType objectType(VkSwapchainKHR) {
-    return VK_OBJECT_TYPE_SWAPCHAIN_KHR;
-}
+template <class Handle>
+inline constexpr VkObjectType kObjectType = VK_OBJECT_TYPE_UNKNOWN;
+template <>
+inline constexpr VkObjectType kObjectType<VkBuffer> = VK_OBJECT_TYPE_BUFFER;
+template <>
+inline constexpr VkObjectType kObjectType<VkImage> = VK_OBJECT_TYPE_IMAGE;
+template <>
+inline constexpr VkObjectType kObjectType<VkImageView> = VK_OBJECT_TYPE_IMAGE_VIEW;
+template <>
+inline constexpr VkObjectType kObjectType<VkDeviceMemory> = VK_OBJECT_TYPE_DEVICE_MEMORY;
+template <>
+inline constexpr VkObjectType kObjectType<VkPipeline> = VK_OBJECT_TYPE_PIPELINE;
+template <>
+inline constexpr VkObjectType kObjectType<VkPipelineLayout> = VK_OBJECT_TYPE_PIPELINE_LAYOUT;
+template <>
+inline constexpr VkObjectType kObjectType<VkShaderModule> = VK_OBJECT_TYPE_SHADER_MODULE;
+template <>
+inline constexpr VkObjectType kObjectType<VkCommandPool> = VK_OBJECT_TYPE_COMMAND_POOL;
+template <>
+inline constexpr VkObjectType kObjectType<VkQueryPool> = VK_OBJECT_TYPE_QUERY_POOL;
+template <>
+inline constexpr VkObjectType kObjectType<VkSemaphore> = VK_OBJECT_TYPE_SEMAPHORE;
+template <>
+inline constexpr VkObjectType kObjectType<VkSwapchainKHR> = VK_OBJECT_TYPE_SWAPCHAIN_KHR;
 
 /// The one owner of a Vulkan object: move-only, hands it to the graveyard when dropped. Classes above it default their
 /// moves.
@@ -93,7 +84,7 @@ public:
     Unique() = default;
     /// Takes `handle`, names it `label`.
     Unique(Device& device, Handle handle, std::string_view label) : m_graveyard(&device.graveyard()), m_handle(handle) {
-        device.name(objectType(handle), reinterpret_cast<std::uint64_t>(handle), label);
+        device.name(kObjectType<Handle>, reinterpret_cast<std::uint64_t>(handle), label);
     }
     ~Unique() { reset(); }
     Unique(Unique&& other) noexcept
@@ -108,7 +99,7 @@ public:
     explicit operator bool() const { return m_handle != VK_NULL_HANDLE; }
     void reset() {
         if (m_handle != VK_NULL_HANDLE) {
-            m_graveyard->retire(objectType(m_handle), reinterpret_cast<std::uint64_t>(m_handle));
+            m_graveyard->retire(kObjectType<Handle>, reinterpret_cast<std::uint64_t>(m_handle));
             m_handle = VK_NULL_HANDLE;
         }
     }

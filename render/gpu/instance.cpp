@@ -134,7 +134,7 @@ base::Result<Instance> Instance::create(const InstanceOptions& options) {
     const Validation validation = resolve(options.validation);
     const bool isValidated = validation != Validation::Off && hasLayer(kValidationLayer);
     if (validation != Validation::Off && !isValidated) {
-        spdlog::warn("Vulkan validation was asked for, but {} is not installed.", kValidationLayer);
+        spdlog::warn("Vulkan validation was requested, but {} is not installed.", kValidationLayer);
     }
     state->sink.aborts = validation == Validation::Abort;
     state->hasDebugUtils = isValidated || hasExtension(VK_EXT_DEBUG_UTILS_EXTENSION_NAME, nullptr);

@@ -30,7 +30,7 @@ struct InstanceOptions {
 class Instance {
 public:
     /// Errors: DeviceFailed when there is no Vulkan loader or driver, when it is older than 1.3, or when an extension
-    /// asked for is missing. A missing validation layer is no error: a warning goes to the log.
+    /// requested is missing. A missing validation layer is no error: a warning goes to the log.
     [[nodiscard]] static base::Result<Instance> create(const InstanceOptions& options);
     ~Instance();
     Instance(Instance&&) noexcept;
@@ -39,7 +39,7 @@ public:
     [[nodiscard]] VkInstance handle() const;
     /// Whether debug labels reach anybody (VK_EXT_debug_utils is on).
     [[nodiscard]] bool hasDebugUtils() const;
-    /// Whether surfaces of windows can be made (VK_KHR_surface was asked for).
+    /// Whether surfaces of windows can be made (VK_KHR_surface was requested).
     [[nodiscard]] bool hasSurfaces() const;
     /// Validation errors seen so far.
     [[nodiscard]] std::uint32_t validationErrors() const;

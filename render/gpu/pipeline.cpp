@@ -82,14 +82,15 @@ Pipeline::Pipeline(Device& device, const ComputePipelineOptions& options)
 }
 
 Pipeline::Pipeline(Device& device, const GraphicsPipelineOptions& options) {
-    const VkBool32 cuts = options.cuts ? VK_TRUE : VK_FALSE;
-    const VkSpecializationMapEntry cutsConstant{0, 0, sizeof cuts};
-    const VkSpecializationInfo constants{1, &cutsConstant, sizeof cuts, &cuts};
+    const VkBool32 hasSection = options.hasSection ? VK_TRUE : VK_FALSE;
+    const VkSpecializationMapEntry sectionConstant{0, 0, sizeof hasSection};
+    const VkSpecializationInfo constants{1, &sectionConstant, sizeof hasSection, &hasSection};
     std::vector<Unique<VkShaderModule>> modules;
     std::vector<VkPipelineShaderStageCreateInfo> stages;
     VkShaderStageFlags used = 0;
     for (const ShaderStage& stage : options.stages) {
-        const bool onlyColours = options.pass == Pass::DepthOnly && options.cover == Cover::Triangles && !options.cuts;
+        const bool onlyColours =
+            options.pass == Pass::DepthOnly && options.cover == Cover::Triangles && !options.hasSection;
         if (stage.stage == VK_SHADER_STAGE_FRAGMENT_BIT && onlyColours) {
             continue;
         }

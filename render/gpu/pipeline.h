@@ -44,7 +44,7 @@ struct GraphicsPipelineOptions {
     VkFormat colourFormat = VK_FORMAT_UNDEFINED;
     VkFormat depthFormat = VK_FORMAT_UNDEFINED;
     VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
-    bool cuts = false;  ///< kCuts of lib/cut.glsl; the fragment stage then says what is covered
+    bool hasSection = false;  ///< kCuts of lib/section.glsl; the fragment stage then says what is covered
 };
 
 /// A compute or graphics pipeline. Its only interface to data are push constants (buffers go by address). Viewport,

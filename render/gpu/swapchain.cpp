@@ -66,7 +66,7 @@ VkCompositeAlphaFlagBitsKHR compositeAlpha(VkCompositeAlphaFlagsKHR supported) {
                                                                 : VK_COMPOSITE_ALPHA_INHERIT_BIT_KHR;
 }
 
-/// How many images to ask for: one more than the least, so that drawing need not wait for the display; at most what the
+/// How many images to request: one more than the least, so that drawing need not wait for the display; at most what the
 /// surface allows (0 = any).
 std::uint32_t imageCount(const VkSurfaceCapabilitiesKHR& caps) {
     const std::uint32_t wanted = caps.minImageCount + 1;
@@ -142,7 +142,7 @@ bool Swapchain::remake() {
     drop();
     m_handle = {*m_device, handle, "swapchain"};
     m_extent = extent;
-    m_asked = m_wanted;
+    m_requested = m_wanted;
     m_isStale = false;
     createImages();
     return true;
@@ -159,8 +159,8 @@ void Swapchain::createImages() {
 }
 
 Swapchain::Outcome Swapchain::tryAcquire(Target& target, VkResult& result) {
-    m_turn = (m_turn + 1) % m_available.size();
-    target.available = m_available[m_turn].get();
+    m_next = (m_next + 1) % m_available.size();
+    target.available = m_available[m_next].get();
     result = vkAcquireNextImageKHR(m_device->handle(), m_handle.get(), kPatienceNs, target.available, VK_NULL_HANDLE,
                                    &target.index);
     if (result == VK_ERROR_DEVICE_LOST) {
@@ -179,7 +179,7 @@ Swapchain::Outcome Swapchain::tryAcquire(Target& target, VkResult& result) {
 
 Swapchain::Outcome Swapchain::acquire(Target& target) {
     for (int attempt = 0; attempt < 2; ++attempt) {
-        const bool isResized = m_wanted.width != m_asked.width || m_wanted.height != m_asked.height;
+        const bool isResized = m_wanted.width != m_requested.width || m_wanted.height != m_requested.height;
         if ((m_isStale || isResized || !m_handle) && !remake()) {
             return m_device->isLost() ? Outcome::DeviceLost : Outcome::NoImage;
         }

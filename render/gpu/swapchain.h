@@ -45,7 +45,7 @@ private:
     Device* m_device;
     VkSurfaceKHR m_surface;
     VkExtent2D m_wanted{};
-    VkExtent2D m_asked{};  ///< what `m_wanted` was when the images were made
+    VkExtent2D m_requested{};  ///< what `m_wanted` was when the images were made
     VkExtent2D m_extent{};
     VkSurfaceFormatKHR m_format{};
     VkFormat m_drawFormat = VK_FORMAT_UNDEFINED;
@@ -54,7 +54,7 @@ private:
     std::vector<VkImage> m_images;
     std::vector<Unique<VkSemaphore>> m_finished;   ///< per image: presenting may read it long after the frame
     std::vector<Unique<VkSemaphore>> m_available;  ///< in turn
-    std::size_t m_turn = 0;
+    std::size_t m_next = 0;
 };
 
 }  // namespace render::gpu

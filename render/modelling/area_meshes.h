@@ -18,7 +18,7 @@ struct ShapeMesh {
     std::vector<model::Box> fields;        ///< where; `polygons` has them as loops, which get no walls
     std::vector<std::uint32_t> triangles;  ///< three indices into polygons.points each, counter-clockwise
     std::vector<std::uint32_t>
-        next;  ///< per point, the end of its wall; itself where two contour edges cancel and no wall stands
+        next;  ///< per point, the end of its wall; itself where two contour edges cancel and there is no wall
     bool wasRepaired = false;  ///< crossed itself and went through integer booleans
     bool failed = false;       ///< could not be triangulated even then: nothing is drawn
 };

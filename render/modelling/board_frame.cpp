@@ -33,7 +33,7 @@ void setHeights(const model::Document& document, BoardFrame& out) {
     }
 }
 
-/// The lower and the upper face of the board: of its copper, and of the laminate below a single copper layer.
+/// The lower and the upper face of the board: of its copper, and of the substrate below a single copper layer.
 float sumOfFaces(const model::Document& document) {
     model::Nm low = 0;
     model::Nm high = document.boardThickness;
@@ -72,9 +72,9 @@ std::vector<ModelCopy> placeCopies(const model::StepTree& tree) {
     std::vector<ModelCopy> copies;
     for (const model::StepCopy& copy : tree.copies) {
         const model::PointD origin = copy.placement.apply(base::toDouble(origins[copy.step]));
-        const model::Placement turn{{}, copy.placement.clockwiseDeg, copy.placement.isMirrored};
-        const model::PointD x = turn.apply(model::PointD{1.0, 0.0});
-        const model::PointD y = turn.apply(model::PointD{0.0, 1.0});
+        const model::Placement rotation{{}, copy.placement.clockwiseDeg, copy.placement.isMirrored};
+        const model::PointD x = rotation.apply(model::PointD{1.0, 0.0});
+        const model::PointD y = rotation.apply(model::PointD{0.0, 1.0});
         copies.push_back({copy.step,
                           {base::toMm(origin.x - origins[0].x), base::toMm(origin.y - origins[0].y)},
                           {{x.x, x.y}, {y.x, y.y}},

@@ -16,7 +16,7 @@ struct BoardFrame {
     std::vector<std::uint32_t>
         layerGrowth;             ///< kLayerGrowsUp or kLayerGrowsDown where heights differ on a layer, else 0
     std::vector<bool> isCopper;  ///< by layer
-    float facesMm = 0.0F;        ///< z of the board's lower plus z of its upper face: turned over, z is this minus z
+    float facesMm = 0.0F;        ///< z of the board's lower plus z of its upper face: flipped, z is this minus z
     glm::vec3 boxMin{0.0F};      ///< of the board, mm
     glm::vec3 boxMax{0.0F};
 };
@@ -24,9 +24,9 @@ struct BoardFrame {
 /// A step drawn somewhere on the board (model::StepCopy in the GPU's terms): p' = origin + turn * p, in the plane only.
 /// A flipped copy lies on the opposite layers.
 struct ModelCopy {
-    std::uint32_t step = 0;  ///< 0 = the board itself, else 1 + row of its model's steps
-    glm::dvec2 origin{0.0};  ///< mm, in the board's model coordinates
-    glm::dmat2 turn{1.0};    ///< rotation and mirror
+    std::uint32_t step = 0;    ///< 0 = the board itself, else 1 + row of its model's steps
+    glm::dvec2 origin{0.0};    ///< mm, in the board's model coordinates
+    glm::dmat2 rotation{1.0};  ///< rotation and mirror
     bool isMirrored = false;
     bool isFlipped = false;
 };

@@ -32,11 +32,10 @@ void joinLets(const Document& document, std::vector<LayerLets>& perLayer, BoardM
         const auto firstCluster = static_cast<std::uint32_t>(out.clusters.size());
         appendLets(layer, model::LayerId{row}, out.lets, out.clusters);
         out.clustersOfLayer.push_back({firstCluster, static_cast<std::uint32_t>(out.clusters.size()) - firstCluster});
-        if (layer.zeroWidthStrokes > 0) {
+        if (layer.zeroWidthTracks > 0) {
             out.diagnostics.report(model::Severity::Info, document.layers[row].file, layer.firstZeroWidthLine,
-                                   "layer " + document.layers[row].name + ": " +
-                                       std::to_string(layer.zeroWidthStrokes) +
-                                       " strokes or pads of no width are kept but not drawn");
+                                   "layer " + document.layers[row].name + ": " + std::to_string(layer.zeroWidthTracks) +
+                                       " tracks or pads without a width are not drawn");
         }
     }
 }
@@ -178,7 +177,7 @@ base::Result<BoardModel> buildStepModel(const Document& document, const model::D
     }
     watch = {};
     joinMeshes(document, used, meshes, out);
-    out.inSubstrate = findInsets(document, out);
+    out.inSubstrate = findSubstrateMargins(document, out);
     out.times.createMs += watch.milliseconds();
     reportMeshes(document, meshes, out);
     watch = {};

@@ -9,7 +9,7 @@
 #include "model/geometry/discretise.h"
 #include "render/modelling/area_meshes.h"
 #include "render/modelling/board_frame.h"
-#include "render/modelling/insets.h"
+#include "render/modelling/substrate_margins.h"
 #include "shaders/shared/board.h"
 
 namespace render {
@@ -59,7 +59,7 @@ struct BoardModel : BoardFrame {
     std::vector<LayerRun> clustersOfLayer;
 
     std::vector<glm::vec2> vertices;  ///< top vertices of all shapes, each from its shape's centre
-    std::vector<std::uint32_t> next;  ///< per vertex, the vertex its wall leads to; itself where no wall stands
+    std::vector<std::uint32_t> next;  ///< per vertex, the vertex its wall leads to; itself where there is no wall
     std::vector<std::uint32_t> indices;
     std::vector<AreaShape> shapes;  ///< pieces of the shapes in use
     std::vector<shader::AreaInstance> instances;

@@ -78,7 +78,7 @@ EdgeGrid::EdgeGrid(std::vector<Edge> edges) : m_edges(std::move(edges)) {
     }
     const glm::vec2 extent = m_edges.empty() ? glm::vec2(1.0F) : m_high - m_low;
     constexpr float kCellsPerSide = 128.0F;
-    constexpr float kSmallestCell = 0.5F;  // mm: distances are asked for up to a few millimetres
+    constexpr float kSmallestCell = 0.5F;  // mm: distances are requested up to a few millimetres
     m_cell = std::max(kSmallestCell, std::max(extent.x, extent.y) / kCellsPerSide);
     m_size = glm::ivec2(extent / m_cell) + 1;
     const auto rows = static_cast<std::size_t>(m_size.y);
@@ -185,7 +185,7 @@ bool EdgeGrid::isFarFrom(glm::vec2 low, glm::vec2 high, float reach) const {
         return false;
     }
     const auto steps = static_cast<float>(m_clearance[rowOf(cellAt(middle))]);
-    // Between a place in a cell and an edge n steps away lie n - 1 whole cells; a little less for rounding.
+    // Between a location in a cell and an edge n steps away lie n - 1 whole cells; a little less for rounding.
     return (steps - 1.01F) * m_cell >= reach + 0.5F * glm::length(high - low);
 }
 

@@ -12,7 +12,7 @@ struct Edge {
     glm::vec2 b;
 };
 
-/// Closed loops of edges, mm, in square cells, so that questions about a place look at few of them, and at none where
+/// Closed loops of edges, mm, in square cells, so that searches near a location visit few of them, and at none where
 /// no edge is near.
 class EdgeGrid {
 public:
@@ -24,7 +24,7 @@ public:
     [[nodiscard]] float distance(const Edge& line, float reach) const;
     /// Inside by the even-odd rule?
     [[nodiscard]] bool contains(glm::vec2 p) const;
-    /// Does an edge properly cross the way from a to b, by more than `slack` mm on either side?
+    /// Does an edge properly cross the line from a to b, by more than `slack` mm on either side?
     [[nodiscard]] bool isCrossedBy(glm::vec2 a, glm::vec2 b, float slack) const;
 
 private:

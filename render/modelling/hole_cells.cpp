@@ -24,8 +24,8 @@ Nm& along(base::Point& point, std::uint8_t axis) {
 
 }  // namespace
 
-HoleFields::HoleFields(std::span<const Box> squares, Nm gap)
-    : m_squares(squares), m_gap(gap), m_rows(squares.size()), m_words(2 * squares.size()) {
+HoleFields::HoleFields(std::span<const Box> squares, Nm spacing)
+    : m_squares(squares), m_spacing(spacing), m_rows(squares.size()), m_words(2 * squares.size()) {
     if (squares.empty()) {
         return;
     }
@@ -52,7 +52,7 @@ void HoleFields::cut(std::size_t row) {
     }
 }
 
-/// At every place where no square is; false if there is none.
+/// At every location where no square is; false if there is none.
 bool HoleFields::cutAlong(std::size_t row, std::uint8_t axis) {
     const Field field = m_fields[row];
     sortAlong(field, axis);
@@ -65,7 +65,7 @@ bool HoleFields::cutAlong(std::size_t row, std::uint8_t axis) {
     std::int64_t reach = along(m_squares[m_rows[start]].max, axis);
     for (std::uint32_t i = start + 1; i < field.first + field.count; ++i) {
         const Box& square = m_squares[m_rows[i]];
-        if (along(square.min, axis) > reach + m_gap) {
+        if (along(square.min, axis) > reach + m_spacing) {
             add(start, i);
             start = i;
         }
@@ -95,16 +95,16 @@ void HoleFields::sortAlong(const Field& field, std::uint8_t axis) {
 /// Cuts lie in the middle between neighbours.
 Box HoleFields::partOf(const Field& field, const Box& box, std::uint32_t part) const {
     const Field* parts = m_fields.data() + field.firstPart;
-    const auto cutBefore = [&](std::uint32_t i) {
+    const auto boundaryBefore = [&](std::uint32_t i) {
         return static_cast<Nm>(
             (std::int64_t{along(parts[i - 1].box.max, field.axis)} + along(parts[i].box.min, field.axis)) / 2);
     };
     Box result = box;
     if (part > 0) {
-        along(result.min, field.axis) = cutBefore(part);
+        along(result.min, field.axis) = boundaryBefore(part);
     }
     if (part + 1 < field.partCount) {
-        along(result.max, field.axis) = cutBefore(part + 1);
+        along(result.max, field.axis) = boundaryBefore(part + 1);
     }
     return result;
 }

@@ -15,8 +15,8 @@ namespace render {
 /// Squares at which no line passes between (a whirl, or squares that touch) are a knot, whose field cannot be tiled.
 class HoleFields {
 public:
-    /// `gap`: squares closer than this, nm, count as touching.
-    HoleFields(std::span<const base::Box> squares, base::Nm gap);
+    /// `spacing`: squares closer than this, nm, count as touching.
+    HoleFields(std::span<const base::Box> squares, base::Nm spacing);
 
     struct Field {
         base::Box box;            ///< around its squares; no square of another field reaches into it
@@ -54,7 +54,7 @@ private:
     [[nodiscard]] base::Box boxAround(std::uint32_t first, std::uint32_t count) const;
 
     std::span<const base::Box> m_squares;
-    base::Nm m_gap;
+    base::Nm m_spacing;
     std::vector<std::uint32_t> m_rows;
     std::vector<std::uint64_t> m_words;  ///< to sort in
     std::vector<Field> m_fields;

@@ -27,8 +27,8 @@ public:
 private:
     [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(m_out.size()); }
 
-    /// Corner `digit` of a triangle whose ladder interval starts at `rung`; the last rung of a closed ladder leads to
-    /// its first.
+    /// Corner `digit` of a triangle whose ladder interval starts at `segment`; the last segment of a closed ladder
+    /// leads to its first.
     [[nodiscard]] std::uint32_t index(std::uint32_t segment, std::uint32_t digit) const {
         const std::uint32_t own = (segment + digit / 4) % (m_topology == shader::kTopologyClosed ? m_intervals : ~0U);
         return (m_level << 16U) | (own * 4 + digit % 4);

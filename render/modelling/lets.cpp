@@ -19,7 +19,7 @@ using model::Point;
 
 namespace {
 
-/// Lets reach this far over the edges of their cell, so that rounding opens no gap.
+/// Lets reach this far over the edges of their cell, so that rounding leaves nothing open.
 constexpr Nm kCellOverlap = 1'000;
 
 float mm(Nm length) {
@@ -106,7 +106,7 @@ private:
         if (width > 0) {
             return true;
         }
-        if (m_out.zeroWidthStrokes++ == 0) {
+        if (m_out.zeroWidthTracks++ == 0) {
             m_out.firstZeroWidthLine = m_document.elements.line[m_element.row()];
         }
         return false;
@@ -126,8 +126,8 @@ private:
 
     void addHoles(const model::AreaGeometry& area) {
         const std::span<const RoundHole> holes = m_holesOf ? m_holesOf(area.shape) : std::span<const RoundHole>();
-        const model::Placement turn{{}, area.placement.clockwiseDeg, area.placement.isMirrored};
-        const CellFrame frame = cellFrame(turn.apply(model::PointD{1.0, 0.0}), area.placement.isMirrored);
+        const model::Placement rotation{{}, area.placement.clockwiseDeg, area.placement.isMirrored};
+        const CellFrame frame = cellFrame(rotation.apply(model::PointD{1.0, 0.0}), area.placement.isMirrored);
         for (const RoundHole& hole : holes) {
             const glm::vec2 centre = toGpu(area.placement.apply(base::toDouble(hole.centre)), m_origin);
             const Reaches reaches = frame.rotated(reachesOf(hole));
@@ -156,8 +156,8 @@ private:
         }
     }
 
-    /// A stroke of an arc or a path, and for holes its dark inside. It has no inner wall of its own: strokes of a path
-    /// overlap, and walls would stand across the slot.
+    /// A track of an arc or a path, and for holes its dark inside. It has no inner wall of its own: tracks of a path
+    /// overlap, and walls would lie across the slot.
     void addPath(const PathNode& node, Point end, Nm width, Nm innerWidth) {
         addEdge(node, end, width);
         if ((m_flags & model::kHole) != 0 && innerWidth > 0) {
@@ -203,7 +203,7 @@ private:
         }
     }
 
-    /// A pen wider than the arc turns an arc let's inner edge inside out; strokes along the chords cover the same
+    /// A pen wider than the arc turns an arc let's inner edge inside out; tracks along the chords cover the same
     /// region.
     void addChords(const PathNode& node, Point end, Nm width) {
         std::vector<Point> points;

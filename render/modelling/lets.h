@@ -16,7 +16,7 @@ namespace render {
 struct LayerLets {
     std::vector<shader::Let> lets;
     std::vector<std::uint32_t> order;      ///< rows of `lets` along a Morton curve
-    std::uint32_t zeroWidthStrokes = 0;    ///< strokes without a width: nothing to draw
+    std::uint32_t zeroWidthTracks = 0;     ///< tracks without a width: nothing to draw
     std::uint32_t firstZeroWidthLine = 0;  ///< line of the first one in the layer's file
 };
 

@@ -9,7 +9,7 @@
 
 namespace render {
 
-/// Morton order: places close together have keys close together. Its cells are square, also in a long box.
+/// Morton order: locations close together have keys close together. Its cells are square, also in a long box.
 class MortonCurve {
 public:
     MortonCurve() = default;

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "model/geometry/box_index.h"
-#include "model/solids/nearness.h"
+#include "model/solids/region_distance.h"
 #include "render/modelling/hole_cells.h"
 
 namespace render {
@@ -20,7 +20,7 @@ using model::PathNode;
 using model::Point;
 using model::PolygonSet;
 
-/// Cells keep this far from everything else: lets reach over their edge by less, so that no gap shows.
+/// Cells keep this far from everything else: lets reach over their edge by less, so that no spacing shows.
 constexpr Nm kMargin = 2'000;
 
 double radiusOf(const PathNode& node) {

@@ -100,7 +100,7 @@ Reach reachOf(const BoardModel& model) {
     }
     const std::vector<shader::ShapeBound> bounds = boundsOf(model);
     for (const shader::AreaInstance& area : model.instances) {
-        // However the area is turned, its circle lies within this far of its origin.
+        // However the area is rotated, its circle lies within this far of its origin.
         const shader::ShapeBound& bound = bounds[area.shape];
         const float radius = glm::length(bound.centre) + bound.radius;
         reach.include(area.origin - radius, area.origin + radius);
@@ -135,7 +135,7 @@ std::vector<LayerInSubstrate> inSubstrate(const BoardModel& model) {
     for (const BoardModel& step : model.steps) {
         for (std::size_t i = 0; i < std::min(layers.size(), step.inSubstrate.size()); ++i) {
             const LayerInSubstrate& own = step.inSubstrate[i];
-            layers[i].insetMm = std::min(layers[i].insetMm, own.insetMm);
+            layers[i].marginMm = std::min(layers[i].marginMm, own.marginMm);
             layers[i].role = own.role == LayerInSubstrate::Role::Content ? layers[i].role : own.role;
         }
     }

@@ -10,7 +10,7 @@ namespace render {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
-constexpr float kFieldOfView = 40.0F * kPi / 180.0F;  // vertical; long enough a lens that a board looks flat
+constexpr float kFieldOfView = 40.0F * kPi / 180.0F;  // vertical; long enough a lens that a board appears flat
 constexpr float kStraightDown = -kPi / 2.0F;
 constexpr float kMinDistance = 0.01F;  // mm: 7 µm high views, below that floats of the model end
 
@@ -123,9 +123,9 @@ void Camera::pan(const glm::vec2& pixels, float height) {
 void Camera::zoom(float factor, const glm::vec2& ndc, float aspect) {
     const float newDistance = std::clamp(m_pose.distance / factor, kMinDistance, 50.0F * m_radius);
     const float halfHeight = m_pose.distance * halfHeightAtOne();
-    const glm::vec3 underCursor{ndc.x * halfHeight * aspect, ndc.y * halfHeight, 0.0F};
+    const glm::vec3 atPointer{ndc.x * halfHeight * aspect, ndc.y * halfHeight, 0.0F};
     const glm::mat3 toWorld = glm::transpose(glm::mat3(view()));
-    m_pose.target += toWorld * underCursor * (1.0F - newDistance / m_pose.distance);
+    m_pose.target += toWorld * atPointer * (1.0F - newDistance / m_pose.distance);
     m_pose.distance = newDistance;
 }
 
@@ -171,7 +171,7 @@ glm::mat4 Camera::view() const {
 }
 
 glm::mat4 Camera::projection(float aspect) const {
-    // The scene's sphere, wherever the target was panned to, with room for an exploded stack.
+    // The scene's sphere, wherever the target was panned to, with room for an exploded stackup.
     const float far = m_pose.distance + 4.0F * m_radius;
     const float halfHeight = m_pose.distance * halfHeightAtOne();
     glm::mat4 p(0.0F);

@@ -32,15 +32,15 @@ public:
     void orbit(float yawRad, float pitchRad);
     /// Looks from the other side at the same target: left and right change sides, up stays up.
     void flipOver();
-    /// Moves with the cursor: `pixels` on a viewport `height` pixels high; the point under the cursor stays under it.
+    /// Moves with the pointer: `pixels` on a viewport `height` pixels high; the point under the pointer stays under it.
     void pan(const glm::vec2& pixels, float height);
-    /// Zooms by `factor` (> 1 is closer) keeping the point under the cursor; `ndc` in -1..1, y up.
+    /// Zooms by `factor` (> 1 is closer) keeping the point under the pointer; `ndc` in -1..1, y up.
     void zoom(float factor, const glm::vec2& ndc, float aspect);
     /// Moves the target along the line of sight to the depth of `point`, which changes nothing in the picture:
     /// orbiting, panning and zooming then go by what is there, and a zoom can come as near to it as it likes. A point
     /// behind the eye is ignored.
     void focusOn(const glm::vec3& point);
-    /// The same for the place where the line of sight meets height `z`; does nothing when it does not.
+    /// The same for the location where the line of sight meets height `z`; does nothing when it does not.
     void focusOnHeight(float z);
     void setOrthographic(bool isOrthographic) { m_pose.isOrthographic = isOrthographic; }
     [[nodiscard]] bool isOrthographic() const { return m_pose.isOrthographic; }

@@ -8,7 +8,7 @@ namespace render {
 
 namespace {
 
-/// Lightness, chroma and hue of both ends in Oklab, in which equal steps look equal.
+/// Lightness, chroma and hue of both ends in Oklab, in which equal steps appear equal.
 constexpr float kLightest = 0.93F;
 constexpr float kDarkest = 0.38F;
 constexpr float kChroma = 0.145F;

@@ -17,15 +17,15 @@ struct ZRange {
 struct StackedLayer {
     ZRange z;
     bool isVisible = true;
-    bool isBarrels = false;  ///< holds strokes and discs only: what it spans, it runs through (drill layers)
+    bool isBarrels = false;  ///< holds tracks and discs only: what it spans, it runs through (drill layers)
 };
 
-/// Moves the visible layers apart so that the whole stack grows by `spread` mm. Layers at one height stay together,
-/// order and thickness remain. A layer of barrels that spans others is stretched with them; the laminate, which spans
-/// the inner layers, stays one slab among them.
+/// Moves the visible layers apart so that the whole stackup grows by `spread` mm. Layers at one height stay together,
+/// order and thickness remain. A layer of barrels that spans others is stretched with them; the substrate, which spans
+/// the inner layers, stays one part among them.
 [[nodiscard]] std::vector<ZRange> explode(std::span<const StackedLayer> layers, float spread);
 
-/// By how much the stack of a board grows when ViewSettings::explode is 1, as a part of the board's larger side.
+/// By how much the stackup of a board grows when ViewSettings::explode is 1, as a part of the board's larger side.
 inline constexpr float kFullSpread = 0.5F;
 
 struct Box3 {

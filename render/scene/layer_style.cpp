@@ -124,7 +124,7 @@ void hideOuterPrints(const model::Document& document, std::vector<LayerStyle>& s
 }
 
 /// Boards without a body of their own (the paper's models) show their dielectrics instead.
-void showLaminates(const model::Document& document, std::vector<LayerStyle>& styles) {
+void showSubstrates(const model::Document& document, std::vector<LayerStyle>& styles) {
     const auto isBody = [](const Layer& layer) { return layer.type == LayerType::Body; };
     const bool hasBody = std::ranges::any_of(document.layers, isBody);
     for (std::size_t row = 0; row < styles.size(); ++row) {
@@ -134,7 +134,7 @@ void showLaminates(const model::Document& document, std::vector<LayerStyle>& sty
     }
 }
 
-/// What a board looks like: outer copper as metal under a coat of lacquer, which it shows through.
+/// What a board is drawn as: outer copper as metal under a solder mask, which it shows through.
 void makeSolid(const model::Document& document, const Colours& colours, std::vector<LayerStyle>& styles) {
     for (std::size_t row = 0; row < styles.size(); ++row) {
         const Layer& layer = document.layers[row];
@@ -152,7 +152,7 @@ void makeSolid(const model::Document& document, const Colours& colours, std::vec
 
 }  // namespace
 
-std::vector<LayerStyle> defaultStyles(const model::Document& document, Look look, Palette palette) {
+std::vector<LayerStyle> defaultStyles(const model::Document& document, Appearance appearance, Palette palette) {
     const Colours& colours = kColours[static_cast<std::size_t>(palette)];
     std::vector<LayerStyle> styles;
     std::size_t innerSeen = 0;
@@ -160,8 +160,8 @@ std::vector<LayerStyle> defaultStyles(const model::Document& document, Look look
         styles.push_back(layer.isCopper() ? copperStyle(layer, colours, innerSeen) : styleOfType(layer, palette));
     }
     hideOuterPrints(document, styles);
-    showLaminates(document, styles);
-    if (look == Look::Solid) {
+    showSubstrates(document, styles);
+    if (appearance == Appearance::Solid) {
         makeSolid(document, colours, styles);
     }
     return styles;

@@ -14,19 +14,21 @@ struct LayerStyle {
     bool isVisible = true;
 };
 
-enum class Look {
-    Flat,  ///< a drawing, seen in 2D: top copper red, bottom blue; lacquer and bodies of components hidden
-    Solid  ///< a board, seen in 3D: bare copper golden under green lacquer
+enum class Appearance {
+    Flat,  ///< a drawing, seen in 2D: top copper red, bottom blue; solder mask and bodies of components hidden
+    Solid  ///< a board, seen in 3D: bare copper golden under green solder mask
 };
 
 enum class Palette {
-    Standard,        ///< as in other programs: top red, bottom blue, lacquer green
-    ColourBlindSafe  ///< after Okabe and Ito, with steps of lightness; told apart with protanopia and deuteranopia too
+    Standard,        ///< as in other programs: top red, bottom blue, solder mask green
+    ColourBlindSafe  ///< after Okabe and Ito, with steps of lightness; distinguished with protanopia and deuteranopia
+                     ///< too
 };
 
 /// Colours by layer type as users know them (inner layers distinct hues, silk white); mask openings, documentation and
 /// component layers start hidden.
-[[nodiscard]] std::vector<LayerStyle> defaultStyles(const model::Document& document, Look look = Look::Solid,
+[[nodiscard]] std::vector<LayerStyle> defaultStyles(const model::Document& document,
+                                                    Appearance appearance = Appearance::Solid,
                                                     Palette palette = Palette::Standard);
 
 }  // namespace render

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/modelling/insets.h"
+#include "render/modelling/substrate_margins.h"
 #include "render/scene/explosion.h"
 #include "render/scene/layer_style.h"
 #include "render/scene/view_settings.h"

@@ -22,7 +22,7 @@ model::Box boxOf(const model::BoardIndex& index) {
 }
 
 /// The part of a line that may meet a box, and a little more.
-model::SectionQuestion throughBox(const model::Box& box, PointD start, PointD unit) {
+model::SectionRequest throughBox(const model::Box& box, PointD start, PointD unit) {
     double least = 0.0;
     double most = 0.0;
     for (const double x : {double(box.min.x), double(box.max.x)}) {
@@ -33,29 +33,28 @@ model::SectionQuestion throughBox(const model::Box& box, PointD start, PointD un
         }
     }
     const auto at = [&](double along) {
-        const auto kept = [](double v) { return std::clamp<double>(v, -base::kMaxCoordinate, base::kMaxCoordinate); };
-        return PointD{kept(start.x + unit.x * along), kept(start.y + unit.y * along)};
+        const auto clamped = [](double v) {
+            return std::clamp<double>(v, -base::kMaxCoordinate, base::kMaxCoordinate);
+        };
+        return PointD{clamped(start.x + unit.x * along), clamped(start.y + unit.y * along)};
     };
     return {{at(least - 1.0), at(most + 1.0)}, {}};
 }
 
 }  // namespace
 
-base::Result<Cut> cutThrough(const model::BoardIndex& index, model::Point origin, PointD a, PointD b) {
+base::Result<SectionCut> makeSectionCut(const model::BoardIndex& index, model::Point origin, PointD a, PointD b) {
     const double length = std::hypot(b.x - a.x, b.y - a.y);
     if (!(length > 0.0)) {
-        return base::Error{base::ErrorCode::BadUsage, "a line to cut along needs two places that are apart"};
+        return base::Error{base::ErrorCode::BadUsage, "a section line needs two locations that are apart"};
     }
     const PointD unit = {(b.x - a.x) / length, (b.y - a.y) / length};
-    const model::SectionQuestion question = throughBox(boxOf(index), a, unit);
-    const base::Result<model::Section> section = model::cutBoard(index, question);
-    if (!section) {
-        return section.error();
-    }
-    Cut cut;
-    const PointD start = question.line.front();
+    const model::SectionRequest request = throughBox(boxOf(index), a, unit);
+    ASSIGN_OR_RETURN(const model::Section section, model::makeSection(index, request));
+    SectionCut cut;
+    const PointD start = request.line.front();
     cut.plane = {{base::toMm(start.x - origin.x), base::toMm(start.y - origin.y)}, {unit.x, unit.y}};
-    for (const model::SectionPiece& piece : model::merged(section->pieces)) {
+    for (const model::SectionPiece& piece : model::merged(section.pieces)) {
         const model::Layer& layer = index.board->layer(piece.layer);
         if (piece.bottom >= piece.top || layer.thickness <= 0) {
             continue;

@@ -8,32 +8,33 @@
 
 namespace render {
 
-/// An upright plane that a board is cut open along. What lies to the left of its line is cut away.
-struct CutPlane {
+/// An upright plane that a board is cut by a section plane along. What lies to the left of its line is cut away.
+struct SectionPlane {
     glm::dvec2 start{0.0};           ///< mm, in the model's coordinates (BoardFrame::origin)
     glm::dvec2 direction{1.0, 0.0};  ///< of length 1
 };
 
 /// A rectangle of what the plane cuts.
-struct CutFace {
+struct SectionFace {
     model::LayerId layer;
     double from = 0.0;  ///< along the plane from its start, mm
     double to = 0.0;
-    float bottom = 0.0F;  ///< of its layer: 0 the lower, 1 the upper face; so it stays when the stack changes
+    float bottom = 0.0F;  ///< of its layer: 0 the lower, 1 the upper face; so it stays when the stackup changes
     float top = 1.0F;
-    bool isInside = false;  ///< may lie in a laminate, and is then seen
+    bool isInside = false;  ///< may lie in a substrate, and is then seen
 };
 
-/// A board cut open: nothing of its geometry changes, fragments on the one side are left out and the cut is filled.
-struct Cut {
-    CutPlane plane;
-    std::vector<CutFace> faces;
+/// A board cut by a section plane: nothing of its geometry changes, fragments on the one side are left out and the cut
+/// is filled.
+struct SectionCut {
+    SectionPlane plane;
+    std::vector<SectionFace> faces;
 };
 
-/// Cuts along the straight line through two places (nm, board coordinates), from one edge of the board to the other;
-/// what was to the left on the way from `a` to `b` goes. `origin` is BoardFrame::origin. The faces are those of
-/// model::cutBoard. Errors: BadUsage for places that are not apart or off the coordinates of boards.
-[[nodiscard]] base::Result<Cut> cutThrough(const model::BoardIndex& index, model::Point origin, model::PointD a,
-                                           model::PointD b);
+/// Cuts along the straight line through two locations (nm, board coordinates), from one edge of the board to the other;
+/// what was to the left on the line from `a` to `b` goes. `origin` is BoardFrame::origin. The faces are those of
+/// model::makeSection. Errors: BadUsage for places that are not apart or off the coordinates of boards.
+[[nodiscard]] base::Result<SectionCut> makeSectionCut(const model::BoardIndex& index, model::Point origin,
+                                                      model::PointD a, model::PointD b);
 
 }  // namespace render

@@ -38,23 +38,23 @@ struct ViewSettings {
     bool isSmoothed = true;  ///< 4x multisampling, where device and back end have it and the picture fits with it
     bool cull = true;        ///< frustum culling and level of detail
     LevelOfDetail levels = LevelOfDetail::Error;
-    float explode = 0.0F;            ///< 0 = real stack; 1 spreads the layers over about half the board's width
-    ZScale zScale;                   ///< thicknesses as drawn
-    std::shared_ptr<const Cut> cut;  ///< cuts the board open in 3D; none: it is whole
-    float dim = 0.0F;                ///< by how much what does not stand out is darkened; 1 = to black
+    float explode = 0.0F;  ///< 0 = real stackup; 1 spreads the layers over about half the board's width
+    ZScale zScale;         ///< thicknesses as drawn
+    std::shared_ptr<const SectionCut> section;  ///< cuts the board open in 3D; none: it is whole
+    float dim = 0.0F;                           ///< by how much what does not stand out is darkened; 1 = to black
     bool isOutlined =
         false;  ///< outlines and nothing in them, in flat views; Impostor draws them, whatever `backend` says
     glm::vec3 background{0.10F, 0.11F, 0.13F};  ///< sRGB
     Overlay overlay;                            ///< none while it has no pixels
-    bool keepsBoard = false;   ///< puts the board as drawn aside, for a next frame of the same presenter
-    bool isBoardKept = false;  ///< nothing but the overlay differs from the frame that kept it: draws that alone
+    bool cachesBoard = false;                   ///< caches the board as drawn, for a next frame of the same presenter
+    bool isBoardCached = false;  ///< nothing but the overlay differs from the frame that cached it: draws that alone
 };
 
 struct FrameStats {
     double cpuMs = 0.0;               ///< recording and submitting
     double gpuMs = 0.0;               ///< by timestamps, 0 if the device has none
     Backend backend = Backend::Auto;  ///< the one that drew
-    bool isOverlayAlone = false;      ///< the board was the one kept before
+    bool isOverlayAlone = false;      ///< the board was the cached one
 };
 
 /// 8-bit sRGB RGBA, rows from the top.

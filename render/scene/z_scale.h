@@ -11,7 +11,7 @@ namespace render {
 /// How many times as thick as it is everything is drawn.
 struct ZScale {
     float copper = 1.0F;
-    float dielectric = 1.0F;  ///< and all that is no copper: laminate, lacquer, print
+    float dielectric = 1.0F;  ///< and all that is no copper: substrate, solder mask, print
     bool operator==(const ZScale&) const = default;
 };
 

@@ -23,10 +23,10 @@ constexpr std::uint32_t kElementsPerPart = 1024;
 enum class Outline : std::uint8_t {
     Plain,
     MayTouchItself,  ///< of an area: opposite edges cancel (odb-notes, Features)
-    WallOnly         ///< of a bare hole: there is nothing but its wall
+    WallOnly         ///< of an NPTH: there is nothing but its wall
 };
 
-/// A part on its way: outlines of its elements, then triangles.
+/// A part on its path: outlines of its elements, then triangles.
 struct Draft {
     std::uint32_t layer = 0;
     model::Range elements;
@@ -43,15 +43,15 @@ void addOutlines(Draft& draft, const PolygonSet& set, std::uint32_t owner, Outli
     draft.kind.resize(draft.outlines.polygons.size(), kind);
 }
 
-/// The wall of a hole is what lies between its outline and its opening; the opening itself is drawn dark. The strokes
+/// The wall of a hole is what lies between its outline and its opening; the opening itself is drawn dark. The tracks
 /// of a routed path overlap: there the wall is left solid below the dark opening, as the lets do.
 void addHole(Draft& draft, PolygonSet outline, const PolygonSet& opening, std::uint32_t element, bool isPath) {
-    const bool isBare = !isPath && outline.points == opening.points;
-    const bool isBarrel = !isPath && !isBare && !outline.polygons.empty();
+    const bool isUnplated = !isPath && outline.points == opening.points;
+    const bool isBarrel = !isPath && !isUnplated && !outline.polygons.empty();
     for (std::size_t loop = 0; loop < opening.loopCount() && isBarrel; ++loop) {
         outline.addLoop(opening.loop(loop));
     }
-    addOutlines(draft, outline, element, isBare ? Outline::WallOnly : Outline::Plain);
+    addOutlines(draft, outline, element, isUnplated ? Outline::WallOnly : Outline::Plain);
     addOutlines(draft, opening, element | shader::kStandardBore, Outline::Plain);
 }
 
@@ -222,7 +222,7 @@ base::Result<StandardModel> buildStep(const Document& document, const model::Dis
     }
     std::vector<Draft> drafts = makeDrafts(document);
     out.parts.resize(drafts.size());
-    const bool isDone = forDrafts(drafts, progress, "Inflating strokes and rounding curves", out.times.discretiseMs,
+    const bool isDone = forDrafts(drafts, progress, "Inflating tracks and rounding curves", out.times.discretiseMs,
                                   [&](std::size_t i) { discretiseDraft(document, how, drafts[i]); }) &&
                         forDrafts(drafts, progress, "Triangulating every element", out.times.triangulateMs,
                                   [&](std::size_t i) { triangulateDraft(drafts[i]); }) &&

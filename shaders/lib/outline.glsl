@@ -1,6 +1,6 @@
-// The true outlines of lets, as seen from a place p beside, on or inside one.
+// The true outlines of lets, as seen from a location p beside, on or inside one.
 //
-// The functions from...() answer with xy: the way from the outline to p or on from it, a normal pointing outwards, not of unit length; z: how far outside p lies, mm,
+// The functions from...() answer with xy: the line from the outline to p or on from it, a normal pointing outwards, not of unit length; z: how far outside p lies, mm,
 // negative inside, exact in its sign.
 
 // How wide outlines are where nothing but outlines is drawn.
@@ -38,11 +38,11 @@ vec3 fromRound(vec2 a, vec2 b, float radius, vec2 p) {
     const vec2 d = b - a;
     const float len = dot(d, d);
     const float t = len > 0.0 ? clamp(dot(p - a, d) / len, 0.0, 1.0) : 0.0;
-    const vec2 way = p - a - t * d;
-    return vec3(way, length(way) - radius);
+    const vec2 delta = p - a - t * d;
+    return vec3(delta, length(delta) - radius);
 }
 
-// What an axis-parallel square pen passes: a hexagon, the box around both ends cut by a strip along the stroke.
+// What an axis-parallel square pen passes: a hexagon, the box around both ends cut by a strip along the track.
 vec3 fromSquare(vec2 a, vec2 b, float radius, vec2 p) {
     const vec2 q = p - 0.5 * (a + b);
     const vec2 beyond = abs(q) - 0.5 * abs(b - a) - radius;
@@ -71,8 +71,8 @@ vec3 fromOutline(Let let, vec2 p) {
         return fromArc(let, p);
     }
     if (kind == kLetHole) {
-        const vec2 way = vec2(let.p0, let.p1) - p;
-        return vec3(way, let.p5 - length(way));
+        const vec2 delta = vec2(let.p0, let.p1) - p;
+        return vec3(delta, let.p5 - length(delta));
     }
     const vec3 outer = fromTrack(let, let.p4, p);
     if (let.p5 == 0.0) {

@@ -1,4 +1,4 @@
-// The one place where a let becomes points: vertices of both back ends come from here. See ladder.h for rungs, sides and codes.
+// The one location where a let becomes points: vertices of both back ends come from here. See ladder.h for segments, sides and codes.
 #include "cell.glsl"
 
 const float kHalfPi = 1.57079632679;
@@ -18,10 +18,10 @@ vec2 squareSupport(vec2 u) {
 // Point `k` of a rounded end with `points` points, counted from its side (k = 0, exactly one radius off the axis) to its tip. The points between
 // stand out by half the chord error, so that the polygon strays as far to the outside as to the inside: half as far as an inscribed one.
 // A square pen's outline is spanned by the farthest corners in the same directions.
-vec2 endPoint(vec2 centre, vec2 outward, float turn, float radius, bool isSquare, uint k, uint points) {
+vec2 endPoint(vec2 centre, vec2 outward, float sign, float radius, bool isSquare, uint k, uint points) {
     const float steps = float(points - 1u);
     const float angle = kHalfPi * (1.0 - 2.0 * float(k) / steps);
-    const vec2 side = turn * leftOf(outward);
+    const vec2 side = sign * leftOf(outward);
     const vec2 u = k == 0u ? side : cos(angle) * outward + sin(angle) * side;
     if (isSquare) {
         return centre + radius * squareSupport(u);
@@ -40,20 +40,20 @@ vec2 stadiumPoint(Let let, uint level, uint segment, bool isLeft) {
     const vec2 a = vec2(let.p0, let.p1);
     const vec2 b = vec2(let.p2, let.p3);
     const vec2 d = trackDirection(a, b);
-    const float turn = isLeft ? 1.0 : -1.0;
+    const float sign = isLeft ? 1.0 : -1.0;
     const bool isSquare = has(let.meta, kLetSquarePen);
     if (level == kLevelQuad) {
         // As long as it must be to cover the area of the true outline.
         const vec2 along = d * let.p4 * (isSquare ? 1.0 : 0.5 * kHalfPi);
-        return (segment == 0u ? a - along : b + along) + turn * let.p4 * leftOf(d);
+        return (segment == 0u ? a - along : b + along) + sign * let.p4 * leftOf(d);
     }
     const uint points = kEndPoints[level];
     const uint ends = points / 2u;
-    return segment < ends ? endPoint(a, -d, -turn, let.p4, isSquare, ends - 1u - segment, points)
-                       : endPoint(b, d, turn, let.p4, isSquare, segment - ends, points);
+    return segment < ends ? endPoint(a, -d, -sign, let.p4, isSquare, ends - 1u - segment, points)
+                       : endPoint(b, d, sign, let.p4, isSquare, segment - ends, points);
 }
 
-// Rung `rung` of a tube, counter-clockwise from the right side of end b.
+// Segment `segment` of a ring, counter-clockwise from the right side of end b.
 vec2 barrelPoint(Let let, uint level, uint segment, bool isInner) {
     const vec2 a = vec2(let.p0, let.p1);
     const vec2 b = vec2(let.p2, let.p3);
@@ -67,15 +67,15 @@ vec2 barrelPoint(Let let, uint level, uint segment, bool isInner) {
                     has(let.meta, kLetSquarePen), isRight ? along : points - 1u - along, points);
 }
 
-// Rung `rung` of what surrounds a round hole, counter-clockwise: the circle inside, the cell outside. Corners of the cell are rungs at all levels.
+// Segment `segment` of what surrounds a round hole, counter-clockwise: the circle inside, the cell outside. Corners of the cell are segments at all levels.
 vec2 holePoint(Let let, uint level, uint segment, bool isInner) {
-    const float rungs = float(2u * kEndPoints[level]);
-    const float angle = 4.0 * kHalfPi * float(segment) / rungs;
+    const float segments = float(2u * kEndPoints[level]);
+    const float angle = 4.0 * kHalfPi * float(segment) / segments;
     const vec2 u = vec2(cos(angle), sin(angle));
     if (!isInner) {
         return placeInCell(let, u / max(abs(u.x), abs(u.y)));
     }
-    const vec2 local = let.p5 * 2.0 / (1.0 + cos(2.0 * kHalfPi / rungs)) * u;
+    const vec2 local = let.p5 * 2.0 / (1.0 + cos(2.0 * kHalfPi / segments)) * u;
     const vec2 along = cellAlong(let);
     return vec2(let.p0, let.p1) + local.x * along + local.y * leftOf(along);
 }
@@ -87,24 +87,24 @@ vec2 cellCorner(Let let, uint segment, bool isLeft) {
 
 vec2 arcPoint(Let let, uint level, uint segment, bool isLeft) {
     const vec2 centre = vec2(let.p0, let.p1);
-    const uint ends = kArcEndRungs[level];
-    const uint rungs = kEndPoints[level];
+    const uint ends = kArcEndSegments[level];
+    const uint segments = kEndPoints[level];
     const uint chords = kArcChords[level];
-    const float turn = isLeft ? 1.0 : -1.0;
+    const float sign = isLeft ? 1.0 : -1.0;
     const float forward = let.p4 < 0.0 ? -1.0 : 1.0;
-    // Rungs ends - 1 and rungs - ends are the two ends of the centre line, those between divide it evenly.
+    // Segments ends - 1 and segments - ends are the two ends of the centre line, those between divide it evenly.
     const uint step = uint(clamp(int(segment) - int(ends) + 1, 0, int(chords)));
     const float angle = let.p3 + let.p4 * float(step) / float(chords);
     const vec2 radial = vec2(cos(angle), sin(angle));
     const vec2 onLine = centre + let.p2 * radial;
     const vec2 tangent = forward * leftOf(radial);
     if (segment < ends) {
-        return endPoint(onLine, -tangent, -turn, let.p5, false, ends - 1u - segment, 2u * ends);
+        return endPoint(onLine, -tangent, -sign, let.p5, false, ends - 1u - segment, 2u * ends);
     }
-    if (segment >= rungs - ends) {
-        return endPoint(onLine, tangent, turn, let.p5, false, segment - (rungs - ends), 2u * ends);
+    if (segment >= segments - ends) {
+        return endPoint(onLine, tangent, sign, let.p5, false, segment - (segments - ends), 2u * ends);
     }
-    return onLine + turn * let.p5 * leftOf(tangent);
+    return onLine + sign * let.p5 * leftOf(tangent);
 }
 
 vec2 letPoint(Let let, uint level, uint segment, uint side) {
@@ -114,15 +114,15 @@ vec2 letPoint(Let let, uint level, uint segment, uint side) {
     if ((let.meta & kLetKindMask) == kLetHole) {
         return level == kLevelQuad ? cellCorner(let, segment, side == 0u) : holePoint(let, level, segment, side == 0u);
     }
-    // A tube of less than a pixel is drawn as a full quad.
+    // A ring of less than a pixel is drawn as a full quad.
     return let.p5 > 0.0 && level != kLevelQuad ? barrelPoint(let, level, segment, side == 0u)
                                                : stadiumPoint(let, level, segment, side == 0u);
 }
 
 // Where a vertex of a let lies on the board.
 vec3 letPosition(Let let, LayerState layer, uint level, uint code) {
-    const float proud = has(let.meta, kLetBore) ? FRAME.boreProtrusionMm : 0.0;
-    const float z = (code & 1u) == 0u ? layer.z1 + proud : layer.z0 - proud;
+    const float protrusion = has(let.meta, kLetBore) ? FRAME.boreProtrusionMm : 0.0;
+    const float z = (code & 1u) == 0u ? layer.z1 + protrusion : layer.z0 - protrusion;
     return vec3(letPoint(let, level, code >> 2u, (code >> 1u) & 1u), z);
 }
 
@@ -131,7 +131,7 @@ vec2 quadCorner(uint code) {
     return vec2((code >> 2u) == 0u ? -1.0 : 1.0, (code & 2u) == 0u ? 1.0 : -1.0);
 }
 
-// Corner (-1 or 1 each) of the narrowest rectangle around a let, `margin` mm larger than it. What surrounds a hole is that rectangle: its sides are exact.
+// Corner (-1 or 1 each) of the smallest rectangle around a let, `margin` mm larger than it. What surrounds a hole is that rectangle: its sides are exact.
 vec2 boundCorner(Let let, vec2 corner, float margin) {
     const vec2 p = vec2(let.p0, let.p1);
     const uint kind = let.meta & kLetKindMask;
@@ -152,7 +152,7 @@ vec2 boundCorner(Let let, vec2 corner, float margin) {
     return (corner.x < 0.0 ? p : q) + reach * (corner.x * d + corner.y * leftOf(d));
 }
 
-// Length over width of a stroke; arcs are cut into short pieces, and cells keep clear of others.
+// Length over width of a track; arcs are cut into short pieces, and cells keep clear of others.
 float slendernessOf(Let let) {
     const bool isTrack = (let.meta & kLetKindMask) == kLetStadium;
     return !isTrack ? 0.0 : distance(vec2(let.p0, let.p1), vec2(let.p2, let.p3)) / (2.0 * let.p4);

@@ -7,7 +7,7 @@ struct Sight {
     vec3 along;
 };
 
-// Through a place of the picture, pixels from its upper left corner.
+// Through a location of the picture, pixels from its upper left corner.
 Sight sightAt(vec2 pixel) {
     const vec3 start = FRAME.screen + pixel.x * FRAME.screenRight + pixel.y * FRAME.screenDown;
     return Sight(start, FRAME.eye.w == 0.0 ? -FRAME.eye.xyz : start - FRAME.eye.xyz);
@@ -32,13 +32,13 @@ Span inDisc(vec2 centre, float radius, vec2 o, vec2 d) {
     const vec2 q = o - centre;
     const float speed = dot(d, d);
     const float nearest = -dot(q, d) / speed;
-    const vec2 way = q + nearest * d;
-    const float room = radius * radius - dot(way, way);
+    const vec2 delta = q + nearest * d;
+    const float room = radius * radius - dot(delta, delta);
     const float reach = sqrt(max(room, 0.0) / speed);
     return room < 0.0 ? kNowhere : Span(nearest - reach, nearest + reach);
 }
 
-// Of a strip, from how far a place is beside its middle and by how much that grows with t.
+// Of a strip, from how far a location is beside its middle and by how much that grows with t.
 Span inStrip(float beside, float slope, float halfWidth) {
     if (slope == 0.0) {
         return abs(beside) <= halfWidth ? Span(-kFar, kFar) : kNowhere;
@@ -99,14 +99,14 @@ float intoArc(Let let, vec2 o, vec2 d, Span part) {
     const vec2 centre = vec2(let.p0, let.p1);
     const vec2 q = o - centre;
     // Into either end, through the outer edge inwards, or through the inner edge outwards. What lies a rounding before the slab is at its start.
-    const float places[4] = float[](inDisc(arcEnd(let, 0.0), let.p5, q, d).x, inDisc(arcEnd(let, 1.0), let.p5, q, d).x,
+    const float positions[4] = float[](inDisc(arcEnd(let, 0.0), let.p5, q, d).x, inDisc(arcEnd(let, 1.0), let.p5, q, d).x,
                                     inDisc(vec2(0.0), let.p2 + let.p5, q, d).x, inDisc(vec2(0.0), let.p2 - let.p5, q, d).y);
     const float rounding = 1e-5 * let.p5 / length(d);
     float first = kFar;
     for (int i = 0; i < 4; ++i) {
-        const bool isPart = i < 2 || (isInSector(let, q + places[i] * d) && (i == 2 || let.p2 > let.p5));
-        const bool isInPart = places[i] >= part.x - rounding && places[i] <= part.y;
-        first = isPart && isInPart ? min(first, max(places[i], part.x)) : first;
+        const bool isPart = i < 2 || (isInSector(let, q + positions[i] * d) && (i == 2 || let.p2 > let.p5));
+        const bool isInPart = positions[i] >= part.x - rounding && positions[i] <= part.y;
+        first = isPart && isInPart ? min(first, max(positions[i], part.x)) : first;
     }
     return first;
 }
@@ -148,8 +148,8 @@ Let aroundCentre(Let let) {
 
 // What a cut through the board leaves of a line.
 Span keptOf(vec2 o, vec2 d) {
-    const float beyond = dot(FRAME.cut.xy, o) - FRAME.cut.z;
-    const float slope = dot(FRAME.cut.xy, d);
+    const float beyond = dot(FRAME.sectionPlane.xy, o) - FRAME.sectionPlane.z;
+    const float slope = dot(FRAME.sectionPlane.xy, d);
     if (slope == 0.0) {
         return beyond <= 0.0 ? Span(-kFar, kFar) : kNowhere;
     }
@@ -165,9 +165,9 @@ struct Seen {
 };
 
 Seen seenOf(Let let, LayerState layer, Sight sight) {
-    const float proud = has(let.meta, kLetBore) ? FRAME.boreProtrusionMm : 0.0;
-    const float z0 = layer.z0 - proud - FRAME.centre.z;
-    const float z1 = layer.z1 + proud - FRAME.centre.z;
+    const float protrusion = has(let.meta, kLetBore) ? FRAME.boreProtrusionMm : 0.0;
+    const float z0 = layer.z0 - protrusion - FRAME.centre.z;
+    const float z1 = layer.z1 + protrusion - FRAME.centre.z;
     const Let near = aroundCentre(let);
     // Counted from beside the let, where numbers are small.
     const vec3 toLet = vec3(near.p0, near.p1, 0.5 * (z0 + z1)) - sight.start;
@@ -182,7 +182,7 @@ Seen seenOf(Let let, LayerState layer, Sight sight) {
     const Span kept = overlap(part, keptOf(o.xy, d));
     const float t = isEmpty(kept) ? kFar : intoLet(near, kSnapPx * pixelMm, o.xy, d, kept);
     Seen seen;
-    // What starts at a cut is its face, which is drawn by itself (cut_face.vert).
+    // What starts at a cut is its face, which is drawn by itself (section_face.vert).
     seen.isHit = t < kFar && (t > kept.x || kept.x == part.x);
     seen.position = o + t * sight.along;
     if (t == part.x) {

@@ -2,7 +2,7 @@
 
 #include "element.glsl"
 
-// A lit element keeps its hue at full brightness.
+// A highlighted element keeps its hue at full brightness.
 vec3 highlighted(vec3 colour) {
     const float peak = max(max(colour.r, colour.g), max(colour.b, 1e-3));
     return mix(colour / peak, vec3(1.0), 0.25);
@@ -32,8 +32,8 @@ vec4 nudged(vec4 clip, float steps, float slenderness) {
     return clip;
 }
 
-// Faces in one plane: the higher layer rank wins, then elements that stand out, and what is solid before the inside of a hole (whose wall may be
-// at the same place). `position` is relative to FRAME.centre; `height` goes from 0 on the lower to 1 on the upper face.
+// Faces in one plane: the higher layer rank wins, then highlighted elements, and what is solid before the inside of a hole (whose wall may be
+// at the same location). `position` is relative to FRAME.centre; `height` goes from 0 on the lower to 1 on the upper face.
 vec4 clipPosition(vec3 position, LayerState layer, uint element, bool isBore, float height, float slenderness) {
     const float bottom = float((layer.flags >> kLayerBottomRankShift) & 0xffu);
     const float top = float((layer.flags >> kLayerTopRankShift) & 0xffu);

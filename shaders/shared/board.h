@@ -14,15 +14,26 @@ using vec4 = glm::vec4;
 using mat4 = glm::mat4;
 #define GPU_CONST constexpr uint
 #define GPU_SIZE(Name, bytes) static_assert(sizeof(Name) == (bytes))
+#define GPU_READ(Name, Item, align)
+#define GPU_WRITE(Name, Item, align)
 #else
 #define GPU_CONST const uint
 #define GPU_SIZE(Name, bytes)
+// Arrays of records, of which a shader has the address: read only, and written too.
+#define GPU_READ(Name, Item, align)                                                         \
+    layout(buffer_reference, scalar, buffer_reference_align = align) readonly buffer Name { \
+        Item at[];                                                                          \
+    }
+#define GPU_WRITE(Name, Item, align)                                               \
+    layout(buffer_reference, scalar, buffer_reference_align = align) buffer Name { \
+        Item at[];                                                                 \
+    }
 #endif
 
 // Lengths on the GPU are millimetres relative to the board model's origin: 32-bit floats then resolve 15 nm at 250 mm.
 
 // What a let is made of. The paper's LineLet and CircleLet are one shape here: a circle is a line with equal ends.
-GPU_CONST kLetStadium = 0;  // p0,p1 = a   p2,p3 = b   p4 = pen radius   p5 = inner radius (0 = solid, else a tube)
+GPU_CONST kLetStadium = 0;  // p0,p1 = a   p2,p3 = b   p4 = pen radius   p5 = inner radius (0 = solid, else a ring)
 GPU_CONST kLetArc =
     1;  // p0,p1 = centre   p2 = arc radius   p3 = start angle   p4 = signed sweep (rad)   p5 = pen radius
 GPU_CONST kLetHole =
@@ -38,7 +49,7 @@ GPU_CONST kArcFineChords = 9;
 // Let::meta: bits 0-3 kind, bits 4-7 flags, bits 8-31 layer.
 GPU_CONST kLetKindMask = 0xf;
 GPU_CONST kLetSquarePen = 0x10;  // axis-parallel square pen (stadium only)
-GPU_CONST kLetBore = 0x20;       // the empty inside of a hole: drawn dark and slightly proud of the outer faces
+GPU_CONST kLetBore = 0x20;       // the empty inside of a hole: drawn dark and slightly protruding from the outer faces
 GPU_CONST kLetLayerShift = 8;
 
 struct Let {
@@ -65,8 +76,8 @@ GPU_SIZE(Cluster, 32);
 // whose faces lie in one plane.
 GPU_CONST kLayerVisible = 1;
 GPU_CONST kLayerTranslucent = 2;  // drawn in its own blended pass
-GPU_CONST kLayerGrowsUp = 4;      // areas differ in height: each stands on the lower face
-GPU_CONST kLayerGrowsDown = 8;    // areas differ in height: each hangs from the upper face
+GPU_CONST kLayerGrowsUp = 4;      // areas differ in height: each grows up from the lower face
+GPU_CONST kLayerGrowsDown = 8;    // areas differ in height: each grows down from the upper face
 GPU_CONST kLayerBottomRankShift = 8;
 GPU_CONST kLayerTopRankShift = 16;
 struct LayerState {
@@ -93,7 +104,7 @@ struct AreaInstance {
     uint layer;
     uint element;
     uint isMirrored;
-    float height;  // mm, on a layer that stands or hangs; 0 = as high as the layer
+    float height;  // mm, on a layer that grows up or down; 0 = as high as the layer
 };
 GPU_SIZE(AreaInstance, 36);
 

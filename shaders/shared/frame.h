@@ -25,11 +25,7 @@ struct Draw {
 GPU_SIZE(Draw, 16);
 
 // Some elements of one layer in the standard pipeline.
-#ifndef __cplusplus
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer StandardVertices {
-    StandardVertex at[];
-};
-#endif
+GPU_READ(StandardVertices, StandardVertex, 4);
 struct StandardPartRecord {
     GPU_ADDRESS(StandardVertices) vertices;
     uint layer;
@@ -46,42 +42,18 @@ struct ShapeBound {
 GPU_SIZE(ShapeBound, 16);
 
 #ifndef __cplusplus
-layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer StandardParts {
-    StandardPartRecord at[];
-};
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Lets {
-    Let at[];
-};
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Clusters {
-    Cluster at[];
-};
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Layers {
-    LayerState at[];
-};
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Vertices {
-    vec2 at[];
-};
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Words {
-    uint at[];
-};
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Instances {
-    AreaInstance at[];
-};
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Bounds {
-    ShapeBound at[];
-};
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Colours {
-    vec3 at[];
-};
-layout(buffer_reference, scalar, buffer_reference_align = 4) buffer WordList {
-    uint at[];
-};
-layout(buffer_reference, scalar, buffer_reference_align = 4) buffer IndexedDraws {
-    DrawIndexed at[];
-};
-layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Draws {
-    Draw at[];
-};
+GPU_READ(StandardParts, StandardPartRecord, 8);
+GPU_READ(Lets, Let, 4);
+GPU_READ(Clusters, Cluster, 4);
+GPU_READ(Layers, LayerState, 4);
+GPU_READ(Vertices, vec2, 4);
+GPU_READ(Words, uint, 4);
+GPU_READ(Instances, AreaInstance, 4);
+GPU_READ(Bounds, ShapeBound, 4);
+GPU_READ(Colours, vec3, 4);
+GPU_WRITE(WordList, uint, 4);
+GPU_WRITE(IndexedDraws, DrawIndexed, 4);
+GPU_WRITE(Draws, Draw, 4);
 // The clusters in view, with the command that dispatches one workgroup for each (up to a limit; the rest by striding).
 layout(buffer_reference, scalar, buffer_reference_align = 4) buffer ClusterList {
     uint groupsX, groupsY, groupsZ, count, at[];
@@ -105,7 +77,7 @@ struct FrameData {
     vec4 planes[kPlaneCount];  // of the frustum, pointing inwards, for positions relative to `centre`
     vec4 eye;                  // relative to `centre`; w = 1: a point (perspective), w = 0: the direction to the viewer
     vec3 centre;               // what the camera looks at, mm
-    // The picture stood up at `centre`, facing the viewer, relative to it: its upper left corner and the way from one
+    // The picture stood up at `centre`, facing the viewer, relative to it: its upper left corner and the line from one
     // pixel to the next, mm.
     vec3 screen, screenRight, screenDown;
     uint width, height;      // of the picture, pixels
@@ -115,11 +87,11 @@ struct FrameData {
     float quadRadiusPx;      // lets with a smaller pen become quads; 0 = never
     float rasterRadiusPx;    // lets with a smaller circle around them are rasterised by compute shaders; 0 = never
     float thinPx;            // walls of fewer pixels are left out; 0 = never
-    vec3 cut;                // p relative to `centre` is cut away where dot(cut.xy, p.xy) > cut.z (lib/cut.glsl)
-    float restBrightness;    // of what neither is lit nor has a colour of its own, 0 to 1
+    vec3 sectionPlane;       // p relative to `centre` is cut away where dot(cut.xy, p.xy) > cut.z (lib/section.glsl)
+    float restBrightness;    // of what is neither highlighted nor has a colour of its own, 0 to 1
     float nudgeZ, nudgeW;    // one step of tie-break moves z by nudgeZ * z + nudgeW * w
     float sliverNudge;       // by how much of itself a step grows for each width a let is long
-    float boreProtrusionMm;  // how far the dark inside of a hole stands out of the outer faces
+    float boreProtrusionMm;  // how far the dark inside of a hole protrudes from the outer faces
     uint flags;
     uint firstTriangle;  // of the 8 of a ladder interval, the run that can be seen (ladder.h)
     uint triangleCount;

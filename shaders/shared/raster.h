@@ -11,11 +11,7 @@ namespace shader {
 // Rows from the top. The upper half of a pixel is its depth (the bits of a positive float: greater is nearer), the
 // lower half the let's id; 0 where nothing is. So the nearest let is the largest number, and of several at one depth
 // the one with the largest id, whatever order they come in.
-#ifndef __cplusplus
-layout(buffer_reference, scalar, buffer_reference_align = 8) buffer RasterPixels {
-    uvec2 at[];
-};  // x: id, y: depth
-#endif
+GPU_WRITE(RasterPixels, uvec2, 8);  // x: id, y: depth
 
 // The id of a let is its row plus what its copy starts at. Sorted by that.
 struct RasterCopy {
@@ -24,11 +20,7 @@ struct RasterCopy {
     uint reserved;
 };
 GPU_SIZE(RasterCopy, 16);
-#ifndef __cplusplus
-layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer RasterCopies {
-    RasterCopy at[];
-};
-#endif
+GPU_READ(RasterCopies, RasterCopy, 8);
 
 // Push constants.
 struct RasterPush {

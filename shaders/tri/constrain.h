@@ -40,34 +40,34 @@ TRI_FN bool isAhead(uint a, uint b, uint c) {
     return (p.x > from.x) == (q.x > from.x) && (p.y > from.y) == (q.y > from.y);
 }
 
-// The first edge that the way from a to b crosses, seen from the triangle at a; kNone if it meets a vertex there.
-TRI_FN uint firstInTheWay(uint a, uint b) {
+// The first edge that the line from a to b crosses, seen from the triangle at a; kNone if it meets a vertex there.
+TRI_FN uint firstObstacle(uint a, uint b) {
     uint t = AROUND(a);
     for (;;) {
         const uint i = CORNER(t, 0) == a ? 0u : (CORNER(t, 1) == a ? 1u : 2u);
         const uint right = CORNER(t, nextCorner(i));
-        const int turn = turnAt(a, b, right);
-        if (turn == 0 && isAhead(a, b, right)) {
+        const int orientation = orientationAt(a, b, right);
+        if (orientation == 0 && isAhead(a, b, right)) {
             return kNone;
         }
-        if (turn < 0 && turnAt(a, b, CORNER(t, previousCorner(i))) > 0) {
+        if (orientation < 0 && orientationAt(a, b, CORNER(t, previousCorner(i))) > 0) {
             return edgeRef(t, i);
         }
         t = triangleOf(ACROSS(t, nextCorner(i)));
     }
 }
 
-// The edge that the way from a to b crosses next, after it entered a triangle over the edge `entered` of it. kNone if
+// The edge that the line from a to b crosses next, after it entered a triangle over the edge `entered` of it. kNone if
 // it meets the apex.
-TRI_FN uint nextInTheWay(uint entered, uint a, uint b) {
+TRI_FN uint nextObstacle(uint entered, uint a, uint b) {
     const uint t = triangleOf(entered);
     const uint i = cornerOf(entered);
-    const int turn = turnAt(a, b, CORNER(t, i));
-    return turn == 0 ? kNone : edgeRef(t, turn > 0 ? nextCorner(i) : previousCorner(i));
+    const int orientation = orientationAt(a, b, CORNER(t, i));
+    return orientation == 0 ? kNone : edgeRef(t, orientation > 0 ? nextCorner(i) : previousCorner(i));
 }
 
 // Can the edge be inserted? Then claims the triangles it crosses; flags its tree if not.
-TRI_FN bool claimWay(uint edge, uint a, uint b) {
+TRI_FN bool claimObstacles(uint edge, uint a, uint b) {
     uint crossed = CORRIDOR(edge);
     if (crossed == kNone) {
         return false;
@@ -81,7 +81,7 @@ TRI_FN bool claimWay(uint edge, uint a, uint b) {
         }
         const uint entered = ACROSS(t, i);
         atomicMin(CLAIM(triangleOf(entered)), priorityOf(edge));
-        crossed = nextInTheWay(entered, a, b);
+        crossed = nextObstacle(entered, a, b);
         if (crossed == kNone) {
             return CORNER(triangleOf(entered), cornerOf(entered)) == b;
         }
@@ -94,8 +94,8 @@ TRI_FN void claimCorridor(uint edge) {
     if (ends.x == kNone || FOUND(edge) == STEP || TREE_FLAGS(ends.x) != 0u) {
         return;
     }
-    CORRIDOR(edge) = firstInTheWay(ends.x, ends.y);
-    if (claimWay(edge, ends.x, ends.y)) {
+    CORRIDOR(edge) = firstObstacle(ends.x, ends.y);
+    if (claimObstacles(edge, ends.x, ends.y)) {
         ADD_MISSING(1u);
     } else {
         CORRIDOR(edge) = kNone;
@@ -115,7 +115,7 @@ TRI_FN uint ownedLength(uint edge, uint a, uint b) {
         if (CLAIM(triangleOf(entered)) != priorityOf(edge)) {
             return 0u;
         }
-        crossed = nextInTheWay(entered, a, b);
+        crossed = nextObstacle(entered, a, b);
         if (crossed == kNone) {
             return length;
         }
@@ -123,7 +123,7 @@ TRI_FN uint ownedLength(uint edge, uint a, uint b) {
 }
 
 // A corridor of n triangles in the scratch memory: the triangles, then for its left and its right side up to n + 1
-// vertices, and for the edge that leads to each of them what it was before and what lies beyond; then a stack of
+// vertices, and for the edge that leads to each of them what it was before and what lies beyond; then a stackup of
 // vertices with the edge to the one below.
 TRI_FN uint scratchFor(uint length) {
     return length + 8u * (length + 2u);
@@ -161,7 +161,7 @@ TRI_FN uint noteCorridor(uint base, uint length, uint first, uint a, uint b) {
         const uint j = cornerOf(entered);
         const uint apex = CORNER(u, j);
         SCRATCH(base + n) = u;
-        crossed = nextInTheWay(entered, a, b);
+        crossed = nextObstacle(entered, a, b);
         // The edges from the crossed one to the apex: the way leaves over one, the other is border. The last triangle
         // has both.
         if (crossed == kNone || cornerOf(crossed) == nextCorner(j)) {
@@ -200,8 +200,8 @@ TRI_FN uint fillSide(uint side, uint count, uint stack, uint triangle, bool isLe
         for (; height > 1u; --height) {
             const uint ear = SCRATCH(stack + 2u * (height - 1u));
             const uint before = SCRATCH(stack + 2u * (height - 2u));
-            const int turn = turnAt(before, ear, v);
-            if (isLeft ? turn >= 0 : turn <= 0) {
+            const int orientation = orientationAt(before, ear, v);
+            if (isLeft ? orientation >= 0 : orientation <= 0) {
                 break;
             }
             const uint t = SCRATCH(triangle++);

@@ -1,20 +1,20 @@
 // Erasing: one thread per triangle, then the proof that what is left is the polygon (tri/erase.h).
 
-// Contours::sideAt: is the place right beside a, in the direction of b, inside? Here for one contour through a.
+// Contours::sideAt: is the location right beside a, in the direction of b, inside? Here for one contour through a.
 TRI_FN uint sideOfSector(uint a, uint b, uint next, uint previous) {
     if (b == next || b == previous) {
         return b == next ? kStays : kErased;
     }
-    const bool isLeftOfNext = turnAt(a, next, b) > 0;
-    const bool isRightOfPrevious = turnAt(a, previous, b) < 0;
-    const bool isConvex = turnAt(a, next, previous) > 0;
+    const bool isLeftOfNext = orientationAt(a, next, b) > 0;
+    const bool isRightOfPrevious = orientationAt(a, previous, b) < 0;
+    const bool isConvex = orientationAt(a, next, previous) > 0;
     return (isConvex ? isLeftOfNext && isRightOfPrevious : isLeftOfNext || isRightOfPrevious) ? kStays : kErased;
 }
 
 // Less than half a turn clockwise from the direction a-b?
 TRI_FN bool isNear(uint a, uint b, uint other) {
-    const int turn = turnAt(a, b, other);
-    return turn != 0 ? turn < 0 : isAhead(a, b, other);
+    const int orientation = orientationAt(a, b, other);
+    return orientation != 0 ? orientation < 0 : isAhead(a, b, other);
 }
 
 // The same for several: the first ray clockwise from a-b decides.
@@ -23,7 +23,7 @@ TRI_FN uint sideOfRays(uint a, uint b) {
     for (uint r = PREVIOUS(a); r < RAY_COUNT && RAY_AT(r) == a; ++r) {
         const bool isRNear = isNear(a, b, RAY_OTHER(r));
         const bool isBestNear = best != kNone && isNear(a, b, RAY_OTHER(best));
-        if (best == kNone || (isRNear != isBestNear ? isRNear : turnAt(a, RAY_OTHER(r), RAY_OTHER(best)) < 0)) {
+        if (best == kNone || (isRNear != isBestNear ? isRNear : orientationAt(a, RAY_OTHER(r), RAY_OTHER(best)) < 0)) {
             best = r;
         }
     }
@@ -117,13 +117,13 @@ TRI_FN bool isKept(uint t) {
     return t < 2u * FOREST.vertexCount && STATE(t) == kStays && TREE_FLAGS(t >> 1) == 0u;
 }
 
-TRI_FN void writeKept(uint t, uint place) {
+TRI_FN void writeKept(uint t, uint slot) {
     if (t < 2u * FOREST.vertexCount && t == 2u * TREE_OF(t >> 1).firstVertex) {
-        TREE_OF(t >> 1).start = place;
+        TREE_OF(t >> 1).start = slot;
     }
     if (isKept(t)) {
-        FOREST.kept.at[3u * place] = ID(CORNER(t, 0));
-        FOREST.kept.at[3u * place + 1u] = ID(CORNER(t, 1));
-        FOREST.kept.at[3u * place + 2u] = ID(CORNER(t, 2));
+        FOREST.kept.at[3u * slot] = ID(CORNER(t, 0));
+        FOREST.kept.at[3u * slot + 1u] = ID(CORNER(t, 1));
+        FOREST.kept.at[3u * slot + 2u] = ID(CORNER(t, 2));
     }
 }

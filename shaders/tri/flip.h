@@ -1,4 +1,4 @@
-// A round of flips. Every awake triangle looks for an edge that is not Delaunay and claims the triangles on both sides
+// A round of flips. Every awake triangle finds an edge that is not Delaunay and claims the triangles on both sides
 // of it; who has both flips.
 
 TRI_FN void testEdges(uint t) {
@@ -66,7 +66,7 @@ TRI_FN void relocateFlipped(uint p) {
         return;
     }
     const uint i = STAMP(t) & 3u;
-    if (turnAt(CORNER(t, nextCorner(i)), CORNER(t, previousCorner(i)), p) < 0) {
+    if (orientationAt(CORNER(t, nextCorner(i)), CORNER(t, previousCorner(i)), p) < 0) {
         WHERE(p) = triangleOf(ACROSS(t, i));
     }
 }

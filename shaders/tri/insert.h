@@ -4,7 +4,7 @@
 // Where is vertex q relative to triangle t, in which it waits: on the edge of that number, or 3 = inside.
 TRI_FN uint edgeUnder(uint t, uint q) {
     for (uint i = 0u; i < 3u; ++i) {
-        if (turnAt(CORNER(t, nextCorner(i)), CORNER(t, previousCorner(i)), q) == 0) {
+        if (orientationAt(CORNER(t, nextCorner(i)), CORNER(t, previousCorner(i)), q) == 0) {
             return i;
         }
     }
@@ -40,7 +40,7 @@ TRI_FN void initBox(uint box) {
 
 // Vertex v waits in one of the two.
 TRI_FN void initPlace(uint v, uint box) {
-    WHERE(v) = 2u * box + (turnAt(box, box + 2u, v) > 0 ? 1u : 0u);
+    WHERE(v) = 2u * box + (orientationAt(box, box + 2u, v) > 0 ? 1u : 0u);
 }
 
 #ifdef TREE_OF
@@ -176,7 +176,7 @@ TRI_FN void relocateInserted(uint p) {
     // Around the new vertex, corner 0 of them all, until p lies between the two sides.
     const uint q = CORNER(t, 0);
     for (uint i = 0u; i < 4u; ++i) {
-        if (turnAt(q, CORNER(t, 1), p) >= 0 && turnAt(q, CORNER(t, 2), p) < 0) {
+        if (orientationAt(q, CORNER(t, 1), p) >= 0 && orientationAt(q, CORNER(t, 2), p) < 0) {
             break;
         }
         t = triangleOf(ACROSS(t, 1));

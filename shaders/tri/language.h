@@ -31,18 +31,18 @@ inline uvec2 multiply(uint a, uint b) {
 inline uint highestBit(uint value) {
     return static_cast<uint>(std::bit_width(value)) - 1;
 }
-inline void atomicMin(uint& place, uint value) {
-    std::atomic_ref<uint> atomic(place);
+inline void atomicMin(uint& slot, uint value) {
+    std::atomic_ref<uint> atomic(slot);
     for (uint old = atomic.load(); value < old && !atomic.compare_exchange_weak(old, value);) {
     }
 }
-inline void atomicMax(uint& place, uint value) {
-    std::atomic_ref<uint> atomic(place);
+inline void atomicMax(uint& slot, uint value) {
+    std::atomic_ref<uint> atomic(slot);
     for (uint old = atomic.load(); value > old && !atomic.compare_exchange_weak(old, value);) {
     }
 }
-inline uint atomicAdd(uint& place, uint value) {
-    return std::atomic_ref<uint>(place).fetch_add(value);
+inline uint atomicAdd(uint& slot, uint value) {
+    return std::atomic_ref<uint>(slot).fetch_add(value);
 }
 
 }  // namespace shader::tri

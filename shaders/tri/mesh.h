@@ -30,7 +30,7 @@ TRI_FN bool isDead(uint t) {
 TRI_FN bool isBox(uint v) {
     return ID(v) >= kBoxIds;
 }
-TRI_FN int turnAt(uint a, uint b, uint c) {
+TRI_FN int orientationAt(uint a, uint b, uint c) {
     return turnOf(POINT(a), POINT(b), POINT(c));
 }
 

@@ -131,7 +131,8 @@ TRI_FN bool isInPerturbedCircle(ivec2 a, ivec2 b, ivec2 c, ivec2 d, uvec4 ids) {
     return turnOf(p, q, d) > 0;
 }
 
-// A number of 31 bits that grows with a positive determinant: the place of its highest bit, and the 24 bits after that.
+// A number of 31 bits that grows with a positive determinant: the location of its highest bit, and the 24 bits after
+// that.
 TRI_FN uint rankOf(uvec4 positive) {
     uint shift = 96u;
     while (shift > 0u && positive.w == 0u) {

@@ -39,7 +39,7 @@ shared Tree tree;
 #define RAY_AT(r) (FOREST.rays.at[3u * (tree.firstRay + (r))] - tree.firstVertex)
 #define RAY_OTHER(r) (FOREST.rays.at[3u * (tree.firstRay + (r)) + 1u] - tree.firstVertex)
 #define RAY_LEAVES(r) (FOREST.rays.at[3u * (tree.firstRay + (r)) + 2u] != 0u)
-#define FOUND(e) best[e]  // while contours are looked for nobody votes
+#define FOUND(e) best[e]  // while contours are searched for nobody votes
 #define CORRIDOR(e) corridor[e]
 #define SCRATCH(i) FOREST.scratch.at[i]
 #define SCRATCH_SIZE FOREST.scratchSize

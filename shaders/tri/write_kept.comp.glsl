@@ -25,12 +25,12 @@ void main() {
     if (block >= blockCount()) {
         return;
     }
-    uint place = FOREST.sums.at[block];
+    uint slot = FOREST.sums.at[block];
     for (uint i = 0u; i < lane; ++i) {
-        place += counts[i];
+        slot += counts[i];
     }
     for (uint i = 0u; i < kRun; ++i) {
-        writeKept(first + i, place);
-        place += isKept(first + i) ? 1u : 0u;
+        writeKept(first + i, slot);
+        slot += isKept(first + i) ? 1u : 0u;
     }
 }

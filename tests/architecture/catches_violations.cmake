@@ -52,7 +52,7 @@ set(cases
     "good | render/gpu/a.cpp                | <vulkan/vulkan.h>"
     "good | ui/layers/a.cpp                 | <QAbstractTableModel>"
     "good | ui/shell/a.cpp                  | <QMainWindow>"
-    "good | shaders/a.cpp                   | \"planted_vert.h\""
+    "good | shaders/a.cpp                   | \"all_spirv.h\""
     "good | tests/ui/a.h                    | \"a.h\""
     "good | tests/ui/a.cpp                  | \"a.moc\""
     "bad  | model/board/a.cpp               | namespace ui {"
@@ -68,7 +68,6 @@ function(check case_text)
     list(GET columns 2 include)
     file(REMOVE_RECURSE ${WORK})
     file(WRITE ${WORK}/model/board/document.h "#include <vector>\n#include \"model/base/ids.h\"\n")
-    file(WRITE ${WORK}/shaders/planted.vert.glsl "")
     if(NOT include MATCHES "^namespace")
         set(include "#  include ${include}  // planted")
     endif()

@@ -23,12 +23,11 @@ function(violation text)
 endfunction()
 
 # Shaders and tests may name their neighbours from the folder of the including file, as GLSL compilers look for them, and shaders/spirv.cpp
-# includes what is generated from name.stage.glsl as name_stage.h: gives the name from the source folder.
+# includes what CMakeLists.txt makes of all shaders: gives the name from the source folder.
 function(resolve_neighbour file included result)
     cmake_path(GET file PARENT_PATH here)
     cmake_path(SET path NORMALIZE "${here}/${included}")
-    string(REGEX REPLACE "_(vert|frag|comp|task|mesh)\\.h$" ".\\1.glsl" origin "${path}")
-    if(EXISTS ${ROOT}/${path} OR EXISTS ${ROOT}/${origin})
+    if(EXISTS ${ROOT}/${path} OR included STREQUAL "all_spirv.h")
         set(${result} ${path} PARENT_SCOPE)
     endif()
 endfunction()

@@ -68,7 +68,7 @@ private slots:
             return message.toObject()["text"].toString().contains("takes the plating");
         });
         QVERIFY(found != messages.end());
-        const QJsonObject location = (*found).toObject()["place"].toObject();
+        const QJsonObject location = (*found).toObject()["location"].toObject();
         QCOMPARE(location["layer"].toString(), QString("BACK"));
         QCOMPARE(location["x_nm"].toInt(), 4'000'000);
         QCOMPARE(location["y_nm"].toInt(), 4'000'000);
@@ -107,7 +107,7 @@ private slots:
         QCOMPARE(stackup["rows"].toArray()[3].toObject()["copper_oz_source"].toString(), "derived");
         QVERIFY(hasKeys(layer["counts"].toObject(), {"line", "arc", "circle", "trail", "area", "features"}));
         QVERIFY(hasKeys(info["diagnostics"].toArray().first().toObject(),
-                        {"severity", "file", "line", "text", "count", "place"}));
+                        {"severity", "file", "line", "text", "count", "location", "place"}));
     }
 
     void benchMeasuresBothPipelines() {
@@ -187,8 +187,9 @@ private slots:
         QVERIFY2(all.exitCode == 0, all.err.constData());
         const QJsonArray listed = QJsonDocument::fromJson(all.out)["steps"][0]["clearances"].toArray();
         QCOMPARE(listed.size(), 3);
-        const double narrowest = listed[0]["gap_um"].toDouble();
-        QVERIFY(narrowest > 0.0 && narrowest <= listed[1]["gap_um"].toDouble());
+        QCOMPARE(listed[0]["gap_um"], listed[0]["clearance_um"]);  // the old name
+        const double narrowest = listed[0]["clearance_um"].toDouble();
+        QVERIFY(narrowest > 0.0 && narrowest <= listed[1]["clearance_um"].toDouble());
         const auto below = [&](double um) {
             return copperscope({"clearance", locations::kSample, "--below", QString::number(um, 'f', 3) + "um"})
                 .exitCode;
@@ -215,7 +216,7 @@ private slots:
         const QJsonValue rule = QJsonDocument::fromJson(broken.out)["steps"][0]["rules"][0];
         QCOMPARE(rule["passed"].toBool(true), false);
         QCOMPARE(rule["findings"].toArray().size(), std::min(100, rule["count"].toInt()));
-        QVERIFY(rule["findings"][0]["gap_um"].toDouble() < 5000.0);
+        QVERIFY(rule["findings"][0]["clearance_um"].toDouble() < 5000.0);
         QCOMPARE(check("-1").exitCode, 2);
         QVERIFY(check("-1").err.contains("least_um"));
         QCOMPARE(copperscope({"clearance", locations::kSample, "--rules", "/nowhere.json"}).exitCode, 2);
@@ -228,7 +229,7 @@ private slots:
         // The narrowest clearance of the board is the distance of its two nets, and of its two elements.
         const Outcome all = copperscope({"clearance", locations::kSample, "--worst", "1", "--format", "json"});
         const QJsonObject narrowest = onlyOne(QJsonDocument::fromJson(all.out)["steps"][0]["clearances"]);
-        const double gap = narrowest["gap_um"].toDouble() * 1000.0;
+        const double gap = narrowest["clearance_um"].toDouble() * 1000.0;
         const auto item = [&](const char* prefix, const char* list, int row) {
             return prefix + narrowest[list][row].toVariant().toString();
         };
@@ -239,13 +240,15 @@ private slots:
             const QJsonObject way = QJsonDocument::fromJson(run.out)["on_layer"].toObject();
             QVERIFY2(std::abs(way["distance_nm"].toDouble() - gap) < 0.01, run.out.constData());
             QCOMPARE(way["ends"][0]["layer"], narrowest["layer"]);
+            QCOMPARE(way["gap_nm"], way["spacing_nm"]);  // old names stay beside the new ones
+            QVERIFY(QJsonDocument::fromJson(run.out).object().contains("remarks"));
             QCOMPARE(way["relation"].toString(), QString("apart"));
         }
         const QStringList nets = {"--from", item("net:", "nets", 0), "--to", item("net:", "nets", 1)};
         QCOMPARE(measure(nets + QStringList{"--below", QString::number(gap / 1000 + 1) + "um"}).exitCode, 4);
         QCOMPARE(measure(nets + QStringList{"--below", QString::number(gap / 1000 - 1) + "um"}).exitCode, 0);
         const Outcome csv = measure(nets + QStringList{"--format", "csv"});
-        QVERIFY(csv.out.startsWith("way,distance um") && csv.out.count('\n') == 4);
+        QVERIFY(csv.out.startsWith("kind,distance um") && csv.out.count('\n') == 4);
         QVERIFY(measure({"--from", "part:U1", "--to", "edge"}).out.contains("on one layer"));
         QVERIFY(measure({"--from", "at:1mm,-2mm", "--to", "at:4mm,2mm"}).out.contains("5.000000 mm"));
     }
@@ -257,7 +260,7 @@ private slots:
         for (const auto& [from, why] :
              {std::pair("net:GNDD", "did you mean GND"), std::pair("pin:U1.999", "no pin of U1"),
               std::pair("element:99999999", "numbered from 0"), std::pair("at:1,2", "a number with um"),
-              std::pair("at:1mm", "X,Y"), std::pair("apple", "names nothing"), std::pair("7/net:GND", "no copy 7"),
+              std::pair("at:1mm", "X,Y"), std::pair("apple", "names no item"), std::pair("7/net:GND", "no copy 7"),
               std::pair("at:1mm,1mm,nowhere", "no layer nowhere")}) {
             const Outcome run = measure(from);
             QVERIFY2(run.exitCode == 1 && run.err.contains(why), run.err.constData());
@@ -525,7 +528,7 @@ private slots:
         QCOMPARE(shorted["layer"].toString(), "TOP");
         QCOMPARE(shorted["x_nm"].toInt(), 4'000'000);
         QCOMPARE(shorted["y_nm"].toInt(), 5'000'000);
-        QCOMPARE(onlyOne(found["loose"])["net"].toString(), "LOOSE");
+        QCOMPARE(onlyOne(found["floating"])["net"].toString(), "LOOSE");
         const Outcome text = copperscope({"info", job, "--check-nets"});
         QVERIFY2(text.out.contains("A and B touch on TOP at 4.0000, 5.0000 mm"), text.out.constData());
         QVERIFY(!copperscope({"info", job}).out.contains("nets against copper"));
@@ -544,7 +547,7 @@ private slots:
             elements += QString::number(net.toObject()["elements"].toInt());
         }
         QCOMPARE(elements.join(' '), "1 1 2 2 1");  // both pads, the crossing lines, the pad with its line, the rest
-        for (const char* list : {"opens", "shorts", "loose"}) {
+        for (const char* list : {"opens", "shorts", "floating", "loose"}) {
             QVERIFY2(info["connectivity"].toObject()[list].toArray().isEmpty(), list);
         }
     }

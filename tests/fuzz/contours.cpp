@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "model/base/assert.h"
-#include "tri/gpu/oracle.h"
+#include "tests/unit/tri/gpu/oracle.h"
 #include "tri/verify.h"
 
 namespace fuzz {

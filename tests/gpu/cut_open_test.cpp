@@ -36,10 +36,11 @@ struct Board {
         return *buildBoardModel(document, {}, progress);
     }
     /// Millimetres from the middle of the board.
-    [[nodiscard]] std::shared_ptr<const Cut> cut(glm::dvec2 a, glm::dvec2 b) const {
+    [[nodiscard]] std::shared_ptr<const SectionCut> cut(glm::dvec2 a, glm::dvec2 b) const {
         base::Progress progress;
         const auto nm = [&](glm::dvec2 p) { return PointD{p.x * 1e6 + model.origin.x, p.y * 1e6 + model.origin.y}; };
-        return std::make_shared<Cut>(*cutThrough(**model::indexBoard(document, progress), model.origin, nm(a), nm(b)));
+        return std::make_shared<SectionCut>(
+            *makeSectionCut(**model::indexBoard(document, progress), model.origin, nm(a), nm(b)));
     }
     Image draw(const Camera& camera, const ViewSettings& settings) {
         return *Gpu::get().presenter.render(scene, camera, settings, kWidth, kHeight);
@@ -138,7 +139,7 @@ private slots:
         settings.backend = static_cast<Backend>(backend);
         settings.background = glm::vec3(0.0F, 0.0F, 0.4F);
         const Image whole = board.draw(camera, settings);
-        settings.cut = board.cut({0, 1}, {0, 0});  // downwards: the right half goes
+        settings.section = board.cut({0, 1}, {0, 0});  // downwards: the right half goes
         const Image open = board.draw(camera, settings);
         constexpr std::uint32_t kMiddle = kWidth / 2;
         QVERIFY(differingBeside(open, whole, 0, kMiddle - 1) < 20);
@@ -159,21 +160,21 @@ private slots:
         camera.zoom(1.3F, {0.0F, 0.0F}, kAspect);
         ViewSettings settings;
         settings.zScale = {20.0F, 3.0F};
-        settings.cut = board.cut({1, 0}, {0, 0});
+        settings.section = board.cut({1, 0}, {0, 0});
         const Image open = board.draw(camera, settings);
         const std::vector<ZRange> heights = board.scene.drawnHeights(settings);
         const glm::mat4 clip = camera.projection(kAspect) * camera.view();
         const double pixelsPerMm = 0.5 / double(camera.mmPerPixel(kHeight));  // seen at a slant
         int checked = 0;
         std::set<std::size_t> layers;
-        for (const CutFace& face : settings.cut->faces) {
+        for (const SectionFace& face : settings.section->faces) {
             const std::size_t row = face.layer.row();
             const bool isWhole = face.bottom == 0.0F && face.top == 1.0F;
             if (!face.isInside || !isWhole || !board.styles[row].isVisible) {
                 continue;
             }
             const glm::dvec2 location =
-                settings.cut->plane.start + 0.5 * (face.from + face.to) * settings.cut->plane.direction;
+                settings.section->plane.start + 0.5 * (face.from + face.to) * settings.section->plane.direction;
             const auto at = [&](float z) {
                 const glm::vec4 p = clip * glm::vec4(glm::vec2(location), z, 1.0F);
                 return glm::vec2((p.x / p.w + 1.0F) * 0.5F * kWidth, (p.y / p.w + 1.0F) * 0.5F * kHeight);
@@ -203,7 +204,7 @@ private slots:
             settings.isSmoothed = false;
             settings.zScale = {20.0F, 3.0F};
             const Image whole = board.draw(camera, settings);
-            settings.cut = board.cut({1, 0.3}, {0, 0});
+            settings.section = board.cut({1, 0.3}, {0, 0});
             settings.backend = Backend::Pull;
             const Image pull = board.draw(camera, settings);
             QVERIFY(greyMse(pull, whole) > 0.01);
@@ -223,9 +224,9 @@ private slots:
         }
         board.scene.setStyles(board.styles);
         ViewSettings settings;
-        settings.cut = board.cut({1, 0}, {0, 0});
+        settings.section = board.cut({1, 0}, {0, 0});
         const Image open = board.draw(board.seen(NamedView::Iso, false), settings);
-        settings.cut = nullptr;
+        settings.section = nullptr;
         QCOMPARE(differingPixels(open, board.draw(board.seen(NamedView::Iso, false), settings), 0), std::size_t{0});
     }
 
@@ -234,16 +235,16 @@ private slots:
         const Camera camera = board.seen(NamedView::Iso, false);
         ViewSettings settings;
         const Image whole = board.draw(camera, settings);
-        settings.cut = board.cut({200, 1}, {200, 0});
-        QVERIFY(settings.cut->faces.empty());
+        settings.section = board.cut({200, 1}, {200, 0});
+        QVERIFY(settings.section->faces.empty());
         QCOMPARE(differingPixels(board.draw(camera, settings), whole, 0), std::size_t{0});
-        settings.cut = board.cut({-200, 1}, {-200, 0});
+        settings.section = board.cut({-200, 1}, {-200, 0});
         const Image none = board.draw(camera, settings);
         QCOMPARE(differingPixels(none, board.draw(camera, settings), 0), std::size_t{0});
         QVERIFY(differingPixels(none, whole) > 10000);
         base::Progress progress;
         const auto index = *model::indexBoard(board.document, progress);
-        QVERIFY(!cutThrough(*index, board.model.origin, {5, 5}, {5, 5}));
+        QVERIFY(!makeSectionCut(*index, board.model.origin, {5, 5}, {5, 5}));
     }
 };
 

@@ -83,7 +83,7 @@ private slots:
             case 0: scene.styles[Substrate].opacity = 0.5F; break;
             case 1: scene.styles[Substrate].isVisible = false; break;
             case 2: scene.styles[Drill].isVisible = false; break;
-            case 3: scene.inSubstrate[Inner].insetMm = -1.0F; break;
+            case 3: scene.inSubstrate[Inner].marginMm = -1.0F; break;
             case 4: settings.cull = false; break;
             case 5: settings.dim = kDimRest; break;
             default: settings.explode = 1.0F; break;
@@ -94,10 +94,10 @@ private slots:
     /// Close up, one looks past the edge at the far copper unless it keeps well inside.
     void farLayersAreSeenPastTheEdgeCloseUp() {
         SceneLayers scene = board();
-        scene.inSubstrate[Bottom].insetMm = 0.0F;
+        scene.inSubstrate[Bottom].marginMm = 0.0F;
         QVERIFY(!isDrawn(plan(scene, NamedView::Iso, {}, 1.0F), Bottom));  // thinner than a pixel
         QVERIFY(isDrawn(plan(scene, NamedView::Iso, {}, 50.0F), Bottom));
-        scene.inSubstrate[Bottom].insetMm = 1.0F;
+        scene.inSubstrate[Bottom].marginMm = 1.0F;
         QVERIFY(!isDrawn(plan(scene, NamedView::Iso, {}, 50.0F), Bottom));
     }
 

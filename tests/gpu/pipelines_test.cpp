@@ -20,14 +20,14 @@ class PipelinesTest : public QObject {
     static constexpr std::uint32_t kHeight = 480;
     static constexpr float kAspect = 4.0F / 3.0F;
 
-    struct Look {
+    struct Appearance {
         const char* name;
         NamedView view;
         bool is2d;
         float zoom;
         float explode;
     };
-    static constexpr Look kStyles[] = {
+    static constexpr Appearance kStyles[] = {
         {"2d top", NamedView::Top, true, 1.0F, 0.0F},        {"2d bottom, 5x", NamedView::Bottom, true, 5.0F, 0.0F},
         {"top, 5x", NamedView::Top, false, 5.0F, 0.0F},      {"iso", NamedView::Iso, false, 1.0F, 0.0F},
         {"iso, 5x", NamedView::Iso, false, 5.0F, 0.0F},      {"iso, 30x", NamedView::Iso, false, 30.0F, 0.0F},
@@ -39,7 +39,7 @@ class PipelinesTest : public QObject {
         return document ? *document : nullptr;
     }
 
-    static Image draw(BoardScene& scene, const BoardFrame& frame, const Look& look) {
+    static Image draw(BoardScene& scene, const BoardFrame& frame, const Appearance& look) {
         Camera camera;
         camera.setOrthographic(look.is2d);
         camera.fit(frame.boxMin, frame.boxMax, look.view, kAspect);
@@ -62,7 +62,7 @@ class PipelinesTest : public QObject {
         const model::generate::PaperModel* like = model::generate::findPaperModel("t1");
         const std::filesystem::path path = folder.filePath("t1.tgz").toStdString();
         base::Progress progress;
-        return model::generate::writeJob({like->counts, like->strokesPerTrail, 1}, path, progress)
+        return model::generate::writeJob({like->counts, like->tracksPerTrail, 1}, path, progress)
                    ? path
                    : std::filesystem::path();
     }
@@ -94,7 +94,7 @@ private slots:
         BoardScene standardScene(Gpu::get().device, *standard);
         hybridScene.setStyles(defaultStyles(*document));
         standardScene.setStyles(defaultStyles(*document));
-        for (const Look& look : kStyles) {
+        for (const Appearance& look : kStyles) {
             const Image expected = draw(standardScene, *standard, look);
             QCOMPARE(Gpu::get().presenter.stats().backend, Backend::Standard);
             const double mse = greyMse(draw(hybridScene, *hybrid, look), expected);

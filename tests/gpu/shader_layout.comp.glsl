@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "../../shaders/lib/frame.glsl"
-#include "../../shaders/shared/cut.h"
+#include "../../shaders/shared/section.h"
 #include "../../shaders/shared/raster.h"
 
 // Every struct that crosses between C++ and GLSL, in blocks of their own: shader_layout_test reads their offsets off the reflection.
@@ -17,7 +17,7 @@ layout(set = 0, binding = 8, scalar) buffer FrameDataBlock { FrameData frameData
 layout(set = 0, binding = 9, scalar) buffer PushStructBlock { Push pushStruct[2]; };
 layout(set = 0, binding = 10, scalar) buffer StandardVertexBlock { StandardVertex standardVertex[2]; };
 layout(set = 0, binding = 11, scalar) buffer StandardPartBlock { StandardPartRecord standardPart[2]; };
-layout(set = 0, binding = 12, scalar) buffer CutRectangleBlock { CutRectangle cutRectangle[2]; };
+layout(set = 0, binding = 12, scalar) buffer CutRectangleBlock { SectionRectangle cutRectangle[2]; };
 layout(set = 0, binding = 13, scalar) buffer RasterCopyBlock { RasterCopy rasterCopy[2]; };
 layout(set = 0, binding = 14, scalar) buffer RasterPushBlock { RasterPush rasterPush[2]; };
 

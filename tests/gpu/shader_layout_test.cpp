@@ -4,9 +4,9 @@
 #include <QtTest>
 #include <cstddef>
 
-#include "shaders/shared/cut.h"
 #include "shaders/shared/frame.h"
 #include "shaders/shared/raster.h"
+#include "shaders/shared/section.h"
 #include "shaders/spirv.h"
 
 /// C++ and GLSL agree on every struct that crosses; the compiled shaders are valid.
@@ -94,7 +94,7 @@ class ShaderLayoutTest : public QObject {
         MEMBER(frameData, FrameData, rasterRadiusPx);
         MEMBER(frameData, FrameData, thinPx);
         MEMBER(frameData, FrameData, nudgeZ);
-        MEMBER(frameData, FrameData, cut);
+        MEMBER(frameData, FrameData, sectionPlane);
         MEMBER(frameData, FrameData, restBrightness);
         MEMBER(frameData, FrameData, nudgeW);
         MEMBER(frameData, FrameData, sliverNudge);
@@ -133,12 +133,12 @@ class ShaderLayoutTest : public QObject {
         MEMBER(standardPart, StandardPartRecord, vertices);
         MEMBER(standardPart, StandardPartRecord, layer);
         MEMBER(standardPart, StandardPartRecord, reserved);
-        MEMBER(cutRectangle, CutRectangle, colour);
-        MEMBER(cutRectangle, CutRectangle, rank);
-        MEMBER(cutRectangle, CutRectangle, from);
-        MEMBER(cutRectangle, CutRectangle, to);
-        MEMBER(cutRectangle, CutRectangle, bottom);
-        MEMBER(cutRectangle, CutRectangle, top);
+        MEMBER(cutRectangle, SectionRectangle, colour);
+        MEMBER(cutRectangle, SectionRectangle, rank);
+        MEMBER(cutRectangle, SectionRectangle, from);
+        MEMBER(cutRectangle, SectionRectangle, to);
+        MEMBER(cutRectangle, SectionRectangle, bottom);
+        MEMBER(cutRectangle, SectionRectangle, top);
         MEMBER(rasterCopy, RasterCopy, frame);
         MEMBER(rasterCopy, RasterCopy, firstId);
         MEMBER(rasterCopy, RasterCopy, reserved);
@@ -166,10 +166,13 @@ private slots:
 
     void compiledShadersAreValid_data() {
         QTest::addColumn<QByteArray>("code");
-        for (const shader::spirv::Named& shader : shader::spirv::all()) {
-            QTest::newRow(shader.name) << QByteArray(reinterpret_cast<const char*>(shader.code.data()),
-                                                     static_cast<qsizetype>(shader.code.size_bytes()));
-        }
+        const auto addRow = [](const char* name, shader::spirv::Code code) {
+            QTest::newRow(name) << QByteArray(reinterpret_cast<const char*>(code.data()),
+                                              static_cast<qsizetype>(code.size_bytes()));
+        };
+#define ADD_ROW(name, words) addRow(#words, shader::spirv::name);
+        COPPERSCOPE_SHADERS(ADD_ROW)
+#undef ADD_ROW
     }
     void compiledShadersAreValid() {
         const QString validator = QStandardPaths::findExecutable("spirv-val");

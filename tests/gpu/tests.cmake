@@ -7,7 +7,7 @@ foreach(name backends cut_open device element_state faults panel pipelines raste
     set_tests_properties(${name}_test PROPERTIES ENVIRONMENT COPPERSCOPE_VALIDATION=abort)
 endforeach()
 
-copperscope_test(tri_gpu_test gpu/triangulator_test.cpp LABEL gpu LINK copperscope_tri_gpu)
+copperscope_test(tri_gpu_test gpu/triangulator_test.cpp LABEL gpu LINK copperscope_tri_oracle)
 target_compile_definitions(tri_gpu_test PRIVATE
     COPPERSCOPE_GLSLANG="${GLSLANG_VALIDATOR}"
     COPPERSCOPE_PREDICATES_SHADER="${CMAKE_CURRENT_SOURCE_DIR}/gpu/predicates.comp.glsl")

@@ -13,7 +13,7 @@
 #include "tests/unit/tri/generator.h"
 #include "tests/unit/tri/predicate_vectors.h"
 #include "tri/gpu/device_forest.h"
-#include "tri/gpu/oracle.h"
+#include "tests/unit/tri/gpu/oracle.h"
 #include "tri/verify.h"
 
 using cases::Case;

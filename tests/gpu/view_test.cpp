@@ -59,8 +59,8 @@ private slots:
         OffscreenPresenter presenter(Gpu::get().device);
         const auto draw = [&](int spot, bool isKept, std::uint32_t width) {
             ViewSettings how;
-            how.keepsBoard = true;
-            how.isBoardKept = isKept;
+            how.cachesBoard = true;
+            how.isBoardCached = isKept;
             how.overlay = {200, 150, spots[spot].data()};
             return *presenter.render(scene.scene, scene.camera, how, width, width * 3 / 4);
         };

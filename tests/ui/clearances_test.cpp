@@ -55,7 +55,7 @@ private slots:
         const ClearanceModel& locations = clearances().locations();
         double last = 0.0;
         for (int row = 0; row < locations.rowCount(); ++row) {
-            const double gap = locations.data(locations.index(row, ClearanceModel::Gap), Qt::EditRole).toDouble();
+            const double gap = locations.data(locations.index(row, ClearanceModel::Spacing), Qt::EditRole).toDouble();
             QVERIFY(gap >= last);
             last = gap;
         }
@@ -67,7 +67,7 @@ private slots:
         QVERIFY(differingPixels(before, *window().views().flat().grabPicture()) > 100);
         for (ui::BoardView* view : window().views().both()) {
             const auto at = view->controller().screenOf(
-                window().probing().position().toModel(first.gap.from, heightOf(first.layer)));
+                window().probing().position().toModel(first.spacing.from, heightOf(first.layer)));
             QVERIFY(at && QRectF(QPointF(), view->controller().viewport()).contains(*at));
         }
         m_fixture->key(Qt::Key_F8);
@@ -131,12 +131,12 @@ private slots:
         window().selection().setNets(nets);
         ask(ClearancePanel::Where::Nets);
         QVERIFY(locations.rowCount() >= 1);
-        QCOMPARE(locations.location(0).found.gap.distance, first.found.gap.distance);
+        QCOMPARE(locations.location(0).found.spacing.distance, first.found.spacing.distance);
 
-        window().probing().showPosition(first.found.gap.from, first.found.layer);
+        window().probing().showPosition(first.found.spacing.from, first.found.layer);
         ask(ClearancePanel::Where::View);
         QVERIFY(locations.rowCount() > 0 && locations.rowCount() < all);
-        QCOMPARE(locations.location(0).found.gap.distance, first.found.gap.distance);
+        QCOMPARE(locations.location(0).found.spacing.distance, first.found.spacing.distance);
     }
 
     void aQuestionThatCannotBeAskedIsTold() {
@@ -225,9 +225,9 @@ private slots:
         QCOMPARE(exported(path + ".txt"), model::ruleReport(table, expected, model::ReportFormat::Text, 1'000'000));
         panel().whatBox().setCurrentIndex(static_cast<int>(ClearancePanel::What::Narrowest));
         measure();
-        model::ClearanceQuestion question;
+        model::ClearanceRequest question;
         question.count = 500;
-        const model::StepClearances found[] = {{&board, *model::narrowestClearances(board, question, progress)}};
+        const model::StepClearances found[] = {{&board, *model::smallestClearances(board, question, progress)}};
         QCOMPARE(exported(path + ".json"), model::clearanceReport(found, model::ReportFormat::Json));
         QVERIFY(!clearances().exportReport(path + ".pdf"));
         QVERIFY(!clearances().exportReport("/nowhere/found.csv"));
@@ -249,7 +249,7 @@ private slots:
             QVERIFY(highlighted.size() >= last);
             QTRY_COMPARE(window().selection().nearby().size(), highlighted.size());
             for (const model::Nearby& near : highlighted) {
-                QVERIFY(near.gap.distance <= panel().lensReach());
+                QVERIFY(near.spacing.distance <= panel().lensReach());
                 hasOther = hasOther || near.element == found.b;
             }
             last = highlighted.size();

@@ -256,7 +256,7 @@ private slots:
         click(solid(), screenOf(solid(), m_b));
         QCOMPARE(measurements().size(), before + 2);
         const Measurement edges = measurements().back();
-        QVERIFY(edges.kind == model::MeasurementKind::Gap && edges.distance() > 0);
+        QVERIFY(edges.kind == model::MeasurementKind::Clearance && edges.distance() > 0);
         QVERIFY2(std::abs(edges.distance() - m_inspected->edgesMm * base::kNmPerMm) < kReadNm,
                  qPrintable(QString::number(edges.distance())));
         m_fixture->key(Qt::Key_M, Qt::ShiftModifier);

@@ -168,7 +168,7 @@ private slots:
         const QImage whole = m_fixture->picture();
         m_fixture->key(Qt::Key_X);
         QVERIFY(window().actions()[ActionId::SectionPlane].isChecked());
-        const render::Cut* cut = window().views().solid().cut();
+        const render::SectionCut* cut = window().views().solid().cut();
         QVERIFY(cut != nullptr && !cut->faces.empty());
         const QImage open = m_fixture->picture();
         QVERIFY(differingPixels(whole, open) > 5000);

@@ -104,7 +104,7 @@ private slots:
         const auto expected =
             *model::separationOf(*index, model::BoardElement{0, m_a}, model::BoardElement{0, m_b}, progress);
         QCOMPARE(list().size(), std::size_t{1});
-        QCOMPARE(list()[0].kind, MeasurementKind::Gap);
+        QCOMPARE(list()[0].kind, MeasurementKind::Clearance);
         QVERIFY(std::abs(list()[0].distance() - expected.main()->distance) < 1e-3);
         click(flat(), screenOf(flat(), m_a));
         click(flat(), screenOf(flat(), m_a));  // the same twice: said, not measured
@@ -118,7 +118,7 @@ private slots:
         move(flat(), screenOf(flat(), m_a));
         m_fixture->key(Qt::Key_R);
         QCOMPARE(list().size(), std::size_t{1});
-        QVERIFY(list()[0].kind == MeasurementKind::Gap && list()[0].distance() > 0);
+        QVERIFY(list()[0].kind == MeasurementKind::Clearance && list()[0].distance() > 0);
         QCOMPARE(list()[0].from.layer, list()[0].to.layer);
         QVERIFY(list()[0].from.net != list()[0].to.net);
     }

@@ -196,9 +196,9 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(list().size(), std::size_t{1}, kPatienceMs);
         const Measurement& length = list().front();
         QCOMPARE(length.kind, MeasurementKind::Length);
-        QVERIFY2(std::abs(length.way->length() - 12.2e6) < 1.0, qPrintable(said()));
-        QCOMPARE(length.way->holeCount, std::size_t{1});
-        QCOMPARE(length.way->perLayer(), (std::vector<std::pair<std::string, double>>{{"top", 6e6}, {"bottom", 4e6}}));
+        QVERIFY2(std::abs(length.path->length() - 12.2e6) < 1.0, qPrintable(said()));
+        QCOMPARE(length.path->holeCount, std::size_t{1});
+        QCOMPARE(length.path->perLayer(), (std::vector<std::pair<std::string, double>>{{"top", 6e6}, {"bottom", 4e6}}));
         QVERIFY2(said().contains("assumed thicknesses"), qPrintable(said()));
         m_fixture->key(Qt::Key_Escape);
         QVERIFY(differingPixels(before[0], picture(flat())) > 300);
@@ -270,7 +270,7 @@ private slots:
         click(flat(), {-3, 4});
         click(flat(), {-3, 6});
         QCOMPARE(list().size(), std::size_t{1});
-        QVERIFY2(details(0).contains("no place in the stack"), qPrintable(details(0)));
+        QVERIFY2(details(0).contains("not in the stackup"), qPrintable(details(0)));
         QVERIFY(std::abs(list()[0].distance() - 1e6) < 1.0);
     }
 
@@ -286,7 +286,7 @@ private slots:
     void aGapThatIsShownIsDrawnInBothViews() {
         const QImage before[] = {picture(flat()), picture(solid())};
         model::LocalSpacing gap;
-        gap.gap = {5e6, {-3e6, 1e6}, {2e6, 1e6}};
+        gap.spacing = {5e6, {-3e6, 1e6}, {2e6, 1e6}};
         gap.layer = model::LayerId{Top};
         window().measuring().showSpacing(gap);
         QVERIFY(differingPixels(before[0], picture(flat())) > 200);
@@ -313,9 +313,9 @@ private slots:
             click(flat(), {centre.x / 1e6, centre.y / 1e6});
         }
         QTRY_COMPARE_WITH_TIMEOUT(list().size(), std::size_t{1}, kPatienceMs);
-        QVERIFY2(std::abs(list()[0].way->length() - path.length) < 1.0,
-                 qPrintable(QString("%1, not %2").arg(list()[0].way->length()).arg(path.length)));
-        QCOMPARE(list()[0].way->holeCount, path.holeCount);
+        QVERIFY2(std::abs(list()[0].path->length() - path.length) < 1.0,
+                 qPrintable(QString("%1, not %2").arg(list()[0].path->length()).arg(path.length)));
+        QCOMPARE(list()[0].path->holeCount, path.holeCount);
         if (const QByteArray folder = qgetenv("COPPERSCOPE_SHOTS"); !folder.isEmpty()) {
             (void)window().grab().save(folder + "/length.png");
             (void)picture(solid()).save(folder + "/length-solid.png");

@@ -422,7 +422,7 @@ private:
         });
     }
     /// What the line of the window cuts.
-    [[nodiscard]] model::Section expected() { return *model::cutBoard(*m_index, {sections().line().line(), {}}); }
+    [[nodiscard]] model::Section expected() { return *model::makeSection(*m_index, {sections().line().line(), {}}); }
 
     /// From one edge of the board to the other through its middle, in pixels of the 2D view.
     [[nodiscard]] std::pair<QPointF, QPointF> acrossBoard() {

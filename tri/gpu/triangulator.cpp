@@ -39,8 +39,8 @@ struct Triangulator::State {
 
     /// A run of polygons that fit into the device's memory together; returns its end.
     [[nodiscard]] std::size_t endOfTurn(std::span<const Polygon> polygons, std::size_t first) const;
-    void turn(std::span<const Polygon> polygons, Eraser eraser, base::Progress& progress,
-              std::span<Triangulation> results);
+    void triangulateBatch(std::span<const Polygon> polygons, Eraser eraser, base::Progress& progress,
+                          std::span<Triangulation> results);
     [[nodiscard]] bool grow(const DeviceForest& forest, base::Progress& progress);
     void harvest(const DeviceForest& forest, const ForestData& data, std::span<Triangulation> results);
 };
@@ -114,8 +114,8 @@ void Triangulator::State::harvest(const DeviceForest& forest, const ForestData& 
     });
 }
 
-void Triangulator::State::turn(std::span<const Polygon> polygons, Eraser eraser, base::Progress& progress,
-                               std::span<Triangulation> results) {
+void Triangulator::State::triangulateBatch(std::span<const Polygon> polygons, Eraser eraser, base::Progress& progress,
+                                           std::span<Triangulation> results) {
     const ForestData data = plant(polygons, eraser);
     tally.withoutTree += static_cast<std::size_t>(
         std::ranges::count_if(data.trees, [](const kernel::Tree& tree) { return tree.vertexCount == 0; }));
@@ -146,8 +146,8 @@ std::vector<Triangulation> Triangulator::triangulate(std::span<const Polygon> po
     for (std::size_t first = 0; first < polygons.size();) {
         const std::size_t end = m_state->endOfTurn(polygons, first);
         if (end > first) {
-            m_state->turn(polygons.subspan(first, end - first), eraser, progress,
-                          std::span(results).subspan(first, end - first));
+            m_state->triangulateBatch(polygons.subspan(first, end - first), eraser, progress,
+                                      std::span(results).subspan(first, end - first));
         } else {
             ++m_state->tally.withoutTree;  // too large for this device
         }

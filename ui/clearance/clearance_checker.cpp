@@ -11,7 +11,7 @@ namespace {
 using base::Result;
 using model::Document;
 
-bool isOfTheBoardAlone(const model::ClearanceQuestion& question) {
+bool isOfTheBoardAlone(const model::ClearanceRequest& question) {
     return question.layer.isValid() || question.between.first.isValid() || question.within.has_value();
 }
 
@@ -34,7 +34,7 @@ base::Status measure(const Document& step, const ClearanceRequest& request, base
     if (step.nets.empty()) {
         return base::Done{};
     }
-    Result<std::vector<model::Clearance>> clearances = model::narrowestClearances(step, request.question, progress);
+    Result<std::vector<model::Clearance>> clearances = model::smallestClearances(step, request.question, progress);
     if (!clearances) {
         return clearances.error();
     }
@@ -68,7 +68,7 @@ std::vector<StepGaps> gapsOf(const ClearanceResult& answer) {
     for (const model::StepClearances& step : answer.clearances) {
         gaps.push_back({step.step, {}});
         for (const model::Clearance& c : step.clearances) {
-            gaps.back().locations.push_back({0, c.layer, c.a, c.b, c.gap});
+            gaps.back().locations.push_back({0, c.layer, c.a, c.b, c.spacing});
         }
     }
     return gaps;

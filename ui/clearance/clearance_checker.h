@@ -12,7 +12,7 @@ namespace ui {
 /// What is looked for: the narrowest places, or where rules are broken.
 struct ClearanceRequest {
     bool isOfRules = false;
-    model::ClearanceQuestion question;  ///< of the narrowest places
+    model::ClearanceRequest question;  ///< of the narrowest places
     model::RuleTable rules;
 };
 

@@ -41,14 +41,14 @@ void ClearanceModel::setSpacings(std::shared_ptr<const model::Document> board, s
         }
     }
     std::ranges::stable_sort(m_locations, {},
-                             [](const Location& p) { return std::tuple(p.found.rule, p.found.gap.distance); });
+                             [](const Location& p) { return std::tuple(p.found.rule, p.found.spacing.distance); });
     endResetModel();
 }
 
 void ClearanceModel::setUnit(LengthUnit unit) {
     m_unit = unit;
     if (!m_locations.empty()) {
-        emit dataChanged(index(0, Gap), index(rowCount() - 1, Y));
+        emit dataChanged(index(0, Spacing), index(rowCount() - 1, Y));
     }
 }
 
@@ -60,11 +60,11 @@ QString ClearanceModel::summary() const {
         return m_rules.rules.empty() ? QStringLiteral("Nothing found") : QStringLiteral("All rules are kept");
     }
     const auto narrowest =
-        std::ranges::min_element(m_locations, {}, [](const Location& p) { return p.found.gap.distance; });
+        std::ranges::min_element(m_locations, {}, [](const Location& p) { return p.found.spacing.distance; });
     return QStringLiteral("%L1 %2, the narrowest %3")
         .arg(m_locations.size())
         .arg(m_locations.size() == 1 ? QStringLiteral("place") : QStringLiteral("places"),
-             lengthText(narrowest->found.gap.distance, m_unit));
+             lengthText(narrowest->found.spacing.distance, m_unit));
 }
 
 int ClearanceModel::rowCount(const QModelIndex& parent) const {
@@ -79,23 +79,23 @@ QString ClearanceModel::text(const Location& location, int column) const {
     const model::Document& step = *m_tree.steps[location.step];
     const model::RuleFinding& found = location.found;
     switch (column) {
-        case Gap: return lengthText(found.gap.distance, m_unit);
+        case Spacing: return lengthText(found.spacing.distance, m_unit);
         case Rule:
             return m_rules.rules.empty() ? QString()
                                          : QString::fromStdString(model::titleOf(m_rules.rules[found.rule]));
         case Layer: return QString::fromStdString(step.layer(found.layer).name);
         case First: return QString::fromStdString(model::sideOf(step, found.a));
         case Second: return QString::fromStdString(model::sideOf(step, found.b));
-        case X: return lengthText(found.gap.from.x, m_unit);
-        case Y: return lengthText(found.gap.from.y, m_unit);
+        case X: return lengthText(found.spacing.from.x, m_unit);
+        case Y: return lengthText(found.spacing.from.y, m_unit);
         case Step: return QString::fromStdString(step.job.step);
         default: return {};
     }
 }
 
 double ClearanceModel::number(const Location& location, int column) const {
-    const model::Gap& gap = location.found.gap;
-    return column == Gap ? gap.distance : column == X ? gap.from.x : gap.from.y;
+    const model::Spacing& gap = location.found.spacing;
+    return column == Spacing ? gap.distance : column == X ? gap.from.x : gap.from.y;
 }
 
 QVariant ClearanceModel::data(const QModelIndex& index, int role) const {
@@ -103,7 +103,7 @@ QVariant ClearanceModel::data(const QModelIndex& index, int role) const {
         return {};
     }
     const Location& at = location(index.row());
-    const bool isNumber = index.column() == Gap || index.column() == X || index.column() == Y;
+    const bool isNumber = index.column() == Spacing || index.column() == X || index.column() == Y;
     if (role == Qt::EditRole && isNumber) {  // for sorting
         return number(at, index.column());
     }

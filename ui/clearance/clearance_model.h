@@ -22,7 +22,7 @@ class ClearanceModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
-    enum Column { Gap, Rule, Layer, First, Second, X, Y, Step, ColumnCount };
+    enum Column { Spacing, Rule, Layer, First, Second, X, Y, Step, ColumnCount };
 
     using QAbstractTableModel::QAbstractTableModel;
 

@@ -185,13 +185,13 @@ void Clearances::show(const ClearanceModel::Location& location) {
             layers.push_back(onBoard(step.elements.layer[side.row()]));
         }
     }
-    const model::Gap& gap = location.found.gap;
+    const model::Spacing& gap = location.found.spacing;
     m_isShowing = false;  // what was shown before ends with its selection
     m_selection.select(m_sides);
     m_sides = m_selection.selected();
     m_isShowing = true;
     m_views.setContrastLayers(std::move(layers));
-    const model::Gap shown{gap.distance, copy->placement.apply(gap.from), copy->placement.apply(gap.to)};
+    const model::Spacing shown{gap.distance, copy->placement.apply(gap.from), copy->placement.apply(gap.to)};
     const float around = std::max(kLeastAroundMm, kTimesAround * static_cast<float>(base::toMm(gap.distance)));
     m_probing.showPosition({(shown.from.x + shown.to.x) / 2, (shown.from.y + shown.to.y) / 2}, layer, around);
     emit spacingShown(model::LocalSpacing{shown, {row, location.found.a}, {row, location.found.b}, layer});

@@ -78,7 +78,7 @@ void Lens::setUnit(LengthUnit unit) {
 
 void Lens::apply() {
     const auto end =
-        std::ranges::upper_bound(m_near, m_reach, {}, [](const model::Nearby& n) { return n.gap.distance; });
+        std::ranges::upper_bound(m_near, m_reach, {}, [](const model::Nearby& n) { return n.spacing.distance; });
     m_highlightedCount = static_cast<std::size_t>(end - m_near.begin());
     std::vector<model::BoardElement> elements;
     for (const model::Nearby& near : highlighted()) {
@@ -108,8 +108,8 @@ void Lens::paint(QPainter& painter) const {
     const CameraController& controller = m_views.flat().controller();
     const QRectF canvas(QPointF(), controller.viewport());
     for (const model::Nearby& near : highlighted().first(std::min(kMostSpacings, m_highlightedCount))) {
-        const auto from = controller.screenOf(m_position.toModel(near.gap.from));
-        const auto to = controller.screenOf(m_position.toModel(near.gap.to));
+        const auto from = controller.screenOf(m_position.toModel(near.spacing.from));
+        const auto to = controller.screenOf(m_position.toModel(near.spacing.to));
         if (!from || !to || !(canvas.contains(*from) || canvas.contains(*to))) {
             continue;
         }

@@ -89,13 +89,13 @@ base::Result<Measurement> edgeToEdge(const BoardIndex& index, BoardElement a, Bo
     if (!separation) {
         return separation.error();
     }
-    const model::Way* way = separation->main();
+    const model::PieceDistance* way = separation->main();
     if (way == nullptr) {
         return noNumber(separation->notes.front());
     }
     Measurement measurement =
-        measurementOf(index, MeasurementKind::Gap, edgeOf(way->gap.from, way->from.layer, way->from.at),
-                      edgeOf(way->gap.to, way->to.layer, way->to.at));
+        measurementOf(index, MeasurementKind::Clearance, edgeOf(way->spacing.from, way->from.layer, way->from.at),
+                      edgeOf(way->spacing.to, way->to.layer, way->to.at));
     measurement.dz = way->dz;
     measurement.overlap = way->relation == model::Relation::Overlapping ? way->overlap : 0.0;
     measurement.notes = separation->notes;
@@ -103,8 +103,8 @@ base::Result<Measurement> edgeToEdge(const BoardIndex& index, BoardElement a, Bo
 }
 
 Measurement spacingOn(const BoardIndex& index, const model::LocalSpacing& gap) {
-    return measurementOf(index, MeasurementKind::Gap, edgeOf(gap.gap.from, gap.layer, gap.from),
-                         edgeOf(gap.gap.to, gap.layer, gap.to));
+    return measurementOf(index, MeasurementKind::Clearance, edgeOf(gap.spacing.from, gap.layer, gap.from),
+                         edgeOf(gap.spacing.to, gap.layer, gap.to));
 }
 
 Measurement angleAt(const BoardIndex& index, const Caught& corner, const Caught& from, const Caught& to) {
@@ -134,7 +134,7 @@ base::Result<Measurement> lengthAlong(const BoardIndex& index, const Caught& fro
         return noNumber("there is no way to measure: both ends are in one place");
     }
     Measurement measurement = measurementOf(index, MeasurementKind::Length, from, to);
-    measurement.way = wayOf(index, path);
+    measurement.path = wayOf(index, path);
     measurement.notes = path.notes;
     return measurement;
 }
@@ -152,9 +152,9 @@ std::vector<std::pair<base::PointD, std::string>> locationsOf(const Measurement&
         locations.push_back({{measurement.from.x - radius, measurement.from.y - radius}, measurement.from.layer});
         locations.push_back({{measurement.from.x + radius, measurement.from.y + radius}, measurement.from.layer});
     }
-    for (std::size_t run = 0; measurement.way && run < measurement.way->runs.size(); ++run) {
-        for (const base::PointD& corner : measurement.way->runs[run].line) {
-            locations.push_back({corner, measurement.way->runs[run].layer});
+    for (std::size_t run = 0; measurement.path && run < measurement.path->runs.size(); ++run) {
+        for (const base::PointD& corner : measurement.path->runs[run].line) {
+            locations.push_back({corner, measurement.path->runs[run].layer});
         }
     }
     return locations;

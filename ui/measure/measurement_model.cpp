@@ -19,7 +19,7 @@ QString pairText(const std::string& a, const std::string& b, const char* none) {
 
 /// Distances have parts along the axes.
 bool hasDeltas(const Measurement& measurement) {
-    return measurement.kind == MeasurementKind::Points || measurement.kind == MeasurementKind::Gap;
+    return measurement.kind == MeasurementKind::Points || measurement.kind == MeasurementKind::Clearance;
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ QString valueText(const Measurement& measurement) {
         case MeasurementKind::Radius:
             return QStringLiteral("R %1  ⌀ %2")
                 .arg(inBoth(measurement.distance()), inBoth(2.0 * measurement.distance()));
-        case MeasurementKind::Length: return inBoth(measurement.way->length());
+        case MeasurementKind::Length: return inBoth(measurement.path->length());
         default: return inBoth(measurement.distance());
     }
 }
@@ -46,16 +46,16 @@ QStringList partsText(const Measurement& measurement, LengthUnit unit) {
         return {measurement.dz > 0 ? QStringLiteral("%1  ΔZ %2").arg(plane, length(measurement.dz)) : plane};
     }
     QStringList parts;
-    if (measurement.way) {
-        for (const auto& [layer, onLayer] : measurement.way->perLayer()) {
+    if (measurement.path) {
+        for (const auto& [layer, onLayer] : measurement.path->perLayer()) {
             parts += QStringLiteral("%1 %2").arg(QString::fromStdString(layer), length(onLayer));
         }
-        const std::size_t holes = measurement.way->holeCount;
+        const std::size_t holes = measurement.path->holeCount;
         parts += holes == 0 ? QStringLiteral("no holes")
                             : QStringLiteral("%1 %2 %3")
                                   .arg(holes)
                                   .arg(holes == 1 ? QStringLiteral("hole") : QStringLiteral("holes"),
-                                       length(measurement.way->holeHeight));
+                                       length(measurement.path->holeHeight));
     }
     return parts;
 }

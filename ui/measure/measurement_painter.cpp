@@ -100,7 +100,7 @@ void MeasurementPainter::paint(const Measurement& measurement, LengthUnit unit, 
     }
     if (isFull) {
         lines += partsText(measurement, unit);
-        if (!measurement.way) {
+        if (!measurement.path) {
             lines += layersText(measurement);
         }
         lines += netsText(measurement);
@@ -166,7 +166,7 @@ std::optional<QPointF> MeasurementPainter::paintPath(const Measurement& measurem
         }
     };
     add(screenOf(measurement.from));
-    for (const MeasuredRun& run : measurement.way->runs) {
+    for (const MeasuredRun& run : measurement.path->runs) {
         for (const base::PointD& corner : run.line) {
             add(screenOf(corner, run.layer));
         }

@@ -87,7 +87,7 @@ void Sections::cut() {
         m_panel->setRemarks({});
         return;
     }
-    base::Result<model::Section> section = model::cutBoard(*m_index, {m_line.line(), {}});
+    base::Result<model::Section> section = model::makeSection(*m_index, {m_line.line(), {}});
     if (!section) {
         m_panel->view().setSection(nullptr, std::nullopt);
         m_panel->setRemarks(QString::fromStdString(section.error().text));

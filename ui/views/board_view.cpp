@@ -32,9 +32,9 @@ BoardView::BoardView(GpuContext& context, Kind kind, QWidget* parent)
     m_rest.setInterval(kRestMs);
     connect(&m_rest, &QTimer::timeout, this, &BoardView::requestRestingFrame);
     connect(&m_controller, &CameraController::moved, this, &BoardView::requestMovingFrame);
-    m_picture.settings.keepsBoard = true;
+    m_picture.settings.cachesBoard = true;
     m_picture.prepare = [this](QSize pixels) {
-        m_picture.settings.isBoardKept = m_isBoardDrawn;
+        m_picture.settings.isBoardCached = m_isBoardDrawn;
         paintOverlay(m_picture, pixels, Shown::OnCanvas);
     };
     connect(this, &BoardView::drawn, this, [this] { m_isBoardDrawn = true; });
@@ -149,8 +149,8 @@ void BoardView::setZScale(const render::ZScale& scale) {
     requestFrame();
 }
 
-void BoardView::setCut(std::shared_ptr<const render::Cut> cut) {
-    m_picture.settings.cut = std::move(cut);
+void BoardView::setCut(std::shared_ptr<const render::SectionCut> cut) {
+    m_picture.settings.section = std::move(cut);
     requestMovingFrame();
 }
 
@@ -218,7 +218,7 @@ base::Result<QImage> BoardView::grabPicture(double scale) {
     const QSize pixels = (QSizeF(size()) * devicePixelRatioF() * scale).toSize();
     Picture resting = m_picture;
     setCoarse(resting.settings, false);
-    resting.settings.keepsBoard = resting.settings.isBoardKept = false;
+    resting.settings.cachesBoard = resting.settings.isBoardCached = false;
     paintOverlay(resting, pixels, Shown::Everywhere);
     return drawPicture(presenter, resting, m_controller.camera(), pixels);
 }

@@ -57,8 +57,8 @@ public:
     /// The caller sets a box of these heights too.
     void setZScale(const render::ZScale& scale);
     /// Cuts the board open (3D); null: it is whole.
-    void setCut(std::shared_ptr<const render::Cut> cut);
-    [[nodiscard]] const render::Cut* cut() const { return m_picture.settings.cut.get(); }
+    void setCut(std::shared_ptr<const render::SectionCut> cut);
+    [[nodiscard]] const render::SectionCut* cut() const { return m_picture.settings.section.get(); }
     void requestFrame();
     /// Of the board, but where that is slow only when nothing has been asked for for a while, and an overlay at once.
     void requestFrameAtRest();

@@ -46,7 +46,7 @@ public:
     /// Thicknesses as the 3D view draws them.
     void setZScale(const render::ZScale& scale);
     /// Cuts the board of the 3D view open; null: it is whole.
-    void setCut(std::shared_ptr<const render::Cut> cut) { solid().setCut(std::move(cut)); }
+    void setCut(std::shared_ptr<const render::SectionCut> cut) { solid().setCut(std::move(cut)); }
     /// See BoardView, all three.
     void requestFrame();
     void requestFrameAtRest();

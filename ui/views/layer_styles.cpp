@@ -33,7 +33,8 @@ std::vector<render::LayerStyle> solidStyles(const model::Document& document,
                                             const std::vector<LayerAppearance>& appearances, render::Palette palette) {
     std::vector<render::LayerStyle> styles = toStyles(appearances);
     const std::vector<LayerAppearance> untouched = defaultAppearances(document, palette);
-    const std::vector<render::LayerStyle> material = render::defaultStyles(document, render::Look::Solid, palette);
+    const std::vector<render::LayerStyle> material =
+        render::defaultStyles(document, render::Appearance::Solid, palette);
     for (std::size_t row = 0; row < styles.size(); ++row) {
         if (appearances[row].colour == untouched[row].colour) {
             styles[row].colour = material[row].colour;
@@ -67,8 +68,8 @@ void putInContrast(std::vector<render::LayerStyle>& styles, std::span<const mode
 std::vector<LayerAppearance> defaultAppearances(const model::Document& document, render::Palette palette) {
     std::vector<LayerAppearance> appearances;
     appearances.reserve(document.layers.size());
-    const std::vector<render::LayerStyle> drawing = render::defaultStyles(document, render::Look::Flat, palette);
-    for (render::LayerStyle style : render::defaultStyles(document, render::Look::Solid, palette)) {
+    const std::vector<render::LayerStyle> drawing = render::defaultStyles(document, render::Appearance::Flat, palette);
+    for (render::LayerStyle style : render::defaultStyles(document, render::Appearance::Solid, palette)) {
         style.colour = drawing[appearances.size()].colour;
         appearances.push_back(toLook(style));
     }

@@ -10,7 +10,7 @@
 /// Layer looks between the panel (Qt) and the renderer.
 namespace ui {
 
-/// The colours of a drawing (render::Look::Flat), with everything visible that makes up a solid board.
+/// The colours of a drawing (render::Appearance::Flat), with everything visible that makes up a solid board.
 [[nodiscard]] std::vector<LayerAppearance> defaultAppearances(const model::Document& document, render::Palette palette);
 [[nodiscard]] std::vector<render::LayerStyle> toStyles(const std::vector<LayerAppearance>& appearances);
 /// For the 3D view: layers whose colour nobody changed have that of their material.

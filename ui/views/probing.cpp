@@ -122,9 +122,9 @@ std::vector<model::Hit> Probing::hitsAt(const BoardView& view, QPointF position)
     const glm::dvec3 step = glm::normalize(glm::dvec3(direction)) * base::kNmPerMm;
     model::SightLine line{
         m_position.toJob(origin), static_cast<double>(origin.z) * base::kNmPerMm, {step.x, step.y}, -step.z};
-    if (const render::Cut* cut = view.cut()) {
+    if (const render::SectionCut* cut = view.section()) {
         const glm::dvec2 along = cut->plane.direction;
-        line.kept = {m_position.toJob(glm::vec3(glm::vec2(cut->plane.start), 0.0F)), {-along.y, along.x}};
+        line.cutSide = {m_position.toJob(glm::vec3(glm::vec2(cut->plane.start), 0.0F)), {-along.y, along.x}};
     }
     return m_picker->along(line, reach, layers);
 }

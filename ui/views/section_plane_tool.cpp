@@ -63,13 +63,13 @@ void SectionPlaneTool::move(double part) {
 }
 
 void SectionPlaneTool::apply() {
-    std::shared_ptr<const render::Cut> cut;
+    std::shared_ptr<const render::SectionCut> cut;
     if (m_isOn) {
         const base::PointD direction = this->direction();
         const base::PointD ahead = {m_through.x + direction.x * base::kNmPerMm,
                                     m_through.y + direction.y * base::kNmPerMm};
-        if (base::Result<render::Cut> made = render::cutThrough(*m_index, m_origin, m_through, ahead)) {
-            cut = std::make_shared<const render::Cut>(std::move(*made));
+        if (base::Result<render::SectionCut> made = render::makeSectionCut(*m_index, m_origin, m_through, ahead)) {
+            cut = std::make_shared<const render::SectionCut>(std::move(*made));
         }
     }
     m_views.setCut(std::move(cut));

@@ -14,7 +14,7 @@ class JobWriterTest : public QObject {
 
     static Wanted wantedLike(const char* name, double scale = 1.0) {
         const PaperModel* model = findPaperModel(name);
-        Wanted wanted{model->counts, model->strokesPerTrail, 1};
+        Wanted wanted{model->counts, model->tracksPerTrail, 1};
         for (std::uint64_t& count : wanted.counts) {
             count = static_cast<std::uint64_t>(std::llround(static_cast<double>(count) * scale));
         }

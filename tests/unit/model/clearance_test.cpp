@@ -10,7 +10,7 @@
 #include "model/figures/distance.h"
 
 using model::Clearance;
-using model::ClearanceQuestion;
+using model::ClearanceRequest;
 using model::DocumentBuilder;
 using model::ElementId;
 using model::LayerId;
@@ -62,12 +62,12 @@ std::shared_ptr<const model::Document> randomBoard() {
     return builder.finish();
 }
 
-std::vector<Clearance> clearancesOf(const model::Document& document, const ClearanceQuestion& question = {}) {
+std::vector<Clearance> clearancesOf(const model::Document& document, const ClearanceRequest& question = {}) {
     base::Progress progress;
-    return *model::narrowestClearances(document, question, progress);
+    return *model::smallestClearances(document, question, progress);
 }
 
-/// Gap by layer and nets, every pair of elements looked at.
+/// Spacing by layer and nets, every pair of elements looked at.
 std::vector<double> bruteForce(const model::Document& document) {
     std::map<std::tuple<LayerId, NetId, NetId>, double> narrowest;
     for (std::uint32_t i = 0; i < document.elements.size(); ++i) {
@@ -114,24 +114,26 @@ private slots:
 
     void everyPairOfNetsIsFoundAtItsNarrowest() {
         const auto board = randomBoard();
-        ClearanceQuestion all;
+        ClearanceRequest all;
         all.count = 1'000;
         const std::vector<Clearance> found = clearancesOf(*board, all);
         const std::vector<double> expected = bruteForce(*board);
         QCOMPARE(found.size(), expected.size());
         for (std::size_t i = 0; i < found.size(); ++i) {
-            QCOMPARE(found[i].gap.distance, expected[i]);
-            QCOMPARE(std::hypot(found[i].gap.to.x - found[i].gap.from.x, found[i].gap.to.y - found[i].gap.from.y) + 1.0,
-                     found[i].gap.distance + 1.0);
+            QCOMPARE(found[i].spacing.distance, expected[i]);
+            QCOMPARE(std::hypot(found[i].spacing.to.x - found[i].spacing.from.x,
+                                found[i].spacing.to.y - found[i].spacing.from.y) +
+                         1.0,
+                     found[i].spacing.distance + 1.0);
         }
     }
 
     void fewOfThemAreTheSameAsTheFirstOfAll() {
         const auto board = randomBoard();
-        ClearanceQuestion all;
+        ClearanceRequest all;
         all.count = 1'000;
         const std::vector<Clearance> everything = clearancesOf(*board, all);
-        ClearanceQuestion few;
+        ClearanceRequest few;
         few.count = 5;
         const base::ThreadLimit oneThread(1);
         const std::vector<Clearance> found = clearancesOf(*board, few);
@@ -145,12 +147,12 @@ private slots:
 
     void questionsNarrowTheAnswer() {
         const auto board = randomBoard();
-        ClearanceQuestion question;
+        ClearanceRequest question;
         question.count = 1'000;
         const std::vector<Clearance> everything = clearancesOf(*board, question);
-        question.below = everything[3].gap.distance + 0.001;
+        question.below = everything[3].spacing.distance + 0.001;
         QCOMPARE(clearancesOf(*board, question).size(), std::size_t{4});
-        question.below = everything.back().gap.distance + 1.0;
+        question.below = everything.back().spacing.distance + 1.0;
         question.layer = LayerId{std::size_t{1}};
         for (const Clearance& c : clearancesOf(*board, question)) {
             QCOMPARE(c.layer, question.layer);
@@ -195,7 +197,7 @@ private slots:
         QCOMPARE(found.size(), isBackDrilled ? std::size_t{0} : std::size_t{1});
         if (!isBackDrilled) {
             QCOMPARE(found[0].layer, inner);
-            QCOMPARE(found[0].gap.distance, 250.0 * kUm);
+            QCOMPARE(found[0].spacing.distance, 250.0 * kUm);
         }
     }
 
@@ -212,7 +214,7 @@ private slots:
     void aCancelIsSaid() {
         base::Progress progress;
         progress.cancel();
-        QVERIFY(!model::narrowestClearances(*randomBoard(), {}, progress));
+        QVERIFY(!model::smallestClearances(*randomBoard(), {}, progress));
     }
 };
 

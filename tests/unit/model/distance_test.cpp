@@ -14,13 +14,13 @@ using model::ArcGeometry;
 using model::DocumentBuilder;
 using model::EdgeKind;
 using model::ElementId;
-using model::Gap;
 using model::Nm;
 using model::PathNode;
 using model::Placement;
 using model::Point;
 using model::PointD;
 using model::ShapeSketch;
+using model::Spacing;
 
 namespace {
 

@@ -85,12 +85,12 @@ private slots:
             const std::vector<double> expected = bruteForce(*board, targets);
             for (const double reach : {0.0, 100.0 * kUm, 1'000.0 * kUm}) {
                 const std::vector<Nearby> found = near(*board, targets, reach);
-                QVERIFY(std::ranges::is_sorted(found, {}, [](const Nearby& n) { return n.gap.distance; }));
+                QVERIFY(std::ranges::is_sorted(found, {}, [](const Nearby& n) { return n.spacing.distance; }));
                 std::vector<bool> isFound(board->elements.size());
                 for (const Nearby& n : found) {
                     QVERIFY(!isFound[n.element.row()]);
                     isFound[n.element.row()] = true;
-                    QCOMPARE(n.gap.distance + 1.0, expected[n.element.row()] + 1.0);
+                    QCOMPARE(n.spacing.distance + 1.0, expected[n.element.row()] + 1.0);
                 }
                 for (std::size_t i = 0; i < expected.size(); ++i) {
                     QCOMPARE(isFound[i], expected[i] <= reach);

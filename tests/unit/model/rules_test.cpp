@@ -80,8 +80,8 @@ class RulesTest : public QObject {
         const RuleReport broken = check(board, kind, width + 1);
         QCOMPARE(broken.findings.size(), std::size_t{1});
         QCOMPARE(broken.counts.front(), std::size_t{1});
-        QVERIFY2(std::abs(broken.findings.front().gap.distance - width) < 0.001,
-                 qPrintable(QString::number(broken.findings.front().gap.distance)));
+        QVERIFY2(std::abs(broken.findings.front().spacing.distance - width) < 0.001,
+                 qPrintable(QString::number(broken.findings.front().spacing.distance)));
     }
 
 private slots:
@@ -133,7 +133,7 @@ private slots:
         const auto document = board.builder.finish();
         const RuleReport broken = check(*document, RuleKind::HoleToHole, 500 * kUm + 1);
         QCOMPARE(broken.findings.size(), std::size_t{2});
-        QCOMPARE(broken.findings.front().gap.distance, 400.0 * kUm);
+        QCOMPARE(broken.findings.front().spacing.distance, 400.0 * kUm);
         QVERIFY(check(*document, RuleKind::HoleToHole, 400 * kUm).isPassed());
     }
 
@@ -156,7 +156,7 @@ private slots:
         board.builder.addCircle({{0, 0}, 300 * kUm, 300 * kUm}, of(board.a, kWall));
         const RuleReport broken = check(*board.builder.finish(), RuleKind::AnnularRing, 1);
         QCOMPARE(broken.findings.size(), std::size_t{1});
-        QCOMPARE(broken.findings.front().gap.distance, 0.0);
+        QCOMPARE(broken.findings.front().spacing.distance, 0.0);
         QCOMPARE(broken.findings.front().layer, board.bottom);
     }
 

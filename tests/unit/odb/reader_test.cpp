@@ -85,8 +85,8 @@ private slots:
                                                    "COMP_+_BOT",
                                                    "board 1",
                                                    "board 2",
-                                                   "SMT coat",
-                                                   "SMB coat",
+                                                   "SMT solder mask",
+                                                   "SMB solder mask",
                                                    "component bodies top",
                                                    "component bodies bottom"};
         QCOMPARE(names, expected);

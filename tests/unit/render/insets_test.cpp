@@ -1,9 +1,8 @@
-#include "render/modelling/insets.h"
-
 #include <QtTest>
 
 #include "model/board/document_builder.h"
 #include "render/modelling/board_model.h"
+#include "render/modelling/substrate_margins.h"
 
 using model::DocumentBuilder;
 using model::LayerType;
@@ -44,7 +43,7 @@ public:
         const auto document = m_builder.finish();
         base::Progress progress;
         const auto model = render::buildBoardModel(*document, {}, progress);
-        return render::findInsets(*document, *model).back();
+        return render::findSubstrateMargins(*document, *model).back();
     }
 
 private:
@@ -76,13 +75,13 @@ class InsetsTest : public QObject {
         Board board;
         board.begin(LayerType::Signal);
         board.builder().addLine({a, b, kMm, 0}, {});
-        return board.last().insetMm;
+        return board.last().marginMm;
     }
 
 private slots:
     void strokesAreMeasuredToTheEdge() {
         QVERIFY(near(insetOfLine({20 * kMm, 3 * kMm / 2}, {25 * kMm, 3 * kMm / 2}), 1.0));
-        QVERIFY(near(insetOfLine({20 * kMm, 20 * kMm}, {25 * kMm, 20 * kMm}), render::kFarthestInset));
+        QVERIFY(near(insetOfLine({20 * kMm, 20 * kMm}, {25 * kMm, 20 * kMm}), render::kLargestMargin));
         QVERIFY(near(insetOfLine({29 * kMm, 32 * kMm}, {29 * kMm, 33 * kMm}), 0.5));
     }
 
@@ -113,7 +112,7 @@ private slots:
         const model::ShapeId shape = board.builder().addShape(sketch);
         board.begin(LayerType::Signal);
         board.builder().addArea({shape, {}}, {});
-        const float found = board.last().insetMm;
+        const float found = board.last().marginMm;
         QVERIFY2(near(found, inset), qPrintable(QString::number(found)));
     }
 
@@ -126,7 +125,7 @@ private slots:
         board.begin(LayerType::SolderMask);
         board.builder().addArea({shape, {}}, {});
         // The unplugged hole lies under it, but on its very edge the question is not asked.
-        QVERIFY(near(board.last().insetMm, 0.0));
+        QVERIFY(near(board.last().marginMm, 0.0));
     }
 
     /// Holes that a drill layer fills are no edge, and the layer is known as what fills them.
@@ -139,7 +138,7 @@ private slots:
         board.builder().addLine({{5 * kMm, 20 * kMm}, {10 * kMm, 20 * kMm}, kMm, kMm}, hole);
         const LayerInSubstrate drill = board.last();
         QCOMPARE(drill.role, LayerInSubstrate::Role::Plug);
-        QVERIFY(near(drill.insetMm, render::kFarthestInset));
+        QVERIFY(near(drill.marginMm, render::kLargestMargin));
     }
 
     void aDrillOfAnotherSizeFillsNothing() {
@@ -150,7 +149,7 @@ private slots:
         board.builder().addCircle({{10 * kMm, 10 * kMm}, 2 * kMm, 2 * kMm}, hole);
         const LayerInSubstrate drill = board.last();
         QCOMPARE(drill.role, LayerInSubstrate::Role::Content);
-        QVERIFY(drill.insetMm < 0.0F);
+        QVERIFY(drill.marginMm < 0.0F);
     }
 
     void withoutLaminateNothingIsInIt() {
@@ -159,7 +158,8 @@ private slots:
         builder.addLine({{0, 0}, {kMm, 0}, kMm, 0}, {});
         const auto document = builder.finish();
         base::Progress progress;
-        QVERIFY(render::findInsets(*document, *render::buildBoardModel(*document, {}, progress))[0].insetMm < 0.0F);
+        QVERIFY(render::findSubstrateMargins(*document, *render::buildBoardModel(*document, {}, progress))[0].marginMm <
+                0.0F);
     }
 };
 

@@ -79,7 +79,7 @@ std::vector<render::LayerStyle> stylesOf(const std::vector<Layer>& layers,
     for (const Layer& each : layers) {
         builder.addLayer(each);
     }
-    return render::defaultStyles(*builder.finish(), render::Look::Flat, palette);
+    return render::defaultStyles(*builder.finish(), render::Appearance::Flat, palette);
 }
 
 }  // namespace
@@ -120,7 +120,7 @@ private slots:
         builder.addLayer(layer(LayerType::Body, LayerSide::Through));
         builder.addLayer(layer(LayerType::Signal, LayerSide::Bottom));
         const auto styles =
-            render::defaultStyles(*builder.finish(), render::Look::Solid, render::Palette::ColourBlindSafe);
+            render::defaultStyles(*builder.finish(), render::Appearance::Solid, render::Palette::ColourBlindSafe);
         for (const Vision& vision : kVisions) {
             QVERIFY(leastDistance(styles, vision) > 15.0);
         }
@@ -142,9 +142,9 @@ private slots:
         mask.isSynthetic = true;
         builder.addLayer(mask);
         const auto document = builder.finish();
-        const auto solid = render::defaultStyles(*document, render::Look::Solid);
+        const auto solid = render::defaultStyles(*document, render::Appearance::Solid);
         QVERIFY(!solid[0].isVisible && solid[1].isVisible && solid[1].opacity < 1.0F);
-        const auto flat = render::defaultStyles(*document, render::Look::Flat);
+        const auto flat = render::defaultStyles(*document, render::Appearance::Flat);
         QVERIFY(!flat[0].isVisible && !flat[1].isVisible);
     }
 

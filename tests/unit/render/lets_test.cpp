@@ -150,7 +150,7 @@ private slots:
         const auto document = builder.finish();
         const render::LayerLets made = render::makeLets(*document, model::LayerId{0UL}, {}, 5000.0);
         QVERIFY(made.lets.empty());
-        QCOMPARE(made.zeroWidthStrokes, 1U);
+        QCOMPARE(made.zeroWidthTracks, 1U);
         QCOMPARE(made.firstZeroWidthLine, 12U);
     }
 };

@@ -53,7 +53,7 @@ SavedView selectionOf(std::vector<model::session::SavedElement> elements) {
 }
 
 Measurement measured(const char* name) {
-    Measurement measurement{name, "pcb", model::MeasurementKind::Gap};
+    Measurement measurement{name, "pcb", model::MeasurementKind::Clearance};
     measurement.from = {1.5, -2, "TOP", "GND", "edge"};
     measurement.to = {4.5, 2, "SMT", "", "centre"};
     measurement.dz = 12.0;
@@ -73,7 +73,7 @@ Measurement measuredAngle() {
 Measurement measuredLength() {
     Measurement length = measured("length");
     length.kind = model::MeasurementKind::Length;
-    length.way = {{{"TOP", 4.0, {{0, 0}, {3, 0}, {3, 0.5}}}, {"SMT", 1e10, {{3, 0.5}, {4.25, -7}}}}, 1, 13.0};
+    length.path = {{{"TOP", 4.0, {{0, 0}, {3, 0}, {3, 0.5}}}, {"SMT", 1e10, {{3, 0.5}, {4.25, -7}}}}, 1, 13.0};
     return length;
 }
 
@@ -334,13 +334,30 @@ private slots:
         QVERIFY(location.load().session.measurements == all);
     }
 
+    void oldNamesOfPartsAreStillRead() {
+        const Location location;
+        QVERIFY(saveMeasurements(location.board, *location.document, {measuredLength()}).ok());
+        std::string text = location.file();
+        text.replace(text.find("\"path\""), 6, "\"way\"");
+        text.replace(text.find("\"notes\""), 7, "\"remarks\"");
+        location.write(text);
+        QCOMPARE(location.load().session.measurements, std::vector{measuredLength()});
+        model::session::Desk other = desk();
+        other.layers.front().layer = "SMT coat";
+        QVERIFY(model::session::saveDesk(location.board, *location.document, other).ok());
+        QCOMPARE(location.load().session.desk->layers.front().layer, std::string("SMT solder mask"));
+    }
+
     void whatLacksItsPartsIsNoMeasurement() {
         const Location location;
         QVERIFY(saveMeasurements(location.board, *location.document, {measuredAngle(), measuredLength()}).ok());
         const std::string good = location.file();
-        const std::pair<const char*, const char*> wrongs[] = {
-            {"\"corner\"", "\"other\""},       {"\"kind\": \"angle\"", "\"kind\": \"angel\""}, {"\"way\"", "\"path\""},
-            {"\"holes\": 1", "\"holes\": -1"}, {"\"length_nm\": 4", "\"length_nm\": -4"},      {"\"a remark\"", "7"}};
+        const std::pair<const char*, const char*> wrongs[] = {{"\"corner\"", "\"other\""},
+                                                              {"\"kind\": \"angle\"", "\"kind\": \"angel\""},
+                                                              {"\"path\"", "\"patch\""},
+                                                              {"\"holes\": 1", "\"holes\": -1"},
+                                                              {"\"length_nm\": 4", "\"length_nm\": -4"},
+                                                              {"\"a remark\"", "7"}};
         for (const auto& [right, wrong] : wrongs) {
             std::string text = good;
             QVERIFY2(text.find(right) != std::string::npos, right);

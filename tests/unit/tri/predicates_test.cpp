@@ -80,9 +80,10 @@ private slots:
             const auto seenA = tri::Seen<std::uint64_t>::from(eye, a);
             const auto seenB = tri::Seen<std::uint64_t>::from(eye, b);
             const auto seenD = tri::Seen<std::uint64_t>::from(eye, d);
-            QCOMPARE(tri::turn(seenA, seenB), orient(eye, a, b));
-            QVERIFY(tri::outsideCircleOfEye(seenA, seenB, seenD, tri::turn(seenA, seenB), tri::turn(seenB, seenD),
-                                            tri::turn(seenA, seenD)) == -inCircle(eye, a, b, d));
+            QCOMPARE(tri::orientation(seenA, seenB), orient(eye, a, b));
+            QVERIFY(tri::outsideCircleOfEye(seenA, seenB, seenD, tri::orientation(seenA, seenB),
+                                            tri::orientation(seenB, seenD),
+                                            tri::orientation(seenA, seenD)) == -inCircle(eye, a, b, d));
         }
     }
 

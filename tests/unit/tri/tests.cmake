@@ -3,5 +3,8 @@ copperscope_test(predicates_test unit/tri/predicates_test.cpp LABEL unit LINK co
 copperscope_test(verify_test unit/tri/verify_test.cpp LABEL unit LINK copperscope_tri)
 copperscope_test(tri_property_test property/tri_property_test.cpp LABEL unit LINK copperscope_tri)
 copperscope_test(bench_sets_test unit/tri/bench_sets_test.cpp LABEL unit LINK copperscope_app_bench)
-copperscope_test(tri_oracle_test unit/tri/gpu/oracle_test.cpp LABEL unit LINK copperscope_tri_gpu)
+# The kernels of shaders/tri on the processor, which devices are compared with.
+add_library(copperscope_tri_oracle STATIC unit/tri/gpu/oracle.cpp)
+target_link_libraries(copperscope_tri_oracle PUBLIC copperscope_tri_gpu)
+copperscope_test(tri_oracle_test unit/tri/gpu/oracle_test.cpp LABEL unit LINK copperscope_tri_oracle)
 copperscope_test(tri_kernel_predicates_test unit/tri/gpu/kernel_predicates_test.cpp LABEL unit LINK copperscope_tri_gpu)

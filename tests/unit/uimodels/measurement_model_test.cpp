@@ -91,7 +91,7 @@ private slots:
     void aLengthTellsLayersAndHoles() {
         Measurement length = slanting("l");
         length.kind = MeasurementKind::Length;
-        length.way = {
+        length.path = {
             {{"TOP", 3e6, {{0, 0}, {3e6, 0}}}, {"L2", 1e6, {{3e6, 0}, {4e6, 0}}}, {"TOP", 2e6, {{4e6, 0}, {6e6, 0}}}},
             2,
             5e5};

@@ -22,11 +22,11 @@ private slots:
         // 2.236 mm between the middles; asked for in the middle of the board, nearer to the lower one.
         const auto gap = at(index, {9.7e6, 5.6e6});
         QVERIFY(gap.has_value());
-        QVERIFY2(std::abs(gap->gap.distance - (std::sqrt(5.0) * 1e6 - 200'000)) < 1e-2,
-                 qPrintable(QString::number(gap->gap.distance)));
+        QVERIFY2(std::abs(gap->spacing.distance - (std::sqrt(5.0) * 1e6 - 200'000)) < 1e-2,
+                 qPrintable(QString::number(gap->spacing.distance)));
         QCOMPARE(gap->to.element, low);
         QCOMPARE(gap->from.element, high);
-        QVERIFY(std::hypot(gap->gap.to.x - 9.7e6, gap->gap.to.y - 5.6e6) < 1e6);
+        QVERIFY(std::hypot(gap->spacing.to.x - 9.7e6, gap->spacing.to.y - 5.6e6) < 1e6);
     }
 
     void whatIsOfOneNetOrTouchesIsNoGap() {
@@ -43,7 +43,7 @@ private slots:
         QVERIFY(gap.has_value());
         QCOMPARE(gap->from.element, other);
         // From the point of the other disc that is nearest to the cursor, so a little more than 4 mm.
-        QVERIFY(gap->gap.distance > 4e6 && gap->gap.distance < 4.001e6);
+        QVERIFY(gap->spacing.distance > 4e6 && gap->spacing.distance < 4.001e6);
     }
 
     void onlyOneLayerAtATimeCounts() {

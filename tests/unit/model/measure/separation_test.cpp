@@ -317,7 +317,7 @@ private slots:
                 const auto index = indexed(builder.finish());
                 for (const auto& [a, b, expected] : pairs) {
                     const Separation s = measured(*index, own(a), own(b));
-                    const Way& way = *s.inPlane;
+                    const PieceDistance& way = *s.inPlane;
                     const QString what = QString("%1 and %2: %3, not %4")
                                              .arg(kKinds[kindA])
                                              .arg(kKinds[kindB])
@@ -325,8 +325,9 @@ private slots:
                                              .arg(expected);
                     QVERIFY2(isNear(way.distance, expected), qPrintable(what));
                     QVERIFY2((way.relation == Relation::Apart) == (expected > kTouchNm), qPrintable(what));
-                    QVERIFY(isNear(std::hypot(way.gap.to.x - way.gap.from.x, way.gap.to.y - way.gap.from.y),
-                                   way.distance, 1e-3));
+                    QVERIFY(
+                        isNear(std::hypot(way.spacing.to.x - way.spacing.from.x, way.spacing.to.y - way.spacing.from.y),
+                               way.distance, 1e-3));
                     const Separation back = measured(*index, own(b), own(a));
                     QVERIFY(isNear(back.inPlane->distance, way.distance, 1e-3));
                     QVERIFY(isNear(back.inPlane->overlap, way.overlap, 1e-3) || !way.isOverlapExact);
@@ -410,7 +411,7 @@ private slots:
         QVERIFY(!says(known, "assumed") && says(known, "both are of net B"));
 
         const Separation drawn = measured(*index, own(top), own(text));
-        QVERIFY(!drawn.throughStackup && says(drawn, "no place in the stack"));
+        QVERIFY(!drawn.throughStackup && says(drawn, "not in the stackup"));
         QCOMPARE(drawn.inPlane->distance, 2.0 * kMm - 500'000 - 50'000);
 
         // Nets: the nearest pair in space is not the nearest in the plane.
@@ -450,7 +451,7 @@ private slots:
         const auto index = indexed(builder.finish());
         const Separation s = measured(*index, own(inside), BoardEdge{});
         QCOMPARE(s.main()->distance, 1.5 * kMm);
-        QCOMPARE(s.main()->gap.to.x, 0.0);
+        QCOMPARE(s.main()->spacing.to.x, 0.0);
         QVERIFY(!says(s, "outside"));
         QCOMPARE(measured(*index, BoardEdge{}, own(across)).main()->relation, Relation::Overlapping);
         const Separation beyond = measured(*index, own(outside), BoardEdge{});

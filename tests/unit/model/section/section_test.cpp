@@ -93,7 +93,7 @@ std::shared_ptr<const BoardIndex> indexed(std::shared_ptr<const Document> board)
 }
 
 Section cut(const std::shared_ptr<const Document>& board, std::vector<PointD> line) {
-    return *cutBoard(*indexed(board), {std::move(line), {}});
+    return *makeSection(*indexed(board), {std::move(line), {}});
 }
 
 /// Pieces of a layer as "from-to@bottom-top" in micrometres.
@@ -218,7 +218,7 @@ private slots:
     void onlyChosenLayersAreCut() {
         std::vector<bool> layers(6, false);
         layers[Inner] = true;
-        const Section section = *cutBoard(*indexed(card()), {{{-20e6, 0}, {20e6, 0}}, layers});
+        const Section section = *makeSection(*indexed(card()), {{{-20e6, 0}, {20e6, 0}}, layers});
         QCOMPARE(textOf(section.pieces, Inner), (QStringList{"10000-19500@1100-1200", "20500-30000@1100-1200"}));
         QCOMPARE(section.pieces.size(), std::size_t{2});
     }
@@ -238,7 +238,7 @@ private slots:
             const PointD a = {double(x(random)), double(y(random))};
             const PointD b =
                 round % 2 == 0 ? PointD{double(x(random)), a.y} : PointD{double(x(random)), double(y(random))};
-            const Section section = *cutBoard(*index, {{a, b}, {}});
+            const Section section = *makeSection(*index, {{a, b}, {}});
             for (int i = 0; i < 25; ++i) {
                 const double part = std::uniform_real_distribution<>(0.0, 1.0)(random);
                 const double location = section.stations.back() * part;
@@ -267,7 +267,7 @@ private slots:
 
     void tablesListEveryPiece() {
         const auto index = indexed(card());
-        const Section section = *cutBoard(*index, {{{-20e6, 0}, {20e6, 0}}, {}});
+        const Section section = *makeSection(*index, {{{-20e6, 0}, {20e6, 0}}, {}});
         const QStringList lines = QString::fromStdString(sectionCsv(*index, section)).split("\r\n", Qt::SkipEmptyParts);
         QCOMPARE(lines.size(), qsizetype(1 + section.pieces.size() + section.bores.size()));
         QCOMPARE(lines[1], "solid,top,0,0,,19000000.000,19500000.000,2200000,2300000");
@@ -278,11 +278,11 @@ private slots:
         const auto index = indexed(card());
         for (const std::vector<PointD>& line :
              {std::vector<PointD>{}, {{1, 1}}, {{1, 1}, {1, 1}}, {{0, 0}, {2e9, 0}}, {{0, 0}, {std::nan(""), 0}}}) {
-            const auto section = cutBoard(*index, {line, {}});
+            const auto section = makeSection(*index, {line, {}});
             QVERIFY(!section);
             QCOMPARE(section.error().code, base::ErrorCode::BadUsage);
         }
-        QVERIFY(!cutBoard(*index, {std::vector<PointD>(kMostCorners + 1), {}}));
+        QVERIFY(!makeSection(*index, {std::vector<PointD>(kMostCorners + 1), {}}));
     }
 
     void aLineBesideTheBoardSaysSo() {

@@ -1,6 +1,6 @@
-#include "model/solids/nearness.h"
-
 #include <QtTest>
+
+#include "model/solids/region_distance.h"
 
 using model::Box;
 using model::EdgeStrips;

@@ -42,7 +42,7 @@ public:
         return m_builder.addShape(sketch);
     }
     Layer& layer(std::size_t row) { return m_builder.layer(model::LayerId{row}); }
-    std::vector<SubstratePart> parts() const { return model::slabsOf(m_builder.soFar()); }
+    std::vector<SubstratePart> parts() const { return model::substratesOf(m_builder.soFar()); }
 
 private:
     DocumentBuilder m_builder;
@@ -143,7 +143,7 @@ private slots:
         const model::Point corners[] = {{0, 0}, {100, 0}, {100, 100}};
         sketch.addPolygon(corners, false);
         builder.setProfile(builder.addShape(sketch));
-        const auto parts = model::slabsOf(builder.soFar());
+        const auto parts = model::substratesOf(builder.soFar());
         QCOMPARE(parts.size(), std::size_t{1});
         QCOMPARE(parts[0].bottom, -1'600'000);
         QCOMPARE(parts[0].top, 0);

@@ -119,9 +119,9 @@ private slots:
         QVERIFY(withSolids(builder)->layers.empty());
     }
 
-    void coatIsTheOutlineMinusOpeningsAndOpenHoles() {
+    void solderMaskIsTheOutlineMinusOpeningsAndOpenHoles() {
         const auto document = boardWithMask();
-        const Layer& coat = document->layer(document->findLayer("SMT coat"));
+        const Layer& coat = document->layer(document->findLayer("SMT solder mask"));
         QCOMPARE(coat.type, LayerType::SolderMask);
         QCOMPARE(coat.side, model::LayerSide::Top);
         QVERIFY(coat.isSynthetic);
@@ -130,7 +130,7 @@ private slots:
         const double slot = 2.0 + M_PI / 4;
         // The narrow plated hole stays under the lacquer.
         QVERIFY(std::abs(areaMm2(*document, coat) - (100.0 - M_PI / 2 - slot - slot)) < 0.01);
-        QCOMPARE(document->layer(document->findLayer("empty coat")).elements.count, 0U);
+        QCOMPARE(document->layer(document->findLayer("empty solder mask")).elements.count, 0U);
     }
 
     void aPanelIsWithoutTheBoardsItHolds() {

@@ -1,4 +1,4 @@
-#include "render/modelling/insets.h"
+#include "render/modelling/substrate_margins.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace render {
 namespace {
 
-/// With more windows than this in the laminate it is not worked out which of them areas lie around.
+/// With more windows than this in the substrate it is not worked out which of them areas lie around.
 constexpr std::size_t kMostLoops = 512;
 
 /// Lines closer than this, mm, lie on each other.
@@ -82,7 +82,7 @@ void forLets(const BoardModel& model, const shader::Cluster& cluster, const Visi
     }
 }
 
-/// The straight holes and slots of a board: what fills the laminate's holes.
+/// The straight holes and slots of a board: what fills the substrate's holes.
 class Plugs {
 public:
     Plugs(const BoardModel& model, const std::vector<std::size_t>& holeLayers) : m_lets(model.lets) {
@@ -155,7 +155,7 @@ private:
     std::vector<Location> m_locations;
 };
 
-/// A slab of the laminate: its edges, and one point of each loop.
+/// a part of the substrate: its edges, and one point of each loop.
 struct SubstratePart {
     std::vector<Edge> edges;
     Loop loopPoints;
@@ -187,85 +187,85 @@ bool winds(const Loop& loop, glm::vec2 p) {
     return isIn;
 }
 
-/// How far the content of layers keeps inside one slab.
-class SubstrateInsets {
+/// How far the content of layers keeps inside one part.
+class SubstratePartMargins {
 public:
-    SubstrateInsets(const BoardModel& model, const SubstratePart& part)
+    SubstratePartMargins(const BoardModel& model, const SubstratePart& part)
         : m_model(model), m_grid(part.edges), m_loopPoints(part.loopPoints) {}
 
-    [[nodiscard]] float insetOf(std::size_t layer) const {
-        const float lets = insetOfLets(layer);
-        return lets < 0.0F ? lets : std::min(lets, insetOfAreas(layer));
+    [[nodiscard]] float marginOf(std::size_t layer) const {
+        const float lets = marginOfLets(layer);
+        return lets < 0.0F ? lets : std::min(lets, marginOfAreas(layer));
     }
 
 private:
     /// `inset` after something has been found `distance` inside, or outside unless it holds `point`.
-    [[nodiscard]] float lessened(float inset, float distance, glm::vec2 point) const {
-        return distance > 0.0F && m_grid.contains(point) ? std::min(inset, distance) : -1.0F;
+    [[nodiscard]] float lessened(float margin, float distance, glm::vec2 point) const {
+        return distance > 0.0F && m_grid.contains(point) ? std::min(margin, distance) : -1.0F;
     }
 
-    [[nodiscard]] float insetOfLets(std::size_t layer) const {
-        float inset = kFarthestInset;
+    [[nodiscard]] float marginOfLets(std::size_t layer) const {
+        float margin = kLargestMargin;
         forClusters(m_model, layer, [&](const shader::Cluster& cluster) {
-            if (inset < 0.0F) {
+            if (margin < 0.0F) {
                 return;
             }
-            const float distance = m_grid.distance(cluster.boxMin, cluster.boxMax, inset);
-            if (distance >= inset) {
-                inset = lessened(inset, distance, cluster.boxMin);
+            const float distance = m_grid.distance(cluster.boxMin, cluster.boxMax, margin);
+            if (distance >= margin) {
+                margin = lessened(margin, distance, cluster.boxMin);
                 return;
             }
             forLets(m_model, cluster, [&](const shader::Let& let) {
-                if (inset >= 0.0F && kindOf(let) != shader::kLetHole) {
-                    inset = insetOfLet(let, inset);
+                if (margin >= 0.0F && kindOf(let) != shader::kLetHole) {
+                    margin = marginOfLet(let, margin);
                 }
             });
         });
-        return inset;
+        return margin;
     }
 
-    [[nodiscard]] float insetOfLet(const shader::Let& let, float inset) const {
+    [[nodiscard]] float marginOfLet(const shader::Let& let, float margin) const {
         if (kindOf(let) == shader::kLetArc) {
             const LetBox box = boxOf(let);
-            return lessened(inset, m_grid.distance(box.min, box.max, inset), box.min);
+            return lessened(margin, m_grid.distance(box.min, box.max, margin), box.min);
         }
         constexpr float kDiagonal = 1.4142136F;
         const float reach = let.p4 * ((let.meta & shader::kLetSquarePen) != 0 ? kDiagonal : 1.0F);
-        const float distance = m_grid.distance({startOf(let), {let.p2, let.p3}}, reach + inset) - reach;
-        return lessened(inset, distance, startOf(let));
+        const float distance = m_grid.distance({startOf(let), {let.p2, let.p3}}, reach + margin) - reach;
+        return lessened(margin, distance, startOf(let));
     }
 
-    /// Along its walls; an area may also lie around a loop of the laminate without meeting it.
-    [[nodiscard]] float insetOfAreas(std::size_t layer) const {
+    /// Along its walls; an area may also lie around a loop of the substrate without meeting it.
+    [[nodiscard]] float marginOfAreas(std::size_t layer) const {
         if (m_loopPoints.size() > kMostLoops) {
-            return m_model.areaBatchesOfLayer[layer].count == 0 ? kFarthestInset : -1.0F;
+            return m_model.areaBatchesOfLayer[layer].count == 0 ? kLargestMargin : -1.0F;
         }
-        float inset = kFarthestInset;
+        float margin = kLargestMargin;
         std::vector<std::uint8_t> isAround(m_loopPoints.size(), 0);
         forInstances(m_model, layer, [&](const shader::AreaInstance& instance) {
-            const std::vector<Loop> loops = inset < 0.0F ? std::vector<Loop>() : loopsOf(m_model, instance);
+            const std::vector<Loop> loops = margin < 0.0F ? std::vector<Loop>() : loopsOf(m_model, instance);
             for (const Loop& loop : loops) {
-                inset = std::min(inset, insetOfLoop(loop, inset));
+                margin = std::min(margin, marginOfLoop(loop, margin));
                 for (std::size_t p = 0; p < m_loopPoints.size(); ++p) {
                     isAround[p] = (isAround[p] != 0) != winds(loop, m_loopPoints[p]) ? 1 : 0;
                 }
             }
         });
-        // Lacquer ends at the very edge of the laminate, where rounding would decide.
-        const bool isAroundAny = inset > kSlack && std::ranges::count(isAround, 1) > 0;
-        return isAroundAny ? -1.0F : inset;
+        // Solder mask ends at the very edge of the substrate, where rounding would decide.
+        const bool isAroundAny = margin > kSlack && std::ranges::count(isAround, 1) > 0;
+        return isAroundAny ? -1.0F : margin;
     }
 
-    [[nodiscard]] float insetOfLoop(const Loop& loop, float inset) const {
-        for (std::size_t i = 0; i < loop.size() && inset >= 0.0F; ++i) {
+    [[nodiscard]] float marginOfLoop(const Loop& loop, float margin) const {
+        for (std::size_t i = 0; i < loop.size() && margin >= 0.0F; ++i) {
             const Edge edge{loop[i], loop[(i + 1) % loop.size()]};
-            inset = std::min(inset, m_grid.distance(edge, std::max(inset, 2.0F * kSlack)));
+            margin = std::min(margin, m_grid.distance(edge, std::max(margin, 2.0F * kSlack)));
             const bool isInside = m_grid.contains(edge.a) || m_grid.distance({edge.a, edge.a}, kSlack) < kSlack;
-            if (!isInside || (inset <= kSlack && m_grid.isCrossedBy(edge.a, edge.b, kSlack))) {
-                inset = -1.0F;
+            if (!isInside || (margin <= kSlack && m_grid.isCrossedBy(edge.a, edge.b, kSlack))) {
+                margin = -1.0F;
             }
         }
-        return inset;
+        return margin;
     }
 
     const BoardModel& m_model;
@@ -273,9 +273,9 @@ private:
     Loop m_loopPoints;
 };
 
-class InsetFinder {
+class MarginFinder {
 public:
-    InsetFinder(const model::Document& document, const BoardModel& model)
+    MarginFinder(const model::Document& document, const BoardModel& model)
         : m_model(model), m_result(document.layers.size()) {
         for (std::size_t i = 0; i < document.layers.size(); ++i) {
             const model::Layer& layer = document.layers[i];
@@ -288,7 +288,7 @@ public:
     }
 
     std::vector<LayerInSubstrate> run() {
-        std::vector<SubstrateInsets> parts;
+        std::vector<SubstratePartMargins> parts;
         const Plugs plugs(m_model, m_holeLayers);
         for (std::size_t layer = 0; layer < m_result.size(); ++layer) {
             if (m_result[layer].role == Role::Substrate) {
@@ -301,11 +301,11 @@ public:
             if (m_result[layer].role == Role::Substrate || (parts.empty() && !isEmpty)) {
                 return;
             }
-            float inset = kFarthestInset;
-            for (const SubstrateInsets& part : parts) {
-                inset = inset < 0.0F ? inset : std::min(inset, part.insetOf(layer));
+            float margin = kLargestMargin;
+            for (const SubstratePartMargins& part : parts) {
+                margin = margin < 0.0F ? margin : std::min(margin, part.marginOf(layer));
             }
-            m_result[layer].insetMm = inset;
+            m_result[layer].marginMm = margin;
         });
         return std::move(m_result);
     }
@@ -339,8 +339,8 @@ private:
 
 }  // namespace
 
-std::vector<LayerInSubstrate> findInsets(const model::Document& document, const BoardModel& model) {
-    return InsetFinder(document, model).run();
+std::vector<LayerInSubstrate> findSubstrateMargins(const model::Document& document, const BoardModel& model) {
+    return MarginFinder(document, model).run();
 }
 
 }  // namespace render

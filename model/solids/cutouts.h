@@ -34,11 +34,11 @@ public:
     /// Do the two overlap, or come closer than `margin` nm? Exact for round holes and straight slots, to the chord
     /// tolerance for others.
     [[nodiscard]] bool touch(std::size_t a, std::size_t b, double margin) const;
-    /// Is `inner` known to lie in `outer` altogether? Only told of round holes, straight slots and equal outlines.
+    /// Is `inner` known to lie in `outer` altogether? Only for round holes, straight slots and equal outlines.
     [[nodiscard]] bool covers(std::size_t outer, std::size_t inner) const;
 
 private:
-    /// A round hole or straight slot: all points closer than `radius` to the way from `a` to `b`. Negative: another
+    /// A round hole or straight slot: all points closer than `radius` to the line from `a` to `b`. Negative: another
     /// shape.
     struct Capsule {
         Point a;
@@ -46,7 +46,7 @@ private:
         double radius = -1.0;
     };
 
-    /// The exact contours, if the element has any; they tell whether it is a capsule.
+    /// The exact contours, if the element has any; they show whether it is a capsule.
     Capsule addContours(const Document& document, ElementId element, const Placement& placement);
     Capsule addCircle(const CircleGeometry& circle, bool isHole, const Placement& placement);
     void addRow(const PolygonSet& polygons, const Capsule& capsule);
@@ -62,7 +62,7 @@ private:
 /// The shape without the cutouts. Where cutouts neither touch each other nor the outline, everything stays exact: a
 /// round hole is a circle. Only those that overlap are united as polygons, and only if one reaches the outline does the
 /// outline become a polygon (5 µm chords). Empty when nothing is left, or when cancelled.
-[[nodiscard]] ShapeSketch cut(const ShapeTable& shapes, ShapeId from, const Cutouts& cutouts,
-                              const base::Progress& progress);
+[[nodiscard]] ShapeSketch subtract(const ShapeTable& shapes, ShapeId from, const Cutouts& cutouts,
+                                   const base::Progress& progress);
 
 }  // namespace model

@@ -1,10 +1,9 @@
-#include "model/solids/cut.h"
-
 #include <algorithm>
 #include <numeric>
 
 #include "model/geometry/boolean.h"
-#include "model/solids/nearness.h"
+#include "model/solids/cutouts.h"
+#include "model/solids/region_distance.h"
 
 namespace model {
 
@@ -171,7 +170,7 @@ private:
     PolygonSet m_outline;
     EdgeStrips m_edges;
     Groups m_groups;
-    std::vector<std::vector<std::size_t>> m_members;  ///< by the row that stands for a group, rising
+    std::vector<std::vector<std::size_t>> m_members;  ///< by the row that represents a group, rising
     std::vector<std::uint8_t> m_reachesOutline;       ///< likewise
     ShapeSketch m_result;
     bool m_isGone = false;
@@ -179,7 +178,7 @@ private:
 
 }  // namespace
 
-ShapeSketch cut(const ShapeTable& shapes, ShapeId from, const Cutouts& cutouts, const base::Progress& progress) {
+ShapeSketch subtract(const ShapeTable& shapes, ShapeId from, const Cutouts& cutouts, const base::Progress& progress) {
     return Cutter(shapes, from, cutouts, progress).run();
 }
 

@@ -1,4 +1,4 @@
-#include "tri/gpu/oracle.h"
+#include "tests/unit/tri/gpu/oracle.h"
 
 #include <cstring>
 

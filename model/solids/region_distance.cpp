@@ -1,4 +1,4 @@
-#include "model/solids/nearness.h"
+#include "model/solids/region_distance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ double pointDistance(PointD p, Point a, Point b) {
 }
 
 /// Sign of the turn a → b → c; exact.
-int turn(Point a, Point b, Point c) {
+int orientation(Point a, Point b, Point c) {
     const auto product = [](std::int64_t x, std::int64_t y) { return static_cast<__int128>(x) * y; };
     const __int128 v = product(std::int64_t{b.x} - a.x, std::int64_t{c.y} - a.y) -
                        product(std::int64_t{b.y} - a.y, std::int64_t{c.x} - a.x);
@@ -30,9 +30,9 @@ bool boxesTouch(Point a, Point b, const Box& box, double margin) {
 
 /// Does the whole box lie on one side of the line through a and b?
 bool isBeside(const Box& box, Point a, Point b) {
-    const int side = turn(a, b, box.min);
-    return side != 0 && turn(a, b, box.max) == side && turn(a, b, {box.min.x, box.max.y}) == side &&
-           turn(a, b, {box.max.x, box.min.y}) == side;
+    const int side = orientation(a, b, box.min);
+    return side != 0 && orientation(a, b, box.max) == side && orientation(a, b, {box.min.x, box.max.y}) == side &&
+           orientation(a, b, {box.max.x, box.min.y}) == side;
 }
 
 template <class Visit>
@@ -52,7 +52,7 @@ bool isCrossed(Point a, Point b, Point p) {
     if ((a.y > p.y) == (b.y > p.y)) {
         return false;
     }
-    return turn(a, b, p) == (b.y > a.y ? 1 : -1);
+    return orientation(a, b, p) == (b.y > a.y ? 1 : -1);
 }
 
 }  // namespace
@@ -84,7 +84,8 @@ std::vector<std::pair<Point, Point>> edgesNear(const PolygonSet& set, std::span<
 }  // namespace
 
 double segmentDistance(Point a, Point b, Point c, Point d) {
-    const bool isCrossing = turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0;
+    const bool isCrossing =
+        orientation(a, b, c) * orientation(a, b, d) < 0 && orientation(c, d, a) * orientation(c, d, b) < 0;
     if (isCrossing) {
         return 0.0;
     }

@@ -18,7 +18,7 @@ namespace model {
 /// Is the point in one of these polygons?
 [[nodiscard]] bool contains(const PolygonSet& set, std::span<const PolygonSet::Polygon> polygons, Point p);
 
-/// The edges of a region in horizontal strips, so that a question about a place looks at few of them.
+/// The edges of a region in horizontal strips, so that a search near a location visits few of them.
 class EdgeStrips {
 public:
     explicit EdgeStrips(const PolygonSet& region);

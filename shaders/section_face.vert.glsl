@@ -2,11 +2,11 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_buffer_reference : require
 #extension GL_EXT_scalar_block_layout : require
-#include "shared/cut.h"
+#include "shared/section.h"
 
 // Rectangles in the cut, six vertices each.
 layout(push_constant, scalar) uniform PushBlock {
-    CutPush push;
+    SectionPush push;
 };
 layout(location = 0) flat out vec3 outColour;
 
@@ -14,12 +14,12 @@ layout(location = 0) flat out vec3 outColour;
 const float kStepsPerRank = 8.0;
 
 void main() {
-    const CutRectangle face = push.rectangles.at[gl_VertexIndex / 6];
+    const SectionRectangle face = push.rectangles.at[gl_VertexIndex / 6];
     const uint corner = gl_VertexIndex % 6;
     const bool isAtEnd = ((0x0eu >> corner) & 1u) != 0u;
     const bool isUpper = ((0x1cu >> corner) & 1u) != 0u;
-    const vec3 place = vec3(isAtEnd ? face.to : face.from, isUpper ? face.top : face.bottom);
-    vec4 clip = push.frame.data.clipFromBoard * vec4(place - push.frame.data.centre, 1.0);
+    const vec3 position = vec3(isAtEnd ? face.to : face.from, isUpper ? face.top : face.bottom);
+    vec4 clip = push.frame.data.clipFromBoard * vec4(position - push.frame.data.centre, 1.0);
     clip.z += kStepsPerRank * float(face.rank) * (push.frame.data.nudgeZ * clip.z + push.frame.data.nudgeW * clip.w);
     outColour = face.colour;
     gl_Position = clip;

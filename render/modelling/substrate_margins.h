@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "model/board/document.h"
+
+namespace render {
+
+struct BoardModel;
+
+/// What a layer has to do with the substrate, which hides what lies in it (hiding.h).
+struct LayerInSubstrate {
+    enum class Role : std::uint8_t {
+        Content,
+        Substrate,  ///< a part of it
+        Plug        ///< its holes go through the substrate and fill them as long as they are drawn
+    };
+    Role role = Role::Content;
+    /// How far everything on the layer keeps inside the substrate's edge, mm; kLargestMargin if it is farther.
+    /// Negative: something sticks out, or there is no substrate. Holes with a plug are no edge.
+    float marginMm = -1.0F;
+};
+
+inline constexpr float kLargestMargin = 2.0F;
+
+/// By layer. `model` has its lets, instances, vertices and walls.
+[[nodiscard]] std::vector<LayerInSubstrate> findSubstrateMargins(const model::Document& document,
+                                                                 const BoardModel& model);
+
+}  // namespace render
