@@ -60,8 +60,8 @@ Result<ClearanceResult> search(const Document& board, const ClearanceRequest& re
 
 }  // namespace
 
-std::vector<StepGaps> gapsOf(const ClearanceResult& answer) {
-    std::vector<StepGaps> gaps;
+std::vector<StepSpacings> spacingsOf(const ClearanceResult& answer) {
+    std::vector<StepSpacings> gaps;
     for (const model::StepRules& step : answer.rules) {
         gaps.push_back({step.step, step.report.findings});
     }

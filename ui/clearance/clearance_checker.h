@@ -22,7 +22,7 @@ struct ClearanceResult {
     std::vector<model::StepRules> rules;
     std::vector<std::string> notes;  ///< what was not measured, in plain words
 };
-[[nodiscard]] std::vector<StepGaps> gapsOf(const ClearanceResult& answer);
+[[nodiscard]] std::vector<StepSpacings> spacingsOf(const ClearanceResult& answer);
 /// Broken places by rule, over all steps; empty if no rules were asked for.
 [[nodiscard]] std::vector<std::size_t> countsOf(const ClearanceResult& answer);
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "ui/common/tool_button.h"
+#include "ui/common/panel_parts.h"
 #include "ui/workspace/actions.h"
 
 namespace ui {

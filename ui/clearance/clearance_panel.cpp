@@ -2,18 +2,13 @@
 
 #include <QAction>
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QSignalBlocker>
 #include <QSlider>
-#include <QSortFilterProxyModel>
 #include <QSplitter>
-#include <QToolBar>
 
-#include "ui/common/choice_delegate.h"
+#include "ui/common/panel_parts.h"
 #include "ui/common/table_view.h"
-#include "ui/common/tool_button.h"
 #include "ui/workspace/actions.h"
 
 namespace ui {
@@ -29,47 +24,36 @@ constexpr int kLensStart = 30;
 ClearancePanel::ClearancePanel(ClearanceModel& locations, RuleModel& rules, const ActionSet& actions, QWidget* parent)
     : QWidget(parent),
       m_locations(locations),
-      m_sorted(new QSortFilterProxyModel(this)),
       m_what(new QComboBox),
       m_where(new QComboBox),
       m_summary(new QLabel),
-      m_table(new TableView),
-      m_ruleTable(new TableView),
+      m_table(new TableView(locations)),
+      m_ruleTable(new TableView(rules)),
       m_lens(new QSlider(Qt::Horizontal)),
       m_lensText(new QLabel),
       m_distances(new ClearanceMapBar(actions)),
       m_notes(new QLabel) {
     m_notes->setWordWrap(true);
     m_notes->hide();
-    m_what->addItems({QStringLiteral("Narrowest gaps"), QStringLiteral("Rules")});
-    m_where->addItems({QStringLiteral("of the board"), QStringLiteral("of the current layer"),
-                       QStringLiteral("in the 2D view"), QStringLiteral("between the two highlighted nets")});
-    m_sorted->setSourceModel(&locations);
-    m_sorted->setSortRole(Qt::EditRole);
-    m_table->setModel(m_sorted);
-    m_table->horizontalHeader()->setSortIndicator(-1, Qt::AscendingOrder);  // as found: by rule, narrowest first
-    m_table->setSortingEnabled(true);
+    m_what->addItems({tr("Smallest clearances"), tr("Rules")});
+    m_where->addItems(
+        {tr("of the board"), tr("of the current layer"), tr("in the 2D view"), tr("between the two highlighted nets")});
+    m_table->makeSortable();
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_ruleTable->setModel(&rules);
-    m_ruleTable->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
     m_ruleTable->horizontalHeader()->setStretchLastSection(true);
     m_lens->setRange(1, kLensSteps);
     m_lens->setValue(kLensStart);
     m_lens->setMaximumWidth(220);
-    m_lens->setToolTip(QStringLiteral("How near copper must come to be lit by the lens"));
+    m_lens->setToolTip(tr("How near copper must come for the lens to highlight it"));
 
-    m_ruleTable->setItemDelegate(new ChoiceDelegate(RuleModel::ChoicesRole, m_ruleTable));
     for (const int column : {RuleModel::Kind, RuleModel::First, RuleModel::Second}) {
         m_ruleTable->setColumnHidden(column, true);  // the title says them
     }
 
-    // A tool bar folds what has no room into a menu: the buttons do not widen the window.
-    auto* tools = new QToolBar;
-    tools->addAction(&actions[ActionId::SearchClearances]);
-    tools->addAction(&actions[ActionId::ExportClearances]);
-    tools->addAction(&actions[ActionId::EditRules]);
-    m_openRules = tools->addAction(QStringLiteral("Open rules…"), this, &ClearancePanel::rulesAsked);
-    m_saveRules = tools->addAction(QStringLiteral("Save rules…"), this, &ClearancePanel::rulesSaved);
+    QToolBar* tools = toolBar(
+        {&actions[ActionId::SearchClearances], &actions[ActionId::ExportClearances], &actions[ActionId::EditRules]});
+    m_openRules = tools->addAction(tr("Open rules…"), this, &ClearancePanel::rulesAsked);
+    m_saveRules = tools->addAction(tr("Save rules…"), this, &ClearancePanel::rulesSaved);
     m_summary->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     auto* row = new QHBoxLayout;
     row->addWidget(m_what);
@@ -87,17 +71,15 @@ ClearancePanel::ClearancePanel(ClearanceModel& locations, RuleModel& rules, cons
     tables->setStretchFactor(0, 2);
     tables->setStretchFactor(1, 3);
     tables->setChildrenCollapsible(false);
-    auto* all = new QVBoxLayout(this);
-    all->setContentsMargins(4, 4, 4, 4);
+    auto* all = columnIn(*this, 4);
     all->addLayout(row);
     all->addLayout(lenses);
     all->addWidget(tables, 1);
     all->addWidget(m_notes);
 
     connect(m_what, &QComboBox::currentIndexChanged, this, &ClearancePanel::onWhat);
-    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &ClearancePanel::choose);
-    connect(m_table, &QTableView::clicked, this, &ClearancePanel::choose);
-    connect(m_table, &TableView::enterPressed, this, &ClearancePanel::choose);
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, m_table, &TableView::choose);
+    connect(m_table, &TableView::rowChosen, this, [this](int at) { emit chosen(m_locations.location(at)); });
     connect(&locations, &QAbstractItemModel::modelReset, this, &ClearancePanel::onReset);
     connect(&rules, &QAbstractItemModel::dataChanged, m_ruleTable, &QTableView::resizeColumnsToContents);
     connect(&rules, &QAbstractItemModel::modelReset, m_ruleTable, &QTableView::resizeColumnsToContents);
@@ -141,12 +123,6 @@ void ClearancePanel::setUnit(LengthUnit unit) {
     m_table->resizeColumnsToContents();
 }
 
-void ClearancePanel::choose(const QModelIndex& index) {
-    if (index.isValid()) {
-        emit chosen(m_locations.location(m_sorted->mapToSource(index).row()));
-    }
-}
-
 void ClearancePanel::onWhat() {
     const bool isOfRules = what() == What::Rules;
     m_where->setVisible(!isOfRules);
@@ -158,7 +134,7 @@ void ClearancePanel::onWhat() {
 
 void ClearancePanel::onReset() {
     m_summary->setText(m_locations.summary());
-    m_table->setColumnHidden(ClearanceModel::Rule, what() == What::Narrowest);
+    m_table->setColumnHidden(ClearanceModel::Rule, what() == What::Smallest);
     m_table->resizeColumnsToContents();
 }
 

@@ -10,21 +10,19 @@ class QAction;
 class QComboBox;
 class QLabel;
 class QSlider;
-class QSortFilterProxyModel;
 
 namespace ui {
 
 class ActionSet;
 class TableView;
 
-/// Where copper is narrow: the narrowest gaps or broken rules, one row each, to step through; and the sliders of
-/// the lens and the distance map. A row that becomes the current one asks to be shown, so the arrow keys walk through
-/// all places.
+/// The smallest clearances or broken rules, one row each, to step through; and the sliders of the lens and the
+/// clearance map. A row that becomes the current one asks to be shown, so the arrow keys walk through all locations.
 class ClearancePanel : public QWidget {
     Q_OBJECT
 
 public:
-    enum class What { Narrowest, Rules };
+    enum class What { Smallest, Rules };
     enum class Where { Board, Layer, View, Nets };
 
     ClearancePanel(ClearanceModel& locations, RuleModel& rules, const ActionSet& actions, QWidget* parent = nullptr);
@@ -55,12 +53,10 @@ signals:
     void rulesSaved();
 
 private:
-    void choose(const QModelIndex& index);
     void onReset();
     void onWhat();
 
     ClearanceModel& m_locations;
-    QSortFilterProxyModel* m_sorted;
     QComboBox* m_what;
     QComboBox* m_where;
     QLabel* m_summary;

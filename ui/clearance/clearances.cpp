@@ -148,7 +148,7 @@ void Clearances::take(const std::shared_ptr<const model::Document>& board, const
     endShowing();
     m_asked = request;
     m_result = answer;
-    m_locations.setSpacings(board, gapsOf(answer), request.isOfRules ? request.rules : model::RuleTable{});
+    m_locations.setSpacings(board, spacingsOf(answer), request.isOfRules ? request.rules : model::RuleTable{});
     if (request.isOfRules && m_rules.rules() == request.rules) {
         m_rules.setCounts(countsOf(answer));
     }

@@ -8,16 +8,6 @@ namespace ui {
 
 namespace {
 
-struct ColumnText {
-    const char* heading;
-    const char* tip;
-};
-
-constexpr ColumnText kColumns[NetClassModel::ColumnCount] = {
-    {"Class", "What rules call these nets"},
-    {"Nets", "Names between commas, with * for any text and ? for any letter: VCC*, GND"},
-    {"Of this board", "How many nets of the board these are"},
-};
 constexpr int kMostNamesInTip = 20;
 
 QString textOf(const std::vector<std::string>& patterns) {
@@ -41,7 +31,13 @@ std::vector<std::string> patternsOf(const QString& text) {
 }  // namespace
 
 NetClassModel::NetClassModel(RuleModel& rules, std::vector<std::string> nets, QObject* parent)
-    : QAbstractTableModel(parent), m_rules(rules), m_nets(std::move(nets)) {}
+    : TableModel(
+          {{tr("Class"), tr("What rules call these nets"), kEditable},
+           {tr("Nets"), tr("Names between commas, with * for any text and ? for any letter: VCC*, GND"), kEditable},
+           {tr("Of this board"), tr("How many nets of the board these are")}},
+          parent),
+      m_rules(rules),
+      m_nets(std::move(nets)) {}
 
 const model::NetClass& NetClassModel::classOf(int row) const {
     return m_rules.rules().classes[static_cast<std::size_t>(row)];
@@ -75,72 +71,41 @@ void NetClassModel::removeClass(int row) {
     endResetModel();
 }
 
-int NetClassModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(m_rules.rules().classes.size());
-}
-
-int NetClassModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : ColumnCount;
-}
-
-QVariant NetClassModel::data(const QModelIndex& index, int role) const {
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) {
-        return {};
-    }
-    const model::NetClass& netClass = classOf(index.row());
-    if (role == Qt::ToolTipRole && index.column() == Fits) {
-        std::vector<std::string> nets = netsOf(netClass);
-        const bool isMore = nets.size() > kMostNamesInTip;
-        nets.resize(std::min<std::size_t>(nets.size(), kMostNamesInTip));
-        return textOf(nets) + (isMore ? QStringLiteral(", …") : QString());
-    }
-    if (role != Qt::DisplayRole && role != Qt::EditRole) {
-        return {};
-    }
-    switch (index.column()) {
-        case Name: return QString::fromStdString(netClass.name);
-        case Nets: return textOf(netClass.nets);
-        case Fits: {
-            const std::size_t count = netsOf(netClass).size();
-            return count == 1 ? QStringLiteral("1 net") : QStringLiteral("%L1 nets").arg(count);
+Cell NetClassModel::cell(int row, int column) const {
+    switch (column) {
+        case Name: return text(classOf(row).name);
+        case Nets: return {textOf(classOf(row).nets)};
+        default: {
+            const std::size_t fitting = netsOf(classOf(row)).size();
+            return {fitting == 1 ? tr("1 net") : tr("%L1 nets").arg(fitting)};
         }
-        default: return {};
     }
 }
 
-QVariant NetClassModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation != Qt::Horizontal || section < 0 || section >= ColumnCount) {
+QString NetClassModel::tip(int row, int column) const {
+    if (column != Fits) {
         return {};
     }
-    switch (role) {
-        case Qt::DisplayRole: return QLatin1String(kColumns[section].heading);
-        case Qt::ToolTipRole: return QLatin1String(kColumns[section].tip);
-        default: return {};
-    }
+    std::vector<std::string> nets = netsOf(classOf(row));
+    const bool isMore = nets.size() > kMostNamesInTip;
+    nets.resize(std::min<std::size_t>(nets.size(), kMostNamesInTip));
+    return textOf(nets) + (isMore ? QStringLiteral(", …") : QString());
 }
 
-Qt::ItemFlags NetClassModel::flags(const QModelIndex& index) const {
-    const Qt::ItemFlags flags = QAbstractTableModel::flags(index);
-    return index.column() == Name || index.column() == Nets ? flags | Qt::ItemIsEditable : flags;
-}
-
-bool NetClassModel::setData(const QModelIndex& index, const QVariant& value, int role) {
-    if (!index.isValid() || role != Qt::EditRole || index.column() == Fits) {
-        return false;
-    }
-    model::NetClass netClass = classOf(index.row());
-    if (index.column() == Name) {
+bool NetClassModel::edit(int row, int column, const QVariant& value) {
+    model::NetClass netClass = classOf(row);
+    if (column == Name) {
         netClass.name = value.toString().trimmed().toStdString();
     } else {
         netClass.nets = patternsOf(value.toString());
     }
-    if (netClass == classOf(index.row())) {
+    if (netClass == classOf(row)) {
         return true;
     }
-    if (!m_rules.setClass(static_cast<std::size_t>(index.row()), netClass)) {
+    if (!m_rules.setClass(static_cast<std::size_t>(row), netClass)) {
         return false;
     }
-    emit dataChanged(this->index(index.row(), 0), this->index(index.row(), ColumnCount - 1));
+    announceChange();
     return true;
 }
 

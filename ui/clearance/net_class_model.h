@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QAbstractTableModel>
 #include <string>
 #include <vector>
 
@@ -8,12 +7,12 @@
 
 namespace ui {
 
-/// The net classes that rules speak of: name, patterns, and how many nets of the board they fit.
-class NetClassModel : public QAbstractTableModel {
+/// The net classes that rules use: name, patterns, and how many nets of the board they fit.
+class NetClassModel : public TableModel {
     Q_OBJECT
 
 public:
-    enum Column { Name, Nets, Fits, ColumnCount };
+    enum Column { Name, Nets, Fits };
 
     /// Edits the classes of `rules`, which must live longer. `nets`: all names of the board.
     NetClassModel(RuleModel& rules, std::vector<std::string> nets, QObject* parent = nullptr);
@@ -22,15 +21,12 @@ public:
     void addClass();
     void removeClass(int row);
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
-    /// Patterns stand between commas.
-    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
-
 private:
+    [[nodiscard]] int rows() const override { return static_cast<int>(m_rules.rules().classes.size()); }
+    [[nodiscard]] Cell cell(int row, int column) const override;
+    [[nodiscard]] QString tip(int row, int column) const override;
+    /// Patterns stand between commas.
+    bool edit(int row, int column, const QVariant& value) override;
     [[nodiscard]] const model::NetClass& classOf(int row) const;
     [[nodiscard]] std::vector<std::string> netsOf(const model::NetClass& netClass) const;
 

@@ -7,39 +7,48 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <functional>
 #include <utility>
 
-#include "ui/common/choice_delegate.h"
 #include "ui/common/table_view.h"
 
 namespace ui {
 
 namespace {
 
-TableView* tableOf(QAbstractItemModel& model, const QString& name) {
-    auto* table = new TableView;
-    table->setModel(&model);
+TableView* tableOf(TableModel& model, const QString& name) {
+    auto* table = new TableView(model);
     table->setAccessibleName(name);
     table->setSelectionMode(QAbstractItemView::SingleSelection);
-    table->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked |
-                           QAbstractItemView::AnyKeyPressed);
+    table->setEditTriggers(table->editTriggers() | QAbstractItemView::AnyKeyPressed);
     table->horizontalHeader()->setStretchLastSection(true);
     table->resizeColumnsToContents();
     return table;
 }
 
-QPushButton* buttonIn(QLayout& column, const QString& text) {
-    auto* button = new QPushButton(text);
-    button->setAutoDefault(false);  // Enter in a table edits, it does not press these
-    column.addWidget(button);
-    return button;
+/// The table in a frame with commands beside it.
+template <class Run>
+QWidget* boxOf(const QString& title, TableView* table, std::initializer_list<std::pair<QString, Run>> commands) {
+    auto* side = new QVBoxLayout;
+    for (const auto& [text, run] : commands) {
+        auto* button = new QPushButton(text);
+        button->setAutoDefault(false);  // Enter in a table edits, it does not press these
+        QObject::connect(button, &QPushButton::clicked, table, run);
+        side->addWidget(button);
+    }
+    side->addStretch(1);
+    auto* box = new QGroupBox(title);
+    auto* row = new QHBoxLayout(box);
+    row->addWidget(table, 1);
+    row->addLayout(side);
+    return box;
 }
 
 }  // namespace
 
 RuleDialog::RuleDialog(const model::RuleTable& rules, std::vector<std::string> nets, LengthUnit unit, QWidget* parent)
     : QDialog(parent), m_classes(m_rules, std::move(nets)), m_hint(new QLabel) {
-    setWindowTitle(QStringLiteral("Rules"));
+    setWindowTitle(tr("Rules"));
     m_rules.setRules(rules);
     m_rules.setUnit(unit);
     m_hint->setWordWrap(true);
@@ -59,38 +68,25 @@ RuleDialog::RuleDialog(const model::RuleTable& rules, std::vector<std::string> n
 }
 
 QWidget* RuleDialog::rulesBox() {
-    m_ruleTable = tableOf(m_rules, QStringLiteral("Rules"));
-    m_ruleTable->setItemDelegate(new ChoiceDelegate(RuleModel::ChoicesRole, m_ruleTable));
+    m_ruleTable = tableOf(m_rules, tr("Rules"));
     m_ruleTable->setColumnHidden(RuleModel::Title, true);
     m_ruleTable->setColumnHidden(RuleModel::Result, true);
     m_ruleTable->setColumnWidth(RuleModel::First, 140);
     m_ruleTable->setColumnWidth(RuleModel::Second, 140);
-    auto* box = new QGroupBox(QStringLiteral("Of several rules of one kind that fit, the last one holds"));
-    auto* side = new QVBoxLayout;
-    connect(buttonIn(*side, QStringLiteral("&Add rule")), &QPushButton::clicked, this, &RuleDialog::addRule);
-    connect(buttonIn(*side, QStringLiteral("&Remove rule")), &QPushButton::clicked, this, &RuleDialog::removeRule);
-    connect(buttonIn(*side, QStringLiteral("Move &up")), &QPushButton::clicked, this, [this] { moveRule(-1); });
-    connect(buttonIn(*side, QStringLiteral("Move &down")), &QPushButton::clicked, this, [this] { moveRule(1); });
-    side->addStretch(1);
-    auto* row = new QHBoxLayout(box);
-    row->addWidget(m_ruleTable, 1);
-    row->addLayout(side);
-    return box;
+    return boxOf<std::function<void()>>(tr("Of several rules of one kind that fit, the last one applies"), m_ruleTable,
+                                        {{tr("&Add rule"), [this] { addRule(); }},
+                                         {tr("&Remove rule"), [this] { removeRule(); }},
+                                         {tr("Move &up"), [this] { moveRule(-1); }},
+                                         {tr("Move &down"), [this] { moveRule(1); }}});
 }
 
 QWidget* RuleDialog::classesBox() {
-    m_classTable = tableOf(m_classes, QStringLiteral("Net classes"));
+    m_classTable = tableOf(m_classes, tr("Net classes"));
     m_classTable->setColumnWidth(NetClassModel::Name, 140);
     m_classTable->setColumnWidth(NetClassModel::Nets, 320);
-    auto* box = new QGroupBox(QStringLiteral("Net classes"));
-    auto* side = new QVBoxLayout;
-    connect(buttonIn(*side, QStringLiteral("Add &class")), &QPushButton::clicked, this, &RuleDialog::addClass);
-    connect(buttonIn(*side, QStringLiteral("R&emove class")), &QPushButton::clicked, this, &RuleDialog::removeClass);
-    side->addStretch(1);
-    auto* row = new QHBoxLayout(box);
-    row->addWidget(m_classTable, 1);
-    row->addLayout(side);
-    return box;
+    return boxOf<std::function<void()>>(
+        tr("Net classes"), m_classTable,
+        {{tr("Add &class"), [this] { addClass(); }}, {tr("R&emove class"), [this] { removeClass(); }}});
 }
 
 QString RuleDialog::hint() const {

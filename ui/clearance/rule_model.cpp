@@ -11,27 +11,13 @@ namespace ui {
 
 namespace {
 
-struct ColumnText {
-    const char* heading;
-    const char* tip;
-};
-
-constexpr ColumnText kColumns[RuleModel::ColumnCount] = {
-    {"On", "Whether anything is held against the rule"},
-    {"Rule", "What is held against what"},
-    {"Kind", "What keeps a distance, or how much must be left"},
-    {"Between", "Nets of this class; any net"},
-    {"And", "Nets of this class; any net"},
-    {"At least", "The least distance that is right; with a unit (100um, 4 mil) or in yours"},
-    {"Result", "How many places break the rule"},
-};
 /// Mid tones, readable on a light and on a dark ground; the word says the same.
 constexpr QColor kBroken(0xd9, 0x4a, 0x3d);
-constexpr QColor kKept(0x3a, 0x9a, 0x7a);
-constexpr model::Nm kCommonGap = 100'000;
+constexpr QColor kPassed(0x3a, 0x9a, 0x7a);
+constexpr model::Nm kCommonClearance = 100'000;
 
 QString anyNet() {
-    return QStringLiteral("any net");
+    return RuleModel::tr("any net");
 }
 
 /// None if the text is no length that a rule can ask for.
@@ -47,7 +33,22 @@ std::optional<model::Nm> lengthOf(const QString& text, LengthUnit unit) {
     return isLeast ? std::optional(static_cast<model::Nm>(std::lround(nm))) : std::nullopt;
 }
 
+bool isOfNets(const model::Rule& rule) {
+    return rule.kind == model::RuleKind::CopperToCopper;
+}
+
 }  // namespace
+
+RuleModel::RuleModel(QObject* parent)
+    : TableModel(
+          {{tr("On"), tr("Whether the rule is checked"), kCheck},
+           {tr("Rule"), tr("What is checked against what")},
+           {tr("Kind"), tr("What keeps a clearance, or how much must be left"), kEditable},
+           {tr("Between"), tr("Nets of this class; any net"), kEditable},
+           {tr("And"), tr("Nets of this class; any net"), kEditable},
+           {tr("At least"), tr("The least value that passes; with a unit (100um, 4 mil) or in yours"), kEditable},
+           {tr("Result"), tr("In how many locations the rule is broken")}},
+          parent) {}
 
 void RuleModel::setRules(model::RuleTable rules) {
     beginResetModel();
@@ -58,16 +59,7 @@ void RuleModel::setRules(model::RuleTable rules) {
 
 void RuleModel::setCounts(std::vector<std::size_t> counts) {
     m_counts = std::move(counts);
-    if (rowCount() > 0) {
-        emit dataChanged(index(0, Result), index(rowCount() - 1, Result));
-    }
-}
-
-void RuleModel::setUnit(LengthUnit unit) {
-    m_unit = unit;
-    if (rowCount() > 0) {
-        emit dataChanged(index(0, Least), index(rowCount() - 1, Least));
-    }
+    announceChange();
 }
 
 /// Rows stay what they are, or the whole table is another.
@@ -78,7 +70,7 @@ void RuleModel::change(model::RuleTable after) {
     } else {
         m_rules = std::move(after);
         m_counts.clear();
-        emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+        announceChange();
     }
     emit edited(before);
 }
@@ -90,13 +82,13 @@ bool RuleModel::refuse(const QString& why) {
 
 void RuleModel::addRule() {
     model::RuleTable after = m_rules;
-    after.rules.push_back({model::RuleKind::CopperToCopper, kCommonGap, {}});
+    after.rules.push_back({model::RuleKind::CopperToCopper, kCommonClearance, {}});
     change(std::move(after));
 }
 
 void RuleModel::removeRule(int row) {
     if (m_rules.rules.size() == 1) {
-        refuse(QStringLiteral("There must be one rule at least; it can be switched off."));
+        refuse(tr("At least one rule must stay; switch it off instead."));
         return;
     }
     model::RuleTable after = m_rules;
@@ -118,14 +110,14 @@ int RuleModel::moveRule(int row, int by) {
 bool RuleModel::setClass(std::size_t row, const model::NetClass& netClass) {
     const bool isNew = row == m_rules.classes.size();
     if (netClass.name.empty()) {
-        return refuse(QStringLiteral("A net class needs a name."));
+        return refuse(tr("A net class needs a name."));
     }
     const auto known = std::ranges::find(m_rules.classes, netClass.name, &model::NetClass::name);
     if (known != m_rules.classes.end() && static_cast<std::size_t>(known - m_rules.classes.begin()) != row) {
-        return refuse(QStringLiteral("There is a net class %1 already.").arg(QString::fromStdString(netClass.name)));
+        return refuse(tr("There is a net class %1 already.").arg(QString::fromStdString(netClass.name)));
     }
     if (isNew && row == model::kMostNetClasses) {
-        return refuse(QStringLiteral("There can be %1 net classes.").arg(model::kMostNetClasses));
+        return refuse(tr("There can be at most %1 net classes.").arg(model::kMostNetClasses));
     }
     model::RuleTable after = m_rules;
     if (isNew) {
@@ -145,7 +137,7 @@ bool RuleModel::removeClass(std::size_t row) {
     const auto user = std::ranges::find_if(
         m_rules.rules, [&](const model::Rule& rule) { return std::ranges::count(rule.classes, name) > 0; });
     if (user != m_rules.rules.end()) {
-        return refuse(QStringLiteral("Rule %1 speaks of %2: change or remove it first.")
+        return refuse(tr("Rule %1 uses %2: change or remove it first.")
                           .arg(user - m_rules.rules.begin() + 1)
                           .arg(QString::fromStdString(name)));
     }
@@ -155,40 +147,33 @@ bool RuleModel::removeClass(std::size_t row) {
     return true;
 }
 
-int RuleModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(m_rules.rules.size());
-}
-
-int RuleModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : ColumnCount;
-}
-
-QString RuleModel::resultOf(std::size_t row) const {
+Cell RuleModel::resultOf(std::size_t row) const {
     if (!m_rules.rules[row].isOn) {
-        return QStringLiteral("off");
+        return {tr("off")};
     }
     if (m_counts.empty()) {
-        return QStringLiteral("not checked");
+        return {tr("not checked")};
     }
-    return m_counts[row] == 0   ? QStringLiteral("pass")
-           : m_counts[row] == 1 ? QStringLiteral("FAIL, in 1 place")
-                                : QStringLiteral("FAIL, in %L1 places").arg(m_counts[row]);
+    return m_counts[row] == 0   ? Cell{.text = tr("pass"), .colour = kPassed}
+           : m_counts[row] == 1 ? Cell{.text = tr("FAIL, in 1 location"), .colour = kBroken}
+                                : Cell{.text = tr("FAIL, in %L1 locations").arg(m_counts[row]), .colour = kBroken};
 }
 
-QString RuleModel::textOf(std::size_t row, int column) const {
-    const model::Rule& rule = m_rules.rules[row];
+Cell RuleModel::cell(int row, int column) const {
+    const model::Rule& rule = m_rules.rules[static_cast<std::size_t>(row)];
     const auto className = [&](std::size_t side) {
-        return rule.classes[side].empty() ? anyNet() : QString::fromStdString(rule.classes[side]);
+        return !isOfNets(rule)              ? QString()
+               : rule.classes[side].empty() ? anyNet()
+                                            : QString::fromStdString(rule.classes[side]);
     };
-    const bool isOfNets = rule.kind == model::RuleKind::CopperToCopper;
     switch (column) {
-        case Title: return QString::fromStdString(model::titleOf(rule));
-        case Kind: return QLatin1String(model::nameOf(rule.kind));
-        case First: return isOfNets ? className(0) : QString();
-        case Second: return isOfNets ? className(1) : QString();
-        case Least: return lengthText(static_cast<double>(rule.least), m_unit);
-        case Result: return resultOf(row);
-        default: return {};
+        case On: return {.isChecked = rule.isOn};
+        case Title: return text(model::titleOf(rule));
+        case Kind: return {.text = QLatin1String(model::nameOf(rule.kind)), .choices = choicesOf(column)};
+        case First: return {.text = className(0), .choices = choicesOf(column)};
+        case Second: return {.text = className(1), .choices = choicesOf(column)};
+        case Least: return {lengthText(static_cast<double>(rule.least), unit())};
+        default: return resultOf(static_cast<std::size_t>(row));
     }
 }
 
@@ -198,98 +183,54 @@ QStringList RuleModel::choicesOf(int column) const {
         for (std::size_t kind = 0; kind < model::kRuleKindCount; ++kind) {
             choices += QLatin1String(model::nameOf(static_cast<model::RuleKind>(kind)));
         }
-    } else if (column == First || column == Second) {
-        choices += anyNet();
-        for (const model::NetClass& netClass : m_rules.classes) {
-            choices += QString::fromStdString(netClass.name);
-        }
+        return choices;
+    }
+    choices += anyNet();
+    for (const model::NetClass& netClass : m_rules.classes) {
+        choices += QString::fromStdString(netClass.name);
     }
     return choices;
 }
 
-bool RuleModel::hasClasses(const QModelIndex& index) const {
-    return m_rules.rules[static_cast<std::size_t>(index.row())].kind == model::RuleKind::CopperToCopper;
-}
-
-QVariant RuleModel::data(const QModelIndex& index, int role) const {
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) {
-        return {};
-    }
-    const auto row = static_cast<std::size_t>(index.row());
-    const bool isOn = m_rules.rules[row].isOn;
-    switch (role) {
-        case Qt::CheckStateRole:
-            return index.column() == On ? QVariant(isOn ? Qt::Checked : Qt::Unchecked) : QVariant();
-        case Qt::ForegroundRole:
-            return index.column() == Result && !m_counts.empty() && isOn ? (m_counts[row] == 0 ? kKept : kBroken)
-                                                                         : QVariant();
-        case Qt::DisplayRole:
-        case Qt::EditRole: return textOf(row, index.column());
-        case ChoicesRole: return choicesOf(index.column());
-        default: return {};
-    }
-}
-
-QVariant RuleModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation != Qt::Horizontal || section < 0 || section >= ColumnCount) {
-        return {};
-    }
-    switch (role) {
-        case Qt::DisplayRole: return QLatin1String(kColumns[section].heading);
-        case Qt::ToolTipRole: return QLatin1String(kColumns[section].tip);
-        default: return {};
-    }
-}
-
 Qt::ItemFlags RuleModel::flags(const QModelIndex& index) const {
-    const Qt::ItemFlags flags = QAbstractTableModel::flags(index);
-    if (!index.isValid()) {
-        return flags;
-    }
-    switch (index.column()) {
-        case On: return flags | Qt::ItemIsUserCheckable;
-        case Kind:
-        case Least: return flags | Qt::ItemIsEditable;
-        case First:
-        case Second: return hasClasses(index) ? flags | Qt::ItemIsEditable : flags;
-        default: return flags;
-    }
+    const Qt::ItemFlags flags = TableModel::flags(index);
+    const bool isClass = index.column() == First || index.column() == Second;
+    return isClass && !isOfNets(m_rules.rules[static_cast<std::size_t>(index.row())]) ? flags & ~Qt::ItemIsEditable
+                                                                                      : flags;
 }
 
-/// False if the value is none for this column.
-bool RuleModel::edit(model::Rule& rule, int column, const QVariant& value) {
-    const QString text = value.toString();
-    switch (column) {
-        case On: rule.isOn = value.value<Qt::CheckState>() == Qt::Checked; return true;
-        case Kind: {
-            const std::optional<model::RuleKind> kind = model::ruleKindOf(text.toStdString());
-            rule.kind = kind.value_or(rule.kind);
-            rule.classes = rule.kind == model::RuleKind::CopperToCopper ? rule.classes : decltype(rule.classes){};
-            return kind.has_value();
-        }
-        case First:
-        case Second:
-            rule.classes[column == First ? 0 : 1] = text == anyNet() ? std::string() : text.toStdString();
-            return choicesOf(column).contains(text);
-        case Least: {
-            const std::optional<model::Nm> least = lengthOf(text, m_unit);
-            rule.least = least.value_or(rule.least);
-            return least || refuse(QStringLiteral("%1 is no distance: 100um, 4 mil, …").arg(text));
-        }
-        default: return false;
+/// False if the text is none for this column.
+bool RuleModel::set(model::Rule& rule, int column, const QString& text) {
+    if (column == Kind) {
+        const std::optional<model::RuleKind> kind = model::ruleKindOf(text.toStdString());
+        rule.kind = kind.value_or(rule.kind);
+        rule.classes = isOfNets(rule) ? rule.classes : decltype(rule.classes){};
+        return kind.has_value();
     }
+    if (column == Least) {
+        const std::optional<model::Nm> least = lengthOf(text, unit());
+        rule.least = least.value_or(rule.least);
+        return least || refuse(tr("%1 is no length: 100um, 4 mil, …").arg(text));
+    }
+    rule.classes[column == First ? 0 : 1] = text == anyNet() ? std::string() : text.toStdString();
+    return choicesOf(column).contains(text);
 }
 
-bool RuleModel::setData(const QModelIndex& index, const QVariant& value, int role) {
-    const int wanted = index.column() == On ? Qt::CheckStateRole : Qt::EditRole;
-    if (!index.isValid() || role != wanted || (flags(index) & (Qt::ItemIsEditable | Qt::ItemIsUserCheckable)) == 0) {
-        return false;
+bool RuleModel::check(int row, int, bool isChecked) {
+    model::RuleTable after = m_rules;
+    after.rules[static_cast<std::size_t>(row)].isOn = isChecked;
+    if (!(after == m_rules)) {
+        change(std::move(after));
     }
-    if (index.column() == Least && value.toString() == data(index, Qt::EditRole).toString()) {
+    return true;
+}
+
+bool RuleModel::edit(int row, int column, const QVariant& value) {
+    if (value.toString() == cell(row, column).text.toString()) {
         return true;  // what is shown is rounded
     }
     model::RuleTable after = m_rules;
-    if (!edit(after.rules[static_cast<std::size_t>(index.row())], index.column(), value)) {
+    if (!set(after.rules[static_cast<std::size_t>(row)], column, value.toString())) {
         return false;
     }
     if (!(after == m_rules)) {

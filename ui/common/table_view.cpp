@@ -1,5 +1,6 @@
 #include "ui/common/table_view.h"
 
+#include <QAction>
 #include <QClipboard>
 #include <QContextMenuEvent>
 #include <QGuiApplication>
@@ -7,14 +8,18 @@
 #include <QKeyEvent>
 #include <QMenu>
 #include <QMouseEvent>
-#include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/common/cell_delegate.h"
+#include "ui/common/sorted_rows.h"
 #include "ui/common/table_text.h"
 
 namespace ui {
 
-TableView::TableView(QWidget* parent) : QTableView(parent) {
+TableView::TableView(TableModel& model, QWidget* parent) : QTableView(parent) {
+    setModel(&model);
+    setItemDelegate(new CellDelegate(this));
+    setEditTriggers(EditKeyPressed | DoubleClicked);
     setSelectionBehavior(SelectRows);
     setSelectionMode(ExtendedSelection);
     setAlternatingRowColors(true);
@@ -26,7 +31,57 @@ TableView::TableView(QWidget* parent) : QTableView(parent) {
     verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
     horizontalHeader()->setHighlightSections(false);
-    horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    connect(this, &QTableView::clicked, this, &TableView::choose);
+    connect(this, &TableView::enterPressed, this, &TableView::choose);
+}
+
+SortedRows& TableView::makeSortable() {
+    auto* rows = new SortedRows(static_cast<TableModel&>(*model()), this);
+    setModel(rows);
+    horizontalHeader()->setSortIndicator(-1, Qt::AscendingOrder);
+    setSortingEnabled(true);
+    return *rows;
+}
+
+void TableView::fitColumns(int stretched) {
+    const auto fit = [this, stretched] {
+        resizeColumnsToContents();
+        if (stretched >= 0) {
+            horizontalHeader()->setSectionResizeMode(stretched, QHeaderView::Stretch);
+        }
+    };
+    connect(model(), &QAbstractItemModel::modelReset, this, fit);
+    fit();
+}
+
+QAction& TableView::addDelete(const QString& tip) {
+    QAction* action = addAction(tr("Delete"), QKeySequence(QKeySequence::Delete), this, [this] {
+        if (const std::vector<int> rows = selectedRows(); !rows.empty()) {
+            emit deleteRequested(rows);
+        }
+    });
+    action->setShortcutContext(Qt::WidgetShortcut);
+    action->setToolTip(tip);
+    return *action;
+}
+
+int TableView::rowOf(const QModelIndex& index) const {
+    const auto* rows = qobject_cast<const QAbstractProxyModel*>(model());
+    return rows != nullptr ? rows->mapToSource(index).row() : index.row();
+}
+
+std::vector<int> TableView::selectedRows() const {
+    std::vector<int> rows;
+    for (const QModelIndex& index : selectionModel()->selectedRows()) {
+        rows.push_back(rowOf(index));
+    }
+    return rows;
+}
+
+void TableView::choose(const QModelIndex& index) {
+    if (index.isValid()) {
+        emit rowChosen(rowOf(index));
+    }
 }
 
 void TableView::copySelection() const {
@@ -53,9 +108,9 @@ void TableView::keyPressEvent(QKeyEvent* event) {
 
 void TableView::contextMenuEvent(QContextMenuEvent* event) {
     QMenu menu;
-    QAction* copy = menu.addAction(QStringLiteral("&Copy rows\tCtrl+C"), this, &TableView::copySelection);
+    QAction* copy = menu.addAction(tr("&Copy rows\tCtrl+C"), this, &TableView::copySelection);
     copy->setEnabled(selectionModel() != nullptr && selectionModel()->hasSelection());
-    menu.addAction(QStringLiteral("Copy &all with headings"), this, &TableView::copyAll);
+    menu.addAction(tr("Copy &all with headings"), this, &TableView::copyAll);
     menu.exec(event->globalPos());
 }
 
@@ -63,14 +118,6 @@ QItemSelectionModel::SelectionFlags TableView::selectionCommand(const QModelInde
     const bool isMouse = dynamic_cast<const QMouseEvent*>(event) != nullptr;
     const bool isButton = std::ranges::find(m_buttonColumns, index.column()) != m_buttonColumns.end();
     return isMouse && isButton ? QItemSelectionModel::NoUpdate : QTableView::selectionCommand(index, event);
-}
-
-void layOut(QWidget& panel, QLayout* controls, TableView* table) {
-    auto* layout = new QVBoxLayout(&panel);
-    layout->setContentsMargins(2, 2, 2, 2);
-    layout->setSpacing(2);
-    layout->addLayout(controls);
-    layout->addWidget(table);
 }
 
 }  // namespace ui

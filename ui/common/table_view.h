@@ -3,25 +3,37 @@
 #include <QTableView>
 #include <vector>
 
-class QLayout;
-
 namespace ui {
 
+class SortedRows;
+class TableModel;
+
 /// A table that looks and copies alike in all panels: whole rows, no grid, Ctrl+C and a context menu that put rows on
-/// the clipboard as tab-separated text.
+/// the clipboard as tab-separated text. Rows are those of the TableModel, however they are sorted.
 class TableView : public QTableView {
     Q_OBJECT
 
 public:
-    explicit TableView(QWidget* parent = nullptr);
+    explicit TableView(TableModel& model, QWidget* parent = nullptr);
 
+    /// From now on a click on a heading sorts; until then rows are in the order of the model.
+    SortedRows& makeSortable();
+    /// Columns are as wide as their cells after every reset; `stretched` takes the room that is left, none: -1.
+    void fitColumns(int stretched = -1);
     /// A click into these columns does what their cells do and leaves the selection as it is.
     void setButtonColumns(std::vector<int> columns) { m_buttonColumns = std::move(columns); }
+    /// A command that deletes the selected rows, also with Del.
+    QAction& addDelete(const QString& tip);
+    [[nodiscard]] std::vector<int> selectedRows() const;
+    void choose(const QModelIndex& index);
     void copySelection() const;
     void copyAll() const;
 
 signals:
     void enterPressed(const QModelIndex& current);
+    /// After a click on the row, Enter, or `choose`.
+    void rowChosen(int row);
+    void deleteRequested(const std::vector<int>& rows);
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -30,10 +42,9 @@ protected:
                                                                        const QEvent* event) const override;
 
 private:
+    [[nodiscard]] int rowOf(const QModelIndex& index) const;
+
     std::vector<int> m_buttonColumns;
 };
-
-/// A panel of one table under one row of controls.
-void layOut(QWidget& panel, QLayout* controls, TableView* table);
 
 }  // namespace ui

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QAbstractTableModel>
 #include <QColor>
 #include <memory>
 #include <string>
@@ -8,6 +7,7 @@
 
 #include "model/board/document.h"
 #include "model/session/session.h"
+#include "ui/common/table_model.h"
 
 namespace ui {
 
@@ -19,21 +19,21 @@ struct LayerAppearance {
     bool operator==(const LayerAppearance&) const = default;
 };
 
-/// The layers of a document as an editable table; row n is LayerId n. Looks live here, the document stays frozen. At
+/// The layers of a document as an editable table; row n is LayerId n. Styles live here, the document stays frozen. At
 /// most one layer is shown alone ("solo"): then it alone is drawn, whatever the check marks say, and they are untouched
 /// when solo ends.
-class LayerModel : public QAbstractTableModel {
+class LayerModel : public TableModel {
     Q_OBJECT
 
 public:
-    enum Column { Visible, Colour, Name, Type, Opacity, Solo, ColumnCount };
+    enum Column { Visible, Colour, Name, Type, Opacity, Solo };
 
-    using QAbstractTableModel::QAbstractTableModel;
+    explicit LayerModel(QObject* parent = nullptr);
 
     /// `defaults` has one entry per layer. A null document empties the table.
     void setDocument(std::shared_ptr<const model::Document> document, std::vector<LayerAppearance> defaults);
 
-    /// The same layers with other heights (model::restack); looks stay.
+    /// The same layers with other heights (model::restack); styles stay.
     void setHeights(std::shared_ptr<const model::Document> document);
 
     /// What the canvas is to draw: `isVisible` has solo worked in.
@@ -46,22 +46,15 @@ public:
     /// By name; names that no layer has are passed over.
     void showOnly(const std::vector<std::string>& names);
     [[nodiscard]] std::vector<std::string> visibleNames() const;
-    /// As a session keeps them: colours only where they were changed. Names that no layer has are passed over.
+    /// As a session saves them: colours only where they were changed. Names that no layer has are passed over.
     [[nodiscard]] std::vector<model::session::LayerState> states() const;
     void setStates(const std::vector<model::session::LayerState>& states);
     /// Other colours to begin with: layers whose colour nobody changed take them.
     void setDefaults(std::vector<LayerAppearance> defaults);
-    /// Back to the looks the document was opened with.
+    /// Back to the styles the document was opened with.
     void restoreDefaults();
     /// Shows `layer` alone; the same layer again, or none, ends it.
     void toggleSolo(model::LayerId layer);
-
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
-    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
 signals:
     /// Once per edit, however many layers it concerns.
@@ -71,8 +64,11 @@ private:
     template <class Rule>
     void setVisibility(const Rule& rule);
     void announceAllChanged();
-    [[nodiscard]] QVariant displayData(const model::Layer& layer, const LayerAppearance& look, int column) const;
-    [[nodiscard]] QVariant editData(const LayerAppearance& look, const QModelIndex& index) const;
+    [[nodiscard]] int rows() const override { return static_cast<int>(m_styles.size()); }
+    [[nodiscard]] Cell cell(int row, int column) const override;
+    [[nodiscard]] QString tip(int row, int column) const override;
+    bool edit(int row, int column, const QVariant& value) override;
+    bool check(int row, int column, bool isChecked) override;
 
     std::shared_ptr<const model::Document> m_document;
     std::vector<LayerAppearance> m_defaults;

@@ -1,45 +1,27 @@
 #include "ui/layers/layers_panel.h"
 
 #include <QColorDialog>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <algorithm>
 
+#include "ui/common/panel_parts.h"
 #include "ui/common/table_view.h"
-#include "ui/common/tool_button.h"
-#include "ui/layers/layer_delegate.h"
 #include "ui/workspace/actions.h"
 
 namespace ui {
 
-namespace {
-
-constexpr ActionId kButtons[] = {ActionId::ShowAllLayers, ActionId::HideAllLayers, ActionId::ShowCopperOnly,
-                                 ActionId::RestoreLayers};
-
-QHBoxLayout* buttonRow(const ActionSet& actions) {
-    auto* row = new QHBoxLayout;
-    for (const ActionId id : kButtons) {
-        row->addWidget(toolButton(actions[id]));
-    }
-    row->addStretch();
-    return row;
-}
-
-}  // namespace
-
 LayersPanel::LayersPanel(LayerModel& model, const ActionSet& actions, QWidget* parent)
-    : QWidget(parent), m_model(model), m_table(new TableView) {
-    m_table->setModel(&model);
-    m_table->setItemDelegate(new LayerDelegate(m_table));
+    : QWidget(parent), m_model(model), m_table(new TableView(model)) {
     m_table->setTextElideMode(Qt::ElideMiddle);  // long names differ at their ends
-    m_table->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
     m_table->installEventFilter(this);
     connect(m_table, &QTableView::clicked, this, &LayersPanel::chooseColour);
     connect(&model, &QAbstractItemModel::modelReset, this, &LayersPanel::fitColumns);
     connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &LayersPanel::currentChanged);
-    layOut(*this, buttonRow(actions), m_table);
+    auto* column = columnIn(*this);
+    column->addLayout(buttonRow({&actions[ActionId::ShowAllLayers], &actions[ActionId::HideAllLayers],
+                                 &actions[ActionId::ShowCopperOnly], &actions[ActionId::RestoreLayers]}));
+    column->addWidget(m_table);
     fitColumns();
 }
 
@@ -51,7 +33,7 @@ void LayersPanel::fitColumns() {
     // Names come first, up to a length; types take what is left and are in the tips.
     m_table->setColumnWidth(LayerModel::Name, std::min(m_table->columnWidth(LayerModel::Name), letter * 16));
     header.setSectionResizeMode(LayerModel::Type, QHeaderView::Stretch);
-    m_table->setColumnWidth(LayerModel::Opacity, fontMetrics().horizontalAdvance(QStringLiteral("  Opacity  ")));
+    m_table->setColumnWidth(LayerModel::Opacity, fontMetrics().horizontalAdvance("  " + tr("Opacity") + "  "));
 }
 
 model::LayerId LayersPanel::currentLayer() const {
@@ -63,10 +45,10 @@ void LayersPanel::selectRow(int row) {
     m_table->selectRow(row);
 }
 
-void LayersPanel::step(int way) {
+void LayersPanel::step(int by) {
     const bool isSolo = m_model.soloLayer().isValid();
     const QModelIndex current = m_table->currentIndex();
-    for (int row = current.isValid() ? current.row() + way : 0; row >= 0 && row < m_model.rowCount(); row += way) {
+    for (int row = current.isValid() ? current.row() + by : 0; row >= 0 && row < m_model.rowCount(); row += by) {
         const bool isShown = m_model.index(row, LayerModel::Visible).data(Qt::CheckStateRole).toInt() == Qt::Checked;
         if (isShown || isSolo) {
             selectRow(row);
@@ -125,7 +107,7 @@ void LayersPanel::chooseColour(const QModelIndex& index) {
     };
     auto* dialog = new QColorDialog(before, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setWindowTitle(QStringLiteral("Colour of the layer"));
+    dialog->setWindowTitle(tr("Colour of the layer"));
     connect(dialog, &QColorDialog::currentColorChanged, this, set);
     connect(dialog, &QColorDialog::rejected, this, [set, before] { set(before); });
     dialog->open();

@@ -4,8 +4,6 @@
 
 #include "ui/layers/layer_model.h"
 
-class QColorDialog;
-
 namespace ui {
 
 class ActionSet;
@@ -21,9 +19,9 @@ public:
     /// The row the cursor is on; none if there is none.
     [[nodiscard]] model::LayerId currentLayer() const;
     void selectRow(int row);
-    /// Moves to the next visible layer `way` rows on (1 or -1), or stays at the last one. While a layer is shown alone,
+    /// Moves to the next visible layer `by` rows on (1 or -1), or stays at the last one. While a layer is shown alone,
     /// all layers of the board count, and the one moved to is shown alone instead.
-    void step(int way);
+    void step(int by);
     [[nodiscard]] TableView& table() { return *m_table; }
 
 signals:

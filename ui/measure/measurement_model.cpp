@@ -1,7 +1,5 @@
 #include "ui/measure/measurement_model.h"
 
-#include <utility>
-
 namespace ui {
 
 using model::Measurement;
@@ -10,10 +8,8 @@ using model::MeasurementKind;
 namespace {
 
 /// Both, or one of them if they are alike.
-QString pairText(const std::string& a, const std::string& b, const char* none) {
-    const auto text = [none](const std::string& name) {
-        return name.empty() ? QString::fromUtf8(none) : QString::fromStdString(name);
-    };
+QString pairText(const std::string& a, const std::string& b, const QString& none) {
+    const auto text = [&](const std::string& name) { return name.empty() ? none : QString::fromStdString(name); };
     return a == b ? text(a) : QStringLiteral("%1 – %2").arg(text(a), text(b));
 }
 
@@ -27,7 +23,7 @@ bool hasDeltas(const Measurement& measurement) {
 QString valueText(const Measurement& measurement) {
     const auto inBoth = [](double nm) { return lengthInBoth(nm, LengthUnit::Millimetre); };
     if (measurement.overlap > 0) {
-        return QStringLiteral("overlap %1").arg(inBoth(measurement.overlap));
+        return MeasurementModel::tr("overlap %1").arg(inBoth(measurement.overlap));
     }
     switch (measurement.kind) {
         case MeasurementKind::Angle: return angleText(measurement.angleDeg());
@@ -51,11 +47,10 @@ QStringList partsText(const Measurement& measurement, LengthUnit unit) {
             parts += QStringLiteral("%1 %2").arg(QString::fromStdString(layer), length(onLayer));
         }
         const std::size_t holes = measurement.path->holeCount;
-        parts += holes == 0 ? QStringLiteral("no holes")
-                            : QStringLiteral("%1 %2 %3")
-                                  .arg(holes)
-                                  .arg(holes == 1 ? QStringLiteral("hole") : QStringLiteral("holes"),
-                                       length(measurement.path->holeHeight));
+        parts += holes == 0 ? MeasurementModel::tr("no holes")
+                 : holes == 1
+                     ? MeasurementModel::tr("1 hole %1").arg(length(measurement.path->holeHeight))
+                     : MeasurementModel::tr("%1 holes %2").arg(holes).arg(length(measurement.path->holeHeight));
     }
     return parts;
 }
@@ -69,41 +64,27 @@ QStringList remarksText(const Measurement& measurement) {
 }
 
 QString layersText(const Measurement& measurement) {
-    return pairText(measurement.from.layer, measurement.to.layer, "no layer");
+    return pairText(measurement.from.layer, measurement.to.layer, MeasurementModel::tr("no layer"));
 }
 
 QString netsText(const Measurement& measurement) {
-    return pairText(measurement.from.net, measurement.to.net, "no net");
+    return pairText(measurement.from.net, measurement.to.net, MeasurementModel::tr("no net"));
 }
 
-void MeasurementModel::setMeasurements(List measurements) {
-    if (measurements.size() != m_measurements.size()) {
-        beginResetModel();
-        m_measurements = std::move(measurements);
-        endResetModel();
-    } else if (!measurements.empty()) {
-        m_measurements = std::move(measurements);
-        emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
-    }
-}
-
-void MeasurementModel::setUnit(LengthUnit unit) {
-    m_unit = unit;
-    if (!m_measurements.empty()) {
-        emit dataChanged(index(0, Value), index(rowCount() - 1, Details));
-    }
-}
-
-int MeasurementModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(m_measurements.size());
-}
-
-int MeasurementModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : ColumnCount;
-}
+MeasurementModel::MeasurementModel(QObject* parent)
+    : TableModel({{tr("Name"), {}, kEditable | kCheck},
+                  {tr("Measured"), {}},
+                  {tr("Value"), {}, kNumber},
+                  {tr("ΔX"), {}, kNumber},
+                  {tr("ΔY"), {}, kNumber},
+                  {tr("ΔZ"), {}, kNumber},
+                  {tr("Layers"), {}},
+                  {tr("Nets"), {}},
+                  {tr("Details"), {}}},
+                 parent) {}
 
 QString MeasurementModel::textOf(const Measurement& measurement, int column) const {
-    const auto delta = [&](double nm) { return hasDeltas(measurement) ? lengthText(nm, m_unit) : QString(); };
+    const auto delta = [&](double nm) { return hasDeltas(measurement) ? lengthText(nm, unit()) : QString(); };
     switch (column) {
         case Name: return QString::fromStdString(measurement.name);
         case Kind: return QLatin1String(toString(measurement.kind));
@@ -118,65 +99,40 @@ QString MeasurementModel::textOf(const Measurement& measurement, int column) con
 }
 
 QString MeasurementModel::detailsOf(const Measurement& measurement) const {
-    const QStringList parts = hasDeltas(measurement) ? QStringList() : partsText(measurement, m_unit);
+    const QStringList parts = hasDeltas(measurement) ? QStringList() : partsText(measurement, unit());
     return (parts + remarksText(measurement)).join(QStringLiteral("; "));
 }
 
-QVariant MeasurementModel::data(const QModelIndex& index, int role) const {
-    if (!index.isValid()) {
-        return {};
+Cell MeasurementModel::cell(int row, int column) const {
+    const Measurement& measurement = m_measurements[static_cast<std::size_t>(row)];
+    Cell cell{textOf(measurement, column)};
+    if (column == Name) {
+        cell.isChecked = measurement.isShown;
     }
-    const Measurement& measurement = m_measurements[static_cast<std::size_t>(index.row())];
-    switch (role) {
-        case Qt::DisplayRole:
-        case Qt::EditRole: return textOf(measurement, index.column());
-        case Qt::ToolTipRole:
-            return (QStringList{QStringLiteral("%1: %2, from %3 to %4")
-                                    .arg(textOf(measurement, Name), textOf(measurement, Kind),
-                                         QString::fromStdString(measurement.from.snap),
-                                         QString::fromStdString(measurement.to.snap)),
-                                textOf(measurement, Value)} +
-                    partsText(measurement, m_unit) + remarksText(measurement))
-                .join('\n');
-        case Qt::CheckStateRole:
-            return index.column() == Name ? QVariant(measurement.isShown ? Qt::Checked : Qt::Unchecked) : QVariant();
-        case Qt::TextAlignmentRole:
-            return index.column() >= Value && index.column() <= DeltaZ ? QVariant(Qt::AlignRight | Qt::AlignVCenter)
-                                                                       : QVariant();
-        default: return {};
-    }
+    return cell;
 }
 
-QVariant MeasurementModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    constexpr const char* kTitles[ColumnCount] = {"Name", "Measured", "Value", "ΔX",     "ΔY",
-                                                  "ΔZ",   "Layers",   "Nets",  "Details"};
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole || section < 0 || section >= ColumnCount) {
-        return {};
-    }
-    return QString::fromUtf8(kTitles[section]);
+QString MeasurementModel::tip(int row, int) const {
+    const Measurement& measurement = m_measurements[static_cast<std::size_t>(row)];
+    const QString ends =
+        tr("%1: %2, from %3 to %4")
+            .arg(textOf(measurement, Name), textOf(measurement, Kind), QString::fromStdString(measurement.from.snap),
+                 QString::fromStdString(measurement.to.snap));
+    return (QStringList{ends, textOf(measurement, Value)} + partsText(measurement, unit()) + remarksText(measurement))
+        .join('\n');
 }
 
-Qt::ItemFlags MeasurementModel::flags(const QModelIndex& index) const {
-    const Qt::ItemFlags plain = QAbstractTableModel::flags(index);
-    return index.isValid() && index.column() == Name ? plain | Qt::ItemIsEditable | Qt::ItemIsUserCheckable : plain;
-}
-
-bool MeasurementModel::setData(const QModelIndex& index, const QVariant& value, int role) {
-    if (!index.isValid() || index.column() != Name) {
-        return false;
-    }
-    if (role == Qt::CheckStateRole) {
-        emit shownChanged(index.row(), value.toInt() == Qt::Checked);
-        return true;
-    }
-    const QString name = value.toString().trimmed();
-    if (role != Qt::EditRole || name.isEmpty()) {
-        return false;
-    }
-    if (name != data(index, Qt::EditRole).toString()) {
-        emit renamed(index.row(), name);
-    }
+bool MeasurementModel::check(int row, int, bool isChecked) {
+    emit shownChanged(row, isChecked);
     return true;
+}
+
+bool MeasurementModel::edit(int row, int, const QVariant& value) {
+    const QString name = value.toString().trimmed();
+    if (!name.isEmpty() && name != cell(row, Name).text.toString()) {
+        emit renamed(row, name);
+    }
+    return !name.isEmpty();
 }
 
 }  // namespace ui

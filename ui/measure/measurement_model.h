@@ -1,11 +1,10 @@
 #pragma once
 
-#include <QAbstractTableModel>
 #include <QStringList>
 #include <vector>
 
 #include "model/measure/measurement.h"
-#include "ui/common/lengths.h"
+#include "ui/common/table_model.h"
 
 namespace ui {
 
@@ -21,36 +20,32 @@ namespace ui {
 
 /// What the user has measured, in the order it was measured. The box before a name says whether it is drawn. Names and
 /// boxes can be edited; whoever listens sets the changed list.
-class MeasurementModel : public QAbstractTableModel {
+class MeasurementModel : public TableModel {
     Q_OBJECT
 
 public:
-    enum Column { Name, Kind, Value, DeltaX, DeltaY, DeltaZ, Layers, Nets, Details, ColumnCount };
+    enum Column { Name, Kind, Value, DeltaX, DeltaY, DeltaZ, Layers, Nets, Details };
     using List = std::vector<model::Measurement>;
 
-    using QAbstractTableModel::QAbstractTableModel;
+    explicit MeasurementModel(QObject* parent = nullptr);
 
-    void setMeasurements(List measurements);
-    void setUnit(LengthUnit unit);
+    void setMeasurements(List measurements) { replace(m_measurements, std::move(measurements)); }
     [[nodiscard]] const List& measurements() const { return m_measurements; }
-
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
-    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
 signals:
     void renamed(int row, const QString& name);
     void shownChanged(int row, bool isShown);
 
 private:
+    [[nodiscard]] int rows() const override { return static_cast<int>(m_measurements.size()); }
+    [[nodiscard]] Cell cell(int row, int column) const override;
+    [[nodiscard]] QString tip(int row, int column) const override;
+    bool edit(int row, int column, const QVariant& value) override;
+    bool check(int row, int column, bool isChecked) override;
     [[nodiscard]] QString textOf(const model::Measurement& measurement, int column) const;
     [[nodiscard]] QString detailsOf(const model::Measurement& measurement) const;
 
     List m_measurements;
-    LengthUnit m_unit = LengthUnit::Millimetre;
 };
 
 }  // namespace ui

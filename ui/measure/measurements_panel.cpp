@@ -1,25 +1,20 @@
 #include "ui/measure/measurements_panel.h"
 
-#include <QAction>
-#include <QHBoxLayout>
 #include <QHeaderView>
-#include <QToolBar>
 
+#include "ui/common/panel_parts.h"
 #include "ui/common/table_view.h"
 #include "ui/workspace/actions.h"
 
 namespace ui {
 
 MeasurementsPanel::MeasurementsPanel(MeasurementModel& list, const ActionSet& actions, QWidget* parent)
-    : QWidget(parent), m_table(new TableView), m_delete(new QAction(QStringLiteral("Forget"), this)) {
-    m_table->setModel(&list);
+    : QWidget(parent), m_table(new TableView(list)) {
     m_table->setEditTriggers(QAbstractItemView::EditKeyPressed);
     m_table->horizontalHeader()->setStretchLastSection(true);
-    m_delete->setShortcut(QKeySequence::Delete);
-    m_delete->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    m_delete->setToolTip(QStringLiteral("Forget the chosen measurements (Del)"));
-    addAction(m_delete);
-    connect(m_delete, &QAction::triggered, this, &MeasurementsPanel::deleteSelected);
+    m_table->fitColumns();
+    QAction& remove = m_table->addDelete(tr("Delete the selected measurements (Del)"));
+    connect(m_table, &TableView::deleteRequested, this, &MeasurementsPanel::forgotten);
     const auto choose = [this](const QModelIndex& index) {
         if (index.isValid()) {
             emit chosen(index.row());
@@ -27,33 +22,16 @@ MeasurementsPanel::MeasurementsPanel(MeasurementModel& list, const ActionSet& ac
     };
     connect(m_table, &QTableView::doubleClicked, this, choose);
     connect(m_table, &TableView::enterPressed, this, choose);
-    const auto fitColumns = [this] { m_table->resizeColumnsToContents(); };
-    connect(&list, &QAbstractItemModel::modelReset, this, fitColumns);
-    connect(&list, &QAbstractItemModel::dataChanged, this, fitColumns);
-
-    // A tool bar folds what has no room into a menu: the buttons do not widen the window.
-    auto* tools = new QToolBar;
-    for (const ActionId id :
-         {ActionId::MeasurePoints, ActionId::MeasureObjects, ActionId::MeasureAngle, ActionId::MeasureLines,
-          ActionId::MeasureRadius, ActionId::MeasureLength, ActionId::MeasureSpacing}) {
-        tools->addAction(&actions[id]);
-    }
+    connect(&list, &QAbstractItemModel::dataChanged, m_table, &QTableView::resizeColumnsToContents);
+    QToolBar* tools =
+        toolBar({&actions[ActionId::MeasurePoints], &actions[ActionId::MeasureObjects],
+                 &actions[ActionId::MeasureAngle], &actions[ActionId::MeasureLines], &actions[ActionId::MeasureRadius],
+                 &actions[ActionId::MeasureLength], &actions[ActionId::MeasureSpacing]});
     tools->addSeparator();
-    tools->addAction(m_delete);
-    tools->addAction(&actions[ActionId::ExportMeasurements]);
-    auto* row = new QHBoxLayout;
-    row->addWidget(tools, 1);
-    layOut(*this, row, m_table);
-}
-
-void MeasurementsPanel::deleteSelected() {
-    std::vector<int> rows;
-    for (const QModelIndex& index : m_table->selectionModel()->selectedRows()) {
-        rows.push_back(index.row());
-    }
-    if (!rows.empty()) {
-        emit forgotten(rows);
-    }
+    tools->addActions({&remove, &actions[ActionId::ExportMeasurements]});
+    auto* column = columnIn(*this);
+    column->addWidget(tools);
+    column->addWidget(m_table);
 }
 
 }  // namespace ui

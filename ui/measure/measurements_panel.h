@@ -4,15 +4,13 @@
 
 #include "ui/measure/measurement_model.h"
 
-class QAction;
-
 namespace ui {
 
 class ActionSet;
 class TableView;
 
 /// The measurements. The box draws or hides one, F2 renames it, a double click or Enter brings it to the middle, Del
-/// forgets all chosen ones, Ctrl+C copies them as text.
+/// deletes all selected ones, Ctrl+C copies them as text.
 class MeasurementsPanel : public QWidget {
     Q_OBJECT
 
@@ -26,10 +24,7 @@ signals:
     void forgotten(const std::vector<int>& rows);
 
 private:
-    void deleteSelected();
-
     TableView* m_table;
-    QAction* m_delete;
 };
 
 }  // namespace ui

@@ -1,35 +1,34 @@
 #pragma once
 
-#include <QAbstractTableModel>
 #include <memory>
 
 #include "model/board/document.h"
+#include "ui/common/table_model.h"
 
 namespace ui {
 
 /// What was skipped, repaired or assumed while opening a board: the document's diagnostics, then those of the
-/// modelling.
-class MessageModel : public QAbstractTableModel {
+/// modelling. The rank of a row is its severity.
+class MessageModel : public TableModel {
     Q_OBJECT
 
 public:
-    enum Column { Severity, Text, Location, Count, ColumnCount };
-    /// Of any cell: int(model::Severity), for filtering and sorting.
-    static constexpr int kSeverityRole = Qt::UserRole;
+    enum Column { Severity, Text, Location, Count };
 
-    using QAbstractTableModel::QAbstractTableModel;
+    explicit MessageModel(QObject* parent = nullptr);
 
     [[nodiscard]] const model::Diagnostic& message(int row) const;
     void setMessages(std::shared_ptr<const model::Document> document, model::Diagnostics modelling);
     /// How many entries have this severity.
     [[nodiscard]] std::size_t count(model::Severity severity) const;
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    [[nodiscard]] int rankOf(int row) const override;
+    [[nodiscard]] QString searchText(int row) const override;
 
 private:
+    [[nodiscard]] int rows() const override;
+    [[nodiscard]] Cell cell(int row, int column) const override;
+    [[nodiscard]] QString tip(int row, int column) const override;
     [[nodiscard]] std::size_t readingCount() const { return m_document ? m_document->diagnostics.entries().size() : 0; }
 
     std::shared_ptr<const model::Document> m_document;

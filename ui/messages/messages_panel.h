@@ -2,10 +2,9 @@
 
 #include <QWidget>
 
-#include "ui/messages/message_filter.h"
+#include "model/board/diagnostics.h"
 
 class QComboBox;
-class QLabel;
 class QLineEdit;
 
 namespace ui {
@@ -28,16 +27,9 @@ signals:
     void chosen(const model::Diagnostic& message);
 
 private:
-    void choose(const QModelIndex& index);
-    void updateSummary();
-    void fitColumns();
-
-    MessageModel& m_model;
-    MessageFilter* m_filter;
     TableView* m_table;
     QLineEdit* m_words;
     QComboBox* m_severity;
-    QLabel* m_summary;
 };
 
 }  // namespace ui

@@ -7,41 +7,31 @@ namespace ui {
 
 namespace {
 
-struct ColumnText {
-    const char* heading;
-    const char* tip;
-};
-
-constexpr ColumnText kColumns[NetCheckModel::ColumnCount] = {
-    {"Kind", "Short: copper of two nets touches. Open: a net is in several parts. Loose: copper that leads nowhere"},
-    {"Net", "The nets concerned"},
-    {"What", "What was found there"},
-    {"Layer", "Where it is"},
-    {"X", "Where it is, in the coordinates of the step"},
-    {"Y", "Where it is, in the coordinates of the step"},
-    {"Step", "The step it is on; seen in all its copies"},
-};
-
-constexpr const char* kKindNames[] = {"Short", "Open", "Loose"};
-/// Mid tones, readable on a light and on a dark ground; the word says the same.
+/// In the order of FindingKind; mid tones, readable on a light and on a dark ground; the word says the same.
 constexpr QColor kKindColours[] = {{0xd9, 0x4a, 0x3d}, {0xe0, 0x9a, 0x1f}, {0x56, 0x8c, 0xc8}};
-
-/// "1 short", "2 shorts", "no shorts"
-QString counted(qsizetype count, const char* one, const char* many) {
-    return count == 0   ? QStringLiteral("no %1").arg(QLatin1String(many))
-           : count == 1 ? QStringLiteral("1 %1").arg(QLatin1String(one))
-                        : QStringLiteral("%L1 %2").arg(count).arg(QLatin1String(many));
-}
 
 QString nameOf(const model::Document& step, model::NetId net) {
     return QString::fromStdString(step.nets[net.row()].name);
 }
 
-bool isPlace(int column) {
-    return column == NetCheckModel::X || column == NetCheckModel::Y;
+/// "1 short", "2 shorts", "no shorts"
+QString counted(qsizetype count, const QString& none, const QString& one, const QString& many) {
+    return count == 0 ? none : count == 1 ? one : many.arg(count);
 }
 
 }  // namespace
+
+NetCheckModel::NetCheckModel(QObject* parent)
+    : TableModel(
+          {{tr("Kind"), tr("Short: copper of two nets touches. Open: a net is in several parts. Floating: copper "
+                           "that leads nowhere")},
+           {tr("Net"), tr("The nets concerned")},
+           {tr("What"), tr("What was found there")},
+           {tr("Layer"), tr("Where it is")},
+           {tr("X"), tr("Where it is, in the coordinates of the step"), kNumber},
+           {tr("Y"), tr("Where it is, in the coordinates of the step"), kNumber},
+           {tr("Step"), tr("The step it is on; seen in all its copies")}},
+          parent) {}
 
 void NetCheckModel::setChecks(std::shared_ptr<const model::Document> board, std::vector<model::StepCheck> checks) {
     beginResetModel();
@@ -65,17 +55,10 @@ void NetCheckModel::listStep(std::uint32_t step) {
         for (std::uint32_t at = 0; at < open.islandCount; ++at) {
             const bool hasPads = report.islands[open.firstIsland + at].padCount > 0;
             if (isOpen || (!hasPads && at > 0)) {  // of a net that is whole, the largest island is the net
-                const FindingKind kind = hasPads ? FindingKind::Open : FindingKind::Loose;
+                const FindingKind kind = hasPads ? FindingKind::Open : FindingKind::Floating;
                 m_findings.push_back({kind, step, open.firstIsland + at, open.net});
             }
         }
-    }
-}
-
-void NetCheckModel::setUnit(LengthUnit unit) {
-    m_unit = unit;
-    if (!m_findings.empty()) {
-        emit dataChanged(index(0, X), index(rowCount() - 1, Y));
     }
 }
 
@@ -109,7 +92,7 @@ model::LayerId NetCheckModel::layerOf(const Finding& finding) const {
 
 QString NetCheckModel::summary() const {
     if (!isChecked()) {
-        return QStringLiteral("Not checked yet");
+        return tr("Not checked yet");
     }
     qsizetype shorts = 0;
     qsizetype opens = 0;
@@ -119,18 +102,12 @@ QString NetCheckModel::summary() const {
             return model::hasSeveralPadIslands(check.report, open);
         });
     }
-    const qsizetype loose = std::ranges::count(m_findings, FindingKind::Loose, &Finding::kind);
-    return QStringLiteral("%1, %2, %3")
-        .arg(counted(shorts, "short", "shorts"), counted(opens, "open net", "open nets"),
-             counted(loose, "loose piece of copper", "loose pieces of copper"));
-}
-
-int NetCheckModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(m_findings.size());
-}
-
-int NetCheckModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : ColumnCount;
+    const qsizetype floating = std::ranges::count(m_findings, FindingKind::Floating, &Finding::kind);
+    return tr("%1, %2, %3")
+        .arg(counted(shorts, tr("no shorts"), tr("1 short"), tr("%L1 shorts")),
+             counted(opens, tr("no open nets"), tr("1 open net"), tr("%L1 open nets")),
+             counted(floating, tr("no floating copper"), tr("1 piece of floating copper"),
+                     tr("%L1 pieces of floating copper")));
 }
 
 QString NetCheckModel::netsText(const Finding& finding) const {
@@ -143,56 +120,32 @@ QString NetCheckModel::netsText(const Finding& finding) const {
 QString NetCheckModel::whatText(const Finding& finding) const {
     if (finding.kind == FindingKind::Short) {
         const model::ShortedNets& entry = shorted(finding);
-        return entry.through.isValid()
-                   ? QStringLiteral("Joined by copper without a net")
-                   : QStringLiteral("Touch in %1").arg(counted(entry.contactCount, "place", "places"));
+        return entry.through.isValid() ? tr("Joined by copper without a net")
+                                       : counted(entry.contactCount, tr("Touch nowhere"), tr("Touch in 1 location"),
+                                                 tr("Touch in %L1 locations"));
     }
     const model::NetIsland& part = island(finding);
-    const QString pieces = counted(part.pieceCount, "piece", "pieces");
-    return finding.kind == FindingKind::Loose
-               ? QStringLiteral("Copper without a pad: %1").arg(pieces)
-               : QStringLiteral("Part of the net: %1, %2")
-                     .arg(pieces, counted(part.padCount, "pad or hole", "pads or holes"));
+    const QString pieces = counted(part.pieceCount, tr("no pieces"), tr("1 piece"), tr("%L1 pieces"));
+    return finding.kind == FindingKind::Floating
+               ? tr("Copper without a pad: %1").arg(pieces)
+               : tr("Part of the net: %1, %2")
+                     .arg(pieces,
+                          counted(part.padCount, tr("no pads or holes"), tr("1 pad or hole"), tr("%L1 pads or holes")));
 }
 
-QVariant NetCheckModel::data(const QModelIndex& index, int role) const {
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) {
-        return {};
-    }
-    const Finding& found = finding(index.row());
-    if (role == Qt::ForegroundRole && index.column() == Kind) {
-        return kKindColours[static_cast<std::size_t>(found.kind)];
-    }
-    if (role == Qt::EditRole && isPlace(index.column())) {  // for sorting
-        const model::PointD location = locationOf(found);
-        return index.column() == X ? location.x : location.y;
-    }
-    if (role != Qt::DisplayRole && role != Qt::EditRole) {
-        return {};
-    }
-    switch (index.column()) {
-        case Kind: return QLatin1String(kKindNames[static_cast<std::size_t>(found.kind)]);
-        case Nets: return netsText(found);
-        case What: return whatText(found);
-        case Layer: {
-            const model::LayerId layer = layerOf(found);
-            return layer.isValid() ? QString::fromStdString(m_board->layer(layer).name) : QString();
-        }
-        case X: return lengthText(locationOf(found).x, m_unit);
-        case Y: return lengthText(locationOf(found).y, m_unit);
-        case Step: return QString::fromStdString(check(found).step->job.step);
-        default: return {};
-    }
-}
-
-QVariant NetCheckModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation != Qt::Horizontal || section < 0 || section >= ColumnCount) {
-        return {};
-    }
-    switch (role) {
-        case Qt::DisplayRole: return QLatin1String(kColumns[section].heading);
-        case Qt::ToolTipRole: return QString::fromUtf8(kColumns[section].tip);
-        default: return {};
+Cell NetCheckModel::cell(int row, int column) const {
+    const Finding& found = finding(row);
+    const QString kinds[] = {tr("Short"), tr("Open"), tr("Floating")};
+    switch (column) {
+        case Kind:
+            return {.text = kinds[static_cast<std::size_t>(found.kind)],
+                    .colour = kKindColours[static_cast<std::size_t>(found.kind)]};
+        case Nets: return {netsText(found)};
+        case What: return {whatText(found)};
+        case Layer: return layerOf(found).isValid() ? text(m_board->layer(layerOf(found)).name) : Cell{QString()};
+        case X: return length(locationOf(found).x);
+        case Y: return length(locationOf(found).y);
+        default: return text(check(found).step->job.step);
     }
 }
 

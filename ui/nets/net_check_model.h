@@ -1,25 +1,23 @@
 #pragma once
 
-#include <QAbstractTableModel>
 #include <memory>
-#include <vector>
 
 #include "model/nets/net_check.h"
-#include "ui/common/lengths.h"
+#include "ui/common/table_model.h"
 
 namespace ui {
 
-/// What the check of the nets against the copper found (model/nets/net_check.h), as a table: a row per short,
-/// one per island of an open net, and one per piece of loose copper, the weighty ones first.
-class NetCheckModel : public QAbstractTableModel {
+/// What the netlist check found (model/nets/net_check.h), as a table: a row per short, one per island of an open net,
+/// and one per piece of floating copper, the weighty ones first.
+class NetCheckModel : public TableModel {
     Q_OBJECT
 
 public:
-    enum Column { Kind, Nets, What, Layer, X, Y, Step, ColumnCount };
+    enum Column { Kind, Nets, What, Layer, X, Y, Step };
     enum class FindingKind : std::uint8_t {
-        Short,  ///< copper of two nets touches
-        Open,   ///< an island with pads or holes of a net that has several such
-        Loose   ///< an island without any
+        Short,    ///< copper of two nets touches
+        Open,     ///< an island with pads or holes of a net that has several such
+        Floating  ///< an island without any
     };
     struct Finding {
         FindingKind kind = FindingKind::Short;
@@ -28,27 +26,24 @@ public:
         model::NetId net;        ///< the lower one of a short
     };
 
-    using QAbstractTableModel::QAbstractTableModel;
+    explicit NetCheckModel(QObject* parent = nullptr);
 
     /// `checks` of all steps of `board`, which is kept as long as they are. A null board empties the table.
     void setChecks(std::shared_ptr<const model::Document> board, std::vector<model::StepCheck> checks);
-    void setUnit(LengthUnit unit);
 
     [[nodiscard]] const Finding& finding(int row) const { return m_findings[static_cast<std::size_t>(row)]; }
-    /// What stands out when it is shown: both sides of a short, an element of an island; rows of the finding's step.
+    /// What is highlighted when it is shown: both sides of a short, an element of an island; rows of the finding's
+    /// step.
     [[nodiscard]] std::vector<model::ElementId> elementsOf(const Finding& finding) const;
     [[nodiscard]] model::PointD locationOf(const Finding& finding) const;
     [[nodiscard]] model::LayerId layerOf(const Finding& finding) const;
     [[nodiscard]] bool isChecked() const { return m_board != nullptr; }
-    /// "2 shorts, 1 open net, no loose copper", or that nothing was checked yet.
+    /// "2 shorts, 1 open net, no floating copper", or that no check was made yet.
     [[nodiscard]] QString summary() const;
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-
 private:
+    [[nodiscard]] int rows() const override { return static_cast<int>(m_findings.size()); }
+    [[nodiscard]] Cell cell(int row, int column) const override;
     void listStep(std::uint32_t step);
     [[nodiscard]] const model::StepCheck& check(const Finding& finding) const { return m_checks[finding.step]; }
     [[nodiscard]] const model::ShortedNets& shorted(const Finding& finding) const;
@@ -59,7 +54,6 @@ private:
     std::shared_ptr<const model::Document> m_board;
     std::vector<model::StepCheck> m_checks;
     std::vector<Finding> m_findings;
-    LengthUnit m_unit = LengthUnit::Millimetre;
 };
 
 }  // namespace ui

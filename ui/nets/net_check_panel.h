@@ -6,14 +6,13 @@
 
 class QLabel;
 class QLineEdit;
-class QSortFilterProxyModel;
 
 namespace ui {
 
 class ActionSet;
 class TableView;
 
-/// Opens, shorts and loose copper. A click on a row, or Enter, asks to be shown the place.
+/// Opens, shorts and floating copper. A click on a row, or Enter, asks to be shown the location.
 class NetCheckPanel : public QWidget {
     Q_OBJECT
 
@@ -28,14 +27,9 @@ signals:
     void chosen(const NetCheckModel::Finding& finding);
 
 private:
-    void choose(const QModelIndex& index);
-    void onReset();
-
-    NetCheckModel& m_model;
-    QSortFilterProxyModel* m_filter;
+    TableView* m_table;
     QLineEdit* m_filterEdit;
     QLabel* m_summary;
-    TableView* m_table;
 };
 
 }  // namespace ui

@@ -1,6 +1,6 @@
 #include "ui/nets/net_model.h"
 
-#include <QFont>
+#include <QColor>
 #include <QRegularExpression>
 #include <algorithm>
 
@@ -10,23 +10,7 @@ namespace ui {
 
 namespace {
 
-struct ColumnText {
-    const char* heading;
-    const char* tip;
-};
-
-constexpr ColumnText kColumns[NetModel::ColumnCount] = {
-    {"Net", "Name in the job"},
-    {"Pins", "Pins of components on the net"},
-    {"Vias", "Plated holes that are there to join layers; not those of pins"},
-    {"Elements", "All elements of the net, on whatever layers"},
-    {"Length", "Middle lines of all strokes on copper layers, pads left out"},
-    {"Copper", "Area of what is drawn on copper layers; where elements overlap it counts twice"},
-    {"Colour", "The net's own colour; a click gives it one, or changes it"},
-    {"Show", "Whether the net is drawn"},
-};
-
-constexpr std::size_t kCheckEvery = 4096;  // nets between two looks at whether the answer is still wanted
+constexpr std::size_t kCheckEvery = 4096;  // nets between two checks whether the result is still wanted
 
 /// Decides on names; made once per filter.
 class Filter {
@@ -64,10 +48,6 @@ private:
     std::vector<std::string> m_words;
     std::optional<QRegularExpression> m_expression;
 };
-
-QString withThousands(qulonglong value) {
-    return QStringLiteral("%L1").arg(value);
-}
 
 }  // namespace
 
@@ -155,7 +135,16 @@ struct NetModel::Task {
     }
 };
 
-NetModel::NetModel(QObject* parent) : QAbstractTableModel(parent) {
+NetModel::NetModel(QObject* parent)
+    : TableModel({{tr("Net"), tr("Name in the job")},
+                  {tr("Pins"), tr("Pins of components on the net"), kNumber},
+                  {tr("Vias"), tr("Plated holes that join layers; not those of pins"), kNumber},
+                  {tr("Elements"), tr("All elements of the net, on whatever layers"), kNumber},
+                  {tr("Length"), tr("Centre lines of all tracks on copper layers, without pads"), kNumber},
+                  {tr("Copper"), tr("Area of what is drawn on copper layers; overlaps count twice"), kNumber},
+                  {tr("Colour"), tr("The net's own colour; a click sets or changes it"), kColour | kEditable},
+                  {tr("Show"), tr("Whether the net is drawn"), kCheck}},
+                 parent) {
     m_pool.setMaxThreadCount(1);
 }
 
@@ -181,18 +170,7 @@ void NetModel::setNets(std::shared_ptr<const model::Document> document,
 
 void NetModel::setStyles(NetStyles& styles) {
     m_styles = &styles;
-    connect(&styles, &NetStyles::changed, this, [this] {
-        if (!m_rows.empty()) {
-            emit dataChanged(index(0, Colour), index(rowCount() - 1, Shown));
-        }
-    });
-}
-
-void NetModel::setUnit(LengthUnit unit) {
-    m_unit = unit;
-    if (!m_rows.empty()) {
-        emit dataChanged(index(0, Length), index(rowCount() - 1, Area));
-    }
+    connect(&styles, &NetStyles::changed, this, &NetModel::announceChange);
 }
 
 bool NetModel::setFilter(const QString& pattern, FilterKind kind) {
@@ -267,40 +245,6 @@ int NetModel::total() const {
     return m_document ? static_cast<int>(m_document->nets.size()) : 0;
 }
 
-int NetModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
-}
-
-int NetModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : ColumnCount;
-}
-
-QVariant NetModel::number(std::size_t net, int column) const {
-    if (!m_statistics) {
-        return 0;
-    }
-    switch (column) {
-        case Pins: return m_statistics->pins[net];
-        case Vias: return m_statistics->vias[net];
-        case Elements: return m_document->netStart[net + 1] - m_document->netStart[net];
-        case Length: return m_statistics->lengthNm[net] / nmPer(m_unit);
-        default: return m_statistics->areaNm2[net] / (base::kNmPerMm * base::kNmPerMm);
-    }
-}
-
-QString NetModel::text(std::size_t net, int column) const {
-    if (!m_statistics) {
-        return {};
-    }
-    switch (column) {
-        case Pins: return withThousands(m_statistics->pins[net]);
-        case Vias: return withThousands(m_statistics->vias[net]);
-        case Elements: return withThousands(m_document->netStart[net + 1] - m_document->netStart[net]);
-        case Length: return lengthText(m_statistics->lengthNm[net], m_unit);
-        default: return areaText(m_statistics->areaNm2[net], m_unit);
-    }
-}
-
 std::vector<model::BoardNet> NetModel::netsAt(int row) const {
     const int first = isHeading(row) ? row + 1 : row;
     const int end = isHeading(row) ? endOfGroup(row) : row + 1;
@@ -311,94 +255,73 @@ std::vector<model::BoardNet> NetModel::netsAt(int row) const {
     return nets;
 }
 
-QVariant NetModel::look(int row, int column, int role) const {
-    if (column == Shown && role == Qt::CheckStateRole) {
-        const bool isAnyHidden =
-            m_styles != nullptr && !m_styles->state().empty() &&
-            std::ranges::any_of(netsAt(row), [&](const model::BoardNet& net) { return m_styles->isHidden(net); });
-        return isAnyHidden ? Qt::Unchecked : Qt::Checked;
-    }
-    if (column != Colour || m_styles == nullptr || isHeading(row)) {
-        return {};
-    }
-    const std::optional<QRgb> colour = m_styles->of({m_step, netAt(row)}).colour;
-    if (!colour) {
-        return {};
-    }
-    return role == Qt::EditRole      ? QVariant(QColor(*colour))
-           : role == Qt::DisplayRole ? QVariant(QColor(*colour).name())
-                                     : QVariant();
+bool NetModel::isAnyHidden(int row) const {
+    return m_styles != nullptr && !m_styles->state().empty() &&
+           std::ranges::any_of(netsAt(row), [&](const model::BoardNet& net) { return m_styles->isHidden(net); });
 }
 
-bool NetModel::setData(const QModelIndex& index, const QVariant& value, int role) {
-    if (m_styles == nullptr || !checkIndex(index, CheckIndexOption::IndexIsValid)) {
-        return false;
+Cell NetModel::headingCell(int row, int column) const {
+    if (column != Name) {
+        return {};
     }
-    if (index.column() == Shown && role == Qt::CheckStateRole) {
-        m_styles->hide(netsAt(index.row()), value.toInt() == Qt::Unchecked);
-        return true;
-    }
-    if (index.column() == Colour && role == Qt::EditRole) {
-        const auto colour = value.value<QColor>();
-        m_styles->colour(netsAt(index.row()), colour.isValid() ? std::optional(colour.rgb()) : std::nullopt);
-        return true;
-    }
-    return false;
-}
-
-QVariant NetModel::heading(int row, int column, int role) const {
     const std::uint32_t group = m_rows[static_cast<std::size_t>(row)] & ~kHeading;
-    if (role == Qt::FontRole) {
-        QFont font;
-        font.setBold(true);
-        return font;
-    }
-    if (column != Name || (role != Qt::DisplayRole && role != Qt::ToolTipRole)) {
-        return {};
-    }
-    if (role == Qt::ToolTipRole) {
-        return QStringLiteral("Select it to light up all nets of the group");
-    }
     const bool isRest = group == m_groups->names.size();
-    const QString name = isRest ? QStringLiteral("Other nets") : QString::fromStdString(m_groups->names[group]);
-    return QStringLiteral("%1  (%L2)").arg(name).arg(endOfGroup(row) - row - 1);
+    const QString name = isRest ? tr("Other nets") : QString::fromStdString(m_groups->names[group]);
+    return {.text = tr("%1  (%L2)").arg(name).arg(endOfGroup(row) - row - 1), .font = boldFont()};
 }
 
-QVariant NetModel::data(const QModelIndex& index, int role) const {
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) {
-        return {};
+Cell NetModel::cell(int row, int column) const {
+    if (column == Shown) {
+        return {.isChecked = !isAnyHidden(row)};
     }
-    if (index.column() == Colour || index.column() == Shown) {
-        return look(index.row(), index.column(), role);
+    if (isHeading(row)) {
+        return headingCell(row, column);
     }
-    if (isHeading(index.row())) {
-        return heading(index.row(), index.column(), role);
+    const std::size_t net = netAt(row).row();
+    if (column == Name) {
+        return text(m_document->nets[net].name);
     }
-    const model::NetId net = netAt(index.row());
-    const bool isName = index.column() == Name;
-    switch (role) {
-        case Qt::DisplayRole:
-        case Qt::EditRole:
-            if (isName) {
-                return QString::fromStdString(m_document->nets[net.row()].name);
-            }
-            return role == Qt::EditRole ? number(net.row(), index.column()) : text(net.row(), index.column());
-        case Qt::TextAlignmentRole:
-            return QVariant::fromValue(Qt::Alignment(Qt::AlignVCenter | (isName ? Qt::AlignLeft : Qt::AlignRight)));
-        case Qt::ToolTipRole: return netsText(*m_document, m_statistics.get(), std::span(&net, 1), m_unit);
-        default: return {};
+    if (column == Colour) {
+        const std::optional<QRgb> colour =
+            m_styles != nullptr ? m_styles->of({m_step, netAt(row)}).colour : std::nullopt;
+        return colour ? Cell{QColor(*colour).name(), QColor(*colour)} : Cell{};
+    }
+    if (!m_statistics) {
+        return {.value = 0};
+    }
+    switch (column) {
+        case Pins: return count(m_statistics->pins[net]);
+        case Vias: return count(m_statistics->vias[net]);
+        case Elements: return count(m_document->netStart[net + 1] - m_document->netStart[net]);
+        case Length: return length(m_statistics->lengthNm[net]);
+        default: return area(m_statistics->areaNm2[net]);
     }
 }
 
-QVariant NetModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation != Qt::Horizontal || section < 0 || section >= ColumnCount) {
+QString NetModel::tip(int row, int column) const {
+    if (column == Colour || column == Shown) {
         return {};
     }
-    switch (role) {
-        case Qt::DisplayRole: return kColumns[section].heading;
-        case Qt::ToolTipRole: return kColumns[section].tip;
-        default: return {};
+    if (isHeading(row)) {
+        return column == Name ? tr("Select it to highlight all nets of the group") : QString();
     }
+    const model::NetId net = netAt(row);
+    return netsText(*m_document, m_statistics.get(), std::span(&net, 1), unit());
+}
+
+bool NetModel::check(int row, int, bool isChecked) {
+    if (m_styles != nullptr) {
+        m_styles->hide(netsAt(row), !isChecked);
+    }
+    return m_styles != nullptr;
+}
+
+bool NetModel::edit(int row, int, const QVariant& value) {
+    const auto colour = value.value<QColor>();
+    if (m_styles != nullptr) {
+        m_styles->colour(netsAt(row), colour.isValid() ? std::optional(colour.rgb()) : std::nullopt);
+    }
+    return m_styles != nullptr;
 }
 
 }  // namespace ui

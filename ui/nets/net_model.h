@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QAbstractTableModel>
 #include <QThreadPool>
 #include <atomic>
 #include <memory>
@@ -10,7 +9,7 @@
 #include "model/board/copies.h"
 #include "model/nets/net_groups.h"
 #include "model/nets/net_statistics.h"
-#include "ui/common/lengths.h"
+#include "ui/common/table_model.h"
 #include "ui/nets/net_styles.h"
 
 namespace ui {
@@ -18,11 +17,11 @@ namespace ui {
 /// The nets of a board or of a step it places, filtered, sorted and under headings of groups if asked for; a row is an
 /// id and nothing else. All that runs in the background, so that the window stays usable with a million nets: until it
 /// is done the rows stay as they were.
-class NetModel : public QAbstractTableModel {
+class NetModel : public TableModel {
     Q_OBJECT
 
 public:
-    enum Column { Name, Pins, Vias, Elements, Length, Area, Colour, Shown, ColumnCount };
+    enum Column { Name, Pins, Vias, Elements, Length, Area, Colour, Shown };
     enum class FilterKind { Text, Wildcard, Regex };
 
     explicit NetModel(QObject* parent = nullptr);
@@ -34,19 +33,18 @@ public:
                  std::shared_ptr<const model::NetStatistics> statistics, std::uint32_t step = 0);
     /// Colours and whether nets are shown: read here, and asked for where a cell is edited.
     void setStyles(NetStyles& styles);
-    void setUnit(LengthUnit unit);
     /// Case does not matter. Several words of a text must all be in the name; a wildcard has * and ? and fits the whole
     /// name. False if a regular expression is not one: then all nets are shown.
     bool setFilter(const QString& pattern, FilterKind kind);
     /// Groups come in the order people count, each under a heading, what is in none of them last.
     void setGrouping(std::optional<model::NetGrouping> grouping);
-    /// Filter and order have been worked out for what was asked last.
+    /// Filter and order have been worked out for the last request.
     [[nodiscard]] bool isArranged() const { return m_shown == m_wanted; }
 
     [[nodiscard]] bool isHeading(int row) const { return (m_rows[static_cast<std::size_t>(row)] & kHeading) != 0; }
     /// None for headings.
     [[nodiscard]] model::NetId netAt(int row) const;
-    /// The net of a row, or all that stand under a heading.
+    /// The net of a row, or all under a heading.
     [[nodiscard]] std::vector<model::BoardNet> netsAt(int row) const;
     [[nodiscard]] std::uint32_t step() const { return m_step; }
     /// One behind the last row under a heading.
@@ -57,15 +55,10 @@ public:
     [[nodiscard]] std::optional<int> rowOf(model::NetId net) const;
     [[nodiscard]] int total() const;
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
     void sort(int column, Qt::SortOrder order) override;
 
 signals:
-    /// The rows are those asked for last.
+    /// The rows are those of the last request.
     void arranged();
 
 private:
@@ -77,16 +70,18 @@ private:
 
     void arrange();
     void take(Arranged arranged, std::uint64_t number);
-    [[nodiscard]] QVariant number(std::size_t net, int column) const;
-    [[nodiscard]] QString text(std::size_t net, int column) const;
-    [[nodiscard]] QVariant heading(int row, int column, int role) const;
-    [[nodiscard]] QVariant look(int row, int column, int role) const;
+    [[nodiscard]] int rows() const override { return static_cast<int>(m_rows.size()); }
+    [[nodiscard]] Cell cell(int row, int column) const override;
+    [[nodiscard]] Cell headingCell(int row, int column) const;
+    [[nodiscard]] bool isAnyHidden(int row) const;
+    [[nodiscard]] QString tip(int row, int column) const override;
+    bool edit(int row, int column, const QVariant& value) override;
+    bool check(int row, int column, bool isChecked) override;
 
     std::shared_ptr<const model::Document> m_document;
     std::shared_ptr<const model::NetStatistics> m_statistics;
     NetStyles* m_styles = nullptr;
     std::uint32_t m_step = 0;
-    LengthUnit m_unit = LengthUnit::Millimetre;
     QString m_pattern;
     FilterKind m_kind = FilterKind::Text;
     int m_column = Name;

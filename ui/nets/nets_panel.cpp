@@ -2,20 +2,16 @@
 
 #include <QColorDialog>
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QLineEdit>
 #include <QScopedValueRollback>
 #include <QSlider>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <iterator>
 
+#include "ui/common/panel_parts.h"
 #include "ui/common/table_view.h"
-#include "ui/common/tool_button.h"
-#include "ui/nets/net_delegate.h"
 #include "ui/nets/net_text.h"
 #include "ui/workspace/actions.h"
 
@@ -23,14 +19,10 @@ namespace ui {
 
 namespace {
 
-constexpr const char* kKinds[] = {"Text", "Wildcard", "Regex"};
-constexpr std::pair<const char*, std::optional<model::NetGrouping>> kGroupings[] = {
-    {"No groups", std::nullopt},
-    {"By class", model::NetGrouping::Class},
-    {"By pair", model::NetGrouping::DifferentialPair},
-    {"By bus", model::NetGrouping::Bus},
-    {"By supply", model::NetGrouping::Supply},
-};
+/// In the order of the box.
+constexpr std::optional<model::NetGrouping> kGroupings[] = {std::nullopt, model::NetGrouping::Class,
+                                                            model::NetGrouping::DifferentialPair,
+                                                            model::NetGrouping::Bus, model::NetGrouping::Supply};
 
 /// In letters.
 constexpr std::pair<NetModel::Column, int> kWidths[] = {
@@ -40,7 +32,7 @@ constexpr std::pair<NetModel::Column, int> kWidths[] = {
 
 /// Rows that follow each other become one range: a million of them would be slow.
 void addRow(QItemSelection& rows, const NetModel& model, int row) {
-    const int last = NetModel::ColumnCount - 1;
+    const int last = model.columnCount() - 1;
     if (!rows.empty() && rows.back().bottom() == row - 1) {
         rows.back() = QItemSelectionRange(rows.back().topLeft(), model.index(row, last));
     } else {
@@ -63,7 +55,7 @@ NetsPanel::NetsPanel(NetModel& model, SelectionModel& selection, NetStyles& styl
       m_dim(new QSlider(Qt::Horizontal)),
       m_summary(new QLabel),
       m_details(new QLabel),
-      m_table(new TableView) {
+      m_table(new TableView(model)) {
     setUpTable();
     layOutControls(actions);
     connect(m_filter, &QLineEdit::textChanged, this, &NetsPanel::applyFilter);
@@ -77,8 +69,6 @@ NetsPanel::NetsPanel(NetModel& model, SelectionModel& selection, NetStyles& styl
 }
 
 void NetsPanel::setUpTable() {
-    m_table->setModel(&m_model);
-    m_table->setItemDelegate(new NetDelegate(m_table));
     m_table->setButtonColumns({NetModel::Shown, NetModel::Colour});
     m_table->setTextElideMode(Qt::ElideMiddle);  // long names differ at their ends
     m_table->setSortingEnabled(true);
@@ -101,20 +91,15 @@ void NetsPanel::setUpTable() {
 }
 
 void NetsPanel::layOutControls(const ActionSet& actions) {
-    m_filter->setPlaceholderText(QStringLiteral("Filter nets by name"));
+    m_filter->setPlaceholderText(tr("Filter nets by name"));
     m_filter->setClearButtonEnabled(true);
-    for (const char* kind : kKinds) {
-        m_kind->addItem(QString::fromLatin1(kind));
-    }
-    for (const auto& [name, grouping] : kGroupings) {
-        m_group->addItem(QString::fromLatin1(name));
-    }
-    m_group->setToolTip(
-        QStringLiteral("Groups by what the job says of its nets; pairs, buses and supplies also by their names"));
-    m_step->setToolTip(QStringLiteral("Whose nets are listed: the board's own, or those of a step it places"));
+    m_kind->addItems({tr("Text"), tr("Wildcard"), tr("Regex")});  // in the order of FilterKind
+    m_group->addItems({tr("No groups"), tr("By class"), tr("By pair"), tr("By bus"), tr("By supply")});
+    m_group->setToolTip(tr("Groups by what the job says of its nets; pairs, buses and supplies also by their names"));
+    m_step->setToolTip(tr("Whose nets are listed: the board's own, or those of a step it places"));
     m_step->hide();
     m_dim->setRange(0, 100);
-    m_dim->setToolTip(QStringLiteral("How far everything else is darkened while nets or elements stand out"));
+    m_dim->setToolTip(tr("How far everything else is darkened while nets or elements are highlighted"));
     m_details->setWordWrap(true);
     m_details->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_details->hide();
@@ -126,17 +111,15 @@ void NetsPanel::layOutControls(const ActionSet& actions) {
     groups->addWidget(m_group);
     groups->addStretch();
     groups->addWidget(m_summary);
-    auto* styles = new QHBoxLayout;
-    styles->addWidget(toolButton(actions[ActionId::ShowAllNets]));
-    styles->addWidget(toolButton(actions[ActionId::ClearNetColours]));
-    styles->addWidget(new QLabel(QStringLiteral("Dim")));
+    auto* styles = buttonRow({&actions[ActionId::ShowAllNets], &actions[ActionId::ClearNetColours]});
+    styles->addWidget(new QLabel(tr("Dim")));
     styles->addWidget(m_dim, 1);
-    auto* rows = new QVBoxLayout;
+    auto* column = columnIn(*this);
     for (QHBoxLayout* row : {filter, groups, styles}) {
-        rows->addLayout(row);
+        column->addLayout(row);
     }
-    layOut(*this, rows, m_table);
-    layout()->addWidget(m_details);
+    column->addWidget(m_table);
+    column->addWidget(m_details);
 }
 
 bool NetsPanel::eventFilter(QObject* watched, QEvent* event) {
@@ -184,7 +167,7 @@ void NetsPanel::chooseColour(std::vector<model::BoardNet> nets) {
     const QColor before = QColor(m_styles.of(nets.front()).colour.value_or(0xffffffffU));
     auto* dialog = new QColorDialog(before, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setWindowTitle(QStringLiteral("Colour of the net"));
+    dialog->setWindowTitle(tr("Colour of the net"));
     // The board may be replaced while the dialog is open.
     connect(dialog, &QColorDialog::colorSelected, this,
             [this, nets = std::move(nets), board = std::weak_ptr(m_board)](const QColor& colour) {
@@ -230,7 +213,7 @@ void NetsPanel::applyStep() {
 
 void NetsPanel::applyFilter() {
     const bool isValid = m_model.setFilter(m_filter->text(), static_cast<NetModel::FilterKind>(m_kind->currentIndex()));
-    m_filter->setToolTip(isValid ? QString() : QStringLiteral("This is not a regular expression; all nets are shown"));
+    m_filter->setToolTip(isValid ? QString() : tr("This is not a regular expression; all nets are shown"));
     QPalette colours = palette();
     if (!isValid) {
         colours.setColor(QPalette::Text, Qt::red);
@@ -239,11 +222,11 @@ void NetsPanel::applyFilter() {
 }
 
 void NetsPanel::applyGrouping() {
-    m_model.setGrouping(kGroupings[m_group->currentIndex()].second);
+    m_model.setGrouping(kGroupings[m_group->currentIndex()]);
 }
 
 void NetsPanel::onArranged() {
-    m_summary->setText(QStringLiteral("%L1 of %L2").arg(m_model.shown()).arg(m_model.total()));
+    m_summary->setText(tr("%L1 of %L2").arg(m_model.shown()).arg(m_model.total()));
     showInTable();
     if (std::exchange(m_isToScroll, false)) {
         scrollToSelected();

@@ -4,14 +4,12 @@
 
 #include "ui/saved_views/view_list_model.h"
 
-class QAction;
-
 namespace ui {
 
 class ActionSet;
 class TableView;
 
-/// The kept views. A click on one, or Enter, asks to look so again; F2 or a double click renames it, Del forgets it.
+/// The saved views. A click on one, or Enter, restores it; F2 or a double click renames it, Del deletes it.
 class SavedViewsPanel : public QWidget {
     Q_OBJECT
 
@@ -26,7 +24,6 @@ signals:
 
 private:
     TableView* m_table;
-    QAction* m_delete;
 };
 
 }  // namespace ui

@@ -1,35 +1,33 @@
 #pragma once
 
-#include <QAbstractTableModel>
 #include <vector>
 
 #include "model/session/session.h"
+#include "ui/common/table_model.h"
 
 namespace ui {
 
-/// The views a user has kept, in the order they were kept. Names can be edited; whoever listens sets the changed list.
-class ViewListModel : public QAbstractTableModel {
+/// The saved views of a user, oldest first. Names can be edited; whoever listens sets the changed list.
+class ViewListModel : public TableModel {
     Q_OBJECT
 
 public:
-    enum Column { Name, Layers, ColumnCount };
+    enum Column { Name, Layers };
 
-    using QAbstractTableModel::QAbstractTableModel;
+    explicit ViewListModel(QObject* parent = nullptr);
 
-    void setViews(std::vector<model::session::SavedView> views);
+    void setViews(std::vector<model::session::SavedView> views) { replace(m_views, std::move(views)); }
     [[nodiscard]] const std::vector<model::session::SavedView>& views() const { return m_views; }
-
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
-    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
 signals:
     void renamed(int row, const QString& name);
 
 private:
+    [[nodiscard]] int rows() const override { return static_cast<int>(m_views.size()); }
+    [[nodiscard]] Cell cell(int row, int column) const override;
+    [[nodiscard]] QString tip(int row, int column) const override;
+    bool edit(int row, int column, const QVariant& value) override;
+
     std::vector<model::session::SavedView> m_views;
 };
 

@@ -4,7 +4,6 @@
 
 #include "ui/stackup/stackup_model.h"
 
-class QAbstractButton;
 class QLabel;
 class QSplitter;
 
@@ -14,7 +13,7 @@ class ActionSet;
 class StackupView;
 class TableView;
 
-/// The stack of the board from the top, drawn and as a table: what every layer is, of what, how thick and how that is
+/// The stackup of the board from the top, drawn and as a table: what every layer is, of what, how thick and how that is
 /// known. Thicknesses are edited in the table, and taken back to the job's.
 class StackupPanel : public QWidget {
     Q_OBJECT
@@ -34,10 +33,6 @@ protected:
 private:
     [[nodiscard]] QWidget* drawingHalf(const ActionSet& actions);
     [[nodiscard]] QWidget* tableHalf();
-    [[nodiscard]] QAbstractButton* button(const QString& name, const QString& text, const QString& tip,
-                                          void (StackupPanel::*pressed)());
-    void resetSelected();
-    void resetAll();
     void updateSummary();
 
     StackupModel& m_model;

@@ -15,8 +15,8 @@ class StatisticsModel;
 class HistogramView;
 class TableView;
 
-/// Elements by kind per layer and in all, and behind a second tab the drill table; a click on a heading sorts, a second
-/// one turns the order. Beside them how track widths, holes or annular rings are spread.
+/// Elements by kind per layer and in all, and behind a second tab the drill table; a click on a heading sorts. Beside
+/// them how track widths, holes or annular rings are spread.
 class StatisticsPanel : public QWidget {
     Q_OBJECT
 
@@ -33,10 +33,6 @@ signals:
     void holesChosen(const std::vector<model::ElementId>& holes);
 
 private:
-    void setUpDrills();
-    void chooseHoles();
-
-    DrillModel& m_drills;
     TableView* m_table;
     TableView* m_drillTable;
     QTabWidget* m_tabs;

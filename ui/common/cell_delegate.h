@@ -4,9 +4,10 @@
 
 namespace ui {
 
-/// Cells of the layers table: a swatch for the colour, a bar for the opacity that is dragged in place or typed as a
-/// number.
-class LayerDelegate : public QStyledItemDelegate {
+/// Paints and edits the cells of a TableModel by the traits of their columns: a box that a click turns, a swatch of a
+/// colour (what a click on it does is the panel's), a bar of percents that is dragged or typed, a choice of names.
+/// Everything else is text.
+class CellDelegate : public QStyledItemDelegate {
     Q_OBJECT
 
 public:
@@ -14,6 +15,8 @@ public:
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+    void setEditorData(QWidget* editor, const QModelIndex& index) const override;
+    void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override;
     bool editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
                      const QModelIndex& index) override;
 

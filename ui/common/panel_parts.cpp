@@ -1,0 +1,45 @@
+#include "ui/common/panel_parts.h"
+
+#include "ui/common/sorted_rows.h"
+
+namespace ui {
+
+QToolButton* toolButton(QAction& action) {
+    auto* button = new QToolButton;
+    button->setDefaultAction(&action);
+    button->setAutoRaise(true);
+    button->setObjectName(action.objectName());
+    return button;
+}
+
+QHBoxLayout* buttonRow(std::initializer_list<QAction*> actions) {
+    auto* row = new QHBoxLayout;
+    for (QAction* action : actions) {
+        row->addWidget(toolButton(*action));
+    }
+    row->addStretch();
+    return row;
+}
+
+QToolBar* toolBar(std::initializer_list<QAction*> actions) {
+    auto* bar = new QToolBar;
+    bar->addActions(actions);
+    return bar;
+}
+
+QLineEdit* filterEdit(SortedRows& rows, const QString& hint) {
+    auto* line = new QLineEdit;
+    line->setPlaceholderText(hint);
+    line->setClearButtonEnabled(true);
+    QObject::connect(line, &QLineEdit::textChanged, &rows, &SortedRows::setWords);
+    return line;
+}
+
+QVBoxLayout* columnIn(QWidget& panel, int margin) {
+    auto* column = new QVBoxLayout(&panel);
+    column->setContentsMargins(margin, margin, margin, margin);
+    column->setSpacing(2);
+    return column;
+}
+
+}  // namespace ui

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QSortFilterProxyModel>
+#include <QStringList>
+
+#include "ui/common/table_model.h"
+
+namespace ui {
+
+/// The rows of a table by value, a row of totals last either way; those that hold all the words typed, in any order and
+/// case, and are of a rank high enough.
+class SortedRows : public QSortFilterProxyModel {
+    Q_OBJECT
+
+public:
+    explicit SortedRows(TableModel& model, QObject* parent = nullptr);
+
+    void setWords(const QString& words);
+    void setLeastRank(int rank);
+
+protected:
+    [[nodiscard]] bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
+    [[nodiscard]] bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
+
+private:
+    TableModel& m_model;
+    QStringList m_words;
+    int m_leastRank = 0;
+};
+
+}  // namespace ui

@@ -1,0 +1,154 @@
+#include "ui/common/table_model.h"
+
+#include <QLocale>
+
+namespace ui {
+
+namespace {
+
+QVariant valid(const QString& text) {
+    return text.isEmpty() ? QVariant() : QVariant(text);
+}
+
+QVariant alignmentOf(int traits) {
+    return QVariant::fromValue(
+        Qt::Alignment(Qt::AlignVCenter | ((traits & kNumber) != 0 ? Qt::AlignRight : Qt::AlignLeft)));
+}
+
+}  // namespace
+
+TableModel::TableModel(std::vector<Column> columns, QObject* parent)
+    : QAbstractTableModel(parent), m_columns(std::move(columns)) {}
+
+void TableModel::setUnit(LengthUnit unit) {
+    m_unit = unit;
+    announceChange();
+}
+
+int TableModel::rankOf(int) const {
+    return 0;
+}
+
+bool TableModel::isTotal(int) const {
+    return false;
+}
+
+QString TableModel::searchText(int row) const {
+    QStringList texts;
+    for (int column = 0; column < columnCount(); ++column) {
+        texts += cell(row, column).text.toString();
+    }
+    return texts.join('\t');
+}
+
+int TableModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : rows();
+}
+
+int TableModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(m_columns.size());
+}
+
+QVariant TableModel::data(const QModelIndex& index, int role) const {
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) {
+        return {};
+    }
+    const int traits = m_columns[static_cast<std::size_t>(index.column())].traits;
+    switch (role) {
+        case Qt::TextAlignmentRole: return alignmentOf(traits);
+        case Qt::ToolTipRole: return valid(tip(index.row(), index.column()));
+        case kTraitsRole: return traits;
+        default: break;
+    }
+    const Cell at = cell(index.row(), index.column());
+    const QVariant& value = at.value.isValid() ? at.value : at.text;
+    switch (role) {
+        case Qt::DisplayRole: return at.text;
+        case Qt::EditRole: return value;
+        case kSortRole: return at.order.isValid() ? at.order : value;
+        case Qt::CheckStateRole:
+            return at.isChecked ? QVariant(*at.isChecked ? Qt::Checked : Qt::Unchecked) : QVariant();
+        case Qt::ForegroundRole: return at.colour;
+        case Qt::DecorationRole: return at.decoration;
+        case Qt::FontRole: return at.font;
+        case kChoicesRole: return at.choices;
+        default: return {};
+    }
+}
+
+QVariant TableModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal || section < 0 || section >= columnCount()) {
+        return {};
+    }
+    const Column& column = m_columns[static_cast<std::size_t>(section)];
+    switch (role) {
+        case Qt::DisplayRole: return column.heading;
+        case Qt::ToolTipRole: return valid(column.tip);
+        case Qt::TextAlignmentRole: return alignmentOf(column.traits);
+        default: return {};
+    }
+}
+
+Qt::ItemFlags TableModel::flags(const QModelIndex& index) const {
+    if (!index.isValid()) {
+        return Qt::NoItemFlags;
+    }
+    const int traits = m_columns[static_cast<std::size_t>(index.column())].traits;
+    Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemNeverHasChildren;
+    flags.setFlag(Qt::ItemIsEditable, (traits & kEditable) != 0);
+    flags.setFlag(Qt::ItemIsUserCheckable, (traits & kCheck) != 0);
+    return flags;
+}
+
+bool TableModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid)) {
+        return false;
+    }
+    if (role == Qt::CheckStateRole && flags(index).testFlag(Qt::ItemIsUserCheckable)) {
+        return check(index.row(), index.column(), value.toInt() == Qt::Checked);
+    }
+    return role == Qt::EditRole && flags(index).testFlag(Qt::ItemIsEditable) &&
+           edit(index.row(), index.column(), value);
+}
+
+QString TableModel::tip(int, int) const {
+    return {};
+}
+
+bool TableModel::edit(int, int, const QVariant&) {
+    return false;
+}
+
+bool TableModel::check(int, int, bool) {
+    return false;
+}
+
+void TableModel::announceChange() {
+    if (rowCount() > 0) {
+        emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+    }
+}
+
+Cell TableModel::length(double nm) const {
+    return {lengthText(nm, m_unit), nm / nmPer(m_unit)};
+}
+
+Cell TableModel::area(double nm2) const {
+    return {areaText(nm2, m_unit), nm2 / (base::kNmPerMm * base::kNmPerMm)};
+}
+
+Cell TableModel::count(qulonglong number) {
+    return {QLocale().toString(number), number};
+}
+
+Cell TableModel::text(const std::string& utf8) {
+    return {QString::fromStdString(utf8)};
+}
+
+QFont TableModel::boldFont() {
+    QFont font;
+    font.setBold(true);
+    return font;
+}
+
+}  // namespace ui
