@@ -4,7 +4,7 @@
 
 #include "app/bench/bench_report.h"
 #include "app/common/headless_device.h"
-#include "app/common/json_text.h"
+#include "model/export/json_text.h"
 
 namespace app {
 
@@ -26,7 +26,7 @@ base::Result<BenchReport> measure(const BenchArguments& arguments) {
 
 Outcome runBench(const BenchArguments& arguments) {
     ASSIGN_OR_RETURN(const BenchReport report, measure(arguments));
-    const std::string text = arguments.asJson ? jsonText(benchJson(report)) : benchTable(report);
+    const std::string text = arguments.asJson ? model::jsonText(benchJson(report)) : benchTable(report);
     std::fputs(text.c_str(), stdout);
     return int{kDone};
 }

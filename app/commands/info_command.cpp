@@ -5,10 +5,10 @@
 #include <optional>
 
 #include "app/common/console_progress.h"
-#include "app/common/json_text.h"
 #include "app/reports/drill_report.h"
 #include "app/reports/info_json.h"
 #include "app/reports/stackup_report.h"
+#include "model/export/json_text.h"
 #include "render/standard/standard_triangles.h"
 
 namespace app {
@@ -138,7 +138,7 @@ Outcome runInfo(const InfoArguments& arguments) {
     if (arguments.asJson) {
         // Names in jobs may hold bytes that are no UTF-8; readers decode them, and what slips through must not end the
         // report.
-        std::cout << jsonText(infoJson(board, checked));
+        std::cout << model::jsonText(infoJson(board, checked));
     } else {
         printText(board, checked);
     }

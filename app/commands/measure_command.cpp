@@ -5,8 +5,8 @@
 
 #include "app/commands/item_spec.h"
 #include "app/common/console_progress.h"
-#include "app/common/json_text.h"
 #include "model/export/export_text.h"
+#include "model/export/json_text.h"
 #include "model/measure/net_path.h"
 #include "model/measure/separation.h"
 #include "model/measure/sizes.h"
@@ -105,7 +105,7 @@ void printJson(const BoardIndex& index, const Request& request, const Separation
     json["angle_deg"] = angle ? ordered_json(*angle) : ordered_json(nullptr);
     json["notes"] = separation.notes;
     json["remarks"] = separation.notes;
-    std::fputs(jsonText(json).c_str(), stdout);
+    std::fputs(model::jsonText(json).c_str(), stdout);
 }
 
 void printCsv(const BoardIndex& index, const Separation& separation) {
@@ -209,15 +209,15 @@ void printPathJson(const BoardIndex& index, model::NetOfCopy net, const NetPath&
                         {"from_nm", {leg.from.x, leg.from.y}},
                         {"to_nm", {leg.to.x, leg.to.y}}});
     }
-    std::fputs(jsonText({{"net", nameOf(index, net)},
-                         {"length_nm", path.length},
-                         {"area_length_nm", path.areaLength},
-                         {"hole_count", path.holeCount},
-                         {"hole_height_nm", path.holeHeight},
-                         {"layers", layers},
-                         {"legs", legs},
-                         {"notes", path.notes},
-                         {"remarks", path.notes}})
+    std::fputs(model::jsonText({{"net", nameOf(index, net)},
+                                {"length_nm", path.length},
+                                {"area_length_nm", path.areaLength},
+                                {"hole_count", path.holeCount},
+                                {"hole_height_nm", path.holeHeight},
+                                {"layers", layers},
+                                {"legs", legs},
+                                {"notes", path.notes},
+                                {"remarks", path.notes}})
                    .c_str(),
                stdout);
 }

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/common/console_progress.h"
-#include "app/common/json_text.h"
+#include "model/export/json_text.h"
 #include "model/section/section_export.h"
 #include "render/scene/layer_style.h"
 
@@ -69,7 +69,7 @@ std::string sectionJson(const model::BoardIndex& index, const Section& section) 
                                         {"bores", piecesJson(index, section.bores)},
                                         {"notes", section.notes},
                                         {"remarks", section.notes}};
-    return jsonText(all);
+    return model::jsonText(all);
 }
 
 base::Result<std::string> sectionText(const SectionArguments& arguments) {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
-#include <nlohmann/json.hpp>
 
 #include "model/base/units.h"
 #include "model/export/export_text.h"
+#include "model/export/json_text.h"
 
 namespace model {
 
@@ -23,11 +23,6 @@ double micrometres(double nm) {
 std::string padded(std::string text, std::size_t width) {
     text.resize(std::max(text.size(), width), ' ');
     return text;
-}
-
-std::string jsonText(const ordered_json& steps) {
-    const ordered_json all{{"steps", steps}};
-    return all.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
 ordered_json inMm(PointD p) {
@@ -176,7 +171,7 @@ std::string clearanceReport(std::span<const StepClearances> steps, ReportFormat 
             text += format == ReportFormat::Csv ? csvOf(step) : textOf(step);
         }
     }
-    return format == ReportFormat::Json ? jsonText(json) : text;
+    return format == ReportFormat::Json ? jsonText({{"steps", json}}) : text;
 }
 
 std::string ruleReport(const RuleTable& table, std::span<const StepRules> steps, ReportFormat format,
@@ -192,7 +187,7 @@ std::string ruleReport(const RuleTable& table, std::span<const StepRules> steps,
             text += format == ReportFormat::Csv ? csvOf(table, step, most) : textOf(table, step, most);
         }
     }
-    return format == ReportFormat::Json ? jsonText(json) : text;
+    return format == ReportFormat::Json ? jsonText({{"steps", json}}) : text;
 }
 
 }  // namespace model
