@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "model/board/holes.h"
+
 namespace model {
 
 namespace {
@@ -56,10 +58,6 @@ LayerId mirroredSpan(const std::vector<Layer>& layers, std::size_t row) {
     }
     const auto found = std::ranges::find_if(layers, fits);
     return found == layers.end() ? LayerId{} : LayerId{static_cast<std::size_t>(found - layers.begin())};
-}
-
-bool isHoles(const Layer& layer) {
-    return layer.type == LayerType::Drill || layer.type == LayerType::Rout;
 }
 
 }  // namespace
