@@ -73,7 +73,7 @@ void setOpposites(std::vector<Layer>& layers) {
         pairSides(layers, type);
     }
     for (std::size_t row = 0; row < layers.size(); ++row) {
-        if (isHoles(layers[row])) {
+        if (isHoles(layers[row].type)) {
             layers[row].opposite = mirroredSpan(layers, row);
         }
     }
