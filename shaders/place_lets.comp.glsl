@@ -4,7 +4,7 @@
 #include "lib/in_view.glsl"
 #include "lib/level.glsl"
 
-// One workgroup per cluster in view: writes its lets to the locations that cull_lets found.
+// One workgroup per cluster in view: writes its lets to the slots that cull_lets found.
 layout(local_size_x = kClusterSize) in;
 
 void main() {

@@ -14,7 +14,7 @@ inline constexpr std::uint32_t kBoxCorners = 4;
 /// Starts a mesh: appends the box corners to its vertices and makes the first two triangles.
 void startInBox(Mesh& mesh);
 
-/// Flips until no edge on the stackup, and none that a flip disturbs, has a perturbed circle with an apex in; edges for
+/// Flips until no edge on the stack, and none that a flip disturbs, has a perturbed circle with an apex in; edges for
 /// which `isFixed(a, b)` holds stay. Takes edges in any order, also stale ones.
 template <class IsFixed>
 void restoreDelaunay(Mesh& mesh, std::vector<EdgeRef>& stack, const IsFixed& isFixed) {

@@ -153,7 +153,7 @@ private:
     }
 
     /// Goes once around the newest vertex, corner 0 of triangle `start`, and flips the edge opposite to it as long as
-    /// that is not Delaunay. All flips of an insertion happen there, so no stackup is needed; and every test is made
+    /// that is not Delaunay. All flips of an insertion happen there, so no stack is needed; and every test is made
     /// from there, so of its four points only the one beyond the edge is new.
     template <class Lift>
     bool legaliseAround(std::uint32_t start) {

@@ -178,7 +178,7 @@ private:
     }
 
     /// Contours may run through vertices, so left-over edges are compared piece by piece: on every line, what begins
-    /// and what ends has to add up to nothing all the path along.
+    /// and what ends has to add up to nothing all the way along.
     Fault checkLeftOver() {
         std::vector<std::tuple<Line, Point, std::int32_t>> changes;
         for (const LeftOver& edge : m_leftOver) {

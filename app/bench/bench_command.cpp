@@ -3,9 +3,8 @@
 #include <cstdio>
 
 #include "app/bench/bench_report.h"
-#include "app/common/exit_code.h"
 #include "app/common/headless_device.h"
-#include "app/common/json_text.h"
+#include "model/export/json_text.h"
 
 namespace app {
 
@@ -25,14 +24,11 @@ base::Result<BenchReport> measure(const BenchArguments& arguments) {
 
 }  // namespace
 
-int runBench(const BenchArguments& arguments) {
-    const base::Result<BenchReport> report = measure(arguments);
-    if (!report) {
-        return fail(report.error());
-    }
-    const std::string text = arguments.asJson ? jsonText(benchJson(*report)) : benchTable(*report);
+Outcome runBench(const BenchArguments& arguments) {
+    ASSIGN_OR_RETURN(const BenchReport report, measure(arguments));
+    const std::string text = arguments.asJson ? model::jsonText(benchJson(report)) : benchTable(report);
     std::fputs(text.c_str(), stdout);
-    return kDone;
+    return int{kDone};
 }
 
 }  // namespace app

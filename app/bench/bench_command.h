@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/common/exit_code.h"
 #include "app/common/open_board.h"
 
 namespace app {
@@ -17,7 +18,7 @@ struct BenchArguments {
     bool asJson = false;
 };
 
-/// `copperscope bench BOARD…`: the paper's Tables 2, 4 and 5 for these boards on this device. Returns an exit code.
-int runBench(const BenchArguments& arguments);
+/// `copperscope bench BOARD…`: the paper's Tables 2, 4 and 5 for these boards on this device.
+[[nodiscard]] Outcome runBench(const BenchArguments& arguments);
 
 }  // namespace app

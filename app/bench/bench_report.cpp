@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "app/common/commit.h"
+#include "model/export/export_text.h"
 
 namespace app {
 
@@ -13,13 +14,6 @@ using nlohmann::ordered_json;
 namespace {
 
 constexpr double kMegabyte = 1e6;
-
-template <class... T>
-std::string format(const char* pattern, T... values) {
-    char line[512];
-    std::snprintf(line, sizeof(line), pattern, values...);
-    return line;
-}
 
 ordered_json elementsJson(const BoardResult& board) {
     ordered_json json;
@@ -79,14 +73,15 @@ double memoryExponent(const BenchReport& report, const std::string& pipeline) {
 
 std::string modellingTable(const BenchReport& report) {
     std::string text = "\nModelling, ms (Table 4), stored triangles and memory (Table 2)\n";
-    text += format("%-32s %9s %-9s %8s %8s %8s %8s %8s %11s %9s %9s\n", "board", "elements", "pipeline", "parse",
-                   "create", "discret.", "triang.", "upload", "triangles", "GPU MB", "CPU MB");
+    text += model::formatted("%-32s %9s %-9s %8s %8s %8s %8s %8s %11s %9s %9s\n", "board", "elements", "pipeline",
+                             "parse", "create", "discret.", "triang.", "upload", "triangles", "GPU MB", "CPU MB");
     for (const BoardResult& board : report.boards) {
         for (const PipelineResult& p : board.pipelines) {
-            text += format("%-32s %9llu %-9s %8.1f %8.1f %8.1f %8.1f %8.1f %11llu %9.1f %9.1f\n", board.name.c_str(),
-                           static_cast<unsigned long long>(board.elementCount()), p.name.c_str(), p.parseMs, p.createMs,
-                           p.discretiseMs, p.triangulateMs, p.uploadMs, static_cast<unsigned long long>(p.triangles),
-                           static_cast<double>(p.gpuBytes) / kMegabyte, static_cast<double>(p.cpuBytes) / kMegabyte);
+            text += model::formatted(
+                "%-32s %9llu %-9s %8.1f %8.1f %8.1f %8.1f %8.1f %11llu %9.1f %9.1f\n", board.name.c_str(),
+                static_cast<unsigned long long>(board.elementCount()), p.name.c_str(), p.parseMs, p.createMs,
+                p.discretiseMs, p.triangulateMs, p.uploadMs, static_cast<unsigned long long>(p.triangles),
+                static_cast<double>(p.gpuBytes) / kMegabyte, static_cast<double>(p.cpuBytes) / kMegabyte);
         }
     }
     return text;
@@ -94,15 +89,15 @@ std::string modellingTable(const BenchReport& report) {
 
 std::string frameTable(const BenchReport& report) {
     std::string text = "\nFrames of 1920x1080, median ms (Table 5); * is what auto takes\n";
-    text += format("%-32s %-6s %-10s %-8s %10s %12s %10s\n", "board", "view", "back end", "culling", "ms", "triangles",
-                   "grey MSE");
+    text += model::formatted("%-32s %-6s %-10s %-8s %10s %12s %10s\n", "board", "view", "back end", "culling", "ms",
+                             "triangles", "grey MSE");
     for (const BoardResult& board : report.boards) {
         for (const PipelineResult& pipeline : board.pipelines) {
             for (const FrameResult& f : pipeline.frames) {
-                text += format("%-32s %-6s %-10s %-8s %10.2f %12llu", board.name.c_str(), f.view.c_str(),
-                               (f.backend + (f.isAuto ? " *" : "")).c_str(), f.isCulled ? "yes" : "no", f.ms,
-                               static_cast<unsigned long long>(f.triangles));
-                text += f.greyMse >= 0.0 ? format(" %10.6f\n", f.greyMse) : "\n";
+                text += model::formatted("%-32s %-6s %-10s %-8s %10.2f %12llu", board.name.c_str(), f.view.c_str(),
+                                         (f.backend + (f.isAuto ? " *" : "")).c_str(), f.isCulled ? "yes" : "no", f.ms,
+                                         static_cast<unsigned long long>(f.triangles));
+                text += f.greyMse >= 0.0 ? model::formatted(" %10.6f\n", f.greyMse) : "\n";
             }
         }
     }
@@ -152,8 +147,8 @@ std::string benchTable(const BenchReport& report) {
     text += modellingTable(report) + frameTable(report);
     for (const char* pipeline : {"hybrid", "standard"}) {
         if (const double exponent = modellingExponent(report, pipeline); exponent != 0.0) {
-            text += format("\n%s: modelling grows with elements^%.3f, GPU memory with elements^%.3f", pipeline,
-                           exponent, memoryExponent(report, pipeline));
+            text += model::formatted("\n%s: modelling grows with elements^%.3f, GPU memory with elements^%.3f",
+                                     pipeline, exponent, memoryExponent(report, pipeline));
         }
     }
     return text + "\n";

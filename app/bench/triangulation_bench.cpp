@@ -11,7 +11,6 @@
 #include "app/common/commit.h"
 #include "app/common/console_progress.h"
 #include "app/common/device_triangulator.h"
-#include "app/common/exit_code.h"
 #include "model/formats/registry.h"
 #include "render/modelling/area_meshes.h"
 
@@ -111,18 +110,13 @@ std::string describeMachine(const std::optional<DeviceTriangulator>& device) {
 
 }  // namespace
 
-int runTriangulationBench(const TriangulationBenchArguments& arguments) {
+Outcome runTriangulationBench(const TriangulationBenchArguments& arguments) {
     std::optional<DeviceTriangulator> device;
-    if (const base::Status opened = openDevice(arguments, device); !opened) {
-        return fail(opened.error());
-    }
-    const base::Result<std::vector<bench::Set>> sets = collectSets(arguments);
-    if (!sets) {
-        return fail(sets.error());
-    }
+    RETURN_IF_ERROR(openDevice(arguments, device));
+    ASSIGN_OR_RETURN(const std::vector<bench::Set> sets, collectSets(arguments));
     const bench::Options options = optionsFor(arguments, device);
     std::vector<bench::SetReport> reports;
-    for (const bench::Set& set : *sets) {
+    for (const bench::Set& set : sets) {
         std::fprintf(stderr, "measuring %s\n", set.name.c_str());
         reports.push_back(bench::measure(set, options));
     }
@@ -130,9 +124,9 @@ int runTriangulationBench(const TriangulationBenchArguments& arguments) {
         arguments.asJson ? bench::toJson(reports, describeMachine(device), kCommit) : bench::toTable(reports);
     std::fputs(text.c_str(), stdout);
     if (bench::isAllEqual(reports)) {
-        return kDone;
+        return int{kDone};
     }
-    return fail({base::ErrorCode::OutputFailed, "the triangulators disagree, or the verifier found a fault"});
+    return base::Error{base::ErrorCode::OutputFailed, "the triangulators disagree, or the verifier found a fault"};
 }
 
 }  // namespace app

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "app/common/exit_code.h"
+
 namespace app {
 
 struct TriangulationBenchArguments {
@@ -16,8 +18,8 @@ struct TriangulationBenchArguments {
 };
 
 /// `copperscope bench --triangulation [BOARD...]`: every triangulator over the areas of the boards and over generated
-/// sets, in one run; a table or JSON on stdout. Returns an exit code: OutputFailed's if triangulators disagree or the
+/// sets, in one run; a table or JSON on stdout. Returns OutputFailed's if triangulators disagree or the
 /// verifier finds a fault.
-int runTriangulationBench(const TriangulationBenchArguments& arguments);
+[[nodiscard]] Outcome runTriangulationBench(const TriangulationBenchArguments& arguments);
 
 }  // namespace app

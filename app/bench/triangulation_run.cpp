@@ -12,6 +12,8 @@
 #include <thread>
 
 #include "model/base/parallel.h"
+#include "model/export/export_text.h"
+#include "model/export/json_text.h"
 #include "tri/verify.h"
 
 namespace tri::bench {
@@ -140,13 +142,6 @@ double verticesPerSecond(const SetReport& report, const Run& run) {
     return 1e3 * static_cast<double>(report.vertices) / run.ms;
 }
 
-std::string format(const char* pattern, auto... values) {
-    std::string text(static_cast<std::size_t>(std::snprintf(nullptr, 0, pattern, values...)) + 1, '\0');
-    std::snprintf(text.data(), text.size(), pattern, values...);
-    text.pop_back();
-    return text;
-}
-
 }  // namespace
 
 SetReport measure(const Set& set, const Options& options) {
@@ -186,12 +181,12 @@ std::string toTable(const std::vector<SetReport>& reports) {
         const auto cgal = std::ranges::find_if(
             report.runs, [](const Run& r) { return r.triangulator == Triangulator::Cgal && r.threads == 1; });
         for (const Run& run : report.runs) {
-            table +=
-                format("%-12s %8zu %9zu %9zu  %-12s %7d %9.2f %9.2f %5.2f %7.2f %8.0f  %-8s  %016llx\n",
-                       report.name.c_str(), report.polygons, report.vertices, report.triangles,
-                       std::string(nameOf(run.triangulator)).c_str(), run.threads, run.ms, run.cpuMs,
-                       1e-6 * verticesPerSecond(report, run), cgal == report.runs.end() ? 0.0 : cgal->ms / run.ms,
-                       run.bytesPerVertex, run.isVerified ? "yes" : "NO", static_cast<unsigned long long>(run.hash));
+            table += model::formatted("%-12s %8zu %9zu %9zu  %-12s %7d %9.2f %9.2f %5.2f %7.2f %8.0f  %-8s  %016llx\n",
+                                      report.name.c_str(), report.polygons, report.vertices, report.triangles,
+                                      std::string(nameOf(run.triangulator)).c_str(), run.threads, run.ms, run.cpuMs,
+                                      1e-6 * verticesPerSecond(report, run),
+                                      cgal == report.runs.end() ? 0.0 : cgal->ms / run.ms, run.bytesPerVertex,
+                                      run.isVerified ? "yes" : "NO", static_cast<unsigned long long>(run.hash));
         }
     }
     return table;
@@ -208,7 +203,7 @@ std::string toJson(const std::vector<SetReport>& reports, const std::string& dev
                                   {"cpu_ms", run.cpuMs},
                                   {"vertices_per_s", verticesPerSecond(report, run)},
                                   {"bytes_per_vertex", run.bytesPerVertex},
-                                  {"hash", format("%016llx", static_cast<unsigned long long>(run.hash))},
+                                  {"hash", model::formatted("%016llx", static_cast<unsigned long long>(run.hash))},
                                   {"verified", run.isVerified}};
             if (run.triangulator == Triangulator::Gpu) {
                 row.update({{"device_ms", run.deviceMs}, {"on_device", run.onDevice}, {"flagged", run.flagged}});
@@ -221,7 +216,7 @@ std::string toJson(const std::vector<SetReport>& reports, const std::string& dev
                                 {"triangles", report.triangles},
                                 {"runs", runs}});
     }
-    return json.dump(2) + "\n";
+    return model::jsonText(json);
 }
 
 }  // namespace tri::bench

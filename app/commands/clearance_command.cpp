@@ -4,7 +4,6 @@
 #include <cstdio>
 
 #include "app/common/console_progress.h"
-#include "app/common/exit_code.h"
 #include "model/board/copies.h"
 #include "model/clearance/clearance_report.h"
 #include "model/session/length_text.h"
@@ -82,48 +81,37 @@ base::Result<std::vector<StepClearances>> measureSteps(const Document& board, co
     return found;
 }
 
-int runRules(const ClearanceArguments& arguments, const Document& board, base::Progress& progress) {
-    const base::Result<model::RuleTable> table =
-        arguments.rules == "default" ? model::defaultRules() : model::readRules(arguments.rules);
-    if (!table) {
-        return fail(table.error());
-    }
+Outcome runRules(const ClearanceArguments& arguments, const Document& board, base::Progress& progress) {
+    ASSIGN_OR_RETURN(const model::RuleTable table, arguments.rules == "default"
+                                                       ? base::Result<model::RuleTable>(model::defaultRules())
+                                                       : model::readRules(arguments.rules));
     std::vector<StepRules> steps;
     for (const Document* step : model::distinctSteps(board)) {
-        base::Result<model::RuleReport> report = model::checkRules(*step, *table, progress);
-        if (!report) {
-            return fail(report.error());
-        }
-        steps.push_back({step, std::move(*report)});
+        ASSIGN_OR_RETURN(model::RuleReport report, model::checkRules(*step, table, progress));
+        steps.push_back({step, std::move(report)});
     }
-    print(model::ruleReport(*table, steps, formatOf(arguments), arguments.worst));
+    print(model::ruleReport(table, steps, formatOf(arguments), arguments.worst));
     for (const StepRules& step : steps) {
         for (const std::string& note : step.report.notes) {
             std::fprintf(stderr, "copperscope: step %s: %s\n", step.step->job.step.c_str(), note.c_str());
         }
     }
     const bool isPassed = std::ranges::all_of(steps, [](const StepRules& s) { return s.report.isPassed(); });
-    return isPassed ? kDone : kTooClose;
+    return int{isPassed ? kDone : kTooClose};
 }
 
 }  // namespace
 
-int runClearance(const ClearanceArguments& arguments) {
+Outcome runClearance(const ClearanceArguments& arguments) {
     ConsoleProgress console;
-    const auto board = openDocument(arguments.board, console.progress());
-    if (!board) {
-        return fail(board.error());
-    }
+    ASSIGN_OR_RETURN(const auto board, openDocument(arguments.board, console.progress()));
     if (!arguments.rules.empty()) {
-        return runRules(arguments, **board, console.progress());
+        return runRules(arguments, *board, console.progress());
     }
-    const auto found = measureSteps(**board, arguments, console.progress());
-    if (!found) {
-        return fail(found.error());
-    }
-    print(model::clearanceReport(*found, formatOf(arguments)));
-    const bool isAnyClose = std::ranges::any_of(*found, [](const StepClearances& s) { return !s.clearances.empty(); });
-    return !arguments.below.empty() && isAnyClose ? kTooClose : kDone;
+    ASSIGN_OR_RETURN(const auto found, measureSteps(*board, arguments, console.progress()));
+    print(model::clearanceReport(found, formatOf(arguments)));
+    const bool isAnyClose = std::ranges::any_of(found, [](const StepClearances& s) { return !s.clearances.empty(); });
+    return int{!arguments.below.empty() && isAnyClose ? kTooClose : kDone};
 }
 
 }  // namespace app

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/common/exit_code.h"
 #include "app/common/open_board.h"
 
 namespace app {
@@ -19,8 +20,8 @@ struct ClearanceArguments {
 };
 
 /// `copperscope clearance BOARD [--below 100um] [--layer NAME] [--nets A,B]`: the smallest clearances between nets, on
-/// stdout; with `--rules FILE` what every rule says of the board (model::RuleTable). Returns an exit code: kTooClose if
+/// stdout; with `--rules FILE` what every rule says of the board (model::RuleTable). Returns kTooClose if
 /// --below was given and anything is closer, or if a rule is broken.
-int runClearance(const ClearanceArguments& arguments);
+[[nodiscard]] Outcome runClearance(const ClearanceArguments& arguments);
 
 }  // namespace app

@@ -19,11 +19,15 @@ namespace app {
 
 namespace {
 
+int codeOf(const Outcome& outcome) {
+    return outcome ? *outcome : fail(outcome.error());
+}
+
 /// Arguments for the options of a command, which `chosen` runs with them when the command is given.
 template <class Arguments>
-Arguments& argumentsOf(CLI::App& command, Command& chosen, int (*run)(const Arguments&)) {
+Arguments& argumentsOf(CLI::App& command, Command& chosen, Outcome (*run)(const Arguments&)) {
     const auto arguments = std::make_shared<Arguments>();
-    command.callback([&chosen, arguments, run] { chosen = [arguments, run] { return run(*arguments); }; });
+    command.callback([&chosen, arguments, run] { chosen = [arguments, run] { return codeOf(run(*arguments)); }; });
     return *arguments;
 }
 
@@ -265,7 +269,7 @@ void addBench(CLI::App& parent, Command& chosen) {
         both->triangulation.boards = both->frames.boards;
         both->triangulation.asJson = both->frames.asJson;
         chosen = [both] {
-            return both->isTriangulation ? runTriangulationBench(both->triangulation) : runBench(both->frames);
+            return codeOf(both->isTriangulation ? runTriangulationBench(both->triangulation) : runBench(both->frames));
         };
     });
 }

@@ -5,7 +5,6 @@
 #include <filesystem>
 
 #include "app/common/console_progress.h"
-#include "app/common/exit_code.h"
 #include "model/generate/job_writer.h"
 
 namespace app {
@@ -29,14 +28,11 @@ base::Result<model::generate::Wanted> wantedBy(const GenerateArguments& argument
 
 }  // namespace
 
-int runGenerate(const GenerateArguments& arguments) {
-    const base::Result<model::generate::Wanted> wanted = wantedBy(arguments);
-    if (!wanted) {
-        return fail(wanted.error());
-    }
+Outcome runGenerate(const GenerateArguments& arguments) {
+    ASSIGN_OR_RETURN(const model::generate::Wanted wanted, wantedBy(arguments));
     ConsoleProgress console;
-    const base::Status status = model::generate::writeJob(*wanted, arguments.output, console.progress());
-    return status ? kDone : fail(status.error());
+    RETURN_IF_ERROR(model::generate::writeJob(wanted, arguments.output, console.progress()));
+    return int{kDone};
 }
 
 }  // namespace app

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <string>
 
+#include "app/common/exit_code.h"
+
 namespace app {
 
 struct GenerateArguments {
@@ -14,6 +16,6 @@ struct GenerateArguments {
 
 /// `copperscope generate --like t3 -o job.tgz`: a made-up board with exactly the row's element counts times the scale.
 /// Returns an exit code.
-int runGenerate(const GenerateArguments& arguments);
+[[nodiscard]] Outcome runGenerate(const GenerateArguments& arguments);
 
 }  // namespace app

@@ -2,13 +2,13 @@
 
 #include <cstdio>
 #include <iostream>
+#include <optional>
 
 #include "app/common/console_progress.h"
-#include "app/common/exit_code.h"
-#include "app/common/json_text.h"
 #include "app/reports/drill_report.h"
 #include "app/reports/info_json.h"
 #include "app/reports/stackup_report.h"
+#include "model/export/json_text.h"
 #include "render/standard/standard_triangles.h"
 
 namespace app {
@@ -127,31 +127,26 @@ void printText(const OpenBoard& board, const std::vector<StepCheck>* checks) {
 
 }  // namespace
 
-int runInfo(const InfoArguments& arguments) {
-    const base::Result<OpenBoard> board = openBoard(arguments.board);
-    if (!board) {
-        return fail(board.error());
-    }
-    base::Result<std::vector<StepCheck>> checks = std::vector<StepCheck>();
+Outcome runInfo(const InfoArguments& arguments) {
+    ASSIGN_OR_RETURN(const OpenBoard board, openBoard(arguments.board));
+    std::optional<std::vector<StepCheck>> checks;
     if (arguments.checkNets) {
         ConsoleProgress console;
-        checks = model::checkAllNets(*board->document, console.progress());
+        ASSIGN_OR_RETURN(checks, model::checkAllNets(*board.document, console.progress()));
     }
-    if (!checks) {
-        return fail(checks.error());
-    }
-    const std::vector<StepCheck>* checked = arguments.checkNets ? &*checks : nullptr;
+    const std::vector<StepCheck>* checked = checks ? &*checks : nullptr;
     if (arguments.asJson) {
         // Names in jobs may hold bytes that are no UTF-8; readers decode them, and what slips through must not end the
         // report.
-        std::cout << jsonText(infoJson(*board, checked));
+        std::cout << model::jsonText(infoJson(board, checked));
     } else {
-        printText(*board, checked);
+        printText(board, checked);
     }
     std::fflush(stdout);
-    return std::cout && std::ferror(stdout) == 0
-               ? kDone
-               : fail({base::ErrorCode::OutputFailed, "the report cannot be written to stdout"});
+    if (!std::cout || std::ferror(stdout) != 0) {
+        return base::Error{base::ErrorCode::OutputFailed, "the report cannot be written to stdout"};
+    }
+    return int{kDone};
 }
 
 }  // namespace app

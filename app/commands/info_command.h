@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/common/exit_code.h"
 #include "app/common/open_board.h"
 
 namespace app {
@@ -10,7 +11,7 @@ struct InfoArguments {
     bool checkNets = false;
 };
 
-/// `copperscope info BOARD [--json] [--check-nets]`: what is in the job, on stdout. Returns an exit code.
-int runInfo(const InfoArguments& arguments);
+/// `copperscope info BOARD [--json] [--check-nets]`: what is in the job, on stdout.
+[[nodiscard]] Outcome runInfo(const InfoArguments& arguments);
 
 }  // namespace app

@@ -167,12 +167,9 @@ Result<MeasureItem> parseAt(const BoardIndex& index, const InCopy& at) {
     if (first == std::string_view::npos) {
         return wrong("\"" + std::string(at.text) + "\" is no location: write X,Y or X,Y,LAYER, for example 12.3mm,4mm");
     }
-    const auto x = parseCoordinate(at.text.substr(0, first));
-    const auto y = parseCoordinate(at.text.substr(first + 1, second - first - 1));
-    if (!x || !y) {
-        return x ? y.error() : x.error();
-    }
-    model::Location location{{*x, *y}, {}};
+    ASSIGN_OR_RETURN(const double x, parseCoordinate(at.text.substr(0, first)));
+    ASSIGN_OR_RETURN(const double y, parseCoordinate(at.text.substr(first + 1, second - first - 1)));
+    model::Location location{{x, y}, {}};
     if (second != std::string_view::npos) {
         const std::vector<model::Layer>& layers = index.board->layers;
         const auto layer = findNamed("layer", at.text.substr(second + 1), layers.size(),

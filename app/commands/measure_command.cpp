@@ -5,9 +5,8 @@
 
 #include "app/commands/item_spec.h"
 #include "app/common/console_progress.h"
-#include "app/common/exit_code.h"
-#include "app/common/json_text.h"
 #include "model/export/export_text.h"
+#include "model/export/json_text.h"
 #include "model/measure/net_path.h"
 #include "model/measure/separation.h"
 #include "model/measure/sizes.h"
@@ -32,12 +31,9 @@ struct Request {
 };
 
 base::Result<Request> requestFrom(const BoardIndex& index, const MeasureArguments& arguments) {
-    const auto from = parseItem(index, arguments.from);
-    const auto to = parseItem(index, arguments.to);
-    if (!from || !to) {
-        return from ? to.error() : from.error();
-    }
-    Request request{*from, *to, {}};
+    ASSIGN_OR_RETURN(const MeasureItem from, parseItem(index, arguments.from));
+    ASSIGN_OR_RETURN(const MeasureItem to, parseItem(index, arguments.to));
+    Request request{from, to, {}};
     if (!arguments.below.empty()) {
         ASSIGN_OR_RETURN(const auto below, model::session::parseLength(arguments.below));
         request.below = below;
@@ -109,7 +105,7 @@ void printJson(const BoardIndex& index, const Request& request, const Separation
     json["angle_deg"] = angle ? ordered_json(*angle) : ordered_json(nullptr);
     json["notes"] = separation.notes;
     json["remarks"] = separation.notes;
-    std::fputs(jsonText(json).c_str(), stdout);
+    std::fputs(model::jsonText(json).c_str(), stdout);
 }
 
 void printCsv(const BoardIndex& index, const Separation& separation) {
@@ -213,15 +209,15 @@ void printPathJson(const BoardIndex& index, model::NetOfCopy net, const NetPath&
                         {"from_nm", {leg.from.x, leg.from.y}},
                         {"to_nm", {leg.to.x, leg.to.y}}});
     }
-    std::fputs(jsonText({{"net", nameOf(index, net)},
-                         {"length_nm", path.length},
-                         {"area_length_nm", path.areaLength},
-                         {"hole_count", path.holeCount},
-                         {"hole_height_nm", path.holeHeight},
-                         {"layers", layers},
-                         {"legs", legs},
-                         {"notes", path.notes},
-                         {"remarks", path.notes}})
+    std::fputs(model::jsonText({{"net", nameOf(index, net)},
+                                {"length_nm", path.length},
+                                {"area_length_nm", path.areaLength},
+                                {"hole_count", path.holeCount},
+                                {"hole_height_nm", path.holeHeight},
+                                {"layers", layers},
+                                {"legs", legs},
+                                {"notes", path.notes},
+                                {"remarks", path.notes}})
                    .c_str(),
                stdout);
 }
@@ -247,8 +243,8 @@ void printPathText(const BoardIndex& index, model::NetOfCopy net, const NetPath&
     }
 }
 
-base::Result<int> measurePath(const BoardIndex& index, const Request& request, const MeasureArguments& arguments,
-                              base::Progress& progress) {
+Outcome measurePath(const BoardIndex& index, const Request& request, const MeasureArguments& arguments,
+                    base::Progress& progress) {
     ASSIGN_OR_RETURN(const auto net, parseNet(index, arguments.path));
     ASSIGN_OR_RETURN(const auto path, model::pathAlong(index, net, request.from, request.to, progress));
     arguments.format == "json"  ? printPathJson(index, net, path)
@@ -257,8 +253,8 @@ base::Result<int> measurePath(const BoardIndex& index, const Request& request, c
     return int{kDone};
 }
 
-base::Result<int> measureDistance(const BoardIndex& index, const Request& request, const MeasureArguments& arguments,
-                                  base::Progress& progress) {
+Outcome measureDistance(const BoardIndex& index, const Request& request, const MeasureArguments& arguments,
+                        base::Progress& progress) {
     ASSIGN_OR_RETURN(const auto separation, model::separationOf(index, request.from, request.to, progress));
     arguments.format == "json"  ? printJson(index, request, separation)
     : arguments.format == "csv" ? printCsv(index, separation)
@@ -269,20 +265,15 @@ base::Result<int> measureDistance(const BoardIndex& index, const Request& reques
     return request.below && separation.main()->distance < *request.below ? int{kTooClose} : int{kDone};
 }
 
-base::Result<int> measure(const MeasureArguments& arguments) {
+}  // namespace
+
+Outcome runMeasure(const MeasureArguments& arguments) {
     ConsoleProgress console;
     ASSIGN_OR_RETURN(const auto board, openDocument(arguments.board, console.progress()));
     ASSIGN_OR_RETURN(const auto index, model::indexBoard(board, console.progress()));
     ASSIGN_OR_RETURN(const auto request, requestFrom(*index, arguments));
     return arguments.path.empty() ? measureDistance(*index, request, arguments, console.progress())
                                   : measurePath(*index, request, arguments, console.progress());
-}
-
-}  // namespace
-
-int runMeasure(const MeasureArguments& arguments) {
-    const base::Result<int> code = measure(arguments);
-    return code ? *code : fail(code.error());
 }
 
 }  // namespace app

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "app/common/exit_code.h"
 #include "app/common/open_board.h"
 
 namespace app {
@@ -15,7 +16,7 @@ struct MeasureArguments {
     std::string format = "text";  ///< text, json or csv
 };
 
-/// `copperscope measure BOARD --from ITEM --to ITEM`: how far they are apart, on stdout. Returns an exit code.
+/// `copperscope measure BOARD --from ITEM --to ITEM`: how far they are apart, on stdout.
 ///
 /// JSON: {"from", "to", "on_layer", "through_stackup", "in_plane", "angle_deg", "notes": []}; the three distances are
 /// null or {"distance_nm", "spacing_nm", "dx_nm", "dy_nm", "dz_nm", "relation", "overlap_nm", "is_overlap_exact",
@@ -23,6 +24,6 @@ struct MeasureArguments {
 /// "area_length_nm", "hole_count", "hole_height_nm", "layers": [{"layer", "length_nm"}], "legs": [{"kind", "layer",
 /// "element", "length_nm", "from_nm", "to_nm"}], "notes"}. Under their old names too: "through_stack", "gap_nm",
 /// "remarks".
-int runMeasure(const MeasureArguments& arguments);
+[[nodiscard]] Outcome runMeasure(const MeasureArguments& arguments);
 
 }  // namespace app

@@ -4,7 +4,6 @@
 #include <filesystem>
 
 #include "app/common/console_progress.h"
-#include "app/common/exit_code.h"
 #include "app/common/headless_device.h"
 #include "model/board/copies.h"
 #include "render/scene/explosion.h"
@@ -210,13 +209,13 @@ base::Status renderToFile(const RenderArguments& arguments) {
 
 }  // namespace
 
-int runRender(const RenderArguments& arguments) {
+Outcome runRender(const RenderArguments& arguments) {
     RenderArguments effective = arguments;
     if (!effective.window.empty()) {
         effective.mode = "2d";
     }
-    const base::Status status = renderToFile(effective);
-    return status ? kDone : fail(status.error());
+    RETURN_IF_ERROR(renderToFile(effective));
+    return int{kDone};
 }
 
 }  // namespace app

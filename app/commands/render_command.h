@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/common/exit_code.h"
 #include "app/common/open_board.h"
 #include "render/frame/offscreen_presenter.h"
 #include "render/frame/png.h"
@@ -30,7 +31,7 @@ struct RenderArguments {
     bool isOutlined = false;
 };
 
-/// `copperscope render BOARD -o out.png`: a picture. Returns an exit code.
-int runRender(const RenderArguments& arguments);
+/// `copperscope render BOARD -o out.png`: a picture.
+[[nodiscard]] Outcome runRender(const RenderArguments& arguments);
 
 }  // namespace app

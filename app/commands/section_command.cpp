@@ -5,8 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/common/console_progress.h"
-#include "app/common/exit_code.h"
-#include "app/common/json_text.h"
+#include "model/export/json_text.h"
 #include "model/section/section_export.h"
 #include "render/scene/layer_style.h"
 
@@ -70,7 +69,7 @@ std::string sectionJson(const model::BoardIndex& index, const Section& section) 
                                         {"bores", piecesJson(index, section.bores)},
                                         {"notes", section.notes},
                                         {"remarks", section.notes}};
-    return jsonText(all);
+    return model::jsonText(all);
 }
 
 base::Result<std::string> sectionText(const SectionArguments& arguments) {
@@ -89,13 +88,10 @@ base::Result<std::string> sectionText(const SectionArguments& arguments) {
 
 }  // namespace
 
-int runSection(const SectionArguments& arguments) {
-    const base::Result<std::string> text = sectionText(arguments);
-    if (!text) {
-        return fail(text.error());
-    }
-    std::fwrite(text->data(), 1, text->size(), stdout);
-    return kDone;
+Outcome runSection(const SectionArguments& arguments) {
+    ASSIGN_OR_RETURN(const std::string text, sectionText(arguments));
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    return int{kDone};
 }
 
 }  // namespace app

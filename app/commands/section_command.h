@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/common/exit_code.h"
 #include "app/common/open_board.h"
 
 namespace app {
@@ -15,12 +16,11 @@ struct SectionArguments {
     double heightTimes = 0.0;         ///< SVG: heights so many times larger; 0: as reads well
 };
 
-/// `copperscope section BOARD --line x0,y0,x1,y1[,…]`: what a cut along the line shows, on stdout. Returns an exit
-/// code.
+/// `copperscope section BOARD --line x0,y0,x1,y1[,…]`: what a cut along the line shows, on stdout.
 ///
 /// JSON: {"line_mm": [[x, y]], "stations_nm": [], "pieces": [{"layer", "copy", "element", "net", "from_nm", "to_nm",
 /// "bottom_nm", "top_nm"}], "bores": [the same], "notes": []} ("remarks": the old name of the notes); `stations_nm` are
 /// the corners' places along the line.
-int runSection(const SectionArguments& arguments);
+[[nodiscard]] Outcome runSection(const SectionArguments& arguments);
 
 }  // namespace app

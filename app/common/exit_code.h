@@ -10,4 +10,7 @@ enum ExitCode : int { kDone = 0, kWrongUsage = 1, kBadInput = 2, kFailed = 3, kT
 /// Prints the error to stderr and says which code it means.
 int fail(const base::Error& error);
 
+/// What a command returns: a code, or the error that is printed.
+using Outcome = base::Result<int>;
+
 }  // namespace app

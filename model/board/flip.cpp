@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "model/board/holes.h"
+
 namespace model {
 
 namespace {
@@ -58,10 +60,6 @@ LayerId mirroredSpan(const std::vector<Layer>& layers, std::size_t row) {
     return found == layers.end() ? LayerId{} : LayerId{static_cast<std::size_t>(found - layers.begin())};
 }
 
-bool isHoles(const Layer& layer) {
-    return layer.type == LayerType::Drill || layer.type == LayerType::Rout;
-}
-
 }  // namespace
 
 void setOpposites(std::vector<Layer>& layers) {
@@ -75,7 +73,7 @@ void setOpposites(std::vector<Layer>& layers) {
         pairSides(layers, type);
     }
     for (std::size_t row = 0; row < layers.size(); ++row) {
-        if (isHoles(layers[row])) {
+        if (isHoles(layers[row].type)) {
             layers[row].opposite = mirroredSpan(layers, row);
         }
     }

@@ -9,6 +9,11 @@
 /// What the holes of a board are: spans, tools, counts.
 namespace model {
 
+/// Does a layer of this type hold holes?
+constexpr bool isHoles(LayerType type) {
+    return type == LayerType::Drill || type == LayerType::Rout;
+}
+
 /// Which copper a hole joins or passes.
 enum class HoleSpan : std::uint8_t {
     Through,   ///< from the outer copper to the outer copper

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "model/base/assert.h"
+#include "model/board/holes.h"
 
 namespace model {
 
@@ -66,10 +67,6 @@ bool isBoardDielectric(const Layer& layer) {
 
 bool isPhysical(const Layer& layer) {
     return isBoardCopper(layer) || isBoardDielectric(layer) || isSurface(layer);
-}
-
-bool isHoles(const Layer& layer) {
-    return layer.type == LayerType::Drill || layer.type == LayerType::Rout;
 }
 
 bool namesBottom(const Layer& layer) {
@@ -460,7 +457,7 @@ private:
 
     void placeHoles(Nm top) {
         for (Layer& layer : m_layers) {
-            if (!isHoles(layer)) {
+            if (!isHoles(layer.type)) {
                 continue;
             }
             layer.side = LayerSide::Through;
@@ -475,7 +472,7 @@ private:
 
     void placePlanes(Nm top) {
         for (Layer& layer : m_layers) {
-            if (isPhysical(layer) || isHoles(layer)) {
+            if (isPhysical(layer) || isHoles(layer.type)) {
                 continue;
             }
             const bool isBottom = namesBottom(layer);

@@ -81,11 +81,11 @@ std::vector<CopperPairs> layersOf(const Document& document, const ClearanceReque
             rows.emplace_back(row);
         }
     }
-    std::vector<LayerGeometry> sheets(rows.size());
-    base::parallelFor(rows.size(), [&](std::size_t i) { sheets[i] = copperGeometry(document, rows[i]); });
+    std::vector<LayerGeometry> geometry(rows.size());
+    base::parallelFor(rows.size(), [&](std::size_t i) { geometry[i] = copperGeometry(document, rows[i]); });
     std::vector<CopperPairs> layers;
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        layers.emplace_back(document, rows[i], request, std::move(sheets[i]));
+        layers.emplace_back(document, rows[i], request, std::move(geometry[i]));
     }
     return layers;
 }

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
-#include <nlohmann/json.hpp>
 
 #include "model/base/units.h"
 #include "model/export/export_text.h"
+#include "model/export/json_text.h"
 
 namespace model {
 
@@ -25,18 +25,32 @@ std::string padded(std::string text, std::size_t width) {
     return text;
 }
 
-std::string jsonText(const ordered_json& steps) {
-    const ordered_json all{{"steps", steps}};
-    return all.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
-}
-
 ordered_json inMm(PointD p) {
     return {base::toMm(p.x), base::toMm(p.y)};
 }
 
-std::string csvLocations(const Spacing& spacing) {
-    return formatted("%.6f,%.6f,%.6f,%.6f\n", base::toMm(spacing.from.x), base::toMm(spacing.from.y),
-                     base::toMm(spacing.to.x), base::toMm(spacing.to.y));
+/// From the layer on; of clearances and of findings of rules.
+template <class Found>
+std::string csvOf(const Document& step, const Found& f) {
+    return csvField(step.layer(f.layer).name) + formatted(",%.3f,", micrometres(f.spacing.distance)) +
+           csvField(sideOf(step, f.a)) + ',' + csvField(sideOf(step, f.b)) +
+           formatted(",%.6f,%.6f,%.6f,%.6f\n", base::toMm(f.spacing.from.x), base::toMm(f.spacing.from.y),
+                     base::toMm(f.spacing.to.x), base::toMm(f.spacing.to.y));
+}
+
+template <class Found>
+ordered_json jsonOf(const Document& step, const Found& f) {
+    ordered_json elements{f.a.value};
+    if (f.b.isValid()) {
+        elements.push_back(f.b.value);
+    }
+    return {{"clearance_um", micrometres(f.spacing.distance)},
+            {"gap_um", micrometres(f.spacing.distance)},
+            {"layer", step.layer(f.layer).name},
+            {"nets", {sideOf(step, f.a), sideOf(step, f.b)}},
+            {"elements", elements},
+            {"from_mm", inMm(f.spacing.from)},
+            {"to_mm", inMm(f.spacing.to)}};
 }
 
 std::string textOf(const StepClearances& found) {
@@ -57,26 +71,17 @@ std::string csvOf(const StepClearances& found) {
     const Document& step = *found.step;
     std::string text;
     for (const Clearance& c : found.clearances) {
-        text += csvField(step.job.step) + ',' + csvField(step.layer(c.layer).name) +
-                formatted(",%.3f,", micrometres(c.spacing.distance)) + csvField(sideOf(step, c.a)) + ',' +
-                csvField(sideOf(step, c.b)) + ',' + csvLocations(c.spacing);
+        text += csvField(step.job.step) + ',' + csvOf(step, c);
     }
     return text;
 }
 
 ordered_json jsonOf(const StepClearances& found) {
-    const Document& step = *found.step;
     ordered_json list = ordered_json::array();
     for (const Clearance& c : found.clearances) {
-        list.push_back({{"clearance_um", micrometres(c.spacing.distance)},
-                        {"gap_um", micrometres(c.spacing.distance)},
-                        {"layer", step.layer(c.layer).name},
-                        {"nets", {sideOf(step, c.a), sideOf(step, c.b)}},
-                        {"elements", {c.a.value, c.b.value}},
-                        {"from_mm", inMm(c.spacing.from)},
-                        {"to_mm", inMm(c.spacing.to)}});
+        list.push_back(jsonOf(*found.step, c));
     }
-    return {{"step", step.job.step}, {"clearances", list}};
+    return {{"step", found.step->job.step}, {"clearances", list}};
 }
 
 /// The first ones of a rule.
@@ -113,26 +118,10 @@ std::string csvOf(const RuleTable& table, const StepRules& found, std::size_t mo
         const Rule& rule = table.rules[row];
         for (const RuleFinding& f : findingsOf(found, row, most)) {
             text += csvField(step.job.step) + ',' + csvField(titleOf(rule)) +
-                    formatted(",%.3f,", micrometres(static_cast<double>(rule.least))) +
-                    csvField(step.layer(f.layer).name) + formatted(",%.3f,", micrometres(f.spacing.distance)) +
-                    csvField(sideOf(step, f.a)) + ',' + csvField(sideOf(step, f.b)) + ',' + csvLocations(f.spacing);
+                    formatted(",%.3f,", micrometres(static_cast<double>(rule.least))) + csvOf(step, f);
         }
     }
     return text;
-}
-
-ordered_json jsonOf(const Document& step, const RuleFinding& f) {
-    ordered_json elements{f.a.value};
-    if (f.b.isValid()) {
-        elements.push_back(f.b.value);
-    }
-    return {{"clearance_um", micrometres(f.spacing.distance)},
-            {"gap_um", micrometres(f.spacing.distance)},
-            {"layer", step.layer(f.layer).name},
-            {"nets", {sideOf(step, f.a), sideOf(step, f.b)}},
-            {"elements", elements},
-            {"from_mm", inMm(f.spacing.from)},
-            {"to_mm", inMm(f.spacing.to)}};
 }
 
 ordered_json jsonOf(const RuleTable& table, const StepRules& found, std::size_t most) {
@@ -176,7 +165,7 @@ std::string clearanceReport(std::span<const StepClearances> steps, ReportFormat 
             text += format == ReportFormat::Csv ? csvOf(step) : textOf(step);
         }
     }
-    return format == ReportFormat::Json ? jsonText(json) : text;
+    return format == ReportFormat::Json ? jsonText({{"steps", json}}) : text;
 }
 
 std::string ruleReport(const RuleTable& table, std::span<const StepRules> steps, ReportFormat format,
@@ -192,7 +181,7 @@ std::string ruleReport(const RuleTable& table, std::span<const StepRules> steps,
             text += format == ReportFormat::Csv ? csvOf(table, step, most) : textOf(table, step, most);
         }
     }
-    return format == ReportFormat::Json ? jsonText(json) : text;
+    return format == ReportFormat::Json ? jsonText({{"steps", json}}) : text;
 }
 
 }  // namespace model

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/base/units.h"
+#include "model/export/json_text.h"
 
 namespace model {
 
@@ -149,8 +150,7 @@ std::string toJson(const RuleTable& table) {
         }
         rules.push_back(json);
     }
-    const ordered_json file{{kVersionKey, kVersion}, {"classes", classes}, {"rules", rules}};
-    return file.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+    return jsonText({{kVersionKey, kVersion}, {"classes", classes}, {"rules", rules}});
 }
 
 base::Result<RuleTable> readRules(const std::filesystem::path& path) {

@@ -4,15 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/geometry/vectors.h"
+
 namespace model {
 
 namespace {
 
 constexpr double kFullCircle = 2.0 * std::numbers::pi;
-
-Nm toNm(double value) {
-    return static_cast<Nm>(std::llround(value));
-}
 
 /// One polygon with this outline.
 void addOutline(PolygonSet& set, std::span<const Point> outline) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/figures/distance.h"
+#include "model/geometry/vectors.h"
 
 namespace model {
 
@@ -20,22 +21,6 @@ constexpr double kRoundingNm = 1.5;
 constexpr std::size_t kMostTried = 64;
 /// Crossings of two outlines that are tested.
 constexpr int kMostCrossings = 256;
-
-PointD minus(PointD a, PointD b) {
-    return {a.x - b.x, a.y - b.y};
-}
-
-double cross(PointD a, PointD b) {
-    return a.x * b.y - a.y * b.x;
-}
-
-double dot(PointD a, PointD b) {
-    return a.x * b.x + a.y * b.y;
-}
-
-double length(PointD v) {
-    return std::sqrt(dot(v, v));
-}
 
 /// A convex figure: all that is at most `pen` from the hull of some points.
 struct Convex {

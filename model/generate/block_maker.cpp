@@ -89,15 +89,15 @@ int BlockMaker::random(int choices) {
     return choice;
 }
 
-void BlockMaker::addPad(LayerGeometry plane, PointUm at, Pen pen, BlockNet net) {
-    m_block.sheets[static_cast<std::size_t>(plane)].push_back({Feature::Kind::Pad, pen, net, at, {}, {}});
+void BlockMaker::addPad(BoardLayer plane, PointUm at, Pen pen, BlockNet net) {
+    m_block.features[static_cast<std::size_t>(plane)].push_back({Feature::Kind::Pad, pen, net, at, {}, {}});
 }
 
-void BlockMaker::addTrack(LayerGeometry plane, PointUm a, PointUm b, Pen pen, BlockNet net) {
-    m_block.sheets[static_cast<std::size_t>(plane)].push_back({Feature::Kind::Track, pen, net, a, b, {}});
+void BlockMaker::addTrack(BoardLayer plane, PointUm a, PointUm b, Pen pen, BlockNet net) {
+    m_block.features[static_cast<std::size_t>(plane)].push_back({Feature::Kind::Track, pen, net, a, b, {}});
 }
 
-void BlockMaker::addTrail(LayerGeometry plane, const std::vector<PointUm>& path, BlockNet net) {
+void BlockMaker::addTrail(BoardLayer plane, const std::vector<PointUm>& path, BlockNet net) {
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {
         addTrack(plane, path[i], path[i + 1], Pen::Trace, net);
     }
@@ -107,9 +107,9 @@ void BlockMaker::addVias() {
     for (int via = 0; via < m_vias; ++via) {
         const PointUm at = viaSite(via);
         const BlockNet net = netOfVia(via);
-        addPad(LayerGeometry::Top, at, Pen::ViaPad, net);
-        addPad(LayerGeometry::Bottom, at, Pen::ViaPad, net);
-        addPad(LayerGeometry::Drill, at, Pen::Drill, net);
+        addPad(BoardLayer::Top, at, Pen::ViaPad, net);
+        addPad(BoardLayer::Bottom, at, Pen::ViaPad, net);
+        addPad(BoardLayer::Drill, at, Pen::Drill, net);
         if (net != kGroundNet) {
             m_block.viasNotOnGround.push_back(at);
         }
@@ -121,8 +121,7 @@ void BlockMaker::addVias() {
 
 void BlockMaker::addTestPads() {
     for (int i = 0; i < m_share.circles - kCirclesPerVia * m_vias; ++i) {
-        addPad(LayerGeometry::Top, {m_corner.x + siteX(2 * (i % kMaxVias)), m_corner.y + kTestRow}, Pen::TestPad,
-               kNoNet);
+        addPad(BoardLayer::Top, {m_corner.x + siteX(2 * (i % kMaxVias)), m_corner.y + kTestRow}, Pen::TestPad, kNoNet);
     }
 }
 
@@ -143,7 +142,7 @@ void BlockMaker::addBottomTrails() {
         std::vector<PointUm> path{from, {from.x, y}};
         meander(path.back(), {{1, 0}, {0, 1}, bumps}, to.x - from.x, depth, path);
         path.insert(path.end(), {{to.x, y}, to});
-        addTrail(LayerGeometry::Bottom, path, trail);
+        addTrail(BoardLayer::Bottom, path, trail);
     }
 }
 
@@ -163,7 +162,7 @@ void BlockMaker::addTopTrails() {
             path.push_back({x, start.y - 2 * depth});
         }
         path.push_back({x, m_corner.y + kLowerRow});
-        addTrail(LayerGeometry::Top, path, m_bottomTrails + trail);
+        addTrail(BoardLayer::Top, path, m_bottomTrails + trail);
     }
 }
 
@@ -177,7 +176,7 @@ void BlockMaker::addPads() {
             isTaken.set(static_cast<std::size_t>(site));
             --left;
             const std::int32_t y = site < kSitesPerRow ? kUpperRow : kLowerRow;
-            addPad(LayerGeometry::Top, {m_corner.x + siteX(site % kSitesPerRow), m_corner.y + y}, pen, net);
+            addPad(BoardLayer::Top, {m_corner.x + siteX(site % kSitesPerRow), m_corner.y + y}, pen, net);
         }
     };
     for (int trail = 0; trail < m_topTrails; ++trail) {
@@ -190,7 +189,7 @@ void BlockMaker::addPads() {
         const PointUm pad{at.x, m_corner.y + kUpperRow};
         const int fromEnd = via / 2;
         add(2 * (via % 2 == 0 ? fromEnd : kMaxVias - 1 - fromEnd), netOfVia(via));
-        addTrack(LayerGeometry::Top, pad, at, Pen::Trace, netOfVia(via));
+        addTrack(BoardLayer::Top, pad, at, Pen::Trace, netOfVia(via));
     }
     for (int site = 0; site < 2 * kSitesPerRow; ++site) {
         add(site, kNoNet);
@@ -200,11 +199,11 @@ void BlockMaker::addPads() {
 void BlockMaker::addPrint() {
     for (int i = 0; i < m_share.lines - m_fanOuts; ++i) {
         const std::int32_t x = m_corner.x + 200 + kPitch * i;
-        addTrack(LayerGeometry::Silk, {x, m_corner.y + 3760}, {x, m_corner.y + 3920}, Pen::Mark, kNoNet);
+        addTrack(BoardLayer::Silk, {x, m_corner.y + 3760}, {x, m_corner.y + 3920}, Pen::Mark, kNoNet);
     }
     for (int i = 0; i < m_share.arcs; ++i) {
         const PointUm centre{m_corner.x + kWidthUm / 4 + i * kWidthUm / 2, m_corner.y + 2000};
-        m_block.sheets[static_cast<std::size_t>(LayerGeometry::Silk)].push_back(
+        m_block.features[static_cast<std::size_t>(BoardLayer::Silk)].push_back(
             {Feature::Kind::Arc, Pen::Mark, kNoNet, {centre.x - 300, centre.y}, {centre.x + 300, centre.y}, centre});
     }
 }

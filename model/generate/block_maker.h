@@ -47,9 +47,9 @@ private:
     void addTopTrails();
     void addPads();
     void addPrint();
-    void addPad(LayerGeometry plane, PointUm at, Pen pen, BlockNet net);
-    void addTrack(LayerGeometry plane, PointUm a, PointUm b, Pen pen, BlockNet net);
-    void addTrail(LayerGeometry plane, const std::vector<PointUm>& path, BlockNet net);
+    void addPad(BoardLayer plane, PointUm at, Pen pen, BlockNet net);
+    void addTrack(BoardLayer plane, PointUm a, PointUm b, Pen pen, BlockNet net);
+    void addTrail(BoardLayer plane, const std::vector<PointUm>& path, BlockNet net);
 
     PointUm m_corner;
     BlockShare m_share;

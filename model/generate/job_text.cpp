@@ -6,14 +6,14 @@ namespace model::generate {
 
 namespace {
 
-struct GeometryRow {
+struct LayerRow {
     const char* name;
     const char* type;
 };
 // By Sheet.
-constexpr GeometryRow kSheets[kGeometryCount] = {{"silk_top", "SILK_SCREEN"}, {"top", "SIGNAL"},
-                                                 {"ground", "POWER_GROUND"},  {"power", "POWER_GROUND"},
-                                                 {"bottom", "SIGNAL"},        {"drill", "DRILL"}};
+constexpr LayerRow kLayers[kLayerCount] = {{"silk_top", "SILK_SCREEN"}, {"top", "SIGNAL"},
+                                           {"ground", "POWER_GROUND"},  {"power", "POWER_GROUND"},
+                                           {"bottom", "SIGNAL"},        {"drill", "DRILL"}};
 // By Pen; micrometres.
 constexpr const char* kSymbols[] = {
     "r75", "r100", "r300", "r350", "r150", "rect200x480xr60", "rect220x500xr60", "rect240x520xr80"};
@@ -26,7 +26,7 @@ std::string layerFolder(std::string_view layer) {
 }
 
 const char* typeOf(std::string_view layer) {
-    for (const GeometryRow& plane : kSheets) {
+    for (const LayerRow& plane : kLayers) {
         if (layer == plane.name) {
             return plane.type;
         }
@@ -84,11 +84,11 @@ void writeFeature(TextSink& out, const Feature& feature) {
     }
 }
 
-void writeBlocks(TextSink& out, const Layout& layout, LayerGeometry plane, const base::Progress& progress) {
+void writeBlocks(TextSink& out, const Layout& layout, BoardLayer plane, const base::Progress& progress) {
     writeSymbols(out);
     for (std::uint64_t i = 0; i < layout.blockCount() && !progress.isCancelled(); ++i) {
         const Block block = layout.block(i);
-        for (const Feature& feature : block.sheets[static_cast<std::size_t>(plane)]) {
+        for (const Feature& feature : block.features[static_cast<std::size_t>(plane)]) {
             writeFeature(out, feature);
         }
     }
@@ -149,12 +149,12 @@ public:
 
     void write() {
         m_out << "HDR Copperscope\nLYR";
-        for (const GeometryRow& plane : kSheets) {
+        for (const LayerRow& plane : kLayers) {
             m_out << " " << plane.name;
         }
         m_out << "\n";
-        writePlaneNet("GND", kGroundNet, LayerGeometry::Ground);
-        writePlaneNet("VCC", kPowerNet, LayerGeometry::Power);
+        writePlaneNet("GND", kGroundNet, BoardLayer::Ground);
+        writePlaneNet("VCC", kPowerNet, BoardLayer::Power);
         forBlocks([&](const Block& block, std::uint64_t index) {
             for (BlockNet net = 0; net < block.netCount; ++net) {
                 m_out << "NET N" << static_cast<std::int64_t>(index) << "_" << std::int64_t{net} << "\n";
@@ -164,7 +164,7 @@ public:
     }
 
 private:
-    using Counts = std::array<std::int64_t, kGeometryCount>;
+    using Counts = std::array<std::int64_t, kLayerCount>;
 
     template <class Visit>
     void forBlocks(const Visit& visit) {
@@ -172,13 +172,13 @@ private:
         for (std::uint64_t i = 0; i < m_layout.blockCount() && !m_progress.isCancelled(); ++i) {
             const Block block = m_layout.block(i);
             visit(block, i);
-            for (std::size_t plane = 0; plane < kGeometryCount; ++plane) {
-                m_before[plane] += static_cast<std::int64_t>(block.sheets[plane].size());
+            for (std::size_t plane = 0; plane < kLayerCount; ++plane) {
+                m_before[plane] += static_cast<std::int64_t>(block.features[plane].size());
             }
         }
     }
 
-    void writePlaneNet(const char* name, BlockNet net, LayerGeometry plane) {
+    void writePlaneNet(const char* name, BlockNet net, BoardLayer plane) {
         m_out << "NET " << name << "\nSNT PLN S E 0\n";
         for (std::uint64_t tile = 0; tile < m_layout.tileCount(); ++tile) {
             writeLink("C", static_cast<std::size_t>(plane), static_cast<std::int64_t>(tile));
@@ -193,11 +193,11 @@ private:
     }
 
     void writeLinks(const Block& block, BlockNet net) {
-        for (std::size_t plane = 0; plane < kGeometryCount; ++plane) {
-            const std::vector<Feature>& features = block.sheets[plane];
+        for (std::size_t plane = 0; plane < kLayerCount; ++plane) {
+            const std::vector<Feature>& features = block.features[plane];
             for (std::size_t i = 0; i < features.size(); ++i) {
                 if (features[i].net == net) {
-                    writeLink(plane == static_cast<std::size_t>(LayerGeometry::Drill) ? "H" : "C", plane,
+                    writeLink(plane == static_cast<std::size_t>(BoardLayer::Drill) ? "H" : "C", plane,
                               m_before[plane] + static_cast<std::int64_t>(i));
                 }
             }
@@ -243,9 +243,8 @@ std::vector<JobFile> jobFiles(const Layout& layout, const base::Progress& progre
     files.push_back(fixedFile("misc/attrlist", "UNITS=MM\n.board_thickness=1.6\n"));
     files.push_back(fixedFile(std::string(kStep) + "stephdr", "UNITS=MM\nX_DATUM=0\nY_DATUM=0\n"));
     files.push_back({std::string(kStep) + "profile", [&layout](TextSink& out) { writeProfile(out, layout); }});
-    for (const LayerGeometry plane :
-         {LayerGeometry::Silk, LayerGeometry::Top, LayerGeometry::Bottom, LayerGeometry::Drill}) {
-        files.push_back({layerFolder(kSheets[static_cast<std::size_t>(plane)].name) + "features",
+    for (const BoardLayer plane : {BoardLayer::Silk, BoardLayer::Top, BoardLayer::Bottom, BoardLayer::Drill}) {
+        files.push_back({layerFolder(kLayers[static_cast<std::size_t>(plane)].name) + "features",
                          [&layout, &progress, plane](TextSink& out) { writeBlocks(out, layout, plane, progress); }});
     }
     for (const bool isGround : {true, false}) {

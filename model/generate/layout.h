@@ -17,8 +17,8 @@ struct PointUm {
 };
 
 /// The layers of the job that hold features.
-enum class LayerGeometry : std::uint8_t { Silk, Top, Ground, Power, Bottom, Drill };
-inline constexpr std::size_t kGeometryCount = 6;
+enum class BoardLayer : std::uint8_t { Silk, Top, Ground, Power, Bottom, Drill };
+inline constexpr std::size_t kLayerCount = 6;
 
 /// Whom a feature belongs to: a net of its block (0, 1, …), a plane's net or none.
 using BlockNet = std::int32_t;
@@ -41,7 +41,7 @@ struct Feature {
 
 /// A rectangle of the board with a few parts: two rows of pads on either side, vias between them, traces, print.
 struct Block {
-    std::array<std::vector<Feature>, kGeometryCount> sheets;
+    std::array<std::vector<Feature>, kLayerCount> features;
     std::int32_t netCount = 0;
     std::vector<PointUm> viasNotOnGround;  ///< what the planes keep clear of
     std::vector<PointUm> viasNotOnPower;

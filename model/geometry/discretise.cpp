@@ -5,16 +5,13 @@
 #include <numbers>
 
 #include "model/base/assert.h"
+#include "model/geometry/vectors.h"
 
 namespace model {
 
 namespace {
 
 constexpr double kFullCircle = 2.0 * std::numbers::pi;
-
-Nm toNm(double value) {
-    return static_cast<Nm>(std::llround(value));
-}
 
 }  // namespace
 

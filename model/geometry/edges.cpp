@@ -5,29 +5,14 @@
 #include <limits>
 #include <numbers>
 
+#include "model/geometry/vectors.h"
+
 namespace model {
 
 namespace {
 
-PointD minus(PointD a, PointD b) {
-    return {a.x - b.x, a.y - b.y};
-}
-
 PointD along(PointD from, PointD delta, double t) {
     return {from.x + delta.x * t, from.y + delta.y * t};
-}
-
-double cross(PointD a, PointD b) {
-    return a.x * b.y - a.y * b.x;
-}
-
-double dot(PointD a, PointD b) {
-    return a.x * b.x + a.y * b.y;
-}
-
-/// Coordinates are far from where squares overflow, so the slow std::hypot is not needed.
-double length(PointD v) {
-    return std::sqrt(v.x * v.x + v.y * v.y);
 }
 
 /// The arc's ends seen from its centre, in counter-clockwise order.

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "model/base/assert.h"
+#include "model/geometry/vectors.h"
 
 namespace model {
 
@@ -46,10 +47,6 @@ Rotation rotationOf(double clockwiseDeg) {
     }
     const double radians = clockwiseDeg * std::numbers::pi / 180.0;
     return {std::cos(radians), std::sin(radians)};
-}
-
-Nm toNm(double value) {
-    return static_cast<Nm>(std::llround(value));
 }
 
 }  // namespace

@@ -6,29 +6,14 @@
 #include <numbers>
 
 #include "model/figures/distance.h"
+#include "model/geometry/vectors.h"
 
 namespace model {
 
 namespace {
 
-double distance(PointD a, PointD b) {
-    return std::hypot(a.x - b.x, a.y - b.y);
-}
-
 PointD directionOf(const Edge& edge) {
     return {edge.b.x - edge.a.x, edge.b.y - edge.a.y};
-}
-
-double cross(PointD u, PointD v) {
-    return u.x * v.y - u.y * v.x;
-}
-
-Box boxAround(PointD location, double reach) {
-    const auto nm = [](double value) {
-        return static_cast<Nm>(std::clamp<double>(value, -base::kMaxCoordinate, base::kMaxCoordinate));
-    };
-    return {{nm(std::floor(location.x - reach)), nm(std::floor(location.y - reach))},
-            {nm(std::ceil(location.x + reach)), nm(std::ceil(location.y + reach))}};
 }
 
 /// The edge of an element whose middle is nearest to a location, if it covers the location or comes so near.

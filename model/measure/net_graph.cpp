@@ -4,16 +4,9 @@
 #include <cmath>
 
 #include "model/figures/distance.h"
+#include "model/geometry/vectors.h"
 
 namespace model {
-
-namespace {
-
-double distance(PointD a, PointD b) {
-    return std::hypot(a.x - b.x, a.y - b.y);
-}
-
-}  // namespace
 
 NetGraph::NetGraph(const BoardIndex& index, NetOfCopy net) : m_index(index), m_pieces(piecesOf(index, net)) {
     for (std::size_t row = 0; row < m_pieces.pieces.size(); ++row) {

@@ -9,6 +9,7 @@
 #include <optional>
 #include <queue>
 
+#include "model/geometry/vectors.h"
 #include "model/measure/net_graph.h"
 #include "model/measure/separation.h"
 
@@ -17,10 +18,6 @@ namespace model {
 namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
-
-double distance(PointD a, PointD b) {
-    return std::hypot(a.x - b.x, a.y - b.y);
-}
 
 /// Dijkstra's search. Links through an area are made as they are needed: from where it is entered to all its contacts.
 class ShortestPath {

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "model/figures/distance.h"
+#include "model/geometry/vectors.h"
 
 namespace model {
 
@@ -15,20 +16,6 @@ namespace {
 constexpr std::size_t kMostCrossing = 64;
 /// Points nearer to each other are at one location.
 constexpr double kSameLocationNm = 1.0;
-
-double distance(PointD a, PointD b) {
-    return std::hypot(a.x - b.x, a.y - b.y);
-}
-
-Box boxAround(PointD location, double reach) {
-    const auto clamp = [](double v) {
-        return static_cast<Nm>(std::clamp<double>(v, -base::kMaxCoordinate, base::kMaxCoordinate));
-    };
-    Box box;
-    box.include(Point{clamp(std::floor(location.x - reach)), clamp(std::floor(location.y - reach))});
-    box.include(Point{clamp(std::ceil(location.x + reach)), clamp(std::ceil(location.y + reach))});
-    return box;
-}
 
 /// An edge near the pointer, on the board.
 struct NearEdge {

@@ -25,7 +25,7 @@ struct Task {
 base::Result<Connectivity> Connectivity::of(const Document& document, base::Progress& progress) {
     progress.beginPhase("Following the copper");
     Connectivity connectivity;
-    connectivity.makeSheets(document);
+    connectivity.makeLayers(document);
     if (progress.isCancelled() || !connectivity.findContacts(document, progress)) {
         return base::Error{base::ErrorCode::Cancelled, "cancelled"};
     }
@@ -33,15 +33,15 @@ base::Result<Connectivity> Connectivity::of(const Document& document, base::Prog
     return connectivity;
 }
 
-void Connectivity::makeSheets(const Document& document) {
+void Connectivity::makeLayers(const Document& document) {
     for (std::size_t row = 0; row < document.layers.size(); ++row) {
         if (document.layers[row].isCopper()) {
-            m_sheets.emplace_back().layer = LayerId{row};
+            m_layers.emplace_back().layer = LayerId{row};
         }
     }
-    m_sheets.emplace_back();
-    base::parallelFor(m_sheets.size(), [&](std::size_t row) {
-        LayerGeometry& plane = m_sheets[row];
+    m_layers.emplace_back();
+    base::parallelFor(m_layers.size(), [&](std::size_t row) {
+        LayerGeometry& plane = m_layers[row];
         const auto add = [&](const Layer& layer, auto isWanted) {
             for (std::uint32_t i = layer.elements.first; i < layer.elements.first + layer.elements.count; ++i) {
                 if (isWanted(document.elements.flags[i])) {
@@ -58,16 +58,16 @@ void Connectivity::makeSheets(const Document& document) {
         plane.index.emplace_back(plane.boxes);
     });
     m_start.push_back(0);
-    for (const LayerGeometry& plane : m_sheets) {
+    for (const LayerGeometry& plane : m_layers) {
         m_start.push_back(m_start.back() + static_cast<std::uint32_t>(plane.figures.size()));
     }
 }
 
 bool Connectivity::findContacts(const Document& document, base::Progress& progress) {
     std::vector<Task> tasks;
-    for (std::size_t plane = 0; plane < m_sheets.size(); ++plane) {
-        for (std::size_t first = 0; first < m_sheets[plane].figures.size(); first += kPiecesPerTask) {
-            tasks.push_back({plane, first, std::min(first + kPiecesPerTask, m_sheets[plane].figures.size())});
+    for (std::size_t plane = 0; plane < m_layers.size(); ++plane) {
+        for (std::size_t first = 0; first < m_layers[plane].figures.size(); first += kPiecesPerTask) {
+            tasks.push_back({plane, first, std::min(first + kPiecesPerTask, m_layers[plane].figures.size())});
         }
     }
     std::vector<std::vector<Contact>> found(tasks.size());
@@ -77,7 +77,7 @@ bool Connectivity::findContacts(const Document& document, base::Progress& progre
             return;
         }
         const auto [plane, first, end] = tasks[i];
-        m_sheets[plane].layer.isValid() ? touchWithin(plane, first, end, found[i])
+        m_layers[plane].layer.isValid() ? touchWithin(plane, first, end, found[i])
                                         : touchHoles(document, first, end, found[i]);
         progress.setFraction(static_cast<float>(++done) / static_cast<float>(tasks.size()));
     });
@@ -88,7 +88,7 @@ bool Connectivity::findContacts(const Document& document, base::Progress& progre
 }
 
 void Connectivity::touchWithin(std::size_t row, std::size_t first, std::size_t end, std::vector<Contact>& found) const {
-    const LayerGeometry& plane = m_sheets[row];
+    const LayerGeometry& plane = m_layers[row];
     std::vector<std::uint32_t> near;
     for (std::size_t i = first; i < end; ++i) {
         near.clear();
@@ -109,12 +109,12 @@ void Connectivity::touchWithin(std::size_t row, std::size_t first, std::size_t e
 
 void Connectivity::touchHoles(const Document& document, std::size_t first, std::size_t end,
                               std::vector<Contact>& found) const {
-    const LayerGeometry& holes = m_sheets.back();
-    const std::uint32_t start = m_start[m_sheets.size() - 1];
+    const LayerGeometry& holes = m_layers.back();
+    const std::uint32_t start = m_start[m_layers.size() - 1];
     for (std::size_t hole = first; hole < end; ++hole) {
         const PlatedSpan span = document.platedSpanOf(holes.figures[hole].element);
-        for (std::size_t row = 0; row + 1 < m_sheets.size(); ++row) {
-            const LayerGeometry& plane = m_sheets[row];
+        for (std::size_t row = 0; row + 1 < m_layers.size(); ++row) {
+            const LayerGeometry& plane = m_layers[row];
             if (!span.joins(plane.layer)) {
                 continue;
             }
@@ -149,24 +149,24 @@ std::size_t Connectivity::geometryOf(std::uint32_t piece) const {
 
 ElementId Connectivity::element(std::uint32_t piece) const {
     const std::size_t plane = geometryOf(piece);
-    return m_sheets[plane].figures[piece - m_start[plane]].element;
+    return m_layers[plane].figures[piece - m_start[plane]].element;
 }
 
 PointD Connectivity::point(std::uint32_t piece) const {
     const std::size_t plane = geometryOf(piece);
-    return m_sheets[plane].figures[piece - m_start[plane]].anchor;
+    return m_layers[plane].figures[piece - m_start[plane]].anchor;
 }
 
 std::vector<std::uint32_t> Connectivity::piecesAt(LayerId layer, Point p, double reach) const {
     std::vector<std::uint32_t> pieces;
     FigureTable disc;
     disc.addDisc(p, reach);
-    for (std::size_t row = 0; row + 1 < m_sheets.size(); ++row) {
-        if (m_sheets[row].layer != layer) {
+    for (std::size_t row = 0; row + 1 < m_layers.size(); ++row) {
+        if (m_layers[row].layer != layer) {
             continue;
         }
-        m_sheets[row].index.front().visit(disc.box(0), [&](std::uint32_t i) {
-            if (spacingBetween(m_sheets[row].figures, i, disc, 0, kTouchNm)) {
+        m_layers[row].index.front().visit(disc.box(0), [&](std::uint32_t i) {
+            if (spacingBetween(m_layers[row].figures, i, disc, 0, kTouchNm)) {
                 pieces.push_back(m_start[row] + i);
             }
         });

@@ -51,14 +51,14 @@ private:
         std::vector<BoxIndex> index;  ///< one, or none before it is made
     };
 
-    void makeSheets(const Document& document);
+    void makeLayers(const Document& document);
     [[nodiscard]] bool findContacts(const Document& document, base::Progress& progress);
     void touchWithin(std::size_t plane, std::size_t first, std::size_t end, std::vector<Contact>& found) const;
     void touchHoles(const Document& document, std::size_t first, std::size_t end, std::vector<Contact>& found) const;
     void joinIslands();
     [[nodiscard]] std::size_t geometryOf(std::uint32_t piece) const;
 
-    std::vector<LayerGeometry> m_sheets;
+    std::vector<LayerGeometry> m_layers;
     std::vector<std::uint32_t> m_start;  ///< pieces of layer s: m_start[s] .. m_start[s + 1]
     std::vector<Contact> m_contacts;
     std::vector<std::uint32_t> m_island;

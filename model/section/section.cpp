@@ -6,6 +6,7 @@
 #include <optional>
 #include <tuple>
 
+#include "model/board/holes.h"
 #include "model/section/line_cut.h"
 
 namespace model {
@@ -276,8 +277,7 @@ void addNotes(const Document& board, std::size_t wallless, Section& section) {
     }
     // Holes and the substrate follow from other layers, bodies of components have heights of their own.
     const auto hasOwn = [](const Layer& l) {
-        return l.type != LayerType::Drill && l.type != LayerType::Rout && l.type != LayerType::Body &&
-               l.type != LayerType::ComponentBody;
+        return !isHoles(l.type) && l.type != LayerType::Body && l.type != LayerType::ComponentBody;
     };
     const std::string flat =
         cutLayers(board, section.pieces, [&](const Layer& l) { return l.thickness == 0 && hasOwn(l); });

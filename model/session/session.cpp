@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "model/board/stackup.h"
+#include "model/export/json_text.h"
 #include "model/session/length_text.h"
 #include "model/session/session_json.h"
 #include "model/solids/restack.h"
@@ -203,7 +204,7 @@ base::Status savePart(const fs::path& board, const Document& document, const cha
     if (holdsNothing(json)) {
         return removeFile(path);
     }
-    const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    const std::string text = jsonText(json);
     if (text.size() > kMostBytes) {
         return cannotWrite(path, "it would be larger than a session may be");
     }

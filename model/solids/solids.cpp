@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "model/base/parallel.h"
+#include "model/board/holes.h"
 #include "model/solids/bodies.h"
 #include "model/solids/cutouts.h"
 #include "model/solids/substrates.h"
@@ -50,7 +51,7 @@ std::vector<LayerId> holesUnder(const Document& document, const Layer& mask) {
     std::vector<LayerId> holes;
     for (std::size_t row = 0; row < document.layers.size(); ++row) {
         const Layer& layer = document.layers[row];
-        const bool isHoles = layer.type == LayerType::Drill || layer.type == LayerType::Rout;
+        const bool isHoles = model::isHoles(layer.type);
         const bool comesOut =
             mask.side == LayerSide::Top ? layer.z + layer.thickness >= mask.z : layer.z <= mask.z + mask.thickness;
         if (isHoles && comesOut) {

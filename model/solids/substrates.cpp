@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "model/board/holes.h"
+
 namespace model {
 
 namespace {
@@ -18,10 +20,6 @@ Nm upperFace(const Layer& layer) {
 
 bool isStackupLayer(const Layer& layer) {
     return layer.context == LayerContext::Board && (layer.isCopper() || layer.type == LayerType::Dielectric);
-}
-
-bool isHoles(const Layer& layer) {
-    return layer.type == LayerType::Drill || layer.type == LayerType::Rout;
 }
 
 Heights bodyHeights(const Document& document) {
@@ -49,7 +47,7 @@ std::set<Nm> planesOf(const Document& document, const Heights& body) {
         std::ranges::any_of(document.layers, [](const Layer& layer) { return layer.outlineGroup > 0; });
     std::set<Nm> planes{body.bottom, body.top};
     for (const Layer& layer : document.layers) {
-        if (isHoles(layer) || (hasOutlines && isStackupLayer(layer))) {
+        if (isHoles(layer.type) || (hasOutlines && isStackupLayer(layer))) {
             planes.insert(std::clamp(layer.z, body.bottom, body.top));
             planes.insert(std::clamp(upperFace(layer), body.bottom, body.top));
         }
@@ -121,7 +119,7 @@ SubstratePart partBetween(const Document& document, Nm bottom, Nm top) {
     setOutline(document, part);
     for (std::size_t row = 0; row < document.layers.size(); ++row) {
         const Layer& layer = document.layers[row];
-        if (isHoles(layer) && layer.z <= bottom && upperFace(layer) >= top) {
+        if (isHoles(layer.type) && layer.z <= bottom && upperFace(layer) >= top) {
             part.holes.emplace_back(row);
         }
     }

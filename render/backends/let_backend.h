@@ -20,8 +20,7 @@ using PassPipelines = std::array<gpu::Pipeline, 3>;
 struct TargetFormat {
     VkFormat colour = VK_FORMAT_UNDEFINED;
     VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
-    bool hasSection =
-        false;  ///< the board is cut by a section plane: fragments test where they are (shaders/lib/section.glsl)
+    bool hasSection = false;  ///< fragments test on which side of the section plane they are (shaders/lib/section.glsl)
     bool operator==(const TargetFormat&) const = default;
 };
 

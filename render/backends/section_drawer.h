@@ -5,7 +5,7 @@
 
 namespace render {
 
-/// Fills the cut through a board that is cut by a section plane. The rectangles go through the memory of the frame:
+/// Fills the cut of a section plane. The rectangles go through the memory of the frame:
 /// nothing is kept on the device.
 class SectionDrawer {
 public:

@@ -86,16 +86,16 @@ Sight sightOf(const EyePoint& eye, float low, float high) {
          {std::pair(-1.0, -1.0), std::pair(1.0, -1.0), std::pair(-1.0, 1.0), std::pair(1.0, 1.0)}) {
         // Reversed depth: 1 is the near plane.
         const glm::dvec3 from = at(x, y, 1.0);
-        const glm::dvec3 way = at(x, y, 0.5) - from;
-        sight.isFromAbove = way.z < 0.0;
+        const glm::dvec3 direction = at(x, y, 0.5) - from;
+        sight.isFromAbove = direction.z < 0.0;
         const double face = sight.isFromAbove ? high : low;
-        const double steps = (face - from.z) / way.z;
+        const double steps = (face - from.z) / direction.z;
         const bool isOutside = sight.isFromAbove ? from.z > face : from.z < face;
-        if (way.z == 0.0 || !isOutside || !std::isfinite(steps)) {
+        if (direction.z == 0.0 || !isOutside || !std::isfinite(steps)) {
             return {};
         }
-        const glm::dvec3 hit = from + steps * way - eye.centre;
-        flatness = std::max(flatness, glm::length(glm::dvec2(way)) / std::abs(way.z));
+        const glm::dvec3 hit = from + steps * direction - eye.centre;
+        flatness = std::max(flatness, glm::length(glm::dvec2(direction)) / std::abs(direction.z));
         nearest = std::min(nearest, (eye.clipFromCentred * glm::dvec4(hit, 1.0)).w);
     }
     sight.isOutside = true;

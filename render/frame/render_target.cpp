@@ -118,7 +118,7 @@ void RenderTarget::copy(VkCommandBuffer commands, VkImage from, VkImage to) cons
                                  VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, gpu::kCopyWrite, gpu::kCopyRead});
 }
 
-void RenderTarget::keep(VkCommandBuffer commands) {
+void RenderTarget::cacheBoard(VkCommandBuffer commands) {
     if (!m_cached) {
         m_cached = gpu::Image(*m_device, {"cached picture", m_format.colour, m_extent,
                                           VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |

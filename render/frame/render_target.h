@@ -31,7 +31,7 @@ public:
     void beginOver(VkCommandBuffer commands) const;
 
     /// Puts a copy of the finished picture aside. Throws gpu::OutOfMemory; nothing is kept then.
-    void keep(VkCommandBuffer commands);
+    void cacheBoard(VkCommandBuffer commands);
     /// Makes the copy the finished picture again.
     void restore(VkCommandBuffer commands) const;
     /// Is there one of this size and format?

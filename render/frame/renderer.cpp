@@ -151,9 +151,9 @@ const Drawer& Renderer::drawerFor(std::vector<std::unique_ptr<Drawer>>& drawers,
     return **drawer;
 }
 
-void Renderer::keep(gpu::Frame& frame, RenderTarget& target) {
+void Renderer::cacheBoard(gpu::Frame& frame, RenderTarget& target) {
     try {
-        target.keep(frame.commands());
+        target.cacheBoard(frame.commands());
     } catch (const gpu::OutOfMemory& shortage) {
         spdlog::debug("{} has no memory for {}: overlays need the board drawn again.", m_device->caps().name,
                       shortage.what);
@@ -196,7 +196,7 @@ Backend Renderer::record(gpu::Frame& frame, RenderTarget& target, VkExtent2D ext
     } else if (scene != nullptr) {
         m_last = recordBoard(frame, target, extent, colour, *scene, camera, settings);
         if (settings.cachesBoard) {
-            keep(frame, target);
+            cacheBoard(frame, target);
         }
     } else {
         makeTarget(target, extent, colour, settings.backend, settings);

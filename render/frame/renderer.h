@@ -38,7 +38,7 @@ private:
                             const ViewSettings& settings);
     Backend recordBoard(gpu::Frame& frame, RenderTarget& target, VkExtent2D extent, VkFormat colour, BoardScene& scene,
                         const Camera& camera, const ViewSettings& settings);
-    void keep(gpu::Frame& frame, RenderTarget& target);
+    void cacheBoard(gpu::Frame& frame, RenderTarget& target);
     void drawOverlay(gpu::Frame& frame, RenderTarget& target, const Overlay& overlay);
 
     gpu::Device* m_device;

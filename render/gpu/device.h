@@ -20,7 +20,7 @@ enum class MemoryUse : std::uint8_t {
     Geometry,   ///< the board itself
     Transient,  ///< rewritten every frame: draw lists, commands
     Targets,    ///< colour and depth images
-    Staging     ///< on its path to or from the device
+    Staging     ///< on its way to or from the device
 };
 inline constexpr std::size_t kMemoryUseCount = 4;
 [[nodiscard]] const char* toString(MemoryUse use);

@@ -47,7 +47,7 @@ struct Features {
     Features& operator=(const Features&) = delete;
 };
 
-/// The first item we need and the device lacks, or null.
+/// The first feature that we need and the device lacks, or null.
 const char* missingFeature(const Features& f) {
     const struct {
         VkBool32 isThere;

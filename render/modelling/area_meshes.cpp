@@ -77,7 +77,7 @@ std::vector<std::uint32_t> findWalls(const PolygonSet& set, const std::vector<st
     return next;
 }
 
-/// Fields of round holes have none. They are reported by their corners: no other loop comes near them, repaired or not.
+/// Fields of round holes have none. They are known by their corners: no other loop comes near them, repaired or not.
 void findMeshWalls(ShapeMesh& mesh) {
     std::vector<Point> corners;
     std::ranges::transform(mesh.fields, std::back_inserter(corners), &model::Box::min);

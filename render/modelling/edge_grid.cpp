@@ -24,15 +24,15 @@ bool meetsBox(const Edge& edge, glm::vec2 low, glm::vec2 high) {
     float to = 1.0F;
     for (int axis = 0; axis < 2; ++axis) {
         const float start = edge.a[axis];
-        const float way = edge.b[axis] - start;
-        if (way == 0.0F) {
+        const float extent = edge.b[axis] - start;
+        if (extent == 0.0F) {
             if (start < low[axis] || start > high[axis]) {
                 return false;
             }
             continue;
         }
-        const float t0 = (low[axis] - start) / way;
-        const float t1 = (high[axis] - start) / way;
+        const float t0 = (low[axis] - start) / extent;
+        const float t1 = (high[axis] - start) / extent;
         from = std::max(from, std::min(t0, t1));
         to = std::min(to, std::max(t0, t1));
     }
@@ -231,10 +231,10 @@ bool EdgeGrid::crossesOddly(glm::vec2 p) const {
 
 bool EdgeGrid::isCrossedBy(glm::vec2 a, glm::vec2 b, float slack) const {
     bool isCrossed = false;
-    const Edge way{a, b};
+    const Edge extent{a, b};
     forEdgesNear(glm::min(a, b), glm::max(a, b), [&](const Edge& edge) {
         isCrossed = isCrossed || (isApart(side(edge, a), side(edge, b), slack) &&
-                                  isApart(side(way, edge.a), side(way, edge.b), slack));
+                                  isApart(side(extent, edge.a), side(extent, edge.b), slack));
     });
     return isCrossed;
 }

@@ -20,7 +20,7 @@ using model::PathNode;
 using model::Point;
 using model::PolygonSet;
 
-/// Cells keep this far from everything else: lets reach over their edge by less, so that no spacing shows.
+/// Cells keep this far from everything else: lets reach over their edge by less, so that nothing shows through.
 constexpr Nm kMargin = 2'000;
 
 double radiusOf(const PathNode& node) {

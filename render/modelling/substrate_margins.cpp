@@ -155,7 +155,7 @@ private:
     std::vector<Location> m_locations;
 };
 
-/// a part of the substrate: its edges, and one point of each loop.
+/// A part of the substrate: its edges, and one point of each loop.
 struct SubstratePart {
     std::vector<Edge> edges;
     Loop loopPoints;

@@ -8,7 +8,7 @@
 
 namespace render {
 
-/// An upright plane that a board is cut by a section plane along. What lies to the left of its line is cut away.
+/// The section plane, which is upright. What lies to the left of its line is cut away.
 struct SectionPlane {
     glm::dvec2 start{0.0};           ///< mm, in the model's coordinates (BoardFrame::origin)
     glm::dvec2 direction{1.0, 0.0};  ///< of length 1

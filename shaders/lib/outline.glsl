@@ -1,6 +1,6 @@
 // The true outlines of lets, as seen from a location p beside, on or inside one.
 //
-// The functions from...() answer with xy: the line from the outline to p or on from it, a normal pointing outwards, not of unit length; z: how far outside p lies, mm,
+// The functions from...() return in xy: the line from the outline to p or on from it, a normal pointing outwards, not of unit length; z: how far outside p lies, mm,
 // negative inside, exact in its sign.
 
 // How wide outlines are where nothing but outlines is drawn.

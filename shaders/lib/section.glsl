@@ -1,4 +1,4 @@
-// Boards cut by a section plane along an upright plane. Frames without one have pipelines in which this is nothing.
+// Boards cut by a section plane. Frames without one have pipelines in which this is nothing.
 layout(constant_id = 0) const bool kHasSection = false;
 
 // Whether a location (relative to FRAME.centre) is cut away. Fragment shaders test it last: derivatives end with `discard`.

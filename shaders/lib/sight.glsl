@@ -147,7 +147,7 @@ Let aroundCentre(Let let) {
 }
 
 // What a cut through the board leaves of a line.
-Span keptOf(vec2 o, vec2 d) {
+Span clippedBy(vec2 o, vec2 d) {
     const float beyond = dot(FRAME.sectionPlane.xy, o) - FRAME.sectionPlane.z;
     const float slope = dot(FRAME.sectionPlane.xy, d);
     if (slope == 0.0) {
@@ -179,11 +179,11 @@ Seen seenOf(Let let, LayerState layer, Sight sight) {
     // Straight down a line of sight is a point in plan: it is given a way that leads nowhere.
     const bool isStraight = dot(sight.along.xy, sight.along.xy) < 1e-24;
     const vec2 d = isStraight ? vec2(1e-12, 0.0) : sight.along.xy;
-    const Span kept = overlap(part, keptOf(o.xy, d));
-    const float t = isEmpty(kept) ? kFar : intoLet(near, kSnapPx * pixelMm, o.xy, d, kept);
+    const Span clipped = overlap(part, clippedBy(o.xy, d));
+    const float t = isEmpty(clipped) ? kFar : intoLet(near, kSnapPx * pixelMm, o.xy, d, clipped);
     Seen seen;
     // What starts at a cut is its face, which is drawn by itself (section_face.vert).
-    seen.isHit = t < kFar && (t > kept.x || kept.x == part.x);
+    seen.isHit = t < kFar && (t > clipped.x || clipped.x == part.x);
     seen.position = o + t * sight.along;
     if (t == part.x) {
         seen.position.z = fromAbove ? z1 : z0;

@@ -1,4 +1,4 @@
-// What fills the cut through a board that is cut by a section plane.
+// What fills the cut of a section plane.
 #ifndef COPPERSCOPE_SHADERS_SHARED_SECTION_H
 #define COPPERSCOPE_SHADERS_SHARED_SECTION_H
 

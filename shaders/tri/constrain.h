@@ -123,7 +123,7 @@ TRI_FN uint ownedLength(uint edge, uint a, uint b) {
 }
 
 // A corridor of n triangles in the scratch memory: the triangles, then for its left and its right side up to n + 1
-// vertices, and for the edge that leads to each of them what it was before and what lies beyond; then a stackup of
+// vertices, and for the edge that leads to each of them what it was before and what lies beyond; then a stack of
 // vertices with the edge to the one below.
 TRI_FN uint scratchFor(uint length) {
     return length + 8u * (length + 2u);

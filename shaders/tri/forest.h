@@ -144,7 +144,7 @@ struct Forest {
     Words rays;
     // Per contour edge: one per vertex, then one per ray
     Words found;     // the last step in which it was an edge of the mesh
-    Words corridor;  // the first edge in its path
+    Words corridor;  // the first edge that crosses it
     Words scratch;
     Words sums;  // triangles kept, per block of slots
     Words kept;  // the result: three ids per triangle

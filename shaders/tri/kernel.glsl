@@ -1,4 +1,6 @@
-// A kernel that does RUN for every index below THREADS.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// A kernel that does RUN for every index below THREADS (CMakeLists.txt).
 #include "forest.glsl"
 #include "access.h"
 #include "mesh.h"

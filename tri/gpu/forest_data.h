@@ -45,7 +45,7 @@ inline constexpr std::size_t kMaxForestVertices = std::size_t{1} << 28;
 /// Polygons that can be no tree (no area, or the same edge twice) are not in it. On all cores.
 [[nodiscard]] ForestData plant(std::span<const Polygon> polygons, Eraser eraser);
 
-/// One array of the forest, in the location where it goes: `offset` bytes into shader::tri::Forest.
+/// One array of the forest and where it goes: `offset` bytes into shader::tri::Forest.
 struct Column {
     const char* label;
     std::size_t offset;

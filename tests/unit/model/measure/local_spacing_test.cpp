@@ -65,4 +65,4 @@ private:
 };
 
 QTEST_APPLESS_MAIN(LocalSpacingTest)
-#include "local_gap_test.moc"
+#include "local_spacing_test.moc"

@@ -19,7 +19,7 @@ EdgeStrips triangle() {
 
 }  // namespace
 
-class NearnessTest : public QObject {
+class RegionDistanceTest : public QObject {
     Q_OBJECT
 
 private slots:
@@ -44,5 +44,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(NearnessTest)
-#include "nearness_test.moc"
+QTEST_APPLESS_MAIN(RegionDistanceTest)
+#include "region_distance_test.moc"

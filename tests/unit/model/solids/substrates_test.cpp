@@ -58,7 +58,7 @@ std::vector<std::size_t> rows(const SubstratePart& part) {
 
 }  // namespace
 
-class SlabsTest : public QObject {
+class SubstratesTest : public QObject {
     Q_OBJECT
 
 private slots:
@@ -150,5 +150,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SlabsTest)
-#include "slabs_test.moc"
+QTEST_APPLESS_MAIN(SubstratesTest)
+#include "substrates_test.moc"

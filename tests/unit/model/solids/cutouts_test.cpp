@@ -81,7 +81,7 @@ bool isCircle(const ShapeSketch& sketch, std::size_t contour, Point centre, Nm r
 
 }  // namespace
 
-class CutTest : public QObject {
+class CutoutsTest : public QObject {
     Q_OBJECT
 
 private slots:
@@ -220,5 +220,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CutTest)
-#include "cut_test.moc"
+QTEST_APPLESS_MAIN(CutoutsTest)
+#include "cutouts_test.moc"

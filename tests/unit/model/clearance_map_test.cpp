@@ -161,7 +161,7 @@ constexpr MapFrame kWhole{{-300'000.0, -300'000.0}, 90'000.0, 97, 95};
 
 }  // namespace
 
-class DistanceMapTest : public QObject {
+class ClearanceMapTest : public QObject {
     Q_OBJECT
 
 private slots:
@@ -367,5 +367,5 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(DistanceMapTest)
-#include "distance_map_test.moc"
+QTEST_GUILESS_MAIN(ClearanceMapTest)
+#include "clearance_map_test.moc"

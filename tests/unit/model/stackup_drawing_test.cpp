@@ -181,4 +181,4 @@ private slots:
 };
 
 QTEST_APPLESS_MAIN(StackupDrawingTest)
-#include "stack_drawing_test.moc"
+#include "stackup_drawing_test.moc"

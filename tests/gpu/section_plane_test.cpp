@@ -114,7 +114,7 @@ Rgb bytesOf(const glm::vec3& colour) {
 
 }  // namespace
 
-class CutOpenTest : public QObject {
+class SectionPlaneTest : public QObject {
     Q_OBJECT
 
 private slots:
@@ -248,5 +248,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CutOpenTest)
-#include "cut_open_test.moc"
+QTEST_APPLESS_MAIN(SectionPlaneTest)
+#include "section_plane_test.moc"

@@ -1,5 +1,0 @@
-#version 460
-#extension GL_GOOGLE_include_directive : require
-#define THREADS 2u * FOREST.vertexCount
-#define RUN testEdges(index)
-#include "kernel.glsl"
