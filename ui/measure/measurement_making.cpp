@@ -131,7 +131,7 @@ Measurement radiusOf(const BoardIndex& index, const Caught& caught) {
 base::Result<Measurement> lengthAlong(const BoardIndex& index, const Caught& from, const Caught& to,
                                       const model::NetPath& path) {
     if (path.legs.empty()) {
-        return noNumber("there is no way to measure: both ends are in one place");
+        return noNumber("there is no path to measure: both ends are in one location");
     }
     Measurement measurement = measurementOf(index, MeasurementKind::Length, from, to);
     measurement.path = wayOf(index, path);

@@ -4,9 +4,6 @@
 
 #include "model/board/diagnostics.h"
 
-class QComboBox;
-class QLineEdit;
-
 namespace ui {
 
 class MessageModel;
@@ -20,16 +17,12 @@ class MessagesPanel : public QWidget {
 public:
     explicit MessagesPanel(MessageModel& model, QWidget* parent = nullptr);
     [[nodiscard]] TableView& table() { return *m_table; }
-    [[nodiscard]] QLineEdit& wordsEdit() { return *m_words; }
-    [[nodiscard]] QComboBox& severityBox() { return *m_severity; }
 
 signals:
     void chosen(const model::Diagnostic& message);
 
 private:
     TableView* m_table;
-    QLineEdit* m_words;
-    QComboBox* m_severity;
 };
 
 }  // namespace ui

@@ -39,7 +39,6 @@ public:
     void setShowsChosen(bool isOn) { m_showsChosen = isOn; }
     [[nodiscard]] TableView& table() { return *m_table; }
     [[nodiscard]] QLineEdit& filterEdit() { return *m_filter; }
-    [[nodiscard]] QComboBox& kindBox() { return *m_kind; }
     [[nodiscard]] QComboBox& groupBox() { return *m_group; }
     /// Hidden while only the board itself has nets.
     [[nodiscard]] QComboBox& stepBox() { return *m_step; }

@@ -176,27 +176,27 @@ QString BoardSearch::titleOf(const Found& found) const {
 QString BoardSearch::detailOf(const Found& found) const {
     return found.step == 0
                ? whatIs(found)
-               : QStringLiteral("%1, in step %2").arg(whatIs(found), QString::fromStdString(stepOf(found).job.step));
+               : BoardSearch::tr("%1, in step %2").arg(whatIs(found), QString::fromStdString(stepOf(found).job.step));
 }
 
 QString BoardSearch::whatIs(const Found& found) const {
     switch (found.kind) {
-        case FoundKind::Location: return QStringLiteral("Place");
-        case FoundKind::Layer: return QStringLiteral("Layer, %1").arg(layerTypeText(m_board->layers[found.row].type));
+        case FoundKind::Location: return BoardSearch::tr("Location");
+        case FoundKind::Layer: return BoardSearch::tr("Layer, %1").arg(layerTypeText(m_board->layers[found.row].type));
         case FoundKind::Component: {
             const model::Component& part = stepOf(found).components[found.row];
-            return QStringLiteral("Component, %1 pins, %2 side, %3")
+            return BoardSearch::tr("Component, %1 pins, %2 side, %3")
                 .arg(QString::number(part.pinCount), QLatin1String(model::toString(part.side)),
                      QString::fromStdString(part.part));
         }
         case FoundKind::Pin: {
             const model::NetId net = stepOf(found).pins[found.row].net;
             return net.isValid()
-                       ? QStringLiteral("Pin, net %1").arg(QString::fromStdString(stepOf(found).nets[net.row()].name))
-                       : QStringLiteral("Pin without a net");
+                       ? BoardSearch::tr("Pin, net %1").arg(QString::fromStdString(stepOf(found).nets[net.row()].name))
+                       : BoardSearch::tr("Pin without a net");
         }
         case FoundKind::Net:
-            return QStringLiteral("Net, %L1 elements")
+            return BoardSearch::tr("Net, %L1 elements")
                 .arg(stepOf(found).elementsOf(model::NetId{std::size_t{found.row}}).size());
     }
     return {};

@@ -37,7 +37,7 @@ int orderOf(const model::Layer& layer) {
 }  // namespace
 
 SectionView::SectionView(SelectionModel& selection, QWidget* parent) : QWidget(parent), m_selection(selection) {
-    setAccessibleName(QStringLiteral("Cross-section"));
+    setAccessibleName(tr("Cross-section"));
     setMinimumSize(200, 80);
     connect(&selection, &SelectionModel::highlightChanged, this, qOverload<>(&QWidget::update));
     connect(&selection, &SelectionModel::hoverChanged, this, qOverload<>(&QWidget::update));
@@ -149,15 +149,16 @@ QString SectionView::tipAt(QPointF at) const {
     const bool isBore = !m_section->bores.empty() && piece >= m_section->bores.data() &&
                         piece < m_section->bores.data() + m_section->bores.size();
     QString tip = QString::fromStdString(board().layer(piece->layer).name);
-    tip += isBore ? QStringLiteral(", bored out") : QString();
+    tip += isBore ? tr(", drilled out") : QString();
     if (const std::string net = model::netOf(*m_board, *piece); !net.empty()) {
         tip += QStringLiteral(" · ") + QString::fromStdString(net);
     }
     const auto text = [this](auto nm) { return lengthText(static_cast<double>(nm), m_unit); };
-    return tip +
-           QStringLiteral("\n%1 wide, from %2 to %3 along the line")
+    return tip + '\n' +
+           tr("%1 wide, from %2 to %3 along the line")
                .arg(text(piece->to - piece->from), text(piece->from), text(piece->to)) +
-           QStringLiteral("\n%1 high, from %2 to %3 above the bottom")
+           '\n' +
+           tr("%1 high, from %2 to %3 above the bottom")
                .arg(text(piece->top - piece->bottom), text(piece->bottom), text(piece->top));
 }
 
