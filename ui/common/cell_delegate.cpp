@@ -153,7 +153,7 @@ bool CellDelegate::editorEvent(QEvent* event, QAbstractItemModel* model, const Q
     const bool isDrag = event->type() == QEvent::MouseMove;
     const bool isMouse = isPress || isDrag || event->type() == QEvent::MouseButtonDblClick;
     if (!isMouse || !static_cast<const QMouseEvent&>(*event).buttons().testFlag(Qt::LeftButton)) {
-        // The release after a press has done its work; keys go the usual way.
+        // The release after a press has done its work; keys are handled as usual.
         return (event->type() == QEvent::MouseButtonRelease && isCheck) ||
                QStyledItemDelegate::editorEvent(event, model, option, index);
     }

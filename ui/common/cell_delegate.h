@@ -4,7 +4,7 @@
 
 namespace ui {
 
-/// Paints and edits the cells of a TableModel by the traits of their columns: a box that a click turns, a swatch of a
+/// Paints and edits the cells of a TableModel by the traits of their columns: a box that a click toggles, a swatch of a
 /// colour (what a click on it does is the panel's), a bar of percents that is dragged or typed, a choice of names.
 /// Everything else is text.
 class CellDelegate : public QStyledItemDelegate {

@@ -10,7 +10,7 @@ class MessageModel;
 class TableView;
 
 /// What was skipped, repaired or assumed, with file and line; filtered by words and by severity. A click on a message,
-/// or Enter, asks to be shown what it is about.
+/// or Enter, shows what it is about.
 class MessagesPanel : public QWidget {
     Q_OBJECT
 

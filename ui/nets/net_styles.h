@@ -19,7 +19,7 @@ struct NetStyle {
 };
 
 /// The colours and the hiding of nets. Only nets with a style of their own have an entry, so that boards of a million
-/// nets cost nothing. Commands ask for a change (`asked`); whoever keeps the history of edits makes it with `setState`.
+/// nets cost nothing. Commands request a change (`asked`); whoever holds the history of edits makes it with `setState`.
 class NetStyles : public QObject {
     Q_OBJECT
 
@@ -36,7 +36,7 @@ public:
 
     /// None takes the colour away.
     void colour(std::span<const model::BoardNet> nets, std::optional<QRgb> colour);
-    /// Gives each net without a colour the hue that is used least, of eight that everybody can tell apart.
+    /// Gives each net without a colour the hue that is used least, of eight that everybody can distinguish.
     void colourAnew(std::span<const model::BoardNet> nets);
     void hide(std::span<const model::BoardNet> nets, bool isHidden);
     void showAll();

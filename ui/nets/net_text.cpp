@@ -9,7 +9,7 @@ namespace ui {
 
 namespace {
 
-/// Lengths per layer are measured when they are asked for; of more elements than this that would be felt.
+/// Lengths per layer are measured on demand; with more elements than this that is too slow.
 constexpr std::size_t kMostMeasured = 200'000;
 
 std::size_t elementsOf(const model::Document& document, std::span<const model::NetId> nets) {

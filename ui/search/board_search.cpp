@@ -53,7 +53,7 @@ public:
     void setStep(std::uint32_t step) { m_step = step; }
 
     template <class Table, class NameOf>
-    void look(FoundKind kind, const Table& table, const NameOf& nameOf) {
+    void match(FoundKind kind, const Table& table, const NameOf& nameOf) {
         for (std::size_t row = 0; row < table.size(); ++row) {
             const std::string& name = nameOf(table[row]);
             const Fit fit = fitOf(name, m_text);
@@ -63,7 +63,7 @@ public:
         }
     }
 
-    /// Pins are asked for by their component and their name.
+    /// Pins are found by their component and their name.
     void lookForPins(const model::Document& board) {
         const std::size_t cut = m_text.find_last_of(".-");
         if (cut == std::string::npos || cut == 0) {
@@ -141,14 +141,14 @@ std::vector<Found> BoardSearch::find(const QString& text, LengthUnit unit, std::
         return {};
     }
     Matcher matcher(text);
-    matcher.look(FoundKind::Layer, m_board->layers,
-                 [](const model::Layer& layer) -> const std::string& { return layer.name; });
+    matcher.match(FoundKind::Layer, m_board->layers,
+                  [](const model::Layer& layer) -> const std::string& { return layer.name; });
     for (std::uint32_t row = 0; row < m_steps.size(); ++row) {
         const model::Document& step = *m_steps[row];
         matcher.setStep(row);
-        matcher.look(FoundKind::Component, step.components,
-                     [](const model::Component& component) -> const std::string& { return component.refdes; });
-        matcher.look(FoundKind::Net, step.nets, [](const model::Net& net) -> const std::string& { return net.name; });
+        matcher.match(FoundKind::Component, step.components,
+                      [](const model::Component& component) -> const std::string& { return component.refdes; });
+        matcher.match(FoundKind::Net, step.nets, [](const model::Net& net) -> const std::string& { return net.name; });
         matcher.lookForPins(step);
     }
     std::vector<Found> found = matcher.best(most);

@@ -67,7 +67,7 @@ void SectionView::paintHighlighted(QPainter& painter) const {
     }
 }
 
-/// Where the line turns.
+/// Where the line has corners.
 void SectionView::paintCorners(QPainter& painter) const {
     painter.setPen(QPen(palette().color(QPalette::Text), 0.7, Qt::DashLine));
     for (std::size_t i = 1; i + 1 < m_section->stations.size(); ++i) {

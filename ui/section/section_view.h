@@ -61,7 +61,7 @@ private:
     [[nodiscard]] const model::Document& board() const { return *m_board->board; }
     [[nodiscard]] QRectF rectOf(const model::SectionPiece& piece) const;
     [[nodiscard]] bool isHighlighted(const model::SectionPiece& piece) const;
-    void place();
+    void arrange();
     void paintPieces(QPainter& painter) const;
     void paintHighlighted(QPainter& painter) const;
     void paintCorners(QPainter& painter) const;

@@ -78,10 +78,10 @@ void HistogramView::paintBar(QPainter& painter, std::size_t bar, std::uint32_t h
     const QRectF column = columnRect(bar);
     const double line = fontMetrics().height();
     const double room = column.height() - line;
-    // The square root keeps a bar of one element visible beside one of thousands; the count stands over it.
+    // The square root keeps a bar of one element visible beside one of thousands; the count is over it.
     const double high = std::max(2.0, room * std::sqrt(double(values.elements.count) / highest));
-    const double gap = std::min(3.0, column.width() / 6);
-    const QRectF filled(column.left() + gap, column.bottom() - high, column.width() - 2 * gap, high);
+    const double space = std::min(3.0, column.width() / 6);
+    const QRectF filled(column.left() + space, column.bottom() - high, column.width() - 2 * space, high);
     painter.fillRect(filled, palette().color(bar == m_current ? QPalette::Highlight : QPalette::PlaceholderText));
     painter.setPen(palette().color(QPalette::Text));
     const QRectF above(column.left(), filled.top() - line, column.width(), line);
