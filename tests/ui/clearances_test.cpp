@@ -31,7 +31,7 @@ private slots:
     void init() {
         while (window().selection().clearStep()) {
         }
-        panel().whatBox().setCurrentIndex(static_cast<int>(ClearancePanel::What::Narrowest));
+        panel().whatBox().setCurrentIndex(static_cast<int>(ClearancePanel::What::Smallest));
         panel().whereBox().setCurrentIndex(static_cast<int>(ClearancePanel::Where::Board));
         if (window().actions()[ActionId::Lens].isChecked()) {
             window().actions()[ActionId::Lens].trigger();
@@ -223,7 +223,7 @@ private slots:
         const model::StepRules expected[] = {{&board, *model::checkRules(board, table, progress)}};
         QCOMPARE(exported(path + ".csv"), model::ruleReport(table, expected, model::ReportFormat::Csv, 1'000'000));
         QCOMPARE(exported(path + ".txt"), model::ruleReport(table, expected, model::ReportFormat::Text, 1'000'000));
-        panel().whatBox().setCurrentIndex(static_cast<int>(ClearancePanel::What::Narrowest));
+        panel().whatBox().setCurrentIndex(static_cast<int>(ClearancePanel::What::Smallest));
         measure();
         model::ClearanceRequest question;
         question.count = 500;
@@ -265,7 +265,7 @@ private slots:
         measure();
         QVERIFY(m_fixture->openAndWait(locations::kSample));
         QCOMPARE(clearances().locations().rowCount(), 0);
-        QCOMPARE(panel().summary(), "Nothing was measured yet");
+        QCOMPARE(panel().summary(), "No search yet");
         m_fixture->key(Qt::Key_F8);  // nothing to step to
     }
 

@@ -47,7 +47,7 @@ private slots:
 
     void anotherMeasureIsChosen() {
         const std::size_t tracks = plot().histogram().elements.size();
-        window().statisticsPanel().measureBox().setCurrentIndex(1);
+        window().statisticsPanel().findChild<QComboBox*>()->setCurrentIndex(1);
         QVERIFY(plot().histogram().elements.size() != tracks);
         QTest::keyClick(&plot(), Qt::Key_Right);
         QVERIFY(!window().selection().selected().empty());

@@ -222,7 +222,7 @@ private slots:
         QVERIFY2(said().contains("no copper of a net"), qPrintable(said()));
         click(flat(), {0, 0});
         click(flat(), {0, 0});
-        QTRY_VERIFY2_WITH_TIMEOUT(said().contains("one place"), qPrintable(said()), kPatienceMs);
+        QTRY_VERIFY2_WITH_TIMEOUT(said().contains("one location"), qPrintable(said()), kPatienceMs);
         click(flat(), {-3, 0});
         click(flat(), {1, 3});
         QTRY_VERIFY2_WITH_TIMEOUT(said().contains("no copper of net M leads"), qPrintable(said()), kPatienceMs);

@@ -30,14 +30,14 @@ private slots:
         QCOMPARE(errors, 0U);
     }
 
-    void theCheckListsShortsOpensAndLooseCopper() {
+    void theCheckListsShortsOpensAndFloatingCopper() {
         QCOMPARE(window().netCheckPanel().summary(), "Not checked yet");
         check();
-        QCOMPARE(window().netCheckPanel().summary(), "1 short, 1 open net, 1 loose piece of copper");
-        QCOMPARE(rows(), (QStringList{"Short|A, B|Touch in 1 place|TOP|4 mm|5 mm|PCB",
+        QCOMPARE(window().netCheckPanel().summary(), "1 short, 1 open net, 1 piece of floating copper");
+        QCOMPARE(rows(), (QStringList{"Short|A, B|Touch in 1 location|TOP|4 mm|5 mm|PCB",
                                       "Open|SPLIT|Part of the net: 1 piece, 1 pad or hole|TOP|2 mm|2 mm|PCB",
                                       "Open|SPLIT|Part of the net: 1 piece, 1 pad or hole|TOP|4 mm|2 mm|PCB",
-                                      "Loose|LOOSE|Copper without a pad: 1 piece|BOTTOM|6 mm|8 mm|PCB"}));
+                                      "Floating|LOOSE|Copper without a pad: 1 piece|BOTTOM|6 mm|8 mm|PCB"}));
         QAbstractItemModelTester tester(&window().netCheck(), QAbstractItemModelTester::FailureReportingMode::QtTest);
         window().actions()[ActionId::NextUnit].trigger();
         QVERIFY2(rows().first().contains("157.48 mil"), qPrintable(rows().first()));
@@ -74,7 +74,7 @@ private slots:
         QCOMPARE(window().document()->nets.size(), std::size_t{5});
         QCOMPARE(window().netCheckPanel().summary(), "Not checked yet");
         check();
-        QCOMPARE(window().netCheckPanel().summary(), "no shorts, no open nets, no loose pieces of copper");
+        QCOMPARE(window().netCheckPanel().summary(), "no shorts, no open nets, no floating copper");
         m_fixture->key(Qt::Key_F5);
         waitForBoard();
         QCOMPARE(window().document()->nets.size(), std::size_t{5});

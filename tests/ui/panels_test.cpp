@@ -163,13 +163,13 @@ private slots:
         show(panel);
         const QAbstractItemModel& shown = *panel.table().model();
         QCOMPARE(shown.rowCount(), 3);
-        QTest::keyClicks(&panel.wordsEdit(), "features");
+        QTest::keyClicks(panel.findChild<QLineEdit*>(), "features");
         QCOMPARE(shown.rowCount(), 2);
-        panel.severityBox().setCurrentIndex(2);
+        panel.findChild<QComboBox*>()->setCurrentIndex(2);
         QCOMPARE(shown.rowCount(), 1);
         QCOMPARE(shown.index(0, ui::MessageModel::Text).data().toString(), "Symbol is defined nowhere");
-        panel.wordsEdit().clear();
-        panel.severityBox().setCurrentIndex(0);
+        panel.findChild<QLineEdit*>()->clear();
+        panel.findChild<QComboBox*>()->setCurrentIndex(0);
         QCOMPARE(shown.rowCount(), 3);
     }
 

@@ -25,8 +25,7 @@ ClearanceMapBar::ClearanceMapBar(const ActionSet& actions, QWidget* parent)
     m_slider->setPageStep(3);
     m_slider->setValue(static_cast<int>(std::ranges::find(kReachesUm, kFirstReachUm) - std::begin(kReachesUm)));
     m_slider->setMaximumWidth(220);
-    m_slider->setToolTip(
-        QStringLiteral("Up to which distance the map is coloured; what is farther is darkened a little"));
+    m_slider->setToolTip(tr("The map is coloured up to this distance; what is farther is darkened a little"));
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->addWidget(toolButton(actions[ActionId::ClearanceMap]));

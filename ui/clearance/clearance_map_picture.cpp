@@ -13,9 +13,9 @@ namespace {
 
 constexpr int kRestMs = 60;
 constexpr std::size_t kShades = 256;
-/// Over what is too far away to be coloured, so that the colours stand out on any board.
+/// Over what is too far away to be coloured, so that the colours are seen on any board.
 constexpr QRgb kVeil = 0x78000000;  // premultiplied
-/// A picture in perspective is painted in so many parts each way, to leave out those that reach behind the eye.
+/// A picture in perspective is painted in so many parts each distance, to leave out those that reach behind the camera.
 constexpr int kParts = 8;
 
 /// In nanometres of the board, both corners inside.
@@ -29,18 +29,18 @@ struct Stretch {
     }
 };
 
-/// What the corners of the canvas show of the plane at height `z`; nothing if one of them looks over its horizon.
+/// What the corners of the canvas show of the plane at height `z`; nothing if one of them is above its horizon.
 std::optional<Stretch> seenStretch(const CameraController& controller, BoardPosition location, float z) {
     const QSizeF size = controller.viewport();
     Stretch seen;
     for (const QPointF corner :
          {QPointF(0, 0), QPointF(size.width(), 0), QPointF(0, size.height()), QPointF(size.width(), size.height())}) {
         const auto [from, along] = controller.rayAt(corner);
-        const float way = (z - from.z) / along.z;
-        if (!(way >= 0.0F) || !std::isfinite(way)) {
+        const float distance = (z - from.z) / along.z;
+        if (!(distance >= 0.0F) || !std::isfinite(distance)) {
             return std::nullopt;
         }
-        seen.include(location.toJob(from + along * way));
+        seen.include(location.toJob(from + along * distance));
     }
     return seen;
 }
@@ -117,7 +117,7 @@ std::optional<model::MapFrame> ClearanceMapPicture::shownFrame() const {
     return frame;
 }
 
-/// Every move of the camera ends in a painting, so this is the place to notice it.
+/// Every move of the camera ends in a painting, so it is noticed here.
 void ClearanceMapPicture::follow() {
     const std::optional<model::MapFrame> shown = shownFrame();
     if (shown && shown != m_asked) {

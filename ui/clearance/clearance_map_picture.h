@@ -14,8 +14,8 @@
 
 namespace ui {
 
-/// A distance map painted over one view, in the plane of its layer. What the view shows is worked out in the background
-/// once the view rests, a cell per pixel; until then the last picture moves along with the board.
+/// A clearance map painted over one view, in the plane of its layer. What the view shows is worked out in the
+/// background once the view rests, a cell per pixel; until then the last picture moves along with the board.
 class ClearanceMapPicture : public QObject {
     Q_OBJECT
 
@@ -35,7 +35,7 @@ public:
     /// The cells that lie under what the view shows now; none if that misses the board.
     [[nodiscard]] std::optional<model::MapFrame> shownFrame() const;
 
-    static constexpr int kSpacingAlpha = 235;   ///< gaps are empty but for the map
+    static constexpr int kSpacingAlpha = 235;   ///< between nets there is nothing but the map
     static constexpr int kDistanceAlpha = 150;  ///< copper is to be seen through it
 
 signals:

@@ -17,14 +17,14 @@ ClearanceModel::ClearanceModel(QObject* parent)
                   {tr("Step"), tr("The step it is on; seen in all its copies")}},
                  parent) {}
 
-void ClearanceModel::setSpacings(std::shared_ptr<const model::Document> board, std::vector<StepSpacings> gaps,
+void ClearanceModel::setSpacings(std::shared_ptr<const model::Document> board, std::vector<StepSpacings> spacings,
                                  model::RuleTable rules) {
     beginResetModel();
     m_board = std::move(board);
     m_tree = m_board ? model::unfoldCopies(*m_board) : model::StepTree{};
     m_rules = std::move(rules);
     m_locations.clear();
-    for (const StepSpacings& step : gaps) {
+    for (const StepSpacings& step : spacings) {
         const auto at = std::ranges::find_if(m_tree.steps, [&](const auto& known) { return &*known == step.step; });
         const auto row = static_cast<std::uint32_t>(at - m_tree.steps.begin());
         for (const model::RuleFinding& found : step.locations) {

@@ -26,7 +26,7 @@ public:
     explicit ClearanceModel(QObject* parent = nullptr);
 
     /// `rules` say what a finding's rule is; empty for a search without rules. A null board empties the table.
-    void setSpacings(std::shared_ptr<const model::Document> board, std::vector<StepSpacings> gaps,
+    void setSpacings(std::shared_ptr<const model::Document> board, std::vector<StepSpacings> spacings,
                      model::RuleTable rules);
 
     struct Location {

@@ -17,7 +17,7 @@ class ActionSet;
 class TableView;
 
 /// The smallest clearances or broken rules, one row each, to step through; and the sliders of the lens and the
-/// clearance map. A row that becomes the current one asks to be shown, so the arrow keys walk through all locations.
+/// clearance map. A row that becomes the current one is shown, so the arrow keys walk through all locations.
 class ClearancePanel : public QWidget {
     Q_OBJECT
 

@@ -20,7 +20,7 @@ QString anyNet() {
     return RuleModel::tr("any net");
 }
 
-/// None if the text is no length that a rule can ask for.
+/// None if the text is no length that a rule can have.
 std::optional<model::Nm> lengthOf(const QString& text, LengthUnit unit) {
     bool isNumber = false;
     const double bare = text.trimmed().toDouble(&isNumber) * nmPer(unit);

@@ -130,22 +130,6 @@ QWidget* CellDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&
     return box;
 }
 
-void CellDelegate::setEditorData(QWidget* editor, const QModelIndex& index) const {
-    if (auto* box = qobject_cast<QComboBox*>(editor)) {
-        box->setCurrentText(index.data(Qt::EditRole).toString());
-    } else {
-        QStyledItemDelegate::setEditorData(editor, index);
-    }
-}
-
-void CellDelegate::setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const {
-    if (auto* box = qobject_cast<QComboBox*>(editor)) {
-        model->setData(index, box->currentText(), Qt::EditRole);
-    } else {
-        QStyledItemDelegate::setModelData(editor, model, index);
-    }
-}
-
 bool CellDelegate::editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
                                const QModelIndex& index) {
     const bool isCheck = traitsOf(index) == kCheck;
@@ -153,7 +137,7 @@ bool CellDelegate::editorEvent(QEvent* event, QAbstractItemModel* model, const Q
     const bool isDrag = event->type() == QEvent::MouseMove;
     const bool isMouse = isPress || isDrag || event->type() == QEvent::MouseButtonDblClick;
     if (!isMouse || !static_cast<const QMouseEvent&>(*event).buttons().testFlag(Qt::LeftButton)) {
-        // The release after a press has done its work; keys go the usual way.
+        // The release after a press has done its work; keys are handled as usual.
         return (event->type() == QEvent::MouseButtonRelease && isCheck) ||
                QStyledItemDelegate::editorEvent(event, model, option, index);
     }

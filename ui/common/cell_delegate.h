@@ -4,7 +4,7 @@
 
 namespace ui {
 
-/// Paints and edits the cells of a TableModel by the traits of their columns: a box that a click turns, a swatch of a
+/// Paints and edits the cells of a TableModel by the traits of their columns: a box that a click toggles, a swatch of a
 /// colour (what a click on it does is the panel's), a bar of percents that is dragged or typed, a choice of names.
 /// Everything else is text.
 class CellDelegate : public QStyledItemDelegate {
@@ -15,8 +15,6 @@ public:
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
-    void setEditorData(QWidget* editor, const QModelIndex& index) const override;
-    void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override;
     bool editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
                      const QModelIndex& index) override;
 

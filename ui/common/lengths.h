@@ -5,7 +5,7 @@
 
 #include "model/base/units.h"
 
-/// Lengths, places and areas in the user's unit.
+/// Lengths, positions and areas in the user's unit.
 namespace ui {
 
 enum class LengthUnit { Millimetre, Mil, Inch };

@@ -23,7 +23,7 @@ template <class Run>
 }
 /// The flat button of an action, named as that is.
 [[nodiscard]] QToolButton* toolButton(QAction& action);
-/// Buttons side by side; what comes next stands at the right.
+/// Buttons side by side; what is added next is at the right.
 [[nodiscard]] QHBoxLayout* buttonRow(std::initializer_list<QAction*> actions);
 /// The same, but what has no room folds into a menu: the buttons do not widen the window.
 [[nodiscard]] QToolBar* toolBar(std::initializer_list<QAction*> actions);

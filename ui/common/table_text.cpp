@@ -1,6 +1,7 @@
 #include "ui/common/table_text.h"
 
 #include <QColor>
+#include <QCoreApplication>
 #include <QStringList>
 #include <set>
 
@@ -29,7 +30,8 @@ QString headingText(const QAbstractItemModel& model) {
 QString cellText(const QModelIndex& index) {
     const QVariant check = index.data(Qt::CheckStateRole);
     if (check.isValid()) {
-        return check.toInt() == Qt::Checked ? QStringLiteral("yes") : QStringLiteral("no");
+        return check.toInt() == Qt::Checked ? QCoreApplication::translate("ui::Table", "yes")
+                                            : QCoreApplication::translate("ui::Table", "no");
     }
     QVariant value = index.data(Qt::EditRole);
     if (!value.isValid()) {

@@ -1,5 +1,6 @@
 #include "ui/element/element_facts.h"
 
+#include <QCoreApplication>
 #include <QStringList>
 #include <algorithm>
 
@@ -15,6 +16,8 @@ using model::ElementKind;
 
 /// An element with the document it is a row of.
 struct Subject {
+    Q_DECLARE_TR_FUNCTIONS(ui::Facts)
+public:
     const Document& step;
     ElementId element;
     LengthUnit unit;
@@ -26,62 +29,61 @@ struct Subject {
 
 QString kindText(const Subject& s) {
     const ElementKind kind = s.step.elements.kind[s.element.row()];
-    QString text = QString::fromLatin1(model::toString(kind));
+    QString text = kind == ElementKind::Trail ? s.tr("track chain") : QString::fromLatin1(model::toString(kind));
     text[0] = text[0].toUpper();
     if (s.has(model::kHole)) {
-        text = s.has(model::kPlated) ? QStringLiteral("Plated hole (%1)").arg(text.toLower())
-                                     : QStringLiteral("Hole without plating (%1)").arg(text.toLower());
+        text = s.has(model::kPlated) ? s.tr("Plated hole (%1)").arg(text.toLower())
+                                     : s.tr("NPTH (%1)").arg(text.toLower());
     } else if (s.has(model::kPad)) {
-        text = QStringLiteral("Pad (%1)").arg(text.toLower());
+        text = s.tr("Pad (%1)").arg(text.toLower());
     }
     return text;
 }
 
-void addLocation(const Subject& s, model::Point point, const char* name, Facts& facts) {
-    facts.emplace_back(QString::fromLatin1(name), positionText(point.x, point.y, s.unit));
+void addLocation(const Subject& s, model::Point point, const QString& name, Facts& facts) {
+    facts.emplace_back(name, positionText(point.x, point.y, s.unit));
 }
 
 void addCircle(const Subject& s, Facts& facts) {
     const model::CircleGeometry& circle = s.step.circles[s.geometry()];
-    facts.emplace_back(QStringLiteral("Diameter"), s.text(circle.diameter));
+    facts.emplace_back(s.tr("Diameter"), s.text(circle.diameter));
     if (circle.innerDiameter > 0 && circle.innerDiameter != circle.diameter) {
-        facts.emplace_back(QStringLiteral("Inner diameter"), s.text(circle.innerDiameter));
+        facts.emplace_back(s.tr("Inner diameter"), s.text(circle.innerDiameter));
     }
-    addLocation(s, circle.centre, "Centre", facts);
+    addLocation(s, circle.centre, s.tr("Centre"), facts);
 }
 
 void addTrail(const Subject& s, Facts& facts) {
     const model::TrailGeometry& trail = s.step.trails[s.geometry()];
     const auto nodes = s.step.nodesOf(trail);
-    facts.emplace_back(QStringLiteral("Width"), s.text(trail.width));
-    facts.emplace_back(QStringLiteral("Strokes"), QString::number(nodes.size() - 1));
-    addLocation(s, nodes.front().point, "From", facts);
-    addLocation(s, nodes.back().point, "To", facts);
+    facts.emplace_back(s.tr("Width"), s.text(trail.width));
+    facts.emplace_back(s.tr("Tracks"), QString::number(nodes.size() - 1));
+    addLocation(s, nodes.front().point, s.tr("From"), facts);
+    addLocation(s, nodes.back().point, s.tr("To"), facts);
 }
 
 void addArea(const Subject& s, Facts& facts) {
     const auto contours = s.step.shapes.contoursOf(s.step.areas[s.geometry()].shape);
     const auto holes = std::ranges::count_if(contours, &model::Contour::isHole);
-    facts.emplace_back(QStringLiteral("Islands"),
-                       QString::number(static_cast<std::ptrdiff_t>(contours.size()) - holes));
-    facts.emplace_back(QStringLiteral("Holes"), QString::number(holes));
+    facts.emplace_back(s.tr("Islands"), QString::number(static_cast<std::ptrdiff_t>(contours.size()) - holes));
+    facts.emplace_back(s.tr("Holes"), QString::number(holes));
 }
 
 void addShape(const Subject& s, Facts& facts) {
     switch (s.step.elements.kind[s.element.row()]) {
         case ElementKind::Line: {
             const model::LineGeometry& line = s.step.lines[s.geometry()];
-            facts.emplace_back(QStringLiteral("Width"), s.text(line.width));
-            addLocation(s, line.a, "From", facts);
-            addLocation(s, line.b, "To", facts);
+            facts.emplace_back(s.tr("Width"), s.text(line.width));
+            addLocation(s, line.a, s.tr("From"), facts);
+            addLocation(s, line.b, s.tr("To"), facts);
             break;
         }
         case ElementKind::Arc: {
             const model::ArcGeometry& arc = s.step.arcs[s.geometry()];
-            facts.emplace_back(QStringLiteral("Width"), s.text(arc.width));
-            addLocation(s, arc.node.point, "From", facts);
-            addLocation(s, arc.end, "To", facts);
-            addLocation(s, arc.node.centre, "Centre", facts);
+            facts.emplace_back(s.tr("Width"), s.text(arc.width));
+            addLocation(s, arc.node.point, s.tr("From"), facts);
+            addLocation(s, arc.end, s.tr("To"), facts);
+            addLocation(s, arc.node.centre, s.tr("Centre"), facts);
             break;
         }
         case ElementKind::Circle: addCircle(s, facts); break;
@@ -92,11 +94,11 @@ void addShape(const Subject& s, Facts& facts) {
 
 void addMeasures(const Subject& s, Facts& facts) {
     if (const double length = model::lengthOf(s.step, s.element); length > 0.0) {
-        facts.emplace_back(QStringLiteral("Length"), s.text(length));
+        facts.emplace_back(s.tr("Length"), s.text(length));
     }
-    facts.emplace_back(QStringLiteral("Area"), areaText(model::areaOf(s.step, s.element), s.unit));
+    facts.emplace_back(s.tr("Area"), areaText(model::areaOf(s.step, s.element), s.unit));
     const model::Box box = s.step.boxOf(s.element);
-    facts.emplace_back(QStringLiteral("Extent"),
+    facts.emplace_back(s.tr("Extent"),
                        QStringLiteral("%1 × %2").arg(lengthText(static_cast<double>(box.width()), s.unit),
                                                      lengthText(static_cast<double>(box.height()), s.unit)));
 }
@@ -134,7 +136,7 @@ void addParts(const Subject& s, Facts& facts) {
     std::vector<model::ComponentId> parts;
     for (const model::Pin* pin : pinsOf(s)) {
         const std::string& refdes = s.step.components[pin->component.row()].refdes;
-        facts.emplace_back(QStringLiteral("Pin"), QString::fromStdString(refdes + '.' + s.step.text(pin->name)));
+        facts.emplace_back(s.tr("Pin"), QString::fromStdString(refdes + '.' + s.step.text(pin->name)));
         parts.push_back(pin->component);
     }
     if (const model::Body* body = s.step.bodyOf(s.element)) {
@@ -143,7 +145,7 @@ void addParts(const Subject& s, Facts& facts) {
     parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
     for (const model::ComponentId part : parts) {
         if (part.isValid()) {
-            facts.emplace_back(QStringLiteral("Component"), partText(s, s.step.components[part.row()]));
+            facts.emplace_back(s.tr("Component"), partText(s, s.step.components[part.row()]));
         }
     }
 }
@@ -151,12 +153,11 @@ void addParts(const Subject& s, Facts& facts) {
 void addSource(const Subject& s, const model::Layer& layer, Facts& facts) {
     const auto& elements = s.step.elements;
     for (const auto& [name, value] : s.step.attributes.values(elements.attributes[s.element.row()])) {
-        facts.emplace_back(QString::fromStdString(name),
-                           value.empty() ? QStringLiteral("yes") : QString::fromStdString(value));
+        facts.emplace_back(QString::fromStdString(name), value.empty() ? s.tr("yes") : QString::fromStdString(value));
     }
     if (!layer.file.empty() && elements.line[s.element.row()] > 0) {
         facts.emplace_back(
-            QStringLiteral("Read from"),
+            s.tr("Read from"),
             QStringLiteral("%1:%2").arg(QString::fromStdString(layer.file)).arg(elements.line[s.element.row()]));
     }
 }
@@ -173,21 +174,20 @@ Facts factsOf(const model::StepTree& tree, const model::BoardElement& at, Length
     const std::size_t row = at.element.row();
     const model::Layer& layer = s.step.layer(elements.layer[row]);
     Facts facts;
-    facts.emplace_back(QStringLiteral("Kind"), kindText(s));
-    facts.emplace_back(QStringLiteral("Layer"), QString::fromStdString(layer.name));
+    facts.emplace_back(s.tr("Kind"), kindText(s));
+    facts.emplace_back(s.tr("Layer"), QString::fromStdString(layer.name));
     if (elements.net[row].isValid()) {
-        facts.emplace_back(QStringLiteral("Net"), QString::fromStdString(s.step.nets[elements.net[row].row()].name));
+        facts.emplace_back(s.tr("Net"), QString::fromStdString(s.step.nets[elements.net[row].row()].name));
     }
     addParts(s, facts);
     if (elements.symbol[row].isValid()) {
-        facts.emplace_back(QStringLiteral("Symbol"),
-                           QString::fromStdString(s.step.symbols[elements.symbol[row].row()]));
+        facts.emplace_back(s.tr("Symbol"), QString::fromStdString(s.step.symbols[elements.symbol[row].row()]));
     }
     addShape(s, facts);
     addMeasures(s, facts);
     if (at.copy > 0) {
-        facts.emplace_back(QStringLiteral("Copy"),
-                           QStringLiteral("%1 of step %2").arg(at.copy).arg(QString::fromStdString(s.step.job.step)));
+        facts.emplace_back(s.tr("Copy"),
+                           s.tr("%1 of step %2").arg(at.copy).arg(QString::fromStdString(s.step.job.step)));
     }
     addSource(s, layer, facts);
     return facts;
@@ -201,10 +201,9 @@ QString summaryOf(const model::StepTree& tree, const model::BoardElement& at, Le
     Facts shape;
     addShape(s, shape);
     for (const auto& [name, value] : shape) {
-        if (name == QLatin1String("Width") || name == QLatin1String("Diameter")) {
-            words.back() += QStringLiteral(", %1 %2").arg(value.section(' ', 0, 1), name == QLatin1String("Width")
-                                                                                        ? QStringLiteral("wide")
-                                                                                        : QStringLiteral("across"));
+        if (name == s.tr("Width") || name == s.tr("Diameter")) {
+            const QString across = name == s.tr("Width") ? s.tr("%1 wide") : s.tr("%1 across");
+            words.back() += QStringLiteral(", ") + across.arg(value.section(' ', 0, 1));
         }
     }
     words += QString::fromStdString(s.step.layer(elements.layer[row]).name);
@@ -214,7 +213,7 @@ QString summaryOf(const model::StepTree& tree, const model::BoardElement& at, Le
     Facts parts;
     addParts(s, parts);
     for (const auto& [name, value] : parts) {
-        if (name == QLatin1String("Pin") || parts.size() == 1) {  // pins name their components
+        if (name == s.tr("Pin") || parts.size() == 1) {  // pins name their components
             words += value.section(QStringLiteral("  "), 0, 0);
         }
     }

@@ -16,14 +16,15 @@ namespace ui {
 
 namespace {
 
-constexpr std::pair<const char*, ElementPanel::Link> kLinks[] = {{"Layer", ElementPanel::Link::Layer},
-                                                                 {"Net", ElementPanel::Link::Net},
-                                                                 {"Pin", ElementPanel::Link::Pin},
-                                                                 {"Component", ElementPanel::Link::Component}};
+constexpr std::pair<const char*, ElementPanel::Link> kLinks[] = {
+    {QT_TRANSLATE_NOOP("ui::Facts", "Layer"), ElementPanel::Link::Layer},
+    {QT_TRANSLATE_NOOP("ui::Facts", "Net"), ElementPanel::Link::Net},
+    {QT_TRANSLATE_NOOP("ui::Facts", "Pin"), ElementPanel::Link::Pin},
+    {QT_TRANSLATE_NOOP("ui::Facts", "Component"), ElementPanel::Link::Component}};
 
 std::optional<ElementPanel::Link> linkOf(const QString& fact) {
-    const auto* found =
-        std::ranges::find_if(kLinks, [&](const auto& link) { return fact == QLatin1String(link.first); });
+    const auto* found = std::ranges::find_if(
+        kLinks, [&](const auto& link) { return fact == QCoreApplication::translate("ui::Facts", link.first); });
     return found != std::end(kLinks) ? std::optional(found->second) : std::nullopt;
 }
 
@@ -75,10 +76,10 @@ void ElementPanel::setUnit(LengthUnit unit) {
 void ElementPanel::update() {
     const std::size_t count = m_selection.selected().size();
     const QString& title = m_selection.title();
-    m_heading->setText(count == 0         ? QStringLiteral("Click an element in a view to see what is known of it.")
-                       : !title.isEmpty() ? QStringLiteral("%1, %L2 elements; of the last one:").arg(title).arg(count)
-                       : count == 1       ? QStringLiteral("One element")
-                                          : QStringLiteral("%L1 elements; of the last one:").arg(count));
+    m_heading->setText(count == 0         ? tr("Click an element in a view to see its properties")
+                       : !title.isEmpty() ? tr("%1, %L2 elements; of the last one:").arg(title).arg(count)
+                       : count == 1       ? tr("One element")
+                                          : tr("%L1 elements; of the last one:").arg(count));
     const auto current = m_selection.current();
     fill(current ? factsOf(m_selection.tree(), *current, m_unit) : Facts());
 }
@@ -92,7 +93,7 @@ void ElementPanel::fill(const Facts& facts) {
         item->setToolTip(value);
         if (linkOf(name)) {
             item->setForeground(palette().link());
-            item->setToolTip(value + QStringLiteral("\nClick to go on to it"));
+            item->setToolTip(value + '\n' + tr("Click to select it"));
         }
         m_table->setItem(row, 1, item);
     }

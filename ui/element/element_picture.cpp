@@ -41,7 +41,7 @@ ElementPicture::ElementPicture(GpuContext& context, SelectionModel& selection, L
     m_settle.setSingleShot(true);
     m_settle.setInterval(kSettleMs);
     connect(&m_settle, &QTimer::timeout, this, qOverload<>(&QWidget::update));
-    setToolTip(QStringLiteral("The element by itself, from above and aslant, as high as it is"));
+    setToolTip(tr("The element alone, from the top and as an isometric view, with its true height"));
     connect(&selection, &SelectionModel::selectionChanged, this, &ElementPicture::setStale);
     connect(&layers, &LayerModel::stylesChanged, this, &ElementPicture::setStale);
     setStale();
@@ -95,10 +95,10 @@ void ElementPicture::draw(QSize pixels) {
 
 QString ElementPicture::drawElement(const model::Document& document, model::ElementId element, QSize pixels) {
     if (model::nodeCountOf(document, element) > kMostNodes) {
-        return QStringLiteral("Too large for a picture");
+        return tr("Too large for a picture");
     }
     if (m_context.device().isLost()) {
-        return QStringLiteral("No picture: the graphics device failed");
+        return tr("No picture: the graphics device failed");
     }
     const auto alone = model::elementAlone(document, element);
     base::Progress progress;

@@ -15,7 +15,7 @@ namespace ui {
 
 /// The element selected last by itself, from above and aslant, in the colour of its layer and with its true height.
 /// Drawn a moment after the selection changed, so that the views answer first, and when it is painted, so that it costs
-/// nothing while it is out of sight; hidden while nothing is selected. It asks for no room of its own: a selection must
+/// nothing while it is out of sight; hidden while nothing is selected. It requests no room of its own: a selection must
 /// not make the window grow.
 class ElementPicture : public QWidget {
     Q_OBJECT
@@ -49,7 +49,7 @@ private:
     GpuContext& m_context;
     SelectionModel& m_selection;
     LayerModel& m_layers;
-    std::optional<render::OffscreenPresenter> m_presenter;  ///< kept: making its pipelines takes longer than drawing
+    std::optional<render::OffscreenPresenter> m_presenter;  ///< held: making its pipelines takes longer than drawing
     std::array<QImage, ViewCount> m_images;
     QSize m_pixels;  ///< of each image
     QString m_reason;

@@ -40,8 +40,8 @@ std::string layerName(const BoardIndex& index, model::LayerId layer) {
 }
 
 /// Legs on one layer, one after the other, are a run.
-model::MeasuredPath wayOf(const BoardIndex& index, const model::NetPath& path) {
-    model::MeasuredPath way{{}, path.holeCount, path.holeHeight};
+model::MeasuredPath pathOf(const BoardIndex& index, const model::NetPath& path) {
+    model::MeasuredPath measured{{}, path.holeCount, path.holeHeight};
     bool isBroken = true;
     for (const model::PathLeg& leg : path.legs) {
         if (leg.kind == model::PathLeg::Kind::Hole) {
@@ -49,15 +49,15 @@ model::MeasuredPath wayOf(const BoardIndex& index, const model::NetPath& path) {
             continue;
         }
         if (isBroken) {
-            way.runs.push_back({layerName(index, leg.layer), 0.0, {}});
+            measured.runs.push_back({layerName(index, leg.layer), 0.0, {}});
             isBroken = false;
         }
-        std::vector<base::PointD>& line = way.runs.back().line;
+        std::vector<base::PointD>& line = measured.runs.back().line;
         const std::vector<base::PointD> course = model::courseOf(index, leg);
         line.insert(line.end(), course.begin() + (line.empty() ? 0 : 1), course.end());
-        way.runs.back().length += leg.length;
+        measured.runs.back().length += leg.length;
     }
-    return way;
+    return measured;
 }
 
 }  // namespace
@@ -89,22 +89,22 @@ base::Result<Measurement> edgeToEdge(const BoardIndex& index, BoardElement a, Bo
     if (!separation) {
         return separation.error();
     }
-    const model::PieceDistance* way = separation->main();
-    if (way == nullptr) {
+    const model::PieceDistance* nearest = separation->main();
+    if (nearest == nullptr) {
         return noNumber(separation->notes.front());
     }
-    Measurement measurement =
-        measurementOf(index, MeasurementKind::Clearance, edgeOf(way->spacing.from, way->from.layer, way->from.at),
-                      edgeOf(way->spacing.to, way->to.layer, way->to.at));
-    measurement.dz = way->dz;
-    measurement.overlap = way->relation == model::Relation::Overlapping ? way->overlap : 0.0;
+    Measurement measurement = measurementOf(index, MeasurementKind::Clearance,
+                                            edgeOf(nearest->spacing.from, nearest->from.layer, nearest->from.at),
+                                            edgeOf(nearest->spacing.to, nearest->to.layer, nearest->to.at));
+    measurement.dz = nearest->dz;
+    measurement.overlap = nearest->relation == model::Relation::Overlapping ? nearest->overlap : 0.0;
     measurement.notes = separation->notes;
     return measurement;
 }
 
-Measurement spacingOn(const BoardIndex& index, const model::LocalSpacing& gap) {
-    return measurementOf(index, MeasurementKind::Clearance, edgeOf(gap.spacing.from, gap.layer, gap.from),
-                         edgeOf(gap.spacing.to, gap.layer, gap.to));
+Measurement spacingOn(const BoardIndex& index, const model::LocalSpacing& spacing) {
+    return measurementOf(index, MeasurementKind::Clearance, edgeOf(spacing.spacing.from, spacing.layer, spacing.from),
+                         edgeOf(spacing.spacing.to, spacing.layer, spacing.to));
 }
 
 Measurement angleAt(const BoardIndex& index, const Caught& corner, const Caught& from, const Caught& to) {
@@ -131,10 +131,10 @@ Measurement radiusOf(const BoardIndex& index, const Caught& caught) {
 base::Result<Measurement> lengthAlong(const BoardIndex& index, const Caught& from, const Caught& to,
                                       const model::NetPath& path) {
     if (path.legs.empty()) {
-        return noNumber("there is no way to measure: both ends are in one place");
+        return noNumber("there is no path to measure: both ends are in one location");
     }
     Measurement measurement = measurementOf(index, MeasurementKind::Length, from, to);
-    measurement.path = wayOf(index, path);
+    measurement.path = pathOf(index, path);
     measurement.notes = path.notes;
     return measurement;
 }

@@ -6,17 +6,17 @@
 #include "model/measure/net_path.h"
 #include "ui/measure/measuring_cursor.h"
 
-/// From what was clicked to what is kept.
+/// From what was clicked to what is saved.
 namespace ui {
 
 [[nodiscard]] model::MeasuredEnd endOf(const model::BoardIndex& index, const Caught& caught);
 
 [[nodiscard]] model::Measurement pointToPoint(const model::BoardIndex& index, const Caught& from, const Caught& to);
-/// Of two elements on one layer, or through the stack. Errors: BadUsage where there is no distance, and why.
+/// Of two elements on one layer, or through the stackup. Errors: BadUsage where there is no distance, and why.
 [[nodiscard]] base::Result<model::Measurement> edgeToEdge(const model::BoardIndex& index, model::BoardElement a,
                                                           model::BoardElement b);
-/// A gap that was found on a layer; the elements may be none.
-[[nodiscard]] model::Measurement spacingOn(const model::BoardIndex& index, const model::LocalSpacing& gap);
+/// A spacing found on a layer; the elements may be none.
+[[nodiscard]] model::Measurement spacingOn(const model::BoardIndex& index, const model::LocalSpacing& spacing);
 [[nodiscard]] model::Measurement angleAt(const model::BoardIndex& index, const Caught& corner, const Caught& from,
                                          const Caught& to);
 /// Of the lines of two Catch::Straight, seen from where they cross to where they were clicked. Errors: BadUsage for
@@ -25,13 +25,13 @@ namespace ui {
                                                             const Caught& b);
 /// Of a Catch::Round.
 [[nodiscard]] model::Measurement radiusOf(const model::BoardIndex& index, const Caught& caught);
-/// Errors: BadUsage if the ends are one place.
+/// Errors: BadUsage if the ends are one location.
 [[nodiscard]] base::Result<model::Measurement> lengthAlong(const model::BoardIndex& index, const Caught& from,
                                                            const Caught& to, const model::NetPath& path);
 
-/// All places at which a measurement is drawn, and on which layers.
+/// All locations at which a measurement is drawn, and on which layers.
 [[nodiscard]] std::vector<std::pair<base::PointD, std::string>> locationsOf(const model::Measurement& measurement);
-/// Where a length along a net begins or ends: pads and holes as they are, else the place on its layer.
+/// Where a length along a net begins or ends: pads and holes as they are, else the location on its layer.
 [[nodiscard]] model::MeasureItem pathEndOf(const model::BoardIndex& index, const Caught& caught);
 
 }  // namespace ui

@@ -25,10 +25,10 @@ constexpr double kTick = 6.0;  // half the length of the line across an end, log
 constexpr double kMark = 7.0;  // half of 14 px
 constexpr double kMargin = 4.0;
 constexpr double kLine = 1.6;
-constexpr double kPathLine = 3.0;     // ways along copper
+constexpr double kPathLine = 3.0;     // paths along copper
 constexpr double kUnder = 2.4;        // what lies under a line is wider by
 constexpr double kAngleArc = 46.0;    // the largest radius of the arc in an angle
-constexpr double kLeaderFrom = 20.0;  // a label farther away than this is tied to its place
+constexpr double kLeaderFrom = 20.0;  // a label farther away than this has a leader
 constexpr double kArcStep = std::numbers::pi / 36.0;
 
 /// The sign of a kind of point, around the origin: people know them from CAD programs.
@@ -160,7 +160,7 @@ std::optional<QPointF> MeasurementPainter::paintRadius(const Measurement& measur
 std::optional<QPointF> MeasurementPainter::paintPath(const Measurement& measurement) {
     QPolygonF line;
     const auto add = [&](const std::optional<QPointF>& at) {
-        // Places that fall on one pixel are one.
+        // Locations that fall on one pixel are one.
         if (at && (line.isEmpty() || (*at - line.back()).manhattanLength() >= 1.0)) {
             line += *at;
         }

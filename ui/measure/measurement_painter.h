@@ -12,7 +12,7 @@
 
 namespace ui {
 
-/// Where a view draws places of layers.
+/// Where a view draws locations on layers.
 class DrawnHeights {
 public:
     DrawnHeights(const BoardView& view, BoardPosition location, const model::Document& document);
@@ -35,7 +35,7 @@ public:
     MeasurementPainter(QPainter& painter, const BoardView& view, BoardPosition location,
                        const model::Document& document);
 
-    /// With `isFull` also parts, layers, nets and remarks.
+    /// With `isFull` also parts, layers, nets and notes.
     void paint(const model::Measurement& measurement, LengthUnit unit, bool isFull);
     /// The mark of what a cursor catches, and a word for it.
     void paintSnap(const model::MeasuredEnd& end, model::SnapKind kind, const QString& word);
@@ -48,16 +48,16 @@ private:
         QPointF beside;
     };
 
-    /// Where a place is on the canvas; none behind the eye.
+    /// Where a location is on the canvas; none behind the camera.
     [[nodiscard]] std::optional<QPointF> screenOf(base::PointD nm, const std::string& layer) const;
     [[nodiscard]] std::optional<QPointF> screenOf(const model::MeasuredEnd& end) const;
     [[nodiscard]] QRectF canvas() const { return {QPointF(), m_view.controller().viewport()}; }
-    /// These draw one kind each; the answer is where its label belongs, none if it is not on the canvas.
+    /// These draw one kind each; they return where its label belongs, none if it is not on the canvas.
     std::optional<QPointF> paintDistance(const model::Measurement& measurement);
     std::optional<QPointF> paintAngle(const model::Measurement& measurement);
     std::optional<QPointF> paintRadius(const model::Measurement& measurement);
     std::optional<QPointF> paintPath(const model::Measurement& measurement);
-    /// The arc around a place from one direction over `sweep` radians, on a layer.
+    /// The arc around a location from one direction over `sweep` radians, on a layer.
     [[nodiscard]] QPolygonF arcAround(base::PointD centre, const std::string& layer, double radius, double start,
                                       double sweep) const;
     void drawLine(const QPolygonF& line, double width, Qt::PenStyle style = Qt::SolidLine);

@@ -10,7 +10,7 @@ using model::SnapKind;
 
 namespace {
 
-/// The step of directions that held keys ask for, in degrees; none: any.
+/// The step of directions that held keys request, in degrees; none: any.
 std::optional<double> lockOf(Qt::KeyboardModifiers modifiers) {
     return modifiers.testFlag(Qt::ShiftModifier)     ? std::optional(90.0)
            : modifiers.testFlag(Qt::ControlModifier) ? std::optional(45.0)
@@ -48,7 +48,7 @@ std::optional<Caught> MeasuringCursor::at(const BoardView& view, QPointF positio
     if (caught && lock) {
         const base::PointD straight = model::straightened(*from, caught->at, *lock);
         if (std::hypot(straight.x - caught->at.x, straight.y - caught->at.y) > 1.0) {
-            caught->kind = SnapKind::Free;  // beside what was caught
+            caught->kind = SnapKind::Free;  // beside what was snapped to
         }
         caught->at = straight;
     }
@@ -66,7 +66,7 @@ std::optional<MeasuringCursor::Pointed> MeasuringCursor::pointedAt(const BoardVi
     };
     Pointed pointed{location.toJob(origin), std::nullopt, direction.z > 0.0F};
     if (isFlat && what == Catch::Points) {
-        return pointed;  // all that is there may be caught, nothing need be looked for
+        return pointed;  // everything there is a candidate, nothing need be searched
     }
     for (const model::Hit& hit : m_probing.hitsAt(view, position)) {
         const base::PointD seen = location.toJob(seenAt(hit));

@@ -11,10 +11,10 @@ namespace ui {
 
 /// What a click is to catch.
 enum class Catch {
-    Points,    ///< centres, ends, middles, crossings and edges nearby, else the place itself
+    Points,    ///< centres, ends, middles, crossings and edges nearby, else the location itself
     Copper,    ///< such points on copper and plated holes alone, else the copper under the cursor
     Elements,  ///< the element under the cursor
-    Straight,  ///< the straight stroke or side under the cursor
+    Straight,  ///< the straight track or side under the cursor
     Round      ///< the circle or arc under the cursor
 };
 
@@ -23,7 +23,7 @@ struct Caught {
     base::PointD at;  ///< nm of the board
     model::SnapKind kind = model::SnapKind::Free;
     model::LayerId layer;                        ///< of the board
-    std::optional<model::BoardElement> element;  ///< none: a place of nothing
+    std::optional<model::BoardElement> element;  ///< none: a location without one
     std::optional<model::Edge> line;             ///< of Catch::Straight
     std::optional<model::Round> round;           ///< of Catch::Round
 };
@@ -37,8 +37,8 @@ public:
 
     void setBoard(std::shared_ptr<const model::BoardIndex> index);
 
-    /// Nothing if there is nothing of that kind. With Alt held no points are caught; with a place to come `from`, Shift
-    /// keeps points straight beside or above it, and Ctrl to steps of 45 degrees.
+    /// Nothing if there is nothing of that kind. With Alt held no points are snapped to; with a location to come
+    /// `from`, Shift keeps points straight beside or above it, and Ctrl to steps of 45 degrees.
     [[nodiscard]] std::optional<Caught> at(const BoardView& view, QPointF position, Catch what,
                                            Qt::KeyboardModifiers modifiers = {},
                                            std::optional<base::PointD> from = std::nullopt);
@@ -48,14 +48,14 @@ public:
     [[nodiscard]] bool isOnBoard(const BoardView& view, QPointF position) {
         return pointedAt(view, position, Catch::Points).has_value();
     }
-    /// See model::spacingAt. In 3D what is seen may be lacquer or laminate: all visible layers count.
+    /// See model::spacingAt. In 3D what is seen may be solder mask or dielectric: all visible layers count.
     [[nodiscard]] std::optional<model::LocalSpacing> spacingAt(const BoardView& view, QPointF position);
 
 private:
-    /// A place of the board under the cursor, and what is seen there.
+    /// A location of the board under the cursor, and what is seen there.
     struct Pointed {
         base::PointD location;
-        std::optional<model::Hit> hit;  ///< none: nothing that can be caught
+        std::optional<model::Hit> hit;  ///< none: nothing to snap to
         bool isFromBelow = false;
     };
 
@@ -65,7 +65,7 @@ private:
     [[nodiscard]] std::optional<Caught> pointAt(const BoardView& view, const Pointed& pointed, Catch what,
                                                 bool isSnapping);
     [[nodiscard]] Caught elementAt(const Pointed& pointed, double reach, Catch what);
-    /// On which layers points may be caught.
+    /// On which layers points are snapped to.
     [[nodiscard]] std::vector<model::PickLayer> layersFor(const BoardView& view, const Pointed& pointed,
                                                           Catch what) const;
     [[nodiscard]] double reachIn(const BoardView& view) const;

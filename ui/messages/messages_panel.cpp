@@ -10,14 +10,14 @@
 
 namespace ui {
 
-MessagesPanel::MessagesPanel(MessageModel& model, QWidget* parent)
-    : QWidget(parent), m_table(new TableView(model)), m_severity(new QComboBox) {
+MessagesPanel::MessagesPanel(MessageModel& model, QWidget* parent) : QWidget(parent), m_table(new TableView(model)) {
     SortedRows& rows = m_table->makeSortable();
     m_table->sortByColumn(MessageModel::Severity, Qt::DescendingOrder);
     m_table->fitColumns(MessageModel::Text);
-    m_words = filterEdit(rows, tr("Filter by words of the message or the file"));
-    m_severity->addItems({tr("Everything"), tr("Warnings and errors"), tr("Errors only")});  // by least severity
-    connect(m_severity, &QComboBox::currentIndexChanged, &rows, &SortedRows::setLeastRank);
+    QLineEdit* words = filterEdit(rows, tr("Filter by words of the message or the file"));
+    auto* severity = new QComboBox;
+    severity->addItems({tr("Everything"), tr("Warnings and errors"), tr("Errors only")});  // by least severity
+    connect(severity, &QComboBox::currentIndexChanged, &rows, &SortedRows::setLeastRank);
     connect(m_table, &TableView::rowChosen, this, [this, &model](int row) { emit chosen(model.message(row)); });
     auto* summary = new QLabel;
     const auto updateSummary = [&rows, &model, summary] {
@@ -29,8 +29,8 @@ MessagesPanel::MessagesPanel(MessageModel& model, QWidget* parent)
     connect(&rows, &QAbstractItemModel::modelReset, this, updateSummary);
     updateSummary();
     auto* controls = new QHBoxLayout;
-    controls->addWidget(m_words, 1);
-    controls->addWidget(m_severity);
+    controls->addWidget(words, 1);
+    controls->addWidget(severity);
     controls->addWidget(summary);
     auto* column = columnIn(*this);
     column->addLayout(controls);

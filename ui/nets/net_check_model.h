@@ -28,7 +28,7 @@ public:
 
     explicit NetCheckModel(QObject* parent = nullptr);
 
-    /// `checks` of all steps of `board`, which is kept as long as they are. A null board empties the table.
+    /// `checks` of all steps of `board`, which is held as long as they are. A null board empties the table.
     void setChecks(std::shared_ptr<const model::Document> board, std::vector<model::StepCheck> checks);
 
     [[nodiscard]] const Finding& finding(int row) const { return m_findings[static_cast<std::size_t>(row)]; }

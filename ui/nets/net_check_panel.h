@@ -12,7 +12,7 @@ namespace ui {
 class ActionSet;
 class TableView;
 
-/// Opens, shorts and floating copper. A click on a row, or Enter, asks to be shown the location.
+/// Opens, shorts and floating copper. A click on a row, or Enter, requests its location.
 class NetCheckPanel : public QWidget {
     Q_OBJECT
 

@@ -14,7 +14,7 @@
 
 namespace ui {
 
-/// The nets of a board or of a step it places, filtered, sorted and under headings of groups if asked for; a row is an
+/// The nets of a board or of a step it places, filtered, sorted and under headings of groups if requested; a row is an
 /// id and nothing else. All that runs in the background, so that the window stays usable with a million nets: until it
 /// is done the rows stay as they were.
 class NetModel : public TableModel {
@@ -31,7 +31,7 @@ public:
     /// document in model::StepTree::steps.
     void setNets(std::shared_ptr<const model::Document> document,
                  std::shared_ptr<const model::NetStatistics> statistics, std::uint32_t step = 0);
-    /// Colours and whether nets are shown: read here, and asked for where a cell is edited.
+    /// Colours and whether nets are shown: read here, and requested where a cell is edited.
     void setStyles(NetStyles& styles);
     /// Case does not matter. Several words of a text must all be in the name; a wildcard has * and ? and fits the whole
     /// name. False if a regular expression is not one: then all nets are shown.
@@ -91,7 +91,7 @@ private:
     Groups m_groups;  ///< those of the rows; null without grouping
     std::optional<model::NetGrouping> m_groupedBy;
     int m_shownNets = 0;
-    std::atomic<std::uint64_t> m_wanted = 0;  ///< number of the task asked for last
+    std::atomic<std::uint64_t> m_wanted = 0;  ///< number of the last task
     std::uint64_t m_shown = 0;
     QThreadPool m_pool;  ///< of one thread; waits for it when it goes
 };

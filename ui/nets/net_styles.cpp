@@ -19,7 +19,7 @@ std::vector<model::BoardNet> sorted(std::span<const model::BoardNet> nets) {
     return all;
 }
 
-/// The state with `edit` done to the looks of these nets.
+/// The state with `edit` done to the styles of these nets.
 template <class Edit>
 NetStyles::State edited(const NetStyles::State& before, std::span<const model::BoardNet> nets, const Edit& edit) {
     NetStyles::State after;
@@ -30,14 +30,14 @@ NetStyles::State edited(const NetStyles::State& before, std::span<const model::B
         }
     };
     for (const model::BoardNet& net : sorted(nets)) {
-        keepUpTo([&](const NetStyle& look) { return look.net >= net; });
-        NetStyle look{net, std::nullopt, false};
+        keepUpTo([&](const NetStyle& style) { return style.net >= net; });
+        NetStyle style{net, std::nullopt, false};
         if (old != before.end() && old->net == net) {
-            look = *old++;
+            style = *old++;
         }
-        edit(look);
-        if (look.colour || look.isHidden) {
-            after.push_back(look);
+        edit(style);
+        if (style.colour || style.isHidden) {
+            after.push_back(style);
         }
     }
     keepUpTo([](const NetStyle&) { return false; });
@@ -45,7 +45,7 @@ NetStyles::State edited(const NetStyles::State& before, std::span<const model::B
 }
 
 QString counted(std::size_t nets) {
-    return nets == 1 ? QStringLiteral("of a net") : QStringLiteral("of %L1 nets").arg(nets);
+    return nets == 1 ? NetStyles::tr("one net") : NetStyles::tr("%L1 nets").arg(nets);
 }
 
 }  // namespace
@@ -71,55 +71,55 @@ NetStyle NetStyles::of(const model::BoardNet& net) const {
 }
 
 bool NetStyles::hasColours() const {
-    return std::ranges::any_of(m_state, [](const NetStyle& look) { return look.colour.has_value(); });
+    return std::ranges::any_of(m_state, [](const NetStyle& style) { return style.colour.has_value(); });
 }
 
 void NetStyles::colour(std::span<const model::BoardNet> nets, std::optional<QRgb> colour) {
-    emit asked(QStringLiteral("colour ") + counted(nets.size()),
-               edited(m_state, nets, [&](NetStyle& look) { look.colour = colour; }));
+    emit asked(tr("colour of %1").arg(counted(nets.size())),
+               edited(m_state, nets, [&](NetStyle& style) { style.colour = colour; }));
 }
 
 void NetStyles::colourAnew(std::span<const model::BoardNet> nets) {
     std::array<std::size_t, kHues.size()> uses{};
-    for (const NetStyle& look : m_state) {
-        const auto hue = std::ranges::find(kHues, look.colour.value_or(0));
+    for (const NetStyle& style : m_state) {
+        const auto hue = std::ranges::find(kHues, style.colour.value_or(0));
         if (hue != kHues.end()) {
             ++uses[static_cast<std::size_t>(hue - kHues.begin())];
         }
     }
-    emit asked(QStringLiteral("colour ") + counted(nets.size()), edited(m_state, nets, [&](NetStyle& look) {
-                   if (!look.colour) {
+    emit asked(tr("colour of %1").arg(counted(nets.size())), edited(m_state, nets, [&](NetStyle& style) {
+                   if (!style.colour) {
                        const auto least = static_cast<std::size_t>(std::ranges::min_element(uses) - uses.begin());
                        ++uses[least];
-                       look.colour = kHues[least];
+                       style.colour = kHues[least];
                    }
                }));
 }
 
 void NetStyles::hide(std::span<const model::BoardNet> nets, bool isHidden) {
-    emit asked((isHidden ? QStringLiteral("hiding ") : QStringLiteral("showing ")) + counted(nets.size()),
-               edited(m_state, nets, [&](NetStyle& look) { look.isHidden = isHidden; }));
+    emit asked((isHidden ? tr("hiding %1") : tr("showing %1")).arg(counted(nets.size())),
+               edited(m_state, nets, [&](NetStyle& style) { style.isHidden = isHidden; }));
 }
 
 void NetStyles::showAll() {
     State after = m_state;
-    std::ranges::for_each(after, [](NetStyle& look) { look.isHidden = false; });
-    std::erase_if(after, [](const NetStyle& look) { return !look.colour; });
-    emit asked(QStringLiteral("showing all nets"), after);
+    std::ranges::for_each(after, [](NetStyle& style) { style.isHidden = false; });
+    std::erase_if(after, [](const NetStyle& style) { return !style.colour; });
+    emit asked(tr("showing all nets"), after);
 }
 
 void NetStyles::clearColours() {
     State after = m_state;
-    std::ranges::for_each(after, [](NetStyle& look) { look.colour.reset(); });
-    std::erase_if(after, [](const NetStyle& look) { return !look.isHidden; });
-    emit asked(QStringLiteral("colours of nets"), after);
+    std::ranges::for_each(after, [](NetStyle& style) { style.colour.reset(); });
+    std::erase_if(after, [](const NetStyle& style) { return !style.isHidden; });
+    emit asked(tr("colours of nets"), after);
 }
 
 std::vector<QRgb> NetStyles::palette() const {
     std::vector<QRgb> colours;
-    for (const NetStyle& look : m_state) {
-        if (look.colour) {
-            colours.push_back(*look.colour);
+    for (const NetStyle& style : m_state) {
+        if (style.colour) {
+            colours.push_back(*style.colour);
         }
     }
     std::ranges::sort(colours);

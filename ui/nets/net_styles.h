@@ -10,7 +10,7 @@
 
 namespace ui {
 
-/// How one net looks otherwise than its layers.
+/// How one net is drawn otherwise than its layers.
 struct NetStyle {
     model::BoardNet net;
     std::optional<QRgb> colour;
@@ -18,8 +18,8 @@ struct NetStyle {
     bool operator==(const NetStyle&) const = default;
 };
 
-/// The colours and the hiding of nets. Only nets that look otherwise have an entry, so that boards of a million nets
-/// cost nothing. Commands ask for a change (`asked`); whoever keeps the history of edits makes it with `setState`.
+/// The colours and the hiding of nets. Only nets with a style of their own have an entry, so that boards of a million
+/// nets cost nothing. Commands request a change (`asked`); whoever holds the history of edits makes it with `setState`.
 class NetStyles : public QObject {
     Q_OBJECT
 
@@ -36,7 +36,7 @@ public:
 
     /// None takes the colour away.
     void colour(std::span<const model::BoardNet> nets, std::optional<QRgb> colour);
-    /// Gives each net without a colour the hue that is used least, of eight that everybody can tell apart.
+    /// Gives each net without a colour the hue that is used least, of eight that everybody can distinguish.
     void colourAnew(std::span<const model::BoardNet> nets);
     void hide(std::span<const model::BoardNet> nets, bool isHidden);
     void showAll();

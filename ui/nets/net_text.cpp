@@ -1,5 +1,6 @@
 #include "ui/nets/net_text.h"
 
+#include <QCoreApplication>
 #include <QStringList>
 #include <cmath>
 #include <map>
@@ -8,7 +9,7 @@ namespace ui {
 
 namespace {
 
-/// Lengths per layer are measured when they are asked for; of more elements than this that would be felt.
+/// Lengths per layer are measured on demand; with more elements than this that is too slow.
 constexpr std::size_t kMostMeasured = 200'000;
 
 std::size_t elementsOf(const model::Document& document, std::span<const model::NetId> nets) {
@@ -19,8 +20,12 @@ std::size_t elementsOf(const model::Document& document, std::span<const model::N
     return count;
 }
 
-QString counted(std::uint64_t count, const char* one, const char* many) {
-    return QStringLiteral("%L1 %2").arg(count).arg(QLatin1String(count == 1 ? one : many));
+struct NetText {
+    Q_DECLARE_TR_FUNCTIONS(ui::NetText)
+};
+
+QString counted(std::uint64_t count, const QString& one, const QString& many) {
+    return count == 1 ? one : many.arg(count);
 }
 
 QString totalsText(const model::NetStatistics& statistics, std::span<const model::NetId> nets, LengthUnit unit) {
@@ -32,8 +37,9 @@ QString totalsText(const model::NetStatistics& statistics, std::span<const model
         vias += statistics.vias[net.row()];
         length += statistics.lengthNm[net.row()];
     }
-    return QStringList{counted(pins, "pin", "pins"), counted(vias, "via", "vias"),
-                       QStringLiteral("%1 routed").arg(lengthInBoth(length, unit))}
+    return QStringList{counted(pins, NetText::tr("1 pin"), NetText::tr("%L1 pins")),
+                       counted(vias, NetText::tr("1 via"), NetText::tr("%L1 vias")),
+                       NetText::tr("%1 routed").arg(lengthInBoth(length, unit))}
         .join(QStringLiteral(" · "));
 }
 
@@ -60,13 +66,13 @@ QString netsText(const model::Document& document, const model::NetStatistics* st
         return {};
     }
     QString text = nets.size() == 1 ? QString::fromStdString(document.nets[nets.front().row()].name)
-                                    : QStringLiteral("%L1 nets").arg(nets.size());
+                                    : NetText::tr("%L1 nets").arg(nets.size());
     if (statistics != nullptr) {
         text += '\n' + totalsText(*statistics, nets, unit);
         if (nets.size() == 2) {
             const double difference =
                 std::abs(statistics->lengthNm[nets[0].row()] - statistics->lengthNm[nets[1].row()]);
-            text += QStringLiteral("\nTheir lengths differ by %1").arg(lengthInBoth(difference, unit));
+            text += '\n' + NetText::tr("Their lengths differ by %1").arg(lengthInBoth(difference, unit));
         }
     }
     return elementsOf(document, nets) <= kMostMeasured ? text + layersText(document, nets, unit) : text;

@@ -240,7 +240,7 @@ void NetsPanel::takeFromTable(const QItemSelection& selected, const QItemSelecti
     std::vector<model::BoardNet> nets;
     for (const QItemSelectionRange& range : m_table->selectionModel()->selection()) {
         for (int row = range.top(); row <= range.bottom(); ++row) {
-            // A heading that was selected before stands for what is left of its group.
+            // A heading that was selected before means what is left of its group.
             if (!m_model.isHeading(row) || selected.contains(m_model.index(row, 0))) {
                 std::ranges::copy(m_model.netsAt(row), std::back_inserter(nets));
             }

@@ -18,8 +18,8 @@ class ActionSet;
 class TableView;
 
 /// The nets of the board, or of a step it places: filter, sort, group, highlight. Selected rows are the highlighted
-/// nets, both ways, and a heading stands for all nets under it; Enter or a double click asks to see them. In front of
-/// each stands whether it is drawn and its colour. Below the table stands what is known of the highlighted ones.
+/// nets, in both directions, and a heading means all nets under it; Enter or a double click shows them. In front of
+/// each is whether it is drawn and its colour. Below the table are the properties of the highlighted ones.
 class NetsPanel : public QWidget {
     Q_OBJECT
 
@@ -35,11 +35,10 @@ public:
     void setUnit(LengthUnit unit);
     /// Whether the table follows the net of what is selected in the views.
     void setFollows(bool isOn) { m_follows = isOn; }
-    /// Whether choosing a row also asks to see the net.
+    /// Whether choosing a row also shows the net.
     void setShowsChosen(bool isOn) { m_showsChosen = isOn; }
     [[nodiscard]] TableView& table() { return *m_table; }
     [[nodiscard]] QLineEdit& filterEdit() { return *m_filter; }
-    [[nodiscard]] QComboBox& kindBox() { return *m_kind; }
     [[nodiscard]] QComboBox& groupBox() { return *m_group; }
     /// Hidden while only the board itself has nets.
     [[nodiscard]] QComboBox& stepBox() { return *m_step; }

@@ -53,7 +53,7 @@ public:
     void setStep(std::uint32_t step) { m_step = step; }
 
     template <class Table, class NameOf>
-    void look(FoundKind kind, const Table& table, const NameOf& nameOf) {
+    void match(FoundKind kind, const Table& table, const NameOf& nameOf) {
         for (std::size_t row = 0; row < table.size(); ++row) {
             const std::string& name = nameOf(table[row]);
             const Fit fit = fitOf(name, m_text);
@@ -63,7 +63,7 @@ public:
         }
     }
 
-    /// Pins are asked for by their component and their name.
+    /// Pins are found by their component and their name.
     void lookForPins(const model::Document& board) {
         const std::size_t cut = m_text.find_last_of(".-");
         if (cut == std::string::npos || cut == 0) {
@@ -141,14 +141,14 @@ std::vector<Found> BoardSearch::find(const QString& text, LengthUnit unit, std::
         return {};
     }
     Matcher matcher(text);
-    matcher.look(FoundKind::Layer, m_board->layers,
-                 [](const model::Layer& layer) -> const std::string& { return layer.name; });
+    matcher.match(FoundKind::Layer, m_board->layers,
+                  [](const model::Layer& layer) -> const std::string& { return layer.name; });
     for (std::uint32_t row = 0; row < m_steps.size(); ++row) {
         const model::Document& step = *m_steps[row];
         matcher.setStep(row);
-        matcher.look(FoundKind::Component, step.components,
-                     [](const model::Component& component) -> const std::string& { return component.refdes; });
-        matcher.look(FoundKind::Net, step.nets, [](const model::Net& net) -> const std::string& { return net.name; });
+        matcher.match(FoundKind::Component, step.components,
+                      [](const model::Component& component) -> const std::string& { return component.refdes; });
+        matcher.match(FoundKind::Net, step.nets, [](const model::Net& net) -> const std::string& { return net.name; });
         matcher.lookForPins(step);
     }
     std::vector<Found> found = matcher.best(most);
@@ -176,27 +176,27 @@ QString BoardSearch::titleOf(const Found& found) const {
 QString BoardSearch::detailOf(const Found& found) const {
     return found.step == 0
                ? whatIs(found)
-               : QStringLiteral("%1, in step %2").arg(whatIs(found), QString::fromStdString(stepOf(found).job.step));
+               : BoardSearch::tr("%1, in step %2").arg(whatIs(found), QString::fromStdString(stepOf(found).job.step));
 }
 
 QString BoardSearch::whatIs(const Found& found) const {
     switch (found.kind) {
-        case FoundKind::Location: return QStringLiteral("Place");
-        case FoundKind::Layer: return QStringLiteral("Layer, %1").arg(layerTypeText(m_board->layers[found.row].type));
+        case FoundKind::Location: return BoardSearch::tr("Location");
+        case FoundKind::Layer: return BoardSearch::tr("Layer, %1").arg(layerTypeText(m_board->layers[found.row].type));
         case FoundKind::Component: {
             const model::Component& part = stepOf(found).components[found.row];
-            return QStringLiteral("Component, %1 pins, %2 side, %3")
+            return BoardSearch::tr("Component, %1 pins, %2 side, %3")
                 .arg(QString::number(part.pinCount), QLatin1String(model::toString(part.side)),
                      QString::fromStdString(part.part));
         }
         case FoundKind::Pin: {
             const model::NetId net = stepOf(found).pins[found.row].net;
             return net.isValid()
-                       ? QStringLiteral("Pin, net %1").arg(QString::fromStdString(stepOf(found).nets[net.row()].name))
-                       : QStringLiteral("Pin without a net");
+                       ? BoardSearch::tr("Pin, net %1").arg(QString::fromStdString(stepOf(found).nets[net.row()].name))
+                       : BoardSearch::tr("Pin without a net");
         }
         case FoundKind::Net:
-            return QStringLiteral("Net, %L1 elements")
+            return BoardSearch::tr("Net, %L1 elements")
                 .arg(stepOf(found).elementsOf(model::NetId{std::size_t{found.row}}).size());
     }
     return {};

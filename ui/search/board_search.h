@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QCoreApplication>
 #include <QString>
 #include <memory>
 #include <optional>
@@ -15,19 +16,20 @@ enum class FoundKind : std::uint8_t { Location, Layer, Component, Pin, Net };
 /// Something on the board that a text names.
 struct Found {
     FoundKind kind = FoundKind::Net;
-    std::uint32_t row = 0;   ///< of the kind's table in the document of the step; none for places
-    std::uint32_t step = 0;  ///< row of model::StepTree::steps; of layers and places the board itself
-    base::PointD location;   ///< of places, nm in the board's coordinates
+    std::uint32_t row = 0;   ///< of the kind's table in the document of the step; none for locations
+    std::uint32_t step = 0;  ///< row of model::StepTree::steps; of layers and locations the board itself
+    base::PointD location;   ///< of locations, nm in the board's coordinates
 };
 
-/// Finds nets, components, pins, layers and places by what people type: part of a name in any case, "U1.5" or "U1-5"
-/// for a pin, "12.5, 30 mm" for a place; in the board and in all the steps placed on it. Names are looked through as
+/// Finds nets, components, pins, layers and locations by what people type: part of a name in any case, "U1.5" or "U1-5"
+/// for a pin, "12.5, 30 mm" for a location; in the board and in all the steps placed on it. Names are looked through as
 /// they lie in the document; nothing is indexed.
 class BoardSearch {
+    Q_DECLARE_TR_FUNCTIONS(ui::BoardSearch)
 public:
     /// Null for no board.
     void setBoard(std::shared_ptr<const model::Document> board);
-    /// Places first, then names that are the text, that begin with it, that hold it; short ones before long ones.
+    /// Locations first, then names that are the text, that begin with it, that hold it; short ones before long ones.
     /// Coordinates without a unit are in `unit`.
     [[nodiscard]] std::vector<Found> find(const QString& text, LengthUnit unit, std::size_t most) const;
     [[nodiscard]] QString titleOf(const Found& found) const;

@@ -21,7 +21,7 @@ constexpr QChar kCommandsOnly = '>';
 SearchBox::SearchBox(const ActionSet& actions, QWidget& window)
     : QFrame(&window, Qt::Popup), m_actions(actions), m_window(window), m_line(new QLineEdit), m_list(new QListWidget) {
     setFrameShape(QFrame::StyledPanel);
-    m_line->setPlaceholderText(QStringLiteral("Net, part, U1.5, layer, 12.5, 30 mm, or > for commands"));
+    m_line->setPlaceholderText(tr("Net, component, U1.5, layer, 12.5, 30 mm, or > for commands"));
     m_line->setClearButtonEnabled(true);
     m_line->installEventFilter(this);
     m_list->setFocusPolicy(Qt::NoFocus);
@@ -69,8 +69,8 @@ void SearchBox::listCommands(const QString& text) {
         }
         const QString keys = action.shortcut().toString(QKeySequence::NativeText);
         const QString menu = QString::fromUtf8(menuTitle(spec.menu)).remove('&');
-        m_list->addItem(QStringLiteral("%1    Command, %2%3")
-                            .arg(name, menu, keys.isEmpty() ? QString() : QStringLiteral(", ") + keys));
+        m_list->addItem(
+            tr("%1    Command, %2%3").arg(name, menu, keys.isEmpty() ? QString() : QStringLiteral(", ") + keys));
         m_commands.push_back(&action);
     }
 }

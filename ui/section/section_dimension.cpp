@@ -42,15 +42,16 @@ QString SectionDimension::text(LengthUnit unit) const {
     }
     const double along = std::abs(m_to->along - m_from->along);
     const double height = std::abs(m_to->z - m_from->z);
-    const QString alongText = QStringLiteral("%1 along").arg(lengthText(along, unit));
-    const QString heightText = QStringLiteral("%1 high").arg(lengthText(height, unit));
+    const QString alongText = SectionDimension::tr("%1 along").arg(lengthText(along, unit));
+    const QString heightText = SectionDimension::tr("%1 high").arg(lengthText(height, unit));
     if (isAlongAlone()) {
         return alongText;
     }
     if (isHeightAlone()) {
         return heightText;
     }
-    return QStringLiteral("%1, %2, %3 apart").arg(alongText, heightText, lengthText(std::hypot(along, height), unit));
+    return SectionDimension::tr("%1, %2, %3 apart")
+        .arg(alongText, heightText, lengthText(std::hypot(along, height), unit));
 }
 
 }  // namespace ui

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QCoreApplication>
 #include <QString>
 #include <optional>
 #include <utility>
@@ -8,7 +9,7 @@
 
 namespace ui {
 
-/// A place of a cut that was caught, in nm along the line and above the bottom: a corner, or a place on an edge.
+/// A location in a section that was snapped to, in nm along the line and above the bottom: a corner, or on an edge.
 struct SectionPosition {
     double along = 0.0;
     double z = 0.0;
@@ -16,17 +17,18 @@ struct SectionPosition {
     bool isOnLevel = false;    ///< on a level edge: how high it is counts; of a corner both
 };
 
-/// A distance in a cut, between two places one after the other.
+/// A distance in a section, between two locations one after the other.
 class SectionDimension {
+    Q_DECLARE_TR_FUNCTIONS(ui::SectionDimension)
 public:
     void clear() { *this = {}; }
-    /// The first place, the second one, or the first of a next distance.
+    /// The first location, the second one, or the first of a next distance.
     void add(const SectionPosition& location);
 
     [[nodiscard]] const std::optional<SectionPosition>& from() const { return m_from; }
     /// From where to where the distance is drawn: between two upright edges level, between two level ones upright.
     [[nodiscard]] std::optional<std::pair<SectionPosition, SectionPosition>> ends() const;
-    /// "0.2 mm along", "0.035 mm high", or both and how far that is apart. Empty before there are two places.
+    /// "0.2 mm along", "0.035 mm high", or both and how far that is apart. Empty before there are two locations.
     [[nodiscard]] QString text(LengthUnit unit) const;
 
 private:

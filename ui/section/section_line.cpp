@@ -99,7 +99,7 @@ void SectionLine::drag(const QMouseEvent& event) {
 void SectionLine::release() {
     m_held.reset();
     if (m_isDrawing && isClick(m_line[0], m_line[1])) {
-        m_isLaying = true;  // its first corner stands
+        m_isLaying = true;  // its first corner is set
         setLine({m_line[0], m_line[0]});
         emit moved();
         return;

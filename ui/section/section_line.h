@@ -9,7 +9,7 @@
 
 namespace ui {
 
-/// The line along which a board is cut, over the 2D view. Once that is asked for, a drag draws one leg; a click begins
+/// The line of a cross-section, over the 2D view. While drawing is on, a drag draws one leg; a click begins
 /// a line of many: every further click is a corner, a double click or Enter ends it, Backspace takes the last corner
 /// back. Corners are moved afterwards. Shift keeps a leg to multiples of 45 degrees.
 class SectionLine : public QObject {
@@ -29,7 +29,7 @@ public:
     [[nodiscard]] bool isDrawing() const { return m_isDrawing; }
 
 signals:
-    /// The hand has changed the line; it may have no length yet.
+    /// The user has changed the line; it may have no length yet.
     void moved();
     /// The line is drawn or moved, or given up.
     void finished();
@@ -51,7 +51,7 @@ private:
     BoardView& m_view;
     BoardPosition m_position;
     std::vector<base::PointD> m_line;
-    std::optional<std::size_t> m_held;  ///< corner in the hand
+    std::optional<std::size_t> m_held;  ///< corner being dragged
     bool m_isDrawing = false;
     bool m_isLaying = false;             ///< corner by corner; the last one of the line follows the cursor
     std::vector<base::PointD> m_before;  ///< the line when drawing began

@@ -31,7 +31,7 @@ void SectionView::paintEvent(QPaintEvent*) {
     if (!m_section) {
         painter.setPen(palette().color(QPalette::PlaceholderText));
         painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap,
-                         QStringLiteral("Draw a section (Board menu), then drag a line over the 2D view"));
+                         tr("Draw a section (Board menu), then drag a line over the 2D view"));
         return;
     }
     painter.save();
@@ -67,7 +67,7 @@ void SectionView::paintHighlighted(QPainter& painter) const {
     }
 }
 
-/// Where the line turns.
+/// Where the line has corners.
 void SectionView::paintCorners(QPainter& painter) const {
     painter.setPen(QPen(palette().color(QPalette::Text), 0.7, Qt::DashLine));
     for (std::size_t i = 1; i + 1 < m_section->stations.size(); ++i) {
@@ -76,7 +76,7 @@ void SectionView::paintCorners(QPainter& painter) const {
     }
 }
 
-/// Rows of the stack that are in sight: all that there is room to name, or else the copper, or as much of it.
+/// Rows of the stackup that are in sight: all that there is room to name, or else the copper, or as much of it.
 std::vector<const model::StackupRow*> SectionView::namedRows() const {
     std::vector<const model::StackupRow*> rows;
     for (const model::StackupRow& row : board().stackup.rows) {
@@ -133,7 +133,7 @@ void SectionView::paintLayers(QPainter& painter) const {
         write(thicknessLeft, heightLeft - 6.0,
               QString::fromStdString(model::session::thicknessText(rows[i]->thickness)));
         painter.setFont(font());
-        write(heightLeft, width(), QStringLiteral("at %1").arg(lengthText(static_cast<double>(rows[i]->z), m_unit)));
+        write(heightLeft, width(), tr("at %1").arg(lengthText(static_cast<double>(rows[i]->z), m_unit)));
     }
 }
 

@@ -1,59 +1,47 @@
 #include "ui/section/section_panel.h"
 
-#include <QAction>
 #include <QComboBox>
 #include <QListView>
 #include <QSplitter>
-#include <QVBoxLayout>
 
 #include "ui/common/panel_parts.h"
 #include "ui/workspace/actions.h"
 
 namespace ui {
 
-SectionPanel::SectionPanel(SelectionModel& selection, QAbstractItemModel& kept, const ActionSet& actions,
+SectionPanel::SectionPanel(SelectionModel& selection, QAbstractItemModel& saved, const ActionSet& actions,
                            QWidget* parent)
     : QWidget(parent),
       m_view(new SectionView(selection)),
       m_list(new QListView),
       m_heights(new QComboBox),
       m_notes(new QLabel) {
-    m_heights->addItem(QStringLiteral("Heights to fill the view"), 0);
+    m_heights->addItem(tr("Heights to fill the view"), 0);
     for (const int times : {1, 2, 5, 10, 20, 50, 100}) {
-        m_heights->addItem(QStringLiteral("Heights × %1").arg(times), times);
+        m_heights->addItem(tr("Heights × %1").arg(times), times);
     }
     m_notes->setWordWrap(true);
     m_notes->hide();
-    auto* clear = new QAction(QStringLiteral("Clear"), this);
-    clear->setToolTip(QStringLiteral("Take the line and its section away"));
-    connect(clear, &QAction::triggered, this, &SectionPanel::cleared);
-
-    auto* remove = new QAction(QStringLiteral("Forget"), m_list);
-    remove->setShortcut(QKeySequence::Delete);
-    remove->setShortcutContext(Qt::WidgetShortcut);
-    m_list->addAction(remove);
-    m_list->setContextMenuPolicy(Qt::ActionsContextMenu);
-    m_list->setModel(&kept);
-    m_list->setAccessibleName(QStringLiteral("Kept sections"));
-    m_list->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
-    m_list->setToolTip(QStringLiteral("Kept sections: a click shows one, F2 names it, Del forgets it"));
-    connect(remove, &QAction::triggered, this, [this] {
+    QAction* clear =
+        command(*this, "clearSection", tr("Clear"), tr("Remove the line and its section"), [this] { emit cleared(); });
+    auto* remove = m_list->addAction(tr("Delete"), QKeySequence(QKeySequence::Delete), this, [this] {
         if (m_list->currentIndex().isValid()) {
             emit forgotten(m_list->currentIndex().row());
         }
     });
+    remove->setShortcutContext(Qt::WidgetShortcut);
+    m_list->setContextMenuPolicy(Qt::ActionsContextMenu);
+    m_list->setModel(&saved);
+    m_list->setAccessibleName(tr("Saved sections"));
+    m_list->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
+    m_list->setToolTip(tr("Saved sections: a click shows one, F2 renames it, Del deletes it"));
     connect(m_list, &QListView::clicked, this, [this](const QModelIndex& at) { emit chosen(at.row()); });
 
-    auto* row = new QHBoxLayout;
-    for (const ActionId id : {ActionId::DrawSection, ActionId::SectionAlongNet, ActionId::OpenAlongSection,
-                              ActionId::SaveSection, ActionId::ExportSection}) {
-        row->addWidget(toolButton(actions[id]));
-    }
-    row->addWidget(toolButton(*clear));
-    row->addStretch(1);
+    auto* row = buttonRow({&actions[ActionId::DrawSection], &actions[ActionId::SectionAlongNet],
+                           &actions[ActionId::OpenAlongSection], &actions[ActionId::SaveSection],
+                           &actions[ActionId::ExportSection], clear});
     row->addWidget(m_heights);
-    auto* all = new QVBoxLayout(this);
-    all->setContentsMargins(4, 4, 4, 4);
+    auto* all = columnIn(*this, 4);
     all->addLayout(row);
     auto* both = new QSplitter;
     both->addWidget(m_view);

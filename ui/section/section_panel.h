@@ -5,7 +5,6 @@
 
 #include "ui/section/section_view.h"
 
-class QAction;
 class QAbstractItemModel;
 class QComboBox;
 class QListView;
@@ -19,21 +18,21 @@ class SectionPanel : public QWidget {
     Q_OBJECT
 
 public:
-    /// `kept`: names of the sections that are kept.
-    SectionPanel(SelectionModel& selection, QAbstractItemModel& kept, const ActionSet& actions,
+    /// `saved`: names of the saved sections.
+    SectionPanel(SelectionModel& selection, QAbstractItemModel& saved, const ActionSet& actions,
                  QWidget* parent = nullptr);
 
     [[nodiscard]] SectionView& view() { return *m_view; }
     [[nodiscard]] QListView& list() { return *m_list; }
     [[nodiscard]] QComboBox& heightsBox() { return *m_heights; }
-    /// In plain words; empty ones take no room.
+    /// Notes; empty ones take no room.
     void setRemarks(const QString& notes);
     [[nodiscard]] QString notes() const { return m_notes->text(); }
 
 signals:
     /// The section is not wanted any more.
     void cleared();
-    /// A kept section is to be shown, or is not wanted any more.
+    /// A saved section is to be shown, or deleted.
     void chosen(int row);
     void forgotten(int row);
 

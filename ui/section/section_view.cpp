@@ -27,7 +27,7 @@ constexpr double kWheelNotch = 120.0;
 constexpr double kMostPerNm = 1e-2;  // 10 µm across a pixel times a thousand: nothing is smaller
 constexpr double kLeastPerNm = 1e-8;
 
-/// What others lie in or stand upon is drawn first.
+/// What others lie in or on is drawn first.
 int orderOf(const model::Layer& layer) {
     return layer.type == LayerType::Body || layer.type == LayerType::Dielectric ? 0
            : layer.type == LayerType::ComponentBody                             ? 1
@@ -37,7 +37,7 @@ int orderOf(const model::Layer& layer) {
 }  // namespace
 
 SectionView::SectionView(SelectionModel& selection, QWidget* parent) : QWidget(parent), m_selection(selection) {
-    setAccessibleName(QStringLiteral("Cross-section"));
+    setAccessibleName(tr("Cross-section"));
     setMinimumSize(200, 80);
     connect(&selection, &SelectionModel::highlightChanged, this, qOverload<>(&QWidget::update));
     connect(&selection, &SelectionModel::hoverChanged, this, qOverload<>(&QWidget::update));
@@ -53,7 +53,7 @@ void SectionView::setSection(std::shared_ptr<const model::BoardIndex> board, std
         std::ranges::stable_sort(m_drawn, {},
                                  [this](const SectionPiece& p) { return orderOf(this->board().layer(p.layer)); });
     }
-    place();
+    arrange();
 }
 
 void SectionView::setColours(std::vector<QColor> colours) {
@@ -68,12 +68,12 @@ void SectionView::setUnit(LengthUnit unit) {
 
 void SectionView::setHeightTimes(double times) {
     m_wantedTimes = times;
-    place();
+    arrange();
 }
 
 void SectionView::fit() {
     m_isFitted = true;
-    place();
+    arrange();
 }
 
 QSize SectionView::sizeHint() const {
@@ -89,7 +89,7 @@ QRectF SectionView::plot() const {
 }
 
 /// Lengths and heights to pixels: of the whole line unless the user has chosen a part of it.
-void SectionView::place() {
+void SectionView::arrange() {
     if (m_section && m_isFitted) {
         const double length = m_section->stations.back();
         const double thickness = std::max<double>(board().boardThickness, 1.0);
@@ -103,7 +103,7 @@ void SectionView::place() {
 }
 
 void SectionView::resizeEvent(QResizeEvent*) {
-    place();
+    arrange();
 }
 
 QPointF SectionView::positionOf(double along, double z) const {
@@ -117,7 +117,7 @@ QRectF SectionView::rectOf(const SectionPiece& piece) const {
     return rect;
 }
 
-/// Foils are thinner than a hand is steady: what is drawn within a few pixels counts, if nothing better lies there.
+/// Foils are thinner than a pointer is exact: what is drawn within a few pixels counts, if nothing better lies there.
 const SectionPiece* SectionView::pieceAt(QPointF at) const {
     if (!m_section || !plot().contains(at)) {
         return nullptr;
@@ -149,15 +149,16 @@ QString SectionView::tipAt(QPointF at) const {
     const bool isBore = !m_section->bores.empty() && piece >= m_section->bores.data() &&
                         piece < m_section->bores.data() + m_section->bores.size();
     QString tip = QString::fromStdString(board().layer(piece->layer).name);
-    tip += isBore ? QStringLiteral(", bored out") : QString();
+    tip += isBore ? tr(", drilled out") : QString();
     if (const std::string net = model::netOf(*m_board, *piece); !net.empty()) {
         tip += QStringLiteral(" · ") + QString::fromStdString(net);
     }
     const auto text = [this](auto nm) { return lengthText(static_cast<double>(nm), m_unit); };
-    return tip +
-           QStringLiteral("\n%1 wide, from %2 to %3 along the line")
+    return tip + '\n' +
+           tr("%1 wide, from %2 to %3 along the line")
                .arg(text(piece->to - piece->from), text(piece->from), text(piece->to)) +
-           QStringLiteral("\n%1 high, from %2 to %3 above the bottom")
+           '\n' +
+           tr("%1 high, from %2 to %3 above the bottom")
                .arg(text(piece->top - piece->bottom), text(piece->bottom), text(piece->top));
 }
 
@@ -232,10 +233,10 @@ void SectionView::mouseMoveEvent(QMouseEvent* event) {
     if (!m_isDragged || event->buttons() == Qt::NoButton) {
         return;
     }
-    const QPointF way = event->position() - m_last;
+    const QPointF moved = event->position() - m_last;
     m_last = event->position();
-    m_along -= way.x() / m_perNm;
-    m_z += way.y() / m_perNm / m_times;
+    m_along -= moved.x() / m_perNm;
+    m_z += moved.y() / m_perNm / m_times;
     m_isFitted = false;
     update();
 }

@@ -11,18 +11,18 @@
 
 namespace ui {
 
-/// A board cut open, from the side: what stands in the cut to scale, heights drawn larger than lengths, names,
-/// thicknesses and heights of the layers at the right, a ruler along the line below. Two clicks with Shift measure from
-/// edge to edge. The wheel zooms, a drag pans, a double click
-/// shows all again, a click selects the element, whose pieces light up as do those of highlighted nets.
+/// A cross-section of a board, from the side: what is cut to scale, heights drawn larger than lengths, names,
+/// thicknesses and heights of the layers at the right, a ruler along the line below. Two clicks with Shift measure a
+/// distance. The wheel zooms, a drag pans, a double click shows all again, a click selects the element, whose pieces
+/// are highlighted as are those of highlighted nets.
 class SectionView : public QWidget {
     Q_OBJECT
 
 public:
     explicit SectionView(SelectionModel& selection, QWidget* parent = nullptr);
 
-    /// None empties the view. `board` is what was cut, and lives as long as the section is shown. Zoom and place stay
-    /// as the user chose them, until `fit`.
+    /// None empties the view. `board` is what was cut, and lives as long as the section is shown. Zoom and position
+    /// stay as the user chose them, until `fit`.
     void setSection(std::shared_ptr<const model::BoardIndex> board, std::optional<model::Section> section);
     [[nodiscard]] const std::optional<model::Section>& section() const { return m_section; }
     /// One per layer of the board.
@@ -35,9 +35,9 @@ public:
     /// Shows the whole line, also after the next changes of it.
     void fit();
 
-    /// Where a place of the cut is drawn, in pixels; lengths along the line and heights in nm.
+    /// Where a location of the section is drawn, in pixels; lengths along the line and heights in nm.
     [[nodiscard]] QPointF positionOf(double along, double z) const;
-    /// What is drawn there: what is solid before what was bored out of it, small before large. Null: nothing.
+    /// What is drawn there: what is solid before what was drilled out of it, small before large. Null: nothing.
     [[nodiscard]] const model::SectionPiece* pieceAt(QPointF at) const;
     [[nodiscard]] QString tipAt(QPointF at) const;
     /// The corner or else the edge of what is drawn that is nearest within a few pixels.
@@ -61,7 +61,7 @@ private:
     [[nodiscard]] const model::Document& board() const { return *m_board->board; }
     [[nodiscard]] QRectF rectOf(const model::SectionPiece& piece) const;
     [[nodiscard]] bool isHighlighted(const model::SectionPiece& piece) const;
-    void place();
+    void arrange();
     void paintPieces(QPainter& painter) const;
     void paintHighlighted(QPainter& painter) const;
     void paintCorners(QPainter& painter) const;

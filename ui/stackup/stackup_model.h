@@ -9,7 +9,7 @@ namespace ui {
 
 /// The stackup of the board from the top as a table whose thicknesses can be edited: a number with um, mm, mil, inch
 /// or, for copper, oz. An empty text takes a row back to what the job says. Values that are assumed are in italics,
-/// those set by the user in bold, and where a value comes from stands beside it. The document stays as it is; whoever
+/// those set by the user in bold, and where a value comes from is beside it. The document stays as it is; whoever
 /// listens sets another one.
 class StackupModel : public TableModel {
     Q_OBJECT

@@ -26,7 +26,7 @@ QString boreNumber(std::size_t row) {
 
 StackupView::StackupView(QWidget* parent) : QWidget(parent) {
     setFocusPolicy(Qt::StrongFocus);
-    setAccessibleName(QStringLiteral("Stack drawing"));
+    setAccessibleName(tr("Stackup drawing"));
 }
 
 void StackupView::setStackup(std::shared_ptr<const model::Document> document) {
@@ -209,7 +209,7 @@ QString StackupView::tipAt(QPointF at) const {
     const model::StackupRow& layer = m_document->stackup.rows[row];
     return QStringLiteral("%1: %2, %3")
         .arg(QString::fromStdString(layer.name), QString::fromStdString(model::session::thicknessText(layer.thickness)),
-             layer.layer.isValid() ? QStringLiteral("click to see it alone") : QStringLiteral("no layer of the job"));
+             layer.layer.isValid() ? tr("click to show it alone") : tr("no layer of the job"));
 }
 
 void StackupView::mousePressEvent(QMouseEvent* event) {
@@ -227,7 +227,7 @@ void StackupView::keyPressEvent(QKeyEvent* event) {
     }
 }
 
-void StackupView::step(int way) {
+void StackupView::step(int by) {
     if (!m_document) {
         return;
     }
@@ -235,9 +235,9 @@ void StackupView::step(int way) {
     const auto count = static_cast<int>(rows.size());
     const auto now = std::ranges::find(rows, m_isolated, &model::StackupRow::layer);
     const bool hasNow = m_isolated.isValid() && now != rows.end();
-    int row = hasNow ? static_cast<int>(now - rows.begin()) + way : way > 0 ? 0 : count - 1;
+    int row = hasNow ? static_cast<int>(now - rows.begin()) + by : by > 0 ? 0 : count - 1;
     while (row >= 0 && row < count && !rows[static_cast<std::size_t>(row)].layer.isValid()) {
-        row += way;  // laminate that the job has no layer for
+        row += by;  // a dielectric that the job has no layer for
     }
     if (row >= 0 && row < count) {
         emit isolateRequested(rows[static_cast<std::size_t>(row)].layer);

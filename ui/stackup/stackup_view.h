@@ -8,15 +8,15 @@
 
 namespace ui {
 
-/// The stack from the side: layers to scale or with copper exaggerated, labels, and what every kind of hole passes.
-/// A click on a layer, its label or a hole asks for that layer alone in the views, Up and Down for the next one.
+/// The stackup from the side: layers to scale or with the copper scale raised, labels, and what every kind of hole
+/// passes. A click on a layer, its label or a hole requests that layer alone in the views, Up and Down the next one.
 class StackupView : public QWidget {
     Q_OBJECT
 
 public:
     explicit StackupView(QWidget* parent = nullptr);
 
-    /// A null document, or one without a stack, empties the drawing.
+    /// A null document, or one without a stackup, empties the drawing.
     void setStackup(std::shared_ptr<const model::Document> document);
     /// `colours` has one entry per layer of the document. `alone` is the layer that is shown alone, if one is.
     void setStyles(std::vector<QColor> colours, model::LayerId alone);
@@ -24,7 +24,7 @@ public:
 
     [[nodiscard]] bool isExaggerated() const { return m_isExaggerated; }
     [[nodiscard]] const model::StackupDrawing& drawing() const { return m_drawing; }
-    /// Where a row of the stack and a kind of hole is drawn, in pixels.
+    /// Where a row of the stackup and a kind of hole is drawn, in pixels.
     [[nodiscard]] QRectF bandRect(std::size_t row) const;
     [[nodiscard]] QRectF boreRect(std::size_t row) const;
     [[nodiscard]] QSize sizeHint() const override;
@@ -41,11 +41,11 @@ protected:
 
 private:
     void arrange();
-    void step(int way);
+    void step(int by);
     [[nodiscard]] double roomBeside() const;
     [[nodiscard]] double lineHeight() const;
     [[nodiscard]] double labelLeft() const;
-    /// The layer at a place, a hole before the layers it passes; none beside them or where the job has no layer.
+    /// The layer at a position, a hole before the layers it passes; none beside them or where the job has no layer.
     [[nodiscard]] model::LayerId layerAt(QPointF at) const;
     [[nodiscard]] QString tipAt(QPointF at) const;
     [[nodiscard]] std::size_t boreAt(QPointF at) const;

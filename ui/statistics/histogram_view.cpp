@@ -19,7 +19,7 @@ constexpr double kMargin = 6.0;
 
 HistogramView::HistogramView(QWidget* parent) : QWidget(parent) {
     setFocusPolicy(Qt::StrongFocus);
-    setAccessibleName(QStringLiteral("Histogram"));
+    setAccessibleName(tr("Histogram"));
     setMinimumSize(fontMetrics().averageCharWidth() * 40, fontMetrics().height() * 5);
 }
 
@@ -52,7 +52,7 @@ QRectF HistogramView::columnRect(std::size_t bar) const {
 
 QString HistogramView::lengthsText(const model::HistogramBar& bar) const {
     const QString least = lengthText(bar.least, m_unit);
-    return bar.least == bar.most ? least : QStringLiteral("%1 to %2").arg(least, lengthText(bar.most, m_unit));
+    return bar.least == bar.most ? least : tr("%1 to %2").arg(least, lengthText(bar.most, m_unit));
 }
 
 void HistogramView::paintEvent(QPaintEvent*) {
@@ -60,7 +60,7 @@ void HistogramView::paintEvent(QPaintEvent*) {
     painter.fillRect(rect(), palette().base());
     painter.setPen(palette().color(QPalette::Text));
     if (m_histogram.bars.empty()) {
-        painter.drawText(rect(), Qt::AlignCenter, QStringLiteral("There is nothing of this kind on the board"));
+        painter.drawText(rect(), Qt::AlignCenter, tr("There is nothing of this kind on the board"));
         return;
     }
     painter.drawText(QRectF(rect()).adjusted(0.0, 2.0, -kMargin, 0.0), Qt::AlignRight, QLatin1String(unitName(m_unit)));
@@ -78,10 +78,10 @@ void HistogramView::paintBar(QPainter& painter, std::size_t bar, std::uint32_t h
     const QRectF column = columnRect(bar);
     const double line = fontMetrics().height();
     const double room = column.height() - line;
-    // The square root keeps a bar of one element visible beside one of thousands; the count stands over it.
+    // The square root keeps a bar of one element visible beside one of thousands; the count is over it.
     const double high = std::max(2.0, room * std::sqrt(double(values.elements.count) / highest));
-    const double gap = std::min(3.0, column.width() / 6);
-    const QRectF filled(column.left() + gap, column.bottom() - high, column.width() - 2 * gap, high);
+    const double space = std::min(3.0, column.width() / 6);
+    const QRectF filled(column.left() + space, column.bottom() - high, column.width() - 2 * space, high);
     painter.fillRect(filled, palette().color(bar == m_current ? QPalette::Highlight : QPalette::PlaceholderText));
     painter.setPen(palette().color(QPalette::Text));
     const QRectF above(column.left(), filled.top() - line, column.width(), line);
@@ -132,7 +132,7 @@ bool HistogramView::event(QEvent* event) {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
         const std::size_t bar = barAt(help->pos());
-        const QString tip = bar < m_histogram.bars.size() ? QStringLiteral("%1: %L2 elements, click to select them")
+        const QString tip = bar < m_histogram.bars.size() ? tr("%1: %L2 elements, click to select them")
                                                                 .arg(lengthsText(m_histogram.bars[bar]))
                                                                 .arg(m_histogram.bars[bar].elements.count)
                                                           : QString();

@@ -8,8 +8,8 @@
 
 namespace ui {
 
-/// A histogram of the board as bars. A click on a bar asks for its elements, Left and Right for those of the next
-/// one. Heights go by the square root of the counts, which stand over them.
+/// A histogram of the board as bars. A click on a bar selects its elements, Left and Right for those of the next
+/// one. Heights go by the square root of the counts, which are over them.
 class HistogramView : public QWidget {
     Q_OBJECT
 

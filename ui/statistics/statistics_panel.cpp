@@ -17,8 +17,7 @@ StatisticsPanel::StatisticsPanel(StatisticsModel& model, DrillModel& drills, QWi
       m_table(new TableView(model)),
       m_drillTable(new TableView(drills)),
       m_tabs(new QTabWidget),
-      m_plot(new HistogramView),
-      m_measure(new QComboBox) {
+      m_plot(new HistogramView) {
     for (TableView* table : {m_table, m_drillTable}) {
         table->makeSortable();
         table->fitColumns();
@@ -30,12 +29,13 @@ StatisticsPanel::StatisticsPanel(StatisticsModel& model, DrillModel& drills, QWi
     m_tabs->addTab(m_table, tr("Elements"));
     m_tabs->addTab(m_drillTable, tr("Drills"));
     // In the order of model::Measure.
-    m_measure->addItems({tr("Track widths"), tr("Hole diameters"), tr("Annular rings (round pads)")});
-    connect(m_measure, &QComboBox::currentIndexChanged, m_plot,
+    auto* measure = new QComboBox;
+    measure->addItems({tr("Track widths"), tr("Hole diameters"), tr("Annular rings (round pads)")});
+    connect(measure, &QComboBox::currentIndexChanged, m_plot,
             [this](int index) { m_plot->setMeasure(static_cast<model::Measure>(index)); });
     auto* right = new QWidget;
     auto* column = columnIn(*right, 0);
-    column->addWidget(m_measure);
+    column->addWidget(measure);
     column->addWidget(m_plot, 1);
     auto* halves = new QSplitter;
     halves->addWidget(m_tabs);

@@ -5,7 +5,6 @@
 
 #include "model/base/ids.h"
 
-class QComboBox;
 class QTabWidget;
 
 namespace ui {
@@ -26,7 +25,6 @@ public:
     [[nodiscard]] TableView& drillTable() { return *m_drillTable; }
     [[nodiscard]] QTabWidget& tabs() { return *m_tabs; }
     [[nodiscard]] HistogramView& plot() { return *m_plot; }
-    [[nodiscard]] QComboBox& measureBox() { return *m_measure; }
 
 signals:
     /// The holes of the rows selected in the drill table: after a click into it, or Enter.
@@ -37,7 +35,6 @@ private:
     TableView* m_drillTable;
     QTabWidget* m_tabs;
     HistogramView* m_plot;
-    QComboBox* m_measure;
 };
 
 }  // namespace ui

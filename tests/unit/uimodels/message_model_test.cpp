@@ -4,23 +4,21 @@
 #include <QtTest>
 
 #include "tests/unit/uimodels/sample_document.h"
+#include "ui/common/sorted_rows.h"
 #include "ui/common/table_text.h"
-#include "ui/messages/message_filter.h"
 
 using model::Severity;
-using ui::MessageFilter;
 using ui::MessageModel;
 
 class MessageModelTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase() { m_filter.setSourceModel(&m_model); }
     void init() {
         model::Diagnostics modelling;
         modelling.report(Severity::Warning, "steps/pcb/layers/bottom/features", 9, "Outline crosses itself; repaired");
         m_model.setMessages(sampleDocument(), modelling);
-        m_filter.setLeastSeverity(Severity::Info);
+        m_filter.setLeastRank(int(Severity::Info));
         m_filter.setWords({});
         m_filter.sort(-1);
     }
@@ -36,9 +34,9 @@ private slots:
     }
 
     void severityFilterKeepsWhatIsAtLeastAsSevere() {
-        m_filter.setLeastSeverity(Severity::Warning);
+        m_filter.setLeastRank(int(Severity::Warning));
         QCOMPARE(m_filter.rowCount(), 3);
-        m_filter.setLeastSeverity(Severity::Error);
+        m_filter.setLeastRank(int(Severity::Error));
         QCOMPARE(m_filter.rowCount(), 1);
     }
 
@@ -65,7 +63,7 @@ private slots:
 
 private:
     MessageModel m_model;
-    MessageFilter m_filter;
+    ui::SortedRows m_filter{m_model};
     QAbstractItemModelTester m_tester{&m_model, QAbstractItemModelTester::FailureReportingMode::QtTest};
     QAbstractItemModelTester m_filterTester{&m_filter, QAbstractItemModelTester::FailureReportingMode::QtTest};
 };

@@ -64,7 +64,7 @@ private slots:
         QVERIFY(!set(classes, 1, NetClassModel::Name, "  "));
         classes.removeClass(0);
         QCOMPARE(refused.count(), 3);
-        QVERIFY(refused.last()[0].toString().startsWith("Rule 1 speaks of bus"));
+        QVERIFY(refused.last()[0].toString().startsWith("Rule 1 uses bus"));
         QCOMPARE(classes.rowCount(), 2);
         classes.removeClass(1);
         QVERIFY(set(rules, 0, RuleModel::Second, "any net"));
@@ -125,8 +125,8 @@ private slots:
         RuleModel rules;
         rules.setCounts({0, 1, 2, 0, 0, 0});
         QCOMPARE(text(rules, 0, RuleModel::Result), "pass");
-        QCOMPARE(text(rules, 1, RuleModel::Result), "FAIL, in 1 place");
-        QCOMPARE(text(rules, 2, RuleModel::Result), "FAIL, in 2 places");
+        QCOMPARE(text(rules, 1, RuleModel::Result), "FAIL, in 1 location");
+        QCOMPARE(text(rules, 2, RuleModel::Result), "FAIL, in 2 locations");
         QVERIFY(set(rules, 3, RuleModel::Least, "1 um"));
         QCOMPARE(text(rules, 0, RuleModel::Result), "not checked");
     }

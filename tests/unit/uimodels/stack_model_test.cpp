@@ -46,7 +46,7 @@ private slots:
     }
 
     void onlyThicknessesCanBeEdited() {
-        for (int column = 0; column < StackupModel::ColumnCount; ++column) {
+        for (int column = 0; column < m_model.columnCount(); ++column) {
             QCOMPARE(m_model.flags(m_model.index(0, column)).testFlag(Qt::ItemIsEditable),
                      column == StackupModel::Thickness);
         }

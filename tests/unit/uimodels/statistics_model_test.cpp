@@ -6,11 +6,10 @@
 
 #include "model/statistics/element_sizes.h"
 #include "tests/unit/uimodels/sample_document.h"
+#include "ui/common/sorted_rows.h"
 #include "ui/common/table_text.h"
-#include "ui/statistics/statistics_sorter.h"
 
 using ui::StatisticsModel;
-using ui::StatisticsSorter;
 
 namespace {
 
@@ -28,7 +27,6 @@ class StatisticsModelTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase() { m_sorter.setSourceModel(&m_model); }
     void init() { m_model.setDocument(sampleDocument()); }
 
     void countsKindsPerLayerAndInAllWithoutAddedLayers() {
@@ -91,7 +89,7 @@ private slots:
 
 private:
     StatisticsModel m_model;
-    StatisticsSorter m_sorter;
+    ui::SortedRows m_sorter{m_model};
     QAbstractItemModelTester m_tester{&m_model, QAbstractItemModelTester::FailureReportingMode::QtTest};
     QAbstractItemModelTester m_sorterTester{&m_sorter, QAbstractItemModelTester::FailureReportingMode::QtTest};
 };
