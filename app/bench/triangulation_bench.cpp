@@ -10,7 +10,7 @@
 #include "app/bench/triangulation_run.h"
 #include "app/common/commit.h"
 #include "app/common/console_progress.h"
-#include "app/common/device_triangulator.h"
+#include "app/common/headless_device.h"
 #include "model/formats/registry.h"
 #include "render/modelling/area_meshes.h"
 
@@ -74,7 +74,7 @@ bench::Options optionsFor(const TriangulationBenchArguments& arguments, std::opt
     }
     if (device) {
         options.triangulators.push_back(tri::Triangulator::Gpu);
-        options.device = &device->get();
+        options.device = device->triangulator.get();
     }
     return options;
 }
@@ -86,7 +86,7 @@ base::Status openDevice(const TriangulationBenchArguments& arguments, std::optio
         return base::Done{};
     }
     base::Result<DeviceTriangulator> opened = DeviceTriangulator::open();
-    if (opened && (!arguments.triangulators.empty() || !opened->isSoftware())) {
+    if (opened && (!arguments.triangulators.empty() || !opened->caps().isCpu)) {
         device.emplace(std::move(*opened));
     } else if (!opened && !arguments.triangulators.empty()) {
         return opened.error();
@@ -105,7 +105,7 @@ std::string describeMachine(const std::optional<DeviceTriangulator>& device) {
         }
     }
     processor += ", " + std::to_string(std::thread::hardware_concurrency()) + " threads";
-    return device ? processor + "; " + device->deviceName() : processor;
+    return device ? processor + "; " + device->caps().name : processor;
 }
 
 }  // namespace

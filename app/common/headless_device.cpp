@@ -11,4 +11,10 @@ base::Result<HeadlessDevice> HeadlessDevice::open() {
                           std::make_unique<render::gpu::Device>(std::move(device))};
 }
 
+base::Result<DeviceTriangulator> DeviceTriangulator::open() {
+    ASSIGN_OR_RETURN(HeadlessDevice opened, HeadlessDevice::open());
+    auto triangulator = std::make_unique<tri::gpu::Triangulator>(*opened.device);
+    return DeviceTriangulator{std::move(opened), std::move(triangulator)};
+}
+
 }  // namespace app

@@ -4,6 +4,7 @@
 
 #include "render/gpu/device.h"
 #include "render/gpu/instance.h"
+#include "tri/gpu/triangulator.h"
 
 namespace app {
 
@@ -15,6 +16,16 @@ struct HeadlessDevice {
 
     /// Errors: DeviceFailed.
     [[nodiscard]] static base::Result<HeadlessDevice> open();
+};
+
+/// A device opened for nothing but triangulating.
+struct DeviceTriangulator {
+    HeadlessDevice opened;
+    std::unique_ptr<tri::gpu::Triangulator> triangulator;
+
+    /// Errors: DeviceFailed.
+    [[nodiscard]] static base::Result<DeviceTriangulator> open();
+    [[nodiscard]] const render::gpu::Caps& caps() const { return opened.device->caps(); }
 };
 
 }  // namespace app

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/common/console_progress.h"
-#include "app/common/device_triangulator.h"
+#include "app/common/headless_device.h"
 #include "app/common/resources.h"
 #include "model/session/length_text.h"
 #include "model/session/session.h"
@@ -67,7 +67,7 @@ base::Result<render::BoardModel> modelBoard(const model::Document& document, con
         ASSIGN_OR_RETURN(DeviceTriangulator opened, DeviceTriangulator::open());
         device.emplace(std::move(opened));
         areas.onDevice = [&device](std::span<const tri::Polygon> polygons, base::Progress& work) {
-            return device->get().triangulate(polygons, work);
+            return device->triangulator->triangulate(polygons, work);
         };
     } else {
         areas.triangulator = wanted;

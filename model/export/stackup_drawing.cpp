@@ -117,7 +117,7 @@ StackupDrawing drawStackup(const Document& document, const StackupLayout& layout
 }
 
 std::string boreText(const Document& document, const StackupBarrel& bore) {
-    return document.layer(bore.layer).name + ": " + toString(bore.span) + (bore.isPlated ? ", plated, " : ", NPTH, ") +
+    return document.layer(bore.layer).name + ": " + toString(bore.span) + (bore.isPlated ? ", plated, " : ", non-plated, ") +
            std::to_string(bore.count) + (bore.count == 1 ? " hole" : " holes") + sizesText(bore);
 }
 

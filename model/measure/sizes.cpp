@@ -20,7 +20,6 @@ Sizes sizesOfArc(const ArcGeometry& arc) {
     sizes.length = lengthOf(edge);
     if (edge.isArc()) {
         sizes.radius = edge.radius;
-        sizes.sweepDeg = lengthOf(edge) / edge.radius * kDegreesPerRadian;
     }
     return sizes;
 }

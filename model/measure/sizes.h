@@ -13,7 +13,6 @@ struct Sizes {
     std::optional<double> radius;         ///< arcs: of the middle line; discs, rings and holes: of the outer edge
     std::optional<double> diameter;       ///< discs, rings and holes
     std::optional<double> innerDiameter;  ///< rings
-    std::optional<double> sweepDeg;       ///< arcs: how far they turn, above 0
 };
 [[nodiscard]] Sizes sizesOf(const Document& document, ElementId element);
 

@@ -126,7 +126,7 @@ private slots:
         switchOn();
         const std::vector<LayerId> copper = copperLayers();
         window().selection().select({{0, someCopper(copper.back())}});
-        QTRY_VERIFY2(bar().text().startsWith("nothing of the selection is copper of"), qPrintable(bar().text()));
+        QTRY_VERIFY2(bar().text().startsWith("the selection has no copper on"), qPrintable(bar().text()));
         QVERIFY(distances().field() == nullptr);
         QTRY_VERIFY(!distances().isPending());
     }

@@ -88,7 +88,7 @@ private slots:
         const QString drawing = m_fixture->folder() + "/stack.svg";
         window().exportStackup(drawing);
         QVERIFY(!window().messageBar().isVisible());
-        QVERIFY(contentsOf(drawing).contains("times as thick"));
+        QVERIFY(contentsOf(drawing).contains("copper scale x"));
         window().actions()[ActionId::ExaggerateCopper].trigger();
         window().exportStackup(drawing);
         QVERIFY(contentsOf(drawing).contains(", to scale"));

@@ -130,7 +130,7 @@ private slots:
             QVERIFY(bore.bottom > bore.top);
         }
         QCOMPARE(holes, 0U);
-        QCOMPARE(model::boreText(*document, back), "BACK: backdrill, bare, 1 hole of 1.2 mm");
+        QCOMPARE(model::boreText(*document, back), "BACK: backdrill, non-plated, 1 hole of 1.2 mm");
     }
 
     void svgHasABandPerLayerAndABarPerKindOfHole() {
@@ -140,7 +140,7 @@ private slots:
         const auto bands = static_cast<int>(drawing.bands.size() + drawing.bores.size());
         QCOMPARE(elementsOf(svg, "rect"), bands + 1);  // and the ground
         QVERIFY(svg.find("BURIED: buried, plated") != std::string::npos);
-        QVERIFY(svg.find("times as thick") != std::string::npos);
+        QVERIFY(svg.find("copper scale x") != std::string::npos);
         QVERIFY(model::stackupSvg(*document, false).find(", to scale") != std::string::npos);
     }
 

@@ -173,7 +173,7 @@ private slots:
         board.line({kMm, 0}, {kMm * 2, 0}, kPad);  // an oval pad is no track
         const auto line = lineAlong(*indexOf(board.builder.finish()), {0, board.net});
         QVERIFY(!line);
-        QVERIFY2(line.error().text.find("no strokes") != std::string::npos, line.error().text.c_str());
+        QVERIFY2(line.error().text.find("no tracks") != std::string::npos, line.error().text.c_str());
         QVERIFY(line.error().code == base::ErrorCode::BadUsage);
     }
 };

@@ -301,7 +301,7 @@ private slots:
         QVERIFY(section.pieces.empty());
         QCOMPARE(textOf(section.bores, Drill), (QStringList{"4000-6000@0-2300"}));
         QCOMPARE(section.notes,
-                 (std::vector<std::string>{"plated holes whose wall has no known thickness, cut without it: 1"}));
+                 (std::vector<std::string>{"plated holes without a known plating thickness, drawn without it: 1"}));
         QVERIFY(cut(board, {{-5e6, 2e6}, {5e6, 2e6}}).notes.front().starts_with("the line meets nothing"));
     }
 
@@ -316,7 +316,7 @@ private slots:
         const Section section = cut(builder.finish(), {{-1e6, 0}, {1e6, 0}});
         QCOMPARE(textOf(section.pieces, Print), (QStringList{"500-1500@2300-2300"}));
         QCOMPARE(section.notes,
-                 (std::vector<std::string>{"without a thickness, cut as a line: print", "thickness assumed: top"}));
+                 (std::vector<std::string>{"without a thickness, drawn as a line: print", "thickness assumed: top"}));
     }
 };
 
