@@ -122,7 +122,7 @@ std::vector<model::Hit> Probing::hitsAt(const BoardView& view, QPointF position)
     const glm::dvec3 step = glm::normalize(glm::dvec3(direction)) * base::kNmPerMm;
     model::SightLine line{
         m_position.toJob(origin), static_cast<double>(origin.z) * base::kNmPerMm, {step.x, step.y}, -step.z};
-    if (const render::SectionCut* cut = view.section()) {
+    if (const render::SectionCut* cut = view.cut()) {
         const glm::dvec2 along = cut->plane.direction;
         line.cutSide = {m_position.toJob(glm::vec3(glm::vec2(cut->plane.start), 0.0F)), {-along.y, along.x}};
     }
