@@ -8,7 +8,7 @@ namespace app {
 
 int runWorkbench(int argc, char** argv, const WorkbenchArguments& arguments) {
     ui::StartOptions options;
-    options.board = ui::LoadRequest{
+    options.board = model::OpenRequest{
         .path = arguments.path.empty() ? sampleBoard() : std::filesystem::path(arguments.path),
         .step = arguments.step,
         .thicknesses = arguments.thicknesses,

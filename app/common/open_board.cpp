@@ -7,51 +7,25 @@
 #include "app/common/console_progress.h"
 #include "app/common/headless_device.h"
 #include "app/common/resources.h"
-#include "model/session/length_text.h"
-#include "model/session/session.h"
+#include "model/opening/open_board.h"
 
 namespace app {
 
-namespace session = model::session;
 using Board = std::shared_ptr<const model::Document>;
-
-namespace {
-
-base::Status addThicknesses(const std::vector<std::string>& texts, const model::Stackup& stackup,
-                            std::vector<model::ThicknessOverride>& into) {
-    for (const std::string& text : texts) {
-        const base::Result<model::ThicknessOverride> change = session::parseOverride(text, stackup);
-        if (!change) {
-            return base::Error{change.error().code, "--set-thickness: " + change.error().text};
-        }
-        session::setThickness(into, *change);
-    }
-    return base::Done{};
-}
-
-/// The board as its session and the arguments want it.
-base::Result<Board> stacked(const Board& read, const std::filesystem::path& path, const BoardArguments& arguments) {
-    session::LoadedSession found;
-    if (!arguments.noSession) {
-        found = session::loadSession(path, *read);
-    }
-    for (const std::string& text : found.ignored) {
-        std::fprintf(stderr, "copperscope: %s\n", text.c_str());
-    }
-    std::vector<model::ThicknessOverride>& wanted = found.session.thicknesses;
-    RETURN_IF_ERROR(addThicknesses(arguments.thicknesses, read->stackup, wanted));
-    if (arguments.saveSession) {
-        RETURN_IF_ERROR(session::saveThicknesses(path, *read, wanted));
-    }
-    return session::applyThicknesses(read, wanted);
-}
-
-}  // namespace
 
 base::Result<Board> openDocument(const BoardArguments& arguments, base::Progress& progress) {
     const std::filesystem::path path = arguments.path.empty() ? sampleBoard() : std::filesystem::path(arguments.path);
-    ASSIGN_OR_RETURN(const Board read, model::readBoard(path, {arguments.step, arguments.inferNets}, progress));
-    return stacked(read, path, arguments);
+    ASSIGN_OR_RETURN(const model::OpenedBoard board,
+                     model::openBoard({path, arguments.step, arguments.thicknesses, arguments.noSession,
+                                       arguments.inferNets},
+                                      progress));
+    for (const std::string& note : board.notes) {
+        std::fprintf(stderr, "copperscope: %s\n", note.c_str());
+    }
+    if (arguments.saveSession) {
+        RETURN_IF_ERROR(model::session::saveThicknesses(path, *board.document, board.thicknesses.all()));
+    }
+    return board.document;
 }
 
 model::Discretisation discretisationOf(const BoardArguments& arguments) {

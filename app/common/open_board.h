@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "model/formats/registry.h"
+#include "model/board/document.h"
 #include "render/modelling/board_model.h"
 #include "render/scene/view_settings.h"
 

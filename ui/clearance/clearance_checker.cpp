@@ -84,16 +84,15 @@ std::vector<std::size_t> countsOf(const ClearanceResult& answer) {
 }
 
 ClearanceChecker::ClearanceChecker(QObject* parent) : QObject(parent) {
-    connect(&m_search.background(), &Background::progressed, this, &ClearanceChecker::progressed);
     connect(&m_search.background(), &Background::finished, this, &ClearanceChecker::deliver);
 }
 
 void ClearanceChecker::start(std::shared_ptr<const Document> board, ClearanceRequest request) {
     m_board = std::move(board);
     m_request = std::move(request);
-    m_search.ask(
+    m_search.run(
         [board = m_board, request = m_request](base::Progress& progress) { return search(*board, request, progress); },
-        "Measuring clearances", "There is not enough memory to measure clearances");
+        tr("Measuring clearances"), tr("There is not enough memory to measure clearances"));
 }
 
 void ClearanceChecker::deliver() {

@@ -36,13 +36,9 @@ public:
     /// Cancels a search under way. Layers and nets in the request are the board's own; placed steps are searched only
     /// when neither is named.
     void start(std::shared_ptr<const model::Document> board, ClearanceRequest request);
-    /// Nothing is heard of the search after this.
-    void cancel() { m_search.cancel(); }
-    [[nodiscard]] bool isChecking() const { return m_search.isRunning(); }
+    [[nodiscard]] Background& background() { return m_search.background(); }
 
 signals:
-    /// As Background::progressed.
-    void progressed(const QString& phase, double fraction);
     void found(const std::shared_ptr<const model::Document>& board, const ClearanceRequest& request,
                const ClearanceResult& answer);
     void failed(const QString& reason);

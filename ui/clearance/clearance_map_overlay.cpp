@@ -6,14 +6,19 @@ namespace ui {
 
 using model::DistanceField;
 
-ClearanceMapOverlay::ClearanceMapOverlay(BoardViews& views, SelectionModel& selection, QObject* parent)
-    : QObject(parent), m_views(views), m_selection(selection) {
+ClearanceMapOverlay::ClearanceMapOverlay(BoardViews& views, Probing& probing, Workspace& workspace, QObject* parent)
+    : QObject(parent), m_views(views), m_workspace(workspace), m_selection(workspace.selection()) {
+    connect(&workspace, &Workspace::boardOpened, this, &ClearanceMapOverlay::setBoard);
+    connect(&workspace, &Workspace::unitChanged, this, [this] { m_views.requestOverlay(); });
+    connect(&workspace, &Workspace::currentLayerChanged, this, &ClearanceMapOverlay::refresh);
+    connect(&probing, &Probing::pointedAt, this, [this](double x, double y) { pointAt(base::PointD{x, y}); });
+    connect(&probing, &Probing::pointedAway, this, [this] { pointAt(std::nullopt); });
     m_refresh.setSingleShot(true);
     m_refresh.setInterval(0);
     connect(&m_refresh, &QTimer::timeout, this, &ClearanceMapOverlay::ask);
-    connect(&selection, &SelectionModel::selectionChanged, this, &ClearanceMapOverlay::refresh);
-    connect(&selection, &SelectionModel::netsChanged, this, &ClearanceMapOverlay::refresh);
-    connect(&views.flat().controller(), &CameraController::moved, this, &ClearanceMapOverlay::refresh);  // turned over?
+    connect(&m_selection, &SelectionModel::selectionChanged, this, &ClearanceMapOverlay::refresh);
+    connect(&m_selection, &SelectionModel::netsChanged, this, &ClearanceMapOverlay::refresh);
+    connect(&views.flat().controller(), &CameraController::moved, this, &ClearanceMapOverlay::refresh);  // flipped?
     connect(&m_work.background(), &Background::finished, this, &ClearanceMapOverlay::deliver);
     for (BoardView* view : views.both()) {
         m_pictures[static_cast<std::size_t>(view->kind())] = new ClearanceMapPicture(*view, this);
@@ -31,11 +36,6 @@ void ClearanceMapOverlay::setBoard(const LoadedBoard& board) {
     m_position.origin = board.model->origin;
     show(nullptr);
     refresh();
-}
-
-void ClearanceMapOverlay::setUnit(LengthUnit unit) {
-    m_unit = unit;
-    m_views.requestOverlay();
 }
 
 void ClearanceMapOverlay::setOn(bool isOn) {
@@ -76,7 +76,7 @@ void ClearanceMapOverlay::ask() {
     if (!question) {
         emit reported({});
     } else if (!question->layer.isValid()) {
-        emit reported(QStringLiteral("show a copper layer"));
+        emit reported(tr("show a copper layer"));
     } else {
         work(std::move(*question));
     }
@@ -90,8 +90,8 @@ void ClearanceMapOverlay::work(Question question) {
                                                 : DistanceField::toTargets(*board, question.layer, question.targets);
         return field ? base::Result<Field>(std::make_shared<const DistanceField>(std::move(*field))) : field.error();
     };
-    m_work.ask(measure, "Measuring distances", "not enough memory for a map of this layer");
-    emit reported(QStringLiteral("measuring…"));
+    m_work.run(measure, tr("Measuring distances"), tr("not enough memory for a map of this layer"));
+    emit reported(tr("measuring…"));
 }
 
 void ClearanceMapOverlay::deliver() {
@@ -119,10 +119,10 @@ void ClearanceMapOverlay::show(std::shared_ptr<const DistanceField> field) {
 QString ClearanceMapOverlay::reasonFor(const base::Error& error) const {
     QString text = QString::fromStdString(error.text);
     if (m_question->targets.empty() && m_board->nets.empty()) {
-        text += QStringLiteral("; the board has no nets: Board, Nets from the copper finds them");
+        text += tr("; the board has no nets: Board, Infer nets from copper finds them");
     }
     if (m_selection.tree().copies.size() > 1) {
-        text += QStringLiteral("; steps that the panel places are mapped when they are opened by themselves");
+        text += tr("; steps that the panel places are mapped when they are opened by themselves");
     }
     return text;
 }
@@ -132,18 +132,18 @@ QString ClearanceMapOverlay::targetName() const {
     if (nets.size() == 1 && m_selection.selected().empty()) {
         return QString::fromStdString(m_board->nets[nets.front().net.row()].name);
     }
-    return !m_selection.title().isEmpty() && nets.empty() ? m_selection.title() : QStringLiteral("the selection");
+    return !m_selection.title().isEmpty() && nets.empty() ? m_selection.title() : tr("the selection");
 }
 
 ClearanceMapLegend ClearanceMapOverlay::legend() const {
     ClearanceMapLegend legend;
     legend.reach = m_reach;
-    legend.unit = m_unit;
+    legend.unit = m_workspace.unit();
     if (m_field) {
         const QString layer = QString::fromStdString(m_board->layer(m_field->layer()).name);
         legend.title = m_field->kind() == DistanceField::Kind::BetweenNets
-                           ? QStringLiteral("%1: gaps between nets").arg(layer)
-                           : QStringLiteral("%1: distance to %2").arg(layer, targetName());
+                           ? tr("%1: spacing between nets").arg(layer)
+                           : tr("%1: distance to %2").arg(layer, targetName());
         if (m_cursor) {
             legend.mark = m_field->at(*m_cursor, model::kMostMapReach);
         }
@@ -157,8 +157,8 @@ QString ClearanceMapOverlay::textAt(base::PointD location) const {
         return {};
     }
     const bool isSpacing = m_field->kind() == DistanceField::Kind::BetweenNets;
-    return QStringLiteral("%1 %2").arg(isSpacing ? QStringLiteral("gap") : QStringLiteral("distance"),
-                                       lengthText(value, m_unit));
+    return QStringLiteral("%1 %2").arg(isSpacing ? tr("spacing") : tr("distance"),
+                                       lengthText(value, m_workspace.unit()));
 }
 
 void ClearanceMapOverlay::paintLegend(QPainter& painter, const BoardView& view) const {

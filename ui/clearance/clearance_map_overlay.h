@@ -9,28 +9,25 @@
 #include "ui/clearance/clearance_map_legend.h"
 #include "ui/clearance/clearance_map_picture.h"
 #include "ui/views/board_views.h"
-#include "ui/workspace/selection_model.h"
+#include "ui/views/probing.h"
 
 namespace ui {
 
-/// The distance map: colours every place of a copper layer by how far it is from what is selected or highlighted, and
-/// with nothing selected by how wide the gap between nets is there (model::DistanceField). Follows the selection, the
-/// layer and the cameras; another range only colours anew.
+/// The clearance map: colours every location of a copper layer by how far it is from what is selected or highlighted,
+/// and with nothing selected by the spacing between nets there (model::DistanceField). Follows the selection, the layer
+/// and the cameras; another range only colours anew.
 class ClearanceMapOverlay : public QObject {
     Q_OBJECT
 
 public:
-    ClearanceMapOverlay(BoardViews& views, SelectionModel& selection, QObject* parent = nullptr);
+    /// Follows the pointer over the board that `probing` announces.
+    ClearanceMapOverlay(BoardViews& views, Probing& probing, Workspace& workspace, QObject* parent = nullptr);
 
-    void setBoard(const LoadedBoard& board);
-    void setUnit(LengthUnit unit);
     /// Asked for the copper layer to map; none: there is none to be seen.
     void setLayer(std::function<model::LayerId()> layer) { m_layer = std::move(layer); }
     void setOn(bool isOn);
     /// The end of the colours, nm.
     void setReach(double nm);
-    /// Where the cursor is, in nm of the board.
-    void pointAt(std::optional<base::PointD> location);
     /// Other layers are to be seen, or another one is the current one.
     void refresh() { m_refresh.start(); }
 
@@ -42,18 +39,21 @@ public:
     [[nodiscard]] ClearanceMapPicture& picture(BoardView::Kind kind) {
         return *m_pictures[static_cast<std::size_t>(kind)];
     }
-    /// What the map says of a place: "gap 0.12 mm"; empty where it says nothing.
+    /// What the map shows at a location: "spacing 0.12 mm"; empty where it shows nothing.
     [[nodiscard]] QString textAt(base::PointD location) const;
     [[nodiscard]] ClearanceMapLegend legend() const;
 
 signals:
-    /// "TOP: gaps between nets", "TOP has no copper of two nets", …
+    /// "TOP: spacing between nets", "TOP has no copper of two nets", …
     void reported(const QString& text);
 
 private:
+    void setBoard(const LoadedBoard& board);
+    void pointAt(std::optional<base::PointD> location);
+
     struct Question {
         model::LayerId layer;
-        std::vector<model::ElementId> targets;  ///< none: gaps between nets
+        std::vector<model::ElementId> targets;  ///< none: spacings between nets
         bool operator==(const Question&) const = default;
     };
 
@@ -66,6 +66,7 @@ private:
     void paintLegend(QPainter& painter, const BoardView& view) const;
 
     BoardViews& m_views;
+    Workspace& m_workspace;
     SelectionModel& m_selection;
     std::array<ClearanceMapPicture*, 2> m_pictures{};  ///< as BoardViews::both
     std::function<model::LayerId()> m_layer;
@@ -74,7 +75,6 @@ private:
     std::optional<Question> m_question;  ///< that the field answers, or will
     std::shared_ptr<const model::DistanceField> m_field;
     std::optional<base::PointD> m_cursor;
-    LengthUnit m_unit = LengthUnit::Millimetre;
     double m_reach = 0.5e6;
     bool m_isOn = false;
     QTimer m_refresh;  ///< several changes are one

@@ -1,7 +1,6 @@
 #include "ui/clearance/clearances.h"
 
 #include <QComboBox>
-#include <QSaveFile>
 #include <algorithm>
 #include <limits>
 
@@ -9,96 +8,121 @@
 #include "ui/clearance/rule_dialog.h"
 #include "ui/common/paths.h"
 #include "ui/common/table_view.h"
-#include "ui/workspace/state_edit.h"
+#include "ui/layers/layer_model.h"
+#include "ui/views/position_readout.h"
+#include "ui/workspace/session_part.h"
 
 namespace ui {
 
 namespace {
 
-constexpr float kLeastAroundMm = 0.3F;  ///< around a gap that is shown
+constexpr float kLeastAroundMm = 0.3F;  ///< around a spacing that is shown
 constexpr float kTimesAround = 2.0F;    ///< at least so many widths of it
 constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
 constexpr std::size_t kNarrowest = 500;  ///< more than anybody steps through
 
-base::Status write(const QString& path, const QByteArray& text) {
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit()) {
-        return base::Error{base::ErrorCode::OutputFailed,
-                           (path + QStringLiteral(" cannot be written: ") + file.errorString()).toStdString()};
-    }
-    return base::Done{};
-}
-
 }  // namespace
 
-Clearances::Clearances(BoardViews& views, Probing& probing, SelectionModel& selection, const PlanPainter& plan,
-                       const ActionSet& actions, QUndoStack& history, QObject* parent)
-    : QObject(parent),
-      m_views(views),
-      m_probing(probing),
-      m_selection(selection),
-      m_plan(plan),
-      m_history(history),
-      m_lens(views, selection),
-      m_distances(views, selection),
-      m_panel(new ClearancePanel(m_locations, m_rules, actions)) {
-    connect(&m_checker, &ClearanceChecker::progressed, this, &Clearances::progressed);
+Clearances::Clearances(FeatureContext& context)
+    : QObject(&context.window),
+      m_workspace(context.workspace),
+      m_views(context.views),
+      m_probing(context.probing),
+      m_selection(context.workspace.selection()),
+      m_plan(context.plan),
+      m_lens(m_views, m_workspace, this),
+      m_distances(m_views, m_probing, m_workspace, this),
+      m_panel(new ClearancePanel(m_locations, m_rules, context.actions)) {
+    m_locations.setParent(this);
+    m_rules.setParent(this);
+    context.addPanel(
+        {ActionId::ShowClearanceDock, "clearances", tr("Clearances"), Qt::BottomDockWidgetArea, "messages", 0},
+        *m_panel);
+    m_workspace.watch(m_checker.background(), [] { return tr("Clearances"); });
+    connect(&m_workspace, &Workspace::boardOpened, this, &Clearances::setBoard);
+    connect(&m_workspace, &Workspace::unitChanged, this, &Clearances::setUnit);
     connect(&m_checker, &ClearanceChecker::found, this, &Clearances::take);
-    connect(&m_checker, &ClearanceChecker::failed, this, &Clearances::failed);
+    connect(&m_checker, &ClearanceChecker::failed, &m_workspace, &Workspace::errorReported);
     connect(&m_rules, &RuleModel::edited, this, &Clearances::remember);
-    connect(&m_rules, &RuleModel::refused, this, &Clearances::failed);
-    connect(m_panel, &ClearancePanel::chosen, this, &Clearances::show);
-    connect(m_panel, &ClearancePanel::lensMoved, &m_lens, &Lens::setReach);
-    connect(&m_lens, &Lens::reported, m_panel, &ClearancePanel::showLens);
-    m_lens.setReach(m_panel->lensReach());
+    connect(&m_rules, &RuleModel::refused, &m_workspace, &Workspace::errorReported);
     connect(&m_selection, &SelectionModel::selectionChanged, this, [this] {
         if (m_isShowing && m_selection.selected() != m_sides) {
             endShowing();
         }
     });
-    connectDistances();
+    connectCommands(context);
+    connectFiles(context);
+    connectPanel(context);
 }
 
-void Clearances::connectDistances() {
+void Clearances::connectCommands(FeatureContext& context) {
+    const auto on = [&](ActionId id, auto slot) {
+        context.on(id, this, [this, slot](bool isOn) {
+            FeatureContext::raise(*m_panel);
+            slot(isOn);
+        });
+    };
+    on(ActionId::SearchClearances, [this](bool) { search(); });
+    on(ActionId::Lens, [this](bool isOn) { m_lens.setOn(isOn); });
+    on(ActionId::ClearanceMap, [this](bool isOn) { m_distances.setOn(isOn); });
+    on(ActionId::EditRules, [this, &window = context.window](bool) { editRules(window); });
+    context.on(ActionId::NextClearance, this, [this] { step(1); });
+    context.on(ActionId::PreviousClearance, this, [this] { step(-1); });
+}
+
+void Clearances::connectFiles(FeatureContext& context) {
+    context.on(ActionId::ExportClearances, this, [this, &context] {
+        context.saveFile(tr("Export clearances"), {tr("Text (*.txt)"), tr("Tables (*.csv)"), tr("JSON (*.json)")},
+                         [this](const QString& path) { return exportReport(path); });
+    });
+    connect(m_panel, &ClearancePanel::rulesAsked, this, [this, &context] {
+        context.openFile(tr("Open rules"), tr("Rules (*.json);;All files (*)"), [this](const QString& path) {
+            const base::Status opened = openRules(path);
+            opened ? m_workspace.report(tr("Rules of %1").arg(path)) : m_workspace.reportSaved(opened, path);
+        });
+    });
+    connect(m_panel, &ClearancePanel::rulesSaved, this, [this, &context] {
+        context.saveFile(tr("Save rules"), {tr("Rules (*.json)")},
+                         [this](const QString& path) { return saveRules(path); });
+    });
+}
+
+void Clearances::connectPanel(FeatureContext& context) {
+    connect(m_panel, &ClearancePanel::chosen, this, &Clearances::show);
+    connect(m_panel, &ClearancePanel::lensMoved, &m_lens, &Lens::setReach);
+    connect(&m_lens, &Lens::reported, m_panel, &ClearancePanel::showLens);
+    m_lens.setReach(m_panel->lensReach());
     ClearanceMapBar& bar = m_panel->distances();
     m_distances.setLayer([this] { return mappedLayer(); });
     m_distances.setReach(bar.reach());
     connect(&bar, &ClearanceMapBar::reachChanged, &m_distances, &ClearanceMapOverlay::setReach);
     connect(&m_distances, &ClearanceMapOverlay::reported, &bar, &ClearanceMapBar::showText);
-    connect(&m_probing, &Probing::pointedAt, &m_distances, [this](double x, double y) {
-        m_distances.pointAt(base::PointD{x, y});
-    });
-    connect(&m_probing, &Probing::pointedAway, &m_distances, [this] { m_distances.pointAt(std::nullopt); });
+    // The views take their styles from the same signal, before the map looks at them in a moment.
+    connect(&context.layers, &LayerModel::stylesChanged, &m_distances, &ClearanceMapOverlay::refresh);
+    context.position.setNote([this](base::PointD at) { return m_distances.textAt(at); });
 }
 
 /// The current layer if it is copper that is to be seen, else the nearest such one.
 model::LayerId Clearances::mappedLayer() const {
-    const model::LayerId current = m_currentLayer();
+    const model::LayerId current = m_workspace.currentLayer();
     const std::vector<render::LayerStyle>& styles = m_views.flat().styles();
     const bool isSeen = current.isValid() && current.row() < styles.size() && styles[current.row()].isVisible;
-    return isSeen && m_board->layer(current).isCopper() ? current : m_plan.namedLayer();
+    return isSeen && m_workspace.board()->document->layer(current).isCopper() ? current : m_plan.namedLayer();
 }
 
-void Clearances::setBoard(const LoadedBoard& board) {
-    m_checker.cancel();
-    m_board = board.document;
-    m_asked.reset();
+void Clearances::setBoard() {
+    m_requested.reset();
     m_result = {};
     endShowing();
     m_locations.setSpacings(nullptr, {}, {});
     m_rules.setCounts({});
     m_panel->setRemarks({});
-    m_lens.setBoard(board);
-    m_distances.setBoard(board);
 }
 
 void Clearances::setUnit(LengthUnit unit) {
-    m_unit = unit;
     m_locations.setUnit(unit);
     m_rules.setUnit(unit);
     m_panel->setUnit(unit);
-    m_lens.setUnit(unit);
-    m_distances.setUnit(unit);
 }
 
 std::optional<ClearanceRequest> Clearances::request() {
@@ -113,9 +137,9 @@ std::optional<ClearanceRequest> Clearances::request() {
         case ClearancePanel::Where::Board: break;
         case ClearancePanel::Where::View: request.question.within = m_plan.shownBox(); break;
         case ClearancePanel::Where::Layer: {
-            const model::LayerId layer = m_currentLayer();
-            if (!layer.isValid() || !m_board->layer(layer).isCopper()) {
-                emit failed(QStringLiteral("The current layer is no copper layer; choose one in the Layers panel."));
+            const model::LayerId layer = m_workspace.currentLayer();
+            if (!layer.isValid() || !m_workspace.board()->document->layer(layer).isCopper()) {
+                m_workspace.reportError(tr("The current layer is no copper layer; choose one in the Layers panel."));
                 return std::nullopt;
             }
             request.question.layer = layer;
@@ -124,9 +148,9 @@ std::optional<ClearanceRequest> Clearances::request() {
         case ClearancePanel::Where::Nets: {
             const std::vector<model::BoardNet>& nets = m_selection.nets();
             if (nets.size() != 2 || nets[0].step != 0 || nets[1].step != 0) {
-                emit failed(
-                    QStringLiteral("Highlight two nets of the board first: N over their copper, or Ctrl and a "
-                                   "click in the Nets panel."));
+                m_workspace.reportError(
+                    tr("Highlight two nets of the board first: N over their copper, or Ctrl and a "
+                       "click in the Nets panel."));
                 return std::nullopt;
             }
             request.question.between = {nets[0].net, nets[1].net};
@@ -136,28 +160,28 @@ std::optional<ClearanceRequest> Clearances::request() {
     return request;
 }
 
-void Clearances::measure() {
-    if (std::optional<ClearanceRequest> asked = m_board ? request() : std::nullopt) {
-        m_checker.start(m_board, std::move(*asked));
-        emit started();
+void Clearances::search() {
+    m_workspace.cancelLoading();
+    if (std::optional<ClearanceRequest> wanted = request()) {
+        m_checker.start(m_workspace.board()->document, std::move(*wanted));
     }
 }
 
 void Clearances::take(const std::shared_ptr<const model::Document>& board, const ClearanceRequest& request,
-                      const ClearanceResult& answer) {
+                      const ClearanceResult& result) {
     endShowing();
-    m_asked = request;
-    m_result = answer;
-    m_locations.setSpacings(board, spacingsOf(answer), request.isOfRules ? request.rules : model::RuleTable{});
+    m_requested = request;
+    m_result = result;
+    m_locations.setSpacings(board, spacingsOf(result), request.isOfRules ? request.rules : model::RuleTable{});
     if (request.isOfRules && m_rules.rules() == request.rules) {
-        m_rules.setCounts(countsOf(answer));
+        m_rules.setCounts(countsOf(result));
     }
     QStringList words{m_locations.summary()};
-    for (const std::string& note : answer.notes) {
+    for (const std::string& note : result.notes) {
         words += QString::fromStdString(note);
     }
     m_panel->setRemarks(words.mid(1).join('\n'));
-    emit finished(words.join(QStringLiteral("; ")));
+    m_workspace.report(tr("Clearances: %1").arg(words.join(QStringLiteral("; "))));
 }
 
 void Clearances::step(int by) {
@@ -171,11 +195,10 @@ void Clearances::step(int by) {
 }
 
 void Clearances::show(const ClearanceModel::Location& location) {
-    const model::StepTree& tree = m_selection.tree();
-    const auto copy = std::ranges::find(tree.copies, location.step, &model::StepCopy::step);
-    const auto row = static_cast<std::uint32_t>(copy - tree.copies.begin());
-    const model::Document& step = *tree.steps[location.step];
-    const auto onBoard = [&](model::LayerId layer) { return step.layerOfCopy(layer, copy->isFlipped); };
+    const std::uint32_t row = m_selection.firstCopyOf(location.step);
+    const model::StepCopy& copy = m_selection.tree().copies[row];
+    const model::Document& step = *m_selection.tree().steps[location.step];
+    const auto onBoard = [&](model::LayerId layer) { return step.layerOfCopy(layer, copy.isFlipped); };
     const model::LayerId layer = onBoard(location.found.layer);
     m_sides.clear();
     std::vector<model::LayerId> layers{layer};
@@ -191,37 +214,37 @@ void Clearances::show(const ClearanceModel::Location& location) {
     m_sides = m_selection.selected();
     m_isShowing = true;
     m_views.setContrastLayers(std::move(layers));
-    const model::Spacing shown{gap.distance, copy->placement.apply(gap.from), copy->placement.apply(gap.to)};
+    const model::Spacing shown{gap.distance, copy.placement.apply(gap.from), copy.placement.apply(gap.to)};
     const float around = std::max(kLeastAroundMm, kTimesAround * static_cast<float>(base::toMm(gap.distance)));
     m_probing.showPosition({(shown.from.x + shown.to.x) / 2, (shown.from.y + shown.to.y) / 2}, layer, around);
-    emit spacingShown(model::LocalSpacing{shown, {row, location.found.a}, {row, location.found.b}, layer});
+    m_workspace.showSpacing(model::LocalSpacing{shown, {row, location.found.a}, {row, location.found.b}, layer});
 }
 
 void Clearances::endShowing() {
     m_isShowing = false;
     m_views.setContrastLayers({});
-    emit spacingShown(std::nullopt);
+    m_workspace.showSpacing(std::nullopt);
 }
 
 void Clearances::remember(const model::RuleTable& before) {
     if (!(before == m_rules.rules())) {
-        m_history.push(new StateEdit<model::RuleTable>(QStringLiteral("the rules"), before, m_rules.rules(),
-                                                       [this](const model::RuleTable& rules) {
-                                                           if (!(m_rules.rules() == rules)) {
-                                                               m_rules.setRules(rules);
-                                                           }
-                                                       }));
+        m_workspace.history().push(new StateEdit<model::RuleTable>(tr("the rules"), before, m_rules.rules(),
+                                                                   [this](const model::RuleTable& rules) {
+                                                                       if (!(m_rules.rules() == rules)) {
+                                                                           m_rules.setRules(rules);
+                                                                       }
+                                                                   }));
     }
 }
 
 void Clearances::editRules(QWidget& parent) {
     std::vector<std::string> nets;
-    for (const model::Document* step : model::distinctSteps(*m_board)) {
+    for (const model::Document* step : model::distinctSteps(*m_workspace.board()->document)) {
         for (const model::Net& net : step->nets) {
             nets.push_back(net.name);
         }
     }
-    auto* dialog = new RuleDialog(m_rules.rules(), std::move(nets), m_unit, &parent);
+    auto* dialog = new RuleDialog(m_rules.rules(), std::move(nets), m_workspace.unit(), &parent);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog] {
         const model::RuleTable before = m_rules.rules();
@@ -234,14 +257,15 @@ void Clearances::editRules(QWidget& parent) {
 
 base::Status Clearances::exportReport(const QString& path) const {
     const auto format = model::reportFormatOf(toPath(path).extension().string());
-    if (!format || !m_asked) {
+    if (!format || !m_requested) {
         return base::Error{base::ErrorCode::BadUsage,
-                           m_asked ? "A report is written as .txt, .csv or .json."
-                                   : "Nothing was measured or checked yet, so there is nothing to export."};
+                           m_requested ? "A report is written as .txt, .csv or .json."
+                                       : "Nothing was measured or checked yet, so there is nothing to export."};
     }
-    const std::string report = m_asked->isOfRules ? model::ruleReport(m_asked->rules, m_result.rules, *format, kAll)
-                                                  : model::clearanceReport(m_result.clearances, *format);
-    return write(path, QByteArray::fromStdString(report));
+    const std::string report = m_requested->isOfRules
+                                   ? model::ruleReport(m_requested->rules, m_result.rules, *format, kAll)
+                                   : model::clearanceReport(m_result.clearances, *format);
+    return writeFile(path, QByteArray::fromStdString(report));
 }
 
 base::Status Clearances::openRules(const QString& path) {
@@ -256,7 +280,7 @@ base::Status Clearances::openRules(const QString& path) {
 }
 
 base::Status Clearances::saveRules(const QString& path) const {
-    return write(path, QByteArray::fromStdString(model::toJson(m_rules.rules())));
+    return writeFile(path, QByteArray::fromStdString(model::toJson(m_rules.rules())));
 }
 
 }  // namespace ui

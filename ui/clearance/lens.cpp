@@ -13,10 +13,12 @@ constexpr std::size_t kMostSpacings = 20'000;  ///< as many as are painted while
 
 }  // namespace
 
-Lens::Lens(BoardViews& views, SelectionModel& selection, QObject* parent)
-    : QObject(parent), m_views(views), m_selection(selection) {
-    connect(&selection, &SelectionModel::selectionChanged, this, &Lens::search);
-    connect(&selection, &SelectionModel::netsChanged, this, &Lens::search);
+Lens::Lens(BoardViews& views, Workspace& workspace, QObject* parent)
+    : QObject(parent), m_views(views), m_workspace(workspace), m_selection(workspace.selection()) {
+    connect(&workspace, &Workspace::boardOpened, this, &Lens::setBoard);
+    connect(&workspace, &Workspace::unitChanged, this, &Lens::tell);
+    connect(&m_selection, &SelectionModel::selectionChanged, this, &Lens::search);
+    connect(&m_selection, &SelectionModel::netsChanged, this, &Lens::search);
     connect(&m_search.background(), &Background::finished, this, &Lens::deliver);
     views.flat().addPainter([this](QPainter& painter) { paint(painter); });
 }
@@ -52,10 +54,10 @@ void Lens::search() {
         apply();
         return;
     }
-    m_search.ask([board = m_board, elements = std::move(elements)](
+    m_search.run([board = m_board, elements = std::move(elements)](
                      base::Progress& progress) { return model::copperNear(*board, elements, kMostReach, progress); },
-                 "Looking around", "there is not enough memory to look around");
-    emit reported(QStringLiteral("looking…"));
+                 tr("Searching nearby copper"), tr("there is not enough memory to search nearby copper"));
+    emit reported(tr("searching…"));
 }
 
 void Lens::deliver() {
@@ -69,11 +71,6 @@ void Lens::deliver() {
 
 std::span<const model::Nearby> Lens::highlighted() const {
     return std::span(m_near).first(m_highlightedCount);
-}
-
-void Lens::setUnit(LengthUnit unit) {
-    m_unit = unit;
-    tell();
 }
 
 void Lens::apply() {
@@ -93,13 +90,13 @@ void Lens::tell() {
     if (!m_isOn) {
         emit reported({});
     } else if (m_selection.selected().empty() && m_selection.nets().empty()) {
-        emit reported(QStringLiteral("select something"));
+        emit reported(tr("select something"));
     } else if (!m_trouble.isEmpty()) {
         emit reported(m_trouble);
     } else if (m_selection.ownElements().empty()) {
-        emit reported(QStringLiteral("not in copies of other steps"));
+        emit reported(tr("not in copies of other steps"));
     } else if (!isSearching()) {
-        emit reported(QStringLiteral("%L1 within %2").arg(m_highlightedCount).arg(lengthText(m_reach, m_unit)));
+        emit reported(tr("%L1 within %2").arg(m_highlightedCount).arg(lengthText(m_reach, m_workspace.unit())));
     }
 }
 

@@ -222,4 +222,12 @@ bool LayerModel::edit(int row, int column, const QVariant& value) {
     return true;
 }
 
+std::vector<QColor> LayerModel::colours() const {
+    std::vector<QColor> colours;
+    for (const LayerAppearance& appearance : effectiveStyles()) {
+        colours.push_back(appearance.colour);
+    }
+    return colours;
+}
+
 }  // namespace ui

@@ -51,6 +51,11 @@ public:
     void setStates(const std::vector<model::session::LayerState>& states);
     /// Other colours to begin with: layers whose colour nobody changed take them.
     void setDefaults(std::vector<LayerAppearance> defaults);
+    void show(model::LayerId layer) {
+        setData(index(static_cast<int>(layer.row()), Visible), Qt::Checked, Qt::CheckStateRole);
+    }
+    /// As drawn, one per layer.
+    [[nodiscard]] std::vector<QColor> colours() const;
     /// Back to the styles the document was opened with.
     void restoreDefaults();
     /// Shows `layer` alone; the same layer again, or none, ends it.

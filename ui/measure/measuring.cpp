@@ -4,6 +4,10 @@
 #include <QWindow>
 #include <array>
 
+#include "ui/measure/measurements_panel.h"
+#include "ui/views/board_views.h"
+#include "ui/views/position_readout.h"
+
 namespace ui {
 
 using model::Measurement;
@@ -23,29 +27,34 @@ constexpr ToolFacts kTools[] = {
     {Catch::Points, 0, {}, ""},
     {Catch::Points,
      2,
-     {"Click the first point; Alt catches nothing", "Click the second point; Shift straight, Ctrl in steps of 45°"},
-     "Click on the board"},
+     {QT_TRANSLATE_NOOP("ui::Measuring", "Click the first point; Alt snaps to nothing"),
+      QT_TRANSLATE_NOOP("ui::Measuring", "Click the second point; Shift straight, Ctrl in steps of 45°")},
+     QT_TRANSLATE_NOOP("ui::Measuring", "Click on the board")},
     {Catch::Elements,
      2,
-     {"Click the first element to measure from edge to edge", "Click the second element"},
-     "There is no element under the cursor"},
+     {QT_TRANSLATE_NOOP("ui::Measuring", "Click the first element to measure the clearance"),
+      QT_TRANSLATE_NOOP("ui::Measuring", "Click the second element")},
+     QT_TRANSLATE_NOOP("ui::Measuring", "There is no element under the pointer")},
     {Catch::Points,
      3,
-     {"Click the corner of the angle", "Click a point on its first arm; Shift straight, Ctrl in steps of 45°",
-      "Click a point on its second arm; Shift straight, Ctrl in steps of 45°"},
-     "Click on the board"},
+     {QT_TRANSLATE_NOOP("ui::Measuring", "Click the corner of the angle"),
+      QT_TRANSLATE_NOOP("ui::Measuring", "Click a point on its first arm; Shift straight, Ctrl in steps of 45°"),
+      QT_TRANSLATE_NOOP("ui::Measuring", "Click a point on its second arm; Shift straight, Ctrl in steps of 45°")},
+     QT_TRANSLATE_NOOP("ui::Measuring", "Click on the board")},
     {Catch::Straight,
      2,
-     {"Click the first straight stroke or side", "Click the second straight stroke or side"},
-     "There is nothing straight under the cursor"},
+     {QT_TRANSLATE_NOOP("ui::Measuring", "Click the first straight track or side"),
+      QT_TRANSLATE_NOOP("ui::Measuring", "Click the second straight track or side")},
+     QT_TRANSLATE_NOOP("ui::Measuring", "There is nothing straight under the pointer")},
     {Catch::Round,
      1,
-     {"Click an arc, a round pad or a hole for its radius"},
-     "There is nothing round under the cursor"},
+     {QT_TRANSLATE_NOOP("ui::Measuring", "Click an arc, a round pad or a hole for its radius")},
+     QT_TRANSLATE_NOOP("ui::Measuring", "There is nothing round under the pointer")},
     {Catch::Copper,
      2,
-     {"Click where the length along a net begins", "Click where it ends, on copper of the same net"},
-     "There is no copper of a net under the cursor"},
+     {QT_TRANSLATE_NOOP("ui::Measuring", "Click where the net path begins"),
+      QT_TRANSLATE_NOOP("ui::Measuring", "Click where it ends, on copper of the same net")},
+     QT_TRANSLATE_NOOP("ui::Measuring", "There is no copper of a net under the pointer")},
 };
 
 const ToolFacts& factsOf(Measuring::Tool tool) {
@@ -62,14 +71,54 @@ void showCursor(BoardView& view, Qt::CursorShape shape) {
 
 }  // namespace
 
-Measuring::Measuring(BoardViews& views, Probing& probing, SavedMeasurements& kept, QObject* parent)
-    : QObject(parent), m_views(views), m_probing(probing), m_kept(kept), m_cursor(probing) {
-    for (BoardView* view : views.both()) {
+Measuring::Measuring(FeatureContext& context)
+    : QObject(&context.window),
+      m_workspace(context.workspace),
+      m_views(context.views),
+      m_probing(context.probing),
+      m_readout(context.position),
+      m_saved(context.workspace, this),
+      m_cursor(context.probing) {
+    for (BoardView* view : m_views.both()) {
         watch(*view);
     }
-    connect(&kept, &SavedMeasurements::changed, this, [this] { m_views.requestOverlay(); });
-    connect(&m_path.background(), &Background::progressed, this, &Measuring::progressed);
+    connectCommands(context);
+    context.escapes.emplace_back([this] { return stepBack(); });
+    const auto repaint = [this] { m_views.requestOverlay(); };
+    connect(&m_saved, &SavedMeasurements::changed, this, repaint);
+    connect(&m_workspace, &Workspace::unitChanged, this, repaint);
+    connect(&m_workspace, &Workspace::boardOpened, this, &Measuring::setBoard);
+    connect(&m_workspace, &Workspace::restacked, this, &Measuring::setHeights);
+    connect(&m_workspace, &Workspace::spacingWanted, this, &Measuring::showSpacing);
+    m_workspace.watch(m_path.background(), [] { return tr("Length"); });
     connect(&m_path.background(), &Background::finished, this, &Measuring::takePath);
+}
+
+void Measuring::connectCommands(FeatureContext& context) {
+    constexpr std::pair<ActionId, Tool> kActions[] = {
+        {ActionId::MeasurePoints, Tool::Points}, {ActionId::MeasureObjects, Tool::Objects},
+        {ActionId::MeasureAngle, Tool::Angle},   {ActionId::MeasureLines, Tool::Lines},
+        {ActionId::MeasureRadius, Tool::Radius}, {ActionId::MeasureLength, Tool::Length}};
+    for (const auto& [id, tool] : kActions) {
+        QAction& action = context.actions[id];
+        context.on(id, this, [this, use = tool](bool isOn) { setTool(isOn ? use : Tool::None); });
+        connect(this, &Measuring::toolChanged, &action,
+                [this, &action, own = tool] { action.setChecked(m_tool == own); });
+    }
+    context.on(ActionId::MeasureSpacing, this, [this] { measureSpacingAtCursor(); });
+    context.on(ActionId::ExportMeasurements, this, [this, &context] { exportTable(context); });
+    auto* panel = new MeasurementsPanel(m_saved.list(), context.actions);
+    context.addPanel(
+        {ActionId::ShowMeasurementsDock, "measurements", tr("Measurements"), Qt::BottomDockWidgetArea, "messages", 0},
+        *panel);
+    connect(panel, &MeasurementsPanel::chosen, this, &Measuring::goTo);
+    connect(panel, &MeasurementsPanel::forgotten, &m_saved, &SavedMeasurements::remove);
+}
+
+void Measuring::exportTable(FeatureContext& context) {
+    context.saveFile(tr("Export measurements"), {tr("Tables (*.csv)")}, [this](const QString& path) {
+        return writeFile(path, QByteArray::fromStdString(model::measurementsCsv(m_saved.list().measurements())));
+    });
 }
 
 void Measuring::watch(BoardView& view) {
@@ -92,7 +141,6 @@ void Measuring::watch(BoardView& view) {
 }
 
 void Measuring::setBoard(const LoadedBoard& board) {
-    m_path.cancel();
     m_index = board.index;
     m_position.origin = board.model->origin;
     m_cursor.setBoard(board.index);
@@ -102,19 +150,9 @@ void Measuring::setBoard(const LoadedBoard& board) {
     setTool(Tool::None);
 }
 
-void Measuring::setHeights(std::shared_ptr<const model::Document> document) {
-    if (m_index) {
-        if (m_path.isRunning()) {
-            stepBack();  // heights of holes would be those of before
-        }
-        m_index = model::withHeights(*m_index, std::move(document));
-    }
-}
-
-void Measuring::setUnit(LengthUnit unit) {
-    m_unit = unit;
-    m_kept.list().setUnit(unit);
-    m_views.requestOverlay();
+void Measuring::setHeights(const LoadedBoard& board) {
+    m_path.cancel();  // heights of holes would be those of before
+    m_index = board.index;
 }
 
 void Measuring::setTool(Tool tool) {
@@ -129,21 +167,17 @@ void Measuring::setTool(Tool tool) {
         hover(*m_hoverView, m_hoverAt, Qt::NoModifier);
     }
     emit toolChanged();
-    tellNextClick();
+    reportNextClick();
 }
 
 bool Measuring::stepBack() {
-    if (m_path.isRunning()) {
-        m_path.cancel();
-        emit followingEnded();
-        emit reported(QStringLiteral("Stopped"));
-    } else if (!m_clicked.empty()) {
+    if (!m_clicked.empty()) {
         m_clicked.pop_back();
         if (m_clicked.empty()) {
             clearClicks();
         }
         m_views.requestOverlay();
-        tellNextClick();
+        reportNextClick();
     } else if (m_tool != Tool::None) {
         setTool(Tool::None);
     } else {
@@ -152,16 +186,16 @@ bool Measuring::stepBack() {
     return true;
 }
 
-void Measuring::tellNextClick() {
+void Measuring::reportNextClick() {
     if (m_tool != Tool::None) {
-        emit reported(QString::fromUtf8(factsOf(m_tool).hints[m_clicked.size()]));
+        m_workspace.report(tr(factsOf(m_tool).hints[m_clicked.size()]));
     }
 }
 
 void Measuring::clearClicks() {
     m_clicked.clear();
     m_views.requestOverlay();
-    emit begunAt(std::nullopt);
+    m_readout.measureFrom(std::nullopt);
 }
 
 std::optional<Caught> Measuring::catchAt(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers) {
@@ -185,11 +219,11 @@ void Measuring::click(BoardView& view, QPointF position, Qt::KeyboardModifiers m
     }
     const std::optional<Caught> caught = catchAt(view, position, modifiers);
     if (!caught) {
-        tellWhyNothing(view, position);
+        reportWhyNothing(view, position);
         return;
     }
     if (const QString refusal = refusalOf(*caught); !refusal.isEmpty()) {
-        emit reported(refusal);
+        m_workspace.report(refusal);
         return;
     }
     m_clicked.push_back(*caught);
@@ -197,9 +231,9 @@ void Measuring::click(BoardView& view, QPointF position, Qt::KeyboardModifiers m
     m_views.requestOverlay();
     if (m_clicked.size() < factsOf(m_tool).clicks) {
         if (m_tool == Tool::Points) {
-            emit begunAt(caught->at);
+            m_readout.measureFrom(caught->at);
         }
-        tellNextClick();
+        reportNextClick();
         return;
     }
     const std::vector<Caught> clicked = m_clicked;
@@ -207,11 +241,11 @@ void Measuring::click(BoardView& view, QPointF position, Qt::KeyboardModifiers m
     measure(clicked);
 }
 
-void Measuring::tellWhyNothing(const BoardView& view, QPointF position) {
+void Measuring::reportWhyNothing(const BoardView& view, QPointF position) {
     const auto empty = m_tool == Tool::Objects ? m_cursor.emptyAt(view, position) : std::nullopt;
-    emit reported(empty ? QStringLiteral("%1 covers nothing, so it has no distance")
-                              .arg(QString::fromStdString(model::nameOf(*m_index, *empty)))
-                        : QString::fromUtf8(factsOf(m_tool).nothing));
+    m_workspace.report(empty ? tr("%1 covers nothing, so it has no distance")
+                                   .arg(QString::fromStdString(model::nameOf(*m_index, *empty)))
+                             : tr(factsOf(m_tool).nothing));
 }
 
 QString Measuring::refusalOf(const Caught& caught) const {
@@ -227,12 +261,11 @@ QString Measuring::refusalOf(const Caught& caught) const {
     const auto name = [&](const Caught& of, model::NetId id) {
         return QString::fromStdString(model::nameOf(*m_index, model::NetOfCopy{of.element->copy, id}));
     };
-    return QStringLiteral("That is %1: click copper of %2, where the length begins")
-        .arg(name(caught, other), name(first, net));
+    return tr("That is %1: click copper of %2, where the length begins").arg(name(caught, other), name(first, net));
 }
 
 void Measuring::measure(const std::vector<Caught>& clicked) {
-    m_tool == Tool::Length ? followNet(clicked[0], clicked[1]) : keep(measured(clicked));
+    m_tool == Tool::Length ? followNet(clicked[0], clicked[1]) : save(measured(clicked));
 }
 
 base::Result<Measurement> Measuring::measured(const std::vector<Caught>& clicked) const {
@@ -268,32 +301,30 @@ void Measuring::followNet(const Caught& from, const Caught& to) {
         return model::pathAlong(index, {at.copy, model::netOf(index, at)}, pathEndOf(index, work.from),
                                 pathEndOf(index, work.to), progress);
     };
-    m_path.ask(follow, "Following the net", "There is not enough memory to follow this net");
-    emit followingBegan();
+    m_path.run(follow, tr("Following the net"), tr("There is not enough memory to follow this net"));
 }
 
 void Measuring::takePath() {
     const auto path = m_path.take();
     const Following done = std::exchange(m_following, {});
-    emit followingEnded();
     if (path) {
-        keep(lengthAlong(*done.index, done.from, done.to, *path));
+        save(lengthAlong(*done.index, done.from, done.to, *path));
     } else {
-        emit reported(QString::fromStdString(path.error().text));
+        m_workspace.report(path.error().text);
     }
 }
 
 void Measuring::measureSpacingAtCursor() {
     if (m_hoverView == nullptr || !m_cursor.isOnBoard(*m_hoverView, m_hoverAt)) {
-        emit reported(QStringLiteral("Point at the board to measure the gap there"));
+        m_workspace.report(tr("Point at the board to measure the spacing there"));
         return;
     }
     const auto gap = m_cursor.spacingAt(*m_hoverView, m_hoverAt);
     if (!gap) {
-        emit reported(QStringLiteral("There is no gap between two nets within 10 mm of the cursor"));
+        m_workspace.report(tr("There is no spacing between two nets within 10 mm of the pointer"));
         return;
     }
-    keep(spacingOn(*m_index, *gap));
+    save(spacingOn(*m_index, *gap));
 }
 
 void Measuring::showSpacing(const std::optional<model::LocalSpacing>& gap) {
@@ -301,20 +332,20 @@ void Measuring::showSpacing(const std::optional<model::LocalSpacing>& gap) {
     m_views.requestOverlay();
 }
 
-void Measuring::keep(const base::Result<Measurement>& measurement) {
+void Measuring::save(const base::Result<Measurement>& measurement) {
     if (!measurement) {
-        emit reported(QString::fromStdString(measurement.error().text));
+        m_workspace.report(measurement.error().text);
         return;
     }
     m_isLatestFull = true;
-    m_kept.keep(*measurement);
-    emit reported((QStringList{valueText(*measurement)} + remarksText(*measurement)).join(QStringLiteral("; ")));
+    m_saved.add(*measurement);
+    m_workspace.report((QStringList{valueText(*measurement)} + remarksText(*measurement)).join(QStringLiteral("; ")));
 }
 
 void Measuring::goTo(int row) {
-    const Measurement& measurement = m_kept.list().measurements()[static_cast<std::size_t>(row)];
-    if (!m_index || !m_kept.isHere(measurement)) {
-        emit reported(QStringLiteral("It was measured in step %1").arg(QString::fromStdString(measurement.step)));
+    const Measurement& measurement = m_saved.list().measurements()[static_cast<std::size_t>(row)];
+    if (!m_index || !m_workspace.isOpen(measurement.step)) {
+        m_workspace.report(tr("It was measured in step %1").arg(QString::fromStdString(measurement.step)));
         return;
     }
     for (BoardView* view : m_views.both()) {
@@ -334,14 +365,14 @@ void Measuring::paint(QPainter& painter, const BoardView& view) const {
         return;
     }
     MeasurementPainter on(painter, view, m_position, *m_index->board);
-    const auto& measurements = m_kept.list().measurements();
+    const auto& measurements = m_saved.list().measurements();
     for (std::size_t row = 0; row < measurements.size(); ++row) {
-        if (measurements[row].isShown && m_kept.isHere(measurements[row])) {
-            on.paint(measurements[row], m_unit, m_isLatestFull && row + 1 == measurements.size());
+        if (measurements[row].isShown && m_workspace.isOpen(measurements[row].step)) {
+            on.paint(measurements[row], m_workspace.unit(), m_isLatestFull && row + 1 == measurements.size());
         }
     }
     if (m_shownSpacing) {
-        on.paint(spacingOn(*m_index, *m_shownSpacing), m_unit, false);
+        on.paint(spacingOn(*m_index, *m_shownSpacing), m_workspace.unit(), false);
     }
     paintClicks(on, view);
     on.paintLabels();
@@ -350,7 +381,7 @@ void Measuring::paint(QPainter& painter, const BoardView& view) const {
 void Measuring::paintClicks(MeasurementPainter& on, const BoardView& view) const {
     const std::optional<Measurement> coming = preview();
     if (coming) {
-        on.paint(*coming, m_unit, m_tool != Tool::Angle || m_clicked.size() == 2);
+        on.paint(*coming, m_workspace.unit(), m_tool != Tool::Angle || m_clicked.size() == 2);
     }
     const auto mark = [&](const Caught& caught) {
         const model::MeasuredEnd end = endOf(*m_index, caught);

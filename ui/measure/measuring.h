@@ -7,6 +7,7 @@
 #include "ui/measure/measurement_painter.h"
 #include "ui/measure/saved_measurements.h"
 #include "ui/workspace/background_result.h"
+#include "ui/workspace/feature.h"
 
 namespace ui {
 
@@ -20,45 +21,35 @@ class Measuring : public QObject {
 public:
     enum class Tool { None, Points, Objects, Angle, Lines, Radius, Length };
 
-    Measuring(BoardViews& views, Probing& probing, SavedMeasurements& kept, QObject* parent = nullptr);
+    explicit Measuring(FeatureContext& context);
 
-    void setBoard(const LoadedBoard& board);
-    /// The same board with other thicknesses.
-    void setHeights(std::shared_ptr<const model::Document> document);
-    void setUnit(LengthUnit unit);
     void setTool(Tool tool);
     [[nodiscard]] Tool tool() const { return m_tool; }
     /// Gives up the length that is being followed, or else the last click, or else the tool. False if there is nothing.
     bool stepBack();
     /// From the copper nearest to the cursor to the next copper on its layer, see model::spacingAt.
     void measureSpacingAtCursor();
-    /// A gap that somebody else found is drawn with the measurements, but not kept; none: no longer.
-    void showSpacing(const std::optional<model::LocalSpacing>& gap);
-    /// Brings a kept measurement to the middle of both views.
+    /// A spacing that somebody else found is drawn with the measurements, but not saved; none: no longer.
+    void showSpacing(const std::optional<model::LocalSpacing>& spacing);
+    /// Brings a saved measurement to the middle of both views.
     void goTo(int row);
-    /// A length along a net is being followed.
-    [[nodiscard]] bool isFollowing() const { return m_path.isRunning(); }
 
 signals:
     void toolChanged();
-    /// A distance begins here (nm of the board), or does no longer.
-    void begunAt(std::optional<base::PointD> location);
-    /// What came of a click, or what the next one is for.
-    void reported(const QString& what);
-    /// A net is being followed, see Background.
-    void followingBegan();
-    void progressed(const QString& phase, double fraction);
-    void followingEnded();
 
 private:
+    void connectCommands(FeatureContext& context);
+    void setBoard(const LoadedBoard& board);
+    void setHeights(const LoadedBoard& board);
+    void exportTable(FeatureContext& context);
     void watch(BoardView& view);
     void hover(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers);
     void click(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers);
     [[nodiscard]] std::optional<Caught> catchAt(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers);
-    void tellWhyNothing(const BoardView& view, QPointF position);
+    void reportWhyNothing(const BoardView& view, QPointF position);
     /// Why a click cannot go with the ones before; empty if it can.
     [[nodiscard]] QString refusalOf(const Caught& caught) const;
-    void tellNextClick();
+    void reportNextClick();
     void clearClicks();
     void measure(const std::vector<Caught>& clicked);
     /// What so many clicks measure. Not for lengths.
@@ -67,17 +58,18 @@ private:
     [[nodiscard]] std::optional<model::Measurement> preview() const;
     void followNet(const Caught& from, const Caught& to);
     void takePath();
-    void keep(const base::Result<model::Measurement>& measurement);
+    void save(const base::Result<model::Measurement>& measurement);
     void paint(QPainter& painter, const BoardView& view) const;
     void paintClicks(MeasurementPainter& on, const BoardView& view) const;
 
+    Workspace& m_workspace;
     BoardViews& m_views;
     Probing& m_probing;
-    SavedMeasurements& m_kept;
+    PositionReadout& m_readout;
+    SavedMeasurements m_saved;
     MeasuringCursor m_cursor;
     std::shared_ptr<const model::BoardIndex> m_index;
     BoardPosition m_position;
-    LengthUnit m_unit = LengthUnit::Millimetre;
     Tool m_tool = Tool::None;
     std::vector<Caught> m_clicked;
     std::optional<Caught> m_under;     ///< the cursor, while a tool is in use

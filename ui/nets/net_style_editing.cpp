@@ -3,27 +3,30 @@
 #include <algorithm>
 #include <utility>
 
-#include "ui/workspace/state_edit.h"
-
 namespace ui {
 
 namespace session = model::session;
 
-NetStyleEditing::NetStyleEditing(NetStyles& styles, QUndoStack& history, QObject* parent)
-    : QObject(parent), m_styles(styles), m_history(history) {
-    connect(&styles, &NetStyles::asked, this, [this](const QString& what, const NetStyles::State& after) {
-        if (after != m_styles.state()) {
-            m_history.push(new StateEdit<NetStyles::State>(what, m_styles.state(), after,
-                                                           [this](const NetStyles::State& state) { apply(state); }));
-        }
-    });
+NetStyleEditing::NetStyleEditing(NetStyles& styles, Workspace& workspace)
+    : m_styles(styles),
+      m_part(
+          workspace, NetStyles::tr("The colours of nets"), [this](const auto& state) { m_styles.setState(state); },
+          [this](const auto& path, const auto& document, const NetStyles::State& state) {
+              return session::saveNets(path, document, kept(state));
+          }) {
+    QObject::connect(&styles, &NetStyles::asked, &workspace,
+                     [this](const QString& what, const NetStyles::State& after) {
+                         if (after != m_styles.state()) {
+                             m_part.edit(what, m_styles.state(), after);
+                         }
+                     });
 }
 
 void NetStyleEditing::setBoard(const LoadedBoard& board) {
-    // What stands in no file is taken along by name, like what a file holds.
-    std::vector<session::SavedNet> nets = m_session.document() != nullptr ? kept(m_styles.state()) : board.savedNets;
-    if (m_session.open(board)) {
-        nets = board.savedNets;
+    // What is in no file is taken along by name, like what a file holds.
+    std::vector<session::SavedNet> nets = kept(m_styles.state());
+    if (m_part.open()) {
+        nets = board.session.nets;
     }
     m_tree = model::unfoldCopies(*board.document);
     m_elsewhere.clear();
@@ -53,16 +56,6 @@ std::vector<session::SavedNet> NetStyleEditing::kept(const NetStyles::State& sta
         nets.push_back({step.nets[look.net.net.row()].name, step.job.step, colour, look.isHidden});
     }
     return nets;
-}
-
-void NetStyleEditing::apply(const NetStyles::State& state) {
-    m_styles.setState(state);
-    const QString trouble = m_session.save(
-        QStringLiteral("The colours of nets"),
-        [&](const auto& path, const auto& document) { return session::saveNets(path, document, kept(state)); });
-    if (!trouble.isEmpty()) {
-        emit notSaved(trouble);
-    }
 }
 
 }  // namespace ui

@@ -115,6 +115,11 @@ void NetStyles::clearColours() {
     emit asked(tr("colours of nets"), after);
 }
 
+void NetStyles::setDim(float dim) {
+    m_dim = dim;
+    emit dimChanged();
+}
+
 std::vector<QRgb> NetStyles::palette() const {
     std::vector<QRgb> colours;
     for (const NetStyle& style : m_state) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/board/copies.h"
+#include "render/scene/element_state.h"
 
 namespace ui {
 
@@ -41,6 +42,9 @@ public:
     void hide(std::span<const model::BoardNet> nets, bool isHidden);
     void showAll();
     void clearColours();
+    /// By how much what does not stand out is darkened, 0 to 1.
+    void setDim(float dim);
+    [[nodiscard]] float dim() const { return m_dim; }
 
     /// The different colours, rising; at most `kMostColours`: nets beyond those take the one most alike.
     static constexpr std::size_t kMostColours = 63;
@@ -50,9 +54,11 @@ signals:
     /// The user wants this; `what` names the edit.
     void asked(const QString& what, const ui::NetStyles::State& after);
     void changed();
+    void dimChanged();
 
 private:
     State m_state;
+    float m_dim = render::kDimRest;
 };
 
 /// The row of a palette that is most like a colour; it has one.

@@ -7,20 +7,21 @@ namespace ui {
 namespace {
 
 QString componentTitle(const model::Document& step, model::ComponentId component) {
-    return QStringLiteral("Component %1").arg(QString::fromStdString(step.components[component.row()].refdes));
+    return PartPicking::tr("Component %1").arg(QString::fromStdString(step.components[component.row()].refdes));
 }
 
 QString pinTitle(const model::Document& step, model::PinId pin) {
     const model::Pin& row = step.pins[pin.row()];
-    return QStringLiteral("Pin %1.%2")
+    return PartPicking::tr("Pin %1.%2")
         .arg(QString::fromStdString(step.components[row.component.row()].refdes),
              QString::fromStdString(step.text(row.name)));
 }
 
 }  // namespace
 
-PartPicking::PartPicking(const ActionSet& actions, SelectionModel& selection, QObject* parent)
-    : QObject(parent), m_selection(selection) {
+PartPicking::PartPicking(const ActionSet& actions, Workspace& workspace, QObject* parent)
+    : QObject(parent), m_workspace(workspace), m_selection(workspace.selection()) {
+    connect(&workspace, &Workspace::boardShown, this, [this] { m_finders.clear(); });
     connect(&actions[ActionId::SelectComponent], &QAction::triggered, this, [this] {
         if (const auto at = target()) {
             selectComponentOf(*at);
@@ -44,7 +45,7 @@ const model::PinFinder& PartPicking::finderOf(std::uint32_t step) {
 std::optional<model::BoardElement> PartPicking::target() {
     const auto at = m_selection.hovered() ? m_selection.hovered() : m_selection.current();
     if (!at) {
-        emit missed(QStringLiteral("Point at a pad or a body, or select one"));
+        m_workspace.report(tr("Point at a pad or a body, or select one"));
     }
     return at;
 }
@@ -68,7 +69,7 @@ void PartPicking::selectComponentOf(const model::BoardElement& at) {
     const std::uint32_t step = m_selection.tree().copies[at.copy].step;
     const model::ComponentId component = finderOf(step).componentOf(at.element);
     if (!component.isValid()) {
-        emit missed(QStringLiteral("This element is neither a pad of a component nor its body"));
+        m_workspace.report(tr("This element is neither a pad of a component nor its body"));
         return;
     }
     select(componentTitle(m_selection.stepOf(at), component), at.copy, finderOf(step).elementsOf(component),
@@ -79,7 +80,7 @@ void PartPicking::selectPinOf(const model::BoardElement& at) {
     const std::uint32_t step = m_selection.tree().copies[at.copy].step;
     const std::vector<model::PinId> pins = finderOf(step).pinsOf(at.element);
     if (pins.empty()) {
-        emit missed(QStringLiteral("This element is no pad or hole of a pin"));
+        m_workspace.report(tr("This element is no pad or hole of a pin"));
         return;
     }
     select(pinTitle(m_selection.stepOf(at), pins.front()), at.copy, finderOf(step).elementsOf(pins.front()),
@@ -95,21 +96,6 @@ bool PartPicking::selectComponent(std::uint32_t copy, model::ComponentId compone
 bool PartPicking::selectPin(std::uint32_t copy, model::PinId pin) {
     const std::uint32_t step = m_selection.tree().copies[copy].step;
     return select(pinTitle(*m_selection.tree().steps[step], pin), copy, finderOf(step).elementsOf(pin));
-}
-
-void PartPicking::follow(ElementPanel::Link link) {
-    const model::BoardElement at = *m_selection.current();
-    const model::Document& step = m_selection.stepOf(at);
-    switch (link) {
-        case ElementPanel::Link::Net: m_selection.setNets({*m_selection.netOf(at)}); break;
-        case ElementPanel::Link::Pin: selectPinOf(at); break;
-        case ElementPanel::Link::Component: selectComponentOf(at); break;
-        case ElementPanel::Link::Layer: {
-            const bool isFlipped = m_selection.tree().copies[at.copy].isFlipped;
-            emit layerChosen(step.layerOfCopy(step.elements.layer[at.element.row()], isFlipped));
-            break;
-        }
-    }
 }
 
 }  // namespace ui

@@ -1,10 +1,11 @@
 #include "ui/saved_views/saved_views.h"
 
-#include <algorithm>
 #include <glm/trigonometric.hpp>
 #include <utility>
 
-#include "ui/workspace/state_edit.h"
+#include "ui/layers/layer_model.h"
+#include "ui/saved_views/saved_views_panel.h"
+#include "ui/views/board_views.h"
 
 namespace ui {
 
@@ -31,140 +32,130 @@ render::CameraPose cameraPose(const session::Pose& pose) {
 
 }  // namespace
 
-SavedViews::SavedViews(BoardViews& views, LayerModel& layers, SelectionModel& selection, QUndoStack& history,
-                       QObject* parent)
-    : QObject(parent), m_views(views), m_layers(layers), m_selection(selection), m_history(history) {
+SavedViews::SavedViews(FeatureContext& context)
+    : QObject(&context.window),
+      m_workspace(context.workspace),
+      m_views(context.views),
+      m_layers(context.layers),
+      m_orthographic(context.actions[ActionId::Orthographic]),
+      m_part(
+          m_workspace, tr("The views"), [this](const List& views) { m_list.setViews(views); }, session::saveViews) {
+    m_list.setParent(this);
+    auto* panel = new SavedViewsPanel(m_list, context.actions);
+    context.addPanel({ActionId::ShowSavedViewsDock, "views", tr("Views"), Qt::RightDockWidgetArea, "element", 0},
+                     *panel);
+    context.on(ActionId::SaveView, this, [this] { saveView(); });
+    context.on(ActionId::SaveSelection, this, [this] { saveSelection(); });
+    context.on(ActionId::SaveSession, this, [this] { saveDesk(); });
     connect(&m_list, &ViewListModel::renamed, this, &SavedViews::rename);
+    connect(panel, &SavedViewsPanel::chosen, this, &SavedViews::goTo);
+    connect(panel, &SavedViewsPanel::forgotten, this, &SavedViews::remove);
+    connect(&m_workspace, &Workspace::boardOpened, this, [this](const LoadedBoard& board) {
+        if (m_part.open()) {
+            m_list.setViews(board.session.views);
+        }
+    });
+    connect(&m_workspace, &Workspace::sessionRestored, this, &SavedViews::restoreDesk);
 }
 
-void SavedViews::setBoard(const LoadedBoard& board) {
-    if (m_session.open(board)) {
-        m_list.setViews(board.views);
-    }
-}
-
-void SavedViews::keep() {
-    if (m_session.document() == nullptr) {
-        return;
-    }
+void SavedViews::saveView() {
     List after = m_list.views();
-    after.push_back({freeName("View"), m_session.document()->job.step, poseOf(m_views.flat().controller()),
-                     poseOf(m_views.solid().controller()), m_layers.visibleNames(), std::nullopt});
-    change(QStringLiteral("keeping a view"), std::move(after));
+    after.push_back({freeName(after, "View "), m_workspace.board()->document->job.step,
+                     poseOf(m_views.flat().controller()), poseOf(m_views.solid().controller()), m_layers.visibleNames(),
+                     std::nullopt});
+    m_workspace.report(tr("Saved as %1").arg(QString::fromStdString(after.back().name)));
+    m_part.edit(tr("saving a view"), m_list.views(), std::move(after));
 }
 
 void SavedViews::saveSelection() {
-    if (m_selection.selected().empty() && m_selection.nets().empty()) {
-        emit notKept(QStringLiteral("Select elements or highlight nets to keep them"));
+    const SelectionModel& selection = m_workspace.selection();
+    if (selection.selected().empty() && selection.nets().empty()) {
+        m_workspace.report(tr("Select elements or highlight nets to save them"));
         return;
     }
-    if (m_selection.selected().size() > session::kMostSavedElements) {
-        emit notKept(QStringLiteral("%L1 elements are too many to keep, %L2 is the most; highlight nets instead")
-                         .arg(m_selection.selected().size())
-                         .arg(session::kMostSavedElements));
+    if (selection.selected().size() > session::kMostSavedElements) {
+        m_workspace.report(tr("%L1 elements are too many to save, %L2 is the most; highlight nets instead")
+                               .arg(selection.selected().size())
+                               .arg(session::kMostSavedElements));
         return;
     }
-    session::SavedView kept{freeName("Selection"), m_session.document()->job.step, {}, {}, {}, std::nullopt};
-    kept.selection = session::saveSelection(m_selection.tree(), m_selection.selected(), m_selection.nets());
     List after = m_list.views();
-    after.push_back(std::move(kept));
-    change(QStringLiteral("keeping a selection"), std::move(after));
+    session::SavedView saved{freeName(after, "Selection "), m_workspace.board()->document->job.step, {}, {}, {}, {}};
+    saved.selection = session::saveSelection(selection.tree(), selection.selected(), selection.nets());
+    after.push_back(std::move(saved));
+    m_part.edit(tr("saving a selection"), m_list.views(), std::move(after));
 }
 
 void SavedViews::rename(int row, const QString& name) {
     List after = m_list.views();
     after[static_cast<std::size_t>(row)].name = name.toStdString();
-    change(QStringLiteral("the name of a view"), std::move(after));
+    m_part.edit(tr("the name of a view"), m_list.views(), std::move(after));
 }
 
 void SavedViews::remove(int row) {
     List after = m_list.views();
     after.erase(after.begin() + row);
-    change(QStringLiteral("forgetting a view"), std::move(after));
+    m_part.edit(tr("deleting a view"), m_list.views(), std::move(after));
 }
 
 void SavedViews::goTo(int row) {
     const session::SavedView& view = m_list.views()[static_cast<std::size_t>(row)];
     const QString name = QString::fromStdString(view.name);
-    if (view.step != m_session.document()->job.step) {
-        emit otherStep(name, QString::fromStdString(view.step));
+    if (!m_workspace.isOpen(view.step)) {
+        m_workspace.report(tr("%1 shows step %2, which is not open").arg(name, QString::fromStdString(view.step)));
         return;
     }
     if (view.selection) {
         select(view);
-        return;
+    } else {
+        m_layers.showOnly(view.layers);
+        setCameras(view.flat, view.solid);
     }
-    m_layers.showOnly(view.layers);
-    m_views.flat().controller().setPose(cameraPose(view.flat));
-    m_views.solid().controller().setPose(cameraPose(view.solid));
-    emit shown(name);
+    m_workspace.report(name);
 }
 
-void SavedViews::select(const session::SavedView& kept) {
-    session::FoundSelection found = session::findSelection(m_selection.tree(), *kept.selection);
-    m_selection.setNets(std::move(found.nets));
-    m_selection.select(found.elements);
+void SavedViews::setCameras(const session::Pose& flat, const session::Pose& solid) {
+    m_views.flat().controller().setPose(cameraPose(flat));
+    m_views.solid().controller().setPose(cameraPose(solid));
+    m_orthographic.setChecked(m_views.solid().controller().camera().isOrthographic());
+}
+
+void SavedViews::select(const session::SavedView& saved) {
+    SelectionModel& selection = m_workspace.selection();
+    session::FoundSelection found = session::findSelection(selection.tree(), *saved.selection);
+    selection.setNets(std::move(found.nets));
+    selection.select(found.elements);
     QStringList missing;
     for (const std::string& net : found.missingNets) {
-        missing += QStringLiteral("net %1").arg(QString::fromStdString(net));
+        missing += tr("net %1").arg(QString::fromStdString(net));
     }
     if (found.missingElements > 0) {
-        missing +=
-            QStringLiteral("%L1 of %L2 elements").arg(found.missingElements).arg(kept.selection->elements.size());
+        missing += tr("%L1 of %L2 elements").arg(found.missingElements).arg(saved.selection->elements.size());
     }
     if (!missing.isEmpty()) {
-        emit missed(QStringLiteral("%1: not on this board: %2")
-                        .arg(QString::fromStdString(kept.name), missing.join(QStringLiteral(", "))));
+        m_workspace.reportError(tr("%1: not on this board: %2")
+                                    .arg(QString::fromStdString(saved.name), missing.join(QStringLiteral(", "))));
     }
-    emit shown(QString::fromStdString(kept.name));
 }
 
-void SavedViews::saveDesk(LengthUnit unit) {
-    if (m_session.isWithoutSession()) {
-        emit notSaved(QStringLiteral("This board was opened without its session, so nothing is saved."));
+void SavedViews::saveDesk() {
+    const LoadedBoard& board = *m_workspace.board();
+    if (board.request.noSession) {
+        m_workspace.reportError(tr("This board was opened without its session, so nothing is saved."));
         return;
     }
-    const session::Desk desk{m_session.document()->job.step, poseOf(m_views.flat().controller()),
-                             poseOf(m_views.solid().controller()), unitName(unit), m_layers.states()};
-    if (const base::Status saved = session::saveDesk(m_session.board(), *m_session.document(), desk); !saved) {
-        emit notSaved(QString::fromStdString(saved.error().text));
-    } else {
-        emit deskSaved(QString::fromStdString(session::sessionPath(m_session.board()).string()));
-    }
+    const session::Desk desk{board.document->job.step, poseOf(m_views.flat().controller()),
+                             poseOf(m_views.solid().controller()), unitName(m_workspace.unit()), m_layers.states()};
+    m_workspace.reportSaved(session::saveDesk(board.request.path, *board.document, desk),
+                            QString::fromStdString(session::sessionPath(board.request.path).string()));
 }
 
-std::optional<LengthUnit> SavedViews::restoreDesk(const LoadedBoard& board) {
-    if (!board.desk || board.desk->step != board.document->job.step) {
-        return std::nullopt;
-    }
-    m_layers.setStates(board.desk->layers);
-    m_views.flat().controller().setPose(cameraPose(board.desk->flat));
-    m_views.solid().controller().setPose(cameraPose(board.desk->solid));
-    emit shown({});
-    return unitNamed(board.desk->unit);
-}
-
-void SavedViews::change(const QString& what, List after) {
-    m_history.push(
-        new StateEdit<List>(what, m_list.views(), std::move(after), [this](const List& views) { apply(views); }));
-}
-
-void SavedViews::apply(const List& views) {
-    m_list.setViews(views);
-    const QString trouble = m_session.save(QStringLiteral("The views"), [&](const auto& path, const auto& document) {
-        return session::saveViews(path, document, views);
-    });
-    if (!trouble.isEmpty()) {
-        emit notSaved(trouble);
-    }
-}
-
-std::string SavedViews::freeName(const std::string& word) const {
-    for (std::size_t number = m_list.views().size() + 1;; ++number) {
-        const std::string name = word + " " + std::to_string(number);
-        if (std::ranges::find(m_list.views(), name, &session::SavedView::name) == m_list.views().end()) {
-            return name;
-        }
+void SavedViews::restoreDesk(const LoadedBoard& board) {
+    const std::optional<session::Desk>& desk = board.session.desk;
+    if (desk && m_workspace.isOpen(desk->step)) {
+        m_layers.setStates(desk->layers);
+        setCameras(desk->flat, desk->solid);
+        m_workspace.setUnit(unitNamed(desk->unit));
     }
 }
 

@@ -63,12 +63,12 @@ void SearchBox::update() {
 void SearchBox::listCommands(const QString& text) {
     for (const ActionSpec& spec : actionSpecs()) {
         QAction& action = m_actions[spec.id];
-        const QString name = QString::fromUtf8(spec.text).remove('&');
+        const QString name = action.text().remove('&');
         if (!action.isEnabled() || !name.contains(text, Qt::CaseInsensitive)) {
             continue;
         }
         const QString keys = action.shortcut().toString(QKeySequence::NativeText);
-        const QString menu = QString::fromUtf8(menuTitle(spec.menu)).remove('&');
+        const QString menu = menuTitle(spec.menu).remove('&');
         m_list->addItem(
             tr("%1    Command, %2%3").arg(name, menu, keys.isEmpty() ? QString() : QStringLiteral(", ") + keys));
         m_commands.push_back(&action);

@@ -1,16 +1,21 @@
 #include "ui/section/sections.h"
 
 #include <QComboBox>
-#include <QSaveFile>
 #include <algorithm>
 #include <utility>
 
 #include "model/section/net_line.h"
 #include "model/section/section_export.h"
+#include "ui/layers/layer_model.h"
+#include "ui/views/board_views.h"
+#include "ui/views/probing.h"
 
 namespace ui {
 
 namespace {
+
+/// How far a key moves the section plane, as a part of the board's larger side.
+constexpr double kPlaneStep = 0.02;
 
 /// The first corner of a line that is being drawn is none yet.
 bool hasLength(const std::vector<base::PointD>& line) {
@@ -19,59 +24,114 @@ bool hasLength(const std::vector<base::PointD>& line) {
 
 }  // namespace
 
-Sections::Sections(BoardViews& views, SelectionModel& selection, const ActionSet& actions, QUndoStack& history,
-                   QObject* parent)
-    : QObject(parent),
-      m_selection(selection),
-      m_line(views.flat()),
-      m_keeping(history),
-      m_panel(new SectionPanel(selection, m_keeping.names(), actions)) {
+Sections::Sections(FeatureContext& context)
+    : QObject(&context.window),
+      m_workspace(context.workspace),
+      m_actions(context.actions),
+      m_selection(context.workspace.selection()),
+      m_line(context.views.flat()),
+      m_plane(context.views),
+      m_saved(context.workspace, this),
+      m_panel(new SectionPanel(m_selection, m_saved.names(), context.actions)) {
+    m_line.setParent(this);
+    context.addPanel(
+        {ActionId::ShowSectionDock, "section", tr("Cross-section"), Qt::BottomDockWidgetArea, "messages", 0}, *m_panel);
     m_due.setSingleShot(true);
     m_due.setInterval(0);
     connect(&m_due, &QTimer::timeout, this, &Sections::cut);
     connect(&m_line, &SectionLine::moved, &m_due, qOverload<>(&QTimer::start));
     connect(&m_line, &SectionLine::finished, this, [this] {
         cut();
-        emit placed();
+        onPlaced();
     });
     connect(m_panel, &SectionPanel::cleared, this, [this] { cutAlong({}); });
     connect(m_panel, &SectionPanel::chosen, this, &Sections::goTo);
-    connect(m_panel, &SectionPanel::forgotten, &m_keeping, &SavedSections::remove);
+    connect(m_panel, &SectionPanel::forgotten, &m_saved, &SavedSections::remove);
+    connect(&m_workspace, &Workspace::boardOpened, this, &Sections::setBoard);
+    connect(&m_workspace, &Workspace::restacked, this, [this](const LoadedBoard& board) {
+        m_index = board.index;
+        m_plane.setHeights(board.index);
+        cut();
+    });
+    connect(&m_workspace, &Workspace::unitChanged, &m_panel->view(), &SectionView::setUnit);
+    connect(&context.layers, &LayerModel::stylesChanged, this,
+            [this, &layers = context.layers] { m_panel->view().setColours(m_colours = layers.colours()); });
+    connectCommands(context);
+    connectPlane(context);
+}
+
+void Sections::connectCommands(FeatureContext& context) {
+    const auto on = [&](ActionId id, auto slot) { context.on(id, this, slot); };
+    on(ActionId::DrawSection, [this](bool isOn) {
+        FeatureContext::raise(*m_panel);
+        draw(isOn);
+    });
+    on(ActionId::SectionAlongNet, [this] {
+        FeatureContext::raise(*m_panel);
+        followNet();
+    });
+    on(ActionId::OpenAlongSection, [this] { showIn3D(); });
+    on(ActionId::SaveSection, [this] { saveSection(); });
+    on(ActionId::ExportSection, [this, &context] {
+        context.saveFile(tr("Export section"), {tr("Drawings (*.svg)")},
+                         [this](const QString& path) { return save(path); });
+    });
+    context.escapes.emplace_back([this] {
+        const bool isDrawing = m_line.isDrawing();
+        m_line.setDrawing(false);
+        return isDrawing;
+    });
+}
+
+void Sections::connectPlane(FeatureContext& context) {
+    const auto on = [&](ActionId id, auto slot) { context.on(id, this, slot); };
+    on(ActionId::SectionPlane, [this](bool isOn) {
+        m_plane.setOn(isOn);
+        m_actions[ActionId::SectionPlane].setChecked(m_plane.isOn());
+    });
+    on(ActionId::RotateSectionPlane, [this] { m_plane.rotate(); });
+    on(ActionId::MoveSectionPlaneOn, [this] { m_plane.move(kPlaneStep); });
+    on(ActionId::MoveSectionPlaneBack, [this] { m_plane.move(-kPlaneStep); });
+    connect(&context.probing, &Probing::pointedAt, this, [this](double x, double y) {
+        m_plane.pointAt(base::PointD{x, y});
+    });
+    connect(&context.probing, &Probing::pointedAway, this, [this] { m_plane.pointAt(std::nullopt); });
 }
 
 void Sections::setBoard(const LoadedBoard& board) {
     m_index = board.index;
-    m_keeping.setBoard(board);
     m_line.setBoard({board.model->origin});
+    m_plane.setBoard(board);
+    for (const ActionId id : {ActionId::SectionPlane, ActionId::DrawSection}) {
+        m_actions[id].setChecked(false);
+    }
     m_panel->view().fit();
     cut();
 }
 
-void Sections::setHeights(std::shared_ptr<const model::Document> board) {
-    if (m_index) {
-        m_index = model::withHeights(*m_index, std::move(board));
-        cut();
+void Sections::onPlaced() {
+    m_actions[ActionId::DrawSection].setChecked(false);
+    if (m_plane.isAlongLine() && straightLine()) {
+        showIn3D();
     }
 }
 
-void Sections::setColours(std::vector<QColor> colours) {
-    m_colours = colours;
-    m_panel->view().setColours(std::move(colours));
+void Sections::showIn3D() {
+    if (const auto line = straightLine()) {
+        m_plane.cutAlong(line->first, line->second);
+        m_actions[ActionId::SectionPlane].setChecked(true);
+    } else {
+        m_workspace.report(tr("Draw a section with a straight line first"));
+    }
 }
 
 void Sections::draw(bool isOn) {
     m_line.setDrawing(isOn);
     if (isOn) {
-        emit reported(
-            QStringLiteral("Drag a line, or click its corners: a double click or Enter ends it, Backspace takes the "
-                           "last corner back, Esc gives up"));
+        m_workspace.report(
+            tr("Drag a line, or click its corners: a double click or Enter ends it, Backspace takes the "
+               "last corner back, Esc gives up"));
     }
-}
-
-bool Sections::giveUp() {
-    const bool isDrawing = m_line.isDrawing();
-    m_line.setDrawing(false);
-    return isDrawing;
 }
 
 void Sections::cutAlong(std::vector<base::PointD> line) {
@@ -110,38 +170,37 @@ std::optional<std::pair<base::PointD, base::PointD>> Sections::straightLine() co
 
 void Sections::followNet() {
     if (m_index == nullptr || m_selection.nets().size() != 1) {
-        emit reported(QStringLiteral("Highlight one net first: N over its copper, or a click in the Nets panel"));
+        emit reported(tr("Highlight one net first: N over its copper, or a click in the Nets panel"));
         return;
     }
     const model::BoardNet& net = m_selection.nets().front();
-    const auto copy = std::ranges::find(m_index->tree.copies, net.step, &model::StepCopy::step);
-    const auto row = static_cast<std::uint32_t>(copy - m_index->tree.copies.begin());
-    if (base::Result<std::vector<base::PointD>> line = model::lineAlong(*m_index, {row, net.net})) {
+    if (base::Result<std::vector<base::PointD>> line =
+            model::lineAlong(*m_index, {m_selection.firstCopyOf(net.step), net.net})) {
         cutAlong(std::move(*line));
-        emit placed();
+        onPlaced();
     } else {
-        emit reported(QString::fromStdString(line.error().text));
+        m_workspace.report(line.error().text);
     }
 }
 
-void Sections::keep() {
+void Sections::saveSection() {
     const std::optional<model::Section>& section = m_panel->view().section();
-    emit reported(section ? QStringLiteral("Kept as %1").arg(m_keeping.keep(section->line))
-                          : QStringLiteral("There is no section to keep: draw one first"));
+    m_workspace.report(section ? tr("Saved as %1").arg(m_saved.add(section->line))
+                               : tr("There is no section to save: draw one first"));
 }
 
 void Sections::goTo(int row) {
-    const model::session::SavedSection& kept = m_keeping.sections()[static_cast<std::size_t>(row)];
-    if (!m_keeping.isHere(kept)) {
+    const model::session::SavedSection& saved = m_saved.sections()[static_cast<std::size_t>(row)];
+    if (!m_workspace.isOpen(saved.step)) {
         const auto& steps = m_index->board->job.steps;
-        const bool isKnown = std::ranges::find(steps, kept.step) != steps.end();
-        emit reported((isKnown ? QStringLiteral("%1 is a section of step %2, which is not open")
-                               : QStringLiteral("%1 is a section of step %2, which this board does not have"))
-                          .arg(QString::fromStdString(kept.name), QString::fromStdString(kept.step)));
+        const bool isKnown = std::ranges::find(steps, saved.step) != steps.end();
+        m_workspace.report((isKnown ? tr("%1 is a section of step %2, which is not open")
+                                    : tr("%1 is a section of step %2, which this board does not have"))
+                               .arg(QString::fromStdString(saved.name), QString::fromStdString(saved.step)));
         return;
     }
-    cutAlong(kept.line);
-    emit placed();
+    cutAlong(saved.line);
+    onPlaced();
 }
 
 base::Status Sections::save(const QString& path) const {
@@ -154,13 +213,7 @@ base::Status Sections::save(const QString& path) const {
         how.colours.push_back(colour.rgb() & 0xffffffU);
     }
     how.heightTimes = m_panel->heightsBox().currentData().toDouble();
-    QSaveFile file(path);
-    const QByteArray svg = QByteArray::fromStdString(model::sectionSvg(*m_index->board, *section, how));
-    if (!file.open(QIODevice::WriteOnly) || file.write(svg) != svg.size() || !file.commit()) {
-        return base::Error{base::ErrorCode::OutputFailed,
-                           (path + QStringLiteral(" cannot be written: ") + file.errorString()).toStdString()};
-    }
-    return base::Done{};
+    return writeFile(path, QByteArray::fromStdString(model::sectionSvg(*m_index->board, *section, how)));
 }
 
 }  // namespace ui

@@ -6,19 +6,12 @@
 #include <QKeyEvent>
 #include <QWindow>
 #include <algorithm>
-#include <utility>
 
 #include "ui/workspace/key_presets.h"
 
 namespace ui {
 
 namespace {
-
-constexpr std::pair<ActionId, KeyPreset> kPresets[] = {{ActionId::KeysCopperscope, KeyPreset::Copperscope},
-                                                       {ActionId::KeysKiCad, KeyPreset::KiCad},
-                                                       {ActionId::KeysAltium, KeyPreset::Altium},
-                                                       {ActionId::KeysAllegro, KeyPreset::Allegro},
-                                                       {ActionId::KeysKLayout, KeyPreset::KLayout}};
 
 /// Keys that lists, buttons and fields work with.
 constexpr Qt::Key kPanelKeys[] = {Qt::Key_Space, Qt::Key_Return, Qt::Key_Enter,    Qt::Key_Home,
@@ -51,15 +44,8 @@ QWidget* innerFocus(QWidget& panel) {
 
 }  // namespace
 
-Keyboard::Keyboard(QMainWindow& window, ActionSet& actions, BoardViews& views, Settings& settings)
-    : QObject(&window),
-      m_actions(actions),
-      m_views(views),
-      m_settings(settings),
-      m_docks(window.findChildren<QDockWidget*>()) {
-    for (const auto& [id, preset] : kPresets) {
-        connect(&actions[id], &QAction::triggered, this, [this, preset = preset] { setPreset(preset); });
-    }
+Keyboard::Keyboard(QMainWindow& window, ActionSet& actions, BoardViews& views)
+    : QObject(&window), m_actions(actions), m_views(views), m_docks(window.findChildren<QDockWidget*>()) {
     connect(&actions[ActionId::NextPanel], &QAction::triggered, this, [this] { step(1); });
     connect(&actions[ActionId::PreviousPanel], &QAction::triggered, this, [this] { step(-1); });
     for (QDockWidget* dock : m_docks) {
@@ -68,11 +54,7 @@ Keyboard::Keyboard(QMainWindow& window, ActionSet& actions, BoardViews& views, S
 }
 
 void Keyboard::setPreset(KeyPreset preset) {
-    for (const auto& [id, value] : kPresets) {
-        m_actions[id].setChecked(value == preset);
-    }
     m_actions.setKeys(preset);
-    m_settings.setKeys(preset);
     for (BoardView* view : m_views.both()) {
         view->controller().setHabits(mouseHabitsOf(preset));
     }

@@ -4,19 +4,18 @@
 
 #include "ui/views/board_views.h"
 #include "ui/workspace/actions.h"
-#include "ui/workspace/settings.h"
 
 class QDockWidget;
 
 namespace ui {
 
-/// How the window is used with keys: whose keys it has (and with them whose mouse habits), and which view or panel they
+/// How the window is used with keys: the key preset (and with it the use of the mouse), and which view or panel they
 /// go to. Shown views and panels take turns, views first; a panel that lies behind another one comes to the front.
 class Keyboard : public QObject {
     Q_OBJECT
 
 public:
-    Keyboard(QMainWindow& window, ActionSet& actions, BoardViews& views, Settings& settings);
+    Keyboard(QMainWindow& window, ActionSet& actions, BoardViews& views);
 
     void setPreset(KeyPreset preset);
     /// Moves from a panel that was reached with keys to the view in use; false when none has the keyboard.
@@ -35,7 +34,6 @@ private:
 
     ActionSet& m_actions;
     BoardViews& m_views;
-    Settings& m_settings;
     QWidget* m_visited = nullptr;  ///< the panel that was reached with keys
     QList<QDockWidget*> m_docks;   ///< in the order they were made, which raising one would change among siblings
 };

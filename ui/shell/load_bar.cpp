@@ -12,8 +12,8 @@ LoadBar::LoadBar(QWidget* parent)
     m_bar->setRange(0, 100);
     m_bar->setFixedWidth(140);
     m_bar->setMaximumHeight(fontMetrics().height() + 4);
-    m_cancel->setText(QStringLiteral("Cancel"));
-    m_cancel->setToolTip(QStringLiteral("Stop reading and keep the board on the screen (Esc)"));
+    m_cancel->setText(tr("Cancel"));
+    m_cancel->setToolTip(tr("Stop reading; the board on the screen stays (Esc)"));
     connect(m_cancel, &QToolButton::clicked, this, &LoadBar::cancelRequested);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(4, 0, 4, 0);
@@ -25,7 +25,7 @@ LoadBar::LoadBar(QWidget* parent)
 
 void LoadBar::begin(const QString& name) {
     m_name = name;
-    report(QStringLiteral("Opening"), 0.0);
+    report(tr("Opening"), 0.0);
     show();
 }
 

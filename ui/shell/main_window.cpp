@@ -1,39 +1,26 @@
 #include "ui/shell/main_window.h"
 
 #include <QCloseEvent>
+#include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
+#include <QMessageBox>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolBar>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <map>
-#include <utility>
 
 #include "ui/common/paths.h"
-#include "ui/element/element_panel.h"
-#include "ui/element/element_picture.h"
-#include "ui/layers/layers_panel.h"
-#include "ui/measure/measurements_panel.h"
-#include "ui/messages/messages_panel.h"
-#include "ui/nets/net_check_panel.h"
-#include "ui/nets/nets_panel.h"
-#include "ui/saved_views/saved_views_panel.h"
-#include "ui/search/search_box.h"
-#include "ui/shell/docks.h"
+#include "ui/shell/features.h"
+#include "ui/shell/help_dialogs.h"
 #include "ui/shell/icons.h"
 #include "ui/shell/keyboard.h"
-#include "ui/shell/load_summary.h"
 #include "ui/shell/message_bar.h"
 #include "ui/shell/recent_boards.h"
 #include "ui/shell/start_page.h"
 #include "ui/shell/status_line.h"
-#include "ui/stackup/stackup_panel.h"
-#include "ui/stackup/stackup_view.h"
-#include "ui/statistics/histogram_view.h"
-#include "ui/statistics/statistics_panel.h"
-#include "ui/views/layer_styles.h"
+#include "ui/shell/theme.h"
 
 namespace ui {
 
@@ -43,44 +30,48 @@ namespace {
 constexpr ActionId kToolBar[] = {ActionId::OpenFile,   ActionId::Count,   ActionId::Fit,        ActionId::ViewTop,
                                  ActionId::ViewBottom, ActionId::ViewIso, ActionId::Count,      ActionId::Orthographic,
                                  ActionId::Explode,    ActionId::Count,   ActionId::SavePicture};
-/// Commands that need a board.
-// One name a line would fill the page.
-// clang-format off
-constexpr ActionId kBoardActions[] = {
-    ActionId::Reload, ActionId::SavePicture, ActionId::CopyPicture, ActionId::Fit,
-    ActionId::ViewTop, ActionId::ViewBottom, ActionId::ViewIso, ActionId::Flip,
-    ActionId::ZoomIn, ActionId::ZoomOut, ActionId::ShowAllLayers, ActionId::HideAllLayers,
-    ActionId::ShowCopperOnly, ActionId::SoloLayer, ActionId::RestoreLayers, ActionId::Contrast,
-    ActionId::NextLayer, ActionId::PreviousLayer, ActionId::ClearSelection, ActionId::ShowSelection,
-    ActionId::ColourNet, ActionId::ChooseNetColour, ActionId::HideNet, ActionId::ShowAllNets,
-    ActionId::ClearNetColours, ActionId::SelectComponent, ActionId::SelectPin, ActionId::CheckNets,
-    ActionId::ExportStackup, ActionId::InferNets, ActionId::HighlightNet, ActionId::SaveLargePicture,
-    ActionId::ViewBack, ActionId::ViewForward, ActionId::SaveView, ActionId::SaveSelection,
-    ActionId::SaveSession, ActionId::SearchClearances, ActionId::NextClearance, ActionId::PreviousClearance,
-    ActionId::EditRules, ActionId::ExportClearances, ActionId::Lens, ActionId::ClearanceMap, ActionId::MeasurePoints,
-    ActionId::MeasureObjects, ActionId::MeasureAngle, ActionId::MeasureLines, ActionId::MeasureRadius,
-    ActionId::MeasureLength, ActionId::MeasureSpacing,
-    ActionId::ExportMeasurements, ActionId::DrawSection, ActionId::OpenAlongSection,
-    ActionId::SectionAlongNet, ActionId::SaveSection, ActionId::ExportSection};
-// clang-format on
+
+/// Submenus of View, in order.
+constexpr MenuId kViewMenus[] = {MenuId::Solid, MenuId::Arrangement, MenuId::Panels,
+                                 MenuId::Theme, MenuId::Backend,     MenuId::Keys};
+constexpr MenuId kMenus[] = {MenuId::File,  MenuId::Edit,    MenuId::View,   MenuId::Layers, MenuId::Nets,
+                             MenuId::Board, MenuId::Measure, MenuId::Select, MenuId::Help};
 
 }  // namespace
 
 MainWindow::MainWindow(GpuContext& context, Settings& settings, const Loader::Work& work)
-    : m_context(context), m_settings(settings), m_actions(*this), m_loader(work) {
+    : m_settings(settings),
+      m_workspace(work, this),
+      m_actions(*this),
+      m_layers(this),
+      m_netStyles(this),
+      m_parts(m_actions, m_workspace, this),
+      m_views(new BoardViews(context)),
+      m_probing(*m_views, m_workspace, m_netStyles, this),
+      m_plan(m_views->flat(), m_workspace, m_netStyles, this),
+      m_position(m_probing, m_workspace, this),
+      m_features{*this,       context, m_workspace, m_actions, m_settings, m_layers,
+                 m_netStyles, m_parts, *m_views,    m_probing, m_plan,     m_position},
+      m_pages(new QStackedWidget),
+      m_messageBar(new MessageBar),
+      m_statusLine(new StatusLine(*statusBar())) {
     setObjectName(QStringLiteral("workbench"));
     resize(1280, 800);  // before the docks take their shares of it
     setWindowTitle(QStringLiteral("Copperscope"));
-    m_statusLine = new StatusLine(*statusBar());
     m_statusLine->showDevice(QString::fromStdString(context.device().caps().name));
     createCentre();
-    createDocks();
+    addFeatures(m_features);
+    sizeDocks();
+    m_keyboard = new Keyboard(*this, m_actions, *m_views);
     createToolBar();
     createMenus();
+    connectFiles();
     connectCommands();
-    connectLoader();
+    connectHelp();
+    connectStatus();
+    addChoices();
     restoreSettings();
-    onIdle();
+    enableActions();
 }
 
 MainWindow::~MainWindow() {
@@ -89,9 +80,6 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::createCentre() {
-    m_views = new BoardViews(m_context);
-    m_messageBar = new MessageBar;
-    m_pages = new QStackedWidget;
     m_pages->addWidget(new StartPage(m_actions));
     m_pages->addWidget(m_views);
     auto* centre = new QWidget;
@@ -101,63 +89,31 @@ void MainWindow::createCentre() {
     layout->addWidget(m_messageBar);
     layout->addWidget(m_pages, 1);
     setCentralWidget(centre);
-
     setAcceptDrops(true);
     installEventFilter(&m_dropTarget);
     for (BoardView* view : m_views->both()) {
         view->canvas().installEventFilter(&m_dropTarget);
     }
-    connect(&m_dropTarget, &DropTarget::dropped, this, &MainWindow::openDropped);
-    m_probing = new Probing(*m_views, m_selection, m_netStyles, this);
-    m_elementStyles = new ElementStyles(*m_views, m_selection, m_netStyles, this);
-    m_planPainter = std::make_unique<PlanPainter>(m_views->flat());
-    m_planPainter->setStyles(m_netStyles);
-    m_outlines = new ElementOutlines(*m_views, m_selection, this);
-    m_clearances =
-        new Clearances(*m_views, *m_probing, m_selection, *m_planPainter, m_actions, m_thicknesses.history(), this);
-    m_sections = new Sections(*m_views, m_selection, m_actions, m_thicknesses.history(), this);
-    m_positionReadout = new PositionReadout(*m_probing, *m_statusLine, this);
-    m_measurements = new SavedMeasurements(m_thicknesses.history(), this);
-    m_measuring = new Measuring(*m_views, *m_probing, *m_measurements, this);
-    connect(m_views, &BoardViews::timed, m_statusLine, &StatusLine::showFrame);
-    connect(m_views, &BoardViews::troubled, m_messageBar, &MessageBar::showError);
-    connect(&m_layerModel, &LayerModel::stylesChanged, this, [this] {
-        m_views->setStyles(m_layerModel.effectiveStyles());
-        colourStackup();
-    });
 }
 
-void MainWindow::createDocks() {
-    m_layersPanel = new LayersPanel(m_layerModel, m_actions);
-    m_netModel.setStyles(m_netStyles);
-    m_netsPanel = new NetsPanel(m_netModel, m_selection, m_netStyles, m_actions);
-    m_netStyleEditing = new NetStyleEditing(m_netStyles, m_thicknesses.history(), this);
-    m_elementPanel = new ElementPanel(m_selection, new ElementPicture(m_context, m_selection, m_layerModel));
-    connect(m_views, &BoardViews::deviceGoes, &m_elementPanel->picture(), &ElementPicture::releaseDevice);
-    m_netCheckPanel = new NetCheckPanel(m_netCheckModel, m_actions);
-    m_stackupPanel = new StackupPanel(m_stackupModel, m_actions);
-    m_statisticsPanel = new StatisticsPanel(m_statisticsModel, m_drillModel);
-    m_messagesPanel = new MessagesPanel(m_messageModel);
-    m_savedViews = new SavedViews(*m_views, m_layerModel, m_selection, m_thicknesses.history(), this);
-    m_savedViewsPanel = new SavedViewsPanel(m_savedViews->list(), m_actions);
-    m_measurementsPanel = new MeasurementsPanel(m_measurements->list(), m_actions);
-    connect(m_messagesPanel, &MessagesPanel::chosen, this, qOverload<const model::Diagnostic&>(&MainWindow::goTo));
-    const std::map<ActionId, QWidget*> panels = {{ActionId::ShowLayersDock, m_layersPanel},
-                                                 {ActionId::ShowNetsDock, m_netsPanel},
-                                                 {ActionId::ShowElementDock, m_elementPanel},
-                                                 {ActionId::ShowStackupDock, m_stackupPanel},
-                                                 {ActionId::ShowNetCheckDock, m_netCheckPanel},
-                                                 {ActionId::ShowStatisticsDock, m_statisticsPanel},
-                                                 {ActionId::ShowMessagesDock, m_messagesPanel},
-                                                 {ActionId::ShowSavedViewsDock, m_savedViewsPanel},
-                                                 {ActionId::ShowMeasurementsDock, m_measurementsPanel},
-                                                 {ActionId::ShowClearanceDock, &m_clearances->panel()},
-                                                 {ActionId::ShowSectionDock, &m_sections->panel()}};
-    addDocks(*this, m_actions, [&panels](ActionId toggle) { return panels.at(toggle); });
+void MainWindow::sizeDocks() {
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    // All at once, or one takes from another what it was given.
+    for (const Qt::Orientation way : {Qt::Horizontal, Qt::Vertical}) {
+        QList<QDockWidget*> docks;
+        QList<int> sizes;
+        for (const auto& [dock, lines] : m_features.docks) {
+            if (lines > 0 && (dockWidgetArea(dock) == Qt::BottomDockWidgetArea) == (way == Qt::Vertical)) {
+                docks += dock;
+                sizes += fontMetrics().height() * lines;
+            }
+        }
+        resizeDocks(docks, sizes, way);
+    }
 }
 
 void MainWindow::createToolBar() {
-    QToolBar* bar = addToolBar(QStringLiteral("Toolbar"));
+    QToolBar* bar = addToolBar(tr("Toolbar"));
     bar->setObjectName(QStringLiteral("toolbar"));
     bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     bar->setIconSize({fontMetrics().height() + 4, fontMetrics().height() + 4});
@@ -174,169 +130,160 @@ void MainWindow::createToolBar() {
 
 void MainWindow::createMenus() {
     const auto addMenu = [this](auto& parent, MenuId id) {
-        QMenu* menu = parent.addMenu(QString::fromUtf8(menuTitle(id)));
+        QMenu* menu = parent.addMenu(menuTitle(id));
         m_actions.fill(*menu, id);
         return menu;
     };
-    QMenu* file = addMenu(*menuBar(), MenuId::File);
-    addMenu(*menuBar(), MenuId::Edit);
-    QMenu* view = addMenu(*menuBar(), MenuId::View);
-    view->addSeparator();
-    addMenu(*view, MenuId::Solid);
-    addMenu(*view, MenuId::Arrangement);
-    addMenu(*view, MenuId::Panels);
-    addMenu(*view, MenuId::Theme);
-    addMenu(*view, MenuId::Backend);
-    addMenu(*view, MenuId::Keys);
-    addMenu(*menuBar(), MenuId::Layers);
-    addMenu(*menuBar(), MenuId::Nets);
-    addMenu(*menuBar(), MenuId::Board);
-    addMenu(*menuBar(), MenuId::Measure);
-    addMenu(*menuBar(), MenuId::Select);
-    addMenu(*menuBar(), MenuId::Help);
-
-    auto* recent = new QMenu(QStringLiteral("Open r&ecent"), this);
+    QMenu* file = nullptr;
+    for (const MenuId id : kMenus) {
+        QMenu* menu = addMenu(*menuBar(), id);
+        file = id == MenuId::File ? menu : file;
+        if (id == MenuId::View) {
+            menu->addSeparator();
+            std::ranges::for_each(kViewMenus, [&](MenuId sub) { addMenu(*menu, sub); });
+        }
+    }
+    auto* recent = new QMenu(tr("Open r&ecent"), this);
     file->insertMenu(&m_actions[ActionId::Reload], recent);
-    m_recent = new RecentBoards(m_settings, *recent, this);
-    connect(m_recent, &RecentBoards::chosen, this, [this](const QString& path) { open(toPath(path)); });
+    auto* boards = new RecentBoards(m_settings, *recent, this);
+    connect(boards, &RecentBoards::chosen, this, &MainWindow::openPath);
+    connect(&m_workspace, &Workspace::boardOpened, boards,
+            [boards](const LoadedBoard& board) { boards->add(fromPath(board.request.path)); });
 }
 
-void MainWindow::connectLoader() {
-    connect(&m_loader, &Loader::started, this, &MainWindow::onStarted);
-    connect(&m_loader, &Loader::loaded, this, &MainWindow::onLoaded);
-    connect(&m_loader, &Loader::failed, this, &MainWindow::onFailed);
-    connect(&m_loader, &Loader::cancelled, this, &MainWindow::onCancelled);
-    LoadBar& bar = m_statusLine->loadBar();
-    connect(&m_loader, &Loader::progressed, &bar, &LoadBar::report);
-    connect(&bar, &LoadBar::cancelRequested, this, &MainWindow::cancelWork);
+void MainWindow::connectFiles() {
+    const auto choose = [this](const QString& title, const QString& filters) {
+        m_features.openFile(title, filters, [this](const QString& path) {
+            m_settings.setLastFolder(QFileInfo(path).absolutePath());
+            openPath(path);
+        });
+    };
+    m_features.on(ActionId::OpenFile, [choose] {
+        choose(tr("Open a board"), tr("Boards (*.tgz *.tar.gz *.tar *.zip *.txt);;All files (*)"));
+    });
+    m_features.on(ActionId::OpenFolder, [choose] { choose(tr("Open an ODB++ folder"), {}); });
+    m_features.on(ActionId::Reload, [this] { m_workspace.reload(); });
+    m_features.on(ActionId::CancelLoading, [this] { m_workspace.cancelWork(); });
+    m_features.on(ActionId::Quit, [this] { close(); });
+    connect(&m_dropTarget, &DropTarget::dropped, this, [this](const QStringList& paths) {
+        openPath(paths.first());
+        if (paths.size() > 1) {
+            m_workspace.report(tr("One board at a time: opening the first of %1").arg(paths.size()));
+        }
+    });
     connect(m_statusLine, &StatusLine::stepChosen, this, [this](const QString& step) {
-        LoadRequest request = m_thicknesses.request();
-        request.step = step.toStdString();
-        m_loader.open(std::move(request));
+        m_workspace.reload([&step](model::OpenRequest& request) { request.step = step.toStdString(); });
+    });
+    connect(&m_workspace, &Workspace::boardRead, m_messageBar, &QWidget::hide);
+    connect(&m_workspace, &Workspace::boardOpened, this, &MainWindow::onOpened);
+}
+
+void MainWindow::openPath(const QString& path) {
+    open({.path = toPath(path)});
+}
+
+void MainWindow::connectCommands() {
+    QUndoStack& history = m_workspace.history();
+    const std::pair<ActionId, void (QUndoStack::*)()> ways[] = {{ActionId::Undo, &QUndoStack::undo},
+                                                                {ActionId::Redo, &QUndoStack::redo}};
+    for (const auto& [id, go] : ways) {
+        m_features.on(id, &history, [&history, go = go] { (history.*go)(); });
+        m_actions[id].setEnabled(false);
+    }
+    connect(&history, &QUndoStack::canUndoChanged, &m_actions[ActionId::Undo], &QAction::setEnabled);
+    connect(&history, &QUndoStack::canRedoChanged, &m_actions[ActionId::Redo], &QAction::setEnabled);
+    m_features.on(ActionId::ClearSelection, [this] { escape(); });
+    m_features.on(ActionId::NextUnit, [this] { m_workspace.setUnit(nextUnit(m_workspace.unit())); });
+}
+
+void MainWindow::escape() {
+    if (!m_workspace.cancelWork() && !m_keyboard->returnToView() &&
+        std::ranges::none_of(m_features.escapes, [](const auto& end) { return end(); })) {
+        m_workspace.selection().clearStep();
+    }
+}
+
+void MainWindow::connectHelp() {
+    m_features.on(ActionId::ShowKeys, [this] { showKeyList(*this, m_actions.keys()); });
+    m_features.on(ActionId::About, [this] { showAbout(*this); });
+    m_features.on(ActionId::ResetSettings, [this] {
+        auto* question = new QMessageBox(QMessageBox::Question, tr("Reset settings"),
+                                         tr("Reset panels, theme, back end and the list of recent boards?"),
+                                         QMessageBox::Reset | QMessageBox::Cancel, this);
+        question->setAttribute(Qt::WA_DeleteOnClose);
+        connect(question, &QMessageBox::buttonClicked, this, [this, question](QAbstractButton* button) {
+            if (question->standardButton(button) == QMessageBox::Reset) {
+                resetSettings();
+            }
+        });
+        question->open();
     });
 }
 
+void MainWindow::connectStatus() {
+    LoadBar& bar = m_statusLine->loadBar();
+    connect(&m_workspace, &Workspace::reported, this, [this](const QString& text) { statusBar()->showMessage(text); });
+    connect(&m_workspace, &Workspace::errorReported, m_messageBar, &MessageBar::showError);
+    connect(&m_workspace, &Workspace::workBegan, &bar, &LoadBar::begin);
+    connect(&m_workspace, &Workspace::workBegan, this, [this] {
+        m_actions[ActionId::CancelLoading].setEnabled(true);
+        m_actions[ActionId::ClearSelection].setEnabled(true);
+    });
+    connect(&m_workspace, &Workspace::workProgressed, &bar, &LoadBar::report);
+    connect(&m_workspace, &Workspace::idle, this, &MainWindow::enableActions);
+    connect(&bar, &LoadBar::cancelRequested, &m_workspace, &Workspace::cancelWork);
+    connect(m_views, &BoardViews::timed, m_statusLine, &StatusLine::showFrame);
+    connect(&m_position, &PositionReadout::changed, m_statusLine, &StatusLine::showPosition);
+}
+
+void MainWindow::onOpened(const LoadedBoard& board) {
+    m_pages->setCurrentWidget(m_views);
+    setWindowTitle(QStringLiteral("%1 – Copperscope").arg(displayName(board.request.path)));
+}
+
+void MainWindow::enableActions() {
+    m_statusLine->loadBar().hide();
+    m_actions.enable(m_workspace.board() != nullptr);
+    m_actions[ActionId::CancelLoading].setEnabled(false);
+    if (m_workspace.board() != nullptr) {
+        m_statusLine->showSteps(m_workspace.board()->document->job);  // also undoes a choice that was not loaded
+    }
+}
+
+void MainWindow::addChoices() {
+    m_features.addChoice<Theme>({{ActionId::ThemeSystem, Theme::System},
+                                 {ActionId::ThemeDark, Theme::Dark},
+                                 {ActionId::ThemeLight, Theme::Light}},
+                                &Settings::theme, &Settings::setTheme, applyTheme);
+    m_features.addChoice<KeyPreset>({{ActionId::KeysCopperscope, KeyPreset::Copperscope},
+                                     {ActionId::KeysKiCad, KeyPreset::KiCad},
+                                     {ActionId::KeysAltium, KeyPreset::Altium},
+                                     {ActionId::KeysAllegro, KeyPreset::Allegro},
+                                     {ActionId::KeysKLayout, KeyPreset::KLayout}},
+                                    &Settings::keys, &Settings::setKeys,
+                                    [this](KeyPreset preset) { m_keyboard->setPreset(preset); });
+    connect(&m_workspace, &Workspace::unitChanged, this, [this](LengthUnit unit) { m_settings.setUnit(unit); });
+    m_features.restorers.emplace_back([this] { m_workspace.setUnit(m_settings.unit()); });
+}
+
+void MainWindow::restoreSettings() {
+    m_defaultState = saveState();
+    restoreGeometry(m_settings.windowGeometry());
+    restoreState(m_settings.windowState());
+    std::ranges::for_each(m_features.restorers, [](const auto& restore) { restore(); });
+    statusBar()->clearMessage();
+}
+
+void MainWindow::resetSettings() {
+    m_settings.reset();
+    restoreState(m_defaultState);
+    std::ranges::for_each(m_features.restorers, [](const auto& restore) { restore(); });
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
-    m_loader.cancel();
+    m_workspace.cancelLoading();
     m_settings.setWindow(saveGeometry(), saveState());
     event->accept();
-}
-
-void MainWindow::open(const std::filesystem::path& path, const std::string& step) {
-    m_loader.open({.path = path, .step = step});
-}
-
-void MainWindow::openDropped(const QStringList& paths) {
-    open(toPath(paths.first()));
-    if (paths.size() > 1) {
-        statusBar()->showMessage(QStringLiteral("One board at a time: opening the first of %1").arg(paths.size()));
-    }
-}
-
-void MainWindow::onStarted(const LoadRequest& request) {
-    m_netChecker.cancel();
-    m_clearances->cancel();
-    onWorking(displayName(request.path));
-}
-
-void MainWindow::onWorking(const QString& what) {
-    m_statusLine->loadBar().begin(what);
-    m_actions[ActionId::CancelLoading].setEnabled(true);
-    m_actions[ActionId::ClearSelection].setEnabled(true);
-}
-
-void MainWindow::onIdle() {
-    m_statusLine->loadBar().hide();
-    m_actions[ActionId::CancelLoading].setEnabled(false);
-    if (m_board) {
-        m_statusLine->showSteps(m_board->document->job);  // also undoes a choice that was not loaded
-    }
-    for (const ActionId id : kBoardActions) {
-        m_actions[id].setEnabled(m_board.has_value());
-    }
-    m_actions[ActionId::InferNets].setChecked(m_board && m_board->request.inferNets);
-}
-
-void MainWindow::onLoaded(const LoadedBoard& board) {
-    m_board = board;
-    m_layerModel.setDocument(board.document, defaultAppearances(*board.document, m_settings.palette()));
-    m_statisticsModel.setDocument(board.document, board.copperNm2);
-    m_drillModel.setDocument(board.document);
-    m_statisticsPanel->plot().setDocument(board.document);
-    m_stackupModel.setDocument(board.document);
-    m_thicknesses.setBoard(board);
-    m_searchBox->search().setBoard(board.document);
-    m_stackupPanel->view().setStackup(board.document);
-    colourStackup();
-    m_netCheckModel.setChecks(nullptr, {});
-    m_messageModel.setMessages(board.document, board.model->diagnostics);
-    m_views->show(board, m_layerModel.effectiveStyles());
-    m_savedViews->setBoard(board);
-    for (ViewHistory* history : m_viewHistories) {
-        history->clear();
-    }
-    m_probing->setBoard(board);
-    m_parts->clearBoard();
-    m_sectionPlane->setBoard(board);
-    m_frameDisplay->setBoard(board);
-    m_actions[ActionId::SectionPlane].setChecked(false);
-    m_netStyleEditing->setBoard(board);
-    m_netsPanel->setBoard(board.document, board.nets);
-    m_clearances->setBoard(board);
-    m_sections->setBoard(board);
-    m_actions[ActionId::DrawSection].setChecked(false);
-    m_outlines->setOrigin(board.model->origin);
-    m_planPainter->setBoard(board.index, {board.model->origin});
-    m_measurements->setBoard(board);
-    m_measuring->setBoard(board);
-    updateContrast();
-    m_pages->setCurrentWidget(m_views);
-    if (const auto unit = m_savedViews->restoreDesk(board)) {
-        setUnit(*unit);
-    }
-    showNotes(board.sessionNotes);
-    m_recent->add(fromPath(board.request.path));
-    setWindowTitle(QStringLiteral("%1 – Copperscope").arg(displayName(board.request.path)));
-    statusBar()->showMessage(loadSummary(board, m_messageModel));
-    onIdle();
-}
-
-void MainWindow::showNotes(const std::vector<std::string>& notes) {
-    QStringList lines;
-    for (const std::string& note : notes) {
-        lines += QString::fromStdString(note);
-    }
-    lines.isEmpty() ? m_messageBar->hide() : m_messageBar->showError(lines.join('\n'));
-}
-
-void MainWindow::colourStackup() {
-    std::vector<QColor> colours;
-    for (const LayerAppearance& look : m_layerModel.effectiveStyles()) {
-        colours.push_back(look.colour);
-    }
-    m_sections->setColours(colours);
-    m_stackupPanel->view().setStyles(std::move(colours), m_layerModel.soloLayer());
-}
-
-void MainWindow::onRestacked(const std::shared_ptr<const model::Document>& document) {
-    m_board->document = document;
-    m_layerModel.setHeights(document);
-    m_stackupModel.setDocument(document);
-    m_stackupPanel->view().setStackup(document);
-    m_messageModel.setMessages(document, m_board->model->diagnostics);
-    m_views->setHeights(document);
-    m_measuring->setHeights(document);
-    m_sections->setHeights(document);
-}
-
-void MainWindow::onFailed(const LoadRequest& request, const QString& reason) {
-    m_messageBar->showError(QStringLiteral("%1 was not opened. %2").arg(displayName(request.path), reason));
-    onIdle();
-}
-
-void MainWindow::onCancelled(const LoadRequest& request) {
-    statusBar()->showMessage(QStringLiteral("Stopped opening %1").arg(displayName(request.path)));
-    onIdle();
 }
 
 }  // namespace ui

@@ -14,7 +14,7 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent), m_label(new QLabel) {
     m_label->setTextFormat(Qt::PlainText);  // reasons hold file names, which may look like markup
     m_label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     auto* close = new QToolButton;
-    close->setText(QStringLiteral("Close"));
+    close->setText(tr("Close"));
     close->setAutoRaise(true);
     connect(close, &QToolButton::clicked, this, &QWidget::hide);
     auto* layout = new QHBoxLayout(this);

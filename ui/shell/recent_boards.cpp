@@ -41,10 +41,10 @@ void RecentBoards::fillMenu() {
         const QFileInfo file(path);
         QAction* action = m_menu.addAction(menuText(++number, file), this, [this, path] { emit chosen(path); });
         action->setEnabled(file.exists());
-        action->setStatusTip(file.exists() ? path : QStringLiteral("%1 is not there now").arg(path));
+        action->setStatusTip(file.exists() ? path : tr("%1 is not there now").arg(path));
     }
     m_menu.addSeparator();
-    QAction* clearAction = m_menu.addAction(QStringLiteral("&Clear list"), this, &RecentBoards::clear);
+    QAction* clearAction = m_menu.addAction(tr("&Clear list"), this, &RecentBoards::clear);
     clearAction->setEnabled(number > 0);
 }
 

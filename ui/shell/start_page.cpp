@@ -40,7 +40,7 @@ StartPage::StartPage(const ActionSet& actions, QWidget* parent) : QWidget(parent
     layout->setSpacing(12);
     layout->addStretch();
     layout->addWidget(title);
-    layout->addWidget(centredLabel(QStringLiteral("Drop an ODB++ archive or folder here, or open one.")));
+    layout->addWidget(centredLabel(tr("Drop an ODB++ archive or folder here, or open one.")));
     layout->addLayout(buttons);
     layout->addStretch();
 }

@@ -11,15 +11,15 @@ namespace ui {
 StatusLine::StatusLine(QStatusBar& bar)
     : QObject(&bar),
       m_loadBar(new LoadBar),
-      m_stepLabel(new QLabel(QStringLiteral("Step"))),
+      m_stepLabel(new QLabel(tr("Step"))),
       m_steps(new QComboBox),
       m_position(new QLabel),
       m_frame(new QLabel) {
-    m_steps->setToolTip(QStringLiteral("The part of the job that is shown"));
+    m_steps->setToolTip(tr("The part of the job that is shown"));
     m_steps->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_stepLabel->setBuddy(m_steps);
-    m_frame->setToolTip(QStringLiteral("Device, how it draws, and the time of the last frame"));
-    m_position->setToolTip(QStringLiteral("The cursor in the coordinates of the job (Q changes the unit)"));
+    m_frame->setToolTip(tr("Device, how it draws, and the time of the last frame"));
+    m_position->setToolTip(tr("Position of the pointer in the coordinates of the job (Q changes the unit)"));
     for (QWidget* widget :
          {static_cast<QWidget*>(m_position), static_cast<QWidget*>(m_loadBar), static_cast<QWidget*>(m_stepLabel),
           static_cast<QWidget*>(m_steps), static_cast<QWidget*>(m_frame)}) {

@@ -9,8 +9,8 @@
 namespace ui {
 
 struct StartOptions {
-    std::optional<LoadRequest> board;  ///< opened at the start
-    std::string device;                ///< part of a Vulkan device's name; empty: the best one
+    std::optional<model::OpenRequest> board;  ///< opened at the start
+    std::string device;                       ///< part of a Vulkan device's name; empty: the best one
 };
 
 /// Shows the window and returns when it is closed. Answers the exit code of the program: 0, or 3 after saying on stderr

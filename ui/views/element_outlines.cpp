@@ -16,7 +16,7 @@ constexpr QColor kSelectedInk(255, 221, 87);
 constexpr QColor kShadow(0, 0, 0, 140);
 constexpr double kWidth = 1.6;
 constexpr double kLeastOpening = 12.0;  ///< the rims of smaller ones, in pixels, would cover a plane full of vias
-/// Strokes of more points than this are outlined one by one: uniting them would take too long.
+/// Track chains of more points than this are outlined one by one: uniting them would take too long.
 constexpr std::size_t kMostToUnite = 4000;
 
 model::PolygonSet loopsOf(const model::Document& step, model::ElementId element) {
@@ -26,10 +26,12 @@ model::PolygonSet loopsOf(const model::Document& step, model::ElementId element)
 
 }  // namespace
 
-ElementOutlines::ElementOutlines(BoardViews& views, SelectionModel& selection, QObject* parent)
-    : QObject(parent), m_views(views), m_selection(selection) {
-    connect(&selection, &SelectionModel::hoverChanged, this, &ElementOutlines::updateHovered);
-    connect(&selection, &SelectionModel::highlightChanged, this, &ElementOutlines::updateSelected);
+ElementOutlines::ElementOutlines(BoardViews& views, Workspace& workspace, QObject* parent)
+    : QObject(parent), m_views(views), m_selection(workspace.selection()) {
+    connect(&workspace, &Workspace::boardShown, this,
+            [this](const LoadedBoard& board) { m_position.origin = board.model->origin; });
+    connect(&m_selection, &SelectionModel::hoverChanged, this, &ElementOutlines::updateHovered);
+    connect(&m_selection, &SelectionModel::highlightChanged, this, &ElementOutlines::updateSelected);
     for (BoardView* view : views.both()) {
         view->addPainter([this, view](QPainter& painter) { paint(painter, *view); }, BoardView::Shown::OnCanvas);
     }

@@ -9,13 +9,13 @@
 #include "model/geometry/discretise.h"
 #include "ui/views/board_position.h"
 #include "ui/views/board_views.h"
-#include "ui/workspace/selection_model.h"
+#include "ui/workspace/workspace.h"
 
 namespace ui {
 
-/// Draws the outlines of the element under the cursor, and of what is selected or near it, over both views. They are
-/// painted, not drawn by the device, so that the eye need not wait for a frame of the board: where frames are slow the
-/// hand would drag them behind it. They also show where something lies that other layers cover.
+/// Draws the outlines of the element under the pointer, and of what is selected or near it, over both views. They are
+/// painted, not drawn by the device, so that they need not wait for a frame of the board: where frames are slow they
+/// would lag behind the pointer. They also show where something lies that other layers cover.
 class ElementOutlines : public QObject {
     Q_OBJECT
 
@@ -29,9 +29,8 @@ public:
         model::LayerId layer;     ///< of the board, where the element is drawn
     };
 
-    ElementOutlines(BoardViews& views, SelectionModel& selection, QObject* parent = nullptr);
+    ElementOutlines(BoardViews& views, Workspace& workspace, QObject* parent = nullptr);
 
-    void setOrigin(base::Point origin) { m_position.origin = origin; }
     /// No loops while nothing is hovered.
     [[nodiscard]] const Outline& hovered() const { return m_hovered; }
     /// Of the elements selected and those near them.

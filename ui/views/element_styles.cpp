@@ -1,7 +1,6 @@
 #include "ui/views/element_styles.h"
 
 #include <QAction>
-#include <QSlider>
 
 namespace ui {
 
@@ -19,33 +18,16 @@ std::vector<glm::vec3> coloursOf(const std::vector<QRgb>& palette) {
 
 }  // namespace
 
-ElementStyles::ElementStyles(BoardViews& views, SelectionModel& selection, NetStyles& nets, QObject* parent)
-    : QObject(parent), m_views(views), m_selection(selection), m_nets(nets) {
+ElementStyles::ElementStyles(BoardViews& views, SelectionModel& selection, NetStyles& nets, const QAction& dimOthers,
+                             QObject* parent)
+    : QObject(parent), m_views(views), m_selection(selection), m_nets(nets), m_dimOthers(dimOthers) {
     connect(&selection, &SelectionModel::highlightChanged, this, &ElementStyles::onHighlightChanged);
     connect(&nets, &NetStyles::changed, this, &ElementStyles::onNetsChanged);
+    connect(&nets, &NetStyles::dimChanged, this, &ElementStyles::onDimChanged);
+    connect(&dimOthers, &QAction::triggered, this, &ElementStyles::onDimChanged);
 }
 
-void ElementStyles::obey(QAction& isOn, QSlider& amount) {
-    connect(&isOn, &QAction::triggered, this, &ElementStyles::setDimming);
-    connect(&amount, &QSlider::valueChanged, this,
-            [this](int percent) { setDim(static_cast<float>(percent) / 100.0F); });
-    amount.setValue(qRound(render::kDimRest * 100.0F));
-    // Whoever moves it wants to see what it does.
-    connect(&amount, &QSlider::sliderMoved, &isOn, [&isOn] {
-        if (!isOn.isChecked()) {
-            isOn.trigger();
-        }
-    });
-}
-
-void ElementStyles::setDimming(bool isOn) {
-    m_isDimming = isOn;
-    apply();
-    m_views.requestFrame();
-}
-
-void ElementStyles::setDim(float dim) {
-    m_dim = dim;
+void ElementStyles::onDimChanged() {
     apply();
     m_views.requestFrame();
 }
@@ -54,12 +36,12 @@ void ElementStyles::onNetsChanged() {
     const model::StepTree& tree = m_selection.tree();
     const std::vector<QRgb> palette = m_nets.palette();
     m_ofNets.assign(tree.steps.size(), {});
-    for (const NetStyle& look : m_nets.state()) {
-        render::ElementState state = look.isHidden ? render::kHidden : render::kPlain;
-        if (look.colour) {
-            state |= render::inColour(static_cast<std::uint32_t>(nearestColour(palette, *look.colour)));
+    for (const NetStyle& style : m_nets.state()) {
+        render::ElementState state = style.isHidden ? render::kHidden : render::kPlain;
+        if (style.colour) {
+            state |= render::inColour(static_cast<std::uint32_t>(nearestColour(palette, *style.colour)));
         }
-        m_ofNets[look.net.step].add(tree.steps[look.net.step]->elementsOf(look.net.net), state);
+        m_ofNets[style.net.step].add(tree.steps[style.net.step]->elementsOf(style.net.net), state);
     }
     m_views.setElementColours(coloursOf(palette));
     apply();
@@ -81,7 +63,7 @@ void ElementStyles::apply() {
     }
     m_views.setStates(std::move(states));
     const bool standsOut = !m_selection.selected().empty() || !m_selection.nets().empty() || m_nets.hasColours();
-    m_views.setDim(m_isDimming && standsOut ? m_dim : 0.0F);
+    m_views.setDim(m_dimOthers.isChecked() && standsOut ? m_nets.dim() : 0.0F);
 }
 
 }  // namespace ui

@@ -7,24 +7,21 @@
 #include "ui/workspace/selection_model.h"
 
 class QAction;
-class QSlider;
 
 namespace ui {
 
-/// From what is pointed at and the looks of nets to what the views draw: lit, in a colour, or not at all. While
-/// anything stands out (selected, highlighted, coloured) the rest may be darkened.
+/// From what is pointed at and the styles of nets to what the views draw: highlighted, in a colour, or not at all.
+/// While anything stands out (selected, highlighted, coloured) the rest may be darkened.
 class ElementStyles : public QObject {
     Q_OBJECT
 
 public:
-    ElementStyles(BoardViews& views, SelectionModel& selection, NetStyles& nets, QObject* parent = nullptr);
-
-    /// Darkens the rest while `isOn` is checked, by so many percent as `amount` says.
-    void obey(QAction& isOn, QSlider& amount);
+    /// The rest is darkened while `dimOthers` is checked.
+    ElementStyles(BoardViews& views, SelectionModel& selection, NetStyles& nets, const QAction& dimOthers,
+                  QObject* parent = nullptr);
 
 private:
-    void setDimming(bool isOn);
-    void setDim(float dim);
+    void onDimChanged();
     void onNetsChanged();
     void onHighlightChanged();
     void apply();
@@ -32,9 +29,8 @@ private:
     BoardViews& m_views;
     SelectionModel& m_selection;
     NetStyles& m_nets;
-    ElementStateLists m_ofNets;  ///< colours and hiding alone; kept, because the hand changes the rest all the time
-    bool m_isDimming = false;
-    float m_dim = render::kDimRest;
+    ElementStateLists m_ofNets;  ///< colours and hiding alone; kept, because the pointer changes the rest all the time
+    const QAction& m_dimOthers;
 };
 
 }  // namespace ui

@@ -60,7 +60,8 @@ BoardCounts countsOf(const model::Document& document, const render::BoardModel& 
     return counts;
 }
 
-FrameDisplay::FrameDisplay(BoardViews& views, QObject* parent) : QObject(parent), m_views(views) {
+FrameDisplay::FrameDisplay(BoardViews& views, Workspace& workspace, QObject* parent) : QObject(parent), m_views(views) {
+    connect(&workspace, &Workspace::boardOpened, this, &FrameDisplay::setBoard);
     m_rest.setSingleShot(true);
     m_rest.setInterval(kRestMs);
     connect(&m_rest, &QTimer::timeout, this, &FrameDisplay::showTimes);

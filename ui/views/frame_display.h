@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "ui/views/board_views.h"
+#include "ui/workspace/workspace.h"
 
 namespace ui {
 
@@ -29,14 +30,14 @@ class FrameDisplay : public QObject {
 
 public:
     /// Is painted over the 3D view from now on, once it is on.
-    explicit FrameDisplay(BoardViews& views, QObject* parent = nullptr);
+    FrameDisplay(BoardViews& views, Workspace& workspace, QObject* parent = nullptr);
 
-    void setBoard(const LoadedBoard& board);
     void setOn(bool isOn);
     /// What is written, a name and a value per line; empty without a board.
     [[nodiscard]] QList<std::pair<QString, QString>> lines() const;
 
 private:
+    void setBoard(const LoadedBoard& board);
     void onTimed(const render::FrameStats& stats);
     void showTimes();
     void paint(QPainter& painter) const;

@@ -89,22 +89,20 @@ double heightOf(const QStringList& lines, double width, double room) {
 
 }  // namespace
 
-PlanPainter::PlanPainter(BoardView& view) : m_view(view) {
+PlanPainter::PlanPainter(BoardView& view, Workspace& workspace, const NetStyles& styles, QObject* parent)
+    : QObject(parent), m_view(view), m_workspace(workspace), m_styles(styles) {
+    connect(&workspace, &Workspace::boardOpened, this, &PlanPainter::setBoard);
+    connect(&workspace, &Workspace::unitChanged, this, [this] { m_view.requestOverlay(); });
     view.addPainter([this](QPainter& painter) { paint(painter); });
 }
 
-void PlanPainter::setBoard(std::shared_ptr<const model::BoardIndex> index, BoardPosition location) {
-    m_index = std::move(index);
+void PlanPainter::setBoard(const LoadedBoard& board) {
+    m_index = board.index;
     m_pins.reset();
     if (m_index) {
         m_pins.emplace(*m_index->board);
     }
-    m_position = location;
-    m_view.requestOverlay();
-}
-
-void PlanPainter::setUnit(LengthUnit unit) {
-    m_unit = unit;
+    m_position = {board.model->origin};
     m_view.requestOverlay();
 }
 
@@ -121,10 +119,6 @@ void PlanPainter::showNames(bool isOn) {
 void PlanPainter::showPinNames(bool isOn) {
     m_hasPinNames = isOn;
     m_view.requestOverlay();
-}
-
-void PlanPainter::setStyles(const NetStyles& styles) {
-    m_styles = &styles;
 }
 
 double PlanPainter::nmPerPixel() const {
@@ -164,13 +158,13 @@ void PlanPainter::paint(QPainter& painter) const {
         return;
     }
     if (m_hasGrid) {
-        paintGrid(painter, gridStep(nmPerPixel(), m_unit));
+        paintGrid(painter, gridStep(nmPerPixel(), m_workspace.unit()));
     }
     if (m_hasNames || m_hasPinNames) {
         paintNames(painter);
     }
     if (m_hasGrid) {
-        paintRulers(painter, gridStep(nmPerPixel(), m_unit, kTickPixels));
+        paintRulers(painter, gridStep(nmPerPixel(), m_workspace.unit(), kTickPixels));
     }
 }
 
@@ -199,7 +193,7 @@ void PlanPainter::paintRulers(QPainter& painter, double step) const {
     painter.fillRect(QRectF(0, 0, size.width(), kRulerPixels), kRulerGround);
     painter.fillRect(QRectF(0, kRulerPixels, kRulerPixels, size.height()), kRulerGround);
     painter.setPen(kRulerInk);
-    const auto number = [&](double nm) { return QString::number(nm / nmPer(m_unit), 'g', 6); };
+    const auto number = [&](double nm) { return QString::number(nm / nmPer(m_workspace.unit()), 'g', 6); };
     for (double x = std::ceil(box.min.x / step) * step; x <= box.max.x; x += step) {
         const double at = screenOf(x, box.min.y).x();
         painter.drawLine(QPointF(at, kRulerPixels - 5), QPointF(at, kRulerPixels));
@@ -215,7 +209,8 @@ void PlanPainter::paintRulers(QPainter& painter, double step) const {
         painter.restore();
     }
     painter.fillRect(QRectF(0, 0, kRulerPixels, kRulerPixels), kRulerGround);
-    painter.drawText(QRectF(0, 0, kRulerPixels, kRulerPixels), Qt::AlignCenter, QLatin1String(unitName(m_unit)));
+    painter.drawText(QRectF(0, 0, kRulerPixels, kRulerPixels), Qt::AlignCenter,
+                     QLatin1String(unitName(m_workspace.unit())));
 }
 
 model::LayerId PlanPainter::namedLayer() const {
@@ -240,7 +235,7 @@ std::vector<model::ElementId> PlanPainter::namedElements() const {
     const model::LayerId layer = namedLayer();
     const auto isNamed = [&](std::uint32_t row) {
         const model::NetId net = elements.net[row];
-        const bool isHidden = m_styles != nullptr && net.isValid() && m_styles->isHidden({0, net});
+        const bool isHidden = net.isValid() && m_styles.isHidden({0, net});
         return elements.layer[row] == layer && !isHidden && (net.isValid() || (elements.flags[row] & model::kPad) != 0);
     };
     std::vector<model::ElementId> inSight;

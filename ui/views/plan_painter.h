@@ -6,27 +6,25 @@
 
 #include "model/index/board_index.h"
 #include "model/index/pin_finder.h"
-#include "ui/common/lengths.h"
 #include "ui/nets/net_styles.h"
 #include "ui/views/board_position.h"
 #include "ui/views/board_view.h"
+#include "ui/workspace/workspace.h"
 
 namespace ui {
 
 /// What the 2D view shows over the board: a grid whose step follows the zoom, rulers along two edges, and the names of
 /// nets and pins on copper that is large enough on the screen to hold them.
-class PlanPainter {
-public:
-    /// Paints over `view` from now on; both must live as long as each other.
-    explicit PlanPainter(BoardView& view);
+class PlanPainter : public QObject {
+    Q_OBJECT
 
-    void setBoard(std::shared_ptr<const model::BoardIndex> index, BoardPosition location);
-    void setUnit(LengthUnit unit);
+public:
+    /// Paints over `view` from now on, which must live as long. What `styles` hides has no name.
+    PlanPainter(BoardView& view, Workspace& workspace, const NetStyles& styles, QObject* parent = nullptr);
+
     void showGrid(bool isOn);
     void showNames(bool isOn);
     void showPinNames(bool isOn);
-    /// What is hidden is not named.
-    void setStyles(const NetStyles& styles);
 
     /// The part of the board the view shows, in nm.
     [[nodiscard]] model::Box shownBox() const;
@@ -45,6 +43,7 @@ public:
     [[nodiscard]] std::vector<Label> labels() const;
 
 private:
+    void setBoard(const LoadedBoard& board);
     void paint(QPainter& painter) const;
     void paintGrid(QPainter& painter, double step) const;
     void paintRulers(QPainter& painter, double step) const;
@@ -56,13 +55,13 @@ private:
     [[nodiscard]] double nmPerPixel() const;
 
     BoardView& m_view;
+    Workspace& m_workspace;
+    const NetStyles& m_styles;
     std::shared_ptr<const model::BoardIndex> m_index;
     BoardPosition m_position;
-    LengthUnit m_unit = LengthUnit::Millimetre;
     bool m_hasGrid = true;
     bool m_hasNames = true;
     bool m_hasPinNames = true;
-    const NetStyles* m_styles = nullptr;
     std::optional<model::PinFinder> m_pins;
 };
 

@@ -11,12 +11,12 @@ namespace ui {
 namespace {
 
 constexpr int kRestMs = 30;
-constexpr int kSlowRestMs = 300;  // where a frame takes long, only a cursor that has come to rest lights anything up
+constexpr int kSlowRestMs = 300;  // where a frame takes long, only a pointer that has come to rest highlights anything
 constexpr double kReachPixels = 4.0;
 constexpr QColor kInsideColour(90, 160, 255);
 constexpr QColor kTouchingColour(235, 165, 60);
 
-/// The laminate and what else we put around the copper is looked through.
+/// The dielectric and what else we put around the copper is looked through.
 bool isPickable(const model::Layer& layer, const render::LayerStyle& style) {
     return style.isVisible && layer.type != model::LayerType::Body && (!layer.isSynthetic || style.opacity >= 1.0F);
 }
@@ -29,8 +29,12 @@ std::vector<model::BoardElement> elementsOf(const std::vector<model::Hit>& hits)
 
 }  // namespace
 
-Probing::Probing(BoardViews& views, SelectionModel& selection, NetStyles& nets, QObject* parent)
-    : QObject(parent), m_views(views), m_selection(selection), m_nets(nets) {
+Probing::Probing(BoardViews& views, Workspace& workspace, NetStyles& nets, QObject* parent)
+    : QObject(parent), m_views(views), m_workspace(workspace), m_selection(workspace.selection()), m_nets(nets) {
+    connect(&workspace, &Workspace::boardShown, this, &Probing::setBoard);
+    connect(&workspace, &Workspace::elementsWanted, this, &Probing::showInBoth);
+    connect(&workspace, &Workspace::locationWanted, this,
+            [this](base::PointD nm, model::LayerId layer) { showPosition(nm, layer); });
     m_rest.setSingleShot(true);
     connect(&m_rest, &QTimer::timeout, this, &Probing::hover);
     connect(&nets, &NetStyles::changed, this, &Probing::hideNets);
@@ -75,7 +79,6 @@ void Probing::setBoard(const LoadedBoard& board) {
         m_picker.emplace(board.index);
     }
     m_position.origin = board.model->origin;
-    m_selection.setBoard(board.document);
 }
 
 void Probing::hideNets() {
@@ -144,7 +147,7 @@ void Probing::hover() {
         return;
     }
     QToolTip::showText(m_hoverView->mapToGlobal(m_hoverAt.toPoint()) + QPoint(0, 4),
-                       summaryOf(m_selection.tree(), hits.front().at, m_unit), m_hoverView);
+                       summaryOf(m_selection.tree(), hits.front().at, m_workspace.unit()), m_hoverView);
 }
 
 void Probing::announceLocation(const BoardView& view, QPointF position) {
@@ -166,7 +169,7 @@ void Probing::click(BoardView& view, QPointF position, Qt::KeyboardModifiers mod
     std::vector<model::BoardElement> found = elementsOf(hitsAt(view, position));
     if (modifiers.testFlag(Qt::ControlModifier)) {
         if (!found.empty() && modifiers.testFlag(Qt::ShiftModifier)) {
-            emit componentAsked(found.front());
+            emit componentRequested(found.front());
         } else if (!found.empty()) {
             m_selection.select({found.front()}, SelectionModel::Mode::Toggle);
         }
@@ -221,19 +224,6 @@ void Probing::showInBoth(std::span<const model::BoardElement> elements) {
             show(*view, elements);
         }
     }
-}
-
-void Probing::showNets(std::span<const model::BoardNet> nets) {
-    const model::StepTree& tree = m_selection.tree();
-    std::vector<model::BoardElement> elements;
-    for (const model::BoardNet& net : nets) {
-        // Of steps that are placed often, the first copy.
-        const auto copy = std::ranges::find(tree.copies, net.step, &model::StepCopy::step);
-        for (const model::ElementId element : tree.steps[net.step]->elementsOf(net.net)) {
-            elements.push_back({static_cast<std::uint32_t>(copy - tree.copies.begin()), element});
-        }
-    }
-    showInBoth(elements);
 }
 
 void Probing::showPosition(base::PointD nm, model::LayerId layer, float aroundMm) {

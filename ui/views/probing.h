@@ -7,18 +7,17 @@
 #include <optional>
 
 #include "model/index/picking.h"
-#include "ui/common/lengths.h"
 #include "ui/nets/net_styles.h"
 #include "ui/views/board_position.h"
 #include "ui/views/board_views.h"
-#include "ui/workspace/selection_model.h"
+#include "ui/workspace/workspace.h"
 
 namespace ui {
 
-/// Between the cursor in the two views and the selection: hovering lights an element up and tells what it is, a click
-/// selects it, a repeated click what lies beneath, Ctrl adds, a double click or Alt brings it to the middle of the
-/// other view (or of this one if it is alone), a box in 2D selects many. What stands out is seen in both views, always;
-/// cameras move only when asked.
+/// Between the pointer in the two views and the selection: hovering highlights an element and shows what it is, a
+/// click selects it, a repeated click what lies beneath, Ctrl adds, a double click or Alt brings it to the middle of
+/// the other view (or of this one if it is alone), a box in 2D selects many. What stands out is seen in both views,
+/// always; cameras move only when asked.
 class Probing : public QObject {
     Q_OBJECT
 
@@ -26,10 +25,8 @@ public:
     static constexpr float kAroundMm = 1.5F;
 
     /// What `nets` hides is looked through.
-    Probing(BoardViews& views, SelectionModel& selection, NetStyles& nets, QObject* parent = nullptr);
+    Probing(BoardViews& views, Workspace& workspace, NetStyles& nets, QObject* parent = nullptr);
 
-    void setBoard(const LoadedBoard& board);
-    void setUnit(LengthUnit unit) { m_unit = unit; }
     /// Whether the camera of `to` follows what is clicked in the other view.
     void setFollows(BoardView::Kind to, bool isOn) { m_follows[static_cast<std::size_t>(to)] = isOn; }
 
@@ -39,24 +36,24 @@ public:
     [[nodiscard]] const BoardPosition& position() const { return m_position; }
     /// What the view shows of each layer; empty without a board.
     [[nodiscard]] std::vector<model::PickLayer> layersOf(const BoardView& view) const;
-    /// What lies under a place of the canvas, see model::Picker.
+    /// What lies under a location on the canvas, see model::Picker.
     [[nodiscard]] std::vector<model::Hit> hitsAt(const BoardView& view, QPointF position);
     /// Brings elements to the middle.
     void show(BoardView& view, std::span<const model::BoardElement> elements);
     void showInBoth(std::span<const model::BoardElement> elements);
-    void showNets(std::span<const model::BoardNet> nets);
-    /// Brings a place of the board to the middle of both views, in 2D with so much around it, and in 3D with a few
+    /// Brings a location on the board to the middle of both views, in 2D with so much around it, and in 3D with a few
     /// millimetres.
     void showPosition(base::PointD nm, model::LayerId layer, float aroundMm = kAroundMm);
 
 signals:
-    /// The cursor is over a place of the board, in its coordinates in nm.
+    /// The pointer is over a location on the board, in its coordinates in nm.
     void pointedAt(double x, double y);
     void pointedAway();
     /// Ctrl+Shift and a click: the component of an element is wanted.
-    void componentAsked(const model::BoardElement& at);
+    void componentRequested(const model::BoardElement& at);
 
 private:
+    void setBoard(const LoadedBoard& board);
     void watch(BoardView& view);
     void hideNets();
     void hover();
@@ -67,11 +64,11 @@ private:
     void paintBox(QPainter& painter) const;
 
     BoardViews& m_views;
+    Workspace& m_workspace;
     SelectionModel& m_selection;
     NetStyles& m_nets;
     std::optional<model::Picker> m_picker;
     BoardPosition m_position;
-    LengthUnit m_unit = LengthUnit::Millimetre;
     std::array<bool, 2> m_follows{};
     bool m_isSelecting = true;
 

@@ -8,8 +8,8 @@
 
 namespace ui {
 
-/// Where a view has looked, as a browser knows where one has been: a place counts once the view has rested there.
-/// Going back and then moving elsewhere forgets what was ahead.
+/// Where a view has looked, as a browser knows where one has been: a location counts once the view has rested there.
+/// Going back and then moving elsewhere drops what was ahead.
 class ViewHistory : public QObject {
     Q_OBJECT
 

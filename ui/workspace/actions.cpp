@@ -14,227 +14,283 @@ namespace {
 
 using enum ActionId;
 
-constexpr bool kCheckable = true;
-constexpr bool kNewGroup = true;
-
-constexpr ActionSpec kSpecs[] = {
-    {OpenFile, MenuId::File, "&Open…", "Ctrl+O", "Open an ODB++ archive (.tgz, .zip) or a text board"},
-    {OpenFolder, MenuId::File, "Open &folder…", "Ctrl+Shift+O", "Open an unpacked ODB++ job"},
-    {Reload, MenuId::File, "&Reload", "F5 Ctrl+R", "Read the board again from disk"},
-    {CancelLoading, MenuId::File, "&Cancel loading", "Ctrl+.", "Stop reading and keep the board on the screen"},
-    {SaveSession, MenuId::File, "Save sessio&n", "Ctrl+S",
-     "Keep cameras, layers and unit in the session file beside the board, and show them when it is opened again", false,
-     kNewGroup},
-    {SavePicture, MenuId::File, "&Save picture…", "Ctrl+Shift+S", "Write what the canvas shows to a PNG file", false,
-     kNewGroup},
-    {SaveLargePicture, MenuId::File, "Save picture of any si&ze…", "Ctrl+Alt+S",
-     "Write what the canvas shows to a PNG file, with as many pixels as you like"},
-    {CopyPicture, MenuId::File, "Copy &picture", "Ctrl+Shift+C", "Put what the canvas shows on the clipboard"},
-    {Quit, MenuId::File, "&Quit", "Ctrl+Q", "Close the workbench", false, kNewGroup},
-
-    {Undo, MenuId::Edit, "&Undo", "Ctrl+Z", "Take the last change of a thickness, a kept view or a measurement back"},
-    {Redo, MenuId::Edit, "&Redo", "Ctrl+Shift+Z Ctrl+Y", "Make the change again that was taken back"},
-    {Find, MenuId::Edit, "&Find…", "Ctrl+F", "Find a net, component, pin, layer, place or command", false, kNewGroup},
-    {Commands, MenuId::Edit, "&Commands…", "Ctrl+Shift+P", "Find a command by its name and do it"},
-
-    {Fit, MenuId::View, "&Fit", "F Home", "Show the whole board, direction unchanged"},
-    {ViewTop, MenuId::View, "&Top", "T", "Look straight down on the top side"},
-    {ViewBottom, MenuId::View, "&Bottom", "B", "Look straight up on the bottom side"},
-    {ViewIso, MenuId::View, "&Isometric", "I", "Look from a corner"},
-    {Flip, MenuId::View, "Turn o&ver", "Space", "Look at the other side of the board"},
-    {ZoomIn, MenuId::View, "&Zoom in", "+ =", "Come closer", false, kNewGroup},
-    {ZoomOut, MenuId::View, "Zoom o&ut", "-", "Step back from the board"},
-    {ViewBack, MenuId::View, "B&ack", "Alt+Left", "Look where the view in use rested before"},
-    {ViewForward, MenuId::View, "Forwar&d", "Alt+Right", "Look again where Back came from"},
-    {SaveView, MenuId::View, "Keep t&his view", "Ctrl+B",
-     "Keep both cameras and the visible layers under a name, in the session file beside the board"},
-    {Orthographic, MenuId::View, "&Orthographic", "O", "Parallel projection instead of perspective", kCheckable},
-    {Explode, MenuId::View, "&Explode", "E", "Spread the layers apart", kCheckable},
-    {ShowViewCube, MenuId::View, "Vie&w cube", "K", "In 3D, show a cube whose sides can be clicked to look from there",
-     kCheckable},
-    {ShowFrameDisplay, MenuId::View, "Frame di&splay", "Ctrl+K,F",
-     "In 3D, show how long a frame takes, what draws it, and of how much", kCheckable},
-    {ExaggerateCopperHeight, MenuId::Solid, "Thick &copper", "C", "In 3D, draw copper ten times as thick as it is",
-     kCheckable},
-    {ExaggerateDielectricHeight, MenuId::Solid, "Thick &laminate", "V",
-     "In 3D, draw all that is no copper five times as thick as it is", kCheckable},
-    {SectionPlane, MenuId::Solid, "Cut &open", "X",
-     "In 3D, cut the board open through the cursor, or through its middle; again to make it whole", kCheckable,
-     kNewGroup},
-    {RotateSectionPlane, MenuId::Solid, "&Turn the cut", "Shift+X", "Turn the cut by 45 degrees"},
-    {MoveSectionPlaneOn, MenuId::Solid, "Cut &deeper", ".", "Move the cut, so that less of the board is left"},
-    {MoveSectionPlaneBack, MenuId::Solid, "Cut &back", ",", "Move the cut, so that more of the board is left"},
-    {ShowFlat, MenuId::Arrangement, "&2D alone", "2", "Show the flat view and nothing else", kCheckable},
-    {ShowSolid, MenuId::Arrangement, "&3D alone", "3", "Show the solid view and nothing else", kCheckable},
-    {ShowSideBySide, MenuId::Arrangement, "&Side by side", "4", "2D to the left of 3D", kCheckable},
-    {ShowStacked, MenuId::Arrangement, "One &above the other", "5", "2D above 3D", kCheckable},
-    {ShowLayersDock, MenuId::Panels, "&Layers", "Ctrl+1", "Show or hide the layers panel", kCheckable},
-    {ShowNetsDock, MenuId::Panels, "&Nets", "Ctrl+5", "Show or hide the nets", kCheckable},
-    {ShowElementDock, MenuId::Panels, "Ele&ment", "Ctrl+4", "Show or hide what is known of the selected element",
-     kCheckable},
-    {ShowNetCheckDock, MenuId::Panels, "O&pens and shorts", "Ctrl+7",
-     "Show or hide how the copper differs from the nets", kCheckable},
-    {ShowStackupDock, MenuId::Panels, "Stac&k", "Ctrl+6", "Show or hide the stack and its thicknesses", kCheckable},
-    {ShowStatisticsDock, MenuId::Panels, "&Statistics", "Ctrl+2", "Show or hide the element statistics", kCheckable},
-    {ShowSavedViewsDock, MenuId::Panels, "Kept vie&ws", "Ctrl+8", "Show or hide the views that were kept", kCheckable},
-    {ShowClearanceDock, MenuId::Panels, "&Clearances", "Ctrl+9", "Show or hide narrow gaps, rules and the lens",
-     kCheckable},
-    {ShowMeasurementsDock, MenuId::Panels, "Meas&urements", "Ctrl+0", "Show or hide what was measured", kCheckable},
-    {ShowSectionDock, MenuId::Panels, "Cr&oss-section", "Ctrl+Alt+0", "Show or hide the board cut open along a line",
-     kCheckable},
-    {ShowMessagesDock, MenuId::Panels, "Messa&ges", "Ctrl+3", "Show or hide what was skipped, repaired or assumed",
-     kCheckable},
-    {ShowToolBar, MenuId::Panels, "Toolba&r", "Ctrl+K,B", "Show or hide the toolbar", kCheckable},
-    {NextPanel, MenuId::Panels, "Ne&xt panel", "F6", "Put the keyboard into the next view or panel", false, kNewGroup},
-    {PreviousPanel, MenuId::Panels, "Pre&vious panel", "Shift+F6", "Put the keyboard into the view or panel before"},
-    {ThemeSystem, MenuId::Theme, "As the &system", "Ctrl+K,S", "Colours of the desktop", kCheckable},
-    {ThemeDark, MenuId::Theme, "&Dark", "Ctrl+K,D", "Light text on dark panels", kCheckable},
-    {ThemeLight, MenuId::Theme, "&Light", "Ctrl+K,L", "Dark text on light panels", kCheckable},
-    {BackendAuto, MenuId::Backend, "&Automatic", "Ctrl+K,A", "The one that suits this device", kCheckable},
-    {BackendMesh, MenuId::Backend, "&Mesh shaders", "Ctrl+K,M", "Task and mesh shaders; the device must have them",
-     kCheckable},
-    {BackendPull, MenuId::Backend, "&Vertex pulling", "Ctrl+K,P",
-     "Compute culling and indirect draws; works on every device", kCheckable},
-    {BackendImpostor, MenuId::Backend, "&Exact outlines", "Ctrl+K,O",
-     "Impostors: boxes whose pixels are cut by the true outlines; works on every device", kCheckable},
-    {BackendRaster, MenuId::Backend, "&Compute rasterising", "Ctrl+K,R",
-     "Compute shaders draw what is small, unsmoothed; the device must have 64-bit atomics", kCheckable},
-    {KeysCopperscope, MenuId::Keys, "&Copperscope", "Ctrl+K,F1", "The keys this program comes with", kCheckable},
-    {KeysKiCad, MenuId::Keys, "&KiCad", "Ctrl+K,F2", "Keys as in KiCad's board editor, where it has them", kCheckable},
-    {KeysAltium, MenuId::Keys, "&Altium", "Ctrl+K,F3", "Keys as in Altium Designer, where it has them", kCheckable},
-    {KeysAllegro, MenuId::Keys, "Alle&gro", "Ctrl+K,F4", "Keys as in Allegro, where it has them", kCheckable},
-    {KeysKLayout, MenuId::Keys, "K&Layout", "Ctrl+K,F5", "Keys as in KLayout, where it has them", kCheckable},
-
-    {ShowAllLayers, MenuId::Layers, "Show &all", "Ctrl+Shift+A", "Draw every layer"},
-    {HideAllLayers, MenuId::Layers, "&Hide all", "Ctrl+Shift+H", "Draw no layer"},
-    {ShowCopperOnly, MenuId::Layers, "&Copper only", "Ctrl+Shift+K", "Draw the copper layers and nothing else"},
-    {SoloLayer, MenuId::Layers, "&Only this layer", "H", "Draw the current layer of the panel alone; again to go back"},
-    {Contrast, MenuId::Layers, "High con&trast", "Shift+H",
-     "In 2D, show the current layer of the panel brightly and all others faintly", kCheckable},
-    {NextLayer, MenuId::Layers, "Layer &below", "PgDown", "Make the next visible layer the current one"},
-    {PreviousLayer, MenuId::Layers, "Layer abo&ve", "PgUp", "Make the visible layer before the current one"},
-    {RestoreLayers, MenuId::Layers, "&Default colours", "Ctrl+Shift+D",
-     "Undo all changes of colour, opacity and visibility"},
-    {SafeColours, MenuId::Layers, "Colo&ur-blind safe", "Ctrl+K,C",
-     "Colours that are told apart without telling red from green", kCheckable},
-
-    {ColourNet, MenuId::Nets, "&Colour the net", "U",
-     "Give the highlighted nets, or the one under the cursor, a colour that stays; again to take it away"},
-    {ChooseNetColour, MenuId::Nets, "C&hoose a colour…", "Shift+U",
-     "Choose the colour of the highlighted nets, or of the one under the cursor"},
-    {HideNet, MenuId::Nets, "H&ide the net", "Shift+N",
-     "Do not draw the highlighted nets, or the one under the cursor, nor let them be clicked"},
-    {ShowAllNets, MenuId::Nets, "&Show all nets", "Ctrl+Alt+N", "Draw all nets that were hidden", false, kNewGroup},
-    {ClearNetColours, MenuId::Nets, "C&lear colours", "Ctrl+Alt+U", "Draw all nets in the colours of their layers"},
-
-    {CheckNets, MenuId::Board, "&Check nets", "Ctrl+Shift+N",
-     "Compare the nets with the copper: opens, shorts and loose copper"},
-    {InferNets, MenuId::Board, "&Nets from the copper", "Ctrl+Shift+I",
-     "Read the board again with nets found by following the copper, instead of the job's", kCheckable},
-    {ExaggerateCopper, MenuId::Board, "E&xaggerate copper", "Ctrl+Shift+X",
-     "In the drawing of the stack, make copper as thick as laminate; off: all to scale", kCheckable, kNewGroup},
-    {ExportStackup, MenuId::Board, "Export &stack…", "Ctrl+Shift+E",
-     "Write the stack as a drawing (SVG) or a table (CSV)"},
-    {SearchClearances, MenuId::Board, "Measure clea&rances", "Ctrl+Shift+G",
-     "Find the narrowest gaps, or what breaks the rules, as the Clearances panel asks", false, kNewGroup},
-    {NextClearance, MenuId::Board, "Next &gap", "F8", "Show the next place of the Clearances panel in both views"},
-    {PreviousClearance, MenuId::Board, "&Previous gap", "Shift+F8",
-     "Show the place before in the Clearances panel in both views"},
-    {EditRules, MenuId::Board, "Edit r&ules…", "Ctrl+Alt+R",
-     "Edit what the board must keep: rules and the net classes they speak of"},
-    {ExportClearances, MenuId::Board, "&Export clearances…", "Ctrl+Alt+G",
-     "Write what was measured or checked as text, table or JSON, as the command line does"},
-    {Lens, MenuId::Board, "Clearance &lens", "L",
-     "Light up all copper of other nets that comes near what is selected or highlighted", kCheckable},
-    {ClearanceMap, MenuId::Board, "Distance &map", "Shift+G",
-     "Colour every place of a copper layer by its distance to what is selected, or by the gap between nets there",
-     kCheckable},
-    {DrawSection, MenuId::Board, "&Draw a section", "Shift+S",
-     "Drag a line over the 2D view, or click its corners, to cut the board along it; corners can be moved afterwards",
-     kCheckable, kNewGroup},
-    {SectionAlongNet, MenuId::Board, "Section &along the net", "Ctrl+Alt+L",
-     "Cut along the longest chain of strokes of the highlighted net, unrolled"},
-    {OpenAlongSection, MenuId::Board, "&Open in 3D", "Alt+X",
-     "Cut the board of the 3D view open along the straight line of the section"},
-    {SaveSection, MenuId::Board, "&Keep the section", "Ctrl+Alt+B",
-     "Keep the line of the section under a name, in the session file beside the board"},
-    {ExportSection, MenuId::Board, "Expor&t section…", "Ctrl+Alt+E", "Write the section as a drawing (SVG)"},
-
-    {MeasurePoints, MenuId::Measure, "&Point to point", "M",
-     "Click two points in 2D or 3D to measure from one to the other; again to stop", kCheckable},
-    {MeasureObjects, MenuId::Measure, "&Edge to edge", "Shift+M",
-     "Click two elements to measure the gap between them, through the stack too; again to stop", kCheckable},
-    {MeasureAngle, MenuId::Measure, "&Angle of three points", "A",
-     "Click the corner and a point on each arm; again to stop", kCheckable},
-    {MeasureLines, MenuId::Measure, "Angle of two &lines", "Shift+A",
-     "Click two straight strokes or sides to measure the angle between them; again to stop", kCheckable},
-    {MeasureRadius, MenuId::Measure, "&Radius", "Shift+R",
-     "Click an arc, a round pad or a hole for its radius and diameter; again to stop", kCheckable},
-    {MeasureLength, MenuId::Measure, "Length along a &net", "J Ctrl+J",
-     "Click two places on a net to follow its copper from one to the other; again to stop", kCheckable},
-    {MeasureSpacing, MenuId::Measure, "&Gap at the cursor", "R",
-     "Measure from the copper nearest to the cursor to the next copper on its layer"},
-    {ExportMeasurements, MenuId::Measure, "E&xport measurements…", "Ctrl+Alt+M",
-     "Write all measurements as a table (CSV)", false, kNewGroup},
-
-    {ClearSelection, MenuId::Select, "&Clear", "Esc",
-     "Stop loading or checking, or else measuring or drawing, or else forget the selection, or else the highlighted "
-     "nets"},
-    {ShowSelection, MenuId::Select, "&Show in both views", "Z", "Bring what is selected to the middle of the views"},
-    {SelectComponent, MenuId::Select, "Select the com&ponent", "P",
-     "Select all pads, holes and the body of the component under the cursor, or of the selected element"},
-    {SelectPin, MenuId::Select, "Select the p&in", "Shift+P",
-     "Select all pads and the hole of the pin under the cursor, or of the selected element"},
-    {SaveSelection, MenuId::Select, "&Keep this selection", "Ctrl+Shift+B",
-     "Keep what is selected and highlighted under a name, in the session file beside the board"},
-    {HighlightNet, MenuId::Select, "Highlight &net", "N",
-     "Light up the whole net of the element under the cursor, or of the selected one; again to stop", false, kNewGroup},
-    {DimOthers, MenuId::Select, "&Dim the rest", "D", "Darken everything that is not selected or highlighted",
-     kCheckable},
-    {FollowInSolid, MenuId::Select, "Follow in &3D", "Ctrl+K,3", "The 3D view goes to what is clicked in 2D",
-     kCheckable, kNewGroup},
-    {FollowInFlat, MenuId::Select, "Follow in &2D", "Ctrl+K,2", "The 2D view goes to what is clicked in 3D",
-     kCheckable},
-    {FollowInTables, MenuId::Select, "Follow in &tables", "Ctrl+K,T",
-     "Tables go to the net of what is clicked in a view", kCheckable},
-    {FollowFromTables, MenuId::Select, "Follow t&ables in views", "Ctrl+K,V",
-     "Both views go to what is chosen in a table", kCheckable},
-    {NextUnit, MenuId::Select, "Next &unit", "Q Ctrl+U", "Millimetres, mils, inches", false, kNewGroup},
-    {ShowGrid, MenuId::Select, "&Grid and rulers", "G", "Show a grid and rulers in 2D", kCheckable},
-    {ShowNames, MenuId::Select, "Net na&mes", "W", "Write the names of nets on the copper in 2D, where there is room",
-     kCheckable},
-    {ShowOutlines, MenuId::Select, "Out&lines alone", "S", "In 2D, draw outlines and nothing in them", kCheckable},
-    {ShowPinNames, MenuId::Select, "Pin nam&es", "Shift+W",
-     "Write the names of pins on their pads in 2D, where there is room", kCheckable},
-
-    {ShowKeys, MenuId::Help, "&Keys and mouse", "F1 ?", "All keys and mouse gestures on one page"},
-    {ResetSettings, MenuId::Help, "&Reset settings…", "Ctrl+K,Delete", "Forget window places, theme and recent boards",
-     false, kNewGroup},
-    {About, MenuId::Help, "&About Copperscope", "Shift+F1", "Version and licence", false, kNewGroup},
-};
-static_assert(std::size(kSpecs) == kActionCount);
-
-constexpr const char* kMenuTitles[kMenuCount] = {
-    "&File",   "&Edit", "&View",  "&Cut and thickness", "A&rrangement", "Pa&nels", "The&me", "Bac&k end", "Ke&ys as in",
-    "&Layers", "&Nets", "&Board", "&Measure",           "&Select",      "&Help"};
-
 bool isChoice(MenuId menu) {
     return menu == MenuId::Arrangement || menu == MenuId::Theme || menu == MenuId::Backend || menu == MenuId::Keys;
 }
 
-/// "Come closer (+ or =)"
-QString tipWithKeys(const ActionSpec& spec, const QList<QKeySequence>& keys) {
-    return QStringLiteral("%1 (%2)").arg(QString::fromUtf8(spec.tip), keysText(keys, QStringLiteral(" or ")));
-}
-
 }  // namespace
 
+const ActionSpec ActionSet::kSpecs[kActionCount] = {
+    {OpenFile, MenuId::File, QT_TR_NOOP("&Open…"), "Ctrl+O",
+     QT_TR_NOOP("Open an ODB++ archive (.tgz, .zip) or a text board")},
+    {OpenFolder, MenuId::File, QT_TR_NOOP("Open &folder…"), "Ctrl+Shift+O", QT_TR_NOOP("Open an unpacked ODB++ job")},
+    {Reload, MenuId::File, QT_TR_NOOP("&Reload"), "F5 Ctrl+R", QT_TR_NOOP("Read the board again from disk"),
+     kNeedsBoard},
+    {CancelLoading, MenuId::File, QT_TR_NOOP("&Cancel loading"), "Ctrl+.",
+     QT_TR_NOOP("Stop reading and keep the board on the screen")},
+    {SaveSession, MenuId::File, QT_TR_NOOP("Save sessio&n"), "Ctrl+S",
+     QT_TR_NOOP(
+         "Save cameras, layers and unit in the session file beside the board; they are restored when it is opened"),
+     false | kNewGroup | kNeedsBoard},
+    {SavePicture, MenuId::File, QT_TR_NOOP("&Save picture…"), "Ctrl+Shift+S", QT_TR_NOOP("Save the view as a PNG file"),
+     false | kNewGroup | kNeedsBoard},
+    {SaveLargePicture, MenuId::File, QT_TR_NOOP("Save picture of any si&ze…"), "Ctrl+Alt+S",
+     QT_TR_NOOP("Save the view as a PNG file of any number of pixels"), kNeedsBoard},
+    {CopyPicture, MenuId::File, QT_TR_NOOP("Copy &picture"), "Ctrl+Shift+C",
+     QT_TR_NOOP("Copy the view to the clipboard"), kNeedsBoard},
+    {Quit, MenuId::File, QT_TR_NOOP("&Quit"), "Ctrl+Q", QT_TR_NOOP("Close the workbench"), false | kNewGroup},
+
+    {Undo, MenuId::Edit, QT_TR_NOOP("&Undo"), "Ctrl+Z",
+     QT_TR_NOOP("Undo the last change of a thickness, a saved view or a measurement")},
+    {Redo, MenuId::Edit, QT_TR_NOOP("&Redo"), "Ctrl+Shift+Z Ctrl+Y", QT_TR_NOOP("Redo the change that was undone")},
+    {Find, MenuId::Edit, QT_TR_NOOP("&Find…"), "Ctrl+F",
+     QT_TR_NOOP("Find a net, component, pin, layer, location or command"), false | kNewGroup},
+    {Commands, MenuId::Edit, QT_TR_NOOP("&Commands…"), "Ctrl+Shift+P",
+     QT_TR_NOOP("Find a command by its name and run it")},
+
+    {Fit, MenuId::View, QT_TR_NOOP("&Fit"), "F Home",
+     QT_TR_NOOP("Fit the whole board into the view, direction unchanged"), kNeedsBoard},
+    {ViewTop, MenuId::View, QT_TR_NOOP("&Top"), "T", QT_TR_NOOP("View from the top side"), kNeedsBoard},
+    {ViewBottom, MenuId::View, QT_TR_NOOP("&Bottom"), "B", QT_TR_NOOP("View from the bottom side"), kNeedsBoard},
+    {ViewIso, MenuId::View, QT_TR_NOOP("&Isometric"), "I", QT_TR_NOOP("View from a corner"), kNeedsBoard},
+    {Flip, MenuId::View, QT_TR_NOOP("Fli&p board"), "Space", QT_TR_NOOP("Look at the other side of the board"),
+     kNeedsBoard},
+    {ZoomIn, MenuId::View, QT_TR_NOOP("&Zoom in"), "+ =", QT_TR_NOOP("Zoom in at the centre"),
+     false | kNewGroup | kNeedsBoard},
+    {ZoomOut, MenuId::View, QT_TR_NOOP("Zoom o&ut"), "-", QT_TR_NOOP("Zoom out at the centre"), kNeedsBoard},
+    {ViewBack, MenuId::View, QT_TR_NOOP("B&ack"), "Alt+Left", QT_TR_NOOP("Previous position of the camera"),
+     kNeedsBoard},
+    {ViewForward, MenuId::View, QT_TR_NOOP("Forwar&d"), "Alt+Right",
+     QT_TR_NOOP("Next position of the camera, after Back"), kNeedsBoard},
+    {SaveView, MenuId::View, QT_TR_NOOP("Save t&his view"), "Ctrl+B",
+     QT_TR_NOOP("Save both cameras and the visible layers under a name, in the session file beside the board"),
+     kNeedsBoard},
+    {Orthographic, MenuId::View, QT_TR_NOOP("&Orthographic"), "O",
+     QT_TR_NOOP("Parallel projection instead of perspective"), kCheckable},
+    {Explode, MenuId::View, QT_TR_NOOP("&Explode"), "E", QT_TR_NOOP("Spread the layers apart"), kCheckable},
+    {ShowViewCube, MenuId::View, QT_TR_NOOP("Vie&w cube"), "K",
+     QT_TR_NOOP("Show a cube in 3D whose sides set the direction of view"), kCheckable},
+    {ShowFrameDisplay, MenuId::View, QT_TR_NOOP("Frame di&splay"), "Ctrl+K,F",
+     QT_TR_NOOP("Show frame time, back end and what is drawn, in 3D"), kCheckable},
+    {ExaggerateCopperHeight, MenuId::Solid, QT_TR_NOOP("&Copper scale ×10"), "C",
+     QT_TR_NOOP("Draw copper ten times as thick as it is, in 3D"), kCheckable},
+    {ExaggerateDielectricHeight, MenuId::Solid, QT_TR_NOOP("&Dielectric scale ×5"), "V",
+     QT_TR_NOOP("Draw all layers but copper five times as thick as they are, in 3D"), kCheckable},
+    {SectionPlane, MenuId::Solid, QT_TR_NOOP("&Section plane"), "X",
+     QT_TR_NOOP("Cut the board open through the pointer, or through its middle, in 3D; again to close it"),
+     kCheckable | kNewGroup},
+    {RotateSectionPlane, MenuId::Solid, QT_TR_NOOP("&Rotate plane"), "Shift+X",
+     QT_TR_NOOP("Rotate the section plane by 45 degrees")},
+    {MoveSectionPlaneOn, MenuId::Solid, QT_TR_NOOP("Move plane &forward"), ".",
+     QT_TR_NOOP("Move the section plane, so that less of the board is left")},
+    {MoveSectionPlaneBack, MenuId::Solid, QT_TR_NOOP("Move plane &back"), ",",
+     QT_TR_NOOP("Move the section plane, so that more of the board is left")},
+    {ShowFlat, MenuId::Arrangement, QT_TR_NOOP("&2D only"), "2", QT_TR_NOOP("Show the 2D view only"), kCheckable},
+    {ShowSolid, MenuId::Arrangement, QT_TR_NOOP("&3D only"), "3", QT_TR_NOOP("Show the 3D view only"), kCheckable},
+    {ShowSideBySide, MenuId::Arrangement, QT_TR_NOOP("&Side by side"), "4", QT_TR_NOOP("Show 2D to the left of 3D"),
+     kCheckable},
+    {ShowStacked, MenuId::Arrangement, QT_TR_NOOP("One &above the other"), "5", QT_TR_NOOP("Show 2D above 3D"),
+     kCheckable},
+    {ShowLayersDock, MenuId::Panels, QT_TR_NOOP("&Layers"), "Ctrl+1", QT_TR_NOOP("Show or hide the layers panel"),
+     kCheckable},
+    {ShowNetsDock, MenuId::Panels, QT_TR_NOOP("&Nets"), "Ctrl+5", QT_TR_NOOP("Show or hide the nets"), kCheckable},
+    {ShowElementDock, MenuId::Panels, QT_TR_NOOP("Ele&ment"), "Ctrl+4",
+     QT_TR_NOOP("Show or hide the properties of the selected element"), kCheckable},
+    {ShowNetCheckDock, MenuId::Panels, QT_TR_NOOP("Netlist c&heck"), "Ctrl+7",
+     QT_TR_NOOP("Show or hide opens, shorts and floating copper"), kCheckable},
+    {ShowStackupDock, MenuId::Panels, QT_TR_NOOP("Stac&kup"), "Ctrl+6",
+     QT_TR_NOOP("Show or hide the stackup and its thicknesses"), kCheckable},
+    {ShowStatisticsDock, MenuId::Panels, QT_TR_NOOP("&Statistics"), "Ctrl+2",
+     QT_TR_NOOP("Show or hide the element statistics"), kCheckable},
+    {ShowSavedViewsDock, MenuId::Panels, QT_TR_NOOP("Saved vie&ws"), "Ctrl+8",
+     QT_TR_NOOP("Show or hide the saved views"), kCheckable},
+    {ShowClearanceDock, MenuId::Panels, QT_TR_NOOP("&Clearances"), "Ctrl+9",
+     QT_TR_NOOP("Show or hide smallest clearances, rules, lens and map"), kCheckable},
+    {ShowMeasurementsDock, MenuId::Panels, QT_TR_NOOP("Meas&urements"), "Ctrl+0",
+     QT_TR_NOOP("Show or hide the measurements"), kCheckable},
+    {ShowSectionDock, MenuId::Panels, QT_TR_NOOP("Cr&oss-section"), "Ctrl+Alt+0",
+     QT_TR_NOOP("Show or hide the cross-section"), kCheckable},
+    {ShowMessagesDock, MenuId::Panels, QT_TR_NOOP("Messa&ges"), "Ctrl+3",
+     QT_TR_NOOP("Show or hide what was skipped, repaired or assumed"), kCheckable},
+    {ShowToolBar, MenuId::Panels, QT_TR_NOOP("Toolba&r"), "Ctrl+K,B", QT_TR_NOOP("Show or hide the toolbar"),
+     kCheckable},
+    {NextPanel, MenuId::Panels, QT_TR_NOOP("Ne&xt panel"), "F6",
+     QT_TR_NOOP("Move the keyboard to the next view or panel"), false | kNewGroup},
+    {PreviousPanel, MenuId::Panels, QT_TR_NOOP("Pre&vious panel"), "Shift+F6",
+     QT_TR_NOOP("Move the keyboard to the previous view or panel")},
+    {ThemeSystem, MenuId::Theme, QT_TR_NOOP("&System"), "Ctrl+K,S", QT_TR_NOOP("Colours of the desktop"), kCheckable},
+    {ThemeDark, MenuId::Theme, QT_TR_NOOP("&Dark"), "Ctrl+K,D", QT_TR_NOOP("Light text on dark panels"), kCheckable},
+    {ThemeLight, MenuId::Theme, QT_TR_NOOP("&Light"), "Ctrl+K,L", QT_TR_NOOP("Dark text on light panels"), kCheckable},
+    {BackendAuto, MenuId::Backend, QT_TR_NOOP("&Automatic"), "Ctrl+K,A",
+     QT_TR_NOOP("The best back end for this device"), kCheckable},
+    {BackendMesh, MenuId::Backend, QT_TR_NOOP("&Mesh shaders"), "Ctrl+K,M",
+     QT_TR_NOOP("Task and mesh shaders; the device must have them"), kCheckable},
+    {BackendPull, MenuId::Backend, QT_TR_NOOP("&Vertex pulling"), "Ctrl+K,P",
+     QT_TR_NOOP("Compute culling and indirect draws; works on every device"), kCheckable},
+    {BackendImpostor, MenuId::Backend, QT_TR_NOOP("&Exact outlines"), "Ctrl+K,O",
+     QT_TR_NOOP("Impostors: boxes whose pixels are cut by the true outlines; works on every device"), kCheckable},
+    {BackendRaster, MenuId::Backend, QT_TR_NOOP("&Compute rasterising"), "Ctrl+K,R",
+     QT_TR_NOOP("Compute shaders draw what is small, unsmoothed; the device must have 64-bit atomics"), kCheckable},
+    {KeysCopperscope, MenuId::Keys, QT_TR_NOOP("&Copperscope"), "Ctrl+K,F1",
+     QT_TR_NOOP("The keys of Copperscope itself"), kCheckable},
+    {KeysKiCad, MenuId::Keys, QT_TR_NOOP("&KiCad"), "Ctrl+K,F2",
+     QT_TR_NOOP("Keys of KiCad's board editor, where it has them"), kCheckable},
+    {KeysAltium, MenuId::Keys, QT_TR_NOOP("&Altium"), "Ctrl+K,F3",
+     QT_TR_NOOP("Keys of Altium Designer, where it has them"), kCheckable},
+    {KeysAllegro, MenuId::Keys, QT_TR_NOOP("Alle&gro"), "Ctrl+K,F4", QT_TR_NOOP("Keys of Allegro, where it has them"),
+     kCheckable},
+    {KeysKLayout, MenuId::Keys, QT_TR_NOOP("K&Layout"), "Ctrl+K,F5", QT_TR_NOOP("Keys of KLayout, where it has them"),
+     kCheckable},
+
+    {ShowAllLayers, MenuId::Layers, QT_TR_NOOP("Show &all"), "Ctrl+Shift+A", QT_TR_NOOP("Show every layer"),
+     kNeedsBoard},
+    {HideAllLayers, MenuId::Layers, QT_TR_NOOP("&Hide all"), "Ctrl+Shift+H", QT_TR_NOOP("Hide every layer"),
+     kNeedsBoard},
+    {ShowCopperOnly, MenuId::Layers, QT_TR_NOOP("&Copper only"), "Ctrl+Shift+K",
+     QT_TR_NOOP("Show the copper layers only"), kNeedsBoard},
+    {SoloLayer, MenuId::Layers, QT_TR_NOOP("&Only this layer"), "H",
+     QT_TR_NOOP("Show the current layer of the panel only; again to go back"), kNeedsBoard},
+    {Contrast, MenuId::Layers, QT_TR_NOOP("High con&trast"), "Shift+H",
+     QT_TR_NOOP("Dim all layers but the current one of the panel, in 2D"), kCheckable | kNeedsBoard},
+    {NextLayer, MenuId::Layers, QT_TR_NOOP("Layer &below"), "PgDown",
+     QT_TR_NOOP("Make the next visible layer the current one"), kNeedsBoard},
+    {PreviousLayer, MenuId::Layers, QT_TR_NOOP("Layer abo&ve"), "PgUp",
+     QT_TR_NOOP("Make the visible layer before the current one"), kNeedsBoard},
+    {RestoreLayers, MenuId::Layers, QT_TR_NOOP("&Default colours"), "Ctrl+Shift+D",
+     QT_TR_NOOP("Reset colours, opacities and visibility"), kNeedsBoard},
+    {SafeColours, MenuId::Layers, QT_TR_NOOP("Colo&ur-blind safe"), "Ctrl+K,C",
+     QT_TR_NOOP("Colours that are told apart without telling red from green"), kCheckable},
+
+    {ColourNet, MenuId::Nets, QT_TR_NOOP("&Colour net"), "U",
+     QT_TR_NOOP("Give the highlighted nets, or the one under the pointer, a colour that stays; again to remove it"),
+     kNeedsBoard},
+    {ChooseNetColour, MenuId::Nets, QT_TR_NOOP("C&hoose colour…"), "Shift+U",
+     QT_TR_NOOP("Choose the colour of the highlighted nets, or of the one under the pointer"), kNeedsBoard},
+    {HideNet, MenuId::Nets, QT_TR_NOOP("H&ide net"), "Shift+N",
+     QT_TR_NOOP("Hide the highlighted nets, or the one under the pointer; they cannot be clicked"), kNeedsBoard},
+    {ShowAllNets, MenuId::Nets, QT_TR_NOOP("&Show all nets"), "Ctrl+Alt+N", QT_TR_NOOP("Show all hidden nets"),
+     false | kNewGroup | kNeedsBoard},
+    {ClearNetColours, MenuId::Nets, QT_TR_NOOP("C&lear colours"), "Ctrl+Alt+U",
+     QT_TR_NOOP("Show all nets in the colours of their layers"), kNeedsBoard},
+
+    {CheckNets, MenuId::Board, QT_TR_NOOP("Netlist &check"), "Ctrl+Shift+N",
+     QT_TR_NOOP("Compare the nets with the copper: opens, shorts and floating copper"), kNeedsBoard},
+    {InferNets, MenuId::Board, QT_TR_NOOP("Infer &nets from copper"), "Ctrl+Shift+I",
+     QT_TR_NOOP("Read the board again with nets found by following the copper, instead of the job's"),
+     kCheckable | kNeedsBoard},
+    {ExaggerateCopper, MenuId::Board, QT_TR_NOOP("E&xaggerate copper"), "Ctrl+Shift+X",
+     QT_TR_NOOP("Draw copper as thick as dielectric in the stackup; off: to scale"), kCheckable | kNewGroup},
+    {ExportStackup, MenuId::Board, QT_TR_NOOP("Export &stackup…"), "Ctrl+Shift+E",
+     QT_TR_NOOP("Export the stackup as a drawing (SVG) or a table (CSV)"), kNeedsBoard},
+    {SearchClearances, MenuId::Board, QT_TR_NOOP("&Find clearances"), "Ctrl+Shift+G",
+     QT_TR_NOOP("Find the smallest clearances, or what breaks the rules, as the Clearances panel says"),
+     false | kNewGroup | kNeedsBoard},
+    {NextClearance, MenuId::Board, QT_TR_NOOP("Next clea&rance"), "F8",
+     QT_TR_NOOP("Show the next row of the Clearances panel in both views"), kNeedsBoard},
+    {PreviousClearance, MenuId::Board, QT_TR_NOOP("&Previous clearance"), "Shift+F8",
+     QT_TR_NOOP("Show the previous row of the Clearances panel in both views"), kNeedsBoard},
+    {EditRules, MenuId::Board, QT_TR_NOOP("Edit r&ules…"), "Ctrl+Alt+R",
+     QT_TR_NOOP("Edit clearance rules and net classes"), kNeedsBoard},
+    {ExportClearances, MenuId::Board, QT_TR_NOOP("&Export clearances…"), "Ctrl+Alt+G",
+     QT_TR_NOOP("Export clearances or broken rules as text, table or JSON, as the command line does"), kNeedsBoard},
+    {Lens, MenuId::Board, QT_TR_NOOP("Clearance &lens"), "L",
+     QT_TR_NOOP("Highlight copper of other nets near what is selected or highlighted"), kCheckable | kNeedsBoard},
+    {ClearanceMap, MenuId::Board, QT_TR_NOOP("Clearance &map"), "Shift+G",
+     QT_TR_NOOP("Colour a copper layer by the distance to what is selected, or by the spacing between nets"),
+     kCheckable | kNeedsBoard},
+    {DrawSection, MenuId::Board, QT_TR_NOOP("&Draw section"), "Shift+S",
+     QT_TR_NOOP("Drag a line over the 2D view, or click its corners, to cut the board along it; corners can be moved "
+                "afterwards"),
+     kCheckable | kNewGroup | kNeedsBoard},
+    {SectionAlongNet, MenuId::Board, QT_TR_NOOP("Section &along net"), "Ctrl+Alt+L",
+     QT_TR_NOOP("Cut along the longest track chain of the highlighted net, unrolled"), kNeedsBoard},
+    {OpenAlongSection, MenuId::Board, QT_TR_NOOP("Sh&ow section in 3D"), "Alt+X",
+     QT_TR_NOOP("Move the section plane of the 3D view to the straight line of the section"), kNeedsBoard},
+    {SaveSection, MenuId::Board, QT_TR_NOOP("Sa&ve section"), "Ctrl+Alt+B",
+     QT_TR_NOOP("Save the line of the section under a name, in the session file beside the board"), kNeedsBoard},
+    {ExportSection, MenuId::Board, QT_TR_NOOP("Expor&t section…"), "Ctrl+Alt+E",
+     QT_TR_NOOP("Export the section as a drawing (SVG)"), kNeedsBoard},
+
+    {MeasurePoints, MenuId::Measure, QT_TR_NOOP("&Point to point"), "M",
+     QT_TR_NOOP("Click two points in 2D or 3D to measure from one to the other; again to stop"),
+     kCheckable | kNeedsBoard},
+    {MeasureObjects, MenuId::Measure, QT_TR_NOOP("&Clearance (edge to edge)"), "Shift+M",
+     QT_TR_NOOP("Click two elements to measure the clearance between them, through the stackup too; again to stop"),
+     kCheckable | kNeedsBoard},
+    {MeasureAngle, MenuId::Measure, QT_TR_NOOP("&Angle of three points"), "A",
+     QT_TR_NOOP("Click the corner and a point on each arm; again to stop"), kCheckable | kNeedsBoard},
+    {MeasureLines, MenuId::Measure, QT_TR_NOOP("Angle of two &lines"), "Shift+A",
+     QT_TR_NOOP("Click two straight tracks or sides to measure the angle between them; again to stop"),
+     kCheckable | kNeedsBoard},
+    {MeasureRadius, MenuId::Measure, QT_TR_NOOP("&Radius"), "Shift+R",
+     QT_TR_NOOP("Click an arc, a round pad or a hole for its radius and diameter; again to stop"),
+     kCheckable | kNeedsBoard},
+    {MeasureLength, MenuId::Measure, QT_TR_NOOP("&Net path length"), "J Ctrl+J",
+     QT_TR_NOOP("Click two locations on a net to measure along its copper; again to stop"), kCheckable | kNeedsBoard},
+    {MeasureSpacing, MenuId::Measure, QT_TR_NOOP("&Spacing at cursor"), "R",
+     QT_TR_NOOP("Measure from the copper nearest to the pointer to the next copper on its layer"), kNeedsBoard},
+    {ExportMeasurements, MenuId::Measure, QT_TR_NOOP("E&xport measurements…"), "Ctrl+Alt+M",
+     QT_TR_NOOP("Export all measurements as a table (CSV)"), false | kNewGroup | kNeedsBoard},
+
+    {ClearSelection, MenuId::Select, QT_TR_NOOP("&Clear"), "Esc",
+     QT_TR_NOOP("Stop loading or checking, or else measuring or drawing, or else clear the selection, or else the "
+                "highlighted nets"),
+     kNeedsBoard},
+    {ShowSelection, MenuId::Select, QT_TR_NOOP("&Show in both views"), "Z",
+     QT_TR_NOOP("Bring the selection to the middle of the views"), kNeedsBoard},
+    {SelectComponent, MenuId::Select, QT_TR_NOOP("Select com&ponent"), "P",
+     QT_TR_NOOP("Select all pads, holes and the body of the component under the pointer, or of the selected element"),
+     kNeedsBoard},
+    {SelectPin, MenuId::Select, QT_TR_NOOP("Select p&in"), "Shift+P",
+     QT_TR_NOOP("Select all pads and the hole of the pin under the pointer, or of the selected element"), kNeedsBoard},
+    {SaveSelection, MenuId::Select, QT_TR_NOOP("Sa&ve selection"), "Ctrl+Shift+B",
+     QT_TR_NOOP("Save what is selected and highlighted under a name, in the session file beside the board"),
+     kNeedsBoard},
+    {HighlightNet, MenuId::Select, QT_TR_NOOP("Highlight &net"), "N",
+     QT_TR_NOOP("Highlight the whole net of the element under the pointer, or of the selected one; again to stop"),
+     false | kNewGroup | kNeedsBoard},
+    {DimOthers, MenuId::Select, QT_TR_NOOP("&Dim others"), "D",
+     QT_TR_NOOP("Darken everything that is not selected or highlighted"), kCheckable},
+    {FollowInSolid, MenuId::Select, QT_TR_NOOP("Follow in &3D"), "Ctrl+K,3",
+     QT_TR_NOOP("Move the 3D view to what is clicked in 2D"), kCheckable | kNewGroup},
+    {FollowInFlat, MenuId::Select, QT_TR_NOOP("Follow in &2D"), "Ctrl+K,2",
+     QT_TR_NOOP("Move the 2D view to what is clicked in 3D"), kCheckable},
+    {FollowInTables, MenuId::Select, QT_TR_NOOP("Follow in &tables"), "Ctrl+K,T",
+     QT_TR_NOOP("Scroll tables to the net of what is clicked in a view"), kCheckable},
+    {FollowFromTables, MenuId::Select, QT_TR_NOOP("Follow t&ables in views"), "Ctrl+K,V",
+     QT_TR_NOOP("Move both views to what is chosen in a table"), kCheckable},
+
+    {NextUnit, MenuId::View, QT_TR_NOOP("Ne&xt unit"), "Q Ctrl+U", QT_TR_NOOP("Millimetres, mils, inches"),
+     false | kNewGroup},
+    {ShowGrid, MenuId::View, QT_TR_NOOP("&Grid and rulers"), "G", QT_TR_NOOP("Show a grid and rulers in 2D"),
+     kCheckable},
+    {ShowNames, MenuId::View, QT_TR_NOOP("Net na&mes"), "W",
+     QT_TR_NOOP("Show the names of nets on the copper in 2D, where there is room"), kCheckable},
+    {ShowOutlines, MenuId::View, QT_TR_NOOP("Out&lines only"), "S", QT_TR_NOOP("Draw outlines without fill, in 2D"),
+     kCheckable},
+    {ShowPinNames, MenuId::View, QT_TR_NOOP("Pi&n names"), "Shift+W",
+     QT_TR_NOOP("Show the names of pins on their pads in 2D, where there is room"), kCheckable},
+
+    {ShowKeys, MenuId::Help, QT_TR_NOOP("&Keys and mouse"), "F1 ?",
+     QT_TR_NOOP("All keys and mouse gestures on one page")},
+    {ResetSettings, MenuId::Help, QT_TR_NOOP("&Reset settings…"), "Ctrl+K,Delete",
+     QT_TR_NOOP("Reset window, panels, theme and recent boards"), false | kNewGroup},
+    {About, MenuId::Help, QT_TR_NOOP("&About Copperscope"), "Shift+F1", QT_TR_NOOP("Version and licence"),
+     false | kNewGroup},
+};
+
+const char* const ActionSet::kMenuTitles[kMenuCount] = {
+    QT_TR_NOOP("&File"),        QT_TR_NOOP("&Edit"),   QT_TR_NOOP("&View"),  QT_TR_NOOP("Se&ction plane and scale"),
+    QT_TR_NOOP("A&rrangement"), QT_TR_NOOP("Pa&nels"), QT_TR_NOOP("The&me"), QT_TR_NOOP("Bac&k end"),
+    QT_TR_NOOP("&Keys"),        QT_TR_NOOP("&Layers"), QT_TR_NOOP("&Nets"),  QT_TR_NOOP("&Board"),
+    QT_TR_NOOP("&Measure"),     QT_TR_NOOP("&Select"), QT_TR_NOOP("&Help")};
+
 std::span<const ActionSpec> actionSpecs() {
-    return kSpecs;
+    return ActionSet::kSpecs;
 }
 
-const char* menuTitle(MenuId menu) {
-    return kMenuTitles[static_cast<std::size_t>(menu)];
+QString menuTitle(MenuId menu) {
+    return ActionSet::tr(ActionSet::kMenuTitles[static_cast<std::size_t>(menu)]);
 }
 
 QList<QKeySequence> keysFrom(const char* shortcuts) {
@@ -245,7 +301,7 @@ QList<QKeySequence> keysFrom(const char* shortcuts) {
     return keys;
 }
 
-ActionSet::ActionSet(QWidget& window) : m_window(window) {
+ActionSet::ActionSet(QWidget& window) : QObject(&window), m_window(window) {
     std::array<QActionGroup*, kMenuCount> groups{};
     for (const ActionSpec& spec : kSpecs) {
         auto* action = new QAction(&window);
@@ -261,9 +317,9 @@ ActionSet::ActionSet(QWidget& window) : m_window(window) {
 
 void ActionSet::apply(const ActionSpec& spec, QAction& action) const {
     ASSERT(&spec == &kSpecs[static_cast<std::size_t>(spec.id)]);
-    action.setText(QString::fromUtf8(spec.text));
-    action.setStatusTip(QString::fromUtf8(spec.tip));
-    action.setCheckable(spec.isCheckable);
+    action.setText(tr(spec.text));
+    action.setStatusTip(tr(spec.tip));
+    action.setCheckable((spec.flags & kCheckable) != 0);
     applyKeys(spec, action);
     m_window.addAction(&action);
 }
@@ -271,13 +327,21 @@ void ActionSet::apply(const ActionSpec& spec, QAction& action) const {
 void ActionSet::applyKeys(const ActionSpec& spec, QAction& action) const {
     const QList<QKeySequence> keys = keysOf(spec, m_keys);
     action.setShortcuts(keys);
-    action.setToolTip(tipWithKeys(spec, keys));
+    action.setToolTip(tr("%1 (%2)").arg(tr(spec.tip), keysText(keys, tr(" or "))));  // "Zoom in (+ or =)"
 }
 
 void ActionSet::setKeys(KeyPreset keys) {
     m_keys = keys;
     for (const ActionSpec& spec : kSpecs) {
         applyKeys(spec, (*this)[spec.id]);
+    }
+}
+
+void ActionSet::enable(bool hasBoard) const {
+    for (const ActionSpec& spec : kSpecs) {
+        if ((spec.flags & kNeedsBoard) != 0) {
+            (*this)[spec.id].setEnabled(hasBoard);
+        }
     }
 }
 
@@ -293,7 +357,7 @@ void ActionSet::fill(QMenu& menu, MenuId id) const {
         if (spec.menu != id) {
             continue;
         }
-        if (spec.beginsGroup) {
+        if ((spec.flags & kNewGroup) != 0) {
             menu.addSeparator();
         }
         menu.addAction(&(*this)[spec.id]);

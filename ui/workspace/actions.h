@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QList>
+#include <QObject>
 #include <QString>
 #include <array>
 #include <span>
@@ -9,8 +10,8 @@
 class QMenu;
 class QWidget;
 
-/// Every command of the workbench, declared in one table: menus, toolbar, shortcuts, tips and the keys sheet come from
-/// it.
+/// Every command of the workbench, declared in one table: menus, toolbar, shortcuts, tips and the list of keys come
+/// from it.
 namespace ui {
 
 enum class ActionId {
@@ -164,33 +165,42 @@ inline constexpr std::size_t kMenuCount = static_cast<std::size_t>(MenuId::Count
 struct ActionSpec {
     ActionId id;
     MenuId menu;
-    const char* text;       ///< with & before the mnemonic
+    const char* text;       ///< for ActionSet::tr, with & before the mnemonic
     const char* shortcuts;  ///< portable text, several separated by blanks; "Ctrl+K,D" are two keys one after the other
     const char* tip;
-    bool isCheckable = false;
-    bool beginsGroup = false;  ///< a separator goes before it
+    unsigned flags = 0;  ///< as below
 };
+inline constexpr unsigned kCheckable = 1U;
+inline constexpr unsigned kNewGroup = 2U;  ///< a separator goes before it
+inline constexpr unsigned kNeedsBoard = 4U;
 
 /// The table, in menu order; row n has id n.
 [[nodiscard]] std::span<const ActionSpec> actionSpecs();
-[[nodiscard]] const char* menuTitle(MenuId menu);
+[[nodiscard]] QString menuTitle(MenuId menu);
 /// Keys written as in ActionSpec::shortcuts.
 [[nodiscard]] QList<QKeySequence> keysFrom(const char* shortcuts);
 
-/// Which program the keys of the workbench are like, see key_presets.h.
+/// Which program has these keys, see key_presets.h.
 enum class KeyPreset { Copperscope, KiCad, Altium, Allegro, KLayout };
 
 /// The live actions of one window.
-class ActionSet {
+class ActionSet : public QObject {
+    Q_OBJECT
+
 public:
     /// Makes all actions children of `window`, so that their shortcuts work wherever the focus is inside it.
     explicit ActionSet(QWidget& window);
+
+    static const ActionSpec kSpecs[kActionCount];  ///< see actionSpecs
+    static const char* const kMenuTitles[kMenuCount];
 
     [[nodiscard]] QAction& operator[](ActionId id) const { return *m_actions[static_cast<std::size_t>(id)]; }
     /// Uses an action that a widget made itself (a dock's own toggle) in place of ours.
     void adopt(ActionId id, QAction& action);
     /// Appends the actions of `menu` in table order.
     void fill(QMenu& menu, MenuId id) const;
+    /// Enables or disables all that need a board.
+    void enable(bool hasBoard) const;
     /// Gives all actions the keys of another program, in tips too.
     void setKeys(KeyPreset keys);
     [[nodiscard]] KeyPreset keys() const { return m_keys; }

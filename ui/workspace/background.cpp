@@ -24,7 +24,7 @@ Background::Background(QObject* parent) : QObject(parent) {
 }
 
 Background::~Background() {
-    cancel();
+    retire();
 }
 
 void Background::start(Work work, const char* phase) {
@@ -37,9 +37,17 @@ void Background::start(Work work, const char* phase) {
         job.isDone = true;
     });
     m_timer.start();
+    emit started();
 }
 
 void Background::cancel() {
+    if (m_current) {
+        retire();
+        emit cancelled();
+    }
+}
+
+void Background::retire() {
     if (m_current) {
         m_current->progress.cancel();
         m_retiring.push_back(std::move(m_current));

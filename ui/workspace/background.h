@@ -10,13 +10,14 @@
 
 namespace ui {
 
-/// One piece of work at a time on a thread of its own; what it says arrives on the thread this lives on. Starting
-/// another one cancels the one being done, whose thread winds down unseen.
+/// One piece of work at a time on a thread of its own; what it reports arrives on the thread this lives on. Starting
+/// another one cancels the one being done, whose thread winds down unseen. Exactly one of finished and cancelled
+/// follows each started, except when this is destroyed.
 class Background : public QObject {
     Q_OBJECT
 
 public:
-    /// Runs on the thread. It leaves its answer where whoever started it finds it.
+    /// Runs on the thread. It leaves its result where whoever started it finds it.
     using Work = std::function<void(base::Progress&)>;
 
     explicit Background(QObject* parent = nullptr);
@@ -29,13 +30,16 @@ public:
     [[nodiscard]] bool isRunning() const { return m_current != nullptr; }
 
 signals:
+    void started();
     /// `fraction` of the phase, 0 to 1; a phase is a few plain words.
     void progressed(const QString& phase, double fraction);
     void finished();
+    void cancelled();
 
 private:
     struct Job;
 
+    void retire();
     void poll();
 
     std::unique_ptr<Job> m_current;

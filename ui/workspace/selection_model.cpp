@@ -105,6 +105,21 @@ const model::Document& SelectionModel::stepOf(const model::BoardElement& element
     return *m_tree.steps[m_tree.copies[element.copy].step];
 }
 
+std::uint32_t SelectionModel::firstCopyOf(std::uint32_t step) const {
+    return static_cast<std::uint32_t>(std::ranges::find(m_tree.copies, step, &model::StepCopy::step) -
+                                      m_tree.copies.begin());
+}
+
+std::vector<model::BoardElement> SelectionModel::elementsOf(const std::vector<model::BoardNet>& nets) const {
+    std::vector<model::BoardElement> elements;
+    for (const model::BoardNet& net : nets) {
+        for (const model::ElementId element : m_tree.steps[net.step]->elementsOf(net.net)) {
+            elements.push_back({firstCopyOf(net.step), element});
+        }
+    }
+    return elements;
+}
+
 std::vector<model::ElementId> SelectionModel::ownElements() const {
     std::vector<model::ElementId> elements;
     for (const model::BoardElement& at : m_selected) {

@@ -9,7 +9,7 @@
 
 namespace ui {
 
-/// What the user points at: the element under the cursor, the selected elements, the highlighted nets. Views, tables
+/// What the user points at: the element under the pointer, the selected elements, the highlighted nets. Views, tables
 /// and tools share one of these, so that what is chosen in one is seen in all.
 ///
 /// Hovering is fleeting, selecting replaces or adds, nets stay highlighted until they are cleared. `clearStep` takes
@@ -23,14 +23,14 @@ public:
     /// Forgets everything; a null tree is an empty board. The document behind the tree must live as long as it is set.
     void setBoard(std::shared_ptr<const model::Document> board);
 
-    /// None when the cursor is over nothing.
+    /// None when the pointer is over nothing.
     void hover(std::optional<model::BoardElement> element);
     [[nodiscard]] std::optional<model::BoardElement> hovered() const { return m_hovered; }
 
     enum class Mode { Replace, Toggle };
     /// Nothing selected when `elements` is empty and they replace. Toggled ones change sides.
     void select(const std::vector<model::BoardElement>& elements, Mode mode = Mode::Replace);
-    /// Elements that are one thing together, and what it is: "Component U1".
+    /// Elements that are one item together, and what it is: "Component U1".
     void selectAs(const QString& title, const std::vector<model::BoardElement>& elements);
     /// What is selected, if it is more than its elements; else empty.
     [[nodiscard]] const QString& title() const { return m_title; }
@@ -41,7 +41,7 @@ public:
 
     void setNets(std::vector<model::BoardNet> nets);
     void toggleNet(const model::BoardNet& net);
-    /// In rising order. A net of a step that is placed often lights up in all its copies.
+    /// In rising order. A net of a step that is placed often is highlighted in all its copies.
     [[nodiscard]] const std::vector<model::BoardNet>& nets() const { return m_nets; }
     /// What lies near what is selected or highlighted (the clearance lens); in rising order.
     void setNearby(std::vector<model::BoardElement> elements);
@@ -55,6 +55,10 @@ public:
     [[nodiscard]] const model::StepTree& tree() const { return m_tree; }
     /// The document an element is a row of.
     [[nodiscard]] const model::Document& stepOf(const model::BoardElement& element) const;
+    /// Row of `tree().copies`: the first copy of a step.
+    [[nodiscard]] std::uint32_t firstCopyOf(std::uint32_t step) const;
+    /// Of steps that are placed often, in the first copy.
+    [[nodiscard]] std::vector<model::BoardElement> elementsOf(const std::vector<model::BoardNet>& nets) const;
     /// Elements of the board itself that are selected or of a highlighted net, in no order; those of copies of other
     /// steps are left out.
     [[nodiscard]] std::vector<model::ElementId> ownElements() const;
@@ -67,7 +71,7 @@ signals:
     /// Once per change, however many elements it concerns.
     void selectionChanged();
     void netsChanged();
-    /// What `highlight` answers is another.
+    /// What `highlight` returns is another.
     void highlightChanged();
 
 private:

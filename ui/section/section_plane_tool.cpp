@@ -1,4 +1,4 @@
-#include "ui/views/section_plane_tool.h"
+#include "ui/section/section_plane_tool.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@ namespace ui {
 namespace {
 
 base::PointD directionOf(double angle) {
-    // Against x at first: what lies to the left of that, nearer to an isometric view's eye, goes.
+    // Against x at first: what lies to the left of that, nearer to the eye of an isometric view, goes.
     return {-std::cos(angle), -std::sin(angle)};
 }
 
@@ -18,14 +18,19 @@ base::PointD directionOf(double angle) {
 void SectionPlaneTool::setBoard(const LoadedBoard& board) {
     m_index = board.index;
     m_origin = board.model->origin;
-    m_cursor.reset();
+    m_pointer.reset();
     m_isOn = false;
+    apply();
+}
+
+void SectionPlaneTool::setHeights(std::shared_ptr<const model::BoardIndex> index) {
+    m_index = std::move(index);
     apply();
 }
 
 void SectionPlaneTool::setOn(bool isOn) {
     m_isOn = isOn && m_index != nullptr;
-    m_through = m_cursor.value_or(base::toDouble(m_origin));
+    m_through = m_pointer.value_or(base::toDouble(m_origin));
     m_angle = 0.0;
     m_eighths = 0;
     m_isAlongLine = false;
@@ -45,7 +50,7 @@ base::PointD SectionPlaneTool::direction() const {
     return directionOf(m_angle + m_eighths * std::numbers::pi / 4.0);
 }
 
-void SectionPlaneTool::turn() {
+void SectionPlaneTool::rotate() {
     m_isAlongLine = false;
     m_eighths = (m_eighths + 1) % 8;
     apply();
@@ -56,9 +61,9 @@ void SectionPlaneTool::move(double part) {
         return;
     }
     const base::Box& board = m_index->board->board;
-    const double way = part * static_cast<double>(std::max(board.width(), board.height()));
+    const double distance = part * static_cast<double>(std::max(board.width(), board.height()));
     const base::PointD direction = this->direction();
-    m_through = {m_through.x + direction.y * way, m_through.y - direction.x * way};  // to its right
+    m_through = {m_through.x + direction.y * distance, m_through.y - direction.x * distance};  // to its right
     apply();
 }
 

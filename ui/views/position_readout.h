@@ -3,33 +3,33 @@
 #include <QObject>
 #include <functional>
 #include <optional>
-#include <utility>
 
-#include "ui/shell/status_line.h"
 #include "ui/views/probing.h"
 
 namespace ui {
 
-/// Where the cursor is, in the status line: from the job's datum, and how far from where a measurement has begun.
+/// Where the pointer is, for the status line: from the job's datum, and how far from where a measurement has begun.
 class PositionReadout : public QObject {
     Q_OBJECT
 
 public:
-    PositionReadout(Probing& probing, StatusLine& line, QObject* parent = nullptr);
+    PositionReadout(Probing& probing, Workspace& workspace, QObject* parent = nullptr);
 
-    void setUnit(LengthUnit unit);
-    /// What is said of the place besides; empty where there is nothing to say.
+    /// What is to be known of the location besides; empty where there is nothing.
     void setNote(std::function<QString(base::PointD)> note) { m_note = std::move(note); }
     /// In nm of the board; none: no measurement is under way.
     void measureFrom(std::optional<base::PointD> location);
 
-private:
-    void show();
+signals:
+    /// Empty while the pointer is beside the board.
+    void changed(const QString& text);
 
-    StatusLine& m_line;
+private:
+    void update();
+
+    Workspace& m_workspace;
     std::function<QString(base::PointD)> m_note;
-    LengthUnit m_unit = LengthUnit::Millimetre;
-    std::optional<base::PointD> m_cursor;  ///< nm, of the board
+    std::optional<base::PointD> m_pointer;  ///< nm, of the board
     std::optional<base::PointD> m_from;
 };
 

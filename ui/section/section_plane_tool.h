@@ -6,8 +6,8 @@
 
 namespace ui {
 
-/// The plane along which the 3D view's board is cut open. It stands where the cursor was, may be moved across itself
-/// and turned, and every change shows at once: a cut takes milliseconds, and nothing of the board goes to the device
+/// The section plane of the 3D view, which cuts the board open. It is where the pointer was, may be moved across itself
+/// and rotated, and every change shows at once: a cut takes milliseconds, and nothing of the board goes to the device
 /// again.
 class SectionPlaneTool {
 public:
@@ -15,18 +15,20 @@ public:
 
     /// Another board: it is whole.
     void setBoard(const LoadedBoard& board);
-    /// Where the cursor is, nm of the board; none: beside the board.
-    void pointAt(std::optional<base::PointD> location) { m_cursor = location; }
-    /// Cuts through the cursor, or through the middle of the board, what is in front of an isometric view going; or
+    /// The same board with other heights.
+    void setHeights(std::shared_ptr<const model::BoardIndex> index);
+    /// Where the pointer is, nm of the board; none: beside the board.
+    void pointAt(std::optional<base::PointD> location) { m_pointer = location; }
+    /// Cuts through the pointer, or through the middle of the board, what is in front of an isometric view going; or
     /// makes the board whole again.
     void setOn(bool isOn);
     [[nodiscard]] bool isOn() const { return m_isOn; }
     /// Cuts through two places of the board; what is to the right on the way from one to the other goes.
     void cutAlong(base::PointD from, base::PointD to);
-    /// Whether it stands where `cutAlong` has put it, and was not turned since.
+    /// Whether it is where `cutAlong` has put it, and was not rotated since.
     [[nodiscard]] bool isAlongLine() const { return m_isOn && m_isAlongLine; }
     /// By 45 degrees, seen from above to the left. Around the place it was put through.
-    void turn();
+    void rotate();
     /// Towards what is left (negative: towards what was cut away), by a part of the board's larger side.
     void move(double part);
 
@@ -37,7 +39,7 @@ private:
     BoardViews& m_views;
     std::shared_ptr<const model::BoardIndex> m_index;
     base::Point m_origin;
-    std::optional<base::PointD> m_cursor;
+    std::optional<base::PointD> m_pointer;
     base::PointD m_through;
     double m_angle = 0.0;  ///< of the cut as it was put; radians, 0: along x
     int m_eighths = 0;     ///< of a full turn, on top of that

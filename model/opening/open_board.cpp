@@ -1,0 +1,61 @@
+#include "model/opening/open_board.h"
+
+#include <utility>
+
+#include "model/formats/registry.h"
+#include "model/session/length_text.h"
+
+namespace model {
+
+namespace {
+
+using Thicknesses = std::vector<ThicknessOverride>;
+
+base::Result<Thicknesses> parseThicknesses(const std::vector<std::string>& texts, const Stackup& stackup) {
+    Thicknesses all;
+    for (const std::string& text : texts) {
+        const base::Result<ThicknessOverride> one = session::parseOverride(text, stackup);
+        if (!one) {
+            return base::Error{one.error().code, "--set-thickness: " + one.error().text};
+        }
+        session::setThickness(all, *one);
+    }
+    return all;
+}
+
+}  // namespace
+
+Thicknesses SetThicknesses::all() const {
+    Thicknesses both = saved;
+    for (const ThicknessOverride& change : once) {
+        session::setThickness(both, change);
+    }
+    return both;
+}
+
+base::Result<OpenedBoard> openBoard(const OpenRequest& request, base::Progress& progress) {
+    ASSIGN_OR_RETURN(auto document, readBoard(request.path, {request.step, request.inferNets}, progress));
+    session::LoadedSession found;
+    if (!request.noSession) {
+        found = session::loadSession(request.path, *document);
+    }
+    ASSIGN_OR_RETURN(Thicknesses once, parseThicknesses(request.thicknesses, document->stackup));
+    OpenedBoard board{request, {}, {found.session.thicknesses, std::move(once)}};
+    board.document = session::applyThicknesses(std::move(document), board.thicknesses.all());
+    board.session = std::move(found.session);
+    board.notes = std::move(found.ignored);
+    return board;
+}
+
+OpenRequest reloadRequest(const OpenedBoard& board) {
+    OpenRequest request = board.request;
+    const bool isInFile = board.areThicknessesSaved && !request.noSession;
+    request.noSession = !isInFile;
+    request.thicknesses.clear();
+    for (const ThicknessOverride& set : isInFile ? board.thicknesses.once : board.thicknesses.all()) {
+        request.thicknesses.push_back(set.layer + "=" + session::thicknessText(set.thickness));
+    }
+    return request;
+}
+
+}  // namespace model

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "model/base/progress.h"
+#include "model/session/session.h"
+
+/// From a path to a board that is ready: the one way for the command line and the window.
+namespace model {
+
+/// Which board to open, and how.
+struct OpenRequest {
+    std::filesystem::path path;
+    std::string step{};                      ///< empty: the job's first step
+    std::vector<std::string> thicknesses{};  ///< LAYER=LENGTH over what job and session say, saved nowhere
+    bool noSession = false;                  ///< as if there were no session file; none is written either
+    bool inferNets = false;                  ///< nets by following the copper, instead of the job's
+};
+
+/// What thicknesses are set over those of the job: those of the session file, and over them those for this time only.
+struct SetThicknesses {
+    std::vector<ThicknessOverride> saved{};
+    std::vector<ThicknessOverride> once{};
+
+    /// Both, one entry per row of the stackup.
+    [[nodiscard]] std::vector<ThicknessOverride> all() const;
+    bool operator==(const SetThicknesses&) const = default;
+};
+
+struct OpenedBoard {
+    OpenRequest request;
+    std::shared_ptr<const Document> document;  ///< with the thicknesses in it
+    SetThicknesses thicknesses{};
+    bool areThicknessesSaved = true;   ///< those of `thicknesses.saved` are in the session file
+    session::Session session{};        ///< as the file holds it, of other steps too
+    std::vector<std::string> notes{};  ///< what of the session file is not used, a sentence each
+};
+
+/// Reads the board, infers its nets if that is requested, and stacks it as its session and the request say. Cancelled
+/// by `progress`. Errors: those of readBoard; BadUsage for thicknesses.
+[[nodiscard]] base::Result<OpenedBoard> openBoard(const OpenRequest& request, base::Progress& progress);
+
+/// The request that opens the board again as it is now: with the thicknesses that are in no file.
+[[nodiscard]] OpenRequest reloadRequest(const OpenedBoard& board);
+
+}  // namespace model

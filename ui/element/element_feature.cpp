@@ -1,0 +1,42 @@
+#include "ui/element/element_feature.h"
+
+#include "ui/element/element_panel.h"
+#include "ui/element/element_picture.h"
+#include "ui/parts/part_picking.h"
+
+namespace ui {
+
+namespace {
+
+/// Goes on from the element selected last to what it belongs to.
+void follow(ElementPanel::Link link, Workspace& workspace, PartPicking& parts) {
+    SelectionModel& selection = workspace.selection();
+    const model::BoardElement at = *selection.current();
+    const model::Document& step = selection.stepOf(at);
+    switch (link) {
+        case ElementPanel::Link::Net: selection.setNets({*selection.netOf(at)}); break;
+        case ElementPanel::Link::Pin: parts.selectPinOf(at); break;
+        case ElementPanel::Link::Component: parts.selectComponentOf(at); break;
+        case ElementPanel::Link::Layer: {
+            const bool isFlipped = selection.tree().copies[at.copy].isFlipped;
+            workspace.setCurrentLayer(step.layerOfCopy(step.elements.layer[at.element.row()], isFlipped));
+            break;
+        }
+    }
+}
+
+}  // namespace
+
+void addElement(FeatureContext& context) {
+    Workspace& workspace = context.workspace;
+    auto* picture = new ElementPicture(context.device, workspace.selection(), context.layers);
+    auto* panel = new ElementPanel(workspace.selection(), picture);
+    context.addPanel(
+        {ActionId::ShowElementDock, "element", ElementPanel::tr("Element"), Qt::RightDockWidgetArea, {}, 22}, *panel);
+    QObject::connect(&workspace, &Workspace::deviceGoes, picture, &ElementPicture::releaseDevice);
+    QObject::connect(&workspace, &Workspace::unitChanged, panel, &ElementPanel::setUnit);
+    QObject::connect(panel, &ElementPanel::followed, &workspace,
+                     [&context](ElementPanel::Link link) { follow(link, context.workspace, context.parts); });
+}
+
+}  // namespace ui

@@ -1,0 +1,32 @@
+#include "ui/layers/layers_feature.h"
+
+#include "ui/layers/layers_panel.h"
+
+namespace ui {
+
+void addLayers(FeatureContext& context) {
+    Workspace& workspace = context.workspace;
+    LayerModel& layers = context.layers;
+    auto* panel = new LayersPanel(layers, context.actions);
+    context.addPanel({ActionId::ShowLayersDock, "layers", LayersPanel::tr("Layers"), Qt::LeftDockWidgetArea, {}, 27},
+                     *panel);
+    context.on(ActionId::ShowAllLayers, [&layers] { layers.showAll(); });
+    context.on(ActionId::HideAllLayers, [&layers] { layers.hideAll(); });
+    context.on(ActionId::ShowCopperOnly, [&layers] { layers.showCopperOnly(); });
+    context.on(ActionId::RestoreLayers, [&layers] { layers.restoreDefaults(); });
+    context.on(ActionId::SoloLayer, [&] { layers.toggleSolo(workspace.currentLayer()); });
+    context.on(ActionId::NextLayer, panel, [panel] { panel->step(1); });
+    context.on(ActionId::PreviousLayer, panel, [panel] { panel->step(-1); });
+    const auto report = [panel, &workspace] { workspace.setCurrentLayer(panel->currentLayer()); };
+    QObject::connect(panel, &LayersPanel::currentChanged, &workspace, report);
+    QObject::connect(&workspace, &Workspace::currentLayerChanged, panel, [panel](model::LayerId layer) {
+        if (layer.isValid() && layer != panel->currentLayer()) {
+            panel->selectRow(static_cast<int>(layer.row()));
+        }
+    });
+    QObject::connect(&workspace, &Workspace::layerWanted, &layers, &LayerModel::show);
+    QObject::connect(&workspace, &Workspace::restacked, &layers,
+                     [&layers](const LoadedBoard& board) { layers.setHeights(board.document); });
+}
+
+}  // namespace ui

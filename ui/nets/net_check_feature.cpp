@@ -1,0 +1,54 @@
+#include "ui/nets/net_check_feature.h"
+
+#include "ui/nets/net_check_panel.h"
+
+namespace ui {
+
+NetCheck::NetCheck(FeatureContext& context) : QObject(&context.window), m_workspace(context.workspace) {
+    m_findings.setParent(this);
+    auto* panel = new NetCheckPanel(m_findings, context.actions);
+    context.addPanel(
+        {ActionId::ShowNetCheckDock, "netCheck", tr("Netlist check"), Qt::BottomDockWidgetArea, "messages", 0}, *panel);
+    context.on(ActionId::CheckNets, this, [this, panel] {
+        FeatureContext::raise(*panel);
+        start();
+    });
+    m_workspace.watch(m_checks.background(), [] { return tr("Nets"); });
+    connect(&m_checks.background(), &Background::finished, this, &NetCheck::deliver);
+    connect(panel, &NetCheckPanel::chosen, this, &NetCheck::show);
+    connect(&m_workspace, &Workspace::boardRead, this, [this] { m_findings.setChecks(nullptr, {}); });
+    connect(&m_workspace, &Workspace::unitChanged, &m_findings, &NetCheckModel::setUnit);
+}
+
+void NetCheck::start() {
+    m_workspace.cancelLoading();
+    m_board = m_workspace.board()->document;
+    m_checks.run([board = m_board](base::Progress& progress) { return model::checkAllNets(*board, progress); },
+                 tr("Checking nets"), tr("There is not enough memory to check the nets"));
+}
+
+void NetCheck::deliver() {
+    if (const auto checks = m_checks.take()) {
+        m_findings.setChecks(m_board, *checks);
+        m_workspace.report(tr("Nets against copper: %1").arg(m_findings.summary()));
+    } else {
+        m_workspace.reportError(QString::fromStdString(checks.error().text));
+    }
+}
+
+void NetCheck::show(const NetCheckModel::Finding& finding) {
+    SelectionModel& selection = m_workspace.selection();
+    const std::uint32_t row = selection.firstCopyOf(finding.step);
+    const model::StepCopy& copy = selection.tree().copies[row];
+    std::vector<model::BoardElement> elements;
+    for (const model::ElementId element : m_findings.elementsOf(finding)) {
+        elements.push_back({row, element});
+    }
+    const model::LayerId layer =
+        selection.tree().steps[finding.step]->layerOfCopy(m_findings.layerOf(finding), copy.isFlipped);
+    m_workspace.showLayer(layer);
+    selection.select(elements);
+    m_workspace.showLocation(copy.placement.apply(m_findings.locationOf(finding)), layer);
+}
+
+}  // namespace ui

@@ -1,0 +1,110 @@
+#include "ui/nets/nets_feature.h"
+
+#include <QSlider>
+#include <algorithm>
+
+namespace ui {
+
+NetsFeature::NetsFeature(FeatureContext& context)
+    : QObject(&context.window),
+      m_workspace(context.workspace),
+      m_selection(context.workspace.selection()),
+      m_styles(context.netStyles),
+      m_editing(context.netStyles, context.workspace),
+      m_nets(this) {
+    m_nets.setStyles(m_styles);
+    m_panel = new NetsPanel(m_nets, m_selection, m_styles, context.actions);
+    context.addPanel({ActionId::ShowNetsDock, "nets", tr("Nets"), Qt::RightDockWidgetArea, {}, 22}, *m_panel);
+    connectCommands(context);
+    connectPanel(context);
+    connectDimming(context.actions[ActionId::DimOthers]);
+}
+
+void NetsFeature::connectCommands(FeatureContext& context) {
+    const auto on = [&](ActionId id, auto slot) { context.on(id, this, slot); };
+    on(ActionId::HighlightNet, [this] { highlightNet(); });
+    on(ActionId::ColourNet, [this] { colour(); });
+    on(ActionId::ChooseNetColour, [this] { m_panel->chooseColour(targets()); });
+    on(ActionId::HideNet, [this] { hide(); });
+    on(ActionId::ShowAllNets, [this] { m_styles.showAll(); });
+    on(ActionId::ClearNetColours, [this] { m_styles.clearColours(); });
+    on(ActionId::InferNets,
+       [this](bool isOn) { m_workspace.reload([isOn](model::OpenRequest& request) { request.inferNets = isOn; }); });
+    QAction& inferNets = context.actions[ActionId::InferNets];
+    connect(&m_workspace, &Workspace::idle, &inferNets, [this, &inferNets] {  // also undoes what was not loaded
+        inferNets.setChecked(m_workspace.board() != nullptr && m_workspace.board()->request.inferNets);
+    });
+}
+
+void NetsFeature::connectPanel(FeatureContext& context) {
+    context.on(ActionId::FollowInTables, m_panel, [this](bool isOn) { m_panel->setFollows(isOn); });
+    context.on(ActionId::FollowFromTables, m_panel, [this](bool isOn) { m_panel->setShowsChosen(isOn); });
+    context.actions[ActionId::FollowInTables].setChecked(true);
+    connect(m_panel, &NetsPanel::showRequested, &m_workspace, &Workspace::showNets);
+    connect(&m_workspace, &Workspace::unitChanged, m_panel, &NetsPanel::setUnit);
+    connect(&m_workspace, &Workspace::boardOpened, this, [this](const LoadedBoard& board) {
+        m_editing.setBoard(board);
+        m_panel->setBoard(board.document, board.nets);
+    });
+}
+
+void NetsFeature::connectDimming(QAction& dimOthers) {
+    QSlider& slider = m_panel->dimSlider();
+    slider.setValue(qRound(m_styles.dim() * 100.0F));
+    connect(&slider, &QSlider::valueChanged, this,
+            [this](int percent) { m_styles.setDim(static_cast<float>(percent) / 100.0F); });
+    // Whoever moves it wants to see what it does.
+    connect(&slider, &QSlider::sliderMoved, &dimOthers, [&dimOthers] {
+        if (!dimOthers.isChecked()) {
+            dimOthers.trigger();
+        }
+    });
+}
+
+std::optional<model::BoardNet> NetsFeature::netUnderPointer() const {
+    const auto at = m_selection.hovered() ? m_selection.hovered() : m_selection.current();
+    return at ? m_selection.netOf(*at) : std::nullopt;
+}
+
+void NetsFeature::highlightNet() {
+    if (const auto net = netUnderPointer()) {
+        m_selection.toggleNet(*net);
+    } else {
+        m_workspace.report(tr("Point at an element of a net, or select one, to highlight its net"));
+    }
+}
+
+std::vector<model::BoardNet> NetsFeature::targets() {
+    std::vector<model::BoardNet> nets = m_selection.nets();
+    if (const auto net = netUnderPointer(); net && nets.empty()) {
+        nets.push_back(*net);
+    }
+    if (nets.empty()) {
+        m_workspace.report(tr("Highlight a net, point at an element of one, or select one"));
+    }
+    return nets;
+}
+
+void NetsFeature::colour() {
+    const std::vector<model::BoardNet> nets = targets();
+    const bool haveAll =
+        std::ranges::all_of(nets, [&](const model::BoardNet& net) { return m_styles.of(net).colour.has_value(); });
+    if (nets.empty()) {
+        return;
+    }
+    if (haveAll) {
+        m_styles.colour(nets, std::nullopt);
+    } else {
+        m_styles.colourAnew(nets);
+    }
+}
+
+void NetsFeature::hide() {
+    const std::vector<model::BoardNet> nets = targets();
+    if (!nets.empty()) {
+        m_styles.hide(nets, true);
+        m_selection.hover(std::nullopt);
+    }
+}
+
+}  // namespace ui

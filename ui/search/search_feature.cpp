@@ -1,0 +1,56 @@
+#include "ui/search/search_feature.h"
+
+#include "ui/parts/part_picking.h"
+#include "ui/search/search_box.h"
+
+namespace ui {
+
+namespace {
+
+/// In the first copy of its step.
+void showPart(const Found& found, Workspace& workspace, PartPicking& parts) {
+    SelectionModel& selection = workspace.selection();
+    const std::uint32_t copy = selection.firstCopyOf(found.step);
+    const std::size_t row = found.row;
+    const bool isPin = found.kind == FoundKind::Pin;
+    selection.select({});
+    if (isPin ? parts.selectPin(copy, model::PinId{row}) : parts.selectComponent(copy, model::ComponentId{row})) {
+        workspace.showElements(selection.selected());
+        return;
+    }
+    const model::Document& step = *selection.tree().steps[found.step];
+    const model::Point location = isPin ? step.pins[row].position : step.components[row].placement.origin;
+    workspace.showLocation(selection.tree().copies[copy].placement.apply(base::toDouble(location)), {});
+}
+
+void show(const Found& found, Workspace& workspace, PartPicking& parts) {
+    switch (found.kind) {
+        case FoundKind::Location: workspace.showLocation(found.location, {}); break;
+        case FoundKind::Layer:
+            workspace.showLayer(model::LayerId{std::size_t{found.row}});
+            workspace.setCurrentLayer(model::LayerId{std::size_t{found.row}});
+            break;
+        case FoundKind::Net:
+            workspace.selection().setNets({{found.step, model::NetId{std::size_t{found.row}}}});
+            workspace.showNets(workspace.selection().nets());
+            break;
+        case FoundKind::Component:
+        case FoundKind::Pin: showPart(found, workspace, parts); break;
+    }
+}
+
+}  // namespace
+
+void addSearch(FeatureContext& context) {
+    Workspace& workspace = context.workspace;
+    auto* box = new SearchBox(context.actions, context.window);
+    context.on(ActionId::Find, box, [box] { box->open({}); });
+    context.on(ActionId::Commands, box, [box] { box->open(QStringLiteral(">")); });
+    QObject::connect(box, &SearchBox::chosen, &workspace,
+                     [&context](const Found& found) { show(found, context.workspace, context.parts); });
+    QObject::connect(&workspace, &Workspace::boardRead, box,
+                     [box](const LoadedBoard& board) { box->search().setBoard(board.document); });
+    QObject::connect(&workspace, &Workspace::unitChanged, box, &SearchBox::setUnit);
+}
+
+}  // namespace ui

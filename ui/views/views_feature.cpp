@@ -1,0 +1,204 @@
+#include "ui/views/views_feature.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QInputDialog>
+#include <algorithm>
+
+#include "ui/parts/part_picking.h"
+#include "ui/views/element_outlines.h"
+#include "ui/views/element_styles.h"
+#include "ui/views/frame_display.h"
+#include "ui/views/layer_styles.h"
+#include "ui/views/plan_painter.h"
+#include "ui/views/probing.h"
+#include "ui/views/view_cube.h"
+#include "ui/views/view_history.h"
+
+namespace ui {
+
+namespace {
+
+/// How many times as thick layers are drawn when they are to be seen.
+constexpr float kCopperScale = 10.0F;
+constexpr float kDielectricScale = 5.0F;
+
+constexpr int kLargeWidth = 3840;  ///< proposed for pictures of any size
+
+void connectBoard(FeatureContext& context) {
+    Workspace& workspace = context.workspace;
+    BoardViews& views = context.views;
+    QObject::connect(&workspace, &Workspace::boardRead, &context.layers, [&context](const LoadedBoard& board) {
+        context.layers.setDocument(board.document, defaultAppearances(*board.document, context.settings.palette()));
+    });
+    QObject::connect(&workspace, &Workspace::boardShown, &views, [&context](const LoadedBoard& board) {
+        context.views.show(board, context.layers.effectiveStyles());
+    });
+    QObject::connect(&workspace, &Workspace::restacked, &views,
+                     [&views](const LoadedBoard& board) { views.setHeights(board.document); });
+    QObject::connect(&context.layers, &LayerModel::stylesChanged, &views,
+                     [&context] { context.views.setStyles(context.layers.effectiveStyles()); });
+    QObject::connect(&views, &BoardViews::troubled, &workspace, &Workspace::errorReported);
+    QObject::connect(&views, &BoardViews::deviceGoes, &workspace, &Workspace::deviceGoes);
+    const auto setContrast = [&context] {
+        const bool isOn = context.actions[ActionId::Contrast].isChecked();
+        context.views.setContrastLayer(isOn ? context.workspace.currentLayer() : model::LayerId{});
+    };
+    context.on(ActionId::Contrast, setContrast);
+    QObject::connect(&workspace, &Workspace::currentLayerChanged, &views, setContrast);
+    QObject::connect(&workspace, &Workspace::boardOpened, &views, setContrast);
+}
+
+void connectCameras(FeatureContext& context) {
+    BoardViews& views = context.views;
+    const auto on = [&](ActionId id, auto slot) {
+        context.on(id, &views, [&views, slot](bool isOn) { slot(views.active().controller(), isOn); });
+    };
+    using Camera = CameraController;
+    on(ActionId::Fit, [](Camera& camera, bool) { camera.fit(); });
+    on(ActionId::ZoomIn, [](Camera& camera, bool) { camera.zoomAtCentre(Camera::kZoomPerNotch); });
+    on(ActionId::ZoomOut, [](Camera& camera, bool) { camera.zoomAtCentre(1.0F / Camera::kZoomPerNotch); });
+    on(ActionId::Flip, [](Camera& camera, bool) { camera.flip(); });
+    on(ActionId::ViewTop, [](Camera& camera, bool) { camera.look(render::NamedView::Top); });
+    on(ActionId::ViewBottom, [](Camera& camera, bool) { camera.look(render::NamedView::Bottom); });
+    Camera& solid = views.solid().controller();
+    context.on(ActionId::ViewIso, &solid, [&solid] { solid.look(render::NamedView::Iso); });
+    context.on(ActionId::Orthographic, &solid, [&solid](bool isOn) { solid.setOrthographic(isOn); });
+    for (BoardView* view : views.both()) {
+        auto* history = new ViewHistory(view->controller(), view);
+        QObject::connect(&context.workspace, &Workspace::boardOpened, history, &ViewHistory::clear);
+        const auto ifActive = [&views, view, history](void (ViewHistory::*go)()) {
+            return [&views, view, history, go] {
+                if (&views.active() == view) {
+                    (history->*go)();
+                }
+            };
+        };
+        context.on(ActionId::ViewBack, history, ifActive(&ViewHistory::back));
+        context.on(ActionId::ViewForward, history, ifActive(&ViewHistory::forward));
+    }
+}
+
+void connectProbing(FeatureContext& context) {
+    Probing& probing = context.probing;
+    QObject::connect(&probing, &Probing::componentRequested, &context.parts, &PartPicking::selectComponentOf);
+    context.on(ActionId::FollowInSolid, [&](bool isOn) { probing.setFollows(BoardView::Kind::Solid, isOn); });
+    context.on(ActionId::FollowInFlat, [&](bool isOn) { probing.setFollows(BoardView::Kind::Flat, isOn); });
+    context.on(ActionId::ShowSelection,
+               [&probing, &selection = context.workspace.selection()] { probing.showInBoth(selection.selected()); });
+}
+
+void connectOverlays(FeatureContext& context) {
+    PlanPainter& plan = context.plan;
+    BoardViews& views = context.views;
+    new ElementStyles(views, context.workspace.selection(), context.netStyles, context.actions[ActionId::DimOthers],
+                      &context.window);
+    new ElementOutlines(views, context.workspace, &context.window);
+    auto* cube = new ViewCube(views.solid(), &context.window);
+    auto* frameDisplay = new FrameDisplay(views, context.workspace, &context.window);
+    context.on(ActionId::ShowViewCube, cube, [cube](bool isOn) { cube->setOn(isOn); });
+    context.on(ActionId::ShowFrameDisplay, frameDisplay, [frameDisplay](bool isOn) { frameDisplay->setOn(isOn); });
+    context.on(ActionId::ShowGrid, &plan, [&plan](bool isOn) { plan.showGrid(isOn); });
+    context.on(ActionId::ShowNames, &plan, [&plan](bool isOn) { plan.showNames(isOn); });
+    context.on(ActionId::ShowPinNames, &plan, [&plan](bool isOn) { plan.showPinNames(isOn); });
+    context.on(ActionId::ShowOutlines, &views, [&views](bool isOn) { views.flat().setOutlined(isOn); });
+    for (const ActionId id :
+         {ActionId::ShowViewCube, ActionId::ShowGrid, ActionId::ShowNames, ActionId::ShowPinNames}) {
+        context.actions[id].setChecked(true);
+    }
+}
+
+void connectAppearance(FeatureContext& context) {
+    BoardViews& views = context.views;
+    context.addChoice<Arrangement>({{ActionId::ShowFlat, Arrangement::Flat},
+                                    {ActionId::ShowSolid, Arrangement::Solid},
+                                    {ActionId::ShowSideBySide, Arrangement::SideBySide},
+                                    {ActionId::ShowStacked, Arrangement::Stacked}},
+                                   &Settings::arrangement, &Settings::setArrangement,
+                                   [&views](Arrangement arrangement) { views.setArrangement(arrangement); });
+    context.addChoice<render::Backend>({{ActionId::BackendAuto, render::Backend::Auto},
+                                        {ActionId::BackendMesh, render::Backend::Mesh},
+                                        {ActionId::BackendPull, render::Backend::Pull},
+                                        {ActionId::BackendImpostor, render::Backend::Impostor},
+                                        {ActionId::BackendRaster, render::Backend::Raster}},
+                                       &Settings::backend, &Settings::setBackend,
+                                       [&views](render::Backend backend) { views.setBackend(backend); });
+    context.actions[ActionId::BackendMesh].setEnabled(context.device.device().caps().hasMeshShader);
+    context.actions[ActionId::BackendRaster].setEnabled(context.device.device().caps().hasAtomic64);
+    const auto setPalette = [&context](render::Palette palette) {
+        context.actions[ActionId::SafeColours].setChecked(palette == render::Palette::ColourBlindSafe);
+        context.settings.setPalette(palette);
+        context.views.setPalette(palette);
+        if (const LoadedBoard* board = context.workspace.board()) {
+            context.layers.setDefaults(defaultAppearances(*board->document, palette));
+        }
+    };
+    context.on(ActionId::SafeColours, [setPalette](bool isOn) {
+        setPalette(isOn ? render::Palette::ColourBlindSafe : render::Palette::Standard);
+    });
+    context.restorers.emplace_back([&context, setPalette] { setPalette(context.settings.palette()); });
+    context.on(ActionId::Explode, [&views](bool isOn) { views.explode(isOn); });
+    const auto setScale = [&views, &actions = context.actions] {
+        views.setZScale({actions[ActionId::ExaggerateCopperHeight].isChecked() ? kCopperScale : 1.0F,
+                         actions[ActionId::ExaggerateDielectricHeight].isChecked() ? kDielectricScale : 1.0F});
+    };
+    context.on(ActionId::ExaggerateCopperHeight, setScale);
+    context.on(ActionId::ExaggerateDielectricHeight, setScale);
+}
+
+void requestPicture(FeatureContext& context, int width) {
+    context.saveFile(
+        BoardViews::tr("Save picture"), {BoardViews::tr("PNG pictures (*.png)")},
+        [&context, width](const QString& path) { return savePicture(context.views.active(), path, width); });
+}
+
+void requestWidth(FeatureContext& context) {
+    const int most = static_cast<int>(context.device.device().caps().maxImageSize);
+    auto* dialog = new QInputDialog(&context.window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setInputMode(QInputDialog::IntInput);
+    dialog->setWindowTitle(BoardViews::tr("Save picture of any size"));
+    dialog->setLabelText(BoardViews::tr("Width in pixels; the height follows from the view:"));
+    dialog->setIntRange(16, most);
+    dialog->setIntValue(std::min(kLargeWidth, most));
+    QObject::connect(dialog, &QInputDialog::intValueSelected, &context.views,
+                     [&context](int width) { requestPicture(context, width); });
+    dialog->open();
+}
+
+void copyPicture(BoardView& view, Workspace& workspace) {
+    if (const base::Result<QImage> picture = view.grabPicture()) {
+        QGuiApplication::clipboard()->setImage(picture->copy());
+        workspace.report(BoardViews::tr("The picture is on the clipboard"));
+    } else {
+        workspace.reportError(QString::fromStdString(picture.error().text));
+    }
+}
+
+}  // namespace
+
+void addViews(FeatureContext& context) {
+    connectBoard(context);
+    connectCameras(context);
+    connectProbing(context);
+    connectOverlays(context);
+    connectAppearance(context);
+    context.on(ActionId::SavePicture, [&context] { requestPicture(context, 0); });
+    context.on(ActionId::SaveLargePicture, [&context] { requestWidth(context); });
+    context.on(ActionId::CopyPicture, [&context] { copyPicture(context.views.active(), context.workspace); });
+}
+
+base::Status savePicture(BoardView& view, const QString& path, int width) {
+    const double shown = view.width() * view.devicePixelRatioF();
+    const base::Result<QImage> picture = view.grabPicture(width > 0 ? width / shown : 1.0);
+    if (!picture) {
+        return picture.error();
+    }
+    if (!picture->save(path, "PNG")) {
+        return base::Error{base::ErrorCode::OutputFailed,
+                           BoardViews::tr("%1 cannot be written").arg(path).toStdString()};
+    }
+    return base::Done{};
+}
+
+}  // namespace ui

@@ -1,0 +1,70 @@
+#include "ui/workspace/feature.h"
+
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QSaveFile>
+
+namespace ui {
+
+void FeatureContext::addPanel(const DockSpec& spec, QWidget& panel) {
+    auto* dock = new QDockWidget(spec.title, &window);
+    dock->setObjectName(QLatin1String(spec.name));
+    dock->setWidget(&panel);
+    QAction& toggle = actions[spec.toggle];
+    QObject::connect(&toggle, &QAction::triggered, dock, [dock](bool isOn) {
+        dock->setVisible(isOn);
+        if (isOn) {
+            dock->raise();
+        }
+    });
+    QObject::connect(dock, &QDockWidget::visibilityChanged, &toggle, &QAction::setChecked);
+    window.addDockWidget(spec.area, dock);
+    if (spec.behind != nullptr) {
+        auto* front = window.findChild<QDockWidget*>(QLatin1String(spec.behind));
+        window.tabifyDockWidget(front, dock);
+        front->raise();
+    }
+    docks.emplace_back(dock, spec.lines);
+}
+
+void FeatureContext::raise(QWidget& panel) {
+    auto* dock = qobject_cast<QDockWidget*>(panel.parentWidget());
+    dock->show();
+    dock->raise();
+}
+
+void FeatureContext::saveFile(const QString& title, const QStringList& filters,
+                              const std::function<base::Status(const QString&)>& write) const {
+    auto* dialog = new QFileDialog(&window, title, settings.lastFolder());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setNameFilters(filters);
+    const auto takeEnding = [dialog](const QString& filter) {
+        dialog->setDefaultSuffix(filter.section(QStringLiteral("*."), 1).remove(')'));
+    };
+    takeEnding(filters.first());
+    QObject::connect(dialog, &QFileDialog::filterSelected, dialog, takeEnding);
+    QObject::connect(dialog, &QFileDialog::fileSelected, &workspace,
+                     [this, write](const QString& path) { workspace.reportSaved(write(path), path); });
+    dialog->open();
+}
+
+void FeatureContext::openFile(const QString& title, const QString& filters,
+                              const std::function<void(const QString&)>& open) const {
+    auto* dialog = new QFileDialog(&window, title, settings.lastFolder(), filters);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(filters.isEmpty() ? QFileDialog::Directory : QFileDialog::ExistingFile);
+    QObject::connect(dialog, &QFileDialog::fileSelected, &workspace, open);
+    dialog->open();
+}
+
+base::Status writeFile(const QString& path, const QByteArray& bytes) {
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit()) {
+        const QString text = Workspace::tr("%1 cannot be written: %2").arg(path, file.errorString());
+        return base::Error{base::ErrorCode::OutputFailed, text.toStdString()};
+    }
+    return base::Done{};
+}
+
+}  // namespace ui

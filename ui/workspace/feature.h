@@ -1,0 +1,98 @@
+#pragma once
+
+#include <QMainWindow>
+#include <initializer_list>
+#include <utility>
+
+#include "ui/workspace/actions.h"
+#include "ui/workspace/settings.h"
+#include "ui/workspace/workspace.h"
+
+class QDockWidget;
+
+namespace ui {
+
+class BoardViews;
+class GpuContext;
+class LayerModel;
+class NetStyles;
+class PartPicking;
+class PlanPainter;
+class PositionReadout;
+class Probing;
+
+struct DockSpec {
+    ActionId toggle;
+    const char* name;  ///< QMainWindow::saveState finds it by this
+    QString title;
+    Qt::DockWidgetArea area;
+    const char* behind;  ///< shares the area of this one, which stays in front; null: an area of its own
+    int lines;  ///< width at the sides, height at the bottom, in heights of a line of text; 0: of the one in front
+};
+
+/// What the features of a window share. A feature (layers, clearances, …) is made once by its row in
+/// ui/shell/features.cpp; it connects its actions, adds its panel and listens to the workspace. What it makes are
+/// children of the window.
+struct FeatureContext {
+    QMainWindow& window;
+    GpuContext& device;
+    Workspace& workspace;
+    ActionSet& actions;
+    Settings& settings;
+    LayerModel& layers;
+    NetStyles& netStyles;
+    PartPicking& parts;
+    BoardViews& views;
+    Probing& probing;
+    PlanPainter& plan;
+    PositionReadout& position;
+
+    /// What Esc ends once no work is left to stop: the first that returns true was it.
+    std::vector<std::function<bool()>> escapes{};
+    /// Put what the settings hold into effect, at the start and when they are reset.
+    std::vector<std::function<void()>> restorers{};
+    std::vector<std::pair<QDockWidget*, int>> docks{};  ///< with DockSpec::lines
+
+    /// `slot` is done when the user triggers the action, as long as `receiver` lives.
+    template <class Receiver, class Slot>
+    void on(ActionId id, Receiver* receiver, Slot slot) const {
+        QObject::connect(&actions[id], &QAction::triggered, receiver, std::move(slot));
+    }
+    template <class Slot>
+    void on(ActionId id, Slot slot) const {
+        on(id, &window, std::move(slot));
+    }
+    /// Actions of which one is checked; which one is kept in the settings.
+    template <class Value, class Apply>
+    void addChoice(std::vector<std::pair<ActionId, Value>> rows, Value (Settings::*stored)() const,
+                   void (Settings::*store)(Value), Apply apply) {
+        const auto choose = [this, rows, store, apply](Value value) {
+            for (const auto& [id, own] : rows) {
+                actions[id].setChecked(own == value);
+            }
+            (settings.*store)(value);
+            apply(value);
+        };
+        for (const auto& [id, own] : rows) {
+            on(id, [choose, own = own] { choose(own); });
+        }
+        restorers.emplace_back([this, choose, stored] { choose((settings.*stored)()); });
+    }
+
+    /// Takes the panel over. Its action brings it to the front, and hides it when it is there.
+    void addPanel(const DockSpec& spec, QWidget& panel);
+    /// Brings the panel to the front.
+    static void raise(QWidget& panel);
+
+    /// Lets the user name a file, writes it and reports what came of it. Filters: "Name (*.ending)"; the chosen one's
+    /// ending is added where the name has none.
+    void saveFile(const QString& title, const QStringList& filters,
+                  const std::function<base::Status(const QString&)>& write) const;
+    /// `open` is called with the file that the user chooses.
+    void openFile(const QString& title, const QString& filters, const std::function<void(const QString&)>& open) const;
+};
+
+/// Writes all of a file or nothing. Errors: OutputFailed.
+[[nodiscard]] base::Status writeFile(const QString& path, const QByteArray& bytes);
+
+}  // namespace ui

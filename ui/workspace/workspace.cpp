@@ -1,0 +1,144 @@
+#include "ui/workspace/workspace.h"
+
+#include <QLocale>
+#include <algorithm>
+#include <utility>
+
+#include "ui/common/paths.h"
+
+namespace ui {
+
+namespace {
+
+QString timeText(double seconds) {
+    return seconds < 1.0 ? Workspace::tr("%1 ms").arg(qRound(seconds * 1000.0))
+                         : Workspace::tr("%1 s").arg(QLocale().toString(seconds, 'f', 1));
+}
+
+/// Errors count as warnings: the board is open after all.
+std::size_t warningsOf(const model::Diagnostics& diagnostics) {
+    const auto isWarning = [](const model::Diagnostic& entry) { return entry.severity != model::Severity::Info; };
+    return static_cast<std::size_t>(std::ranges::count_if(diagnostics.entries(), isWarning));
+}
+
+/// "Opened board.tgz: 24 layers, 141,000 elements, 3 warnings, in 1.2 s"
+QString summaryOf(const LoadedBoard& board) {
+    const auto counted = [](std::size_t count, const QString& one, const QString& many) {
+        return (count == 1 ? one : many).arg(QLocale().toString(static_cast<qulonglong>(count)));
+    };
+    const std::size_t warnings = warningsOf(board.document->diagnostics) + warningsOf(board.model->diagnostics);
+    return Workspace::tr("Opened %1: %2, %3, %4, in %5")
+        .arg(displayName(board.request.path),
+             counted(board.document->layers.size(), Workspace::tr("%1 layer"), Workspace::tr("%1 layers")),
+             counted(board.document->elements.size(), Workspace::tr("%1 element"), Workspace::tr("%1 elements")),
+             counted(warnings, Workspace::tr("%1 warning"), Workspace::tr("%1 warnings")), timeText(board.seconds));
+}
+
+}  // namespace
+
+Workspace::Workspace(Loader::Work work, QObject* parent)
+    : QObject(parent), m_selection(this), m_history(this), m_loader(std::move(work), this) {
+    connect(&m_loader, &Loader::loaded, this, &Workspace::take);
+    connect(&m_loader, &Loader::failed, this, [this](const model::OpenRequest& request, const QString& reason) {
+        reportError(tr("%1 was not opened. %2").arg(displayName(request.path), reason));
+    });
+    connect(&m_loader, &Loader::cancelled, this, [this](const model::OpenRequest& request) {
+        report(tr("Stopped opening %1").arg(displayName(request.path)));
+    });
+    watch(m_loader.background(), [this] { return displayName(m_loader.request().path); });
+}
+
+bool Workspace::isOpen(const std::string& step) const {
+    return m_board && m_board->document->job.step == step;
+}
+
+void Workspace::open(model::OpenRequest request) {
+    for (const QPointer<Background>& work : m_works) {
+        work->cancel();
+    }
+    m_loader.open(std::move(request));
+}
+
+void Workspace::reload(const std::function<void(model::OpenRequest&)>& change) {
+    model::OpenRequest request = model::reloadRequest(*m_board);
+    if (change) {
+        change(request);
+    }
+    open(std::move(request));
+}
+
+void Workspace::take(const LoadedBoard& board) {
+    m_board = board;
+    m_history.clear();
+    m_currentLayer = {};
+    emit boardRead(*m_board);
+    emit boardShown(*m_board);
+    m_selection.setBoard(board.document);
+    emit boardOpened(*m_board);
+    emit sessionRestored(*m_board);
+    QStringList notes;
+    for (const std::string& note : board.notes) {
+        notes += QString::fromStdString(note);
+    }
+    if (!notes.isEmpty()) {
+        reportError(notes.join('\n'));
+    }
+    report(summaryOf(*m_board));
+}
+
+void Workspace::restack(std::shared_ptr<const model::Document> document, model::SetThicknesses thicknesses,
+                        bool areSaved) {
+    m_board->document = std::move(document);
+    m_board->thicknesses = std::move(thicknesses);
+    m_board->areThicknessesSaved = areSaved;
+    if (m_board->index) {
+        m_board->index = model::withHeights(*m_board->index, m_board->document);
+    }
+    emit restacked(*m_board);
+}
+
+void Workspace::setUnit(LengthUnit unit) {
+    m_unit = unit;
+    emit unitChanged(unit);
+    report(tr("Lengths are in %1").arg(QLatin1String(unitName(unit))));
+}
+
+void Workspace::setCurrentLayer(model::LayerId layer) {
+    if (layer != m_currentLayer) {
+        m_currentLayer = layer;
+        emit currentLayerChanged(layer);
+    }
+}
+
+void Workspace::reportSaved(const base::Status& saved, const QString& path) {
+    saved ? report(tr("Saved %1").arg(path)) : reportError(QString::fromStdString(saved.error().text));
+}
+
+void Workspace::watch(Background& work, std::function<QString()> name) {
+    m_works.emplace_back(&work);
+    connect(&work, &Background::started, this, [this, name = std::move(name)] { emit workBegan(name()); });
+    connect(&work, &Background::progressed, this, &Workspace::workProgressed);
+    const auto end = [this] {
+        if (!isWorking()) {
+            emit idle();
+        }
+    };
+    connect(&work, &Background::finished, this, end);
+    connect(&work, &Background::cancelled, this, end);
+}
+
+bool Workspace::cancelWork() {
+    const auto running = std::ranges::find_if(m_works, &Background::isRunning);
+    if (running == m_works.end()) {
+        return false;
+    }
+    report(tr("Stopped"));  // whoever works may know more
+    (*running)->cancel();
+    return true;
+}
+
+bool Workspace::isWorking() const {
+    return std::ranges::any_of(m_works, &Background::isRunning);
+}
+
+}  // namespace ui

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <QPointer>
+#include <QUndoStack>
+#include <functional>
+#include <optional>
+
+#include "model/measure/local_spacing.h"
+#include "ui/common/lengths.h"
+#include "ui/workspace/loader.h"
+#include "ui/workspace/selection_model.h"
+
+namespace ui {
+
+/// What is open and what is being done with it: the board, the unit, the selection, the undo history, messages to the
+/// user and work in the background. Panels, tools and views listen to it and do not know each other.
+///
+/// A board is opened in four steps; everybody has taken the board in one before the next begins, so nobody hears of a
+/// board before what it stands on has it: `boardRead`, `boardShown`, then the selection is emptied, `boardOpened`,
+/// `sessionRestored`. Within a step the order does not matter.
+class Workspace : public QObject {
+    Q_OBJECT
+
+public:
+    /// `work` is what loads boards; tests put their own in.
+    explicit Workspace(Loader::Work work = loadBoard, QObject* parent = nullptr);
+
+    /// Null before the first board. The one on the screen stays until the next one is read, and if that fails.
+    [[nodiscard]] const LoadedBoard* board() const { return m_board ? &*m_board : nullptr; }
+    /// Is this the step on the screen?
+    [[nodiscard]] bool isOpen(const std::string& step) const;
+    /// Stops all work and reads a board in the background.
+    void open(model::OpenRequest request);
+    /// Opens the board again, with its thicknesses as they are now, after `change` of the request.
+    void reload(const std::function<void(model::OpenRequest&)>& change = {});
+    /// Other thicknesses of the open board, worked into `document`; elements and ids are what they were.
+    void restack(std::shared_ptr<const model::Document> document, model::SetThicknesses thicknesses, bool areSaved);
+
+    [[nodiscard]] LengthUnit unit() const { return m_unit; }
+    void setUnit(LengthUnit unit);
+    [[nodiscard]] SelectionModel& selection() { return m_selection; }
+    [[nodiscard]] QUndoStack& history() { return m_history; }
+    /// The one that the cursor of the layers panel is on; none if there is none.
+    [[nodiscard]] model::LayerId currentLayer() const { return m_currentLayer; }
+    void setCurrentLayer(model::LayerId layer);
+
+    /// For the status line.
+    void report(const QString& text) { emit reported(text); }
+    void report(const std::string& text) { report(QString::fromStdString(text)); }
+    /// For the message bar, where it stays.
+    void reportError(const QString& text) { emit errorReported(text); }
+    /// "Saved /home/me/stackup.svg", or why not.
+    void reportSaved(const base::Status& saved, const QString& path);
+
+    /// Shows the progress of this work from now on, and lets Esc stop it.
+    void watch(Background& work, std::function<QString()> name);
+    /// Stops what runs, a load first; false when nothing does.
+    bool cancelWork();
+    void cancelLoading() { m_loader.cancel(); }
+    [[nodiscard]] bool isWorking() const;
+
+    /// Requests to whoever shows the board: makes the layer visible, brings elements or a location (nm of the board) to
+    /// the middle of the views, draws a spacing in them (none: no longer).
+    void showLayer(model::LayerId layer) { emit layerWanted(layer); }
+    void showElements(const std::vector<model::BoardElement>& elements) { emit elementsWanted(elements); }
+    void showNets(const std::vector<model::BoardNet>& nets) { showElements(m_selection.elementsOf(nets)); }
+    void showSpacing(const std::optional<model::LocalSpacing>& spacing) { emit spacingWanted(spacing); }
+    void showLocation(base::PointD nm, model::LayerId layer) { emit locationWanted(nm, layer); }
+
+signals:
+    void boardRead(const ui::LoadedBoard& board);        ///< 1: item models; the selection is of the board before
+    void boardShown(const ui::LoadedBoard& board);       ///< 2: the views, and what picks in them
+    void boardOpened(const ui::LoadedBoard& board);      ///< 3: panels, tools, overlays; the selection is of this board
+    void sessionRestored(const ui::LoadedBoard& board);  ///< 4: what the session puts into all of them
+    /// The same board with other heights and messages.
+    void restacked(const ui::LoadedBoard& board);
+    void unitChanged(ui::LengthUnit unit);
+    void currentLayerChanged(model::LayerId layer);
+
+    void reported(const QString& text);
+    void errorReported(const QString& text);
+
+    void workBegan(const QString& name);
+    void workProgressed(const QString& phase, double fraction);
+    /// No work is left.
+    void idle();
+
+    /// The graphics device failed and is about to be renewed: who made something from it gives that up.
+    void deviceGoes();
+    void layerWanted(model::LayerId layer);
+    void elementsWanted(const std::vector<model::BoardElement>& elements);
+    void spacingWanted(const std::optional<model::LocalSpacing>& spacing);
+    void locationWanted(base::PointD nm, model::LayerId layer);
+
+private:
+    void take(const LoadedBoard& board);
+
+    std::optional<LoadedBoard> m_board;
+    LengthUnit m_unit = LengthUnit::Millimetre;
+    model::LayerId m_currentLayer;
+    SelectionModel m_selection;
+    QUndoStack m_history;
+    std::vector<QPointer<Background>> m_works;  ///< watched, loading first
+    Loader m_loader;
+};
+
+}  // namespace ui
