@@ -4,6 +4,8 @@
 #include <numbers>
 #include <random>
 
+#include "model/formats/common/pad_shape.h"
+#include "model/formats/odb/symbols/standard_symbols.h"
 #include "model/geometry/outlines.h"
 #include "model/geometry/region.h"
 #include "odb_testing.h"
