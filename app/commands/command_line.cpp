@@ -14,6 +14,7 @@
 #include "app/commands/workbench_command.h"
 #include "app/common/commit.h"
 #include "app/common/exit_code.h"
+#include "model/formats/registry.h"
 
 namespace app {
 
@@ -92,8 +93,7 @@ void addBoardOptions(CLI::App& command, BoardArguments& board) {
     addStackupOptions(command, board.thicknesses, board.noSession);
     command.add_flag("--save-session", board.saveSession,
                      "save the set thicknesses in the session file beside the board");
-    command.add_option("BOARD", board.path,
-                       "ODB++ job (folder, .tgz, .tar.gz, .tar, .zip) or a model of the paper; default: the sample");
+    command.add_option("BOARD", board.path, model::describeFormats() + "; default: the sample");
     addModellingOptions(command, board);
     addChoice(command, "--triangulator", board.triangulator, {"auto", "cpu", "parallel", "cgal", "gpu"},
               ": what triangulates areas; the triangles are the same");

@@ -28,7 +28,7 @@ ordered_json rowJson(const model::Document& document, const DrillRow& row) {
     static const model::DrillTool kNone;
     const model::DrillTool& tool = row.tool != nullptr ? *row.tool : kNone;
     return {{"layer", layer.name},
-            {"add_type", textOrNull(layer.addType)},
+            {"add_type", textOrNull(layer.useName)},
             {"from", nameOf(document, layer.spanTop)},
             {"to", nameOf(document, layer.spanBottom)},
             {"span", model::toString(row.span)},

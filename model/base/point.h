@@ -45,6 +45,17 @@ struct Box {
             include(other.max);
         }
     }
+    [[nodiscard]] constexpr bool holds(Point p) const {
+        return min.x <= p.x && p.x <= max.x && min.y <= p.y && p.y <= max.y;
+    }
+    /// Have they a point in common? Touching boxes do.
+    [[nodiscard]] constexpr bool meets(const Box& other) const {
+        return min.x <= other.max.x && other.min.x <= max.x && min.y <= other.max.y && other.min.y <= max.y;
+    }
+    /// Not to be asked of an empty one.
+    [[nodiscard]] constexpr Point middle() const {
+        return {static_cast<Nm>((std::int64_t{min.x} + max.x) / 2), static_cast<Nm>((std::int64_t{min.y} + max.y) / 2)};
+    }
     [[nodiscard]] constexpr Box grownBy(Nm margin) const {
         return isEmpty() ? *this : Box{{min.x - margin, min.y - margin}, {max.x + margin, max.y + margin}};
     }

@@ -39,7 +39,7 @@ enum class LayerType : std::uint8_t {
     ConductivePaste,
     Document,
     Profile,        ///< Profile: the step's outline, which we add as a layer of its own
-    Body,           ///< the laminate: profile minus holes over the whole stack; added by us
+    Body,           ///< the substrate: profile minus holes over the whole stackup; added by us
     ComponentBody,  ///< the bodies of the components of one side (Document::bodies); added by us
     Other
 };
@@ -53,16 +53,16 @@ enum class Source : std::uint8_t {
     Session   ///< set by the user over what the job says
 };
 
-/// What a layer is for beyond its type, from the matrix' ADD_TYPE.
+/// What a layer is for beyond its type.
 enum class LayerUse : std::uint8_t {
     Plain,         ///< nothing said
-    Flex,          ///< flexible copper: SIGNAL_FLEX, PG_FLEX, MIXED_FLEX
-    Coverlay,      ///< film or lacquer over flexible copper: COVERLAY, COVERCOAT
-    Stiffener,     ///< a plate glued to a flexible part: STIFFENER, FR4_STIFFENER, …
-    Adhesive,      ///< the glue under it: PSA
-    Backdrill,     ///< drilled from outside to take the plating away again: BACKDRILL
-    DualDiameter,  ///< the wider part of holes that are drilled with two diameters: DUAL_DIAMETER
-    Other          ///< anything else; Layer::addType has the word
+    Flex,          ///< flexible copper
+    Coverlay,      ///< film or solder mask over flexible copper
+    Stiffener,     ///< a plate glued to a flexible part
+    Adhesive,      ///< the glue under it
+    Backdrill,     ///< drilled from outside to take the plating away again
+    DualDiameter,  ///< the wider part of holes that are drilled with two diameters
+    Other          ///< anything else; Layer::useName has the word
 };
 
 /// Consecutive rows of a table.
@@ -73,30 +73,29 @@ struct Range {
 
 struct Layer {
     std::string name;
-    std::string file;  ///< the features file inside the job, for "file and line"
+    std::string file;  ///< the file it was read from, inside the job, for "file and line"
     LayerType type = LayerType::Other;
     LayerContext context = LayerContext::Board;
     LayerSide side = LayerSide::None;
-    bool isNegative =
-        false;  ///< matrix POLARITY=NEGATIVE: its elements are the copper that is left, features the clearances
-    bool isSynthetic = false;  ///< added by us (Body, ComponentBody, coats), not a row of the matrix
-    int row = 0;               ///< matrix ROW
+    bool isNegative = false;   ///< drawn as what is left out: features are the clearances, elements the copper left
+    bool isSynthetic = false;  ///< added by us (Body, ComponentBody, solder mask), not a layer of the job
+    LayerId openings;          ///< synthetic solder mask: the layer of the job that draws its openings
     Nm z = 0;                  ///< lower face
     Nm thickness = 0;          ///< 0 for layers without a body
     Source thicknessSource = Source::Assumed;
-    LayerId spanTop;  ///< drill and rout: first and last copper layer passed, top one first
+    LayerId spanTop;  ///< drills and routed slots: first and last copper layer passed, top one first
     LayerId spanBottom;
     Range elements;                                         ///< elements of a layer are consecutive rows
-    std::uint32_t featureCount = 0;                         ///< feature records in the job
+    std::uint32_t featureCount = 0;                         ///< what the job draws on it, before tracks are joined
     std::array<std::uint32_t, kElementKindCount> counts{};  ///< elements by kind
     /// The same with those of all copies of other steps (Document::instances) that lie on this layer.
     std::array<std::uint64_t, kElementKindCount> countsWithCopies{};
     LayerUse use = LayerUse::Plain;
-    std::string addType;  ///< matrix ADD_TYPE as written; empty if there is none
+    std::string useName;  ///< what the job calls `use`; empty if it says nothing
     ShapeId profile;      ///< where this layer exists (rigid-flex); none: all over the board (Document::profile)
     /// Layers of one group have one outline, in every step of the job (each step its own); 0: the board's.
     std::uint32_t outlineGroup = 0;
-    LayerId opposite;  ///< where this layer of a step lies once the step is turned over; none: its own mirror image
+    LayerId opposite;  ///< where this layer of a step lies once the step is flipped; none: its own mirror image
 
     [[nodiscard]] bool isCopper() const {
         return type == LayerType::Signal || type == LayerType::PowerGround || type == LayerType::Mixed;
@@ -151,7 +150,7 @@ struct StackupRow {
     Material material;
 };
 
-/// The stack of the board, from the top. Made by model/board/stackup.h; empty for formats that state heights
+/// The stackup of the board, from the top. Made by model/board/stackup.h; empty for formats that state heights
 /// themselves.
 struct Stackup {
     std::vector<StackupRow> rows;
@@ -159,13 +158,20 @@ struct Stackup {
 };
 
 enum ElementFlag : std::uint8_t {
-    kHole = 1,       ///< a drilled or routed hole: what is solid is its wall
-    kPlated = 2,     ///< the wall is copper
-    kPad = 4,        ///< came from a pad (P) record
+    kHole = 1,       ///< a drilled or routed hole: what is solid is its barrel
+    kPlated = 2,     ///< the barrel is copper
+    kPad = 4,        ///< drawn as a pad
     kSquarePen = 8,  ///< Line only: drawn with an axis-parallel square pen
     kVia = 16,       ///< plated holes: joins layers
     kPinHole = 32,   ///< plated holes: takes a pin of a component
 };
+
+/// What a job says of a hole or of the tool that drills it; a via is plated too.
+enum class Plating : std::uint8_t { NotSaid, Plated, NonPlated, Via };
+
+[[nodiscard]] constexpr bool isPlated(Plating plating) {
+    return plating == Plating::Plated || plating == Plating::Via;
+}
 
 /// What a hole is for. A plated one that is neither via nor pin hole is there for mounting.
 enum class HoleKind : std::uint8_t { Via, Component, Mounting, NonPlated };
@@ -178,7 +184,7 @@ enum class HoleKind : std::uint8_t { Via, Component, Mounting, NonPlated };
                                      : HoleKind::Mounting;
 }
 
-/// Is the element the plated wall of a hole?
+/// Is the element the barrel of a plated hole?
 [[nodiscard]] constexpr bool isPlatedHole(std::uint8_t flags) {
     return (flags & kHole) != 0 && (flags & kPlated) != 0;
 }
@@ -192,8 +198,8 @@ struct ElementTable {
     std::vector<SubnetId> subnet;  ///< what it is in its net; none where the job does not say
     std::vector<SymbolId> symbol;
     std::vector<std::uint32_t> geometry;
-    std::vector<std::uint32_t> firstFeature;  ///< 0-based ordinal of its (first) feature record in the layer's file
-    std::vector<std::uint32_t> line;          ///< 1-based line of that record
+    std::vector<std::uint32_t> firstFeature;  ///< 0-based ordinal of its (first) feature in the layer's file
+    std::vector<std::uint32_t> line;          ///< 1-based line of that feature
     std::vector<AttributeSetId> attributes;   ///< of that feature: a row of Document::attributes
 
     [[nodiscard]] std::size_t size() const { return kind.size(); }
@@ -206,7 +212,7 @@ struct ZRange {
 };
 
 /// The body of a component, an area on the ComponentBody layer of its side. The layer is as thick as the tallest of
-/// them; each stands on the layer's face towards the board with a height of its own.
+/// them; each begins at the layer's face towards the board with a height of its own.
 struct Body {
     ElementId element;
     ComponentId component;
@@ -232,7 +238,7 @@ struct PaintedArea {
     std::uint32_t featureCount = 0;
 };
 
-/// The way back from areas that several features made together: what negative features left of a positive one, and the
+/// The sources of areas that several features made together: what negative features left of a positive one, and the
 /// pieces of negative layers. All other elements came from their `firstFeature` (trails: from it and those behind it).
 struct PaintedSources {
     std::vector<PaintedArea> areas;       ///< by element, rising
@@ -242,7 +248,7 @@ struct PaintedSources {
     [[nodiscard]] std::span<const std::uint32_t> of(ElementId element) const;
 };
 
-/// A stroke from `a` to `b` with a round pen (square with kSquarePen). `innerWidth` > 0 makes it a tube (plated slot).
+/// A track from `a` to `b` with a round pen (square with kSquarePen). `innerWidth` > 0 leaves a barrel (plated slot).
 struct LineGeometry {
     Point a;
     Point b;
@@ -250,7 +256,7 @@ struct LineGeometry {
     Nm innerWidth = 0;
 };
 
-/// A round-pen stroke along a circular arc from `node.point` around `node.centre` to `end`; equal ends are a full
+/// A round-pen track along a circular arc from `node.point` around `node.centre` to `end`; equal ends are a full
 /// circle. `innerWidth` as for lines.
 struct ArcGeometry {
     PathNode node;
@@ -259,20 +265,20 @@ struct ArcGeometry {
     Nm innerWidth = 0;
 };
 
-/// A disc, or a ring when `innerDiameter` > 0. A bare hole has equal diameters: only its wall is there.
+/// A disc, or a ring when `innerDiameter` > 0. An NPTH has equal diameters: only its wall is there.
 struct CircleGeometry {
     Point centre;
     Nm diameter = 0;
     Nm innerDiameter = 0;
 };
 
-/// Strokes joined end to end; nodes are consecutive rows of `trailNodes`, the last one without an edge. ODB++ trails
-/// have one width; the paper's may change it from edge to edge, so each edge has its own (`trailWidths`).
+/// Tracks joined end to end; nodes are consecutive rows of `trailNodes`, the last one without an edge. The width may
+/// change from edge to edge, so each edge has its own (`trailWidths`).
 struct TrailGeometry {
     std::uint32_t firstNode = 0;
     std::uint32_t nodeCount = 0;
-    Nm width = 0;       ///< of the widest stroke
-    Nm innerWidth = 0;  ///< as for lines: a plated or bare routed slot; the same all along
+    Nm width = 0;       ///< of the widest track
+    Nm innerWidth = 0;  ///< as for lines: a routed slot, plated or not; the same all along
 };
 
 /// A shape laid on the board; surfaces lie where they were drawn, pad symbols are placed.
@@ -294,20 +300,23 @@ struct Net {
 
 /// What a group of a net's elements is.
 enum class SubnetKind : std::uint8_t {
-    Toeprint,  ///< the pads of one component pin
+    PinPads,  ///< the pads of one component pin
     Via,
     Trace,
     Plane,
     Other
 };
 
+enum class PlaneFill : std::uint8_t { NotSaid, Solid, Hatched, Outline };
+enum class PlaneCutout : std::uint8_t { NotSaid, Circle, Rectangle, Octagon, Exact };
+
 struct Subnet {
     NetId net;
     SubnetKind kind = SubnetKind::Other;
-    PinId pin;               ///< Toeprint: its pin; none if the job names one that is not there
-    char planeFill = 0;      ///< Plane: S solid, H hatched, O outline
-    char planeCutout = 0;    ///< Plane: C circle, R rectangle, O octagon, E exact
-    Nm planeCutoutSize = 0;  ///< Plane
+    PinId pin;                                       ///< PinPads: none if the job names one that is not there
+    PlaneFill planeFill = PlaneFill::NotSaid;        ///< Plane
+    PlaneCutout planeCutout = PlaneCutout::NotSaid;  ///< Plane: the clearance around what passes it
+    Nm planeCutoutSize = 0;                          ///< Plane
 };
 
 enum class PinKind : std::uint8_t { Through, Blind, Surface };
@@ -355,14 +364,16 @@ struct Component {
     std::uint32_t pinCount = 0;
 };
 
-/// Elements the job groups, the strokes of a text for example.
+/// Elements the job groups, the lines of a text for example.
 struct ElementGroup {
-    StringId type;  ///< TEXT, PCB
+    StringId type;  ///< as the job words it: TEXT, PCB
     Range properties;
     Range elements;  ///< of Document::groupElements
 };
 
 enum class NetlistKind : std::uint8_t { Design, Reference, Current };
+/// On which faces of the board the copper of a point is free of solder mask.
+enum class Exposure : std::uint8_t { NotSaid, Exposed, Covered, CoveredOnTop, CoveredOnBottom };
 
 /// A point of a netlist of the job: where a net can be touched. Coordinates are the board's.
 struct NetPoint {
@@ -374,8 +385,8 @@ struct NetPoint {
     Nm height = 0;
     NetlistKind netlist = NetlistKind::Design;
     LayerSide side = LayerSide::None;  ///< Through: both sides
-    char exposure = 0;                 ///< e exposed, c covered by solder mask, p or s: covered on one side; 0 not said
-    bool isEnd = true;                 ///< an end of its net, not a point on the way
+    Exposure exposure = Exposure::NotSaid;
+    bool isEnd = true;  ///< an end of its net, not a point in between
     bool isVia = false;
 };
 
@@ -383,8 +394,8 @@ struct NetPoint {
 struct DrillTool {
     LayerId layer;
     int number = 0;
-    std::string type;     ///< PLATED, NON_PLATED, VIA as written
-    std::string process;  ///< TYPE2 as written: STANDARD, PHOTO, LASER, PRESS_FIT; empty if not stated
+    Plating plating = Plating::NotSaid;
+    std::string process;  ///< STANDARD, PHOTO, LASER, PRESS_FIT; empty if not stated
     std::string bit;      ///< name of the drill bit
     Nm finishedSize = 0;  ///< diameter when the hole is plated
     Nm drillSize = 0;     ///< diameter as drilled
@@ -393,7 +404,7 @@ struct DrillTool {
 };
 
 /// A copy of another step on this one (a panel). It stays where it is once in memory: its elements are those of the
-/// step, laid down by `placement`. A flipped copy is turned over: `placement` holds the mirroring, and what is on a
+/// step, laid down by `placement`. A flipped copy lies upside down: `placement` holds the mirroring, and what is on a
 /// layer lies on Layer::opposite. See model/board/copies.h for walking over copies of copies.
 struct StepInstance {
     std::uint32_t step = 0;  ///< row of Document::steps
@@ -401,7 +412,7 @@ struct StepInstance {
     bool isFlipped = false;
 };
 
-/// A part of the board with a stack of its own: rigid, flexible, stiffened. What a layer is, and at which height, is
+/// A part of the board with a stackup of its own: rigid, flexible, stiffened. What a layer is, and at which height, is
 /// the same in all zones; they differ in which layers are there.
 struct Zone {
     std::string name;
@@ -414,7 +425,7 @@ struct Zone {
 struct JobInfo {
     std::string name;
     std::string generator;  ///< save application as the job states it
-    std::string version;    ///< ODB++ version, or the name of another format
+    std::string version;    ///< of its format, or the format's name
     std::string units;      ///< default unit of the job, "MM" or "INCH"
     std::vector<std::string> steps;
     std::string step;  ///< the one this document holds
@@ -427,7 +438,7 @@ struct ReadTimes {
 };
 
 /// A frozen board. Made by DocumentBuilder only, held as shared_ptr<const Document> and readable from every thread.
-/// A panel holds its own elements and places copies of other steps, which are documents of their own with nets,
+/// A panel holds its own elements and copies of other steps, which are documents of their own with nets,
 /// components and tables of their own; their layers are the same rows at the same heights.
 struct Document {
     JobInfo job;
@@ -441,8 +452,7 @@ struct Document {
     std::vector<CircleGeometry> circles;
     std::vector<TrailGeometry> trails;
     std::vector<PathNode> trailNodes;
-    std::vector<Nm>
-        trailWidths;  ///< per trail node: width of the stroke that leaves it, 0 for the last node of a trail
+    std::vector<Nm> trailWidths;  ///< per trail node: width of the track that leaves it, 0 for the last node of a trail
     std::vector<AreaGeometry> areas;
     PaintedSources painted;
     std::vector<Body> bodies;             ///< by element, rising

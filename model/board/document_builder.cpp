@@ -54,21 +54,8 @@ SymbolId DocumentBuilder::symbol(std::string_view name) {
     return location->second;
 }
 
-ShapeId DocumentBuilder::addShape(const ShapeSketch& asWritten) {
-    const ShapeSketch sketch = nestHoles(asWritten);
-    ShapeTable& table = m_document->shapes;
-    ShapeTable::Shape shape;
-    shape.firstContour = static_cast<std::uint32_t>(table.contours.size());
-    shape.contourCount = static_cast<std::uint32_t>(sketch.contourCount());
-    for (std::size_t i = 0; i < sketch.contourCount(); ++i) {
-        const std::span<const PathNode> nodes = sketch.contour(i);
-        table.contours.push_back({static_cast<std::uint32_t>(table.nodes.size()),
-                                  static_cast<std::uint32_t>(nodes.size()), sketch.isHole(i)});
-        table.nodes.insert(table.nodes.end(), nodes.begin(), nodes.end());
-        shape.box.include(boxOfPath(nodes, true));
-    }
-    table.shapes.push_back(shape);
-    return ShapeId{table.shapes.size() - 1};
+ShapeId DocumentBuilder::addShape(const ShapeSketch& sketch) {
+    return m_document->shapes.add(nestHoles(sketch));
 }
 
 ComponentId DocumentBuilder::addComponent(Component component, std::span<const Pin> pins) {

@@ -15,10 +15,6 @@ bool isNear(Nm a, Nm b) {
     return a > 0 && std::abs(std::int64_t{a} - b) <= kSizeTolerance;
 }
 
-bool isPlatedTool(const DrillTool& tool) {
-    return tool.type == "PLATED" || tool.type == "VIA";
-}
-
 bool isLaser(const DrillTool* tool) {
     return tool != nullptr && (tool->process == "LASER" || tool->process == "PHOTO");
 }
@@ -106,12 +102,13 @@ const DrillTool* toolFor(const std::vector<const DrillTool*>& tools, const Drill
     int bestRank = 0;
     for (const DrillTool* tool : tools) {
         const bool isBoth = tool->drillSize == hole.diameter && tool->finishedSize == hole.open;
-        const bool isKind = isPlatedTool(*tool) == isPlated && (tool->type == "VIA") == (hole.kind == HoleKind::Via);
-        const int rank = !fits(*tool, hole.diameter)       ? 0
-                         : isBoth                          ? 4
-                         : isKind                          ? 3
-                         : isPlatedTool(*tool) == isPlated ? 2
-                                                           : 1;
+        const bool isKind = model::isPlated(tool->plating) == isPlated &&
+                            (tool->plating == Plating::Via) == (hole.kind == HoleKind::Via);
+        const int rank = !fits(*tool, hole.diameter)                  ? 0
+                         : isBoth                                     ? 4
+                         : isKind                                     ? 3
+                         : model::isPlated(tool->plating) == isPlated ? 2
+                                                                      : 1;
         if (rank > bestRank) {
             best = tool;
             bestRank = rank;
@@ -135,9 +132,9 @@ const DrillTool* findTool(std::span<const DrillTool> tools, Nm size, bool isPlat
     const DrillTool* best = nullptr;
     int bestRank = 0;
     for (const DrillTool& tool : tools) {
-        const int rank = fits(tool, size)
-                             ? 1 + (isNear(tool.finishedSize, size) ? 1 : 0) + (isPlatedTool(tool) == isPlated ? 2 : 0)
-                             : 0;
+        const int rank = fits(tool, size) ? 1 + (isNear(tool.finishedSize, size) ? 1 : 0) +
+                                                (model::isPlated(tool.plating) == isPlated ? 2 : 0)
+                                          : 0;
         if (rank > bestRank) {
             best = &tool;
             bestRank = rank;

@@ -1,8 +1,11 @@
 #include "model/formats/registry.h"
 
+#include <algorithm>
+#include <array>
 #include <fstream>
 #include <sstream>
 
+#include "model/formats/file_kinds.h"
 #include "model/formats/odb/odb_reader.h"
 #include "model/formats/paper/paper_reader.h"
 #include "model/nets/net_inference.h"
@@ -12,46 +15,138 @@ namespace model {
 namespace {
 
 namespace fs = std::filesystem;
+using Board = base::Result<std::shared_ptr<const Document>>;
 
-constexpr std::size_t kSniffBytes = 4096;
+constexpr std::size_t kHeadBytes = 4096;
+
+base::Error badInput(const fs::path& path, const std::string& text) {
+    return {base::ErrorCode::BadInput, path.string() + ": " + text};
+}
+
+// ---- the rows ----
+
+Certainty probeOdb(const BoardInput& input) {
+    return input.archive && odb::holdsJob(*input.archive) ? Certainty::Certain : Certainty::No;
+}
+
+Board readOdb(const BoardInput& input, const ReadOptions& options, base::Progress& progress) {
+    return odb::readJob(*input.archive, input.path, options, input.unpacking, progress, input.reading);
+}
+
+Certainty probePaper(const BoardInput& input) {
+    return paper::looksLikeModel(input.head) ? Certainty::Certain : Certainty::No;
+}
+
+Board readPaper(const BoardInput& input, const ReadOptions&, base::Progress& progress) {
+    std::ifstream in(input.path, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    if (!in || !text) {
+        return badInput(input.path, "the file cannot be read");
+    }
+    return paper::readModel(std::move(text).str(), input.path, progress);
+}
+
+// ---- choosing one ----
+
+const BoardFormat* surest(const BoardInput& input) {
+    const auto best =
+        std::ranges::max_element(knownFormats(), {}, [&](const BoardFormat& format) { return format.probe(input); });
+    return best->probe(input) == Certainty::No ? nullptr : &*best;
+}
 
 std::string readHead(const fs::path& path) {
+    std::error_code error;
+    std::string head(fs::is_regular_file(path, error) ? kHeadBytes : 0, '\0');
     std::ifstream in(path, std::ios::binary);
-    std::string head(kSniffBytes, '\0');
     in.read(head.data(), static_cast<std::streamsize>(head.size()));
     head.resize(static_cast<std::size_t>(in.gcount()));
     return head;
 }
 
-base::Result<std::string> readAll(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    if (!in || !text) {
-        return base::Error{base::ErrorCode::BadInput, path.string() + ": cannot be read"};
-    }
-    return std::move(text).str();
+bool isArchive(std::string_view head) {
+    return likelyKind(head).ends_with("archive");
 }
 
-using Board = base::Result<std::shared_ptr<const Document>>;
+base::Error unknown(const BoardInput& input) {
+    std::error_code error;
+    const bool isFolder = fs::is_directory(input.path, error);
+    std::string kind = isFolder                                  ? "a folder"
+                       : isArchive(input.head) || !input.archive ? likelyKind(input.head)
+                                                                 : "an archive";
+    for (const BoardFormat& format : knownFormats()) {
+        const bool isMissed = input.archive && !format.part.empty();
+        kind += isMissed
+                    ? (kind.find(" without ") == std::string::npos ? " without " : " or ") + std::string(format.part)
+                    : "";
+    }
+    const std::string begin = input.head.empty() ? "" : ", which begins with " + firstBytes(input.head);
+    return badInput(input.path, "this is " + kind + begin + "; what can be read: " + describeFormats());
+}
 
 Board readAsItIs(const fs::path& path, const ReadOptions& options, base::Progress& progress) {
     std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    if (!fs::exists(status)) {
-        return base::Error{base::ErrorCode::BadInput, path.string() + ": there is no such file or folder"};
+    if (!fs::exists(path, error)) {
+        return badInput(path, "there is no such file or folder");
     }
-    if (fs::is_regular_file(status) && paper::looksLikeModel(readHead(path))) {
-        base::Result<std::string> text = readAll(path);
-        if (!text) {
-            return text.error();
+    BoardInput input{path, readHead(path), {}, {}, {}};
+    const BoardFormat* format = surest(input);
+    if (format == nullptr) {
+        progress.beginPhase("Unpacking the job");
+        base::Result<formats::Archive> archive = formats::Archive::open(path, {}, progress, input.unpacking);
+        const bool isBroken = !archive && (archive.error().code == base::ErrorCode::Cancelled ||
+                                           !fs::is_regular_file(path, error) || isArchive(input.head));
+        if (isBroken) {
+            return archive.error();
         }
-        return paper::readModel(*text, path, progress);
+        if (archive) {
+            input.archive = std::move(*archive);
+            format = surest(input);
+        }
     }
-    return odb::readJob(path, options, progress);
+    return format != nullptr ? format->read(input, options, progress) : unknown(input);
 }
 
 }  // namespace
+
+std::span<const BoardFormat> knownFormats() {
+    static const std::array kFormats = {
+        BoardFormat{"ODB++ job", {".tgz", ".tar.gz", ".tar", ".zip"}, "an ODB++ matrix", probeOdb, readOdb},
+        BoardFormat{"model of the paper", {".txt"}, "", probePaper, readPaper},
+    };
+    return kFormats;
+}
+
+std::string namePatterns(std::span<const BoardFormat> formats) {
+    std::string patterns;
+    for (const BoardFormat& format : formats) {
+        for (const std::string_view extension : format.extensions) {
+            patterns += (patterns.empty() ? "*" : " *") + std::string(extension);
+        }
+    }
+    return patterns;
+}
+
+std::string describeFormats() {
+    std::string text;
+    for (const BoardFormat& format : knownFormats()) {
+        text += (text.empty() ? "" : ", ") + std::string(format.name) + " (";
+        std::string endings = format.part.empty() ? "" : "folder";
+        for (const std::string_view extension : format.extensions) {
+            endings += (endings.empty() ? "" : ", ") + std::string(extension);
+        }
+        text += endings + ")";
+    }
+    return text;
+}
+
+bool isNamedLikeBoard(const fs::path& path) {
+    std::error_code error;
+    const std::string name = formats::lowerCase(path.filename().string());
+    return fs::is_directory(path, error) || std::ranges::any_of(knownFormats(), [&](const BoardFormat& format) {
+               return std::ranges::any_of(format.extensions, [&](std::string_view e) { return name.ends_with(e); });
+           });
+}
 
 Board readBoard(const fs::path& path, const ReadOptions& options, base::Progress& progress) {
     Board board = readAsItIs(path, options, progress);

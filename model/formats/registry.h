@@ -2,17 +2,57 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "model/base/progress.h"
 #include "model/base/result.h"
+#include "model/base/stopwatch.h"
 #include "model/board/document.h"
+#include "model/formats/common/archive.h"
 #include "model/formats/common/read_options.h"
 
+/// The one place that knows the formats: another one is a folder below model/formats and a row in registry.cpp.
+/// Dialogs, help and error texts follow from the rows.
 namespace model {
 
-/// Opens a board of any known format: an ODB++ job (folder, .tgz, .tar.gz, .tar, .zip) or the paper's text format.
-/// Errors: BadInput with the reason in plain words when the input is missing, is no board or cannot be unpacked;
-/// Cancelled. A bad record inside a readable job is no error: it is listed in Document::diagnostics.
+using formats::ReadOptions;
+
+/// What lies at a path, found out once and without knowing any format.
+struct BoardInput {
+    std::filesystem::path path;
+    std::string head;                         ///< first bytes of a file; empty for a folder
+    std::optional<formats::Archive> archive;  ///< of a folder or an archive, once it is unpacked
+    Diagnostics unpacking;
+    base::Stopwatch reading;  ///< since the path was opened
+};
+
+/// How sure a format is that an input is one of its boards.
+enum class Certainty { No, Likely, Certain };
+
+struct BoardFormat {
+    std::string_view name;                     ///< "ODB++ job"
+    std::vector<std::string_view> extensions;  ///< ".tgz"; only hints: what a file is follows from its bytes
+    std::string_view part;                     ///< what folders and archives of it hold, "an ODB++ matrix"; empty: none
+    Certainty (*probe)(const BoardInput& input);  ///< before and after unpacking; touches no file
+    base::Result<std::shared_ptr<const Document>> (*read)(const BoardInput& input, const ReadOptions& options,
+                                                          base::Progress& progress);
+};
+
+[[nodiscard]] std::span<const BoardFormat> knownFormats();
+/// Their extensions as file dialogs want them: "*.tgz *.txt".
+[[nodiscard]] std::string namePatterns(std::span<const BoardFormat> formats = knownFormats());
+/// For help and error texts: "ODB++ job (folder, .tgz), …".
+[[nodiscard]] std::string describeFormats();
+/// Is the path named like a board, or is it a folder?
+[[nodiscard]] bool isNamedLikeBoard(const std::filesystem::path& path);
+
+/// Opens a board of any known format, whatever its name. Errors: BadInput with the reason in plain words when the input
+/// is missing, is no board (then with what it is, and what can be read) or cannot be unpacked; Cancelled. A bad record
+/// inside a readable job is no error: it is listed in Document::diagnostics.
 [[nodiscard]] base::Result<std::shared_ptr<const Document>> readBoard(const std::filesystem::path& path,
                                                                       const ReadOptions& options,
                                                                       base::Progress& progress);

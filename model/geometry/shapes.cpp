@@ -25,10 +25,44 @@ void ShapeSketch::addPolygon(std::span<const Point> points, bool isHole) {
     }
 }
 
+void ShapeSketch::append(const ShapeSketch& other, const Placement& placement) {
+    for (std::size_t i = 0; i < other.contourCount(); ++i) {
+        beginContour(other.isHole(i));
+        append(other.contour(i), placement);
+    }
+}
+
+void ShapeSketch::append(const ShapeTable& table, ShapeId shape, const Placement& placement) {
+    for (const Contour& contour : table.contoursOf(shape)) {
+        beginContour(contour.isHole);
+        append(table.nodesOf(contour), placement);
+    }
+}
+
+void ShapeSketch::append(std::span<const PathNode> nodes, const Placement& placement) {
+    const bool isMoved = !isIdentity(placement);
+    for (const PathNode& node : nodes) {
+        addNode(isMoved ? placed(node, placement) : node);
+    }
+}
+
 std::span<const PathNode> ShapeSketch::contour(std::size_t index) const {
     ASSERT(index < m_starts.size());
     const std::size_t end = index + 1 < m_starts.size() ? m_starts[index + 1] : m_nodes.size();
     return std::span(m_nodes).subspan(m_starts[index], end - m_starts[index]);
+}
+
+ShapeId ShapeTable::add(const ShapeSketch& sketch) {
+    Shape shape{static_cast<std::uint32_t>(contours.size()), static_cast<std::uint32_t>(sketch.contourCount()), {}};
+    for (std::size_t i = 0; i < sketch.contourCount(); ++i) {
+        const std::span<const PathNode> added = sketch.contour(i);
+        contours.push_back(
+            {static_cast<std::uint32_t>(nodes.size()), static_cast<std::uint32_t>(added.size()), sketch.isHole(i)});
+        nodes.insert(nodes.end(), added.begin(), added.end());
+        shape.box.include(boxOfPath(added, true));
+    }
+    shapes.push_back(shape);
+    return ShapeId{shapes.size() - 1};
 }
 
 namespace {

@@ -34,6 +34,9 @@ struct Contour {
     bool isHole = false;
 };
 
+struct Placement;
+class ShapeSketch;
+
 /// All regions of a document: islands, each followed by its holes, with exact line and arc edges. A shape is stored
 /// once, however many pads use it. Rows are ShapeId.
 struct ShapeTable {
@@ -46,6 +49,8 @@ struct ShapeTable {
     std::vector<Contour> contours;
     std::vector<PathNode> nodes;
 
+    /// Adds the contours in their order.
+    ShapeId add(const ShapeSketch& sketch);
     [[nodiscard]] std::size_t size() const { return shapes.size(); }
     [[nodiscard]] std::span<const Contour> contoursOf(ShapeId id) const {
         const Shape& shape = shapes[id.row()];
@@ -67,6 +72,9 @@ public:
     /// A whole contour that is a circle.
     void addCircle(Point centre, Nm radius, bool isHole);
     void addPolygon(std::span<const Point> points, bool isHole);
+    /// All contours of another one, where `placement` lays them; arcs stay arcs.
+    void append(const ShapeSketch& other, const Placement& placement);
+    void append(const ShapeTable& table, ShapeId shape, const Placement& placement);
 
     [[nodiscard]] bool isEmpty() const { return m_nodes.empty(); }
     [[nodiscard]] std::size_t contourCount() const { return m_starts.size(); }
@@ -74,6 +82,8 @@ public:
     [[nodiscard]] std::span<const PathNode> contour(std::size_t index) const;
 
 private:
+    void append(std::span<const PathNode> nodes, const Placement& placement);
+
     std::vector<PathNode> m_nodes;
     std::vector<std::uint32_t> m_starts;
     std::vector<std::uint8_t> m_holes;

@@ -69,7 +69,7 @@ void planSolderMasks(const Document& document, std::vector<Plate>& plates) {
         }
         Layer layer = plateLayer(mask.name + " solder mask", LayerType::SolderMask, mask.side, mask.z,
                                  mask.z + mask.thickness, mask.thicknessSource);
-        layer.row = mask.row;
+        layer.openings = LayerId{row};
         Plate plate{std::move(layer), mask.profile.isValid() ? mask.profile : document.profile, {}, {}, {}};
         plate.wholeLayers = {LayerId{row}};
         plate.openHoles = holesUnder(document, mask);
@@ -164,9 +164,9 @@ void placeSolids(Document& document) {
             layer.thickness = part->top - part->bottom;
             ++part;
         } else if (layer.type == LayerType::SolderMask && layer.isSynthetic) {
-            const auto mask = std::ranges::find(document.layers, layer.row, &Layer::row);
-            layer.z = mask->z;
-            layer.thickness = mask->thickness;
+            const Layer& mask = document.layer(layer.openings);
+            layer.z = mask.z;
+            layer.thickness = mask.thickness;
         }
     }
     placeBodies(document);

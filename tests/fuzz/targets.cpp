@@ -31,7 +31,7 @@ using model::Diagnostics;
 using model::odb::Unit;
 
 constexpr const char* kFile = "input";
-constexpr model::odb::ArchiveLimits kLimits{std::uint64_t{16} << 20, 1'000};
+constexpr model::formats::ArchiveLimits kLimits{std::uint64_t{16} << 20, 1'000};
 
 /// A board around the file under test: a matrix of two copper layers and a drill, a profile, and one user symbol.
 constexpr std::string_view kSmallJob =
@@ -40,11 +40,11 @@ constexpr std::string_view kSmallJob =
     "LAYER {\nROW=3\nCONTEXT=BOARD\nTYPE=DRILL\nNAME=D\nSTART_NAME=TOP\nEND_NAME=BOT\n}\n"
     "=== steps/s/profile\nUNITS=MM\nS P 0\nOB 0 0 I\nOS 20 0\nOS 20 20\nOS 0 20\nOS 0 0\nOE\nSE\n";
 
-void readMembers(const model::odb::Archive& archive) {
+void readMembers(const model::formats::Archive& archive) {
     for (int row = 0; row < static_cast<int>(archive.size()); ++row) {
         auto bytes = archive.bytes(row);
         if (bytes) {
-            static_cast<void>(model::odb::decodeMember(*std::move(bytes), kLimits.totalBytes));
+            static_cast<void>(model::formats::decodeMember(*std::move(bytes), kLimits.totalBytes));
         }
     }
 }
@@ -52,22 +52,22 @@ void readMembers(const model::odb::Archive& archive) {
 void archive(std::string_view input) {
     base::Progress progress;
     Diagnostics diagnostics;
-    const auto opened = model::odb::Archive::unpack(input, kFile, kLimits, progress, diagnostics);
+    const auto opened = model::formats::Archive::unpack(input, kFile, kLimits, progress, diagnostics);
     if (opened) {
         readMembers(*opened);
-        static_cast<void>(model::odb::JobTree::findIn(*opened));
+        static_cast<void>(model::odb::findJob(*opened));
     }
 }
 
 void member(std::string_view input) {
-    static_cast<void>(model::odb::decodeMember(model::odb::Bytes::borrow(input), kLimits.totalBytes));
+    static_cast<void>(model::formats::decodeMember(model::formats::Bytes::borrow(input), kLimits.totalBytes));
 }
 
 void job(std::string_view input) {
     base::Progress progress;
     Diagnostics diagnostics;
     const std::string tar = writeTar(unbundle(input));
-    const auto opened = model::odb::Archive::unpack(tar, kFile, kLimits, progress, diagnostics);
+    const auto opened = model::formats::Archive::unpack(tar, kFile, kLimits, progress, diagnostics);
     if (opened) {
         static_cast<void>(model::odb::readJob(*opened, kFile, {}, diagnostics, progress));
     }

@@ -23,8 +23,8 @@ class JobFiles {
 public:
     explicit JobFiles(const fs::path& path) {
         base::Progress progress;
-        m_archive.emplace(model::odb::Archive::open(path, {}, progress, m_diagnostics).value());
-        m_tree.emplace(model::odb::JobTree::findIn(*m_archive).value());
+        m_archive.emplace(model::formats::Archive::open(path, {}, progress, m_diagnostics).value());
+        m_tree.emplace(model::odb::findJob(*m_archive).value());
     }
 
     [[nodiscard]] ReadFile reader() {
@@ -39,8 +39,8 @@ public:
 
 private:
     model::Diagnostics m_diagnostics;
-    std::optional<model::odb::Archive> m_archive;
-    std::optional<model::odb::JobTree> m_tree;
+    std::optional<model::formats::Archive> m_archive;
+    std::optional<model::formats::FileTree> m_tree;
 };
 
 Raster rasterFor(const model::Box& box, double pitch) {

@@ -189,8 +189,8 @@ QString LayerModel::tip(int row, int) const {
             '\n' + tr("%1 thick (%2), from z = %3")
                        .arg(micrometres(layer.thickness), model::toString(layer.thicknessSource), micrometres(layer.z));
     }
-    if (!layer.addType.empty()) {
-        text += '\n' + tr("Made as %1").arg(QString::fromStdString(layer.addType));
+    if (!layer.useName.empty()) {
+        text += '\n' + tr("Made as %1").arg(QString::fromStdString(layer.useName));
     }
     const auto all = std::accumulate(layer.countsWithCopies.begin(), layer.countsWithCopies.end(), qulonglong{0});
     return text + '\n' + tr("%1 elements").arg(all);

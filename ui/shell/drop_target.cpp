@@ -3,6 +3,10 @@
 #include <QDropEvent>
 #include <QMimeData>
 #include <QUrl>
+#include <algorithm>
+
+#include "model/formats/registry.h"
+#include "ui/common/paths.h"
 
 namespace ui {
 
@@ -15,6 +19,8 @@ QStringList localPaths(const QMimeData& data) {
             paths += url.toLocalFile();
         }
     }
+    // A board beside its drawings and reports comes first.
+    std::ranges::stable_partition(paths, [](const QString& path) { return model::isNamedLikeBoard(toPath(path)); });
     return paths;
 }
 

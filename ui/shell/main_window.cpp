@@ -10,7 +10,9 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <span>
 
+#include "model/formats/registry.h"
 #include "ui/common/paths.h"
 #include "ui/shell/features.h"
 #include "ui/shell/help_dialogs.h"
@@ -36,6 +38,18 @@ constexpr MenuId kViewMenus[] = {MenuId::Solid, MenuId::Arrangement, MenuId::Pan
                                  MenuId::Theme, MenuId::Backend,     MenuId::Keys};
 constexpr MenuId kMenus[] = {MenuId::File,  MenuId::Edit,    MenuId::View,   MenuId::Layers, MenuId::Nets,
                              MenuId::Board, MenuId::Measure, MenuId::Select, MenuId::Help};
+
+/// Of a file dialog: all boards, then format by format.
+QString boardFilters() {
+    const auto filter = [](const QString& name, std::span<const model::BoardFormat> formats) {
+        return QStringLiteral("%1 (%2);;").arg(name, QString::fromStdString(model::namePatterns(formats)));
+    };
+    QString filters = filter(MainWindow::tr("Boards"), model::knownFormats());
+    for (const model::BoardFormat& format : model::knownFormats()) {
+        filters += filter(QString::fromStdString(std::string(format.name)), {&format, 1});
+    }
+    return filters + MainWindow::tr("All files (*)");
+}
 
 }  // namespace
 
@@ -158,10 +172,8 @@ void MainWindow::connectFiles() {
             openPath(path);
         });
     };
-    m_features.on(ActionId::OpenFile, [choose] {
-        choose(tr("Open a board"), tr("Boards (*.tgz *.tar.gz *.tar *.zip *.txt);;All files (*)"));
-    });
-    m_features.on(ActionId::OpenFolder, [choose] { choose(tr("Open an ODB++ folder"), {}); });
+    m_features.on(ActionId::OpenFile, [choose] { choose(tr("Open a board"), boardFilters()); });
+    m_features.on(ActionId::OpenFolder, [choose] { choose(tr("Open a board folder"), {}); });
     m_features.on(ActionId::Reload, [this] { m_workspace.reload(); });
     m_features.on(ActionId::CancelLoading, [this] { m_workspace.cancelWork(); });
     m_features.on(ActionId::Quit, [this] { close(); });

@@ -21,9 +21,9 @@ bool isChoice(MenuId menu) {
 }  // namespace
 
 const ActionSpec ActionSet::kSpecs[kActionCount] = {
-    {OpenFile, MenuId::File, QT_TR_NOOP("&Open…"), "Ctrl+O",
-     QT_TR_NOOP("Open an ODB++ archive (.tgz, .zip) or a text board")},
-    {OpenFolder, MenuId::File, QT_TR_NOOP("Open &folder…"), "Ctrl+Shift+O", QT_TR_NOOP("Open an unpacked ODB++ job")},
+    {OpenFile, MenuId::File, QT_TR_NOOP("&Open…"), "Ctrl+O", QT_TR_NOOP("Open a board of any known format")},
+    {OpenFolder, MenuId::File, QT_TR_NOOP("Open &folder…"), "Ctrl+Shift+O",
+     QT_TR_NOOP("Open a board that is a folder of files")},
     {Reload, MenuId::File, QT_TR_NOOP("&Reload"), "F5 Ctrl+R", QT_TR_NOOP("Read the board again from disk"),
      kNeedsBoard},
     {CancelLoading, MenuId::File, QT_TR_NOOP("&Cancel loading"), "Ctrl+.",

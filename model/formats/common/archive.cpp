@@ -7,7 +7,7 @@
 
 #include "model/formats/common/archive_stream.h"
 
-namespace model::odb {
+namespace model::formats {
 
 namespace {
 
@@ -208,4 +208,4 @@ base::Result<Bytes> Archive::bytes(int row) const {
     return Bytes(std::move(data));
 }
 
-}  // namespace model::odb
+}  // namespace model::formats

@@ -11,7 +11,7 @@
 #include "model/base/result.h"
 #include "model/board/diagnostics.h"
 
-namespace model::odb {
+namespace model::formats {
 
 class ArchiveStream;
 
@@ -38,11 +38,10 @@ private:
     std::string_view m_borrowed;
 };
 
-/// The files of a job as one tree, whatever they came in: a folder, a .tgz, .tar.gz, .tar (V7 included) or .zip. Names
-/// are found whatever their case, because the matrix writes upper case and folders are lower case (odb-notes,
-/// Container). Archives are held in memory and nothing is ever written to disk; permissions in the archive are not
-/// looked at. Entries with
-/// `..` or an absolute path are left out with an error in the diagnostics. Reading is safe from several threads.
+/// The files of a board as one tree, whatever they came in: a folder, a .tgz, .tar.gz, .tar (V7 included) or .zip.
+/// Names are found whatever their case. Archives are held in memory and nothing is ever written to disk; permissions in
+/// the archive are not looked at. Entries with `..` or an absolute path are left out with an error in the diagnostics.
+/// Reading is safe from several threads.
 class Archive {
 public:
     /// Errors: BadInput (missing, unreadable, no archive, ends early, over the limits), Cancelled.
@@ -91,4 +90,4 @@ private:
 /// ASCII lower case; other bytes stay.
 [[nodiscard]] std::string lowerCase(std::string_view text);
 
-}  // namespace model::odb
+}  // namespace model::formats

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace model::odb {
+namespace model::formats {
 
 namespace {
 
@@ -107,4 +107,4 @@ base::Result<Bytes> decodeMember(Bytes bytes, std::uint64_t limit) {
     return Bytes(std::move(text));
 }
 
-}  // namespace model::odb
+}  // namespace model::formats

@@ -11,9 +11,9 @@
 #include "model/base/result.h"
 #include "model/formats/common/archive.h"
 
-namespace model::odb {
+namespace model::formats {
 
-/// libarchive's reader with its resource rules in one place: opened, walked entry by entry, freed.
+/// libarchive's reader with its resource rules: opened, walked entry by entry, freed.
 class ArchiveStream {
 public:
     enum class Formats {
@@ -25,13 +25,13 @@ public:
     ArchiveStream(std::string_view bytes, Formats formats);
 
     [[nodiscard]] bool isOpen() const { return m_isOpen; }
-    /// Moves to the next entry. False at the end or on an error; `failed` tells which.
+    /// Moves to the next entry. False at the end or on an error; `failed` says which.
     [[nodiscard]] bool next();
     [[nodiscard]] bool failed() const { return m_failed; }
     [[nodiscard]] std::string errorText() const;
 
     [[nodiscard]] std::string name() const;
-    /// Is anything unpacked on the way, or are these the file's own bytes?
+    /// Is anything unpacked, or are these the file's own bytes?
     [[nodiscard]] bool isPacked() const;
     [[nodiscard]] bool isRegularFile() const;
     [[nodiscard]] bool isFolder() const;
@@ -55,9 +55,9 @@ private:
 /// Most bytes that one packed file of a job may unpack to. The largest real one we know holds 34 MB.
 inline constexpr std::uint64_t kMaxMemberBytes = std::uint64_t{512} << 20;
 
-/// The plain text of a member that may be packed, told by its first bytes: `1F 9D` is Unix compress, `1F 8B` gzip, `PK`
-/// a zip with one file (DipTrace names those `.Z` too); anything else is returned as it is (odb-notes, Container).
-/// Errors: BadInput when it is broken or unpacks to more than `limit` bytes.
+/// The plain text of a member that may be packed, which its first bytes say: `1F 9D` is Unix compress, `1F 8B` gzip,
+/// `PK` a zip with one file (DipTrace names those `.Z` too); anything else is returned as it is. Errors: BadInput when
+/// it is broken or unpacks to more than `limit` bytes.
 [[nodiscard]] base::Result<Bytes> decodeMember(Bytes bytes, std::uint64_t limit = kMaxMemberBytes);
 
-}  // namespace model::odb
+}  // namespace model::formats

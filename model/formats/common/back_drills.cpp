@@ -6,7 +6,7 @@
 
 #include "model/geometry/box_index.h"
 
-namespace model {
+namespace model::formats {
 
 namespace {
 
@@ -22,10 +22,6 @@ bool isHoles(const Layer& layer) {
            layer.spanBottom.isValid();
 }
 
-bool isPlated(std::uint8_t flags) {
-    return (flags & kHole) != 0 && (flags & kPlated) != 0;
-}
-
 class PlatingCutter {
 public:
     explicit PlatingCutter(DocumentBuilder& builder) : m_builder(builder), m_document(builder.soFar()) {}
@@ -34,7 +30,7 @@ public:
         std::vector<Box> boxes;
         for (std::uint32_t row = 0; row < m_document.elements.size(); ++row) {
             const ElementId element{row};
-            if (isPlated(m_document.elements.flags[row]) && isHoles(layerOf(element))) {
+            if (isPlatedHole(m_document.elements.flags[row]) && isHoles(layerOf(element))) {
                 m_plated.push_back(element);
                 boxes.push_back(m_document.boxOf(element));
             }
@@ -70,7 +66,7 @@ private:
     }
 
     void cutAround(ElementId drill, const BoxIndex& index) {
-        if (isPlated(m_document.elements.flags[drill.row()])) {
+        if (isPlatedHole(m_document.elements.flags[drill.row()])) {
             return;  // the wider part of a plated hole is plated itself
         }
         index.visit(m_document.boxOf(drill), [&](std::uint32_t row) { cut(m_plated[row], drill); });
@@ -146,4 +142,4 @@ void cutPlating(DocumentBuilder& builder) {
     }
 }
 
-}  // namespace model
+}  // namespace model::formats

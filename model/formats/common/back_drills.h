@@ -2,9 +2,9 @@
 
 #include "model/board/document_builder.h"
 
-namespace model {
+namespace model::formats {
 
-/// Finds the plated holes that a wider bare hole is drilled over (LayerUse::Backdrill, LayerUse::DualDiameter) and cuts
+/// Finds the plated holes that a wider NPTH is drilled over (LayerUse::Backdrill, LayerUse::DualDiameter) and cuts
 /// their plating back to the copper layers it leaves: Document::platedSpans. A drill takes the plating from all copper
 /// of its span, both ends included, if it covers the hole. To be called once, when all holes are there.
 ///
@@ -12,4 +12,4 @@ namespace model {
 /// begins and ends inside of it.
 void cutPlating(DocumentBuilder& builder);
 
-}  // namespace model
+}  // namespace model::formats

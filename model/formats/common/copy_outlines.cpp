@@ -3,7 +3,7 @@
 #include "model/figures/element_polygons.h"
 #include "model/geometry/boolean.h"
 
-namespace model {
+namespace model::formats {
 
 namespace {
 
@@ -42,4 +42,4 @@ PolygonSet withoutCopies(const Document& document, const PolygonSet& region, con
     return document.instances.empty() ? region : subtract(region, takenByCopies(document, how));
 }
 
-}  // namespace model
+}  // namespace model::formats

@@ -2,11 +2,11 @@
 
 #include <string>
 
-namespace model {
+namespace model::formats {
 
 struct ReadOptions {
-    std::string step;        ///< empty: the first step of the matrix that has layers of its own
-    bool inferNets = false;  ///< follow the copper instead of the job's nets (connectivity/net_inference.h)
+    std::string step;        ///< empty: the first one that draws anything itself
+    bool inferNets = false;  ///< follow the copper instead of the job's nets (model/nets/net_inference.h)
 };
 
-}  // namespace model
+}  // namespace model::formats

@@ -11,7 +11,7 @@ namespace {
 /// Panels nest two or three deep; more is a broken file.
 constexpr int kMaxDepth = 8;
 
-/// The placement that turns a step around its datum and lays the datum on `place`.
+/// The placement that rotates a step around its datum and lays the datum on `location`.
 Placement onDatum(Point location, const StepRepeat& repeat, Point datum) {
     Placement placement{{}, repeat.clockwiseDeg, repeat.isMirrored};
     const Point moved = placement.apply(datum);
@@ -32,7 +32,7 @@ public:
 private:
     enum class State : std::uint8_t { Untouched, Open, Done };
 
-    /// Children first; a step that is still open contains the one that asks for it.
+    /// Children first; a step that is still open contains the one that needs it.
     void visit(std::size_t step, int depth) {
         m_states[step] = State::Open;
         for (const StepRepeat& repeat : m_steps[step].header.value.repeats) {

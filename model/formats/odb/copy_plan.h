@@ -6,7 +6,7 @@
 
 namespace model::odb {
 
-/// A copy of a step as its STEP-REPEAT block places it.
+/// A copy of a step as its STEP-REPEAT block lays it down.
 struct PlannedCopy {
     std::size_t step = 0;  ///< row of Steps
     Placement placement;

@@ -7,19 +7,19 @@
 
 #include "model/base/parallel.h"
 #include "model/formats/common/back_drills.h"
+#include "model/formats/common/board_outline.h"
 #include "model/formats/common/copy_outlines.h"
-#include "model/formats/common/region.h"
+#include "model/formats/common/hole_rules.h"
+#include "model/formats/common/net_points.h"
+#include "model/formats/common/painting.h"
 #include "model/formats/odb/copy_plan.h"
+#include "model/formats/odb/elements/feature_elements.h"
 #include "model/formats/odb/layer_table.h"
 #include "model/formats/odb/message_locations.h"
-#include "model/formats/odb/net_points.h"
-#include "model/formats/odb/painting/element_maker.h"
-#include "model/formats/odb/painting/net_links.h"
-#include "model/formats/odb/painting/painting.h"
 #include "model/formats/odb/parts.h"
-#include "model/formats/odb/profile.h"
 #include "model/formats/odb/rigid_flex.h"
 #include "model/formats/odb/text/records.h"
+#include "model/geometry/region.h"
 #include "model/solids/solids.h"
 
 namespace model::odb {
@@ -49,7 +49,8 @@ struct JobParts {
     const Steps& steps;
     const LayerTable& layers;
     const std::vector<CopyPlan>& plans;
-    std::vector<std::shared_ptr<const Document>>& documents;  ///< by step; those a step places are there before it
+    std::vector<std::shared_ptr<const Document>>&
+        documents;  ///< by step; those whose copies a step holds are there before it
     StepProgress& progress;
 };
 
@@ -80,11 +81,11 @@ public:
         if (!buildLayers(true)) {
             return false;
         }
-        cutPlating(m_builder);
+        formats::cutPlating(m_builder);
         addTools();
         addParts(m_builder, m_matrix, m_layers, m_step, m_nets);
         addGroups(m_builder, m_matrix, m_layers, m_step);
-        addNetPoints(m_builder, m_step);
+        addNetlists();
         locateMessages(m_builder, m_layers, m_step);
         if (!addSolids(m_builder, m_parts.progress.inner())) {
             return false;
@@ -108,7 +109,7 @@ private:
             diagnostics().append(layer.tools.diagnostics);
             diagnostics().append(layer.components.diagnostics);
         }
-        for (const Parsed<Netlist>& netlist : m_step.netlists) {
+        for (const Parsed<formats::Netlist>& netlist : m_step.netlists) {
             diagnostics().append(netlist.diagnostics);
         }
     }
@@ -189,27 +190,26 @@ private:
         if (!features.isPresent()) {
             return;
         }
-        std::optional<HoleRules> holes;
+        std::optional<formats::HoleRules> holes;
         if (layer.isHoles()) {
-            holes.emplace(layer, m_step.layers[row].tools.value, m_pins);
+            holes.emplace(m_builder.layer(m_layers.id(row)), m_step.layers[row].tools.value, m_pins);
         }
         const FeatureSource source{&features.value, features.path, m_nets.linksOf(row), m_parts.job.attributeTypes};
         if (layer.isNegative || features.value.hasNegatives) {
             paintLayer(row, source, holes ? &*holes : nullptr);
         } else {
-            ElementMaker(m_builder, m_symbols, diagnostics()).add(source, holes ? &*holes : nullptr);
+            addFeatures(m_builder, m_symbols, diagnostics(), source, holes ? &*holes : nullptr);
         }
         reportNegativesOfCopies(row);
     }
 
-    void paintLayer(std::size_t row, const FeatureSource& source, const HoleRules* holes) {
+    void paintLayer(std::size_t row, const FeatureSource& source, const formats::HoleRules* holes) {
         DocumentBuilder scratch;
         scratch.beginLayer(scratch.addLayer({}));
-        ElementMaker maker(scratch, m_symbols, diagnostics());
-        maker.add(source, holes);
+        const std::vector<std::uint8_t> negatives = addFeatures(scratch, m_symbols, diagnostics(), source, holes);
         if (!m_matrix.layers[row].isNegative) {
-            reportOwnNegatives(row, scratch.soFar(), maker.negatives());
-            return addPainted(m_builder, scratch.soFar(), maker.negatives());
+            reportOwnNegatives(row, scratch.soFar(), negatives);
+            return formats::addPainted(m_builder, scratch.soFar(), negatives);
         }
         const ShapeId own = m_builder.layer(m_layers.id(row)).profile;
         const ShapeId profile = own.isValid() ? own : m_builder.soFar().profile;
@@ -220,13 +220,14 @@ private:
             return;
         }
         const PolygonSet outline = discretise(m_builder.shapes(), profile, kBooleanChords);
-        const std::vector<NetVote> votes = votesOn(m_builder.soFar(), m_layers.id(row), scratch.soFar());
+        const std::vector<formats::NetVote> votes =
+            formats::votesOn(m_builder.soFar(), m_layers.id(row), scratch.soFar());
         reportInverse(m_matrix.layers[row],
-                      addInverse(m_builder, withoutCopies(m_builder.soFar(), outline, kBooleanChords), scratch.soFar(),
-                                 maker.negatives(), votes));
+                      formats::addInverse(m_builder, formats::withoutCopies(m_builder.soFar(), outline, kBooleanChords),
+                                          scratch.soFar(), negatives, votes));
     }
 
-    void reportInverse(const MatrixLayer& layer, const InverseSummary& summary) {
+    void reportInverse(const MatrixLayer& layer, const formats::InverseSummary& summary) {
         diagnostics().report(Severity::Info, "matrix/matrix", layer.line,
                              "layer " + layer.name + " is negative: shown is the board's outline minus its features; " +
                                  std::to_string(summary.pieces - summary.withoutNet) + " of " +
@@ -241,7 +242,7 @@ private:
 
     // ---- paint order between a step and its copies ----
 
-    /// Boxes of the copies that have something on this row of the matrix.
+    /// Boxes of the copies with elements on this row of the matrix.
     std::vector<Box> copiesOn(std::size_t row, bool withNegatives) {
         std::vector<Box> boxes;
         const Document& own = m_builder.soFar();
@@ -261,7 +262,7 @@ private:
         const std::vector<Box> copies = copiesOn(row, false);
         for (std::size_t i = 0; i < negatives.size() && !copies.empty(); ++i) {
             const Box box = painted.boxOf(ElementId{i});
-            if (negatives[i] != 0 && std::ranges::any_of(copies, [&](const Box& copy) { return meet(box, copy); })) {
+            if (negatives[i] != 0 && std::ranges::any_of(copies, [&](const Box& copy) { return box.meets(copy); })) {
                 return diagnostics().report(
                     Severity::Warning, m_step.layers[row].features.path, painted.elements.line[i],
                     "a negative feature reaches over a copy of another step; it takes nothing away from the copy");
@@ -275,16 +276,12 @@ private:
         const Range range = own.layer(m_layers.id(row)).elements;
         for (std::uint32_t i = range.first; i < range.first + range.count && !copies.empty(); ++i) {
             const Box box = own.boxOf(ElementId{i});
-            if (std::ranges::any_of(copies, [&](const Box& copy) { return meet(box, copy); })) {
+            if (std::ranges::any_of(copies, [&](const Box& copy) { return box.meets(copy); })) {
                 return diagnostics().report(Severity::Warning, m_step.layers[row].features.path, own.elements.line[i],
                                             "a copy of another step with negative features lies over this one; they "
                                             "take nothing away from it");
             }
         }
-    }
-
-    static bool meet(const Box& a, const Box& b) {
-        return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
     }
 
     // ---- profile ----
@@ -293,14 +290,14 @@ private:
         const Parsed<FeatureFile>& file = m_step.profile;
         std::optional<ShapeSketch> sketch = profileOf(file.value);
         if (!sketch && !m_isChosen) {
-            return;  // a coupon, say, that lies on the laminate of the step that places it
+            return;  // a coupon, say, that lies on the substrate of the step that holds it
         }
-        const bool isBelieved = sketch && fitsCopper(*sketch, m_builder.soFar());
+        const bool isBelieved = sketch && formats::fitsCopper(*sketch, m_builder.soFar());
         if (!isBelieved) {
             const std::string why = sketch             ? "the profile does not enclose the copper"
                                     : file.isPresent() ? "the profile holds no outline"
                                                        : "the step has no profile";
-            sketch = profileFromCopper(m_builder.soFar());
+            sketch = formats::outlineOfCopper(m_builder.soFar());
             diagnostics().report(Severity::Warning, file.isPresent() ? file.path : m_step.folder + "/profile", 0,
                                  why + (sketch ? "; the box around all copper is used as the board's outline"
                                                : "; the board has no outline"));
@@ -312,7 +309,7 @@ private:
 
     // ---- the rest ----
 
-    static PinLocations pinsOf(const StepData& step) {
+    static formats::PinLocations pinsOf(const StepData& step) {
         std::vector<Point> pins;
         for (const StepLayer& layer : step.layers) {
             for (const PlacedComponent& component : layer.components.value) {
@@ -321,7 +318,15 @@ private:
                 }
             }
         }
-        return PinLocations(std::move(pins));
+        return formats::PinLocations(std::move(pins));
+    }
+
+    void addNetlists() {
+        std::vector<formats::NetlistFile> files;
+        for (const Parsed<formats::Netlist>& file : m_step.netlists) {
+            files.push_back({&file.value, static_cast<NetlistKind>(files.size()), file.path});
+        }
+        formats::addNetPoints(m_builder, files);
     }
 
     void addTools() {
@@ -336,16 +341,16 @@ private:
     const JobParts& m_parts;
     const Matrix& m_matrix;
     const StepData& m_step;
-    bool m_isChosen;  ///< the step the user opened, not one it places
+    bool m_isChosen;  ///< the step the user opened, not one it holds copies of
     const CopyPlan& m_plan;
     DocumentBuilder& m_builder;
     const LayerTable& m_layers;
     SymbolLibrary m_symbols;
     NetLinks m_nets;
-    PinLocations m_pins;
+    formats::PinLocations m_pins;
 };
 
-/// The document of a step that others place.
+/// The document of a step that others hold copies of.
 std::shared_ptr<const Document> buildCopied(const JobParts& parts, std::size_t step, const JobInfo& job) {
     DocumentBuilder builder;
     builder.job() = job;
@@ -354,8 +359,8 @@ std::shared_ptr<const Document> buildCopied(const JobParts& parts, std::size_t s
     return StepBuilder(parts, step, builder).build() ? builder.finish() : nullptr;
 }
 
-/// Builds what the chosen step places, each step once: those without copies first, then those that hold only these, and
-/// so on; steps of one height side by side.
+/// Builds the steps that the chosen one holds copies of, each once: those without copies first, then those that hold
+/// only these, and so on; steps of one height side by side.
 bool buildCopies(const JobParts& parts, const JobInfo& job) {
     for (int height = 0; height < parts.plans[0].height; ++height) {
         std::vector<std::size_t> rows;

@@ -22,22 +22,6 @@ void describeFeatures(const StepLayer& source, Layer& layer) {
     layer.featureCount = static_cast<std::uint32_t>(source.features.value.features.size());
 }
 
-LayerUse useOf(std::string_view addType) {
-    static constexpr std::pair<std::string_view, LayerUse> kUses[] = {
-        {"SIGNAL_FLEX", LayerUse::Flex},    {"PG_FLEX", LayerUse::Flex},
-        {"MIXED_FLEX", LayerUse::Flex},     {"COVERLAY", LayerUse::Coverlay},
-        {"COVERCOAT", LayerUse::Coverlay},  {"PSA", LayerUse::Adhesive},
-        {"BACKDRILL", LayerUse::Backdrill}, {"DUAL_DIAMETER", LayerUse::DualDiameter}};
-    if (addType.empty()) {
-        return LayerUse::Plain;
-    }
-    if (addType.find("STIFFENER") != std::string_view::npos) {
-        return LayerUse::Stiffener;
-    }
-    const auto* const found = std::ranges::find(kUses, addType, &std::pair<std::string_view, LayerUse>::first);
-    return found == std::end(kUses) ? LayerUse::Other : found->second;
-}
-
 }  // namespace
 
 LayerTable::LayerTable(const JobContext& job, const Steps& steps, DocumentBuilder& builder)
@@ -64,9 +48,8 @@ void LayerTable::addLayers() {
         layer.type = source.type;
         layer.context = source.context;
         layer.isNegative = source.isNegative;
-        layer.row = source.row;
-        layer.addType = source.addType;
-        layer.use = useOf(source.addType);
+        layer.useName = source.useName;
+        layer.use = source.use;
         layer.outlineGroup = groups[row];
         describeFeatures(m_steps[0].layers[row], layer);
         reportMissing(row);
@@ -202,12 +185,12 @@ void LayerTable::addStackup(std::optional<double> boardNm) {
 
 /// Where the job and its step disagree about the board, the job counts.
 void LayerTable::compareWithStep(const Stackup& stackup, std::optional<double> stepNm, const std::string& path) {
-    const double stack = thicknessOf(stackup);
+    const double layers = thicknessOf(stackup);
     const bool isCompared = stepNm && *stepNm > 0 && stackup.facts.boardNm != stepNm;
-    if (isCompared && std::abs(*stepNm - stack) > kStepTolerance * stack) {
+    if (isCompared && std::abs(*stepNm - layers) > kStepTolerance * layers) {
         diagnostics().report(Severity::Warning, path, 0,
                              "the step says the board is " + std::to_string(std::lround(*stepNm / 1000)) +
-                                 " µm thick, but its layers add up to " + std::to_string(std::lround(stack / 1000)) +
+                                 " µm thick, but its layers add up to " + std::to_string(std::lround(layers / 1000)) +
                                  " µm; the layers are used");
     }
 }

@@ -10,7 +10,7 @@
 namespace model::odb {
 
 /// Brings the rows of the matrix into the document: in physical order, with their spans, heights and thicknesses. There
-/// is one stack for all steps of a panel: where the first step is silent about a layer, the next one is asked. Rows
+/// is one stackup for all steps of a panel: where the first step is silent about a layer, the next one counts. Rows
 /// without files are reported.
 class LayerTable {
 public:

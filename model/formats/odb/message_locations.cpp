@@ -3,14 +3,11 @@
 #include <algorithm>
 
 #include "model/board/copies.h"
+#include "model/formats/odb/parts.h"
 
 namespace model::odb {
 
 namespace {
-
-Point middleOf(const Box& box) {
-    return {static_cast<Nm>(box.min.x + box.width() / 2), static_cast<Nm>(box.min.y + box.height() / 2)};
-}
 
 /// The record on this line, or the surface around it; `features.size()` if there is none.
 std::size_t recordAt(const FeatureFile& file, std::uint32_t line) {
@@ -24,23 +21,6 @@ std::size_t recordAt(const FeatureFile& file, std::uint32_t line) {
     return isIt ? static_cast<std::size_t>(after - 1 - file.features.begin()) : file.features.size();
 }
 
-/// The element of a layer that was made from a record; a trail is made from as many as it has strokes.
-ElementId elementOf(const Document& document, const Range& range, std::size_t record) {
-    const auto first = document.elements.firstFeature.begin() + range.first;
-    const auto last = first + range.count;
-    auto found = std::lower_bound(first, last, record);
-    if (found != last && *found == record) {
-        return ElementId{static_cast<std::size_t>(found - document.elements.firstFeature.begin())};
-    }
-    if (found == first) {
-        return {};
-    }
-    const auto row = static_cast<std::size_t>(--found - document.elements.firstFeature.begin());
-    const bool isTrail = document.elements.kind[row] == ElementKind::Trail;
-    const std::size_t tracks = isTrail ? document.trails[document.elements.geometry[row]].nodeCount - 1 : 1;
-    return record < *found + tracks ? ElementId{row} : ElementId{};
-}
-
 std::optional<Point> locationOf(const FeatureFile& file, std::size_t record) {
     const Feature& feature = file.features[record];
     if (feature.kind == FeatureKind::Bad) {
@@ -50,7 +30,7 @@ std::optional<Point> locationOf(const FeatureFile& file, std::size_t record) {
         return feature.a;
     }
     const Box& box = file.surfaces.shapes[feature.index].box;
-    return box.isEmpty() ? std::nullopt : std::optional(middleOf(box));
+    return box.isEmpty() ? std::nullopt : std::optional(box.middle());
 }
 
 std::optional<Point> locationOf(const std::vector<PlacedComponent>& components, std::uint32_t line) {
@@ -72,8 +52,8 @@ void locateMessages(DocumentBuilder& builder, const LayerTable& layers, const St
             } else if (layer.features.isPresent() && message.file == layer.features.path) {
                 const std::size_t record = recordAt(file, message.line);
                 if (record < file.features.size()) {
-                    const ElementId element =
-                        elementOf(builder.soFar(), builder.layer(layers.id(row)).elements, record);
+                    const std::vector<ElementId> made = elementsOf(builder.soFar(), layers.id(row), record);
+                    const ElementId element = made.empty() ? ElementId{} : made.front();
                     messages.locate(i, element, element.isValid() ? std::nullopt : locationOf(file, record));
                 }
             }
@@ -90,7 +70,7 @@ Diagnostics messagesOfCopies(const Document& step, const Document& board) {
         const Diagnostic& message = messages.entries()[i];
         std::optional<Point> location = message.location;
         if (message.element.isValid()) {
-            location = middleOf(step.boxOf(message.element));
+            location = step.boxOf(message.element).middle();
         }
         const bool isPlaced = location && first != tree.copies.end();
         messages.locate(i, {}, isPlaced ? std::optional(first->placement.apply(*location)) : std::nullopt);

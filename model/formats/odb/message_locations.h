@@ -7,8 +7,8 @@
 namespace model::odb {
 
 /// Finds what on the board the messages about lines of a step's files speak of, once the step's elements are built: the
-/// element that came out of the record (of several the first), or else the place the record names. Messages about
-/// records that name no place, or lines that are no record, stay without.
+/// element that came out of the record (of several the first), or else the location the record names. Messages about
+/// records that name no location, or lines that are no record, stay without.
 void locateMessages(DocumentBuilder& builder, const LayerTable& layers, const StepData& step);
 
 /// The messages of a step that is placed as copies, as they read on the board: its elements are not the board's, so

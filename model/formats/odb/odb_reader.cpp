@@ -1,13 +1,12 @@
 #include "model/formats/odb/odb_reader.h"
 
-#include <array>
-#include <fstream>
 #include <optional>
 
-#include "model/base/stopwatch.h"
+#include "model/formats/common/archive.h"
 #include "model/formats/odb/job_builder.h"
 #include "model/formats/odb/job_info.h"
 #include "model/formats/odb/stackup/layer_facts.h"
+#include "model/formats/odb/text/job_tree.h"
 #include "model/formats/odb/text/records.h"
 
 namespace model::odb {
@@ -22,12 +21,12 @@ base::Error cancelled() {
     return {base::ErrorCode::Cancelled, "cancelled"};
 }
 
-MiscInfo readInfo(const JobTree& tree, Diagnostics& diagnostics) {
+MiscInfo readInfo(const formats::FileTree& tree, Diagnostics& diagnostics) {
     const auto file = tree.read("misc/info", diagnostics);
     return file ? parseInfo(file->text(), file->path, diagnostics) : MiscInfo{};
 }
 
-bool hasOwnFeatures(const JobTree& tree, const Matrix& matrix, const std::string& step) {
+bool hasOwnFeatures(const formats::FileTree& tree, const Matrix& matrix, const std::string& step) {
     for (const MatrixLayer& layer : matrix.layers) {
         if (tree.storedSize("steps/" + step + "/layers/" + layer.name + "/features") > 0) {
             return true;
@@ -37,7 +36,7 @@ bool hasOwnFeatures(const JobTree& tree, const Matrix& matrix, const std::string
 }
 
 /// The steps of the matrix that exist, or those that exist where the matrix names none.
-std::vector<std::string> stepsOf(const JobTree& tree, const Matrix& matrix, Diagnostics& diagnostics) {
+std::vector<std::string> stepsOf(const formats::FileTree& tree, const Matrix& matrix, Diagnostics& diagnostics) {
     std::vector<std::string> steps;
     for (const std::string& step : matrix.steps) {
         if (tree.hasFolder("steps/" + step)) {
@@ -50,8 +49,8 @@ std::vector<std::string> stepsOf(const JobTree& tree, const Matrix& matrix, Diag
     return steps.empty() ? tree.foldersIn("steps") : steps;
 }
 
-base::Result<std::string> chooseStep(const JobTree& tree, const Matrix& matrix, const std::vector<std::string>& steps,
-                                     const std::string& wanted) {
+base::Result<std::string> chooseStep(const formats::FileTree& tree, const Matrix& matrix,
+                                     const std::vector<std::string>& steps, const std::string& wanted) {
     std::string list;
     for (const std::string& step : steps) {
         if (!wanted.empty() && equalsIgnoringCase(step, wanted)) {
@@ -95,7 +94,7 @@ std::string stem(const std::filesystem::path& path) {
     return name;
 }
 
-void describe(JobInfo& job, const MiscInfo& info, const JobTree& tree, const Steps& steps,
+void describe(JobInfo& job, const MiscInfo& info, const formats::FileTree& tree, const Steps& steps,
               const std::filesystem::path& path) {
     const std::string folder = tree.name();
     job.name = !info.jobName.empty() ? info.jobName : !folder.empty() && folder != "odb" ? folder : stem(path);
@@ -105,27 +104,33 @@ void describe(JobInfo& job, const MiscInfo& info, const JobTree& tree, const Ste
     job.step = steps[0].name;
 }
 
-/// `parsing` runs since the reading began, unpacking included.
-base::Result<std::shared_ptr<const Document>> readArchive(const Archive& archive, const std::filesystem::path& path,
-                                                          const ReadOptions& options, const Diagnostics& unpacking,
-                                                          base::Progress& progress, const base::Stopwatch& parsing) {
+}  // namespace
+
+bool holdsJob(const formats::Archive& archive) {
+    return findJob(archive).ok();
+}
+
+base::Result<std::shared_ptr<const Document>> readJob(const formats::Archive& archive,
+                                                      const std::filesystem::path& name,
+                                                      const formats::ReadOptions& options, const Diagnostics& unpacking,
+                                                      base::Progress& progress, const base::Stopwatch& reading) {
     DocumentBuilder builder;
     Diagnostics& diagnostics = builder.diagnostics();
     diagnostics.append(unpacking);
-    const base::Result<JobTree> tree = JobTree::findIn(archive);
+    const base::Result<formats::FileTree> tree = findJob(archive);
     if (!tree) {
-        return inJob(path, tree.error().text);
+        return inJob(name, tree.error().text);
     }
     const MiscInfo info = readInfo(*tree, diagnostics);
     const auto matrixFile = tree->read("matrix/matrix", diagnostics);
     if (!matrixFile) {
-        return inJob(path, "matrix/matrix cannot be read");
+        return inJob(name, "matrix/matrix cannot be read");
     }
     const Matrix matrix = parseMatrix(matrixFile->text(), matrixFile->path, diagnostics);
     builder.job().steps = stepsOf(*tree, matrix, diagnostics);
     const base::Result<std::string> step = chooseStep(*tree, matrix, builder.job().steps, options.step);
     if (!step) {
-        return base::Error{step.error().code, path.string() + ": " + step.error().text};
+        return base::Error{step.error().code, name.string() + ": " + step.error().text};
     }
 
     progress.beginPhase("Reading layers");
@@ -135,8 +140,8 @@ base::Result<std::shared_ptr<const Document>> readArchive(const Archive& archive
     if (!readSteps(job, steps, progress)) {
         return cancelled();
     }
-    describe(builder.job(), info, *tree, steps, path);
-    builder.times().parseMs = parsing.milliseconds();
+    describe(builder.job(), info, *tree, steps, name);
+    builder.times().parseMs = reading.milliseconds();
 
     const base::Stopwatch creating;
     progress.beginPhase("Building the board");
@@ -146,39 +151,6 @@ base::Result<std::shared_ptr<const Document>> readArchive(const Archive& archive
     }
     builder.times().createMs = creating.milliseconds();
     return builder.finish();
-}
-
-}  // namespace
-
-bool looksLikeJob(const std::filesystem::path& path) {
-    std::error_code error;
-    if (std::filesystem::is_directory(path, error)) {
-        return true;
-    }
-    if (stem(path) != path.filename().string()) {
-        return true;
-    }
-    std::array<char, 512> head{};
-    std::ifstream file(path, std::ios::binary);
-    file.read(head.data(), head.size());
-    const std::string_view bytes(head.data(), static_cast<std::size_t>(file.gcount()));
-    const bool isTar = bytes.size() == head.size() && bytes.substr(257, 5) == "ustar";
-    return isTar || bytes.starts_with("\x1f\x8b") || bytes.starts_with("\x1f\x9d") || bytes.starts_with("PK\x03\x04");
-}
-
-base::Result<std::shared_ptr<const Document>> readJob(const std::filesystem::path& path, const ReadOptions& options,
-                                                      base::Progress& progress) {
-    const base::Stopwatch parsing;
-    Diagnostics diagnostics;
-    progress.beginPhase("Unpacking the job");
-    const base::Result<Archive> archive = Archive::open(path, {}, progress, diagnostics);
-    return archive ? readArchive(*archive, path, options, diagnostics, progress, parsing) : archive.error();
-}
-
-base::Result<std::shared_ptr<const Document>> readJob(const Archive& archive, const std::filesystem::path& name,
-                                                      const ReadOptions& options, const Diagnostics& diagnostics,
-                                                      base::Progress& progress) {
-    return readArchive(archive, name, options, diagnostics, progress, {});
 }
 
 }  // namespace model::odb

@@ -59,7 +59,7 @@ public:
                 add(component, side, isMirrored, file.path);
             }
         }
-        tieToeprints();
+        tiePinPads();
     }
 
 private:
@@ -153,11 +153,11 @@ private:
         return pin;
     }
 
-    void tieToeprints() {
+    void tiePinPads() {
         const std::vector<EdaSubnet>& subnets = m_step.eda.value.subnets;
         for (std::size_t row = 0; row < subnets.size(); ++row) {
             const SubnetId id = m_nets.subnets()[row];
-            if (subnets[row].kind == SubnetKind::Toeprint && id.isValid()) {
+            if (subnets[row].kind == SubnetKind::PinPads && id.isValid()) {
                 m_builder.subnet(id).pin = pinOf(subnets[row]);
             }
         }
@@ -187,28 +187,24 @@ private:
     std::array<std::size_t, 2> m_first{};             ///< first component of the top and of the bottom
 };
 
-/// Appends the elements made from a feature. Elements of a layer are in the order of their features; only a trail holds
-/// several of them, one per stroke.
-void addElementsOf(const Document& document, LayerId layer, std::uint32_t feature, std::vector<ElementId>& into) {
+}  // namespace
+
+std::vector<ElementId> elementsOf(const Document& document, LayerId layer, std::size_t feature) {
     const Range range = document.layer(layer).elements;
     const auto features = std::span(document.elements.firstFeature).subspan(range.first, range.count);
+    std::vector<ElementId> elements;
     const auto next = std::ranges::upper_bound(features, feature);
-    for (auto row = next; row != features.begin() && *--row <= feature;) {
+    for (auto row = next; row != features.begin() && (--row == next - 1 || *row == feature);) {
         const ElementId id{range.first + static_cast<std::size_t>(row - features.begin())};
         const bool isTrail = document.elements.kind[id.row()] == ElementKind::Trail;
-        const std::uint32_t tracks =
-            isTrail ? document.trails[document.elements.geometry[id.row()]].nodeCount - 1 : std::uint32_t{1};
+        const std::size_t tracks = isTrail ? document.trails[document.elements.geometry[id.row()]].nodeCount - 1 : 1;
         if (feature >= *row + tracks) {
             break;
         }
-        into.push_back(id);
-        if (*row < feature) {
-            break;
-        }
+        elements.insert(elements.begin(), id);
     }
+    return elements;
 }
-
-}  // namespace
 
 void addParts(DocumentBuilder& builder, const Matrix& matrix, const LayerTable& layers, const StepData& step,
               const NetLinks& nets) {
@@ -243,7 +239,8 @@ void addGroups(DocumentBuilder& builder, const Matrix& matrix, const LayerTable&
                                              "FID: a group names a feature that is not there");
                 continue;
             }
-            addElementsOf(builder.soFar(), layers.id(row), eda.features[i].feature, elements);
+            const auto made = elementsOf(builder.soFar(), layers.id(row), eda.features[i].feature);
+            elements.insert(elements.end(), made.begin(), made.end());
         }
         std::ranges::sort(elements);
         elements.erase(std::unique(elements.begin(), elements.end()), elements.end());

@@ -1,18 +1,18 @@
 #pragma once
 
 #include "model/board/document_builder.h"
+#include "model/formats/odb/elements/net_links.h"
 #include "model/formats/odb/layer_table.h"
-#include "model/formats/odb/painting/net_links.h"
 #include "model/solids/bodies.h"
 
 namespace model::odb {
 
-/// Brings packages, components and pins of a step into its document, and ties toeprint subnets to their pins.
+/// Brings packages, components and pins of a step into its document, and ties the pads of pins to them.
 ///
 /// Where package coordinates land is decided by the pins: the records of a job say where each pin lies on the board,
 /// and the mirror flag is not reliable (odb-notes, Nets and parts). Per side, the placement with or without mirror that
 /// puts more pins within 1 µm of their record holds for all components of that side. Components whose pins fit neither
-/// way are reported; their pins lie where the records say.
+/// are reported; their pins lie where the records say.
 void addParts(DocumentBuilder& builder, const Matrix& matrix, const LayerTable& layers, const StepData& step,
               const NetLinks& nets);
 
@@ -22,5 +22,9 @@ void addParts(DocumentBuilder& builder, const Matrix& matrix, const LayerTable& 
 
 /// Brings groups of features (FGR records) into the document, once all its elements are there.
 void addGroups(DocumentBuilder& builder, const Matrix& matrix, const LayerTable& layers, const StepData& step);
+
+/// The elements made from a feature, rising. Elements of a layer are in the order of their features; only a trail comes
+/// from several, one per track.
+[[nodiscard]] std::vector<ElementId> elementsOf(const Document& document, LayerId layer, std::size_t feature);
 
 }  // namespace model::odb

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <map>
 
-#include "model/formats/common/region.h"
-#include "model/formats/odb/profile.h"
+#include "model/formats/common/zone_outlines.h"
+#include "model/formats/odb/features/features.h"
 #include "model/formats/odb/text/records.h"
-#include "model/geometry/boolean.h"
+#include "model/geometry/region.h"
 
 namespace model::odb {
 
@@ -23,7 +23,7 @@ std::size_t rowOfName(const Matrix& matrix, std::string_view name) {
     return static_cast<std::size_t>(found - matrix.layers.begin());
 }
 
-/// How many of the numbers are layers of the stack when `shift` is added to them.
+/// How many of the numbers are layers of the stackup when `shift` is added to them.
 std::size_t stackupLayers(const ZoneFile& file, const Matrix& matrix, std::int64_t shift) {
     std::size_t count = 0;
     for (const ZoneRecord& zone : file.zones) {
@@ -66,7 +66,8 @@ public:
           m_layers(layers),
           m_step(step),
           m_file(step.zones.value),
-          m_zones(rowsOfZones(m_file, matrix)) {}
+          m_zones(rowsOfZones(m_file, matrix)),
+          m_outlines(builder) {}
 
     void run() {
         addZones();
@@ -91,11 +92,10 @@ private:
             }
             std::ranges::sort(zone.layers);
             if (from.outline.isValid()) {
-                zone.shape = m_builder.addShape(sketchOf(m_file.outlines, from.outline.value, {}));
+                zone.shape = m_builder.addShape(sketchOf(m_file.outlines, from.outline));
             } else {
                 report(Severity::Warning, from.line, "a zone without an outline bounds no layers");
             }
-            m_shapes.push_back(zone.shape);
             m_builder.addZone(std::move(zone));
         }
         for (const std::uint32_t line : m_zones.unknown) {
@@ -118,32 +118,7 @@ private:
                                            "the layer's profile holds no outline; the board's is used");
             return {};
         }
-        const std::string key = isPhysical(m_matrix.layers[row]) ? zonesWith(m_file, m_zones, row) : "";
-        return key.empty() ? ShapeId{} : unionOf(key, row);
-    }
-
-    /// Of the zones that have the layer; zones that share an edge become one region.
-    ShapeId unionOf(const std::string& key, std::size_t row) {
-        const auto [location, isNew] = m_unions.try_emplace(key);
-        if (isNew) {
-            std::vector<ShapeId> shapes;
-            for (std::size_t i = 0; i < m_shapes.size(); ++i) {
-                if (m_shapes[i].isValid() && std::ranges::binary_search(m_zones.rows[i], row)) {
-                    shapes.push_back(m_shapes[i]);
-                }
-            }
-            location->second = shapes.size() == 1 ? shapes.front() : united(shapes);
-        }
-        return location->second;
-    }
-
-    ShapeId united(const std::vector<ShapeId>& shapes) {
-        PolygonSet all;
-        for (const ShapeId shape : shapes) {
-            all.append(discretise(m_builder.shapes(), shape, kBooleanChords));
-        }
-        const ShapeSketch sketch = sketchOf(unite(all));
-        return sketch.isEmpty() ? ShapeId{} : m_builder.addShape(sketch);
+        return isPhysical(m_matrix.layers[row]) ? m_outlines.of(m_layers.id(row)) : ShapeId{};
     }
 
     /// Copper and dielectrics that no zone has.
@@ -170,8 +145,7 @@ private:
     const StepData& m_step;
     const ZoneFile& m_file;
     ZoneRows m_zones;
-    std::vector<ShapeId> m_shapes;            ///< by zone
-    std::map<std::string, ShapeId> m_unions;  ///< by the zones that are united
+    formats::ZoneOutlines m_outlines;
 };
 
 }  // namespace

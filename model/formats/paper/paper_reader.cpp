@@ -9,6 +9,7 @@
 #include "model/base/stopwatch.h"
 #include "model/board/document_builder.h"
 #include "model/formats/paper/lexer.h"
+#include "model/geometry/outlines.h"
 
 namespace model::paper {
 
@@ -212,7 +213,7 @@ double lowerFaceMil(const Group& group) {
     return group.type == "Bottom" ? group.baseMil - group.thicknessMil : group.baseMil;
 }
 
-/// "Plane" is the laminate between the copper layers, "MultiLayer" what runs through the whole board (pads and
+/// "Plane" is the substrate between the copper layers, "MultiLayer" what runs through the whole board (pads and
 /// barrels).
 LayerType typeOf(const Group& group) {
     return group.type == "Plane" ? LayerType::Dielectric : LayerType::Signal;
@@ -232,13 +233,12 @@ class Builder {
 public:
     Builder(DocumentBuilder& out, const std::string& file) : m_out(out), m_file(file) {}
 
-    void addGroup(const Group& group, double lowestMil, int row) {
+    void addGroup(const Group& group, double lowestMil) {
         Layer layer;
         layer.name = group.type + (m_typesSeen[group.type]++ > 0 ? " " + std::to_string(m_typesSeen[group.type]) : "");
         layer.file = m_file;
         layer.type = typeOf(group);
         layer.side = sideOf(group);
-        layer.row = row;
         layer.z = milToNm(lowerFaceMil(group) - lowestMil);
         layer.thickness = milToNm(group.thicknessMil);
         layer.thicknessSource = Source::Job;
@@ -263,11 +263,11 @@ private:
             m_out.addArc({{start, trail.nodes[0].point, EdgeKind::ArcCounterClockwise}, start, trail.widths[0]},
                          origin);
         } else {
-            addStrokes(trail, origin);
+            addTracks(trail, origin);
         }
     }
 
-    void addStrokes(const Trail& trail, const DocumentBuilder::Origin& origin) {
+    void addTracks(const Trail& trail, const DocumentBuilder::Origin& origin) {
         if (trail.edgeCount() > 1) {
             m_out.addTrail(trail.nodes, trail.widths, origin);
         } else if (trail.nodes[0].edge == EdgeKind::Line) {
@@ -281,7 +281,7 @@ private:
         const std::vector<Trail>& contours = record.contours;
         if (contours.size() == 2 && contours[0].radius && contours[1].radius &&
             contours[0].nodes[0] == contours[1].nodes[0]) {
-            // r_outer <= r_inner is a bare wall in the paper's code.
+            // r_outer <= r_inner is a wall without thickness in the paper's code.
             const Nm inner = std::min(*contours[0].radius, *contours[1].radius);
             m_out.addCircle({contours[0].nodes[0].point, 2 * *contours[0].radius, 2 * inner}, origin);
             return;
@@ -334,8 +334,7 @@ void assumeOutline(DocumentBuilder& out, const std::string& file) {
         return;
     }
     ShapeSketch sketch;
-    const Point corners[] = {extent.min, {extent.max.x, extent.min.y}, extent.max, {extent.min.x, extent.max.y}};
-    sketch.addPolygon(corners, false);
+    addBox(sketch, extent);
     out.setProfile(out.addShape(sketch));
     out.diagnostics().report(Severity::Info, file, 0,
                              "the format has no board outline: the box around all elements is used");
@@ -373,8 +372,8 @@ base::Result<std::shared_ptr<const Document>> readModel(std::string_view text, c
         highest = std::max(highest, lowerFaceMil(group) + group.thicknessMil);
     }
     Builder builder(out, file);
-    for (std::size_t i = 0; i < groups.size(); ++i) {
-        builder.addGroup(groups[i], lowest, static_cast<int>(i) + 1);
+    for (const Group& group : groups) {
+        builder.addGroup(group, lowest);
     }
     assumeOutline(out, file);
     out.setBoardThickness(milToNm(highest - lowest));

@@ -43,7 +43,7 @@ struct Board {
     }
 
     std::shared_ptr<const Document> finish() {
-        model::cutPlating(builder);
+        model::formats::cutPlating(builder);
         return builder.finish();
     }
 

@@ -30,7 +30,7 @@ struct Board {
         u3 = builder.addComponent(part, std::vector<Pin>{{builder.string("1"), {20 * kMm, 0}, a, {}}});
         Subnet named;
         named.net = a;
-        named.kind = SubnetKind::Toeprint;
+        named.kind = SubnetKind::PinPads;
         named.pin = PinId{std::size_t{2}};
         const SubnetId toeprint = builder.addSubnet(named);
         builder.beginLayer(builder.addLayer({}));

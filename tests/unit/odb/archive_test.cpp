@@ -6,9 +6,9 @@
 
 using namespace odb_testing;
 using model::Diagnostics;
-using model::odb::Archive;
-using model::odb::ArchiveLimits;
-using model::odb::Bytes;
+using model::formats::Archive;
+using model::formats::ArchiveLimits;
+using model::formats::Bytes;
 
 namespace {
 
@@ -58,7 +58,6 @@ private slots:
         const fs::path path = folder.path() / "board.archive";
         writeArchive(path, static_cast<Container>(container), static_cast<Packing>(packing),
                      membersOf(dataJob("everything"), prefix.toStdString(), mode));
-        QVERIFY(model::odb::looksLikeJob(path) || container == static_cast<int>(Container::V7Tar));
         QVERIFY(fingerprint(*read(path)) == fingerprint(*read(dataJob("everything"))));
     }
 
@@ -118,12 +117,13 @@ private slots:
             return result.ok() ? std::string() : result.error().text;
         };
         QVERIFY(textOf(folder.path() / "absent.tgz").find("no such file") != std::string::npos);
-        QVERIFY(textOf(folder.write("empty.tgz", "")).find("is empty") != std::string::npos);
-        QVERIFY(textOf(folder.write("text.tgz", "this is no archive at all")).find("no archive") != std::string::npos);
-        QVERIFY(textOf(folder.write("folder/readme", "hello")).find("no archive") != std::string::npos);
-        QVERIFY(textOf(folder.path() / "folder").find("no ODB++ job") != std::string::npos);
+        QVERIFY(textOf(folder.write("empty.tgz", "")).find("an empty file") != std::string::npos);
+        QVERIFY(textOf(folder.write("text.tgz", "this is no archive at all")).find("a text file") != std::string::npos);
+        QVERIFY(textOf(folder.write("folder/readme", "hello")).find("a text file") != std::string::npos);
+        QVERIFY(textOf(folder.path() / "folder").find("a folder without an ODB++ matrix") != std::string::npos);
         writeArchive(folder.path() / "other.tgz", Container::Ustar, Packing::Gzip, {{"readme", "hello", 0644, {}}});
-        QVERIFY(textOf(folder.path() / "other.tgz").find("no ODB++ job") != std::string::npos);
+        QVERIFY(textOf(folder.path() / "other.tgz").find("a gzip archive without an ODB++ matrix") !=
+                std::string::npos);
         writeArchive(folder.path() / "none.tgz", Container::Ustar, Packing::Gzip, {});
         QVERIFY(!textOf(folder.path() / "none.tgz").empty());
     }
@@ -218,8 +218,8 @@ private slots:
         writeArchive(folder.path() / "packed", static_cast<Container>(container), static_cast<Packing>(packing),
                      {{"m", std::string(100'000, 'x'), 0644, {}}});
         const std::string packed = readFile(folder.path() / "packed");
-        QVERIFY(!model::odb::decodeMember(Bytes(packed), 99'999).ok());
-        QCOMPARE(model::odb::decodeMember(Bytes(packed), 100'000)->view().size(), std::size_t{100'000});
+        QVERIFY(!model::formats::decodeMember(Bytes(packed), 99'999).ok());
+        QCOMPARE(model::formats::decodeMember(Bytes(packed), 100'000)->view().size(), std::size_t{100'000});
     }
 
     void theShallowestJobOfAnArchiveIsTaken() {
@@ -231,7 +231,7 @@ private slots:
         folder.write("matrix/matrix", "no steps beside it");
         Diagnostics diagnostics;
         const auto archive = open(folder.path(), diagnostics);
-        const auto tree = model::odb::JobTree::findIn(*archive);
+        const auto tree = model::odb::findJob(*archive);
         QVERIFY(tree.ok());
         QCOMPARE(tree->name(), std::string("job"));
         QCOMPARE(tree->foldersIn("steps"), std::vector<std::string>{"a"});
@@ -242,7 +242,7 @@ private slots:
     void cancellingStopsTheReading() {
         base::Progress progress;
         progress.cancel();
-        const auto result = model::odb::readJob(dataJob("everything"), {}, progress);
+        const auto result = model::readBoard(dataJob("everything"), {}, progress);
         QVERIFY(!result.ok());
         QCOMPARE(result.error().code, base::ErrorCode::Cancelled);
     }

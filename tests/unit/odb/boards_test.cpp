@@ -17,7 +17,7 @@ using namespace odb_testing;
 using model::Document;
 using model::ElementId;
 using model::Layer;
-using model::odb::Archive;
+using model::formats::Archive;
 
 namespace {
 
@@ -29,7 +29,7 @@ std::map<std::string, std::string> textsOf(const fs::path& path) {
     std::map<std::string, std::string> texts;
     for (const auto& [name, row] : archive->rows()) {
         auto bytes = archive->bytes(row);
-        const auto text = model::odb::decodeMember(std::move(*bytes));
+        const auto text = model::formats::decodeMember(std::move(*bytes));
         texts[name.ends_with(".z") ? name.substr(0, name.size() - 2) : name] = text ? std::string(text->view()) : "";
     }
     return texts;
@@ -46,7 +46,7 @@ std::size_t linesStarting(const std::string& text, const std::string& start) {
 
 /// The text of the one file below the step's folder whose path ends like this; empty if there is none.
 std::string stepText(const std::map<std::string, std::string>& texts, const Document& d, const std::string& ending) {
-    const std::string full = "steps/" + model::odb::lowerCase(d.job.step) + "/" + ending;
+    const std::string full = "steps/" + model::formats::lowerCase(d.job.step) + "/" + ending;
     for (const auto& [name, text] : texts) {
         if (name == full || name.ends_with("/" + full)) {
             return text;
@@ -242,7 +242,7 @@ private slots:
         const auto d = read(path.toStdString());
         const auto named = std::ranges::count_if(d->netPoints, [](const auto& p) { return p.net.isValid(); });
         QVERIFY(d->netPoints.empty() || named > 0);
-        QVERIFY(findDiagnostic(d->diagnostics, "are not in eda/data") == nullptr);
+        QVERIFY(findDiagnostic(d->diagnostics, "are not on the board") == nullptr);
         QVERIFY(findDiagnostic(d->diagnostics, "with any origin") == nullptr);
     }
 
@@ -258,7 +258,7 @@ private:
         for (const Layer& layer : d.layers) {
             if (!layer.isSynthetic && !layer.file.empty()) {
                 const std::string text =
-                    stepText(texts, d, "layers/" + model::odb::lowerCase(layer.name) + "/features");
+                    stepText(texts, d, "layers/" + model::formats::lowerCase(layer.name) + "/features");
                 QCOMPARE(std::size_t{layer.featureCount}, featureRecords(text));
             }
         }

@@ -62,15 +62,15 @@ private slots:
         QCOMPARE(eda.subnets[0].kind, SubnetKind::Other);  // no SNT record above the feature
         QCOMPARE(eda.subnets[1].kind, SubnetKind::Trace);
         QCOMPARE(eda.subnets[1].featureCount, 2U);
-        QCOMPARE(eda.subnets[2].kind, SubnetKind::Toeprint);
+        QCOMPARE(eda.subnets[2].kind, SubnetKind::PinPads);
         QCOMPARE(eda.subnets[2].side, LayerSide::Bottom);
         QCOMPARE(eda.subnets[2].component, 3);
         QCOMPARE(eda.subnets[2].toeprint, 4);
         QCOMPARE(eda.subnets[2].featureCount, 0U);
         QCOMPARE(eda.subnets[3].kind, SubnetKind::Via);
         QCOMPARE(eda.subnets[4].kind, SubnetKind::Plane);
-        QCOMPARE(eda.subnets[4].planeFill, 'S');
-        QCOMPARE(eda.subnets[4].planeCutout, 'E');
+        QCOMPARE(eda.subnets[4].planeFill, model::PlaneFill::Solid);
+        QCOMPARE(eda.subnets[4].planeCutout, model::PlaneCutout::Exact);
         QCOMPARE(eda.subnets[4].planeCutoutSize, 500'000);
         QCOMPARE(eda.subnets[4].featureCount, 1U);
         QCOMPARE(eda.subnets[5].net, 2U);
@@ -151,7 +151,7 @@ private slots:
         QTest::addRow("pin nowhere") << "PIN 1 S 0 0 0 E S\n"
                                      << "outside of a package";
         QTest::addRow("pin unreadable") << "PKG a\nPIN 1 S x 0 0 E S\n"
-                                        << "place of a package's pin";
+                                        << "position of a package's pin";
         QTest::addRow("package unreadable") << "PKG a 1 x 0 1 1\n"
                                             << "size of a package";
         QTest::addRow("outline nowhere") << "RC 0 0 1 1\n"

@@ -106,7 +106,8 @@ private slots:
             const Result result = parse(head + record + tail.toStdString() + "\n");
             QCOMPARE(result.file.features.size(), std::size_t{1});
             QVERIFY(result.file.features[0].kind != FeatureKind::Bad);
-            QCOMPARE(int{result.file.features[0].drill}, drill);
+            QCOMPARE(static_cast<int>(result.file.features[0].plating) - 1,
+                     drill);  // the values are Plating's in their order
         }
     }
 
@@ -120,10 +121,10 @@ private slots:
         QVERIFY(text.isNegative && text.isMirrored);
         QCOMPARE(text.clockwiseDeg, 30.0);
         QCOMPARE(text.a, (Point{25'400'000, 50'800'000}));
-        QCOMPARE(result.file.texts[0].text, std::string("It's; 100"));
-        QCOMPARE(result.file.texts[0].xSize, 2'540'000);
-        QCOMPARE(result.file.texts[0].ySize, 5'080'000);
-        QCOMPARE(result.file.texts[0].widthFactor, 0.5);
+        QCOMPARE(result.file.texts[0].line.text, std::string("It's; 100"));
+        QCOMPARE(result.file.texts[0].line.xSize, 2'540'000);
+        QCOMPARE(result.file.texts[0].line.ySize, 5'080'000);
+        QCOMPARE(result.file.texts[0].line.widthFactor, 0.5);
         const auto& barcode = result.file.barcodes[0];
         QCOMPARE(result.file.features[1].clockwiseDeg, 180.0);
         QCOMPARE(barcode.code, std::string("UPC39"));

@@ -1,9 +1,9 @@
-#include "model/formats/odb/painting/holes.h"
+#include "model/board/holes.h"
 
 #include <QtTest>
 #include <algorithm>
 
-#include "model/board/holes.h"
+#include "model/formats/common/hole_rules.h"
 #include "model/formats/odb/features/tools.h"
 #include "odb_testing.h"
 #include "tests/places.h"
@@ -14,41 +14,36 @@ using model::HoleKind;
 using model::HoleSpan;
 using model::LayerType;
 using model::Nm;
-using model::odb::Feature;
-using model::odb::FeatureKind;
-using model::odb::Hole;
-using model::odb::HoleRules;
-using model::odb::MatrixLayer;
-using model::odb::PinLocations;
+using model::Plating;
+using model::formats::Hole;
+using model::formats::HoleRules;
+using model::formats::PinLocations;
 using odb_testing::findDiagnostic;
 
 namespace {
 
-DrillTool tool(const char* type, Nm finished, Nm drilled, const char* process = "") {
+constexpr Plating kNotSaid = Plating::NotSaid;
+constexpr Plating kPlated = Plating::Plated;
+constexpr Plating kNonPlated = Plating::NonPlated;
+constexpr Plating kVia = Plating::Via;
+
+DrillTool tool(Plating plating, Nm finished, Nm drilled, const char* process = "") {
     DrillTool made;
-    made.type = type;
+    made.plating = plating;
     made.process = process;
     made.finishedSize = finished;
     made.drillSize = drilled;
     return made;
 }
 
-Feature padAt(model::Point location, int drill = -1) {
-    Feature feature;
-    feature.kind = FeatureKind::Pad;
-    feature.a = location;
-    feature.drill = static_cast<std::int8_t>(drill);
-    return feature;
-}
-
 /// One hole of `size` at the origin.
-Hole holeOf(const std::vector<DrillTool>& tools, Nm size, int drill = -1, bool hasNet = false, bool hasPin = false,
-            const char* addType = "", LayerType type = LayerType::Drill) {
-    MatrixLayer layer;
+Hole holeOf(const std::vector<DrillTool>& tools, Nm size, Plating plating = kNotSaid, bool hasNet = false,
+            bool hasPin = false, model::LayerUse use = model::LayerUse::Plain, LayerType type = LayerType::Drill) {
+    model::Layer layer;
     layer.type = type;
-    layer.addType = addType;
+    layer.use = use;
     const PinLocations pins(hasPin ? std::vector<model::Point>{{0, 0}} : std::vector<model::Point>{});
-    return HoleRules(layer, tools, pins).hole(padAt({0, 0}, drill), size, hasNet);
+    return HoleRules(layer, tools, pins).hole({plating, model::Point{0, 0}, hasNet}, size);
 }
 
 HoleKind kindOf(const Hole& hole) {
@@ -75,69 +70,71 @@ private slots:
     // ---- rules ----
 
     void theAttributeSaysWhatAHoleIs() {
-        QCOMPARE(kindOf(holeOf({}, 500'000, 2)), HoleKind::Via);
-        QCOMPARE(kindOf(holeOf({}, 500'000, 1, true, true)), HoleKind::NonPlated);
-        QCOMPARE(kindOf(holeOf({}, 500'000, 0, true, true)), HoleKind::Component);
-        QCOMPARE(kindOf(holeOf({}, 500'000, 0, true, false)), HoleKind::Mounting);
-        QCOMPARE(kindOf(holeOf({}, 500'000, 2, true, true)), HoleKind::Via);  // a via in a pad
+        QCOMPARE(kindOf(holeOf({}, 500'000, kVia)), HoleKind::Via);
+        QCOMPARE(kindOf(holeOf({}, 500'000, kNonPlated, true, true)), HoleKind::NonPlated);
+        QCOMPARE(kindOf(holeOf({}, 500'000, kPlated, true, true)), HoleKind::Component);
+        QCOMPARE(kindOf(holeOf({}, 500'000, kPlated, true, false)), HoleKind::Mounting);
+        QCOMPARE(kindOf(holeOf({}, 500'000, kVia, true, true)), HoleKind::Via);  // a via in a pad
     }
 
     void elseTheToolsOfThatSizeSay() {
-        const std::vector<DrillTool> tools = {tool("VIA", 300'000, 300'000), tool("PLATED", 900'000, 900'000),
-                                              tool("NON_PLATED", 3'000'000, 3'000'000)};
+        const std::vector<DrillTool> tools = {tool(kVia, 300'000, 300'000), tool(kPlated, 900'000, 900'000),
+                                              tool(kNonPlated, 3'000'000, 3'000'000)};
         QCOMPARE(kindOf(holeOf(tools, 300'900)), HoleKind::Via);
-        QCOMPARE(kindOf(holeOf(tools, 900'000, -1, true, true)), HoleKind::Component);
+        QCOMPARE(kindOf(holeOf(tools, 900'000, kNotSaid, true, true)), HoleKind::Component);
         QCOMPARE(kindOf(holeOf(tools, 900'000)), HoleKind::Mounting);
-        QCOMPARE(kindOf(holeOf(tools, 3'000'000, -1, true)), HoleKind::NonPlated);
+        QCOMPARE(kindOf(holeOf(tools, 3'000'000, kNotSaid, true)), HoleKind::NonPlated);
     }
 
     void whereNothingIsSaidNetsAndPinsTell() {
-        QCOMPARE(kindOf(holeOf({}, 300'000, -1, true, false)), HoleKind::Via);
-        QCOMPARE(kindOf(holeOf({}, 300'000, -1, true, true)), HoleKind::Component);
-        QCOMPARE(kindOf(holeOf({}, 300'000, -1, false, false)), HoleKind::Mounting);
+        QCOMPARE(kindOf(holeOf({}, 300'000, kNotSaid, true, false)), HoleKind::Via);
+        QCOMPARE(kindOf(holeOf({}, 300'000, kNotSaid, true, true)), HoleKind::Component);
+        QCOMPARE(kindOf(holeOf({}, 300'000, kNotSaid, false, false)), HoleKind::Mounting);
         QVERIFY(holeOf({}, 300'000).isPlatingAssumed);
-        QCOMPARE(kindOf(holeOf({}, 300'000, -1, true, true, "", LayerType::Rout)), HoleKind::NonPlated);
+        QCOMPARE(kindOf(holeOf({}, 300'000, kNotSaid, true, true, model::LayerUse::Plain, LayerType::Rout)),
+                 HoleKind::NonPlated);
         // Two tools of one size: the pin decides.
-        const std::vector<DrillTool> both = {tool("VIA", 300'000, 0), tool("PLATED", 300'000, 0)};
-        QCOMPARE(kindOf(holeOf(both, 300'000, -1, true, true)), HoleKind::Component);
-        QCOMPARE(kindOf(holeOf(both, 300'000, -1, false, false)), HoleKind::Via);
+        const std::vector<DrillTool> both = {tool(kVia, 300'000, 0), tool(kPlated, 300'000, 0)};
+        QCOMPARE(kindOf(holeOf(both, 300'000, kNotSaid, true, true)), HoleKind::Component);
+        QCOMPARE(kindOf(holeOf(both, 300'000, kNotSaid, false, false)), HoleKind::Via);
     }
 
     void attributeAndToolMayContradict() {
-        const Hole hole = holeOf({tool("NON_PLATED", 500'000, 0)}, 500'000, 0);
+        const Hole hole = holeOf({tool(kNonPlated, 500'000, 0)}, 500'000, kPlated);
         QVERIFY(hole.isContradicted);
-        QVERIFY((hole.flags & model::kPlated) != 0);
-        QVERIFY(!holeOf({tool("PLATED", 500'000, 0)}, 500'000, 0).isContradicted);
+        QVERIFY((hole.flags & model::ElementFlag::kPlated) != 0);
+        QVERIFY(!holeOf({tool(kPlated, 500'000, 0)}, 500'000, kPlated).isContradicted);
     }
 
-    void theWallLiesBetweenDrilledAndFinishedSize() {
-        const std::vector<DrillTool> tools = {tool("PLATED", 900'000, 1'000'000)};
+    void theBarrelLiesBetweenDrilledAndFinishedSize() {
+        const std::vector<DrillTool> tools = {tool(kPlated, 900'000, 1'000'000)};
         for (const Nm symbol : {900'000, 1'000'000}) {
             const Hole hole = holeOf(tools, symbol);
             QCOMPARE(hole.drilled, 1'000'000);
-            QCOMPARE(hole.open, 900'000);
-            QVERIFY(!hole.isWallAssumed);
+            QCOMPARE(hole.finished, 900'000);
+            QVERIFY(!hole.isBarrelAssumed);
         }
     }
 
-    void aWallThatIsNotStatedIsAssumed() {
-        for (const DrillTool& odd : {tool("PLATED", 0, 900'000), tool("PLATED", 900'000, 900'000),
-                                     tool("PLATED", 950'000, 900'000), tool("PLATED", 900'000, 0)}) {
+    void aBarrelThatIsNotStatedIsAssumed() {
+        for (const DrillTool& odd : {tool(kPlated, 0, 900'000), tool(kPlated, 900'000, 900'000),
+                                     tool(kPlated, 950'000, 900'000), tool(kPlated, 900'000, 0)}) {
             const Hole hole = holeOf({odd}, 900'000);
             QCOMPARE(hole.drilled, 900'000);
-            QCOMPARE(hole.open, 850'000);
-            QVERIFY(hole.isWallAssumed);
+            QCOMPARE(hole.finished, 850'000);
+            QVERIFY(hole.isBarrelAssumed);
         }
-        QCOMPARE(holeOf({}, 60'000).open, 30'000);  // two walls of 25 µm would all but fill it
-        const Hole bare = holeOf({}, 900'000, 1);
-        QCOMPARE(bare.open, 900'000);
-        QVERIFY(!bare.isWallAssumed);
+        QCOMPARE(holeOf({}, 60'000).finished, 30'000);  // two platings of 25 µm would all but fill it
+        const Hole unplated = holeOf({}, 900'000, kNonPlated);
+        QCOMPARE(unplated.finished, 900'000);
+        QVERIFY(!unplated.isBarrelAssumed);
     }
 
-    void backDrillsAreBare() {
-        const Hole hole = holeOf({tool("PLATED", 500'000, 600'000)}, 500'000, 0, true, false, "BACKDRILL");
+    void backDrillsAreNotPlated() {
+        const Hole hole =
+            holeOf({tool(kPlated, 500'000, 600'000)}, 500'000, kPlated, true, false, model::LayerUse::Backdrill);
         QCOMPARE(kindOf(hole), HoleKind::NonPlated);
-        QCOMPARE(hole.open, 500'000);
+        QCOMPARE(hole.finished, 500'000);
     }
 
     void pinsAreFoundWithinReach() {
@@ -181,13 +178,13 @@ private slots:
     }
 
     void aToolOfTheRightPlatingIsPreferred() {
-        const std::vector<DrillTool> tools = {tool("NON_PLATED", 500'000, 0), tool("PLATED", 400'000, 500'000),
-                                              tool("PLATED", 500'000, 600'000)};
+        const std::vector<DrillTool> tools = {tool(kNonPlated, 500'000, 0), tool(kPlated, 400'000, 500'000),
+                                              tool(kPlated, 500'000, 600'000)};
         QCOMPARE(model::findTool(tools, 500'000, true), &tools[2]);
         QCOMPARE(model::findTool(tools, 500'000, false), &tools[0]);
         QCOMPARE(model::findTool(tools, 400'500, true), &tools[1]);
         QVERIFY(model::findTool(tools, 700'000, true) == nullptr);
-        QVERIFY(!model::fits(tool("PLATED", 0, 0), 0));
+        QVERIFY(!model::fits(tool(kPlated, 0, 0), 0));
     }
 
     // ---- whole boards ----

@@ -178,7 +178,7 @@ private slots:
         QCOMPARE(mils[0].finishedSize, 254'000);
         QCOMPARE(mils[0].drillSize, 304'800);
         QCOMPARE(mils[1].finishedSize, 0);
-        QCOMPARE(mils[1].type, std::string("NON_PLATED"));
+        QCOMPARE(mils[1].plating, model::Plating::NonPlated);
         const auto um = model::odb::parseTools("UNITS=MM\nTOOLS {\nNUM=1\nFINISH_SIZE=300\n}\n", "tools", diagnostics);
         QCOMPARE(um[0].finishedSize, 300'000);
     }

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "model/figures/element_polygons.h"
-#include "model/formats/odb/odb_reader.h"
+#include "model/formats/registry.h"
 #include "model/geometry/discretise.h"
 #include "tests/places.h"
 
@@ -72,7 +72,7 @@ inline void writeSmallJob(const Folder& folder, const std::string& features) {
 inline base::Result<std::shared_ptr<const model::Document>> tryRead(const fs::path& path,
                                                                     const std::string& step = {}) {
     base::Progress progress;
-    return model::odb::readJob(path, {step}, progress);
+    return model::readBoard(path, {step}, progress);
 }
 
 /// Reads a job that must be readable.

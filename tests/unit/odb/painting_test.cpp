@@ -1,5 +1,5 @@
 // What painting leaves, and the way back from it to features and nets.
-#include "model/formats/odb/painting/painting.h"
+#include "model/formats/common/painting.h"
 
 #include "odb_testing.h"
 
@@ -7,9 +7,9 @@ using model::ElementId;
 using model::NetId;
 using model::Point;
 using model::PolygonSet;
-using model::odb::netsOf;
-using model::odb::NetVote;
-using model::odb::PieceNet;
+using model::formats::netsOf;
+using model::formats::NetVote;
+using model::formats::PieceNet;
 using namespace odb_testing;
 
 namespace {

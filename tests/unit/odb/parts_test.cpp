@@ -160,7 +160,7 @@ private slots:
         const model::ElementId pad = elementOf(*d, "top", 0);
         const model::SubnetId subnet = d->elements.subnet[pad.row()];
         QVERIFY(subnet.isValid());
-        QCOMPARE(d->subnets[subnet.row()].kind, model::SubnetKind::Toeprint);
+        QCOMPARE(d->subnets[subnet.row()].kind, model::SubnetKind::PinPads);
         QCOMPARE(d->subnets[subnet.row()].pin, model::PinId{0});
         QCOMPARE(d->subnets[subnet.row()].net, d->findNet("A"));
         QCOMPARE(d->subnets[d->elements.subnet[elementOf(*d, "top", 1).row()].row()].kind, model::SubnetKind::Via);
@@ -206,11 +206,12 @@ private slots:
         QCOMPARE(netlist.points[1].width, 250'000);
         QCOMPARE(netlist.points[1].height, 500'000);
         QVERIFY(!netlist.points[1].isEnd && netlist.points[1].side == LayerSide::Bottom);
-        QCOMPARE(netlist.points[1].exposure, 'c');
+        QCOMPARE(netlist.points[1].exposure, model::Exposure::Covered);
         QCOMPARE(netlist.points[2].side, LayerSide::Through);
-        QCOMPARE(netlist.points[2].exposure, 's');
+        QCOMPARE(netlist.points[2].exposure, model::Exposure::CoveredOnBottom);
         QCOMPARE(netlist.points[3].side, LayerSide::Inner);
-        QVERIFY(netlist.points[4].isVia && netlist.points[4].width == 0 && netlist.points[4].exposure == 'c');
+        QVERIFY(netlist.points[4].isVia && netlist.points[4].width == 0 &&
+                netlist.points[4].exposure == model::Exposure::Covered);
         QCOMPARE(diagnostics.entries().size(), std::size_t{3});
     }
 
@@ -234,7 +235,7 @@ private slots:
         QCOMPARE(d->netPoints.size(), std::size_t{4});
         QCOMPARE(d->text(d->netPoints[3].name), std::string("STRANGER"));
         QVERIFY(!d->netPoints[3].net.isValid());
-        QVERIFY(findDiagnostic(d->diagnostics, "not in eda/data: STRANGER") != nullptr);
+        QVERIFY(findDiagnostic(d->diagnostics, "not on the board: STRANGER") != nullptr);
         const model::Diagnostic* beside =
             findDiagnostic(d->diagnostics, "1 of 4 netlist points lie on no copper of their net");
         QVERIFY(beside != nullptr);
@@ -263,7 +264,7 @@ private slots:
                    "1 1 5 5 T e e\n1 1 9 20 T e e\n0 1 9 20 B e e\n1 1 50 50 B e e\n");
         const auto d = read(folder.path());
         const model::Diagnostic* noNet =
-            findDiagnostic(d->diagnostics, "1 of 8 netlist points lie on copper that eda/data");
+            findDiagnostic(d->diagnostics, "1 of 8 netlist points lie on copper without a net");
         QVERIFY(noNet != nullptr);
         QCOMPARE(noNet->line, 8U);
         const model::Diagnostic* nothing = findDiagnostic(d->diagnostics, "1 of 8 netlist points lie on no copper");

@@ -340,7 +340,7 @@ private slots:
                              word + "\n}\n");
             const auto d = read(folder.path());
             QCOMPARE(layerOf(*d, "top").use, use);
-            QCOMPARE(layerOf(*d, "top").addType, word);
+            QCOMPARE(layerOf(*d, "top").useName, word);
         }
     }
 
@@ -485,16 +485,6 @@ private slots:
             }
             folder.write(name, whole);
         }
-    }
-
-    void looksLikeJobIsCheapAndKind() {
-        Folder folder;
-        QVERIFY(model::odb::looksLikeJob(folder.path()));
-        QVERIFY(model::odb::looksLikeJob(folder.write("empty.tgz", "")));
-        QVERIFY(model::odb::looksLikeJob(folder.write("BOARD.TAR.GZ", "x")));
-        QVERIFY(model::odb::looksLikeJob(folder.write("noname", "PK\x03\x04")));
-        QVERIFY(!model::odb::looksLikeJob(folder.write("model.txt", "1 2 3\n")));
-        QVERIFY(!model::odb::looksLikeJob(folder.path() / "absent"));
     }
 };
 

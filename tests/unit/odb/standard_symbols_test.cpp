@@ -7,25 +7,25 @@
 #include <random>
 #include <vector>
 
-#include "model/formats/common/region.h"
+#include "model/geometry/region.h"
 #include "odb_testing.h"
 
 using model::Box;
 using model::Nm;
 using model::Point;
 using model::ShapeSketch;
+using model::formats::PadShape;
 using model::odb::standardSymbol;
 using model::odb::SymbolRef;
-using model::odb::SymbolShape;
 using model::odb::Unit;
 using odb_testing::covers;
-using Kind = model::odb::SymbolShape::Kind;
+using Kind = model::formats::PadShape::Kind;
 
 namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-SymbolShape shapeOf(const std::string& name, Unit unit = Unit::Millimetre, int resize = 0) {
+PadShape shapeOf(const std::string& name, Unit unit = Unit::Millimetre, int resize = 0) {
     const auto shape = standardSymbol({name, unit, resize});
     if (!shape) {
         qFatal("%s is no standard symbol", name.c_str());
@@ -43,7 +43,7 @@ Box boxOf(const ShapeSketch& sketch) {
 
 /// In mm².
 double areaOf(const ShapeSketch& sketch) {
-    return static_cast<double>(model::twiceArea(model::odb::polygonsOf(sketch))) / 2e12;
+    return static_cast<double>(model::twiceArea(model::polygonsOf(sketch))) / 2e12;
 }
 
 /// Of a point in nm from what a moire with these values (µm, rings and degrees as in its name) covers, in mm; negative
@@ -72,17 +72,17 @@ class StandardSymbolsTest : public QObject {
 
 private slots:
     void simpleShapesNeedNoRegion() {
-        const SymbolShape round = shapeOf("r100");
+        const PadShape round = shapeOf("r100");
         QCOMPARE(round.kind, Kind::Round);
         QCOMPARE(round.width, 100'000);
         QCOMPARE(shapeOf("r100", Unit::Inch).width, 2'540'000);
         QCOMPARE(shapeOf("r1300.0").width, 1'300'000);
         QCOMPARE(shapeOf("r0").kind, Kind::Round);
-        const SymbolShape ring = shapeOf("donut_r2000x1000.5");
+        const PadShape ring = shapeOf("donut_r2000x1000.5");
         QCOMPARE(ring.kind, Kind::Ring);
         QCOMPARE(ring.width, 2'000'000);
         QCOMPARE(ring.height, 1'000'500);
-        const SymbolShape oval = shapeOf("oval1200x400");
+        const PadShape oval = shapeOf("oval1200x400");
         QCOMPARE(oval.kind, Kind::Oval);
         QCOMPARE(oval.width, 1'200'000);
         QCOMPARE(oval.height, 400'000);
@@ -104,7 +104,7 @@ private slots:
 
     void sizesThatCannotBeDrawnDrawNothing() {
         for (const char* name : {"r-13.1234", "rect-1x5", "oval5x-1", "r18446744073709552.0", "r726249766681478.38"}) {
-            const SymbolShape shape = shapeOf(name);
+            const PadShape shape = shapeOf(name);
             QCOMPARE(shape.kind, Kind::Nothing);
             QVERIFY2(shape.problem.find("draws nothing") != std::string::npos, name);
         }
@@ -119,7 +119,7 @@ private slots:
     }
 
     void aRingWithoutRoomForItsHoleIsADisc() {
-        const SymbolShape shape = shapeOf("donut_r200.0x-25.0");
+        const PadShape shape = shapeOf("donut_r200.0x-25.0");
         QCOMPARE(shape.kind, Kind::Round);
         QCOMPARE(shape.width, 200'000);
         QVERIFY(!shape.problem.empty());
@@ -193,7 +193,7 @@ private slots:
         QFETCH(double, width);
         QFETCH(double, height);
         QFETCH(double, area);
-        const SymbolShape shape = shapeOf(name.toStdString());
+        const PadShape shape = shapeOf(name.toStdString());
         QCOMPARE(shape.kind, Kind::Region);
         const Box box = boxOf(shape.region);
         QVERIFY(std::abs(static_cast<double>(box.width()) / 1e6 - width) < 2e-6);
@@ -248,7 +248,7 @@ private slots:
 
     void thermalGapsAreWhereTheAngleSays() {
         // One gap at 90°: nothing is at the top, the ring is whole at the bottom.
-        const auto polygons = model::odb::polygonsOf(shapeOf("ths4000x2000x90x1x500").region);
+        const auto polygons = model::polygonsOf(shapeOf("ths4000x2000x90x1x500").region);
         int top = 0;
         int bottom = 0;
         for (const Point& point : polygons.points) {
@@ -308,25 +308,24 @@ private slots:
 
     void aSymbolWithoutOuterSizesGrowsByItsOutline() {
         // The arms grow by 50 µm to every side, so does the outermost ring.
-        const SymbolShape shape = shapeOf("moire100x200x3x50x2000x0", Unit::Millimetre, 100'000);
+        const PadShape shape = shapeOf("moire100x200x3x50x2000x0", Unit::Millimetre, 100'000);
         QVERIFY(std::abs(boxOf(shape.region).width() - 2'150'000) <= 4'000);
         QVERIFY(areaOf(shape.region) > areaOf(shapeOf("moire100x200x3x50x2000x0").region));
         // A ring's hole stays.
         model::ShapeSketch ring;
         ring.addPolygon(std::vector<Point>{{0, 0}, {4000, 0}, {4000, 4000}, {0, 4000}}, false);
         ring.addPolygon(std::vector<Point>{{1000, 1000}, {1000, 3000}, {3000, 3000}, {3000, 1000}}, true);
-        SymbolShape user;
+        PadShape user;
         user.kind = Kind::Region;
         user.region = ring;
         const ShapeSketch grown = model::odb::resized(user, 200).region;
         QCOMPARE(boxOf(grown), (Box{{-100, -100}, {4100, 4100}}));
-        QCOMPARE(static_cast<long long>(model::twiceArea(model::odb::polygonsOf(grown))),
-                 2LL * (4200 * 4200 - 2000 * 2000));
+        QCOMPARE(static_cast<long long>(model::twiceArea(model::polygonsOf(grown))), 2LL * (4200 * 4200 - 2000 * 2000));
         QCOMPARE(model::odb::resized(user, -3000).kind, Kind::Nothing);
     }
 
     void moireIsADotRingsAndACrossWithRoundEnds() {
-        const SymbolShape shape = shapeOf("moire100x200x2x50x2000x0");
+        const PadShape shape = shapeOf("moire100x200x2x50x2000x0");
         QCOMPARE(boxOf(shape.region).width(), 2'050'000);
         QCOMPARE(boxOf(shape.region).height(), 2'050'000);
         // Dot Ø 0.1; rings 0.5 to 0.7 and 1.1 to 1.3 in diameter; the cross adds its arms where nothing else is.
@@ -361,7 +360,7 @@ private slots:
         for (const double value : v) {
             name = name.arg(value);
         }
-        const model::PolygonSet region = model::odb::polygonsOf(shapeOf(name.toStdString()).region, {500.0, false});
+        const model::PolygonSet region = model::polygonsOf(shapeOf(name.toStdString()).region, {500.0, false});
         std::mt19937 random(5);
         int unsure = 0;
         for (int i = 0; i < 4000; ++i) {
@@ -381,7 +380,7 @@ private slots:
         QVERIFY(shapeOf("moire10x10x100x5x1000x0").problem.empty());
         for (const char* name : {"moire10x10x101x5x1000x0", "thr2000x1000x45x200x100", "s_ths2000x1000x45x-4x100",
                                  "dpack9000x9000x10x10x101x2"}) {
-            const SymbolShape shape = shapeOf(name);
+            const PadShape shape = shapeOf(name);
             QCOMPARE(shape.kind, Kind::Nothing);
             QVERIFY2(shape.problem.find("draws nothing") != std::string::npos, name);
         }

@@ -4,6 +4,7 @@
 
 #include "model/figures/element_polygons.h"
 #include "model/formats/odb/symbols/barcode.h"
+#include "model/formats/odb/symbols/font_library.h"
 #include "model/geometry/discretise.h"
 #include "odb_testing.h"
 
@@ -11,16 +12,16 @@ using model::Box;
 using model::Diagnostics;
 using model::ElementKind;
 using model::Point;
+using model::formats::Font;
+using model::formats::FontStroke;
+using model::formats::standInFont;
+using model::formats::TextLayout;
+using model::formats::TextLine;
 using model::odb::BarcodeLayout;
 using model::odb::BarcodeRecord;
 using model::odb::code39;
-using model::odb::Font;
-using model::odb::FontStroke;
 using model::odb::layOut;
 using model::odb::parseFont;
-using model::odb::standInFont;
-using model::odb::TextLayout;
-using model::odb::TextRecord;
 using namespace odb_testing;
 
 namespace {
@@ -36,12 +37,8 @@ Font fontOf(const std::string& text) {
     return parseFont(text, "fonts/standard", diagnostics);
 }
 
-TextRecord textOf(const std::string& text, model::Nm size = 3'020'000) {
-    TextRecord record;
-    record.text = text;
-    record.xSize = record.ySize = size;
-    record.widthFactor = 0.5;
-    return record;
+TextLine textOf(const std::string& text, model::Nm size = 3'020'000) {
+    return {text, size, size, 0.5};
 }
 
 /// Bars and spaces as letters: capitals are bars, w and W wide.

@@ -32,7 +32,7 @@ std::shared_ptr<const model::Document> drilledBoard() {
     DrillTool tool;
     tool.layer = drills;
     tool.number = 7;
-    tool.type = "VIA";
+    tool.plating = model::Plating::Via;
     tool.drillSize = 300'000;
     tool.finishedSize = 250'000;
     builder.addTool(tool);

@@ -56,7 +56,7 @@ public:
 private:
     void record(std::string_view line) {
         if (m_properties.record(line, m_isInComponent ? m_components.back().properties : m_nobodys) ||
-            m_attributes.record(line) || line.starts_with("ID=")) {
+            m_attributes.record(line) || readUnit(line, m_nm) || line.starts_with("ID=")) {
             return;
         }
         const std::string_view word = line.substr(0, line.find_first_of(" \t;="));
@@ -65,9 +65,6 @@ private:
             component(rest);
         } else if (word == "TOP") {
             pin(rest);
-        } else if (word == "UNITS" || word == "U") {
-            const auto unit = parseUnit(trimmed(rest.starts_with('=') ? rest.substr(1) : rest));
-            m_nm = unit ? coordinateNm(*unit) : m_nm;
         } else if (std::ranges::find(kBillOfMaterials, word) != std::end(kBillOfMaterials)) {
             report(Severity::Info, "the bill of materials is not read");
         } else {

@@ -40,8 +40,19 @@ PinKind pinKindOf(std::string_view letter) {
     return letter == "T" ? PinKind::Through : letter == "B" ? PinKind::Blind : PinKind::Surface;
 }
 
-char letterOf(std::string_view word) {
-    return word.empty() ? '\0' : word.front();
+PlaneFill fillOf(std::string_view word) {
+    return word == "S"   ? PlaneFill::Solid
+           : word == "H" ? PlaneFill::Hatched
+           : word == "O" ? PlaneFill::Outline
+                         : PlaneFill::NotSaid;
+}
+
+PlaneCutout cutoutOf(std::string_view word) {
+    return word == "C"   ? PlaneCutout::Circle
+           : word == "R" ? PlaneCutout::Rectangle
+           : word == "O" ? PlaneCutout::Octagon
+           : word == "E" ? PlaneCutout::Exact
+                         : PlaneCutout::NotSaid;
 }
 
 class EdaParser {
@@ -93,7 +104,7 @@ private:
         if (m_properties.record(line, propertiesHere())) {
             return m_part == Part::None ? warn("a property that belongs to nothing was left out") : void();
         }
-        if (m_attributes.record(line) || unit(line)) {
+        if (m_attributes.record(line) || readUnit(line, m_nm)) {
             return;
         }
         const std::string_view word = line.substr(0, line.find_first_of(" \t;"));
@@ -104,16 +115,6 @@ private:
         if (!m_outlines.record(line, m_line, m_nm, outlineHere()) && !line.starts_with("ID=")) {
             warn("a record of an unknown kind was left out");
         }
-    }
-
-    bool unit(std::string_view line) {
-        const bool isUnit = line.starts_with("UNITS") || line.starts_with("U ");
-        if (isUnit) {
-            const std::size_t equals = line.find('=');
-            const auto found = parseUnit(trimmed(line.substr(equals == std::string_view::npos ? 1 : equals + 1)));
-            m_nm = found ? coordinateNm(*found) : m_nm;
-        }
-        return isUnit;
     }
 
     std::vector<TextProperty>& propertiesHere() {
@@ -159,14 +160,14 @@ private:
         Fields fields(line);
         const std::string_view kind = fields.word();
         if (kind == "TOP") {
-            subnet.kind = SubnetKind::Toeprint;
+            subnet.kind = SubnetKind::PinPads;
             subnet.side = fields.word() == "B" ? LayerSide::Bottom : LayerSide::Top;
             subnet.component = fields.integer();
             subnet.toeprint = fields.integer();
         } else if (kind == "PLN") {
             subnet.kind = SubnetKind::Plane;
-            subnet.planeFill = letterOf(fields.word());
-            subnet.planeCutout = letterOf(fields.word());
+            subnet.planeFill = fillOf(fields.word());
+            subnet.planeCutout = cutoutOf(fields.word());
             subnet.planeCutoutSize = fields.atEnd() ? 0 : fields.length(m_nm);
         } else if (kind == "VIA" || kind == "TRC") {
             subnet.kind = kind == "VIA" ? SubnetKind::Via : SubnetKind::Trace;
@@ -248,7 +249,7 @@ private:
         pin.kind = pinKindOf(fields.optionalWord());
         pin.position = fields.point(m_nm);
         if (fields.failed()) {
-            warn("the place of a package's pin cannot be read");
+            warn("the position of a package's pin cannot be read");
             pin.position = {};
         }
         m_data.packages.back().pins.push_back(std::move(pin));

@@ -28,11 +28,11 @@ struct EdaNet {
 struct EdaSubnet {
     std::uint32_t net = 0;  ///< row of EdaData::nets
     SubnetKind kind = SubnetKind::Other;
-    LayerSide side = LayerSide::None;  ///< Toeprint: side of the component,
+    LayerSide side = LayerSide::None;  ///< PinPads: side of the component,
     std::int32_t component = -1;       ///< its number among the CMP records of that side,
     std::int32_t toeprint = -1;        ///< and the number of its TOP record
-    char planeFill = 0;                ///< Plane: S solid, H hatched, O outline
-    char planeCutout = 0;              ///< Plane: C circle, R rectangle, O octagon, E exact
+    PlaneFill planeFill = PlaneFill::NotSaid;
+    PlaneCutout planeCutout = PlaneCutout::NotSaid;
     Nm planeCutoutSize = 0;
     std::uint32_t firstFeature = 0;  ///< rows of EdaData::features
     std::uint32_t featureCount = 0;
@@ -78,7 +78,7 @@ struct EdaData {
 inline constexpr std::string_view kNoNet = "$NONE$";
 
 /// `layerNames` are those of the matrix: LYR separates names by blanks, and names may hold blanks themselves, so the
-/// longest known name wins. Records that are unknown, unreadable or out of place are reported.
+/// longest known name wins. Records that are unknown, unreadable or in the wrong part of the file are reported.
 [[nodiscard]] EdaData parseEda(std::string_view text, std::string_view path, Unit defaultUnit,
                                const std::vector<std::string>& layerNames, const AttributeTypes& types,
                                Diagnostics& diagnostics);

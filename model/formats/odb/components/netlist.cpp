@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "model/formats/odb/components/eda.h"
 #include "model/formats/odb/text/records.h"
 
 namespace model::odb {
@@ -15,9 +16,17 @@ LayerSide sideOf(std::string_view letter) {
                            : LayerSide::Inner;
 }
 
-std::optional<NetlistPoint> pointOf(std::string_view line, std::uint32_t number, std::int64_t nm) {
+Exposure exposureOf(std::string_view letter) {
+    return letter == "e"   ? Exposure::Exposed
+           : letter == "c" ? Exposure::Covered
+           : letter == "p" ? Exposure::CoveredOnTop
+           : letter == "s" ? Exposure::CoveredOnBottom
+                           : Exposure::NotSaid;
+}
+
+std::optional<formats::NetlistPoint> pointOf(std::string_view line, std::uint32_t number, std::int64_t nm) {
     Fields fields(line);
-    NetlistPoint point;
+    formats::NetlistPoint point;
     point.line = number;
     point.net = fields.integer();
     point.radius = fields.length(nm);
@@ -31,8 +40,7 @@ std::optional<NetlistPoint> pointOf(std::string_view line, std::uint32_t number,
         point.height = fields.length(nm);
     }
     point.isEnd = fields.word() != "m";
-    const std::string_view exposure = fields.optionalWord();
-    point.exposure = exposure.empty() ? '\0' : exposure.front();
+    point.exposure = exposureOf(fields.optionalWord());
     for (std::string_view word = fields.optionalWord(); !word.empty(); word = fields.optionalWord()) {
         point.isVia = point.isVia || word == "v";
     }
@@ -48,8 +56,10 @@ bool startsPoint(char c) {
 
 }  // namespace
 
-Netlist parseNetlist(std::string_view text, std::string_view path, Unit defaultUnit, Diagnostics& diagnostics) {
-    Netlist netlist;
+formats::Netlist parseNetlist(std::string_view text, std::string_view path, Unit defaultUnit,
+                              Diagnostics& diagnostics) {
+    formats::Netlist netlist;
+    netlist.noNet = kNoNet;
     std::int64_t nm = coordinateNm(defaultUnit);
     LineReader lines(text);
     while (lines.next()) {
@@ -67,13 +77,9 @@ Netlist parseNetlist(std::string_view text, std::string_view path, Unit defaultU
             netlist.names.resize(std::max(netlist.names.size(), static_cast<std::size_t>(number) + 1));
             netlist.names[static_cast<std::size_t>(number)] = toUtf8(trimmed(fields.rest()));
         } else if (startsPoint(line.front())) {
-            const std::optional<NetlistPoint> point = pointOf(line, lines.number(), nm);
+            const std::optional<formats::NetlistPoint> point = pointOf(line, lines.number(), nm);
             point ? netlist.points.push_back(*point) : warn("a netlist point that cannot be read was left out");
-        } else if (line.starts_with("UNITS") || line.starts_with("U ")) {
-            const std::size_t equals = line.find('=');
-            const auto unit = parseUnit(trimmed(line.substr(equals == std::string_view::npos ? 1 : equals + 1)));
-            nm = unit ? coordinateNm(*unit) : nm;
-        } else if (!line.starts_with("H ") && line != "H") {
+        } else if (!readUnit(line, nm) && !line.starts_with("H ") && line != "H") {
             warn("a record of an unknown kind was left out");
         }
     }

@@ -42,7 +42,7 @@ bool PackageOutlines::record(std::string_view line, std::uint32_t number, std::i
     return true;
 }
 
-/// Islands and their holes stand between CT and CE; a polygon outside of them stands alone.
+/// Islands and their holes lie between CT and CE; a polygon outside of them is an island of its own.
 void PackageOutlines::polygon(std::string_view kind, std::string_view line, std::uint32_t number,
                               std::int64_t nmPerUnit, ShapeSketch& into) {
     if (kind == "CT" || (kind == "OB" && !m_isInContour)) {

@@ -112,7 +112,7 @@ private:
 
     void takeAttributes(const Fields& fields, Feature& feature) {
         feature.attributes = m_attributes.set(fields.tail());
-        feature.drill = m_attributes.drill(feature.attributes);
+        feature.plating = m_attributes.plating(feature.attributes);
     }
 
     std::uint32_t symbolRow(Fields& fields) {
@@ -308,6 +308,16 @@ private:
 };
 
 }  // namespace
+
+std::optional<ShapeSketch> profileOf(const FeatureFile& file) {
+    ShapeSketch all;
+    for (const Feature& feature : file.features) {
+        if (feature.kind == FeatureKind::Surface) {
+            all.append(file.surfaces, ShapeId{std::size_t{feature.index}}, {});
+        }
+    }
+    return all.isEmpty() ? std::nullopt : std::optional(std::move(all));
+}
 
 FeatureFile parseFeatures(std::string_view text, std::string_view path, Unit defaultUnit, Diagnostics& diagnostics) {
     return FeatureParser(path, defaultUnit, diagnostics).parse(text);

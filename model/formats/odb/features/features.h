@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,13 +36,13 @@ struct SymbolRef {
 struct Feature {
     FeatureKind kind = FeatureKind::Bad;
     bool isNegative : 1 = false;
-    bool isClockwise : 1 = false;  ///< arcs
-    bool isMirrored : 1 = false;   ///< pads, texts, barcodes
-    std::int8_t drill = -1;        ///< value of attribute .drill: 0 plated, 1 not plated, 2 via; -1 absent
-    std::uint32_t index = 0;       ///< row of `symbols`; of `surfaces`, `texts`, `barcodes` for these
-    std::uint32_t line = 0;        ///< 1-based
+    bool isClockwise : 1 = false;        ///< arcs
+    bool isMirrored : 1 = false;         ///< pads, texts, barcodes
+    Plating plating = Plating::NotSaid;  ///< attribute .drill
+    std::uint32_t index = 0;             ///< row of `symbols`; of `surfaces`, `texts`, `barcodes` for these
+    std::uint32_t line = 0;              ///< 1-based
     std::uint32_t attributes = FeatureAttributes::kNone;  ///< row of FeatureAttributes::sets
-    Point a;                                              ///< start, or place of a pad, text or barcode
+    Point a;                                              ///< start, or location of a pad, text or barcode
     Point b;                                              ///< end of a line or arc
     Point centre;                                         ///< of an arc
     double clockwiseDeg = 0.0;                            ///< pads, texts, barcodes
@@ -59,6 +60,9 @@ struct FeatureFile {
     std::vector<BarcodeRecord> barcodes;
     bool hasNegatives = false;
 };
+
+/// The outline a `profile` file draws: all polygons of its surfaces. Nothing when it has none.
+[[nodiscard]] std::optional<ShapeSketch> profileOf(const FeatureFile& file);
 
 /// Reads every record; what cannot be read is reported with its line. `defaultUnit` holds for files without a unit line
 /// (odb-notes, Units).

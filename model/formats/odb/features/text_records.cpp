@@ -18,10 +18,10 @@ Orientation readOrientation(Fields& fields) {
 TextRecord readText(Fields& fields, std::int64_t nmPerUnit, std::string_view font) {
     TextRecord record;
     record.font = toUtf8(font);
-    record.xSize = fields.length(nmPerUnit);
-    record.ySize = fields.length(nmPerUnit);
-    record.widthFactor = fields.real();
-    record.text = toUtf8(fields.quoted());
+    record.line.xSize = fields.length(nmPerUnit);
+    record.line.ySize = fields.length(nmPerUnit);
+    record.line.widthFactor = fields.real();
+    record.line.text = toUtf8(fields.quoted());
     return record;
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 
+#include "model/formats/common/text_layout.h"
 #include "model/formats/odb/text/lengths.h"
 #include "model/formats/odb/text/records.h"
 #include "model/geometry/shapes.h"
@@ -17,15 +18,11 @@ struct Orientation {
 };
 [[nodiscard]] Orientation readOrientation(Fields& fields);
 
-/// `T x y font pol orient xsize ysize width 'text' version`, from the sizes on. One character takes `xSize`, its space
-/// included. The file gives the pen's width as a factor of 12 mil. The version says how old tools placed the text;
-/// both are placed alike.
+/// `T x y font pol orient xsize ysize width 'text' version`, from the sizes on. The file gives the pen's width as a
+/// factor of 12 mil. The version says how old tools placed the text; both are placed alike.
 struct TextRecord {
     std::string font;
-    std::string text;  ///< UTF-8
-    Nm xSize = 0;
-    Nm ySize = 0;
-    double widthFactor = 0.0;
+    formats::TextLine line;
 };
 
 /// `B x y code font pol orient E width height fasc cs bg astr astr_pos 'text'`.

@@ -14,10 +14,17 @@ base::Nm sizeOf(std::string_view text, Unit unit) {
     return size.value_or(0) > 0 ? *size : 0;
 }
 
+Plating platingOf(std::string_view type) {
+    return type == "PLATED"       ? Plating::Plated
+           : type == "NON_PLATED" ? Plating::NonPlated
+           : type == "VIA"        ? Plating::Via
+                                  : Plating::NotSaid;
+}
+
 DrillTool toolOf(const Block& block, Unit unit) {
     DrillTool tool;
     tool.number = parseInteger(block.value("NUM")).value_or(0);
-    tool.type = toUtf8(block.value("TYPE"));
+    tool.plating = platingOf(block.value("TYPE"));
     tool.process = toUtf8(block.value("TYPE2"));
     tool.bit = toUtf8(block.value("BIT"));
     tool.finishedSize = sizeOf(block.value("FINISH_SIZE"), unit);
@@ -28,13 +35,12 @@ DrillTool toolOf(const Block& block, Unit unit) {
 }
 
 void reportOdd(const DrillTool& tool, std::string_view path, std::uint32_t line, Diagnostics& diagnostics) {
-    const bool isPlated = tool.type == "PLATED" || tool.type == "VIA";
     if (tool.finishedSize == 0 && tool.drillSize == 0) {
         diagnostics.report(Severity::Info, path, line, "a tool without a size; no hole is matched to it");
-    } else if (isPlated && tool.drillSize > 0 && tool.finishedSize > tool.drillSize) {
+    } else if (isPlated(tool.plating) && tool.drillSize > 0 && tool.finishedSize > tool.drillSize) {
         diagnostics.report(Severity::Warning, path, line,
-                           "a plated tool whose finished size is larger than its drilled size; the wall is assumed");
-    } else if (!isPlated && tool.type != "NON_PLATED") {
+                           "a plated tool whose finished size is larger than its drilled size; its barrel is assumed");
+    } else if (tool.plating == Plating::NotSaid) {
         diagnostics.report(Severity::Info, path, line,
                            "a tool of unknown TYPE; it does not say whether holes are plated");
     }

@@ -68,7 +68,7 @@ LayerFacts factsOf(const AttributeList& attributes, const MatrixLayer& layer, st
     return facts;
 }
 
-std::optional<double> boardThicknessIn(const JobTree& tree, const std::string& path, Unit defaultUnit,
+std::optional<double> boardThicknessIn(const formats::FileTree& tree, const std::string& path, Unit defaultUnit,
                                        Diagnostics& diagnostics) {
     const auto file = tree.read(path, diagnostics);
     if (!file) {

@@ -18,8 +18,8 @@ namespace model::odb {
                                  Diagnostics& diagnostics);
 
 /// The .board_thickness of a file, in nm; nothing if there is no such file or it does not say.
-[[nodiscard]] std::optional<double> boardThicknessIn(const JobTree& tree, const std::string& path, Unit defaultUnit,
-                                                     Diagnostics& diagnostics);
+[[nodiscard]] std::optional<double> boardThicknessIn(const formats::FileTree& tree, const std::string& path,
+                                                     Unit defaultUnit, Diagnostics& diagnostics);
 
 /// What the matrix says about the material of a layer.
 void addMatrixFacts(const MatrixLayer& layer, Material& material);

@@ -40,6 +40,22 @@ std::string statedWord(std::string_view text) {
     return word == "NONE" ? "" : word;
 }
 
+LayerUse useOf(std::string_view name) {
+    static constexpr std::pair<std::string_view, LayerUse> kUses[] = {
+        {"SIGNAL_FLEX", LayerUse::Flex},    {"PG_FLEX", LayerUse::Flex},
+        {"MIXED_FLEX", LayerUse::Flex},     {"COVERLAY", LayerUse::Coverlay},
+        {"COVERCOAT", LayerUse::Coverlay},  {"PSA", LayerUse::Adhesive},
+        {"BACKDRILL", LayerUse::Backdrill}, {"DUAL_DIAMETER", LayerUse::DualDiameter}};
+    if (name.empty()) {
+        return LayerUse::Plain;
+    }
+    if (name.find("STIFFENER") != std::string_view::npos) {
+        return LayerUse::Stiffener;
+    }
+    const auto* const found = std::ranges::find(kUses, name, &std::pair<std::string_view, LayerUse>::first);
+    return found == std::end(kUses) ? LayerUse::Other : found->second;
+}
+
 MatrixLayer layerOf(const Block& block, std::string_view path, Diagnostics& diagnostics) {
     MatrixLayer layer;
     layer.line = block.line;
@@ -50,7 +66,8 @@ MatrixLayer layerOf(const Block& block, std::string_view path, Diagnostics& diag
     layer.isNegative = equalsIgnoringCase(block.value("POLARITY"), "NEGATIVE");
     layer.startName = toUtf8(block.value("START_NAME"));
     layer.endName = toUtf8(block.value("END_NAME"));
-    layer.addType = statedWord(block.value("ADD_TYPE"));
+    layer.useName = statedWord(block.value("ADD_TYPE"));
+    layer.use = useOf(layer.useName);
     layer.form = statedWord(block.value("FORM"));
     layer.dielectricType = statedWord(block.value("DIELECTRIC_TYPE"));
     layer.dielectricName = toUtf8(block.value("DIELECTRIC_NAME"));
@@ -66,13 +83,13 @@ MatrixLayer layerOf(const Block& block, std::string_view path, Diagnostics& diag
     return layer;
 }
 
-/// Films, glue and plates of rigid-flex boards lie anywhere in the stack.
+/// Films, glue and plates of rigid-flex boards lie anywhere in the stackup.
 bool mayLieInside(const MatrixLayer& layer) {
-    return layer.type == LayerType::Dielectric || layer.addType == "COVERLAY" || layer.addType == "COVERCOAT" ||
-           layer.addType == "PSA" || layer.addType.find("STIFFENER") != std::string::npos;
+    return layer.type == LayerType::Dielectric || layer.use == LayerUse::Coverlay || layer.use == LayerUse::Adhesive ||
+           layer.use == LayerUse::Stiffener;
 }
 
-/// Position in `order` behind which copper is out of place: the first surface layer (mask, paste, silk) that follows
+/// Position in `order` behind which no copper belongs: the first surface layer (mask, paste, silk) that follows
 /// copper.
 std::size_t bottomSide(const std::vector<MatrixLayer>& layers, const std::vector<std::size_t>& order) {
     bool isBelowCopper = false;

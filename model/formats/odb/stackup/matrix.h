@@ -17,7 +17,8 @@ struct MatrixLayer {
     bool isNegative = false;
     std::string startName;  ///< drill span, either end first; empty for "through all copper"
     std::string endName;
-    std::string addType;         ///< ADD_TYPE in capitals: "BACKDRILL", "SIGNAL_FLEX"; empty if there is none
+    LayerUse use = LayerUse::Plain;
+    std::string useName;         ///< ADD_TYPE in capitals: "BACKDRILL", "SIGNAL_FLEX"; empty if there is none
     std::string form;            ///< "RIGID" or "FLEX", if stated
     std::string dielectricType;  ///< "CORE" or "PREPREG", if stated
     std::string dielectricName;  ///< of the material
@@ -39,7 +40,7 @@ inline constexpr std::size_t kMaxLayers = 5'000;
 
 [[nodiscard]] Matrix parseMatrix(std::string_view text, std::string_view path, Diagnostics& diagnostics);
 
-/// Does the layer have a place in the stack: copper, dielectric, mask, paste or silk of the board?
+/// Is the layer a part of the stackup: copper, dielectric, mask, paste or silk of the board?
 [[nodiscard]] bool isPhysical(const MatrixLayer& layer);
 
 /// Rows of `layers` in the order a document holds them: first the layers that make up the board, from the top, then the

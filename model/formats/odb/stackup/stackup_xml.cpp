@@ -12,7 +12,7 @@ namespace model::odb {
 
 namespace {
 
-/// The file's name for a thing, whatever XML namespace it is written in.
+/// An element's name, whatever XML namespace it is written in.
 bool isNamed(const pugi::xml_node& node, std::string_view name) {
     const std::string_view full = node.name();
     const std::size_t colon = full.find(':');
@@ -147,7 +147,7 @@ private:
         return finished ? finished : length(node, "Thickness", unit);
     }
 
-    /// The property the layer asks for by set and frequency, else the first of the set.
+    /// The property the layer names by set and frequency, else the first of the set.
     static pugi::xml_node propertyOf(const pugi::xml_node& parent, const pugi::xml_node& wanted) {
         const std::string_view set = wanted.attribute("PropertyName").value();
         pugi::xml_node properties = parent.find_child([set](const pugi::xml_node& node) {

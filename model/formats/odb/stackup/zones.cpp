@@ -40,10 +40,7 @@ private:
             beginOutline();
         } else if (word == "SE") {
             endOutline();
-        } else if (word == "UNITS" || word == "U") {
-            const auto unit = parseUnit(trimmed(rest.starts_with('=') ? rest.substr(1) : rest));
-            m_nm = unit ? coordinateNm(*unit) : m_nm;
-        } else if (word != "F" && word != "ID") {
+        } else if (!readUnit(line, m_nm) && word != "F" && word != "ID") {
             report("a record of an unknown kind was left out");
         }
     }

@@ -10,7 +10,7 @@
 
 namespace model::odb {
 
-/// A ZONE of `steps/<step>/zones`: a part of the board with a stack of its own. It is a block of a ZONE line with the
+/// A ZONE of `steps/<step>/zones`: a part of the board with a stackup of its own. It is a block of a ZONE line with the
 /// name, LYR lines with its layers, and an S record with its outline:
 ///
 ///     ZONE Flex;UID=7

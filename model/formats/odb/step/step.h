@@ -45,8 +45,8 @@ struct StepData {
     Parsed<FeatureFile> profile;
     Parsed<ZoneFile> zones;
     Parsed<EdaData> eda;
-    std::array<Parsed<Netlist>, 3> netlists;  ///< by NetlistKind
-    std::vector<StepLayer> layers;            ///< by row of Matrix::layers
+    std::array<Parsed<formats::Netlist>, 3> netlists;  ///< by NetlistKind
+    std::vector<StepLayer> layers;                     ///< by row of Matrix::layers
 };
 
 /// The chosen step, first, and all steps its STEP-REPEAT blocks bring in.
@@ -57,7 +57,7 @@ using Steps = std::vector<StepData>;
 
 /// What every parser needs to know about the job.
 struct JobContext {
-    const JobTree& tree;
+    const formats::FileTree& tree;
     const Matrix& matrix;
     Unit defaultUnit = Unit::Inch;
     const AttributeTypes* attributeTypes = nullptr;

@@ -12,7 +12,7 @@ namespace model::odb {
 
 /// A STEP-REPEAT block: `columns` × `rows` copies of a step (odb-notes, Panels). The datum of copy (i, j) lands on
 /// first
-/// + (i · pitch.x, j · pitch.y); the copy is turned clockwise, then mirrored x → −x.
+/// + (i · pitch.x, j · pitch.y); the copy is rotated clockwise, then mirrored x → −x.
 struct StepRepeat {
     std::string step;
     base::Point first;
@@ -21,7 +21,7 @@ struct StepRepeat {
     int rows = 1;
     double clockwiseDeg = 0.0;
     bool isMirrored = false;
-    bool isFlipped = false;  ///< mirrored and turned over: top layers land on the bottom
+    bool isFlipped = false;  ///< mirrored and upside down: top layers land on the bottom
     std::uint32_t line = 0;
 };
 

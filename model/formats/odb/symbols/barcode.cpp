@@ -4,13 +4,13 @@
 #include <array>
 #include <cmath>
 
-#include "model/formats/common/outlines.h"
+#include "model/geometry/outlines.h"
 
 namespace model::odb {
 
 namespace {
 
-/// The characters of code 39; their place is their value in the checksum. The last one starts and stops.
+/// The characters of code 39; their index is their value in the checksum. The last one starts and stops.
 constexpr std::string_view kCharacters = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ-. $/+%*";
 constexpr std::size_t kChecked = 43;
 
@@ -122,15 +122,13 @@ void addFrame(BarcodeLayout& layout, const BarcodeRecord& barcode) {
     }
 }
 
-void addString(BarcodeLayout& layout, const BarcodeRecord& barcode, const Font& font) {
-    TextRecord record;
-    record.text = barcode.text;
-    record.xSize = record.ySize = static_cast<Nm>(kStringSize);
-    record.widthFactor = kStringFactor;
-    const TextLayout text = layOut(record, font);
+void addString(BarcodeLayout& layout, const BarcodeRecord& barcode, const formats::Font& font) {
+    const formats::TextLine line{barcode.text, static_cast<Nm>(kStringSize), static_cast<Nm>(kStringSize),
+                                 kStringFactor};
+    const formats::TextLayout text = layOut(line, font);
     const double x = (layout.width - text.length) / 2;
     const double y = barcode.isStringAbove ? barcode.height + kStringGap : -kStringGap - kStringSize;
-    for (TextStroke stroke : text.strokes) {
+    for (formats::TextStroke stroke : text.strokes) {
         stroke.a = {stroke.a.x + x, stroke.a.y + y};
         stroke.b = {stroke.b.x + x, stroke.b.y + y};
         layout.string.push_back(stroke);
@@ -164,7 +162,7 @@ std::optional<std::vector<bool>> code39(std::string_view text, bool isFullAscii,
     return elements;
 }
 
-BarcodeLayout layOut(const BarcodeRecord& barcode, const Font& font) {
+BarcodeLayout layOut(const BarcodeRecord& barcode, const formats::Font& font) {
     BarcodeLayout layout;
     // Two code 39 characters of 16 narrow elements per letter at most, and start, stop and checksum.
     if (barcode.elementWidth * 32.0 * (static_cast<double>(barcode.text.size()) + 3) > base::kMaxCoordinate / 2.0 ||

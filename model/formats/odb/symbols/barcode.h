@@ -5,7 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "model/formats/odb/symbols/text_layout.h"
+#include "model/formats/common/text_layout.h"
+#include "model/formats/odb/features/text_records.h"
 
 namespace model::odb {
 
@@ -13,17 +14,17 @@ namespace model::odb {
 struct BarcodeLayout {
     ShapeSketch bars;  ///< the bars; for an inverted one a background with the bars left out
     double width = 0.0;
-    std::vector<TextStroke> string;  ///< the text beside the bars
+    std::vector<formats::TextStroke> string;  ///< the text beside the bars
     std::string problem;
 };
 
 /// Elements of the code 39 pattern of a text, bar and space in turn, true for wide ones: start, text, check character
-/// if asked for, stop, with a narrow space between characters. Full ASCII writes what code 39 lacks as pairs; plain
-/// code 39 takes lower-case letters as capitals. Nothing when a character cannot be written.
+/// if wanted, stop, with a narrow space between characters. Full ASCII writes what code 39 does not have as pairs;
+/// plain code 39 takes lower-case letters as capitals. Nothing when a character cannot be written.
 [[nodiscard]] std::optional<std::vector<bool>> code39(std::string_view text, bool isFullAscii, bool hasChecksum);
 
 /// Draws UPC39, which is code 39 with wide elements of three narrow ones. Another code, or a text it cannot hold, gives
 /// the outline of the space that the bars of code 39 would take, and a problem.
-[[nodiscard]] BarcodeLayout layOut(const BarcodeRecord& barcode, const Font& font);
+[[nodiscard]] BarcodeLayout layOut(const BarcodeRecord& barcode, const formats::Font& font);
 
 }  // namespace model::odb

@@ -151,14 +151,14 @@ void addQuarters(ShapeSketch& sketch, double inner, double outer, const Cross& c
 
 /// moire: ring width, ring gap, rings, then the cross: line width, length, angle. A dot as wide as the rings is in the
 /// middle; the lines of the cross have round ends at their length.
-SymbolShape moire(const SymbolValues& v) {
+PadShape moire(const SymbolValues& v) {
     const double width = v[0];
     const double gap = v[1];
     const long rings = width > 0 ? std::lround(v[2]) : 0;
     const Cross cross(v[3], v[4], v[5]);
     const double radius = width / 2 + static_cast<double>(rings) * (width + gap);
     if (2 * std::max(radius, cross.tip()) > base::kMaxCoordinate / 2.0) {
-        SymbolShape absurd;
+        PadShape absurd;
         absurd.problem = "has an absurd size; it draws nothing";
         return absurd;
     }

@@ -37,15 +37,21 @@ bool takeCorners(std::string_view& name, SymbolValues& values) {
     return length > 0;
 }
 
-/// In a pattern `#` is a length, `@` a plain number and `%` a list of corners; the rest stands for itself.
+/// In a pattern `#` is a length, `@` a plain number, `%` a list of corners, and what `[` and `]` enclose may be left
+/// out; the rest stands for itself.
 bool matches(std::string_view pattern, std::string_view name, double nmPerUnit, SymbolValues& values) {
     for (const char p : pattern) {
-        bool fits = false;
-        if (p == '#' || p == '@') {
+        bool fits = p == ']';
+        if (p == '[') {
+            if (name.empty()) {
+                return true;
+            }
+            fits = true;
+        } else if (p == '#' || p == '@') {
             fits = takeNumber(name, p == '#', nmPerUnit, values);
         } else if (p == '%') {
             fits = takeCorners(name, values);
-        } else {
+        } else if (p != ']') {
             fits = name.starts_with(p);
             name.remove_prefix(fits ? 1 : 0);
         }
@@ -56,13 +62,13 @@ bool matches(std::string_view pattern, std::string_view name, double nmPerUnit, 
     return name.empty();
 }
 
-SymbolShape nothing(const SymbolValues&) {
+PadShape nothing(const SymbolValues&) {
     return {};
 }
 
 struct Rule {
     std::string_view pattern;
-    SymbolShape (*make)(const SymbolValues&);
+    PadShape (*make)(const SymbolValues&);
     std::size_t resizable = 0;      ///< leading lengths, the outer sizes: a resize is added to them; 0: none has one
     std::size_t mayBeNegative = 0;  ///< bit set of lengths that may be negative
     std::size_t counts = 0;         ///< bit set of values that count pieces (gaps, rings, rows)
@@ -72,15 +78,11 @@ constexpr auto kRules = std::to_array<Rule>({
     {"r#", roundShape, 1},
     {"s#", square, 1},
     {"rect#x#", rectangle, 2},
-    {"rect#x#xr#", roundedRectangle, 2},
-    {"rect#x#xr#x%", roundedRectangle, 2},
-    {"rect#x#xc#", chamferedRectangle, 2},
-    {"rect#x#xc#x%", chamferedRectangle, 2},
+    {"rect#x#xr#[x%]", roundedRectangle, 2},
+    {"rect#x#xc#[x%]", chamferedRectangle, 2},
     {"oval#x#", ovalShape, 2},
     {"donut_r#x#", roundRing, 1, 0b10},
-    {"donut_rc#x#x#", rectangleRing, 2},
-    {"donut_rc#x#x#xr#", rectangleRing, 2},
-    {"donut_rc#x#x#xr#x%", rectangleRing, 2},
+    {"donut_rc#x#x#[xr#[x%]]", rectangleRing, 2},
     {"oct#x#x#", chamferedRectangle, 2},
     {"di#x#", diamond, 2},
     {"hex_l#x#x#", hexagonLying, 2},
@@ -91,26 +93,17 @@ constexpr auto kRules = std::to_array<Rule>({
     {"bfr#", butterflyRound, 1},
     {"bfs#", butterflySquare, 1},
     {"donut_s#x#", squareRing, 1},
-    {"donut_s#x#xr#", roundedSquareRing, 1},
-    {"donut_s#x#xr#x%", roundedSquareRing, 1},
+    {"donut_s#x#xr#[x%]", roundedSquareRing, 1},
     {"donut_sr#x#", squareRoundRing, 1},
     {"donut_o#x#x#", ovalRing, 2},
     {"thr#x#x@x@x#", roundThermalRoundEnds, 1, 0, 0b1000},
     {"ths#x#x@x@x#", roundThermalSquareEnds, 1, 0, 0b1000},
-    {"s_ths#x#x@x@x#", squareThermal, 1, 0, 0b1000},
-    {"s_ths#x#x@x@x#xr#", squareThermal, 1, 0, 0b1000},
-    {"s_ths#x#x@x@x#xr#x%", squareThermal, 1, 0, 0b1000},
-    {"s_tho#x#x@x@x#", squareThermalOpenCorners, 1, 0, 0b1000},
-    {"s_tho#x#x@x@x#xr#", squareThermalOpenCorners, 1, 0, 0b1000},
-    {"s_tho#x#x@x@x#xr#x%", squareThermalOpenCorners, 1, 0, 0b1000},
+    {"s_ths#x#x@x@x#[xr#[x%]]", squareThermal, 1, 0, 0b1000},
+    {"s_tho#x#x@x@x#[xr#[x%]]", squareThermalOpenCorners, 1, 0, 0b1000},
     {"s_thr#x#x45x4x#", lineThermal, 1},
     {"sr_ths#x#x@x@x#", squareRoundThermal, 1, 0, 0b1000},
-    {"rc_ths#x#x@x@x#x#", rectangleThermal, 2, 0, 0b1000},
-    {"rc_ths#x#x@x@x#x#xr#", rectangleThermal, 2, 0, 0b1000},
-    {"rc_ths#x#x@x@x#x#xr#x%", rectangleThermal, 2, 0, 0b1000},
-    {"rc_tho#x#x@x@x#x#", rectangleThermalOpenCorners, 2, 0, 0b1000},
-    {"rc_tho#x#x@x@x#x#xr#", rectangleThermalOpenCorners, 2, 0, 0b1000},
-    {"rc_tho#x#x@x@x#x#xr#x%", rectangleThermalOpenCorners, 2, 0, 0b1000},
+    {"rc_ths#x#x@x@x#x#[xr#[x%]]", rectangleThermal, 2, 0, 0b1000},
+    {"rc_tho#x#x@x@x#x#[xr#[x%]]", rectangleThermalOpenCorners, 2, 0, 0b1000},
     {"o_ths#x#x@x@x#x#", ovalThermal, 2, 0, 0b1000},
     {"oblong_ths#x#x@x@x#x#xr", ovalThermal, 2, 0, 0b1000},
     {"oblong_ths#x#x@x@x#x#xs", oblongThermalStraight, 2, 0, 0b1000},
@@ -118,26 +111,16 @@ constexpr auto kRules = std::to_array<Rule>({
     {"hole#xpx@x@", roundShape, 1},
     {"hole#xnx@x@", roundShape, 1},
     {"hole#xvx@x@", roundShape, 1},
-    {"hplate#x#x#", homePlate, 2},
-    {"hplate#x#x#x#x#", homePlate, 2},
-    {"rhplate#x#x#", invertedHomePlate, 2},
-    {"rhplate#x#x#x#x#", invertedHomePlate, 2},
-    {"fhplate#x#x#x#", flatHomePlate, 2},
-    {"fhplate#x#x#x#x#x#", flatHomePlate, 2},
-    {"radhplate#x#x#", radiusedInvertedHomePlate, 2},
-    {"radhplate#x#x#x#", radiusedInvertedHomePlate, 2},
-    {"dshape#x#x#", radiusedHomePlate, 2},
-    {"dshape#x#x#x#", radiusedHomePlate, 2},
-    {"cross#x#x#x#x@x@xr", crossRound, 2},
-    {"cross#x#x#x#x@x@xr#", crossRound, 2},
-    {"cross#x#x#x#x@x@xs", crossSquare, 2},
-    {"cross#x#x#x#x@x@xs#", crossSquare, 2},
-    {"dogbone#x#x#x#x@xr", dogboneRound, 2},
-    {"dogbone#x#x#x#x@xrx#", dogboneRound, 2},
-    {"dogbone#x#x#x#x@xs", dogboneSquare, 2},
-    {"dogbone#x#x#x#x@xsx#", dogboneSquare, 2},
-    {"dpack#x#x#x#x@x@", padGrid, 2, 0, 0b110000},
-    {"dpack#x#x#x#x@x@x#", padGrid, 2, 0, 0b110000},
+    {"hplate#x#x#[x#x#]", homePlate, 2},
+    {"rhplate#x#x#[x#x#]", invertedHomePlate, 2},
+    {"fhplate#x#x#x#[x#x#]", flatHomePlate, 2},
+    {"radhplate#x#x#[x#]", radiusedInvertedHomePlate, 2},
+    {"dshape#x#x#[x#]", radiusedHomePlate, 2},
+    {"cross#x#x#x#x@x@xr[#]", [](const SymbolValues& v) { return cross(v, true); }, 2},
+    {"cross#x#x#x#x@x@xs[#]", [](const SymbolValues& v) { return cross(v, false); }, 2},
+    {"dogbone#x#x#x#x@xr[x#]", [](const SymbolValues& v) { return dogbone(v, true); }, 2},
+    {"dogbone#x#x#x#x@xs[x#]", [](const SymbolValues& v) { return dogbone(v, false); }, 2},
+    {"dpack#x#x#x#x@x@[x#]", padGrid, 2, 0, 0b110000},
     {"null@", nothing},
 });
 
@@ -156,7 +139,7 @@ std::string_view badSize(const SymbolValues& values, const Rule& rule) {
     for (std::size_t i = 0; i < values.count; ++i) {
         const bool isLength = (values.lengths >> i & 1U) != 0;
         if (isLength && std::abs(values[i]) > kMaxSymbol) {
-            return "has an absurd size; it draws nothing";
+            return "is larger than half a metre; it draws nothing";
         }
         if (isLength && values[i] < 0 && (rule.mayBeNegative >> i & 1U) == 0) {
             return "has a negative size; it draws nothing";
@@ -180,17 +163,17 @@ bool hasArea(const ShapeSketch& sketch) {
     return false;
 }
 
-SymbolShape makeShape(const Rule& rule, SymbolValues values, Nm resize) {
+PadShape makeShape(const Rule& rule, SymbolValues values, Nm resize) {
     for (std::size_t i = 0; i < rule.resizable; ++i) {
         values.at[i] += resize;
     }
-    SymbolShape shape;
+    PadShape shape;
     if (const std::string_view reason = badSize(values, rule); !reason.empty()) {
         shape.problem = reason;
         return shape;
     }
     shape = rule.make(values);
-    if (shape.kind == SymbolShape::Kind::Region && !hasArea(shape.region)) {
+    if (shape.kind == PadShape::Kind::Region && !hasArea(shape.region)) {
         shape = {};
         shape.problem = "has no area; it draws nothing";
     }
@@ -200,7 +183,7 @@ SymbolShape makeShape(const Rule& rule, SymbolValues values, Nm resize) {
 
 }  // namespace
 
-std::optional<SymbolShape> standardSymbol(const SymbolRef& symbol) {
+std::optional<PadShape> standardSymbol(const SymbolRef& symbol) {
     for (const Rule& rule : kRules) {
         SymbolValues values;
         if (matches(rule.pattern, symbol.name, static_cast<double>(symbolNm(symbol.unit)), values)) {

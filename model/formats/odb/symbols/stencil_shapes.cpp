@@ -20,22 +20,20 @@ double innerAngle(PointD before, PointD corner, PointD after) {
     return angle < 0 ? angle + 2 * std::numbers::pi : angle;
 }
 
-SymbolShape plate(std::span<const PointD> points, double acute, double obtuse) {
+PadShape plate(std::span<const PointD> points, double acute, double obtuse) {
     std::vector<Corner> corners;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const std::size_t count = points.size();
         const double angle = innerAngle(points[(i + count - 1) % count], points[i], points[(i + 1) % count]);
         corners.push_back({points[i], angle < std::numbers::pi / 2 + 1e-9 ? acute : obtuse});
     }
-    ShapeSketch sketch;
-    addRoundedLoop(sketch, corners);
-    return regionShape(std::move(sketch));
+    return drawn([&](ShapeSketch& sketch) { addRoundedLoop(sketch, corners); });
 }
 
 }  // namespace
 
 /// hplate W × H, cut, then ra and ro: a box whose right end runs to a point, the cut is its depth.
-SymbolShape homePlate(const SymbolValues& v) {
+PadShape homePlate(const SymbolValues& v) {
     const double x = v[0] / 2;
     const double y = v[1] / 2;
     const double cut = std::min(v[2], v[0]);
@@ -43,7 +41,7 @@ SymbolShape homePlate(const SymbolValues& v) {
 }
 
 /// rhplate W × H, cut, then ra and ro: a box with a notch in its right end, the cut is its depth.
-SymbolShape invertedHomePlate(const SymbolValues& v) {
+PadShape invertedHomePlate(const SymbolValues& v) {
     const double x = v[0] / 2;
     const double y = v[1] / 2;
     const double cut = std::min(v[2], v[0]);
@@ -51,7 +49,7 @@ SymbolShape invertedHomePlate(const SymbolValues& v) {
 }
 
 /// fhplate W × H, vertical and horizontal cut, then ra and ro: a box whose two right corners are cut.
-SymbolShape flatHomePlate(const SymbolValues& v) {
+PadShape flatHomePlate(const SymbolValues& v) {
     const double x = v[0] / 2;
     const double y = v[1] / 2;
     const double down = std::min(v[2], y);
@@ -63,7 +61,7 @@ SymbolShape flatHomePlate(const SymbolValues& v) {
 
 /// radhplate W × H, middle curve, then ra: a box with a half circle of that diameter bitten out of its right end. The
 /// radius rounds the four corners.
-SymbolShape radiusedInvertedHomePlate(const SymbolValues& v) {
+PadShape radiusedInvertedHomePlate(const SymbolValues& v) {
     const double x = v[0] / 2;
     const double y = v[1] / 2;
     const double bite = std::min({v[2] / 2, y, v[0]});
@@ -86,14 +84,12 @@ SymbolShape radiusedInvertedHomePlate(const SymbolValues& v) {
         const bool isPoint = node.edge != EdgeKind::Line && (isBite ? bite : r) == 0.0;
         nodes.push_back(isPoint ? lineNode(node.point) : node);
     }
-    ShapeSketch sketch;
-    addPath(sketch, nodes, false);
-    return regionShape(std::move(sketch));
+    return drawn([&](ShapeSketch& sketch) { addPath(sketch, nodes, false); });
 }
 
 /// dshape W × H, relief, then ra: a box whose right end is an arc that bulges out by the relief. The radius rounds the
 /// two left corners.
-SymbolShape radiusedHomePlate(const SymbolValues& v) {
+PadShape radiusedHomePlate(const SymbolValues& v) {
     const double x = v[0] / 2;
     const double y = v[1] / 2;
     const double relief = std::min({v[2], v[0], y});
@@ -118,21 +114,21 @@ SymbolShape radiusedHomePlate(const SymbolValues& v) {
     } else {
         nodes.push_back(lineNode(at(-x, y)));
     }
-    ShapeSketch sketch;
-    addPath(sketch, nodes, false);
-    return regionShape(std::move(sketch));
+    return drawn([&](ShapeSketch& sketch) { addPath(sketch, nodes, false); });
 }
 
 namespace {
 
-/// Where a bar of this width lies between -half and half, its middle at `percent` of the way, pushed inside.
+/// Where a bar of this width lies between -half and half, its middle at `percent` of the distance, pushed inside.
 double barMiddle(double percent, double half, double width) {
     return std::clamp((percent / 50.0 - 1.0) * half, width / 2 - half, half - width / 2);
 }
 
+}  // namespace
+
 /// W × H, width of the horizontal and of the vertical bar, crossing point in percent from the lower left, then the
 /// radius of the inner corners.
-SymbolShape cross(const SymbolValues& v, bool isRound) {
+PadShape cross(const SymbolValues& v, bool isRound) {
     const double x = v[0] / 2;
     const double y = v[1] / 2;
     const double flat = std::min(v[2], v[1]);
@@ -159,9 +155,9 @@ SymbolShape cross(const SymbolValues& v, bool isRound) {
     return regionShape(std::move(sketch));
 }
 
-/// W × H, width of the two horizontal bars and of the vertical one, its place in percent from the left, then the
+/// W × H, width of the two horizontal bars and of the vertical one, its position in percent from the left, then the
 /// radius of the inner corners.
-SymbolShape dogbone(const SymbolValues& v, bool isRound) {
+PadShape dogbone(const SymbolValues& v, bool isRound) {
     const double x = v[0] / 2;
     const double y = v[1] / 2;
     const double flat = std::min(v[2], y);
@@ -186,26 +182,8 @@ SymbolShape dogbone(const SymbolValues& v, bool isRound) {
     return regionShape(std::move(sketch));
 }
 
-}  // namespace
-
-SymbolShape crossRound(const SymbolValues& v) {
-    return cross(v, true);
-}
-
-SymbolShape crossSquare(const SymbolValues& v) {
-    return cross(v, false);
-}
-
-SymbolShape dogboneRound(const SymbolValues& v) {
-    return dogbone(v, true);
-}
-
-SymbolShape dogboneSquare(const SymbolValues& v) {
-    return dogbone(v, false);
-}
-
 /// dpack W × H, horizontal and vertical gap, columns and rows, then the corner radius of each pad.
-SymbolShape padGrid(const SymbolValues& v) {
+PadShape padGrid(const SymbolValues& v) {
     const int columns = static_cast<int>(std::lround(v[4]));
     const int rows = static_cast<int>(std::lround(v[5]));
     const double width = (v[0] - v[2] * (columns - 1)) / std::max(columns, 1);

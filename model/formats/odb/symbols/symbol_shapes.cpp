@@ -5,8 +5,8 @@
 #include <cmath>
 #include <span>
 
-#include "model/formats/common/region.h"
 #include "model/geometry/boolean.h"
+#include "model/geometry/region.h"
 
 namespace model::odb {
 
@@ -16,16 +16,12 @@ Nm whole(double nm) {
     return static_cast<Nm>(std::llround(nm));
 }
 
-SymbolShape polygon(std::span<const PointD> corners) {
-    ShapeSketch sketch;
-    addLoop(sketch, corners, false);
-    return regionShape(std::move(sketch));
+PadShape polygon(std::span<const PointD> corners) {
+    return drawn([&](ShapeSketch& sketch) { addLoop(sketch, corners, false); });
 }
 
-SymbolShape box(double width, double height) {
-    ShapeSketch sketch;
-    addBox(sketch, width, height, false);
-    SymbolShape shape = regionShape(std::move(sketch));
+PadShape box(double width, double height) {
+    PadShape shape = drawn([&](ShapeSketch& sketch) { addBox(sketch, width, height, false); });
     shape.width = whole(width);
     shape.height = whole(height);
     shape.isSquarePen = shape.width == shape.height;
@@ -38,103 +34,98 @@ PathNode lineNode(Point point) {
     return {point, {}, EdgeKind::Line};
 }
 
-SymbolShape regionShape(ShapeSketch sketch) {
-    SymbolShape shape;
-    shape.kind = SymbolShape::Kind::Region;
+PadShape regionShape(ShapeSketch sketch) {
+    PadShape shape;
+    shape.kind = PadShape::Kind::Region;
     shape.region = std::move(sketch);
     return shape;
 }
 
-SymbolShape resized(const SymbolShape& shape, Nm resize) {
-    SymbolShape result = regionShape(sketchOf(grow(polygonsOf(shape.region), resize / 2.0)));
+PadShape resized(const PadShape& shape, Nm resize) {
+    PadShape result = regionShape(sketchOf(grow(polygonsOf(shape.region), resize / 2.0)));
     result.problem = shape.problem;
     if (result.region.isEmpty()) {
-        result.kind = SymbolShape::Kind::Nothing;
+        result.kind = PadShape::Kind::Nothing;
         result.problem = "is resized to nothing";
     }
     return result;
 }
 
-SymbolShape roundShape(const SymbolValues& v) {
-    SymbolShape shape;
-    shape.kind = SymbolShape::Kind::Round;
+PadShape roundShape(const SymbolValues& v) {
+    PadShape shape;
+    shape.kind = PadShape::Kind::Round;
     shape.width = whole(v[0]);
     return shape;
 }
 
-SymbolShape square(const SymbolValues& v) {
+PadShape square(const SymbolValues& v) {
     return box(v[0], v[0]);
 }
 
-SymbolShape rectangle(const SymbolValues& v) {
+PadShape rectangle(const SymbolValues& v) {
     return box(v[0], v[1]);
 }
 
-SymbolShape roundedRectangle(const SymbolValues& v) {
-    ShapeSketch sketch;
-    addCornerBox(sketch, v[0], v[1], v[2], v.corners, CornerStyle::Rounded, false);
-    return regionShape(std::move(sketch));
+PadShape roundedRectangle(const SymbolValues& v) {
+    return drawn(
+        [&](ShapeSketch& sketch) { addCornerBox(sketch, v[0], v[1], v[2], v.corners, CornerStyle::Rounded, false); });
 }
 
-SymbolShape chamferedRectangle(const SymbolValues& v) {
-    ShapeSketch sketch;
-    addCornerBox(sketch, v[0], v[1], v[2], v.corners, CornerStyle::Chamfered, false);
-    return regionShape(std::move(sketch));
+PadShape chamferedRectangle(const SymbolValues& v) {
+    return drawn(
+        [&](ShapeSketch& sketch) { addCornerBox(sketch, v[0], v[1], v[2], v.corners, CornerStyle::Chamfered, false); });
 }
 
-SymbolShape ovalShape(const SymbolValues& v) {
-    SymbolShape shape;
-    shape.kind = SymbolShape::Kind::Oval;
+PadShape ovalShape(const SymbolValues& v) {
+    PadShape shape;
+    shape.kind = PadShape::Kind::Oval;
     shape.width = whole(v[0]);
     shape.height = whole(v[1]);
     return shape;
 }
 
-SymbolShape diamond(const SymbolValues& v) {
+PadShape diamond(const SymbolValues& v) {
     const double x = v[0] / 2;
     const double y = v[1] / 2;
     return polygon(std::array<PointD, 4>{{{x, 0}, {0, y}, {-x, 0}, {0, -y}}});
 }
 
-SymbolShape hexagonLying(const SymbolValues& v) {
+PadShape hexagonLying(const SymbolValues& v) {
     const double x = v[0] / 2;
     const double y = v[1] / 2;
     const double cut = std::clamp(v[2], 0.0, x);
     return polygon(std::array<PointD, 6>{{{x, 0}, {x - cut, y}, {cut - x, y}, {-x, 0}, {cut - x, -y}, {x - cut, -y}}});
 }
 
-SymbolShape hexagonStanding(const SymbolValues& v) {
+PadShape hexagonStanding(const SymbolValues& v) {
     const double x = v[0] / 2;
     const double y = v[1] / 2;
     const double cut = std::clamp(v[2], 0.0, y);
     return polygon(std::array<PointD, 6>{{{0, y}, {-x, y - cut}, {-x, cut - y}, {0, -y}, {x, cut - y}, {x, y - cut}}});
 }
 
-SymbolShape triangle(const SymbolValues& v) {
+PadShape triangle(const SymbolValues& v) {
     const double x = v[0] / 2;
     const double y = v[1] / 2;
     return polygon(std::array<PointD, 3>{{{0, y}, {-x, -y}, {x, -y}}});
 }
 
-SymbolShape ellipse(const SymbolValues& v) {
-    ShapeSketch sketch;
-    addEllipse(sketch, v[0], v[1]);
-    return regionShape(std::move(sketch));
+PadShape ellipse(const SymbolValues& v) {
+    return drawn([&](ShapeSketch& sketch) { addEllipse(sketch, v[0], v[1]); });
 }
 
 /// Flat end at −x, half circle of diameter H at +x, centred on its box.
-SymbolShape halfOval(const SymbolValues& v) {
-    ShapeSketch sketch;
-    addCornerBox(sketch, v[0], v[1], v[1] / 2, 0b1001, CornerStyle::Rounded, false);
-    return regionShape(std::move(sketch));
+PadShape halfOval(const SymbolValues& v) {
+    return drawn(
+        [&](ShapeSketch& sketch) { addCornerBox(sketch, v[0], v[1], v[1] / 2, 0b1001, CornerStyle::Rounded, false); });
 }
 
-SymbolShape roundRing(const SymbolValues& v) {
-    SymbolShape shape;
+PadShape roundRing(const SymbolValues& v) {
+    PadShape shape;
     if (v[1] >= v[0]) {
         return regionShape({});  // all hole
     }
-    shape.kind = v[1] > 0 ? SymbolShape::Kind::Ring : SymbolShape::Kind::Round;
+    shape.kind = v[1] > 0 ? PadShape::Kind::Ring : PadShape::Kind::Round;
     shape.width = whole(v[0]);
     shape.height = whole(v[1]);
     if (v[1] < 0) {
@@ -143,7 +134,7 @@ SymbolShape roundRing(const SymbolValues& v) {
     return shape;
 }
 
-SymbolShape squareRing(const SymbolValues& v) {
+PadShape squareRing(const SymbolValues& v) {
     if (v[1] >= v[0]) {
         return regionShape({});
     }
@@ -153,7 +144,7 @@ SymbolShape squareRing(const SymbolValues& v) {
     return regionShape(std::move(sketch));
 }
 
-SymbolShape squareRoundRing(const SymbolValues& v) {
+PadShape squareRoundRing(const SymbolValues& v) {
     if (v[1] >= v[0]) {
         return regionShape({});
     }
@@ -172,25 +163,29 @@ ShapeSketch boxRing(double width, double height, double line, double radius, uns
     return sketch;
 }
 
-SymbolShape roundedSquareRing(const SymbolValues& v) {
+PadShape roundedSquareRing(const SymbolValues& v) {
     return regionShape(boxRing(v[0], v[0], (v[0] - v[1]) / 2, v[2], v.corners));
 }
 
-SymbolShape rectangleRing(const SymbolValues& v) {
+PadShape rectangleRing(const SymbolValues& v) {
     return regionShape(boxRing(v[0], v[1], v[2], v[3], v.corners));
 }
 
-SymbolShape ovalRing(const SymbolValues& v) {
+ShapeSketch ovalRing(double width, double height, double line) {
     ShapeSketch sketch;
-    addOval(sketch, v[0], v[1], false);
-    if (std::min(v[0], v[1]) > 2 * v[2]) {
-        addOval(sketch, v[0] - 2 * v[2], v[1] - 2 * v[2], true);
+    addOval(sketch, width, height, false);
+    if (std::min(width, height) > 2 * line) {
+        addOval(sketch, width - 2 * line, height - 2 * line, true);
     }
-    return regionShape(std::move(sketch));
+    return sketch;
+}
+
+PadShape ovalRing(const SymbolValues& v) {
+    return regionShape(ovalRing(v[0], v[1], v[2]));
 }
 
 /// Two opposite quadrants: top left and bottom right.
-SymbolShape butterflyRound(const SymbolValues& v) {
+PadShape butterflyRound(const SymbolValues& v) {
     const Nm r = whole(v[0] / 2);
     ShapeSketch sketch;
     addPath(
@@ -204,7 +199,7 @@ SymbolShape butterflyRound(const SymbolValues& v) {
     return regionShape(std::move(sketch));
 }
 
-SymbolShape butterflySquare(const SymbolValues& v) {
+PadShape butterflySquare(const SymbolValues& v) {
     const double h = v[0] / 2;
     ShapeSketch sketch;
     addLoop(sketch, std::array<PointD, 4>{{{0, 0}, {0, h}, {-h, h}, {-h, 0}}}, false);

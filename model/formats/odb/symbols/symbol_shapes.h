@@ -3,10 +3,10 @@
 #include <array>
 #include <cstddef>
 
-#include "model/formats/common/outlines.h"
 #include "model/formats/odb/symbols/standard_symbols.h"
+#include "model/geometry/outlines.h"
 
-/// The makers behind standardSymbol: each turns the values of a symbol name into what the symbol draws. The grammar and
+/// The makers behind standardSymbol: each makes what the symbol draws of the values of its name. The grammar and
 /// the meaning of the values are the rows of the table in standard_symbols.cpp.
 namespace model::odb {
 
@@ -22,57 +22,63 @@ struct SymbolValues {
 
 /// A ring of even line width: outer box, and an inner one with the radius reduced by the line width (odb-notes,
 /// Symbols).
+[[nodiscard]] ShapeSketch ovalRing(double width, double height, double line);
 [[nodiscard]] ShapeSketch boxRing(double width, double height, double line, double radius, unsigned corners);
-[[nodiscard]] SymbolShape regionShape(ShapeSketch sketch);
+[[nodiscard]] PadShape regionShape(ShapeSketch sketch);
+/// The region that `draw(sketch)` draws.
+template <class Draw>
+[[nodiscard]] PadShape drawn(Draw draw) {
+    ShapeSketch sketch;
+    draw(sketch);
+    return regionShape(std::move(sketch));
+}
 /// A node that a straight edge leaves.
 [[nodiscard]] PathNode lineNode(Point point);
 
-[[nodiscard]] SymbolShape roundShape(const SymbolValues& v);
-[[nodiscard]] SymbolShape square(const SymbolValues& v);
-[[nodiscard]] SymbolShape rectangle(const SymbolValues& v);
-[[nodiscard]] SymbolShape roundedRectangle(const SymbolValues& v);
-[[nodiscard]] SymbolShape chamferedRectangle(const SymbolValues& v);
-[[nodiscard]] SymbolShape ovalShape(const SymbolValues& v);
-[[nodiscard]] SymbolShape diamond(const SymbolValues& v);
-[[nodiscard]] SymbolShape hexagonLying(const SymbolValues& v);
-[[nodiscard]] SymbolShape hexagonStanding(const SymbolValues& v);
-[[nodiscard]] SymbolShape triangle(const SymbolValues& v);
-[[nodiscard]] SymbolShape ellipse(const SymbolValues& v);
-[[nodiscard]] SymbolShape halfOval(const SymbolValues& v);
-[[nodiscard]] SymbolShape roundRing(const SymbolValues& v);
-[[nodiscard]] SymbolShape squareRing(const SymbolValues& v);
-[[nodiscard]] SymbolShape squareRoundRing(const SymbolValues& v);
-[[nodiscard]] SymbolShape roundedSquareRing(const SymbolValues& v);
-[[nodiscard]] SymbolShape rectangleRing(const SymbolValues& v);
-[[nodiscard]] SymbolShape ovalRing(const SymbolValues& v);
-[[nodiscard]] SymbolShape butterflyRound(const SymbolValues& v);
-[[nodiscard]] SymbolShape butterflySquare(const SymbolValues& v);
+[[nodiscard]] PadShape roundShape(const SymbolValues& v);
+[[nodiscard]] PadShape square(const SymbolValues& v);
+[[nodiscard]] PadShape rectangle(const SymbolValues& v);
+[[nodiscard]] PadShape roundedRectangle(const SymbolValues& v);
+[[nodiscard]] PadShape chamferedRectangle(const SymbolValues& v);
+[[nodiscard]] PadShape ovalShape(const SymbolValues& v);
+[[nodiscard]] PadShape diamond(const SymbolValues& v);
+[[nodiscard]] PadShape hexagonLying(const SymbolValues& v);
+[[nodiscard]] PadShape hexagonStanding(const SymbolValues& v);
+[[nodiscard]] PadShape triangle(const SymbolValues& v);
+[[nodiscard]] PadShape ellipse(const SymbolValues& v);
+[[nodiscard]] PadShape halfOval(const SymbolValues& v);
+[[nodiscard]] PadShape roundRing(const SymbolValues& v);
+[[nodiscard]] PadShape squareRing(const SymbolValues& v);
+[[nodiscard]] PadShape squareRoundRing(const SymbolValues& v);
+[[nodiscard]] PadShape roundedSquareRing(const SymbolValues& v);
+[[nodiscard]] PadShape rectangleRing(const SymbolValues& v);
+[[nodiscard]] PadShape ovalRing(const SymbolValues& v);
+[[nodiscard]] PadShape butterflyRound(const SymbolValues& v);
+[[nodiscard]] PadShape butterflySquare(const SymbolValues& v);
 
 // thermal_shapes.cpp
-[[nodiscard]] SymbolShape roundThermalSquareEnds(const SymbolValues& v);
-[[nodiscard]] SymbolShape roundThermalRoundEnds(const SymbolValues& v);
-[[nodiscard]] SymbolShape squareThermal(const SymbolValues& v);
-[[nodiscard]] SymbolShape squareRoundThermal(const SymbolValues& v);
-[[nodiscard]] SymbolShape rectangleThermal(const SymbolValues& v);
-[[nodiscard]] SymbolShape ovalThermal(const SymbolValues& v);
-[[nodiscard]] SymbolShape squareThermalOpenCorners(const SymbolValues& v);
-[[nodiscard]] SymbolShape rectangleThermalOpenCorners(const SymbolValues& v);
-[[nodiscard]] SymbolShape lineThermal(const SymbolValues& v);
-[[nodiscard]] SymbolShape oblongThermalStraight(const SymbolValues& v);
+[[nodiscard]] PadShape roundThermalSquareEnds(const SymbolValues& v);
+[[nodiscard]] PadShape roundThermalRoundEnds(const SymbolValues& v);
+[[nodiscard]] PadShape squareThermal(const SymbolValues& v);
+[[nodiscard]] PadShape squareRoundThermal(const SymbolValues& v);
+[[nodiscard]] PadShape rectangleThermal(const SymbolValues& v);
+[[nodiscard]] PadShape ovalThermal(const SymbolValues& v);
+[[nodiscard]] PadShape squareThermalOpenCorners(const SymbolValues& v);
+[[nodiscard]] PadShape rectangleThermalOpenCorners(const SymbolValues& v);
+[[nodiscard]] PadShape lineThermal(const SymbolValues& v);
+[[nodiscard]] PadShape oblongThermalStraight(const SymbolValues& v);
 
 // moire.cpp
-[[nodiscard]] SymbolShape moire(const SymbolValues& v);
+[[nodiscard]] PadShape moire(const SymbolValues& v);
 
 // stencil_shapes.cpp
-[[nodiscard]] SymbolShape homePlate(const SymbolValues& v);
-[[nodiscard]] SymbolShape invertedHomePlate(const SymbolValues& v);
-[[nodiscard]] SymbolShape flatHomePlate(const SymbolValues& v);
-[[nodiscard]] SymbolShape radiusedInvertedHomePlate(const SymbolValues& v);
-[[nodiscard]] SymbolShape radiusedHomePlate(const SymbolValues& v);
-[[nodiscard]] SymbolShape crossRound(const SymbolValues& v);
-[[nodiscard]] SymbolShape crossSquare(const SymbolValues& v);
-[[nodiscard]] SymbolShape dogboneRound(const SymbolValues& v);
-[[nodiscard]] SymbolShape dogboneSquare(const SymbolValues& v);
-[[nodiscard]] SymbolShape padGrid(const SymbolValues& v);
+[[nodiscard]] PadShape homePlate(const SymbolValues& v);
+[[nodiscard]] PadShape invertedHomePlate(const SymbolValues& v);
+[[nodiscard]] PadShape flatHomePlate(const SymbolValues& v);
+[[nodiscard]] PadShape radiusedInvertedHomePlate(const SymbolValues& v);
+[[nodiscard]] PadShape radiusedHomePlate(const SymbolValues& v);
+[[nodiscard]] PadShape cross(const SymbolValues& v, bool isRound);
+[[nodiscard]] PadShape dogbone(const SymbolValues& v, bool isRound);
+[[nodiscard]] PadShape padGrid(const SymbolValues& v);
 
 }  // namespace model::odb

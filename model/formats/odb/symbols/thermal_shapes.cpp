@@ -5,9 +5,9 @@
 #include <numbers>
 #include <vector>
 
-#include "model/formats/common/region.h"
 #include "model/formats/odb/symbols/symbol_shapes.h"
 #include "model/geometry/boolean.h"
+#include "model/geometry/region.h"
 
 namespace model::odb {
 
@@ -64,7 +64,7 @@ void addStrip(PolygonSet& strips, const Gap& gap, double width, double reach) {
                                         corner(0, width / 2)});
 }
 
-SymbolShape cutByGaps(const ShapeSketch& ring, const std::vector<Gap>& gaps, double width, double reach) {
+PadShape cutByGaps(const ShapeSketch& ring, const std::vector<Gap>& gaps, double width, double reach) {
     PolygonSet strips;
     for (const Gap& gap : gaps) {
         addStrip(strips, gap, width, reach);
@@ -79,8 +79,8 @@ std::vector<Gap> centralGaps(double first, double count) {
 
 /// What an open-cornered thermal loses: a diagonal gap takes the whole corner and the bars beside it up to where the
 /// edges of the gap meet the inside of the ring; other gaps cut strips.
-SymbolShape openCorners(const ShapeSketch& ring, const SymbolValues& v, double innerWidth, double innerHeight,
-                        double width, double height) {
+PadShape openCorners(const ShapeSketch& ring, const SymbolValues& v, double innerWidth, double innerHeight,
+                     double width, double height) {
     PolygonSet cuts;
     const double back = v[4] / std::numbers::sqrt2;
     const double reach = width + height;
@@ -99,7 +99,7 @@ SymbolShape openCorners(const ShapeSketch& ring, const SymbolValues& v, double i
     return regionShape(sketchOf(subtract(polygonsOf(ring), cuts)));
 }
 
-/// Is something left between two gaps, on a circle of this radius, when each takes `aside` to either side?
+/// Is a piece left between two gaps, on a circle of this radius, when each takes `aside` to either side?
 bool leavesPieces(const std::vector<double>& gaps, double aside, double radius) {
     const double half = std::numbers::pi / static_cast<double>(std::max<std::size_t>(gaps.size(), 2));
     return !gaps.empty() && aside < radius * std::sin(half);
@@ -108,7 +108,7 @@ bool leavesPieces(const std::vector<double>& gaps, double aside, double radius) 
 }  // namespace
 
 /// ths: the ends of each piece are parallel to the gap beside it. Exact: four corners and two arcs per piece.
-SymbolShape roundThermalSquareEnds(const SymbolValues& v) {
+PadShape roundThermalSquareEnds(const SymbolValues& v) {
     const double outer = v[0] / 2;
     const double inner = v[1] / 2;
     const std::vector<double> gaps = gapAngles(v[2], v[3]);
@@ -137,8 +137,8 @@ SymbolShape roundThermalSquareEnds(const SymbolValues& v) {
     return regionShape(std::move(sketch));
 }
 
-/// thr: each piece is a stroke along the middle circle with round ends that touch the gap.
-SymbolShape roundThermalRoundEnds(const SymbolValues& v) {
+/// thr: each piece is a track along the middle circle with round ends that touch the gap.
+PadShape roundThermalRoundEnds(const SymbolValues& v) {
     const double line = (v[0] - v[1]) / 2;
     const double middle = (v[0] + v[1]) / 4;
     const std::vector<double> gaps = gapAngles(v[2], v[3]);
@@ -162,38 +162,32 @@ SymbolShape roundThermalRoundEnds(const SymbolValues& v) {
 }
 
 /// s_ths, with rounded corners when a radius follows: OS × IS, angle, gaps, gap width.
-SymbolShape squareThermal(const SymbolValues& v) {
+PadShape squareThermal(const SymbolValues& v) {
     return cutByGaps(boxRing(v[0], v[0], (v[0] - v[1]) / 2, v[5], v.corners), centralGaps(v[2], v[3]), v[4], v[0]);
 }
 
 /// sr_ths: square outside, round inside.
-SymbolShape squareRoundThermal(const SymbolValues& v) {
-    if (v[1] >= v[0]) {
-        return regionShape({});
-    }
-    ShapeSketch ring;
-    addBox(ring, v[0], v[0], false);
-    addDisc(ring, v[1], true);
-    return cutByGaps(ring, centralGaps(v[2], v[3]), v[4], v[0]);
+PadShape squareRoundThermal(const SymbolValues& v) {
+    return cutByGaps(squareRoundRing(v).region, centralGaps(v[2], v[3]), v[4], v[0]);
 }
 
 /// rc_ths: W × H, angle, gaps, gap width, line width, then a radius.
-SymbolShape rectangleThermal(const SymbolValues& v) {
+PadShape rectangleThermal(const SymbolValues& v) {
     return cutByGaps(boxRing(v[0], v[1], v[5], v[6], v.corners), gapsOf(v[2], v[3], v[0], v[1]), v[4], v[0] + v[1]);
 }
 
 /// s_tho, with rounded corners when a radius follows: OS × IS, angle, gaps, gap width.
-SymbolShape squareThermalOpenCorners(const SymbolValues& v) {
+PadShape squareThermalOpenCorners(const SymbolValues& v) {
     return openCorners(boxRing(v[0], v[0], (v[0] - v[1]) / 2, v[5], v.corners), v, v[1], v[1], v[0], v[0]);
 }
 
 /// rc_tho: W × H, angle, gaps, gap width, line width, then a radius.
-SymbolShape rectangleThermalOpenCorners(const SymbolValues& v) {
+PadShape rectangleThermalOpenCorners(const SymbolValues& v) {
     return openCorners(boxRing(v[0], v[1], v[5], v[6], v.corners), v, v[0] - 2 * v[5], v[1] - 2 * v[5], v[0], v[1]);
 }
 
 /// s_thr: OS × IS, and the gap width behind 45°, 4 gaps: four bars with round ends.
-SymbolShape lineThermal(const SymbolValues& v) {
+PadShape lineThermal(const SymbolValues& v) {
     const double line = (v[0] - v[1]) / 2;
     const double middle = (v[0] + v[1]) / 4;
     // A bar ends where the edge of the gap meets the inside of the ring, its end node half a line before.
@@ -210,18 +204,13 @@ SymbolShape lineThermal(const SymbolValues& v) {
 }
 
 /// oblong_ths …xs: like o_ths, but a rectangle; …xr is o_ths.
-SymbolShape oblongThermalStraight(const SymbolValues& v) {
+PadShape oblongThermalStraight(const SymbolValues& v) {
     return cutByGaps(boxRing(v[0], v[1], v[5], 0.0, kAllCorners), gapsOf(v[2], v[3], v[0], v[1]), v[4], v[0] + v[1]);
 }
 
 /// o_ths: W × H, angle, gaps, gap width, line width.
-SymbolShape ovalThermal(const SymbolValues& v) {
-    ShapeSketch ring;
-    addOval(ring, v[0], v[1], false);
-    if (std::min(v[0], v[1]) > 2 * v[5]) {
-        addOval(ring, v[0] - 2 * v[5], v[1] - 2 * v[5], true);
-    }
-    return cutByGaps(ring, centralGaps(v[2], v[3]), v[4], v[0] + v[1]);
+PadShape ovalThermal(const SymbolValues& v) {
+    return cutByGaps(ovalRing(v[0], v[1], v[5]), centralGaps(v[2], v[3]), v[4], v[0] + v[1]);
 }
 
 }  // namespace model::odb

@@ -38,7 +38,7 @@ AttributeTypes::AttributeTypes() {
     m_types[".comp_mount_type"].options = {"other", "smt", "thmt", "pressfit"};
 }
 
-AttributeTypes::AttributeTypes(const JobTree& job, Diagnostics& diagnostics) : AttributeTypes() {
+AttributeTypes::AttributeTypes(const formats::FileTree& job, Diagnostics& diagnostics) : AttributeTypes() {
     for (const std::string_view name : kFiles) {
         const std::string path = "misc/" + std::string(name);
         if (!job.has(path)) {

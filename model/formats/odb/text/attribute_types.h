@@ -15,12 +15,12 @@ namespace model::odb {
 /// What the attributes of records mean. Records hold numbers (`;0=1,2` behind the fields); which number is an option, a
 /// text of the file's `&` table or simply a number depends on the type of the attribute. Types come from
 /// `misc/sysattr*` and `misc/userattr`; for jobs without these files the types of the common system attributes are
-/// built in. Frozen after reading, so every thread may ask.
+/// built in. Frozen after reading, so every thread may read it.
 class AttributeTypes {
 public:
     AttributeTypes();
     /// Reads all type files of the job.
-    AttributeTypes(const JobTree& job, Diagnostics& diagnostics);
+    AttributeTypes(const formats::FileTree& job, Diagnostics& diagnostics);
 
     /// Blocks `BOOLEAN|OPTION|TEXT|INTEGER|FLOAT {NAME= OPTIONS=a;b}`; a later definition replaces an earlier one.
     void read(std::string_view text, std::string_view path, Diagnostics& diagnostics);

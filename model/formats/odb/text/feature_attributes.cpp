@@ -75,22 +75,23 @@ std::uint32_t AttributeCollector::set(std::string_view tail) {
     const auto [location, isNew] = m_rows.try_emplace(set, static_cast<std::uint32_t>(m_into.sets.size()));
     if (isNew) {
         m_into.sets.emplace_back(set);
-        m_drills.push_back(findDrill(set));
+        m_platings.push_back(findPlating(set));
     }
     m_last = set;
     m_lastRow = location->second;
     return m_lastRow;
 }
 
-std::int8_t AttributeCollector::findDrill(std::string_view set) const {
-    std::int8_t drill = -1;
+Plating AttributeCollector::findPlating(std::string_view set) const {
+    static constexpr Plating kValues[] = {Plating::Plated, Plating::NonPlated, Plating::Via};
+    Plating plating = Plating::NotSaid;
     forEachEntry(set, [&](std::string_view number, std::string_view raw) {
         const auto value = parseInteger(raw);
         if (!m_drillAttribute.empty() && number == m_drillAttribute && value && *value >= 0 && *value <= 2) {
-            drill = static_cast<std::int8_t>(*value);
+            plating = kValues[*value];
         }
     });
-    return drill;
+    return plating;
 }
 
 }  // namespace model::odb

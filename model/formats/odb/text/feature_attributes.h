@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "model/board/attributes.h"
+#include "model/board/document.h"
 #include "model/formats/odb/text/attribute_types.h"
 
 namespace model::odb {
@@ -33,17 +33,17 @@ public:
     bool tableLine(std::string_view line);
     /// Row of the set in the tail of a record, `0=1,2=5;ID=7`; kNone when it is empty.
     std::uint32_t set(std::string_view tail);
-    /// Value of attribute .drill in a set: 0 plated, 1 not plated, 2 via; -1 when it is not there.
-    [[nodiscard]] std::int8_t drill(std::uint32_t set) const { return set == kNone ? std::int8_t{-1} : m_drills[set]; }
+    /// What attribute .drill of a set says.
+    [[nodiscard]] Plating plating(std::uint32_t set) const { return set == kNone ? Plating::NotSaid : m_platings[set]; }
 
 private:
     static constexpr std::uint32_t kNone = FeatureAttributes::kNone;
 
-    [[nodiscard]] std::int8_t findDrill(std::string_view set) const;
+    [[nodiscard]] Plating findPlating(std::string_view set) const;
 
     FeatureAttributes& m_into;
     std::unordered_map<std::string_view, std::uint32_t> m_rows;
-    std::vector<std::int8_t> m_drills;
+    std::vector<Plating> m_platings;
     std::string m_drillAttribute;  ///< "3" when attribute 3 is .drill
     std::string_view m_last;       ///< neighbours mostly carry the same
     std::uint32_t m_lastRow = kNone;

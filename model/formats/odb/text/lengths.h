@@ -22,5 +22,7 @@ constexpr std::int64_t symbolNm(Unit unit) {
 
 /// "MM" or "INCH" in any case; nothing for other texts, empty ones included.
 [[nodiscard]] std::optional<Unit> parseUnit(std::string_view text);
+/// Takes a line `UNITS=MM` or `U MM`; a unit that is neither changes nothing.
+[[nodiscard]] bool readUnit(std::string_view line, std::int64_t& nmPerUnit);
 
 }  // namespace model::odb

@@ -203,6 +203,16 @@ std::optional<Unit> parseUnit(std::string_view text) {
     return equalsIgnoringCase(text, "INCH") ? std::optional(Unit::Inch) : std::nullopt;
 }
 
+bool readUnit(std::string_view line, std::int64_t& nmPerUnit) {
+    if (!line.starts_with("UNITS") && !line.starts_with("U ")) {
+        return false;
+    }
+    const std::size_t equals = line.find('=');
+    const auto unit = parseUnit(trimmed(line.substr(equals == std::string_view::npos ? 1 : equals + 1)));
+    nmPerUnit = unit ? coordinateNm(*unit) : nmPerUnit;
+    return true;
+}
+
 std::string_view trimmed(std::string_view text) {
     const std::size_t first = text.find_first_not_of(" \t\r\n");
     if (first == std::string_view::npos) {

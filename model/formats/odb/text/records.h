@@ -20,7 +20,7 @@ public:
         }
     }
 
-    /// Moves to the next line that says something. False at the end.
+    /// Moves to the next line that is neither empty nor a comment. False at the end.
     bool next();
     [[nodiscard]] std::string_view line() const { return m_line; }
     [[nodiscard]] std::uint32_t number() const { return m_number; }

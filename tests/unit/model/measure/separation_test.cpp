@@ -475,7 +475,7 @@ private slots:
             DocumentBuilder::Origin origin;
             origin.net = of;
             origin.flags = kPad;
-            origin.subnet = builder.addSubnet({of, SubnetKind::Toeprint, PinId{pin}, 0, 0, 0});
+            origin.subnet = builder.addSubnet({of, SubnetKind::PinPads, PinId{pin}});
             return builder.addCircle({{x, 0}, kMm, 0}, origin);
         };
         pad(0, 0, net);

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <optional>
+
+#include "model/board/document_builder.h"
+
+namespace model::formats {
+
+/// Is this the outline of that board? One job's outline is a 3 × 2 mm box for a 90 mm board. It is believed
+/// when at least half of the copper elements built so far have their middle inside its box, grown by a millimetre;
+/// copies of other steps count with all their copper; without any copper it always is.
+[[nodiscard]] bool fitsCopper(const ShapeSketch& outline, const Document& soFar);
+
+/// The box around all copper, as a stand-in for a missing or wrong outline. Nothing without copper.
+[[nodiscard]] std::optional<ShapeSketch> outlineOfCopper(const Document& soFar);
+
+}  // namespace model::formats

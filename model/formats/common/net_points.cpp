@@ -1,0 +1,275 @@
+#include "model/formats/common/net_points.h"
+
+#include <algorithm>
+#include <map>
+#include <unordered_map>
+
+#include "model/figures/distance.h"
+
+namespace model::formats {
+
+namespace {
+
+/// Points and pads are rounded differently by up to a few µm; other pads are farther away.
+constexpr Nm kReach = 20'000;
+/// A shift is looked for with at most this many points, which is plenty.
+constexpr std::size_t kVoters = 500;
+/// Names listed in a message.
+constexpr std::size_t kListed = 5;
+
+/// Middles of pads and holes by net, and of the pins.
+class Landings {
+public:
+    explicit Landings(const Document& document) : m_locations(document.nets.size()) {
+        for (std::size_t row = 0; row < document.elements.size(); ++row) {
+            const NetId net = document.elements.net[row];
+            if (net.isValid() && (document.elements.flags[row] & (kPad | kHole)) != 0) {
+                m_locations[net.row()].push_back(middleOf(document, row));
+            }
+        }
+        for (const Pin& pin : document.pins) {
+            if (pin.net.isValid()) {
+                m_locations[pin.net.row()].push_back(pin.position);
+            }
+        }
+        for (std::vector<Point>& locations : m_locations) {
+            std::ranges::sort(locations);
+            locations.erase(std::unique(locations.begin(), locations.end()), locations.end());
+        }
+    }
+
+    [[nodiscard]] const std::vector<Point>& of(NetId net) const { return m_locations[net.row()]; }
+
+    [[nodiscard]] bool has(NetId net, Point p) const {
+        const std::vector<Point>& locations = of(net);
+        for (auto at = std::ranges::lower_bound(locations, Point{p.x - kReach, p.y - kReach});
+             at != locations.end() && at->x <= p.x + kReach; ++at) {
+            if (std::abs(at->y - p.y) <= kReach) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+private:
+    static Point middleOf(const Document& document, std::size_t row) {
+        const std::uint32_t geometry = document.elements.geometry[row];
+        switch (document.elements.kind[row]) {
+            case ElementKind::Circle: return document.circles[geometry].centre;
+            case ElementKind::Area: return document.areas[geometry].placement.origin;
+            default: return document.boxOf(ElementId{row}).middle();
+        }
+    }
+
+    std::vector<std::vector<Point>> m_locations;
+};
+
+/// Some jobs have several nets of one name; the netlist then lists it as often, in another order.
+using NetsByName = std::unordered_map<std::string_view, std::vector<NetId>>;
+
+/// What lies under a point, off the middles of all pads of its net.
+enum class Ground { Nothing, NoNet, OwnNet };
+
+/// Looks for what covers points: exact, by a pass over all elements.
+std::vector<Ground> groundsOf(const Document& document, const std::vector<NetPoint>& points) {
+    if (points.empty()) {
+        return {};
+    }
+    FigureTable discs;
+    for (const NetPoint& point : points) {
+        discs.addDisc(point.position, 0.0);
+    }
+    std::vector<Ground> grounds(points.size(), Ground::Nothing);
+    const auto check = [&](ElementId element, const Box& box, std::size_t i) {
+        const NetId net = document.elements.net[element.row()];
+        if (grounds[i] == Ground::OwnNet || (net.isValid() && net != points[i].net) || !box.holds(points[i].position)) {
+            return;
+        }
+        FigureTable figures;
+        figures.add(document, element);
+        for (std::size_t row = 0; row < figures.size(); ++row) {
+            if (spacingBetween(figures, row, discs, i, kTouchNm)) {
+                grounds[i] = net.isValid() ? Ground::OwnNet : Ground::NoNet;
+            }
+        }
+    };
+    for (std::size_t row = 0; row < document.elements.size(); ++row) {
+        if (document.layer(document.elements.layer[row]).isCopper()) {
+            const Box box = document.boxOf(ElementId{row});
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                check(ElementId{row}, box, i);
+            }
+        }
+    }
+    return grounds;
+}
+
+class NetPointMaker {
+public:
+    NetPointMaker(DocumentBuilder& builder, const NetlistFile& file, const Landings& landings, const NetsByName& nets)
+        : m_builder(builder), m_file(file), m_netlist(*file.netlist), m_landings(landings) {
+        for (const std::string& name : m_netlist.names) {
+            const auto found = nets.find(name);
+            m_nets.push_back(found == nets.end() ? std::span<const NetId>{} : found->second);
+        }
+    }
+
+    void run() {
+        reportUnknownNames();
+        const Point shift = findShift();
+        std::vector<NetPoint> beside;
+        std::vector<std::uint32_t> lines;
+        for (const NetlistPoint& from : m_netlist.points) {
+            const NetPoint point = pointFrom(from, shift);
+            if (point.net.isValid() && !m_landings.has(point.net, point.position)) {
+                beside.push_back(point);
+                lines.push_back(from.line);
+            }
+            m_builder.addNetPoint(point);
+        }
+        if (2 * beside.size() <= m_netlist.points.size()) {  // else that is reported already
+            const std::vector<Ground> grounds = groundsOf(m_builder.soFar(), beside);
+            reportGround(grounds, Ground::NoNet, lines, "lie on copper without a net");
+            reportGround(grounds, Ground::Nothing, lines, "lie on no copper of their net");
+        }
+    }
+
+private:
+    void report(Severity severity, std::uint32_t line, const std::string& text) {
+        m_builder.diagnostics().report(severity, m_file.path, line, text);
+    }
+
+    void reportGround(const std::vector<Ground>& grounds, Ground ground, const std::vector<std::uint32_t>& lines,
+                      const char* what) {
+        const auto count = std::ranges::count(grounds, ground);
+        if (count > 0) {
+            const auto first = std::ranges::find(grounds, ground) - grounds.begin();
+            report(
+                Severity::Warning, lines[static_cast<std::size_t>(first)],
+                std::to_string(count) + " of " + std::to_string(m_netlist.points.size()) + " netlist points " + what);
+        }
+    }
+
+    [[nodiscard]] std::span<const NetId> netsOf(const NetlistPoint& point) const {
+        return point.net >= 0 && static_cast<std::size_t>(point.net) < m_nets.size()
+                   ? m_nets[static_cast<std::size_t>(point.net)]
+                   : std::span<const NetId>{};
+    }
+
+    [[nodiscard]] NetId netOf(const NetlistPoint& point) const {
+        const std::span<const NetId> nets = netsOf(point);
+        return nets.empty() ? NetId{} : nets.front();
+    }
+
+    /// Of several nets of its name the one that has a pad or hole there.
+    [[nodiscard]] NetId netAt(const NetlistPoint& point, Point location) const {
+        const std::span<const NetId> nets = netsOf(point);
+        const auto there = std::ranges::find_if(nets, [&](NetId net) { return m_landings.has(net, location); });
+        return there == nets.end() ? netOf(point) : *there;
+    }
+
+    void reportUnknownNames() {
+        std::string list;
+        std::size_t unknown = 0;
+        for (std::size_t i = 0; i < m_nets.size(); ++i) {
+            const std::string& name = m_netlist.names[i];
+            if (!m_nets[i].empty() || name.empty() || name == m_netlist.noNet) {
+                continue;
+            }
+            if (unknown++ < kListed) {
+                list += (list.empty() ? "" : ", ") + name;
+            }
+        }
+        if (unknown > 0) {
+            report(Severity::Warning, 0,
+                   std::to_string(unknown) + " nets of the netlist are not on the board: " + list +
+                       (unknown > kListed ? ", …" : ""));
+        }
+    }
+
+    [[nodiscard]] std::size_t landed(Point shift) const {
+        return static_cast<std::size_t>(std::ranges::count_if(m_netlist.points, [&](const NetlistPoint& point) {
+            const NetId net = netOf(point);
+            return net.isValid() && m_landings.has(net, moved(point.position, shift));
+        }));
+    }
+
+    static Point moved(Point p, Point shift) {
+        const auto sum = [](std::int64_t a, std::int64_t b) {
+            return static_cast<Nm>(std::clamp<std::int64_t>(a + b, -base::kMaxCoordinate, base::kMaxCoordinate));
+        };
+        return {sum(p.x, shift.x), sum(p.y, shift.y)};
+    }
+
+    static Point between(Point from, Point to) { return moved(to, {-from.x, -from.y}); }
+
+    [[nodiscard]] Point findShift() {
+        const auto named = static_cast<std::size_t>(
+            std::ranges::count_if(m_netlist.points, [&](const NetlistPoint& p) { return netOf(p).isValid(); }));
+        if (2 * landed({}) >= named) {
+            return {};
+        }
+        // Every point votes for the shifts that put it on a landing of its net, on a grid coarser than the rounding.
+        std::map<Point, std::pair<std::size_t, Point>> votes;
+        std::size_t voters = 0;
+        for (const NetlistPoint& point : m_netlist.points) {
+            const NetId net = netOf(point);
+            if (!net.isValid() || m_landings.of(net).size() > kVoters || voters++ >= kVoters) {
+                continue;
+            }
+            for (const Point location : m_landings.of(net)) {
+                const Point shift = between(point.position, location);
+                auto& [count, first] = votes[{shift.x / kReach, shift.y / kReach}];
+                first = count++ == 0 ? shift : first;
+            }
+        }
+        const auto best = std::ranges::max_element(votes, {}, [](const auto& vote) { return vote.second.first; });
+        if (best == votes.end() || 2 * landed(best->second.second) < named) {
+            report(Severity::Warning, 0, "most netlist points lie on no pad of their net, with any origin");
+            return {};
+        }
+        report(Severity::Info, 0, "the netlist counts from another origin than the layers; its points were moved");
+        return best->second.second;
+    }
+
+    NetPoint pointFrom(const NetlistPoint& from, Point shift) {
+        NetPoint point;
+        const bool isNamed = from.net >= 0 && static_cast<std::size_t>(from.net) < m_netlist.names.size();
+        point.name = m_builder.string(isNamed ? m_netlist.names[static_cast<std::size_t>(from.net)] : "");
+        point.position = moved(from.position, shift);
+        point.net = netAt(from, point.position);
+        point.radius = from.radius;
+        point.width = from.width;
+        point.height = from.height;
+        point.netlist = m_file.kind;
+        point.side = from.side;
+        point.exposure = from.exposure;
+        point.isEnd = from.isEnd;
+        point.isVia = from.isVia;
+        return point;
+    }
+
+    DocumentBuilder& m_builder;
+    const NetlistFile& m_file;
+    const Netlist& m_netlist;
+    const Landings& m_landings;
+    std::vector<std::span<const NetId>> m_nets;  ///< by number of the name
+};
+
+}  // namespace
+
+void addNetPoints(DocumentBuilder& builder, std::span<const NetlistFile> files) {
+    if (std::ranges::all_of(files, [](const NetlistFile& file) { return file.netlist->points.empty(); })) {
+        return;
+    }
+    const Landings landings(builder.soFar());
+    NetsByName nets;
+    for (std::size_t row = 0; row < builder.soFar().nets.size(); ++row) {
+        nets[builder.soFar().nets[row].name].push_back(NetId{row});
+    }
+    for (const NetlistFile& file : files) {
+        NetPointMaker(builder, file, landings, nets).run();
+    }
+}
+
+}  // namespace model::formats

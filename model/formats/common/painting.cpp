@@ -1,0 +1,274 @@
+#include "model/formats/common/painting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "model/base/parallel.h"
+#include "model/board/element_copy.h"
+#include "model/figures/element_polygons.h"
+#include "model/geometry/boolean.h"
+#include "model/geometry/box_index.h"
+#include "model/geometry/edges.h"
+#include "model/geometry/outlines.h"
+#include "model/geometry/region.h"
+
+namespace model::formats {
+
+namespace {
+
+/// The negative elements, so that an element is compared with those near it only.
+class NegativeIndex {
+public:
+    NegativeIndex(const Document& document, std::span<const std::uint8_t> negatives) : m_document(document) {
+        std::vector<Box> boxes;
+        for (std::size_t i = 0; i < negatives.size(); ++i) {
+            if (negatives[i] != 0) {
+                m_rows.push_back(i);
+                boxes.push_back(document.boxOf(ElementId{i}));
+            }
+        }
+        m_index.emplace(boxes);
+    }
+
+    /// Rows of the negatives behind `element` whose boxes meet its box, rising.
+    [[nodiscard]] std::vector<std::size_t> above(std::size_t element) const {
+        std::vector<std::size_t> found;
+        m_index->visit(m_document.boxOf(ElementId{element}), [&](std::uint32_t negative) {
+            if (m_rows[negative] > element) {
+                found.push_back(m_rows[negative]);
+            }
+        });
+        std::ranges::sort(found);
+        return found;
+    }
+
+private:
+    const Document& m_document;
+    std::vector<std::size_t> m_rows;  ///< of the negatives
+    std::optional<BoxIndex> m_index;
+};
+
+/// What is left of a positive element that negative ones lie over.
+struct Remainder {
+    PolygonSet left;
+    std::vector<std::uint32_t> features;  ///< its own and those of the negatives, rising
+};
+
+/// Nothing when the element is untouched.
+std::optional<Remainder> remainder(const Document& document, std::size_t element, const NegativeIndex& index) {
+    const std::vector<std::size_t> above = index.above(element);
+    if (above.empty()) {
+        return std::nullopt;
+    }
+    Remainder result;
+    result.features.push_back(document.elements.firstFeature[element]);
+    PolygonSet cut;
+    for (const std::size_t row : above) {
+        cut.append(discretise(document, ElementId{row}, kBooleanChords));
+        result.features.push_back(document.elements.firstFeature[row]);
+    }
+    result.features.erase(std::unique(result.features.begin(), result.features.end()), result.features.end());
+    result.left = subtract(discretise(document, ElementId{element}, kBooleanChords), cut);
+    return result;
+}
+
+std::vector<std::optional<Remainder>> remainders(const Document& document, std::span<const std::uint8_t> negatives) {
+    const NegativeIndex index(document, negatives);
+    std::vector<std::optional<Remainder>> left(negatives.size());
+    base::parallelFor(negatives.size(), [&](std::size_t i) {
+        if (negatives[i] == 0) {
+            left[i] = remainder(document, i, index);
+        }
+    });
+    return left;
+}
+
+PolygonSet visible(const Document& document, std::span<const std::uint8_t> negatives) {
+    const std::vector<std::optional<Remainder>> left = remainders(document, negatives);
+    PolygonSet all;
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        if (negatives[i] == 0) {
+            all.append(left[i] ? left[i]->left : discretise(document, ElementId{i}, kBooleanChords));
+        }
+    }
+    return all;
+}
+
+DocumentBuilder::Origin originOf(DocumentBuilder& builder, const Document& document, std::size_t row) {
+    const ElementTable& table = document.elements;
+    DocumentBuilder::Origin origin;
+    origin.net = table.net[row];
+    origin.subnet = table.subnet[row];
+    origin.feature = table.firstFeature[row];
+    origin.line = table.line[row];
+    origin.flags = table.flags[row];
+    origin.attributes = builder.attributes(document.attributes.values(table.attributes[row]));
+    if (table.symbol[row].isValid()) {
+        origin.symbol = builder.symbol(document.symbols[table.symbol[row].row()]);
+    }
+    return origin;
+}
+
+/// The outline of an element with exact arcs, where that is easy.
+std::optional<ShapeSketch> exactOutline(const Document& document, std::size_t row) {
+    const std::uint32_t geometry = document.elements.geometry[row];
+    const ElementKind kind = document.elements.kind[row];
+    if (kind == ElementKind::Area) {
+        const AreaGeometry& area = document.areas[geometry];
+        return sketchOf(document.shapes, area.shape, area.placement);
+    }
+    ShapeSketch sketch;
+    if (kind == ElementKind::Circle) {
+        const CircleGeometry& circle = document.circles[geometry];
+        if (circle.diameter < 2) {
+            return std::nullopt;
+        }
+        sketch.addCircle(circle.centre, circle.diameter / 2, false);
+        if (circle.innerDiameter > 0) {
+            sketch.addCircle(circle.centre, circle.innerDiameter / 2, true);
+        }
+        return sketch;
+    }
+    const bool isRoundLine = kind == ElementKind::Line && (document.elements.flags[row] & kSquarePen) == 0;
+    if (!isRoundLine || document.lines[geometry].width < 2) {
+        return std::nullopt;
+    }
+    const LineGeometry& line = document.lines[geometry];
+    addCapsule(sketch, base::toDouble(line.a), base::toDouble(line.b), line.width);
+    return sketch;
+}
+
+/// More elements than this are not tested pair by pair for exactness.
+constexpr std::size_t kMaxExactElements = 64;
+
+bool keepApart(const Document& document) {
+    const std::size_t count = document.elements.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t j = i + 1; j < count; ++j) {
+            if (document.boxOf(ElementId{i}).meets(document.boxOf(ElementId{j}))) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+std::optional<ShapeSketch> exactRegion(const Document& document, std::span<const std::uint8_t> negatives) {
+    const bool isPositive = std::ranges::all_of(negatives, [](std::uint8_t n) { return n == 0; });
+    if (!isPositive || negatives.size() > kMaxExactElements || !keepApart(document)) {
+        return std::nullopt;
+    }
+    ShapeSketch all;
+    for (std::size_t i = 0; i < negatives.size(); ++i) {
+        const std::optional<ShapeSketch> outline = exactOutline(document, i);
+        if (!outline) {
+            return std::nullopt;
+        }
+        all.append(*outline, {});
+    }
+    return all;
+}
+
+/// Finds the features whose outlines run along a piece. Booleans round crossings to whole nanometres, so the middle of
+/// an edge of the result lies within 2 nm of the edge it is a part of.
+class OutlineSources {
+public:
+    explicit OutlineSources(const Document& painted) {
+        for (std::size_t row = 0; row < painted.elements.size(); ++row) {
+            const PolygonSet polygons = discretise(painted, ElementId{row}, kBooleanChords);
+            for (std::size_t i = 0; i < polygons.loopCount(); ++i) {
+                addLoop(polygons.loop(i), painted.elements.firstFeature[row]);
+            }
+        }
+        std::vector<Box> boxes;
+        for (const Edge& edge : m_edges) {
+            boxes.push_back(boxOf(edge).grownBy(kReach));
+        }
+        m_index.emplace(boxes);
+    }
+
+    void collect(std::span<const Point> loop, std::set<std::uint32_t>& features) const {
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const Point a = loop[i];
+            const Point b = loop[(i + 1) % loop.size()];
+            const PointD middle = {(static_cast<double>(a.x) + b.x) / 2, (static_cast<double>(a.y) + b.y) / 2};
+            Box box;
+            box.include(rounded(middle));
+            m_index->visit(box, [&](std::uint32_t row) {
+                const PointD on = nearestOn(m_edges[row], middle);
+                if (std::hypot(on.x - middle.x, on.y - middle.y) <= kReach) {
+                    features.insert(m_features[row]);
+                }
+            });
+        }
+    }
+
+private:
+    static constexpr Nm kReach = 2;
+
+    void addLoop(std::span<const Point> loop, std::uint32_t feature) {
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            m_edges.push_back(edgeOf({loop[i], {}, EdgeKind::Line}, loop[(i + 1) % loop.size()]));
+            m_features.push_back(feature);
+        }
+    }
+
+    std::vector<Edge> m_edges;
+    std::vector<std::uint32_t> m_features;  ///< by edge
+    std::optional<BoxIndex> m_index;
+};
+
+void addPiece(DocumentBuilder& builder, const PolygonSet& pieces, const PolygonSet::Polygon& piece, NetId net,
+              const OutlineSources& sources) {
+    ShapeSketch sketch;
+    std::set<std::uint32_t> features;
+    for (std::uint32_t i = 0; i < piece.loopCount; ++i) {
+        sketch.addPolygon(pieces.loop(piece.firstLoop + i), i > 0);
+        sources.collect(pieces.loop(piece.firstLoop + i), features);
+    }
+    DocumentBuilder::Origin origin;
+    origin.net = net;
+    builder.addPaintedArea({builder.addShape(sketch), {}}, origin,
+                           std::vector<std::uint32_t>(features.begin(), features.end()));
+}
+
+}  // namespace
+
+void addPainted(DocumentBuilder& builder, const Document& painted, std::span<const std::uint8_t> negatives) {
+    const std::vector<std::optional<Remainder>> left = remainders(painted, negatives);
+    ElementCopier copier(builder, painted);
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        if (negatives[i] != 0) {
+            continue;
+        }
+        if (!left[i]) {
+            copier.copy(ElementId{i}, originOf(builder, painted, i));
+        } else if (const ShapeSketch sketch = sketchOf(left[i]->left); !sketch.isEmpty()) {
+            builder.addPaintedArea({builder.addShape(sketch), {}}, originOf(builder, painted, i), left[i]->features);
+        }
+    }
+}
+
+InverseSummary addInverse(DocumentBuilder& builder, const PolygonSet& base, const Document& painted,
+                          std::span<const std::uint8_t> negatives, std::span<const NetVote> votes) {
+    const PolygonSet pieces = subtract(base, visible(painted, negatives));
+    const std::vector<PieceNet> nets = netsOf(pieces, votes);
+    const OutlineSources sources(painted);
+    InverseSummary summary;
+    summary.pieces = pieces.polygons.size();
+    for (std::size_t i = 0; i < nets.size(); ++i) {
+        addPiece(builder, pieces, pieces.polygons[i], nets[i].net, sources);
+        summary.withoutNet += nets[i].net.isValid() ? 0 : 1;
+        summary.withSeveralNets += nets[i].hasOtherVotes ? 1 : 0;
+    }
+    return summary;
+}
+
+ShapeSketch regionOf(const Document& painted, std::span<const std::uint8_t> negatives) {
+    std::optional<ShapeSketch> exact = exactRegion(painted, negatives);
+    return exact ? std::move(*exact) : sketchOf(unite(visible(painted, negatives)));
+}
+
+}  // namespace model::formats

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "model/board/document_builder.h"
+#include "model/formats/common/plane_nets.h"
+#include "model/geometry/discretise.h"
+
+namespace model::formats {
+
+/// Paint order: later features lie over earlier ones, and a negative one takes away what is below it. So what remains of a positive element is its region minus all negative elements after it. `negatives` has
+/// one entry per element of the document.
+
+/// Copies the positive elements of `painted` to the builder's current layer. Those that no later negative touches stay
+/// as they are; what is left of the others becomes a painted Area with the same net, symbol and feature, straight-edged
+/// within 1 µm; its sources are that feature and the negative ones over its box.
+void addPainted(DocumentBuilder& builder, const Document& painted, std::span<const std::uint8_t> negatives);
+
+/// How the pieces of a negative layer got their nets.
+struct InverseSummary {
+    std::size_t pieces = 0;
+    std::size_t withoutNet = 0;
+    std::size_t withSeveralNets = 0;  ///< votes for several nets lie in one piece
+};
+
+/// Adds base minus everything that `painted` leaves visible, one painted Area per connected piece: the copper of a
+/// negative layer. The sources of a piece are the features that shaped its outline; its net is that of the votes in it.
+InverseSummary addInverse(DocumentBuilder& builder, const PolygonSet& base, const Document& painted,
+                          std::span<const std::uint8_t> negatives, std::span<const NetVote> votes);
+
+/// The region that all elements together leave visible. Exact when there is no negative and no two elements come near
+/// each other, else straight-edged within 1 µm.
+[[nodiscard]] ShapeSketch regionOf(const Document& painted, std::span<const std::uint8_t> negatives);
+
+}  // namespace model::formats
