@@ -39,7 +39,7 @@ private slots:
         QVERIFY(views().flat().x() < views().solid().x());
         m_fixture->key(Qt::Key_5);
         QVERIFY(views().flat().y() < views().solid().y());
-        QCOMPARE(m_fixture->settings().arrangement(), Arrangement::Stacked);
+        QCOMPARE(m_fixture->settings().choice<ui::Arrangement>(), Arrangement::Stacked);
         m_fixture->key(Qt::Key_3);
         QVERIFY(!views().flat().isVisible() && views().solid().isVisible());
         m_fixture->key(Qt::Key_2);
@@ -140,7 +140,7 @@ private slots:
     }
 
 private:
-    ui::MainWindow& window() { return m_fixture->window(); }
+    TestWindow& window() { return m_fixture->window(); }
     ui::BoardViews& views() { return window().views(); }
     ui::CameraController& flat() { return views().flat().controller(); }
     ui::CameraController& solid() { return views().solid().controller(); }

@@ -44,15 +44,15 @@ private slots:
     }
 
     void modelsKeepTheirPromises() {
-        const QAbstractItemModelTester locations(&clearances().locations());
-        const QAbstractItemModelTester rules(&clearances().rules());
+        const QAbstractItemModelTester locations(&window().find<ui::ClearanceModel>());
+        const QAbstractItemModelTester rules(&window().find<ui::RuleModel>());
         measure();
-        QVERIFY(clearances().locations().rowCount() > 3);
+        QVERIFY(window().find<ui::ClearanceModel>().rowCount() > 3);
     }
 
     void theNarrowestIsShownInBothViewsAndWalkedThrough() {
         measure();
-        const ClearanceModel& locations = clearances().locations();
+        const ClearanceModel& locations = window().find<ui::ClearanceModel>();
         double last = 0.0;
         for (int row = 0; row < locations.rowCount(); ++row) {
             const double gap = locations.data(locations.index(row, ClearanceModel::Spacing), Qt::EditRole).toDouble();
@@ -94,7 +94,7 @@ private slots:
             QVERIFY(styles[bottom.row()].isVisible);
             QCOMPARE(styles[bottom.row()].opacity, 1.0F);
             for (std::size_t row = 0; row < styles.size(); ++row) {
-                const model::RuleFinding& found = clearances().locations().location(0).found;
+                const model::RuleFinding& found = window().find<ui::ClearanceModel>().location(0).found;
                 const bool isOfSpacing = row == bottom.row() || board.elements.layer[found.a.row()].row() == row ||
                                          board.elements.layer[found.b.row()].row() == row;
                 QVERIFY(isOfSpacing || styles[row].opacity < 0.2F);
@@ -113,7 +113,7 @@ private slots:
 
     void questionsAreNarrowedToLayerViewAndNets() {
         measure();
-        const ClearanceModel& locations = clearances().locations();
+        const ClearanceModel& locations = window().find<ui::ClearanceModel>();
         const ClearanceModel::Location first = locations.location(0);
         const int all = locations.rowCount();
         const auto nets = [&] {
@@ -145,20 +145,20 @@ private slots:
         window().messageBar().hide();
         window().actions()[ActionId::SearchClearances].trigger();
         QVERIFY(window().messageBar().isVisible());
-        QVERIFY(!clearances().isMeasuring());
+        QVERIFY(!window().workspace().isWorking());
         window().messageBar().hide();
     }
 
     void rulesAreEditedCheckedAndKeptInAFile() {
         panel().whatBox().setCurrentIndex(static_cast<int>(ClearancePanel::What::Rules));
-        ui::RuleModel& rules = clearances().rules();
+        ui::RuleModel& rules = window().find<ui::RuleModel>();
         const QModelIndex least = rules.index(0, ui::RuleModel::Least);
         QVERIFY(rules.setData(least, "5 mm", Qt::EditRole));
         QVERIFY(!rules.setData(least, "-3", Qt::EditRole));
         QVERIFY(!rules.setData(least, "apple", Qt::EditRole));
         measure();
         QVERIFY(rules.index(0, ui::RuleModel::Result).data().toString().startsWith("FAIL"));
-        const ClearanceModel& locations = clearances().locations();
+        const ClearanceModel& locations = window().find<ui::ClearanceModel>();
         QVERIFY(locations.index(0, ClearanceModel::Rule).data().toString().startsWith("copper-copper"));
 
         const QString path = m_fixture->folder() + "/rules.json";
@@ -173,8 +173,8 @@ private slots:
     }
 
     void rulesAreEditedInADialogByKeysAndUndone() {
-        const model::RuleTable before = clearances().rules().rules();
-        clearances().editRules(window());
+        const model::RuleTable before = window().find<ui::RuleModel>().rules();
+        window().actions()[ui::ActionId::EditRules].trigger();
         auto* dialog = window().findChild<ui::RuleDialog*>();
         QVERIFY(dialog != nullptr && dialog->isVisible());
         press(*dialog, "Add &class");
@@ -191,21 +191,21 @@ private slots:
         dialog->ruleTable().setCurrentIndex(dialog->rules().index(0, ui::RuleModel::On));
         QTest::keyClick(&dialog->ruleTable(), Qt::Key_Space);
         QVERIFY(!dialog->rules().rules().rules[0].isOn);
-        QVERIFY(clearances().rules().rules() == before);  // nothing counts yet
+        QVERIFY(window().find<ui::RuleModel>().rules() == before);  // nothing counts yet
         const model::RuleTable after = dialog->rules().rules();
         dialog->accept();
-        QVERIFY(clearances().rules().rules() == after);
+        QVERIFY(window().find<ui::RuleModel>().rules() == after);
         window().actions()[ActionId::Undo].trigger();
-        QVERIFY(clearances().rules().rules() == before);
+        QVERIFY(window().find<ui::RuleModel>().rules() == before);
         window().actions()[ActionId::Redo].trigger();
-        QVERIFY(clearances().rules().rules() == after);
+        QVERIFY(window().find<ui::RuleModel>().rules() == after);
         window().actions()[ActionId::Undo].trigger();
 
         QTRY_VERIFY(window().findChild<ui::RuleDialog*>() == nullptr);
-        clearances().editRules(window());
+        window().actions()[ui::ActionId::EditRules].trigger();
         window().findChild<ui::RuleDialog*>()->rules().addRule();
         window().findChild<ui::RuleDialog*>()->reject();
-        QVERIFY(clearances().rules().rules() == before);
+        QVERIFY(window().find<ui::RuleModel>().rules() == before);
         QTRY_VERIFY(window().findChild<ui::RuleDialog*>() == nullptr);
         window().activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&window()));
@@ -219,7 +219,7 @@ private slots:
         measure();
         base::Progress progress;
         const model::Document& board = *window().document();
-        const model::RuleTable& table = clearances().rules().rules();
+        const model::RuleTable& table = window().find<ui::RuleModel>().rules();
         const model::StepRules expected[] = {{&board, *model::checkRules(board, table, progress)}};
         QCOMPARE(exported(path + ".csv"), model::ruleReport(table, expected, model::ReportFormat::Csv, 1'000'000));
         QCOMPARE(exported(path + ".txt"), model::ruleReport(table, expected, model::ReportFormat::Text, 1'000'000));
@@ -235,17 +235,17 @@ private slots:
 
     void theLensFollowsSliderAndSelection() {
         measure();
-        const model::RuleFinding found = clearances().locations().location(0).found;
+        const model::RuleFinding found = window().find<ui::ClearanceModel>().location(0).found;
         window().selection().select({{0, found.a}});
         m_fixture->key(Qt::Key_L);
-        QVERIFY(clearances().lens().isOn());
-        QTRY_VERIFY(!clearances().lens().isSearching());
+        QVERIFY(window().find<ui::Lens>().isOn());
+        QTRY_VERIFY(!window().find<ui::Lens>().isSearching());
         panel().lensSlider().setFocus();
         std::size_t last = 0;
         bool hasOther = false;
         for (int value = panel().lensSlider().minimum(); value <= panel().lensSlider().maximum(); value += 20) {
             panel().lensSlider().setValue(value);
-            const auto highlighted = clearances().lens().highlighted();
+            const auto highlighted = window().find<ui::Lens>().highlighted();
             QVERIFY(highlighted.size() >= last);
             QTRY_COMPARE(window().selection().nearby().size(), highlighted.size());
             for (const model::Nearby& near : highlighted) {
@@ -264,7 +264,7 @@ private slots:
     void aReloadForgetsWhatWasFound() {
         measure();
         QVERIFY(m_fixture->openAndWait(locations::kSample));
-        QCOMPARE(clearances().locations().rowCount(), 0);
+        QCOMPARE(window().find<ui::ClearanceModel>().rowCount(), 0);
         QCOMPARE(panel().summary(), "No search yet");
         m_fixture->key(Qt::Key_F8);  // nothing to step to
     }
@@ -273,23 +273,23 @@ private slots:
         window().actions()[ActionId::SearchClearances].trigger();
         QVERIFY(m_fixture->openAndWait(locations::kSample));
         QTest::qWait(100);
-        QVERIFY(!clearances().isMeasuring());
-        QCOMPARE(clearances().locations().rowCount(), 0);
+        QVERIFY(!window().workspace().isWorking());
+        QCOMPARE(window().find<ui::ClearanceModel>().rowCount(), 0);
     }
 
     void aBoardWithCopperButNoNetsIsTold() {
         QVERIFY(m_fixture->openAndWait(QString(locations::kTestData) + "/odb/drills"));
         measure();
-        QCOMPARE(clearances().locations().rowCount(), 0);
+        QCOMPARE(window().find<ui::ClearanceModel>().rowCount(), 0);
         QVERIFY2(panel().notes().contains("has copper but no nets"), qPrintable(panel().notes()));
         QVERIFY(m_fixture->openAndWait(locations::kSample));
         QVERIFY(panel().notes().isEmpty());
     }
 
 private:
-    [[nodiscard]] ui::MainWindow& window() { return m_fixture->window(); }
+    [[nodiscard]] TestWindow& window() { return m_fixture->window(); }
     [[nodiscard]] ui::Clearances& clearances() { return window().clearances(); }
-    [[nodiscard]] ClearancePanel& panel() { return clearances().panel(); }
+    [[nodiscard]] ClearancePanel& panel() { return window().find<ui::ClearancePanel>(); }
 
     double heightOf(model::LayerId layer) { return window().document()->layer(layer).z; }
 
@@ -318,7 +318,7 @@ private:
     }
     void measure() {
         m_fixture->key(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
-        QTRY_VERIFY(!clearances().isMeasuring());
+        QTRY_VERIFY(!window().workspace().isWorking());
     }
     void ask(ClearancePanel::Where where) {
         panel().whereBox().setCurrentIndex(static_cast<int>(where));

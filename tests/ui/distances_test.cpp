@@ -214,10 +214,10 @@ private slots:
     }
 
 private:
-    ui::MainWindow& window() { return m_fixture->window(); }
+    TestWindow& window() { return m_fixture->window(); }
     ui::BoardViews& views() { return window().views(); }
-    ui::ClearanceMapOverlay& distances() { return window().clearances().distances(); }
-    ui::ClearanceMapBar& bar() { return window().clearances().panel().distances(); }
+    ui::ClearanceMapOverlay& distances() { return window().find<ui::ClearanceMapOverlay>(); }
+    ui::ClearanceMapBar& bar() { return window().find<ui::ClearancePanel>().distances(); }
     QImage grab(BoardView& view) { return view.grabPicture()->convertToFormat(QImage::Format_RGB32); }
 
     void switchOn() {

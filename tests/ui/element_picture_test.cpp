@@ -94,7 +94,7 @@ private slots:
     }
 
 private:
-    ui::MainWindow& window() { return m_fixture->window(); }
+    TestWindow& window() { return m_fixture->window(); }
     ElementPicture& picture() { return window().elementPanel().picture(); }
     const model::Document& board() { return *window().document(); }
     std::size_t layerOf(ElementId element) { return board().elements.layer[element.row()].row(); }

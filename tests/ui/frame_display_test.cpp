@@ -70,7 +70,7 @@ private slots:
     }
 
 private:
-    ui::MainWindow& window() { return m_fixture->window(); }
+    TestWindow& window() { return m_fixture->window(); }
     ui::FrameDisplay& display() { return window().frameDisplay(); }
 
     void turn() {

@@ -51,7 +51,7 @@ private slots:
     }
 
 private:
-    ui::MainWindow& window() { return m_fixture->window(); }
+    TestWindow& window() { return m_fixture->window(); }
 
     template <class Rule>
     const Diagnostic& firstThat(const Rule& rule) {

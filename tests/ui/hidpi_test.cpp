@@ -58,7 +58,7 @@ private slots:
     }
 
     void aClickHitsWhatIsSeenThere() {
-        ui::MainWindow& window = m_fixture->window();
+        TestWindow& window = m_fixture->window();
         ui::BoardView& flat = window.views().flat();
         const model::Document& board = *window.document();
         int hits = 0;
@@ -83,7 +83,7 @@ private slots:
     }
 
     void theCubeIsClickedWhereItIsSeen() {
-        ui::MainWindow& window = m_fixture->window();
+        TestWindow& window = m_fixture->window();
         window.actions()[ActionId::ShowSolid].trigger();
         window.actions()[ActionId::ViewIso].trigger();
         QTest::qWait(50);

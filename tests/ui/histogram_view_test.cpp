@@ -83,7 +83,7 @@ private slots:
     }
 
 private:
-    ui::MainWindow& window() { return m_fixture->window(); }
+    TestWindow& window() { return m_fixture->window(); }
     ui::HistogramView& plot() { return window().statisticsPanel().plot(); }
 
     std::unique_ptr<WindowFixture> m_fixture;

@@ -141,7 +141,7 @@ private slots:
 
         for (const char* name : {"stack.svg", "stack.csv"}) {
             const QString path = m_fixture->folder() + "/" + name;
-            window().exportStackup(path);
+            window().save(ui::ActionId::ExportStackup, path);
             const QByteArray written = contentsOf(path);
             for (const std::size_t row : rows) {
                 QVERIFY(written.contains(board().stackup.rows[row].name.c_str()));
@@ -267,8 +267,8 @@ private slots:
         dock("clearances").raise();
         panel().whereBox().setCurrentIndex(static_cast<int>(ClearancePanel::Where::View));
         m_fixture->key(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
-        QTRY_VERIFY_WITH_TIMEOUT(!window().clearances().isMeasuring(), kPatienceMs);
-        const auto& locations = window().clearances().locations();
+        QTRY_VERIFY_WITH_TIMEOUT(!window().workspace().isWorking(), kPatienceMs);
+        const auto& locations = window().find<ui::ClearanceModel>();
         QVERIFY2(locations.rowCount() > 0, qPrintable(panel().summary()));
         for (int row = 0; row < std::min(locations.rowCount(), 3); ++row) {
             m_fixture->key(Qt::Key_F8);
@@ -334,7 +334,7 @@ private slots:
         panel().whereBox().setCurrentIndex(static_cast<int>(ClearancePanel::Where::Nets));
         m_fixture->key(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
         QTRY_VERIFY_WITH_TIMEOUT(!isBusy(), kPatienceMs);
-        QCOMPARE(window().clearances().locations().rowCount(), 0);
+        QCOMPARE(window().find<ui::ClearanceModel>().rowCount(), 0);
         QVERIFY(window().selection().nearby().empty());
         m_fixture->key(Qt::Key_L);
     }
@@ -368,10 +368,10 @@ private slots:
         m_fixture->key(Qt::Key_F5);
         QCOMPARE(started.count(), 1);
         QTRY_VERIFY_WITH_TIMEOUT(!window().loader().isLoading(), kPatienceMs);
-        QVERIFY(!window().netChecker().isChecking());
-        QVERIFY(!window().clearances().isMeasuring());
-        QVERIFY(!window().clearances().lens().isSearching());
-        QCOMPARE(window().clearances().locations().rowCount(), 0);
+        QVERIFY(!window().workspace().isWorking());
+        QVERIFY(!window().workspace().isWorking());
+        QVERIFY(!window().find<ui::Lens>().isSearching());
+        QCOMPARE(window().find<ui::ClearanceModel>().rowCount(), 0);
         QCOMPARE(window().netCheck().rowCount(), 0);
     }
 
@@ -384,19 +384,19 @@ private slots:
     }
 
 private:
-    ui::MainWindow& window() { return m_fixture->window(); }
+    TestWindow& window() { return m_fixture->window(); }
     BoardView& flat() { return window().views().flat(); }
     BoardView& solid() { return window().views().solid(); }
     ui::StackupView& stackupView() { return window().stackupPanel().view(); }
     ui::TableView& nets() { return window().netsPanel().table(); }
-    ClearancePanel& panel() { return window().clearances().panel(); }
+    ClearancePanel& panel() { return window().find<ui::ClearancePanel>(); }
     QDockWidget& dock(const char* name) { return *window().findChild<QDockWidget*>(name); }
     const model::Document& board() { return *window().document(); }
     const ui::BoardPosition& place() { return window().probing().position(); }
     const std::vector<Measurement>& measurements() { return window().measurements().list().measurements(); }
     bool isBusy() {
-        return window().netChecker().isChecking() || window().clearances().isMeasuring() ||
-               window().clearances().lens().isSearching();
+        return window().workspace().isWorking() || window().workspace().isWorking() ||
+               window().find<ui::Lens>().isSearching();
     }
 
     void openJob() {

@@ -169,7 +169,7 @@ private slots:
     void whatASelectionNoLongerFindsIsTold() {
         window().selection().select({{0, model::ElementId{std::size_t{1}}}, {0, model::ElementId{std::size_t{4}}}});
         m_fixture->key(Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier);
-        std::vector<model::session::SavedView> views = window().savedViews().list().views();
+        std::vector<model::session::SavedView> views = window().savedViews().views();
         views[0].selection->elements[0].box.max.x += 12345;  // as in another version of the board
         views[0].selection->nets.push_back({"pcb", "GONE"});
         QVERIFY(model::session::saveViews(m_job, *window().document(), views).ok());
@@ -183,7 +183,7 @@ private slots:
     }
 
 private:
-    ui::MainWindow& window() { return m_fixture->window(); }
+    TestWindow& window() { return m_fixture->window(); }
     ui::CameraController& solid() { return window().views().solid().controller(); }
     ui::TableView& table() { return window().savedViewsPanel().table(); }
     static void rest() { QTest::qWait(ui::ViewHistory::kRestMs + 100); }
@@ -194,7 +194,7 @@ private:
     }
     QStringList names() {
         QStringList names;
-        for (const auto& view : window().savedViews().list().views()) {
+        for (const auto& view : window().savedViews().views()) {
             names += QString::fromStdString(view.name);
         }
         return names;

@@ -58,9 +58,9 @@ private slots:
         QCOMPARE(window().selection().nets().size(), std::size_t{1});  // Esc only went back to the view
 
         m_fixture->key(Qt::Key_B, Qt::ControlModifier);
-        QCOMPARE(window().savedViews().list().rowCount(), 1);
+        QCOMPARE(window().savedViews().rowCount(), 1);
         m_fixture->key(Qt::Key_Z, Qt::ControlModifier);
-        QCOMPARE(window().savedViews().list().rowCount(), 0);
+        QCOMPARE(window().savedViews().rowCount(), 0);
     }
 
     void panelsTakeTurns() {
@@ -122,7 +122,7 @@ private slots:
     }
 
 private:
-    ui::MainWindow& window() { return m_fixture->window(); }
+    TestWindow& window() { return m_fixture->window(); }
 
     void openByKeys() {
         QVERIFY(QTest::qWaitForWindowActive(&window()));

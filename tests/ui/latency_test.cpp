@@ -108,8 +108,8 @@ private slots:
         window().sections().cutAlong({base::toDouble(box.min), base::toDouble(box.max)});  // aslant: the most to cut
         settle();
         QPointF at = *views().flat().controller().screenOf(
-            window().probing().position().toModel(window().sections().line().line().back()));
-        PaintClock panel(window().sections().panel().view());
+            window().probing().position().toModel(window().find<ui::SectionLine>().line().back()));
+        PaintClock panel(window().find<ui::SectionPanel>().view());
         std::optional<double> flat;
         const auto connection =
             connect(&views().flat(), &ui::BoardView::drawn, this, [&] { flat = flat.value_or(panel.now()); });
@@ -130,7 +130,7 @@ private slots:
         }
         send(QEvent::MouseButtonRelease, at);
         disconnect(connection);
-        const std::size_t pieces = window().sections().panel().view().section()->pieces.size();
+        const std::size_t pieces = window().find<ui::SectionPanel>().view().section()->pieces.size();
         tell(qPrintable(QString("drag a section of %1 pieces, until its panel is painted").arg(pieces)), inPanel);
         tell("drag a section, until the line is drawn over the 2D view", overBoard);
         window().sections().cutAlong({});
@@ -140,28 +140,28 @@ private slots:
     void theLensFollowsItsSlider() {
         const model::NetId net = largestNet();
         const model::ElementId pad = window().document()->elementsOf(net).front();
-        ui::Clearances& clearances = window().clearances();
+        ui::Lens& lens = window().find<ui::Lens>();
         for (const bool isPad : {true, false}) {
             window().selection().select(isPad ? std::vector{model::BoardElement{0, pad}}
                                               : std::vector<model::BoardElement>{});
             window().selection().setNets(isPad ? std::vector<model::BoardNet>{} : std::vector{model::BoardNet{0, net}});
             settle();
-            clearances.lens().setOn(true);
-            QTRY_VERIFY_WITH_TIMEOUT(!clearances.lens().isSearching(), 60000);
+            lens.setOn(true);
+            QTRY_VERIFY_WITH_TIMEOUT(!lens.isSearching(), 60000);
             settle();
-            QSlider& slider = clearances.panel().lensSlider();
+            QSlider& slider = window().find<ui::ClearancePanel>().lensSlider();
             slider.setValue(slider.minimum());
             settle();
             const QString what = QString("lens of %1").arg(isPad ? "an element" : "the largest net");
             measureFlat(what, [&](int i) { slider.setValue(40 + 20 * i); });
-            clearances.lens().setOn(false);
+            lens.setOn(false);
             settle();
         }
         window().selection().setNets({});
     }
 
     void theDistanceMapFollowsItsSlider() {
-        ui::ClearanceMapOverlay& distances = window().clearances().distances();
+        ui::ClearanceMapOverlay& distances = window().find<ui::ClearanceMapOverlay>();
         const auto hasAll = [&] {
             return distances.field() != nullptr && !distances.isPending() &&
                    distances.picture(ui::BoardView::Kind::Flat).map() != nullptr &&
@@ -175,7 +175,7 @@ private slots:
         tell("distance map of both views", {static_cast<double>(clock.nsecsElapsed()) / 1e6});
         settle();
         measure("distance map, another range",
-                [&](int i) { window().clearances().panel().distances().slider().setValue(8 + 2 * i); });
+                [&](int i) { window().find<ui::ClearancePanel>().distances().slider().setValue(8 + 2 * i); });
         window().selection().setNets({{0, largestNet()}});
         clock.start();
         QTRY_VERIFY_WITH_TIMEOUT(hasAll(), 60000);
@@ -191,7 +191,7 @@ private:
         QCoreApplication::sendEvent(&views().flat().canvas(), &event);
     }
 
-    ui::MainWindow& window() { return m_fixture->window(); }
+    TestWindow& window() { return m_fixture->window(); }
     ui::BoardViews& views() { return window().views(); }
 
     model::NetId largestNet() {

@@ -11,19 +11,19 @@
 using base::Error;
 using base::ErrorCode;
 using base::Progress;
+using model::OpenRequest;
 using ui::LoadedBoard;
 using ui::Loader;
-using ui::LoadRequest;
 
 namespace {
 
-LoadedBoard emptyBoard(const LoadRequest& request) {
+LoadedBoard emptyBoard(const OpenRequest& request) {
     model::DocumentBuilder builder;
-    return {request, builder.finish(), std::make_shared<const render::BoardModel>(), 0.0, {}, {}};
+    return {{request, builder.finish()}, std::make_shared<const render::BoardModel>(), {}};
 }
 
 /// Works until it is told to stop.
-base::Result<LoadedBoard> endless(const LoadRequest&, Progress& progress) {
+base::Result<LoadedBoard> endless(const OpenRequest&, Progress& progress) {
     progress.beginPhase("Reading layers");
     progress.setFraction(0.5F);
     while (!progress.isCancelled()) {
@@ -33,22 +33,22 @@ base::Result<LoadedBoard> endless(const LoadRequest&, Progress& progress) {
 }
 
 /// Endless for boards of that name, else done at once.
-base::Result<LoadedBoard> endlessIfSlow(const LoadRequest& request, Progress& progress) {
+base::Result<LoadedBoard> endlessIfSlow(const OpenRequest& request, Progress& progress) {
     return request.path == "slow" ? endless(request, progress) : base::Result<LoadedBoard>(emptyBoard(request));
 }
 
 /// What a loader said, in order.
 struct Log {
     explicit Log(Loader& loader) {
-        QObject::connect(&loader, &Loader::started, [this](const LoadRequest& r) { add("started", r); });
+        QObject::connect(&loader, &Loader::started, [this](const OpenRequest& r) { add("started", r); });
         QObject::connect(&loader, &Loader::loaded, [this](const LoadedBoard& b) { add("loaded", b.request); });
-        QObject::connect(&loader, &Loader::cancelled, [this](const LoadRequest& r) { add("cancelled", r); });
-        QObject::connect(&loader, &Loader::failed, [this](const LoadRequest& r, const QString& reason) {
+        QObject::connect(&loader, &Loader::cancelled, [this](const OpenRequest& r) { add("cancelled", r); });
+        QObject::connect(&loader, &Loader::failed, [this](const OpenRequest& r, const QString& reason) {
             add("failed", r);
             reasons += reason;
         });
     }
-    void add(const char* what, const LoadRequest& request) {
+    void add(const char* what, const OpenRequest& request) {
         entries += QStringLiteral("%1 %2").arg(what, QString::fromStdString(request.path.string()));
     }
     QStringList entries;
@@ -63,7 +63,7 @@ class LoaderTest : public QObject {
 private slots:
     void boardArrivesOnTheThreadOfTheLoader() {
         std::thread::id worker;
-        Loader loader([&](const LoadRequest& request, Progress&) {
+        Loader loader([&](const OpenRequest& request, Progress&) {
             worker = std::this_thread::get_id();
             return base::Result<LoadedBoard>(emptyBoard(request));
         });
@@ -80,7 +80,7 @@ private slots:
 
     void progressTellsPhaseAndFraction() {
         Loader loader(endless);
-        QSignalSpy progressed(&loader, &Loader::progressed);
+        QSignalSpy progressed(&loader.background(), &ui::Background::progressed);
         loader.open({"a", {}});
         QTRY_VERIFY(!progressed.isEmpty() && progressed.last()[0].toString() == "Reading layers" &&
                     progressed.last()[1].toDouble() == 0.5);
@@ -108,7 +108,7 @@ private slots:
     }
 
     void failureTellsTheReason() {
-        Loader loader([](const LoadRequest&, Progress&) -> base::Result<LoadedBoard> {
+        Loader loader([](const OpenRequest&, Progress&) -> base::Result<LoadedBoard> {
             return Error{ErrorCode::BadInput, "No such file"};
         });
         const Log log(loader);
@@ -118,7 +118,7 @@ private slots:
     }
 
     void wantOfMemoryIsAFailureNotACrash() {
-        Loader loader([](const LoadRequest&, Progress&) -> base::Result<LoadedBoard> { throw std::bad_alloc(); });
+        Loader loader([](const OpenRequest&, Progress&) -> base::Result<LoadedBoard> { throw std::bad_alloc(); });
         const Log log(loader);
         loader.open({"a", {}});
         QTRY_COMPARE(log.entries, QStringList({"started a", "failed a"}));

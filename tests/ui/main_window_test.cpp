@@ -23,16 +23,16 @@
 #include "ui/shell/status_line.h"
 
 using base::ErrorCode;
+using model::OpenRequest;
 using ui::ActionId;
 using ui::LoadedBoard;
-using ui::LoadRequest;
 
 namespace {
 
 const QString kSample = locations::kSample;
 
 /// Real work, except that boards called "slow" never end until cancelled.
-base::Result<LoadedBoard> workWithSlowBoards(const LoadRequest& request, base::Progress& progress) {
+base::Result<LoadedBoard> workWithSlowBoards(const OpenRequest& request, base::Progress& progress) {
     if (request.path != "slow") {
         return ui::loadBoard(request, progress);
     }
@@ -44,14 +44,14 @@ base::Result<LoadedBoard> workWithSlowBoards(const LoadRequest& request, base::P
 }
 
 /// A job of two steps; "broken" is a third that the matrix does not know of.
-base::Result<LoadedBoard> workWithSteps(const LoadRequest& request, base::Progress&) {
+base::Result<LoadedBoard> workWithSteps(const OpenRequest& request, base::Progress&) {
     if (request.step == "broken") {
         return base::Error{ErrorCode::BadInput, "There is no such step"};
     }
     model::DocumentBuilder builder;
     builder.job().steps = {"pcb", "panel", "broken"};
     builder.job().step = request.step.empty() ? "pcb" : request.step;
-    return LoadedBoard{request, builder.finish(), std::make_shared<const render::BoardModel>(), 0.0, {}, {}};
+    return LoadedBoard{{request, builder.finish()}, std::make_shared<const render::BoardModel>(), {}};
 }
 
 void drop(QWidget& target, const QList<QUrl>& urls) {
@@ -305,7 +305,7 @@ private slots:
         const QSize size = window().size();
         window().close();
 
-        ui::MainWindow second(m_fixture->context(), m_fixture->settings());
+        TestWindow second(m_fixture->context(), m_fixture->settings());
         QCOMPARE(second.size(), size);
         QVERIFY(second.findChild<QDockWidget*>("statistics")->isHidden());
         QVERIFY(!second.findChild<QDockWidget*>("layers")->isHidden());
@@ -422,7 +422,7 @@ private slots:
     }
 
 private:
-    ui::MainWindow& window() { return m_fixture->window(); }
+    TestWindow& window() { return m_fixture->window(); }
 
     QModelIndex topCopper(int column) {
         const model::Document& document = *window().document();

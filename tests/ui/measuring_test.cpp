@@ -174,7 +174,7 @@ private slots:
         measureBoth();
         const std::vector<Measurement> kept = list();
         const QString path = m_fixture->folder() + "/out.csv";
-        window().exportMeasurements(path);
+        window().save(ui::ActionId::ExportMeasurements, path);
         QFile csv(path);
         QVERIFY(csv.open(QIODevice::ReadOnly));
         QCOMPARE(csv.readAll().count('\n'), 2);
@@ -203,7 +203,7 @@ private slots:
     }
 
 private:
-    ui::MainWindow& window() { return m_fixture->window(); }
+    TestWindow& window() { return m_fixture->window(); }
     BoardView& flat() { return window().views().flat(); }
     BoardView& solid() { return window().views().solid(); }
     const model::Document& board() { return *window().document(); }

@@ -55,7 +55,7 @@ std::shared_ptr<const model::Document> madeBoard() {
     return builder.finish();
 }
 
-base::Result<ui::LoadedBoard> loadMade(const ui::LoadRequest& request, base::Progress& progress) {
+base::Result<ui::LoadedBoard> loadMade(const model::OpenRequest& request, base::Progress& progress) {
     ui::LoadedBoard board;
     board.request = request;
     board.request.noSession = true;
@@ -208,7 +208,7 @@ private slots:
         QVERIFY(list().empty());
         window().actions()[ActionId::Redo].trigger();
         const QString path = m_fixture->folder() + "/out.csv";
-        window().exportMeasurements(path);
+        window().save(ui::ActionId::ExportMeasurements, path);
         QFile csv(path);
         QVERIFY(csv.open(QIODevice::ReadOnly));
         const QByteArray text = csv.readAll();
@@ -233,9 +233,9 @@ private slots:
         m_fixture->key(Qt::Key_J);
         click(flat(), {0, 0});
         click(flat(), {6, 4});
-        QVERIFY(window().measuring().isFollowing());
+        QVERIFY(window().workspace().isWorking());
         m_fixture->key(Qt::Key_Escape);
-        QVERIFY(!window().measuring().isFollowing());
+        QVERIFY(!window().workspace().isWorking());
         QCOMPARE(said(), QString("Stopped"));
         QCOMPARE(window().measuring().tool(), Measuring::Tool::Length);
         click(flat(), {0, 0});
@@ -288,10 +288,10 @@ private slots:
         model::LocalSpacing gap;
         gap.spacing = {5e6, {-3e6, 1e6}, {2e6, 1e6}};
         gap.layer = model::LayerId{Top};
-        window().measuring().showSpacing(gap);
+        window().workspace().showSpacing(gap);
         QVERIFY(differingPixels(before[0], picture(flat())) > 200);
         QVERIFY(differingPixels(before[1], picture(solid())) > 200);
-        window().measuring().showSpacing(std::nullopt);
+        window().workspace().showSpacing(std::nullopt);
         QCOMPARE(differingPixels(before[0], picture(flat())), 0);
         QVERIFY(list().empty());
     }
@@ -324,7 +324,7 @@ private slots:
     }
 
 private:
-    ui::MainWindow& window() { return m_fixture->window(); }
+    TestWindow& window() { return m_fixture->window(); }
     BoardView& flat() { return window().views().flat(); }
     BoardView& solid() { return window().views().solid(); }
     const model::Document& board() { return *window().document(); }

@@ -94,13 +94,13 @@ private slots:
 
     void aCheckIsStoppedByEscapeAndByItsButton() {
         window().actions()[ActionId::CheckNets].trigger();
-        QVERIFY(window().netChecker().isChecking());
+        QVERIFY(window().workspace().isWorking());
         QVERIFY(window().statusLine().loadBar().isVisible());
         m_fixture->key(Qt::Key_Escape);
-        QVERIFY(!window().netChecker().isChecking());
+        QVERIFY(!window().workspace().isWorking());
         window().actions()[ActionId::CheckNets].trigger();
         window().statusLine().loadBar().findChild<QToolButton*>()->click();
-        QVERIFY(!window().netChecker().isChecking());
+        QVERIFY(!window().workspace().isWorking());
         QVERIFY(!window().statusLine().loadBar().isVisible());
         QTest::qWait(200);
         QCOMPARE(window().netCheckPanel().summary(), "Not checked yet");
@@ -109,13 +109,13 @@ private slots:
     void anotherBoardEndsTheCheck() {
         window().actions()[ActionId::CheckNets].trigger();
         QVERIFY(m_fixture->openAndWait(locations::kTestData + QStringLiteral("/odb/everything")));
-        QVERIFY(!window().netChecker().isChecking());
+        QVERIFY(!window().workspace().isWorking());
         QCOMPARE(window().netCheckPanel().summary(), "Not checked yet");
         QCOMPARE(window().netCheck().rowCount(), 0);
     }
 
 private:
-    ui::MainWindow& window() { return m_fixture->window(); }
+    TestWindow& window() { return m_fixture->window(); }
 
     void waitForBoard() {
         QVERIFY(window().loader().isLoading());
@@ -124,8 +124,8 @@ private:
 
     void check() {
         m_fixture->key(Qt::Key_N, Qt::ControlModifier | Qt::ShiftModifier);
-        QVERIFY(window().netChecker().isChecking());
-        QTRY_VERIFY_WITH_TIMEOUT(!window().netChecker().isChecking(), 60000);
+        QVERIFY(window().workspace().isWorking());
+        QTRY_VERIFY_WITH_TIMEOUT(!window().workspace().isWorking(), 60000);
     }
 
     void click(int row) {

@@ -183,7 +183,7 @@ private:
     using ActionId = ui::ActionId;
     using BoardView = ui::BoardView;
 
-    ui::MainWindow& window() { return m_fixture->window(); }
+    TestWindow& window() { return m_fixture->window(); }
     ui::NetsPanel& panel() { return window().netsPanel(); }
     NetModel& nets() { return window().nets(); }
     ui::TableView& table() { return panel().table(); }

@@ -110,7 +110,7 @@ private slots:
     }
 
 private:
-    ui::MainWindow& window() { return m_fixture->window(); }
+    TestWindow& window() { return m_fixture->window(); }
     ui::ElementPanel& panel() { return window().elementPanel(); }
     ui::BoardView& flat() { return window().views().flat(); }
     ui::BoardView& solid() { return window().views().solid(); }

@@ -259,7 +259,7 @@ private slots:
     }
 
 private:
-    ui::MainWindow& window() { return m_fixture->window(); }
+    TestWindow& window() { return m_fixture->window(); }
     ui::BoardViews& views() { return window().views(); }
     const model::Document& board() { return *window().document(); }
 

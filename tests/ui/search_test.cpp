@@ -129,7 +129,7 @@ private slots:
     }
 
 private:
-    ui::MainWindow& window() { return m_fixture->window(); }
+    TestWindow& window() { return m_fixture->window(); }
     ui::SearchBox& box() { return window().searchBox(); }
 
     void type(const QString& text) {

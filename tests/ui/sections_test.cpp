@@ -38,7 +38,7 @@ private slots:
         sections().cutAlong({});
         window().selection().select({});
         flat().controller().look(render::NamedView::Top);
-        sections().panel().heightsBox().setCurrentIndex(0);
+        window().find<ui::SectionPanel>().heightsBox().setCurrentIndex(0);
     }
     void cleanupTestCase() {
         const std::uint32_t errors = m_fixture->context().validationErrors();
@@ -49,13 +49,14 @@ private slots:
     void aDraggedLineIsCutLiveAndExactly() {
         m_fixture->key(Qt::Key_S, Qt::ShiftModifier);
         QVERIFY(window().actions()[ActionId::DrawSection].isChecked());
-        QVERIFY(sections().panel().isVisible());
+        QVERIFY(window().find<ui::SectionPanel>().isVisible());
         const auto [from, to] = acrossBoard();
         mouse(QEvent::MouseButtonPress, from);
         std::size_t last = 0;
         for (int step = 1; step <= 4; ++step) {
             mouse(QEvent::MouseMove, from + (to - from) * step / 4.0);
-            QTRY_VERIFY(view().section() && isAt(view().section()->line.back(), sections().line().line().back()));
+            QTRY_VERIFY(view().section() &&
+                        isAt(view().section()->line.back(), window().find<ui::SectionLine>().line().back()));
             QCOMPARE(view().section()->pieces.size(), expected().pieces.size());
             QVERIFY(view().section()->pieces.size() > last);
             last = view().section()->pieces.size();
@@ -76,17 +77,17 @@ private slots:
             clickOn(at);
         }
         hover(to);
-        QCOMPARE(sections().line().line().size(), clicks.size() + 1);  // the last leg follows the cursor
+        QCOMPARE(window().find<ui::SectionLine>().line().size(), clicks.size() + 1);  // the last leg follows the cursor
         QTRY_VERIFY(view().section() && view().section()->line.size() == clicks.size() + 1);
         QVERIFY(same(view().section()->pieces, expected().pieces));
         pressKey(Qt::Key_Backspace);
-        QCOMPARE(sections().line().line().size(), clicks.size());
+        QCOMPARE(window().find<ui::SectionLine>().line().size(), clicks.size());
         clickOn(to);
         QVERIFY(window().actions()[ActionId::DrawSection].isChecked());
         pressKey(Qt::Key_Return);
         QVERIFY(!window().actions()[ActionId::DrawSection].isChecked());
-        QVERIFY(!sections().line().isDrawing());
-        const std::vector<PointD>& line = sections().line().line();
+        QVERIFY(!window().find<ui::SectionLine>().isDrawing());
+        const std::vector<PointD>& line = window().find<ui::SectionLine>().line();
         QCOMPARE(line.size(), std::size_t{4});
         const std::vector<QPointF> corners{clicks[0], clicks[1], clicks[2], to};
         for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -105,46 +106,46 @@ private slots:
         mouse(QEvent::MouseButtonRelease, to + QPointF(0, 9), Qt::ShiftModifier);
         mouse(QEvent::MouseButtonDblClick, to + QPointF(0, 9), Qt::ShiftModifier);
         mouse(QEvent::MouseButtonRelease, to + QPointF(0, 9), Qt::ShiftModifier);
-        QVERIFY(!sections().line().isDrawing());
-        QCOMPARE(sections().line().line().size(), std::size_t{2});
-        QCOMPARE(sections().line().line()[0].y, sections().line().line()[1].y);
+        QVERIFY(!window().find<ui::SectionLine>().isDrawing());
+        QCOMPARE(window().find<ui::SectionLine>().line().size(), std::size_t{2});
+        QCOMPARE(window().find<ui::SectionLine>().line()[0].y, window().find<ui::SectionLine>().line()[1].y);
         QVERIFY(view().section().has_value());
     }
 
     void drawingIsGivenUpAndTheLineIsWhatItWas() {
         drawLine();
-        const std::vector<PointD> before = sections().line().line();
+        const std::vector<PointD> before = window().find<ui::SectionLine>().line();
         m_fixture->key(Qt::Key_S, Qt::ShiftModifier);
         const auto [from, to] = acrossBoard();
         clickOn(from + QPointF(0, 25));
         pressKey(Qt::Key_Return);  // one corner is no line
-        QVERIFY(sections().line().isDrawing());
-        QTRY_VERIFY(!view().section() && sections().panel().notes().isEmpty());
+        QVERIFY(window().find<ui::SectionLine>().isDrawing());
+        QTRY_VERIFY(!view().section() && window().find<ui::SectionPanel>().notes().isEmpty());
         clickOn(to + QPointF(0, 25));
         m_fixture->key(Qt::Key_Escape);
-        QVERIFY(!sections().line().isDrawing());
+        QVERIFY(!window().find<ui::SectionLine>().isDrawing());
         QVERIFY(!window().actions()[ActionId::DrawSection].isChecked());
-        QCOMPARE(sections().line().line().size(), before.size());
-        QVERIFY(isAt(sections().line().line().back(), before.back()));
+        QCOMPARE(window().find<ui::SectionLine>().line().size(), before.size());
+        QVERIFY(isAt(window().find<ui::SectionLine>().line().back(), before.back()));
         QVERIFY(same(view().section()->pieces, expected().pieces));
     }
 
     void anEndIsMovedAndShiftKeepsTheLineStraight() {
         const auto [from, to] = acrossBoard();
         drawLine();
-        const PointD start = sections().line().line().front();
+        const PointD start = window().find<ui::SectionLine>().line().front();
         mouse(QEvent::MouseButtonPress, to);
         mouse(QEvent::MouseMove, to + QPointF(3, 17), Qt::ShiftModifier);
-        QCOMPARE(sections().line().line().back().y, start.y);
+        QCOMPARE(window().find<ui::SectionLine>().line().back().y, start.y);
         mouse(QEvent::MouseMove, to + QPointF(-20, 17));
         mouse(QEvent::MouseButtonRelease, to + QPointF(-20, 17));
-        QVERIFY(sections().line().line().back().y < start.y);
+        QVERIFY(window().find<ui::SectionLine>().line().back().y < start.y);
         QVERIFY(same(view().section()->pieces, expected().pieces));
-        const PointD end = sections().line().line().back();
+        const PointD end = window().find<ui::SectionLine>().line().back();
         mouse(QEvent::MouseButtonPress, from);
         mouse(QEvent::MouseMove, from + QPointF(10, 10));
         mouse(QEvent::MouseButtonRelease, from + QPointF(10, 10));
-        QVERIFY(isAt(sections().line().line().back(), end));
+        QVERIFY(isAt(window().find<ui::SectionLine>().line().back(), end));
         QVERIFY(same(view().section()->pieces, expected().pieces));
     }
 
@@ -152,7 +153,7 @@ private slots:
         const QImage before = flat().grabPicture()->copy();
         drawLine();
         QVERIFY(differingPixels(before, *flat().grabPicture()) > 300);
-        sections().panel().findChild<QAction*>()->trigger();  // Clear
+        window().find<ui::SectionPanel>().findChild<QAction*>()->trigger();  // Clear
         QCOMPARE(differingPixels(before, *flat().grabPicture()), 0);
         QVERIFY(!view().section());
     }
@@ -228,12 +229,13 @@ private slots:
 
     void heightsAreDrawnAsManyTimesLargerAsAskedFor() {
         drawLine();
-        for (int row = 1; row < sections().panel().heightsBox().count(); ++row) {
-            sections().panel().heightsBox().setCurrentIndex(row);
+        for (int row = 1; row < window().find<ui::SectionPanel>().heightsBox().count(); ++row) {
+            window().find<ui::SectionPanel>().heightsBox().setCurrentIndex(row);
             const QPointF zero = view().positionOf(0, 0);
             const double perLength = view().positionOf(1e6, 0).x() - zero.x();
             const double perHeight = zero.y() - view().positionOf(0, 1e6).y();
-            QVERIFY(std::abs(perHeight / perLength - sections().panel().heightsBox().currentData().toDouble()) < 1e-6);
+            QVERIFY(std::abs(perHeight / perLength -
+                             window().find<ui::SectionPanel>().heightsBox().currentData().toDouble()) < 1e-6);
         }
     }
 
@@ -259,10 +261,10 @@ private slots:
         const double x = board.max.x + 5e6;
         sections().cutAlong({{x, 0}, {x, 1e6}});
         QVERIFY(view().section()->pieces.empty());
-        QVERIFY(sections().panel().notes().contains("meets nothing"));
+        QVERIFY(window().find<ui::SectionPanel>().notes().contains("meets nothing"));
         sections().cutAlong({{2e9, 0}, {2e9, 1e6}});
         QVERIFY(!view().section());
-        QVERIFY(sections().panel().notes().contains("coordinates"));
+        QVERIFY(window().find<ui::SectionPanel>().notes().contains("coordinates"));
     }
 
     void otherHeightsAreCutAtOnce() {
@@ -270,11 +272,11 @@ private slots:
         const SectionPiece piece = aCopperPiece();
         auto thicker = std::make_shared<model::Document>(*m_index->board);
         thicker->layers[piece.layer.row()].thickness += 70'000;
-        sections().setHeights(thicker);
+        window().workspace().restack(thicker, {}, true);
         const auto now = std::ranges::find(view().section()->pieces, piece.at, &SectionPiece::at);
         QVERIFY(now != view().section()->pieces.end());
         QCOMPARE(now->top - now->bottom, piece.top - piece.bottom + 70'000);
-        sections().setHeights(m_index->board);
+        window().workspace().restack(m_index->board, {}, true);
     }
 
     void theSectionIsExported() {
@@ -339,19 +341,19 @@ private slots:
         m_fixture->key(Qt::Key_B, Qt::ControlModifier | Qt::AltModifier);
         QVERIFY(kept().empty());  // nothing to keep
         drawLine();
-        const std::vector<PointD> line = sections().line().line();
+        const std::vector<PointD> line = window().find<ui::SectionLine>().line();
         m_fixture->key(Qt::Key_B, Qt::ControlModifier | Qt::AltModifier);
         QCOMPARE(kept().size(), std::size_t{1});
-        QAbstractItemModel& names = *sections().panel().list().model();
+        QAbstractItemModel& names = *window().find<ui::SectionPanel>().list().model();
         QVERIFY(names.setData(names.index(0, 0), "Across"));
         QCOMPARE(kept()[0].name, std::string("Across"));
         QVERIFY(names.setData(names.index(0, 0), "  "));  // no name
         QCOMPARE(names.index(0, 0).data().toString(), QString("Across"));
 
         sections().cutAlong({});
-        const QRect location = sections().panel().list().visualRect(names.index(0, 0));
-        QTest::mouseClick(sections().panel().list().viewport(), Qt::LeftButton, {}, location.center());
-        QVERIFY(isAt(sections().line().line().front(), line.front()));
+        const QRect location = window().find<ui::SectionPanel>().list().visualRect(names.index(0, 0));
+        QTest::mouseClick(window().find<ui::SectionPanel>().list().viewport(), Qt::LeftButton, {}, location.center());
+        QVERIFY(isAt(window().find<ui::SectionLine>().line().front(), line.front()));
         QVERIFY(same(view().section()->pieces, expected().pieces));
 
         // As another run of the program finds them.
@@ -359,7 +361,7 @@ private slots:
         QVERIFY(found.ignored.empty());
         QCOMPARE(found.session.sections, kept());
 
-        emit sections().panel().forgotten(0);
+        emit window().find<ui::SectionPanel>().forgotten(0);
         QVERIFY(kept().empty());
         window().actions()[ActionId::Undo].trigger();
         QCOMPARE(kept().size(), std::size_t{1});
@@ -376,7 +378,7 @@ private slots:
                                              {{"Far", "other", {{0, 0}, {1e6, 0}}}}));
         QVERIFY(m_fixture->openAndWait(m_board));
         QCOMPARE(kept().size(), std::size_t{1});
-        emit sections().panel().chosen(0);
+        emit window().find<ui::SectionPanel>().chosen(0);
         QVERIFY(!view().section());
         QVERIFY(model::session::saveSections(m_board.toStdString(), *window().document(), {}));
     }
@@ -389,14 +391,14 @@ private slots:
             {{"Theirs", "step of another job", {{0, 0}, {1e6, 0}}}, {"Beside", here, {{9e8, 9e8}, {9.1e8, 9e8}}}}));
         QVERIFY(m_fixture->openAndWait(m_board));
         QCOMPARE(kept().size(), std::size_t{2});
-        const QSignalSpy reported(&sections(), &ui::Sections::reported);
-        emit sections().panel().chosen(0);
+        const QSignalSpy reported(&window().workspace(), &ui::Workspace::reported);
+        emit window().find<ui::SectionPanel>().chosen(0);
         QVERIFY(!view().section());
         QCOMPARE(reported.last()[0].toString(),
                  "Theirs is a section of step step of another job, which this board does not have");
-        emit sections().panel().chosen(1);
+        emit window().find<ui::SectionPanel>().chosen(1);
         QVERIFY(view().section() && view().section()->pieces.empty());
-        QVERIFY(sections().panel().notes().contains("meets nothing of the board"));
+        QVERIFY(window().find<ui::SectionPanel>().notes().contains("meets nothing of the board"));
         QVERIFY(model::session::saveSections(m_board.toStdString(), *window().document(), {}));
     }
 
@@ -404,16 +406,16 @@ private slots:
         drawLine();
         QVERIFY(m_fixture->openAndWait(m_board));
         QVERIFY(!view().section());
-        QVERIFY(sections().line().line().empty());
+        QVERIFY(window().find<ui::SectionLine>().line().empty());
     }
 
 private:
-    [[nodiscard]] ui::MainWindow& window() { return m_fixture->window(); }
+    [[nodiscard]] TestWindow& window() { return m_fixture->window(); }
     [[nodiscard]] ui::Sections& sections() { return window().sections(); }
-    [[nodiscard]] ui::SectionView& view() { return sections().panel().view(); }
+    [[nodiscard]] ui::SectionView& view() { return window().find<ui::SectionPanel>().view(); }
     [[nodiscard]] BoardView& flat() { return window().views().flat(); }
 
-    [[nodiscard]] const ui::SavedSections::List& kept() { return sections().keeping().sections(); }
+    [[nodiscard]] const ui::SavedSections::List& kept() { return window().find<ui::SavedSections>().sections(); }
     static bool isAt(PointD a, PointD b) { return a.x == b.x && a.y == b.y; }
     static bool same(const std::vector<SectionPiece>& a, const std::vector<SectionPiece>& b) {
         return std::ranges::equal(a, b, [](const SectionPiece& p, const SectionPiece& q) {
@@ -422,7 +424,9 @@ private:
         });
     }
     /// What the line of the window cuts.
-    [[nodiscard]] model::Section expected() { return *model::makeSection(*m_index, {sections().line().line(), {}}); }
+    [[nodiscard]] model::Section expected() {
+        return *model::makeSection(*m_index, {window().find<ui::SectionLine>().line(), {}});
+    }
 
     /// From one edge of the board to the other through its middle, in pixels of the 2D view.
     [[nodiscard]] std::pair<QPointF, QPointF> acrossBoard() {

@@ -23,18 +23,18 @@ private slots:
     void valuesSurviveTheProgram() {
         {
             Settings settings(iniFile());
-            settings.setTheme(ui::Theme::Dark);
-            settings.setBackend(render::Backend::Pull);
-            settings.setArrangement(ui::Arrangement::Stacked);
-            settings.setKeys(ui::KeyPreset::Allegro);
+            settings.choose(ui::Theme::Dark);
+            settings.choose(render::Backend::Pull);
+            settings.choose(ui::Arrangement::Stacked);
+            settings.choose(ui::KeyPreset::Allegro);
             settings.setWindow("geometry", "state");
             settings.setLastFolder("/boards");
         }
         const Settings settings(iniFile());
-        QCOMPARE(settings.theme(), ui::Theme::Dark);
-        QCOMPARE(settings.backend(), render::Backend::Pull);
-        QCOMPARE(settings.arrangement(), ui::Arrangement::Stacked);
-        QCOMPARE(settings.keys(), ui::KeyPreset::Allegro);
+        QCOMPARE(settings.choice<ui::Theme>(), ui::Theme::Dark);
+        QCOMPARE(settings.choice<render::Backend>(), render::Backend::Pull);
+        QCOMPARE(settings.choice<ui::Arrangement>(), ui::Arrangement::Stacked);
+        QCOMPARE(settings.choice<ui::KeyPreset>(), ui::KeyPreset::Allegro);
         QCOMPARE(settings.windowGeometry(), QByteArray("geometry"));
         QCOMPARE(settings.windowState(), QByteArray("state"));
         QCOMPARE(settings.lastFolder(), "/boards");
@@ -47,16 +47,16 @@ private slots:
             store.setValue("view/backend", 7);
         }
         const Settings settings(iniFile());
-        QCOMPARE(settings.theme(), ui::Theme::System);
-        QCOMPARE(settings.backend(), render::Backend::Auto);
+        QCOMPARE(settings.choice<ui::Theme>(), ui::Theme::System);
+        QCOMPARE(settings.choice<render::Backend>(), render::Backend::Auto);
     }
 
     void resetForgetsEverything() {
         Settings settings(iniFile());
-        settings.setTheme(ui::Theme::Light);
+        settings.choose(ui::Theme::Light);
         settings.setRecentBoards({"/a"});
         settings.reset();
-        QCOMPARE(settings.theme(), ui::Theme::System);
+        QCOMPARE(settings.choice<ui::Theme>(), ui::Theme::System);
         QVERIFY(settings.recentBoards().isEmpty());
     }
 

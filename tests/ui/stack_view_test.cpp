@@ -86,16 +86,16 @@ private slots:
 
     void theStackIsExportedAsItIsDrawn() {
         const QString drawing = m_fixture->folder() + "/stack.svg";
-        window().exportStackup(drawing);
+        window().save(ui::ActionId::ExportStackup, drawing);
         QVERIFY(!window().messageBar().isVisible());
         QVERIFY(contentsOf(drawing).contains("copper scale x"));
         window().actions()[ActionId::ExaggerateCopper].trigger();
-        window().exportStackup(drawing);
+        window().save(ui::ActionId::ExportStackup, drawing);
         QVERIFY(contentsOf(drawing).contains(", to scale"));
         const QString table = m_fixture->folder() + "/stack.csv";
-        window().exportStackup(table);
+        window().save(ui::ActionId::ExportStackup, table);
         QVERIFY(contentsOf(table).contains("\r\n1,L1,SIGNAL,35000,assumed,"));
-        window().exportStackup(m_fixture->folder() + "/no/such/folder/stack.csv");
+        window().save(ui::ActionId::ExportStackup, m_fixture->folder() + "/no/such/folder/stack.csv");
         QVERIFY(window().messageBar().isVisible());
     }
 
@@ -107,7 +107,7 @@ private slots:
     }
 
 private:
-    ui::MainWindow& window() { return m_fixture->window(); }
+    TestWindow& window() { return m_fixture->window(); }
     ui::StackupView& view() { return window().stackupPanel().view(); }
 
     std::size_t rowOf(const char* name) {

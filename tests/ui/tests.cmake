@@ -42,7 +42,8 @@ copperscope_test(ui_camera_controller_test ui/camera_controller_test.cpp LABEL u
 copperscope_test(ui_label_placing_test ui/label_placing_test.cpp LABEL ui LINK copperscope_ui)
 copperscope_test(ui_loader_test ui/loader_test.cpp LABEL ui LINK copperscope_ui)
 copperscope_test(ui_settings_test ui/settings_test.cpp LABEL ui LINK copperscope_ui)
-set_tests_properties(ui_actions_test ui_camera_controller_test ui_loader_test ui_settings_test PROPERTIES
+copperscope_test(ui_workspace_test ui/workspace_test.cpp LABEL ui LINK copperscope_ui)
+set_tests_properties(ui_actions_test ui_camera_controller_test ui_loader_test ui_settings_test ui_workspace_test PROPERTIES
     ENVIRONMENT "${offscreen}")
 
 # The window on screens whose pixels are finer than its coordinates.

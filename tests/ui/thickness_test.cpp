@@ -187,9 +187,9 @@ private slots:
     }
 
 private:
-    ui::MainWindow& window() { return m_fixture->window(); }
+    TestWindow& window() { return m_fixture->window(); }
 
-    void openWith(ui::LoadRequest request) {
+    void openWith(model::OpenRequest request) {
         window().open(std::move(request));
         QVERIFY(QTest::qWaitFor([&] { return !window().loader().isLoading(); }, 60000));
     }

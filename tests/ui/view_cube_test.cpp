@@ -116,7 +116,7 @@ private slots:
     }
 
 private:
-    ui::MainWindow& window() { return m_fixture->window(); }
+    TestWindow& window() { return m_fixture->window(); }
     ui::ViewCube& cube() { return window().viewCube(); }
     ui::CameraController& solid() { return window().views().solid().controller(); }
 

@@ -1,9 +1,31 @@
 #include "tests/ui/window_fixture.h"
 
+#include <QFileDialog>
 #include <QGuiApplication>
 #include <QScreen>
 #include <QWindow>
 #include <QtTest>
+
+#include "ui/clearance/clearances.h"
+#include "ui/element/element_panel.h"
+#include "ui/layers/layers_panel.h"
+#include "ui/measure/measurements_panel.h"
+#include "ui/measure/measuring.h"
+#include "ui/messages/messages_panel.h"
+#include "ui/nets/net_check_model.h"
+#include "ui/nets/net_check_panel.h"
+#include "ui/nets/nets_panel.h"
+#include "ui/saved_views/saved_views_panel.h"
+#include "ui/search/search_box.h"
+#include "ui/section/sections.h"
+#include "ui/shell/message_bar.h"
+#include "ui/shell/status_line.h"
+#include "ui/stackup/stackup_model.h"
+#include "ui/stackup/stackup_panel.h"
+#include "ui/statistics/statistics_panel.h"
+#include "ui/views/frame_display.h"
+#include "ui/views/view_cube.h"
+#include "ui/views/views_feature.h"
 
 namespace {
 
@@ -25,6 +47,105 @@ std::unique_ptr<ui::GpuContext> makeContext() {
 
 }  // namespace
 
+void TestWindow::save(ui::ActionId id, const QString& path) {
+    actions()[id].trigger();
+    auto* dialog = findChild<QFileDialog*>();
+    emit dialog->fileSelected(path);
+    delete dialog;
+}
+
+void TestWindow::savePicture(const QString& path, int width) {
+    workspace().reportSaved(ui::savePicture(views().active(), path, width), path);
+}
+
+ui::Clearances& TestWindow::clearances() const {
+    return find<ui::Clearances>();
+}
+
+ui::ElementPanel& TestWindow::elementPanel() const {
+    return find<ui::ElementPanel>();
+}
+
+ui::FrameDisplay& TestWindow::frameDisplay() const {
+    return find<ui::FrameDisplay>();
+}
+
+ui::LayersPanel& TestWindow::layersPanel() const {
+    return find<ui::LayersPanel>();
+}
+
+ui::Measuring& TestWindow::measuring() const {
+    return find<ui::Measuring>();
+}
+
+ui::SavedMeasurements& TestWindow::measurements() const {
+    return find<ui::SavedMeasurements>();
+}
+
+ui::MeasurementsPanel& TestWindow::measurementsPanel() const {
+    return find<ui::MeasurementsPanel>();
+}
+
+ui::MessageBar& TestWindow::messageBar() const {
+    return find<ui::MessageBar>();
+}
+
+ui::MessagesPanel& TestWindow::messagesPanel() const {
+    return find<ui::MessagesPanel>();
+}
+
+ui::NetCheckModel& TestWindow::netCheck() const {
+    return find<ui::NetCheckModel>();
+}
+
+ui::NetCheckPanel& TestWindow::netCheckPanel() const {
+    return find<ui::NetCheckPanel>();
+}
+
+ui::NetModel& TestWindow::nets() const {
+    return find<ui::NetModel>();
+}
+
+ui::NetsPanel& TestWindow::netsPanel() const {
+    return find<ui::NetsPanel>();
+}
+
+ui::ViewListModel& TestWindow::savedViews() const {
+    return find<ui::ViewListModel>();
+}
+
+ui::SavedViewsPanel& TestWindow::savedViewsPanel() const {
+    return find<ui::SavedViewsPanel>();
+}
+
+ui::SearchBox& TestWindow::searchBox() const {
+    return find<ui::SearchBox>();
+}
+
+ui::Sections& TestWindow::sections() const {
+    return find<ui::Sections>();
+}
+
+ui::StackupModel& TestWindow::stack() const {
+    return find<ui::StackupModel>();
+}
+
+ui::StackupPanel& TestWindow::stackupPanel() const {
+    return find<ui::StackupPanel>();
+}
+
+ui::StatisticsPanel& TestWindow::statisticsPanel() const {
+    return find<ui::StatisticsPanel>();
+}
+
+ui::StatusLine& TestWindow::statusLine() const {
+    return find<ui::StatusLine>();
+}
+
+ui::ViewCube& TestWindow::viewCube() const {
+    return find<ui::ViewCube>();
+}
+
 WindowFixture::WindowFixture(const ui::Loader::Work& work)
     : m_settings(m_folder.filePath("settings.ini")), m_context(makeContext()) {
     restart(work);
@@ -35,7 +156,7 @@ void WindowFixture::restart(const ui::Loader::Work& work) {
         m_window->close();
     }
     m_window.reset();
-    m_window = std::make_unique<ui::MainWindow>(*m_context, m_settings, work);
+    m_window = std::make_unique<TestWindow>(*m_context, m_settings, work);
     m_window->resize(1000, 700);
     m_window->show();
     if (!QTest::qWaitForWindowExposed(m_window.get())) {

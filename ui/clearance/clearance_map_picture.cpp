@@ -128,9 +128,9 @@ void ClearanceMapPicture::follow() {
 }
 
 void ClearanceMapPicture::work() {
-    m_work.ask([field = m_field, frame = *m_asked](
+    m_work.run([field = m_field, frame = *m_asked](
                    base::Progress& progress) { return field->map(frame, model::kMostMapReach, progress); },
-               "Measuring distances", "not enough memory for a map");
+               tr("Measuring distances"), tr("not enough memory for a map"));
 }
 
 void ClearanceMapPicture::deliver() {

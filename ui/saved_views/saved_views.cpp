@@ -42,7 +42,7 @@ SavedViews::SavedViews(FeatureContext& context)
           m_workspace, tr("The views"), [this](const List& views) { m_list.setViews(views); }, session::saveViews) {
     m_list.setParent(this);
     auto* panel = new SavedViewsPanel(m_list, context.actions);
-    context.addPanel({ActionId::ShowSavedViewsDock, "views", tr("Views"), Qt::RightDockWidgetArea, "element", 0},
+    context.addPanel({ActionId::ShowSavedViewsDock, "views", tr("Saved views"), Qt::RightDockWidgetArea, "element", 0},
                      *panel);
     context.on(ActionId::SaveView, this, [this] { saveView(); });
     context.on(ActionId::SaveSelection, this, [this] { saveSelection(); });

@@ -170,7 +170,7 @@ std::optional<std::pair<base::PointD, base::PointD>> Sections::straightLine() co
 
 void Sections::followNet() {
     if (m_index == nullptr || m_selection.nets().size() != 1) {
-        emit reported(tr("Highlight one net first: N over its copper, or a click in the Nets panel"));
+        m_workspace.report(tr("Highlight one net first: N over its copper, or a click in the Nets panel"));
         return;
     }
     const model::BoardNet& net = m_selection.nets().front();

@@ -124,12 +124,11 @@ void showKeyList(QWidget& parent, KeyPreset keys) {
 }
 
 void showAbout(QWidget& parent) {
-    auto* label =
-        new QLabel(QStringLiteral("<h2>Copperscope %1</h2>"
+    auto* label = new QLabel(text("<h2>Copperscope %1</h2>"
                                   "<p>Looks into printed circuit boards.</p>"
                                   "<p>Free software under the GNU General Public License, version 3 or later.<br>"
                                   "It comes without any warranty.</p>")
-                       .arg(QCoreApplication::applicationVersion().toHtmlEscaped()));
+                                 .arg(QCoreApplication::applicationVersion().toHtmlEscaped()));
     showDialog(parent, QStringLiteral("about"), text("About Copperscope"), *label);
 }
 

@@ -1,7 +1,6 @@
 #include "ui/shell/main_window.h"
 
 #include <QCloseEvent>
-#include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -75,7 +74,7 @@ MainWindow::MainWindow(GpuContext& context, Settings& settings, const Loader::Wo
     m_statusLine->showDevice(QString::fromStdString(context.device().caps().name));
     createCentre();
     addFeatures(m_features);
-    sizeDocks();
+    m_features.sizeDocks();
     m_keyboard = new Keyboard(*this, m_actions, *m_views);
     createToolBar();
     createMenus();
@@ -107,22 +106,6 @@ void MainWindow::createCentre() {
     installEventFilter(&m_dropTarget);
     for (BoardView* view : m_views->both()) {
         view->canvas().installEventFilter(&m_dropTarget);
-    }
-}
-
-void MainWindow::sizeDocks() {
-    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-    // All at once, or one takes from another what it was given.
-    for (const Qt::Orientation way : {Qt::Horizontal, Qt::Vertical}) {
-        QList<QDockWidget*> docks;
-        QList<int> sizes;
-        for (const auto& [dock, lines] : m_features.docks) {
-            if (lines > 0 && (dockWidgetArea(dock) == Qt::BottomDockWidgetArea) == (way == Qt::Vertical)) {
-                docks += dock;
-                sizes += fontMetrics().height() * lines;
-            }
-        }
-        resizeDocks(docks, sizes, way);
     }
 }
 
@@ -266,16 +249,15 @@ void MainWindow::addChoices() {
     m_features.addChoice<Theme>({{ActionId::ThemeSystem, Theme::System},
                                  {ActionId::ThemeDark, Theme::Dark},
                                  {ActionId::ThemeLight, Theme::Light}},
-                                &Settings::theme, &Settings::setTheme, applyTheme);
+                                applyTheme);
     m_features.addChoice<KeyPreset>({{ActionId::KeysCopperscope, KeyPreset::Copperscope},
                                      {ActionId::KeysKiCad, KeyPreset::KiCad},
                                      {ActionId::KeysAltium, KeyPreset::Altium},
                                      {ActionId::KeysAllegro, KeyPreset::Allegro},
                                      {ActionId::KeysKLayout, KeyPreset::KLayout}},
-                                    &Settings::keys, &Settings::setKeys,
                                     [this](KeyPreset preset) { m_keyboard->setPreset(preset); });
-    connect(&m_workspace, &Workspace::unitChanged, this, [this](LengthUnit unit) { m_settings.setUnit(unit); });
-    m_features.restorers.emplace_back([this] { m_workspace.setUnit(m_settings.unit()); });
+    connect(&m_workspace, &Workspace::unitChanged, this, [this](LengthUnit unit) { m_settings.choose(unit); });
+    m_features.restorers.emplace_back([this] { m_workspace.setUnit(m_settings.choice<LengthUnit>()); });
 }
 
 void MainWindow::restoreSettings() {

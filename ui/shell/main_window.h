@@ -42,7 +42,6 @@ private:
     void createCentre();
     void createToolBar();
     void createMenus();
-    void sizeDocks();
     void connectFiles();
     void connectCommands();
     void connectHelp();

@@ -246,7 +246,7 @@ void BoardViews::onDeviceLost() {
         return;  // told twice of one loss
     }
     if (std::exchange(m_isUntried, true)) {
-        emit troubled(QStringLiteral("The graphics device keeps failing. Please start Copperscope again."));
+        emit troubled(tr("The graphics device keeps failing. Please start Copperscope again."));
         return;
     }
     for (BoardView* view : m_views) {
@@ -256,11 +256,10 @@ void BoardViews::onDeviceLost() {
     m_scene.reset();
     emit deviceGoes();
     if (const base::Status renewed = m_context.renewDevice(); !renewed) {
-        emit troubled(
-            QStringLiteral("The graphics device failed. %1").arg(QString::fromStdString(renewed.error().text)));
+        emit troubled(tr("The graphics device failed. %1").arg(QString::fromStdString(renewed.error().text)));
         return;
     }
-    emit troubled(QStringLiteral("The graphics device failed and was started again."));
+    emit troubled(tr("The graphics device failed and was started again."));
     if (m_board) {
         makeScene();
     }

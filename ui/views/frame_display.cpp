@@ -24,22 +24,22 @@ QString count(std::uint64_t number) {
 
 QString timesText(const std::optional<render::FrameStats>& stats) {
     if (!stats) {
-        return QStringLiteral("not known yet");
+        return FrameDisplay::tr("not known yet");
     }
-    const QString cpu = QStringLiteral("%1 ms to record it").arg(stats->cpuMs, 0, 'f', 1);
-    return stats->gpuMs > 0.0 ? QStringLiteral("%1 ms on the device, ").arg(stats->gpuMs, 0, 'f', 1) + cpu : cpu;
+    const QString cpu = FrameDisplay::tr("%1 ms to record it").arg(stats->cpuMs, 0, 'f', 1);
+    return stats->gpuMs > 0.0 ? FrameDisplay::tr("%1 ms on the device, ").arg(stats->gpuMs, 0, 'f', 1) + cpu : cpu;
 }
 
 }  // namespace
 
 QString backendText(render::Backend backend) {
     switch (backend) {
-        case render::Backend::Auto: return QStringLiteral("automatic");
-        case render::Backend::Mesh: return QStringLiteral("mesh shaders");
-        case render::Backend::Pull: return QStringLiteral("vertex pulling");
-        case render::Backend::Impostor: return QStringLiteral("exact outlines");
-        case render::Backend::Raster: return QStringLiteral("compute shaders");
-        case render::Backend::Standard: return QStringLiteral("stored triangles");
+        case render::Backend::Auto: return FrameDisplay::tr("automatic");
+        case render::Backend::Mesh: return FrameDisplay::tr("mesh shaders");
+        case render::Backend::Pull: return FrameDisplay::tr("vertex pulling");
+        case render::Backend::Impostor: return FrameDisplay::tr("exact outlines");
+        case render::Backend::Raster: return FrameDisplay::tr("compute shaders");
+        case render::Backend::Standard: return FrameDisplay::tr("stored triangles");
     }
     return {};
 }
@@ -106,15 +106,15 @@ QList<std::pair<QString, QString>> FrameDisplay::lines() const {
     }
     QString elements = count(m_counts.elements);
     if (m_counts.copies > 0) {
-        elements += QStringLiteral(" with %1 copies of steps").arg(count(m_counts.copies));
+        elements += FrameDisplay::tr(" with %1 copies of steps").arg(count(m_counts.copies));
     }
-    return {{QStringLiteral("Last frame"), timesText(m_last)},
-            {QStringLiteral("Drawn by"), m_last ? backendText(m_last->backend) : QStringLiteral("not known yet")},
-            {QStringLiteral("Elements"), elements},
-            {QStringLiteral("Lets"), QStringLiteral("%1 stored").arg(count(m_counts.lets))},
-            {QStringLiteral("Triangles"), QStringLiteral("%1 stored, of areas").arg(count(m_counts.triangles))},
-            {QStringLiteral("Memory"), QStringLiteral("%1 MiB on the device for this board")
-                                           .arg(static_cast<double>(scene->gpuBytes()) / kBytesPerMib, 0, 'f', 1)}};
+    return {{FrameDisplay::tr("Last frame"), timesText(m_last)},
+            {FrameDisplay::tr("Drawn by"), m_last ? backendText(m_last->backend) : FrameDisplay::tr("not known yet")},
+            {FrameDisplay::tr("Elements"), elements},
+            {FrameDisplay::tr("Lets"), FrameDisplay::tr("%1 stored").arg(count(m_counts.lets))},
+            {FrameDisplay::tr("Triangles"), FrameDisplay::tr("%1 stored, of areas").arg(count(m_counts.triangles))},
+            {FrameDisplay::tr("Memory"), FrameDisplay::tr("%1 MiB on the device for this board")
+                                             .arg(static_cast<double>(scene->gpuBytes()) / kBytesPerMib, 0, 'f', 1)}};
 }
 
 void FrameDisplay::paint(QPainter& painter) const {

@@ -29,7 +29,8 @@ void connectBoard(FeatureContext& context) {
     Workspace& workspace = context.workspace;
     BoardViews& views = context.views;
     QObject::connect(&workspace, &Workspace::boardRead, &context.layers, [&context](const LoadedBoard& board) {
-        context.layers.setDocument(board.document, defaultAppearances(*board.document, context.settings.palette()));
+        context.layers.setDocument(board.document,
+                                   defaultAppearances(*board.document, context.settings.choice<render::Palette>()));
     });
     QObject::connect(&workspace, &Workspace::boardShown, &views, [&context](const LoadedBoard& board) {
         context.views.show(board, context.layers.effectiveStyles());
@@ -114,20 +115,18 @@ void connectAppearance(FeatureContext& context) {
                                     {ActionId::ShowSolid, Arrangement::Solid},
                                     {ActionId::ShowSideBySide, Arrangement::SideBySide},
                                     {ActionId::ShowStacked, Arrangement::Stacked}},
-                                   &Settings::arrangement, &Settings::setArrangement,
                                    [&views](Arrangement arrangement) { views.setArrangement(arrangement); });
     context.addChoice<render::Backend>({{ActionId::BackendAuto, render::Backend::Auto},
                                         {ActionId::BackendMesh, render::Backend::Mesh},
                                         {ActionId::BackendPull, render::Backend::Pull},
                                         {ActionId::BackendImpostor, render::Backend::Impostor},
                                         {ActionId::BackendRaster, render::Backend::Raster}},
-                                       &Settings::backend, &Settings::setBackend,
                                        [&views](render::Backend backend) { views.setBackend(backend); });
     context.actions[ActionId::BackendMesh].setEnabled(context.device.device().caps().hasMeshShader);
     context.actions[ActionId::BackendRaster].setEnabled(context.device.device().caps().hasAtomic64);
     const auto setPalette = [&context](render::Palette palette) {
         context.actions[ActionId::SafeColours].setChecked(palette == render::Palette::ColourBlindSafe);
-        context.settings.setPalette(palette);
+        context.settings.choose(palette);
         context.views.setPalette(palette);
         if (const LoadedBoard* board = context.workspace.board()) {
             context.layers.setDefaults(defaultAppearances(*board->document, palette));
@@ -136,7 +135,7 @@ void connectAppearance(FeatureContext& context) {
     context.on(ActionId::SafeColours, [setPalette](bool isOn) {
         setPalette(isOn ? render::Palette::ColourBlindSafe : render::Palette::Standard);
     });
-    context.restorers.emplace_back([&context, setPalette] { setPalette(context.settings.palette()); });
+    context.restorers.emplace_back([&context, setPalette] { setPalette(context.settings.choice<render::Palette>()); });
     context.on(ActionId::Explode, [&views](bool isOn) { views.explode(isOn); });
     const auto setScale = [&views, &actions = context.actions] {
         views.setZScale({actions[ActionId::ExaggerateCopperHeight].isChecked() ? kCopperScale : 1.0F,

@@ -27,6 +27,22 @@ void FeatureContext::addPanel(const DockSpec& spec, QWidget& panel) {
     docks.emplace_back(dock, spec.lines);
 }
 
+void FeatureContext::sizeDocks() const {
+    window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    // All at once, or one takes from another what it was given.
+    for (const Qt::Orientation way : {Qt::Horizontal, Qt::Vertical}) {
+        QList<QDockWidget*> sized;
+        QList<int> sizes;
+        for (const auto& [dock, lines] : docks) {
+            if (lines > 0 && (window.dockWidgetArea(dock) == Qt::BottomDockWidgetArea) == (way == Qt::Vertical)) {
+                sized += dock;
+                sizes += window.fontMetrics().height() * lines;
+            }
+        }
+        window.resizeDocks(sized, sizes, way);
+    }
+}
+
 void FeatureContext::raise(QWidget& panel) {
     auto* dock = qobject_cast<QDockWidget*>(panel.parentWidget());
     dock->show();

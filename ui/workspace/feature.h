@@ -64,23 +64,24 @@ struct FeatureContext {
     }
     /// Actions of which one is checked; which one is kept in the settings.
     template <class Value, class Apply>
-    void addChoice(std::vector<std::pair<ActionId, Value>> rows, Value (Settings::*stored)() const,
-                   void (Settings::*store)(Value), Apply apply) {
-        const auto choose = [this, rows, store, apply](Value value) {
+    void addChoice(std::vector<std::pair<ActionId, Value>> rows, Apply apply) {
+        const auto choose = [this, rows, apply](Value value) {
             for (const auto& [id, own] : rows) {
                 actions[id].setChecked(own == value);
             }
-            (settings.*store)(value);
+            settings.choose(value);
             apply(value);
         };
         for (const auto& [id, own] : rows) {
             on(id, [choose, own = own] { choose(own); });
         }
-        restorers.emplace_back([this, choose, stored] { choose((settings.*stored)()); });
+        restorers.emplace_back([this, choose] { choose(settings.choice<Value>()); });
     }
 
     /// Takes the panel over. Its action brings it to the front, and hides it when it is there.
     void addPanel(const DockSpec& spec, QWidget& panel);
+    /// Gives the docks their sizes, once all are there.
+    void sizeDocks() const;
     /// Brings the panel to the front.
     static void raise(QWidget& panel);
 

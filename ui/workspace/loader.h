@@ -15,8 +15,8 @@ namespace ui {
 
 /// An opened board with what the window needs besides.
 struct LoadedBoard : model::OpenedBoard {
-    std::shared_ptr<const render::BoardModel> model;
-    std::shared_ptr<const model::BoardIndex> index;  ///< may be null: then nothing can be picked
+    std::shared_ptr<const render::BoardModel> model{};
+    std::shared_ptr<const model::BoardIndex> index{};  ///< may be null: then nothing can be picked
     /// Per row of model::StepTree::steps, or empty.
     std::vector<std::shared_ptr<const model::NetStatistics>> nets{};
     std::vector<double> copperNm2{};  ///< per layer (model::copperAreas), or empty

@@ -4,6 +4,7 @@
 #include <QSettings>
 #include <QString>
 #include <QStringList>
+#include <algorithm>
 
 #include "render/scene/layer_style.h"
 #include "render/scene/view_settings.h"
@@ -27,21 +28,17 @@ public:
     [[nodiscard]] QByteArray windowState() const;
     void setWindow(const QByteArray& geometry, const QByteArray& state);
 
-    [[nodiscard]] Theme theme() const;
-    void setTheme(Theme theme);
-    [[nodiscard]] render::Backend backend() const;
-    void setBackend(render::Backend backend);
-
-    [[nodiscard]] Arrangement arrangement() const;
-    void setArrangement(Arrangement arrangement);
-
-    [[nodiscard]] LengthUnit unit() const;
-    void setUnit(LengthUnit unit);
-
-    [[nodiscard]] render::Palette palette() const;
-    void setPalette(render::Palette palette);
-    [[nodiscard]] KeyPreset keys() const;
-    void setKeys(KeyPreset keys);
+    /// What the user chose of Theme, Arrangement, LengthUnit, KeyPreset, render::Backend or render::Palette; the first
+    /// value where nothing was chosen, or by another version.
+    template <class Value>
+    [[nodiscard]] Value choice() const {
+        return static_cast<Value>(indexIn(choicesOf(Value{})));
+    }
+    template <class Value>
+    void choose(Value value) {
+        const Choices choices = choicesOf(value);
+        m_store.setValue(choices.key, choices.words[static_cast<qsizetype>(value)]);
+    }
 
     /// Paths, newest first.
     [[nodiscard]] QStringList recentBoards() const;
@@ -54,6 +51,24 @@ public:
     void reset();
 
 private:
+    struct Choices {
+        const char* key;
+        QStringList words;  ///< of the values of the type, in order
+    };
+    static Choices choicesOf(Theme) { return {"view/theme", {"system", "dark", "light"}}; }
+    static Choices choicesOf(Arrangement) { return {"view/arrangement", {"side by side", "stacked", "2d", "3d"}}; }
+    static Choices choicesOf(LengthUnit) { return {"view/unit", {"mm", "mil", "inch"}}; }
+    static Choices choicesOf(render::Backend) {
+        return {"view/backend", {"auto", "mesh", "pull", "impostor", "raster"}};
+    }
+    static Choices choicesOf(render::Palette) { return {"view/palette", {"standard", "colour-blind safe"}}; }
+    static Choices choicesOf(KeyPreset) {
+        return {"view/keys", {"copperscope", "kicad", "altium", "allegro", "klayout"}};
+    }
+    [[nodiscard]] qsizetype indexIn(const Choices& choices) const {
+        return std::max<qsizetype>(choices.words.indexOf(m_store.value(choices.key).toString()), 0);
+    }
+
     QSettings m_store;
 };
 

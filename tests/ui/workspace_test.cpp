@@ -1,0 +1,129 @@
+#include "ui/workspace/workspace.h"
+
+#include <QSignalSpy>
+#include <QUndoCommand>
+#include <QtTest>
+#include <thread>
+
+#include "model/board/document_builder.h"
+
+using base::ErrorCode;
+using model::OpenRequest;
+using ui::LoadedBoard;
+using ui::Workspace;
+
+namespace {
+
+/// Boards of these names never end, fail, or have notes; others are done at once.
+base::Result<LoadedBoard> work(const OpenRequest& request, base::Progress& progress) {
+    while (request.path == "slow" && !progress.isCancelled()) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    if (request.path == "slow" || request.path == "broken") {
+        return base::Error{request.path == "slow" ? ErrorCode::Cancelled : ErrorCode::BadInput, "It is broken"};
+    }
+    model::DocumentBuilder builder;
+    builder.job().step = "pcb";
+    LoadedBoard board{{request, builder.finish()}, std::make_shared<const render::BoardModel>(), {}};
+    board.thicknesses = {{{"TOP", 35'000}}, {{"CORE", 1'000'000}}};
+    if (request.path == "noted") {
+        board.notes = {"The session names no layer", "Nor a net"};
+    }
+    return board;
+}
+
+}  // namespace
+
+class WorkspaceTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void boardsAreDeliveredStepByStep() {
+        Workspace workspace(work);
+        QStringList steps;
+        const auto log = [&](const char* name) { return [&steps, name] { steps += name; }; };
+        // Connected against the order of the steps: who connects first does not hear first.
+        connect(&workspace, &Workspace::sessionRestored, this, log("restored"));
+        connect(&workspace, &Workspace::boardOpened, this, log("opened"));
+        connect(&workspace.selection(), &ui::SelectionModel::selectionChanged, this, log("selection"));
+        connect(&workspace, &Workspace::boardShown, this, log("shown"));
+        connect(&workspace, &Workspace::boardRead, this, log("read"));
+        connect(&workspace, &Workspace::boardRead, this, [&] { QVERIFY(workspace.board() != nullptr); });
+        open(workspace, "board");
+        QCOMPARE(steps, QStringList({"read", "shown", "selection", "opened", "restored"}));
+    }
+
+    void whatWasOfTheBoardBeforeGoes() {
+        Workspace workspace(work);
+        open(workspace, "board");
+        workspace.history().push(new QUndoCommand);
+        workspace.setCurrentLayer(model::LayerId{3});
+        connect(&workspace, &Workspace::boardRead, this, [&] {
+            QVERIFY(!workspace.history().canUndo());
+            QVERIFY(!workspace.currentLayer().isValid());
+        });
+        open(workspace, "another");
+        QCOMPARE(workspace.board()->request.path.string(), std::string("another"));
+    }
+
+    void failedBoardsLeaveTheOneThatIsOpen() {
+        Workspace workspace(work);
+        open(workspace, "board");
+        const QSignalSpy read(&workspace, &Workspace::boardRead);
+        QSignalSpy errors(&workspace, &Workspace::errorReported);
+        open(workspace, "broken");
+        QCOMPARE(read.count(), 0);
+        QCOMPARE(errors.last()[0].toString(), QString("broken was not opened. It is broken"));
+        QVERIFY(workspace.isOpen("pcb"));
+        open(workspace, "noted");
+        QCOMPARE(errors.last()[0].toString(), QString("The session names no layer\nNor a net"));
+    }
+
+    void reloadTakesThicknessesThatAreInNoFile() {
+        Workspace workspace(work);
+        open(workspace, "board");
+        workspace.reload([](OpenRequest& request) { request.inferNets = true; });
+        QTRY_VERIFY(!workspace.isWorking());
+        QCOMPARE(workspace.board()->request.thicknesses, std::vector<std::string>{"CORE=1 mm"});
+        QVERIFY(workspace.board()->request.inferNets && !workspace.board()->request.noSession);
+        workspace.restack(workspace.board()->document, workspace.board()->thicknesses, false);
+        workspace.reload();
+        QTRY_VERIFY(!workspace.isWorking());
+        QCOMPARE(workspace.board()->request.thicknesses.size(), std::size_t{2});
+        QVERIFY(workspace.board()->request.noSession);
+    }
+
+    void workIsShownAndStopped() {
+        Workspace workspace(work);
+        ui::Background other;
+        workspace.watch(other, [] { return QString("Other work"); });
+        QSignalSpy began(&workspace, &Workspace::workBegan);
+        QSignalSpy reported(&workspace, &Workspace::reported);
+        const QSignalSpy idle(&workspace, &Workspace::idle);
+        other.start(
+            [](base::Progress& progress) {
+                while (!progress.isCancelled()) {
+                    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+                }
+            },
+            "Counting");
+        QCOMPARE(began.last()[0].toString(), QString("Other work"));
+        QVERIFY(workspace.cancelWork());
+        QCOMPARE(reported.last()[0].toString(), QString("Stopped"));
+        QCOMPARE(idle.count(), 1);
+        workspace.open({"slow"});
+        QVERIFY(workspace.isWorking());
+        QVERIFY(workspace.cancelWork());
+        QCOMPARE(reported.last()[0].toString(), QString("Stopped opening slow"));
+        QVERIFY(!workspace.cancelWork());
+    }
+
+private:
+    static void open(Workspace& workspace, const char* path) {
+        workspace.open({path});
+        QTRY_VERIFY(!workspace.isWorking());
+    }
+};
+
+QTEST_GUILESS_MAIN(WorkspaceTest)
+#include "workspace_test.moc"
