@@ -280,6 +280,13 @@ private slots:
         QCOMPARE(path({"--from", "edge", "--to", "net:GND", "--below", "1mm"}).exitCode, 1);
     }
 
+    void oldNamesOfSolderMasksStillWork() {
+        const Outcome run = copperscope({"section", locations::kTestData + QStringLiteral("/odb/everything"), "--line",
+                                         "0,1,9,1", "--layers", "SMT coat"});
+        QVERIFY2(run.exitCode == 0, run.err.constData());
+        QVERIFY2(run.err.contains("\"SMT coat\" is now named \"SMT solder mask\""), run.err.constData());
+    }
+
     void sectionShowsWhatALineCuts() {
         const Outcome run =
             copperscope({"section", locations::kSample, "--line", "-1000,20,1000,20.5", "--format", "json"});
