@@ -18,7 +18,7 @@ find_texts() {
     for name in "$@"; do
         wanted+=(-o -name "$name")
     done
-    find . \( -name '.?*' -o -path './build*' -o -path ./out -o -path ./tests/documents -o -path ./tests/data \) -prune \
+    find . \( -name '.?*' -o -path './build*' -o -path ./out -o -path ./tests/documents -o -path ./tests/architecture -o -path ./tests/data \) -prune \
         -o -type f \( "${wanted[@]:1}" \) -print | sed 's|^\./||' | sort
 }
 

@@ -13,15 +13,8 @@ target_compile_definitions(tri_gpu_test PRIVATE
     COPPERSCOPE_PREDICATES_SHADER="${CMAKE_CURRENT_SOURCE_DIR}/gpu/predicates.comp.glsl")
 set_tests_properties(tri_gpu_test PROPERTIES ENVIRONMENT COPPERSCOPE_VALIDATION=abort)
 
-# The renderer's parts that need no device.
+# What shaders and C++ must agree on.
 copperscope_test(shader_layout_test gpu/shader_layout_test.cpp LABEL unit LINK copperscope_shaders)
 target_compile_definitions(shader_layout_test PRIVATE
     COPPERSCOPE_GLSLANG="${GLSLANG_VALIDATOR}"
     COPPERSCOPE_LAYOUT_SHADER="${CMAKE_CURRENT_SOURCE_DIR}/gpu/shader_layout.comp.glsl")
-copperscope_test(backend_choice_test gpu/backend_choice_test.cpp LABEL unit LINK copperscope_render)
-copperscope_test(let_tables_test gpu/let_tables_test.cpp LABEL unit LINK copperscope_render)
-copperscope_test(frame_plan_test unit/render/frame_plan_test.cpp LABEL unit LINK copperscope_render)
-copperscope_test(explosion_test gpu/explosion_test.cpp LABEL unit LINK copperscope_render)
-copperscope_test(png_test gpu/png_test.cpp LABEL unit LINK copperscope_render PNG::PNG)
-copperscope_test(hiding_test gpu/hiding_test.cpp LABEL unit LINK copperscope_render)
-copperscope_test(z_scale_test gpu/z_scale_test.cpp LABEL unit LINK copperscope_render)

@@ -9,7 +9,7 @@
 #include "tests/reference/document_painter.h"
 #include "tests/reference/odb_painter.h"
 #include "tests/reference/symbols.h"
-#include "tests/unit/odb/odb_testing.h"
+#include "tests/unit/model/formats/odb/odb_testing.h"
 
 using namespace odb_testing;
 using namespace reference;

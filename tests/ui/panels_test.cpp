@@ -7,7 +7,7 @@
 #include <QSpinBox>
 #include <QtTest>
 
-#include "tests/unit/uimodels/sample_document.h"
+#include "tests/unit/ui/sample_document.h"
 #include "ui/common/table_view.h"
 #include "ui/layers/layers_panel.h"
 #include "ui/messages/message_model.h"

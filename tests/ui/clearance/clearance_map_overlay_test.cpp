@@ -1,0 +1,315 @@
+// The distance map over both views, driven by keys, the slider and the mouse.
+#include <QSignalSpy>
+#include <QSlider>
+#include <QWheelEvent>
+#include <QtTest>
+#include <set>
+
+#include "render/scene/colour_ramp.h"
+#include "tests/places.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/clearance/clearances.h"
+#include "ui/layers/layers_panel.h"
+#include "ui/shell/status_line.h"
+
+using model::ClearanceMap;
+using model::DistanceField;
+using model::LayerId;
+using ui::ActionId;
+using ui::BoardView;
+
+class DistancesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        m_fixture = std::make_unique<WindowFixture>();
+        m_fixture->window().resize(1250, 950);
+        QVERIFY(m_fixture->openAndWait(locations::kSample));
+    }
+    void init() {
+        while (window().selection().clearStep()) {
+        }
+        window().layers().restoreDefaults();
+        bar().slider().setValue(m_slider);
+        views().flat().controller().look(render::NamedView::Top);
+        for (BoardView* view : views().both()) {
+            view->controller().fit();
+        }
+        if (distances().isOn()) {
+            window().actions()[ActionId::ClearanceMap].trigger();
+        }
+        QTRY_VERIFY(distances().field() == nullptr && !distances().isPending());
+    }
+    void cleanupTestCase() {
+        const std::uint32_t errors = m_fixture->context().validationErrors();
+        m_fixture.reset();
+        QCOMPARE(errors, 0U);
+    }
+
+    void theKeyShowsItAndTakesItAway() {
+        const QImage without[2] = {grab(views().flat()), grab(views().solid())};
+        m_fixture->key(Qt::Key_G, Qt::ShiftModifier);
+        waitForMaps();
+        QVERIFY(window().actions()[ActionId::ClearanceMap].isChecked());
+        QCOMPARE(distances().field()->kind(), DistanceField::Kind::BetweenNets);
+        QVERIFY2(bar().text().contains("gaps between nets"), qPrintable(bar().text()));
+        QVERIFY(differingPixels(without[0], grab(views().flat())) > 500);
+        QVERIFY(differingPixels(without[1], grab(views().solid())) > 500);
+        m_fixture->key(Qt::Key_G, Qt::ShiftModifier);
+        QTRY_VERIFY(distances().field() == nullptr);
+        QCOMPARE(differingPixels(without[0], grab(views().flat())), 0);
+        QCOMPARE(bar().text(), QString());
+    }
+
+    void everyValueIsPaintedInItsColourAtItsPlace() {
+        switchOn();
+        bar().slider().setValue(bar().slider().maximum());
+        // From below, isometric and in parallel too: colours stay where they belong.
+        views().flat().controller().look(render::NamedView::Bottom);
+        for (BoardView* view : views().both()) {
+            view->controller().zoomAtCentre(4.0F);
+        }
+        QTRY_COMPARE(distances().field() == nullptr ? LayerId{} : distances().field()->layer(), copperLayers().back());
+        waitForMaps();
+        compareColours(views().flat(), 0.9);
+        window().actions()[ActionId::Orthographic].trigger();
+        waitForMaps();
+        compareColours(views().solid(), 0.8);
+        window().actions()[ActionId::Orthographic].trigger();
+        waitForMaps();
+        compareColours(views().solid(), 0.8);
+    }
+
+    void theSelectionIsMeasuredTo() {
+        switchOn();
+        const model::Document& board = *window().document();
+        const model::ElementId target = someCopper(distances().field()->layer());
+        window().selection().select({{0, target}});
+        QTRY_VERIFY(distances().field() != nullptr && distances().field()->kind() == DistanceField::Kind::ToTargets);
+        waitForMaps();
+        QVERIFY2(bar().text().endsWith("distance to the selection"), qPrintable(bar().text()));
+        const model::Box box = board.boxOf(target);
+        const base::PointD beside{box.max.x + 400'000.0, (double{1} * box.min.y + box.max.y) / 2};
+        QVERIFY(distances().field()->at(beside, 1e6) >= 400'000.0 - 1.0);
+
+        const model::NetId net = board.elements.net[target.row()];
+        window().selection().select({});
+        window().selection().setNets({{0, net}});
+        QTRY_VERIFY(bar().text().endsWith("distance to " + QString::fromStdString(board.nets[net.row()].name)));
+        waitForMaps();
+        m_fixture->key(Qt::Key_Escape);
+        QTRY_VERIFY(distances().field() != nullptr && distances().field()->kind() == DistanceField::Kind::BetweenNets);
+        waitForMaps();
+    }
+
+    void theLayerIsTheCurrentOneOrTheNearestToBeSeen() {
+        switchOn();
+        const std::vector<LayerId> copper = copperLayers();
+        QCOMPARE(distances().field()->layer(), copper.front());
+        m_fixture->key(Qt::Key_B);  // the 3D view's
+        views().flat().controller().look(render::NamedView::Bottom);
+        QTRY_VERIFY(distances().field() != nullptr && distances().field()->layer() == copper.back());
+        waitForMaps();
+        window().layersPanel().selectRow(static_cast<int>(copper[1].row()));
+        QTRY_VERIFY(distances().field() != nullptr && distances().field()->layer() == copper[1]);
+        window().layersPanel().selectRow(0);  // no copper
+        window().layers().toggleSolo(copper.front());
+        QTRY_VERIFY(distances().field() != nullptr && distances().field()->layer() == copper.front());
+        window().layers().toggleSolo({});
+        window().layers().hideAll();
+        QTRY_COMPARE(bar().text(), "show a copper layer");
+        QVERIFY(distances().field() == nullptr);
+    }
+
+    void whatCannotBeMappedIsTold() {
+        switchOn();
+        const std::vector<LayerId> copper = copperLayers();
+        window().selection().select({{0, someCopper(copper.back())}});
+        QTRY_VERIFY2(bar().text().startsWith("the selection has no copper on"), qPrintable(bar().text()));
+        QVERIFY(distances().field() == nullptr);
+        QTRY_VERIFY(!distances().isPending());
+    }
+
+    void theSliderOnlyColoursAnew() {
+        switchOn();
+        const ClearanceMap* map = distances().picture(BoardView::Kind::Flat).map();
+        const float* values = map->nm.data();
+        bar().slider().setFocus();
+        std::set<int> painted;
+        for (int i = 0; i < 5; ++i) {
+            const double before = bar().reach();
+            const QImage last = grab(views().flat());
+            QTest::keyClick(&bar().slider(), Qt::Key_PageUp);
+            QVERIFY(bar().reach() > before);
+            QVERIFY(!distances().isPending());
+            QVERIFY(differingPixels(last, grab(views().flat())) > 20);
+            QCOMPARE(distances().legend().numbers().back(), bar().reach());
+        }
+        QCOMPARE(distances().picture(BoardView::Kind::Flat).map()->nm.data(), values);
+    }
+
+    void aMovedViewKeepsItsPictureUntilItRests() {
+        views().flat().controller().zoomAtCentre(3.0F);
+        switchOn();
+        bar().slider().setValue(bar().slider().maximum());
+        ui::ClearanceMapPicture& picture = distances().picture(BoardView::Kind::Flat);
+        const model::MapFrame before = picture.map()->frame;
+        const QPoint at(views().flat().width() / 2, views().flat().height() / 2);
+        QWheelEvent wheel(at, views().flat().mapToGlobal(at), {}, {0, 360}, Qt::NoButton, Qt::NoModifier,
+                          Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(&views().flat().canvas(), &wheel);
+        QVERIFY(picture.map() != nullptr);
+        QVERIFY(picture.map()->frame == before);
+        compareColours(views().flat(), 0.6);  // scaled: close to edges it may be a pixel beside
+        QVERIFY(!(picture.map()->frame == picture.shownFrame()));
+        waitForMaps();
+        QVERIFY(picture.map()->frame.cell < before.cell / 1.5);
+        compareColours(views().flat(), 0.8);
+    }
+
+    void theCursorTellsTheValueInTheStatusLine() {
+        switchOn();
+        bar().slider().setValue(bar().slider().maximum());
+        const auto [at, value] = coloured(views().flat()).front();
+        QTest::qWait(20);
+        emit views().flat().controller().hovered(at);
+        QTRY_VERIFY2(window().statusLine().positionText().contains("gap "),
+                     qPrintable(window().statusLine().positionText()));
+        QVERIFY(distances().legend().mark.has_value());
+        QVERIFY(std::abs(*distances().legend().mark - value) <
+                2.0 * distances().picture(BoardView::Kind::Flat).map()->frame.cell);
+        window().actions()[ActionId::NextUnit].trigger();
+        QVERIFY2(window().statusLine().positionText().contains(" mil   gap "),
+                 qPrintable(window().statusLine().positionText()));
+        window().actions()[ActionId::NextUnit].trigger();
+        window().actions()[ActionId::NextUnit].trigger();
+    }
+
+    void theLegendHasRoundNumbersAndTheEnd() {
+        ui::ClearanceMapLegend legend;
+        for (const double reach : {20e3, 150e3, 500e3, 1.25e6, 10e6}) {
+            for (const auto unit : {ui::LengthUnit::Millimetre, ui::LengthUnit::Mil}) {
+                legend.reach = reach;
+                legend.unit = unit;
+                const std::vector<double> numbers = legend.numbers();
+                QVERIFY(numbers.size() >= 3 && numbers.size() <= 7);
+                QCOMPARE(numbers.front(), 0.0);
+                QCOMPARE(numbers.back(), reach);
+                QVERIFY(std::ranges::is_sorted(numbers));
+            }
+        }
+    }
+
+    void aReloadMapsTheBoardAnew() {
+        switchOn();
+        QVERIFY(m_fixture->openAndWait(locations::kSample));
+        QVERIFY(distances().isOn());
+        waitForMaps();
+        m_fixture->key(Qt::Key_G, Qt::ShiftModifier);  // off, and on again while the board is read
+        window().open(locations::kSample);
+        m_fixture->key(Qt::Key_G, Qt::ShiftModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(!window().loader().isLoading(), 30000);
+        waitForMaps();
+    }
+
+private:
+    TestWindow& window() { return m_fixture->window(); }
+    ui::BoardViews& views() { return window().views(); }
+    ui::ClearanceMapOverlay& distances() { return window().find<ui::ClearanceMapOverlay>(); }
+    ui::ClearanceMapBar& bar() { return window().find<ui::ClearancePanel>().distances(); }
+    QImage grab(BoardView& view) { return view.grabPicture()->convertToFormat(QImage::Format_RGB32); }
+
+    void switchOn() {
+        m_fixture->key(Qt::Key_G, Qt::ShiftModifier);
+        waitForMaps();
+    }
+
+    /// Both views show what they are to show.
+    void waitForMaps() {
+        const auto isDone = [this](BoardView::Kind kind) {
+            const ui::ClearanceMapPicture& picture = distances().picture(kind);
+            return picture.map() != nullptr && picture.shownFrame() == picture.map()->frame;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(distances().field() != nullptr && !distances().isPending() &&
+                                     isDone(BoardView::Kind::Flat) && isDone(BoardView::Kind::Solid),
+                                 20000);
+    }
+
+    std::vector<LayerId> copperLayers() {
+        std::vector<LayerId> copper;
+        for (std::size_t row = 0; row < window().document()->layers.size(); ++row) {
+            if (window().document()->layers[row].isCopper()) {
+                copper.emplace_back(row);
+            }
+        }
+        return copper;
+    }
+
+    model::ElementId someCopper(LayerId layer) {
+        const model::Document& board = *window().document();
+        const auto [first, count] = board.layer(layer).elements;
+        for (std::uint32_t i = first; i < first + count; ++i) {
+            if (board.elements.net[i].isValid() && board.elements.kind[i] == model::ElementKind::Circle) {
+                return model::ElementId{i};
+            }
+        }
+        return model::ElementId{first};
+    }
+
+    /// Cells amid others of nearly the same value that fall on the canvas: where, and their values.
+    std::vector<std::pair<QPointF, double>> coloured(BoardView& view) {
+        const ClearanceMap& map = *distances().picture(view.kind()).map();
+        const float z = view.drawnHeights()[distances().field()->layer().row()].z1;
+        const float zBelow = view.drawnHeights()[distances().field()->layer().row()].z0;
+        const bool isFromBelow = view.controller().camera().direction().z > 0.0F;
+        const QRectF canvas(24, 100, view.width() - 30, view.height() - 110);  // beside rulers and the view cube
+        const QRectF legend(view.width() - 190, view.height() - 200, 190, 200);
+        std::vector<std::pair<QPointF, double>> locations;
+        const std::uint32_t width = map.frame.width;
+        for (std::uint32_t row = 2; row + 2 < map.frame.height; row += 3) {
+            for (std::uint32_t column = 2; column + 2 < width; column += 3) {
+                const auto value = [&](std::uint32_t x, std::uint32_t y) {
+                    return double{map.nm[std::size_t{y} * width + x]};
+                };
+                bool isEven = true;
+                for (std::uint32_t y = row - 2; y <= row + 2; ++y) {
+                    for (std::uint32_t x = column - 2; x <= column + 2; ++x) {
+                        isEven = isEven && value(x, y) > 0 && value(x, y) <= bar().reach() &&
+                                 std::abs(value(x, y) - value(column, row)) < bar().reach() / 16;
+                    }
+                }
+                glm::vec3 at = window().probing().position().toModel(map.frame.centreOf(column, row));
+                at.z = isFromBelow ? zBelow : z;
+                const auto onScreen = view.controller().screenOf(at);
+                if (isEven && onScreen && canvas.contains(*onScreen) && !legend.contains(*onScreen)) {
+                    locations.emplace_back(*onScreen, value(column, row));
+                }
+            }
+        }
+        return locations;
+    }
+
+    /// Of those at least the part `least` must be painted in its colour; names and grids hide some.
+    void compareColours(BoardView& view, double least) {
+        const QImage picture = grab(view);
+        const auto locations = coloured(view);
+        QVERIFY2(locations.size() > 30, qPrintable(QString::number(locations.size())));
+        std::size_t right = 0;
+        for (const auto& [at, value] : locations) {
+            const QColor found = picture.pixelColor((at * view.devicePixelRatioF()).toPoint());
+            const glm::vec3 c = render::rampColour(static_cast<float>(value / bar().reach())) * 255.0F;
+            const double off = std::max({std::abs(found.red() - double{c.r}), std::abs(found.green() - double{c.g}),
+                                         std::abs(found.blue() - double{c.b})});
+            right += off < 48.0 ? 1 : 0;
+        }
+        QVERIFY2(static_cast<double>(right) >= least * static_cast<double>(locations.size()),
+                 qPrintable(QString("%1 of %2").arg(right).arg(locations.size())));
+    }
+
+    std::unique_ptr<WindowFixture> m_fixture;
+    int m_slider = 14;  ///< 0.5 mm
+};
+
+QTEST_MAIN(DistancesTest)
+#include "clearance_map_overlay_test.moc"

@@ -1,0 +1,222 @@
+// Views are kept, renamed, forgotten and looked at again; Back and Forward walk through where one has been.
+
+#include <QDockWidget>
+#include <QLineEdit>
+#include <QtTest>
+
+#include "model/session/session.h"
+#include "tests/places.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/common/table_view.h"
+#include "ui/saved_views/saved_views_panel.h"
+#include "ui/shell/message_bar.h"
+
+using ui::ActionId;
+namespace fs = std::filesystem;
+
+class SavedViewsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        m_fixture = std::make_unique<WindowFixture>();
+        m_job = fs::path(m_fixture->folder().toStdString()) / "everything";
+        fs::copy(fs::path(locations::kTestData) / "odb/everything", m_job, fs::copy_options::recursive);
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        window().findChild<QDockWidget*>("views")->raise();
+    }
+    void cleanup() {
+        const std::uint32_t errors = m_fixture->context().validationErrors();
+        m_fixture.reset();
+        QCOMPARE(errors, 0U);
+    }
+
+    void aKeptViewIsLookedAtAgain() {
+        window().views().setActive(window().views().solid());
+        m_fixture->key(Qt::Key_I);
+        solid().zoomAt({300, 200}, 2.5F);
+        window().layers().showOnly({"TOP"});
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier);
+        const render::CameraPose kept = solid().camera().pose();
+        const QImage before = m_fixture->picture();
+        window().layers().showAll();
+        m_fixture->key(Qt::Key_B);  // from below
+        QVERIFY(solid().camera().pose() != kept);
+        choose(0);
+        QVERIFY(isNear(solid().camera().pose(), kept));
+        QCOMPARE(window().layers().visibleNames(), std::vector<std::string>{"TOP"});
+        QVERIFY(differingPixels(m_fixture->picture(), before) < 50);
+    }
+
+    void keptViewsAreInTheSessionOfTheBoard() {
+        const auto jobFiles = QDir(QString::fromStdString(m_job.string())).entryList();
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier);
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier);
+        rename(1, "U1 from the corner");
+        QTRY_COMPARE(names(), (QStringList{"View 1", "U1 from the corner"}));  // the editor answers a little later
+        m_fixture->restart();
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        QCOMPARE(names(), (QStringList{"View 1", "U1 from the corner"}));
+        QCOMPARE(QDir(QString::fromStdString(m_job.string())).entryList(), jobFiles);
+    }
+
+    void whatIsForgottenComesBackByUndo() {
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier);
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier);
+        table().setFocus();
+        table().setCurrentIndex(table().model()->index(0, 0));
+        QTest::keyClick(&table(), Qt::Key_Delete);
+        QCOMPARE(names(), QStringList{"View 2"});
+        window().actions()[ActionId::Undo].trigger();
+        QCOMPARE(names(), (QStringList{"View 1", "View 2"}));
+        window().actions()[ActionId::Undo].trigger();
+        window().actions()[ActionId::Undo].trigger();
+        QVERIFY(names().isEmpty());
+        QVERIFY(!fs::exists(model::session::sessionPath(m_job)));
+        window().actions()[ActionId::Redo].trigger();
+        QCOMPARE(names(), QStringList{"View 1"});
+    }
+
+    void aSessionThatCannotBeWrittenIsTold() {
+        fs::create_directories(model::session::sessionPath(m_job) / "in the way");
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier);
+        QVERIFY(window().messageBar().isVisible());
+        QCOMPARE(names(), QStringList{"View 1"});
+    }
+
+    void viewsThatStandInNoFileOutliveAReload() {
+        fs::create_directories(model::session::sessionPath(m_job) / "in the way");
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier);
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        QCOMPARE(names(), QStringList{"View 1"});
+        fs::remove_all(model::session::sessionPath(m_job));
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier);  // now all are saved
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        QCOMPARE(names(), (QStringList{"View 1", "View 2"}));
+    }
+
+    void backAndForwardWalkThroughPlaces() {
+        rest();
+        const render::CameraPose first = solid().camera().pose();
+        solid().zoomAt({100, 100}, 3.0F);
+        rest();
+        const render::CameraPose second = solid().camera().pose();
+        solid().zoomAt({200, 100}, 2.0F);  // has not rested: Back counts it all the same
+        const render::CameraPose third = solid().camera().pose();
+        m_fixture->key(Qt::Key_Left, Qt::AltModifier);
+        QVERIFY(isNear(solid().camera().pose(), second));
+        m_fixture->key(Qt::Key_Left, Qt::AltModifier);
+        QVERIFY(isNear(solid().camera().pose(), first));
+        m_fixture->key(Qt::Key_Left, Qt::AltModifier);  // nothing before
+        QVERIFY(isNear(solid().camera().pose(), first));
+        m_fixture->key(Qt::Key_Right, Qt::AltModifier);
+        m_fixture->key(Qt::Key_Right, Qt::AltModifier);
+        QVERIFY(isNear(solid().camera().pose(), third));
+        m_fixture->key(Qt::Key_Left, Qt::AltModifier);
+        solid().zoomAt({50, 50}, 1.5F);  // elsewhere: the third place is forgotten
+        rest();
+        m_fixture->key(Qt::Key_Right, Qt::AltModifier);
+        QVERIFY(!isNear(solid().camera().pose(), third));
+    }
+
+    void whatTheWindowShowsIsSavedOnlyWhenAsked() {
+        solid().zoomAt({300, 200}, 2.5F);
+        window().layers().showOnly({"TOP"});
+        const QModelIndex colour = window().layers().index(0, ui::LayerModel::Colour);
+        window().layers().setData(colour, QColor(10, 20, 30), Qt::EditRole);
+        m_fixture->restart();
+        QVERIFY(!fs::exists(model::session::sessionPath(m_job)));
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        QVERIFY(window().layers().visibleNames().size() > 1);
+
+        window().layers().setData(window().layers().index(0, ui::LayerModel::Colour), QColor(10, 20, 30), Qt::EditRole);
+        window().layers().showOnly({"TOP"});
+        solid().zoomAt({300, 200}, 2.5F);
+        const render::CameraPose saved = solid().camera().pose();
+        m_fixture->key(Qt::Key_S, Qt::ControlModifier);
+        QVERIFY(fs::exists(model::session::sessionPath(m_job)));
+        m_fixture->restart();
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        QVERIFY(isNear(solid().camera().pose(), saved));
+        QCOMPARE(window().layers().visibleNames(), std::vector<std::string>{"TOP"});
+        QCOMPARE(window().layers().effectiveStyles()[0].colour, QColor(10, 20, 30));
+        window().layers().restoreDefaults();
+        QVERIFY(window().layers().effectiveStyles()[0].colour != QColor(10, 20, 30));
+    }
+
+    void aSelectionIsKeptAndSelectedAgain() {
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(names().isEmpty());  // nothing is selected
+        const std::vector<model::BoardElement> chosen{{0, model::ElementId{std::size_t{1}}},
+                                                      {0, model::ElementId{std::size_t{4}}}};
+        const std::vector<model::BoardNet> nets{{0, model::NetId{std::size_t{1}}}};
+        window().selection().select(chosen);
+        window().selection().setNets(nets);
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier);
+        QCOMPARE(names(), QStringList{"Selection 1"});
+        m_fixture->restart();
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        window().findChild<QDockWidget*>("views")->raise();
+        QVERIFY(window().selection().selected().empty());
+        const render::CameraPose before = solid().camera().pose();
+        choose(0);
+        QCOMPARE(window().selection().selected(), chosen);
+        QCOMPARE(window().selection().nets(), nets);
+        QVERIFY(isNear(solid().camera().pose(), before));
+        QVERIFY(!window().messageBar().isVisible());
+    }
+
+    void whatASelectionNoLongerFindsIsTold() {
+        window().selection().select({{0, model::ElementId{std::size_t{1}}}, {0, model::ElementId{std::size_t{4}}}});
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier);
+        std::vector<model::session::SavedView> views = window().savedViews().views();
+        views[0].selection->elements[0].box.max.x += 12345;  // as in another version of the board
+        views[0].selection->nets.push_back({"pcb", "GONE"});
+        QVERIFY(model::session::saveViews(m_job, *window().document(), views).ok());
+        m_fixture->restart();
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        window().findChild<QDockWidget*>("views")->raise();
+        choose(0);
+        QCOMPARE(window().selection().selected().size(), std::size_t{1});
+        QTRY_VERIFY(window().messageBar().isVisible());
+        QVERIFY(window().messageBar().text().contains("net GONE, 1 of 2 elements"));
+    }
+
+private:
+    TestWindow& window() { return m_fixture->window(); }
+    ui::CameraController& solid() { return window().views().solid().controller(); }
+    ui::TableView& table() { return window().savedViewsPanel().table(); }
+    static void rest() { QTest::qWait(ui::ViewHistory::kRestMs + 100); }
+    static bool isNear(const render::CameraPose& a, const render::CameraPose& b) {
+        return glm::length(a.target - b.target) < 1e-3F && std::abs(a.distance - b.distance) < 1e-3F &&
+               std::abs(a.yaw - b.yaw) < 1e-4F && std::abs(a.pitch - b.pitch) < 1e-4F &&
+               a.isOrthographic == b.isOrthographic;
+    }
+    QStringList names() {
+        QStringList names;
+        for (const auto& view : window().savedViews().views()) {
+            names += QString::fromStdString(view.name);
+        }
+        return names;
+    }
+    void choose(int row) {
+        const QRect cell = table().visualRect(table().model()->index(row, 0));
+        QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, cell.center());
+    }
+    void rename(int row, const QString& name) {
+        table().setFocus();
+        table().setCurrentIndex(table().model()->index(row, 0));
+        QTest::keyClick(&table(), Qt::Key_F2);
+        auto* editor = table().findChild<QLineEdit*>();
+        QVERIFY(editor != nullptr);
+        editor->selectAll();
+        QTest::keyClicks(editor, name);
+        QTest::keyClick(editor, Qt::Key_Return);
+    }
+
+    std::unique_ptr<WindowFixture> m_fixture;
+    fs::path m_job;
+};
+
+QTEST_MAIN(SavedViewsTest)
+#include "saved_views_test.moc"

@@ -1,0 +1,184 @@
+#include <QTemporaryDir>
+#include <QXmlStreamReader>
+#include <QtTest>
+#include <cmath>
+
+#include "model/export/stackup_drawing.h"
+#include "model/export/stackup_export.h"
+#include "tests/places.h"
+#include "tests/unit/model/formats/odb/odb_testing.h"
+
+using model::HoleSpan;
+using model::StackupBarrel;
+using model::StackupDrawing;
+using model::StackupRow;
+
+namespace {
+
+std::shared_ptr<const model::Document> board(const char* name) {
+    return odb_testing::read(odb_testing::dataJob(name));
+}
+
+const StackupBarrel& boreOf(const StackupDrawing& drawing, const model::Document& document, const char* layer) {
+    const auto found = std::ranges::find_if(
+        drawing.bores, [&](const StackupBarrel& bore) { return document.layer(bore.layer).name == layer; });
+    if (found == drawing.bores.end()) {
+        qFatal("no holes on %s", layer);
+    }
+    return *found;
+}
+
+std::size_t rowOf(const model::Document& document, const char* name) {
+    const auto& rows = document.stackup.rows;
+    return static_cast<std::size_t>(std::ranges::find(rows, name, &StackupRow::name) - rows.begin());
+}
+
+bool isNear(double a, double b) {
+    return std::abs(a - b) < 1e-9 * (1.0 + std::abs(b));
+}
+
+/// Its elements of a kind, or -1 with a warning when the text is no well-formed XML.
+int elementsOf(const std::string& svg, const QString& name) {
+    QXmlStreamReader xml(QByteArray::fromStdString(svg));
+    int count = 0;
+    while (!xml.atEnd()) {
+        count += xml.readNext() == QXmlStreamReader::StartElement && xml.name() == name ? 1 : 0;
+    }
+    if (xml.hasError()) {
+        qWarning() << xml.errorString();
+        return -1;
+    }
+    return count;
+}
+
+}  // namespace
+
+class StackupDrawingTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void toScaleHeightsAreThicknesses() {
+        const auto document = board("everything");
+        const StackupDrawing drawing = model::drawStackup(*document, {1000.0, 10.0, false});
+        QCOMPARE(drawing.bands.size(), document->stackup.rows.size());
+        QCOMPARE(drawing.copperTimes, 1.0);
+        double all = 0.0;
+        for (const StackupRow& row : document->stackup.rows) {
+            all += row.thickness;
+        }
+        double y = 0.0;
+        for (std::size_t i = 0; i < drawing.bands.size(); ++i) {
+            QVERIFY(isNear(drawing.bands[i].top, y));
+            y += document->stackup.rows[i].thickness * 1000.0 / all;
+            QVERIFY(isNear(drawing.bands[i].bottom, y));
+        }
+        QVERIFY(isNear(y, 1000.0));
+    }
+
+    void exaggeratedCopperIsThatManyTimesAsThick() {
+        const auto document = board("everything");
+        const StackupDrawing drawing = model::drawStackup(*document, {1000.0, 10.0, true});
+        QCOMPARE(drawing.copperTimes, 10.0);  // 1460.2 µm of laminate, 139.8 µm of copper
+        const auto perMm = [&](const char* name) {
+            const model::StackupBand& band = drawing.bands[rowOf(*document, name)];
+            return (band.bottom - band.top) / base::toMm(document->stackup.rows[rowOf(*document, name)].thickness);
+        };
+        QVERIFY(isNear(perMm("TOP"), 10.0 * perMm("CORE1")));
+        QVERIFY(isNear(perMm("SMT"), perMm("CORE2")));
+    }
+
+    void labelsDoNotOverlapAndStayInside_data() {
+        QTest::addColumn<double>("height");
+        QTest::newRow("ample") << 1000.0;
+        QTest::newRow("just enough") << 90.0;
+        QTest::newRow("too little: grows") << 0.0;
+    }
+    void labelsDoNotOverlapAndStayInside() {
+        QFETCH(double, height);
+        const StackupDrawing drawing = model::drawStackup(*board("everything"), {height, 10.0, false});
+        QVERIFY(drawing.height >= 90.0);
+        double least = 5.0;
+        for (const model::StackupBand& band : drawing.bands) {
+            QVERIFY(band.label > least - 1e-9);
+            least = band.label + 10.0;
+        }
+        QVERIFY(least <= drawing.height + 5.0 + 1e-9);
+    }
+
+    void holesPassWhatTheyPass() {
+        const auto document = board("drills");
+        const StackupDrawing drawing = model::drawStackup(*document, {1000.0, 10.0, true});
+        const auto top = [&](const char* name) { return drawing.bands[rowOf(*document, name)].top; };
+        const auto bottom = [&](const char* name) { return drawing.bands[rowOf(*document, name)].bottom; };
+        const StackupBarrel& through = boreOf(drawing, *document, "THROUGH");
+        QCOMPARE(through.top, top("L1"));
+        QCOMPARE(through.bottom, bottom("L4"));
+        QVERIFY(through.isPlated);
+        const StackupBarrel& buried = boreOf(drawing, *document, "BURIED");
+        QCOMPARE(buried.span, HoleSpan::Buried);
+        QCOMPARE(buried.top, top("L2"));
+        QCOMPARE(buried.bottom, bottom("L3"));
+        const StackupBarrel& back = boreOf(drawing, *document, "BACK");
+        QCOMPARE(back.span, HoleSpan::Backdrill);
+        QVERIFY(!back.isPlated);
+        std::uint32_t holes = 0;
+        for (const model::DrillRow& row : model::drillTable(*document)) {
+            holes += row.count;
+        }
+        for (const StackupBarrel& bore : drawing.bores) {
+            holes -= bore.count;
+            QVERIFY(bore.bottom > bore.top);
+        }
+        QCOMPARE(holes, 0U);
+        QCOMPARE(model::boreText(*document, back), "BACK: backdrill, non-plated, 1 hole of 1.2 mm");
+    }
+
+    void svgHasABandPerLayerAndABarPerKindOfHole() {
+        const auto document = board("drills");
+        const StackupDrawing drawing = model::drawStackup(*document, {400.0, 10.0, true});
+        const std::string svg = model::stackupSvg(*document, true);
+        const auto bands = static_cast<int>(drawing.bands.size() + drawing.bores.size());
+        QCOMPARE(elementsOf(svg, "rect"), bands + 1);  // and the ground
+        QVERIFY(svg.find("BURIED: buried, plated") != std::string::npos);
+        QVERIFY(svg.find("copper scale x") != std::string::npos);
+        QVERIFY(model::stackupSvg(*document, false).find(", to scale") != std::string::npos);
+    }
+
+    void namesOfAnyBytesMakeWellFormedFiles() {
+        auto document = std::make_shared<model::Document>(*board("drills"));
+        document->stackup.rows[0].name = "<a> & \"b\", \x01\xff\xc3 µ\xe2\x82";
+        document->stackup.rows[1].material.name = "2x106, \"prepreg\"";
+        QVERIFY(elementsOf(model::stackupSvg(*document, true), "text") > 0);
+        QVERIFY(model::stackupCsv(*document).find(",\"2x106, \"\"prepreg\"\"\",") != std::string::npos);
+    }
+
+    void csvHasTheStackAsItIs() {
+        const std::string csv = model::stackupCsv(*board("everything"));
+        QVERIFY(csv.starts_with("order,layer,type,thickness_nm,thickness_source,z_nm,copper_oz,material,"));
+        QVERIFY2(csv.find("\r\n6,Inner Plane,POWER_GROUND,34800,job,") != std::string::npos, csv.c_str());
+        QCOMPARE(std::ranges::count(csv, '\n'), 10);
+    }
+
+    void filesAreWrittenOrRefusedWithTheReason() {
+        const auto document = board("everything");
+        const odb_testing::Folder folder;
+        QVERIFY(model::writeStackup(*document, folder.path() / "stack.svg", true).ok());
+        QVERIFY(model::writeStackup(*document, folder.path() / "stack.csv", true).ok());
+        QCOMPARE(odb_testing::readFile(folder.path() / "stack.svg"), model::stackupSvg(*document, true));
+        QCOMPARE(odb_testing::readFile(folder.path() / "stack.csv"), model::stackupCsv(*document));
+        const auto other = model::writeStackup(*document, folder.path() / "stack.pdf", true);
+        QVERIFY(!other && other.error().code == base::ErrorCode::BadUsage);
+        const auto nowhere = model::writeStackup(*document, folder.path() / "no/folder/stack.svg", true);
+        QVERIFY(!nowhere && nowhere.error().code == base::ErrorCode::OutputFailed);
+        const auto none = model::writeStackup(model::Document(), folder.path() / "stack.svg", true);
+        QVERIFY(!none && none.error().code == base::ErrorCode::BadUsage);
+    }
+
+    void aBoardWithoutAStackIsAnEmptyDrawing() {
+        const StackupDrawing drawing = model::drawStackup(model::Document(), {100.0, 10.0, true});
+        QVERIFY(drawing.bands.empty() && drawing.bores.empty());
+    }
+};
+
+QTEST_APPLESS_MAIN(StackupDrawingTest)
+#include "stackup_drawing_test.moc"

@@ -1,0 +1,252 @@
+#include "model/formats/common/archive.h"
+
+#include "model/formats/common/archive_stream.h"
+#include "model/formats/odb/text/job_tree.h"
+#include "tests/unit/model/formats/odb/odb_testing.h"
+
+using namespace odb_testing;
+using model::Diagnostics;
+using model::formats::Archive;
+using model::formats::ArchiveLimits;
+using model::formats::Bytes;
+
+namespace {
+
+base::Result<Archive> open(const fs::path& path, Diagnostics& diagnostics, const ArchiveLimits& limits = {}) {
+    base::Progress progress;
+    return Archive::open(path, limits, progress, diagnostics);
+}
+
+/// Names that must not exist after an archive was read, whatever it holds.
+bool nothingWasWritten(const Folder& folder, std::size_t filesBefore) {
+    std::size_t files = 0;
+    for ([[maybe_unused]] const auto& entry : fs::recursive_directory_iterator(folder.path())) {
+        ++files;
+    }
+    return files == filesBefore;
+}
+
+}  // namespace
+
+class ArchiveTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyContainerGivesTheSameDocument_data() {
+        QTest::addColumn<int>("container");
+        QTest::addColumn<int>("packing");
+        QTest::addColumn<QString>("prefix");
+        QTest::addColumn<unsigned>("mode");
+        const auto row = [](const char* name, Container c, Packing p, const char* prefix, unsigned mode) {
+            QTest::newRow(name) << static_cast<int>(c) << static_cast<int>(p) << prefix << mode;
+        };
+        row("tgz with a top folder", Container::Ustar, Packing::Gzip, "job/", 0644);
+        row("tgz without a top folder", Container::Ustar, Packing::Gzip, "", 0644);
+        row("plain tar", Container::Ustar, Packing::Plain, "odb/", 0644);
+        row("old V7 tar", Container::V7Tar, Packing::Gzip, "", 0644);
+        row("tar.Z", Container::Ustar, Packing::Compress, "job/", 0644);
+        row("entries of mode 000", Container::Ustar, Packing::Gzip, "odbjob/", 0000);
+        row("zip", Container::Zip, Packing::Plain, "a/b/job/", 0644);
+        row("leading ./", Container::Ustar, Packing::Gzip, "./job/", 0644);
+    }
+    void everyContainerGivesTheSameDocument() {
+        QFETCH(int, container);
+        QFETCH(int, packing);
+        QFETCH(QString, prefix);
+        QFETCH(unsigned, mode);
+        Folder folder;
+        const fs::path path = folder.path() / "board.archive";
+        writeArchive(path, static_cast<Container>(container), static_cast<Packing>(packing),
+                     membersOf(dataJob("everything"), prefix.toStdString(), mode));
+        QVERIFY(fingerprint(*read(path)) == fingerprint(*read(dataJob("everything"))));
+    }
+
+    void entriesThatClimbOrAreAbsoluteAreLeftOut() {
+        Folder folder;
+        const fs::path path = folder.path() / "hostile.tgz";
+        std::vector<Member> members = membersOf(dataJob("everything"), "job/");
+        members.push_back({"../climbed", "x", 0644, {}});
+        members.push_back({"job/steps/../../../climbed", "x", 0644, {}});
+        members.push_back({"/tmp/absolute", "x", 0644, {}});
+        members.push_back({"C:\\windows", "x", 0644, {}});
+        members.push_back({"job/link", "", 0644, "/etc/passwd"});
+        members.push_back({"job/..hidden/fine", "x", 0644, {}});
+        writeArchive(path, Container::Ustar, Packing::Gzip, members);
+        Diagnostics diagnostics;
+        const auto archive = open(path, diagnostics);
+        QVERIFY(archive.ok());
+        QCOMPARE(diagnostics.count(model::Severity::Error), 5U);
+        QVERIFY(findDiagnostic(diagnostics, "'..'") != nullptr);
+        QVERIFY(findDiagnostic(diagnostics, "absolute") != nullptr);
+        QVERIFY(findDiagnostic(diagnostics, "link") != nullptr);
+        QCOMPARE(archive->find("../climbed"), -1);
+        QCOMPARE(archive->find("job/link"), -1);
+        QVERIFY(archive->find("job/..hidden/fine") >= 0);
+        QVERIFY(nothingWasWritten(folder, 1));
+        QCOMPARE(read(path)->nets.size(), std::size_t{3});
+    }
+
+    void everyTruncatedArchiveIsAClearError() {
+        Folder folder;
+        const fs::path whole = folder.path() / "whole.tgz";
+        writeArchive(whole, Container::Ustar, Packing::Gzip, membersOf(dataJob("everything"), "job/"));
+        const std::string bytes = readFile(whole);
+        for (std::size_t length = 1; length + 16 < bytes.size(); length += 97) {
+            const auto result = tryRead(folder.write("part.tgz", bytes.substr(0, length)));
+            QVERIFY(!result.ok());
+            QCOMPARE(result.error().code, base::ErrorCode::BadInput);
+            QVERIFY(result.error().text.find("part.tgz") != std::string::npos);
+        }
+    }
+
+    void everyTruncatedZipIsAnErrorOrReadsWhatIsLeft() {
+        Folder folder;
+        const fs::path whole = folder.path() / "whole.zip";
+        writeArchive(whole, Container::Zip, Packing::Plain, membersOf(dataJob("everything"), "job/"));
+        const std::string bytes = readFile(whole);
+        for (std::size_t length = 1; length < bytes.size(); length += 211) {
+            const auto result = tryRead(folder.write("part.zip", bytes.substr(0, length)));
+            QVERIFY(result.ok() || result.error().code == base::ErrorCode::BadInput);
+        }
+    }
+
+    void missingEmptyAndForeignFilesAreClearErrors() {
+        Folder folder;
+        const auto textOf = [](const fs::path& path) {
+            const auto result = tryRead(path);
+            return result.ok() ? std::string() : result.error().text;
+        };
+        QVERIFY(textOf(folder.path() / "absent.tgz").find("no such file") != std::string::npos);
+        QVERIFY(textOf(folder.write("empty.tgz", "")).find("an empty file") != std::string::npos);
+        QVERIFY(textOf(folder.write("text.tgz", "this is no archive at all")).find("a text file") != std::string::npos);
+        QVERIFY(textOf(folder.write("folder/readme", "hello")).find("a text file") != std::string::npos);
+        QVERIFY(textOf(folder.path() / "folder").find("a folder without an ODB++ matrix") != std::string::npos);
+        writeArchive(folder.path() / "other.tgz", Container::Ustar, Packing::Gzip, {{"readme", "hello", 0644, {}}});
+        QVERIFY(textOf(folder.path() / "other.tgz").find("a gzip archive without an ODB++ matrix") !=
+                std::string::npos);
+        writeArchive(folder.path() / "none.tgz", Container::Ustar, Packing::Gzip, {});
+        QVERIFY(!textOf(folder.path() / "none.tgz").empty());
+    }
+
+    void anArchiveThatUnpacksToTooMuchIsRefused_data() {
+        QTest::addColumn<int>("container");
+        QTest::addColumn<int>("packing");
+        QTest::newRow("tar.gz") << static_cast<int>(Container::Ustar) << static_cast<int>(Packing::Gzip);
+        QTest::newRow("tar.Z") << static_cast<int>(Container::Ustar) << static_cast<int>(Packing::Compress);
+        QTest::newRow("zip") << static_cast<int>(Container::Zip) << static_cast<int>(Packing::Plain);
+    }
+    void anArchiveThatUnpacksToTooMuchIsRefused() {
+        QFETCH(int, container);
+        QFETCH(int, packing);
+        Folder folder;
+        const fs::path path = folder.path() / "bomb";
+        writeArchive(path, static_cast<Container>(container), static_cast<Packing>(packing),
+                     {{"job/big", std::string(3'000'000, '0'), 0644, {}}});
+        QVERIFY(fs::file_size(path) < 100'000);
+        Diagnostics diagnostics;
+        ArchiveLimits limits;
+        limits.totalBytes = 2'000'000;
+        const auto large = open(path, diagnostics, limits);
+        QVERIFY(!large.ok());
+        QVERIFY(large.error().text.find("too much") != std::string::npos);
+        limits.totalBytes = 4'000'000;
+        QVERIFY(open(path, diagnostics, limits).ok());
+        limits.entries = 0;
+        QVERIFY(!open(path, diagnostics, limits).ok());
+    }
+
+    void namesAreFoundWhateverTheirCase() {
+        Folder folder;
+        folder.write("steps/pcb/layers/Assembly Text Top/Features", "x");
+        folder.write("steps/pcb/layers/ASSEMBLY TEXT TOP/features", "y");
+        Diagnostics diagnostics;
+        const auto archive = open(folder.path(), diagnostics);
+        QVERIFY(archive.ok());
+        QVERIFY(archive->find("STEPS/PCB/LAYERS/assembly text TOP/FEATURES") >= 0);
+        QCOMPARE(diagnostics.count(model::Severity::Warning), 1U);
+    }
+
+    void packedMembersAreToldByTheirFirstBytes_data() {
+        QTest::addColumn<int>("container");
+        QTest::addColumn<int>("packing");
+        QTest::newRow("Unix compress") << static_cast<int>(Container::Raw) << static_cast<int>(Packing::Compress);
+        QTest::newRow("gzip") << static_cast<int>(Container::Raw) << static_cast<int>(Packing::Gzip);
+        QTest::newRow("zip") << static_cast<int>(Container::Zip) << static_cast<int>(Packing::Plain);
+        QTest::newRow("plain") << static_cast<int>(Container::Raw) << static_cast<int>(Packing::Plain);
+    }
+    void packedMembersAreToldByTheirFirstBytes() {
+        QFETCH(int, container);
+        QFETCH(int, packing);
+        Folder folder;
+        folder.copyJob("everything");
+        const fs::path plain = folder.path() / "steps/board/layers/top/features";
+        writeArchive(folder.path() / "packed", static_cast<Container>(container), static_cast<Packing>(packing),
+                     {{"features", readFile(plain), 0644, {}}});
+        const std::string packed = readFile(folder.path() / "packed");
+        fs::remove(plain);
+        folder.write("steps/board/layers/top/features.Z", packed);
+        const auto document = read(folder.path());
+        QCOMPARE(document->layer(document->findLayer("top")).featureCount, 27U);
+        QCOMPARE(document->layer(document->findLayer("top")).file, std::string("steps/board/layers/top/features.Z"));
+    }
+
+    void aBrokenPackedMemberIsReportedAndTheRestIsRead() {
+        Folder folder;
+        folder.copyJob("everything");
+        fs::remove(folder.path() / "steps/board/layers/top/features");
+        for (const char* bytes : {"\x1f\x9d\x90\xff\xff\xff\xff\xff", "\x1f\x8b\x08zzz", "PK\x03\x04zzzzzz"}) {
+            folder.write("steps/board/layers/top/features.Z", bytes);
+            const auto document = read(folder.path());
+            const model::Diagnostic* entry = findDiagnostic(document->diagnostics, "packed file is broken");
+            QVERIFY(entry != nullptr);
+            QCOMPARE(entry->file, std::string("steps/board/layers/top/features.Z"));
+            QCOMPARE(document->layer(document->findLayer("bottom")).elements.count, 1U);
+        }
+    }
+
+    void aPackedMemberMayNotGrowBeyondItsLimit_data() {
+        QTest::addColumn<int>("container");
+        QTest::addColumn<int>("packing");
+        QTest::newRow("Unix compress") << static_cast<int>(Container::Raw) << static_cast<int>(Packing::Compress);
+        QTest::newRow("gzip") << static_cast<int>(Container::Raw) << static_cast<int>(Packing::Gzip);
+        QTest::newRow("zip") << static_cast<int>(Container::Zip) << static_cast<int>(Packing::Plain);
+    }
+    void aPackedMemberMayNotGrowBeyondItsLimit() {
+        QFETCH(int, container);
+        QFETCH(int, packing);
+        Folder folder;
+        writeArchive(folder.path() / "packed", static_cast<Container>(container), static_cast<Packing>(packing),
+                     {{"m", std::string(100'000, 'x'), 0644, {}}});
+        const std::string packed = readFile(folder.path() / "packed");
+        QVERIFY(!model::formats::decodeMember(Bytes(packed), 99'999).ok());
+        QCOMPARE(model::formats::decodeMember(Bytes(packed), 100'000)->view().size(), std::size_t{100'000});
+    }
+
+    void theShallowestJobOfAnArchiveIsTaken() {
+        Folder folder;
+        folder.write("job/matrix/matrix", "x");
+        folder.write("job/steps/a/stephdr", "x");
+        folder.write("job/user/copy/matrix/matrix", "x");
+        folder.write("job/user/copy/steps/b/stephdr", "x");
+        folder.write("matrix/matrix", "no steps beside it");
+        Diagnostics diagnostics;
+        const auto archive = open(folder.path(), diagnostics);
+        const auto tree = model::odb::findJob(*archive);
+        QVERIFY(tree.ok());
+        QCOMPARE(tree->name(), std::string("job"));
+        QCOMPARE(tree->foldersIn("steps"), std::vector<std::string>{"a"});
+        QVERIFY(tree->has("STEPS/A/stephdr"));
+        QVERIFY(!tree->has("user/copy/steps/c"));
+    }
+
+    void cancellingStopsTheReading() {
+        base::Progress progress;
+        progress.cancel();
+        const auto result = model::readBoard(dataJob("everything"), {}, progress);
+        QVERIFY(!result.ok());
+        QCOMPARE(result.error().code, base::ErrorCode::Cancelled);
+    }
+};
+
+QTEST_APPLESS_MAIN(ArchiveTest)
+#include "archive_test.moc"

@@ -1,0 +1,277 @@
+// Components, their pins and bodies, and netlists: from the files to the document.
+#include "model/formats/odb/components/components.h"
+#include "model/formats/odb/components/netlist.h"
+#include "tests/unit/model/formats/odb/odb_testing.h"
+
+using namespace odb_testing;
+using model::Diagnostics;
+using model::Document;
+using model::LayerSide;
+using model::MountType;
+using model::Point;
+using model::odb::Unit;
+
+namespace {
+
+/// A job with one package of two pins at (-1, 0) and (2, 1) mm, and these components on both sides.
+void writeParts(const Folder& folder, const std::string& top, const std::string& bottom,
+                const std::string& netlist = {}) {
+    folder.write(
+        "matrix/matrix",
+        matrixOf({{"COMPONENT", "comp_+_top"}, {"SIGNAL", "TOP"}, {"SIGNAL", "BOT"}, {"COMPONENT", "comp_+_bot"}}));
+    folder.write("steps/board/profile", "UNITS=MM\nS P 0\nOB 0 0 I\nOS 100 0\nOS 100 100\nOS 0 100\nOS 0 0\nOE\nSE\n");
+    folder.write("steps/board/eda/data",
+                 "UNITS=MM\nLYR TOP BOT\nNET A\nSNT TOP T 0 0\nFID C 0 0\nSNT TOP T 9 9\nNET B\nSNT VIA\nFID C 0 1\n"
+                 "PKG P1 1 -2 -2 3 2\nRC -2 -2 5 4\nPIN 1 S -1 0 0 E S\nCR -1 0 0.2\nPIN 2 T 2 1 0 E S\n"
+                 "FGR TEXT\nPRP string 'hello'\nFID C 0 2\nFID C 0 3\nFID C 0 4\nFID C 0 99\n");
+    folder.write("steps/board/layers/top/features",
+                 "UNITS=MM\n$0 r1000\n$1 r100\nP 9 20 0 P 0 0\nP 50 50 0 P 0 0\n"
+                 "L 1 1 2 1 1 P 0\nL 2 1 3 1 1 P 0\nP 5 5 0 P 0 0\n");
+    folder.write("steps/board/layers/comp_+_top/components", "UNITS=MM\n" + top);
+    folder.write("steps/board/layers/comp_+_bot/components", "UNITS=MM\n" + bottom);
+    if (!netlist.empty()) {
+        folder.write("steps/board/netlists/cadnet/netlist", netlist);
+    }
+}
+
+std::string netNameOf(const Document& d, const model::NetPoint& point) {
+    return point.net.isValid() ? d.nets[point.net.row()].name : "";
+}
+
+}  // namespace
+
+class PartsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void componentsHaveTheirPins() {
+        Diagnostics diagnostics;
+        const auto components = model::odb::parseComponents(
+            "UNITS=INCH\n@0 .comp_height\n# CMP 0\nID=77\nCMP 7 1 -2 90.5 M U1 10\xb5"
+            "F ;0=0.1;ID=3\nPRP X 'TOP ; y'\n"
+            "TOP 0 1 -2 90.5 M 12 0 A1\nTOP 1 1 -1 0 N -1 0\nCMP -1 0 0 0 N R1 ???\n",
+            "components", Unit::Millimetre, {}, diagnostics);
+        QCOMPARE(components.size(), std::size_t{2});
+        QCOMPARE(components[0].package, 7);
+        QCOMPARE(components[0].position, (Point{25'400'000, -50'800'000}));
+        QCOMPARE(components[0].clockwiseDeg, 90.5);
+        QVERIFY(components[0].isMirrored);
+        QCOMPARE(components[0].height, 2'540'000);
+        QCOMPARE(components[0].part, std::string("10\xc2\xb5"
+                                                 "F"));
+        QCOMPARE(components[0].properties,
+                 (std::vector<model::odb::TextProperty>{{".comp_height", "0.1"}, {"X", "TOP ; y"}}));
+        QCOMPARE(components[0].pins.size(), std::size_t{2});
+        QCOMPARE(components[0].pins[0].net, 12);
+        QCOMPARE(components[0].pins[0].name, std::string("A1"));
+        QCOMPARE(components[0].pins[1].net, -1);
+        QVERIFY(components[0].pins[1].name.empty());
+        QVERIFY(components[1].pins.empty());
+        QVERIFY(diagnostics.entries().empty());
+    }
+
+    void aBadComponentTakesItsPinsWithIt() {
+        Diagnostics diagnostics;
+        const auto components = model::odb::parseComponents(
+            "U MM\nCMP x 0 0 0 N R1 p\nTOP 0 0 0 0 N 1 0 1\nCMP 0 0 0 0 N R2 p\nTOP 0 a\nFOO 1\nCPN 12\n", "components",
+            Unit::Inch, {}, diagnostics);
+        QCOMPARE(components.size(), std::size_t{1});
+        QVERIFY(components[0].pins.empty());
+        QVERIFY(findDiagnostic(diagnostics, "CMP record is unreadable") != nullptr);
+        QVERIFY(findDiagnostic(diagnostics, "TOP record is unreadable") != nullptr);
+        QVERIFY(findDiagnostic(diagnostics, "unknown kind") != nullptr);
+        QVERIFY(findDiagnostic(diagnostics, "bill of materials") != nullptr);
+    }
+
+    void aPlacementTakesThePackageToTheBoard() {
+        const Folder folder;
+        // Turned clockwise by 90°: (x, y) becomes (y, -x).
+        writeParts(folder,
+                   "@0 .comp_height\n@1 .comp_mount_type\n@2 .no_pop\n"
+                   "CMP 0 10 20 0 N U1 chip ;0=1.5,1=1\nPRP MPN 'X1'\nTOP 0 9 20 0 N 0 0 A\nTOP 1 12 21 0 N 1 0\n"
+                   "CMP 0 40 20 90 N U2 chip ;2\nTOP 0 40 21 0 N 0 1 1\nTOP 1 41 18 0 N -1 0 2\n",
+                   "");
+        const auto d = read(folder.path());
+        QCOMPARE(d->components.size(), std::size_t{2});
+        const model::Component& u1 = d->components[0];
+        QVERIFY(!u1.placement.isMirrored);
+        QCOMPARE(u1.height, 1'500'000);
+        QCOMPARE(u1.mount, MountType::Surface);
+        QVERIFY(u1.isPopulated && !d->components[1].isPopulated);
+        const auto properties = d->propertiesOf(u1.properties);
+        QCOMPARE(properties.size(), std::size_t{3});
+        QCOMPARE(d->text(properties[2].name), std::string("MPN"));
+        QCOMPARE(d->text(properties[2].value), std::string("X1"));
+        QCOMPARE(properties[1].name, d->propertiesOf(u1.properties)[1].name);
+        const model::Package& package = d->packages[u1.package.row()];
+        QCOMPARE(package.name, std::string("P1"));
+        QCOMPARE(d->shapes.shapes[package.body.row()].box,
+                 (model::Box{{-2'000'000, -2'000'000}, {3'000'000, 2'000'000}}));
+        QCOMPARE(package.pins.count, 2U);
+        QVERIFY(d->packagePins[package.pins.first].outline.isValid());
+        QVERIFY(!d->packagePins[package.pins.first + 1].outline.isValid());
+        QCOMPARE(d->pinsOf(u1)[0].net, d->findNet("A"));
+        QCOMPARE(d->text(d->pinsOf(u1)[0].name), std::string("A"));
+        QCOMPARE(d->text(d->pinsOf(u1)[1].name), std::string("2"));
+        QCOMPARE(d->pinsOf(d->components[1])[0].component, model::ComponentId{1});
+        QVERIFY(findDiagnostic(d->diagnostics, "do not lie where its package") == nullptr);
+    }
+
+    void thePinsDecideWhetherTheBottomIsMirrored_data() {
+        QTest::addColumn<QString>("components");
+        QTest::addColumn<bool>("isMirrored");
+        // The flag says the opposite of what the pins show: (x, y) → (-x, y), or as seen from the top.
+        QTest::addRow("mirrored, flag N") << "CMP 0 10 20 0 N U1 c\nTOP 0 11 20 0 N 0 0 1\nTOP 1 8 21 0 N 0 0 2\n"
+                                          << true;
+        QTest::addRow("plain, flag M") << "CMP 0 10 20 0 M U1 c\nTOP 0 9 20 0 N 0 0 1\nTOP 1 12 21 0 N 0 0 2\n"
+                                       << false;
+        QTest::addRow("turned, mirrored") << "CMP 0 10 20 90 N U1 c\nTOP 0 10 21 0 N 0 0 1\nTOP 1 9 18 0 N 0 0 2\n"
+                                          << true;
+        QTest::addRow("no pins") << "CMP 0 10 20 0 N U1 c\n" << true;
+    }
+    void thePinsDecideWhetherTheBottomIsMirrored() {
+        QFETCH(QString, components);
+        QFETCH(bool, isMirrored);
+        const Folder folder;
+        writeParts(folder, "", components.toStdString());
+        const auto d = read(folder.path());
+        QCOMPARE(d->components.size(), std::size_t{1});
+        QCOMPARE(d->components[0].side, LayerSide::Bottom);
+        QCOMPARE(d->components[0].placement.isMirrored, isMirrored);
+        for (const model::Pin& pin : d->pins) {
+            QCOMPARE(d->components[0].placement.apply(d->packagePins[pin.packagePin].position), pin.position);
+        }
+    }
+
+    void pinsThatFitNowhereStayAndAreReported() {
+        const Folder folder;
+        writeParts(folder, "CMP 0 10 20 0 N U1 c\nTOP 0 9 20.002 0 N 0 0 1\nTOP 1 12 21 0 N 0 0 2\n", "");
+        const auto d = read(folder.path());
+        QCOMPARE(d->pins[0].position, (Point{9'000'000, 20'002'000}));
+        const model::Diagnostic* entry = findDiagnostic(d->diagnostics, "do not lie where its package");
+        QVERIFY(entry != nullptr);
+        QCOMPARE(entry->line, 2U);
+    }
+
+    void subnetsAreTiedToPinsAndElements() {
+        const Folder folder;
+        writeParts(folder, "CMP 0 10 20 0 N U1 c\nTOP 0 9 20 0 N 0 0 1\n", "");
+        const auto d = read(folder.path());
+        const model::ElementId pad = elementOf(*d, "top", 0);
+        const model::SubnetId subnet = d->elements.subnet[pad.row()];
+        QVERIFY(subnet.isValid());
+        QCOMPARE(d->subnets[subnet.row()].kind, model::SubnetKind::PinPads);
+        QCOMPARE(d->subnets[subnet.row()].pin, model::PinId{0});
+        QCOMPARE(d->subnets[subnet.row()].net, d->findNet("A"));
+        QCOMPARE(d->subnets[d->elements.subnet[elementOf(*d, "top", 1).row()].row()].kind, model::SubnetKind::Via);
+        QVERIFY(!d->elements.subnet[elementOf(*d, "top", 2).row()].isValid());
+        QVERIFY(!d->subnets[1].pin.isValid());  // the job names a component that is not there
+    }
+
+    void groupsNameElements() {
+        const Folder folder;
+        writeParts(folder, "", "");
+        const auto d = read(folder.path());
+        QCOMPARE(d->groups.size(), std::size_t{1});
+        QCOMPARE(d->text(d->groups[0].type), std::string("TEXT"));
+        QCOMPARE(d->text(d->propertiesOf(d->groups[0].properties)[0].value), std::string("hello"));
+        // Features 2 and 3 are one trail.
+        QCOMPARE(d->groupElements, (std::vector{elementOf(*d, "top", 2), elementOf(*d, "top", 4)}));
+        QVERIFY(findDiagnostic(d->diagnostics, "a group names a feature that is not there") != nullptr);
+    }
+
+    void aFeatureOfTwoNetsStaysInTheFirst() {
+        const Folder folder;
+        writeParts(folder, "", "");
+        folder.write("steps/board/eda/data", "LYR TOP BOT\nNET A\nFID C 0 0\nNET B\nFID C 0 0\n");
+        const auto d = read(folder.path());
+        QCOMPARE(d->elements.net[elementOf(*d, "top", 0).row()], d->findNet("A"));
+        QVERIFY(findDiagnostic(d->diagnostics, "in another net already") != nullptr);
+    }
+
+    void netlistsAreReadPointByPoint() {
+        Diagnostics diagnostics;
+        const auto netlist = model::odb::parseNetlist(
+            "UNITS=MM\nH optimize n staggered n\n$0 $NONE$\n$1 A+B\n#\n"
+            "1 0.5 10 -20 T e e staggered 0 0 0 v\n1 0 1 2 D 0.25 0.5 m c staggered 0 0 0\n0 1 1 2 B e s\n-1 1 1 2 I e "
+            "s t\n"
+            "1 0.0 3 4 B e c staggered 0 0 0 v\n"
+            "1 x\nfoo\n$99999 far\n",
+            "netlist", Unit::Inch, diagnostics);
+        QCOMPARE(netlist.names, (std::vector<std::string>{"$NONE$", "A+B"}));
+        QCOMPARE(netlist.points.size(), std::size_t{5});
+        QCOMPARE(netlist.points[0].position, (Point{10'000'000, -20'000'000}));
+        QCOMPARE(netlist.points[0].radius, 500'000);
+        QVERIFY(netlist.points[0].isVia && netlist.points[0].isEnd && netlist.points[0].side == LayerSide::Top);
+        QCOMPARE(netlist.points[1].width, 250'000);
+        QCOMPARE(netlist.points[1].height, 500'000);
+        QVERIFY(!netlist.points[1].isEnd && netlist.points[1].side == LayerSide::Bottom);
+        QCOMPARE(netlist.points[1].exposure, model::Exposure::Covered);
+        QCOMPARE(netlist.points[2].side, LayerSide::Through);
+        QCOMPARE(netlist.points[2].exposure, model::Exposure::CoveredOnBottom);
+        QCOMPARE(netlist.points[3].side, LayerSide::Inner);
+        QVERIFY(netlist.points[4].isVia && netlist.points[4].width == 0 &&
+                netlist.points[4].exposure == model::Exposure::Covered);
+        QCOMPARE(diagnostics.entries().size(), std::size_t{3});
+    }
+
+    void aNetlistWithAnotherOriginIsMoved() {
+        const Folder folder;
+        writeParts(folder, "", "", "UNITS=MM\n$0 A\n$1 B\n0 1 109 -80 T e e\n1 1 150 -50 T e e\n");
+        const auto d = read(folder.path());
+        QCOMPARE(d->netPoints.size(), std::size_t{2});
+        QCOMPARE(d->netPoints[0].position, (Point{9'000'000, 20'000'000}));
+        QCOMPARE(d->netPoints[1].position, (Point{50'000'000, 50'000'000}));
+        QCOMPARE(netNameOf(*d, d->netPoints[1]), std::string("B"));
+        QVERIFY(findDiagnostic(d->diagnostics, "another origin") != nullptr);
+    }
+
+    void netlistsThatDisagreeAreReported() {
+        const Folder folder;
+        writeParts(
+            folder, "", "",
+            "UNITS=MM\n$0 A\n$1 B\n$2 STRANGER\n0 1 9 20 T e e\n1 1 50 50 T e e\n1 1 60 50 T e e\n2 1 1 1 T e e\n");
+        const auto d = read(folder.path());
+        QCOMPARE(d->netPoints.size(), std::size_t{4});
+        QCOMPARE(d->text(d->netPoints[3].name), std::string("STRANGER"));
+        QVERIFY(!d->netPoints[3].net.isValid());
+        QVERIFY(findDiagnostic(d->diagnostics, "not on the board: STRANGER") != nullptr);
+        const model::Diagnostic* beside =
+            findDiagnostic(d->diagnostics, "1 of 4 netlist points lie on no copper of their net");
+        QVERIFY(beside != nullptr);
+        QCOMPARE(beside->line, 7U);
+    }
+
+    void netsOfOneNameAreToldApartByTheirPlaces() {
+        const Folder folder;
+        writeParts(folder, "", "", "UNITS=MM\n$0 TWIN\n$1 TWIN\n1 1 9 20 T e e\n0 1 50 50 T e e\n");
+        std::string eda = odb_testing::readFile(folder.path() / "steps/board/eda/data");
+        eda.replace(eda.find("NET A"), 5, "NET TWIN");
+        eda.replace(eda.find("NET B"), 5, "NET TWIN");
+        folder.write("steps/board/eda/data", eda);
+        const auto d = read(folder.path());
+        QCOMPARE(d->netPoints[0].net, model::NetId{0});
+        QCOMPARE(d->netPoints[1].net, model::NetId{1});
+        QVERIFY(findDiagnostic(d->diagnostics, "netlist points lie on") == nullptr);
+    }
+
+    /// A point need not be in the middle of a pad: it may be anywhere on copper of its net. Copper without a net is
+    /// told apart from none.
+    void pointsAreLookedForOnTheCopperItself() {
+        const Folder folder;
+        writeParts(folder, "", "",
+                   "UNITS=MM\n$0 A\n$1 B\n0 1 9 20 T e e\n1 1 50 50 T e e\n1 1 50.3 50.3 T e e\n0 1 9.45 20 T e e\n"
+                   "1 1 5 5 T e e\n1 1 9 20 T e e\n0 1 9 20 B e e\n1 1 50 50 B e e\n");
+        const auto d = read(folder.path());
+        const model::Diagnostic* noNet =
+            findDiagnostic(d->diagnostics, "1 of 8 netlist points lie on copper without a net");
+        QVERIFY(noNet != nullptr);
+        QCOMPARE(noNet->line, 8U);
+        const model::Diagnostic* nothing = findDiagnostic(d->diagnostics, "1 of 8 netlist points lie on no copper");
+        QVERIFY(nothing != nullptr);
+        QCOMPARE(nothing->line, 9U);
+    }
+};
+
+QTEST_APPLESS_MAIN(PartsTest)
+#include "parts_test.moc"

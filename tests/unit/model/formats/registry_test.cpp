@@ -1,0 +1,125 @@
+#include <QtTest>
+#include <filesystem>
+
+#include "model/formats/registry.h"
+#include "tests/places.h"
+
+namespace {
+
+std::string write(const QTemporaryDir& folder, const char* name, const QByteArray& content) {
+    QFile file(folder.filePath(name));
+    if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size()) {
+        qFatal("cannot write %s", name);
+    }
+    return folder.filePath(name).toStdString();
+}
+
+}  // namespace
+
+class ReaderTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void missingPathIsNamed() {
+        base::Progress progress;
+        const auto result = model::readBoard("/nowhere/board.tgz", {}, progress);
+        QVERIFY(!result);
+        QCOMPARE(result.error().code, base::ErrorCode::BadInput);
+        QVERIFY(result.error().text.find("/nowhere/board.tgz") != std::string::npos);
+    }
+
+    void bothFormatsOpenThroughOneDoor() {
+        base::Progress progress;
+        const auto job = model::readBoard(locations::kSample, {}, progress);
+        QVERIFY2(job.ok(), job ? "" : job.error().text.c_str());
+        QVERIFY((*job)->elements.size() > 1000);
+
+        QTemporaryFile file;
+        QVERIFY(file.open());
+        file.write("LAYERBEGIN\nLAYERTYPE,Top\nBASEPLANEHEIGHT,0\nTHICKNESS,1\nLAYEREND\n");
+        file.flush();
+        QVERIFY(model::readBoard(file.fileName().toStdString(), {}, progress).ok());
+    }
+
+    void theNameOfAFileDoesNotMatter() {
+        QTemporaryDir folder;
+        base::Progress progress;
+        for (const char* name : {"board.pdf", "board.txt", "board"}) {
+            const std::string path = folder.filePath(name).toStdString();
+            std::filesystem::copy_file(locations::kSample, path);
+            const auto result = model::readBoard(path, {}, progress);
+            QVERIFY2(result.ok(), result ? "" : result.error().text.c_str());
+        }
+        const std::string path =
+            write(folder, "model.tgz", "LAYERBEGIN\nLAYERTYPE,Top\nBASEPLANEHEIGHT,0\nTHICKNESS,1\nLAYEREND\n");
+        QVERIFY(model::readBoard(path, {}, progress).ok());
+    }
+
+    void whatIsNoBoardIsNamed_data() {
+        QTest::addColumn<QByteArray>("content");
+        QTest::addColumn<QString>("kind");
+        QTest::addRow("empty") << QByteArray() << "this is an empty file; what";
+        QTest::addRow("picture") << QByteArray("\x89PNG\r\n\x1a\n\0\0", 10)
+                                 << "a PNG picture, which begins with 89 50 4E 47 0D 0A 1A 0A;";
+        QTest::addRow("KiCad") << QByteArray("(kicad_pcb (version 20211014)")
+                               << "a KiCad board, which begins with \"(kicad_pcb";
+        QTest::addRow("Gerber") << QByteArray("%FSLAX46Y46*%\n%MOMM*%\n")
+                                << "a Gerber file, which begins with \"%FSLAX46Y46*%\"";
+        QTest::addRow("Gerber with a comment") << QByteArray("G04 top*\n%FSLAX46Y46*%\n") << "a Gerber file";
+        QTest::addRow("drills") << QByteArray("M48\nMETRIC\n") << "an Excellon drill file";
+        QTest::addRow("IPC-2581") << QByteArray("<?xml version=\"1.0\"?>\n<IPC-2581 revision=\"C\">")
+                                  << "an IPC-2581 board";
+        QTest::addRow("XML") << QByteArray("\xef\xbb\xbf <?xml version=\"1.0\"?><a/>") << "an XML file";
+        QTest::addRow("ZIP") << QByteArray("PK\x05\x06") + QByteArray(18, '\0')
+                             << "a ZIP archive without an ODB++ matrix";
+        QTest::addRow("text") << QByteArray("Dear diary\n") << "a text file, which begins with \"Dear diary\"";
+        QTest::addRow("bytes") << QByteArray("\x01\x02\xab", 3) << "a file of unknown kind, which begins with 01 02 AB";
+    }
+    void whatIsNoBoardIsNamed() {
+        QFETCH(QByteArray, content);
+        QFETCH(QString, kind);
+        QTemporaryDir folder;
+        base::Progress progress;
+        const auto result = model::readBoard(write(folder, "board.tgz", content), {}, progress);
+        QVERIFY(!result);
+        QCOMPARE(result.error().code, base::ErrorCode::BadInput);
+        QVERIFY2(result.error().text.find(kind.toStdString()) != std::string::npos, result.error().text.c_str());
+        QVERIFY(result.error().text.find(model::describeFormats()) != std::string::npos);
+        QVERIFY(result.error().text.find("board.tgz") != std::string::npos);
+    }
+
+    void aFolderWithoutABoardIsNamed() {
+        QTemporaryDir folder;
+        base::Progress progress;
+        const auto result = model::readBoard(folder.path().toStdString(), {}, progress);
+        QVERIFY(!result);
+        QVERIFY(result.error().text.find("a folder without an ODB++ matrix; what") != std::string::npos);
+    }
+
+    void everyExtensionIsInTheFilterAndInTheHelp() {
+        for (const model::BoardFormat& format : model::knownFormats()) {
+            const std::string help = model::describeFormats();
+            QVERIFY(help.find(format.name) != std::string::npos);
+            for (const std::string_view extension : format.extensions) {
+                const std::string pattern = " *" + std::string(extension) + " ";
+                QVERIFY2((" " + model::namePatterns() + " ").find(pattern) != std::string::npos, pattern.c_str());
+                QVERIFY(help.find(extension) != std::string::npos);
+                QVERIFY(model::isNamedLikeBoard(
+                    "/nowhere/BOARD" + QString::fromStdString(std::string(extension)).toUpper().toStdString()));
+            }
+        }
+        QVERIFY(!model::isNamedLikeBoard("/nowhere/board.pdf"));
+        QVERIFY(model::isNamedLikeBoard("/"));
+    }
+
+    void aCancelledReadSaysSo() {
+        base::Progress progress;
+        progress.cancel();
+        const auto result = model::readBoard(locations::kSample, {}, progress);
+        QVERIFY(!result);
+        QCOMPARE(result.error().code, base::ErrorCode::Cancelled);
+    }
+};
+
+QTEST_APPLESS_MAIN(ReaderTest)
+#include "registry_test.moc"

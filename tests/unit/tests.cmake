@@ -1,0 +1,22 @@
+# A test of one source file stands below unit/ where its source does: unit/model/board/copies_test.cpp for model/board/copies.h. Adding one
+# needs no line here.
+add_library(copperscope_tri_oracle STATIC unit/tri/gpu/oracle.cpp)  # shaders/tri on the processor, which devices are compared with
+target_link_libraries(copperscope_tri_oracle PUBLIC copperscope_tri_gpu)
+
+set(links_model copperscope_model)
+set(links_render copperscope_render copperscope_model)
+set(links_tri copperscope_tri_oracle)
+set(links_ui copperscope_ui)
+set(links_app copperscope_app)
+file(GLOB_RECURSE tests CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_LIST_DIR} ${CMAKE_CURRENT_LIST_DIR}/*_test.cpp)
+foreach(test IN LISTS tests)
+    string(REGEX REPLACE "/.*" "" area ${test})
+    cmake_path(GET test STEM name)
+    if(test MATCHES "^(ui|tri)/" OR test MATCHES "/(odb)/")  # names that occur twice
+        set(name ${CMAKE_MATCH_1}_${name})
+    endif()
+    if(COPPERSCOPE_GUI OR NOT area STREQUAL ui)
+        copperscope_test(${name} unit/${test} LABEL unit LINK ${links_${area}})
+    endif()
+endforeach()
+target_link_libraries(png_test PRIVATE PNG::PNG)

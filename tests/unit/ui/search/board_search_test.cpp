@@ -1,0 +1,118 @@
+#include "ui/search/board_search.h"
+
+#include <QtTest>
+
+#include "tests/unit/model/formats/odb/odb_testing.h"
+
+using ui::BoardSearch;
+using ui::Found;
+using ui::FoundKind;
+using ui::LengthUnit;
+
+class BoardSearchTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        m_board = odb_testing::read(locations::kSample);
+        m_search.setBoard(m_board);
+    }
+
+    void namesThatBeginWithTheTextComeBeforeThoseThatHoldIt() {
+        QCOMPARE(titles("1pps"), (QStringList{"1PPS_IN", "1PPS_OUT"}));
+        QCOMPARE(titles("netc"), (QStringList{"NetC3_1", "NetC4_2", "NetC9_1"}));
+        QCOMPARE(titles("u1").first(), "U1");
+        QCOMPARE(titles("+3.3v"), (QStringList{"+3.3V", "+3.3V_OSC"}));
+        QCOMPARE(titles("l02"), QStringList{"L02-INNER_LAYER"});
+        QCOMPARE(titles("no such thing"), QStringList{});
+        QCOMPARE(titles("  "), QStringList{});
+    }
+
+    void kindsAreTold() {
+        QCOMPARE(only("SW").kind, FoundKind::Net);
+        QVERIFY(m_search.detailOf(only("SW")).startsWith("Net, "));
+        QCOMPARE(only("J6").kind, FoundKind::Component);
+        QVERIFY2(m_search.detailOf(only("J6")).endsWith("bottom side, Keystone_4871"),
+                 qPrintable(m_search.detailOf(only("J6"))));
+        QCOMPARE(m_search.detailOf(only("L02")), "Layer, Signal");
+    }
+
+    void pinsAreNamedByTheirComponent() {
+        const std::vector<Found> pins = m_search.find("u1.", LengthUnit::Millimetre, 50);
+        QCOMPARE(std::ranges::count(pins, FoundKind::Pin, &Found::kind), 9);
+        for (const char* text : {"U1.4", "u1-4"}) {
+            const Found pin = only(text);
+            QCOMPARE(pin.kind, FoundKind::Pin);
+            QCOMPARE(m_search.titleOf(pin), "U1.4");
+        }
+    }
+
+    void placesAreRead_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<double>("x");
+        QTest::addColumn<double>("y");
+        QTest::newRow("with unit") << "12.5, -3 mm" << 12.5e6 << -3e6;
+        QTest::newRow("without") << "1 2" << 1e6 << 2e6;
+        QTest::newRow("mils") << "100,200 MIL" << 2.54e6 << 5.08e6;
+        QTest::newRow("two units") << "1 in, 2 mm" << 25.4e6 << 2e6;
+        QTest::newRow("micrometres") << "5 µm; .5 µm" << 5e3 << 500.0;
+    }
+    void placesAreRead() {
+        QFETCH(QString, text);
+        QFETCH(double, x);
+        QFETCH(double, y);
+        const auto location = ui::parsePlace(text, LengthUnit::Millimetre);
+        QVERIFY(location.has_value());
+        QVERIFY(std::abs(location->x - x) < 1e-3 && std::abs(location->y - y) < 1e-3);
+        QCOMPARE(m_search.find(text, LengthUnit::Millimetre, 5).front().kind, FoundKind::Location);
+    }
+
+    void whatIsNoPlaceIsNone() {
+        for (const char* text : {"", "1", "1,2,3", "1 km, 2 km", "a b", "1,", "--1, 2"}) {
+            QVERIFY2(!ui::parsePlace(text, LengthUnit::Millimetre), text);
+        }
+    }
+
+    /// The panel has no nets of its own; both steps on it have a net A.
+    void placedStepsAreSearchedToo() {
+        const auto panel = odb_testing::read(std::string(locations::kTestData) + "/odb/panel");
+        BoardSearch search;
+        search.setBoard(panel);
+        const std::vector<const model::Document*> steps = model::distinctSteps(*panel);
+        const std::vector<Found> found = search.find("a", LengthUnit::Millimetre, 2);
+        QCOMPARE(found.size(), std::size_t{2});
+        QVERIFY(found[0].step != found[1].step);
+        for (const Found& net : found) {
+            QCOMPARE(net.kind, FoundKind::Net);
+            QCOMPARE(search.titleOf(net), "A");
+            const std::size_t count = steps[net.step]->elementsOf(model::NetId{std::size_t{net.row}}).size();
+            QCOMPARE(search.detailOf(net), QString("Net, %1 elements, in step %2")
+                                               .arg(count)
+                                               .arg(QString::fromStdString(steps[net.step]->job.step)));
+        }
+    }
+
+    void noMoreAreFoundThanAskedFor() {
+        QCOMPARE(m_search.find("e", LengthUnit::Millimetre, 3).size(), std::size_t{3});
+        QVERIFY(BoardSearch().find("e", LengthUnit::Millimetre, 3).empty());
+    }
+
+private:
+    [[nodiscard]] QStringList titles(const QString& text) const {
+        QStringList all;
+        for (const Found& found : m_search.find(text, LengthUnit::Millimetre, 50)) {
+            all += m_search.titleOf(found);
+        }
+        return all;
+    }
+    [[nodiscard]] Found only(const QString& text) const {
+        const std::vector<Found> found = m_search.find(text, LengthUnit::Millimetre, 1);
+        return found.empty() ? Found{} : found.front();
+    }
+
+    std::shared_ptr<const model::Document> m_board;
+    BoardSearch m_search;
+};
+
+QTEST_APPLESS_MAIN(BoardSearchTest)
+#include "board_search_test.moc"

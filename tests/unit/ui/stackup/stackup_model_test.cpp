@@ -1,0 +1,127 @@
+#include <QAbstractItemModelTester>
+#include <QSignalSpy>
+#include <QtTest>
+
+#include "model/board/document_builder.h"
+#include "tests/unit/ui/sample_document.h"
+#include "ui/common/table_text.h"
+#include "ui/stackup/stackup_model.h"
+
+using model::Source;
+using ui::StackupModel;
+
+namespace {
+
+/// Copper that the job states, laminate that follows from the board's thickness, and a mask that is assumed.
+std::shared_ptr<const model::Document> stackOf(model::Nm coreThickness = 1'200'000) {
+    auto document = std::make_shared<model::Document>(*sampleDocument());
+    model::Material copper;
+    copper.copperOz = 1.0;
+    model::Material core;
+    core.name = "FR-4";
+    core.dielectricConstant = 4.25;
+    core.lossTangent = 0.02;
+    document->stackup.rows = {
+        {"mask", {}, model::LayerType::SolderMask, 1'235'000, 25'000, Source::Assumed, {}},
+        {"top", model::LayerId{0}, model::LayerType::Signal, 1'200'000, 35'000, Source::Job, copper},
+        {"below top", {}, model::LayerType::Dielectric, 0, coreThickness, Source::Derived, core},
+    };
+    return document;
+}
+
+}  // namespace
+
+class StackupModelTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() { m_model.setDocument(stackOf()); }
+
+    void everyRowTellsWhatItIsAndHowThatIsKnown() {
+        QCOMPARE(ui::tableText(m_model),
+                 "#\tLayer\tType\tThickness\tFrom\tCopper\tMaterial\tDk\tDf\n"
+                 "1\tmask\tSolder mask\t25 µm\tassumed\t\t\t\t\n"
+                 "2\ttop\tSignal\t35 µm\tread\t1 oz\t\t\t\n"
+                 "3\tbelow top\tDielectric\t1.2 mm\tderived\t\tFR-4\t4.25\t0.02\n");
+    }
+
+    void onlyThicknessesCanBeEdited() {
+        for (int column = 0; column < m_model.columnCount(); ++column) {
+            QCOMPARE(m_model.flags(m_model.index(0, column)).testFlag(Qt::ItemIsEditable),
+                     column == StackupModel::Thickness);
+        }
+        QVERIFY(!m_model.setData(m_model.index(0, StackupModel::Name), "other", Qt::EditRole));
+    }
+
+    void anEditIsAskedForAndTheDocumentStaysAsItIs() {
+        QSignalSpy edited(&m_model, &StackupModel::edited);
+        QVERIFY(m_model.setData(thickness(1), " 2 oz ", Qt::EditRole));
+        QCOMPARE(edited.count(), 1);
+        const auto changes = edited[0][0].value<std::vector<model::ThicknessOverride>>();
+        QCOMPARE(changes.size(), std::size_t{1});
+        QCOMPARE(changes[0].layer, "top");
+        QCOMPARE(changes[0].thickness, 69'600);
+        QCOMPARE(thickness(1).data().toString(), "35 µm");
+    }
+
+    void theSameThicknessAgainIsNoEdit() {
+        QSignalSpy edited(&m_model, &StackupModel::edited);
+        for (int row = 0; row < m_model.rowCount(); ++row) {
+            QVERIFY(m_model.setData(thickness(row), thickness(row).data(Qt::EditRole), Qt::EditRole));
+        }
+        QCOMPARE(edited.count(), 0);
+    }
+
+    void anEmptyTextGoesBackToTheJob() {
+        QSignalSpy edited(&m_model, &StackupModel::edited);
+        QVERIFY(m_model.setData(thickness(2), "", Qt::EditRole));
+        QCOMPARE(edited[0][0].value<std::vector<model::ThicknessOverride>>()[0].thickness, 0);
+    }
+
+    void whatIsNoThicknessIsRefusedWithTheReason_data() {
+        QTest::addColumn<int>("row");
+        QTest::addColumn<QString>("text");
+        QTest::newRow("no number") << 1 << "thick";
+        QTest::newRow("no unit") << 1 << "35";
+        QTest::newRow("beyond all boards") << 1 << "1 inch";
+        QTest::newRow("a weight of laminate") << 2 << "1 oz";
+    }
+    void whatIsNoThicknessIsRefusedWithTheReason() {
+        QFETCH(int, row);
+        QFETCH(QString, text);
+        QSignalSpy edited(&m_model, &StackupModel::edited);
+        QSignalSpy refused(&m_model, &StackupModel::refused);
+        QVERIFY(!m_model.setData(thickness(row), text, Qt::EditRole));
+        QCOMPARE(edited.count(), 0);
+        QCOMPARE(refused.count(), 1);
+        QVERIFY(refused[0][0].toString().contains(text));
+    }
+
+    void sameRowsWithOtherHeightsAreNoReset() {
+        QSignalSpy reset(&m_model, &StackupModel::modelReset);
+        QSignalSpy changed(&m_model, &StackupModel::dataChanged);
+        m_model.setDocument(stackOf(800'000));
+        QCOMPARE(reset.count(), 0);
+        QCOMPARE(changed.count(), 1);
+        QCOMPARE(thickness(2).data().toString(), "800 µm");
+        m_model.setDocument(sampleDocument());
+        QCOMPARE(reset.count(), 1);
+        QCOMPARE(m_model.rowCount(), 0);
+    }
+
+    void modelKeepsTheRules() {
+        StackupModel model;
+        QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+        model.setDocument(stackOf());
+        model.setDocument(stackOf(500'000));
+        model.setDocument(nullptr);
+    }
+
+private:
+    [[nodiscard]] QModelIndex thickness(int row) const { return m_model.index(row, StackupModel::Thickness); }
+
+    StackupModel m_model;
+};
+
+QTEST_APPLESS_MAIN(StackupModelTest)
+#include "stackup_model_test.moc"
