@@ -1,5 +1,6 @@
 #include "ui/shell/main_window.h"
 
+#include <QAbstractButton>
 #include <QCloseEvent>
 #include <QMenu>
 #include <QMenuBar>
