@@ -104,7 +104,7 @@ void ClearancePanel::showLens(const QString& text) {
     m_lensText->setText(text);
 }
 
-void ClearancePanel::setRemarks(const QString& notes) {
+void ClearancePanel::setNotes(const QString& notes) {
     m_notes->setText(notes);
     m_notes->setVisible(!notes.isEmpty());
 }

@@ -33,7 +33,7 @@ public:
     /// How far the lens reaches, nm.
     [[nodiscard]] double lensReach() const;
     /// What was not measured, in plain words; empty ones take no room.
-    void setRemarks(const QString& notes);
+    void setNotes(const QString& notes);
     [[nodiscard]] QString notes() const;
     /// What the lens shows, beside its slider.
     void showLens(const QString& text);

@@ -116,7 +116,7 @@ void Clearances::setBoard() {
     endShowing();
     m_locations.setSpacings(nullptr, {}, {});
     m_rules.setCounts({});
-    m_panel->setRemarks({});
+    m_panel->setNotes({});
 }
 
 void Clearances::setUnit(LengthUnit unit) {
@@ -180,7 +180,7 @@ void Clearances::take(const std::shared_ptr<const model::Document>& board, const
     for (const std::string& note : result.notes) {
         words += QString::fromStdString(note);
     }
-    m_panel->setRemarks(words.mid(1).join('\n'));
+    m_panel->setNotes(words.mid(1).join('\n'));
     m_workspace.report(tr("Clearances: %1").arg(words.join(QStringLiteral("; "))));
 }
 

@@ -55,7 +55,7 @@ QStringList partsText(const Measurement& measurement, LengthUnit unit) {
     return parts;
 }
 
-QStringList remarksText(const Measurement& measurement) {
+QStringList notesText(const Measurement& measurement) {
     QStringList notes;
     for (const std::string& note : measurement.notes) {
         notes += QString::fromStdString(note);
@@ -100,7 +100,7 @@ QString MeasurementModel::textOf(const Measurement& measurement, int column) con
 
 QString MeasurementModel::detailsOf(const Measurement& measurement) const {
     const QStringList parts = hasDeltas(measurement) ? QStringList() : partsText(measurement, unit());
-    return (parts + remarksText(measurement)).join(QStringLiteral("; "));
+    return (parts + notesText(measurement)).join(QStringLiteral("; "));
 }
 
 Cell MeasurementModel::cell(int row, int column) const {
@@ -118,7 +118,7 @@ QString MeasurementModel::tip(int row, int) const {
         tr("%1: %2, from %3 to %4")
             .arg(textOf(measurement, Name), textOf(measurement, Kind), QString::fromStdString(measurement.from.snap),
                  QString::fromStdString(measurement.to.snap));
-    return (QStringList{ends, textOf(measurement, Value)} + partsText(measurement, unit()) + remarksText(measurement))
+    return (QStringList{ends, textOf(measurement, Value)} + partsText(measurement, unit()) + notesText(measurement))
         .join('\n');
 }
 

@@ -104,7 +104,7 @@ void MeasurementPainter::paint(const Measurement& measurement, LengthUnit unit, 
             lines += layersText(measurement);
         }
         lines += netsText(measurement);
-        lines += remarksText(measurement);
+        lines += notesText(measurement);
     }
     m_labels.push_back({lines, *beside});
 }

@@ -339,7 +339,7 @@ void Measuring::save(const base::Result<Measurement>& measurement) {
     }
     m_isLatestFull = true;
     m_saved.add(*measurement);
-    m_workspace.report((QStringList{valueText(*measurement)} + remarksText(*measurement)).join(QStringLiteral("; ")));
+    m_workspace.report((QStringList{valueText(*measurement)} + notesText(*measurement)).join(QStringLiteral("; ")));
 }
 
 void Measuring::goTo(int row) {

@@ -55,7 +55,7 @@ SectionPanel::SectionPanel(SelectionModel& selection, QAbstractItemModel& saved,
             [this] { m_view->setHeightTimes(m_heights->currentData().toDouble()); });
 }
 
-void SectionPanel::setRemarks(const QString& notes) {
+void SectionPanel::setNotes(const QString& notes) {
     m_notes->setText(notes);
     m_notes->setVisible(!notes.isEmpty());
 }

@@ -26,7 +26,7 @@ public:
     [[nodiscard]] QListView& list() { return *m_list; }
     [[nodiscard]] QComboBox& heightsBox() { return *m_heights; }
     /// Notes; empty ones take no room.
-    void setRemarks(const QString& notes);
+    void setNotes(const QString& notes);
     [[nodiscard]] QString notes() const { return m_notes->text(); }
 
 signals:

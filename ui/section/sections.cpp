@@ -144,20 +144,20 @@ void Sections::cut() {
     m_due.stop();
     if (m_index == nullptr || !hasLength(m_line.line())) {
         m_panel->view().setSection(nullptr, std::nullopt);
-        m_panel->setRemarks({});
+        m_panel->setNotes({});
         return;
     }
     base::Result<model::Section> section = model::makeSection(*m_index, {m_line.line(), {}});
     if (!section) {
         m_panel->view().setSection(nullptr, std::nullopt);
-        m_panel->setRemarks(QString::fromStdString(section.error().text));
+        m_panel->setNotes(QString::fromStdString(section.error().text));
         return;
     }
     QStringList notes;
     for (const std::string& note : section->notes) {
         notes += QString::fromStdString(note);
     }
-    m_panel->setRemarks(notes.join('\n'));
+    m_panel->setNotes(notes.join('\n'));
     m_panel->view().setSection(m_index, std::move(*section));
 }
 
