@@ -6,27 +6,6 @@
 #include <QWindow>
 #include <QtTest>
 
-#include "ui/clearance/clearances.h"
-#include "ui/element/element_panel.h"
-#include "ui/layers/layers_panel.h"
-#include "ui/measure/measurements_panel.h"
-#include "ui/measure/measuring.h"
-#include "ui/messages/messages_panel.h"
-#include "ui/nets/net_check_model.h"
-#include "ui/nets/net_check_panel.h"
-#include "ui/nets/nets_panel.h"
-#include "ui/saved_views/saved_views_panel.h"
-#include "ui/search/search_box.h"
-#include "ui/section/sections.h"
-#include "ui/shell/message_bar.h"
-#include "ui/shell/status_line.h"
-#include "ui/stackup/stackup_model.h"
-#include "ui/stackup/stackup_panel.h"
-#include "ui/statistics/statistics_panel.h"
-#include "ui/views/frame_display.h"
-#include "ui/views/view_cube.h"
-#include "ui/views/views_feature.h"
-
 namespace {
 
 constexpr int kVisible = 6;  // of 255, in any channel
@@ -56,94 +35,6 @@ void TestWindow::save(ui::ActionId id, const QString& path) {
 
 void TestWindow::savePicture(const QString& path, int width) {
     workspace().reportSaved(ui::savePicture(views().active(), path, width), path);
-}
-
-ui::Clearances& TestWindow::clearances() const {
-    return find<ui::Clearances>();
-}
-
-ui::ElementPanel& TestWindow::elementPanel() const {
-    return find<ui::ElementPanel>();
-}
-
-ui::FrameDisplay& TestWindow::frameDisplay() const {
-    return find<ui::FrameDisplay>();
-}
-
-ui::LayersPanel& TestWindow::layersPanel() const {
-    return find<ui::LayersPanel>();
-}
-
-ui::Measuring& TestWindow::measuring() const {
-    return find<ui::Measuring>();
-}
-
-ui::SavedMeasurements& TestWindow::measurements() const {
-    return find<ui::SavedMeasurements>();
-}
-
-ui::MeasurementsPanel& TestWindow::measurementsPanel() const {
-    return find<ui::MeasurementsPanel>();
-}
-
-ui::MessageBar& TestWindow::messageBar() const {
-    return find<ui::MessageBar>();
-}
-
-ui::MessagesPanel& TestWindow::messagesPanel() const {
-    return find<ui::MessagesPanel>();
-}
-
-ui::NetCheckModel& TestWindow::netCheck() const {
-    return find<ui::NetCheckModel>();
-}
-
-ui::NetCheckPanel& TestWindow::netCheckPanel() const {
-    return find<ui::NetCheckPanel>();
-}
-
-ui::NetModel& TestWindow::nets() const {
-    return find<ui::NetModel>();
-}
-
-ui::NetsPanel& TestWindow::netsPanel() const {
-    return find<ui::NetsPanel>();
-}
-
-ui::ViewListModel& TestWindow::savedViews() const {
-    return find<ui::ViewListModel>();
-}
-
-ui::SavedViewsPanel& TestWindow::savedViewsPanel() const {
-    return find<ui::SavedViewsPanel>();
-}
-
-ui::SearchBox& TestWindow::searchBox() const {
-    return find<ui::SearchBox>();
-}
-
-ui::Sections& TestWindow::sections() const {
-    return find<ui::Sections>();
-}
-
-ui::StackupModel& TestWindow::stack() const {
-    return find<ui::StackupModel>();
-}
-
-ui::StackupPanel& TestWindow::stackupPanel() const {
-    return find<ui::StackupPanel>();
-}
-
-ui::StatisticsPanel& TestWindow::statisticsPanel() const {
-    return find<ui::StatisticsPanel>();
-}
-
-ui::StatusLine& TestWindow::statusLine() const {
-    return find<ui::StatusLine>();
-}
-
-ui::ViewCube& TestWindow::viewCube() const {
-    return find<ui::ViewCube>();
 }
 
 WindowFixture::WindowFixture(const ui::Loader::Work& work)

@@ -4,31 +4,34 @@
 #include <memory>
 
 #include "ui/canvas/gpu_context.h"
+#include "ui/clearance/clearances.h"
+#include "ui/common/table_view.h"
+#include "ui/element/element_panel.h"
+#include "ui/element/element_picture.h"
+#include "ui/layers/layers_panel.h"
+#include "ui/measure/measurements_panel.h"
+#include "ui/measure/measuring.h"
+#include "ui/messages/message_model.h"
+#include "ui/messages/messages_panel.h"
+#include "ui/nets/net_check_model.h"
+#include "ui/nets/net_check_panel.h"
+#include "ui/nets/nets_panel.h"
+#include "ui/saved_views/saved_views_panel.h"
+#include "ui/search/search_box.h"
+#include "ui/section/sections.h"
 #include "ui/shell/main_window.h"
+#include "ui/shell/message_bar.h"
+#include "ui/shell/status_line.h"
+#include "ui/stackup/stackup_model.h"
+#include "ui/stackup/stackup_panel.h"
+#include "ui/stackup/stackup_view.h"
+#include "ui/statistics/histogram_view.h"
+#include "ui/statistics/statistics_panel.h"
+#include "ui/views/frame_display.h"
+#include "ui/views/view_cube.h"
+#include "ui/views/view_history.h"
+#include "ui/views/views_feature.h"
 #include "ui/workspace/settings.h"
-
-namespace ui {
-class Clearances;
-class ElementPanel;
-class FrameDisplay;
-class LayersPanel;
-class Measuring;
-class MeasurementsPanel;
-class MessagesPanel;
-class NetCheckModel;
-class NetCheckPanel;
-class NetModel;
-class NetsPanel;
-class SavedMeasurements;
-class SavedViewsPanel;
-class SearchBox;
-class Sections;
-class StackupModel;
-class StackupPanel;
-class StatisticsPanel;
-class ViewCube;
-class ViewListModel;
-}  // namespace ui
 
 /// The window with its parts, found among its children by their type.
 class TestWindow : public ui::MainWindow {
@@ -62,28 +65,28 @@ public:
     [[nodiscard]] ui::LayerModel& layers() const { return find<ui::LayerModel>(); }
     [[nodiscard]] ui::NetStyles& netStyles() const { return find<ui::NetStyles>(); }
     [[nodiscard]] ui::Probing& probing() const { return find<ui::Probing>(); }
-    [[nodiscard]] ui::Clearances& clearances() const;
-    [[nodiscard]] ui::ElementPanel& elementPanel() const;
-    [[nodiscard]] ui::FrameDisplay& frameDisplay() const;
-    [[nodiscard]] ui::LayersPanel& layersPanel() const;
-    [[nodiscard]] ui::Measuring& measuring() const;
-    [[nodiscard]] ui::SavedMeasurements& measurements() const;
-    [[nodiscard]] ui::MeasurementsPanel& measurementsPanel() const;
-    [[nodiscard]] ui::MessageBar& messageBar() const;
-    [[nodiscard]] ui::MessagesPanel& messagesPanel() const;
-    [[nodiscard]] ui::NetCheckModel& netCheck() const;
-    [[nodiscard]] ui::NetCheckPanel& netCheckPanel() const;
-    [[nodiscard]] ui::NetModel& nets() const;
-    [[nodiscard]] ui::NetsPanel& netsPanel() const;
-    [[nodiscard]] ui::ViewListModel& savedViews() const;
-    [[nodiscard]] ui::SavedViewsPanel& savedViewsPanel() const;
-    [[nodiscard]] ui::SearchBox& searchBox() const;
-    [[nodiscard]] ui::Sections& sections() const;
-    [[nodiscard]] ui::StackupModel& stack() const;
-    [[nodiscard]] ui::StackupPanel& stackupPanel() const;
-    [[nodiscard]] ui::StatisticsPanel& statisticsPanel() const;
-    [[nodiscard]] ui::StatusLine& statusLine() const;
-    [[nodiscard]] ui::ViewCube& viewCube() const;
+    [[nodiscard]] ui::Clearances& clearances() const { return find<ui::Clearances>(); }
+    [[nodiscard]] ui::ElementPanel& elementPanel() const { return find<ui::ElementPanel>(); }
+    [[nodiscard]] ui::FrameDisplay& frameDisplay() const { return find<ui::FrameDisplay>(); }
+    [[nodiscard]] ui::LayersPanel& layersPanel() const { return find<ui::LayersPanel>(); }
+    [[nodiscard]] ui::Measuring& measuring() const { return find<ui::Measuring>(); }
+    [[nodiscard]] ui::SavedMeasurements& measurements() const { return find<ui::SavedMeasurements>(); }
+    [[nodiscard]] ui::MeasurementsPanel& measurementsPanel() const { return find<ui::MeasurementsPanel>(); }
+    [[nodiscard]] ui::MessageBar& messageBar() const { return find<ui::MessageBar>(); }
+    [[nodiscard]] ui::MessagesPanel& messagesPanel() const { return find<ui::MessagesPanel>(); }
+    [[nodiscard]] ui::NetCheckModel& netCheck() const { return find<ui::NetCheckModel>(); }
+    [[nodiscard]] ui::NetCheckPanel& netCheckPanel() const { return find<ui::NetCheckPanel>(); }
+    [[nodiscard]] ui::NetModel& nets() const { return find<ui::NetModel>(); }
+    [[nodiscard]] ui::NetsPanel& netsPanel() const { return find<ui::NetsPanel>(); }
+    [[nodiscard]] ui::ViewListModel& savedViews() const { return find<ui::ViewListModel>(); }
+    [[nodiscard]] ui::SavedViewsPanel& savedViewsPanel() const { return find<ui::SavedViewsPanel>(); }
+    [[nodiscard]] ui::SearchBox& searchBox() const { return find<ui::SearchBox>(); }
+    [[nodiscard]] ui::Sections& sections() const { return find<ui::Sections>(); }
+    [[nodiscard]] ui::StackupModel& stack() const { return find<ui::StackupModel>(); }
+    [[nodiscard]] ui::StackupPanel& stackupPanel() const { return find<ui::StackupPanel>(); }
+    [[nodiscard]] ui::StatisticsPanel& statisticsPanel() const { return find<ui::StatisticsPanel>(); }
+    [[nodiscard]] ui::StatusLine& statusLine() const { return find<ui::StatusLine>(); }
+    [[nodiscard]] ui::ViewCube& viewCube() const { return find<ui::ViewCube>(); }
 };
 
 /// A workbench window with a device and settings of its own, shown on the platform's display. Without Vulkan surfaces

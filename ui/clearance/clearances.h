@@ -29,17 +29,10 @@ public:
     [[nodiscard]] base::Status openRules(const QString& path);
     [[nodiscard]] base::Status saveRules(const QString& path) const;
 
-    [[nodiscard]] ClearancePanel& panel() { return *m_panel; }
-    [[nodiscard]] ClearanceModel& locations() { return m_locations; }
-    [[nodiscard]] RuleModel& rules() { return m_rules; }
-    [[nodiscard]] Lens& lens() { return m_lens; }
-    [[nodiscard]] ClearanceMapOverlay& distances() { return m_distances; }
-
 private:
     void connectPanel(FeatureContext& context);
     void connectCommands(FeatureContext& context);
     void connectFiles(FeatureContext& context);
-    void connectDistances();
     void setBoard();
     void setUnit(LengthUnit unit);
     /// Searches for what the panel requests.

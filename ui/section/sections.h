@@ -28,10 +28,6 @@ public:
     /// Writes what is shown as SVG. Errors: BadUsage if nothing is, OutputFailed.
     [[nodiscard]] base::Status save(const QString& path) const;
 
-    [[nodiscard]] SectionPanel& panel() { return *m_panel; }
-    [[nodiscard]] SectionLine& line() { return m_line; }
-    [[nodiscard]] SavedSections& keeping() { return m_saved; }
-
 private:
     void connectCommands(FeatureContext& context);
     void connectPlane(FeatureContext& context);
