@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "app/bench/bench_report.h"
+#include "app/bench/bench_tables.h"
 #include "app/common/headless_device.h"
 #include "model/export/json_text.h"
 

@@ -5,8 +5,8 @@
 
 #include "app/common/console_progress.h"
 #include "model/board/copies.h"
+#include "model/board/thickness_units.h"
 #include "model/clearance/clearance_report.h"
-#include "model/session/length_text.h"
 
 namespace app {
 
@@ -25,7 +25,7 @@ base::Result<model::ClearanceRequest> requestFor(const Document& document, const
     model::ClearanceRequest request;
     request.count = arguments.worst;
     if (!arguments.below.empty()) {
-        ASSIGN_OR_RETURN(const base::Nm below, model::session::parseLength(arguments.below));
+        ASSIGN_OR_RETURN(const base::Nm below, model::parseLength(arguments.below));
         request.below = static_cast<double>(below);
     }
     if (!arguments.layer.empty()) {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "model/session/length_text.h"
+#include "model/board/thickness_units.h"
 
 namespace app {
 
@@ -94,7 +94,7 @@ Result<double> parseCoordinate(std::string_view text) {
     double number = 0;
     const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
     const std::string unit(read.ptr, text.data() + text.size());
-    const Result<base::Nm> one = model::session::parseLength("1" + unit);
+    const Result<base::Nm> one = model::parseLength("1" + unit);
     if (read.ec != std::errc() || !one || std::abs(number * *one) > base::kMaxCoordinate) {
         return wrong("\"" + std::string(text) +
                      "\" is no coordinate: a number with um, mm, mil or inch, at most 1.07 m");

@@ -5,12 +5,12 @@
 
 #include "app/commands/item_spec.h"
 #include "app/common/console_progress.h"
+#include "model/board/thickness_units.h"
 #include "model/export/export_text.h"
 #include "model/export/json_text.h"
 #include "model/measure/net_path.h"
 #include "model/measure/separation.h"
 #include "model/measure/sizes.h"
-#include "model/session/length_text.h"
 
 namespace app {
 
@@ -35,7 +35,7 @@ base::Result<Request> requestFrom(const BoardIndex& index, const MeasureArgument
     ASSIGN_OR_RETURN(const MeasureItem to, parseItem(index, arguments.to));
     Request request{from, to, {}};
     if (!arguments.below.empty()) {
-        ASSIGN_OR_RETURN(const auto below, model::session::parseLength(arguments.below));
+        ASSIGN_OR_RETURN(const auto below, model::parseLength(arguments.below));
         request.below = below;
     }
     return request;

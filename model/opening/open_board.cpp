@@ -2,8 +2,8 @@
 
 #include <utility>
 
+#include "model/board/thickness_units.h"
 #include "model/formats/registry.h"
-#include "model/session/length_text.h"
 
 namespace model {
 
@@ -14,7 +14,7 @@ using Thicknesses = std::vector<ThicknessOverride>;
 base::Result<Thicknesses> parseThicknesses(const std::vector<std::string>& texts, const Stackup& stackup) {
     Thicknesses all;
     for (const std::string& text : texts) {
-        const base::Result<ThicknessOverride> one = session::parseOverride(text, stackup);
+        const base::Result<ThicknessOverride> one = model::parseOverride(text, stackup);
         if (!one) {
             return base::Error{one.error().code, "--set-thickness: " + one.error().text};
         }
@@ -53,7 +53,7 @@ OpenRequest reloadRequest(const OpenedBoard& board) {
     request.noSession = !isInFile;
     request.thicknesses.clear();
     for (const ThicknessOverride& set : isInFile ? board.thicknesses.once : board.thicknesses.all()) {
-        request.thicknesses.push_back(set.layer + "=" + session::thicknessText(set.thickness));
+        request.thicknesses.push_back(set.layer + "=" + model::thicknessText(set.thickness));
     }
     return request;
 }

@@ -12,8 +12,8 @@
 #include <optional>
 
 #include "model/board/stackup.h"
+#include "model/board/thickness_units.h"
 #include "model/export/json_text.h"
-#include "model/session/length_text.h"
 #include "model/session/session_json.h"
 #include "model/solids/restack.h"
 

@@ -228,12 +228,12 @@ void Clearances::endShowing() {
 
 void Clearances::remember(const model::RuleTable& before) {
     if (!(before == m_rules.rules())) {
-        m_workspace.history().push(new StateEdit<model::RuleTable>(tr("the rules"), before, m_rules.rules(),
-                                                                   [this](const model::RuleTable& rules) {
-                                                                       if (!(m_rules.rules() == rules)) {
-                                                                           m_rules.setRules(rules);
-                                                                       }
-                                                                   }));
+        m_workspace.history().push(new UndoStep<model::RuleTable>(tr("the rules"), before, m_rules.rules(),
+                                                                  [this](const model::RuleTable& rules) {
+                                                                      if (!(m_rules.rules() == rules)) {
+                                                                          m_rules.setRules(rules);
+                                                                      }
+                                                                  }));
     }
 }
 

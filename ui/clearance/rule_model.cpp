@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "model/session/length_text.h"
+#include "model/board/thickness_units.h"
 
 namespace ui {
 
@@ -26,7 +26,7 @@ std::optional<model::Nm> lengthOf(const QString& text, LengthUnit unit) {
     const double bare = text.trimmed().toDouble(&isNumber) * nmPer(unit);
     double nm = bare;
     if (!isNumber) {
-        const base::Result<base::Nm> length = model::session::parseLength(text.trimmed().toStdString());
+        const base::Result<base::Nm> length = model::parseLength(text.trimmed().toStdString());
         nm = length ? static_cast<double>(*length) : -1.0;
     }
     const bool isLeast = nm >= 0.5 && nm <= static_cast<double>(model::kMostLeast);

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/board/thickness_units.h"
 #include "model/export/stackup_drawing.h"
-#include "model/session/length_text.h"
 #include "ui/section/section_view.h"
 
 namespace ui {
@@ -130,8 +130,7 @@ void SectionView::paintLayers(QPainter& painter) const {
         QFont slanted = font();
         slanted.setItalic(rows[i]->source == model::Source::Assumed);
         painter.setFont(slanted);
-        write(thicknessLeft, heightLeft - 6.0,
-              QString::fromStdString(model::session::thicknessText(rows[i]->thickness)));
+        write(thicknessLeft, heightLeft - 6.0, QString::fromStdString(model::thicknessText(rows[i]->thickness)));
         painter.setFont(font());
         write(heightLeft, width(), tr("at %1").arg(lengthText(static_cast<double>(rows[i]->z), m_unit)));
     }

@@ -39,7 +39,7 @@ void edit(Workspace& workspace, const std::vector<model::ThicknessOverride>& cha
         const QString what = changes.size() == 1
                                  ? StackupPanel::tr("thickness of %1").arg(QString::fromStdString(changes[0].layer))
                                  : StackupPanel::tr("thicknesses");
-        workspace.history().push(new StateEdit<model::SetThicknesses>(
+        workspace.history().push(new UndoStep<model::SetThicknesses>(
             what, before, after, [&workspace](const model::SetThicknesses& state) { apply(workspace, state); }));
     }
 }

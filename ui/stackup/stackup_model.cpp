@@ -1,7 +1,7 @@
 #include "ui/stackup/stackup_model.h"
 
 #include "model/board/stackup.h"
-#include "model/session/length_text.h"
+#include "model/board/thickness_units.h"
 #include "ui/layers/layer_model.h"
 
 namespace ui {
@@ -79,8 +79,7 @@ Cell StackupModel::cell(int at, int column) const {
         case Name: return text(row.name);
         case Type: return {layerTypeText(row.type)};
         case Thickness:
-            return {.text = QString::fromStdString(model::session::thicknessText(row.thickness)),
-                    .font = fontOf(row.source)};
+            return {.text = QString::fromStdString(model::thicknessText(row.thickness)), .font = fontOf(row.source)};
         case From: return {.text = sourceText(row.source), .font = fontOf(row.source)};
         case Weight: return weightOf(row);
         case Constant: return number(row.material.dielectricConstant);
@@ -111,7 +110,7 @@ bool StackupModel::edit(int at, int, const QVariant& value) {
     const std::string text = value.toString().trimmed().toStdString();
     const bool isCopper = model::copperWeightOf(changed).has_value();
     const base::Result<model::Nm> nm =
-        text.empty() ? base::Result<model::Nm>(0) : model::session::parseThickness(text, isCopper);
+        text.empty() ? base::Result<model::Nm>(0) : model::parseThickness(text, isCopper);
     if (!nm) {
         emit refused(QString::fromStdString(nm.error().text));
         return false;

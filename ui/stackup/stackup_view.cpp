@@ -6,7 +6,7 @@
 #include <QToolTip>
 #include <algorithm>
 
-#include "model/session/length_text.h"
+#include "model/board/thickness_units.h"
 
 namespace ui {
 
@@ -144,7 +144,7 @@ void StackupView::paintLabel(QPainter& painter, std::size_t row) const {
     slanted.setItalic(layer.source == model::Source::Assumed);
     slanted.setBold(layer.source == model::Source::Session);
     painter.setFont(slanted);
-    write(thicknessLeft, width(), QString::fromStdString(model::session::thicknessText(layer.thickness)));
+    write(thicknessLeft, width(), QString::fromStdString(model::thicknessText(layer.thickness)));
     painter.setFont(font());
 }
 
@@ -208,7 +208,7 @@ QString StackupView::tipAt(QPointF at) const {
     }
     const model::StackupRow& layer = m_document->stackup.rows[row];
     return QStringLiteral("%1: %2, %3")
-        .arg(QString::fromStdString(layer.name), QString::fromStdString(model::session::thicknessText(layer.thickness)),
+        .arg(QString::fromStdString(layer.name), QString::fromStdString(model::thicknessText(layer.thickness)),
              layer.layer.isValid() ? tr("click to show it alone") : tr("no layer of the job"));
 }
 

@@ -1,34 +1,15 @@
 #pragma once
 
 #include <QCoreApplication>
-#include <QUndoCommand>
 #include <algorithm>
 #include <functional>
 #include <string>
 #include <utility>
 
+#include "ui/workspace/undo_step.h"
 #include "ui/workspace/workspace.h"
 
 namespace ui {
-
-/// A step of the undo history that holds what is edited whole, before and after: for short lists, where undoing then
-/// cannot miss anything.
-template <class State>
-class StateEdit : public QUndoCommand {
-public:
-    using Apply = std::function<void(const State&)>;
-
-    StateEdit(const QString& what, State before, State after, Apply apply)
-        : QUndoCommand(what), m_before(std::move(before)), m_after(std::move(after)), m_apply(std::move(apply)) {}
-
-    void undo() override { m_apply(m_before); }
-    void redo() override { m_apply(m_after); }
-
-private:
-    State m_before;
-    State m_after;
-    Apply m_apply;
-};
 
 /// One part of a board's session file as its editor sees it: edits are undone on the history, shown and saved.
 template <class State>
@@ -50,8 +31,8 @@ public:
         return m_isSaved;
     }
     void edit(const QString& what, State before, State after) {
-        m_workspace.history().push(new StateEdit<State>(what, std::move(before), std::move(after),
-                                                        [this](const State& state) { apply(state); }));
+        m_workspace.history().push(new UndoStep<State>(what, std::move(before), std::move(after),
+                                                       [this](const State& state) { apply(state); }));
     }
 
 private:

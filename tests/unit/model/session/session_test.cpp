@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "model/board/stackup.h"
-#include "model/session/length_text.h"
+#include "model/board/thickness_units.h"
 #include "tests/unit/model/formats/odb/odb_testing.h"
 
 using model::Measurement;
@@ -116,7 +116,7 @@ private slots:
     void thicknessesAreReadInAllUnits() {
         QFETCH(QString, text);
         QFETCH(int, nm);
-        const auto read = model::session::parseThickness(text.toStdString(), true);
+        const auto read = model::parseThickness(text.toStdString(), true);
         QVERIFY2(read.ok(), read.ok() ? "" : read.error().text.c_str());
         QCOMPARE(*read, nm);
     }
@@ -124,31 +124,31 @@ private slots:
     void whatIsNoThicknessIsRefused() {
         for (const char* text : {"", "35", "um", "35 km", "-5um", "0mm", "0.5um", "11mm", "nan mm", "inf um", "1e9mm",
                                  "35umm", "35 um um"}) {
-            const auto read = model::session::parseThickness(text, true);
+            const auto read = model::parseThickness(text, true);
             QVERIFY2(!read, text);
             QCOMPARE(read.error().code, base::ErrorCode::BadUsage);
         }
-        QVERIFY(!model::session::parseThickness("1oz", false));
+        QVERIFY(!model::parseThickness("1oz", false));
     }
 
     void textIsReadBackAsItWas() {
         for (const model::Nm nm : {1'000, 17'399, 35'000, 999'999, 1'000'000, 1'574'803, 10'000'000}) {
-            QCOMPARE(*model::session::parseThickness(model::session::thicknessText(nm), false), nm);
+            QCOMPARE(*model::parseThickness(model::thicknessText(nm), false), nm);
         }
-        QCOMPARE(model::session::thicknessText(35'000), "35 µm");
-        QCOMPARE(model::session::thicknessText(1'200'000), "1.2 mm");
+        QCOMPARE(model::thicknessText(35'000), "35 µm");
+        QCOMPARE(model::thicknessText(1'200'000), "1.2 mm");
     }
 
     void overridesNameARowOfTheStack() {
         const Location location;
-        const auto good = model::session::parseOverride("core1 = 0.3mm", location.document->stackup);
+        const auto good = model::parseOverride("core1 = 0.3mm", location.document->stackup);
         QVERIFY(good.ok());
         QCOMPARE(good->layer, "CORE1");
         QCOMPARE(good->thickness, 300'000);
-        const auto bad = model::session::parseOverride("CORE9=0.3mm", location.document->stackup);
+        const auto bad = model::parseOverride("CORE9=0.3mm", location.document->stackup);
         QVERIFY(!bad && bad.error().text.find("CORE1, Inner Plane") != std::string::npos);
-        QVERIFY(!model::session::parseOverride("CORE1=1oz", location.document->stackup));
-        QVERIFY(!model::session::parseOverride("CORE1", location.document->stackup));
+        QVERIFY(!model::parseOverride("CORE1=1oz", location.document->stackup));
+        QVERIFY(!model::parseOverride("CORE1", location.document->stackup));
     }
 
     // ---- the file ----

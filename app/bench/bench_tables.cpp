@@ -1,4 +1,4 @@
-#include "app/bench/bench_report.h"
+#include "app/bench/bench_tables.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "model/session/length_text.h"
+#include "model/board/thickness_units.h"
 
 #include <charconv>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "model/board/stackup.h"
 
-namespace model::session {
+namespace model {
 
 using base::Error;
 using base::ErrorCode;
@@ -121,4 +121,4 @@ std::string thicknessText(Nm thickness) {
     return text + (isMm ? " mm" : " µm");
 }
 
-}  // namespace model::session
+}  // namespace model

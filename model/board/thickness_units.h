@@ -7,7 +7,7 @@
 #include "model/base/result.h"
 #include "model/board/document.h"
 
-namespace model::session {
+namespace model {
 
 /// Thicknesses that a user may set; what is outside of them is a typing error.
 inline constexpr Nm kLeastSet = 1'000;
@@ -29,4 +29,4 @@ inline constexpr Nm kMostSet = 10'000'000;
 /// "35 µm", "1.2 mm" below and from 1 mm; exact to the nanometre, and read back by parseThickness.
 [[nodiscard]] std::string thicknessText(Nm thickness);
 
-}  // namespace model::session
+}  // namespace model
