@@ -71,13 +71,13 @@ private slots:
         Picker picker(indexed(board.builder.finish()));
         SightLine down{{5.0 * kMm, 0.0}, 20e6, {0.0, 0.0}, 1e6};
         QVERIFY(!picker.along(down, 0.0, board.layers).empty());
-        down.kept = {{4.0 * kMm, 0.0}, {1.0, 0.0}};
+        down.cutSide = {{4.0 * kMm, 0.0}, {1.0, 0.0}};
         QVERIFY(picker.along(down, 0.0, board.layers).empty());
-        down.kept->outward = {-1.0, 0.0};
+        down.cutSide->outward = {-1.0, 0.0};
         QVERIFY(!picker.along(down, 0.0, board.layers).empty());
         // From beyond the cut, the line of sight meets what lies behind it.
         SightLine slanting{{-10.0 * kMm, 0.0}, 10e6, {1e6, 0.0}, 1e6};
-        slanting.kept = {{0.3 * kMm, 0.0}, {-1.0, 0.0}};
+        slanting.cutSide = {{0.3 * kMm, 0.0}, {-1.0, 0.0}};
         const std::vector<Hit> hits = picker.along(slanting, 0.0, board.layers);
         QVERIFY(std::ranges::none_of(hits, [&](const Hit& hit) { return hit.depth < 10.3 - 1e-6; }));
     }

@@ -44,7 +44,7 @@ public:
         for (std::size_t row = 0; row < document.elements.size(); ++row) {
             cutouts.add(document, model::ElementId{row});
         }
-        return model::cut(document.shapes, m_outline, cutouts, progress);
+        return model::subtract(document.shapes, m_outline, cutouts, progress);
     }
 
     /// The same by booleans of everything.
