@@ -33,6 +33,7 @@ class PanelsTest : public QObject {
 
 private slots:
     void init() {
+        m_actions.reset();  // before its owner, which would delete it too
         m_owner = std::make_unique<QWidget>();
         m_actions = std::make_unique<ui::ActionSet>(*m_owner);
         m_layers.setDocument(sampleDocument(), std::vector<ui::LayerAppearance>(4));

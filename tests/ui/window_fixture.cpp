@@ -31,6 +31,8 @@ void TestWindow::save(ui::ActionId id, const QString& path) {
     auto* dialog = findChild<QFileDialog*>();
     emit dialog->fileSelected(path);
     delete dialog;
+    activateWindow();  // keys go to the window again
+    (void)QTest::qWaitForWindowActive(this);
 }
 
 void TestWindow::savePicture(const QString& path, int width) {

@@ -12,8 +12,9 @@ file(GLOB_RECURSE tests CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_LIST_DIR} ${C
 foreach(test IN LISTS tests)
     string(REGEX REPLACE "/.*" "" area ${test})
     cmake_path(GET test STEM name)
-    if(test MATCHES "^(ui|tri)/" OR test MATCHES "/(odb)/")  # names that occur twice
-        set(name ${CMAKE_MATCH_1}_${name})
+    if(test MATCHES "^(ui|tri|model/formats/odb)/")  # their names occur elsewhere too
+        cmake_path(GET CMAKE_MATCH_1 FILENAME prefix)
+        set(name ${prefix}_${name})
     endif()
     if(COPPERSCOPE_GUI OR NOT area STREQUAL ui)
         copperscope_test(${name} unit/${test} LABEL unit LINK ${links_${area}})

@@ -53,7 +53,7 @@ private slots:
         waitForMaps();
         QVERIFY(window().actions()[ActionId::ClearanceMap].isChecked());
         QCOMPARE(distances().field()->kind(), DistanceField::Kind::BetweenNets);
-        QVERIFY2(bar().text().contains("gaps between nets"), qPrintable(bar().text()));
+        QVERIFY2(bar().text().contains("spacing between nets"), qPrintable(bar().text()));
         QVERIFY(differingPixels(without[0], grab(views().flat())) > 500);
         QVERIFY(differingPixels(without[1], grab(views().solid())) > 500);
         m_fixture->key(Qt::Key_G, Qt::ShiftModifier);
@@ -174,7 +174,7 @@ private slots:
         const auto [at, value] = coloured(views().flat()).front();
         QTest::qWait(20);
         emit views().flat().controller().hovered(at);
-        QTRY_VERIFY2(window().statusLine().positionText().contains("gap "),
+        QTRY_VERIFY2(window().statusLine().positionText().contains("spacing "),
                      qPrintable(window().statusLine().positionText()));
         QVERIFY(distances().legend().mark.has_value());
         QVERIFY(std::abs(*distances().legend().mark - value) <

@@ -47,7 +47,7 @@ private slots:
         const glm::mat4 before = window().views().solid().controller().camera().view();
         click(message);
         QCOMPARE(window().views().solid().controller().camera().view(), before);
-        QVERIFY(window().statusBar()->currentMessage().contains("not about one place"));
+        QVERIFY(window().statusBar()->currentMessage().contains("not about one location"));
     }
 
 private:

@@ -50,7 +50,7 @@ private slots:
     }
 
     void everyKeyIsInTheDocumentOfKeys() {
-        QFile file(QFileInfo(places::kTestData).dir().filePath("../docs/keys.md"));
+        QFile file(QFileInfo(locations::kTestData).dir().filePath("../docs/keys.md"));
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QString document = QString::fromUtf8(file.readAll());
         for (const ActionSpec& spec : ui::actionSpecs()) {

@@ -245,7 +245,7 @@ private slots:
                                {RuleKind::CopperToHole, 120 * kUm, {}, false}}};
         const model::StepRules steps[] = {{document.get(), check(*document, table)}};
         const std::string text = model::ruleReport(table, steps, model::ReportFormat::Text, 9);
-        for (const char* word : {"FAIL  copper-copper, at least 120.0 um: 1 place\n", "pass  hole-hole",
+        for (const char* word : {"FAIL  copper-copper, at least 120.0 um: 1 location\n", "pass  hole-hole",
                                  "off   copper-hole", "   100.000 um  top ", "A  "}) {
             QVERIFY2(text.find(word) != std::string::npos, (text + word).c_str());
         }

@@ -125,7 +125,7 @@ private slots:
         const NetPath path = *b.path(from, to);
         QVERIFY2(isNear(path.length, 29e6), qPrintable(QString::number(path.length)));
         QVERIFY(isNear(path.areaLength, 14e6));
-        QVERIFY(QString::fromStdString(path.notes.front()).contains("guess"));
+        QVERIFY(QString::fromStdString(path.notes.front()).contains("estimate"));
     }
 
     void placesOnTheCopperAreEnds() {
