@@ -95,6 +95,12 @@ std::span<const ElementId> Document::elementsOf(NetId net) const {
     return std::span(netElements).subspan(netStart[net.row()], netStart[net.row() + 1] - netStart[net.row()]);
 }
 
+const AttributeValues& Document::attributesOf(ElementId element) const {
+    static const AttributeValues kNothing;
+    const AttributeSetId set = elements.attributes[element.row()];
+    return set.isValid() ? attributeSets[set.row()] : kNothing;
+}
+
 Box Document::boxOf(ElementId element) const {
     const std::uint32_t row = elements.geometry[element.row()];
     switch (elements.kind[element.row()]) {

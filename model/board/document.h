@@ -7,11 +7,12 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model/base/ids.h"
 #include "model/base/point.h"
-#include "model/board/attributes.h"
+#include "model/base/table.h"
 #include "model/board/diagnostics.h"
 #include "model/geometry/shapes.h"
 
@@ -189,18 +190,24 @@ enum class HoleKind : std::uint8_t { Via, Component, Mounting, NonPlated };
     return (flags & kHole) != 0 && (flags & kPlated) != 0;
 }
 
+using AttributeSetId = base::Id<struct AttributeSetTag>;
+
+/// Names and values of a feature's attributes, in words, in the order of the record. Few distinct sets serve many
+/// elements, so an element holds 4 bytes: ElementTable::attributes.
+using AttributeValues = std::vector<std::pair<std::string, std::string>>;
+
 /// One row per element, columns side by side. `geometry` is a row of the table of the element's kind.
 struct ElementTable {
-    std::vector<ElementKind> kind;
-    std::vector<std::uint8_t> flags;
-    std::vector<LayerId> layer;
-    std::vector<NetId> net;
-    std::vector<SubnetId> subnet;  ///< what it is in its net; none where the job does not say
-    std::vector<SymbolId> symbol;
-    std::vector<std::uint32_t> geometry;
-    std::vector<std::uint32_t> firstFeature;  ///< 0-based ordinal of its (first) feature in the layer's file
-    std::vector<std::uint32_t> line;          ///< 1-based line of that feature
-    std::vector<AttributeSetId> attributes;   ///< of that feature: a row of Document::attributes
+    base::Table<ElementKind> kind;
+    base::Table<std::uint8_t> flags;
+    base::Table<LayerId> layer;
+    base::Table<NetId> net;
+    base::Table<SubnetId> subnet;  ///< what it is in its net; none where the job does not say
+    base::Table<SymbolId> symbol;
+    base::Table<std::uint32_t> geometry;
+    base::Table<std::uint32_t> firstFeature;  ///< 0-based ordinal of its (first) feature in the layer's file
+    base::Table<std::uint32_t> line;          ///< 1-based line of that feature
+    base::Table<AttributeSetId> attributes;   ///< of that feature: a row of Document::attributeSets
 
     [[nodiscard]] std::size_t size() const { return kind.size(); }
 };
@@ -241,8 +248,8 @@ struct PaintedArea {
 /// The sources of areas that several features made together: what negative features left of a positive one, and the
 /// pieces of negative layers. All other elements came from their `firstFeature` (trails: from it and those behind it).
 struct PaintedSources {
-    std::vector<PaintedArea> areas;       ///< by element, rising
-    std::vector<std::uint32_t> features;  ///< ordinals in the layer's file, rising within an area
+    base::Table<PaintedArea> areas;       ///< by element, rising
+    base::Table<std::uint32_t> features;  ///< ordinals in the layer's file, rising within an area
 
     /// Empty for elements that were not painted.
     [[nodiscard]] std::span<const std::uint32_t> of(ElementId element) const;
@@ -443,40 +450,40 @@ struct ReadTimes {
 struct Document {
     JobInfo job;
     std::vector<Layer> layers;  ///< physical order from the top where it is known, then the rest
-    std::vector<std::string> symbols;
+    base::Table<std::string> symbols;
     ShapeTable shapes;
 
     ElementTable elements;
-    std::vector<LineGeometry> lines;
-    std::vector<ArcGeometry> arcs;
-    std::vector<CircleGeometry> circles;
-    std::vector<TrailGeometry> trails;
-    std::vector<PathNode> trailNodes;
-    std::vector<Nm> trailWidths;  ///< per trail node: width of the track that leaves it, 0 for the last node of a trail
-    std::vector<AreaGeometry> areas;
+    base::Table<LineGeometry> lines;
+    base::Table<ArcGeometry> arcs;
+    base::Table<CircleGeometry> circles;
+    base::Table<TrailGeometry> trails;
+    base::Table<PathNode> trailNodes;
+    base::Table<Nm> trailWidths;  ///< per trail node: width of the track that leaves it, 0 for the last node of a trail
+    base::Table<AreaGeometry> areas;
     PaintedSources painted;
-    std::vector<Body> bodies;             ///< by element, rising
-    std::vector<PlatedSpan> platedSpans;  ///< by hole, rising; holes that are not here are plated as their layer spans
-    AttributeTable attributes;
+    base::Table<Body> bodies;             ///< by element, rising
+    base::Table<PlatedSpan> platedSpans;  ///< by hole, rising; holes that are not here are plated as their layer spans
+    base::Table<AttributeValues> attributeSets;  ///< each once
 
-    std::vector<Net> nets;
-    std::vector<std::uint32_t> netStart;  ///< elements of net n: netElements[netStart[n] .. netStart[n + 1])
-    std::vector<ElementId> netElements;
-    std::vector<Subnet> subnets;
-    std::vector<Package> packages;
-    std::vector<PackagePin> packagePins;
-    std::vector<Component> components;
-    std::vector<Pin> pins;
-    std::vector<ElementGroup> groups;
-    std::vector<ElementId> groupElements;
-    std::vector<NetPoint> netPoints;
-    std::vector<Property> properties;
-    std::vector<std::string> strings{""};  ///< each once; row 0 is empty
-    std::vector<DrillTool> tools;
+    base::Table<Net> nets;
+    base::Table<std::uint32_t> netStart;  ///< elements of net n: netElements[netStart[n] .. netStart[n + 1])
+    base::Table<ElementId> netElements;
+    base::Table<Subnet> subnets;
+    base::Table<Package> packages;
+    base::Table<PackagePin> packagePins;
+    base::Table<Component> components;
+    base::Table<Pin> pins;
+    base::Table<ElementGroup> groups;
+    base::Table<ElementId> groupElements;
+    base::Table<NetPoint> netPoints;
+    base::Table<Property> properties;
+    base::Table<std::string> strings{""};  ///< each once; row 0 is empty
+    base::Table<DrillTool> tools;
 
     std::vector<std::shared_ptr<const Document>> steps;  ///< placed by `instances`, each once
-    std::vector<StepInstance> instances;  ///< copies right on this step; those may hold copies themselves
-    std::vector<Zone> zones;
+    base::Table<StepInstance> instances;  ///< copies right on this step; those may hold copies themselves
+    base::Table<Zone> zones;
 
     ShapeId profile;  ///< the step's outline; none if the job has none and it could not be derived
     Box board;        ///< extent of the profile
@@ -503,6 +510,7 @@ struct Document {
     [[nodiscard]] std::span<const Nm> widthsOf(const TrailGeometry& trail) const {
         return std::span(trailWidths).subspan(trail.firstNode, trail.nodeCount - 1);
     }
+    [[nodiscard]] const AttributeValues& attributesOf(ElementId element) const;
     [[nodiscard]] Box boxOf(ElementId element) const;
     /// Those of its layer, except for bodies of components.
     [[nodiscard]] ZRange heightsOf(ElementId element) const;

@@ -1,6 +1,7 @@
 #include "model/board/document_builder.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "model/base/assert.h"
 #include "model/geometry/nesting.h"
@@ -25,7 +26,7 @@ SubnetId DocumentBuilder::addSubnet(const Subnet& subnet) {
 StringId DocumentBuilder::string(std::string_view text) {
     const auto [location, isNew] = m_strings.try_emplace(std::string(text), StringId{m_document->strings.size()});
     if (isNew) {
-        m_document->strings.emplace_back(text);
+        m_document->strings.push_back(std::string(text));
     }
     return location->second;
 }
@@ -34,9 +35,9 @@ namespace {
 
 /// Appends rows to a table and says where they are.
 template <class T>
-Range append(std::vector<T>& table, std::span<const T> rows) {
+Range append(base::Table<T>& table, std::span<const T> rows) {
     const Range range{static_cast<std::uint32_t>(table.size()), static_cast<std::uint32_t>(rows.size())};
-    table.insert(table.end(), rows.begin(), rows.end());
+    table.edit().insert(table.end(), rows.begin(), rows.end());
     return range;
 }
 
@@ -49,7 +50,18 @@ Range DocumentBuilder::addProperties(std::span<const Property> properties) {
 SymbolId DocumentBuilder::symbol(std::string_view name) {
     const auto [location, isNew] = m_symbols.try_emplace(std::string(name), SymbolId{m_document->symbols.size()});
     if (isNew) {
-        m_document->symbols.emplace_back(name);
+        m_document->symbols.push_back(std::string(name));
+    }
+    return location->second;
+}
+
+AttributeSetId DocumentBuilder::attributes(const AttributeValues& values) {
+    if (values.empty()) {
+        return {};
+    }
+    const auto [location, isNew] = m_attributeSets.try_emplace(values, m_document->attributeSets.size());
+    if (isNew) {
+        m_document->attributeSets.push_back(values);
     }
     return location->second;
 }
@@ -64,7 +76,7 @@ ComponentId DocumentBuilder::addComponent(Component component, std::span<const P
     component.firstPin = range.first;
     component.pinCount = range.count;
     for (std::uint32_t i = 0; i < range.count; ++i) {
-        m_document->pins[range.first + i].component = id;
+        m_document->pins.edit()[range.first + i].component = id;
     }
     m_document->components.push_back(std::move(component));
     return id;
@@ -133,17 +145,17 @@ ElementId DocumentBuilder::addCircle(const CircleGeometry& circle, const Origin&
 
 ElementId DocumentBuilder::addTrail(std::span<const PathNode> nodes, Nm width, const Origin& origin, Nm innerWidth) {
     const ElementId trail = addTrail(nodes, std::vector<Nm>(nodes.size() - 1, width), origin);
-    m_document->trails.back().innerWidth = innerWidth;
+    m_document->trails.edit().back().innerWidth = innerWidth;
     return trail;
 }
 
 ElementId DocumentBuilder::addTrail(std::span<const PathNode> nodes, std::span<const Nm> widths, const Origin& origin) {
     ASSERT(nodes.size() >= 2 && widths.size() + 1 == nodes.size());
-    std::vector<PathNode>& all = m_document->trailNodes;
+    base::Table<PathNode>& all = m_document->trailNodes;
     m_document->trails.push_back({static_cast<std::uint32_t>(all.size()), static_cast<std::uint32_t>(nodes.size()),
                                   *std::ranges::max_element(widths)});
-    all.insert(all.end(), nodes.begin(), nodes.end());
-    m_document->trailWidths.insert(m_document->trailWidths.end(), widths.begin(), widths.end());
+    append(all, nodes);
+    append(m_document->trailWidths, widths);
     m_document->trailWidths.push_back(0);
     return addElement(ElementKind::Trail, m_document->trails.size() - 1, origin);
 }
@@ -158,9 +170,8 @@ ElementId DocumentBuilder::addPaintedArea(const AreaGeometry& area, const Origin
                                           std::span<const std::uint32_t> features) {
     const ElementId element = addArea(area, origin);
     PaintedSources& painted = m_document->painted;
-    painted.areas.push_back(
-        {element, static_cast<std::uint32_t>(painted.features.size()), static_cast<std::uint32_t>(features.size())});
-    painted.features.insert(painted.features.end(), features.begin(), features.end());
+    const Range range = append(painted.features, features);
+    painted.areas.push_back({element, range.first, range.count});
     return element;
 }
 
@@ -173,13 +184,14 @@ std::shared_ptr<const Document> DocumentBuilder::finish() {
     m_document = std::make_shared<Document>();
     m_symbols.clear();
     m_strings = {{"", StringId{0}}};
+    m_attributeSets.clear();
     m_layer = {};
     return frozen;
 }
 
 /// Tables double while they grow; a frozen one keeps what it holds.
 void DocumentBuilder::giveBackReserves() {
-    const auto shrink = [](auto&... tables) { (tables.shrink_to_fit(), ...); };
+    const auto shrink = [](auto&... tables) { (tables.edit().shrink_to_fit(), ...); };
     Document& d = *m_document;
     ElementTable& e = d.elements;
     shrink(e.kind, e.flags, e.layer, e.net, e.subnet, e.symbol, e.geometry, e.firstFeature, e.line, e.attributes);
@@ -222,20 +234,20 @@ void DocumentBuilder::measureExtents() {
 }
 
 void indexNets(Document& d) {
-    d.netStart.assign(d.nets.size() + 1, 0);
+    std::vector<std::uint32_t>& start = d.netStart.edit();
+    start.assign(d.nets.size() + 1, 0);
     for (const NetId net : d.elements.net) {
         if (net.isValid()) {
-            ++d.netStart[net.row() + 1];
+            ++start[net.row() + 1];
         }
     }
-    for (std::size_t net = 0; net < d.nets.size(); ++net) {
-        d.netStart[net + 1] += d.netStart[net];
-    }
-    d.netElements.resize(d.netStart.back());
-    std::vector<std::uint32_t> next = d.netStart;
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    std::vector<ElementId>& elements = d.netElements.edit();
+    elements.resize(start.back());
+    std::vector<std::uint32_t> next = start;
     for (std::size_t row = 0; row < d.elements.size(); ++row) {
         if (const NetId net = d.elements.net[row]; net.isValid()) {
-            d.netElements[next[net.row()]++] = ElementId{row};
+            elements[next[net.row()]++] = ElementId{row};
         }
     }
 }

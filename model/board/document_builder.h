@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string_view>
 #include <unordered_map>
@@ -32,12 +33,12 @@ public:
     [[nodiscard]] std::vector<Layer>& layers() { return m_document->layers; }
     NetId addNet(std::string name, Range properties = {});
     SubnetId addSubnet(const Subnet& subnet);
-    [[nodiscard]] Subnet& subnet(SubnetId id) { return m_document->subnets[id.row()]; }
+    [[nodiscard]] Subnet& subnet(SubnetId id) { return m_document->subnets.edit()[id.row()]; }
     StringId string(std::string_view text);  ///< row of the text, added on first use
     Range addProperties(std::span<const Property> properties);
     SymbolId symbol(std::string_view name);  ///< row of the name, added on first use
-    /// Row of this set of attributes, added on first use.
-    AttributeSetId attributes(const AttributeValues& values) { return m_document->attributes.add(values); }
+    /// Row of this set of attributes, added on first use; none for an empty one.
+    AttributeSetId attributes(const AttributeValues& values);
     /// Holes are put behind the island that contains them, in whatever order they were sketched.
     ShapeId addShape(const ShapeSketch& sketch);
     [[nodiscard]] const ShapeTable& shapes() const { return m_document->shapes; }
@@ -86,6 +87,7 @@ private:
     std::shared_ptr<Document> m_document = std::make_shared<Document>();
     std::unordered_map<std::string, SymbolId> m_symbols;
     std::unordered_map<std::string, StringId> m_strings{{"", StringId{0}}};
+    std::map<AttributeValues, AttributeSetId> m_attributeSets;
     LayerId m_layer;
 };
 

@@ -58,7 +58,7 @@ ShapeId ShapeTable::add(const ShapeSketch& sketch) {
         const std::span<const PathNode> added = sketch.contour(i);
         contours.push_back(
             {static_cast<std::uint32_t>(nodes.size()), static_cast<std::uint32_t>(added.size()), sketch.isHole(i)});
-        nodes.insert(nodes.end(), added.begin(), added.end());
+        nodes.edit().insert(nodes.end(), added.begin(), added.end());
         shape.box.include(boxOfPath(added, true));
     }
     shapes.push_back(shape);

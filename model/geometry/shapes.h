@@ -6,6 +6,7 @@
 
 #include "model/base/ids.h"
 #include "model/base/point.h"
+#include "model/base/table.h"
 
 namespace model {
 
@@ -45,9 +46,9 @@ struct ShapeTable {
         std::uint32_t contourCount = 0;
         Box box;
     };
-    std::vector<Shape> shapes;
-    std::vector<Contour> contours;
-    std::vector<PathNode> nodes;
+    base::Table<Shape> shapes;
+    base::Table<Contour> contours;
+    base::Table<PathNode> nodes;
 
     /// Adds the contours in their order.
     ShapeId add(const ShapeSketch& sketch);

@@ -26,12 +26,12 @@ public:
 
     void run() {
         nameIslands();
-        m_document.nets.clear();
-        m_document.subnets.clear();
-        m_document.elements.subnet.assign(m_document.elements.size(), SubnetId{});
+        m_document.nets = {};
+        m_document.subnets = {};
+        m_document.elements.subnet.edit().assign(m_document.elements.size(), SubnetId{});
         makeNets();
         assignElements();
-        for (Pin& pin : m_document.pins) {
+        for (Pin& pin : m_document.pins.edit()) {
             pin.net = netAt(pin.position, m_document.components[pin.component.row()].side);
         }
         indexNets(m_document);
@@ -89,14 +89,14 @@ private:
             }
             m_nets.push_back(net);
         }
-        for (NetPoint& point : m_document.netPoints) {
+        for (NetPoint& point : m_document.netPoints.edit()) {
             const auto found = named.find(point.name);
             point.net = found == named.end() ? NetId{} : found->second;
         }
     }
 
     void assignElements() {
-        std::vector<NetId>& nets = m_document.elements.net;
+        std::vector<NetId>& nets = m_document.elements.net.edit();
         nets.assign(nets.size(), NetId{});
         for (std::uint32_t piece = 0; piece < m_connectivity.pieceCount(); ++piece) {
             const ElementId element = m_connectivity.element(piece);

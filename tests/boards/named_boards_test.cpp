@@ -4,7 +4,7 @@
 #include "model/formats/registry.h"
 #include "render/modelling/board_model.h"
 #include "render/standard/standard_triangles.h"
-#include "tests/places.h"
+#include "tests/locations.h"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <QXmlStreamReader>
 #include <QtTest>
 
-#include "tests/places.h"
+#include "tests/locations.h"
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "tests/places.h"
+#include "tests/locations.h"
 
 namespace {
 

@@ -2,7 +2,7 @@
 # `fuzz` one libFuzzer program per target.
 add_library(copperscope_fuzz_targets STATIC fuzz/contours.cpp fuzz/seeds.cpp fuzz/tar.cpp fuzz/targets.cpp)
 target_link_libraries(copperscope_fuzz_targets PUBLIC copperscope_options copperscope_model
-    copperscope_tri_oracle PRIVATE copperscope_places)
+    copperscope_tri_oracle PRIVATE copperscope_test_locations)
 
 copperscope_test(hostile_input_test fuzz/hostile_input_test.cpp LABEL unit LINK copperscope_fuzz_targets)
 

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "targets.h"
-#include "tests/places.h"
+#include "tests/locations.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "targets.h"
-#include "tests/places.h"
+#include "tests/locations.h"
 
 namespace fuzz {
 

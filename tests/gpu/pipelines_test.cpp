@@ -7,7 +7,7 @@
 #include "render/frame/image_difference.h"
 #include "render/standard/standard_model.h"
 #include "tests/gpu/gpu_fixture.h"
-#include "tests/places.h"
+#include "tests/locations.h"
 
 using namespace render;
 using namespace render::test;

@@ -6,7 +6,7 @@
 #include "model/formats/registry.h"
 #include "render/frame/image_difference.h"
 #include "tests/gpu/gpu_fixture.h"
-#include "tests/places.h"
+#include "tests/locations.h"
 
 using namespace render;
 using namespace render::test;

@@ -5,7 +5,7 @@
 
 #include "model/base/parallel.h"
 #include "model/formats/odb/text/job_tree.h"
-#include "tests/places.h"
+#include "tests/locations.h"
 #include "tests/reference/document_painter.h"
 #include "tests/reference/odb_painter.h"
 #include "tests/reference/symbols.h"

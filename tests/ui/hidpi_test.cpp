@@ -5,7 +5,7 @@
 #include <QtTest>
 #include <cmath>
 
-#include "tests/places.h"
+#include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/views/view_cube.h"
 

@@ -11,7 +11,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "tests/places.h"
+#include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/common/table_view.h"
 #include "ui/element/element_panel.h"

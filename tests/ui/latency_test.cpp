@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "tests/places.h"
+#include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
 
 /// When a widget was last painted, to the end.

@@ -152,7 +152,7 @@ void addParts(const Subject& s, Facts& facts) {
 
 void addSource(const Subject& s, const model::Layer& layer, Facts& facts) {
     const auto& elements = s.step.elements;
-    for (const auto& [name, value] : s.step.attributes.values(elements.attributes[s.element.row()])) {
+    for (const auto& [name, value] : s.step.attributesOf(s.element)) {
         facts.emplace_back(QString::fromStdString(name), value.empty() ? s.tr("yes") : QString::fromStdString(value));
     }
     if (!layer.file.empty() && elements.line[s.element.row()] > 0) {

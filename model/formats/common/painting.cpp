@@ -104,7 +104,7 @@ DocumentBuilder::Origin originOf(DocumentBuilder& builder, const Document& docum
     origin.feature = table.firstFeature[row];
     origin.line = table.line[row];
     origin.flags = table.flags[row];
-    origin.attributes = builder.attributes(document.attributes.values(table.attributes[row]));
+    origin.attributes = builder.attributes(document.attributesOf(ElementId{row}));
     if (table.symbol[row].isValid()) {
         origin.symbol = builder.symbol(document.symbols[table.symbol[row].row()]);
     }

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "render/scene/colour_ramp.h"
-#include "tests/places.h"
+#include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/clearance/clearances.h"
 #include "ui/layers/layers_panel.h"

@@ -8,7 +8,7 @@
 #include <QSlider>
 #include <QtTest>
 
-#include "tests/places.h"
+#include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/clearance/rule_dialog.h"
 #include "ui/common/table_view.h"

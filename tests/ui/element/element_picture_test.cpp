@@ -4,7 +4,7 @@
 #include <QtTest>
 
 #include "model/statistics/element_sizes.h"
-#include "tests/places.h"
+#include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/element/element_panel.h"
 #include "ui/workspace/actions.h"

@@ -10,7 +10,7 @@
 #include <cmath>
 
 #include "model/measure/separation.h"
-#include "tests/places.h"
+#include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/common/table_view.h"
 #include "ui/measure/measurements_panel.h"

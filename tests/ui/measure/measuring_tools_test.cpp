@@ -5,7 +5,7 @@
 #include <QtTest>
 #include <cmath>
 
-#include "tests/places.h"
+#include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/unit/model/measure/measure_fixture.h"
 #include "ui/measure/measurements_panel.h"

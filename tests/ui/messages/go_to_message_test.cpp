@@ -5,7 +5,7 @@
 #include <QtTest>
 #include <algorithm>
 
-#include "tests/places.h"
+#include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/common/table_view.h"
 #include "ui/messages/message_model.h"

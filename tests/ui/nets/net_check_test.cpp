@@ -6,7 +6,7 @@
 #include <QToolButton>
 #include <QtTest>
 
-#include "tests/places.h"
+#include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/common/table_view.h"
 #include "ui/nets/net_check_panel.h"

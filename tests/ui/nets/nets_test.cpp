@@ -6,7 +6,7 @@
 #include <QSlider>
 #include <QtTest>
 
-#include "tests/places.h"
+#include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/common/table_view.h"
 #include "ui/nets/nets_panel.h"

@@ -5,7 +5,7 @@
 #include <QtTest>
 
 #include "model/session/session.h"
-#include "tests/places.h"
+#include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/common/table_view.h"
 #include "ui/saved_views/saved_views_panel.h"

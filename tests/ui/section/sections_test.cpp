@@ -10,7 +10,7 @@
 
 #include "model/section/intervals.h"
 #include "model/section/section_export.h"
-#include "tests/places.h"
+#include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/shell/message_bar.h"
 

@@ -16,7 +16,7 @@
 #include <thread>
 
 #include "model/board/document_builder.h"
-#include "tests/places.h"
+#include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/layers/layers_panel.h"
 #include "ui/shell/message_bar.h"

@@ -5,7 +5,7 @@
 #include <QStatusBar>
 #include <QtTest>
 
-#include "tests/places.h"
+#include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/layers/layers_panel.h"
 #include "ui/shell/message_bar.h"

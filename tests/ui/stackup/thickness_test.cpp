@@ -7,7 +7,7 @@
 #include <QtTest>
 
 #include "model/board/stackup.h"
-#include "tests/places.h"
+#include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/common/table_view.h"
 #include "ui/shell/message_bar.h"

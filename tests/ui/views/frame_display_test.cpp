@@ -6,7 +6,7 @@
 #include <QtTest>
 
 #include "model/base/progress.h"
-#include "tests/places.h"
+#include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
 
 using ui::ActionId;

@@ -4,7 +4,7 @@
 #include <QMouseEvent>
 #include <QtTest>
 
-#include "tests/places.h"
+#include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/common/table_view.h"
 #include "ui/element/element_panel.h"

@@ -5,7 +5,7 @@
 #include <QtTest>
 #include <set>
 
-#include "tests/places.h"
+#include "tests/locations.h"
 #include "ui/shell/help_dialogs.h"
 #include "ui/shell/icons.h"
 #include "ui/workspace/key_presets.h"

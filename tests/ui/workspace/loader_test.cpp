@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "model/board/document_builder.h"
-#include "tests/places.h"
+#include "tests/locations.h"
 
 using base::Error;
 using base::ErrorCode;

@@ -52,7 +52,7 @@ bool SurfaceParser::canAdd(const Fields& fields) {
 }
 
 void SurfaceParser::addEdge(EdgeKind kind, Point centre, Point end) {
-    PathNode& last = m_table.nodes.back();
+    PathNode& last = m_table.nodes.edit().back();
     last.edge = kind;
     last.centre = centre;
     m_table.nodes.push_back({end, {}, EdgeKind::Line});
@@ -89,7 +89,7 @@ void SurfaceParser::curve(Fields fields, std::int64_t nmPerUnit) {
 }
 
 void SurfaceParser::dropPolygon() {
-    m_table.nodes.resize(m_firstNode);
+    m_table.nodes.edit().resize(m_firstNode);
 }
 
 void SurfaceParser::endPolygon() {
@@ -102,7 +102,7 @@ void SurfaceParser::endPolygon() {
         report(Severity::Error, "a polygon with an unreadable record was left out");
         return dropPolygon();
     }
-    std::vector<PathNode>& nodes = m_table.nodes;
+    std::vector<PathNode>& nodes = m_table.nodes.edit();
     if (nodes.size() - m_firstNode > 1 && nodes.back().point == nodes[m_firstNode].point) {
         nodes.pop_back();  // the edge of the node before it now returns to the first node
     } else if (nodes.size() - m_firstNode > 1) {

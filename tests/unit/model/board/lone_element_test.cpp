@@ -5,7 +5,7 @@
 
 #include "model/formats/registry.h"
 #include "model/statistics/element_sizes.h"
-#include "tests/places.h"
+#include "tests/locations.h"
 
 using namespace model;
 

@@ -5,7 +5,7 @@
 
 #include "model/export/stackup_drawing.h"
 #include "model/export/stackup_export.h"
-#include "tests/places.h"
+#include "tests/locations.h"
 #include "tests/unit/model/formats/odb/odb_testing.h"
 
 using model::HoleSpan;

@@ -2,7 +2,7 @@
 #include <filesystem>
 
 #include "model/formats/registry.h"
-#include "tests/places.h"
+#include "tests/locations.h"
 
 namespace {
 

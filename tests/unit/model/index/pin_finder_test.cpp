@@ -4,7 +4,7 @@
 
 #include "model/board/document_builder.h"
 #include "model/formats/registry.h"
-#include "tests/places.h"
+#include "tests/locations.h"
 
 using namespace model;
 

@@ -11,7 +11,7 @@
 #include "model/figures/distance.h"
 #include "model/formats/registry.h"
 #include "model/solids/restack.h"
-#include "tests/places.h"
+#include "tests/locations.h"
 #include "tests/unit/model/measure/measure_fixture.h"
 
 using namespace model;

@@ -9,7 +9,7 @@
 #include "model/formats/registry.h"
 #include "model/index/picking.h"
 #include "model/section/section_export.h"
-#include "tests/places.h"
+#include "tests/locations.h"
 
 using namespace model;
 

@@ -8,7 +8,7 @@
 #include "model/board/document_builder.h"
 #include "model/formats/registry.h"
 #include "render/standard/standard_model.h"
-#include "tests/places.h"
+#include "tests/locations.h"
 
 using model::DocumentBuilder;
 using render::BoardModel;

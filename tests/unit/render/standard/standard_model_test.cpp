@@ -6,7 +6,7 @@
 #include "model/base/parallel.h"
 #include "model/board/document_builder.h"
 #include "model/formats/registry.h"
-#include "tests/places.h"
+#include "tests/locations.h"
 
 using namespace render;
 

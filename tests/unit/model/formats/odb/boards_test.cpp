@@ -11,7 +11,7 @@
 #include "model/formats/common/archive_stream.h"
 #include "model/solids/bodies.h"
 #include "tests/unit/model/formats/odb/odb_testing.h"
-#include "tests/places.h"
+#include "tests/locations.h"
 
 using namespace odb_testing;
 using model::Document;

@@ -6,7 +6,7 @@
 #include "model/formats/common/hole_rules.h"
 #include "model/formats/odb/features/tools.h"
 #include "tests/unit/model/formats/odb/odb_testing.h"
-#include "tests/places.h"
+#include "tests/locations.h"
 
 using model::DrillRow;
 using model::DrillTool;

@@ -15,7 +15,7 @@
 #include "model/figures/element_polygons.h"
 #include "model/formats/registry.h"
 #include "model/geometry/discretise.h"
-#include "tests/places.h"
+#include "tests/locations.h"
 
 /// Shared by the tests of the ODB++ reader: jobs written on the spot, archives of every kind, short ways to ask a
 /// document.

@@ -7,7 +7,7 @@
 
 #include "model/formats/odb/features/features.h"
 #include "tests/unit/model/formats/odb/odb_testing.h"
-#include "tests/places.h"
+#include "tests/locations.h"
 
 namespace {
 

@@ -282,6 +282,25 @@ private slots:
         }
     }
 
+    void aRestackedBoardSharesItsTables() {
+        const auto panel = odb_testing::read(odb_testing::dataJob("panel"));
+        QVERIFY(!panel->steps.empty());
+        const auto changed = model::restack(*panel, {{panel->stackup.rows.front().name, 99'000}});
+        const auto isShared = [](const model::Document& a, const model::Document& b) {
+            return a.elements.kind.sharesRowsWith(b.elements.kind) && a.elements.net.sharesRowsWith(b.elements.net) &&
+                   a.lines.sharesRowsWith(b.lines) && a.areas.sharesRowsWith(b.areas) &&
+                   a.shapes.nodes.sharesRowsWith(b.shapes.nodes) && a.nets.sharesRowsWith(b.nets) &&
+                   a.netElements.sharesRowsWith(b.netElements) && a.pins.sharesRowsWith(b.pins) &&
+                   a.strings.sharesRowsWith(b.strings) && a.attributeSets.sharesRowsWith(b.attributeSets);
+        };
+        QVERIFY(isShared(*panel, *changed));
+        for (std::size_t step = 0; step < panel->steps.size(); ++step) {
+            QVERIFY(panel->steps[step] != changed->steps[step]);
+            QVERIFY(isShared(*panel->steps[step], *changed->steps[step]));
+        }
+        QVERIFY(panel->boardThickness != changed->boardThickness);
+    }
+
     void surfaceLayersLieOutsideOfTheCopper() {
         Stack stack;
         stack.add(LayerType::SilkScreen, "sst").add(LayerType::SolderPaste, "spt").add(LayerType::SolderMask, "smt");

@@ -89,14 +89,14 @@ private slots:
         folder.write("misc/userattr", "OPTION {\n NAME=colour\n OPTIONS=red;green\n}\n");
         const auto d = read(folder.path());
         const auto of = [&](std::uint32_t feature) {
-            return d->attributes.values(d->elements.attributes[elementOf(*d, "TOP", feature).row()]);
+            return d->attributesOf(elementOf(*d, "TOP", feature));
         };
         QCOMPARE(of(0), (AttributeValues{{"colour", "green"}}));
         QCOMPARE(of(2), (AttributeValues{{".smd", "yes"}}));  // other attributes end the trail
         QCOMPARE(of(3), of(0));
         QVERIFY(of(4).empty());
         QCOMPARE(of(5), of(2));
-        QCOMPARE(d->attributes.size(), std::size_t{2});
+        QCOMPARE(d->attributeSets.size(), std::size_t{2});
         QCOMPARE(d->elements.attributes.size(), d->elements.size());
     }
 };

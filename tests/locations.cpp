@@ -1,4 +1,4 @@
-#include "tests/places.h"
+#include "tests/locations.h"
 
 #include <algorithm>
 #include <cstdlib>
