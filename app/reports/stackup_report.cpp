@@ -79,9 +79,7 @@ ordered_json drillJson(const model::Document& document, const DrillRow& row) {
 }
 
 std::string inMm(model::Nm size) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.4f", base::toMm(size));
-    return size > 0 ? text : "-";
+    return numberOr(size > 0 ? std::optional(base::toMm(size)) : std::nullopt, "%.4f");
 }
 
 }  // namespace
