@@ -1,9 +1,9 @@
 // The small structured files of a job: matrix, stephdr, info, attrlist, tools.
 #include "model/formats/odb/features/tools.h"
 #include "model/formats/odb/job_info.h"
+#include "model/formats/odb/stackup/layer_facts.h"
 #include "model/formats/odb/stackup/matrix.h"
 #include "model/formats/odb/step/step_header.h"
-#include "model/formats/odb/stackup/layer_facts.h"
 #include "model/formats/odb/text/structured_text.h"
 #include "tests/unit/model/formats/odb/odb_testing.h"
 
