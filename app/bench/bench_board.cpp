@@ -63,11 +63,8 @@ public:
                          std::vector<FrameResult>& out) {
         m_auto.clear();
         for (const View& view : kViews) {
-            const base::Status status = isStandard ? measureOne(scene, frame, view, Backend::Auto, false, out)
-                                                   : measureAll(scene, frame, view, out);
-            if (!status) {
-                return status.error();
-            }
+            RETURN_IF_ERROR(isStandard ? measureOne(scene, frame, view, Backend::Auto, false, out)
+                                       : measureAll(scene, frame, view, out));
         }
         return base::Done{};
     }
@@ -96,9 +93,7 @@ private:
                 if (!isCulled && m_onlyCulled) {
                     continue;
                 }
-                if (base::Status status = measureOne(scene, frame, view, backend, isCulled, out); !status) {
-                    return status;
-                }
+                RETURN_IF_ERROR(measureOne(scene, frame, view, backend, isCulled, out));
             }
         }
         return base::Done{};
@@ -167,24 +162,16 @@ private:
     std::map<std::string, Backend> m_auto;
 };
 
-std::uint64_t storedTriangles(const render::StandardModel& model) {
-    return model.triangles();
-}
-
-std::uint64_t storedTriangles(const render::BoardModel& model) {
-    return model.indices.size() / 3;
-}
-
 /// Uploads a model and draws it.
 template <class Model>
 base::Status benchModel(render::gpu::Device& device, const model::Document& document, const Model& model,
-                        FrameBench& frames, PipelineResult& out) {
+                        std::uint64_t storedTriangles, FrameBench& frames, PipelineResult& out) {
     out.parseMs = document.times.parseMs + document.times.createMs;
     out.createMs = model.times.createMs;
     out.discretiseMs = model.times.discretiseMs;
     out.triangulateMs = model.times.triangulateMs;
     out.cpuBytes = render::cpuBytes(model);
-    out.triangles = storedTriangles(model);
+    out.triangles = storedTriangles;
     const base::Stopwatch upload;
     ASSIGN_OR_RETURN(render::BoardScene made, render::BoardScene::make(device, model));
     render::BoardScene& scene = made;
@@ -195,16 +182,6 @@ base::Status benchModel(render::gpu::Device& device, const model::Document& docu
     return frames.measure(scene, model, out.name == "standard", out.frames);
 }
 
-template <class Model>
-base::Status benchPipeline(render::gpu::Device& device, const model::Document& document, base::Result<Model> model,
-                           const char* name, FrameBench& frames, BoardResult& out) {
-    if (!model) {
-        return model.error();
-    }
-    out.pipelines.emplace_back().name = name;
-    return benchModel(device, document, *model, frames, out.pipelines.back());
-}
-
 /// The standard pipeline first: its pictures are what the others are compared with.
 base::Status benchPipelines(render::gpu::Device& device, const model::Document& document,
                             const BenchArguments& arguments, BoardResult& out) {
@@ -212,15 +189,14 @@ base::Status benchPipelines(render::gpu::Device& device, const model::Document& 
     const model::Discretisation how = discretisationOf(arguments.modelling);
     FrameBench frames(device, arguments);
     if (arguments.pipeline != "hybrid") {
-        base::Status status = benchPipeline(
-            device, document, render::buildStandardModel(document, how, console.progress()), "standard", frames, out);
-        if (!status) {
-            return status;
-        }
+        ASSIGN_OR_RETURN(const auto model, render::buildStandardModel(document, how, console.progress()));
+        out.pipelines.emplace_back().name = "standard";
+        RETURN_IF_ERROR(benchModel(device, document, model, model.triangles(), frames, out.pipelines.back()));
     }
     if (arguments.pipeline != "standard") {
-        return benchPipeline(device, document, render::buildBoardModel(document, how, console.progress()), "hybrid",
-                             frames, out);
+        ASSIGN_OR_RETURN(const auto model, render::buildBoardModel(document, how, console.progress()));
+        out.pipelines.emplace_back().name = "hybrid";
+        RETURN_IF_ERROR(benchModel(device, document, model, model.indices.size() / 3, frames, out.pipelines.back()));
     }
     return base::Done{};
 }
@@ -228,7 +204,7 @@ base::Status benchPipelines(render::gpu::Device& device, const model::Document& 
 base::Result<std::shared_ptr<const model::Document>> read(const std::string& path, const BenchArguments& arguments) {
     ConsoleProgress console;
     BoardArguments board = arguments.modelling;
-    board.path = path;
+    board.request.path = path;
     return openDocument(board, console.progress());
 }
 
@@ -244,8 +220,8 @@ base::Result<BoardResult> benchBoard(render::gpu::Device& device, const std::str
     BoardResult out;
     out.name = std::filesystem::path(path).filename().string();
     std::ranges::copy(document->elementCounts(), out.elements.begin());
-    const base::Status status = benchPipelines(device, *document, arguments, out);
-    return status ? base::Result<BoardResult>(std::move(out)) : status.error();
+    RETURN_IF_ERROR(benchPipelines(device, *document, arguments, out));
+    return out;
 }
 
 }  // namespace app

@@ -1,8 +1,6 @@
 #include "app/bench/bench_tables.h"
 
-#include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "app/common/commit.h"
 #include "model/export/export_text.h"
@@ -46,6 +44,27 @@ ordered_json pipelineJson(const PipelineResult& pipeline) {
             {"upload_ms", pipeline.uploadMs},         {"gpu_bytes", pipeline.gpuBytes},
             {"cpu_bytes", pipeline.cpuBytes},         {"triangles", pipeline.triangles},
             {"frames", framesJson(pipeline.frames)}};
+}
+
+/// The exponent of cost ~ elements^exponent by least squares over several boards; 0 for fewer than two different sizes
+/// or a cost of 0.
+double growthExponent(const std::vector<std::pair<double, double>>& elementsAndCost) {
+    double n = 0.0;
+    double x = 0.0;
+    double y = 0.0;
+    double xx = 0.0;
+    double xy = 0.0;
+    for (const auto& [elements, cost] : elementsAndCost) {
+        if (elements > 0.0 && cost > 0.0) {
+            n += 1.0;
+            x += std::log(elements);
+            y += std::log(cost);
+            xx += std::log(elements) * std::log(elements);
+            xy += std::log(elements) * std::log(cost);
+        }
+    }
+    const double spread = n * xx - x * x;
+    return spread > 1e-9 ? (n * xy - x * y) / spread : 0.0;
 }
 
 /// A cost of one pipeline over all boards that were measured with it.
@@ -105,25 +124,6 @@ std::string frameTable(const BenchReport& report) {
 }
 
 }  // namespace
-
-double growthExponent(const std::vector<std::pair<double, double>>& elementsAndCost) {
-    double n = 0.0;
-    double x = 0.0;
-    double y = 0.0;
-    double xx = 0.0;
-    double xy = 0.0;
-    for (const auto& [elements, cost] : elementsAndCost) {
-        if (elements > 0.0 && cost > 0.0) {
-            n += 1.0;
-            x += std::log(elements);
-            y += std::log(cost);
-            xx += std::log(elements) * std::log(elements);
-            xy += std::log(elements) * std::log(cost);
-        }
-    }
-    const double spread = n * xx - x * x;
-    return spread > 1e-9 ? (n * xy - x * y) / spread : 0.0;
-}
 
 ordered_json benchJson(const BenchReport& report) {
     ordered_json boards = ordered_json::array();

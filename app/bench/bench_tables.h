@@ -18,8 +18,4 @@ struct BenchReport {
 /// The same as text.
 [[nodiscard]] std::string benchTable(const BenchReport& report);
 
-/// The exponent of cost ~ elements^exponent by least squares over several boards; 0 for fewer than two different sizes
-/// or a cost of 0.
-[[nodiscard]] double growthExponent(const std::vector<std::pair<double, double>>& elementsAndCost);
-
 }  // namespace app

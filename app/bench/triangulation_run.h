@@ -38,7 +38,6 @@ struct Options {
     std::vector<int> threads = {1, 2};
     gpu::Triangulator* device = nullptr;  ///< has to be there for Triangulator::Gpu
     int repeats = 3;
-    bool isVerifying = true;
 };
 
 /// Measures all triangulators on one set. CGAL and Cpu take one polygon per task, the largest first; Parallel one

@@ -66,34 +66,34 @@ CLI::Option* addNumber(CLI::App& command, const char* name, Number& value, Numbe
     return command.add_option(name, value, help)->check(CLI::Range(low, high))->capture_default_str();
 }
 
-void addStackupOptions(CLI::App& command, std::vector<std::string>& thicknesses, bool& noSession) {
-    addRepeated(command, "--set-thickness", thicknesses,
+void addStackupOptions(CLI::App& command, model::OpenRequest& request) {
+    addRepeated(command, "--set-thickness", request.thicknesses,
                 "LAYER=LENGTH over what the job says, with um, mm, mil, inch, or oz for copper");
-    command.add_flag("--no-session", noSession, "ignore the session file beside the board");
+    command.add_flag("--no-session", request.noSession, "ignore the session file beside the board");
 }
 
-void addStep(CLI::App& command, std::string& step) {
-    command.add_option("--step", step, "the step to open; default: the first one with features of its own");
+void addStep(CLI::App& command, model::OpenRequest& request) {
+    command.add_option("--step", request.step, "the step to open; default: the first one with features of its own");
 }
 
-void addNetOptions(CLI::App& command, bool& inferNets) {
-    command.add_flag("--infer-nets", inferNets, "infer the nets from the copper instead of the job's netlist");
+void addNetOptions(CLI::App& command, model::OpenRequest& request) {
+    command.add_flag("--infer-nets", request.inferNets, "infer the nets from the copper instead of the job's netlist");
 }
 
 void addModellingOptions(CLI::App& command, BoardArguments& board) {
-    addStep(command, board.step);
+    addStep(command, board.request);
     addNumber(command, "--chord", board.chordUm, 0.5, 50.0,
               "largest distance between a curve and its chords, in micrometres");
-    addNetOptions(command, board.inferNets);
+    addNetOptions(command, board.request);
     command.add_flag("--paper-segments", board.paperSegments,
                      "50 segments per circle and 20 per arc, as the paper does");
 }
 
 void addBoardOptions(CLI::App& command, BoardArguments& board) {
-    addStackupOptions(command, board.thicknesses, board.noSession);
+    addStackupOptions(command, board.request);
     command.add_flag("--save-session", board.saveSession,
                      "save the set thicknesses in the session file beside the board");
-    command.add_option("BOARD", board.path, model::describeFormats() + "; default: the sample");
+    command.add_option("BOARD", board.request.path, model::describeFormats() + "; default: the sample");
     addModellingOptions(command, board);
     addChoice(command, "--triangulator", board.triangulator, {"auto", "cpu", "parallel", "cgal", "gpu"},
               ": what triangulates areas; the triangles are the same");
@@ -181,9 +181,10 @@ void addReportFormat(CLI::App& command, std::string& format) {
 void addClearance(CLI::App& parent, Command& chosen) {
     CLI::App& command = *parent.add_subcommand("clearance", "List the smallest clearances between nets");
     ClearanceArguments& arguments = argumentsOf(command, chosen, runClearance);
-    command.add_option("BOARD", arguments.board.path, "the board; default: the sample");
-    addStep(command, arguments.board.step);
-    addNetOptions(command, arguments.board.inferNets);
+    model::OpenRequest& request = arguments.board.request;
+    command.add_option("BOARD", request.path, "the board; default: the sample");
+    addStep(command, request);
+    addNetOptions(command, request);
     addNumber<std::size_t>(command, "--worst", arguments.worst, 1, 1'000'000, "how many of the smallest");
     command.add_option("--rules", arguments.rules,
                        "check the rules of this JSON file, or \"default\"; exit code 4 if one is broken");
@@ -288,11 +289,11 @@ Command parseCommandLine(int argc, char** argv) {
     CLI::App parser{"Copperscope, a viewer for printed circuit boards", "copperscope"};
     parser.set_version_flag("--version", versionText());
     parser.require_subcommand(0, 1);
-    const auto workbench = std::make_shared<WorkbenchArguments>();
+    const auto workbench = std::make_shared<model::OpenRequest>();
     parser.add_option("BOARD", workbench->path, "the board to open in the workbench; default: the sample");
-    addStep(parser, workbench->step);
-    addStackupOptions(parser, workbench->thicknesses, workbench->noSession);
-    addNetOptions(parser, workbench->inferNets);
+    addStep(parser, *workbench);
+    addStackupOptions(parser, *workbench);
+    addNetOptions(parser, *workbench);
     Command chosen = [argc, argv, workbench] { return runWorkbench(argc, argv, *workbench); };
     for (const auto addCommand : kCommands) {
         addCommand(parser, chosen);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "app/common/console_progress.h"
 #include "model/generate/job_writer.h"

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "app/common/console_progress.h"
-#include "app/reports/drill_report.h"
 #include "app/reports/info_json.h"
 #include "app/reports/stackup_report.h"
 #include "model/export/json_text.h"

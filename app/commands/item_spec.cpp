@@ -121,13 +121,9 @@ Result<InCopy> takeCopy(const BoardIndex& index, std::string_view text) {
     return InCopy{*copy, text.substr(slash + 1)};
 }
 
-const Document& stepOf(const BoardIndex& index, std::uint32_t copy) {
-    return *index.tree.steps[index.tree.copies[copy].step];
-}
-
 Result<MeasureItem> parseElement(const BoardIndex& index, const InCopy& at) {
     const auto number = wholeNumber(at.text);
-    const std::size_t count = stepOf(index, at.copy).elements.size();
+    const std::size_t count = index.stepOf(at.copy).elements.size();
     if (!number || *number >= count) {
         return wrong("there is no element " + std::string(at.text) + ": they are numbered from 0 to " +
                      std::to_string(count == 0 ? 0 : count - 1));
@@ -135,11 +131,14 @@ Result<MeasureItem> parseElement(const BoardIndex& index, const InCopy& at) {
     return MeasureItem(model::BoardElement{at.copy, model::ElementId{*number}});
 }
 
+Result<std::size_t> findComponent(const Document& step, std::string_view name) {
+    return findNamed("component", name, step.components.size(),
+                     [&](std::size_t i) -> const std::string& { return step.components[i].refdes; });
+}
+
 Result<MeasureItem> parsePart(const BoardIndex& index, const InCopy& at) {
-    const Document& step = stepOf(index, at.copy);
-    const auto row = findNamed("component", at.text, step.components.size(),
-                               [&](std::size_t i) -> const std::string& { return step.components[i].refdes; });
-    return row ? Result<MeasureItem>(MeasureItem(model::PartOfCopy{at.copy, model::ComponentId{*row}})) : row.error();
+    ASSIGN_OR_RETURN(const std::size_t row, findComponent(index.stepOf(at.copy), at.text));
+    return MeasureItem(model::PartOfCopy{at.copy, model::ComponentId{row}});
 }
 
 Result<MeasureItem> parsePin(const BoardIndex& index, const InCopy& at) {
@@ -147,18 +146,15 @@ Result<MeasureItem> parsePin(const BoardIndex& index, const InCopy& at) {
     if (dot == std::string_view::npos) {
         return wrong("\"" + std::string(at.text) + "\" is no pin: write PART.PIN, for example U1.3");
     }
-    const Document& step = stepOf(index, at.copy);
-    const auto part = findNamed("component", at.text.substr(0, dot), step.components.size(),
-                                [&](std::size_t i) -> const std::string& { return step.components[i].refdes; });
-    if (!part) {
-        return part.error();
-    }
-    const model::Component& component = step.components[*part];
-    const auto pin = findNamed(
-        ("pin of " + component.refdes + " named").c_str(), at.text.substr(dot + 1), component.pinCount,
-        [&](std::size_t i) -> const std::string& { return step.text(step.pins[component.firstPin + i].name); });
-    return pin ? Result<MeasureItem>(MeasureItem(model::PinOfCopy{at.copy, model::PinId{component.firstPin + *pin}}))
-               : pin.error();
+    const Document& step = index.stepOf(at.copy);
+    ASSIGN_OR_RETURN(const std::size_t part, findComponent(step, at.text.substr(0, dot)));
+    const model::Component& component = step.components[part];
+    ASSIGN_OR_RETURN(const std::size_t pin,
+                     findNamed(("pin of " + component.refdes + " named").c_str(), at.text.substr(dot + 1),
+                               component.pinCount, [&](std::size_t i) -> const std::string& {
+                                   return step.text(step.pins[component.firstPin + i].name);
+                               }));
+    return MeasureItem(model::PinOfCopy{at.copy, model::PinId{component.firstPin + pin}});
 }
 
 Result<MeasureItem> parseAt(const BoardIndex& index, const InCopy& at) {
@@ -172,21 +168,25 @@ Result<MeasureItem> parseAt(const BoardIndex& index, const InCopy& at) {
     model::Location location{{x, y}, {}};
     if (second != std::string_view::npos) {
         const std::vector<model::Layer>& layers = index.board->layers;
-        const auto layer = findNamed("layer", at.text.substr(second + 1), layers.size(),
-                                     [&](std::size_t i) -> const std::string& { return layers[i].name; });
-        if (!layer) {
-            return layer.error();
-        }
-        location.layer = model::LayerId{*layer};
+        ASSIGN_OR_RETURN(const std::size_t layer,
+                         findNamed("layer", at.text.substr(second + 1), layers.size(),
+                                   [&](std::size_t i) -> const std::string& { return layers[i].name; }));
+        location.layer = model::LayerId{layer};
     }
     return MeasureItem(location);
 }
 
+Result<model::NetOfCopy> findNet(const BoardIndex& index, const InCopy& at) {
+    const Document& step = index.stepOf(at.copy);
+    ASSIGN_OR_RETURN(const std::size_t row,
+                     findNamed("net", at.text, step.nets.size(),
+                               [&](std::size_t i) -> const std::string& { return step.nets[i].name; }));
+    return model::NetOfCopy{at.copy, model::NetId{row}};
+}
+
 Result<MeasureItem> parseNetItem(const BoardIndex& index, const InCopy& at) {
-    const Document& step = stepOf(index, at.copy);
-    const auto row = findNamed("net", at.text, step.nets.size(),
-                               [&](std::size_t i) -> const std::string& { return step.nets[i].name; });
-    return row ? Result<MeasureItem>(MeasureItem(model::NetOfCopy{at.copy, model::NetId{*row}})) : row.error();
+    ASSIGN_OR_RETURN(const model::NetOfCopy net, findNet(index, at));
+    return MeasureItem(net);
 }
 
 struct Form {
@@ -213,8 +213,7 @@ Result<MeasureItem> parseItem(const BoardIndex& index, std::string_view text) {
 
 Result<model::NetOfCopy> parseNet(const BoardIndex& index, std::string_view text) {
     ASSIGN_OR_RETURN(const InCopy at, takeCopy(index, text));
-    const Result<MeasureItem> net = parseNetItem(index, at);
-    return net ? Result<model::NetOfCopy>(std::get<model::NetOfCopy>(*net)) : net.error();
+    return findNet(index, at);
 }
 
 }  // namespace app

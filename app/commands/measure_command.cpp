@@ -47,7 +47,7 @@ std::string layerName(const BoardIndex& index, model::LayerId layer) {
 
 std::string netName(const BoardIndex& index, const model::Piece& piece) {
     const model::NetId net = model::netOf(index, piece.at);
-    return net.isValid() ? index.tree.steps[index.tree.copies[piece.at.copy].step]->nets[net.row()].name : "";
+    return net.isValid() ? index.stepOf(piece.at.copy).nets[net.row()].name : "";
 }
 
 struct NamedDistance {
@@ -130,9 +130,7 @@ void printCsv(const BoardIndex& index, const Separation& separation) {
 }
 
 std::string inBothUnits(double nm) {
-    char text[64];
-    std::snprintf(text, sizeof text, "%.6f mm (%.3f mil)", base::toMm(nm), nm / base::kNmPerMil);
-    return text;
+    return model::formatted("%.6f mm (%.3f mil)", base::toMm(nm), nm / base::kNmPerMil);
 }
 
 void printDistance(const BoardIndex& index, const char* name, const PieceDistance& shortest) {
@@ -160,7 +158,7 @@ void printSizes(const BoardIndex& index, const MeasureItem& item) {
     if (at == nullptr) {
         return;
     }
-    const model::Sizes sizes = model::sizesOf(*index.tree.steps[index.tree.copies[at->copy].step], at->element);
+    const model::Sizes sizes = model::sizesOf(index.stepOf(at->copy), at->element);
     const std::pair<const char*, const std::optional<double>&> rows[] = {{"width", sizes.width},
                                                                          {"length", sizes.length},
                                                                          {"radius", sizes.radius},

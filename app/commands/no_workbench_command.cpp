@@ -4,7 +4,7 @@
 
 namespace app {
 
-int runWorkbench(int, char**, const WorkbenchArguments&) {
+int runWorkbench(int, char**, const model::OpenRequest&) {
     return fail(
         {base::ErrorCode::DeviceFailed, "this build has no workbench; use copperscope info or copperscope render"});
 }

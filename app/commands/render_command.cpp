@@ -161,18 +161,15 @@ Result<render::Image> draw(const RenderArguments& arguments, const Model& board,
                             arguments.height);
 }
 
-template <class Model>
-Result<render::Image> drawModel(const RenderArguments& arguments, Result<Model> board, const Scenery& scenery) {
-    return board ? draw(arguments, *board, scenery) : Result<render::Image>(board.error());
-}
-
 Result<render::Image> modelAndDraw(const RenderArguments& arguments, const Document& document, const Scenery& scenery) {
     ConsoleProgress console;
     if (arguments.pipeline == "standard") {
         const model::Discretisation how = discretisationOf(arguments.board);
-        return drawModel(arguments, render::buildStandardModel(document, how, console.progress()), scenery);
+        ASSIGN_OR_RETURN(const auto board, render::buildStandardModel(document, how, console.progress()));
+        return draw(arguments, board, scenery);
     }
-    return drawModel(arguments, modelBoard(document, arguments.board, console.progress()), scenery);
+    ASSIGN_OR_RETURN(const auto board, modelBoard(document, arguments.board, console.progress()));
+    return draw(arguments, board, scenery);
 }
 
 Result<std::shared_ptr<const Document>> readDocument(const RenderArguments& arguments) {

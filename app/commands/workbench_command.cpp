@@ -1,20 +1,12 @@
 #include "app/commands/workbench_command.h"
 
-#include "app/common/exit_code.h"
-#include "app/common/resources.h"
 #include "ui/shell/workbench.h"
 
 namespace app {
 
-int runWorkbench(int argc, char** argv, const WorkbenchArguments& arguments) {
+int runWorkbench(int argc, char** argv, const model::OpenRequest& request) {
     ui::StartOptions options;
-    options.board = model::OpenRequest{
-        .path = arguments.path.empty() ? sampleBoard() : std::filesystem::path(arguments.path),
-        .step = arguments.step,
-        .thicknesses = arguments.thicknesses,
-        .noSession = arguments.noSession,
-        .inferNets = arguments.inferNets,
-    };
+    options.board = orSample(request);
     return ui::runWorkbench(argc, argv, options);
 }
 

@@ -1,29 +1,37 @@
 #include "app/common/open_board.h"
 
 #include <cstdio>
+#include <filesystem>
 #include <optional>
 #include <utility>
 
 #include "app/common/console_progress.h"
 #include "app/common/headless_device.h"
-#include "app/common/resources.h"
-#include "model/opening/open_board.h"
 
 namespace app {
 
+namespace fs = std::filesystem;
 using Board = std::shared_ptr<const model::Document>;
 
+model::OpenRequest orSample(model::OpenRequest request) {
+    if (request.path.empty()) {
+        const fs::path name = fs::path("sample") / "ocp_tap_sa45_odb.tgz";
+        std::error_code error;
+        const fs::path program = fs::read_symlink("/proc/self/exe", error);
+        const fs::path installed = program.parent_path().parent_path() / "share" / "copperscope" / name;
+        const bool isInstalled = !error && fs::exists(installed, error);
+        request.path = isInstalled ? installed : fs::path(COPPERSCOPE_SOURCE_RESOURCES) / name;
+    }
+    return request;
+}
+
 base::Result<Board> openDocument(const BoardArguments& arguments, base::Progress& progress) {
-    const std::filesystem::path path = arguments.path.empty() ? sampleBoard() : std::filesystem::path(arguments.path);
-    ASSIGN_OR_RETURN(const model::OpenedBoard board,
-                     model::openBoard({path, arguments.step, arguments.thicknesses, arguments.noSession,
-                                       arguments.inferNets},
-                                      progress));
+    ASSIGN_OR_RETURN(const model::OpenedBoard board, model::openBoard(orSample(arguments.request), progress));
     for (const std::string& note : board.notes) {
         std::fprintf(stderr, "copperscope: %s\n", note.c_str());
     }
     if (arguments.saveSession) {
-        RETURN_IF_ERROR(model::session::saveThicknesses(path, *board.document, board.thicknesses.all()));
+        RETURN_IF_ERROR(model::session::saveThicknesses(board.request.path, *board.document, board.thicknesses.all()));
     }
     return board.document;
 }

@@ -2,9 +2,8 @@
 
 #include <memory>
 #include <string>
-#include <vector>
 
-#include "model/board/document.h"
+#include "model/opening/open_board.h"
 #include "render/modelling/board_model.h"
 #include "render/scene/view_settings.h"
 
@@ -12,20 +11,19 @@ namespace app {
 
 /// What `info` and `render` share: which board to open and how to model it.
 struct BoardArguments {
-    std::string path;  ///< empty: the bundled sample
-    std::string step;
+    model::OpenRequest request;  ///< as orSample
+    bool saveSession = false;    ///< saves the thicknesses of the request in the session file
     double chordUm = 5.0;
     bool paperSegments = false;
-    std::vector<std::string> thicknesses;  ///< LAYER=LENGTH, over what the job and the session say
-    bool saveSession = false;              ///< saves them in the session file
-    bool noSession = false;                ///< as if there were no session file
-    bool inferNets = false;
     std::string triangulator = "auto";  ///< of areas; as tri::triangulatorNamed
 };
 
-/// Reads the board and applies to its stackup what its session file and `thicknesses` say; what of the session is not
-/// used is said on stderr. Errors as model::readBoard; BadUsage for thicknesses, OutputFailed when the session cannot
-/// be saved.
+/// The request, or without a path that of the board that comes with Copperscope: beside an installed program
+/// (../share/copperscope), else in the source tree it was built from.
+[[nodiscard]] model::OpenRequest orSample(model::OpenRequest request);
+
+/// model::openBoard; what of the session is not used is said on stderr. Errors: OutputFailed too, when the session
+/// cannot be saved.
 [[nodiscard]] base::Result<std::shared_ptr<const model::Document>> openDocument(const BoardArguments& arguments,
                                                                                 base::Progress& progress);
 

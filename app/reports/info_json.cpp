@@ -2,7 +2,6 @@
 
 #include <numeric>
 
-#include "app/reports/drill_report.h"
 #include "app/reports/stackup_report.h"
 #include "model/board/copies.h"
 #include "render/standard/standard_triangles.h"

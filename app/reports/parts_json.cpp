@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "model/nets/net_statistics.h"
+
 namespace app {
 
 using model::Document;
@@ -67,13 +69,8 @@ void printShort(const StepCheck& check, const model::ShortedNets& entry) {
 }  // namespace
 
 ordered_json netsJson(const Document& document) {
-    std::vector<std::uint32_t> pins(document.nets.size());
+    const std::vector<std::uint32_t> pins = model::pinCounts(document);
     std::vector<std::uint32_t> vias(document.nets.size());
-    for (const model::Pin& pin : document.pins) {
-        if (pin.net.isValid()) {
-            ++pins[pin.net.row()];
-        }
-    }
     for (const model::Subnet& subnet : document.subnets) {
         vias[subnet.net.row()] += subnet.kind == model::SubnetKind::Via ? 1 : 0;
     }

@@ -1,7 +1,6 @@
 #include "model/clearance/clearance_report.h"
 
 #include <algorithm>
-#include <functional>
 #include <iterator>
 
 #include "model/base/units.h"
@@ -144,6 +143,22 @@ ordered_json jsonOf(const RuleTable& table, const StepRules& found, std::size_t 
     return {{"step", found.step->job.step}, {"rules", rules}};
 }
 
+/// All steps, each as one of the three has it.
+template <class Step, class Json, class Csv, class Text>
+std::string reportOf(std::span<const Step> steps, ReportFormat format, const char* csvHead, Json json, Csv csv,
+                     Text text) {
+    if (format == ReportFormat::Json) {
+        ordered_json list = ordered_json::array();
+        std::ranges::transform(steps, std::back_inserter(list), json);
+        return jsonText({{"steps", list}});
+    }
+    std::string all = format == ReportFormat::Csv ? csvHead : "";
+    for (const Step& step : steps) {
+        all += format == ReportFormat::Csv ? csv(step) : text(step);
+    }
+    return all;
+}
+
 }  // namespace
 
 std::optional<ReportFormat> reportFormatOf(std::string_view name) {
@@ -154,34 +169,19 @@ std::optional<ReportFormat> reportFormatOf(std::string_view name) {
 }
 
 std::string clearanceReport(std::span<const StepClearances> steps, ReportFormat format) {
-    ordered_json json = ordered_json::array();
-    std::string text = format == ReportFormat::Csv
-                           ? "step,layer,clearance um,net a,net b,x mm on a,y mm on a,x mm on b,y mm on b\n"
-                           : "";
-    for (const StepClearances& step : steps) {
-        if (format == ReportFormat::Json) {
-            json.push_back(jsonOf(step));
-        } else {
-            text += format == ReportFormat::Csv ? csvOf(step) : textOf(step);
-        }
-    }
-    return format == ReportFormat::Json ? jsonText({{"steps", json}}) : text;
+    return reportOf(
+        steps, format, "step,layer,clearance um,net a,net b,x mm on a,y mm on a,x mm on b,y mm on b\n",
+        [](const StepClearances& step) { return jsonOf(step); }, [](const StepClearances& step) { return csvOf(step); },
+        [](const StepClearances& step) { return textOf(step); });
 }
 
 std::string ruleReport(const RuleTable& table, std::span<const StepRules> steps, ReportFormat format,
                        std::size_t most) {
-    ordered_json json = ordered_json::array();
-    std::string text = format == ReportFormat::Csv
-                           ? "step,rule,least um,layer,clearance um,a,b,x mm on a,y mm on a,x mm on b,y mm on b\n"
-                           : "";
-    for (const StepRules& step : steps) {
-        if (format == ReportFormat::Json) {
-            json.push_back(jsonOf(table, step, most));
-        } else {
-            text += format == ReportFormat::Csv ? csvOf(table, step, most) : textOf(table, step, most);
-        }
-    }
-    return format == ReportFormat::Json ? jsonText({{"steps", json}}) : text;
+    return reportOf(
+        steps, format, "step,rule,least um,layer,clearance um,a,b,x mm on a,y mm on a,x mm on b,y mm on b\n",
+        [&](const StepRules& step) { return jsonOf(table, step, most); },
+        [&](const StepRules& step) { return csvOf(table, step, most); },
+        [&](const StepRules& step) { return textOf(table, step, most); });
 }
 
 }  // namespace model

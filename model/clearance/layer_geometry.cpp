@@ -27,6 +27,10 @@ void retain(Closest& closest, std::uint64_t group, const FigurePair& found) {
     }
 }
 
+std::uint64_t bothOf(std::uint32_t a, std::uint32_t b) {
+    return std::uint64_t{a} << 32U | b;
+}
+
 bool holds(const Box& box, PointD p) {
     return box.min.x <= p.x && p.x <= box.max.x && box.min.y <= p.y && p.y <= box.max.y;
 }
@@ -60,7 +64,8 @@ private:
     }
 
     void measure(std::uint32_t i, std::uint32_t j, Closest& found) const {
-        const std::uint64_t group = m_request.groupOf(i, j);
+        const std::uint64_t group =
+            m_request.groupOf ? m_request.groupOf(i, j) : bothOf(m_a.elementOf(i).value, m_b.elementOf(j).value);
         const auto known = found.find(group);
         const double limit = known == found.end() ? m_request.reach : known->second.spacing.distance;
         const std::optional<Spacing> spacing = spacingBetween(m_a.figures(), i, m_b.figures(), j, limit);
@@ -74,23 +79,15 @@ private:
     const PairRequest& m_request;
 };
 
-void addLayer(LayerGeometry& plane, const Document& document, const Layer& layer, const ElementFilter& isWanted) {
+void addLayer(FigureTable& figures, const Document& document, const Layer& layer, const ElementFilter& isWanted) {
     for (std::uint32_t i = layer.elements.first; i < layer.elements.first + layer.elements.count; ++i) {
         if (isWanted(ElementId{i})) {
-            plane.add(document, ElementId{i});
+            figures.add(document, ElementId{i});
         }
     }
 }
 
 }  // namespace
-
-void LayerGeometry::addOutlines(const Document& document, ShapeId shape) {
-    m_figures.addOutline(document.shapes, shape);
-}
-
-void LayerGeometry::finish() {
-    m_index = std::make_shared<const BoxIndex>(m_figures.outerBoxes());
-}
 
 Box LayerGeometry::extent() const {
     Box extent;
@@ -109,46 +106,54 @@ bool isAnyElement(ElementId) {
 }
 
 LayerGeometry copperGeometry(const Document& document, LayerId layer, const ElementFilter& isWanted) {
-    LayerGeometry plane;
-    addLayer(plane, document, document.layer(layer), isWanted);
+    FigureTable figures;
+    addLayer(figures, document, document.layer(layer), isWanted);
     for (const Layer& drill : document.layers) {
         if (drill.spans(layer)) {
-            addLayer(plane, document, drill, [&](ElementId hole) {
+            addLayer(figures, document, drill, [&](ElementId hole) {
                 return isPlatedHole(document.elements.flags[hole.row()]) && document.platedSpanOf(hole).joins(layer) &&
                        isWanted(hole);
             });
         }
     }
-    plane.finish();
-    return plane;
+    return LayerGeometry(std::move(figures));
 }
 
 LayerGeometry holeGeometry(const Document& document, LayerId layer) {
-    LayerGeometry plane;
+    FigureTable figures;
     for (const Layer& drill : document.layers) {
         if (drill.spans(layer)) {
-            addLayer(plane, document, drill,
+            addLayer(figures, document, drill,
                      [&](ElementId hole) { return (document.elements.flags[hole.row()] & kHole) != 0; });
         }
     }
-    plane.finish();
-    return plane;
+    return LayerGeometry(std::move(figures));
 }
 
 LayerGeometry layerGeometry(const Document& document, LayerId layer) {
-    LayerGeometry plane;
-    addLayer(plane, document, document.layer(layer), isAnyElement);
-    plane.finish();
-    return plane;
+    FigureTable figures;
+    addLayer(figures, document, document.layer(layer), isAnyElement);
+    return LayerGeometry(std::move(figures));
 }
 
 LayerGeometry edgeGeometry(const Document& document) {
-    LayerGeometry plane;
+    FigureTable figures;
     if (document.profile.isValid()) {
-        plane.addOutlines(document, document.profile);
+        figures.addOutline(document.shapes, document.profile);
     }
-    plane.finish();
-    return plane;
+    return LayerGeometry(std::move(figures));
+}
+
+PairRequest requestByNets(const Document& document, const LayerGeometry& copper) {
+    const auto netOf = [&](std::uint32_t row) { return document.elements.net[copper.elementOf(row).row()]; };
+    PairRequest request;
+    request.isWanted = [netOf](std::uint32_t a, std::uint32_t b) { return netOf(a) != netOf(b); };
+    request.mayTouch = [netOf](std::uint32_t a, std::uint32_t b) { return netOf(a).isValid() && netOf(b).isValid(); };
+    request.groupOf = [netOf](std::uint32_t a, std::uint32_t b) {
+        const auto [low, high] = std::minmax({netOf(a), netOf(b)});
+        return bothOf(low.value, high.value);
+    };
+    return request;
 }
 
 std::vector<FigurePair> closestPairs(const LayerGeometry& a, const LayerGeometry& b, const PairRequest& request,

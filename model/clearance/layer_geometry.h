@@ -17,13 +17,8 @@ namespace model {
 class LayerGeometry {
 public:
     LayerGeometry() = default;
-
-    /// All figures of an element, see FigureTable.
-    void add(const Document& document, ElementId element) { m_figures.add(document, element); }
-    /// The outlines of a shape as lines without width.
-    void addOutlines(const Document& document, ShapeId shape);
-    /// After the last figure, before anything is searched for.
-    void finish();
+    explicit LayerGeometry(FigureTable figures)
+        : m_figures(std::move(figures)), m_index(std::make_shared<const BoxIndex>(m_figures.outerBoxes())) {}
 
     [[nodiscard]] std::size_t size() const { return m_figures.size(); }
     [[nodiscard]] const FigureTable& figures() const { return m_figures; }
@@ -58,17 +53,26 @@ struct FigurePair {
     Spacing spacing;
 };
 
+[[nodiscard]] inline bool isAnyPair(std::uint32_t, std::uint32_t) {
+    return true;
+}
+
+/// By rows of the first and of the second layer geometry.
 struct PairRequest {
     double reach = 0.0;  ///< spacings up to this, nm
     /// Does this pair count?
-    std::function<bool(std::uint32_t a, std::uint32_t b)> isWanted;
-    /// Of pairs with the same number the closest is the result.
-    std::function<std::uint64_t(std::uint32_t a, std::uint32_t b)> groupOf;
+    std::function<bool(std::uint32_t a, std::uint32_t b)> isWanted = isAnyPair;
     /// May a spacing of 0 be the result? Called for pairs that touch or overlap.
-    std::function<bool(std::uint32_t a, std::uint32_t b)> mayTouch;
+    std::function<bool(std::uint32_t a, std::uint32_t b)> mayTouch = isAnyPair;
+    /// Of pairs with the same number the closest is the result; nothing: one for each pair of elements.
+    std::function<std::uint64_t(std::uint32_t a, std::uint32_t b)> groupOf{};
     /// Only pairs whose smallest spacing has an end in here.
     std::optional<Box> within{};
 };
+
+/// For copper of one layer: a result for each pair of nets. Copper without a net that touches a net belongs to it.
+/// `document` and `copper` must outlive the request.
+[[nodiscard]] PairRequest requestByNets(const Document& document, const LayerGeometry& copper);
 
 /// The closest pair of every group, in rising order of width, then rows. With the same layer geometry twice every pair
 /// is visited once, the lower row first. Over all cores, the same with any number of threads; partial once `progress`

@@ -47,8 +47,6 @@ void addNear(const Document& document, LayerId layer, const Sides& sides, double
     const LayerGeometry others = copperGeometry(document, layer, [&](ElementId e) { return sides.isOther(e); });
     PairRequest request;
     request.reach = reach;
-    request.isWanted = [](std::uint32_t, std::uint32_t) { return true; };
-    request.mayTouch = request.isWanted;
     request.groupOf = [&](std::uint32_t other, std::uint32_t) { return others.elementOf(other).value; };
     for (const FigurePair& pair : closestPairs(others, targets, request, progress)) {
         found.push_back({others.elementOf(pair.a), layer, pair.spacing});

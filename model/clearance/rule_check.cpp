@@ -22,10 +22,6 @@ bool areConcentric(const Box& a, const Box& b) {
     return std::hypot(twice(a).x - twice(b).x, twice(a).y - twice(b).y) <= 2 * kConcentric;
 }
 
-std::uint64_t both(std::uint32_t a, std::uint32_t b) {
-    return std::uint64_t{a} << 32U | b;
-}
-
 /// Which rule holds between two nets.
 class ClassRules {
 public:
@@ -135,6 +131,15 @@ private:
         }
     }
 
+    /// Adds the closest pairs that break a rule.
+    void addPairs(std::size_t rule, LayerId layer, const LayerGeometry& a, const LayerGeometry& b,
+                  PairRequest request) {
+        request.reach = m_table.rules[rule].least;
+        for (const FigurePair& pair : closestPairs(a, b, request, m_progress)) {
+            add(rule, layer, a.elementOf(pair.a), b.elementOf(pair.b), pair.spacing);
+        }
+    }
+
     void checkCopper(LayerId layer) {
         const LayerGeometry copper = copperGeometry(m_document, layer);
         checkNets(layer, copper);
@@ -149,17 +154,11 @@ private:
 
     void checkNets(LayerId layer, const LayerGeometry& copper) {
         const auto net = [&](std::uint32_t row) { return netOf(copper.elementOf(row)); };
-        PairRequest request;
+        PairRequest request = requestByNets(m_document, copper);
         request.reach = m_classRules.reach();
         request.isWanted = [&](std::uint32_t a, std::uint32_t b) {
             return net(a) != net(b) && m_classRules.between(net(a), net(b));
         };
-        request.groupOf = [&](std::uint32_t a, std::uint32_t b) {
-            const auto [low, high] = std::minmax({net(a), net(b)});
-            return both(low.value, high.value);
-        };
-        // Copper without a net that touches a net belongs to it.
-        request.mayTouch = [&](std::uint32_t a, std::uint32_t b) { return net(a).isValid() && net(b).isValid(); };
         if (request.reach <= 0) {
             return;
         }
@@ -177,34 +176,18 @@ private:
         const LayerGeometry copper = layerGeometry(m_document, layer);
         const LayerGeometry holes = holeGeometry(m_document, layer);
         PairRequest request;
-        request.reach = m_table.rules[*rule].least;
         request.isWanted = [&](std::uint32_t a, std::uint32_t b) {
             const ElementId hole = holes.elementOf(b);
             const bool isPlated = isPlatedHole(m_document.elements.flags[hole.row()]);
             return !isPlated || netOf(copper.elementOf(a)) != netOf(hole);
         };
-        request.groupOf = [&](std::uint32_t a, std::uint32_t b) {
-            return both(copper.elementOf(a).value, holes.elementOf(b).value);
-        };
-        request.mayTouch = [](std::uint32_t, std::uint32_t) { return true; };
-        for (const FigurePair& pair : closestPairs(copper, holes, request, m_progress)) {
-            add(*rule, layer, copper.elementOf(pair.a), holes.elementOf(pair.b), pair.spacing);
-        }
+        addPairs(*rule, layer, copper, holes, request);
     }
 
     void checkToEdge(LayerId layer, const LayerGeometry& copper) {
         const auto rule = ruleOf(RuleKind::CopperToEdge);
-        if (!rule || !m_document.profile.isValid()) {
-            return;
-        }
-        const LayerGeometry edge = edgeGeometry(m_document);
-        PairRequest request;
-        request.reach = m_table.rules[*rule].least;
-        request.isWanted = [](std::uint32_t, std::uint32_t) { return true; };
-        request.mayTouch = request.isWanted;
-        request.groupOf = [&](std::uint32_t a, std::uint32_t) { return copper.elementOf(a).value; };
-        for (const FigurePair& pair : closestPairs(copper, edge, request, m_progress)) {
-            add(*rule, layer, copper.elementOf(pair.a), {}, pair.spacing);
+        if (rule && m_document.profile.isValid()) {
+            addPairs(*rule, layer, copper, edgeGeometry(m_document), {});
         }
     }
 
@@ -216,11 +199,7 @@ private:
         const LayerGeometry openings = layerGeometry(m_document, layer);
         PairRequest request;
         request.reach = m_table.rules[*rule].least;
-        request.isWanted = [](std::uint32_t, std::uint32_t) { return true; };
         request.mayTouch = [](std::uint32_t, std::uint32_t) { return false; };  // they are one opening
-        request.groupOf = [&](std::uint32_t a, std::uint32_t b) {
-            return both(openings.elementOf(a).value, openings.elementOf(b).value);
-        };
         for (const FigurePair& pair : closestPairs(openings, openings, request, m_progress)) {
             if (!isOpenBetween(openings, pair.spacing)) {
                 add(*rule, layer, openings.elementOf(pair.a), openings.elementOf(pair.b), pair.spacing);
@@ -247,22 +226,18 @@ private:
         if (!rule) {
             return;
         }
-        LayerGeometry holes;
+        FigureTable figures;
         for (const Layer& layer : m_document.layers) {
             for (std::uint32_t i = layer.elements.first; i < layer.elements.first + layer.elements.count; ++i) {
                 if ((m_document.elements.flags[i] & kHole) != 0) {
-                    holes.add(m_document, ElementId{i});
+                    figures.add(m_document, ElementId{i});
                 }
             }
         }
-        holes.finish();
+        const LayerGeometry holes(std::move(figures));
         PairRequest request;
         request.reach = m_table.rules[*rule].least;
         request.isWanted = [&](std::uint32_t a, std::uint32_t b) { return areApart(holes, a, b); };
-        request.mayTouch = [](std::uint32_t, std::uint32_t) { return true; };
-        request.groupOf = [&](std::uint32_t a, std::uint32_t b) {
-            return both(holes.elementOf(a).value, holes.elementOf(b).value);
-        };
         for (const FigurePair& pair : closestPairs(holes, holes, request, m_progress)) {
             const ElementId hole = holes.elementOf(pair.a);
             add(*rule, m_document.elements.layer[hole.row()], hole, holes.elementOf(pair.b), pair.spacing);

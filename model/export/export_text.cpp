@@ -29,8 +29,23 @@ std::string xmlText(const std::string& text) {
     return out;
 }
 
+std::string svgStart(double width, double height) {
+    return formatted(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"%.0f\" height=\"%.0f\" "
+        "font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"100%%\" height=\"100%%\" fill=\"#ffffff\"/>\n",
+        width, height);
+}
+
 std::string svgText(double x, double y, const std::string& text, const char* style) {
     return formatted("<text x=\"%.1f\" y=\"%.1f\"%s>", x, y, style) + xmlText(text) + "</text>\n";
+}
+
+std::string joined(std::span<const std::string> texts, const char* separator) {
+    std::string all;
+    for (const std::string& text : texts) {
+        all += (all.empty() ? "" : separator) + text;
+    }
+    return all;
 }
 
 std::string lengthText(base::Nm length) {

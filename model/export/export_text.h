@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdio>
+#include <span>
 #include <string>
 
 #include "model/base/units.h"
@@ -12,8 +13,12 @@ namespace model {
 [[nodiscard]] std::string xmlText(const std::string& text);
 /// A cell of a comma separated table (RFC 4180), in quotes where it needs them.
 [[nodiscard]] std::string csvField(const std::string& text);
+/// Begins a drawing of this size in pixels, on white; "</svg>" is to end it.
+[[nodiscard]] std::string svgStart(double width, double height);
 /// "<text>" of SVG; `style` is more attributes with a space before each.
 [[nodiscard]] std::string svgText(double x, double y, const std::string& text, const char* style = "");
+/// "a, b, c"
+[[nodiscard]] std::string joined(std::span<const std::string> texts, const char* separator = ", ");
 /// "35 µm" below a millimetre, "1.6 mm" from there.
 [[nodiscard]] std::string lengthText(base::Nm length);
 

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "model/export/export_text.h"
 
 namespace model {
 
@@ -74,16 +75,11 @@ void placeBores(const Document& document, StackupDrawing& out) {
 }
 
 std::string sizesText(const StackupBarrel& bore) {
-    char text[64];
     if (bore.most == 0) {
         return "";
     }
-    if (bore.least == bore.most) {
-        std::snprintf(text, sizeof text, " of %.4g mm", base::toMm(bore.most));
-    } else {
-        std::snprintf(text, sizeof text, " of %.4g to %.4g mm", base::toMm(bore.least), base::toMm(bore.most));
-    }
-    return text;
+    return bore.least == bore.most ? formatted(" of %.4g mm", base::toMm(bore.most))
+                                   : formatted(" of %.4g to %.4g mm", base::toMm(bore.least), base::toMm(bore.most));
 }
 
 }  // namespace
@@ -117,8 +113,9 @@ StackupDrawing drawStackup(const Document& document, const StackupLayout& layout
 }
 
 std::string boreText(const Document& document, const StackupBarrel& bore) {
-    return document.layer(bore.layer).name + ": " + toString(bore.span) + (bore.isPlated ? ", plated, " : ", non-plated, ") +
-           std::to_string(bore.count) + (bore.count == 1 ? " hole" : " holes") + sizesText(bore);
+    return document.layer(bore.layer).name + ": " + toString(bore.span) +
+           (bore.isPlated ? ", plated, " : ", non-plated, ") + std::to_string(bore.count) +
+           (bore.count == 1 ? " hole" : " holes") + sizesText(bore);
 }
 
 }  // namespace model

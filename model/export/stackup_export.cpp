@@ -86,10 +86,7 @@ std::string titleOf(const Document& document, const StackupDrawing& drawing) {
 std::string stackupSvg(const Document& document, bool isExaggerated) {
     const StackupDrawing drawing = drawStackup(document, {kHeight, kLine, isExaggerated});
     const double height = kTop + drawing.height + kLine * (static_cast<double>(drawing.bores.size()) + 2.0);
-    std::string out = formatted(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"%.0f\" height=\"%.0f\" "
-        "font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"100%%\" height=\"100%%\" fill=\"#ffffff\"/>\n",
-        kWidth, height);
+    std::string out = svgStart(kWidth, height);
     out += svgText(kMargin, kLine + 4, titleOf(document, drawing), " font-weight=\"bold\"");
     for (std::size_t i = 0; i < drawing.bands.size(); ++i) {
         out += svgBand(document.stackup.rows[i], drawing.bands[i]);

@@ -152,10 +152,6 @@ Spacing nearest(const Levels& levels, std::size_t level, std::size_t index, cons
     return best;
 }
 
-std::optional<Spacing> closer(const std::optional<Spacing>& a, const std::optional<Spacing>& b) {
-    return !a || (b && b->distance < a->distance) ? b : a;
-}
-
 }  // namespace
 
 bool isInside(const FigureTable& table, std::size_t row, PointD p) {
@@ -199,15 +195,12 @@ std::optional<Spacing> spacingBetween(const FigureTable& a, std::size_t rowA, co
     return edges;
 }
 
-std::optional<Spacing> spacingBetween(const Document& document, ElementId a, ElementId b, double limit) {
-    FigureTable figuresA;
-    FigureTable figuresB;
-    figuresA.add(document, a);
-    figuresB.add(document, b);
+std::optional<Spacing> spacingBetween(const FigureTable& a, const FigureTable& b, double limit) {
     std::optional<Spacing> best;
-    for (std::size_t i = 0; i < figuresA.size(); ++i) {
-        for (std::size_t j = 0; j < figuresB.size(); ++j) {
-            best = closer(best, spacingBetween(figuresA, i, figuresB, j, best ? best->distance : limit));
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const auto spacing = spacingBetween(a, i, b, j, best ? best->distance : limit);
+            best = spacing && (!best || spacing->distance < best->distance) ? spacing : best;
         }
     }
     return best;

@@ -18,9 +18,8 @@ inline constexpr double kTouchNm = 0.5;
                                                     std::size_t rowB,
                                                     double limit = std::numeric_limits<double>::infinity());
 
-/// The spacing between two elements, over all their pieces; nothing if one of them covers nothing or it is larger than
-/// `limit`. For many elements make the tables once and use the function above.
-[[nodiscard]] std::optional<Spacing> spacingBetween(const Document& document, ElementId a, ElementId b,
+/// The spacing between the figures of two tables; nothing if one of them is empty or it is larger than `limit`.
+[[nodiscard]] std::optional<Spacing> spacingBetween(const FigureTable& a, const FigureTable& b,
                                                     double limit = std::numeric_limits<double>::infinity());
 
 /// Is the point inside of a filled figure? Never for tracks.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/figures/tracks.h"
 #include "model/geometry/vectors.h"
 
 namespace model {
@@ -117,60 +118,35 @@ void addTrack(const PathNode& node, Point end, Nm width, const Discretisation& h
 }  // namespace
 
 PolygonSet discretise(const Document& document, ElementId element, const Discretisation& how) {
-    PolygonSet set;
     const std::uint32_t row = document.elements.geometry[element.row()];
-    switch (document.elements.kind[element.row()]) {
-        case ElementKind::Line: {
-            const LineGeometry& line = document.lines[row];
-            const bool isSquare = (document.elements.flags[element.row()] & kSquarePen) != 0;
-            addOutline(set, isSquare ? squarePenPoints(line) : capsulePoints(line.a, line.b, line.width, how));
-            break;
-        }
-        case ElementKind::Arc:
-            addArcTrack(document.arcs[row].node, document.arcs[row].end, document.arcs[row].width, how, set);
-            break;
-        case ElementKind::Circle: {
-            const CircleGeometry& circle = document.circles[row];
-            addOutline(set, circlePoints(circle.centre, circle.diameter, how));
-            const bool isHole = (document.elements.flags[element.row()] & kHole) != 0;
-            if (circle.innerDiameter > 0 && !isHole && !set.polygons.empty()) {
-                set.addLoop(circlePoints(circle.centre, circle.innerDiameter, how));
-            }
-            break;
-        }
-        case ElementKind::Trail: {
-            const std::span<const PathNode> nodes = document.nodesOf(document.trails[row]);
-            const std::span<const Nm> widths = document.widthsOf(document.trails[row]);
-            for (std::size_t i = 0; i < widths.size(); ++i) {
-                addTrack(nodes[i], nodes[i + 1].point, widths[i], how, set);
-            }
-            break;
-        }
-        case ElementKind::Area: {
-            const AreaGeometry& area = document.areas[row];
-            return discretise(document.shapes, area.shape, how, &area.placement);
-        }
+    const std::uint8_t flags = document.elements.flags[element.row()];
+    const ElementKind kind = document.elements.kind[element.row()];
+    if (kind == ElementKind::Area) {
+        const AreaGeometry& area = document.areas[row];
+        return discretise(document.shapes, area.shape, how, &area.placement);
+    }
+    PolygonSet set;
+    if ((flags & kSquarePen) != 0) {
+        addOutline(set, squarePenPoints(document.lines[row]));
+        return set;
+    }
+    forEachTrack(document, element,
+                 [&](const PathNode& node, Point end, Nm width, Nm) { addTrack(node, end, width, how, set); });
+    const bool isRing = kind == ElementKind::Circle && document.circles[row].innerDiameter > 0 && (flags & kHole) == 0;
+    if (isRing && !set.polygons.empty()) {
+        set.addLoop(circlePoints(document.circles[row].centre, document.circles[row].innerDiameter, how));
     }
     return set;
 }
 
 PolygonSet discretiseOpening(const Document& document, ElementId element, const Discretisation& how) {
     PolygonSet set;
-    const std::uint32_t row = document.elements.geometry[element.row()];
-    const bool isHole = (document.elements.flags[element.row()] & kHole) != 0;
-    const ElementKind kind = isHole ? document.elements.kind[element.row()] : ElementKind::Area;
-    if (kind == ElementKind::Circle && document.circles[row].innerDiameter > 0) {
-        addOutline(set, circlePoints(document.circles[row].centre, document.circles[row].innerDiameter, how));
-    } else if (kind == ElementKind::Line && document.lines[row].innerWidth > 0) {
-        const LineGeometry& line = document.lines[row];
-        addOutline(set, capsulePoints(line.a, line.b, line.innerWidth, how));
-    } else if (kind == ElementKind::Arc && document.arcs[row].innerWidth > 0) {
-        addArcTrack(document.arcs[row].node, document.arcs[row].end, document.arcs[row].innerWidth, how, set);
-    } else if (kind == ElementKind::Trail && document.trails[row].innerWidth > 0) {
-        const std::span<const PathNode> nodes = document.nodesOf(document.trails[row]);
-        for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
-            addTrack(nodes[i], nodes[i + 1].point, document.trails[row].innerWidth, how, set);
-        }
+    if ((document.elements.flags[element.row()] & kHole) != 0) {
+        forEachTrack(document, element, [&](const PathNode& node, Point end, Nm, Nm innerWidth) {
+            if (innerWidth > 0) {
+                addTrack(node, end, innerWidth, how, set);
+            }
+        });
     }
     return set;
 }

@@ -1,15 +1,12 @@
 #include "model/figures/figures.h"
 
 #include <algorithm>
-#include <array>
+
+#include "model/figures/tracks.h"
 
 namespace model {
 
 namespace {
-
-PathNode straightFrom(Point p) {
-    return {p, {}, EdgeKind::Line};
-}
 
 /// Spreads 32 bits to the even ones of 64.
 std::uint64_t spread(std::uint64_t bits) {
@@ -126,21 +123,19 @@ void FigureTable::add(const Document& document, ElementId element, const Placeme
 
 void FigureTable::addElement(const Document& document, ElementId element) {
     const std::uint32_t row = document.elements.geometry[element.row()];
-    const bool isHole = (document.elements.flags[element.row()] & kHole) != 0;
-    if (document.elements.kind[element.row()] == ElementKind::Area) {
+    const std::uint8_t flags = document.elements.flags[element.row()];
+    const ElementKind kind = document.elements.kind[element.row()];
+    if (kind == ElementKind::Area) {
         return addArea(document, element);
     }
     begin(element, false);
-    switch (document.elements.kind[element.row()]) {
-        case ElementKind::Line: addLine(document, element); break;
-        case ElementKind::Arc: {
-            const ArcGeometry& arc = document.arcs[row];
-            addTrack(edgeOf(arc.node, arc.end), arc.width);
-            break;
-        }
-        case ElementKind::Circle: addCircle(document.circles[row], isHole); break;
-        case ElementKind::Trail: addTrail(document, document.trails[row]); break;
-        case ElementKind::Area: break;
+    if ((flags & kSquarePen) != 0) {
+        addSquareTrack(document.lines[row]);
+    } else if (kind == ElementKind::Circle && document.circles[row].innerDiameter > 0 && (flags & kHole) == 0) {
+        addRing(document.circles[row]);
+    } else {
+        forEachTrack(document, element,
+                     [this](const PathNode& node, Point end, Nm width, Nm) { addTrack(edgeOf(node, end), width); });
     }
     finish();
 }
@@ -154,11 +149,7 @@ void FigureTable::addOutline(const ShapeTable& shapes, ShapeId shape) {
 }
 
 void FigureTable::addDisc(Point centre, double radius) {
-    begin({}, false);
-    Edge dot = edgeOf(straightFrom(centre), centre);
-    dot.pen = radius;
-    m_edges.push_back(dot);
-    finish();
+    addTrack(base::toDouble(centre), base::toDouble(centre), radius);
 }
 
 void FigureTable::addTrack(PointD a, PointD b, double radius) {
@@ -171,15 +162,10 @@ void FigureTable::addTrack(PointD a, PointD b, double radius) {
     finish();
 }
 
-void FigureTable::addLine(const Document& document, ElementId element) {
-    const LineGeometry& line = document.lines[document.elements.geometry[element.row()]];
-    if ((document.elements.flags[element.row()] & kSquarePen) != 0 && line.width > 0) {
-        return addSquareTrack(line);
-    }
-    addTrack(edgeOf(straightFrom(line.a), line.b), line.width);
-}
-
 void FigureTable::addSquareTrack(const LineGeometry& line) {
+    if (line.width <= 0) {
+        return;
+    }
     m_figures.back().isFilled = true;
     const std::vector<PointD> corners = sweptSquare(line);
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -190,25 +176,13 @@ void FigureTable::addSquareTrack(const LineGeometry& line) {
     }
 }
 
-void FigureTable::addCircle(const CircleGeometry& circle, bool isHole) {
-    const bool isRing = circle.innerDiameter > 0 && !isHole;
-    if (!isRing) {
-        return addTrack(edgeOf(straightFrom(circle.centre), circle.centre), circle.diameter);
-    }
-    // A ring is a track along the circle half way between its two edges.
+/// A track along the circle half way between the two edges of the ring.
+void FigureTable::addRing(const CircleGeometry& circle) {
     Edge middle;
     middle.centre = base::toDouble(circle.centre);
     middle.radius = (double{1} * circle.diameter + circle.innerDiameter) / 4;
     middle.a = middle.b = {middle.centre.x + middle.radius, middle.centre.y};
     addTrack(middle, (double{1} * circle.diameter - circle.innerDiameter) / 2);
-}
-
-void FigureTable::addTrail(const Document& document, const TrailGeometry& trail) {
-    const std::span<const PathNode> nodes = document.nodesOf(trail);
-    const std::span<const Nm> widths = document.widthsOf(trail);
-    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
-        addTrack(edgeOf(nodes[i], nodes[i + 1].point), widths[i]);
-    }
 }
 
 void FigureTable::addArea(const Document& document, ElementId element) {

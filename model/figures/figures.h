@@ -55,10 +55,8 @@ public:
 
 private:
     void addElement(const Document& document, ElementId element);
-    void addLine(const Document& document, ElementId element);
     void addSquareTrack(const LineGeometry& line);
-    void addCircle(const CircleGeometry& circle, bool isHole);
-    void addTrail(const Document& document, const TrailGeometry& trail);
+    void addRing(const CircleGeometry& circle);
     void addArea(const Document& document, ElementId element);
     void addContour(std::span<const PathNode> nodes, bool isHole, const Placement& placement);
     void addTrack(Edge edge, double width);

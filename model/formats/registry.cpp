@@ -25,16 +25,16 @@ base::Error badInput(const fs::path& path, const std::string& text) {
 
 // ---- the rows ----
 
-Certainty probeOdb(const BoardInput& input) {
-    return input.archive && odb::holdsJob(*input.archive) ? Certainty::Certain : Certainty::No;
+bool isOdb(const BoardInput& input) {
+    return input.archive && odb::holdsJob(*input.archive);
 }
 
 Board readOdb(const BoardInput& input, const ReadOptions& options, base::Progress& progress) {
     return odb::readJob(*input.archive, input.path, options, input.unpacking, progress, input.reading);
 }
 
-Certainty probePaper(const BoardInput& input) {
-    return paper::looksLikeModel(input.head) ? Certainty::Certain : Certainty::No;
+bool isPaper(const BoardInput& input) {
+    return paper::looksLikeModel(input.head);
 }
 
 Board readPaper(const BoardInput& input, const ReadOptions&, base::Progress& progress) {
@@ -49,10 +49,10 @@ Board readPaper(const BoardInput& input, const ReadOptions&, base::Progress& pro
 
 // ---- choosing one ----
 
-const BoardFormat* surest(const BoardInput& input) {
-    const auto best =
-        std::ranges::max_element(knownFormats(), {}, [&](const BoardFormat& format) { return format.probe(input); });
-    return best->probe(input) == Certainty::No ? nullptr : &*best;
+const BoardFormat* formatOf(const BoardInput& input) {
+    const std::span<const BoardFormat> formats = knownFormats();
+    const auto found = std::ranges::find_if(formats, [&](const BoardFormat& format) { return format.isOne(input); });
+    return found == formats.end() ? nullptr : &*found;
 }
 
 std::string readHead(const fs::path& path) {
@@ -90,7 +90,7 @@ Board readAsItIs(const fs::path& path, const ReadOptions& options, base::Progres
         return badInput(path, "there is no such file or folder");
     }
     BoardInput input{path, readHead(path), {}, {}, {}};
-    const BoardFormat* format = surest(input);
+    const BoardFormat* format = formatOf(input);
     if (format == nullptr) {
         progress.beginPhase("Unpacking the job");
         base::Result<formats::Archive> archive = formats::Archive::open(path, {}, progress, input.unpacking);
@@ -101,7 +101,7 @@ Board readAsItIs(const fs::path& path, const ReadOptions& options, base::Progres
         }
         if (archive) {
             input.archive = std::move(*archive);
-            format = surest(input);
+            format = formatOf(input);
         }
     }
     return format != nullptr ? format->read(input, options, progress) : unknown(input);
@@ -111,8 +111,8 @@ Board readAsItIs(const fs::path& path, const ReadOptions& options, base::Progres
 
 std::span<const BoardFormat> knownFormats() {
     static const std::array kFormats = {
-        BoardFormat{"ODB++ job", {".tgz", ".tar.gz", ".tar", ".zip"}, "an ODB++ matrix", probeOdb, readOdb},
-        BoardFormat{"model of the paper", {".txt"}, "", probePaper, readPaper},
+        BoardFormat{"ODB++ job", {".tgz", ".tar.gz", ".tar", ".zip"}, "an ODB++ matrix", isOdb, readOdb},
+        BoardFormat{"model of the paper", {".txt"}, "", isPaper, readPaper},
     };
     return kFormats;
 }

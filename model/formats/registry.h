@@ -30,14 +30,11 @@ struct BoardInput {
     base::Stopwatch reading;  ///< since the path was opened
 };
 
-/// How sure a format is that an input is one of its boards.
-enum class Certainty { No, Likely, Certain };
-
 struct BoardFormat {
     std::string_view name;                     ///< "ODB++ job"
     std::vector<std::string_view> extensions;  ///< ".tgz"; only hints: what a file is follows from its bytes
     std::string_view part;                     ///< what folders and archives of it hold, "an ODB++ matrix"; empty: none
-    Certainty (*probe)(const BoardInput& input);  ///< before and after unpacking; touches no file
+    bool (*isOne)(const BoardInput& input);    ///< is it one of its boards? Before and after unpacking; touches no file
     base::Result<std::shared_ptr<const Document>> (*read)(const BoardInput& input, const ReadOptions& options,
                                                           base::Progress& progress);
 };

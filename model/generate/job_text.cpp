@@ -1,7 +1,5 @@
 #include "model/generate/job_text.h"
 
-#include <numeric>
-
 namespace model::generate {
 
 namespace {
@@ -61,27 +59,21 @@ void writeSymbols(TextSink& out) {
 }
 
 void writeFeature(TextSink& out, const Feature& feature) {
-    const auto pen = static_cast<std::int64_t>(feature.pen);
-    switch (feature.kind) {
-        case Feature::Kind::Pad:
-            out << "P";
-            writePoint(out, feature.a);
-            out << " " << pen << " P 0 0\n";
-            return;
-        case Feature::Kind::Track:
-            out << "L";
-            writePoint(out, feature.a);
-            writePoint(out, feature.b);
-            out << " " << pen << " P 0\n";
-            return;
-        case Feature::Kind::Arc:
-            out << "A";
-            writePoint(out, feature.a);
-            writePoint(out, feature.b);
-            writePoint(out, feature.centre);
-            out << " " << pen << " P 0 Y\n";
-            return;
+    struct Record {
+        const char* letter;
+        const char* tail;
+    };
+    constexpr Record kRecords[] = {{"L", " P 0\n"}, {"A", " P 0 Y\n"}, {"P", " P 0 0\n"}};  // by Feature::Kind
+    const Record& record = kRecords[static_cast<std::size_t>(feature.kind)];
+    out << record.letter;
+    writePoint(out, feature.a);
+    if (feature.kind != Feature::Kind::Pad) {
+        writePoint(out, feature.b);
     }
+    if (feature.kind == Feature::Kind::Arc) {
+        writePoint(out, feature.centre);
+    }
+    out << " " << static_cast<std::int64_t>(feature.pen) << record.tail;
 }
 
 void writeBlocks(TextSink& out, const Layout& layout, BoardLayer plane, const base::Progress& progress) {
@@ -157,8 +149,8 @@ public:
         writePlaneNet("VCC", kPowerNet, BoardLayer::Power);
         forBlocks([&](const Block& block, std::uint64_t index) {
             for (BlockNet net = 0; net < block.netCount; ++net) {
-                m_out << "NET N" << static_cast<std::int64_t>(index) << "_" << std::int64_t{net} << "\n";
-                writeFeaturesOf(block, net);
+                m_out << "NET N" << static_cast<std::int64_t>(index) << "_" << std::int64_t{net} << "\nSNT TRC\n";
+                writeLinks(block, net);
             }
         });
     }
@@ -185,11 +177,6 @@ private:
         }
         m_out << "SNT VIA\n";
         forBlocks([&](const Block& block, std::uint64_t) { writeLinks(block, net); });
-    }
-
-    void writeFeaturesOf(const Block& block, BlockNet net) {
-        m_out << "SNT TRC\n";
-        writeLinks(block, net);
     }
 
     void writeLinks(const Block& block, BlockNet net) {

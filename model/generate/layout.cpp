@@ -10,6 +10,14 @@ namespace model::generate {
 
 namespace {
 
+constexpr PaperModel kModels[] = {
+    {"t1", {539, 0, 1395, 529, 823}, 3},           {"t2", {347, 132, 2457, 1126, 2964}, 3},
+    {"t3", {1455, 0, 14583, 1334, 2814}, 17},      {"t4", {1057, 0, 22505, 3140, 3740}, 26},
+    {"t5", {2401, 86, 33122, 2693, 5919}, 28},     {"t6", {7107, 332, 44168, 6542, 12601}, 25},
+    {"t7", {10801, 580, 92936, 3105, 6438}, 78},   {"t8", {28900, 0, 291660, 26680, 56280}, 15},
+    {"t9", {57800, 0, 583320, 53360, 112560}, 15},
+};
+
 constexpr std::int32_t kMarginUm = 2000;
 constexpr std::int32_t kPlaneInsetUm = 50;
 constexpr std::uint64_t kTileColumns = 8;  // blocks below one plane: 64 × 64 mm
@@ -38,6 +46,11 @@ std::uint64_t mixed(std::uint64_t seed, std::uint64_t index) {
 }
 
 }  // namespace
+
+const PaperModel* findPaperModel(std::string_view name) {
+    const auto found = std::ranges::find(kModels, name, &PaperModel::name);
+    return found == std::end(kModels) ? nullptr : found;
+}
 
 Layout::Layout(const Wanted& wanted) : m_wanted(wanted), m_blocks(blocksFor(wanted.counts)) {
     const double area = static_cast<double>(m_blocks) * BlockMaker::kWidthUm * BlockMaker::kHeightUm;

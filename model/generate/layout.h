@@ -1,13 +1,27 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
-#include "model/generate/paper_models.h"
-
-/// Where the elements of a made-up board lie. Arithmetic only: a block is worked out whenever it is requested, so that
-/// a board of millions of elements needs no memory.
+/// Boards made up to measure: the element counts of the paper's Table 3, laid out like a board and written as an ODB++
+/// job (job_writer.h). Here is where their elements lie. Arithmetic only: a block is worked out whenever it is
+/// requested, so that a board of millions of elements needs no memory.
 namespace model::generate {
+
+/// Elements by kind, in the order of model::ElementKind: line, arc, circle, trail, area.
+using Counts = std::array<std::uint64_t, 5>;
+
+/// A row of the paper's Table 3. `tracksPerTrail` is ours: with it, and with the paper's fixed segments, a generated
+/// board has about the number of triangles that Table 2 gives for the row.
+struct PaperModel {
+    std::string_view name;
+    Counts counts;
+    int tracksPerTrail = 0;
+};
+
+[[nodiscard]] const PaperModel* findPaperModel(std::string_view name);  ///< null if there is none
 
 /// Micrometres: the finest that the job's text needs three decimals of a millimetre for.
 struct PointUm {

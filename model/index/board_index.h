@@ -16,6 +16,8 @@ struct BoardIndex {
     StepTree tree;
     std::vector<BoxIndex> elements;  ///< per step of the tree; rows are ElementId
     std::vector<Box> extents;        ///< per step, of its own elements
+
+    [[nodiscard]] const Document& stepOf(std::uint32_t copy) const { return *tree.steps[tree.copies[copy].step]; }
 };
 
 /// Errors: Cancelled.

@@ -38,13 +38,9 @@ PointD along(PointD a, PointD b, double part) {
 double spacingTo(const FigureTable& figures, PointD a, PointD b, double reach) {
     FigureTable probe;
     probe.addTrack(a, b, 0.0);
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t row = 0; row < figures.size(); ++row) {
-        if (const auto spacing = spacingBetween(figures, row, probe, 0, std::min(least, std::max(reach, kTouchNm)))) {
-            least = std::min(least, spacing->distance);
-        }
-    }
-    return least <= kTouchNm ? 0.0 : least;
+    const auto spacing = spacingBetween(figures, probe, std::max(reach, kTouchNm));
+    const double distance = spacing ? spacing->distance : std::numeric_limits<double>::infinity();
+    return distance <= kTouchNm ? 0.0 : distance;
 }
 
 /// The part of the line from `a` to `b` after which the figures are first touched; they are somewhere on it.

@@ -5,14 +5,6 @@
 
 namespace model {
 
-namespace {
-
-bool holds(const Box& box, Point point) {
-    return point.x >= box.min.x && point.x <= box.max.x && point.y >= box.min.y && point.y <= box.max.y;
-}
-
-}  // namespace
-
 PinFinder::PinFinder(const Document& document) : m_document(&document), m_start(document.nets.size() + 2) {
     for (const Pin& pin : document.pins) {
         ++m_start[groupOf(pin.net) + 1];
@@ -50,7 +42,7 @@ std::vector<PinId> PinFinder::pinsOf(ElementId element) const {
     const Box box = m_document->boxOf(element);
     const std::size_t group = groupOf(elements.net[element.row()]);
     std::copy_if(m_pins.begin() + m_start[group], m_pins.begin() + m_start[group + 1], std::back_inserter(pins),
-                 [&](PinId pin) { return holds(box, m_document->pins[pin.row()].position); });
+                 [&](PinId pin) { return box.holds(m_document->pins[pin.row()].position); });
     return pins;
 }
 
@@ -106,7 +98,7 @@ std::vector<ElementId> PinFinder::elementsOf(std::uint32_t firstPin, std::uint32
 void PinFinder::addShared(const Pin& pin, std::vector<ElementId>& found) const {
     if (pin.net.isValid()) {
         std::ranges::copy_if(m_document->elementsOf(pin.net), std::back_inserter(found), [&](ElementId element) {
-            return mayHavePins(element) && holds(m_document->boxOf(element), pin.position);
+            return mayHavePins(element) && m_document->boxOf(element).holds(pin.position);
         });
     }
 }

@@ -55,7 +55,7 @@ Round rimOf(const Edge& edge, PointD location) {
 
 std::optional<Round> roundAt(const BoardIndex& index, FigureCache& figures, BoardElement element, PointD location,
                              double reach) {
-    const Document& step = *index.tree.steps[index.tree.copies[element.copy].step];
+    const Document& step = index.stepOf(element.copy);
     const bool isCircle = step.elements.kind[element.element.row()] == ElementKind::Circle;
     const auto edge =
         nearestEdge(index, figures, element, location, isCircle ? std::numeric_limits<double>::infinity() : reach);

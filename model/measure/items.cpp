@@ -8,32 +8,23 @@ namespace model {
 
 namespace {
 
-const Document& stepOf(const BoardIndex& index, std::uint32_t copy) {
-    return *index.tree.steps[index.tree.copies[copy].step];
-}
-
-/// Elements of one copy.
-std::vector<BoardElement> inCopy(std::uint32_t copy, std::span<const ElementId> elements) {
-    std::vector<BoardElement> all;
-    for (const ElementId element : elements) {
-        all.push_back({copy, element});
-    }
-    std::ranges::sort(all);
-    return all;
-}
-
 /// What touches others electrically.
 bool isConductor(const Document& step, ElementId element) {
     return step.layer(step.elements.layer[element.row()]).isCopper() ||
            isPlatedHole(step.elements.flags[element.row()]);
 }
 
-/// The conductors among elements of one copy.
+/// The conductors among elements of one copy, rising.
 std::vector<BoardElement> conductorsOf(const BoardIndex& index, std::uint32_t copy,
                                        std::span<const ElementId> elements) {
-    std::vector<BoardElement> all = inCopy(copy, elements);
-    std::erase_if(all, [&](BoardElement of) { return !isConductor(stepOf(index, copy), of.element); });
-    return all;
+    std::vector<BoardElement> conductors;
+    for (const ElementId element : elements) {
+        if (isConductor(index.stepOf(copy), element)) {
+            conductors.push_back({copy, element});
+        }
+    }
+    std::ranges::sort(conductors);
+    return conductors;
 }
 
 /// Is the layer at a height of its own, or just a drawing?
@@ -117,9 +108,9 @@ struct Namer {
         const LayerId layer = step.layerOfCopy(step.elements.layer[at.element.row()], copy.isFlipped);
         return "element " + std::to_string(at.element.value) + " (" + index.board->layer(layer).name + ")";
     }
-    std::string operator()(NetOfCopy at) const { return "net " + stepOf(index, at.copy).nets[at.net.row()].name; }
-    std::string operator()(PartOfCopy at) const { return stepOf(index, at.copy).components[at.component.row()].refdes; }
-    std::string operator()(PinOfCopy at) const { return pinName(stepOf(index, at.copy), at.pin); }
+    std::string operator()(NetOfCopy at) const { return "net " + index.stepOf(at.copy).nets[at.net.row()].name; }
+    std::string operator()(PartOfCopy at) const { return index.stepOf(at.copy).components[at.component.row()].refdes; }
+    std::string operator()(PinOfCopy at) const { return pinName(index.stepOf(at.copy), at.pin); }
     std::string operator()(BoardEdge) const { return "the board's edge"; }
     std::string operator()(const Location&) const { return "the location"; }
 };
@@ -130,13 +121,13 @@ struct Collector {
 
     std::vector<BoardElement> operator()(BoardElement at) const { return {at}; }
     std::vector<BoardElement> operator()(NetOfCopy at) const {
-        return conductorsOf(index, at.copy, stepOf(index, at.copy).elementsOf(at.net));
+        return conductorsOf(index, at.copy, index.stepOf(at.copy).elementsOf(at.net));
     }
     std::vector<BoardElement> operator()(PartOfCopy at) const {
-        return conductorsOf(index, at.copy, PinFinder(stepOf(index, at.copy)).elementsOf(at.component));
+        return conductorsOf(index, at.copy, PinFinder(index.stepOf(at.copy)).elementsOf(at.component));
     }
     std::vector<BoardElement> operator()(PinOfCopy at) const {
-        return conductorsOf(index, at.copy, PinFinder(stepOf(index, at.copy)).elementsOf(at.pin));
+        return conductorsOf(index, at.copy, PinFinder(index.stepOf(at.copy)).elementsOf(at.pin));
     }
     std::vector<BoardElement> operator()(BoardEdge) const { return {}; }
     std::vector<BoardElement> operator()(const Location&) const { return {}; }
@@ -182,7 +173,7 @@ std::optional<double> heightBetween(const Document& board, LayerId a, LayerId b)
 }
 
 NetId netOf(const BoardIndex& index, BoardElement at) {
-    return at.element.isValid() ? stepOf(index, at.copy).elements.net[at.element.row()] : NetId{};
+    return at.element.isValid() ? index.stepOf(at.copy).elements.net[at.element.row()] : NetId{};
 }
 
 std::string nameOf(const BoardIndex& index, const MeasureItem& item) {

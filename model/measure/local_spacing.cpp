@@ -10,19 +10,6 @@ namespace {
 
 constexpr double kFirstReach = 0.1e6;
 
-/// The closest place of two tables of figures; nothing if one is empty.
-std::optional<Spacing> between(const FigureTable& a, const FigureTable& b) {
-    std::optional<Spacing> best;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const auto spacing =
-                spacingBetween(a, i, b, j, best ? best->distance : std::numeric_limits<double>::infinity());
-            best = spacing && (!best || spacing->distance < best->distance) ? spacing : best;
-        }
-    }
-    return best;
-}
-
 bool isOneNet(const BoardIndex& index, BoardElement a, BoardElement b) {
     const NetId net = netOf(index, a);
     return a.copy == b.copy && net.isValid() && net == netOf(index, b);
@@ -41,13 +28,13 @@ std::optional<LocalSpacing> nearestSpacing(const BoardIndex& index, PointD locat
             continue;
         }
         const Pieces far = piecesOf(index, std::array{hit.at});
-        if (const auto apart = between(near.figures, far.figures); !apart || apart->distance <= kTouchNm) {
+        if (const auto apart = spacingBetween(near.figures, far.figures); !apart || apart->distance <= kTouchNm) {
             continue;
         }
         FigureTable end;
-        const PointD onFar = between(dot, far.figures)->to;
+        const PointD onFar = spacingBetween(dot, far.figures)->to;
         end.addTrack(onFar, onFar, 0.0);
-        return LocalSpacing{*between(end, near.figures), hit.at, hits[0].at, hit.layer};
+        return LocalSpacing{*spacingBetween(end, near.figures), hit.at, hits[0].at, hit.layer};
     }
     return std::nullopt;
 }

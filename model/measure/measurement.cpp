@@ -31,14 +31,6 @@ std::string partsOf(const MeasuredPath& path) {
     return parts + std::to_string(path.holeCount) + " holes " + mm(path.holeHeight);
 }
 
-std::string joined(const std::vector<std::string>& notes) {
-    std::string all;
-    for (const std::string& note : notes) {
-        all += (all.empty() ? "" : "; ") + note;
-    }
-    return all;
-}
-
 std::vector<std::string> cellsOf(const Measurement& m) {
     const bool isLength = m.path.has_value();
     const bool isAngle = m.kind == MeasurementKind::Angle;
@@ -64,7 +56,7 @@ std::vector<std::string> cellsOf(const Measurement& m) {
             m.corner ? mm(m.corner->x) : "",
             m.corner ? mm(m.corner->y) : "",
             isLength ? partsOf(*m.path) : "",
-            joined(m.notes)};
+            joined(m.notes, "; ")};
 }
 
 }  // namespace

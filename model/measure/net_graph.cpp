@@ -1,7 +1,6 @@
 #include "model/measure/net_graph.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "model/figures/distance.h"
 #include "model/geometry/vectors.h"
@@ -69,14 +68,11 @@ std::span<const std::uint32_t> NetGraph::sameArea(std::uint32_t node) const {
     return m_onPiece[m_nodes[node].piece];
 }
 
-const Document& NetGraph::stepOf(const Piece& piece) const {
-    return *m_index.tree.steps[m_index.tree.copies[piece.at.copy].step];
-}
-
 Carrier NetGraph::carrierOf(std::size_t row) const {
-    const Piece& piece = m_pieces.pieces[row];
-    const std::uint8_t flags = stepOf(piece).elements.flags[piece.at.element.row()];
-    const ElementKind kind = stepOf(piece).elements.kind[piece.at.element.row()];
+    const BoardElement at = m_pieces.pieces[row].at;
+    const ElementTable& elements = m_index.stepOf(at.copy).elements;
+    const std::uint8_t flags = elements.flags[at.element.row()];
+    const ElementKind kind = elements.kind[at.element.row()];
     if ((flags & (kPad | kHole)) != 0 || kind == ElementKind::Circle) {
         return Carrier::Hub;
     }

@@ -53,7 +53,6 @@ public:
     [[nodiscard]] const Piece& pieceOf(std::uint32_t node) const { return m_pieces.pieces[m_nodes[node].piece]; }
 
 private:
-    [[nodiscard]] const Document& stepOf(const Piece& piece) const;
     [[nodiscard]] Carrier carrierOf(std::size_t row) const;
 
     /// The middle of a pad or hole.

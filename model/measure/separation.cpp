@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "model/export/export_text.h"
 #include "model/figures/distance.h"
 #include "model/figures/overlap.h"
 #include "model/geometry/box_index.h"
@@ -164,14 +165,6 @@ private:
     double m_limit = kInfinity;
     std::vector<Meeting> m_meeting;
 };
-
-std::string joined(const std::vector<std::string>& names) {
-    std::string text;
-    for (const std::string& name : names) {
-        text += (text.empty() ? "" : ", ") + name;
-    }
-    return text;
-}
 
 /// Says why there is nothing to measure; empty if there is.
 std::string whyNothing(const BoardIndex& index, const MeasureItem& a, const std::vector<BoardElement>& inA,

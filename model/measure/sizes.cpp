@@ -1,10 +1,10 @@
 #include "model/measure/sizes.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
+#include "model/geometry/vectors.h"
 #include "model/statistics/element_sizes.h"
 
 namespace model {
@@ -39,7 +39,7 @@ bool isStraight(const Edge& edge) {
 }
 
 bool isTrack(const BoardIndex& index, BoardElement at) {
-    const ElementKind kind = index.tree.steps[index.tree.copies[at.copy].step]->elements.kind[at.element.row()];
+    const ElementKind kind = index.stepOf(at.copy).elements.kind[at.element.row()];
     return kind == ElementKind::Line || kind == ElementKind::Trail;
 }
 
@@ -90,11 +90,9 @@ std::optional<double> angleBetween(const BoardIndex& index, BoardElement a, Boar
     if (!isStraight(e) || !isStraight(f)) {
         return std::nullopt;
     }
-    const PointD u = {e.b.x - e.a.x, e.b.y - e.a.y};
-    const PointD v = {f.b.x - f.a.x, f.b.y - f.a.y};
-    const double cross = u.x * v.y - u.y * v.x;
-    const double dot = u.x * v.x + u.y * v.y;
-    return std::atan2(std::abs(cross), std::abs(dot)) * kDegreesPerRadian;
+    const PointD u = minus(e.b, e.a);
+    const PointD v = minus(f.b, f.a);
+    return std::atan2(std::abs(cross(u, v)), std::abs(dot(u, v))) * kDegreesPerRadian;
 }
 
 }  // namespace model

@@ -7,6 +7,7 @@
 
 #include "model/figures/distance.h"
 #include "model/geometry/vectors.h"
+#include "model/measure/items.h"
 
 namespace model {
 
@@ -22,49 +23,6 @@ struct NearEdge {
     Edge edge;
     BoardElement element;
     LayerId layer;
-};
-
-/// Weighs points against each other.
-class BestPoint {
-public:
-    BestPoint(const BoardIndex& index, PointD location, double reach, std::span<const PickLayer> layers,
-              bool isFromBelow)
-        : m_index(index), m_position(location), m_reach(reach), m_layers(layers), m_isFromBelow(isFromBelow) {
-        m_best.at = location;
-    }
-
-    void offer(SnapKind kind, PointD at, BoardElement element, LayerId layer) {
-        const SnapPoint point{kind, at, element, layer, distance(at, m_position)};
-        if (point.missedBy <= m_reach && (m_best.kind == SnapKind::Free || isBetter(point, m_best))) {
-            m_best = point;
-        }
-    }
-    [[nodiscard]] const SnapPoint& best() const { return m_best; }
-
-private:
-    [[nodiscard]] bool isBetter(const SnapPoint& a, const SnapPoint& b) const {
-        if (a.kind != b.kind) {
-            return a.kind < b.kind;
-        }
-        if (distance(a.at, b.at) > kSameLocationNm && a.missedBy != b.missedBy) {
-            return a.missedBy < b.missedBy;
-        }
-        const auto rank = [&](const SnapPoint& p) {
-            const PickLayer& layer = m_layers[p.layer.row()];
-            return std::tuple(!isNetted(p.element), m_isFromBelow ? layer.bottom : -layer.top, p.element);
-        };
-        return rank(a) < rank(b);
-    }
-    [[nodiscard]] bool isNetted(BoardElement at) const {
-        return m_index.tree.steps[m_index.tree.copies[at.copy].step]->elements.net[at.element.row()].isValid();
-    }
-
-    const BoardIndex& m_index;
-    PointD m_position;
-    double m_reach;
-    std::span<const PickLayer> m_layers;
-    bool m_isFromBelow;
-    SnapPoint m_best;
 };
 
 /// The centre of what people take for a dot: a disc, a hole, a pad of any shape.
@@ -85,21 +43,51 @@ std::optional<PointD> centreOf(const Document& step, ElementId element) {
     }
 }
 
-/// Visits everything near one location.
+/// Visits everything near one location and weighs the points that it offers.
 class Search {
 public:
-    Search(const BoardIndex& index, FigureCache& figures, BestPoint& best, PointD location, double reach,
-           std::span<const PickLayer> layers)
-        : m_index(index), m_figures(figures), m_best(best), m_position(location), m_reach(reach), m_layers(layers) {}
+    Search(const BoardIndex& index, FigureCache& figures, PointD location, double reach,
+           std::span<const PickLayer> layers, bool isFromBelow)
+        : m_index(index),
+          m_figures(figures),
+          m_position(location),
+          m_reach(reach),
+          m_layers(layers),
+          m_isFromBelow(isFromBelow) {
+        m_best.at = location;
+    }
 
-    void run() {
+    SnapPoint run() {
         for (std::uint32_t copy = 0; copy < m_index.tree.copies.size(); ++copy) {
             searchCopy(copy);
         }
         offerCrossings();
+        return m_best;
     }
 
 private:
+    void offer(SnapKind kind, PointD at, BoardElement element, LayerId layer) {
+        const SnapPoint point{kind, at, element, layer, distance(at, m_position)};
+        if (point.missedBy <= m_reach && (m_best.kind == SnapKind::Free || isBetter(point, m_best))) {
+            m_best = point;
+        }
+    }
+
+    [[nodiscard]] bool isBetter(const SnapPoint& a, const SnapPoint& b) const {
+        if (a.kind != b.kind) {
+            return a.kind < b.kind;
+        }
+        if (distance(a.at, b.at) > kSameLocationNm && a.missedBy != b.missedBy) {
+            return a.missedBy < b.missedBy;
+        }
+        const auto rank = [&](const SnapPoint& p) {
+            const PickLayer& layer = m_layers[p.layer.row()];
+            const bool hasNet = netOf(m_index, p.element).isValid();
+            return std::tuple(!hasNet, m_isFromBelow ? layer.bottom : -layer.top, p.element);
+        };
+        return rank(a) < rank(b);
+    }
+
     void searchCopy(std::uint32_t copy) {
         const StepCopy& how = m_index.tree.copies[copy];
         const Document& step = *m_index.tree.steps[how.step];
@@ -112,7 +100,7 @@ private:
             }
             const std::optional<PointD> centre = centreOf(step, element);
             if (centre) {
-                m_best.offer(SnapKind::Centre, how.placement.apply(*centre), {copy, element}, layer);
+                offer(SnapKind::Centre, how.placement.apply(*centre), {copy, element}, layer);
             }
             const FigureTable& figures = m_figures.of(m_index, how.step, element);
             for (std::size_t figure = 0; figure < figures.size(); ++figure) {
@@ -130,7 +118,7 @@ private:
         const PointD onMiddle = nearestOn(edge, m_position);
         const double beside = distance(onMiddle, m_position);
         if (edge.isArc()) {
-            m_best.offer(SnapKind::ArcCentre, edge.centre, element, layer);
+            offer(SnapKind::ArcCentre, edge.centre, element, layer);
         }
         if (beside > m_reach + edge.pen) {
             return;
@@ -140,11 +128,11 @@ private:
             return;
         }
         if (!edge.isFullCircle()) {
-            m_best.offer(SnapKind::End, edge.a, element, layer);
-            m_best.offer(SnapKind::End, edge.b, element, layer);
+            offer(SnapKind::End, edge.a, element, layer);
+            offer(SnapKind::End, edge.b, element, layer);
         }
         if (const double full = lengthOf(edge); full > 0 && !edge.isFullCircle()) {
-            m_best.offer(SnapKind::Middle, pointAt(edge, full / 2), element, layer);
+            offer(SnapKind::Middle, pointAt(edge, full / 2), element, layer);
         }
         if (beside <= m_reach && m_near.size() < kMostCrossing) {
             m_near.push_back(near);
@@ -159,7 +147,7 @@ private:
             rim = {onMiddle.x + (m_position.x - onMiddle.x) * part, onMiddle.y + (m_position.y - onMiddle.y) * part};
         }
         if (near.edge.pen == 0 || beside > 0) {
-            m_best.offer(SnapKind::Edge, rim, near.element, near.layer);
+            offer(SnapKind::Edge, rim, near.element, near.layer);
         }
     }
 
@@ -172,7 +160,7 @@ private:
                     continue;
                 }
                 for (const PointD at : crossingsOf(a.edge, b.edge)) {
-                    m_best.offer(SnapKind::Crossing, at, std::min(a.element, b.element), a.layer);
+                    offer(SnapKind::Crossing, at, std::min(a.element, b.element), a.layer);
                 }
             }
         }
@@ -180,10 +168,11 @@ private:
 
     const BoardIndex& m_index;
     FigureCache& m_figures;
-    BestPoint& m_best;
     PointD m_position;
     double m_reach;
     std::span<const PickLayer> m_layers;
+    bool m_isFromBelow;
+    SnapPoint m_best;
     std::vector<NearEdge> m_near;
 };
 
@@ -202,9 +191,7 @@ PointD straightened(PointD from, PointD location, double stepDeg) {
 }
 
 SnapPoint Snapper::at(PointD location, double reach, std::span<const PickLayer> layers, bool isFromBelow) {
-    BestPoint best(*m_index, location, reach, layers, isFromBelow);
-    Search(*m_index, m_figures, best, location, reach, layers).run();
-    return best.best();
+    return Search(*m_index, m_figures, location, reach, layers, isFromBelow).run();
 }
 
 }  // namespace model

@@ -1,9 +1,8 @@
 #include "model/nets/net_groups.h"
 
 #include <algorithm>
-#include <array>
+#include <charconv>
 #include <map>
-#include <numeric>
 #include <unordered_map>
 
 #include "model/nets/net_statistics.h"
@@ -26,6 +25,8 @@ constexpr std::uint32_t kRailPins = 4;     // names of several words are rails f
 constexpr std::uint32_t kManyPins = 16;    // a net with so many pins …
 constexpr std::uint64_t kPartOfPins = 10;  // … and this part of all is a supply, whatever its name
 constexpr std::size_t kMadeUpDigits = 4;   // "N1234" is no name that people give
+
+constexpr std::string_view kDigits = "0123456789";
 
 bool isDigit(char c) {
     return c >= '0' && c <= '9';
@@ -52,11 +53,7 @@ bool endsWith(std::string_view text, std::string_view end) {
 }
 
 std::size_t digitsFrom(std::string_view text, std::size_t at) {
-    const std::size_t first = at;
-    while (at < text.size() && isDigit(text[at])) {
-        ++at;
-    }
-    return at - first;
+    return std::min(text.find_first_not_of(kDigits, at), text.size()) - at;
 }
 
 /// The other sign of polarity that a letter or sign may be half of; 0 if none. M is minus only behind D ("DM").
@@ -96,19 +93,15 @@ public:
     }
     [[nodiscard]] bool has(std::size_t net) const { return m_groups.groupOf[net] != kNoGroup; }
 
+    /// The groups in the order of their names.
     [[nodiscard]] NetGroups finish() {
-        std::vector<std::uint32_t> order(m_groups.names.size());
-        std::iota(order.begin(), order.end(), 0U);
-        std::ranges::sort(order, [&](auto a, auto b) { return isNamedBefore(m_groups.names[a], m_groups.names[b]); });
-        NetGroups sorted;
-        std::vector<std::uint32_t> location(order.size());
-        for (std::uint32_t row = 0; row < order.size(); ++row) {
-            location[order[row]] = row;
-            sorted.names.push_back(std::move(m_groups.names[order[row]]));
+        const std::vector<std::uint32_t> ranks = ranksOf(m_groups.names);
+        NetGroups sorted{std::vector<std::string>(ranks.size()), std::move(m_groups.groupOf)};
+        for (std::size_t row = 0; row < ranks.size(); ++row) {
+            sorted.names[ranks[row]] = std::move(m_groups.names[row]);
         }
-        sorted.groupOf = std::move(m_groups.groupOf);
         for (std::uint32_t& group : sorted.groupOf) {
-            group = group == kNoGroup ? kNoGroup : location[group];
+            group = group == kNoGroup ? kNoGroup : ranks[group];
         }
         return sorted;
     }
@@ -210,12 +203,7 @@ void gatherBuses(const Document& document, Gatherer& out) {
 }
 
 void gatherSupplies(const Document& document, Gatherer& out) {
-    std::vector<std::uint32_t> pins(document.nets.size());
-    for (const Pin& pin : document.pins) {
-        if (pin.net.isValid()) {
-            ++pins[pin.net.row()];
-        }
-    }
+    const std::vector<std::uint32_t> pins = pinCounts(document);
     for (std::size_t net = 0; net < pins.size(); ++net) {
         const Supply supply = supplyOf(document.nets[net].name, pins[net]);
         if (supply != Supply::None) {
@@ -308,23 +296,14 @@ bool parseBusMember(std::string_view name, BusMember& out) {
     if (isMadeUp(name)) {
         return false;
     }
-    std::size_t end = name.size();
-    while (end > 0 && !isDigit(name[end - 1])) {
-        --end;
-    }
-    std::size_t first = end;
-    while (first > 0 && isDigit(name[first - 1])) {
-        --first;
-    }
-    if (first == end || first == 0 || end - first > kMostDigits) {
+    const std::size_t end = name.find_last_of(kDigits) + 1;  // 0 if there is none
+    const std::size_t first = end == 0 ? 0 : name.find_last_not_of(kDigits, end - 1) + 1;
+    if (first == 0 || end - first > kMostDigits) {
         return false;
     }
     out.before = name.substr(0, first);
     out.behind = name.substr(end);
-    out.number = 0;
-    for (const char digit : name.substr(first, end - first)) {
-        out.number = out.number * 10 + static_cast<std::uint32_t>(digit - '0');
-    }
+    std::from_chars(name.data() + first, name.data() + end, out.number);
     const std::string around{out.before.back(), out.behind.empty() ? '\0' : out.behind.front()};
     out.isIndexed = around == "[]" || around == "<>";
     return true;

@@ -74,18 +74,28 @@ void measure(const Document& document, NetId net, NetStatistics& out) {
     }
 }
 
-std::vector<std::uint32_t> ranksOfNames(const std::vector<Net>& nets) {
-    std::vector<std::uint32_t> order(nets.size());
+}  // namespace
+
+std::vector<std::uint32_t> pinCounts(const Document& document) {
+    std::vector<std::uint32_t> counts(document.nets.size());
+    for (const Pin& pin : document.pins) {
+        if (pin.net.isValid()) {
+            ++counts[pin.net.row()];
+        }
+    }
+    return counts;
+}
+
+std::vector<std::uint32_t> ranksOf(std::span<const std::string> names) {
+    std::vector<std::uint32_t> order(names.size());
     std::iota(order.begin(), order.end(), 0U);
-    std::ranges::stable_sort(order, [&](auto a, auto b) { return isNamedBefore(nets[a].name, nets[b].name); });
-    std::vector<std::uint32_t> ranks(nets.size());
+    std::ranges::stable_sort(order, [&](auto a, auto b) { return isNamedBefore(names[a], names[b]); });
+    std::vector<std::uint32_t> ranks(names.size());
     for (std::uint32_t rank = 0; rank < order.size(); ++rank) {
         ranks[order[rank]] = rank;
     }
     return ranks;
 }
-
-}  // namespace
 
 bool isNamedBefore(std::string_view a, std::string_view b) {
     const int order = compareNames(a, b);
@@ -96,15 +106,10 @@ base::Result<NetStatistics> measureNets(const Document& document, base::Progress
     progress.beginPhase("Measuring nets");
     const std::size_t count = document.nets.size();
     NetStatistics out;
-    out.pins.resize(count);
+    out.pins = pinCounts(document);
     out.vias.resize(count);
     out.lengthNm.resize(count);
     out.areaNm2.resize(count);
-    for (const Pin& pin : document.pins) {
-        if (pin.net.isValid()) {
-            ++out.pins[pin.net.row()];
-        }
-    }
     base::parallelFor((count + kPiece - 1) / kPiece, [&](std::size_t piece) {
         for (std::size_t row = piece * kPiece; row < std::min(count, (piece + 1) * kPiece); ++row) {
             if (!progress.isCancelled()) {
@@ -115,7 +120,9 @@ base::Result<NetStatistics> measureNets(const Document& document, base::Progress
     if (progress.isCancelled()) {
         return base::Error{base::ErrorCode::Cancelled, "Cancelled"};
     }
-    out.nameRank = ranksOfNames(document.nets);
+    std::vector<std::string> names;
+    std::ranges::transform(document.nets, std::back_inserter(names), &Net::name);
+    out.nameRank = ranksOf(names);
     return out;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -23,6 +25,12 @@ struct NetStatistics {
 
 /// Routed length of a net per copper layer, layers without any left out; nm.
 [[nodiscard]] std::vector<std::pair<LayerId, double>> routedLengths(const Document& document, NetId net);
+
+/// Pins of components by net.
+[[nodiscard]] std::vector<std::uint32_t> pinCounts(const Document& document);
+
+/// The place of each name among all in the order of isNamedBefore.
+[[nodiscard]] std::vector<std::uint32_t> ranksOf(std::span<const std::string> names);
 
 /// Whether `a` comes before `b`: case does not matter, runs of digits count as numbers; equal ones by their bytes.
 [[nodiscard]] bool isNamedBefore(std::string_view a, std::string_view b);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "model/figures/figures.h"
+#include "model/figures/tracks.h"
 
 namespace model {
 
@@ -111,7 +112,11 @@ bool isDot(const Edge& track) {
 
 /// The locations that a round pen covers. Its outline is made of pieces of the circles around its ends and of its two
 /// sides: between two of the locations where the line meets those, all is covered or nothing.
-void addTrack(const CutLine& line, const Edge& track, std::vector<Interval>& covered) {
+void addTrack(const CutLine& line, Edge track, double width, std::vector<Interval>& covered) {
+    if (width <= 0) {
+        return;
+    }
+    track.pen = width / 2;
     std::vector<double> breaks;
     addCircle(line, track.a, track.pen, breaks);
     addCircle(line, track.b, track.pen, breaks);
@@ -132,29 +137,16 @@ void addTrack(const CutLine& line, const Edge& track, std::vector<Interval>& cov
     }
 }
 
-/// A track drawn with the pens that make an element's outside and its inside.
-class PenCut {
-public:
-    explicit PenCut(const CutLine& line) : m_line(line) {}
-
-    void add(Edge middle, double width, double innerWidth) {
-        draw(middle, width, m_covered);
-        draw(middle, innerWidth, m_opening);
-    }
-    [[nodiscard]] ElementCut take() { return {united(std::move(m_covered)), united(std::move(m_opening))}; }
-
-private:
-    void draw(Edge middle, double width, std::vector<Interval>& covered) {
-        middle.pen = width / 2;
-        if (width > 0) {
-            addTrack(m_line, middle, covered);
-        }
-    }
-
-    const CutLine& m_line;
-    std::vector<Interval> m_covered;
-    std::vector<Interval> m_opening;
-};
+/// What round pens draw: with the outer ones the element's outside, with the inner ones its inside.
+ElementCut cutTracks(const Document& document, ElementId element, const CutLine& line) {
+    std::vector<Interval> covered;
+    std::vector<Interval> opening;
+    forEachTrack(document, element, [&](const PathNode& node, Point end, Nm width, Nm innerWidth) {
+        addTrack(line, edgeOf(node, end), width, covered);
+        addTrack(line, edgeOf(node, end), innerWidth, opening);
+    });
+    return {united(std::move(covered)), united(std::move(opening))};
+}
 
 ElementCut cutSquarePen(const Document& document, ElementId element, const CutLine& line) {
     FigureTable figures;
@@ -166,38 +158,6 @@ ElementCut cutSquarePen(const Document& document, ElementId element, const CutLi
         }
     }
     return {crossings.take(), {}};
-}
-
-ElementCut cutLineElement(const Document& document, ElementId element, const CutLine& line) {
-    const LineGeometry& track = document.lines[document.elements.geometry[element.row()]];
-    if ((document.elements.flags[element.row()] & kSquarePen) != 0 && track.width > 0) {
-        return cutSquarePen(document, element, line);
-    }
-    PenCut cut(line);
-    cut.add(edgeOf({track.a, {}, EdgeKind::Line}, track.b), track.width, track.innerWidth);
-    return cut.take();
-}
-
-ElementCut cutArc(const ArcGeometry& arc, const CutLine& line) {
-    PenCut cut(line);
-    cut.add(edgeOf(arc.node, arc.end), arc.width, arc.innerWidth);
-    return cut.take();
-}
-
-ElementCut cutCircle(const CircleGeometry& circle, const CutLine& line) {
-    PenCut cut(line);
-    cut.add(edgeOf({circle.centre, {}, EdgeKind::Line}, circle.centre), circle.diameter, circle.innerDiameter);
-    return cut.take();
-}
-
-ElementCut cutTrail(const Document& document, const TrailGeometry& trail, const CutLine& line) {
-    const std::span<const PathNode> nodes = document.nodesOf(trail);
-    const std::span<const Nm> widths = document.widthsOf(trail);
-    PenCut cut(line);
-    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
-        cut.add(edgeOf(nodes[i], nodes[i + 1].point), widths[i], trail.innerWidth);
-    }
-    return cut.take();
 }
 
 /// Islands, each without the holes behind it.
@@ -253,15 +213,11 @@ bool CutLine::meets(const Box& box) const {
 }
 
 ElementCut cutElement(const Document& document, ElementId element, const CutLine& line) {
-    const std::uint32_t row = document.elements.geometry[element.row()];
-    switch (document.elements.kind[element.row()]) {
-        case ElementKind::Line: return cutLineElement(document, element, line);
-        case ElementKind::Arc: return cutArc(document.arcs[row], line);
-        case ElementKind::Circle: return cutCircle(document.circles[row], line);
-        case ElementKind::Trail: return cutTrail(document, document.trails[row], line);
-        case ElementKind::Area: return cutArea(document, element, line);
+    if (document.elements.kind[element.row()] == ElementKind::Area) {
+        return cutArea(document, element, line);
     }
-    return {};
+    const bool isSquare = (document.elements.flags[element.row()] & kSquarePen) != 0;
+    return isSquare ? cutSquarePen(document, element, line) : cutTracks(document, element, line);
 }
 
 }  // namespace model

@@ -36,7 +36,7 @@ public:
     explicit Tracks(const Pieces& pieces, const BoardIndex& index) {
         for (std::size_t row = 0; row < pieces.pieces.size(); ++row) {
             const BoardElement at = pieces.pieces[row].at;
-            const Document& step = *index.tree.steps[index.tree.copies[at.copy].step];
+            const Document& step = index.stepOf(at.copy);
             const bool isDot = (step.elements.flags[at.element.row()] & (kPad | kHole)) != 0 ||
                                step.elements.kind[at.element.row()] == ElementKind::Circle;
             if (isDot || pieces.figures[row].isFilled) {

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "model/board/holes.h"
+#include "model/export/export_text.h"
 #include "model/section/line_cut.h"
 
 namespace model {
@@ -47,10 +48,6 @@ Box boxAround(PointD a, PointD b) {
     return box;
 }
 
-bool overlap(const Box& a, const Box& b) {
-    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
-}
-
 /// Keeps a far line's coordinates within those of boards.
 PointD clamped(PointD p) {
     return {std::clamp<double>(p.x, -base::kMaxCoordinate, base::kMaxCoordinate),
@@ -86,7 +83,7 @@ private:
         const PointD a = clamped(unplaced(leg.a, placed.how.placement));
         const PointD b = clamped(unplaced(leg.b, placed.how.placement));
         std::vector<std::uint32_t> rows;
-        if (!overlap(boxAround(a, b), m_index.extents[placed.how.step])) {
+        if (!boxAround(a, b).meets(m_index.extents[placed.how.step])) {
             return rows;
         }
         const Leg own{a, b, 0.0, 0.0};
@@ -243,14 +240,6 @@ std::vector<bool> layersWithSubstance(const Document& board) {
     return layers;
 }
 
-std::string listed(const std::vector<std::string>& names) {
-    std::string text;
-    for (const std::string& name : names) {
-        text += (text.empty() ? "" : ", ") + name;
-    }
-    return text;
-}
-
 /// Names of the cut layers that have a property.
 template <class Has>
 std::string cutLayers(const Document& board, const std::vector<SectionPiece>& pieces, Has has) {
@@ -264,7 +253,7 @@ std::string cutLayers(const Document& board, const std::vector<SectionPiece>& pi
             names.push_back(board.layers[row].name);
         }
     }
-    return listed(names);
+    return joined(names);
 }
 
 void addNotes(const Document& board, std::size_t wallless, Section& section) {

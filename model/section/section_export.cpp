@@ -146,10 +146,8 @@ std::string sectionSvg(const Document& board, const Section& section, const Sect
     const Scale scale = scaleFor(board, section, how.heightTimes);
     const double tall = std::max(scale.height(), kLine * static_cast<double>(board.stackup.rows.size()));
     const double below = kTop + tall + 2 * kLine;
-    std::string out = formatted(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"%.0f\" height=\"%.0f\" "
-        "font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"100%%\" height=\"100%%\" fill=\"#ffffff\"/>\n",
-        2 * kMargin + kWidth + kLabels, below + kLine * (static_cast<double>(section.notes.size()) + 2.0));
+    std::string out =
+        svgStart(2 * kMargin + kWidth + kLabels, below + kLine * (static_cast<double>(section.notes.size()) + 2.0));
     out += svgText(kMargin, kLine + 4, titleOf(board, section, scale), " font-weight=\"bold\"");
     out += svgPieces(board, section, how, scale) + svgStackup(board, scale) + svgCorners(section, scale);
     out += svgBar(scale, below);
@@ -167,7 +165,7 @@ std::string sectionCsv(const BoardIndex& index, const Section& section) {
 }
 
 std::string netOf(const BoardIndex& index, const SectionPiece& piece) {
-    const Document& step = *index.tree.steps[index.tree.copies[piece.at.copy].step];
+    const Document& step = index.stepOf(piece.at.copy);
     const NetId net = step.elements.net[piece.at.element.row()];
     return net.isValid() ? step.nets[net.row()].name : "";
 }

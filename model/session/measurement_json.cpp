@@ -30,11 +30,9 @@ MeasuredRun runFrom(const Json& json) {
 }
 
 Json toJson(const MeasuredPath& path) {
-    Json runs = Json::array();
-    for (const MeasuredRun& run : path.runs) {
-        runs.push_back(toJson(run));
-    }
-    return {{"runs", std::move(runs)}, {"holes", path.holeCount}, {"hole_height_nm", path.holeHeight}};
+    return {{"runs", listJson(path.runs, [](const MeasuredRun& run) { return toJson(run); })},
+            {"holes", path.holeCount},
+            {"hole_height_nm", path.holeHeight}};
 }
 
 MeasuredPath pathFrom(const Json& json) {

@@ -1,8 +1,9 @@
 #include "model/session/saved_nets.h"
 
 #include <charconv>
-#include <cstdio>
 #include <unordered_map>
+
+#include "model/export/export_text.h"
 
 namespace model::session {
 
@@ -35,9 +36,7 @@ std::optional<std::uint32_t> colourFrom(std::string_view text) {
 }
 
 std::string colourText(std::uint32_t colour) {
-    char text[8];
-    std::snprintf(text, sizeof text, "#%06x", colour & 0xffffffU);
-    return text;
+    return formatted("#%06x", colour & 0xffffffU);
 }
 
 }  // namespace model::session

@@ -1,15 +1,12 @@
 #include "model/session/saved_selection.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <tuple>
 
 namespace model::session {
 
 namespace {
-
-constexpr std::array<const char*, kElementKindCount> kWords{"line", "arc", "circle", "trail", "area"};
 
 LayerId layerOf(const Document& step, const StepCopy& copy, ElementId element) {
     return step.layerOfCopy(step.elements.layer[element.row()], copy.isFlipped);
@@ -98,13 +95,13 @@ FoundSelection findSelection(const StepTree& board, const SavedSelection& saved)
     return found;
 }
 
-const char* kindWord(ElementKind kind) {
-    return kWords[static_cast<std::size_t>(kind)];
-}
-
 std::optional<ElementKind> kindOf(const std::string& word) {
-    const auto* const at = std::ranges::find(kWords, word);
-    return at == kWords.end() ? std::nullopt : std::optional(static_cast<ElementKind>(at - kWords.begin()));
+    for (std::size_t row = 0; row < kElementKindCount; ++row) {
+        if (word == toString(static_cast<ElementKind>(row))) {
+            return static_cast<ElementKind>(row);
+        }
+    }
+    return std::nullopt;
 }
 
 }  // namespace model::session

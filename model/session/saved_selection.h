@@ -1,11 +1,9 @@
 #pragma once
 
-#include <compare>
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "model/board/copies.h"
@@ -52,8 +50,7 @@ struct FoundSelection {
 /// element of the board once.
 [[nodiscard]] FoundSelection findSelection(const StepTree& board, const SavedSelection& saved);
 
-/// "line", "arc", "circle", "trail", "area".
-[[nodiscard]] const char* kindWord(ElementKind kind);
+/// Of its name, as toString has it.
 [[nodiscard]] std::optional<ElementKind> kindOf(const std::string& word);
 
 }  // namespace model::session

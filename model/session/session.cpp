@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <optional>
@@ -213,7 +211,8 @@ base::Status savePart(const fs::path& board, const Document& document, const cha
 
 template <class List>
 base::Status saveList(const fs::path& board, const Document& document, const char* key, const List& list) {
-    return savePart(board, document, key, list.empty() ? Json() : listJson(list));
+    return savePart(board, document, key,
+                    list.empty() ? Json() : listJson(list, [](const auto& item) { return toJson(item); }));
 }
 
 }  // namespace

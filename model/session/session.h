@@ -11,7 +11,6 @@
 #include "model/board/document.h"
 #include "model/measure/measurement.h"
 #include "model/session/saved_nets.h"
-#include "model/session/saved_section.h"
 #include "model/session/saved_selection.h"
 
 /// What a user has set for a board, over what the job says. It lies in a file of its own beside the job, which is never
@@ -50,6 +49,16 @@ struct SavedView {
     /// Then it is a selection, and neither cameras nor layers count.
     std::optional<SavedSelection> selection{};
     bool operator==(const SavedView&) const = default;
+};
+
+/// The line of a section that the user saved. In a session file:
+///
+///     {"name": "Section 1", "step": "pcb", "line_nm": [[0, 0], [1000000, 0]]}
+struct SavedSection {
+    std::string name;
+    std::string step;                ///< the one it was drawn in
+    std::vector<base::PointD> line;  ///< two corners at least, nm of the board
+    bool operator==(const SavedSection&) const = default;
 };
 
 /// How a layer is drawn.

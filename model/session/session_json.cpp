@@ -1,6 +1,5 @@
 #include "model/session/session_json.h"
 
-#include <algorithm>
 #include <array>
 
 namespace model::session {
@@ -25,11 +24,7 @@ std::vector<base::PointD> lineFrom(const Json& json) {
 }
 
 Json lineJson(const std::vector<base::PointD>& line) {
-    Json json = Json::array();
-    for (const base::PointD corner : line) {
-        json.push_back(std::array{corner.x, corner.y});
-    }
-    return json;
+    return listJson(line, [](base::PointD corner) { return std::array{corner.x, corner.y}; });
 }
 
 namespace {
@@ -82,16 +77,12 @@ SavedSelection selectionFrom(const Json& json) {
 }
 
 Json toJson(const SavedSelection& selection) {
-    Json nets = Json::array();
-    for (const NetName& net : selection.nets) {
-        nets.push_back(Json::array({net.step, net.name}));
-    }
-    Json elements = Json::array();
-    for (const SavedElement& element : selection.elements) {
-        elements.push_back(Json::array({element.layer, kindWord(element.kind), element.box.min.x, element.box.min.y,
-                                        element.box.max.x, element.box.max.y}));
-    }
-    return {{"nets", nets}, {"elements", elements}};
+    const auto netJson = [](const NetName& net) { return Json::array({net.step, net.name}); };
+    const auto elementJson = [](const SavedElement& element) {
+        return Json::array({element.layer, toString(element.kind), element.box.min.x, element.box.min.y,
+                            element.box.max.x, element.box.max.y});
+    };
+    return {{"nets", listJson(selection.nets, netJson)}, {"elements", listJson(selection.elements, elementJson)}};
 }
 
 std::optional<std::uint32_t> colourAt(const Json& json) {
@@ -173,15 +164,11 @@ Desk deskFrom(const Json& json) {
 }
 
 Json toJson(const Desk& desk) {
-    Json layers = Json::array();
-    for (const LayerState& layer : desk.layers) {
-        layers.push_back(toJson(layer));
-    }
     return {{"step", desk.step},
             {"flat", toJson(desk.flat)},
             {"solid", toJson(desk.solid)},
             {"unit", desk.unit},
-            {"layers", layers}};
+            {"layers", listJson(desk.layers, [](const LayerState& layer) { return toJson(layer); })}};
 }
 
 SavedSection sectionFrom(const Json& json) {

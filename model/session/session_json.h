@@ -46,11 +46,12 @@ template <class Read>
     return list;
 }
 
-template <class List>
-[[nodiscard]] Json listJson(const List& list) {
+/// An array of what `write` makes of the items.
+template <class List, class Write>
+[[nodiscard]] Json listJson(const List& list, const Write& write) {
     Json json = Json::array();
     for (const auto& item : list) {
-        json.push_back(toJson(item));
+        json.push_back(write(item));
     }
     return json;
 }

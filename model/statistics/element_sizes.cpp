@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "model/base/parallel.h"
+#include "model/figures/tracks.h"
 #include "model/geometry/discretise.h"
 #include "model/geometry/edges.h"
 
@@ -29,22 +30,11 @@ double edgeLength(const PathNode& from, Point to) {
     return radius * std::abs(sweepOf(from, to));
 }
 
-double trailLength(const Document& document, const TrailGeometry& trail) {
-    const auto nodes = document.nodesOf(trail);
-    double length = 0.0;
-    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
-        length += edgeLength(nodes[i], nodes[i + 1].point);
-    }
-    return length;
-}
-
-double trailArea(const Document& document, const TrailGeometry& trail) {
-    const auto nodes = document.nodesOf(trail);
-    const auto widths = document.widthsOf(trail);
-    double area = kPi / 4.0 * square(trail.width);
-    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
-        area += edgeLength(nodes[i], nodes[i + 1].point) * widths[i];
-    }
+/// Its tracks, and a round end.
+double trailArea(const Document& document, ElementId trail) {
+    double area = kPi / 4.0 * square(document.trails[document.elements.geometry[trail.row()]].width);
+    forEachTrack(document, trail,
+                 [&](const PathNode& node, Point end, Nm width, Nm) { area += edgeLength(node, end) * width; });
     return area;
 }
 
@@ -81,13 +71,9 @@ double shapeArea(const ShapeTable& shapes, ShapeId shape) {
 }  // namespace
 
 double lengthOf(const Document& document, ElementId element) {
-    const std::uint32_t row = document.elements.geometry[element.row()];
-    switch (document.elements.kind[element.row()]) {
-        case ElementKind::Line: return edgeLength({document.lines[row].a, {}, EdgeKind::Line}, document.lines[row].b);
-        case ElementKind::Arc: return edgeLength(document.arcs[row].node, document.arcs[row].end);
-        case ElementKind::Trail: return trailLength(document, document.trails[row]);
-        default: return 0.0;
-    }
+    double length = 0.0;
+    forEachTrack(document, element, [&](const PathNode& node, Point end, Nm, Nm) { length += edgeLength(node, end); });
+    return length;
 }
 
 double areaOf(const Document& document, ElementId element) {
@@ -101,7 +87,7 @@ double areaOf(const Document& document, ElementId element) {
             const double inner = (flags & kHole) != 0 ? 0.0 : square(circle.innerDiameter);
             return kPi / 4.0 * (square(circle.diameter) - inner);
         }
-        case ElementKind::Trail: return trailArea(document, document.trails[row]);
+        case ElementKind::Trail: return trailArea(document, element);
         case ElementKind::Area: return shapeArea(document.shapes, document.areas[row].shape);
     }
     return 0.0;

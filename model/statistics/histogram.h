@@ -12,7 +12,6 @@ enum class Measure : std::uint8_t {
     HoleDiameter,  ///< as drilled, round holes
     AnnularRing    ///< of plated round holes: the smallest round pad of the same centre, less the hole, halved
 };
-inline constexpr std::size_t kMeasureCount = 3;
 
 struct HistogramBar {
     Nm least = 0;  ///< of its elements

@@ -12,7 +12,7 @@ set(architecture_rows
     "model/figures                 | model           | model/board model/geometry |"
     "model/index                   | model           | model/board model/figures model/geometry |"
     "model/solids                  | model           | model/board model/figures model/geometry |"
-    "model/statistics              | model           | model/board model/geometry |"
+    "model/statistics              | model           | model/board model/figures model/geometry |"
     "model/nets                    | model           | model/board model/figures model/geometry model/statistics |"
     "model/export                  | model           | model/board | json"
     "model/measure                 | model           | model/board model/export model/figures model/geometry model/index model/statistics |"

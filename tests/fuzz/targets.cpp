@@ -14,11 +14,11 @@
 #include "model/formats/odb/features/tools.h"
 #include "model/formats/odb/job_info.h"
 #include "model/formats/odb/odb_reader.h"
+#include "model/formats/odb/stackup/layer_facts.h"
 #include "model/formats/odb/stackup/matrix.h"
 #include "model/formats/odb/stackup/zones.h"
 #include "model/formats/odb/step/step_header.h"
 #include "model/formats/odb/symbols/standard_symbols.h"
-#include "model/formats/odb/text/attributes.h"
 #include "model/formats/odb/text/job_tree.h"
 #include "model/formats/paper/paper_reader.h"
 #include "tar.h"
@@ -103,7 +103,7 @@ void info(std::string_view input) {
 void attributes(std::string_view input) {
     Diagnostics diagnostics;
     const model::odb::AttributeList list(input, kFile, Unit::Inch, diagnostics);
-    static_cast<void>(list.number(".board_thickness", kFile, diagnostics));
+    static_cast<void>(list.number(".board_thickness"));
 }
 
 void features(std::string_view input) {

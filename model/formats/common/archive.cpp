@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
 #include <system_error>
 
 #include "model/formats/common/archive_stream.h"
@@ -37,15 +36,8 @@ bool isAbsolute(std::string_view name) {
     return name.starts_with('/') || (name.size() > 1 && name[1] == ':');
 }
 
-bool climbs(std::string_view name) {
-    for (std::size_t at = 0; at <= name.size();) {
-        const std::size_t end = std::min(name.find('/', at), name.size());
-        if (name.substr(at, end - at) == "..") {
-            return true;
-        }
-        at = end + 1;
-    }
-    return false;
+bool climbs(const fs::path& name) {
+    return std::ranges::find(name, fs::path("..")) != name.end();
 }
 
 /// Why an entry must not be taken, or nothing.
@@ -188,10 +180,6 @@ void Archive::add(Entry entry, Diagnostics& diagnostics) {
 int Archive::find(std::string_view path) const {
     const auto location = m_rows.find(lowerCase(path));
     return location == m_rows.end() ? -1 : location->second;
-}
-
-std::uint64_t Archive::storedSize(int row) const {
-    return m_entries[static_cast<std::size_t>(row)].size;
 }
 
 base::Result<Bytes> Archive::bytes(int row) const {

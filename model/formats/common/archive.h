@@ -58,7 +58,7 @@ public:
     /// The path as the archive writes it.
     [[nodiscard]] const std::string& path(int row) const { return m_entries[static_cast<std::size_t>(row)].path; }
     /// Size of the stored bytes.
-    [[nodiscard]] std::uint64_t storedSize(int row) const;
+    [[nodiscard]] std::uint64_t storedSize(int row) const { return m_entries[static_cast<std::size_t>(row)].size; }
     /// The stored bytes, not yet decoded; they may point into the archive. Errors: BadInput when a file of a folder
     /// cannot be read.
     [[nodiscard]] base::Result<Bytes> bytes(int row) const;

@@ -2,6 +2,7 @@
 
 #include <archive_entry.h>
 
+#include <algorithm>
 #include <array>
 
 namespace model::formats {
@@ -91,11 +92,7 @@ std::uint64_t ArchiveStream::position() const {
 
 base::Result<Bytes> decodeMember(Bytes bytes, std::uint64_t limit) {
     constexpr std::array<std::string_view, 3> kMagics = {"\x1f\x9d", "\x1f\x8b", "PK\x03\x04"};
-    bool isPacked = false;
-    for (const std::string_view magic : kMagics) {
-        isPacked = isPacked || bytes.view().starts_with(magic);
-    }
-    if (!isPacked) {
+    if (std::ranges::none_of(kMagics, [&](std::string_view magic) { return bytes.view().starts_with(magic); })) {
         return bytes;
     }
     ArchiveStream stream(bytes.view(), ArchiveStream::Formats::Member);

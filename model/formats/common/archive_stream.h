@@ -24,7 +24,6 @@ public:
     ArchiveStream(const std::filesystem::path& path, Formats formats);
     ArchiveStream(std::string_view bytes, Formats formats);
 
-    [[nodiscard]] bool isOpen() const { return m_isOpen; }
     /// Moves to the next entry. False at the end or on an error; `failed` says which.
     [[nodiscard]] bool next();
     [[nodiscard]] bool failed() const { return m_failed; }

@@ -1,10 +1,10 @@
 #include "model/formats/common/back_drills.h"
 
-#include <cmath>
+#include <algorithm>
 #include <map>
-#include <optional>
 
 #include "model/geometry/box_index.h"
+#include "model/geometry/vectors.h"
 
 namespace model::formats {
 
@@ -47,22 +47,14 @@ public:
     }
 
 private:
-    /// Centre and diameter as drilled, of round holes.
-    struct Round {
-        Point centre;
-        double diameter = 0.0;
-    };
-
     [[nodiscard]] const Layer& layerOf(ElementId element) const {
         return m_document.layer(m_document.elements.layer[element.row()]);
     }
 
-    [[nodiscard]] std::optional<Round> roundOf(ElementId element) const {
-        if (m_document.elements.kind[element.row()] != ElementKind::Circle) {
-            return std::nullopt;
-        }
-        const CircleGeometry& circle = m_document.circles[m_document.elements.geometry[element.row()]];
-        return Round{circle.centre, static_cast<double>(circle.diameter)};
+    /// nullptr if it is not round.
+    [[nodiscard]] const CircleGeometry* roundOf(ElementId element) const {
+        const bool isRound = m_document.elements.kind[element.row()] == ElementKind::Circle;
+        return isRound ? &m_document.circles[m_document.elements.geometry[element.row()]] : nullptr;
     }
 
     void cutAround(ElementId drill, const BoxIndex& index) {
@@ -78,15 +70,14 @@ private:
         if (!span.top.isValid() || span.bottom < over.spanTop || over.spanBottom < span.top) {
             return;
         }
-        const std::optional<Round> inner = roundOf(hole);
-        const std::optional<Round> outer = roundOf(drill);
-        const double away = inner && outer ? std::hypot(double(inner->centre.x) - outer->centre.x,
-                                                        double(inner->centre.y) - outer->centre.y)
-                                           : 0.0;
-        if (inner && outer && away >= (inner->diameter + outer->diameter) / 2.0) {
+        const CircleGeometry* inner = roundOf(hole);
+        const CircleGeometry* outer = roundOf(drill);
+        const bool areRound = inner != nullptr && outer != nullptr;
+        const double away = areRound ? distance(base::toDouble(inner->centre), base::toDouble(outer->centre)) : 0.0;
+        if (areRound && away >= inner->diameter / 2.0 + outer->diameter / 2.0) {
             return;  // beside it
         }
-        if (!inner || !outer || away + inner->diameter / 2.0 > outer->diameter / 2.0 + kTolerance) {
+        if (!areRound || away + inner->diameter / 2.0 > outer->diameter / 2.0 + kTolerance) {
             return report(Severity::Warning,
                           "a back-drill does not cover the plated hole it meets, which stays as it is", drill);
         }

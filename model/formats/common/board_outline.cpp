@@ -2,6 +2,8 @@
 
 #include <numeric>
 
+#include "model/figures/element_polygons.h"
+#include "model/geometry/boolean.h"
 #include "model/geometry/outlines.h"
 
 namespace model::formats {
@@ -44,6 +46,35 @@ void forEachCopper(const Document& document, Visit visit) {
     }
 }
 
+/// What copies of one step take away, in that step's coordinates.
+PolygonSet takenBy(const Document& step, const Discretisation& how) {
+    if (step.profile.isValid()) {
+        return discretise(step.shapes, step.profile, how);
+    }
+    PolygonSet taken;
+    for (std::size_t row = 0; row < step.elements.size(); ++row) {
+        if ((step.elements.flags[row] & kHole) != 0) {
+            taken.append(discretise(step, ElementId{row}, how));
+        }
+    }
+    return taken;
+}
+
+PolygonSet takenByCopies(const Document& document, const Discretisation& how) {
+    std::vector<PolygonSet> ofStep;
+    for (const auto& step : document.steps) {
+        ofStep.push_back(takenBy(*step, how));
+        if (!step->profile.isValid()) {
+            ofStep.back().append(takenByCopies(*step, how));
+        }
+    }
+    PolygonSet taken;
+    for (const StepInstance& instance : document.instances) {
+        taken.append(placed(ofStep[instance.step], instance.placement));
+    }
+    return taken;
+}
+
 }  // namespace
 
 bool fitsCopper(const ShapeSketch& outline, const Document& soFar) {
@@ -66,6 +97,10 @@ std::optional<ShapeSketch> outlineOfCopper(const Document& soFar) {
     ShapeSketch sketch;
     addBox(sketch, box);
     return sketch;
+}
+
+PolygonSet withoutCopies(const Document& document, const PolygonSet& region, const Discretisation& how) {
+    return document.instances.empty() ? region : subtract(region, takenByCopies(document, how));
 }
 
 }  // namespace model::formats

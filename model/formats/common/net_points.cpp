@@ -151,8 +151,8 @@ private:
     }
 
     [[nodiscard]] std::span<const NetId> netsOf(const NetlistPoint& point) const {
-        return point.net >= 0 && static_cast<std::size_t>(point.net) < m_nets.size()
-                   ? m_nets[static_cast<std::size_t>(point.net)]
+        return point.number >= 0 && static_cast<std::size_t>(point.number) < m_nets.size()
+                   ? m_nets[static_cast<std::size_t>(point.number)]
                    : std::span<const NetId>{};
     }
 
@@ -233,19 +233,12 @@ private:
     }
 
     NetPoint pointFrom(const NetlistPoint& from, Point shift) {
-        NetPoint point;
-        const bool isNamed = from.net >= 0 && static_cast<std::size_t>(from.net) < m_netlist.names.size();
-        point.name = m_builder.string(isNamed ? m_netlist.names[static_cast<std::size_t>(from.net)] : "");
+        NetPoint point = from;
+        const bool isNamed = from.number >= 0 && static_cast<std::size_t>(from.number) < m_netlist.names.size();
+        point.name = m_builder.string(isNamed ? m_netlist.names[static_cast<std::size_t>(from.number)] : "");
         point.position = moved(from.position, shift);
         point.net = netAt(from, point.position);
-        point.radius = from.radius;
-        point.width = from.width;
-        point.height = from.height;
         point.netlist = m_file.kind;
-        point.side = from.side;
-        point.exposure = from.exposure;
-        point.isEnd = from.isEnd;
-        point.isVia = from.isVia;
         return point;
     }
 

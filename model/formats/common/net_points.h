@@ -9,17 +9,9 @@
 
 namespace model::formats {
 
-/// A point of a netlist, in the netlist's own coordinates.
-struct NetlistPoint {
-    std::int32_t net = -1;  ///< row of Netlist::names
-    Point position;
-    Nm radius = 0;  ///< of the hole or pad; 0: `width` × `height`
-    Nm width = 0;
-    Nm height = 0;
-    LayerSide side = LayerSide::None;
-    bool isEnd = true;  ///< an end of its net, not a point in between
-    Exposure exposure = Exposure::NotSaid;
-    bool isVia = false;
+/// A point of a netlist, in the netlist's own coordinates. Its name, net and netlist are settled by addNetPoints.
+struct NetlistPoint : NetPoint {
+    std::int32_t number = -1;  ///< row of Netlist::names
     std::uint32_t line = 0;
 };
 

@@ -4,18 +4,38 @@
 #include <vector>
 
 #include "model/board/document_builder.h"
-#include "model/formats/common/plane_nets.h"
 #include "model/geometry/discretise.h"
 
 namespace model::formats {
 
-/// Paint order: later features lie over earlier ones, and a negative one takes away what is below it. So what remains of a positive element is its region minus all negative elements after it. `negatives` has
-/// one entry per element of the document.
+/// Paint order: later features lie over earlier ones, and a negative one takes away what is below it. So what remains
+/// of a positive element is its region minus all negative elements after it. `negatives` has one entry per element of
+/// the document.
 
 /// Copies the positive elements of `painted` to the builder's current layer. Those that no later negative touches stay
 /// as they are; what is left of the others becomes a painted Area with the same net, symbol and feature, straight-edged
 /// within 1 µm; its sources are that feature and the negative ones over its box.
 void addPainted(DocumentBuilder& builder, const Document& painted, std::span<const std::uint8_t> negatives);
+
+/// Jobs name nets for features only, and those of a negative layer are what is not copper; so a piece of it has the net
+/// of what touches it.
+
+/// A location that belongs to a net. The copper around it has that net.
+struct NetVote {
+    Point location;
+    NetId net;
+};
+
+/// The votes on a layer: middles of plated holes that pass it, and of its own pads. A hole that is kept clear, and the
+/// pad that keeps it so, lie outside of all copper and do not count; a thermal pad leaves copper in its middle.
+[[nodiscard]] std::vector<NetVote> votesOn(const Document& document, LayerId layer, const Document& ownFeatures);
+
+/// The net of each polygon and how clear it is.
+struct PieceNet {
+    NetId net;                   ///< that of most votes inside, the first one of equals; none without votes
+    bool hasOtherVotes = false;  ///< votes for other nets lie inside too
+};
+[[nodiscard]] std::vector<PieceNet> netsOf(const PolygonSet& pieces, std::span<const NetVote> votes);
 
 /// How the pieces of a negative layer got their nets.
 struct InverseSummary {

@@ -8,7 +8,6 @@
 #include "model/base/parallel.h"
 #include "model/formats/common/back_drills.h"
 #include "model/formats/common/board_outline.h"
-#include "model/formats/common/copy_outlines.h"
 #include "model/formats/common/hole_rules.h"
 #include "model/formats/common/net_points.h"
 #include "model/formats/common/painting.h"

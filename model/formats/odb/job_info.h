@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "model/board/diagnostics.h"
-#include "model/formats/odb/text/lengths.h"
+#include "model/formats/odb/text/records.h"
 
 namespace model::odb {
 

@@ -100,15 +100,13 @@ void LayerTable::reportEmptyLayers() {
 }
 
 bool LayerTable::isRepeatedName(std::size_t row) const {
-    for (std::size_t i = 0; i < row; ++i) {
-        if (equalsIgnoringCase(m_matrix.layers[i].name, m_matrix.layers[row].name)) {
-            diagnostics().report(
-                Severity::Info, "matrix/matrix", m_matrix.layers[row].line,
-                "layer " + m_matrix.layers[row].name + " is listed twice; its features are in the first one");
-            return true;
-        }
+    const bool isRepeated = m_matrix.rowOf(m_matrix.layers[row].name) < row;
+    if (isRepeated) {
+        diagnostics().report(
+            Severity::Info, "matrix/matrix", m_matrix.layers[row].line,
+            "layer " + m_matrix.layers[row].name + " is listed twice; its features are in the first one");
     }
-    return false;
+    return isRepeated;
 }
 
 /// Copper layers of the board from the top.

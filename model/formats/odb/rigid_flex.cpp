@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <map>
 
-#include "model/formats/common/zone_outlines.h"
 #include "model/formats/odb/features/features.h"
 #include "model/formats/odb/text/records.h"
+#include "model/geometry/boolean.h"
 #include "model/geometry/region.h"
 
 namespace model::odb {
@@ -14,12 +14,6 @@ namespace {
 
 std::size_t rowOfNumber(const Matrix& matrix, std::int64_t number) {
     const auto found = std::ranges::find(matrix.layers, number, &MatrixLayer::row);
-    return static_cast<std::size_t>(found - matrix.layers.begin());
-}
-
-std::size_t rowOfName(const Matrix& matrix, std::string_view name) {
-    const auto found = std::ranges::find_if(
-        matrix.layers, [name](const MatrixLayer& layer) { return equalsIgnoringCase(layer.name, name); });
     return static_cast<std::size_t>(found - matrix.layers.begin());
 }
 
@@ -56,6 +50,46 @@ std::string outlineKey(const StepData& step, const ZoneRows& zones, const Matrix
     }
     return isPhysical(matrix.layers[row]) ? zonesWith(step.zones.value, zones, row) : "";
 }
+
+/// Where layers exist by the zones of a document (Document::zones), which must all be there before.
+class ZoneOutlines {
+public:
+    explicit ZoneOutlines(DocumentBuilder& builder) : m_builder(builder) {}
+
+    /// What the zones that have the layer cover together; zones that share an edge become one region. None if all or
+    /// none of the zones with an outline have it: it is bounded by none of them.
+    [[nodiscard]] ShapeId of(LayerId layer) {
+        std::vector<ShapeId> shapes;
+        bool isMixed = false;
+        for (const Zone& zone : m_builder.soFar().zones) {
+            if (zone.shape.isValid() && zone.has(layer)) {
+                shapes.push_back(zone.shape);
+            }
+            isMixed = isMixed || (zone.shape.isValid() && !zone.has(layer));
+        }
+        if (!isMixed || shapes.empty()) {
+            return {};
+        }
+        const auto [location, isNew] = m_unions.try_emplace(shapes);
+        if (isNew) {
+            location->second = shapes.size() == 1 ? shapes.front() : united(shapes);
+        }
+        return location->second;
+    }
+
+private:
+    [[nodiscard]] ShapeId united(const std::vector<ShapeId>& shapes) {
+        PolygonSet all;
+        for (const ShapeId shape : shapes) {
+            all.append(discretise(m_builder.shapes(), shape, kBooleanChords));
+        }
+        const ShapeSketch sketch = sketchOf(unite(all));
+        return sketch.isEmpty() ? ShapeId{} : m_builder.addShape(sketch);
+    }
+
+    DocumentBuilder& m_builder;
+    std::map<std::vector<ShapeId>, ShapeId> m_unions;  ///< by the shapes that are united
+};
 
 /// Gives the layers of one step their outlines.
 class OutlineMaker {
@@ -145,7 +179,7 @@ private:
     const StepData& m_step;
     const ZoneFile& m_file;
     ZoneRows m_zones;
-    formats::ZoneOutlines m_outlines;
+    ZoneOutlines m_outlines;
 };
 
 }  // namespace
@@ -159,7 +193,7 @@ ZoneRows rowsOfZones(const ZoneFile& file, const Matrix& matrix) {
             const auto number = parseInteger(word);
             result.hasNumbers = result.hasNumbers || number.has_value();
             const std::int64_t shifted = std::int64_t{number.value_or(0)} + (result.countsFromZero ? 1 : 0);
-            const std::size_t row = number ? rowOfNumber(matrix, shifted) : rowOfName(matrix, word);
+            const std::size_t row = number ? rowOfNumber(matrix, shifted) : matrix.rowOf(word);
             row < matrix.layers.size() ? rows.push_back(row) : result.unknown.push_back(zone.line);
         }
         std::ranges::sort(rows);

@@ -12,12 +12,12 @@ namespace {
 /// Records of the bill of materials that some writers append.
 constexpr std::string_view kBillOfMaterials[] = {"CPN", "PKG", "IPN", "DSC", "VPL_VND", "VPL_MPN", "VND", "MPN"};
 
-std::optional<PlacedComponent> componentOf(std::string_view line, std::uint32_t number, std::int64_t nm) {
+std::optional<PlacedComponent> componentOf(std::string_view line, const FileCursor& at) {
     Fields fields(line);
     PlacedComponent component;
-    component.line = number;
+    component.line = at.line;
     component.package = fields.integer();
-    component.position = fields.point(nm);
+    component.position = fields.point(at.nm);
     component.clockwiseDeg = fields.real();
     const std::string_view mirror = fields.word();
     component.isMirrored = mirror == "M" || mirror == "Y";
@@ -42,21 +42,17 @@ std::optional<PlacedPin> pinOf(std::string_view line, std::int64_t nm) {
 class ComponentsParser {
 public:
     ComponentsParser(std::string_view path, Unit unit, const AttributeTypes& types, Diagnostics& diagnostics)
-        : m_path(path), m_nm(coordinateNm(unit)), m_types(types), m_diagnostics(diagnostics) {}
+        : m_at{path, diagnostics, coordinateNm(unit)}, m_types(types) {}
 
     std::vector<PlacedComponent> parse(std::string_view text) {
-        LineReader lines(text);
-        while (lines.next()) {
-            m_line = lines.number();
-            record(lines.line());
-        }
+        m_at.forEachLine(text, [this](std::string_view line) { record(line); });
         return std::move(m_components);
     }
 
 private:
     void record(std::string_view line) {
         if (m_properties.record(line, m_isInComponent ? m_components.back().properties : m_nobodys) ||
-            m_attributes.record(line) || readUnit(line, m_nm) || line.starts_with("ID=")) {
+            m_attributes.record(line) || readUnit(line, m_at.nm) || line.starts_with("ID=")) {
             return;
         }
         const std::string_view word = line.substr(0, line.find_first_of(" \t;="));
@@ -66,23 +62,23 @@ private:
         } else if (word == "TOP") {
             pin(rest);
         } else if (std::ranges::find(kBillOfMaterials, word) != std::end(kBillOfMaterials)) {
-            report(Severity::Info, "the bill of materials is not read");
+            m_at.report(Severity::Info, "the bill of materials is not read");
         } else {
-            report(Severity::Warning, "a record of an unknown kind was left out");
+            m_at.report(Severity::Warning, "a record of an unknown kind was left out");
         }
     }
 
     void component(std::string_view line) {
-        std::optional<PlacedComponent> component = componentOf(line, m_line, m_nm);
+        std::optional<PlacedComponent> component = componentOf(line, m_at);
         m_isInComponent = component.has_value();
         if (!component) {
-            return report(Severity::Error, "the CMP record is unreadable; the component is missing");
+            return m_at.report(Severity::Error, "the CMP record is unreadable; the component is missing");
         }
-        component->properties = m_attributes.resolve(Fields(line).tail(), m_types, m_path, m_line, m_diagnostics);
+        component->properties = m_attributes.resolve(Fields(line).tail(), m_types, m_at);
         const auto height = std::ranges::find(component->properties, ".comp_height", &TextProperty::name);
         if (height != component->properties.end()) {
             const std::optional<double> value = parseReal(height->value);
-            component->height = value ? toLength(*value, m_nm).value_or(0) : 0;
+            component->height = value ? toLength(*value, m_at.nm).value_or(0) : 0;
         }
         m_components.push_back(std::move(*component));
     }
@@ -91,25 +87,20 @@ private:
         if (!m_isInComponent) {
             return;  // its component was reported
         }
-        std::optional<PlacedPin> pin = pinOf(line, m_nm);
+        std::optional<PlacedPin> pin = pinOf(line, m_at.nm);
         if (!pin) {
-            return report(Severity::Warning, "the TOP record is unreadable; the pin is missing");
+            return m_at.report(Severity::Warning, "the TOP record is unreadable; the pin is missing");
         }
         m_components.back().pins.push_back(std::move(*pin));
     }
 
-    void report(Severity severity, std::string_view text) { m_diagnostics.report(severity, m_path, m_line, text); }
-
-    std::string_view m_path;
-    std::int64_t m_nm;
+    FileCursor m_at;
     const AttributeTypes& m_types;
-    Diagnostics& m_diagnostics;
     RecordAttributes m_attributes;
     PropertyReader m_properties;
     std::vector<PlacedComponent> m_components;
     std::vector<TextProperty> m_nobodys;
     bool m_isInComponent = false;
-    std::uint32_t m_line = 0;
 };
 
 }  // namespace

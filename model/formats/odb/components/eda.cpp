@@ -59,20 +59,11 @@ class EdaParser {
 public:
     EdaParser(std::string_view path, Unit unit, const std::vector<std::string>& layerNames, const AttributeTypes& types,
               Diagnostics& diagnostics)
-        : m_path(path),
-          m_nm(coordinateNm(unit)),
-          m_layerNames(layerNames),
-          m_types(types),
-          m_diagnostics(diagnostics),
-          m_outlines(path, diagnostics) {}
+        : m_at{path, diagnostics, coordinateNm(unit)}, m_layerNames(layerNames), m_types(types), m_outlines(m_at) {}
 
     EdaData parse(std::string_view text) {
         readNamesInComments(text);
-        LineReader lines(text);
-        while (lines.next()) {
-            m_line = lines.number();
-            record(lines.line());
-        }
+        m_at.forEachLine(text, [this](std::string_view line) { record(line); });
         closeSubnet();
         return std::move(m_data);
     }
@@ -80,14 +71,6 @@ public:
 private:
     /// What the records that follow belong to.
     enum class Part { None, Net, Package, Pin, Group };
-
-    using Handler = void (EdaParser::*)(std::string_view line);
-    struct Kind {
-        std::string_view word;
-        Handler handler;
-    };
-    static constexpr std::size_t kKinds = 8;
-    static const Kind kTable[kKinds];
 
     /// Most writers put the attribute names of eda/data behind a `#`.
     void readNamesInComments(std::string_view text) {
@@ -104,15 +87,21 @@ private:
         if (m_properties.record(line, propertiesHere())) {
             return m_part == Part::None ? warn("a property that belongs to nothing was left out") : void();
         }
-        if (m_attributes.record(line) || readUnit(line, m_nm)) {
+        if (m_attributes.record(line) || readUnit(line, m_at.nm)) {
             return;
         }
         const std::string_view word = line.substr(0, line.find_first_of(" \t;"));
-        const auto* kind = std::ranges::find(kTable, word, &Kind::word);
-        if (kind != std::end(kTable)) {
-            return (this->*kind->handler)(line.substr(word.size()));
+        using Handler = void (EdaParser::*)(std::string_view);
+        static constexpr std::pair<std::string_view, Handler> kHandlers[] = {
+            {"FID", &EdaParser::feature}, {"SNT", &EdaParser::subnet},  {"NET", &EdaParser::net},
+            {"PIN", &EdaParser::pin},     {"PKG", &EdaParser::package}, {"FGR", &EdaParser::group},
+            {"LYR", &EdaParser::layers},  {"HDR", &EdaParser::header}};
+        for (const auto& [kind, handler] : kHandlers) {
+            if (word == kind) {
+                return (this->*handler)(line.substr(word.size()));
+            }
         }
-        if (!m_outlines.record(line, m_line, m_nm, outlineHere()) && !line.starts_with("ID=")) {
+        if (!m_outlines.record(line, outlineHere()) && !line.starts_with("ID=")) {
             warn("a record of an unknown kind was left out");
         }
     }
@@ -135,10 +124,10 @@ private:
     }
 
     std::vector<TextProperty> attributesOf(std::string_view line) {
-        return m_attributes.resolve(Fields(line).tail(), m_types, m_path, m_line, m_diagnostics);
+        return m_attributes.resolve(Fields(line).tail(), m_types, m_at);
     }
 
-    void warn(std::string_view text) { m_diagnostics.report(Severity::Warning, m_path, m_line, text); }
+    void warn(std::string_view text) { m_at.report(Severity::Warning, text); }
 
     void header(std::string_view line) { m_data.generator = toUtf8(trimmed(line)); }
 
@@ -168,7 +157,7 @@ private:
             subnet.kind = SubnetKind::Plane;
             subnet.planeFill = fillOf(fields.word());
             subnet.planeCutout = cutoutOf(fields.word());
-            subnet.planeCutoutSize = fields.atEnd() ? 0 : fields.length(m_nm);
+            subnet.planeCutoutSize = fields.atEnd() ? 0 : fields.length(m_at.nm);
         } else if (kind == "VIA" || kind == "TRC") {
             subnet.kind = kind == "VIA" ? SubnetKind::Via : SubnetKind::Trace;
         }
@@ -207,7 +196,7 @@ private:
         if (m_part == Part::Net && !m_hasSubnet) {
             openSubnet({});
         }
-        m_data.features.push_back({static_cast<std::uint32_t>(layer), static_cast<std::uint32_t>(number), m_line});
+        m_data.features.push_back({static_cast<std::uint32_t>(layer), static_cast<std::uint32_t>(number), m_at.line});
         if (m_part == Part::Group) {
             ++m_data.groups.back().featureCount;
         }
@@ -227,9 +216,9 @@ private:
         package.name = toUtf8(fields.optionalWord());
         package.properties = attributesOf(line);
         if (!fields.atEnd()) {
-            package.pitch = toLength(fields.real(), m_nm).value_or(0);  // Altium writes 99.999 for "none"
-            package.box.include(fields.point(m_nm));
-            package.box.include(fields.point(m_nm));
+            package.pitch = toLength(fields.real(), m_at.nm).value_or(0);  // Altium writes 99.999 for "none"
+            package.box.include(fields.point(m_at.nm));
+            package.box.include(fields.point(m_at.nm));
         }
         if (fields.failed()) {
             warn("the size of a package cannot be read");
@@ -247,7 +236,7 @@ private:
         EdaPin pin;
         pin.name = toUtf8(fields.optionalWord());
         pin.kind = pinKindOf(fields.optionalWord());
-        pin.position = fields.point(m_nm);
+        pin.position = fields.point(m_at.nm);
         if (fields.failed()) {
             warn("the position of a package's pin cannot be read");
             pin.position = {};
@@ -256,23 +245,15 @@ private:
     }
 
     EdaData m_data;
-    std::string_view m_path;
-    std::int64_t m_nm;
+    FileCursor m_at;
     const std::vector<std::string>& m_layerNames;
     const AttributeTypes& m_types;
-    Diagnostics& m_diagnostics;
     PackageOutlines m_outlines;
     RecordAttributes m_attributes;
     PropertyReader m_properties;
     std::vector<TextProperty> m_nobodys;
     Part m_part = Part::None;
     bool m_hasSubnet = false;
-    std::uint32_t m_line = 0;
-};
-
-const EdaParser::Kind EdaParser::kTable[kKinds] = {
-    {"FID", &EdaParser::feature}, {"SNT", &EdaParser::subnet}, {"NET", &EdaParser::net},    {"PIN", &EdaParser::pin},
-    {"PKG", &EdaParser::package}, {"FGR", &EdaParser::group},  {"LYR", &EdaParser::layers}, {"HDR", &EdaParser::header},
 };
 
 }  // namespace

@@ -7,8 +7,8 @@
 
 #include "model/board/diagnostics.h"
 #include "model/board/document.h"
-#include "model/formats/odb/text/lengths.h"
 #include "model/formats/odb/text/record_attributes.h"
+#include "model/formats/odb/text/records.h"
 
 namespace model::odb {
 

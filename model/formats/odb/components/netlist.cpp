@@ -28,11 +28,10 @@ std::optional<formats::NetlistPoint> pointOf(std::string_view line, std::uint32_
     Fields fields(line);
     formats::NetlistPoint point;
     point.line = number;
-    point.net = fields.integer();
+    point.number = fields.integer();
     point.radius = fields.length(nm);
     point.position = fields.point(nm);
-    const std::string_view side = fields.word();
-    point.side = sideOf(side);
+    point.side = sideOf(fields.word());
     // A pad has a size instead of a radius; a via whose radius was rounded to 0 (KiCad) has neither.
     const bool hasSize = parseReal(Fields(fields).optionalWord()).has_value();
     if (point.radius == 0 && hasSize) {

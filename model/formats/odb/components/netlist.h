@@ -4,7 +4,7 @@
 
 #include "model/board/diagnostics.h"
 #include "model/formats/common/net_points.h"
-#include "model/formats/odb/text/lengths.h"
+#include "model/formats/odb/text/records.h"
 
 namespace model::odb {
 

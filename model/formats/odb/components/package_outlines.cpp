@@ -22,54 +22,48 @@ bool isPolygonRecord(std::string_view kind) {
 
 }  // namespace
 
-void PackageOutlines::report(std::uint32_t number, std::string_view text) {
-    m_diagnostics.report(Severity::Warning, m_path, number, text);
-}
-
-bool PackageOutlines::record(std::string_view line, std::uint32_t number, std::int64_t nmPerUnit, ShapeSketch* into) {
+bool PackageOutlines::record(std::string_view line, ShapeSketch* into) {
     const std::string_view kind = line.substr(0, line.find_first_of(" \t;"));
     const bool isSimple = kind == "RC" || kind == "CR" || kind == "SQ";
     if (!isSimple && !isPolygonRecord(kind)) {
         return false;
     }
     if (into == nullptr) {
-        report(number, "an outline that belongs to no package was left out");
+        m_at.report(Severity::Warning, "an outline that belongs to no package was left out");
     } else if (isSimple) {
-        simple(kind, Fields(line.substr(kind.size())), number, nmPerUnit, *into);
+        simple(kind, Fields(line.substr(kind.size())), *into);
     } else {
-        polygon(kind, line, number, nmPerUnit, *into);
+        polygon(kind, line, *into);
     }
     return true;
 }
 
 /// Islands and their holes lie between CT and CE; a polygon outside of them is an island of its own.
-void PackageOutlines::polygon(std::string_view kind, std::string_view line, std::uint32_t number,
-                              std::int64_t nmPerUnit, ShapeSketch& into) {
+void PackageOutlines::polygon(std::string_view kind, std::string_view line, ShapeSketch& into) {
     if (kind == "CT" || (kind == "OB" && !m_isInContour)) {
         m_contour = {};
-        m_parser.beginSurface(number);
+        m_parser.beginSurface();
         m_isInContour = kind == "CT";
     }
     if (kind[0] == 'O') {
-        m_parser.record(line, number, nmPerUnit);
+        m_parser.record(line);
     }
     if (kind == "CE" ? m_isInContour : kind == "OE" && !m_isInContour) {
-        endContour(number, into);
+        endContour(into);
         m_isInContour = false;
     }
 }
 
-void PackageOutlines::simple(std::string_view kind, Fields fields, std::uint32_t number, std::int64_t nmPerUnit,
-                             ShapeSketch& into) {
-    const Point at = fields.point(nmPerUnit);
-    const std::int64_t width = fields.length(nmPerUnit);
-    const std::int64_t height = kind == "RC" ? fields.length(nmPerUnit) : width;
+void PackageOutlines::simple(std::string_view kind, Fields fields, ShapeSketch& into) {
+    const Point at = fields.point(m_at.nm);
+    const std::int64_t width = fields.length(m_at.nm);
+    const std::int64_t height = kind == "RC" ? fields.length(m_at.nm) : width;
     const std::int64_t x = at.x;
     const std::int64_t y = at.y;
     const bool isCorner = kind == "RC";
     const bool fits = isInRange(x + width) && isInRange(y + height) && isInRange(x - width) && isInRange(y - height);
     if (fields.failed() || !fits || width <= 0 || height <= 0) {
-        return report(number, "an outline that cannot be read or has no size was left out");
+        return m_at.report(Severity::Warning, "an outline that cannot be read or has no size was left out");
     }
     if (kind == "CR") {
         into.addCircle(at, static_cast<Nm>(width), false);
@@ -78,8 +72,8 @@ void PackageOutlines::simple(std::string_view kind, Fields fields, std::uint32_t
     }
 }
 
-void PackageOutlines::endContour(std::uint32_t number, ShapeSketch& into) {
-    const std::uint32_t row = m_parser.endSurface(number);
+void PackageOutlines::endContour(ShapeSketch& into) {
+    const std::uint32_t row = m_parser.endSurface();
     for (const Contour& contour : m_contour.contoursOf(ShapeId{row})) {
         into.beginContour(contour.isHole && !into.isEmpty());
         for (const PathNode& node : m_contour.nodesOf(contour)) {

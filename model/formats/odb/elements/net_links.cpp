@@ -1,17 +1,11 @@
 #include "model/formats/odb/elements/net_links.h"
 
-#include "model/formats/odb/text/records.h"
-
 namespace model::odb {
 
 std::vector<std::size_t> matrixRows(const Matrix& matrix, const EdaData& eda) {
     std::vector<std::size_t> rows;
     for (const std::string& name : eda.layers) {
-        std::size_t row = 0;
-        while (row < matrix.layers.size() && !equalsIgnoringCase(matrix.layers[row].name, name)) {
-            ++row;
-        }
-        rows.push_back(row);
+        rows.push_back(matrix.rowOf(name));
     }
     return rows;
 }

@@ -12,21 +12,49 @@ namespace {
 /// Numbers in `$n` and `@n` lines may skip, but a table of a million is no table.
 constexpr std::int32_t kMaxTableNumber = 1'000'000;
 
+/// What follows the orientation; `font` has been read before it. Fails like any other field.
+TextRecord readText(Fields& fields, std::int64_t nmPerUnit, std::string_view font) {
+    TextRecord record;
+    record.font = toUtf8(font);
+    record.line.xSize = fields.length(nmPerUnit);
+    record.line.ySize = fields.length(nmPerUnit);
+    record.line.widthFactor = fields.real();
+    record.line.text = toUtf8(fields.quoted());
+    return record;
+}
+
+BarcodeRecord readBarcode(Fields& fields, std::int64_t nmPerUnit, std::string_view code, std::string_view font) {
+    const auto flag = [&fields] {
+        const std::string_view letter = fields.word();
+        return letter == "Y" || letter == "y";
+    };
+    BarcodeRecord record;
+    record.code = toUtf8(code);
+    record.font = toUtf8(font);
+    fields.word();  // E, a constant
+    record.elementWidth = fields.length(nmPerUnit);
+    record.height = fields.length(nmPerUnit);
+    record.isFullAscii = flag();
+    record.hasChecksum = flag();
+    record.isInverted = flag();
+    record.hasString = flag();
+    const std::string_view location = fields.word();
+    record.isStringAbove = location == "T" || location == "t";
+    record.text = toUtf8(fields.quoted());
+    return record;
+}
+
 class FeatureParser {
 public:
     FeatureParser(std::string_view path, Unit defaultUnit, Diagnostics& diagnostics)
-        : m_path(path), m_diagnostics(diagnostics), m_surface(m_file.surfaces, path, diagnostics) {
+        : m_at{path, diagnostics}, m_surface(m_file.surfaces, m_at) {
         setUnit(defaultUnit);
     }
 
     FeatureFile parse(std::string_view text) {
         // Short records are about 30 bytes; too much reserve is given back with the file.
         m_file.features.reserve(text.size() / 40);
-        LineReader lines(text);
-        while (lines.next()) {
-            m_line = lines.number();
-            record(lines.line());
-        }
+        m_at.forEachLine(text, [this](std::string_view line) { record(line); });
         finish();
         return std::move(m_file);
     }
@@ -55,7 +83,7 @@ private:
 
     void setUnit(Unit unit) {
         m_file.unit = unit;
-        m_nm = coordinateNm(unit);
+        m_at.nm = coordinateNm(unit);
     }
 
     void unitRecord(std::string_view line) {
@@ -68,7 +96,7 @@ private:
         if (unit) {
             setUnit(*unit);
         } else if (!name.empty()) {
-            report(Severity::Error, "the unit is neither MM nor INCH; the job's default unit is used");
+            m_at.report(Severity::Error, "the unit is neither MM nor INCH; the job's default unit is used");
         }
     }
 
@@ -78,12 +106,12 @@ private:
             return otherRecord(line);
         }
         m_expected = *count;
-        m_expectedLine = m_line;
+        m_expectedLine = m_at.line;
     }
 
     void otherRecord(std::string_view line) {
         if (!line.starts_with("ID=")) {
-            report(Severity::Warning, "unknown kind of record; it was left out");
+            m_at.report(Severity::Warning, "unknown kind of record; it was left out");
         }
     }
 
@@ -93,7 +121,7 @@ private:
         const std::string_view name = fields.word();
         const std::string_view unit = fields.optionalWord();
         if (fields.failed() || number < 0 || number > kMaxTableNumber) {
-            return report(Severity::Error, "the symbol line is not '$number name'; it was left out");
+            return m_at.report(Severity::Error, "the symbol line is not '$number name'; it was left out");
         }
         const Unit ownUnit = unit == "I" ? Unit::Inch : unit == "M" ? Unit::Millimetre : m_file.unit;
         const auto slot = static_cast<std::size_t>(number);
@@ -106,7 +134,8 @@ private:
 
     void attributeEntry(std::string_view line) {
         if (!m_attributes.tableLine(line)) {
-            report(Severity::Warning, "the attribute line is not '@number name' or '&number text'; it was left out");
+            m_at.report(Severity::Warning,
+                        "the attribute line is not '@number name' or '&number text'; it was left out");
         }
     }
 
@@ -125,21 +154,32 @@ private:
         return m_symbolOfNumber[slot];
     }
 
-    /// P or N.
-    static bool readNegative(Fields& fields, bool& isValid) {
+    /// P or N. False if it is neither.
+    static bool readPolarity(Fields& fields, Feature& feature) {
         const std::string_view letter = fields.word();
-        isValid = letter == "P" || letter == "N";
-        return letter == "N";
+        feature.isNegative = letter == "N";
+        return letter == "P" || letter == "N";
+    }
+
+    /// How a pad, text or barcode lies, with the angle that follows codes 8 and 9 (odb-notes, Features).
+    static void readOrientation(Fields& fields, Feature& feature) {
+        if (fields.atEnd()) {
+            return;  // old writers leave it away
+        }
+        const std::int32_t code = fields.integer();
+        const bool hasAngle = code == 8 || code == 9;
+        feature.clockwiseDeg = hasAngle ? fields.real() : static_cast<double>(code & 3) * 90.0;
+        feature.isMirrored = hasAngle ? code == 9 : (code & 4) != 0;
     }
 
     /// Every record with an ordinal ends here, readable or not.
     void addFeature(Feature feature, bool isGood) {
-        feature.line = m_line;
+        feature.line = m_at.line;
         if (!isGood) {
             feature.kind = FeatureKind::Bad;
-            report(Severity::Error, m_hasBadSymbol
-                                        ? "the record uses a symbol number that the file does not list; it was left out"
-                                        : "the record is incomplete or holds an unreadable number; it was left out");
+            m_at.report(Severity::Error,
+                        m_hasBadSymbol ? "the record uses a symbol number that the file does not list; it was left out"
+                                       : "the record is incomplete or holds an unreadable number; it was left out");
         }
         m_hasBadSymbol = false;
         m_file.hasNegatives = m_file.hasNegatives || (isGood && feature.isNegative);
@@ -149,13 +189,12 @@ private:
     void trackRecord(std::string_view line, FeatureKind kind) {
         Fields fields(line.substr(1));
         Feature feature;
-        bool isValid = false;
         feature.kind = kind;
-        feature.a = fields.point(m_nm);
-        feature.b = fields.point(m_nm);
-        feature.centre = kind == FeatureKind::Arc ? fields.point(m_nm) : Point{};
+        feature.a = fields.point(m_at.nm);
+        feature.b = fields.point(m_at.nm);
+        feature.centre = kind == FeatureKind::Arc ? fields.point(m_at.nm) : Point{};
         feature.index = symbolRow(fields);
-        feature.isNegative = readNegative(fields, isValid);
+        const bool isValid = readPolarity(fields, feature);
         if (kind == FeatureKind::Arc) {
             fields.optionalWord();  // dcode
             const std::string_view clockwise = fields.word();
@@ -168,9 +207,8 @@ private:
     void padRecord(std::string_view line) {
         Fields fields(line.substr(1));
         Feature feature;
-        bool isValid = false;
         feature.kind = FeatureKind::Pad;
-        feature.a = fields.point(m_nm);
+        feature.a = fields.point(m_at.nm);
         Fields ahead = fields;
         const bool isResized = ahead.integer() == -1;
         fields = isResized ? ahead : fields;
@@ -178,11 +216,9 @@ private:
         if (isResized && feature.index != kNone) {
             feature.index = resizedSymbol(feature.index, fields.length(symbolNm(m_file.unit)));
         }
-        feature.isNegative = readNegative(fields, isValid);
+        const bool isValid = readPolarity(fields, feature);
         fields.optionalWord();  // dcode
-        const Orientation orientation = readOrientation(fields);
-        feature.clockwiseDeg = orientation.clockwiseDeg;
-        feature.isMirrored = orientation.isMirrored;
+        readOrientation(fields, feature);
         takeAttributes(fields, feature);
         addFeature(feature, isValid && !fields.failed() && feature.index != kNone);
     }
@@ -203,9 +239,10 @@ private:
         Fields fields(line.substr(1));
         Feature feature = placedRecord(fields, FeatureKind::Text);
         const std::string_view font = fields.word();
-        const bool isValid = polarityAndOrientation(fields, feature);
+        const bool isValid = readPolarity(fields, feature);
+        readOrientation(fields, feature);
         feature.index = static_cast<std::uint32_t>(m_file.texts.size());
-        m_file.texts.push_back(readText(fields, m_nm, font));
+        m_file.texts.push_back(readText(fields, m_at.nm, font));
         takeAttributes(fields, feature);
         addFeature(feature, isValid && !fields.failed());
     }
@@ -215,9 +252,10 @@ private:
         Feature feature = placedRecord(fields, FeatureKind::Barcode);
         const std::string_view code = fields.word();
         const std::string_view font = fields.word();
-        const bool isValid = polarityAndOrientation(fields, feature);
+        const bool isValid = readPolarity(fields, feature);
+        readOrientation(fields, feature);
         feature.index = static_cast<std::uint32_t>(m_file.barcodes.size());
-        m_file.barcodes.push_back(readBarcode(fields, m_nm, code, font));
+        m_file.barcodes.push_back(readBarcode(fields, m_at.nm, code, font));
         takeAttributes(fields, feature);
         addFeature(feature, isValid && !fields.failed());
     }
@@ -225,78 +263,62 @@ private:
     Feature placedRecord(Fields& fields, FeatureKind kind) const {
         Feature feature;
         feature.kind = kind;
-        feature.a = feature.b = fields.point(m_nm);
+        feature.a = feature.b = fields.point(m_at.nm);
         return feature;
-    }
-
-    static bool polarityAndOrientation(Fields& fields, Feature& feature) {
-        bool isValid = false;
-        feature.isNegative = readNegative(fields, isValid);
-        const Orientation orientation = readOrientation(fields);
-        feature.clockwiseDeg = orientation.clockwiseDeg;
-        feature.isMirrored = orientation.isMirrored;
-        return isValid;
     }
 
     void beginSurface(std::string_view line) {
         Fields fields(line.substr(1));
-        bool isValid = false;
         m_pending = {};
         m_pending.kind = FeatureKind::Surface;
-        m_pending.isNegative = readNegative(fields, isValid);
+        m_isPendingGood = readPolarity(fields, m_pending);
         takeAttributes(fields, m_pending);
-        m_isPendingGood = isValid;
-        m_pendingLine = m_line;
+        m_pendingLine = m_at.line;
         m_isInSurface = true;
-        m_surface.beginSurface(m_line);
+        m_surface.beginSurface();
     }
 
     void surfaceRecord(std::string_view line) {
-        if (m_surface.record(line, m_line, m_nm)) {
+        if (m_surface.record(line)) {
             return;
         }
         if (line.starts_with("SE")) {
             return endSurface();
         }
-        report(Severity::Warning, "a surface is not ended by SE");
-        const std::uint32_t number = m_line;
+        m_at.report(Severity::Warning, "a surface is not ended by SE");
+        const std::uint32_t number = m_at.line;
         endSurface();
-        m_line = number;
+        m_at.line = number;
         record(line);
     }
 
     void endSurface() {
-        m_pending.index = m_surface.endSurface(m_line);
-        m_file.surfaceEnds.push_back(m_line);
+        m_pending.index = m_surface.endSurface();
+        m_file.surfaceEnds.push_back(m_at.line);
         m_isInSurface = false;
-        m_line = m_pendingLine;
+        m_at.line = m_pendingLine;
         addFeature(m_pending, m_isPendingGood);
     }
 
     void finish() {
         if (m_isInSurface) {
-            report(Severity::Warning, "the file ends inside a surface");
+            m_at.report(Severity::Warning, "the file ends inside a surface");
             endSurface();
         }
         if (m_expected >= 0 && static_cast<std::size_t>(m_expected) != m_file.features.size()) {
-            m_line = m_expectedLine;
-            report(Severity::Warning, "the file holds " + std::to_string(m_file.features.size()) +
-                                          " features, its F line says " + std::to_string(m_expected));
+            m_at.line = m_expectedLine;
+            m_at.report(Severity::Warning, "the file holds " + std::to_string(m_file.features.size()) +
+                                               " features, its F line says " + std::to_string(m_expected));
         }
         m_file.features.shrink_to_fit();
     }
-
-    void report(Severity severity, std::string_view text) { m_diagnostics.report(severity, m_path, m_line, text); }
 
     static constexpr std::uint32_t kNone = 0xffffffffU;
 
     FeatureFile m_file;
     AttributeCollector m_attributes{m_file.attributes};
-    std::string_view m_path;
-    Diagnostics& m_diagnostics;
+    FileCursor m_at;
     SurfaceParser m_surface;
-    std::int64_t m_nm = 0;
-    std::uint32_t m_line = 0;
     std::vector<std::uint32_t> m_symbolOfNumber;
     Feature m_pending;
     std::uint32_t m_pendingLine = 0;

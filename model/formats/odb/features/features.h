@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "model/board/document.h"
-#include "model/formats/odb/features/text_records.h"
+#include "model/formats/common/text_layout.h"
 #include "model/formats/odb/text/feature_attributes.h"
-#include "model/formats/odb/text/lengths.h"
+#include "model/formats/odb/text/records.h"
 #include "model/geometry/shapes.h"
 
 namespace model::odb {
@@ -30,6 +30,27 @@ struct SymbolRef {
     Unit unit = Unit::Inch;
     Nm resize = 0;  ///< added to the size (P records with -1)
     auto operator<=>(const SymbolRef&) const = default;
+};
+
+/// `T x y font pol orient xsize ysize width 'text' version`, from the sizes on. The file gives the pen's width as a
+/// factor of 12 mil. The version says how old tools placed the text; both are placed alike.
+struct TextRecord {
+    std::string font;
+    formats::TextLine line;
+};
+
+/// `B x y code font pol orient E width height fasc cs bg astr astr_pos 'text'`.
+struct BarcodeRecord {
+    std::string code;  ///< UPC39 is code 39; others are not drawn
+    std::string font;
+    std::string text;     ///< UTF-8
+    Nm elementWidth = 0;  ///< of a narrow bar
+    Nm height = 0;        ///< of the bars
+    bool isFullAscii = false;
+    bool hasChecksum = false;
+    bool isInverted = false;  ///< bars are left out of a background
+    bool hasString = false;   ///< the text is written beside the bars
+    bool isStringAbove = false;
 };
 
 /// One record. Its row in FeatureFile::features is the feature number that eda/data uses, so bad records have rows too.

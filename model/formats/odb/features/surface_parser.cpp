@@ -2,38 +2,32 @@
 
 namespace model::odb {
 
-void SurfaceParser::report(Severity severity, std::string_view text) {
-    m_diagnostics.report(severity, m_path, m_line, text);
-}
-
-void SurfaceParser::beginSurface(std::uint32_t line) {
-    m_line = line;
+void SurfaceParser::beginSurface() {
     m_firstContour = static_cast<std::uint32_t>(m_table.contours.size());
     m_isOpen = false;
     m_hasIsland = false;
 }
 
-bool SurfaceParser::record(std::string_view line, std::uint32_t number, std::int64_t nmPerUnit) {
+bool SurfaceParser::record(std::string_view line) {
     if (line.size() < 2 || line[0] != 'O') {
         return false;
     }
-    m_line = number;
     const Fields fields(line.substr(2));
     switch (line[1]) {
-        case 'S': segment(fields, nmPerUnit); return true;
-        case 'C': curve(fields, nmPerUnit); return true;
-        case 'B': beginPolygon(fields, nmPerUnit); return true;
+        case 'S': segment(fields); return true;
+        case 'C': curve(fields); return true;
+        case 'B': beginPolygon(fields); return true;
         case 'E': endPolygon(); return true;
         default: return false;
     }
 }
 
-void SurfaceParser::beginPolygon(Fields fields, std::int64_t nmPerUnit) {
+void SurfaceParser::beginPolygon(Fields fields) {
     if (m_isOpen) {
-        report(Severity::Warning, "a polygon begins before the one before it has ended");
+        m_at.report(Severity::Warning, "a polygon begins before the one before it has ended");
         endPolygon();
     }
-    const Point start = fields.point(nmPerUnit);
+    const Point start = fields.point(m_at.nm);
     const std::string_view letter = fields.word();
     m_isOpen = true;
     m_isHole = letter == "H" || letter == "h";
@@ -44,7 +38,7 @@ void SurfaceParser::beginPolygon(Fields fields, std::int64_t nmPerUnit) {
 
 bool SurfaceParser::canAdd(const Fields& fields) {
     if (!m_isOpen) {
-        report(Severity::Warning, "an edge outside of a polygon was left out");
+        m_at.report(Severity::Warning, "an edge outside of a polygon was left out");
         return false;
     }
     m_isBroken = m_isBroken || fields.failed();
@@ -58,8 +52,8 @@ void SurfaceParser::addEdge(EdgeKind kind, Point centre, Point end) {
     m_table.nodes.push_back({end, {}, EdgeKind::Line});
 }
 
-void SurfaceParser::segment(Fields fields, std::int64_t nmPerUnit) {
-    const Point end = fields.point(nmPerUnit);
+void SurfaceParser::segment(Fields fields) {
+    const Point end = fields.point(m_at.nm);
     if (!canAdd(fields)) {
         return;
     }
@@ -69,16 +63,16 @@ void SurfaceParser::segment(Fields fields, std::int64_t nmPerUnit) {
     }
 }
 
-void SurfaceParser::curve(Fields fields, std::int64_t nmPerUnit) {
-    const Point end = fields.point(nmPerUnit);
-    const Point centre = fields.point(nmPerUnit);
+void SurfaceParser::curve(Fields fields) {
+    const Point end = fields.point(m_at.nm);
+    const Point centre = fields.point(m_at.nm);
     const std::string_view clockwise = fields.word();
     if (!canAdd(fields)) {
         return;
     }
     const Point start = m_table.nodes.back().point;
     if (start == centre || end == centre) {
-        report(Severity::Warning, "an arc without a radius; taken as a straight edge");
+        m_at.report(Severity::Warning, "an arc without a radius; taken as a straight edge");
         if (start != end) {
             addEdge(EdgeKind::Line, {}, end);
         }
@@ -94,39 +88,38 @@ void SurfaceParser::dropPolygon() {
 
 void SurfaceParser::endPolygon() {
     if (!m_isOpen) {
-        report(Severity::Warning, "a polygon ends that has not begun");
+        m_at.report(Severity::Warning, "a polygon ends that has not begun");
         return;
     }
     m_isOpen = false;
     if (m_isBroken) {
-        report(Severity::Error, "a polygon with an unreadable record was left out");
+        m_at.report(Severity::Error, "a polygon with an unreadable record was left out");
         return dropPolygon();
     }
     std::vector<PathNode>& nodes = m_table.nodes.edit();
     if (nodes.size() - m_firstNode > 1 && nodes.back().point == nodes[m_firstNode].point) {
         nodes.pop_back();  // the edge of the node before it now returns to the first node
     } else if (nodes.size() - m_firstNode > 1) {
-        report(Severity::Info, "a polygon is not closed; a straight edge was added");
+        m_at.report(Severity::Info, "a polygon is not closed; a straight edge was added");
     }
     const std::size_t count = nodes.size() - m_firstNode;
     const bool isCurved =
         nodes[m_firstNode].edge != EdgeKind::Line || (count > 1 && nodes.back().edge != EdgeKind::Line);
     if (count < 3 && !isCurved) {
-        report(Severity::Info, "a polygon without area was left out");
+        m_at.report(Severity::Info, "a polygon without area was left out");
         return dropPolygon();
     }
     if (m_isHole && !m_hasIsland) {
-        report(Severity::Warning, "a hole that lies in no island was left out");
+        m_at.report(Severity::Warning, "a hole that lies in no island was left out");
         return dropPolygon();
     }
     m_hasIsland = m_hasIsland || !m_isHole;
     m_table.contours.push_back({m_firstNode, static_cast<std::uint32_t>(count), m_isHole});
 }
 
-std::uint32_t SurfaceParser::endSurface(std::uint32_t line) {
+std::uint32_t SurfaceParser::endSurface() {
     if (m_isOpen) {
-        m_line = line;
-        report(Severity::Warning, "a surface ends before its last polygon; what was read of it was left out");
+        m_at.report(Severity::Warning, "a surface ends before its last polygon; what was read of it was left out");
         m_isOpen = false;
         dropPolygon();
     }

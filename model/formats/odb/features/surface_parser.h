@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <string_view>
 
-#include "model/board/diagnostics.h"
 #include "model/formats/odb/text/records.h"
 #include "model/geometry/shapes.h"
 
@@ -14,29 +13,26 @@ namespace model::odb {
 /// are closed by a straight edge; those without any area are left out; both are reported.
 class SurfaceParser {
 public:
-    SurfaceParser(ShapeTable& table, std::string_view path, Diagnostics& diagnostics)
-        : m_table(table), m_path(path), m_diagnostics(diagnostics) {}
+    /// `at` is kept up to date by the caller.
+    SurfaceParser(ShapeTable& table, const FileCursor& at) : m_table(table), m_at(at) {}
 
-    void beginSurface(std::uint32_t line);
+    void beginSurface();
     /// Takes one O… record. False when the line is none.
-    bool record(std::string_view line, std::uint32_t number, std::int64_t nmPerUnit);
+    bool record(std::string_view line);
     /// Row of the finished shape, which is empty when no polygon was usable.
-    std::uint32_t endSurface(std::uint32_t line);
+    std::uint32_t endSurface();
 
 private:
-    void beginPolygon(Fields fields, std::int64_t nmPerUnit);
-    void segment(Fields fields, std::int64_t nmPerUnit);
-    void curve(Fields fields, std::int64_t nmPerUnit);
+    void beginPolygon(Fields fields);
+    void segment(Fields fields);
+    void curve(Fields fields);
     void endPolygon();
     bool canAdd(const Fields& fields);
     void addEdge(EdgeKind kind, Point centre, Point end);
-    void report(Severity severity, std::string_view text);
     void dropPolygon();
 
     ShapeTable& m_table;
-    std::string_view m_path;
-    Diagnostics& m_diagnostics;
-    std::uint32_t m_line = 0;
+    const FileCursor& m_at;
     std::uint32_t m_firstContour = 0;
     std::uint32_t m_firstNode = 0;
     bool m_isHole = false;

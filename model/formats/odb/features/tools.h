@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "model/board/document.h"
-#include "model/formats/odb/text/lengths.h"
+#include "model/formats/odb/text/records.h"
 
 namespace model::odb {
 

@@ -127,6 +127,12 @@ void raiseLateCopper(const std::vector<MatrixLayer>& layers, std::vector<std::si
 
 }  // namespace
 
+std::size_t Matrix::rowOf(std::string_view name) const {
+    const auto found =
+        std::ranges::find_if(layers, [name](const MatrixLayer& layer) { return equalsIgnoringCase(layer.name, name); });
+    return static_cast<std::size_t>(found - layers.begin());
+}
+
 bool isPhysical(const MatrixLayer& layer) {
     switch (layer.type) {
         case LayerType::Dielectric:

@@ -33,6 +33,10 @@ struct MatrixLayer {
 struct Matrix {
     std::vector<std::string> steps;   ///< by column
     std::vector<MatrixLayer> layers;  ///< by row
+
+    /// Row of the first layer of that name (case does not matter); the number of layers if there is none. A name may be
+    /// listed twice (a dielectric of two plies); its folder belongs to the first row.
+    [[nodiscard]] std::size_t rowOf(std::string_view name) const;
 };
 
 /// More rows than this are no board; the rest is left out and reported.

@@ -10,24 +10,17 @@ namespace {
 class ZoneParser {
 public:
     ZoneParser(std::string_view path, Unit unit, Diagnostics& diagnostics)
-        : m_path(path),
-          m_nm(coordinateNm(unit)),
-          m_diagnostics(diagnostics),
-          m_surface(m_file.outlines, path, diagnostics) {}
+        : m_at{path, diagnostics, coordinateNm(unit)}, m_surface(m_file.outlines, m_at) {}
 
     ZoneFile parse(std::string_view text) {
-        LineReader lines(text);
-        while (lines.next()) {
-            m_line = lines.number();
-            record(lines.line());
-        }
+        m_at.forEachLine(text, [this](std::string_view line) { record(line); });
         endOutline();
         return std::move(m_file);
     }
 
 private:
     void record(std::string_view line) {
-        if (m_isInSurface && m_surface.record(line, m_line, m_nm)) {
+        if (m_isInSurface && m_surface.record(line)) {
             return;
         }
         const std::string_view word = line.substr(0, line.find_first_of(" \t;="));
@@ -40,7 +33,7 @@ private:
             beginOutline();
         } else if (word == "SE") {
             endOutline();
-        } else if (!readUnit(line, m_nm) && word != "F" && word != "ID") {
+        } else if (!readUnit(line, m_at.nm) && word != "F" && word != "ID") {
             report("a record of an unknown kind was left out");
         }
     }
@@ -49,7 +42,7 @@ private:
         endOutline();
         ZoneRecord zone;
         zone.name = toUtf8(trimmed(rest.substr(0, rest.find(';'))));
-        zone.line = m_line;
+        zone.line = m_at.line;
         m_file.zones.push_back(std::move(zone));
     }
 
@@ -68,7 +61,7 @@ private:
         if (m_file.zones.empty()) {
             return report("S: there is no zone that the outline could belong to");
         }
-        m_surface.beginSurface(m_line);
+        m_surface.beginSurface();
         m_isInSurface = true;
     }
 
@@ -78,7 +71,7 @@ private:
             return;
         }
         m_isInSurface = false;
-        const ShapeId outline{std::size_t{m_surface.endSurface(m_line)}};
+        const ShapeId outline{std::size_t{m_surface.endSurface()}};
         ZoneRecord& zone = m_file.zones.back();
         if (zone.outline.isValid()) {
             report("a zone with two outlines; the first one is used");
@@ -87,15 +80,12 @@ private:
         }
     }
 
-    void report(std::string_view text) { m_diagnostics.report(Severity::Warning, m_path, m_line, text); }
+    void report(std::string_view text) { m_at.report(Severity::Warning, text); }
 
-    std::string_view m_path;
-    std::int64_t m_nm;
-    Diagnostics& m_diagnostics;
+    FileCursor m_at;
     ZoneFile m_file;
     SurfaceParser m_surface;
     bool m_isInSurface = false;  ///< between S and SE
-    std::uint32_t m_line = 0;
 };
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "model/board/diagnostics.h"
-#include "model/formats/odb/text/lengths.h"
+#include "model/formats/odb/text/records.h"
 #include "model/geometry/shapes.h"
 
 namespace model::odb {

@@ -12,11 +12,12 @@ namespace model::odb {
 
 namespace {
 
-void readHeader(const JobContext& job, StepData& step) {
-    Parsed<StepHeader>& header = step.header;
-    if (const auto file = job.tree.read(step.folder + "/stephdr", header.diagnostics)) {
-        header.path = file->path;
-        header.value = parseStepHeader(file->text(), file->path, job.defaultUnit, header.diagnostics);
+/// Parses a file if it can be read.
+template <class T, class Parse>
+void read(const JobContext& job, const std::string& path, Parsed<T>& into, Parse parse) {
+    if (const auto file = job.tree.read(path, into.diagnostics)) {
+        into.path = file->path;
+        into.value = parse(file->text(), file->path, job.defaultUnit, into.diagnostics);
     }
 }
 
@@ -45,7 +46,7 @@ Steps collectSteps(const JobContext& job, const std::string& name, Diagnostics& 
         step.name = wanted[next];
         step.folder = folder;
         step.layers.resize(job.matrix.layers.size());
-        readHeader(job, step);
+        read(job, step.folder + "/stephdr", step.header, parseStepHeader);
         for (const StepRepeat& repeat : step.header.value.repeats) {
             wanted.push_back(repeat.step);
         }
@@ -64,45 +65,36 @@ struct Task {
 
 class TaskList {
 public:
-    explicit TaskList(const JobContext& job) : m_job(job) {}
+    explicit TaskList(const JobContext& job) : m_job(job) {
+        for (const MatrixLayer& layer : job.matrix.layers) {
+            m_layerNames.push_back(layer.name);
+        }
+    }
 
-    /// Plans `parse(text, path, diagnostics)` for a file, if it exists.
+    /// Plans `parse(text, path, default unit, diagnostics)` for a file, if it exists.
     template <class T, class Parse>
     void add(const std::string& path, Parsed<T>& into, Parse parse) {
-        if (!m_job.tree.has(path)) {
-            return;
+        if (m_job.tree.has(path)) {
+            m_tasks.push_back(
+                {m_job.tree.storedSize(path), [this, path, &into, parse] { read(m_job, path, into, parse); }});
         }
-        m_tasks.push_back({m_job.tree.storedSize(path), [this, path, &into, parse] {
-                               if (const auto file = m_job.tree.read(path, into.diagnostics)) {
-                                   into.path = file->path;
-                                   into.value = parse(file->text(), file->path, into.diagnostics);
-                               }
-                           }});
     }
 
     void addStep(StepData& step) {
-        const auto features = [unit = m_job.defaultUnit](std::string_view text, std::string_view path, Diagnostics& d) {
-            return parseFeatures(text, path, unit, d);
-        };
-        add(step.folder + "/profile", step.profile, features);
-        add(step.folder + "/zones", step.zones,
-            [unit = m_job.defaultUnit](std::string_view text, std::string_view path, Diagnostics& d) {
-                return parseZones(text, path, unit, d);
+        add(step.folder + "/profile", step.profile, parseFeatures);
+        add(step.folder + "/zones", step.zones, parseZones);
+        add(step.folder + "/eda/data", step.eda,
+            [this](std::string_view text, std::string_view path, Unit unit, Diagnostics& d) {
+                return parseEda(text, path, unit, m_layerNames, *m_job.attributeTypes, d);
             });
-        add(step.folder + "/eda/data", step.eda, [this](std::string_view text, std::string_view path, Diagnostics& d) {
-            return parseEda(text, path, m_job.defaultUnit, m_layerNames, *m_job.attributeTypes, d);
-        });
-        addNetlists(step);
-        for (std::size_t i = 0; i < step.layers.size(); ++i) {
-            if (isFirstOfName(i)) {
-                addLayer(step, i, features);
-            }
+        constexpr const char* kFolders[] = {"cadnet", "refnet", "curcadnet"};
+        for (std::size_t i = 0; i < step.netlists.size(); ++i) {
+            add(step.folder + "/netlists/" + kFolders[i] + "/netlist", step.netlists[i], parseNetlist);
         }
-    }
-
-    void setLayerNames() {
-        for (const MatrixLayer& layer : m_job.matrix.layers) {
-            m_layerNames.push_back(layer.name);
+        for (std::size_t row = 0; row < step.layers.size(); ++row) {
+            if (m_job.matrix.rowOf(m_layerNames[row]) == row) {
+                addLayer(step, row);
+            }
         }
     }
 
@@ -124,45 +116,25 @@ public:
     }
 
 private:
-    /// A name may be listed twice (a dielectric of two plies); its folder belongs to the first row.
-    [[nodiscard]] bool isFirstOfName(std::size_t row) const {
-        for (std::size_t i = 0; i < row; ++i) {
-            if (equalsIgnoringCase(m_layerNames[i], m_layerNames[row])) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    void addNetlists(StepData& step) {
-        constexpr const char* kFolders[] = {"cadnet", "refnet", "curcadnet"};
-        for (std::size_t i = 0; i < step.netlists.size(); ++i) {
-            add(step.folder + "/netlists/" + kFolders[i] + "/netlist", step.netlists[i],
-                [unit = m_job.defaultUnit](std::string_view text, std::string_view path, Diagnostics& d) {
-                    return parseNetlist(text, path, unit, d);
-                });
-        }
-    }
-
-    template <class Parse>
-    void addLayer(StepData& step, std::size_t row, const Parse& features) {
+    void addLayer(StepData& step, std::size_t row) {
         const MatrixLayer& layer = m_job.matrix.layers[row];
         const std::string folder = step.folder + "/layers/" + layer.name;
         StepLayer& into = step.layers[row];
-        add(folder + "/features", into.features, features);
-        add(folder + "/profile", into.profile, features);
+        add(folder + "/features", into.features, parseFeatures);
+        add(folder + "/profile", into.profile, parseFeatures);
         add(folder + "/attrlist", into.facts,
-            [this, &layer](std::string_view text, std::string_view path, Diagnostics& d) {
-                return factsOf(AttributeList(text, path, m_job.defaultUnit, d), layer, path, d);
+            [&layer](std::string_view text, std::string_view path, Unit unit, Diagnostics& d) {
+                return factsOf(AttributeList(text, path, unit, d), layer);
             });
         if (layer.isHoles()) {
-            add(folder + "/tools", into.tools,
-                [](std::string_view text, std::string_view path, Diagnostics& d) { return parseTools(text, path, d); });
+            add(folder + "/tools", into.tools, [](std::string_view text, std::string_view path, Unit, Diagnostics& d) {
+                return parseTools(text, path, d);
+            });
         }
         if (layer.type == LayerType::Component) {
             add(folder + "/components", into.components,
-                [this](std::string_view text, std::string_view path, Diagnostics& d) {
-                    return parseComponents(text, path, m_job.defaultUnit, *m_job.attributeTypes, d);
+                [this](std::string_view text, std::string_view path, Unit unit, Diagnostics& d) {
+                    return parseComponents(text, path, unit, *m_job.attributeTypes, d);
                 });
         }
     }
@@ -176,7 +148,6 @@ private:
 
 bool readSteps(const JobContext& job, Steps& steps, base::Progress& progress) {
     TaskList tasks(job);
-    tasks.setLayerNames();
     for (StepData& step : steps) {
         tasks.addStep(step);
     }

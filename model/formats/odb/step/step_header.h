@@ -6,7 +6,7 @@
 
 #include "model/base/point.h"
 #include "model/board/diagnostics.h"
-#include "model/formats/odb/text/lengths.h"
+#include "model/formats/odb/text/records.h"
 
 namespace model::odb {
 

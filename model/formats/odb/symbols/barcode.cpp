@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
+#include "model/formats/odb/text/records.h"
 #include "model/geometry/outlines.h"
 
 namespace model::odb {
@@ -76,26 +76,21 @@ constexpr double kStringSize = 1.5e6;  ///< the record does not size the text: 1
 constexpr double kStringGap = 0.75e6;  ///< half of that away from the bars,
 constexpr double kStringFactor = 0.5;  ///< drawn with 6 mil
 
-void addBar(ShapeSketch& sketch, double from, double to, double height, bool isHole) {
-    addLoop(sketch, std::array<PointD, 4>{{{from, 0}, {to, 0}, {to, height}, {from, height}}}, isHole);
+void addRectangle(ShapeSketch& sketch, PointD low, PointD high, bool isHole) {
+    addLoop(sketch, std::array<PointD, 4>{{low, {high.x, low.y}, high, {low.x, high.y}}}, isHole);
 }
 
 void addBars(BarcodeLayout& layout, const std::vector<bool>& elements, const BarcodeRecord& barcode) {
     if (barcode.isInverted) {
         const double margin = kQuietZone * barcode.elementWidth;
         const double top = barcode.height + barcode.elementWidth;
-        addLoop(layout.bars,
-                std::array<PointD, 4>{{{-margin, -1.0 * barcode.elementWidth},
-                                       {layout.width + margin, -1.0 * barcode.elementWidth},
-                                       {layout.width + margin, top},
-                                       {-margin, top}}},
-                false);
+        addRectangle(layout.bars, {-margin, -1.0 * barcode.elementWidth}, {layout.width + margin, top}, false);
     }
     double at = 0.0;
     for (std::size_t i = 0; i < elements.size(); ++i) {
         const double next = at + (elements[i] ? kWide : 1.0) * barcode.elementWidth;
         if (i % 2 == 0) {
-            addBar(layout.bars, at, next, barcode.height, barcode.isInverted);
+            addRectangle(layout.bars, {at, 0.0}, {next, 1.0 * barcode.height}, barcode.isInverted);
         }
         at = next;
     }
@@ -111,14 +106,10 @@ void addFrame(BarcodeLayout& layout, const BarcodeRecord& barcode) {
     // A character is 6 narrow and 3 wide elements and a narrow space: 16 narrow ones. The last one has no space.
     layout.width = barcode.elementWidth * (16.0 * (static_cast<double>(barcode.text.size()) + 2) - 1);
     const double line = barcode.elementWidth;
-    addBar(layout.bars, 0, layout.width, barcode.height, false);
-    if (barcode.height > 2 * line) {
-        addLoop(layout.bars,
-                std::array<PointD, 4>{{{line, line},
-                                       {layout.width - line, line},
-                                       {layout.width - line, barcode.height - line},
-                                       {line, barcode.height - line}}},
-                true);
+    const double height = barcode.height;
+    addRectangle(layout.bars, {0.0, 0.0}, {layout.width, height}, false);
+    if (height > 2 * line) {
+        addRectangle(layout.bars, {line, line}, {layout.width - line, height - line}, true);
     }
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "model/formats/common/text_layout.h"
-#include "model/formats/odb/features/text_records.h"
+#include "model/formats/odb/features/features.h"
 
 namespace model::odb {
 

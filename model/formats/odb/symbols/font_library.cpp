@@ -12,14 +12,10 @@ namespace {
 
 class FontParser {
 public:
-    FontParser(std::string_view path, Diagnostics& diagnostics) : m_path(path), m_diagnostics(diagnostics) {}
+    FontParser(std::string_view path, Diagnostics& diagnostics) : m_at{path, diagnostics} {}
 
     formats::Font parse(std::string_view text) {
-        LineReader lines(text);
-        while (lines.next()) {
-            m_line = lines.number();
-            record(lines.line());
-        }
+        m_at.forEachLine(text, [this](std::string_view line) { record(line); });
         if (!(m_xSize > 0.0 && m_ySize > 0.0)) {
             report("XSIZE and YSIZE must be above zero; the font is not used");
             return {};
@@ -77,12 +73,10 @@ private:
         m_font.addStroke(m_character, stroke);
     }
 
-    void report(std::string_view text) { m_diagnostics.report(Severity::Warning, m_path, m_line, text); }
+    void report(std::string_view text) { m_at.report(Severity::Warning, text); }
 
     formats::Font m_font;
-    std::string_view m_path;
-    Diagnostics& m_diagnostics;
-    std::uint32_t m_line = 0;
+    FileCursor m_at;
     char32_t m_character = 0;
     bool m_isKnown = false;
     double m_xSize = 0.0;

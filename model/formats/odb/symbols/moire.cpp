@@ -13,10 +13,6 @@ namespace {
 
 constexpr double kQuarter = std::numbers::pi / 2;
 
-PointD polar(double radius, double angle) {
-    return {radius * std::cos(angle), radius * std::sin(angle)};
-}
-
 /// Two lines with round ends across the centre, seen as four arms that leave it. Radii are distances from the centre.
 class Cross {
 public:
@@ -35,34 +31,21 @@ public:
                (m_end >= m_half ? m_half : (m_end + std::sqrt(2 * m_half * m_half - m_end * m_end)) / 2);
     }
 
-    /// The side of arm `arm` with the larger angles, outwards from radius `from` to radius `to`, both between core and
-    /// tip; the edge of the last node is left to the caller.
-    [[nodiscard]] std::vector<PathNode> leftSide(int arm, double from, double to) const {
-        std::vector<PathNode> nodes = {atSide(arm, from, 1.0)};
-        if (from < joint()) {
-            if (to <= joint()) {
-                nodes.push_back(atSide(arm, to, 1.0));
-                return nodes;
+    /// The side of arm `arm` with the larger angles (`side` 1) or the smaller ones (-1) from one radius to another,
+    /// both between core and tip: outwards on the former, inwards on the latter. The edge of the last node is left to
+    /// the caller.
+    [[nodiscard]] std::vector<PathNode> sideOf(int arm, double side, double from, double to) const {
+        std::vector<PathNode> nodes = {atSide(arm, from, side)};
+        if (std::max(from, to) > joint()) {
+            if (from < joint()) {
+                nodes.push_back(atJoint(arm, side));
             }
-            nodes.push_back(atJoint(arm, 1.0));
-        }
-        roundEnd(nodes.back(), arm, EdgeKind::ArcClockwise);
-        nodes.push_back(atSide(arm, to, 1.0));
-        return nodes;
-    }
-
-    /// The other side, inwards from radius `from` to radius `to`.
-    [[nodiscard]] std::vector<PathNode> rightSide(int arm, double from, double to) const {
-        std::vector<PathNode> nodes = {atSide(arm, from, -1.0)};
-        if (from > joint()) {
             roundEnd(nodes.back(), arm, EdgeKind::ArcClockwise);
-            if (to >= joint()) {
-                nodes.push_back(atSide(arm, to, -1.0));
-                return nodes;
+            if (to < joint()) {
+                nodes.push_back(atJoint(arm, side));
             }
-            nodes.push_back(atJoint(arm, -1.0));
         }
-        nodes.push_back(atSide(arm, to, -1.0));
+        nodes.push_back(atSide(arm, to, side));
         return nodes;
     }
 
@@ -95,13 +78,13 @@ private:
     }
 
     [[nodiscard]] PathNode atSide(int arm, double radius, double side) const {
-        return lineNode(rounded(polar(radius, direction(arm) + side * halfAngle(radius))));
+        return lineNode(rounded(polar(direction(arm) + side * halfAngle(radius), radius)));
     }
     [[nodiscard]] PathNode atJoint(int arm, double side) const {
-        return lineNode(rounded(polar(joint(), direction(arm) + side * std::atan2(m_half, m_end))));
+        return lineNode(rounded(polar(direction(arm) + side * std::atan2(m_half, m_end), joint())));
     }
     void roundEnd(PathNode& node, int arm, EdgeKind edge) const {
-        node.centre = rounded(polar(m_end, direction(arm)));
+        node.centre = rounded(polar(direction(arm), m_end));
         node.edge = edge;
     }
 
@@ -135,9 +118,9 @@ void addDiscWithCross(ShapeSketch& sketch, double radius, const Cross& cross) {
 void addQuarters(ShapeSketch& sketch, double inner, double outer, const Cross& cross) {
     const double start = std::max(inner, cross.core());
     for (int arm = 0; arm < 4; ++arm) {
-        std::vector<PathNode> nodes = cross.leftSide(arm, start, outer);
+        std::vector<PathNode> nodes = cross.sideOf(arm, 1.0, start, outer);
         nodes.back().edge = EdgeKind::ArcCounterClockwise;
-        append(nodes, cross.rightSide(arm + 1, outer, start));
+        append(nodes, cross.sideOf(arm + 1, -1.0, outer, start));
         if (inner > cross.core()) {
             nodes.back().edge = EdgeKind::ArcClockwise;
         } else {

@@ -1,7 +1,6 @@
 #include "model/formats/odb/symbols/standard_symbols.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string_view>
 
@@ -37,8 +36,7 @@ bool takeCorners(std::string_view& name, SymbolValues& values) {
     return length > 0;
 }
 
-/// In a pattern `#` is a length, `@` a plain number, `%` a list of corners, and what `[` and `]` enclose may be left
-/// out; the rest stands for itself.
+/// Does a name follow SymbolRule::pattern?
 bool matches(std::string_view pattern, std::string_view name, double nmPerUnit, SymbolValues& values) {
     for (const char p : pattern) {
         bool fits = p == ']';
@@ -62,68 +60,6 @@ bool matches(std::string_view pattern, std::string_view name, double nmPerUnit, 
     return name.empty();
 }
 
-PadShape nothing(const SymbolValues&) {
-    return {};
-}
-
-struct Rule {
-    std::string_view pattern;
-    PadShape (*make)(const SymbolValues&);
-    std::size_t resizable = 0;      ///< leading lengths, the outer sizes: a resize is added to them; 0: none has one
-    std::size_t mayBeNegative = 0;  ///< bit set of lengths that may be negative
-    std::size_t counts = 0;         ///< bit set of values that count pieces (gaps, rings, rows)
-};
-
-constexpr auto kRules = std::to_array<Rule>({
-    {"r#", roundShape, 1},
-    {"s#", square, 1},
-    {"rect#x#", rectangle, 2},
-    {"rect#x#xr#[x%]", roundedRectangle, 2},
-    {"rect#x#xc#[x%]", chamferedRectangle, 2},
-    {"oval#x#", ovalShape, 2},
-    {"donut_r#x#", roundRing, 1, 0b10},
-    {"donut_rc#x#x#[xr#[x%]]", rectangleRing, 2},
-    {"oct#x#x#", chamferedRectangle, 2},
-    {"di#x#", diamond, 2},
-    {"hex_l#x#x#", hexagonLying, 2},
-    {"hex_s#x#x#", hexagonStanding, 2},
-    {"tri#x#", triangle, 2},
-    {"el#x#", ellipse, 2},
-    {"oval_h#x#", halfOval, 2},
-    {"bfr#", butterflyRound, 1},
-    {"bfs#", butterflySquare, 1},
-    {"donut_s#x#", squareRing, 1},
-    {"donut_s#x#xr#[x%]", roundedSquareRing, 1},
-    {"donut_sr#x#", squareRoundRing, 1},
-    {"donut_o#x#x#", ovalRing, 2},
-    {"thr#x#x@x@x#", roundThermalRoundEnds, 1, 0, 0b1000},
-    {"ths#x#x@x@x#", roundThermalSquareEnds, 1, 0, 0b1000},
-    {"s_ths#x#x@x@x#[xr#[x%]]", squareThermal, 1, 0, 0b1000},
-    {"s_tho#x#x@x@x#[xr#[x%]]", squareThermalOpenCorners, 1, 0, 0b1000},
-    {"s_thr#x#x45x4x#", lineThermal, 1},
-    {"sr_ths#x#x@x@x#", squareRoundThermal, 1, 0, 0b1000},
-    {"rc_ths#x#x@x@x#x#[xr#[x%]]", rectangleThermal, 2, 0, 0b1000},
-    {"rc_tho#x#x@x@x#x#[xr#[x%]]", rectangleThermalOpenCorners, 2, 0, 0b1000},
-    {"o_ths#x#x@x@x#x#", ovalThermal, 2, 0, 0b1000},
-    {"oblong_ths#x#x@x@x#x#xr", ovalThermal, 2, 0, 0b1000},
-    {"oblong_ths#x#x@x@x#x#xs", oblongThermalStraight, 2, 0, 0b1000},
-    {"moire#x#x@x#x#x@", moire, 0, 0, 0b100},
-    {"hole#xpx@x@", roundShape, 1},
-    {"hole#xnx@x@", roundShape, 1},
-    {"hole#xvx@x@", roundShape, 1},
-    {"hplate#x#x#[x#x#]", homePlate, 2},
-    {"rhplate#x#x#[x#x#]", invertedHomePlate, 2},
-    {"fhplate#x#x#x#[x#x#]", flatHomePlate, 2},
-    {"radhplate#x#x#[x#]", radiusedInvertedHomePlate, 2},
-    {"dshape#x#x#[x#]", radiusedHomePlate, 2},
-    {"cross#x#x#x#x@x@xr[#]", [](const SymbolValues& v) { return cross(v, true); }, 2},
-    {"cross#x#x#x#x@x@xs[#]", [](const SymbolValues& v) { return cross(v, false); }, 2},
-    {"dogbone#x#x#x#x@xr[x#]", [](const SymbolValues& v) { return dogbone(v, true); }, 2},
-    {"dogbone#x#x#x#x@xs[x#]", [](const SymbolValues& v) { return dogbone(v, false); }, 2},
-    {"dpack#x#x#x#x@x@[x#]", padGrid, 2, 0, 0b110000},
-    {"null@", nothing},
-});
-
 /// Half a metre: symbols placed anywhere in the coordinate range then stay within 32 bits.
 constexpr double kMaxSymbol = base::kMaxCoordinate / 2.0;
 
@@ -135,7 +71,7 @@ bool isBadCount(double pieces) {
 }
 
 /// A reason why these sizes cannot be drawn, or nothing.
-std::string_view badSize(const SymbolValues& values, const Rule& rule) {
+std::string_view badSize(const SymbolValues& values, const SymbolRule& rule) {
     for (std::size_t i = 0; i < values.count; ++i) {
         const bool isLength = (values.lengths >> i & 1U) != 0;
         if (isLength && std::abs(values[i]) > kMaxSymbol) {
@@ -163,7 +99,7 @@ bool hasArea(const ShapeSketch& sketch) {
     return false;
 }
 
-PadShape makeShape(const Rule& rule, SymbolValues values, Nm resize) {
+PadShape makeShape(const SymbolRule& rule, SymbolValues values, Nm resize) {
     for (std::size_t i = 0; i < rule.resizable; ++i) {
         values.at[i] += resize;
     }
@@ -184,10 +120,12 @@ PadShape makeShape(const Rule& rule, SymbolValues values, Nm resize) {
 }  // namespace
 
 std::optional<PadShape> standardSymbol(const SymbolRef& symbol) {
-    for (const Rule& rule : kRules) {
-        SymbolValues values;
-        if (matches(rule.pattern, symbol.name, static_cast<double>(symbolNm(symbol.unit)), values)) {
-            return makeShape(rule, values, symbol.resize);
+    for (const std::span<const SymbolRule> rules : {padRules(), thermalRules(), stencilRules()}) {
+        for (const SymbolRule& rule : rules) {
+            SymbolValues values;
+            if (matches(rule.pattern, symbol.name, static_cast<double>(symbolNm(symbol.unit)), values)) {
+                return makeShape(rule, values, symbol.resize);
+            }
         }
     }
     return std::nullopt;

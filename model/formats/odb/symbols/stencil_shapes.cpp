@@ -30,22 +30,15 @@ PadShape plate(std::span<const PointD> points, double acute, double obtuse) {
     return drawn([&](ShapeSketch& sketch) { addRoundedLoop(sketch, corners); });
 }
 
-}  // namespace
-
-/// hplate W × H, cut, then ra and ro: a box whose right end runs to a point, the cut is its depth.
-PadShape homePlate(const SymbolValues& v) {
+/// W × H, cut, then ra and ro: a box whose right end runs to a point (hplate), or has a notch (rhplate), the cut is its
+/// depth.
+PadShape homePlate(const SymbolValues& v, bool isInverted) {
     const double x = v[0] / 2;
     const double y = v[1] / 2;
     const double cut = std::min(v[2], v[0]);
-    return plate(std::array<PointD, 5>{{{-x, -y}, {x - cut, -y}, {x, 0}, {x - cut, y}, {-x, y}}}, v[3], v[4]);
-}
-
-/// rhplate W × H, cut, then ra and ro: a box with a notch in its right end, the cut is its depth.
-PadShape invertedHomePlate(const SymbolValues& v) {
-    const double x = v[0] / 2;
-    const double y = v[1] / 2;
-    const double cut = std::min(v[2], v[0]);
-    return plate(std::array<PointD, 5>{{{-x, -y}, {x, -y}, {x - cut, 0}, {x, y}, {-x, y}}}, v[3], v[4]);
+    const double shoulder = isInverted ? x : x - cut;
+    const double middle = isInverted ? x - cut : x;
+    return plate(std::array<PointD, 5>{{{-x, -y}, {shoulder, -y}, {middle, 0}, {shoulder, y}, {-x, y}}}, v[3], v[4]);
 }
 
 /// fhplate W × H, vertical and horizontal cut, then ra and ro: a box whose two right corners are cut.
@@ -117,14 +110,10 @@ PadShape radiusedHomePlate(const SymbolValues& v) {
     return drawn([&](ShapeSketch& sketch) { addPath(sketch, nodes, false); });
 }
 
-namespace {
-
 /// Where a bar of this width lies between -half and half, its middle at `percent` of the distance, pushed inside.
 double barMiddle(double percent, double half, double width) {
     return std::clamp((percent / 50.0 - 1.0) * half, width / 2 - half, half - width / 2);
 }
-
-}  // namespace
 
 /// W × H, width of the horizontal and of the vertical bar, crossing point in percent from the lower left, then the
 /// radius of the inner corners.
@@ -198,6 +187,25 @@ PadShape padGrid(const SymbolValues& v) {
                 {{{x, y}, v[6]}, {{x + width, y}, v[6]}, {{x + width, y + height}, v[6]}, {{x, y + height}, v[6]}}});
     }
     return regionShape(std::move(sketch));
+}
+
+constexpr SymbolRule kRules[] = {
+    {"hplate#x#x#[x#x#]", [](const SymbolValues& v) { return homePlate(v, false); }, 2},
+    {"rhplate#x#x#[x#x#]", [](const SymbolValues& v) { return homePlate(v, true); }, 2},
+    {"fhplate#x#x#x#[x#x#]", flatHomePlate, 2},
+    {"radhplate#x#x#[x#]", radiusedInvertedHomePlate, 2},
+    {"dshape#x#x#[x#]", radiusedHomePlate, 2},
+    {"cross#x#x#x#x@x@xr[#]", [](const SymbolValues& v) { return cross(v, true); }, 2},
+    {"cross#x#x#x#x@x@xs[#]", [](const SymbolValues& v) { return cross(v, false); }, 2},
+    {"dogbone#x#x#x#x@xr[x#]", [](const SymbolValues& v) { return dogbone(v, true); }, 2},
+    {"dogbone#x#x#x#x@xs[x#]", [](const SymbolValues& v) { return dogbone(v, false); }, 2},
+    {"dpack#x#x#x#x@x@[x#]", padGrid, 2, 0, 0b110000},
+};
+
+}  // namespace
+
+std::span<const SymbolRule> stencilRules() {
+    return kRules;
 }
 
 }  // namespace model::odb

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
 
 #include "model/geometry/boolean.h"
 #include "model/geometry/region.h"
@@ -30,6 +29,10 @@ PadShape box(double width, double height) {
 
 }  // namespace
 
+PointD polar(double angle, double along, double aside) {
+    return {along * std::cos(angle) - aside * std::sin(angle), along * std::sin(angle) + aside * std::cos(angle)};
+}
+
 PathNode lineNode(Point point) {
     return {point, {}, EdgeKind::Line};
 }
@@ -50,6 +53,35 @@ PadShape resized(const PadShape& shape, Nm resize) {
     }
     return result;
 }
+
+ShapeSketch boxRing(double width, double height, double line, double radius, unsigned corners) {
+    ShapeSketch sketch;
+    addCornerBox(sketch, width, height, radius, corners, CornerStyle::Rounded, false);
+    if (width > 2 * line && height > 2 * line) {
+        addCornerBox(sketch, width - 2 * line, height - 2 * line, radius - line, corners, CornerStyle::Rounded, true);
+    }
+    return sketch;
+}
+
+ShapeSketch ovalRing(double width, double height, double line) {
+    ShapeSketch sketch;
+    addOval(sketch, width, height, false);
+    if (std::min(width, height) > 2 * line) {
+        addOval(sketch, width - 2 * line, height - 2 * line, true);
+    }
+    return sketch;
+}
+
+ShapeSketch squareRoundRing(double outer, double inner) {
+    ShapeSketch sketch;
+    if (inner < outer) {
+        addBox(sketch, outer, outer, false);
+        addDisc(sketch, inner, true);
+    }
+    return sketch;
+}
+
+namespace {
 
 PadShape roundShape(const SymbolValues& v) {
     PadShape shape;
@@ -144,23 +176,8 @@ PadShape squareRing(const SymbolValues& v) {
     return regionShape(std::move(sketch));
 }
 
-PadShape squareRoundRing(const SymbolValues& v) {
-    if (v[1] >= v[0]) {
-        return regionShape({});
-    }
-    ShapeSketch sketch;
-    addBox(sketch, v[0], v[0], false);
-    addDisc(sketch, v[1], true);
-    return regionShape(std::move(sketch));
-}
-
-ShapeSketch boxRing(double width, double height, double line, double radius, unsigned corners) {
-    ShapeSketch sketch;
-    addCornerBox(sketch, width, height, radius, corners, CornerStyle::Rounded, false);
-    if (width > 2 * line && height > 2 * line) {
-        addCornerBox(sketch, width - 2 * line, height - 2 * line, radius - line, corners, CornerStyle::Rounded, true);
-    }
-    return sketch;
+PadShape squareRoundRingShape(const SymbolValues& v) {
+    return regionShape(squareRoundRing(v[0], v[1]));
 }
 
 PadShape roundedSquareRing(const SymbolValues& v) {
@@ -171,16 +188,7 @@ PadShape rectangleRing(const SymbolValues& v) {
     return regionShape(boxRing(v[0], v[1], v[2], v[3], v.corners));
 }
 
-ShapeSketch ovalRing(double width, double height, double line) {
-    ShapeSketch sketch;
-    addOval(sketch, width, height, false);
-    if (std::min(width, height) > 2 * line) {
-        addOval(sketch, width - 2 * line, height - 2 * line, true);
-    }
-    return sketch;
-}
-
-PadShape ovalRing(const SymbolValues& v) {
+PadShape ovalRingShape(const SymbolValues& v) {
     return regionShape(ovalRing(v[0], v[1], v[2]));
 }
 
@@ -205,6 +213,45 @@ PadShape butterflySquare(const SymbolValues& v) {
     addLoop(sketch, std::array<PointD, 4>{{{0, 0}, {0, h}, {-h, h}, {-h, 0}}}, false);
     addLoop(sketch, std::array<PointD, 4>{{{0, 0}, {0, -h}, {h, -h}, {h, 0}}}, false);
     return regionShape(std::move(sketch));
+}
+
+PadShape nothing(const SymbolValues&) {
+    return {};
+}
+
+constexpr SymbolRule kRules[] = {
+    {"r#", roundShape, 1},
+    {"s#", square, 1},
+    {"rect#x#", rectangle, 2},
+    {"rect#x#xr#[x%]", roundedRectangle, 2},
+    {"rect#x#xc#[x%]", chamferedRectangle, 2},
+    {"oval#x#", ovalShape, 2},
+    {"donut_r#x#", roundRing, 1, 0b10},
+    {"donut_rc#x#x#[xr#[x%]]", rectangleRing, 2},
+    {"oct#x#x#", chamferedRectangle, 2},
+    {"di#x#", diamond, 2},
+    {"hex_l#x#x#", hexagonLying, 2},
+    {"hex_s#x#x#", hexagonStanding, 2},
+    {"tri#x#", triangle, 2},
+    {"el#x#", ellipse, 2},
+    {"oval_h#x#", halfOval, 2},
+    {"bfr#", butterflyRound, 1},
+    {"bfs#", butterflySquare, 1},
+    {"donut_s#x#", squareRing, 1},
+    {"donut_s#x#xr#[x%]", roundedSquareRing, 1},
+    {"donut_sr#x#", squareRoundRingShape, 1},
+    {"donut_o#x#x#", ovalRingShape, 2},
+    {"moire#x#x@x#x#x@", moire, 0, 0, 0b100},
+    {"hole#xpx@x@", roundShape, 1},
+    {"hole#xnx@x@", roundShape, 1},
+    {"hole#xvx@x@", roundShape, 1},
+    {"null@", nothing},
+};
+
+}  // namespace
+
+std::span<const SymbolRule> padRules() {
+    return kRules;
 }
 
 }  // namespace model::odb

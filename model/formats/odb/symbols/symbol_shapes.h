@@ -2,12 +2,13 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
+#include <string_view>
 
 #include "model/formats/odb/symbols/standard_symbols.h"
 #include "model/geometry/outlines.h"
 
-/// The makers behind standardSymbol: each makes what the symbol draws of the values of its name. The grammar and
-/// the meaning of the values are the rows of the table in standard_symbols.cpp.
+/// The kinds of symbols behind standardSymbol: each has a maker of what the symbol draws of the values of its name.
 namespace model::odb {
 
 /// Values taken out of a symbol name in their order; lengths are in nanometres, angles and counts as written.
@@ -32,53 +33,28 @@ template <class Draw>
     draw(sketch);
     return regionShape(std::move(sketch));
 }
+/// A point at distance `along` from the centre in direction `angle` (rad), `aside` to the left of that direction.
+[[nodiscard]] PointD polar(double angle, double along, double aside = 0.0);
 /// A node that a straight edge leaves.
 [[nodiscard]] PathNode lineNode(Point point);
 
-[[nodiscard]] PadShape roundShape(const SymbolValues& v);
-[[nodiscard]] PadShape square(const SymbolValues& v);
-[[nodiscard]] PadShape rectangle(const SymbolValues& v);
-[[nodiscard]] PadShape roundedRectangle(const SymbolValues& v);
-[[nodiscard]] PadShape chamferedRectangle(const SymbolValues& v);
-[[nodiscard]] PadShape ovalShape(const SymbolValues& v);
-[[nodiscard]] PadShape diamond(const SymbolValues& v);
-[[nodiscard]] PadShape hexagonLying(const SymbolValues& v);
-[[nodiscard]] PadShape hexagonStanding(const SymbolValues& v);
-[[nodiscard]] PadShape triangle(const SymbolValues& v);
-[[nodiscard]] PadShape ellipse(const SymbolValues& v);
-[[nodiscard]] PadShape halfOval(const SymbolValues& v);
-[[nodiscard]] PadShape roundRing(const SymbolValues& v);
-[[nodiscard]] PadShape squareRing(const SymbolValues& v);
-[[nodiscard]] PadShape squareRoundRing(const SymbolValues& v);
-[[nodiscard]] PadShape roundedSquareRing(const SymbolValues& v);
-[[nodiscard]] PadShape rectangleRing(const SymbolValues& v);
-[[nodiscard]] PadShape ovalRing(const SymbolValues& v);
-[[nodiscard]] PadShape butterflyRound(const SymbolValues& v);
-[[nodiscard]] PadShape butterflySquare(const SymbolValues& v);
-
-// thermal_shapes.cpp
-[[nodiscard]] PadShape roundThermalSquareEnds(const SymbolValues& v);
-[[nodiscard]] PadShape roundThermalRoundEnds(const SymbolValues& v);
-[[nodiscard]] PadShape squareThermal(const SymbolValues& v);
-[[nodiscard]] PadShape squareRoundThermal(const SymbolValues& v);
-[[nodiscard]] PadShape rectangleThermal(const SymbolValues& v);
-[[nodiscard]] PadShape ovalThermal(const SymbolValues& v);
-[[nodiscard]] PadShape squareThermalOpenCorners(const SymbolValues& v);
-[[nodiscard]] PadShape rectangleThermalOpenCorners(const SymbolValues& v);
-[[nodiscard]] PadShape lineThermal(const SymbolValues& v);
-[[nodiscard]] PadShape oblongThermalStraight(const SymbolValues& v);
-
-// moire.cpp
+/// Square outside, round inside: outer and inner size.
+[[nodiscard]] ShapeSketch squareRoundRing(double outer, double inner);
+/// moire: ring width, ring gap, rings, then the cross: line width, length, angle.
 [[nodiscard]] PadShape moire(const SymbolValues& v);
 
-// stencil_shapes.cpp
-[[nodiscard]] PadShape homePlate(const SymbolValues& v);
-[[nodiscard]] PadShape invertedHomePlate(const SymbolValues& v);
-[[nodiscard]] PadShape flatHomePlate(const SymbolValues& v);
-[[nodiscard]] PadShape radiusedInvertedHomePlate(const SymbolValues& v);
-[[nodiscard]] PadShape radiusedHomePlate(const SymbolValues& v);
-[[nodiscard]] PadShape cross(const SymbolValues& v, bool isRound);
-[[nodiscard]] PadShape dogbone(const SymbolValues& v, bool isRound);
-[[nodiscard]] PadShape padGrid(const SymbolValues& v);
+/// A kind of symbol.
+struct SymbolRule {
+    /// `#` is a length, `@` a plain number, `%` a list of corners, and what `[` and `]` enclose may be left out; the
+    /// rest stands for itself. No name fits two patterns.
+    std::string_view pattern;
+    PadShape (*make)(const SymbolValues&);
+    std::size_t resizable = 0;      ///< leading lengths, the outer sizes: a resize is added to them; 0: none has one
+    std::size_t mayBeNegative = 0;  ///< bit set of lengths that may be negative
+    std::size_t counts = 0;         ///< bit set of values that count pieces (gaps, rings, rows)
+};
+[[nodiscard]] std::span<const SymbolRule> padRules();
+[[nodiscard]] std::span<const SymbolRule> thermalRules();
+[[nodiscard]] std::span<const SymbolRule> stencilRules();
 
 }  // namespace model::odb

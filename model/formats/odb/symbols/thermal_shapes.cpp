@@ -13,11 +13,6 @@ namespace model::odb {
 
 namespace {
 
-/// A point at distance `along` from the centre in direction `angle` (rad), `aside` to the left of that direction.
-PointD polar(double angle, double along, double aside = 0.0) {
-    return {along * std::cos(angle) - aside * std::sin(angle), along * std::sin(angle) + aside * std::cos(angle)};
-}
-
 double radiansOf(double degrees) {
     return degrees * std::numbers::pi / 180.0;
 }
@@ -105,8 +100,6 @@ bool leavesPieces(const std::vector<double>& gaps, double aside, double radius) 
     return !gaps.empty() && aside < radius * std::sin(half);
 }
 
-}  // namespace
-
 /// ths: the ends of each piece are parallel to the gap beside it. Exact: four corners and two arcs per piece.
 PadShape roundThermalSquareEnds(const SymbolValues& v) {
     const double outer = v[0] / 2;
@@ -168,7 +161,7 @@ PadShape squareThermal(const SymbolValues& v) {
 
 /// sr_ths: square outside, round inside.
 PadShape squareRoundThermal(const SymbolValues& v) {
-    return cutByGaps(squareRoundRing(v).region, centralGaps(v[2], v[3]), v[4], v[0]);
+    return cutByGaps(squareRoundRing(v[0], v[1]), centralGaps(v[2], v[3]), v[4], v[0]);
 }
 
 /// rc_ths: W × H, angle, gaps, gap width, line width, then a radius.
@@ -211,6 +204,26 @@ PadShape oblongThermalStraight(const SymbolValues& v) {
 /// o_ths: W × H, angle, gaps, gap width, line width.
 PadShape ovalThermal(const SymbolValues& v) {
     return cutByGaps(ovalRing(v[0], v[1], v[5]), centralGaps(v[2], v[3]), v[4], v[0] + v[1]);
+}
+
+constexpr SymbolRule kRules[] = {
+    {"thr#x#x@x@x#", roundThermalRoundEnds, 1, 0, 0b1000},
+    {"ths#x#x@x@x#", roundThermalSquareEnds, 1, 0, 0b1000},
+    {"s_ths#x#x@x@x#[xr#[x%]]", squareThermal, 1, 0, 0b1000},
+    {"s_tho#x#x@x@x#[xr#[x%]]", squareThermalOpenCorners, 1, 0, 0b1000},
+    {"s_thr#x#x45x4x#", lineThermal, 1},
+    {"sr_ths#x#x@x@x#", squareRoundThermal, 1, 0, 0b1000},
+    {"rc_ths#x#x@x@x#x#[xr#[x%]]", rectangleThermal, 2, 0, 0b1000},
+    {"rc_tho#x#x@x@x#x#[xr#[x%]]", rectangleThermalOpenCorners, 2, 0, 0b1000},
+    {"o_ths#x#x@x@x#x#", ovalThermal, 2, 0, 0b1000},
+    {"oblong_ths#x#x@x@x#x#xr", ovalThermal, 2, 0, 0b1000},
+    {"oblong_ths#x#x@x@x#x#xs", oblongThermalStraight, 2, 0, 0b1000},
+};
+
+}  // namespace
+
+std::span<const SymbolRule> thermalRules() {
+    return kRules;
 }
 
 }  // namespace model::odb

@@ -2,13 +2,10 @@
 
 #include <algorithm>
 
-#include "model/formats/odb/text/records.h"
-
 namespace model::odb {
 
 std::vector<TextProperty> RecordAttributes::resolve(std::string_view tail, const AttributeTypes& types,
-                                                    std::string_view path, std::uint32_t line,
-                                                    Diagnostics& diagnostics) {
+                                                    const FileCursor& at) {
     std::vector<TextProperty> found;
     const std::string_view list = trimmed(tail.substr(0, tail.find(';')));
     if (list.empty() || list.starts_with("ID=")) {
@@ -18,7 +15,7 @@ std::vector<TextProperty> RecordAttributes::resolve(std::string_view tail, const
         found.push_back({name, value});
     }
     if (found.size() <= static_cast<std::size_t>(std::ranges::count(list, ','))) {
-        diagnostics.report(Severity::Warning, path, line, "an attribute that the file does not name was left out");
+        at.report(Severity::Warning, "an attribute that the file does not name was left out");
     }
     return found;
 }

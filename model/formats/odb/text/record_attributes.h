@@ -1,12 +1,11 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "model/board/diagnostics.h"
 #include "model/formats/odb/text/feature_attributes.h"
+#include "model/formats/odb/text/records.h"
 
 namespace model::odb {
 
@@ -26,8 +25,7 @@ public:
     /// The attributes of a tail (Fields::tail()) in its order, IDs left out. Entries that no `@` line names are
     /// reported.
     [[nodiscard]] std::vector<TextProperty> resolve(std::string_view tail, const AttributeTypes& types,
-                                                    std::string_view path, std::uint32_t line,
-                                                    Diagnostics& diagnostics);
+                                                    const FileCursor& at);
 
 private:
     FeatureAttributes m_tables;

@@ -1,9 +1,9 @@
 #include "model/formats/odb/text/records.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 
 namespace model::odb {
 
@@ -65,6 +65,14 @@ std::int64_t scaled(const Decimal& d, std::int64_t nmPerUnit) {
     return d.isNegative ? -rounded : rounded;
 }
 
+template <class Number>
+std::optional<Number> parseNumber(std::string_view text) {
+    text = text.starts_with('+') ? text.substr(1) : text;
+    Number value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
+}
+
 bool isContinuation(char c) {
     return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
 }
@@ -90,12 +98,9 @@ std::size_t utf8Length(std::string_view text) {
 
 bool LineReader::next() {
     while (!m_rest.empty()) {
-        const void* newline = std::memchr(m_rest.data(), '\n', m_rest.size());
-        const std::size_t length = newline != nullptr
-                                       ? static_cast<std::size_t>(static_cast<const char*>(newline) - m_rest.data())
-                                       : m_rest.size();
+        const std::size_t length = std::min(m_rest.find('\n'), m_rest.size());
         m_line = m_rest.substr(0, length);
-        m_rest.remove_prefix(newline != nullptr ? length + 1 : length);
+        m_rest.remove_prefix(std::min(length + 1, m_rest.size()));
         ++m_number;
         if (m_line.ends_with('\r')) {
             m_line.remove_suffix(1);
@@ -191,9 +196,8 @@ std::string_view Fields::quoted() {
 }
 
 std::string_view Fields::tail() const {
-    const auto* found = static_cast<const char*>(std::memchr(m_at, ';', static_cast<std::size_t>(m_end - m_at)));
-    return found == nullptr ? std::string_view()
-                            : std::string_view(found + 1, static_cast<std::size_t>(m_end - found - 1));
+    const std::size_t mark = std::min(rest().find(';'), rest().size());
+    return rest().substr(std::min(mark + 1, rest().size()));
 }
 
 std::optional<Unit> parseUnit(std::string_view text) {
@@ -222,19 +226,12 @@ std::string_view trimmed(std::string_view text) {
 }
 
 std::optional<double> parseReal(std::string_view text) {
-    text = text.starts_with('+') ? text.substr(1) : text;
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool isWhole = error == std::errc() && end == text.data() + text.size() && !text.empty();
-    return isWhole && std::isfinite(value) ? std::optional(value) : std::nullopt;
+    const std::optional<double> value = parseNumber<double>(text);
+    return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 std::optional<std::int32_t> parseInteger(std::string_view text) {
-    text = text.starts_with('+') ? text.substr(1) : text;
-    std::int32_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool isWhole = error == std::errc() && end == text.data() + text.size() && !text.empty();
-    return isWhole ? std::optional(value) : std::nullopt;
+    return parseNumber<std::int32_t>(text);
 }
 
 std::optional<base::Nm> toLength(double value, std::int64_t nmPerUnit) {

@@ -6,9 +6,26 @@
 #include <string_view>
 
 #include "model/base/point.h"
-#include "model/formats/odb/text/lengths.h"
+#include "model/board/diagnostics.h"
 
 namespace model::odb {
+
+/// The unit of a file or of one symbol.
+enum class Unit : std::uint8_t { Inch, Millimetre };
+
+/// Nanometres per coordinate unit; whole numbers, so that lengths can be read exactly.
+constexpr std::int64_t coordinateNm(Unit unit) {
+    return unit == Unit::Inch ? 25'400'000 : 1'000'000;
+}
+/// Nanometres per symbol unit: symbols and tools are in thousandths, mil or µm (odb-notes, Units).
+constexpr std::int64_t symbolNm(Unit unit) {
+    return coordinateNm(unit) / 1000;
+}
+
+/// "MM" or "INCH" in any case; nothing for other texts, empty ones included.
+[[nodiscard]] std::optional<Unit> parseUnit(std::string_view text);
+/// Takes a line `UNITS=MM` or `U MM`; a unit that is neither changes nothing.
+[[nodiscard]] bool readUnit(std::string_view line, std::int64_t& nmPerUnit);
 
 /// Walks a text line by line: no copies, LF or CRLF, blank lines and `#` comments skipped. Lines are numbered from 1 as
 /// an editor shows them.
@@ -29,6 +46,25 @@ private:
     std::string_view m_rest;
     std::string_view m_line;
     std::uint32_t m_number = 0;
+};
+
+/// Where a parser is in a file of records, and in which unit: what it reports carries file and line.
+struct FileCursor {
+    std::string_view path;
+    Diagnostics& diagnostics;
+    std::int64_t nm = 0;  ///< per unit of coordinates
+    std::uint32_t line = 0;
+
+    void report(Severity severity, std::string_view text) const { diagnostics.report(severity, path, line, text); }
+    /// Calls `record(text)` for each line of LineReader, with `line` set.
+    template <class Record>
+    void forEachLine(std::string_view text, Record record) {
+        LineReader lines(text);
+        while (lines.next()) {
+            line = lines.number();
+            record(lines.line());
+        }
+    }
 };
 
 /// Takes a line record apart from left to right: fields separated by blanks, ending at the first `;` (attributes and ID

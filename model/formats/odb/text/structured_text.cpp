@@ -31,7 +31,7 @@ void addSetting(Block& block, std::string_view line, std::uint32_t number, std::
                            "the line is neither KEY=value nor a block; it was left out");
         return;
     }
-    block.settings.push_back({trimmed(line.substr(0, equals)), trimmed(line.substr(equals + 1)), number});
+    block.settings.push_back({trimmed(line.substr(0, equals)), trimmed(line.substr(equals + 1))});
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -13,7 +12,6 @@ namespace model::odb {
 struct Setting {
     std::string_view key;
     std::string_view value;  ///< without the blanks around it
-    std::uint32_t line = 0;
 };
 
 /// A `NAME {` … `}` block, or the settings of the file outside all blocks.

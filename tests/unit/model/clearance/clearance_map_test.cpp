@@ -1,12 +1,14 @@
 // Every cell of a map against measuring from its centre to all copper, one by one.
+#include "model/clearance/clearance_map.h"
+
 #include <QtTest>
 #include <array>
 #include <random>
 
 #include "model/base/parallel.h"
 #include "model/board/document_builder.h"
-#include "model/clearance/clearance_map.h"
 #include "model/figures/distance.h"
+#include "tests/unit/model/figures/element_spacing.h"
 
 using model::ClearanceMap;
 using model::DistanceField;
@@ -128,7 +130,7 @@ std::vector<std::size_t> netsOf(const model::Document& board, LayerId layer) {
         for (std::uint32_t i = first; i < first + count; ++i) {
             for (std::uint32_t j = first; j < first + count && own[i] == board.nets.size(); ++j) {
                 if (nets[j] < nets[i] &&
-                    model::spacingBetween(board, ElementId{i}, ElementId{j})->distance <= model::kTouchNm) {
+                    figure_testing::spacingBetween(board, ElementId{i}, ElementId{j})->distance <= model::kTouchNm) {
                     nets[i] = nets[j];
                     isChanged = true;
                 }

@@ -8,6 +8,7 @@
 #include "model/base/parallel.h"
 #include "model/board/document_builder.h"
 #include "model/figures/distance.h"
+#include "tests/unit/model/figures/element_spacing.h"
 
 using model::Clearance;
 using model::ClearanceRequest;
@@ -76,7 +77,7 @@ std::vector<double> bruteForce(const model::Document& document) {
             if (netI == netJ || document.elements.layer[i] != document.elements.layer[j]) {
                 continue;
             }
-            const double gap = model::spacingBetween(document, ElementId{i}, ElementId{j})->distance;
+            const double gap = figure_testing::spacingBetween(document, ElementId{i}, ElementId{j})->distance;
             if (gap <= model::kTouchNm && (!netI.isValid() || !netJ.isValid())) {
                 continue;
             }

@@ -7,6 +7,7 @@
 #include "model/base/parallel.h"
 #include "model/board/document_builder.h"
 #include "model/figures/distance.h"
+#include "tests/unit/model/figures/element_spacing.h"
 
 using model::DocumentBuilder;
 using model::ElementId;
@@ -64,7 +65,8 @@ std::vector<double> bruteForce(const model::Document& board, const std::vector<E
         });
         for (const ElementId target : targets) {
             if (!isLeftOut && board.elements.layer[target.row()] == board.elements.layer[i]) {
-                nearest[i] = std::min(nearest[i], model::spacingBetween(board, ElementId{i}, target)->distance);
+                nearest[i] =
+                    std::min(nearest[i], figure_testing::spacingBetween(board, ElementId{i}, target)->distance);
             }
         }
     }

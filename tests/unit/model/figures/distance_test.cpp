@@ -9,6 +9,7 @@
 #include "model/board/document_builder.h"
 #include "model/figures/element_polygons.h"
 #include "model/geometry/discretise.h"
+#include "tests/unit/model/figures/element_spacing.h"
 
 using model::ArcGeometry;
 using model::DocumentBuilder;
@@ -62,7 +63,7 @@ public:
     }
     [[nodiscard]] const model::Document& document() const { return m_builder.soFar(); }
     [[nodiscard]] double gap(ElementId a, ElementId b) const {
-        const auto found = model::spacingBetween(document(), a, b);
+        const auto found = figure_testing::spacingBetween(document(), a, b);
         return found ? found->distance : -1.0;
     }
 
@@ -188,7 +189,7 @@ private slots:
         QCOMPARE(plane.gap(plate, small), 0.0);
         QCOMPARE(plane.gap(small, plate), 0.0);
         QCOMPARE(plane.gap(plate, inner), 0.0);
-        const auto gap = model::spacingBetween(plane.document(), plate, inner);
+        const auto gap = figure_testing::spacingBetween(plane.document(), plate, inner);
         QVERIFY(gap->from.x == gap->to.x && gap->from.x >= 4 * kMm && gap->from.x <= 6 * kMm);
         // A stroke swallows whatever its pen covers.
         QCOMPARE(plane.gap(plane.line({0, 0}, {20 * kMm, 0}, 4 * kMm), plane.rectangle({kMm, 0}, {2 * kMm, kMm})), 0.0);
@@ -239,15 +240,15 @@ private slots:
     void strokesWithoutWidthCoverNothing() {
         LayerGeometry plane;
         const ElementId thin = plane.line({0, 0}, {kMm, 0}, 0);
-        QVERIFY(!model::spacingBetween(plane.document(), thin, thin));
+        QVERIFY(!figure_testing::spacingBetween(plane.document(), thin, thin));
     }
 
     void theLimitHidesWhatIsFartherAway() {
         LayerGeometry plane;
         const ElementId a = plane.circle({0, 0}, kMm);
         const ElementId b = plane.circle({2 * kMm, 0}, kMm);
-        QVERIFY(!model::spacingBetween(plane.document(), a, b, kMm - 1.0));
-        const auto gap = model::spacingBetween(plane.document(), a, b, double{kMm});
+        QVERIFY(!figure_testing::spacingBetween(plane.document(), a, b, kMm - 1.0));
+        const auto gap = figure_testing::spacingBetween(plane.document(), a, b, double{kMm});
         QVERIFY(gap && gap->distance == kMm);
         QCOMPARE(gap->from.x, 500'000.0);
         QCOMPARE(gap->to.x, 1'500'000.0);

@@ -1,9 +1,9 @@
 // The small structured files of a job: matrix, stephdr, info, attrlist, tools.
 #include "model/formats/odb/features/tools.h"
 #include "model/formats/odb/job_info.h"
+#include "model/formats/odb/stackup/layer_facts.h"
 #include "model/formats/odb/stackup/matrix.h"
 #include "model/formats/odb/step/step_header.h"
-#include "model/formats/odb/text/attributes.h"
 #include "model/formats/odb/text/structured_text.h"
 #include "tests/unit/model/formats/odb/odb_testing.h"
 
@@ -160,11 +160,11 @@ private slots:
         const std::string text = "UNITS=MM\n.copper_weight = 35\n.layer_dielectric=0\n.z0impedance=\n.loss_tangent=x\n";
         const model::odb::AttributeList list(text, "attrlist", Unit::Inch, diagnostics);
         QCOMPARE(list.unit(), Unit::Millimetre);
-        QCOMPARE(list.number(".copper_weight", "attrlist", diagnostics), std::optional(35.0));
-        QVERIFY(!list.number(".layer_dielectric", "attrlist", diagnostics));
-        QVERIFY(!list.number(".z0impedance", "attrlist", diagnostics));
+        QCOMPARE(list.number(".copper_weight"), std::optional(35.0));
+        QVERIFY(!list.number(".layer_dielectric"));
+        QVERIFY(!list.number(".z0impedance"));
         QVERIFY(diagnostics.entries().empty());
-        QVERIFY(!list.number(".loss_tangent", "attrlist", diagnostics));
+        QVERIFY(!list.number(".loss_tangent"));
         QCOMPARE(diagnostics.entries().size(), std::size_t{1});
     }
 

@@ -183,7 +183,8 @@ private slots:
             QVERIFY(attributes.record(line));
         }
         QVERIFY(!attributes.record("NET A"));
-        const auto found = attributes.resolve("0=1,1=1,2=1, 4 ,5=12.5,9=1;ID=123", {}, "f", 7, diagnostics);
+        const model::odb::FileCursor at{"f", diagnostics, 1, 7};
+        const auto found = attributes.resolve("0=1,1=1,2=1, 4 ,5=12.5,9=1;ID=123", {}, at);
         QCOMPARE(found, (std::vector<TextProperty>{{".comp_mount_type", "smt"},
                                                    {"count", "1"},
                                                    {".string", "one text"},
@@ -191,9 +192,9 @@ private slots:
                                                    {".height", "12.5"}}));
         QCOMPARE(diagnostics.entries().size(), std::size_t{1});  // nobody names attribute 9
         QCOMPARE(diagnostics.entries()[0].line, 7U);
-        QVERIFY(attributes.resolve("", {}, "f", 1, diagnostics).empty());
-        QVERIFY(attributes.resolve(";ID=7", {}, "f", 1, diagnostics).empty());
-        QVERIFY(attributes.resolve("ID=7", {}, "f", 1, diagnostics).empty());
+        QVERIFY(attributes.resolve("", {}, at).empty());
+        QVERIFY(attributes.resolve(";ID=7", {}, at).empty());
+        QVERIFY(attributes.resolve("ID=7", {}, at).empty());
         QCOMPARE(diagnostics.entries()[0].count, 1U);
     }
 

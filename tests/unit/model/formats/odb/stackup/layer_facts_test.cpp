@@ -16,7 +16,7 @@ namespace {
 LayerFacts facts(LayerType type, const char* text, model::Diagnostics& diagnostics) {
     MatrixLayer layer;
     layer.type = type;
-    return factsOf(AttributeList(text, "attrlist", Unit::Inch, diagnostics), layer, "attrlist", diagnostics);
+    return factsOf(AttributeList(text, "attrlist", Unit::Inch, diagnostics), layer);
 }
 
 }  // namespace
