@@ -51,7 +51,7 @@ Board readPaper(const BoardInput& input, const ReadOptions&, base::Progress& pro
 
 const BoardFormat* formatOf(const BoardInput& input) {
     const std::span<const BoardFormat> formats = knownFormats();
-    const auto found = std::ranges::find_if(formats, [&](const BoardFormat& format) { return format.isOne(input); });
+    const auto found = std::ranges::find_if(formats, [&](const BoardFormat& format) { return format.probe(input); });
     return found == formats.end() ? nullptr : &*found;
 }
 

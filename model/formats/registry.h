@@ -34,7 +34,7 @@ struct BoardFormat {
     std::string_view name;                     ///< "ODB++ job"
     std::vector<std::string_view> extensions;  ///< ".tgz"; only hints: what a file is follows from its bytes
     std::string_view part;                     ///< what folders and archives of it hold, "an ODB++ matrix"; empty: none
-    bool (*isOne)(const BoardInput& input);    ///< is it one of its boards? Before and after unpacking; touches no file
+    bool (*probe)(const BoardInput& input);    ///< is it one of its boards? Before and after unpacking; touches no file
     base::Result<std::shared_ptr<const Document>> (*read)(const BoardInput& input, const ReadOptions& options,
                                                           base::Progress& progress);
 };
