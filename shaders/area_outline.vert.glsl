@@ -2,14 +2,10 @@
 #extension GL_GOOGLE_include_directive : require
 #include "lib/frame.glsl"
 #include "lib/area.glsl"
-#include "lib/surface.glsl"
+#include "lib/board_vertex.glsl"
 #include "lib/outline.glsl"
 
 // Outlines of an area in flat views: six vertices per outline vertex make a line to the next one. A vertex that leads to itself makes nothing.
-layout(location = 0) out vec3 outPosition;
-layout(location = 1) flat out vec4 outColour;
-invariant gl_Position;
-
 void main() {
     const AreaInstance instance = FRAME.instances.at[FRAME.visibleInstances.at[gl_InstanceIndex]];
     const LayerState layer = FRAME.layers.at[instance.layer];
@@ -25,7 +21,5 @@ void main() {
     const vec2 across = len > 0.0 ? vec2(-delta.y, delta.x) * (side * kOutlinePx / FRAME.pixelsPerMm / len) : vec2(0.0);
     const bool isUpper = FRAME.quadFace == 0u;
     const vec3 position = vec3((isNext ? to : from) + across, faceOf(instance, layer, isUpper));
-    outPosition = position - FRAME.centre;
-    outColour = colourOf(layer, instance.element, false);
-    gl_Position = clipPosition(outPosition, layer, instance.element, false, float(isUpper), 0.0);
+    writeVertex(position, layer, instance.element, false, float(isUpper), 0.0);
 }

@@ -2,14 +2,10 @@
 #extension GL_GOOGLE_include_directive : require
 #include "lib/frame.glsl"
 #include "lib/area.glsl"
-#include "lib/surface.glsl"
+#include "lib/board_vertex.glsl"
 
 // Walls of an area: six vertices per outline vertex make the quad to the next one, counter-clockwise from outside. A vertex that leads to itself
 // makes nothing.
-layout(location = 0) out vec3 outPosition;
-layout(location = 1) flat out vec4 outColour;
-invariant gl_Position;
-
 void main() {
     const AreaInstance instance = FRAME.instances.at[FRAME.visibleInstances.at[gl_InstanceIndex]];
     const LayerState layer = FRAME.layers.at[instance.layer];
@@ -20,7 +16,5 @@ void main() {
     const bool isUpper = ((0x0bu >> corner) & 1u) != 0u;
     const uint at = isNext ? FRAME.next.at[vertex] : vertex;
     const vec3 position = vec3(placed(instance, FRAME.vertices.at[at]), faceOf(instance, layer, isUpper));
-    outPosition = position - FRAME.centre;
-    outColour = colourOf(layer, instance.element, false);
-    gl_Position = clipPosition(outPosition, layer, instance.element, false, float(isUpper), 0.0);
+    writeVertex(position, layer, instance.element, false, float(isUpper), 0.0);
 }

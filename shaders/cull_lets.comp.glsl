@@ -3,37 +3,25 @@
 #include "lib/frame.glsl"
 #include "lib/in_view.glsl"
 #include "lib/level.glsl"
+#include "lib/count.glsl"
 
-// One workgroup per cluster in view: finds the draw of each let (batch, topology and level) and its place among that draw's instances. Counts in shared
-// memory, so that no size of a subgroup is assumed and there is one atomic per cluster and draw. place_lets makes the lists.
+// One workgroup per cluster in view: finds the draw of each let (batch, topology and level) and its place among that draw's instances, with one
+// atomic per cluster and draw. place_lets makes the lists.
 layout(local_size_x = kClusterSize) in;
 
-shared uint counts[kBucketCount];
 shared uint starts[kBucketCount];
 
 void countCluster(Cluster cluster) {
     const uint thread = gl_LocalInvocationID.x;
     const LayerState layer = FRAME.layers.at[cluster.layer];
-    if (thread < kBucketCount) {
-        counts[thread] = 0u;
-    }
-    barrier();
-    const uint index = cluster.firstLet + thread;
-    uint bucket = kNotDrawn;
-    uint slot = 0u;
-    if (thread < cluster.count) {
-        bucket = letBucket(FRAME.lets.at[index], layer);
-    }
-    if (bucket != kNotDrawn) {
-        slot = atomicAdd(counts[bucket], 1u);
-    }
-    barrier();
+    const uvec2 place = countLet(cluster, layer, true);
     if (thread < kBucketCount && counts[thread] > 0u) {
         starts[thread] = atomicAdd(FRAME.letDraws.at[layer.batch * kBucketCount + thread].instanceCount, counts[thread]);
     }
     barrier();
     if (thread < cluster.count) {
-        FRAME.letSlots.at[index] = bucket != kNotDrawn ? bucket << kSlotBits | (starts[bucket] + slot) : kNotDrawn;
+        FRAME.letSlots.at[cluster.firstLet + thread] =
+            place.x != kNotDrawn ? place.x << kSlotBits | (starts[place.x] + place.y) : kNotDrawn;
     }
     barrier();
 }

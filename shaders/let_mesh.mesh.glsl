@@ -49,10 +49,10 @@ Share shareOf(uint group) {
     share.firstLet = start + first;
     share.letCount = min(together, payload.counts[bucket] - first);
     share.firstSegment = segment;
-    share.intervals = min(kSliceIntervals, intervalsOf(topology, level) - segment);
+    share.intervals = min(kSliceIntervals, ladderIntervals(topology, level) - segment);
     const bool hasEnds = topology == kTopologyOpen && FRAME.triangleCount > kUpperTriangles;
     share.hasFirstEnd = hasEnds && segment == 0u;
-    share.hasLastEnd = hasEnds && segment + share.intervals == intervalsOf(topology, level);
+    share.hasLastEnd = hasEnds && segment + share.intervals == ladderIntervals(topology, level);
     return share;
 }
 

@@ -4,13 +4,12 @@
 #include "lib/frame.glsl"
 #include "lib/in_view.glsl"
 #include "lib/level.glsl"
+#include "lib/count.glsl"
 #include "lib/payload.glsl"
 
 // Mesh back end, first half (paper, "Procedural"): one workgroup per cluster leaves out what is not in view, picks the level of
 // detail of the rest and requests the mesh workgroups that will make it.
 layout(local_size_x = kClusterSize) in;
-
-shared uint counts[kBucketCount];
 
 // Position of the first let of a bucket in the payload.
 uint startOf(uint bucket) {
@@ -33,26 +32,13 @@ void main() {
     const uint thread = gl_LocalInvocationID.x;
     const Cluster cluster = FRAME.clusters.at[push.first + gl_WorkGroupID.x];
     const LayerState layer = FRAME.layers.at[cluster.layer];
-    const bool isDrawn = isClusterInView(cluster, layer);
-    if (thread < kBucketCount) {
-        counts[thread] = 0u;
-    }
-    barrier();
-    uint bucket = kNotDrawn;
-    uint slot = 0u;
-    if (isDrawn && thread < cluster.count) {
-        bucket = letBucket(FRAME.lets.at[cluster.firstLet + thread], layer);
-    }
-    if (bucket != kNotDrawn) {
-        slot = atomicAdd(counts[bucket], 1u);
-    }
-    barrier();
+    const uvec2 place = countLet(cluster, layer, isClusterInView(cluster, layer));
     if (thread < kBucketCount) {
         payload.counts[thread] = counts[thread];
     }
     barrier();
-    if (bucket != kNotDrawn) {
-        payload.lets[startOf(bucket) + slot] = cluster.firstLet + thread;
+    if (place.x != kNotDrawn) {
+        payload.lets[startOf(place.x) + place.y] = cluster.firstLet + thread;
     }
     EmitMeshTasksEXT(groupsForAll(), 1, 1);
 }

@@ -1,13 +1,9 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/frame.glsl"
-#include "lib/surface.glsl"
+#include "lib/board_vertex.glsl"
 
 // Standard pipeline: a stored vertex and nothing else.
-layout(location = 0) out vec3 outPosition;
-layout(location = 1) flat out vec4 outColour;
-invariant gl_Position;
-
 void main() {
     const StandardVertex vertex = FRAME.standardParts.at[push.first].vertices.at[gl_VertexIndex];
     const LayerState layer = FRAME.layers.at[FRAME.standardParts.at[push.first].layer];
@@ -16,8 +12,8 @@ void main() {
     const uint element = vertex.owner & ~kStandardBore;
     const float protrusion = isBore ? FRAME.boreProtrusionMm : 0.0;
     const vec3 position = vec3(vertex.x, vertex.y, mix(layer.z0 - protrusion, layer.z1 + protrusion, vertex.face));
-    outPosition = position - FRAME.centre;
-    outColour = colourOf(layer, element, isBore);
-    gl_Position = isHidden(element) ? vec4(0.0, 0.0, -1.0, 1.0)  // behind the far end
-                                    : clipPosition(outPosition, layer, element, isBore, float(isUpper), 0.0);
+    writeVertex(position, layer, element, isBore, float(isUpper), 0.0);
+    if (isHidden(element)) {
+        gl_Position = vec4(0.0, 0.0, -1.0, 1.0);  // behind the far end
+    }
 }

@@ -203,9 +203,4 @@ Contours::Side Contours::sideAtBusy(const Mesh& mesh, std::uint32_t a, std::uint
     return first->isOutgoing ? Side::Inside : Side::Outside;
 }
 
-void Contours::release() {
-    m_next.release();
-    m_previous.release();
-}
-
 }  // namespace tri

@@ -85,9 +85,8 @@ public:
     enum class Side : std::uint8_t { Outside, Inside, Unknown };
     [[nodiscard]] Side sideAt(const Mesh& mesh, std::uint32_t a, std::uint32_t b) const;
 
-    /// Bytes of working memory, and giving it back.
+    /// Bytes of working memory.
     [[nodiscard]] std::size_t bytes() const { return m_next.bytes() + m_previous.bytes(); }
-    void release();
 
 private:
     void start(const Mesh& mesh, std::span<const std::uint32_t> busy);

@@ -31,10 +31,6 @@ public:
         return m_memory.get();
     }
     [[nodiscard]] std::size_t bytes() const { return m_capacity * sizeof(T); }
-    void release() {
-        m_memory.reset();
-        m_capacity = 0;
-    }
 
     T* data() { return m_memory.get(); }
     T& operator[](std::size_t i) { return m_memory.get()[i]; }

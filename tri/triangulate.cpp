@@ -4,9 +4,8 @@
 #include <array>
 
 #include "model/base/assert.h"
+#include "tri/cdt.h"
 #include "tri/cdt_cgal.h"
-#include "tri/cdt_cpu.h"
-#include "tri/cdt_parallel.h"
 
 namespace tri {
 
@@ -46,10 +45,6 @@ Status triangulate(const Polygon& polygon, Triangulator triangulator, std::vecto
     }
     return polygon.points.size() < kWorthAllCores ? triangulateCpu(polygon, triangles)
                                                   : triangulateParallel(polygon, triangles);
-}
-
-Outcome triangulate(const Polygon& polygon, std::vector<std::uint32_t>& triangles) {
-    return triangulate(polygon, Triangulator::Auto, triangles).outcome;
 }
 
 std::uint64_t triangleSetHash(std::span<const std::uint32_t> triangles) {

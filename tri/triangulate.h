@@ -88,9 +88,6 @@ using BatchTriangulator = std::function<std::vector<Triangulation>(std::span<con
 [[nodiscard]] Status triangulate(const Polygon& polygon, Triangulator triangulator,
                                  std::vector<std::uint32_t>& triangles);
 
-/// The same by the fastest triangulator, for those who do not ask which edges cross.
-[[nodiscard]] Outcome triangulate(const Polygon& polygon, std::vector<std::uint32_t>& triangles);
-
 /// A number that is the same for the same set of triangles, in whatever order they and their corners are listed.
 [[nodiscard]] std::uint64_t triangleSetHash(std::span<const std::uint32_t> triangles);
 

@@ -46,12 +46,7 @@ std::size_t Workspace::bytes() const {
 
 void Workspace::trim() {
     if (bytes() > kMaxKeptBytes) {
-        mesh.triangles.release();
-        mesh.points.release();
-        mesh.ids.release();
-        contours.release();
-        vertexOf.release();
-        states.release();
+        *this = {};
     }
 }
 

@@ -8,7 +8,6 @@
 #include "app/common/console_progress.h"
 #include "model/base/stopwatch.h"
 #include "render/frame/frame_measures.h"
-#include "render/frame/image_difference.h"
 
 namespace app {
 

@@ -24,8 +24,10 @@ namespace {
 base::Result<bench::Set> boardSet(const std::string& path) {
     ConsoleProgress console;
     ASSIGN_OR_RETURN(const auto document, model::readBoard(path, {}, console.progress()));
-    std::vector<render::ShapeMesh> meshes =
-        render::discretiseShapes(*document, render::shapesInUse(*document), {}, console.progress());
+    std::vector<render::ShapeMesh> meshes;
+    for (const model::ShapeId shape : render::shapesInUse(*document)) {
+        meshes.emplace_back().polygons = model::discretise(document->shapes, shape, {});
+    }
     render::triangulateShapes(meshes, {}, console.progress());
     bench::Set set{std::filesystem::path(path).stem().string(), {}};
     for (const render::ShapeMesh& mesh : meshes) {

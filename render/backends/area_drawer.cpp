@@ -9,9 +9,8 @@ namespace {
 
 PassPipelines makePipelines(gpu::Device& device, std::string_view label, gpu::Spirv vertexShader, bool cullsBackFaces,
                             const TargetFormat& target) {
-    const gpu::ShaderStage stages[] = {{VK_SHADER_STAGE_VERTEX_BIT, vertexShader},
-                                       {VK_SHADER_STAGE_FRAGMENT_BIT, shader::spirv::kBoardFrag}};
-    return makePassPipelines(device, label, stages, cullsBackFaces, target);
+    return makePassPipelines(device, label, gpu::drawStages(vertexShader, shader::spirv::kBoardFrag), cullsBackFaces,
+                             target);
 }
 
 void copyTo(VkCommandBuffer commands, const gpu::Buffer& from, const BufferPart& to) {
@@ -63,8 +62,7 @@ void AreaDrawer::reset(const Recording& recording) const {
 }
 
 void AreaDrawer::cull(const Recording& recording) const {
-    m_cull.bind(recording.commands());
-    m_cull.push(recording.commands(), shader::Push{recording.frameData, 0, 0});
+    recording.bind(m_cull);
     const std::uint32_t groups = (recording.step.instanceCount + shader::kCullGroupSize - 1) / shader::kCullGroupSize;
     vkCmdDispatch(recording.commands(), groups, 1, 1);
 }
@@ -81,9 +79,7 @@ void AreaDrawer::draw(const Recording& recording, std::uint32_t batch, gpu::Pass
 }
 
 void AreaDrawer::drawCaps(const Recording& recording, gpu::Pass pass, std::uint32_t batch, std::uint32_t face) const {
-    const gpu::Pipeline& pipeline = m_caps[passRow(pass)];
-    pipeline.bind(recording.commands());
-    pipeline.push(recording.commands(), shader::Push{recording.frameData, 0, face});
+    recording.bind(m_caps[passRow(pass)], 0, face);
     vkCmdBindIndexBuffer(recording.commands(), recording.step.geometry.indices.handle(), 0, VK_INDEX_TYPE_UINT32);
     constexpr std::uint32_t kStride = sizeof(shader::DrawIndexed);
     forPieces(runsOf(recording, batch, face == 0 ? &SeenFaces::upper : &SeenFaces::lower), m_maxDraws,
@@ -96,9 +92,7 @@ void AreaDrawer::drawCaps(const Recording& recording, gpu::Pass pass, std::uint3
 
 void AreaDrawer::drawEdges(const Recording& recording, gpu::Pass pass, std::uint32_t batch,
                            const PassPipelines& pipelines, bool SeenFaces::*side) const {
-    const gpu::Pipeline& pipeline = pipelines[passRow(pass)];
-    pipeline.bind(recording.commands());
-    pipeline.push(recording.commands(), shader::Push{recording.frameData, 0, 0});
+    recording.bind(pipelines[passRow(pass)]);
     constexpr std::uint32_t kStride = sizeof(shader::Draw);
     forPieces(runsOf(recording, batch, side), m_maxDraws, [&](std::uint32_t first, std::uint32_t count) {
         vkCmdDrawIndirect(recording.commands(), recording.lists.wallDraws.buffer,

@@ -28,9 +28,8 @@ private:
 
     [[nodiscard]] PassPipelines make(std::string_view label, gpu::Spirv vertexShader, gpu::Spirv fragmentShader,
                                      gpu::Cover cover) const {
-        const gpu::ShaderStage stages[] = {{VK_SHADER_STAGE_VERTEX_BIT, vertexShader},
-                                           {VK_SHADER_STAGE_FRAGMENT_BIT, fragmentShader}};
-        return makePassPipelines(*m_device, label, stages, true, m_target, cover);
+        return makePassPipelines(*m_device, label, gpu::drawStages(vertexShader, fragmentShader), true, m_target,
+                                 cover);
     }
 
     gpu::Device* m_device;

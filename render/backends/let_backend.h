@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <memory>
 
 #include "render/culling/frame_plan.h"
@@ -21,7 +22,7 @@ struct TargetFormat {
     VkFormat colour = VK_FORMAT_UNDEFINED;
     VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
     bool hasSection = false;  ///< fragments test on which side of the section plane they are (shaders/lib/section.glsl)
-    bool operator==(const TargetFormat&) const = default;
+    auto operator<=>(const TargetFormat&) const = default;
 };
 
 [[nodiscard]] PassPipelines makePassPipelines(gpu::Device& device, std::string_view label,
@@ -40,6 +41,11 @@ struct Recording {
     VkDeviceAddress frameData = 0;
 
     [[nodiscard]] VkCommandBuffer commands() const { return frame.commands(); }
+    /// With the push constants that shaders know this copy by.
+    void bind(const gpu::Pipeline& pipeline, std::uint32_t first = 0, std::uint32_t face = 0) const {
+        pipeline.bind(commands());
+        pipeline.push(commands(), shader::Push{frameData, first, face});
+    }
 };
 
 /// Draws lets. All ways take the same buffers and describe the same prisms: mesh and pull as polygons (lib/prism.glsl),

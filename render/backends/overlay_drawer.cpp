@@ -8,8 +8,7 @@ namespace render {
 namespace {
 
 gpu::Pipeline makePipeline(gpu::Device& device, VkFormat colour) {
-    const gpu::ShaderStage stages[] = {{VK_SHADER_STAGE_VERTEX_BIT, shader::spirv::kOverlayVert},
-                                       {VK_SHADER_STAGE_FRAGMENT_BIT, shader::spirv::kOverlayFrag}};
+    const auto stages = gpu::drawStages(shader::spirv::kOverlayVert, shader::spirv::kOverlayFrag);
     return gpu::Pipeline(
         device, gpu::GraphicsPipelineOptions{"overlay", stages, sizeof(shader::OverlayPush), gpu::Pass::Overlay, false,
                                              gpu::Cover::Triangles, colour});
@@ -17,8 +16,7 @@ gpu::Pipeline makePipeline(gpu::Device& device, VkFormat colour) {
 
 }  // namespace
 
-OverlayDrawer::OverlayDrawer(gpu::Device& device, VkFormat colour)
-    : m_format(colour), m_pipeline(makePipeline(device, colour)) {}
+OverlayDrawer::OverlayDrawer(gpu::Device& device, VkFormat colour) : m_pipeline(makePipeline(device, colour)) {}
 
 void OverlayDrawer::draw(gpu::Frame& frame, const Overlay& overlay) const {
     const std::span pixels(overlay.rgba, std::size_t{overlay.width} * overlay.height * 4);

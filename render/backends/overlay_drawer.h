@@ -10,11 +10,9 @@ namespace render {
 class OverlayDrawer {
 public:
     OverlayDrawer(gpu::Device& device, VkFormat colour);
-    [[nodiscard]] VkFormat format() const { return m_format; }
     void draw(gpu::Frame& frame, const Overlay& overlay) const;
 
 private:
-    VkFormat m_format;
     gpu::Pipeline m_pipeline;
 };
 

@@ -12,8 +12,7 @@ PullBackend::PullBackend(gpu::Device& device)
       m_placeLets(device, {"place lets", shader::spirv::kPlaceLetsComp, sizeof(shader::Push)}) {}
 
 PullBackend::PullBackend(gpu::Device& device, const TargetFormat& target) : PullBackend(device) {
-    const gpu::ShaderStage stages[] = {{VK_SHADER_STAGE_VERTEX_BIT, shader::spirv::kLetPullVert},
-                                       {VK_SHADER_STAGE_FRAGMENT_BIT, shader::spirv::kBoardFrag}};
+    const auto stages = gpu::drawStages(shader::spirv::kLetPullVert, shader::spirv::kBoardFrag);
     m_pipelines = makePassPipelines(device, "lets (pull)", stages, true, target);
 }
 
@@ -34,7 +33,7 @@ std::vector<shader::DrawIndexed> PullBackend::emptyDraws(const Recording& record
 }
 
 void PullBackend::reset(const Recording& recording) {
-    const gpu::Frame::Slice draws = recording.frame.put(std::span<const shader::DrawIndexed>(emptyDraws(recording)));
+    const gpu::Frame::Slice draws = recording.frame.put(emptyDraws(recording));
     const DrawLists& lists = recording.lists;
     const VkBufferCopy region{draws.offset, lists.letDraws.offset, draws.bytes.size()};
     vkCmdCopyBuffer(recording.commands(), draws.buffer, lists.letDraws.buffer, 1, &region);
@@ -45,8 +44,7 @@ void PullBackend::reset(const Recording& recording) {
 
 void PullBackend::cull(std::span<const Recording> recordings) {
     for (const Recording& recording : recordings) {
-        m_cullClusters.bind(recording.commands());
-        m_cullClusters.push(recording.commands(), shader::Push{recording.frameData, 0, 0});
+        recording.bind(m_cullClusters);
         const std::uint32_t groups =
             (recording.step.clusterCount + shader::kCullGroupSize - 1) / shader::kCullGroupSize;
         vkCmdDispatch(recording.commands(), groups, 1, 1);
@@ -54,17 +52,14 @@ void PullBackend::cull(std::span<const Recording> recordings) {
     dispatchForClusters(m_cullLets, recordings);
     gpu::memoryBarrier(recordings.front().commands(), gpu::kCompute, gpu::kAnyRead);
     for (const Recording& recording : recordings) {
-        m_lineUpDraws.bind(recording.commands());
-        m_lineUpDraws.push(recording.commands(), shader::Push{recording.frameData, 0, 0});
+        recording.bind(m_lineUpDraws);
         vkCmdDispatch(recording.commands(), 1, 1, 1);
     }
     dispatchForClusters(m_placeLets, recordings);
 }
 
 void PullBackend::draw(const Recording& recording, std::uint32_t batch, gpu::Pass pass) {
-    const gpu::Pipeline& pipeline = pipelinesFor(recording.plan)[passRow(pass)];
-    pipeline.bind(recording.commands());
-    pipeline.push(recording.commands(), shader::Push{recording.frameData, 0, 0});
+    recording.bind(pipelinesFor(recording.plan)[passRow(pass)]);
     vkCmdBindIndexBuffer(recording.commands(), recording.scene.letIndices.handle(), 0, VK_INDEX_TYPE_UINT32);
     constexpr std::uint32_t kStride = sizeof(shader::DrawIndexed);
     vkCmdDrawIndexedIndirect(recording.commands(), recording.lists.letDraws.buffer,
@@ -75,8 +70,7 @@ void PullBackend::draw(const Recording& recording, std::uint32_t batch, gpu::Pas
 void dispatchForClusters(const gpu::Pipeline& pipeline, std::span<const Recording> recordings) {
     gpu::memoryBarrier(recordings.front().commands(), gpu::kCompute, gpu::kAnyRead);
     for (const Recording& recording : recordings) {
-        pipeline.bind(recording.commands());
-        pipeline.push(recording.commands(), shader::Push{recording.frameData, 0, 0});
+        recording.bind(pipeline);
         vkCmdDispatchIndirect(recording.commands(), recording.lists.visibleClusters.buffer,
                               recording.lists.visibleClusters.offset);
     }

@@ -46,8 +46,7 @@ public:
 
 private:
     static gpu::Pipeline makeResolve(gpu::Device& device, const TargetFormat& target) {
-        const gpu::ShaderStage stages[] = {{VK_SHADER_STAGE_VERTEX_BIT, shader::spirv::kOverlayVert},
-                                           {VK_SHADER_STAGE_FRAGMENT_BIT, shader::spirv::kRasterResolveFrag}};
+        const auto stages = gpu::drawStages(shader::spirv::kOverlayVert, shader::spirv::kRasterResolveFrag);
         return {device, gpu::GraphicsPipelineOptions{"resolve raster", stages, sizeof(shader::RasterPush),
                                                      gpu::Pass::Opaque, false, gpu::Cover::Fragments, target.colour,
                                                      gpu::kDepthFormat, target.samples}};
@@ -78,7 +77,7 @@ private:
                 firstId += recording.step.letCount;
             }
         }
-        const gpu::Frame::Slice slice = recordings.front().frame.put(std::span<const shader::RasterCopy>(copies));
+        const gpu::Frame::Slice slice = recordings.front().frame.put(copies);
         return {m_pixels.address(), slice.address, 0, static_cast<std::uint32_t>(copies.size())};
     }
 

@@ -10,21 +10,15 @@ namespace render {
 namespace {
 
 gpu::Pipeline makePipeline(gpu::Device& device, const TargetFormat& target) {
-    const gpu::ShaderStage stages[] = {{VK_SHADER_STAGE_VERTEX_BIT, shader::spirv::kSectionFaceVert},
-                                       {VK_SHADER_STAGE_FRAGMENT_BIT, shader::spirv::kSectionFaceFrag}};
-    gpu::GraphicsPipelineOptions options;
-    options.label = "section faces";
-    options.stages = stages;
-    options.pushBytes = sizeof(shader::SectionPush);
-    options.colourFormat = target.colour;
-    options.depthFormat = gpu::kDepthFormat;
-    options.samples = target.samples;
-    return gpu::Pipeline(device, options);
+    const auto stages = gpu::drawStages(shader::spirv::kSectionFaceVert, shader::spirv::kSectionFaceFrag);
+    return gpu::Pipeline(device, gpu::GraphicsPipelineOptions{"section faces", stages, sizeof(shader::SectionPush),
+                                                              gpu::Pass::Opaque, false, gpu::Cover::Triangles,
+                                                              target.colour, gpu::kDepthFormat, target.samples});
 }
 
 /// Where a face is drawn. Bodies of components keep their heights, on whichever face of their layer they stand;
 /// everything else grows with its layer.
-ZRange drawn(const SectionFace& face, const SceneLayers::Layer& real, const shader::LayerState& state) {
+ZRange drawn(const SectionFace& face, const FrameLayer& real, const shader::LayerState& state) {
     const float thickness = real.z1 - real.z0;
     if ((state.flags & shader::kLayerGrowsUp) != 0) {
         return {state.z0 + face.bottom * thickness, state.z0 + face.top * thickness};
@@ -54,7 +48,7 @@ std::vector<shader::SectionRectangle> rectangles(const FramePlan& plan, const Sc
 }  // namespace
 
 SectionDrawer::SectionDrawer(gpu::Device& device, const TargetFormat& target)
-    : m_format(target), m_pipeline(makePipeline(device, target)) {}
+    : m_pipeline(makePipeline(device, target)) {}
 
 void SectionDrawer::draw(gpu::Frame& frame, const FramePlan& plan, const SceneLayers& scene,
                          const SectionCut& cut) const {
@@ -62,8 +56,8 @@ void SectionDrawer::draw(gpu::Frame& frame, const FramePlan& plan, const SceneLa
     if (list.empty()) {
         return;
     }
-    const gpu::Frame::Slice data = frame.put(std::span<const shader::FrameData>(&plan.data, 1));
-    const gpu::Frame::Slice faces = frame.put(std::span<const shader::SectionRectangle>(list));
+    const gpu::Frame::Slice data = frame.put(std::span(&plan.data, 1));
+    const gpu::Frame::Slice faces = frame.put(list);
     gpu::Pipeline::setFrontFace(frame.commands(), false);
     m_pipeline.bind(frame.commands());
     m_pipeline.push(frame.commands(), shader::SectionPush{data.address, faces.address});

@@ -10,12 +10,10 @@ namespace render {
 class SectionDrawer {
 public:
     SectionDrawer(gpu::Device& device, const TargetFormat& target);
-    [[nodiscard]] const TargetFormat& format() const { return m_format; }
     /// Of visible layers, at the heights at which the plan draws them.
     void draw(gpu::Frame& frame, const FramePlan& plan, const SceneLayers& scene, const SectionCut& cut) const;
 
 private:
-    TargetFormat m_format;
     gpu::Pipeline m_pipeline;
 };
 

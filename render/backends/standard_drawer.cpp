@@ -6,11 +6,10 @@ namespace {
 
 class StandardDrawer : public SceneDrawer {
 public:
-    StandardDrawer(gpu::Device& device, const TargetFormat& target) {
-        const gpu::ShaderStage stages[] = {{VK_SHADER_STAGE_VERTEX_BIT, shader::spirv::kStandardVert},
-                                           {VK_SHADER_STAGE_FRAGMENT_BIT, shader::spirv::kBoardFrag}};
-        m_pipelines = makePassPipelines(device, "standard", stages, true, target);
-    }
+    StandardDrawer(gpu::Device& device, const TargetFormat& target)
+        : m_pipelines(makePassPipelines(device, "standard",
+                                        gpu::drawStages(shader::spirv::kStandardVert, shader::spirv::kBoardFrag), true,
+                                        target)) {}
 
     void cull(std::span<const Recording>) override {}
 

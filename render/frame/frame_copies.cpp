@@ -29,17 +29,12 @@ bool isInView(const shader::FrameData& data, const SceneStep& step, const LayerP
     if (step.standard) {
         return true;  // the paper's standard pipeline leaves nothing out
     }
-    const glm::vec3 from(step.reachMin, low);
-    const glm::vec3 to(step.reachMax, high);
+    const glm::vec3 from(step.reach.min, low);
+    const glm::vec3 to(step.reach.max, high);
     return low <= high && isBoxInView(data, 0.5F * (from + to) - data.centre, 0.5F * (to - from));
 }
 
-VkDeviceAddress putStates(gpu::Frame& frame, const LayerPlan& layers) {
-    return frame.put(std::span<const shader::LayerState>(layers.states)).address;
-}
-
-}  // namespace
-
+/// The frame as a copy sees it: camera, frustum and light in the coordinates of its step.
 shader::FrameData frameOfCopy(const shader::FrameData& board, const ModelCopy& copy) {
     // The turn is its own transpose's inverse.
     const glm::dmat2 back = glm::transpose(copy.rotation);
@@ -60,41 +55,40 @@ shader::FrameData frameOfCopy(const shader::FrameData& board, const ModelCopy& c
     return data;
 }
 
-FrameCopies::FrameCopies(gpu::Frame& frame, const FramePlan& plan, const BoardScene::Impl& scene)
-    : m_frame(frame),
-      m_plan(plan),
-      m_scene(scene),
-      m_upright(putStates(frame, plan.upright)),
-      m_flipped(scene.layers.hasFlipped ? putStates(frame, plan.flipped) : m_upright),
-      m_palette(frame.put(std::span<const glm::vec3>(scene.layers.palette)).address) {
-    for (std::uint32_t row = 0; row < scene.copies.size(); ++row) {
-        add(scene.copies[row], row);
-    }
-}
+}  // namespace
 
-void FrameCopies::add(const ModelCopy& copy, std::uint32_t row) {
-    const SceneStep& step = m_scene.steps[copy.step];
-    const LayerPlan& layers = copy.isFlipped ? m_plan.flipped : m_plan.upright;
-    // The board itself keeps its numbers to the last bit.
-    shader::FrameData data = row == 0 ? m_plan.data : frameOfCopy(m_plan.data, copy);
-    if (step.isEmpty() || ((data.flags & shader::kFrameCull) != 0 && !isInView(data, step, layers))) {
-        return;
+std::vector<CopyGroup> copiesInView(gpu::Frame& frame, const FramePlan& plan, const BoardScene::Impl& scene) {
+    const VkDeviceAddress upright = frame.put(plan.upright.states).address;
+    const VkDeviceAddress flipped = scene.layers.hasFlipped ? frame.put(plan.flipped.states).address : upright;
+    const VkDeviceAddress palette = frame.put(scene.layers.palette).address;
+    std::vector<CopyGroup> groups;
+    std::uint64_t used = 0;  // of the scene's lists by the last group
+    for (std::uint32_t row = 0; row < scene.copies.size(); ++row) {
+        const ModelCopy& copy = scene.copies[row];
+        const SceneStep& step = scene.steps[copy.step];
+        const LayerPlan& layers = copy.isFlipped ? plan.flipped : plan.upright;
+        // The board itself keeps its numbers to the last bit.
+        shader::FrameData data = row == 0 ? plan.data : frameOfCopy(plan.data, copy);
+        if (step.isEmpty() || ((data.flags & shader::kFrameCull) != 0 && !isInView(data, step, layers))) {
+            continue;
+        }
+        const std::uint64_t bytes = step.listBytes();
+        if (groups.empty() || used + bytes > scene.lists.size()) {
+            groups.emplace_back();
+            used = 0;
+        }
+        const DrawLists lists = step.listsAt(scene.lists, used);
+        used += bytes;
+        step.setAddresses(data, lists);
+        data.layers = copy.isFlipped ? flipped : upright;
+        data.palette = palette;
+        data.letDrawCount = static_cast<std::uint32_t>(layers.batches.size()) * shader::kBucketCount;
+        data.maxDispatch = kMaxDispatch;
+        data.copy = row;
+        const VkDeviceAddress address = frame.put(std::span(&data, 1)).address;
+        groups.back().push_back({frame, plan, scene, layers, step, lists, copy.isMirrored, address});
     }
-    const std::uint64_t bytes = step.listBytes();
-    if (m_groups.empty() || m_used + bytes > m_scene.lists.size()) {
-        m_groups.emplace_back();
-        m_used = 0;
-    }
-    const DrawLists lists = step.listsAt(m_scene.lists, m_used);
-    m_used += bytes;
-    step.setAddresses(data, lists);
-    data.layers = copy.isFlipped ? m_flipped : m_upright;
-    data.palette = m_palette;
-    data.letDrawCount = static_cast<std::uint32_t>(layers.batches.size()) * shader::kBucketCount;
-    data.maxDispatch = kMaxDispatch;
-    data.copy = row;
-    const VkDeviceAddress address = m_frame.put(std::span<const shader::FrameData>(&data, 1)).address;
-    m_groups.back().push_back({m_frame, m_plan, m_scene, layers, step, lists, copy.isMirrored, address});
+    return groups;
 }
 
 }  // namespace render

@@ -1,7 +1,6 @@
 #include "render/frame/frame_measures.h"
 
 #include "render/frame/frame_copies.h"
-#include "render/gpu/barrier.h"
 #include "render/gpu/check.h"
 #include "render/scene/scene_buffers.h"
 
@@ -16,25 +15,11 @@ std::uint64_t sizeOf(const std::vector<T>&... columns) {
 /// Copies commands to the host.
 template <class T>
 std::optional<std::vector<T>> readBack(gpu::Device& device, const BufferPart& part, std::size_t count) {
-    if (count == 0) {
-        return std::vector<T>{};
-    }
-    const gpu::Buffer host(device, {"measures", count * sizeof(T), gpu::MemoryUse::Staging, true});
-    gpu::FrameRing ring(device, 1, "measures");
-    gpu::Frame* frame = ring.begin();
-    if (frame == nullptr) {
-        return std::nullopt;
-    }
-    gpu::memoryBarrier(frame->commands(), gpu::kAnything, gpu::kAnything);
-    const VkBufferCopy region{part.offset, 0, count * sizeof(T)};
-    vkCmdCopyBuffer(frame->commands(), part.buffer, host.handle(), 1, &region);
-    gpu::memoryBarrier(frame->commands(), gpu::kCopyWrite, gpu::kHostRead);
-    if (!ring.end() || !ring.wait()) {
-        return std::nullopt;
-    }
     std::vector<T> values(count);
-    std::memcpy(values.data(), host.mapped().data(), count * sizeof(T));
-    return values;
+    gpu::FrameRing ring(device, 1, "measures");
+    const auto bytes = std::as_writable_bytes(std::span(values));
+    return gpu::download(device, ring, part.buffer, bytes, part.offset) ? std::optional(std::move(values))
+                                                                        : std::nullopt;
 }
 
 std::uint64_t standardTriangles(const LayerPlan& plan, const StandardBuffers& buffers) {
@@ -84,13 +69,13 @@ std::optional<std::uint64_t> areaTriangles(const Recording& copy) {
 }
 
 /// Of all copies; none when several groups of them took turns in the draw lists, which then report the last one only.
-std::optional<std::uint64_t> hybridTriangles(const FrameCopies& copies) {
+std::optional<std::uint64_t> hybridTriangles(const std::vector<CopyGroup>& groups) {
     std::uint64_t sum = 0;
-    for (const std::vector<Recording>& group : copies.groups()) {
+    for (const CopyGroup& group : groups) {
         for (const Recording& copy : group) {
             const std::optional<std::uint64_t> lets = letTriangles(copy);
             const std::optional<std::uint64_t> areas = areaTriangles(copy);
-            if (!lets || !areas || copies.groups().size() > 1) {
+            if (!lets || !areas || groups.size() > 1) {
                 return std::nullopt;
             }
             sum += *lets + *areas;
@@ -99,12 +84,17 @@ std::optional<std::uint64_t> hybridTriangles(const FrameCopies& copies) {
     return sum;
 }
 
+/// Rec. 601 luma of a pixel, 0 to 1.
+double grey(const Image& image, std::size_t pixel) {
+    const std::uint8_t* rgba = &image.rgba[4 * pixel];
+    return (0.299 * rgba[0] + 0.587 * rgba[1] + 0.114 * rgba[2]) / 255.0;
+}
+
 }  // namespace
 
 std::uint64_t cpuBytes(const BoardModel& m) {
-    std::uint64_t sum =
-        sizeOf(m.lets, m.clusters, m.clustersOfLayer, m.vertices, m.next, m.indices, m.shapes, m.instances,
-               m.areaBatches, m.areaBatchesOfLayer, m.layerBottomMm, m.layerTopMm, m.copies);
+    std::uint64_t sum = sizeOf(m.lets, m.clusters, m.clustersOfLayer, m.vertices, m.next, m.indices, m.shapes,
+                               m.instances, m.areaBatches, m.areaBatchesOfLayer, m.layers, m.copies);
     for (const BoardModel& step : m.steps) {
         sum += cpuBytes(step);
     }
@@ -120,6 +110,19 @@ std::uint64_t cpuBytes(const StandardModel& model) {
         sum += cpuBytes(step);
     }
     return sum;
+}
+
+double greyMse(const Image& a, const Image& b) {
+    if (a.width != b.width || a.height != b.height || a.rgba.empty()) {
+        return 1.0;
+    }
+    const std::size_t pixels = std::size_t{a.width} * a.height;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < pixels; ++i) {
+        const double difference = grey(a, i) - grey(b, i);
+        sum += difference * difference;
+    }
+    return sum / static_cast<double>(pixels);
 }
 
 std::optional<std::uint64_t> drawnTriangles(BoardScene& board, const Camera& camera, const ViewSettings& settings,
@@ -139,7 +142,7 @@ std::optional<std::uint64_t> drawnTriangles(BoardScene& board, const Camera& cam
         if (frame == nullptr) {
             return std::nullopt;
         }
-        const std::optional<std::uint64_t> sum = hybridTriangles(FrameCopies(*frame, plan, scene));
+        const std::optional<std::uint64_t> sum = hybridTriangles(copiesInView(*frame, plan, scene));
         return ring.end() && ring.wait() ? sum : std::nullopt;
     } catch (const gpu::OutOfMemory&) {
         return std::nullopt;

@@ -15,6 +15,10 @@ namespace render {
 [[nodiscard]] std::uint64_t cpuBytes(const BoardModel& model);
 [[nodiscard]] std::uint64_t cpuBytes(const StandardModel& model);
 
+/// Mean squared difference of grey levels (0 to 1, sRGB luma) over all pixels, as the paper compares its pipelines
+/// (there below 0.03). Pictures of different size differ by 1.
+[[nodiscard]] double greyMse(const Image& a, const Image& b);
+
 /// Triangles of the frame of this size that was drawn last from `scene`, from the draw lists that the culling pass
 /// left on the device; faces that a layer turns away are not among them, translucent layers count once. In the hybrid
 /// pipeline the frame must have been drawn by the pull back end; the others make the same choices. None if the device

@@ -3,7 +3,6 @@
 #include <cstring>
 
 #include "model/base/stopwatch.h"
-#include "render/frame/renderer.h"
 #include "render/gpu/barrier.h"
 #include "render/gpu/check.h"
 #include "render/gpu/device_select.h"
@@ -39,76 +38,58 @@ base::Status checkSize(std::uint32_t width, std::uint32_t height, const gpu::Cap
 
 }  // namespace
 
-struct OffscreenPresenter::Impl {
-    gpu::Device* device;
-    gpu::FrameRing ring;
-    Renderer renderer;
-    RenderTarget target;
-    gpu::Buffer readback;
-    FrameStats stats;
+OffscreenPresenter::OffscreenPresenter(gpu::Device& device)
+    : m_device(&device), m_ring(device, 1, "offscreen frames"), m_renderer(device), m_target(device) {}
 
-    explicit Impl(gpu::Device& owner)
-        : device(&owner), ring(owner, 1, "offscreen frames"), renderer(owner), target(owner) {}
-
-    void copyPicture(VkCommandBuffer commands) {
-        const VkExtent2D extent = target.extent();
-        const std::uint64_t bytes = std::uint64_t{extent.width} * extent.height * kBytesPerPixel;
-        if (readback.size() < bytes) {
-            readback = gpu::Buffer(*device, {"readback", bytes, gpu::MemoryUse::Staging, true});
-        }
-        VkBufferImageCopy region{};
-        region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-        region.imageExtent = {extent.width, extent.height, 1};
-        vkCmdCopyImageToBuffer(commands, target.picture(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, readback.handle(), 1,
-                               &region);
-        gpu::memoryBarrier(commands, gpu::kCopyWrite, gpu::kHostRead);
+void OffscreenPresenter::copyPicture(VkCommandBuffer commands) {
+    const VkExtent2D extent = m_target.extent();
+    const std::uint64_t bytes = std::uint64_t{extent.width} * extent.height * kBytesPerPixel;
+    if (m_readback.size() < bytes) {
+        m_readback = gpu::Buffer(*m_device, {"readback", bytes, gpu::MemoryUse::Staging, true});
     }
+    VkBufferImageCopy region{};
+    region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+    region.imageExtent = {extent.width, extent.height, 1};
+    vkCmdCopyImageToBuffer(commands, m_target.picture(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, m_readback.handle(), 1,
+                           &region);
+    gpu::memoryBarrier(commands, gpu::kCopyWrite, gpu::kHostRead);
+}
 
-    base::Result<Image> draw(BoardScene& scene, const Camera& camera, const ViewSettings& settings, VkExtent2D extent) {
-        const base::Stopwatch watch;
-        gpu::Frame* frame = ring.begin();
-        if (frame == nullptr) {
-            return lostDevice();
-        }
-        stats.backend = renderer.record(*frame, target, extent, gpu::kColourFormat, &scene, camera, settings);
-        stats.isOverlayAlone = renderer.drewOverlayAlone();
-        copyPicture(frame->commands());
-        const bool isSubmitted = ring.end();
-        stats.cpuMs = watch.milliseconds();
-        if (!isSubmitted || !ring.wait()) {
-            return lostDevice();
-        }
-        stats.gpuMs = ring.gpuMs();
-        return takePicture();
+base::Result<Image> OffscreenPresenter::draw(BoardScene& scene, const Camera& camera, const ViewSettings& settings,
+                                             VkExtent2D extent) {
+    const base::Stopwatch watch;
+    gpu::Frame* frame = m_ring.begin();
+    if (frame == nullptr) {
+        return lostDevice();
     }
-
-    [[nodiscard]] Image takePicture() const {
-        Image image{target.extent().width, target.extent().height, {}};
-        image.rgba.resize(std::size_t{image.width} * image.height * kBytesPerPixel);
-        std::memcpy(image.rgba.data(), readback.mapped().data(), image.rgba.size());
-        return image;
+    m_stats.backend = m_renderer.record(*frame, m_target, extent, gpu::kColourFormat, &scene, camera, settings);
+    m_stats.isOverlayAlone = m_renderer.drewOverlayAlone();
+    copyPicture(frame->commands());
+    const bool isSubmitted = m_ring.end();
+    m_stats.cpuMs = watch.milliseconds();
+    if (!isSubmitted || !m_ring.wait()) {
+        return lostDevice();
     }
-};
+    m_stats.gpuMs = m_ring.gpuMs();
+    return takePicture();
+}
 
-OffscreenPresenter::OffscreenPresenter(gpu::Device& device) : m_impl(std::make_unique<Impl>(device)) {}
-OffscreenPresenter::~OffscreenPresenter() = default;
-OffscreenPresenter::OffscreenPresenter(OffscreenPresenter&&) noexcept = default;
-OffscreenPresenter& OffscreenPresenter::operator=(OffscreenPresenter&&) noexcept = default;
+Image OffscreenPresenter::takePicture() const {
+    Image image{m_target.extent().width, m_target.extent().height, {}};
+    image.rgba.resize(std::size_t{image.width} * image.height * kBytesPerPixel);
+    std::memcpy(image.rgba.data(), m_readback.mapped().data(), image.rgba.size());
+    return image;
+}
 
 base::Result<Image> OffscreenPresenter::render(BoardScene& scene, const Camera& camera, const ViewSettings& settings,
                                                std::uint32_t width, std::uint32_t height) {
-    Impl& impl = *m_impl;
-    RETURN_IF_ERROR(checkSize(width, height, impl.device->caps()));
+    RETURN_IF_ERROR(checkSize(width, height, m_device->caps()));
     try {
-        return impl.draw(scene, camera, settings, {width, height});
+        return draw(scene, camera, settings, {width, height});
     } catch (const gpu::OutOfMemory& shortage) {
-        impl.device->waitIdle();  // what was begun is freed
-        return noMemory(*impl.device, shortage);
+        m_device->waitIdle();  // what was begun is freed
+        return noMemory(*m_device, shortage);
     }
-}
-
-FrameStats OffscreenPresenter::stats() const {
-    return m_impl->stats;
 }
 
 }  // namespace render

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <memory>
-
+#include "render/frame/renderer.h"
 #include "render/scene/board_scene.h"
-#include "render/scene/camera.h"
 
 namespace render {
 
@@ -11,19 +9,24 @@ namespace render {
 class OffscreenPresenter {
 public:
     explicit OffscreenPresenter(gpu::Device& device);
-    ~OffscreenPresenter();
-    OffscreenPresenter(OffscreenPresenter&&) noexcept;
-    OffscreenPresenter& operator=(OffscreenPresenter&&) noexcept;
 
     /// Draws one frame and waits for it. `width` and `height` up to the device's largest image.
     /// Errors: BadUsage (size), DeviceFailed.
     [[nodiscard]] base::Result<Image> render(BoardScene& scene, const Camera& camera, const ViewSettings& settings,
                                              std::uint32_t width, std::uint32_t height);
-    [[nodiscard]] FrameStats stats() const;
+    [[nodiscard]] FrameStats stats() const { return m_stats; }
 
 private:
-    struct Impl;
-    std::unique_ptr<Impl> m_impl;
+    base::Result<Image> draw(BoardScene& scene, const Camera& camera, const ViewSettings& settings, VkExtent2D extent);
+    void copyPicture(VkCommandBuffer commands);
+    [[nodiscard]] Image takePicture() const;
+
+    gpu::Device* m_device;
+    gpu::FrameRing m_ring;
+    Renderer m_renderer;
+    RenderTarget m_target;
+    gpu::Buffer m_readback;
+    FrameStats m_stats;
 };
 
 }  // namespace render

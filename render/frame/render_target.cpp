@@ -1,21 +1,22 @@
 #include "render/frame/render_target.h"
 
 #include "render/gpu/barrier.h"
+#include "render/gpu/check.h"
 #include "render/gpu/device_select.h"
-#include "render/gpu/vk_info.h"
 
 namespace render {
 namespace {
 
+constexpr VkImageLayout kColourLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+constexpr VkImageLayout kDepthLayout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
 constexpr VkImageAspectFlags kDepthAspects = VK_IMAGE_ASPECT_DEPTH_BIT | VK_IMAGE_ASPECT_STENCIL_BIT;
 
-VkRenderingAttachmentInfo depthAttachment(VkImageView view, VkAttachmentLoadOp load) {
+VkRenderingAttachmentInfo attachment(const gpu::Image& image, VkImageLayout layout, VkAttachmentLoadOp load) {
     auto info = gpu::vkInfo<VkRenderingAttachmentInfo>(VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO);
-    info.imageView = view;
-    info.imageLayout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
+    info.imageView = image.view();
+    info.imageLayout = layout;
     info.loadOp = load;
     info.storeOp = VK_ATTACHMENT_STORE_OP_STORE;  // drawing may go on after a pause
-    info.clearValue.depthStencil = {0.0F, 0};     // reversed: 0 is farthest
     return info;
 }
 
@@ -42,10 +43,10 @@ void RenderTarget::setSize(VkExtent2D extent, const TargetFormat& format) {
     m_colour = gpu::Image(*m_device, {"colour", format.colour, extent,
                                       VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
                                           VK_IMAGE_USAGE_TRANSFER_DST_BIT});
-    m_samples = format.samples != VK_SAMPLE_COUNT_1_BIT
-                    ? gpu::Image(*m_device, {"samples", format.colour, extent, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT,
-                                             format.samples})
-                    : gpu::Image();
+    if (format.samples != VK_SAMPLE_COUNT_1_BIT) {
+        m_samples = gpu::Image(*m_device,
+                               {"samples", format.colour, extent, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, format.samples});
+    }
     m_depth = gpu::Image(*m_device, {"depth", gpu::kDepthFormat, extent, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
                                      format.samples, kDepthAspects});
     m_extent = extent;
@@ -53,7 +54,6 @@ void RenderTarget::setSize(VkExtent2D extent, const TargetFormat& format) {
 }
 
 void RenderTarget::makeReady(VkCommandBuffer commands) const {
-    constexpr VkImageLayout kColourLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
     // What was there is dropped; the last frame may still be copying from it or drawing to it.
     gpu::imageBarrier(commands, {m_colour.handle(), VK_IMAGE_ASPECT_COLOR_BIT, VK_IMAGE_LAYOUT_UNDEFINED, kColourLayout,
                                  gpu::kAnything, gpu::kColour});
@@ -61,17 +61,13 @@ void RenderTarget::makeReady(VkCommandBuffer commands) const {
         gpu::imageBarrier(commands, {m_samples.handle(), VK_IMAGE_ASPECT_COLOR_BIT, VK_IMAGE_LAYOUT_UNDEFINED,
                                      kColourLayout, gpu::kColour, gpu::kColour});
     }
-    gpu::imageBarrier(commands, {m_depth.handle(), kDepthAspects, VK_IMAGE_LAYOUT_UNDEFINED,
-                                 VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL, gpu::kDepth, gpu::kDepth});
+    gpu::imageBarrier(
+        commands, {m_depth.handle(), kDepthAspects, VK_IMAGE_LAYOUT_UNDEFINED, kDepthLayout, gpu::kDepth, gpu::kDepth});
 }
 
 void RenderTarget::begin(VkCommandBuffer commands, const glm::vec3& background) const {
     makeReady(commands);
     start(commands, VK_ATTACHMENT_LOAD_OP_CLEAR, background);
-}
-
-void RenderTarget::pause(VkCommandBuffer commands) const {
-    vkCmdEndRendering(commands);
 }
 
 void RenderTarget::resume(VkCommandBuffer commands) const {
@@ -80,7 +76,16 @@ void RenderTarget::resume(VkCommandBuffer commands) const {
     start(commands, VK_ATTACHMENT_LOAD_OP_LOAD, {});
 }
 
-void RenderTarget::setView(VkCommandBuffer commands) const {
+void RenderTarget::beginRendering(VkCommandBuffer commands, const VkRenderingAttachmentInfo& colour,
+                                  const VkRenderingAttachmentInfo* depth) const {
+    auto info = gpu::vkInfo<VkRenderingInfo>(VK_STRUCTURE_TYPE_RENDERING_INFO);
+    info.renderArea = {{0, 0}, m_extent};
+    info.layerCount = 1;
+    info.colorAttachmentCount = 1;
+    info.pColorAttachments = &colour;
+    info.pDepthAttachment = depth;
+    info.pStencilAttachment = depth;
+    vkCmdBeginRendering(commands, &info);
     const VkViewport viewport{0.0F, 0.0F, static_cast<float>(m_extent.width), static_cast<float>(m_extent.height),
                               0.0F, 1.0F};
     const VkRect2D area{{0, 0}, m_extent};
@@ -90,30 +95,14 @@ void RenderTarget::setView(VkCommandBuffer commands) const {
 
 void RenderTarget::beginOver(VkCommandBuffer commands) const {
     gpu::imageBarrier(commands, {m_colour.handle(), VK_IMAGE_ASPECT_COLOR_BIT, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-                                 VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, gpu::kAnything, gpu::kColour});
-    auto colour = gpu::vkInfo<VkRenderingAttachmentInfo>(VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO);
-    colour.imageView = m_colour.view();
-    colour.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-    colour.loadOp = VK_ATTACHMENT_LOAD_OP_LOAD;
-    colour.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
-    auto info = gpu::vkInfo<VkRenderingInfo>(VK_STRUCTURE_TYPE_RENDERING_INFO);
-    info.renderArea = {{0, 0}, m_extent};
-    info.layerCount = 1;
-    info.colorAttachmentCount = 1;
-    info.pColorAttachments = &colour;
-    vkCmdBeginRendering(commands, &info);
-    setView(commands);
+                                 kColourLayout, gpu::kAnything, gpu::kColour});
+    beginRendering(commands, attachment(m_colour, kColourLayout, VK_ATTACHMENT_LOAD_OP_LOAD), nullptr);
 }
 
 void RenderTarget::copy(VkCommandBuffer commands, VkImage from, VkImage to) const {
     gpu::imageBarrier(commands, {to, VK_IMAGE_ASPECT_COLOR_BIT, VK_IMAGE_LAYOUT_UNDEFINED,
                                  VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, gpu::kAnything, gpu::kCopyWrite});
-    VkImageCopy region{};
-    region.srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-    region.dstSubresource = region.srcSubresource;
-    region.extent = {m_extent.width, m_extent.height, 1};
-    vkCmdCopyImage(commands, from, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1,
-                   &region);
+    gpu::copyImage(commands, from, to, m_extent);
     gpu::imageBarrier(commands, {to, VK_IMAGE_ASPECT_COLOR_BIT, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                                  VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, gpu::kCopyWrite, gpu::kCopyRead});
 }
@@ -136,27 +125,16 @@ bool RenderTarget::hasCached(VkExtent2D extent, VkFormat colour) const {
 }
 
 void RenderTarget::start(VkCommandBuffer commands, VkAttachmentLoadOp load, const glm::vec3& background) const {
-    auto colour = gpu::vkInfo<VkRenderingAttachmentInfo>(VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO);
-    colour.imageView = isSmoothed() ? m_samples.view() : m_colour.view();
-    colour.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-    colour.loadOp = load;
-    colour.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+    VkRenderingAttachmentInfo colour = attachment(isSmoothed() ? m_samples : m_colour, kColourLayout, load);
     colour.clearValue.color = {{background.r, background.g, background.b, 1.0F}};
     if (isSmoothed()) {
         colour.resolveMode = VK_RESOLVE_MODE_AVERAGE_BIT;
         colour.resolveImageView = m_colour.view();
-        colour.resolveImageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+        colour.resolveImageLayout = kColourLayout;
     }
-    const VkRenderingAttachmentInfo depth = depthAttachment(m_depth.view(), load);
-    auto info = gpu::vkInfo<VkRenderingInfo>(VK_STRUCTURE_TYPE_RENDERING_INFO);
-    info.renderArea = {{0, 0}, m_extent};
-    info.layerCount = 1;
-    info.colorAttachmentCount = 1;
-    info.pColorAttachments = &colour;
-    info.pDepthAttachment = &depth;
-    info.pStencilAttachment = &depth;
-    vkCmdBeginRendering(commands, &info);
-    setView(commands);
+    VkRenderingAttachmentInfo depth = attachment(m_depth, kDepthLayout, load);
+    depth.clearValue.depthStencil = {0.0F, 0};  // reversed: 0 is farthest
+    beginRendering(commands, colour, &depth);
     gpu::Pipeline::setFrontFace(commands, false);
 }
 

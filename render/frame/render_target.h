@@ -23,7 +23,7 @@ public:
     /// Starts drawing on a cleared target; `background` is linear.
     void begin(VkCommandBuffer commands, const glm::vec3& background) const;
     /// Between these two other work may be recorded; what was drawn is kept.
-    void pause(VkCommandBuffer commands) const;
+    static void pause(VkCommandBuffer commands) { vkCmdEndRendering(commands); }
     void resume(VkCommandBuffer commands) const;
     /// Ends drawing and leaves the picture in `picture()`, ready to be copied from.
     void end(VkCommandBuffer commands) const;
@@ -41,7 +41,8 @@ public:
 private:
     [[nodiscard]] bool isSmoothed() const { return m_format.samples != VK_SAMPLE_COUNT_1_BIT; }
     void makeReady(VkCommandBuffer commands) const;
-    void setView(VkCommandBuffer commands) const;
+    void beginRendering(VkCommandBuffer commands, const VkRenderingAttachmentInfo& colour,
+                        const VkRenderingAttachmentInfo* depth) const;
     void copy(VkCommandBuffer commands, VkImage from, VkImage to) const;
     void start(VkCommandBuffer commands, VkAttachmentLoadOp load, const glm::vec3& background) const;
 

@@ -2,10 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
-
 #include "render/backends/backend_choice.h"
-#include "render/backends/scene_drawer.h"
 #include "render/frame/frame_copies.h"
 #include "render/gpu/check.h"
 #include "render/gpu/device_select.h"
@@ -31,49 +28,25 @@ glm::vec3 background(const ViewSettings& settings) {
     return toLinear(settings.isMono ? glm::vec3(0.0F) : settings.background);
 }
 
-}  // namespace
-
-/// All that draws in one format with one back end.
-struct Renderer::Drawers {
-    TargetFormat format;
-    Backend backend;
-    std::unique_ptr<SceneDrawer> scene;
-
-    Drawers(gpu::Device& device, const TargetFormat& target, Backend which)
-        : format(target),
-          backend(which),
-          scene(which == Backend::Standard ? makeStandardDrawer(device, target)
-                                           : makeHybridDrawer(device, target, which)) {}
-
-    void drawBatch(std::span<const Recording> group, std::uint32_t batch, gpu::Pass pass) const {
-        for (const Recording& recording : group) {
-            gpu::Pipeline::setFrontFace(recording.commands(), recording.isMirrored);
-            scene->draw(recording, batch, pass);
-        }
-    }
-};
-
-namespace {
-
 /// A picture being drawn. A single group of copies is looked through once, before drawing begins; several take turns in
 /// the draw lists, and drawing pauses whenever another one comes.
 class Picture {
 public:
-    Picture(const Renderer::Drawers& drawers, const FrameCopies& copies, const RenderTarget& target,
+    Picture(SceneDrawer& drawer, const std::vector<CopyGroup>& groups, const RenderTarget& target,
             VkCommandBuffer commands)
-        : m_drawers(drawers), m_groups(copies.groups()), m_target(target), m_commands(commands) {}
+        : m_drawer(drawer), m_groups(groups), m_target(target), m_commands(commands) {}
 
     void begin(const glm::vec3& ground) {
         if (!m_groups.empty()) {
-            m_drawers.scene->cull(m_groups.front());
+            m_drawer.cull(m_groups.front());
         }
         m_target.begin(m_commands, ground);
     }
 
     void drawOpaque() {
         forGroups([&](std::span<const Recording> group) {
-            m_drawers.drawBatch(group, 0, gpu::Pass::Opaque);
-            m_drawers.scene->finishOpaque(group);
+            drawBatch(group, 0, gpu::Pass::Opaque);
+            m_drawer.finishOpaque(group);
         });
     }
 
@@ -86,20 +59,27 @@ public:
                 clearStencil(m_commands, m_target.extent());
             }
             forGroups([&](std::span<const Recording> group) {
-                m_drawers.drawBatch(group, batch, gpu::Pass::DepthOnly);
+                drawBatch(group, batch, gpu::Pass::DepthOnly);
                 vkCmdSetStencilReference(m_commands, VK_STENCIL_FACE_FRONT_AND_BACK, reference);
-                m_drawers.drawBatch(group, batch, gpu::Pass::Blend);
+                drawBatch(group, batch, gpu::Pass::Blend);
             });
         }
     }
 
 private:
+    void drawBatch(std::span<const Recording> group, std::uint32_t batch, gpu::Pass pass) const {
+        for (const Recording& recording : group) {
+            gpu::Pipeline::setFrontFace(m_commands, recording.isMirrored);
+            m_drawer.draw(recording, batch, pass);
+        }
+    }
+
     template <class Draw>
     void forGroups(const Draw& draw) {
         for (std::size_t group = 0; group < m_groups.size(); ++group) {
             if (group != m_listed) {
                 m_target.pause(m_commands);
-                m_drawers.scene->cull(m_groups[group]);
+                m_drawer.cull(m_groups[group]);
                 m_target.resume(m_commands);
                 m_listed = group;
             }
@@ -107,19 +87,14 @@ private:
         }
     }
 
-    const Renderer::Drawers& m_drawers;
-    const std::vector<std::vector<Recording>>& m_groups;
+    SceneDrawer& m_drawer;
+    const std::vector<CopyGroup>& m_groups;
     const RenderTarget& m_target;
     VkCommandBuffer m_commands;
     std::size_t m_listed = 0;  ///< the group whose draw lists are there
 };
 
 }  // namespace
-
-Renderer::Renderer(gpu::Device& device) : m_device(&device) {}
-Renderer::~Renderer() = default;
-Renderer::Renderer(Renderer&&) noexcept = default;
-Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 Backend Renderer::resolve(Backend wanted, const FramePlan& plan) {
     const BackendChoice choice = chooseBackend(wanted, m_device->caps(), plan);
@@ -131,24 +106,13 @@ Backend Renderer::resolve(Backend wanted, const FramePlan& plan) {
     return choice.backend;
 }
 
-Renderer::Drawers& Renderer::drawersFor(const TargetFormat& format, Backend backend) {
-    for (const auto& drawers : m_drawers) {
-        if (drawers->format == format && drawers->backend == backend) {
-            return *drawers;
-        }
+SceneDrawer& Renderer::sceneDrawer(const TargetFormat& format, Backend backend) {
+    std::unique_ptr<SceneDrawer>& drawer = m_scenes[{format, backend}];
+    if (drawer == nullptr) {
+        drawer = backend == Backend::Standard ? makeStandardDrawer(*m_device, format)
+                                              : makeHybridDrawer(*m_device, format, backend);
     }
-    return *m_drawers.emplace_back(std::make_unique<Drawers>(*m_device, format, backend));
-}
-
-/// The one for this format, made when it is first requested.
-template <class Drawer, class Format>
-const Drawer& Renderer::drawerFor(std::vector<std::unique_ptr<Drawer>>& drawers, const Format& format) {
-    const auto fits = [&](const auto& drawer) { return drawer->format() == format; };
-    auto drawer = std::ranges::find_if(drawers, fits);
-    if (drawer == drawers.end()) {
-        drawer = drawers.insert(drawer, std::make_unique<Drawer>(*m_device, format));
-    }
-    return **drawer;
+    return *drawer;
 }
 
 void Renderer::cacheBoard(gpu::Frame& frame, RenderTarget& target) {
@@ -163,7 +127,8 @@ void Renderer::cacheBoard(gpu::Frame& frame, RenderTarget& target) {
 void Renderer::drawOverlay(gpu::Frame& frame, RenderTarget& target, const Overlay& overlay) {
     if (overlay.rgba != nullptr) {
         target.beginOver(frame.commands());
-        drawerFor(m_overlays, target.format().colour).draw(frame, overlay);
+        const VkFormat colour = target.format().colour;
+        m_overlays.try_emplace(colour, *m_device, colour).first->second.draw(frame, overlay);
         target.end(frame.commands());
     }
 }
@@ -217,13 +182,14 @@ Backend Renderer::recordBoard(gpu::Frame& frame, RenderTarget& target, VkExtent2
     plan.data.flags |= (backend == Backend::Impostor ? shader::kFrameImpostors : 0) |
                        (format.samples != VK_SAMPLE_COUNT_1_BIT ? shader::kFrameSmoothed : 0);
     plan.data.rasterRadiusPx = backend == Backend::Raster ? kRasterRadiusPx : 0.0F;
-    const FrameCopies copies(frame, plan, scene.impl());
-    Picture picture(drawersFor({format.colour, format.samples, plan.hasSection}, backend), copies, target,
-                    frame.commands());
+    const std::vector<CopyGroup> groups = copiesInView(frame, plan, scene.impl());
+    SceneDrawer& drawer = sceneDrawer({format.colour, format.samples, plan.hasSection}, backend);
+    Picture picture(drawer, groups, target, frame.commands());
     picture.begin(background(settings));
     picture.drawOpaque();
     if (plan.hasSection) {
-        drawerFor(m_sections, format).draw(frame, plan, scene.impl().layers, *settings.section);
+        const SectionDrawer& sections = m_sections.try_emplace(format, *m_device, format).first->second;
+        sections.draw(frame, plan, scene.impl().layers, *settings.section);
     }
     picture.drawTranslucent(plan.upright.batches.size());
     target.end(frame.commands());

@@ -3,10 +3,11 @@
 #include <vulkan/vulkan.h>
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 
-#include "render/frame/offscreen_presenter.h"
+#include "render/frame/renderer.h"
+#include "render/gpu/swapchain.h"
+#include "render/scene/board_scene.h"
 
 namespace render {
 
@@ -15,19 +16,12 @@ namespace render {
 /// of OffscreenPresenter. Waits for the display's refresh (FIFO); draw only when something changed.
 class SwapchainPresenter {
 public:
-    enum class Outcome {
-        Drawn,
-        Skipped,    ///< nothing to draw on: the window has no size yet, or the surface is gone
-        DeviceLost  ///< or out of memory, without smoothing too: make a new device
-    };
+    using Outcome = gpu::Swapchain::Outcome;
 
     SwapchainPresenter(gpu::Device& device, VkSurfaceKHR surface);
-    ~SwapchainPresenter();
-    SwapchainPresenter(SwapchainPresenter&&) noexcept;
-    SwapchainPresenter& operator=(SwapchainPresenter&&) noexcept;
 
     /// The window's size in pixels (not points). Cheap; the swapchain follows with the next draw.
-    void resize(std::uint32_t width, std::uint32_t height);
+    void resize(std::uint32_t width, std::uint32_t height) { m_swapchain.resize({width, height}); }
     /// Draws and presents one frame; `scene` may be null (background only).
     Outcome draw(BoardScene* scene, const Camera& camera, const ViewSettings& settings);
     /// Of the last frame that drew the board, as soon as the device is done with all frames; none before. Told once:
@@ -35,8 +29,14 @@ public:
     [[nodiscard]] std::optional<FrameStats> finishedStats();
 
 private:
-    struct Impl;
-    std::unique_ptr<Impl> m_impl;
+    Outcome tryToDraw(BoardScene* scene, const Camera& camera, const ViewSettings& settings);
+
+    gpu::Device* m_device;
+    gpu::Swapchain m_swapchain;
+    gpu::FrameRing m_ring;
+    Renderer m_renderer;
+    RenderTarget m_target;
+    FrameStats m_stats;
 };
 
 }  // namespace render

@@ -1,6 +1,6 @@
 #include "render/gpu/barrier.h"
 
-#include "render/gpu/vk_info.h"
+#include "render/gpu/check.h"
 
 namespace render::gpu {
 
@@ -32,6 +32,15 @@ void imageBarrier(VkCommandBuffer commands, const ImageTransition& transition) {
     info.imageMemoryBarrierCount = 1;
     info.pImageMemoryBarriers = &barrier;
     vkCmdPipelineBarrier2(commands, &info);
+}
+
+void copyImage(VkCommandBuffer commands, VkImage from, VkImage to, VkExtent2D extent) {
+    VkImageCopy region{};
+    region.srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+    region.dstSubresource = region.srcSubresource;
+    region.extent = {extent.width, extent.height, 1};
+    vkCmdCopyImage(commands, from, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1,
+                   &region);
 }
 
 }  // namespace render::gpu

@@ -37,4 +37,7 @@ struct ImageTransition {
 };
 void imageBarrier(VkCommandBuffer commands, const ImageTransition& transition);
 
+/// Copies the colours of an image in TRANSFER_SRC layout to one in TRANSFER_DST layout.
+void copyImage(VkCommandBuffer commands, VkImage from, VkImage to, VkExtent2D extent);
+
 }  // namespace render::gpu

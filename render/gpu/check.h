@@ -3,6 +3,7 @@
 #include <vulkan/vulkan.h>
 
 #include <string>
+#include <vector>
 
 namespace render::gpu {
 
@@ -19,6 +20,26 @@ struct OutOfMemory {
 
 /// The name of a result code, "VK_ERROR_DEVICE_LOST".
 [[nodiscard]] const char* toString(VkResult result);
+
+/// A zeroed Vulkan structure that says what it is. (Brace initialisation of the first member alone is a warning to
+/// GCC.)
+template <class Info>
+constexpr Info vkInfo(VkStructureType type) {
+    Info info{};
+    info.sType = type;
+    return info;
+}
+
+/// All that one of Vulkan's enumerating functions lists; nothing where it fails.
+template <class Item, class Enumerate, class... Arguments>
+std::vector<Item> listOf(Enumerate enumerate, Arguments... arguments) {
+    std::uint32_t count = 0;
+    if (enumerate(arguments..., &count, nullptr) < VK_SUCCESS) {
+        return {};
+    }
+    std::vector<Item> items(count);
+    return enumerate(arguments..., &count, items.data()) < VK_SUCCESS ? std::vector<Item>() : items;
+}
 
 }  // namespace render::gpu
 

@@ -8,79 +8,38 @@
 #include "render/gpu/check.h"
 #include "render/gpu/device_select.h"
 #include "render/gpu/graveyard.h"
-#include "render/gpu/vk_info.h"
 
 namespace render::gpu {
-
-const char* toString(MemoryUse use) {
-    switch (use) {
-        case MemoryUse::Geometry: return "geometry";
-        case MemoryUse::Transient: return "transient";
-        case MemoryUse::Targets: return "targets";
-        case MemoryUse::Staging: return "staging";
-    }
-    return "";
-}
 
 std::uint64_t MemoryReport::total() const {
     return std::accumulate(bytes.begin(), bytes.end(), std::uint64_t{0});
 }
 
-struct Device::State {
-    DeviceChoice choice;
-    VkInstance instance = VK_NULL_HANDLE;
-    VkDevice handle = VK_NULL_HANDLE;
-    VkQueue queue = VK_NULL_HANDLE;
-    VkPipelineCache pipelineCache = VK_NULL_HANDLE;
-    VkSemaphore timeline = VK_NULL_HANDLE;
-    std::uint64_t submitted = 0;
-    bool isLost = false;
-    Faults faults;
-    PFN_vkSetDebugUtilsObjectNameEXT setName = nullptr;
-    std::unique_ptr<Graveyard> graveyard;
+Device::State::State() = default;
 
-    State() = default;
-    State(const State&) = delete;
-    State& operator=(const State&) = delete;
-    ~State() {
-        if (handle == VK_NULL_HANDLE) {
-            return;
-        }
-        vkDeviceWaitIdle(handle);  // a lost device is idle too: its result changes nothing here
-        if (graveyard != nullptr) {
-            graveyard->collectAll();
-        }
-        vkDestroySemaphore(handle, timeline, nullptr);
-        vkDestroyPipelineCache(handle, pipelineCache, nullptr);
-        vkDestroyDevice(handle, nullptr);
+Device::State::~State() {
+    if (handle == VK_NULL_HANDLE) {
+        return;
     }
-
-    VkResult createDevice();
-    void createObjects(bool hasDebugUtils);
-};
+    vkDeviceWaitIdle(handle);  // a lost device is idle too: its result changes nothing here
+    if (graveyard != nullptr) {
+        graveyard->collectAll();
+    }
+    vkDestroySemaphore(handle, timeline, nullptr);
+    vkDestroyPipelineCache(handle, pipelineCache, nullptr);
+    vkDestroyDevice(handle, nullptr);
+}
 
 VkResult Device::State::createDevice() {
-    auto mesh =
-        vkInfo<VkPhysicalDeviceMeshShaderFeaturesEXT>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MESH_SHADER_FEATURES_EXT);
-    mesh.taskShader = VK_TRUE;
-    mesh.meshShader = VK_TRUE;
-    auto v12 = vkInfo<VkPhysicalDeviceVulkan12Features>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES);
-    v12.pNext = choice.caps.hasMeshShader ? &mesh : nullptr;
-    v12.bufferDeviceAddress = VK_TRUE;
-    v12.scalarBlockLayout = VK_TRUE;
-    v12.timelineSemaphore = VK_TRUE;
-    v12.shaderBufferInt64Atomics = choice.caps.hasAtomic64 ? VK_TRUE : VK_FALSE;
-    auto v13 = vkInfo<VkPhysicalDeviceVulkan13Features>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES);
-    v13.pNext = &v12;
-    v13.dynamicRendering = VK_TRUE;
-    v13.synchronization2 = VK_TRUE;
-    v13.maintenance4 = VK_TRUE;
-    auto features = vkInfo<VkPhysicalDeviceFeatures2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2);
-    features.pNext = &v13;
-    features.features.multiDrawIndirect = VK_TRUE;
-    features.features.drawIndirectFirstInstance = VK_TRUE;
-    features.features.shaderInt64 = choice.caps.hasAtomic64 ? VK_TRUE : VK_FALSE;
-    features.features.sampleRateShading = choice.caps.canShadeSamples ? VK_TRUE : VK_FALSE;
+    Features features(choice.caps.hasMeshShader);
+    for (const auto& [name, isWanted] : features.needed()) {
+        *isWanted = VK_TRUE;
+    }
+    features.mesh.taskShader = VK_TRUE;
+    features.mesh.meshShader = VK_TRUE;
+    features.v12.shaderBufferInt64Atomics = choice.caps.hasAtomic64 ? VK_TRUE : VK_FALSE;
+    features.core.features.shaderInt64 = choice.caps.hasAtomic64 ? VK_TRUE : VK_FALSE;
+    features.core.features.sampleRateShading = choice.caps.canShadeSamples ? VK_TRUE : VK_FALSE;
 
     std::vector<const char*> extensions;
     if (choice.hasSwapchain) {
@@ -95,7 +54,7 @@ VkResult Device::State::createDevice() {
     queueInfo.queueCount = 1;
     queueInfo.pQueuePriorities = &priority;
     auto info = vkInfo<VkDeviceCreateInfo>(VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO);
-    info.pNext = &features;
+    info.pNext = &features.core;
     info.queueCreateInfoCount = 1;
     info.pQueueCreateInfos = &queueInfo;
     info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
@@ -136,44 +95,10 @@ base::Result<Device> Device::create(const Instance& instance, VkSurfaceKHR prese
     return Device(std::move(state));
 }
 
-Device::Device(std::unique_ptr<State> state) : m_state(std::move(state)) {}
-Device::~Device() = default;
-Device::Device(Device&&) noexcept = default;
-Device& Device::operator=(Device&&) noexcept = default;
-
-VkDevice Device::handle() const {
-    return m_state->handle;
-}
-VkPhysicalDevice Device::physical() const {
-    return m_state->choice.physical;
-}
-VkQueue Device::queue() const {
-    return m_state->queue;
-}
-std::uint32_t Device::queueFamily() const {
-    return m_state->choice.queueFamily;
-}
-const Caps& Device::caps() const {
-    return m_state->choice.caps;
-}
-VkPipelineCache Device::pipelineCache() const {
-    return m_state->pipelineCache;
-}
-Graveyard& Device::graveyard() const {
-    return *m_state->graveyard;
-}
 MemoryReport Device::memoryReport() const {
-    return m_state->graveyard->memory();
+    return graveyard().memory();
 }
-void Device::markLost() {
-    m_state->isLost = true;
-}
-bool Device::isLost() const {
-    return m_state->isLost;
-}
-void Device::inject(const Faults& faults) {
-    m_state->faults = faults;
-}
+
 bool Device::mayAllocate(std::uint64_t bytes) {
     Faults& faults = m_state->faults;
     const bool isFault = faults.failAllocation == 1;
@@ -181,15 +106,14 @@ bool Device::mayAllocate(std::uint64_t bytes) {
     const bool isTooMuch = faults.mostBytes > 0 && bytes > faults.mostBytes;
     return !isFault && !isTooMuch && bytes <= caps().maxAllocationBytes;
 }
-const Faults& Device::faults() const {
-    return m_state->faults;
-}
 
 bool Device::canPresentTo(VkSurfaceKHR surface) const {
-    VkBool32 supported = VK_FALSE;
-    return m_state->choice.hasSwapchain &&
-           vkGetPhysicalDeviceSurfaceSupportKHR(physical(), queueFamily(), surface, &supported) == VK_SUCCESS &&
-           supported == VK_TRUE;
+    return m_state->choice.hasSwapchain && canPresent(physical(), queueFamily(), surface);
+}
+
+bool Device::noteLoss(VkResult result) {
+    m_state->isLost = m_state->isLost || result == VK_ERROR_DEVICE_LOST;
+    return result == VK_ERROR_DEVICE_LOST;
 }
 
 std::uint64_t Device::submit(const Submission& submission) {
@@ -219,8 +143,7 @@ std::uint64_t Device::submit(const Submission& submission) {
     info.signalSemaphoreInfoCount = submission.signal != VK_NULL_HANDLE ? 2 : 1;
     info.pSignalSemaphoreInfos = signals;
     const VkResult result = vkQueueSubmit2(queue(), 1, &info, VK_NULL_HANDLE);
-    if (result == VK_ERROR_DEVICE_LOST) {
-        markLost();
+    if (noteLoss(result)) {
         return 0;
     }
     VK_CHECK(result);
@@ -237,8 +160,7 @@ bool Device::wait(std::uint64_t number) {
     info.pSemaphores = &m_state->timeline;
     info.pValues = &number;
     const VkResult result = vkWaitSemaphores(handle(), &info, ~std::uint64_t{0});
-    if (result == VK_ERROR_DEVICE_LOST) {
-        markLost();
+    if (noteLoss(result)) {
         return false;
     }
     VK_CHECK(result);
@@ -253,9 +175,7 @@ bool Device::isDone(std::uint64_t number) const {
 
 void Device::waitIdle() {
     const VkResult result = vkDeviceWaitIdle(handle());
-    if (result == VK_ERROR_DEVICE_LOST) {
-        markLost();
-    } else {
+    if (!noteLoss(result)) {
         VK_CHECK(result);
     }
     graveyard().collectAll();

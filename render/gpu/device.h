@@ -23,7 +23,6 @@ enum class MemoryUse : std::uint8_t {
     Staging     ///< on its way to or from the device
 };
 inline constexpr std::size_t kMemoryUseCount = 4;
-[[nodiscard]] const char* toString(MemoryUse use);
 
 /// Bytes of device memory in use, by use.
 struct MemoryReport {
@@ -50,6 +49,14 @@ struct Caps {
     std::uint64_t memoryBudgetBytes = 0;   ///< of the largest device-local heap, when the device was made
 };
 
+/// A physical device that can do all we need.
+struct DeviceChoice {
+    VkPhysicalDevice physical = VK_NULL_HANDLE;
+    std::uint32_t queueFamily = 0;
+    bool hasSwapchain = false;
+    Caps caps;
+};
+
 /// Faults to order, for tests. Counts begin when they are set, the next one being 1; 0: none.
 struct Faults {
     std::uint64_t failAllocation = 0;    ///< has no memory
@@ -73,17 +80,14 @@ public:
     /// whose name contains the text. With `presentTo` only devices that can present to that surface count. Errors:
     /// DeviceFailed, naming the devices that were found and what they lack.
     [[nodiscard]] static base::Result<Device> create(const Instance& instance, VkSurfaceKHR presentTo = VK_NULL_HANDLE);
-    ~Device();
-    Device(Device&&) noexcept;
-    Device& operator=(Device&&) noexcept;
 
-    [[nodiscard]] VkDevice handle() const;
-    [[nodiscard]] VkPhysicalDevice physical() const;
-    [[nodiscard]] VkQueue queue() const;
-    [[nodiscard]] std::uint32_t queueFamily() const;
-    [[nodiscard]] const Caps& caps() const;
+    [[nodiscard]] VkDevice handle() const { return m_state->handle; }
+    [[nodiscard]] VkPhysicalDevice physical() const { return m_state->choice.physical; }
+    [[nodiscard]] VkQueue queue() const { return m_state->queue; }
+    [[nodiscard]] std::uint32_t queueFamily() const { return m_state->choice.queueFamily; }
+    [[nodiscard]] const Caps& caps() const { return m_state->choice.caps; }
     [[nodiscard]] bool canPresentTo(VkSurfaceKHR surface) const;
-    [[nodiscard]] VkPipelineCache pipelineCache() const;
+    [[nodiscard]] VkPipelineCache pipelineCache() const { return m_state->pipelineCache; }
 
     /// Queues the commands and returns the number of this submission, or 0 if the device is lost.
     std::uint64_t submit(const Submission& submission);
@@ -93,25 +97,46 @@ public:
     [[nodiscard]] bool isDone(std::uint64_t number) const;
     /// Waits for everything and frees what was retired.
     void waitIdle();
-    /// Notes that a call returned VK_ERROR_DEVICE_LOST; from now on submit and wait fail.
-    void markLost();
-    [[nodiscard]] bool isLost() const;
-    void inject(const Faults& faults);
+    /// From now on submit and wait fail.
+    void markLost() { m_state->isLost = true; }
+    /// Has a call found the device lost, by what it returned? Then marks it so.
+    bool noteLoss(VkResult result);
+    [[nodiscard]] bool isLost() const { return m_state->isLost; }
+    void inject(const Faults& faults) { m_state->faults = faults; }
     /// Those to come.
-    [[nodiscard]] const Faults& faults() const;
+    [[nodiscard]] const Faults& faults() const { return m_state->faults; }
     /// Counts an allocation of device memory; false if the device cannot have it: too large for one, or a fault.
     [[nodiscard]] bool mayAllocate(std::uint64_t bytes);
 
     /// Where resources go when their owners drop them: freed after the submissions that may use them.
-    [[nodiscard]] Graveyard& graveyard() const;
+    [[nodiscard]] Graveyard& graveyard() const { return *m_state->graveyard; }
     [[nodiscard]] MemoryReport memoryReport() const;
 
     /// Gives a Vulkan object the name that validation messages and frame debuggers show.
     void name(VkObjectType type, std::uint64_t handle, std::string_view label) const;
 
 private:
-    struct State;
-    explicit Device(std::unique_ptr<State> state);
+    struct State {
+        DeviceChoice choice;
+        VkInstance instance = VK_NULL_HANDLE;
+        VkDevice handle = VK_NULL_HANDLE;
+        VkQueue queue = VK_NULL_HANDLE;
+        VkPipelineCache pipelineCache = VK_NULL_HANDLE;
+        VkSemaphore timeline = VK_NULL_HANDLE;
+        std::uint64_t submitted = 0;
+        bool isLost = false;
+        Faults faults;
+        PFN_vkSetDebugUtilsObjectNameEXT setName = nullptr;
+        std::unique_ptr<Graveyard> graveyard;
+
+        State();
+        State(const State&) = delete;
+        State& operator=(const State&) = delete;
+        ~State();
+        VkResult createDevice();
+        void createObjects(bool hasDebugUtils);
+    };
+    explicit Device(std::unique_ptr<State> state) : m_state(std::move(state)) {}
     std::unique_ptr<State> m_state;
 };
 

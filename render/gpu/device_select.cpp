@@ -7,73 +7,20 @@
 #include <vector>
 
 #include "render/gpu/check.h"
-#include "render/gpu/vk_info.h"
 
 namespace render::gpu {
 namespace {
 
 using Extensions = std::vector<VkExtensionProperties>;
 
-Extensions extensionsOf(VkPhysicalDevice device) {
-    std::uint32_t count = 0;
-    VK_CHECK(vkEnumerateDeviceExtensionProperties(device, nullptr, &count, nullptr));
-    Extensions extensions(count);
-    VK_CHECK(vkEnumerateDeviceExtensionProperties(device, nullptr, &count, extensions.data()));
-    return extensions;
-}
-
 bool has(const Extensions& extensions, const char* name) {
-    return std::any_of(extensions.begin(), extensions.end(),
-                       [&](const auto& e) { return std::strcmp(e.extensionName, name) == 0; });
+    return std::ranges::any_of(extensions, [&](const auto& e) { return std::strcmp(e.extensionName, name) == 0; });
 }
 
-/// Everything about features in one chain.
-struct Features {
-    VkPhysicalDeviceMeshShaderFeaturesEXT mesh =
-        vkInfo<VkPhysicalDeviceMeshShaderFeaturesEXT>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MESH_SHADER_FEATURES_EXT);
-    VkPhysicalDeviceVulkan12Features v12 =
-        vkInfo<VkPhysicalDeviceVulkan12Features>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES);
-    VkPhysicalDeviceVulkan13Features v13 =
-        vkInfo<VkPhysicalDeviceVulkan13Features>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES);
-    VkPhysicalDeviceFeatures2 core = vkInfo<VkPhysicalDeviceFeatures2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2);
-
-    Features(VkPhysicalDevice device, bool wantsMesh) {
-        v12.pNext = wantsMesh ? &mesh : nullptr;
-        v13.pNext = &v12;
-        core.pNext = &v13;
-        vkGetPhysicalDeviceFeatures2(device, &core);
-    }
-    Features(const Features&) = delete;
-    Features& operator=(const Features&) = delete;
-};
-
-/// The first feature that we need and the device lacks, or null.
-const char* missingFeature(const Features& f) {
-    const struct {
-        VkBool32 isThere;
-        const char* name;
-    } needs[] = {
-        {f.core.features.multiDrawIndirect, "multiDrawIndirect"},
-        {f.core.features.drawIndirectFirstInstance, "drawIndirectFirstInstance"},
-        {f.v12.bufferDeviceAddress, "bufferDeviceAddress"},
-        {f.v12.scalarBlockLayout, "scalarBlockLayout"},
-        {f.v12.timelineSemaphore, "timelineSemaphore"},
-        {f.v13.dynamicRendering, "dynamicRendering"},
-        {f.v13.synchronization2, "synchronization2"},
-        {f.v13.maintenance4, "maintenance4"},
-    };
-    for (const auto& need : needs) {
-        if (need.isThere == VK_FALSE) {
-            return need.name;
-        }
-    }
-    return nullptr;
-}
-
-bool canPresent(VkPhysicalDevice device, std::uint32_t family, VkSurfaceKHR surface) {
-    VkBool32 supported = VK_FALSE;
-    return vkGetPhysicalDeviceSurfaceSupportKHR(device, family, surface, &supported) == VK_SUCCESS &&
-           supported == VK_TRUE;
+VkPhysicalDeviceProperties propertiesOf(VkPhysicalDevice device) {
+    VkPhysicalDeviceProperties properties{};
+    vkGetPhysicalDeviceProperties(device, &properties);
+    return properties;
 }
 
 struct Family {
@@ -152,18 +99,19 @@ Caps capsOf(VkPhysicalDevice device, const Extensions& extensions, bool hasMesh)
 
 /// The choice this device would be, or in `why` what it lacks.
 std::optional<DeviceChoice> examine(VkPhysicalDevice device, VkSurfaceKHR presentTo, std::string& why) {
-    VkPhysicalDeviceProperties properties{};
-    vkGetPhysicalDeviceProperties(device, &properties);
-    if (properties.apiVersion < VK_API_VERSION_1_3) {
+    if (propertiesOf(device).apiVersion < VK_API_VERSION_1_3) {
         why = "has no Vulkan 1.3";
         return std::nullopt;
     }
-    const Extensions extensions = extensionsOf(device);
+    const auto extensions = listOf<VkExtensionProperties>(vkEnumerateDeviceExtensionProperties, device, nullptr);
     const bool hasMeshExtension = has(extensions, VK_EXT_MESH_SHADER_EXTENSION_NAME);
-    const Features features(device, hasMeshExtension);
-    if (const char* missing = missingFeature(features); missing != nullptr) {
-        why = std::string("lacks ") + missing;
-        return std::nullopt;
+    Features features(hasMeshExtension);
+    vkGetPhysicalDeviceFeatures2(device, &features.core);
+    for (const auto& [name, isThere] : features.needed()) {
+        if (*isThere == VK_FALSE) {
+            why = std::string("lacks ") + name;
+            return std::nullopt;
+        }
     }
     if (samplesOf(device, kDepthFormat, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT) == 0) {
         why = "lacks 32-bit depth with stencil";
@@ -178,7 +126,6 @@ std::optional<DeviceChoice> examine(VkPhysicalDevice device, VkSurfaceKHR presen
     }
     choice.physical = device;
     choice.queueFamily = family->index;
-    choice.hasMemoryBudget = has(extensions, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
     choice.caps = capsOf(device, extensions, hasMeshExtension && features.mesh.taskShader && features.mesh.meshShader);
     choice.caps.hasTimestamps = family->hasTimestamps;
     choice.caps.hasAtomic64 =
@@ -189,9 +136,7 @@ std::optional<DeviceChoice> examine(VkPhysicalDevice device, VkSurfaceKHR presen
 
 /// Discrete before integrated before virtual before software.
 int rank(VkPhysicalDevice device) {
-    VkPhysicalDeviceProperties properties{};
-    vkGetPhysicalDeviceProperties(device, &properties);
-    switch (properties.deviceType) {
+    switch (propertiesOf(device).deviceType) {
         case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU: return 0;
         case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU: return 1;
         case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU: return 2;
@@ -200,39 +145,47 @@ int rank(VkPhysicalDevice device) {
     }
 }
 
-std::string nameOf(VkPhysicalDevice device) {
-    VkPhysicalDeviceProperties properties{};
-    vkGetPhysicalDeviceProperties(device, &properties);
-    return properties.deviceName;
-}
-
+/// None too where the only driver found does not work: some loaders then answer "initialization failed".
 std::vector<VkPhysicalDevice> allDevices(VkInstance instance) {
-    std::uint32_t count = 0;
-    if (vkEnumeratePhysicalDevices(instance, &count, nullptr) < VK_SUCCESS) {
-        return {};  // some loaders answer "initialization failed" when the only driver found does not work
-    }
-    std::vector<VkPhysicalDevice> devices(count);
-    if (vkEnumeratePhysicalDevices(instance, &count, devices.data()) < VK_SUCCESS) {
-        return {};
-    }
-    std::stable_sort(devices.begin(), devices.end(), [](auto a, auto b) { return rank(a) < rank(b); });
+    auto devices = listOf<VkPhysicalDevice>(vkEnumeratePhysicalDevices, instance);
+    std::ranges::stable_sort(devices, {}, rank);
     return devices;
 }
 
 }  // namespace
 
+Features::Features(bool hasMesh) {
+    v12.pNext = hasMesh ? &mesh : nullptr;
+    v13.pNext = &v12;
+    core.pNext = &v13;
+}
+
+std::vector<std::pair<const char*, VkBool32*>> Features::needed() {
+    return {{"multiDrawIndirect", &core.features.multiDrawIndirect},
+            {"drawIndirectFirstInstance", &core.features.drawIndirectFirstInstance},
+            {"bufferDeviceAddress", &v12.bufferDeviceAddress},
+            {"scalarBlockLayout", &v12.scalarBlockLayout},
+            {"timelineSemaphore", &v12.timelineSemaphore},
+            {"dynamicRendering", &v13.dynamicRendering},
+            {"synchronization2", &v13.synchronization2},
+            {"maintenance4", &v13.maintenance4}};
+}
+
+bool canPresent(VkPhysicalDevice device, std::uint32_t family, VkSurfaceKHR surface) {
+    VkBool32 supported = VK_FALSE;
+    return vkGetPhysicalDeviceSurfaceSupportKHR(device, family, surface, &supported) == VK_SUCCESS &&
+           supported == VK_TRUE;
+}
+
 base::Result<DeviceChoice> chooseDevice(VkInstance instance, VkSurfaceKHR presentTo) {
     const std::vector<VkPhysicalDevice> devices = allDevices(instance);
     if (devices.empty()) {
-        return base::Error{
-            base::ErrorCode::DeviceFailed,
-            "No Vulkan driver was found. Install the driver of the graphics card, or mesa-vulkan-drivers for "
-            "a software device."};
+        return base::Error{base::ErrorCode::DeviceFailed, kNoDriver};
     }
     const char* wanted = std::getenv("COPPERSCOPE_DEVICE");
     std::string reasons;
     for (VkPhysicalDevice device : devices) {
-        const std::string name = nameOf(device);
+        const std::string name = propertiesOf(device).deviceName;
         std::string why = std::string("is not the one that COPPERSCOPE_DEVICE names");
         if (wanted == nullptr || name.find(wanted) != std::string::npos) {
             if (std::optional<DeviceChoice> choice = examine(device, presentTo, why)) {

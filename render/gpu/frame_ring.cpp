@@ -1,11 +1,11 @@
 #include "render/gpu/frame_ring.h"
 
 #include <algorithm>
+#include <cstring>
 #include <string>
 
 #include "render/gpu/barrier.h"
 #include "render/gpu/check.h"
-#include "render/gpu/vk_info.h"
 
 namespace render::gpu {
 namespace {
@@ -136,6 +136,26 @@ bool upload(FrameRing& ring, const Buffer& to, std::span<const std::byte> bytes,
             return false;
         }
     }
+    return true;
+}
+
+bool download(Device& device, FrameRing& ring, VkBuffer from, std::span<std::byte> to, std::uint64_t at) {
+    if (to.empty()) {
+        return !device.isLost();
+    }
+    const Buffer host(device, {"readback", to.size(), MemoryUse::Staging, true});
+    Frame* frame = ring.begin();
+    if (frame == nullptr) {
+        return false;
+    }
+    memoryBarrier(frame->commands(), kAnything, kCopyRead);
+    const VkBufferCopy region{at, 0, to.size()};
+    vkCmdCopyBuffer(frame->commands(), from, host.handle(), 1, &region);
+    memoryBarrier(frame->commands(), kCopyWrite, kHostRead);
+    if (!ring.end() || !ring.wait()) {
+        return false;
+    }
+    std::memcpy(to.data(), host.mapped().data(), to.size());
     return true;
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <cstring>
+#include <algorithm>
 #include <optional>
+#include <ranges>
 #include <span>
 #include <vector>
 
@@ -23,19 +24,19 @@ public:
     [[nodiscard]] VkCommandBuffer commands() const { return m_commands; }
     /// Its time is not measured: FrameRing::gpuMs stays that of the frames before.
     void leaveUntimed() { m_isTimed = false; }
-    /// `size` bytes, aligned to 16.
-    [[nodiscard]] Slice allocate(std::uint64_t size);
-    template <class T>
-    Slice put(std::span<const T> values) {
-        const Slice slice = allocate(values.size_bytes());
-        if (!values.empty()) {
-            std::memcpy(slice.bytes.data(), values.data(), values.size_bytes());
-        }
+    /// A copy of the values, aligned to 16.
+    template <std::ranges::contiguous_range Values>
+    Slice put(const Values& values) {
+        const auto bytes = std::as_bytes(std::span(values));
+        const Slice slice = allocate(bytes.size());
+        std::ranges::copy(bytes, slice.bytes.begin());
         return slice;
     }
 
 private:
     friend class FrameRing;
+    [[nodiscard]] Slice allocate(std::uint64_t size);
+
     Device* m_device = nullptr;
     Unique<VkCommandPool> m_pool;
     Unique<VkQueryPool> m_times;
@@ -81,5 +82,9 @@ private:
 /// Copies `bytes` to `to` from byte `at` on (both multiples of 4), in pieces through the ring's frames. The copy is
 /// ordered after all earlier work and before all later work.
 bool upload(FrameRing& ring, const Buffer& to, std::span<const std::byte> bytes, std::uint64_t at = 0);
+
+/// Fills `to` from byte `at` of a buffer on, after all earlier work, and waits for that; false if the device is lost.
+[[nodiscard]] bool download(Device& device, FrameRing& ring, VkBuffer from, std::span<std::byte> to,
+                            std::uint64_t at = 0);
 
 }  // namespace render::gpu

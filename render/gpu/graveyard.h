@@ -2,6 +2,9 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
+#include <tuple>
+#include <type_traits>
 #include <unordered_map>
 #include <utility>
 
@@ -9,8 +12,33 @@
 
 namespace render::gpu {
 
+// Handles are distinct pointer types on 64-bit machines, the only ones we build for.
+static_assert(sizeof(void*) == 8);
+
+/// What debuggers call objects of this type, and what frees them.
+template <class Handle>
+struct Kind {
+    VkObjectType type;
+    void(VKAPI_PTR* destroy)(VkDevice, Handle, const VkAllocationCallbacks*);
+};
+inline constexpr std::tuple kKinds{
+    Kind<VkBuffer>{VK_OBJECT_TYPE_BUFFER, vkDestroyBuffer},
+    Kind<VkImage>{VK_OBJECT_TYPE_IMAGE, vkDestroyImage},
+    Kind<VkImageView>{VK_OBJECT_TYPE_IMAGE_VIEW, vkDestroyImageView},
+    Kind<VkDeviceMemory>{VK_OBJECT_TYPE_DEVICE_MEMORY, vkFreeMemory},
+    Kind<VkPipeline>{VK_OBJECT_TYPE_PIPELINE, vkDestroyPipeline},
+    Kind<VkPipelineLayout>{VK_OBJECT_TYPE_PIPELINE_LAYOUT, vkDestroyPipelineLayout},
+    Kind<VkShaderModule>{VK_OBJECT_TYPE_SHADER_MODULE, vkDestroyShaderModule},
+    Kind<VkCommandPool>{VK_OBJECT_TYPE_COMMAND_POOL, vkDestroyCommandPool},
+    Kind<VkQueryPool>{VK_OBJECT_TYPE_QUERY_POOL, vkDestroyQueryPool},
+    Kind<VkSemaphore>{VK_OBJECT_TYPE_SEMAPHORE, vkDestroySemaphore},
+    Kind<VkSwapchainKHR>{VK_OBJECT_TYPE_SWAPCHAIN_KHR, vkDestroySwapchainKHR},
+};
+template <class Handle>
+inline constexpr Kind<Handle> kKind = std::get<Kind<Handle>>(kKinds);
+
 /// Keeps dropped Vulkan objects until the submissions that may use them are done, and books memory by use. Owned by the
-/// Device; the only place that calls vkDestroy*.
+/// Device.
 class Graveyard {
 public:
     explicit Graveyard(VkDevice device) : m_device(device) {}
@@ -19,7 +47,15 @@ public:
 
     /// The object may be used by all commands submitted until now and by those being recorded: the next submission
     /// still counts.
-    void retire(VkObjectType type, std::uint64_t handle) { m_retired.push_back({m_submitted + 1, type, handle}); }
+    template <class Handle>
+    void retire(Handle handle) {
+        m_retired.push_back({m_submitted + 1, [this, handle] {
+                                 if constexpr (std::is_same_v<Handle, VkDeviceMemory>) {
+                                     noteFree(handle);
+                                 }
+                                 kKind<Handle>.destroy(m_device, handle, nullptr);
+                             }});
+    }
     void noteSubmission(std::uint64_t number) { m_submitted = number; }
     /// Frees what no submission after `done` can use.
     void collect(std::uint64_t done);
@@ -32,49 +68,20 @@ public:
 private:
     struct Retired {
         std::uint64_t after;
-        VkObjectType type;
-        std::uint64_t handle;
+        std::function<void()> destroy;
     };
     struct Allocation {
         MemoryUse use;
         std::uint64_t bytes;
     };
-    void destroy(const Retired& object);
-    void noteFree(std::uint64_t memory);
+    void noteFree(VkDeviceMemory memory);
 
     VkDevice m_device;
     std::uint64_t m_submitted = 0;
     std::deque<Retired> m_retired;
-    std::unordered_map<std::uint64_t, Allocation> m_allocations;
+    std::unordered_map<VkDeviceMemory, Allocation> m_allocations;
     MemoryReport m_report;
 };
-
-// Handles are distinct pointer types on 64-bit machines, the only ones we build for.
-static_assert(sizeof(void*) == 8);
-template <class Handle>
-inline constexpr VkObjectType kObjectType = VK_OBJECT_TYPE_UNKNOWN;
-template <>
-inline constexpr VkObjectType kObjectType<VkBuffer> = VK_OBJECT_TYPE_BUFFER;
-template <>
-inline constexpr VkObjectType kObjectType<VkImage> = VK_OBJECT_TYPE_IMAGE;
-template <>
-inline constexpr VkObjectType kObjectType<VkImageView> = VK_OBJECT_TYPE_IMAGE_VIEW;
-template <>
-inline constexpr VkObjectType kObjectType<VkDeviceMemory> = VK_OBJECT_TYPE_DEVICE_MEMORY;
-template <>
-inline constexpr VkObjectType kObjectType<VkPipeline> = VK_OBJECT_TYPE_PIPELINE;
-template <>
-inline constexpr VkObjectType kObjectType<VkPipelineLayout> = VK_OBJECT_TYPE_PIPELINE_LAYOUT;
-template <>
-inline constexpr VkObjectType kObjectType<VkShaderModule> = VK_OBJECT_TYPE_SHADER_MODULE;
-template <>
-inline constexpr VkObjectType kObjectType<VkCommandPool> = VK_OBJECT_TYPE_COMMAND_POOL;
-template <>
-inline constexpr VkObjectType kObjectType<VkQueryPool> = VK_OBJECT_TYPE_QUERY_POOL;
-template <>
-inline constexpr VkObjectType kObjectType<VkSemaphore> = VK_OBJECT_TYPE_SEMAPHORE;
-template <>
-inline constexpr VkObjectType kObjectType<VkSwapchainKHR> = VK_OBJECT_TYPE_SWAPCHAIN_KHR;
 
 /// The one owner of a Vulkan object: move-only, hands it to the graveyard when dropped. Classes above it default their
 /// moves.
@@ -84,7 +91,7 @@ public:
     Unique() = default;
     /// Takes `handle`, names it `label`.
     Unique(Device& device, Handle handle, std::string_view label) : m_graveyard(&device.graveyard()), m_handle(handle) {
-        device.name(kObjectType<Handle>, reinterpret_cast<std::uint64_t>(handle), label);
+        device.name(kKind<Handle>.type, reinterpret_cast<std::uint64_t>(handle), label);
     }
     ~Unique() { reset(); }
     Unique(Unique&& other) noexcept
@@ -99,8 +106,7 @@ public:
     explicit operator bool() const { return m_handle != VK_NULL_HANDLE; }
     void reset() {
         if (m_handle != VK_NULL_HANDLE) {
-            m_graveyard->retire(kObjectType<Handle>, reinterpret_cast<std::uint64_t>(m_handle));
-            m_handle = VK_NULL_HANDLE;
+            m_graveyard->retire(std::exchange(m_handle, VK_NULL_HANDLE));
         }
     }
 

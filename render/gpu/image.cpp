@@ -2,7 +2,6 @@
 
 #include "render/gpu/check.h"
 #include "render/gpu/memory.h"
-#include "render/gpu/vk_info.h"
 
 namespace render::gpu {
 namespace {

@@ -3,13 +3,11 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cstdlib>
 #include <cstring>
 #include <string_view>
 
 #include "render/gpu/check.h"
-#include "render/gpu/vk_info.h"
 
 namespace render::gpu {
 namespace {
@@ -19,12 +17,6 @@ constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
 base::Error deviceError(std::string text) {
     return {base::ErrorCode::DeviceFailed, std::move(text)};
 }
-
-/// How messages of the validation layer are treated, and how many errors there were. Lives as long as the messenger.
-struct MessageSink {
-    bool aborts = false;
-    std::atomic<std::uint32_t> errors{0};
-};
 
 VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT severity,
                                          VkDebugUtilsMessageTypeFlagsEXT,
@@ -67,63 +59,41 @@ Validation resolve(Validation wanted) {
 }
 
 bool hasLayer(const char* name) {
-    std::uint32_t count = 0;
-    VK_CHECK(vkEnumerateInstanceLayerProperties(&count, nullptr));
-    std::vector<VkLayerProperties> layers(count);
-    VK_CHECK(vkEnumerateInstanceLayerProperties(&count, layers.data()));
-    return std::any_of(layers.begin(), layers.end(),
-                       [&](const auto& l) { return std::strcmp(l.layerName, name) == 0; });
+    const auto layers = listOf<VkLayerProperties>(vkEnumerateInstanceLayerProperties);
+    return std::ranges::any_of(layers, [&](const auto& l) { return std::strcmp(l.layerName, name) == 0; });
 }
 
-bool hasExtension(const std::string& name, const char* layer) {
-    std::uint32_t count = 0;
-    if (vkEnumerateInstanceExtensionProperties(layer, &count, nullptr) < VK_SUCCESS) {
-        return false;
-    }
-    std::vector<VkExtensionProperties> extensions(count);
-    VK_CHECK(vkEnumerateInstanceExtensionProperties(layer, &count, extensions.data()));
-    return std::any_of(extensions.begin(), extensions.end(), [&](const auto& e) { return name == e.extensionName; });
+bool hasExtension(const std::string& name) {
+    const auto extensions = listOf<VkExtensionProperties>(vkEnumerateInstanceExtensionProperties, nullptr);
+    return std::ranges::any_of(extensions, [&](const auto& e) { return name == e.extensionName; });
 }
 
 std::string explain(VkResult result) {
     if (result == VK_ERROR_INCOMPATIBLE_DRIVER) {
-        return "No Vulkan driver was found. Install the driver of the graphics card, or mesa-vulkan-drivers for a "
-               "software device.";
+        return kNoDriver;
     }
     return std::string("Vulkan could not be started: ") + toString(result) + ".";
 }
 
 }  // namespace
 
-struct Instance::State {
-    VkInstance handle = VK_NULL_HANDLE;
-    VkDebugUtilsMessengerEXT messenger = VK_NULL_HANDLE;
-    PFN_vkDestroyDebugUtilsMessengerEXT destroyMessenger = nullptr;
-    bool hasDebugUtils = false;
-    bool hasSurfaces = false;
-    MessageSink sink;
-
-    State() = default;
-    State(const State&) = delete;
-    State& operator=(const State&) = delete;
-    ~State() {
-        if (messenger != VK_NULL_HANDLE) {
-            destroyMessenger(handle, messenger, nullptr);
-        }
-        if (handle != VK_NULL_HANDLE) {
-            vkDestroyInstance(handle, nullptr);
-        }
+Instance::State::~State() {
+    if (messenger != VK_NULL_HANDLE) {
+        destroyMessenger(handle, messenger, nullptr);
     }
-
-    void listen() {
-        const auto create = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
-            vkGetInstanceProcAddr(handle, "vkCreateDebugUtilsMessengerEXT"));
-        destroyMessenger = reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(
-            vkGetInstanceProcAddr(handle, "vkDestroyDebugUtilsMessengerEXT"));
-        const VkDebugUtilsMessengerCreateInfoEXT info = messengerInfo(sink);
-        VK_CHECK(create(handle, &info, nullptr, &messenger));
+    if (handle != VK_NULL_HANDLE) {
+        vkDestroyInstance(handle, nullptr);
     }
-};
+}
+
+void Instance::State::listen() {
+    const auto create = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
+        vkGetInstanceProcAddr(handle, "vkCreateDebugUtilsMessengerEXT"));
+    destroyMessenger = reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(
+        vkGetInstanceProcAddr(handle, "vkDestroyDebugUtilsMessengerEXT"));
+    const VkDebugUtilsMessengerCreateInfoEXT info = messengerInfo(sink);
+    VK_CHECK(create(handle, &info, nullptr, &messenger));
+}
 
 base::Result<Instance> Instance::create(const InstanceOptions& options) {
     std::uint32_t version = VK_API_VERSION_1_0;
@@ -137,11 +107,11 @@ base::Result<Instance> Instance::create(const InstanceOptions& options) {
         spdlog::warn("Vulkan validation was requested, but {} is not installed.", kValidationLayer);
     }
     state->sink.aborts = validation == Validation::Abort;
-    state->hasDebugUtils = isValidated || hasExtension(VK_EXT_DEBUG_UTILS_EXTENSION_NAME, nullptr);
+    state->hasDebugUtils = isValidated || hasExtension(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
 
     std::vector<const char*> extensions;
     for (const std::string& name : options.extensions) {
-        if (!hasExtension(name, nullptr)) {
+        if (!hasExtension(name)) {
             return deviceError("The Vulkan loader of this machine lacks " + name + ".");
         }
         extensions.push_back(name.c_str());
@@ -170,27 +140,6 @@ base::Result<Instance> Instance::create(const InstanceOptions& options) {
         state->listen();
     }
     return Instance(std::move(state));
-}
-
-Instance::Instance(std::unique_ptr<State> state) : m_state(std::move(state)) {}
-Instance::~Instance() = default;
-Instance::Instance(Instance&&) noexcept = default;
-Instance& Instance::operator=(Instance&&) noexcept = default;
-
-VkInstance Instance::handle() const {
-    return m_state->handle;
-}
-
-bool Instance::hasDebugUtils() const {
-    return m_state->hasDebugUtils;
-}
-
-bool Instance::hasSurfaces() const {
-    return m_state->hasSurfaces;
-}
-
-std::uint32_t Instance::validationErrors() const {
-    return m_state->sink.errors;
 }
 
 }  // namespace render::gpu

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "render/gpu/check.h"
-#include "render/gpu/vk_info.h"
 
 namespace render::gpu {
 namespace {

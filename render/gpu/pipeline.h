@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 
 #include "render/gpu/graveyard.h"
@@ -18,6 +19,12 @@ struct ShaderStage {
     VkShaderStageFlagBits stage = VK_SHADER_STAGE_VERTEX_BIT;
     Spirv shader;
 };
+
+/// A vertex and a fragment stage.
+[[nodiscard]] inline std::array<ShaderStage, 2> drawStages(Spirv vertexShader, Spirv fragmentShader) {
+    return {ShaderStage{VK_SHADER_STAGE_VERTEX_BIT, vertexShader},
+            ShaderStage{VK_SHADER_STAGE_FRAGMENT_BIT, fragmentShader}};
+}
 
 /// How a pipeline treats what is already there. Depth is reversed: nearer is greater.
 enum class Pass : std::uint8_t {

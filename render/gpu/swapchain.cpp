@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "render/gpu/check.h"
-#include "render/gpu/vk_info.h"
 
 namespace render::gpu {
 namespace {
@@ -27,18 +26,6 @@ constexpr FormatPair kFormats[] = {
     {VK_FORMAT_B8G8R8A8_UNORM, VK_FORMAT_B8G8R8A8_SRGB},
     {VK_FORMAT_R8G8B8A8_UNORM, VK_FORMAT_R8G8B8A8_SRGB},
 };
-
-std::vector<VkSurfaceFormatKHR> formatsOf(VkPhysicalDevice device, VkSurfaceKHR surface) {
-    std::uint32_t count = 0;
-    if (vkGetPhysicalDeviceSurfaceFormatsKHR(device, surface, &count, nullptr) < VK_SUCCESS) {
-        return {};
-    }
-    std::vector<VkSurfaceFormatKHR> formats(count);
-    if (vkGetPhysicalDeviceSurfaceFormatsKHR(device, surface, &count, formats.data()) < VK_SUCCESS) {
-        return {};
-    }
-    return formats;
-}
 
 /// The first of our pairs the surface offers; none if it offers no 8-bit sRGB at all.
 bool chooseFormat(const std::vector<VkSurfaceFormatKHR>& offered, VkSurfaceFormatKHR& format, VkFormat& drawn) {
@@ -76,7 +63,8 @@ std::uint32_t imageCount(const VkSurfaceCapabilitiesKHR& caps) {
 }  // namespace
 
 Swapchain::Swapchain(Device& device, VkSurfaceKHR surface) : m_device(&device), m_surface(surface) {
-    if (!chooseFormat(formatsOf(device.physical(), surface), m_format, m_drawFormat)) {
+    const auto offered = listOf<VkSurfaceFormatKHR>(vkGetPhysicalDeviceSurfaceFormatsKHR, device.physical(), surface);
+    if (!chooseFormat(offered, m_format, m_drawFormat)) {
         spdlog::error("The window's surface offers no 8-bit sRGB format; nothing can be drawn in it.");
     }
     for (std::size_t i = 0; i < kAvailableCount; ++i) {
@@ -133,9 +121,7 @@ bool Swapchain::remake() {
     info.oldSwapchain = m_handle.get();
     VkSwapchainKHR handle = VK_NULL_HANDLE;
     const VkResult result = vkCreateSwapchainKHR(m_device->handle(), &info, nullptr, &handle);
-    if (result == VK_ERROR_DEVICE_LOST) {
-        m_device->markLost();
-    }
+    m_device->noteLoss(result);
     if (result != VK_SUCCESS) {
         return false;  // the window is going or being resized again: the next frame tries anew
     }
@@ -163,25 +149,24 @@ Swapchain::Outcome Swapchain::tryAcquire(Target& target, VkResult& result) {
     target.available = m_available[m_next].get();
     result = vkAcquireNextImageKHR(m_device->handle(), m_handle.get(), kPatienceNs, target.available, VK_NULL_HANDLE,
                                    &target.index);
-    if (result == VK_ERROR_DEVICE_LOST) {
-        m_device->markLost();
+    if (m_device->noteLoss(result)) {
         return Outcome::DeviceLost;
     }
     if (result != VK_SUCCESS && result != VK_SUBOPTIMAL_KHR) {
         m_isStale = result < VK_SUCCESS;  // not when it only took too long
-        return Outcome::NoImage;
+        return Outcome::Skipped;
     }
     m_isStale = result == VK_SUBOPTIMAL_KHR;
     target.image = m_images[target.index];
     target.finished = m_finished[target.index].get();
-    return Outcome::Ready;
+    return Outcome::Done;
 }
 
 Swapchain::Outcome Swapchain::acquire(Target& target) {
     for (int attempt = 0; attempt < 2; ++attempt) {
         const bool isResized = m_wanted.width != m_requested.width || m_wanted.height != m_requested.height;
         if ((m_isStale || isResized || !m_handle) && !remake()) {
-            return m_device->isLost() ? Outcome::DeviceLost : Outcome::NoImage;
+            return m_device->isLost() ? Outcome::DeviceLost : Outcome::Skipped;
         }
         VkResult result = VK_SUCCESS;
         const Outcome outcome = tryAcquire(target, result);
@@ -189,7 +174,7 @@ Swapchain::Outcome Swapchain::acquire(Target& target) {
             return outcome;
         }
     }
-    return Outcome::NoImage;
+    return Outcome::Skipped;
 }
 
 Swapchain::Outcome Swapchain::present(const Target& target) {
@@ -201,12 +186,11 @@ Swapchain::Outcome Swapchain::present(const Target& target) {
     info.pSwapchains = &handle;
     info.pImageIndices = &target.index;
     const VkResult result = vkQueuePresentKHR(m_device->queue(), &info);
-    if (result == VK_ERROR_DEVICE_LOST) {
-        m_device->markLost();
+    if (m_device->noteLoss(result)) {
         return Outcome::DeviceLost;
     }
     m_isStale = m_isStale || result != VK_SUCCESS;
-    return result == VK_SUCCESS || result == VK_SUBOPTIMAL_KHR ? Outcome::Ready : Outcome::NoImage;
+    return result == VK_SUCCESS || result == VK_SUBOPTIMAL_KHR ? Outcome::Done : Outcome::Skipped;
 }
 
 }  // namespace render::gpu

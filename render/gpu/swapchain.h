@@ -9,7 +9,11 @@ namespace render::gpu {
 /// The images of a window's surface. Pictures are copied into them, so that any format the surface has will do.
 class Swapchain {
 public:
-    enum class Outcome { Ready, NoImage, DeviceLost };
+    enum class Outcome {
+        Done,
+        Skipped,    ///< nothing to draw on: the window has no size yet, or its surface is gone
+        DeviceLost  ///< or out of memory: make a new device
+    };
 
     /// An image to copy the next picture to, with the semaphores of the submission that does it.
     struct Target {
@@ -26,7 +30,7 @@ public:
 
     /// Used where the surface has no size of its own; a changed size remakes the images with the next `acquire`.
     void resize(VkExtent2D size);
-    /// The next image, of size `extent()`. NoImage when the window has no size or its surface is gone.
+    /// The next image, of size `extent()`.
     [[nodiscard]] Outcome acquire(Target& target);
     /// After the submission that signals `target.finished`.
     [[nodiscard]] Outcome present(const Target& target);

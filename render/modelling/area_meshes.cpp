@@ -176,17 +176,6 @@ std::vector<model::ShapeId> shapesInUse(const model::Document& document) {
     return used;
 }
 
-std::vector<ShapeMesh> discretiseShapes(const model::Document& document, const std::vector<model::ShapeId>& shapes,
-                                        const model::Discretisation& how, base::Progress& progress) {
-    std::vector<ShapeMesh> meshes(shapes.size());
-    base::parallelFor(shapes.size(), [&](std::size_t i) {
-        if (!progress.isCancelled()) {
-            meshes[i].polygons = model::discretise(document.shapes, shapes[i], how);
-        }
-    });
-    return meshes;
-}
-
 std::vector<ShapeMesh> punchShapes(const model::Document& document, const std::vector<model::ShapeId>& shapes,
                                    const model::Discretisation& how, base::Progress& progress) {
     std::vector<std::uint32_t> locations(document.shapes.size(), 0);

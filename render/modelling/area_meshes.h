@@ -26,13 +26,9 @@ struct ShapeMesh {
 /// Which shapes are in use, in rising order.
 [[nodiscard]] std::vector<model::ShapeId> shapesInUse(const model::Document& document);
 
-/// Curves to chords, one shape per task (Table 4, "discretise").
-[[nodiscard]] std::vector<ShapeMesh> discretiseShapes(const model::Document& document,
-                                                      const std::vector<model::ShapeId>& shapes,
-                                                      const model::Discretisation& how, base::Progress& progress);
-
-/// The same with the round holes of shapes that are placed once left to lets. Triangles of a shape that is placed
-/// more than once are shared, lets would not be. Bodies of components keep their holes, too.
+/// Curves to chords, one shape per task (Table 4, "discretise"), with the round holes of shapes that are placed once
+/// left to lets. Triangles of a shape that is placed more than once are shared, lets would not be. Bodies of components
+/// keep their holes, too.
 [[nodiscard]] std::vector<ShapeMesh> punchShapes(const model::Document& document,
                                                  const std::vector<model::ShapeId>& shapes,
                                                  const model::Discretisation& how, base::Progress& progress);

@@ -14,13 +14,11 @@ class ShapeSorter {
 public:
     ShapeSorter(BoardModel& model, AreaShape& shape)
         : m_model(model), m_shape(shape), m_isLarge(shape.triangleCount > 2 * kPieceSize) {
-        glm::vec2 low(1e30F);
-        glm::vec2 high(-1e30F);
+        Box2 box;
         for (std::uint32_t i = 0; i < shape.vertexCount; ++i) {
-            low = glm::min(low, model.vertices[shape.firstVertex + i]);
-            high = glm::max(high, model.vertices[shape.firstVertex + i]);
+            box.include(model.vertices[shape.firstVertex + i]);
         }
-        m_curve = MortonCurve(low, high);
+        m_curve = MortonCurve(box.min, box.max);
     }
 
     void run() {

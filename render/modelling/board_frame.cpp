@@ -17,13 +17,13 @@ void setHeights(const model::Document& document, BoardFrame& out) {
     float low = 0.0F;
     float high = static_cast<float>(base::toMm(document.boardThickness));
     for (const model::Layer& layer : document.layers) {
-        out.layerBottomMm.push_back(static_cast<float>(base::toMm(layer.z)));
-        out.isCopper.push_back(layer.isCopper());
-        out.layerTopMm.push_back(static_cast<float>(base::toMm(double(layer.z) + layer.thickness)));
-        out.layerGrowth.push_back(growthOf(layer));
+        out.layers.push_back({static_cast<float>(base::toMm(layer.z)),
+                              static_cast<float>(base::toMm(double(layer.z) + layer.thickness)),
+                              layer.counts[static_cast<std::size_t>(model::ElementKind::Area)] > 0, layer.isCopper(),
+                              growthOf(layer), layer.opposite});
         if (layer.isCopper() || layer.type == model::LayerType::Body) {
-            low = std::min(low, out.layerBottomMm.back());
-            high = std::max(high, out.layerTopMm.back());
+            low = std::min(low, out.layers.back().z0);
+            high = std::max(high, out.layers.back().z1);
         }
     }
     const model::Box& box = document.board.isEmpty() ? document.extent : document.board;
@@ -48,6 +48,13 @@ float sumOfFaces(const model::Document& document) {
 }
 
 }  // namespace
+
+ModelTimes& ModelTimes::operator+=(const ModelTimes& other) {
+    createMs += other.createMs;
+    discretiseMs += other.discretiseMs;
+    triangulateMs += other.triangulateMs;
+    return *this;
+}
 
 model::Point centreOf(const model::Box& box) {
     if (box.isEmpty()) {

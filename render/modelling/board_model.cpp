@@ -7,7 +7,6 @@
 
 #include "model/base/parallel.h"
 #include "model/base/stopwatch.h"
-#include "model/board/copies.h"
 #include "render/modelling/area_meshes.h"
 #include "render/modelling/area_pieces.h"
 #include "render/modelling/lets.h"
@@ -186,38 +185,25 @@ base::Result<BoardModel> buildStepModel(const Document& document, const model::D
     return out;
 }
 
-/// Takes what is said about a step over into what is said about the board.
-void addTotals(const BoardModel& step, BoardModel& board) {
-    board.times.createMs += step.times.createMs;
-    board.times.discretiseMs += step.times.discretiseMs;
-    board.times.triangulateMs += step.times.triangulateMs;
-    // Elements of a step are numbered for themselves.
-    model::Diagnostics messages = step.diagnostics;
+/// Takes what is said about a step over into what is said about the board, where its elements have no numbers.
+void addMessages(model::Diagnostics messages, model::Diagnostics& board) {
     for (std::size_t row = 0; row < messages.entries().size(); ++row) {
         messages.locate(row, {}, std::nullopt);
     }
-    board.diagnostics.append(messages);
+    board.append(messages);
 }
 
 }  // namespace
 
 base::Result<BoardModel> buildBoardModel(const Document& document, const model::Discretisation& how,
                                          base::Progress& progress, const AreaTriangulator& triangulator) {
-    base::Result<BoardModel> board = buildStepModel(document, how, progress, triangulator);
-    if (!board || document.instances.empty()) {
-        return board;
-    }
-    const model::StepTree tree = model::unfoldCopies(document);
-    for (std::size_t row = 1; row < tree.steps.size(); ++row) {
-        base::Result<BoardModel> step = buildStepModel(*tree.steps[row], how, progress, triangulator);
-        if (!step) {
-            return step;
+    auto board = buildWithSteps<BoardModel>(
+        document, [&](const Document& step) { return buildStepModel(step, how, progress, triangulator); });
+    if (board) {
+        for (const BoardModel& step : board->steps) {
+            addMessages(step.diagnostics, board->diagnostics);
         }
-        addTotals(*step, *board);
-        board->steps.push_back(std::move(*step));
     }
-    board->copies = placeCopies(tree);
-    std::ranges::transform(document.layers, std::back_inserter(board->opposite), &Layer::opposite);
     return board;
 }
 

@@ -39,20 +39,11 @@ struct AreaBatch {
     std::uint32_t instanceCount = 0;
 };
 
-/// The last two parts of the paper's modelling (Table 4), plus making the lets.
-struct ModelTimes {
-    double createMs = 0.0;
-    double discretiseMs = 0.0;
-    double triangulateMs = 0.0;
-};
-
 /// What a document becomes before it goes to the GPU, as plain arrays (paper: "hybrid pipeline"): lets for lines, arcs,
 /// circles and trails, triangles for areas. Lengths in mm relative to `origin`. Everything is sorted by layer, so that
 /// a layer is a run. The steps that a panel places are models of their own, made once however often they are drawn.
 struct BoardModel : BoardFrame {
-    std::vector<BoardModel> steps;                              ///< at whatever depth; they have none themselves
-    std::vector<ModelCopy> copies = std::vector<ModelCopy>(1);  ///< rows as in model::StepTree: the board itself first
-    std::vector<model::LayerId> opposite;  ///< Layer::opposite per layer; empty where nothing is flipped
+    std::vector<BoardModel> steps;  ///< at whatever depth; they have none themselves
 
     std::vector<shader::Let> lets;
     std::vector<shader::Cluster> clusters;  ///< never straddle a layer
@@ -69,8 +60,8 @@ struct BoardModel : BoardFrame {
 
     std::uint32_t repairedAreas = 0;  ///< areas whose outline crossed itself and went through integer booleans
     std::uint32_t emptyAreas = 0;     ///< areas without any area
-    ModelTimes times;
-    model::Diagnostics diagnostics;  ///< what was repaired or dropped here, with file and line
+    ModelTimes times;                 ///< create: lets too
+    model::Diagnostics diagnostics;   ///< what was repaired or dropped here, with file and line
 };
 
 /// Makes lets and triangulates all areas of the board and of every step it places, over all cores or on a device. Same

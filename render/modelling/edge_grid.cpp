@@ -7,13 +7,6 @@
 namespace render {
 namespace {
 
-float pointDistance(glm::vec2 p, const Edge& edge) {
-    const glm::vec2 d = edge.b - edge.a;
-    const float length = glm::dot(d, d);
-    const float t = length > 0.0F ? std::clamp(glm::dot(p - edge.a, d) / length, 0.0F, 1.0F) : 0.0F;
-    return glm::length(p - edge.a - t * d);
-}
-
 float boxDistance(glm::vec2 p, glm::vec2 low, glm::vec2 high) {
     return glm::length(p - glm::clamp(p, low, high));
 }
@@ -46,7 +39,7 @@ float edgeToBox(const Edge& edge, glm::vec2 low, glm::vec2 high) {
     const glm::vec2 corners[] = {low, {high.x, low.y}, high, {low.x, high.y}};
     float nearest = std::min(boxDistance(edge.a, low, high), boxDistance(edge.b, low, high));
     for (const glm::vec2& corner : corners) {
-        nearest = std::min(nearest, pointDistance(corner, edge));
+        nearest = std::min(nearest, edge.distance(corner));
     }
     return nearest;
 }
@@ -62,7 +55,7 @@ float edgeToEdge(const Edge& e, const Edge& f) {
     if (side(e, f.a) * side(e, f.b) < 0.0F && side(f, e.a) * side(f, e.b) < 0.0F) {
         return 0.0F;
     }
-    return std::min({pointDistance(e.a, f), pointDistance(e.b, f), pointDistance(f.a, e), pointDistance(f.b, e)});
+    return std::min({f.distance(e.a), f.distance(e.b), e.distance(f.a), e.distance(f.b)});
 }
 
 bool isApart(float a, float b, float slack) {
@@ -70,6 +63,17 @@ bool isApart(float a, float b, float slack) {
 }
 
 }  // namespace
+
+float Edge::distance(glm::vec2 p) const {
+    const glm::vec2 d = b - a;
+    const float length = glm::dot(d, d);
+    const float t = length > 0.0F ? std::clamp(glm::dot(p - a, d) / length, 0.0F, 1.0F) : 0.0F;
+    return glm::length(p - a - t * d);
+}
+
+bool Edge::isRightOf(glm::vec2 p) const {
+    return (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x);
+}
 
 EdgeGrid::EdgeGrid(std::vector<Edge> edges) : m_edges(std::move(edges)) {
     for (const Edge& edge : m_edges) {
@@ -189,24 +193,22 @@ bool EdgeGrid::isFarFrom(glm::vec2 low, glm::vec2 high, float reach) const {
     return (steps - 1.01F) * m_cell >= reach + 0.5F * glm::length(high - low);
 }
 
-float EdgeGrid::distance(glm::vec2 low, glm::vec2 high, float reach) const {
-    float nearest = reach;
+template <class Measure>
+float EdgeGrid::nearest(glm::vec2 low, glm::vec2 high, float reach, const Measure& measure) const {
+    float least = reach;
     if (!isFarFrom(low, high, reach)) {
-        forEdgesNear(low - reach, high + reach,
-                     [&](const Edge& edge) { nearest = std::min(nearest, edgeToBox(edge, low, high)); });
+        forEdgesNear(low - reach, high + reach, [&](const Edge& edge) { least = std::min(least, measure(edge)); });
     }
-    return nearest;
+    return least;
+}
+
+float EdgeGrid::distance(glm::vec2 low, glm::vec2 high, float reach) const {
+    return nearest(low, high, reach, [&](const Edge& edge) { return edgeToBox(edge, low, high); });
 }
 
 float EdgeGrid::distance(const Edge& line, float reach) const {
-    const glm::vec2 low = glm::min(line.a, line.b);
-    const glm::vec2 high = glm::max(line.a, line.b);
-    float nearest = reach;
-    if (!isFarFrom(low, high, reach)) {
-        forEdgesNear(low - reach, high + reach,
-                     [&](const Edge& edge) { nearest = std::min(nearest, edgeToEdge(edge, line)); });
-    }
-    return nearest;
+    return nearest(glm::min(line.a, line.b), glm::max(line.a, line.b), reach,
+                   [&](const Edge& edge) { return edgeToEdge(edge, line); });
 }
 
 bool EdgeGrid::contains(glm::vec2 p) const {
@@ -219,14 +221,8 @@ bool EdgeGrid::contains(glm::vec2 p) const {
 
 /// Does a ray to the right cross an odd number of edges?
 bool EdgeGrid::crossesOddly(glm::vec2 p) const {
-    bool isIn = false;
-    for (const std::uint32_t i : m_rows[static_cast<std::size_t>(cellAt(p).y)]) {
-        const auto [a, b] = m_edges[i];
-        if ((a.y > p.y) != (b.y > p.y)) {
-            isIn ^= p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x);
-        }
-    }
-    return isIn;
+    const auto isRight = [&](std::uint32_t i) { return m_edges[i].isRightOf(p); };
+    return std::ranges::count_if(m_rows[static_cast<std::size_t>(cellAt(p).y)], isRight) % 2 != 0;
 }
 
 bool EdgeGrid::isCrossedBy(glm::vec2 a, glm::vec2 b, float slack) const {

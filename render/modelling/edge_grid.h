@@ -10,6 +10,10 @@ namespace render {
 struct Edge {
     glm::vec2 a;
     glm::vec2 b;
+
+    [[nodiscard]] float distance(glm::vec2 p) const;
+    /// Does a ray from `p` to the right cross it?
+    [[nodiscard]] bool isRightOf(glm::vec2 p) const;
 };
 
 /// Closed loops of edges, mm, in square cells, so that searches near a location visit few of them, and at none where
@@ -40,6 +44,9 @@ private:
 
     template <class Visit>
     void forEdgesNear(glm::vec2 low, glm::vec2 high, const Visit& visit) const;
+    /// The least that `measure` gives for an edge within `reach` of the box; `reach` if that is less.
+    template <class Measure>
+    [[nodiscard]] float nearest(glm::vec2 low, glm::vec2 high, float reach, const Measure& measure) const;
     /// `forLists(edge, add)` calls add(list) for every list that the edge is in.
     template <class ForLists>
     [[nodiscard]] Lists sortInto(std::size_t count, const ForLists& forLists) const;

@@ -7,7 +7,6 @@
 
 #include "model/base/assert.h"
 #include "model/geometry/discretise.h"
-#include "render/modelling/board_frame.h"
 #include "render/modelling/morton.h"
 
 namespace render {
@@ -239,12 +238,12 @@ private:
 
 /// Neighbours come together, so that clusters are small.
 std::vector<std::uint32_t> orderAlongMorton(const std::vector<shader::Let>& lets) {
-    LetBox all{glm::vec2(1e30F), glm::vec2(-1e30F)};
+    Box2 all;
     std::vector<glm::vec2> middles;
     middles.reserve(lets.size());
     for (const shader::Let& let : lets) {
-        const LetBox box = boxOf(let);
-        all = {glm::min(all.min, box.min), glm::max(all.max, box.max)};
+        const Box2 box = boxOf(let);
+        all.include(box);
         middles.push_back((box.min + box.max) / 2.0F);
     }
     const MortonCurve curve(all.min, all.max);
@@ -268,7 +267,7 @@ std::size_t expectedLets(const model::Document& document, model::Range elements,
     return sum;
 }
 
-LetBox boxOfCell(const shader::Let& let) {
+Box2 boxOfCell(const shader::Let& let) {
     const float t = let.p4;
     const glm::vec2 along = glm::vec2(1.0F - t * t, 2.0F * t) / (1.0F + t * t);
     const auto [left, right] = unpacked(let.p2);
@@ -284,7 +283,7 @@ LetBox boxOfCell(const shader::Let& let) {
 
 }  // namespace
 
-LetBox boxOf(const shader::Let& let) {
+Box2 boxOf(const shader::Let& let) {
     if ((let.meta & shader::kLetKindMask) == shader::kLetArc) {
         // At most a quarter turn: both ends and the middle pushed out to the tangents' corner enclose it.
         const glm::vec2 centre{let.p0, let.p1};
@@ -293,9 +292,11 @@ LetBox boxOf(const shader::Let& let) {
             return centre + radius * glm::vec2(std::cos(angle), std::sin(angle));
         };
         const glm::vec2 corner = at(0.5F, let.p2 / std::cos(let.p4 / 2.0F));
-        const glm::vec2 low = glm::min(glm::min(at(0.0F, let.p2), at(1.0F, let.p2)), corner);
-        const glm::vec2 high = glm::max(glm::max(at(0.0F, let.p2), at(1.0F, let.p2)), corner);
-        return {low - let.p5, high + let.p5};
+        Box2 middleLine;
+        for (const glm::vec2 point : {at(0.0F, let.p2), at(1.0F, let.p2), corner}) {
+            middleLine.include(point);
+        }
+        return {middleLine.min - let.p5, middleLine.max + let.p5};
     }
     const glm::vec2 a{let.p0, let.p1};
     const glm::vec2 b{let.p2, let.p3};
@@ -323,19 +324,12 @@ void appendLets(const LayerLets& made, model::LayerId layer, std::vector<shader:
                 std::vector<shader::Cluster>& clusters) {
     for (std::size_t done = 0; done < made.order.size(); done += shader::kClusterSize) {
         const std::size_t count = std::min<std::size_t>(shader::kClusterSize, made.order.size() - done);
-        shader::Cluster cluster{glm::vec2(1e30F),
-                                glm::vec2(-1e30F),
-                                static_cast<std::uint32_t>(lets.size()),
-                                static_cast<std::uint32_t>(count),
-                                layer.value,
-                                0};
+        const auto first = static_cast<std::uint32_t>(lets.size());
+        Box2 box;
         for (std::size_t i = done; i < done + count; ++i) {
-            const shader::Let& let = lets.emplace_back(made.lets[made.order[i]]);
-            const LetBox box = boxOf(let);
-            cluster.boxMin = glm::min(cluster.boxMin, box.min);
-            cluster.boxMax = glm::max(cluster.boxMax, box.max);
+            box.include(boxOf(lets.emplace_back(made.lets[made.order[i]])));
         }
-        clusters.push_back(cluster);
+        clusters.push_back({box.min, box.max, first, static_cast<std::uint32_t>(count), layer.value, 0});
     }
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/board/document.h"
+#include "render/modelling/board_frame.h"
 #include "render/modelling/round_holes.h"
 #include "shaders/shared/board.h"
 
@@ -20,12 +21,7 @@ struct LayerLets {
     std::uint32_t firstZeroWidthLine = 0;  ///< line of the first one in the layer's file
 };
 
-/// Of a let, in mm.
-struct LetBox {
-    glm::vec2 min;
-    glm::vec2 max;
-};
-[[nodiscard]] LetBox boxOf(const shader::Let& let);
+[[nodiscard]] Box2 boxOf(const shader::Let& let);
 
 /// The round holes of a shape that lets fill in.
 using HolesOfShape = std::function<std::span<const RoundHole>(model::ShapeId)>;

@@ -87,6 +87,14 @@ public:
     }
 
 private:
+    static constexpr std::uint32_t kNone = 0xffffffffU;
+
+    struct Circle {
+        RoundHole hole;
+        std::uint32_t outline;        ///< the one it is in
+        std::uint32_t field = kNone;  ///< none: it becomes chords
+    };
+
     void findCircles() {
         m_circleOf.assign(m_contours.size(), kNone);
         std::uint32_t outline = 0;
@@ -96,12 +104,10 @@ private:
                 m_contours[i].isHole ? circleOf(m_shapes.nodesOf(m_contours[i])) : std::optional<RoundHole>();
             if (circle) {
                 m_circleOf[i] = static_cast<std::uint32_t>(m_circles.size());
-                m_circles.push_back(*circle);
+                m_circles.push_back({*circle, outline});
                 m_squares.push_back(circle->cell);
-                m_outlineOf.push_back(outline);
             }
         }
-        m_fieldOf.assign(m_circles.size(), kNone);
     }
 
     void placeFields() {
@@ -139,7 +145,7 @@ private:
             bool isAlone = true;
             index.visit(squares[i].grownBy(kMargin), [&](std::uint32_t other) { isAlone = isAlone && other == i; });
             if (isAlone && isClear(squares[i], circles.subspan(i, 1))) {
-                m_fieldOf[circles[i]] = static_cast<std::uint32_t>(m_fields.size());
+                m_circles[circles[i]].field = static_cast<std::uint32_t>(m_fields.size());
                 m_fields.push_back(squares[i]);
             }
         }
@@ -147,7 +153,9 @@ private:
 
     /// Does the box lie in the shape, in one island of it, with nothing but these circles in it?
     [[nodiscard]] bool isClear(const Box& box, std::span<const std::uint32_t> circles) const {
-        const auto isOfOneOutline = [&](std::uint32_t i) { return m_outlineOf[i] == m_outlineOf[circles[0]]; };
+        const auto isOfOneOutline = [&](std::uint32_t i) {
+            return m_circles[i].outline == m_circles[circles[0]].outline;
+        };
         return std::ranges::all_of(circles, isOfOneOutline) && m_edges->contains(box.min) &&
                !m_edges->meets(box.grownBy(kMargin));
     }
@@ -155,16 +163,16 @@ private:
     bool tile(const HoleFields& fields, const HoleFields::Field& field) {
         bool isPossible = true;
         fields.tile(field, field.box, [&](std::uint32_t circle, const Box& cell) {
-            m_circles[circle].cell = cell;
-            m_fieldOf[circle] = static_cast<std::uint32_t>(m_fields.size());
-            isPossible = isPossible && isInReach(m_circles[circle], cell);
+            m_circles[circle].hole.cell = cell;
+            m_circles[circle].field = static_cast<std::uint32_t>(m_fields.size());
+            isPossible = isPossible && isInReach(m_circles[circle].hole, cell);
         });
         if (isPossible) {
             m_fields.push_back(field.box);
             return true;
         }
         for (const std::uint32_t circle : fields.squaresOf(field)) {
-            m_fieldOf[circle] = kNone;
+            m_circles[circle].field = kNone;
         }
         return false;
     }
@@ -190,36 +198,32 @@ private:
     void assemble() {
         std::vector<std::uint8_t> isAdded(m_fields.size(), 0);
         for (std::size_t i = 0; i < m_contours.size(); ++i) {
-            const std::uint32_t circle = m_circleOf[i];
-            if (circle == kNone || m_fieldOf[circle] == kNone) {
+            const Circle* circle = m_circleOf[i] == kNone ? nullptr : &m_circles[m_circleOf[i]];
+            if (circle == nullptr || circle->field == kNone) {
                 addContour(i, m_result.polygons);
             } else if (m_hasOutline) {
-                addHole(circle, isAdded[m_fieldOf[circle]]);
+                addHole(*circle, isAdded[circle->field]);
             }
         }
     }
 
     /// With the field it lies in, unless that is there already.
-    void addHole(std::uint32_t circle, std::uint8_t& isFieldAdded) {
-        m_result.holes.push_back(m_circles[circle]);
+    void addHole(const Circle& circle, std::uint8_t& isFieldAdded) {
+        m_result.holes.push_back(circle.hole);
         if (isFieldAdded == 0) {
             isFieldAdded = 1;
-            m_result.fields.push_back(m_fields[m_fieldOf[circle]]);
+            m_result.fields.push_back(m_fields[circle.field]);
             m_result.polygons.addLoop(cornersOf(m_result.fields.back()));
         }
     }
 
-    static constexpr std::uint32_t kNone = 0xffffffffU;
-
     const model::ShapeTable& m_shapes;
     std::span<const Contour> m_contours;
     const model::Discretisation& m_how;
-    std::vector<RoundHole> m_circles;
-    std::vector<Box> m_squares;              ///< by circle: the smallest cell
-    std::vector<std::uint32_t> m_outlineOf;  ///< by circle: the outline it is in
-    std::vector<std::uint32_t> m_circleOf;   ///< by contour
+    std::vector<Circle> m_circles;
+    std::vector<Box> m_squares;             ///< by circle: the smallest cell
+    std::vector<std::uint32_t> m_circleOf;  ///< by contour
     std::vector<Box> m_fields;
-    std::vector<std::uint32_t> m_fieldOf;      ///< by circle; none: it becomes chords
     std::optional<model::EdgeStrips> m_edges;  ///< of all contours but circles
     std::vector<Point> m_loop;
     bool m_hasOutline = false;

@@ -30,6 +30,10 @@ glm::vec2 startOf(const shader::Let& let) {
     return {let.p0, let.p1};
 }
 
+Edge edgeOf(const Loop& loop, std::size_t i) {
+    return {loop[i], loop[(i + 1) % loop.size()]};
+}
+
 glm::vec2 placed(const shader::AreaInstance& instance, glm::vec2 p) {
     const glm::vec2 cs = instance.cosSin;
     const glm::vec2 rotated{cs.x * p.x + cs.y * p.y, -cs.y * p.x + cs.x * p.y};
@@ -115,13 +119,11 @@ public:
     /// The same for a loop of chords.
     [[nodiscard]] std::optional<std::uint32_t> layerOfLoop(const Loop& loop) const {
         constexpr float kChords = 0.06F;  // mm: so far chords may shift the middle
-        glm::vec2 low(1e30F);
-        glm::vec2 high(-1e30F);
+        Box2 box;
         for (const glm::vec2& p : loop) {
-            low = glm::min(low, p);
-            high = glm::max(high, p);
+            box.include(p);
         }
-        const glm::vec2 middle = 0.5F * (low + high);
+        const glm::vec2 middle = 0.5F * (box.min + box.max);
         for (auto location = std::ranges::lower_bound(m_locations, middle.x - kChords, {}, &Location::x);
              location != m_locations.end() && location->x <= middle.x + kChords; ++location) {
             if (std::abs(location->y - middle.y) <= kChords && fills(m_lets[location->let], loop)) {
@@ -142,13 +144,9 @@ private:
 
     /// Do all corners lie on the outline of the hole?
     static bool fills(const shader::Let& plug, const Loop& loop) {
-        const glm::vec2 a = startOf(plug);
-        const glm::vec2 d = glm::vec2(plug.p2, plug.p3) - a;
-        const float length = glm::dot(d, d);
-        return std::ranges::all_of(loop, [&](glm::vec2 p) {
-            const float t = length > 0.0F ? std::clamp(glm::dot(p - a, d) / length, 0.0F, 1.0F) : 0.0F;
-            return std::abs(glm::length(p - a - t * d) - plug.p4) < kSlack;
-        });
+        const Edge middleLine{startOf(plug), {plug.p2, plug.p3}};
+        return std::ranges::all_of(loop,
+                                   [&](glm::vec2 p) { return std::abs(middleLine.distance(p) - plug.p4) < kSlack; });
     }
 
     std::span<const shader::Let> m_lets;
@@ -162,7 +160,7 @@ struct SubstratePart {
 
     void add(const Loop& loop) {
         for (std::size_t i = 0; i < loop.size(); ++i) {
-            edges.push_back({loop[i], loop[(i + 1) % loop.size()]});
+            edges.push_back(edgeOf(loop, i));
         }
         loopPoints.push_back(loop.front());
     }
@@ -178,11 +176,7 @@ Loop squareAround(const shader::Let& hole) {
 bool winds(const Loop& loop, glm::vec2 p) {
     bool isIn = false;
     for (std::size_t i = 0; i < loop.size(); ++i) {
-        const glm::vec2 a = loop[i];
-        const glm::vec2 b = loop[(i + 1) % loop.size()];
-        if ((a.y > p.y) != (b.y > p.y)) {
-            isIn ^= p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x);
-        }
+        isIn ^= edgeOf(loop, i).isRightOf(p);
     }
     return isIn;
 }
@@ -226,7 +220,7 @@ private:
 
     [[nodiscard]] float marginOfLet(const shader::Let& let, float margin) const {
         if (kindOf(let) == shader::kLetArc) {
-            const LetBox box = boxOf(let);
+            const Box2 box = boxOf(let);
             return lessened(margin, m_grid.distance(box.min, box.max, margin), box.min);
         }
         constexpr float kDiagonal = 1.4142136F;
@@ -258,7 +252,7 @@ private:
 
     [[nodiscard]] float marginOfLoop(const Loop& loop, float margin) const {
         for (std::size_t i = 0; i < loop.size() && margin >= 0.0F; ++i) {
-            const Edge edge{loop[i], loop[(i + 1) % loop.size()]};
+            const Edge edge = edgeOf(loop, i);
             margin = std::min(margin, m_grid.distance(edge, std::max(margin, 2.0F * kSlack)));
             const bool isInside = m_grid.contains(edge.a) || m_grid.distance({edge.a, edge.a}, kSlack) < kSlack;
             if (!isInside || (margin <= kSlack && m_grid.isCrossedBy(edge.a, edge.b, kSlack))) {

@@ -3,11 +3,12 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <cmath>
+#include <type_traits>
 
 #include "render/gpu/check.h"
 #include "render/scene/scene_buffers.h"
 #include "render/scene/scene_loader.h"
+#include "render/standard/standard_model.h"
 
 namespace render {
 namespace {
@@ -17,29 +18,24 @@ using gpu::MemoryUse;
 
 /// The smallest circle around the box of what a piece draws.
 shader::ShapeBound boundOf(const BoardModel& model, const AreaShape& piece) {
-    glm::vec2 low(1e30F);
-    glm::vec2 high(-1e30F);
-    const auto include = [&](std::uint32_t vertex) {
-        low = glm::min(low, model.vertices[vertex]);
-        high = glm::max(high, model.vertices[vertex]);
-    };
+    Box2 box;
     for (std::uint32_t i = piece.firstIndex; i < piece.firstIndex + 3 * piece.triangleCount; ++i) {
-        include(piece.firstVertex + model.indices[i]);
+        box.include(model.vertices[piece.firstVertex + model.indices[i]]);
     }
     for (std::uint32_t i = piece.firstWall; i < piece.firstWall + piece.wallCount; ++i) {
-        include(i);
-        include(model.next[i]);
+        box.include(model.vertices[i]);
+        box.include(model.vertices[model.next[i]]);
     }
-    if (low.x > high.x) {
+    if (box.min.x > box.max.x) {
         return {};
     }
-    return {0.5F * (low + high), 0.5F * glm::length(high - low), 0};
+    return {0.5F * (box.min + box.max), 0.5F * glm::length(box.max - box.min), 0};
 }
 
 std::vector<shader::ShapeBound> boundsOf(const BoardModel& model) {
     std::vector<shader::ShapeBound> bounds;
-    std::transform(model.shapes.begin(), model.shapes.end(), std::back_inserter(bounds),
-                   [&](const AreaShape& shape) { return boundOf(model, shape); });
+    std::ranges::transform(model.shapes, std::back_inserter(bounds),
+                           [&](const AreaShape& shape) { return boundOf(model, shape); });
     return bounds;
 }
 
@@ -83,55 +79,34 @@ std::uint32_t elementCount(const BoardModel& model) {
 }
 
 /// A box around everything a step draws.
-struct Reach {
-    glm::vec2 min{1e30F};
-    glm::vec2 max{-1e30F};
-
-    void include(glm::vec2 low, glm::vec2 high) {
-        min = glm::min(min, low);
-        max = glm::max(max, high);
-    }
-};
-
-Reach reachOf(const BoardModel& model) {
-    Reach reach;
+Box2 reachOf(const BoardModel& model) {
+    Box2 reach;
     for (const shader::Cluster& cluster : model.clusters) {
-        reach.include(cluster.boxMin, cluster.boxMax);
+        reach.include(Box2{cluster.boxMin, cluster.boxMax});
     }
     const std::vector<shader::ShapeBound> bounds = boundsOf(model);
     for (const shader::AreaInstance& area : model.instances) {
         // However the area is rotated, its circle lies within this far of its origin.
         const shader::ShapeBound& bound = bounds[area.shape];
         const float radius = glm::length(bound.centre) + bound.radius;
-        reach.include(area.origin - radius, area.origin + radius);
+        reach.include(Box2{area.origin - radius, area.origin + radius});
     }
     return reach;
 }
 
 std::vector<SceneStep::Layer> layersOfStep(const BoardModel& model, std::size_t layerCount) {
-    ASSERT(model.layerBottomMm.size() <= layerCount);
-    std::vector<SceneStep::Layer> layers;
-    for (std::size_t i = 0; i < model.layerBottomMm.size(); ++i) {
-        SceneStep::Layer layer;
-        layer.clusters = model.clustersOfLayer[i];
-        layer.areaBatches = model.areaBatchesOfLayer[i];
-        layers.push_back(layer);
+    ASSERT(model.layers.size() <= layerCount);
+    std::vector<SceneStep::Layer> layers(layerCount);
+    for (std::size_t i = 0; i < model.layers.size(); ++i) {
+        layers[i] = {model.clustersOfLayer[i], model.areaBatchesOfLayer[i]};
     }
-    layers.resize(layerCount);
     return layers;
-}
-
-bool hasAreas(const BoardModel& model, std::size_t layer) {
-    const auto hasSome = [layer](const BoardModel& step) {
-        return layer < step.areaBatchesOfLayer.size() && step.areaBatchesOfLayer[layer].count > 0;
-    };
-    return hasSome(model) || std::ranges::any_of(model.steps, hasSome);
 }
 
 /// Of the board and all its steps. Layers of flipped copies lie elsewhere: there nothing is said to be hidden.
 std::vector<LayerInSubstrate> inSubstrate(const BoardModel& model) {
     std::vector<LayerInSubstrate> layers = model.inSubstrate;
-    layers.resize(model.layerBottomMm.size());
+    layers.resize(model.layers.size());
     for (const BoardModel& step : model.steps) {
         for (std::size_t i = 0; i < std::min(layers.size(), step.inSubstrate.size()); ++i) {
             const LayerInSubstrate& own = step.inSubstrate[i];
@@ -143,21 +118,8 @@ std::vector<LayerInSubstrate> inSubstrate(const BoardModel& model) {
     return hasFlipped ? std::vector<LayerInSubstrate>(layers.size()) : layers;
 }
 
-SceneLayers layersOf(const BoardModel& model) {
-    SceneLayers scene;
-    const glm::vec3 size = model.boxMax - model.boxMin;
-    scene.widthMm = std::max(size.x, size.y);
-    scene.facesMm = model.facesMm;
-    scene.hasFlipped = std::ranges::any_of(model.copies, &ModelCopy::isFlipped);
-    for (std::size_t i = 0; i < model.layerBottomMm.size(); ++i) {
-        scene.layers.push_back({model.layerBottomMm[i], model.layerTopMm[i], hasAreas(model, i),
-                                i < model.isCopper.size() && model.isCopper[i],
-                                i < model.layerGrowth.size() ? model.layerGrowth[i] : 0,
-                                i < model.opposite.size() ? model.opposite[i] : model::LayerId{}});
-    }
-    scene.styles.resize(scene.layers.size());
-    scene.inSubstrate = inSubstrate(model);
-    return scene;
+std::vector<LayerInSubstrate> inSubstrate(const StandardModel&) {
+    return {};
 }
 
 GeometryBuffers loadGeometry(gpu::Device& device, const BoardModel& model, const std::vector<ElementState>& states) {
@@ -174,15 +136,43 @@ GeometryBuffers loadGeometry(gpu::Device& device, const BoardModel& model, const
     b.elementStates = loader.load("element states", states);
     b.capDraws = loader.load("capDraws", capDraws(model));
     b.wallDraws = loader.load("wallDraws", wallDraws(model));
+    b.bytes = loader.bytes();
     return b;
 }
 
-std::vector<SceneStep> loadSteps(gpu::Device& device, const BoardModel& board) {
+GeometryBuffers loadGeometry(gpu::Device& device, const std::vector<ElementState>& states) {
+    SceneLoader loader(device);
+    GeometryBuffers b;
+    b.elementStates = loader.load("element states", states);
+    b.bytes = loader.bytes();
+    return b;
+}
+
+StandardBuffers loadParts(gpu::Device& device, const StandardModel& model, std::size_t layerCount) {
+    SceneLoader loader(device);
+    StandardBuffers buffers;
+    buffers.partsOfLayer.resize(layerCount);
+    std::vector<shader::StandardPartRecord> records;
+    for (std::uint32_t i = 0; i < model.parts.size(); ++i) {
+        const StandardPart& part = model.parts[i];
+        LayerRun& run = buffers.partsOfLayer[part.layer];
+        run = {run.count == 0 ? i : run.first, run.count + 1};
+        buffers.vertices.push_back(loader.load("standard vertices", part.vertices));
+        buffers.indices.push_back(loader.load("standard indices", part.indices));
+        buffers.indexCounts.push_back(static_cast<std::uint32_t>(part.indices.size()));
+        records.push_back({buffers.vertices.back().address(), part.layer, 0});
+    }
+    buffers.records = loader.load("standard parts", records);
+    buffers.bytes = loader.bytes();
+    return buffers;
+}
+
+template <class Model>
+std::vector<SceneStep> loadSteps(gpu::Device& device, const Model& board) {
     std::vector<SceneStep> steps;
-    const std::size_t layers = board.layerBottomMm.size();
-    steps.emplace_back(device, board, layers);
-    for (const BoardModel& step : board.steps) {
-        steps.emplace_back(device, step, layers);
+    steps.emplace_back(device, board, board.layers.size());
+    for (const Model& step : board.steps) {
+        steps.emplace_back(device, step, board.layers.size());
     }
     return steps;
 }
@@ -257,16 +247,19 @@ DrawLists takeLists(const SceneStep& step, Parts& parts) {
 
 SceneStep::SceneStep(gpu::Device& device, const BoardModel& model, std::size_t layerCount)
     : layers(layersOfStep(model, layerCount)),
+      reach(reachOf(model)),
       letCount(static_cast<std::uint32_t>(model.lets.size())),
       clusterCount(static_cast<std::uint32_t>(model.clusters.size())),
       instanceCount(static_cast<std::uint32_t>(model.instances.size())),
       areaDrawCount(static_cast<std::uint32_t>(model.areaBatches.size())),
       states(plainStates(elementCount(model))),
-      geometry(loadGeometry(device, model, states)) {
-    const Reach reach = reachOf(model);
-    reachMin = reach.min;
-    reachMax = reach.max;
-}
+      geometry(loadGeometry(device, model, states)) {}
+
+SceneStep::SceneStep(gpu::Device& device, const StandardModel& model, std::size_t layerCount)
+    : layers(layerCount),
+      states(plainStates(model.elementCount)),
+      geometry(loadGeometry(device, states)),
+      standard(loadParts(device, model, layerCount)) {}
 
 std::uint64_t SceneStep::listBytes() const {
     Parts parts(VK_NULL_HANDLE, 0, 0);
@@ -300,18 +293,25 @@ void SceneStep::setAddresses(shader::FrameData& data, const DrawLists& lists) co
     data.standardParts = standard ? standard->records.address() : 0;
 }
 
-BoardScene::Impl::Impl(gpu::Device& owner, const BoardModel& model, std::uint64_t mostListBytes)
+template <class Model>
+BoardScene::Impl::Impl(gpu::Device& owner, const Model& model, std::uint64_t mostListBytes)
     : device(&owner),
       uploads(owner, 1, "scene updates"),
-      layers(layersOf(model)),
-      letTables(makeLetTables()),
-      letIndices(SceneLoader(owner).load("letIndices", letTables.indices)),
+      layers(model),
       steps(loadSteps(owner, model)),
       copies(model.copies),
-      lists(makeLists(owner, steps, copies, mostListBytes)) {}
+      lists(makeLists(owner, steps, copies, mostListBytes)) {
+    layers.inSubstrate = inSubstrate(model);
+    if constexpr (std::is_same_v<Model, BoardModel>) {
+        letTables = makeLetTables();
+        letIndices = SceneLoader(owner).load("letIndices", letTables.indices);
+    }
+}
 
 BoardScene::BoardScene(gpu::Device& device, const BoardModel& model, std::uint64_t mostListBytes)
     : m_impl(std::make_unique<Impl>(device, model, mostListBytes)) {}
+BoardScene::BoardScene(gpu::Device& device, const StandardModel& model)
+    : m_impl(std::make_unique<Impl>(device, model, 0)) {}
 BoardScene::~BoardScene() = default;
 BoardScene::BoardScene(BoardScene&&) noexcept = default;
 BoardScene& BoardScene::operator=(BoardScene&&) noexcept = default;
@@ -360,11 +360,11 @@ void BoardScene::setStyles(std::span<const LayerStyle> styles) {
 }
 
 void BoardScene::setHeights(const BoardFrame& frame) {
-    std::vector<SceneLayers::Layer>& layers = m_impl->layers.layers;
-    ASSERT(frame.layerBottomMm.size() == layers.size());
+    std::vector<FrameLayer>& layers = m_impl->layers.layers;
+    ASSERT(frame.layers.size() == layers.size());
     for (std::size_t i = 0; i < layers.size(); ++i) {
-        layers[i].z0 = frame.layerBottomMm[i];
-        layers[i].z1 = frame.layerTopMm[i];
+        layers[i].z0 = frame.layers[i].z0;
+        layers[i].z1 = frame.layers[i].z1;
     }
     m_impl->layers.facesMm = frame.facesMm;
 }
@@ -398,12 +398,7 @@ void BoardScene::setPalette(std::span<const glm::vec3> colours) {
 std::uint64_t BoardScene::geometryBytes() const {
     std::uint64_t bytes = m_impl->letIndices.size();
     for (const SceneStep& step : m_impl->steps) {
-        const GeometryBuffers& g = step.geometry;
-        bytes += step.standard ? step.standard->bytes() : 0;
-        for (const Buffer* buffer : {&g.lets, &g.clusters, &g.vertices, &g.next, &g.indices, &g.instances,
-                                     &g.drawOfInstance, &g.bounds, &g.elementStates, &g.capDraws, &g.wallDraws}) {
-            bytes += buffer->size();
-        }
+        bytes += step.geometry.bytes + (step.standard ? step.standard->bytes : 0);
     }
     return bytes;
 }

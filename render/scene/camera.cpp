@@ -4,6 +4,10 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
+#include <tuple>
+#include <utility>
+
+#include "render/modelling/board_frame.h"
 
 namespace render {
 
@@ -31,21 +35,10 @@ std::array<glm::vec3, 8> cornersOf(const glm::vec3& boxMin, const glm::vec3& box
 }  // namespace
 
 void Camera::fit(const glm::vec3& boxMin, const glm::vec3& boxMax, NamedView view, float aspect) {
-    switch (view) {
-        case NamedView::Top:
-            m_pose.yaw = 0.0F;
-            m_pose.pitch = kStraightDown;
-            break;
-        case NamedView::Bottom:
-            // As if the board were flipped about its vertical axis: left and right change sides, up stays up.
-            m_pose.yaw = kPi;
-            m_pose.pitch = -kStraightDown;
-            break;
-        case NamedView::Iso:
-            m_pose.yaw = kPi / 6.0F;
-            m_pose.pitch = -kPi / 4.5F;
-            break;
-    }
+    // The bottom as if the board were flipped about its vertical axis: left and right change sides, up stays up.
+    constexpr std::pair<float, float> kYawAndPitch[] = {
+        {0.0F, kStraightDown}, {kPi, -kStraightDown}, {kPi / 6.0F, -kPi / 4.5F}};
+    std::tie(m_pose.yaw, m_pose.pitch) = kYawAndPitch[static_cast<std::size_t>(view)];
     fit(boxMin, boxMax, aspect);
 }
 
@@ -84,15 +77,13 @@ float Camera::distanceToSee(const std::array<glm::vec3, 8>& corners, float aspec
 /// Shifts the target so that the corners' picture extends as far to the left as to the right, and as far up as down.
 void Camera::centre(const std::array<glm::vec3, 8>& corners) {
     const glm::mat3 rotation(view());
-    glm::vec2 low(1e30F);
-    glm::vec2 high(-1e30F);
+    Box2 picture;
     for (const glm::vec3& corner : corners) {
         const glm::vec3 seen = rotation * (corner - m_pose.target);
-        const glm::vec2 location = glm::vec2(seen) / (m_pose.distance - seen.z);
-        low = glm::min(low, location);
-        high = glm::max(high, location);
+        picture.include(glm::vec2(seen) / (m_pose.distance - seen.z));
     }
-    m_pose.target += glm::transpose(rotation) * glm::vec3((low + high) / 2.0F * m_pose.distance, 0.0F);
+    const glm::vec2 middle = (picture.min + picture.max) / 2.0F;
+    m_pose.target += glm::transpose(rotation) * glm::vec3(middle * m_pose.distance, 0.0F);
 }
 
 void Camera::fitWindow(const glm::vec2& min, const glm::vec2& max, float z, float aspect) {

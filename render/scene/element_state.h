@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -26,12 +27,20 @@ inline constexpr float kDimRest = 0.88F;
 }
 
 /// Nothing but plain elements, for so many.
-[[nodiscard]] std::vector<ElementState> plainStates(std::size_t elements);
+[[nodiscard]] inline std::vector<ElementState> plainStates(std::size_t elements) {
+    constexpr std::size_t kWord = shader::kElementsPerWord;
+    return std::vector<ElementState>((elements + kWord - 1) / kWord * kWord);
+}
 
 /// States as BoardScene::setStates takes them, with bits set for some elements.
 class ElementStates {
 public:
-    void add(std::span<const model::ElementId> elements, ElementState bits);
+    void add(std::span<const model::ElementId> elements, ElementState bits) {
+        for (const model::ElementId element : elements) {
+            m_bytes.resize(std::max(m_bytes.size(), element.row() + 1));
+            m_bytes[element.row()] |= bits;
+        }
+    }
     [[nodiscard]] std::span<const ElementState> bytes() const { return m_bytes; }
 
 private:

@@ -22,6 +22,7 @@ struct GeometryBuffers {
     gpu::Buffer elementStates;  ///< a byte per element, ElementState
     gpu::Buffer capDraws;       ///< commands without instances: what each frame starts from
     gpu::Buffer wallDraws;
+    std::uint64_t bytes = 0;  ///< of all of them
 };
 
 /// A part of a buffer.
@@ -50,9 +51,8 @@ struct StandardBuffers {
     std::vector<gpu::Buffer> indices;
     std::vector<std::uint32_t> indexCounts;
     std::vector<LayerRun> partsOfLayer;
-    gpu::Buffer records;  ///< shader::StandardPartRecord
-
-    [[nodiscard]] std::uint64_t bytes() const;
+    gpu::Buffer records;      ///< shader::StandardPartRecord
+    std::uint64_t bytes = 0;  ///< of all of them
 };
 
 /// A step as the back ends draw it.
@@ -62,8 +62,7 @@ struct SceneStep {
         LayerRun areaBatches;
     };
     std::vector<Layer> layers;
-    glm::vec2 reachMin{0.0F};  ///< of everything it draws, mm
-    glm::vec2 reachMax{0.0F};
+    Box2 reach;  ///< of everything it draws
     std::uint32_t letCount = 0;
     std::uint32_t clusterCount = 0;
     std::uint32_t instanceCount = 0;
@@ -94,8 +93,8 @@ struct BoardScene::Impl {
     /// Draw lists of as many copies as fit. One buffer serves all views: they draw one after the other on one queue.
     gpu::Buffer lists;
 
-    Impl(gpu::Device& owner, const BoardModel& model, std::uint64_t mostListBytes);
-    Impl(gpu::Device& owner, const StandardModel& model);
+    template <class Model>
+    Impl(gpu::Device& owner, const Model& model, std::uint64_t mostListBytes);
 };
 
 }  // namespace render

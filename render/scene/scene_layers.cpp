@@ -1,5 +1,6 @@
 #include "render/scene/scene_layers.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "render/scene/z_scale.h"
@@ -9,11 +10,7 @@ namespace render {
 namespace {
 
 std::vector<StackedLayer> stackupOf(const SceneLayers& scene, const ZScale& scale) {
-    std::vector<ScaledLayer> layers;
-    for (const SceneLayers::Layer& layer : scene.layers) {
-        layers.push_back({{layer.z0, layer.z1}, layer.isCopper});
-    }
-    const std::vector<ZRange> heights = scaleHeights(layers, scale);
+    const std::vector<ZRange> heights = scaleHeights(scene.layers, scale);
     std::vector<StackedLayer> stackup;
     for (std::size_t i = 0; i < scene.layers.size(); ++i) {
         stackup.push_back({heights[i], scene.styles[i].isVisible, !scene.layers[i].hasAreas});
@@ -22,6 +19,13 @@ std::vector<StackedLayer> stackupOf(const SceneLayers& scene, const ZScale& scal
 }
 
 }  // namespace
+
+SceneLayers::SceneLayers(const BoardFrame& frame)
+    : layers(frame.layers),
+      styles(frame.layers.size()),
+      widthMm(std::max(frame.boxMax.x - frame.boxMin.x, frame.boxMax.y - frame.boxMin.y)),
+      facesMm(frame.facesMm),
+      hasFlipped(std::ranges::any_of(frame.copies, &ModelCopy::isFlipped)) {}
 
 glm::vec3 toLinear(const glm::vec3& srgb) {
     const auto linear = [](float part) {

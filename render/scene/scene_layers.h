@@ -14,15 +14,10 @@ namespace render {
 
 /// What planning a frame must know of a scene; no device needed.
 struct SceneLayers {
-    struct Layer {
-        float z0 = 0.0F;  ///< before explosion, mm
-        float z1 = 0.0F;
-        bool hasAreas = false;  ///< in any step
-        bool isCopper = false;
-        std::uint32_t growth = 0;  ///< BoardFrame::layerGrowth
-        model::LayerId opposite;   ///< where the layer of a flipped copy lies; none: at its own mirror image
-    };
-    std::vector<Layer> layers;
+    SceneLayers() = default;
+    explicit SceneLayers(const BoardFrame& frame);
+
+    std::vector<FrameLayer> layers;             ///< with areas in any step
     std::vector<LayerInSubstrate> inSubstrate;  ///< one per layer; the standard pipeline's says nothing
     std::vector<LayerStyle> styles;             ///< likewise
     std::array<glm::vec3, shader::kElementColourCount> palette{};  ///< linear; colours of single elements

@@ -22,8 +22,11 @@ public:
         } else {
             fill(buffer.mapped(), bytes);
         }
+        m_bytes += buffer.size();
         return buffer;
     }
+    /// Of all buffers made.
+    [[nodiscard]] std::uint64_t bytes() const { return m_bytes; }
 
 private:
     /// Most of the time goes into pages that the system hands out at their first touch, and on every core.
@@ -37,6 +40,7 @@ private:
 
     gpu::Device& m_device;
     gpu::FrameRing m_ring;
+    std::uint64_t m_bytes = 0;
 };
 
 }  // namespace render

@@ -8,10 +8,10 @@ namespace {
 /// A piecewise linear function of height.
 class Stretch {
 public:
-    Stretch(std::span<const ScaledLayer> layers, const ZScale& scale) {
+    Stretch(std::span<const FrameLayer> layers, const ZScale& scale) {
         m_from.push_back(0.0F);
-        for (const ScaledLayer& layer : layers) {
-            m_from.insert(m_from.end(), {layer.z.z0, layer.z.z1});
+        for (const FrameLayer& layer : layers) {
+            m_from.insert(m_from.end(), {layer.z0, layer.z1});
         }
         std::ranges::sort(m_from);
         m_from.erase(std::unique(m_from.begin(), m_from.end()), m_from.end());
@@ -33,10 +33,9 @@ public:
     }
 
 private:
-    static bool isCopper(std::span<const ScaledLayer> layers, float low, float high) {
-        return std::ranges::any_of(layers, [&](const ScaledLayer& layer) {
-            return layer.isCopper && layer.z.z0 <= low && high <= layer.z.z1;
-        });
+    static bool isCopper(std::span<const FrameLayer> layers, float low, float high) {
+        return std::ranges::any_of(
+            layers, [&](const FrameLayer& layer) { return layer.isCopper && layer.z0 <= low && high <= layer.z1; });
     }
 
     std::vector<float> m_from;  ///< rising
@@ -45,22 +44,19 @@ private:
 
 }  // namespace
 
-std::vector<ZRange> scaleHeights(std::span<const ScaledLayer> layers, const ZScale& scale) {
+std::vector<ZRange> scaleHeights(std::span<const FrameLayer> layers, const ZScale& scale) {
     std::vector<ZRange> heights;
     const bool isReal = scale == ZScale{};
-    const Stretch stretch(isReal ? std::span<const ScaledLayer>() : layers, scale);
-    for (const ScaledLayer& layer : layers) {
-        heights.push_back(isReal ? layer.z : ZRange{stretch.at(layer.z.z0), stretch.at(layer.z.z1)});
+    const Stretch stretch(isReal ? std::span<const FrameLayer>() : layers, scale);
+    for (const FrameLayer& layer : layers) {
+        heights.push_back(isReal ? ZRange{layer.z0, layer.z1} : ZRange{stretch.at(layer.z0), stretch.at(layer.z1)});
     }
     return heights;
 }
 
 Box3 scaledBox(const BoardFrame& board, const ZScale& scale) {
-    std::vector<ScaledLayer> layers;
-    for (std::size_t i = 0; i < board.layerBottomMm.size(); ++i) {
-        layers.push_back({{board.layerBottomMm[i], board.layerTopMm[i]}, board.isCopper[i]});
-    }
-    layers.push_back({{board.boxMin.z, board.boxMax.z}, false});
+    std::vector<FrameLayer> layers = board.layers;
+    layers.push_back({board.boxMin.z, board.boxMax.z});
     const ZRange whole = scaleHeights(layers, scale).back();
     return {{board.boxMin.x, board.boxMin.y, whole.z0}, {board.boxMax.x, board.boxMax.y, whole.z1}};
 }

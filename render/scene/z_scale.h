@@ -15,14 +15,9 @@ struct ZScale {
     bool operator==(const ZScale&) const = default;
 };
 
-struct ScaledLayer {
-    ZRange z;
-    bool isCopper = false;
-};
-
 /// Stretches heights so that whatever a copper layer covers grows by one factor and everything else by the other. z = 0
 /// stays, order and touching faces remain.
-[[nodiscard]] std::vector<ZRange> scaleHeights(std::span<const ScaledLayer> layers, const ZScale& scale);
+[[nodiscard]] std::vector<ZRange> scaleHeights(std::span<const FrameLayer> layers, const ZScale& scale);
 
 /// A board's box (BoardFrame::boxMin and boxMax) as it is drawn.
 [[nodiscard]] Box3 scaledBox(const BoardFrame& board, const ZScale& scale);

@@ -217,9 +217,6 @@ base::Result<StandardModel> buildStep(const Document& document, const model::Dis
     StandardModel out;
     static_cast<BoardFrame&>(out) = frameOf(document);
     out.elementCount = static_cast<std::uint32_t>(document.elements.size());
-    for (const model::Layer& layer : document.layers) {
-        out.hasAreas.push_back(layer.counts[static_cast<std::size_t>(model::ElementKind::Area)] > 0);
-    }
     std::vector<Draft> drafts = makeDrafts(document);
     out.parts.resize(drafts.size());
     const bool isDone = forDrafts(drafts, progress, "Inflating tracks and rounding curves", out.times.discretiseMs,
@@ -237,12 +234,6 @@ base::Result<StandardModel> buildStep(const Document& document, const model::Dis
     return out;
 }
 
-void addTimes(const StandardModel::Times& times, StandardModel::Times& sum) {
-    sum.createMs += times.createMs;
-    sum.discretiseMs += times.discretiseMs;
-    sum.triangulateMs += times.triangulateMs;
-}
-
 }  // namespace
 
 std::uint64_t StandardModel::triangles() const {
@@ -256,35 +247,10 @@ std::uint64_t StandardModel::triangles() const {
     return sum;
 }
 
-std::uint64_t StandardModel::bytes() const {
-    std::uint64_t sum = 0;
-    for (const StandardPart& part : parts) {
-        sum += part.vertices.size() * sizeof(shader::StandardVertex) + part.indices.size() * sizeof(std::uint32_t);
-    }
-    for (const StandardModel& step : steps) {
-        sum += step.bytes();
-    }
-    return sum;
-}
-
 base::Result<StandardModel> buildStandardModel(const Document& document, const model::Discretisation& how,
                                                base::Progress& progress) {
-    base::Result<StandardModel> board = buildStep(document, how, progress);
-    if (!board || document.instances.empty()) {
-        return board;
-    }
-    const model::StepTree tree = model::unfoldCopies(document);
-    for (std::size_t row = 1; row < tree.steps.size(); ++row) {
-        base::Result<StandardModel> step = buildStep(*tree.steps[row], how, progress);
-        if (!step) {
-            return step;
-        }
-        addTimes(step->times, board->times);
-        board->steps.push_back(std::move(*step));
-    }
-    board->copies = placeCopies(tree);
-    std::ranges::transform(document.layers, std::back_inserter(board->opposite), &model::Layer::opposite);
-    return board;
+    return buildWithSteps<StandardModel>(document,
+                                         [&](const Document& step) { return buildStep(step, how, progress); });
 }
 
 }  // namespace render

@@ -24,23 +24,12 @@ struct StandardPart {
 /// are drawn. Bodies of components in flipped copies stand on the wrong face of their layer: vertices do not know the
 /// body's height.
 struct StandardModel : BoardFrame {
-    std::vector<StandardModel> steps;                           ///< at whatever depth; they have none themselves
-    std::vector<ModelCopy> copies = std::vector<ModelCopy>(1);  ///< rows as in model::StepTree: the board itself first
-    std::vector<model::LayerId> opposite;  ///< Layer::opposite per layer; empty where there are no copies
-
-    std::vector<StandardPart> parts;  ///< sorted by layer
-    std::vector<bool> hasAreas;       ///< by layer
+    std::vector<StandardModel> steps;  ///< at whatever depth; they have none themselves
+    std::vector<StandardPart> parts;   ///< sorted by layer
     std::uint32_t elementCount = 0;
+    ModelTimes times;  ///< create: vertices and walls out of outlines
 
-    /// The last three parts of the paper's modelling (Table 4). Create: vertices and walls out of outlines.
-    struct Times {
-        double createMs = 0.0;
-        double discretiseMs = 0.0;
-        double triangulateMs = 0.0;
-    } times;
-
-    [[nodiscard]] std::uint64_t triangles() const;  ///< stored: each step counts once, as in bytes()
-    [[nodiscard]] std::uint64_t bytes() const;      ///< of vertices and indices
+    [[nodiscard]] std::uint64_t triangles() const;  ///< stored: each step counts once
 };
 
 /// Over all cores, a thousand elements per task; same result with 1 and N threads. The opposite end of a prism reuses

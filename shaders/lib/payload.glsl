@@ -15,13 +15,9 @@ uint letsPerGroup(uint topology, uint level) {
     return topology == kTopologyOpen ? max(1u, 16u / kEndPoints[level]) : 1u;
 }
 
-uint intervalsOf(uint topology, uint level) {
-    return topology == kTopologyOpen ? kEndPoints[level] - 1u : 2u * kEndPoints[level];
-}
-
 // Workgroups per let (1 where several lets share one).
 uint slicesOf(uint topology, uint level) {
-    return (intervalsOf(topology, level) + kSliceIntervals - 1u) / kSliceIntervals;
+    return (ladderIntervals(topology, level) + kSliceIntervals - 1u) / kSliceIntervals;
 }
 
 uint groupsFor(uint bucket, uint letCount) {

@@ -1,7 +1,4 @@
 // First lines of the raster back end's shaders after #version, in place of frame.glsl: the frame is that of a copy, taken from a table.
-#extension GL_EXT_buffer_reference : require
-#extension GL_EXT_scalar_block_layout : require
-
 #include "../shared/raster.h"
 
 layout(push_constant, scalar) uniform PushBlock {
@@ -9,7 +6,3 @@ layout(push_constant, scalar) uniform PushBlock {
 };
 Frame frame;  // set before anything else
 #define FRAME frame.data
-
-bool has(uint flags, uint flag) {
-    return (flags & flag) != 0;
-}

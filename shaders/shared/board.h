@@ -17,6 +17,8 @@ using mat4 = glm::mat4;
 #define GPU_READ(Name, Item, align)
 #define GPU_WRITE(Name, Item, align)
 #else
+#extension GL_EXT_buffer_reference : require
+#extension GL_EXT_scalar_block_layout : require
 #define GPU_CONST const uint
 #define GPU_SIZE(Name, bytes)
 // Arrays of records, of which a shader has the address: read only, and written too.
@@ -28,6 +30,9 @@ using mat4 = glm::mat4;
     layout(buffer_reference, scalar, buffer_reference_align = align) buffer Name { \
         Item at[];                                                                 \
     }
+bool has(uint flags, uint flag) {
+    return (flags & flag) != 0;
+}
 #endif
 
 // Lengths on the GPU are millimetres relative to the board model's origin: 32-bit floats then resolve 15 nm at 250 mm.
@@ -41,7 +46,6 @@ GPU_CONST kLetHole =
         // p4 = tan(a/2) of the angle a of its x axis, -1..1   p2 = how far it reaches back and forth along x, p3 =
         // along y: two 16-bit numbers in units of kCellUnitsPerMm, the lower one back (lib/cell.glsl)
 GPU_CONST kCellUnitsPerMm = 1000;
-GPU_CONST kLetKindCount = 3;
 // Chords along one arc let in the finest of the paper's three levels (ladder.h): 2 * (9 + 1) points on its two sides
 // and 6 more round each end are 32 points per face. Longer arcs are split on the CPU, so that no let needs more.
 GPU_CONST kArcFineChords = 9;

@@ -13,8 +13,10 @@
 #ifdef __cplusplus
 namespace shader {
 #define GPU_TABLE constexpr uint
+#define GPU_FN constexpr
 #else
 #define GPU_TABLE const uint
+#define GPU_FN
 #endif
 
 GPU_CONST kTopologyOpen = 0;
@@ -57,11 +59,12 @@ GPU_CONST kSliceIntervals = 16;
 GPU_CONST kSliceMaxVertices = 68;    // (kSliceIntervals + 1) * 4
 GPU_CONST kSliceMaxTriangles = 132;  // kSliceIntervals * 8 + 4
 
-#ifdef __cplusplus
-/// Intervals of a ladder of this topology and level.
-constexpr uint ladderIntervals(uint topology, uint level) {
+// Intervals of a ladder of this topology and level.
+GPU_FN uint ladderIntervals(uint topology, uint level) {
     return topology == kTopologyClosed ? kEndPoints[level] * 2 : kEndPoints[level] - 1;
 }
+
+#ifdef __cplusplus
 }  // namespace shader
 #endif
 #endif

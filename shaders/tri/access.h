@@ -39,3 +39,8 @@
 #define ADD_MISSING(count) atomicAdd(CONTROL.missing, count)
 #define ADD_FLIPS(count) atomicAdd(CONTROL.flips, count)
 #define ADD_FLAG(v, flag) atomicMax(TREE_FLAGS(v), flag)
+
+// The first of the four corners of the box around the tree of a vertex.
+TRI_FN uint boxOf(uint v) {
+    return TREE_OF(v).firstVertex + TREE_OF(v).vertexCount;
+}

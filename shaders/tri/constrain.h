@@ -19,7 +19,7 @@ TRI_FN uvec2 contourEnds(uint edge) {
 }
 
 // Which contour edges are edges of the mesh? And some triangle at every vertex.
-TRI_FN void lookForContours(uint t) {
+TRI_FN void findContours(uint t) {
     if (isDead(t)) {
         return;
     }

@@ -1,7 +1,4 @@
-// First lines of every kernel after #version: what it works on.
-#extension GL_EXT_buffer_reference : require
-#extension GL_EXT_scalar_block_layout : require
-
+// What every kernel works on.
 #include "forest.h"
 #include "predicates.h"
 

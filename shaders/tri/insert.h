@@ -11,17 +11,6 @@ TRI_FN uint edgeUnder(uint t, uint q) {
     return 3u;
 }
 
-TRI_FN void clearVertex(uint v) {
-    for (uint t = 2u * v; t < 2u * v + 2u; ++t) {
-        CORNER(t, 0) = kNone;
-        BEST(t) = 0u;
-        CLAIM(t) = kNone;
-        STAMP(t) = 0u;
-        AWAKE(t) = 0u;
-    }
-    WHERE(v) = kNone;
-}
-
 // The two triangles of a tree's box, in the slots of its first corner. Which diagonal is right will be seen.
 TRI_FN void initBox(uint box) {
     const uint t = 2u * box;
@@ -38,22 +27,22 @@ TRI_FN void initBox(uint box) {
     ACROSS(t + 1u, 2) = edgeRef(t, 1u);
 }
 
-// Vertex v waits in one of the two.
-TRI_FN void initPlace(uint v, uint box) {
-    WHERE(v) = 2u * box + (orientationAt(box, box + 2u, v) > 0 ? 1u : 0u);
-}
-
-#ifdef TREE_OF
-TRI_FN void initVertex(uint v) {
-    clearVertex(v);
-    const uint box = TREE_OF(v).firstVertex + TREE_OF(v).vertexCount;
+// Vertex v of a tree, the first corner of whose box is `box`, waits in one of the two.
+TRI_FN void initVertex(uint v, uint box) {
+    for (uint t = 2u * v; t < 2u * v + 2u; ++t) {
+        CORNER(t, 0) = kNone;
+        BEST(t) = 0u;
+        CLAIM(t) = kNone;
+        STAMP(t) = 0u;
+        AWAKE(t) = 0u;
+    }
+    WHERE(v) = kNone;
     if (v == box) {
         initBox(box);
     } else if (v < box) {
-        initPlace(v, box);
+        WHERE(v) = 2u * box + (orientationAt(box, box + 2u, v) > 0 ? 1u : 0u);
     }
 }
-#endif
 
 TRI_FN void vote(uint q) {
     const uint t = WHERE(q);

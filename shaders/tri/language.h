@@ -47,6 +47,8 @@ inline uint atomicAdd(uint& slot, uint value) {
 
 }  // namespace shader::tri
 #else
+#extension GL_EXT_buffer_reference : require
+#extension GL_EXT_scalar_block_layout : require
 #define TRI_FN
 #define TRI_CONST const uint
 #define TRI_SIZE(Name, bytes)

@@ -90,7 +90,7 @@ void insertRound() {
 
 void contourRound() {
     FOR_EACH(t, 2u * VERTEX_COUNT) {
-        lookForContours(t);
+        findContours(t);
     }
     barrier();
     FOR_EACH(e, contourCount()) {
@@ -133,14 +133,8 @@ void begin() {
         flags = 0u;
     }
     barrier();
-    const uint box = tree.vertexCount;
     FOR_EACH(v, VERTEX_COUNT) {
-        clearVertex(v);
-        if (v == box) {
-            initBox(box);
-        } else if (v < box) {
-            initPlace(v, box);
-        }
+        initVertex(v, tree.vertexCount);
     }
     barrier();
 }

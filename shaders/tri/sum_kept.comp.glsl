@@ -1,12 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "forest.glsl"
-#include "access.h"
-#include "mesh.h"
-#include "constrain.h"
-#include "erase.h"
-
-layout(local_size_x = kGroupSize) in;
+#include "whole_forest.glsl"
 
 shared uint sums[kGroupSize];
 

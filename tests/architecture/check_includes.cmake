@@ -22,12 +22,12 @@ function(violation text)
     set_property(GLOBAL APPEND_STRING PROPERTY violations "  ${text}\n")
 endfunction()
 
-# Shaders and tests may name their neighbours from the folder of the including file, as GLSL compilers look for them, and shaders/spirv.cpp
-# includes what CMakeLists.txt makes of all shaders: gives the name from the source folder.
+# Shaders and tests may name their neighbours from the folder of the including file, as GLSL compilers look for them, and shaders/spirv.h and
+# .cpp include what CMakeLists.txt makes of all shaders: gives the name from the source folder.
 function(resolve_neighbour file included result)
     cmake_path(GET file PARENT_PATH here)
     cmake_path(SET path NORMALIZE "${here}/${included}")
-    if(EXISTS ${ROOT}/${path} OR included STREQUAL "all_spirv.h")
+    if(EXISTS ${ROOT}/${path} OR included MATCHES "^(all_spirv|spirv_list)\\.h$")
         set(${result} ${path} PARENT_SCOPE)
     endif()
 endfunction()

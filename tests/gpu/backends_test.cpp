@@ -1,6 +1,6 @@
 #include <QtTest>
 
-#include "render/frame/image_difference.h"
+#include "render/frame/frame_measures.h"
 #include "render/scene/scene_layers.h"
 #include "tests/gpu/gpu_fixture.h"
 

@@ -102,8 +102,7 @@ private slots:
         // Grows past the first 64 KiB while earlier slices are still in use.
         std::vector<gpu::Frame::Slice> slices;
         for (int i = 0; i < 40; ++i) {
-            slices.push_back(frame->allocate(10'001));
-            std::fill(slices.back().bytes.begin(), slices.back().bytes.end(), static_cast<std::byte>(i));
+            slices.push_back(frame->put(std::vector(10'001, static_cast<std::byte>(i))));
         }
         for (int i = 0; i < 40; ++i) {
             const auto& bytes = slices[static_cast<std::size_t>(i)].bytes;

@@ -208,7 +208,7 @@ struct Drawn {
 
     explicit Drawn(const Document& document, std::uint64_t listBytes = 1 << 20)
         : model(modelOf(document)), scene(Gpu::get().device, model, listBytes) {
-        scene.setStyles(styles(model.layerBottomMm.size()));
+        scene.setStyles(styles(model.layers.size()));
     }
 
     Image draw(const ViewSettings& settings, NamedView view, float zoom = 1.0F) {

@@ -4,7 +4,7 @@
 
 #include "model/formats/registry.h"
 #include "model/generate/job_writer.h"
-#include "render/frame/image_difference.h"
+#include "render/frame/frame_measures.h"
 #include "render/standard/standard_model.h"
 #include "tests/gpu/gpu_fixture.h"
 #include "tests/locations.h"

@@ -4,7 +4,7 @@
 
 #include "model/board/document_builder.h"
 #include "model/formats/registry.h"
-#include "render/frame/image_difference.h"
+#include "render/frame/frame_measures.h"
 #include "tests/gpu/gpu_fixture.h"
 #include "tests/locations.h"
 

@@ -21,7 +21,7 @@ void appendLets(BoardModel& model, const std::vector<shader::Let>& lets, std::ui
         shader::Cluster cluster{
             glm::vec2(1e30F), glm::vec2(-1e30F), static_cast<std::uint32_t>(model.lets.size()), count, layer, 0};
         for (std::size_t k = i; k < i + count; ++k) {
-            const LetBox box = boxOf(lets[k]);
+            const Box2 box = boxOf(lets[k]);
             cluster.boxMin = glm::min(cluster.boxMin, box.min);
             cluster.boxMax = glm::max(cluster.boxMax, box.max);
             model.lets.push_back(lets[k]);
@@ -47,8 +47,9 @@ std::vector<base::Point> reversed(std::vector<base::Point> loop) {
 }  // namespace
 
 void SyntheticBoard::addLayer(float z0, float z1, const glm::vec3& colour, float opacity) {
-    m_model.layerBottomMm.push_back(z0);
-    m_model.layerTopMm.push_back(z1);
+    FrameLayer& layer = m_model.layers.emplace_back();
+    layer.z0 = z0;
+    layer.z1 = z1;
     m_styles.push_back({colour, opacity, true});
     m_lets.emplace_back();
     m_batches.emplace_back();
@@ -97,7 +98,7 @@ std::uint32_t SyntheticBoard::addArea(const std::vector<std::vector<base::Point>
     }
     shape.vertexCount = shape.wallCount = starts.back();
     shape.firstWall = shape.firstVertex;
-    const tri::Outcome outcome = tri::triangulate({points, starts}, m_model.indices);
+    const tri::Outcome outcome = tri::triangulate({points, starts}, tri::Triangulator::Auto, m_model.indices).outcome;
     ASSERT(outcome == tri::Outcome::Ok);
     shape.triangleCount = (static_cast<std::uint32_t>(m_model.indices.size()) - shape.firstIndex) / 3;
 
@@ -124,8 +125,9 @@ BoardModel SyntheticBoard::build() const {
         appendLets(model, m_lets[layer], layer);
         const std::uint32_t first = m_batches[layer].empty() ? 0 : m_batches[layer].front();
         model.areaBatchesOfLayer.push_back({first, static_cast<std::uint32_t>(m_batches[layer].size())});
-        model.boxMin.z = std::min(model.boxMin.z, model.layerBottomMm[layer]);
-        model.boxMax.z = std::max(model.boxMax.z, model.layerTopMm[layer]);
+        model.layers[layer].hasAreas = !m_batches[layer].empty();
+        model.boxMin.z = std::min(model.boxMin.z, model.layers[layer].z0);
+        model.boxMax.z = std::max(model.boxMax.z, model.layers[layer].z1);
     }
     for (const shader::Cluster& cluster : model.clusters) {
         model.boxMin = glm::vec3(glm::min(glm::vec2(model.boxMin), cluster.boxMin), model.boxMin.z);

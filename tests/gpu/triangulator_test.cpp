@@ -11,9 +11,9 @@
 #include "shaders/tri/predicates.h"
 #include "tests/unit/tri/cases.h"
 #include "tests/unit/tri/generator.h"
+#include "tests/unit/tri/gpu/oracle.h"
 #include "tests/unit/tri/predicate_vectors.h"
 #include "tri/gpu/device_forest.h"
-#include "tests/unit/tri/gpu/oracle.h"
 #include "tri/verify.h"
 
 using cases::Case;
@@ -81,11 +81,9 @@ class TriangulatorTest : public QObject {
         const std::size_t words = 6 * std::size_t{oracle.forest().vertexCount};
         for (const auto& [offset, expected] : {std::pair{offsetof(Forest, corners), oracle.forest().corners.at},
                                                std::pair{offsetof(Forest, across), oracle.forest().across.at}}) {
-            const std::vector<std::byte> bytes = forest.read(offset, words * sizeof(std::uint32_t));
+            const auto found = forest.read<std::uint32_t>(offset, words);
             for (std::size_t i = 0; i < words; ++i) {
-                std::uint32_t word = 0;
-                std::memcpy(&word, bytes.data() + i * sizeof(word), sizeof(word));
-                if (oracle.forest().corners.at[i - i % 3] != shader::tri::kNone && word != expected[i]) {
+                if (oracle.forest().corners.at[i - i % 3] != shader::tri::kNone && found.at(i) != expected[i]) {
                     return false;
                 }
             }

@@ -13,7 +13,6 @@ namespace kernel = shader::tri;
 namespace spirv = shader::spirv;
 
 using render::gpu::Buffer;
-using render::gpu::Frame;
 using render::gpu::Pipeline;
 
 namespace {
@@ -30,14 +29,6 @@ void finishBefore(VkCommandBuffer commands) {
     render::gpu::memoryBarrier(commands, render::gpu::kCompute, access);
 }
 
-/// Workgroups in rows, as advance.h lays them out.
-struct Rows {
-    std::uint32_t x, y;
-};
-Rows rowsOf(std::uint32_t groups) {
-    return {std::min(groups, kernel::kMaxGroupsX), (groups + kernel::kMaxGroupsX - 1) / kernel::kMaxGroupsX};
-}
-
 }  // namespace
 
 Kernels::Kernels(render::gpu::Device& device)
@@ -48,7 +39,7 @@ Kernels::Kernels(render::gpu::Device& device)
       claimPlace(make(device, "tri claim place", spirv::kTriClaimPlaceComp)),
       split(make(device, "tri split", spirv::kTriSplitComp)),
       relocateInserted(make(device, "tri relocate inserted", spirv::kTriRelocateInsertedComp)),
-      lookForContours(make(device, "tri look for contours", spirv::kTriLookForContoursComp)),
+      findContours(make(device, "tri find contours", spirv::kTriFindContoursComp)),
       claimCorridor(make(device, "tri claim corridor", spirv::kTriClaimCorridorComp)),
       rebuildCorridor(make(device, "tri rebuild corridor", spirv::kTriRebuildCorridorComp)),
       testEdges(make(device, "tri test edges", spirv::kTriTestEdgesComp)),
@@ -84,11 +75,12 @@ const Buffer& DeviceForest::column(std::size_t offset) const {
     return m_columns[static_cast<std::size_t>(found - m_offsets.begin())];
 }
 
-void DeviceForest::dispatch(VkCommandBuffer commands, const Pipeline& kernel, std::uint32_t groups) const {
-    kernel.bind(commands);
-    kernel.push(commands, kernel::Push{{m_forest.address()}, 0, 0});
-    const Rows rows = rowsOf(groups);
-    vkCmdDispatch(commands, rows.x, rows.y, 1);
+void DeviceForest::dispatch(VkCommandBuffer commands, const Pipeline& pipeline, std::uint32_t groups) const {
+    pipeline.bind(commands);
+    pipeline.push(commands, kernel::Push{{m_forest.address()}, 0, 0});
+    // Workgroups in rows, as advance.h lays them out.
+    constexpr std::uint32_t kRow = kernel::kMaxGroupsX;
+    vkCmdDispatch(commands, std::min(groups, kRow), (groups + kRow - 1) / kRow, 1);
     finishBefore(commands);
 }
 
@@ -122,7 +114,7 @@ void DeviceForest::recordStep(VkCommandBuffer commands, const Kernels& kernels) 
     run(commands, kernels.split, offsetof(Control, insertGroups));
     run(commands, kernels.fixLinks, offsetof(Control, splitGroups), kernel::kStageInsert);
     run(commands, kernels.relocateInserted, offsetof(Control, insertGroups));
-    run(commands, kernels.lookForContours, offsetof(Control, contourGroups));
+    run(commands, kernels.findContours, offsetof(Control, contourGroups));
     run(commands, kernels.claimCorridor, offsetof(Control, edgeGroups));
     run(commands, kernels.rebuildCorridor, offsetof(Control, edgeGroups));
     run(commands, kernels.fixLinks, offsetof(Control, contourGroups), kernel::kStageRebuild);
@@ -143,30 +135,9 @@ void DeviceForest::recordErase(VkCommandBuffer commands, const Kernels& kernels)
     dispatch(commands, kernels.writeKept, blocks);
 }
 
-std::vector<std::byte> DeviceForest::read(std::size_t offset, std::size_t bytes) const {
-    const Buffer& from = column(offset);
-    const Buffer to(*m_device, {"tri readback", bytes, render::gpu::MemoryUse::Staging, true});
-    const Frame* frame = m_ring->begin();
-    if (frame == nullptr || bytes == 0) {
-        return {};
-    }
-    render::gpu::memoryBarrier(frame->commands(), render::gpu::kAnything, render::gpu::kCopyRead);
-    const VkBufferCopy copy{0, 0, bytes};
-    vkCmdCopyBuffer(frame->commands(), from.handle(), to.handle(), 1, &copy);
-    render::gpu::memoryBarrier(frame->commands(), render::gpu::kCopyWrite, render::gpu::kHostRead);
-    if (!m_ring->end() || !m_ring->wait()) {
-        return {};
-    }
-    return {to.mapped().begin(), to.mapped().begin() + static_cast<std::ptrdiff_t>(bytes)};
-}
-
 kernel::Control DeviceForest::control() const {
-    kernel::Control control{};
-    const std::vector<std::byte> bytes = read(offsetof(kernel::Forest, control), sizeof(control));
-    if (!bytes.empty()) {
-        std::memcpy(&control, bytes.data(), sizeof(control));
-    }
-    return control;
+    const auto controls = read<kernel::Control>(offsetof(kernel::Forest, control), 1);
+    return controls.empty() ? kernel::Control{} : controls.front();
 }
 
 }  // namespace tri::gpu

@@ -16,7 +16,7 @@ struct Kernels {
 
     render::gpu::Pipeline init, small, advance;
     render::gpu::Pipeline vote, claimPlace, split, relocateInserted;
-    render::gpu::Pipeline lookForContours, claimCorridor, rebuildCorridor;
+    render::gpu::Pipeline findContours, claimCorridor, rebuildCorridor;
     render::gpu::Pipeline testEdges, flip, relocateFlipped;
     render::gpu::Pipeline fixLinks;
     render::gpu::Pipeline decide, prove, countKept, sumKept, writeKept;
@@ -36,8 +36,14 @@ public:
     /// Erasing and compaction; nothing unless all is done by then.
     void recordErase(VkCommandBuffer commands, const Kernels& kernels) const;
 
-    /// The first `bytes` of a column, by its place in shader::tri::Forest; empty if the device was lost.
-    [[nodiscard]] std::vector<std::byte> read(std::size_t offset, std::size_t bytes) const;
+    /// The first values of a column, by its place in shader::tri::Forest; empty if the device was lost.
+    template <class T>
+    [[nodiscard]] std::vector<T> read(std::size_t offset, std::size_t count) const {
+        std::vector<T> values(count);
+        const auto bytes = std::as_writable_bytes(std::span(values));
+        const bool isThere = render::gpu::download(*m_device, *m_ring, column(offset).handle(), bytes);
+        return isThere ? values : std::vector<T>();
+    }
     [[nodiscard]] shader::tri::Control control() const;
     [[nodiscard]] bool isLost() const { return m_device->isLost(); }
 
@@ -45,7 +51,7 @@ private:
     [[nodiscard]] const render::gpu::Buffer& column(std::size_t offset) const;
     void run(VkCommandBuffer commands, const render::gpu::Pipeline& kernel, std::size_t groups,
              std::uint32_t stage = 0) const;
-    void dispatch(VkCommandBuffer commands, const render::gpu::Pipeline& kernel, std::uint32_t groups) const;
+    void dispatch(VkCommandBuffer commands, const render::gpu::Pipeline& pipeline, std::uint32_t groups) const;
 
     render::gpu::Device* m_device;
     render::gpu::FrameRing* m_ring;

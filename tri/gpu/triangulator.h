@@ -1,12 +1,10 @@
 #pragma once
 
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "model/base/progress.h"
-#include "render/gpu/device.h"
-#include "tri/gpu/forest_data.h"
+#include "tri/gpu/device_forest.h"
 
 namespace tri::gpu {
 
@@ -25,25 +23,29 @@ struct Tally {
 /// Triangulates all polygons of a board in the same dispatches (docs/triangulation.md). The result is the same,
 /// triangle by triangle, as that of every other triangulator; what the device cannot do goes to the CPU and is counted.
 /// Memory: about 230 bytes per vertex on the device; what does not fit goes there in several turns. Use it from the
-/// device's thread. If the device is lost or has no memory left, the CPU
-/// does what is left.
+/// device's thread. If the device is lost or has no memory left, the CPU does what is left.
 class Triangulator {
 public:
     /// Makes the pipelines. `device` has to outlive this.
     explicit Triangulator(render::gpu::Device& device);
-    ~Triangulator();
-    Triangulator(Triangulator&&) noexcept;
-    Triangulator& operator=(Triangulator&&) noexcept;
 
     /// Reports how many vertices are in; after a cancel the results are of no use.
     [[nodiscard]] std::vector<Triangulation> triangulate(std::span<const Polygon> polygons, base::Progress& progress,
                                                          Eraser eraser = Eraser::Sector);
     /// About the last call.
-    [[nodiscard]] const Tally& tally() const;
+    [[nodiscard]] const Tally& tally() const { return m_tally; }
 
 private:
-    struct State;
-    std::unique_ptr<State> m_state;
+    [[nodiscard]] std::size_t endOfTurn(std::span<const Polygon> polygons, std::size_t first) const;
+    void triangulateBatch(std::span<const Polygon> polygons, Eraser eraser, base::Progress& progress,
+                          std::span<Triangulation> results);
+    [[nodiscard]] bool grow(const DeviceForest& forest, base::Progress& progress);
+    void harvest(const DeviceForest& forest, const ForestData& data, std::span<Triangulation> results);
+
+    render::gpu::Device* m_device;
+    render::gpu::FrameRing m_ring;
+    Kernels m_kernels;
+    Tally m_tally;
 };
 
 }  // namespace tri::gpu

@@ -96,7 +96,7 @@ void VulkanCanvas::draw() {
     m_presenter->resize(size.x, size.y);
     m_picture.prepare(QSize(static_cast<int>(size.x), static_cast<int>(size.y)));
     switch (m_presenter->draw(m_picture.scene, m_controller.camera(), m_picture.frameSettings())) {
-        case render::SwapchainPresenter::Outcome::Drawn:
+        case render::SwapchainPresenter::Outcome::Done:
             vulkanInstance()->presentQueued(this);
             m_times.start();
             emit drawn();

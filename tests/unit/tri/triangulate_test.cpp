@@ -42,7 +42,7 @@ private slots:
     void squareBecomesTwoTriangles() {
         const Case input = Case{}.loop(cases::square(0, 0, 10));
         Triangles triangles;
-        QCOMPARE(tri::triangulate(input.polygon(), triangles), Outcome::Ok);
+        QCOMPARE(tri::triangulate(input.polygon(), Triangulator::Auto, triangles).outcome, Outcome::Ok);
         QCOMPARE(triangles.size(), 6U);
     }
 
@@ -53,7 +53,7 @@ private slots:
             input.loop(cases::squareHole(100 + 300 * (i % 3), 100 + 300 * (i / 3), 150));
         }
         Triangles triangles;
-        QCOMPARE(tri::triangulate(input.polygon(), triangles), Outcome::Ok);
+        QCOMPARE(tri::triangulate(input.polygon(), Triangulator::Auto, triangles).outcome, Outcome::Ok);
         QCOMPARE(triangles.size() / 3, 40U + 2 * 9 - 2);
     }
 
@@ -130,7 +130,7 @@ private slots:
         for (int round = 0; round < 50; ++round) {
             const Case input = randomStar(random, 3 + round * 7);
             Triangles triangles;
-            QCOMPARE(tri::triangulate(input.polygon(), triangles), Outcome::Ok);
+            QCOMPARE(tri::triangulate(input.polygon(), Triangulator::Auto, triangles).outcome, Outcome::Ok);
             QCOMPARE(tri::verify(input.polygon(), triangles), Fault::None);
             QCOMPARE(triangles.size() / 3, input.points.size() - 2);
         }

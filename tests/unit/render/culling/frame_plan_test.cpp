@@ -9,7 +9,7 @@ namespace {
 /// A board from 0 to 1.6 mm and a layer of bodies from 2 to 5 mm on its top, one layer turned over with some copy.
 render::SceneLayers sceneWithBodies(std::uint32_t growth) {
     render::SceneLayers scene;
-    render::SceneLayers::Layer bodies;
+    render::FrameLayer bodies;
     bodies.z0 = 2.0F;
     bodies.z1 = 5.0F;
     bodies.hasAreas = true;

@@ -101,7 +101,9 @@ private slots:
         }
         const auto document = builder.finish();
         const BoardModel model = build(*document);
-        QCOMPARE(model.layerGrowth, (std::vector<std::uint32_t>{shader::kLayerGrowsUp, shader::kLayerGrowsDown}));
+        QCOMPARE(model.layers[0].growth, std::uint32_t{shader::kLayerGrowsUp});
+        QCOMPARE(model.layers[1].growth, std::uint32_t{shader::kLayerGrowsDown});
+        QCOMPARE(model.layers.size(), std::size_t{2});
         QCOMPARE(model.instances[0].height, 0.75F);
         base::Progress progress;
         const auto standard = render::buildStandardModel(*document, {}, progress);

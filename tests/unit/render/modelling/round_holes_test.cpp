@@ -200,7 +200,7 @@ private slots:
             const RoundHole& hole = punched.holes[let.p5 > 1.5F ? 1 : 0];
             const glm::vec2 centre = render::toGpu(placement.apply(base::toDouble(hole.centre)), model.origin);
             QVERIFY(glm::length(glm::vec2(let.p0, let.p1) - centre) < 1e-5F);
-            render::LetBox expected{glm::vec2(1e9F), glm::vec2(-1e9F)};
+            render::Box2 expected{glm::vec2(1e9F), glm::vec2(-1e9F)};
             for (const double x : {hole.cell.min.x, hole.cell.max.x}) {
                 for (const double y : {hole.cell.min.y, hole.cell.max.y}) {
                     const glm::vec2 corner = render::toGpu(placement.apply(model::PointD{x, y}), model.origin);
@@ -208,7 +208,7 @@ private slots:
                 }
             }
             // Lets reach over their cell by 1 to 2 µm, at a slant by up to the diagonal of that.
-            const render::LetBox box = render::boxOf(let);
+            const render::Box2 box = render::boxOf(let);
             for (int axis = 0; axis < 2; ++axis) {
                 QVERIFY(box.min[axis] < expected.min[axis] && box.min[axis] > expected.min[axis] - 0.0031F);
                 QVERIFY(box.max[axis] > expected.max[axis] && box.max[axis] < expected.max[axis] + 0.0031F);

@@ -2,7 +2,7 @@
 
 #include <QtTest>
 
-using render::ScaledLayer;
+using render::FrameLayer;
 using render::scaleHeights;
 using render::ZRange;
 
@@ -10,9 +10,12 @@ using render::ZRange;
 class ZScaleTest : public QObject {
     Q_OBJECT
 
-    static std::vector<ScaledLayer> stack() {
-        return {{{1.5F, 1.6F}, true},  {{0.1F, 1.5F}, false},  {{0.0F, 0.1F}, true},
-                {{0.0F, 1.6F}, false}, {{1.6F, 1.62F}, false}, {{-0.02F, 0.0F}, false}};
+    static std::vector<FrameLayer> stack() {
+        std::vector<FrameLayer> layers = {{1.5F, 1.6F}, {0.1F, 1.5F},  {0.0F, 0.1F},
+                                          {0.0F, 1.6F}, {1.6F, 1.62F}, {-0.02F, 0.0F}};
+        layers[0].isCopper = true;
+        layers[2].isCopper = true;
+        return layers;
     }
 
     static bool near(const ZRange& z, float z0, float z1) {
@@ -23,8 +26,8 @@ private slots:
     void realHeightsStayAsTheyAreToTheBit() {
         const std::vector<ZRange> z = scaleHeights(stack(), {});
         for (std::size_t i = 0; i < z.size(); ++i) {
-            QCOMPARE(z[i].z0, stack()[i].z.z0);
-            QCOMPARE(z[i].z1, stack()[i].z.z1);
+            QCOMPARE(z[i].z0, stack()[i].z0);
+            QCOMPARE(z[i].z1, stack()[i].z1);
         }
     }
 

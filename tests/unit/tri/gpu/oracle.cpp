@@ -45,7 +45,7 @@ Oracle::Oracle(const ForestData& data, CallOrder order) : m_forest(recordOf(data
         std::memcpy(reinterpret_cast<std::byte*>(&m_forest) + column.offset, &address, sizeof(address));
     }
     kernel::Kernels kernels{m_forest};
-    forEach(m_forest.vertexCount, [&](std::uint32_t v) { kernels.initVertex(v); });
+    forEach(m_forest.vertexCount, [&](std::uint32_t v) { kernels.initVertex(v, kernels.boxOf(v)); });
     forEach(m_forest.vertexCount + m_forest.rayCount, [&](std::uint32_t e) { m_forest.found.at[e] = 0; });
 }
 
@@ -74,7 +74,7 @@ void Oracle::insertRound() {
 void Oracle::contourRound() {
     kernel::Kernels kernels{m_forest};
     const std::uint32_t vertices = m_forest.vertexCount;
-    forEach(2 * vertices, [&](std::uint32_t t) { kernels.lookForContours(t); });
+    forEach(2 * vertices, [&](std::uint32_t t) { kernels.findContours(t); });
     forEach(kernels.contourCount(), [&](std::uint32_t e) { kernels.claimCorridor(e); });
     forEach(kernels.contourCount(), [&](std::uint32_t e) { kernels.rebuildCorridor(e); });
     forEach(2 * vertices, [&](std::uint32_t t) { kernels.fixLinks(t, kernel::kStageRebuild); });

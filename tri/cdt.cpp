@@ -1,4 +1,4 @@
-#include "tri/cdt_parallel.h"
+#include "tri/cdt.h"
 
 #include <algorithm>
 #include <atomic>
@@ -19,6 +19,14 @@ namespace {
 constexpr std::uint32_t kMinRound = 16384;
 constexpr std::uint32_t kMinPart = 2048;
 constexpr std::uint32_t kMaxParts = 64;
+
+/// Inserts vertices one after the other.
+void insertRun(Mesh& mesh, std::uint32_t first, std::uint32_t end) {
+    Insertion insertion(mesh, Everywhere{}, 0);
+    for (std::uint32_t q = first; q < end; ++q, mesh.triangleCount += 2) {
+        insertion.insert(q, mesh.triangleCount);
+    }
+}
 
 /// A triangle of the mesh near every stretch of the Hilbert curve, to start walks at: entries are triangle numbers.
 class Homes {
@@ -154,16 +162,25 @@ void insertRounds(Workspace& workspace) {
         const std::uint32_t end = workspace.roundStart[round + 1];
         if (end - first >= kMinRound) {
             Round(mesh, grid, workspace.states, first, end).run();
-            continue;
-        }
-        Insertion insertion(mesh, Everywhere{}, 0);
-        for (std::uint32_t q = first; q < end; ++q, mesh.triangleCount += 2) {
-            insertion.insert(q, mesh.triangleCount);
+        } else {
+            insertRun(mesh, first, end);
         }
     }
 }
 
 }  // namespace
+
+Status triangulateCpu(const Polygon& polygon, std::vector<std::uint32_t>& triangles) {
+    thread_local Workspace workspace;
+    Status status = workspace.start(polygon, Cores::One);
+    if (status.outcome == Outcome::Ok) {
+        startInBox(workspace.mesh);
+        insertRun(workspace.mesh, 0, workspace.mesh.vertexCount);
+        status = workspace.finish(Cores::One, triangles);
+    }
+    workspace.trim();
+    return status;
+}
 
 Status triangulateParallel(const Polygon& polygon, std::vector<std::uint32_t>& triangles) {
     // Not kept by the thread: while it waits for others it may be given another large polygon to work on.
