@@ -310,7 +310,7 @@ private slots:
         }
         m_fixture->key(Qt::Key_L);
         QVERIFY(window().selection().nets().empty());
-        QVERIFY(!window().netCheckPanel().summary().isEmpty());
+        QVERIFY(!window().panel("netCheck").findChild<QLabel*>()->text().isEmpty());
         QVERIFY(!window().stackupPanel().summary().isEmpty());
         QVERIFY(inkOf(m_fixture->picture()) > 0.01);
         shoot("almost-nothing");

@@ -1,10 +1,12 @@
 #include "ui/measure/measuring.h"
 
 #include <QGuiApplication>
+#include <QHeaderView>
 #include <QWindow>
 #include <array>
 
-#include "ui/measure/measurements_panel.h"
+#include "ui/common/panel_parts.h"
+#include "ui/common/table_view.h"
 #include "ui/views/board_views.h"
 #include "ui/views/position_readout.h"
 
@@ -83,6 +85,7 @@ Measuring::Measuring(FeatureContext& context)
         watch(*view);
     }
     connectCommands(context);
+    addPanel(context);
     context.escapes.emplace_back([this] { return stepBack(); });
     const auto repaint = [this] { m_views.requestOverlay(); };
     connect(&m_saved, &SavedMeasurements::changed, this, repaint);
@@ -107,12 +110,37 @@ void Measuring::connectCommands(FeatureContext& context) {
     }
     context.on(ActionId::MeasureSpacing, this, [this] { measureSpacingAtCursor(); });
     context.on(ActionId::ExportMeasurements, this, [this, &context] { exportTable(context); });
-    auto* panel = new MeasurementsPanel(m_saved.list(), context.actions);
+}
+
+void Measuring::addPanel(FeatureContext& context) {
+    auto* table = new TableView(m_saved.list());
+    table->setEditTriggers(QAbstractItemView::EditKeyPressed);
+    table->horizontalHeader()->setStretchLastSection(true);
+    table->fitColumns();
+    QAction& forget = table->addDelete(tr("Delete the selected measurements (Del)"));
+    connect(table, &TableView::deleteRequested, &m_saved, &SavedMeasurements::remove);
+    const auto choose = [this](const QModelIndex& index) {
+        if (index.isValid()) {
+            goTo(index.row());
+        }
+    };
+    connect(table, &QTableView::doubleClicked, this, choose);
+    connect(table, &TableView::enterPressed, this, choose);
+    connect(&m_saved.list(), &QAbstractItemModel::dataChanged, table, &QTableView::resizeColumnsToContents);
+    const ActionSet& actions = context.actions;
+    QToolBar* tools =
+        toolBar({&actions[ActionId::MeasurePoints], &actions[ActionId::MeasureObjects],
+                 &actions[ActionId::MeasureAngle], &actions[ActionId::MeasureLines], &actions[ActionId::MeasureRadius],
+                 &actions[ActionId::MeasureLength], &actions[ActionId::MeasureSpacing]});
+    tools->addSeparator();
+    tools->addActions({&forget, &actions[ActionId::ExportMeasurements]});
+    auto* panel = new QWidget;
+    auto* column = columnIn(*panel);
+    column->addWidget(tools);
+    column->addWidget(table);
     context.addPanel(
         {ActionId::ShowMeasurementsDock, "measurements", tr("Measurements"), Qt::BottomDockWidgetArea, "messages", 0},
         *panel);
-    connect(panel, &MeasurementsPanel::chosen, this, &Measuring::goTo);
-    connect(panel, &MeasurementsPanel::forgotten, &m_saved, &SavedMeasurements::remove);
 }
 
 void Measuring::exportTable(FeatureContext& context) {

@@ -39,6 +39,9 @@ signals:
 
 private:
     void connectCommands(FeatureContext& context);
+    /// The box draws or hides a measurement, F2 renames it, a double click or Enter brings it to the middle, Del
+    /// deletes all selected ones.
+    void addPanel(FeatureContext& context);
     void setBoard(const LoadedBoard& board);
     void setHeights(const LoadedBoard& board);
     void exportTable(FeatureContext& context);

@@ -1,10 +1,12 @@
 #include "ui/saved_views/saved_views.h"
 
+#include <QHeaderView>
 #include <glm/trigonometric.hpp>
 #include <utility>
 
+#include "ui/common/panel_parts.h"
+#include "ui/common/table_view.h"
 #include "ui/layers/layer_model.h"
-#include "ui/saved_views/saved_views_panel.h"
 #include "ui/views/board_views.h"
 
 namespace ui {
@@ -41,21 +43,30 @@ SavedViews::SavedViews(FeatureContext& context)
       m_part(
           m_workspace, tr("The views"), [this](const List& views) { m_list.setViews(views); }, session::saveViews) {
     m_list.setParent(this);
-    auto* panel = new SavedViewsPanel(m_list, context.actions);
-    context.addPanel({ActionId::ShowSavedViewsDock, "views", tr("Saved views"), Qt::RightDockWidgetArea, "element", 0},
-                     *panel);
+    addPanel(context);
     context.on(ActionId::SaveView, this, [this] { saveView(); });
     context.on(ActionId::SaveSelection, this, [this] { saveSelection(); });
     context.on(ActionId::SaveSession, this, [this] { saveDesk(); });
     connect(&m_list, &ViewListModel::renamed, this, &SavedViews::rename);
-    connect(panel, &SavedViewsPanel::chosen, this, &SavedViews::goTo);
-    connect(panel, &SavedViewsPanel::forgotten, this, &SavedViews::remove);
     connect(&m_workspace, &Workspace::boardOpened, this, [this](const LoadedBoard& board) {
         if (m_part.open()) {
             m_list.setViews(board.session.views);
         }
     });
     connect(&m_workspace, &Workspace::sessionRestored, this, &SavedViews::restoreDesk);
+}
+
+void SavedViews::addPanel(FeatureContext& context) {
+    auto* table = new TableView(m_list);
+    table->setSelectionMode(QAbstractItemView::SingleSelection);
+    table->horizontalHeader()->setStretchLastSection(true);
+    QAction& forget = table->addDelete(tr("Delete the selected view or selection (Del)"));
+    connect(table, &TableView::deleteRequested, this, [this](const auto& rows) { remove(rows.front()); });
+    connect(table, &TableView::rowChosen, this, &SavedViews::goTo);
+    const ActionSet& actions = context.actions;
+    context.addPanel({ActionId::ShowSavedViewsDock, "views", tr("Saved views"), Qt::RightDockWidgetArea, "element", 0},
+                     *panelOf(buttonRow({&actions[ActionId::SaveView], &actions[ActionId::SaveSelection], &forget}),
+                              table));
 }
 
 void SavedViews::saveView() {

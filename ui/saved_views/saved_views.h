@@ -29,6 +29,8 @@ public:
 private:
     using List = std::vector<model::session::SavedView>;
 
+    /// A click on a row, or Enter, restores it; F2 or a double click renames it, Del deletes it.
+    void addPanel(FeatureContext& context);
     /// Shows what was saved for this step of the board.
     void restoreDesk(const LoadedBoard& board);
     void setCameras(const model::session::Pose& flat, const model::session::Pose& solid);

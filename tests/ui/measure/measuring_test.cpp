@@ -208,7 +208,7 @@ private:
     BoardView& solid() { return window().views().solid(); }
     const model::Document& board() { return *window().document(); }
     const std::vector<Measurement>& list() { return window().measurements().list().measurements(); }
-    ui::TableView& table() { return window().measurementsPanel().table(); }
+    ui::TableView& table() { return window().table("measurements"); }
     void undo() { window().actions()[ActionId::Undo].trigger(); }
 
     /// Two round pads of different nets on the uppermost copper layer, the nearest to each other.

@@ -132,8 +132,8 @@ private slots:
     }
 
     void theButtonsDoNotWidenTheWindow() {
-        QVERIFY2(window().measurementsPanel().minimumSizeHint().width() < 400,
-                 qPrintable(QString::number(window().measurementsPanel().minimumSizeHint().width())));
+        QVERIFY2(window().panel("measurements").minimumSizeHint().width() < 400,
+                 qPrintable(QString::number(window().panel("measurements").minimumSizeHint().width())));
     }
 
     void escapeTakesBackClickByClick() {

@@ -65,7 +65,7 @@ private:
 
     /// Clicks on the row that shows this message.
     void click(const Diagnostic& message) {
-        QTableView& table = window().messagesPanel().table();
+        QTableView& table = window().table("messages");
         for (int row = 0; row < table.model()->rowCount(); ++row) {
             const QModelIndex text = table.model()->index(row, MessageModel::Text);
             if (text.data().toString().toStdString() == message.text) {

@@ -185,7 +185,7 @@ private slots:
 private:
     TestWindow& window() { return m_fixture->window(); }
     ui::CameraController& solid() { return window().views().solid().controller(); }
-    ui::TableView& table() { return window().savedViewsPanel().table(); }
+    ui::TableView& table() { return window().table("views"); }
     static void rest() { QTest::qWait(ui::ViewHistory::kRestMs + 100); }
     static bool isNear(const render::CameraPose& a, const render::CameraPose& b) {
         return glm::length(a.target - b.target) < 1e-3F && std::abs(a.distance - b.distance) < 1e-3F &&
