@@ -265,11 +265,11 @@ private slots:
 
     void narrowGapsAreSteppedThroughAndTheLensLightsNeighbours() {
         dock("clearances").raise();
-        panel().whereBox().setCurrentIndex(static_cast<int>(ClearancePanel::Where::View));
+        box("where").setCurrentIndex(static_cast<int>(ClearancePanel::Where::View));
         m_fixture->key(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
         QTRY_VERIFY_WITH_TIMEOUT(!window().workspace().isWorking(), kPatienceMs);
         const auto& locations = window().find<ui::ClearanceModel>();
-        QVERIFY2(locations.rowCount() > 0, qPrintable(panel().summary()));
+        QVERIFY2(locations.rowCount() > 0, qPrintable(label("summary")));
         for (int row = 0; row < std::min(locations.rowCount(), 3); ++row) {
             m_fixture->key(Qt::Key_F8);
             const model::RuleFinding& found = locations.location(row).found;
@@ -281,7 +281,7 @@ private slots:
         shoot("clearance");
         window().selection().select({{0, m_a}});
         m_fixture->key(Qt::Key_L);
-        panel().lensSlider().setValue(panel().lensSlider().maximum());
+        lensSlider().setValue(lensSlider().maximum());
         QTRY_VERIFY_WITH_TIMEOUT(!window().selection().nearby().empty(), kPatienceMs);
         shoot("lens");
         m_fixture->key(Qt::Key_L);
@@ -331,7 +331,7 @@ private slots:
         QCOMPARE(window().selection().nets(), (std::vector<model::BoardNet>{{0, empty}}));
         QCOMPARE(flat().controller().mmPerPixel(), before);
         m_fixture->key(Qt::Key_L);
-        panel().whereBox().setCurrentIndex(static_cast<int>(ClearancePanel::Where::Nets));
+        box("where").setCurrentIndex(static_cast<int>(ClearancePanel::Where::Nets));
         m_fixture->key(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
         QTRY_VERIFY_WITH_TIMEOUT(!isBusy(), kPatienceMs);
         QCOMPARE(window().find<ui::ClearanceModel>().rowCount(), 0);
@@ -390,6 +390,9 @@ private:
     ui::StackupView& stackupView() { return window().stackupPanel().view(); }
     ui::TableView& nets() { return window().netsPanel().table(); }
     ClearancePanel& panel() { return window().find<ui::ClearancePanel>(); }
+    QComboBox& box(const char* name) { return *panel().findChild<QComboBox*>(name); }
+    QSlider& lensSlider() { return *panel().findChild<QSlider*>("lensReach"); }
+    QString label(const char* name) { return panel().findChild<QLabel*>(name)->text(); }
     QDockWidget& dock(const char* name) { return *window().findChild<QDockWidget*>(name); }
     const model::Document& board() { return *window().document(); }
     const ui::BoardPosition& place() { return window().probing().position(); }
@@ -413,7 +416,7 @@ private:
         return copy;
     }
     void startSearches() {
-        panel().whereBox().setCurrentIndex(static_cast<int>(ClearancePanel::Where::Board));
+        box("where").setCurrentIndex(static_cast<int>(ClearancePanel::Where::Board));
         m_fixture->key(Qt::Key_F, Qt::ControlModifier);
         QTest::keyClicks(&window().searchBox().line(), "gnd");
         QTest::keyClick(&window().searchBox().line(), Qt::Key_Escape);  // while it is open, keys are its own

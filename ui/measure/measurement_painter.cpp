@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ui/common/texts.h"
 #include "ui/measure/measurement_model.h"
 
 namespace ui {
@@ -104,7 +105,7 @@ void MeasurementPainter::paint(const Measurement& measurement, LengthUnit unit, 
             lines += layersText(measurement);
         }
         lines += netsText(measurement);
-        lines += notesText(measurement);
+        lines += textsOf(measurement.notes);
     }
     m_labels.push_back({lines, *beside});
 }

@@ -7,6 +7,7 @@
 
 #include "ui/common/panel_parts.h"
 #include "ui/common/table_view.h"
+#include "ui/common/texts.h"
 #include "ui/views/board_views.h"
 #include "ui/views/position_readout.h"
 
@@ -367,7 +368,7 @@ void Measuring::save(const base::Result<Measurement>& measurement) {
     }
     m_isLatestFull = true;
     m_saved.add(*measurement);
-    m_workspace.report((QStringList{valueText(*measurement)} + notesText(*measurement)).join(QStringLiteral("; ")));
+    m_workspace.report((QStringList{valueText(*measurement)} + textsOf(measurement->notes)).join(QStringLiteral("; ")));
 }
 
 void Measuring::goTo(int row) {

@@ -6,6 +6,7 @@
 
 #include "model/section/net_line.h"
 #include "model/section/section_export.h"
+#include "ui/common/texts.h"
 #include "ui/layers/layer_model.h"
 #include "ui/views/board_views.h"
 #include "ui/views/probing.h"
@@ -153,11 +154,7 @@ void Sections::cut() {
         m_panel->setNotes(QString::fromStdString(section.error().text));
         return;
     }
-    QStringList notes;
-    for (const std::string& note : section->notes) {
-        notes += QString::fromStdString(note);
-    }
-    m_panel->setNotes(notes.join('\n'));
+    m_panel->setNotes(textsOf(section->notes).join('\n'));
     m_panel->view().setSection(m_index, std::move(*section));
 }
 

@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QStatusBar>
 
+#include "ui/common/texts.h"
 #include "ui/views/frame_display.h"
 
 namespace ui {
@@ -32,9 +33,7 @@ StatusLine::StatusLine(QStatusBar& bar)
 
 void StatusLine::showSteps(const model::JobInfo& job) {
     m_steps->clear();
-    for (const std::string& step : job.steps) {
-        m_steps->addItem(QString::fromStdString(step));
-    }
+    m_steps->addItems(textsOf(job.steps));
     m_steps->setCurrentText(QString::fromStdString(job.step));
     const bool hasChoice = job.steps.size() > 1;
     m_stepLabel->setVisible(hasChoice);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ui/common/paths.h"
+#include "ui/common/texts.h"
 
 namespace ui {
 
@@ -76,12 +77,8 @@ void Workspace::take(const LoadedBoard& board) {
     m_selection.setBoard(board.document);
     emit boardOpened(*m_board);
     emit sessionRestored(*m_board);
-    QStringList notes;
-    for (const std::string& note : board.notes) {
-        notes += QString::fromStdString(note);
-    }
-    if (!notes.isEmpty()) {
-        reportError(notes.join('\n'));
+    if (!board.notes.empty()) {
+        reportError(textsOf(board.notes).join('\n'));
     }
     report(summaryOf(*m_board));
 }

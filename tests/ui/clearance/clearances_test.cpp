@@ -31,8 +31,8 @@ private slots:
     void init() {
         while (window().selection().clearStep()) {
         }
-        panel().whatBox().setCurrentIndex(static_cast<int>(ClearancePanel::What::Smallest));
-        panel().whereBox().setCurrentIndex(static_cast<int>(ClearancePanel::Where::Board));
+        box("what").setCurrentIndex(static_cast<int>(ClearancePanel::What::Smallest));
+        box("where").setCurrentIndex(static_cast<int>(ClearancePanel::Where::Board));
         if (window().actions()[ActionId::Lens].isChecked()) {
             window().actions()[ActionId::Lens].trigger();
         }
@@ -141,7 +141,7 @@ private slots:
 
     void aQuestionThatCannotBeAskedIsTold() {
         window().selection().setNets({});
-        panel().whereBox().setCurrentIndex(static_cast<int>(ClearancePanel::Where::Nets));
+        box("where").setCurrentIndex(static_cast<int>(ClearancePanel::Where::Nets));
         window().messageBar().hide();
         window().actions()[ActionId::SearchClearances].trigger();
         QVERIFY(window().messageBar().isVisible());
@@ -150,7 +150,7 @@ private slots:
     }
 
     void rulesAreEditedCheckedAndKeptInAFile() {
-        panel().whatBox().setCurrentIndex(static_cast<int>(ClearancePanel::What::Rules));
+        box("what").setCurrentIndex(static_cast<int>(ClearancePanel::What::Rules));
         ui::RuleModel& rules = window().find<ui::RuleModel>();
         const QModelIndex least = rules.index(0, ui::RuleModel::Least);
         QVERIFY(rules.setData(least, "5 mm", Qt::EditRole));
@@ -215,7 +215,7 @@ private slots:
         QVERIFY(m_fixture->openAndWait(locations::kSample));
         const QString path = m_fixture->folder() + "/found";
         QVERIFY(!clearances().exportReport(path + ".csv"));  // nothing was searched for
-        panel().whatBox().setCurrentIndex(static_cast<int>(ClearancePanel::What::Rules));
+        box("what").setCurrentIndex(static_cast<int>(ClearancePanel::What::Rules));
         measure();
         base::Progress progress;
         const model::Document& board = *window().document();
@@ -223,7 +223,7 @@ private slots:
         const model::StepRules expected[] = {{&board, *model::checkRules(board, table, progress)}};
         QCOMPARE(exported(path + ".csv"), model::ruleReport(table, expected, model::ReportFormat::Csv, 1'000'000));
         QCOMPARE(exported(path + ".txt"), model::ruleReport(table, expected, model::ReportFormat::Text, 1'000'000));
-        panel().whatBox().setCurrentIndex(static_cast<int>(ClearancePanel::What::Smallest));
+        box("what").setCurrentIndex(static_cast<int>(ClearancePanel::What::Smallest));
         measure();
         model::ClearanceRequest question;
         question.count = 500;
@@ -240,11 +240,11 @@ private slots:
         m_fixture->key(Qt::Key_L);
         QVERIFY(window().find<ui::Lens>().isOn());
         QTRY_VERIFY(!window().find<ui::Lens>().isSearching());
-        panel().lensSlider().setFocus();
+        lensSlider().setFocus();
         std::size_t last = 0;
         bool hasOther = false;
-        for (int value = panel().lensSlider().minimum(); value <= panel().lensSlider().maximum(); value += 20) {
-            panel().lensSlider().setValue(value);
+        for (int value = lensSlider().minimum(); value <= lensSlider().maximum(); value += 20) {
+            lensSlider().setValue(value);
             const auto highlighted = window().find<ui::Lens>().highlighted();
             QVERIFY(highlighted.size() >= last);
             QTRY_COMPARE(window().selection().nearby().size(), highlighted.size());
@@ -265,7 +265,7 @@ private slots:
         measure();
         QVERIFY(m_fixture->openAndWait(locations::kSample));
         QCOMPARE(window().find<ui::ClearanceModel>().rowCount(), 0);
-        QCOMPARE(panel().summary(), "No search yet");
+        QCOMPARE(label("summary"), "No search yet");
         m_fixture->key(Qt::Key_F8);  // nothing to step to
     }
 
@@ -281,15 +281,18 @@ private slots:
         QVERIFY(m_fixture->openAndWait(QString(locations::kTestData) + "/odb/drills"));
         measure();
         QCOMPARE(window().find<ui::ClearanceModel>().rowCount(), 0);
-        QVERIFY2(panel().notes().contains("has copper but no nets"), qPrintable(panel().notes()));
+        QVERIFY2(label("notes").contains("has copper but no nets"), qPrintable(label("notes")));
         QVERIFY(m_fixture->openAndWait(locations::kSample));
-        QVERIFY(panel().notes().isEmpty());
+        QVERIFY(label("notes").isEmpty());
     }
 
 private:
     [[nodiscard]] TestWindow& window() { return m_fixture->window(); }
     [[nodiscard]] ui::Clearances& clearances() { return window().clearances(); }
     [[nodiscard]] ClearancePanel& panel() { return window().find<ui::ClearancePanel>(); }
+    QComboBox& box(const char* name) { return *panel().findChild<QComboBox*>(name); }
+    QSlider& lensSlider() { return *panel().findChild<QSlider*>("lensReach"); }
+    QString label(const char* name) { return panel().findChild<QLabel*>(name)->text(); }
 
     double heightOf(model::LayerId layer) { return window().document()->layer(layer).z; }
 
@@ -321,7 +324,7 @@ private:
         QTRY_VERIFY(!window().workspace().isWorking());
     }
     void ask(ClearancePanel::Where where) {
-        panel().whereBox().setCurrentIndex(static_cast<int>(where));
+        box("where").setCurrentIndex(static_cast<int>(where));
         measure();
     }
 
