@@ -396,7 +396,7 @@ private:
     QDockWidget& dock(const char* name) { return *window().findChild<QDockWidget*>(name); }
     const model::Document& board() { return *window().document(); }
     const ui::BoardPosition& place() { return window().probing().position(); }
-    const std::vector<Measurement>& measurements() { return window().measurements().list().measurements(); }
+    const std::vector<Measurement>& measurements() { return window().measurements().measurements(); }
     bool isBusy() {
         return window().workspace().isWorking() || window().workspace().isWorking() ||
                window().find<ui::Lens>().isSearching();

@@ -11,7 +11,6 @@
 #include "ui/element/element_picture.h"
 #include "ui/layers/layers_panel.h"
 #include "ui/measure/measuring.h"
-#include "ui/measure/saved_measurements.h"
 #include "ui/messages/message_model.h"
 #include "ui/nets/net_check_model.h"
 #include "ui/nets/nets_panel.h"
@@ -70,7 +69,7 @@ public:
     [[nodiscard]] ui::FrameDisplay& frameDisplay() const { return find<ui::FrameDisplay>(); }
     [[nodiscard]] ui::LayersPanel& layersPanel() const { return find<ui::LayersPanel>(); }
     [[nodiscard]] ui::Measuring& measuring() const { return find<ui::Measuring>(); }
-    [[nodiscard]] ui::SavedMeasurements& measurements() const { return find<ui::SavedMeasurements>(); }
+    [[nodiscard]] ui::MeasurementModel& measurements() const { return find<ui::MeasurementModel>(); }
     [[nodiscard]] ui::MessageBar& messageBar() const { return find<ui::MessageBar>(); }
     [[nodiscard]] ui::NetCheckModel& netCheck() const { return find<ui::NetCheckModel>(); }
     [[nodiscard]] ui::NetModel& nets() const { return find<ui::NetModel>(); }

@@ -80,7 +80,14 @@ Measuring::Measuring(FeatureContext& context)
       m_views(context.views),
       m_probing(context.probing),
       m_readout(context.position),
-      m_saved(context.workspace, this),
+      m_list(this),
+      m_saved(
+          context.workspace, tr("The measurements"), &model::session::Session::measurements,
+          model::session::saveMeasurements,
+          [this](const auto& measurements) {
+              m_list.setMeasurements(measurements);
+              m_views.requestOverlay();
+          }),
       m_cursor(context.probing) {
     for (BoardView* view : m_views.both()) {
         watch(*view);
@@ -89,7 +96,6 @@ Measuring::Measuring(FeatureContext& context)
     addPanel(context);
     context.escapes.emplace_back([this] { return stepBack(); });
     const auto repaint = [this] { m_views.requestOverlay(); };
-    connect(&m_saved, &SavedMeasurements::changed, this, repaint);
     connect(&m_workspace, &Workspace::unitChanged, this, repaint);
     connect(&m_workspace, &Workspace::boardOpened, this, &Measuring::setBoard);
     connect(&m_workspace, &Workspace::restacked, this, &Measuring::setHeights);
@@ -114,12 +120,21 @@ void Measuring::connectCommands(FeatureContext& context) {
 }
 
 void Measuring::addPanel(FeatureContext& context) {
-    auto* table = new TableView(m_saved.list());
+    connect(&m_workspace, &Workspace::unitChanged, &m_list, &MeasurementModel::setUnit);
+    connect(&m_list, &MeasurementModel::renamed, this, [this](int row, const QString& name) {
+        m_saved.rename(tr("the name of a measurement"), row, name);
+    });
+    connect(&m_list, &MeasurementModel::shownChanged, this, [this](int row, bool isShown) {
+        m_saved.change(isShown ? tr("showing a measurement") : tr("hiding a measurement"), row,
+                       [isShown](Measurement& measurement) { measurement.isShown = isShown; });
+    });
+    auto* table = new TableView(m_list);
     table->setEditTriggers(QAbstractItemView::EditKeyPressed);
     table->horizontalHeader()->setStretchLastSection(true);
     table->fitColumns();
     QAction& forget = table->addDelete(tr("Delete the selected measurements (Del)"));
-    connect(table, &TableView::deleteRequested, &m_saved, &SavedMeasurements::remove);
+    connect(table, &TableView::deleteRequested, this,
+            [this](const auto& rows) { m_saved.remove(tr("deleting measurements"), rows); });
     const auto choose = [this](const QModelIndex& index) {
         if (index.isValid()) {
             goTo(index.row());
@@ -127,7 +142,7 @@ void Measuring::addPanel(FeatureContext& context) {
     };
     connect(table, &QTableView::doubleClicked, this, choose);
     connect(table, &TableView::enterPressed, this, choose);
-    connect(&m_saved.list(), &QAbstractItemModel::dataChanged, table, &QTableView::resizeColumnsToContents);
+    connect(&m_list, &QAbstractItemModel::dataChanged, table, &QTableView::resizeColumnsToContents);
     const ActionSet& actions = context.actions;
     QToolBar* tools =
         toolBar({&actions[ActionId::MeasurePoints], &actions[ActionId::MeasureObjects],
@@ -146,7 +161,7 @@ void Measuring::addPanel(FeatureContext& context) {
 
 void Measuring::exportTable(FeatureContext& context) {
     context.saveFile(tr("Export measurements"), {tr("Tables (*.csv)")}, [this](const QString& path) {
-        return writeFile(path, QByteArray::fromStdString(model::measurementsCsv(m_saved.list().measurements())));
+        return writeFile(path, QByteArray::fromStdString(model::measurementsCsv(m_saved.entries())));
     });
 }
 
@@ -367,12 +382,12 @@ void Measuring::save(const base::Result<Measurement>& measurement) {
         return;
     }
     m_isLatestFull = true;
-    m_saved.add(*measurement);
+    m_saved.add(tr("a measurement"), *measurement, "");
     m_workspace.report((QStringList{valueText(*measurement)} + textsOf(measurement->notes)).join(QStringLiteral("; ")));
 }
 
 void Measuring::goTo(int row) {
-    const Measurement& measurement = m_saved.list().measurements()[static_cast<std::size_t>(row)];
+    const Measurement& measurement = m_saved.entries()[static_cast<std::size_t>(row)];
     if (!m_index || !m_workspace.isOpen(measurement.step)) {
         m_workspace.report(tr("It was measured in step %1").arg(QString::fromStdString(measurement.step)));
         return;
@@ -394,7 +409,7 @@ void Measuring::paint(QPainter& painter, const BoardView& view) const {
         return;
     }
     MeasurementPainter on(painter, view, m_position, *m_index->board);
-    const auto& measurements = m_saved.list().measurements();
+    const auto& measurements = m_saved.entries();
     for (std::size_t row = 0; row < measurements.size(); ++row) {
         if (measurements[row].isShown && m_workspace.isOpen(measurements[row].step)) {
             on.paint(measurements[row], m_workspace.unit(), m_isLatestFull && row + 1 == measurements.size());

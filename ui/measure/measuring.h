@@ -4,10 +4,11 @@
 #include <optional>
 
 #include "ui/measure/measurement_making.h"
+#include "ui/measure/measurement_model.h"
 #include "ui/measure/measurement_painter.h"
-#include "ui/measure/saved_measurements.h"
 #include "ui/workspace/background_result.h"
 #include "ui/workspace/feature.h"
+#include "ui/workspace/session_part.h"
 
 namespace ui {
 
@@ -69,7 +70,8 @@ private:
     BoardViews& m_views;
     Probing& m_probing;
     PositionReadout& m_readout;
-    SavedMeasurements m_saved;
+    MeasurementModel m_list;
+    SavedList<model::Measurement> m_saved;
     MeasuringCursor m_cursor;
     std::shared_ptr<const model::BoardIndex> m_index;
     BoardPosition m_position;

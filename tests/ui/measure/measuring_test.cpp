@@ -207,7 +207,7 @@ private:
     BoardView& flat() { return window().views().flat(); }
     BoardView& solid() { return window().views().solid(); }
     const model::Document& board() { return *window().document(); }
-    const std::vector<Measurement>& list() { return window().measurements().list().measurements(); }
+    const std::vector<Measurement>& list() { return window().measurements().measurements(); }
     ui::TableView& table() { return window().table("measurements"); }
     void undo() { window().actions()[ActionId::Undo].trigger(); }
 

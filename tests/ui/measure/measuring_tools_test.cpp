@@ -328,10 +328,10 @@ private:
     BoardView& flat() { return window().views().flat(); }
     BoardView& solid() { return window().views().solid(); }
     const model::Document& board() { return *window().document(); }
-    const std::vector<Measurement>& list() { return window().measurements().list().measurements(); }
+    const std::vector<Measurement>& list() { return window().measurements().measurements(); }
     QString said() { return window().statusBar()->currentMessage(); }
     QString details(int row) {
-        const auto& model = window().measurements().list();
+        const auto& model = window().measurements();
         return model.index(row, ui::MeasurementModel::Details).data().toString();
     }
     static bool isAt(const model::MeasuredEnd& end, double xMm, double yMm) {
