@@ -20,7 +20,7 @@ namespace {
 constexpr int kLensSteps = 200;
 constexpr double kLensStepNm = 5'000.0;  // up to a millimetre
 constexpr int kLensStart = 30;
-constexpr double kMapReachesUm[] = {20,  25,  30,  40,  50,  60,   80,   100,  125,  150,  200,  250,  300,  400,
+constexpr double kMapReachesUm[] = {20,  25,  30,  40,   50,   60,   80,   100,  125,  150,  200,  250,  300,  400,
                                     500, 600, 800, 1000, 1250, 1500, 2000, 2500, 3000, 4000, 5000, 6000, 8000, 10'000};
 constexpr double kFirstMapReachUm = 500;
 

@@ -166,8 +166,8 @@ void Clearances::search() {
     }
     m_searched = m_workspace.board()->document;
     m_wanted = std::move(*wanted);
-    m_search.run([board = m_searched, request = m_wanted](
-                     base::Progress& progress) { return searchClearances(*board, request, progress); },
+    m_search.run([board = m_searched,
+                  request = m_wanted](base::Progress& progress) { return searchClearances(*board, request, progress); },
                  tr("Measuring clearances"), tr("There is not enough memory to measure clearances"));
 }
 
@@ -180,8 +180,7 @@ void Clearances::take() {
     endShowing();
     m_requested = m_wanted;
     m_result = std::move(*result);
-    m_locations.setSpacings(m_searched, spacingsOf(m_result),
-                            m_wanted.isOfRules ? m_wanted.rules : model::RuleTable{});
+    m_locations.setSpacings(m_searched, spacingsOf(m_result), m_wanted.isOfRules ? m_wanted.rules : model::RuleTable{});
     if (m_wanted.isOfRules && m_rules.rules() == m_wanted.rules) {
         m_rules.setCounts(countsOf(m_result));
     }

@@ -2,9 +2,9 @@
 
 #include <QObject>
 
-#include "ui/clearance/clearance_search.h"
 #include "ui/clearance/clearance_map_overlay.h"
 #include "ui/clearance/clearance_panel.h"
+#include "ui/clearance/clearance_search.h"
 #include "ui/clearance/lens.h"
 #include "ui/views/plan_painter.h"
 #include "ui/views/probing.h"

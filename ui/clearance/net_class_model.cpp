@@ -36,10 +36,6 @@ NetClassModel::NetClassModel(RuleModel& rules, std::vector<std::string> nets, QO
       m_rules(rules),
       m_nets(std::move(nets)) {}
 
-const model::NetClass& NetClassModel::classOf(int row) const {
-    return m_rules.rules().classes[static_cast<std::size_t>(row)];
-}
-
 std::vector<std::string> NetClassModel::netsOf(const model::NetClass& netClass) const {
     std::vector<std::string> fitting;
     for (const std::string& net : m_nets) {

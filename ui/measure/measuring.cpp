@@ -81,13 +81,12 @@ Measuring::Measuring(FeatureContext& context)
       m_probing(context.probing),
       m_readout(context.position),
       m_list(this),
-      m_saved(
-          context.workspace, tr("The measurements"), &model::session::Session::measurements,
-          model::session::saveMeasurements,
-          [this](const auto& measurements) {
-              m_list.setMeasurements(measurements);
-              m_views.requestOverlay();
-          }),
+      m_saved(context.workspace, tr("The measurements"), &model::session::Session::measurements,
+              model::session::saveMeasurements,
+              [this](const auto& measurements) {
+                  m_list.setMeasurements(measurements);
+                  m_views.requestOverlay();
+              }),
       m_cursor(context.probing) {
     for (BoardView* view : m_views.both()) {
         watch(*view);
@@ -121,9 +120,8 @@ void Measuring::connectCommands(FeatureContext& context) {
 
 void Measuring::addPanel(FeatureContext& context) {
     connect(&m_workspace, &Workspace::unitChanged, &m_list, &MeasurementModel::setUnit);
-    connect(&m_list, &MeasurementModel::renamed, this, [this](int row, const QString& name) {
-        m_saved.rename(tr("the name of a measurement"), row, name);
-    });
+    connect(&m_list, &MeasurementModel::renamed, this,
+            [this](int row, const QString& name) { m_saved.rename(tr("the name of a measurement"), row, name); });
     connect(&m_list, &MeasurementModel::shownChanged, this, [this](int row, bool isShown) {
         m_saved.change(isShown ? tr("showing a measurement") : tr("hiding a measurement"), row,
                        [isShown](Measurement& measurement) { measurement.isShown = isShown; });

@@ -59,9 +59,8 @@ void show(const model::Diagnostic& message, Workspace& workspace, BoardViews& vi
 void addMessages(FeatureContext& context) {
     Workspace& workspace = context.workspace;
     auto* messages = new MessageModel(&context.window);
-    QWidget* panel = makeMessagesPanel(*messages, [&context](const model::Diagnostic& message) {
-        show(message, context.workspace, context.views);
-    });
+    QWidget* panel = makeMessagesPanel(
+        *messages, [&context](const model::Diagnostic& message) { show(message, context.workspace, context.views); });
     context.addPanel(
         {ActionId::ShowMessagesDock, "messages", MessageModel::tr("Messages"), Qt::BottomDockWidgetArea, {}, 13},
         *panel);

@@ -57,12 +57,13 @@ void SavedViews::addPanel(FeatureContext& context) {
     table->setSelectionMode(QAbstractItemView::SingleSelection);
     table->horizontalHeader()->setStretchLastSection(true);
     QAction& forget = table->addDelete(tr("Delete the selected view or selection (Del)"));
-    connect(table, &TableView::deleteRequested, this, [this](const auto& rows) { m_saved.remove(tr("deleting a view"), rows); });
+    connect(table, &TableView::deleteRequested, this,
+            [this](const auto& rows) { m_saved.remove(tr("deleting a view"), rows); });
     connect(table, &TableView::rowChosen, this, &SavedViews::goTo);
     const ActionSet& actions = context.actions;
-    context.addPanel({ActionId::ShowSavedViewsDock, "views", tr("Saved views"), Qt::RightDockWidgetArea, "element", 0},
-                     *panelOf(buttonRow({&actions[ActionId::SaveView], &actions[ActionId::SaveSelection], &forget}),
-                              table));
+    context.addPanel(
+        {ActionId::ShowSavedViewsDock, "views", tr("Saved views"), Qt::RightDockWidgetArea, "element", 0},
+        *panelOf(buttonRow({&actions[ActionId::SaveView], &actions[ActionId::SaveSelection], &forget}), table));
 }
 
 void SavedViews::saveView() {

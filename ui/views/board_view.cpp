@@ -98,10 +98,6 @@ std::vector<render::ZRange> BoardView::drawnHeights() const {
     return m_picture.scene->drawnHeights(m_picture.frameSettings());
 }
 
-void BoardView::setDim(float dim) {
-    m_picture.settings.dim = dim;
-}
-
 void BoardView::setOutlined(bool isOn) {
     m_picture.settings.isOutlined = isOn;
     requestFrame();

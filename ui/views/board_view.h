@@ -41,7 +41,7 @@ public:
     void setStyles(std::vector<render::LayerStyle> styles);
     void setBackend(render::Backend backend);
     /// Darkens what does not stand out, see render::ViewSettings; from the next frame of the board on.
-    void setDim(float dim);
+    void setDim(float dim) { m_picture.settings.dim = dim; }
     /// Outlines and nothing in them; in 2D.
     void setOutlined(bool isOn);
     /// Painters paint in the order in which they were added, before every frame.

@@ -160,10 +160,6 @@ void BoardViews::setStates(ElementStateLists states) {
     applyStates();
 }
 
-void BoardViews::setElementColours(std::vector<glm::vec3> colours) {
-    m_elementColours = std::move(colours);
-}
-
 void BoardViews::setDim(float dim) {
     for (BoardView* view : m_views) {
         view->setDim(dim);

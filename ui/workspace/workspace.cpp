@@ -49,10 +49,6 @@ Workspace::Workspace(Loader::Work work, QObject* parent)
     watch(m_loader.background(), [this] { return displayName(m_loader.request().path); });
 }
 
-bool Workspace::isOpen(const std::string& step) const {
-    return m_board && m_board->document->job.step == step;
-}
-
 void Workspace::open(model::OpenRequest request) {
     for (const QPointer<Background>& work : m_works) {
         work->cancel();
