@@ -90,6 +90,7 @@ public:
     [[nodiscard]] glm::mat4 clipFromBoard() const { return m_camera.projection(aspect()) * m_camera.view(); }
     /// Millimetres per logical pixel at the target.
     [[nodiscard]] float mmPerPixel() const { return m_camera.mmPerPixel(height()); }
+    [[nodiscard]] double nmPerPixel() const { return static_cast<double>(mmPerPixel()) * base::kNmPerMm; }
     [[nodiscard]] QSizeF viewport() const { return m_viewport; }
 
 signals:

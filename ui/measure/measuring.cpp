@@ -184,7 +184,6 @@ void Measuring::watch(BoardView& view) {
 
 void Measuring::setBoard(const LoadedBoard& board) {
     m_index = board.index;
-    m_position.origin = board.model->origin;
     m_cursor.setBoard(board.index);
     m_hoverView = nullptr;
     m_isLatestFull = false;
@@ -391,7 +390,7 @@ void Measuring::goTo(int row) {
         return;
     }
     for (BoardView* view : m_views.both()) {
-        const DrawnHeights heights(*view, m_position, *m_index->board);
+        const DrawnHeights heights(*view, *m_index->board);
         glm::vec3 low = heights.at(measurement.from);
         glm::vec3 high = low;
         for (const auto& [location, layer] : locationsOf(measurement)) {
@@ -406,7 +405,7 @@ void Measuring::paint(QPainter& painter, const BoardView& view) const {
     if (!m_index) {
         return;
     }
-    MeasurementPainter on(painter, view, m_position, *m_index->board);
+    MeasurementPainter on(painter, view, *m_index->board);
     const auto& measurements = m_saved.entries();
     for (std::size_t row = 0; row < measurements.size(); ++row) {
         if (measurements[row].isShown && m_workspace.isOpen(measurements[row].step)) {

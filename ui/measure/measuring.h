@@ -74,7 +74,6 @@ private:
     SavedList<model::Measurement> m_saved;
     MeasuringCursor m_cursor;
     std::shared_ptr<const model::BoardIndex> m_index;
-    BoardPosition m_position;
     Tool m_tool = Tool::None;
     std::vector<Caught> m_clicked;
     std::optional<Caught> m_under;     ///< the cursor, while a tool is in use

@@ -105,7 +105,7 @@ void Sections::connectPlane(FeatureContext& context) {
 
 void Sections::setBoard(const LoadedBoard& board) {
     m_index = board.index;
-    m_line.setBoard({board.model->origin});
+    m_line.clear();
     m_plane.setBoard(board);
     for (const ActionId id : {ActionId::SectionPlane, ActionId::DrawSection}) {
         m_actions[id].setChecked(false);

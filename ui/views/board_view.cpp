@@ -123,6 +123,18 @@ void BoardView::paintOverlay(Picture& picture, QSize pixels, Shown where) const 
     }
 }
 
+base::Box BoardView::boxBetween(QPointF from, QPointF to) const {
+    const auto clamp = [](double v) {
+        return static_cast<base::Nm>(std::clamp<double>(v, -base::kMaxCoordinate, base::kMaxCoordinate));
+    };
+    base::Box box;
+    for (const QPointF corner : {from, to}) {
+        const base::PointD location = locationAt(corner);
+        box.include(base::Point{clamp(location.x), clamp(location.y)});
+    }
+    return box;
+}
+
 void BoardView::setBoard(const glm::vec3& boxMin, const glm::vec3& boxMax) {
     m_boxMin = boxMin;
     m_boxMax = boxMax;

@@ -53,6 +53,7 @@ void BoardViews::show(const LoadedBoard& board, const std::vector<LayerAppearanc
     makeScene();
     applyHeights();
     for (BoardView* view : m_views) {
+        view->setPosition({board.model->origin});
         view->setDim(0.0F);
     }
     flat().controller().look(render::NamedView::Top);
