@@ -120,6 +120,11 @@ void PlanPainter::showPinNames(bool isOn) {
     m_view.requestOverlay();
 }
 
+model::Box PlanPainter::shownBox() const {
+    const QSizeF size = m_view.controller().viewport();
+    return m_view.boxBetween({}, {size.width(), size.height()});
+}
+
 double PlanPainter::gridStep(double nmPerPixel, LengthUnit unit, double pixels) {
     const double least = nmPerPixel * pixels / nmPer(unit);
     const double power = std::pow(10.0, std::floor(std::log10(least)));

@@ -95,13 +95,13 @@ private slots:
     void aCheckIsStoppedByEscapeAndByItsButton() {
         window().actions()[ActionId::CheckNets].trigger();
         QVERIFY(window().workspace().isWorking());
-        QVERIFY(window().statusLine().loadBar().isVisible());
+        QVERIFY(workBar().isVisible());
         m_fixture->key(Qt::Key_Escape);
         QVERIFY(!window().workspace().isWorking());
         window().actions()[ActionId::CheckNets].trigger();
-        window().statusLine().loadBar().findChild<QToolButton*>()->click();
+        workBar().findChild<QToolButton*>()->click();
         QVERIFY(!window().workspace().isWorking());
-        QVERIFY(!window().statusLine().loadBar().isVisible());
+        QVERIFY(!workBar().isVisible());
         QTest::qWait(200);
         QCOMPARE(summary(), "Not checked yet");
     }
@@ -117,6 +117,7 @@ private slots:
 private:
     TestWindow& window() { return m_fixture->window(); }
 
+    QWidget& workBar() { return *window().findChild<QWidget*>("work"); }
     QString summary() { return window().panel("netCheck").findChild<QLabel*>()->text(); }
 
     void waitForBoard() {

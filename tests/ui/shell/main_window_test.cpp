@@ -237,8 +237,8 @@ private slots:
         QVERIFY(m_fixture->openAndWait(kSample));
         const model::Document* before = window().document();
         window().open("slow");
-        ui::LoadBar& bar = window().statusLine().loadBar();
-        QTRY_COMPARE(bar.text(), "slow: Reading layers");
+        QWidget& bar = *window().findChild<QWidget*>("work");
+        QTRY_COMPARE(bar.findChild<QLabel*>()->text(), "slow: Reading layers");
         QVERIFY(bar.isVisible());
         m_fixture->key(Qt::Key_T);
         QVERIFY(window().views().solid().controller().camera().direction().z < -0.999F);
@@ -252,7 +252,7 @@ private slots:
     void cancelButtonStopsALoad() {
         window().open("slow");
         QVERIFY(window().loader().isLoading());
-        window().statusLine().loadBar().findChild<QToolButton*>()->click();
+        window().findChild<QWidget*>("work")->findChild<QToolButton*>()->click();
         QVERIFY(!window().loader().isLoading());
         QVERIFY(!window().actions()[ActionId::CancelLoading].isEnabled());
     }
