@@ -63,7 +63,7 @@ QString section(const QString& title, const QString& rows) {
 
 QString rowsOf(MenuId menu, KeyPreset preset) {
     QString rows;
-    for (const ActionSpec& spec : actionSpecs()) {
+    for (const ActionSpec& spec : ActionSet::kSpecs) {
         if (spec.menu == menu) {
             rows += row(keysText(keysOf(spec, preset), text(" or ")), ActionSet::tr(spec.tip));
         }
