@@ -54,8 +54,8 @@ void BoardViews::show(const LoadedBoard& board, const std::vector<LayerAppearanc
     applyHeights();
     for (BoardView* view : m_views) {
         view->setPosition({board.model->origin});
-        view->setDim(0.0F);
     }
+    setDim(0.0F);
     flat().controller().look(render::NamedView::Top);
     solid().controller().look(render::NamedView::Iso);
 }
@@ -122,6 +122,10 @@ void BoardViews::setStyles(const std::vector<LayerAppearance>& appearances) {
         return;
     }
     m_styles = appearances;
+    applyStyles();
+}
+
+void BoardViews::applyStyles() {
     for (BoardView* view : m_views) {
         view->setStyles(stylesOf(*view));
     }
@@ -139,10 +143,8 @@ void BoardViews::setContrastLayers(std::vector<model::LayerId> layers) {
         return;
     }
     m_contrastLayers = std::move(layers);
-    for (BoardView* view : m_views) {
-        if (m_scene) {
-            view->setStyles(stylesOf(*view));
-        }
+    if (m_scene) {
+        applyStyles();
     }
 }
 
@@ -159,18 +161,6 @@ void BoardViews::applyStates() {
 void BoardViews::setStates(ElementStateLists states) {
     m_states = std::move(states);
     applyStates();
-}
-
-void BoardViews::setDim(float dim) {
-    for (BoardView* view : m_views) {
-        view->setDim(dim);
-    }
-}
-
-void BoardViews::setBackend(render::Backend backend) {
-    for (BoardView* view : m_views) {
-        view->setBackend(backend);
-    }
 }
 
 void BoardViews::setArrangement(Arrangement arrangement) {
@@ -211,24 +201,6 @@ void BoardViews::explode(bool isOn) {
     m_explosion.setStartValue(now.isValid() ? now.toFloat() : 0.0F);
     m_explosion.setEndValue(isOn ? 1.0F : 0.0F);
     m_explosion.start();
-}
-
-void BoardViews::requestFrame() {
-    for (BoardView* view : m_views) {
-        view->requestFrame();
-    }
-}
-
-void BoardViews::requestFrameAtRest() {
-    for (BoardView* view : m_views) {
-        view->requestFrameAtRest();
-    }
-}
-
-void BoardViews::requestOverlay() {
-    for (BoardView* view : m_views) {
-        view->requestOverlay();
-    }
 }
 
 void BoardViews::onTimed(const render::FrameStats& stats) {
