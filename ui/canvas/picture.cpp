@@ -1,7 +1,6 @@
 #include "ui/canvas/picture.h"
 
 #include <QColor>
-#include <memory>
 
 namespace ui {
 
@@ -41,10 +40,9 @@ base::Result<QImage> drawPicture(render::OffscreenPresenter& presenter, const Pi
     if (picture.scene == nullptr) {
         return background(picture.settings, size);
     }
-    ASSIGN_OR_RETURN(render::Image pixels,
-                     presenter.render(*picture.scene, camera, picture.frameSettings(),
-                                      static_cast<std::uint32_t>(size.width()),
-                                      static_cast<std::uint32_t>(size.height())));
+    ASSIGN_OR_RETURN(render::Image pixels, presenter.render(*picture.scene, camera, picture.frameSettings(),
+                                                            static_cast<std::uint32_t>(size.width()),
+                                                            static_cast<std::uint32_t>(size.height())));
     return adopt(std::move(pixels));
 }
 

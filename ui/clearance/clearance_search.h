@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-
 #include "model/clearance/clearance_report.h"
 #include "ui/clearance/clearance_model.h"
 

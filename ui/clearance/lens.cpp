@@ -44,11 +44,10 @@ void Lens::search() {
     m_search.cancel();
     m_near.clear();
     m_trouble.clear();
-    if (!m_isOn || !m_board) {
-        apply();
-        return;
+    std::vector<model::ElementId> elements;
+    if (m_isOn && m_board) {
+        elements = m_selection.ownElements();  // copies have no neighbours beyond their step
     }
-    std::vector<model::ElementId> elements = m_selection.ownElements();  // copies have no neighbours beyond their step
     if (elements.empty()) {
         apply();
         return;

@@ -1,6 +1,5 @@
 #include "ui/measure/measurement_making.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "model/measure/separation.h"

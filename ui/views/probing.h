@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QObject>
-#include <QRectF>
 #include <QTimer>
 #include <array>
 #include <optional>
