@@ -223,8 +223,8 @@ private slots:
         dock("element").raise();
         click(flat(), screenOf(flat(), m_a));
         const model::BoardElement element = *window().selection().current();
-        QCOMPARE(window().elementPanel().fact("Net"), QString::fromStdString(netOf(element.element)));
-        QCOMPARE(window().elementPanel().fact("Layer"),
+        QCOMPARE(window().fact("Net"), QString::fromStdString(netOf(element.element)));
+        QCOMPARE(window().fact("Layer"),
                  QString::fromStdString(board().layer(board().elements.layer[element.element.row()]).name));
         m_fixture->key(Qt::Key_N);
         m_fixture->key(Qt::Key_M);
@@ -311,7 +311,7 @@ private slots:
         m_fixture->key(Qt::Key_L);
         QVERIFY(window().selection().nets().empty());
         QVERIFY(!window().panel("netCheck").findChild<QLabel*>()->text().isEmpty());
-        QVERIFY(!window().stackupPanel().summary().isEmpty());
+        QVERIFY(!window().label("stackupSummary").isEmpty());
         QVERIFY(inkOf(m_fixture->picture()) > 0.01);
         shoot("almost-nothing");
     }
@@ -345,7 +345,7 @@ private slots:
             << R"({"copperscope_session": 1, "job": "elsewhere", "thickness_nm": {"L1": 5000}})";
         QVERIFY(m_fixture->openAndWait(QString::fromStdString(job.string())));
         QVERIFY(window().messageBar().isVisible());
-        QVERIFY(window().messageBar().text().contains("elsewhere"));
+        QVERIFY(window().error().contains("elsewhere"));
         QVERIFY(board().layer(board().findLayer("L1")).thickness != 5000);
     }
 
@@ -355,7 +355,7 @@ private slots:
         std::ofstream(session) << R"({"copperscope_session": 99, "job": "negative"})";
         QVERIFY(m_fixture->openAndWait(QString::fromStdString(job.string())));
         QVERIFY(window().messageBar().isVisible());
-        QVERIFY2(window().messageBar().text().contains("99"), qPrintable(window().messageBar().text()));
+        QVERIFY2(window().error().contains("99"), qPrintable(window().error()));
         m_fixture->key(Qt::Key_S, Qt::ControlModifier);
         std::stringstream text;
         text << std::ifstream(session).rdbuf();

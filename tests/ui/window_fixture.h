@@ -47,6 +47,10 @@ public:
     /// A panel by the name of its dock, and the first table in it.
     [[nodiscard]] QWidget& panel(const char* dock) const { return *findChild<QDockWidget*>(dock)->widget(); }
     [[nodiscard]] ui::TableView& table(const char* dock) const { return *panel(dock).findChild<ui::TableView*>(); }
+    [[nodiscard]] QString label(const char* name) const { return findChild<QLabel*>(name)->text(); }
+    /// What the element panel says of the selected element; empty when there is no such line.
+    [[nodiscard]] QString fact(const QString& name) const;
+    [[nodiscard]] QString error() const { return messageBar().findChild<QLabel*>()->text(); }
     /// Triggers a command that saves a file, and names it in its dialog.
     void save(ui::ActionId id, const QString& path);
     /// As the commands that save pictures do.

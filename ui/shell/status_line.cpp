@@ -34,10 +34,13 @@ StatusLine::StatusLine(QStatusBar& bar)
     for (QWidget* widget : std::initializer_list<QWidget*>{m_workText, m_progress, cancel}) {
         work->addWidget(widget);
     }
+    m_steps->setObjectName(QStringLiteral("steps"));
     m_steps->setToolTip(tr("The part of the job that is shown"));
     m_steps->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_stepLabel->setBuddy(m_steps);
+    m_frame->setObjectName(QStringLiteral("frame"));
     m_frame->setToolTip(tr("Device, how it draws, and the time of the last frame"));
+    m_position->setObjectName(QStringLiteral("position"));
     m_position->setToolTip(tr("Position of the pointer in the coordinates of the job (Q changes the unit)"));
     for (QWidget* widget : std::initializer_list<QWidget*>{m_position, m_work, m_stepLabel, m_steps, m_frame}) {
         bar.addPermanentWidget(widget);
@@ -75,14 +78,6 @@ void StatusLine::showFrame(const render::FrameStats& stats) {
 
 void StatusLine::showPosition(const QString& text) {
     m_position->setText(text.isEmpty() ? text : text + QStringLiteral("   "));  // apart from the device beside it
-}
-
-QString StatusLine::positionText() const {
-    return m_position->text();
-}
-
-QString StatusLine::frameText() const {
-    return m_frame->text();
 }
 
 }  // namespace ui

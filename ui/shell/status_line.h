@@ -28,9 +28,6 @@ public:
     void showFrame(const render::FrameStats& stats);
     /// Where the cursor is on the board; empty when it is not.
     void showPosition(const QString& text);
-    [[nodiscard]] QString positionText() const;
-    [[nodiscard]] QString frameText() const;
-    [[nodiscard]] QComboBox& stepBox() { return *m_steps; }
 
 signals:
     void cancelRequested();

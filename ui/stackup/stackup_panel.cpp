@@ -50,6 +50,7 @@ QWidget* StackupPanel::tableHalf() {
         m_model.reset(rows);
     });
     auto* row = buttonRow({selected, all});
+    m_summary->setObjectName(QStringLiteral("stackupSummary"));
     m_summary->setMinimumWidth(1);  // the panel is not made wider for it
     row->addWidget(m_summary, 1);
     return panelOf(row, m_table, 0);
@@ -68,10 +69,6 @@ void StackupPanel::updateSummary() {
     m_summary->setText(m_model.rowCount() == 0 ? tr("This board states its heights itself")
                        : assumed == 0          ? QString()
                                       : tr("%1 of %2 thicknesses assumed").arg(assumed).arg(m_model.rowCount()));
-}
-
-QString StackupPanel::summary() const {
-    return m_summary->text();
 }
 
 }  // namespace ui

@@ -174,14 +174,12 @@ private slots:
         const auto [at, value] = coloured(views().flat()).front();
         QTest::qWait(20);
         emit views().flat().controller().hovered(at);
-        QTRY_VERIFY2(window().statusLine().positionText().contains("spacing "),
-                     qPrintable(window().statusLine().positionText()));
+        QTRY_VERIFY2(window().label("position").contains("spacing "), qPrintable(window().label("position")));
         QVERIFY(distances().legend().mark.has_value());
         QVERIFY(std::abs(*distances().legend().mark - value) <
                 2.0 * distances().picture(BoardView::Kind::Flat).map()->frame.cell);
         window().actions()[ActionId::NextUnit].trigger();
-        QVERIFY2(window().statusLine().positionText().contains(" mil   gap "),
-                 qPrintable(window().statusLine().positionText()));
+        QVERIFY2(window().label("position").contains(" mil   gap "), qPrintable(window().label("position")));
         window().actions()[ActionId::NextUnit].trigger();
         window().actions()[ActionId::NextUnit].trigger();
     }

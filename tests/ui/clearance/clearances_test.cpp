@@ -177,19 +177,21 @@ private slots:
         window().actions()[ui::ActionId::EditRules].trigger();
         auto* dialog = window().findChild<ui::RuleDialog*>();
         QVERIFY(dialog != nullptr && dialog->isVisible());
+        const QList<ui::TableView*> tables = dialog->findChildren<ui::TableView*>();  // rules, classes
+        const QAbstractItemModel& classes = *tables[1]->model();
         press(*dialog, "Add &class");
-        QCOMPARE(dialog->classes().rowCount(), 1);
-        type(dialog->classTable(), dialog->classes().index(0, ui::NetClassModel::Name), "gnd");
-        type(dialog->classTable(), dialog->classes().index(0, ui::NetClassModel::Nets), "GND*");
+        QCOMPARE(classes.rowCount(), 1);
+        type(*tables[1], classes.index(0, ui::NetClassModel::Name), "gnd");
+        type(*tables[1], classes.index(0, ui::NetClassModel::Nets), "GND*");
         QTRY_COMPARE(dialog->rules().rules().classes, (std::vector<model::NetClass>{{"gnd", {"GND*"}}}));
         press(*dialog, "&Add rule");
         const int row = dialog->rules().rowCount() - 1;
         QCOMPARE(row, static_cast<int>(before.rules.size()));
         QVERIFY(dialog->rules().setData(dialog->rules().index(row, ui::RuleModel::Second), "gnd", Qt::EditRole));
-        type(dialog->ruleTable(), dialog->rules().index(row, ui::RuleModel::Least), "7 mil");
+        type(*tables[0], dialog->rules().index(row, ui::RuleModel::Least), "7 mil");
         QTRY_COMPARE(dialog->rules().rules().rules.back().least, model::Nm{177'800});
-        dialog->ruleTable().setCurrentIndex(dialog->rules().index(0, ui::RuleModel::On));
-        QTest::keyClick(&dialog->ruleTable(), Qt::Key_Space);
+        tables[0]->setCurrentIndex(dialog->rules().index(0, ui::RuleModel::On));
+        QTest::keyClick(tables[0], Qt::Key_Space);
         QVERIFY(!dialog->rules().rules().rules[0].isOn);
         QVERIFY(window().find<ui::RuleModel>().rules() == before);  // nothing counts yet
         const model::RuleTable after = dialog->rules().rules();

@@ -60,9 +60,9 @@ private slots:
             QVERIFY(window().actions()[ActionId::MeasurePoints].isChecked());
             click(*view, screenOf(*view, m_a) + QPointF(3, 2));
             move(*view, screenOf(*view, m_b));
-            QTRY_VERIFY(window().statusLine().positionText().contains("Δ"));
+            QTRY_VERIFY(window().label("position").contains("Δ"));
             click(*view, screenOf(*view, m_b) + QPointF(-2, 3));
-            QVERIFY(!window().statusLine().positionText().contains("Δ"));
+            QVERIFY(!window().label("position").contains("Δ"));
             const Measurement& m = list().back();
             QVERIFY2(std::abs(m.distance() - centreDistance()) < 1e-3,
                      qPrintable(QString("%1, not %2").arg(m.distance()).arg(centreDistance())));

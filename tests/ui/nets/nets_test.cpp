@@ -27,7 +27,7 @@ private slots:
 
     void aHeadingStandsForItsNets() {
         open(locations::kSample);
-        panel().groupBox().setCurrentText("By supply");
+        panel().findChild<QComboBox*>("netGroups")->setCurrentText("By supply");
         QTRY_VERIFY(nets().isArranged() && nets().isHeading(0));
         const int end = nets().endOfGroup(0);
         QVERIFY(end > 1);
@@ -46,20 +46,22 @@ private slots:
 
     void whatIsKnownOfTheHighlightedNetsStandsBelow() {
         open(locations::kSample);
-        QVERIFY(panel().details().isEmpty());
+        QVERIFY(window().label("netDetails").isEmpty());
         const model::NetId gnd = window().document()->findNet("GND");
         window().selection().setNets({{0, gnd}});
-        QVERIFY(panel().details().startsWith("GND\n"));
-        QVERIFY(panel().details().contains("via"));
+        QVERIFY(window().label("netDetails").startsWith("GND\n"));
+        QVERIFY(window().label("netDetails").contains("via"));
         double routed = 0.0;
         const auto lengths = model::routedLengths(*window().document(), gnd);
         for (const auto& [layer, length] : lengths) {
-            QVERIFY(panel().details().contains(QString::fromStdString(window().document()->layer(layer).name) + ": "));
+            QVERIFY(window()
+                        .label("netDetails")
+                        .contains(QString::fromStdString(window().document()->layer(layer).name) + ": "));
             routed += length;
         }
         QVERIFY(routed > 0.0);
         window().selection().setNets({});
-        QVERIFY(panel().details().isEmpty());
+        QVERIFY(window().label("netDetails").isEmpty());
     }
 
     void netsOfPlacedStepsAreListedAndFollowed() {
@@ -86,7 +88,7 @@ private slots:
             m_fixture->key(Qt::Key_N);
             QCOMPARE(window().selection().nets(), std::vector{net});
             QVERIFY(!window().selection().highlight()[step].empty());
-            QVERIFY(!panel().details().isEmpty());
+            QVERIFY(!window().label("netDetails").isEmpty());
             m_fixture->key(Qt::Key_N);
         }
     }

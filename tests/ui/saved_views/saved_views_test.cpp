@@ -179,7 +179,7 @@ private slots:
         choose(0);
         QCOMPARE(window().selection().selected().size(), std::size_t{1});
         QTRY_VERIFY(window().messageBar().isVisible());
-        QVERIFY(window().messageBar().text().contains("net GONE, 1 of 2 elements"));
+        QVERIFY(window().error().contains("net GONE, 1 of 2 elements"));
     }
 
 private:

@@ -40,7 +40,7 @@ private slots:
         QCOMPARE(window().selection().nets().size(), std::size_t{1});
         find("U1");
         QVERIFY(!window().selection().selected().empty());
-        QVERIFY(!window().elementPanel().fact("Layer").isEmpty());
+        QVERIFY(!window().fact("Layer").isEmpty());
         m_fixture->key(Qt::Key_Escape);
         QVERIFY(window().selection().selected().empty());
 

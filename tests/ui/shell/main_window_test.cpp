@@ -88,7 +88,7 @@ private slots:
         QVERIFY2(inkOf(m_fixture->picture()) > 0.1, "the board covers a good part of the canvas");
         QTRY_VERIFY2(differingPixels(m_fixture->shown(), m_fixture->picture()) < m_fixture->picture().width() * 4,
                      "the screen shows what the picture has");
-        QTRY_VERIFY(window().statusLine().frameText().endsWith(" ms"));
+        QTRY_VERIFY(window().label("frame").endsWith(" ms"));
     }
 
     void hidingALayerChangesThePictureAndShowingItRestoresIt() {
@@ -218,7 +218,7 @@ private slots:
         QVERIFY(!m_fixture->openAndWait("/no/such/board.tgz"));
         QCOMPARE(window().document(), before);
         QVERIFY(window().messageBar().isVisible());
-        QVERIFY2(window().messageBar().text().contains("board.tgz"), qPrintable(window().messageBar().text()));
+        QVERIFY2(window().error().contains("board.tgz"), qPrintable(window().error()));
         QVERIFY(window().windowTitle().startsWith("ocp_tap_sa45"));
         QCOMPARE(m_fixture->settings().recentBoards().size(), 1);
         window().messageBar().findChild<QToolButton*>()->click();
@@ -272,7 +272,7 @@ private slots:
     void otherStepIsChosenInTheStatusBar() {
         m_fixture->restart(workWithSteps);
         QVERIFY(m_fixture->openAndWait("job"));
-        QComboBox& box = window().statusLine().stepBox();
+        QComboBox& box = *window().findChild<QComboBox*>("steps");
         QVERIFY(box.isVisible());
         QCOMPARE(box.currentText(), "pcb");
         emit box.textActivated("panel");
