@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "model/base/units.h"
 #include "render/scene/camera.h"
 
 class QEvent;

@@ -97,6 +97,7 @@ void NetsPanel::layOutControls(const ActionSet& actions) {
     m_group->addItems({tr("No groups"), tr("By class"), tr("By pair"), tr("By bus"), tr("By supply")});
     m_group->setObjectName(QStringLiteral("netGroups"));
     m_group->setToolTip(tr("Groups by what the job says of its nets; pairs, buses and supplies also by their names"));
+    m_step->setObjectName(QStringLiteral("netSteps"));
     m_step->setToolTip(tr("Whose nets are listed: the board's own, or those of a step it places"));
     m_step->hide();
     m_dim->setRange(0, 100);

@@ -179,7 +179,6 @@ void BoardViews::setArrangement(Arrangement arrangement) {
 void BoardViews::setActive(BoardView& view) {
     if (std::exchange(m_active, &view) != &view) {
         update();
-        emit activeChanged();
     }
 }
 

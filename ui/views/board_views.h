@@ -75,7 +75,6 @@ signals:
     /// The device failed and is about to be renewed: who made something from it gives that up.
     void deviceGoes();
     void timed(const render::FrameStats& stats);
-    void activeChanged();
     /// The device failed; says whether it works again.
     void troubled(const QString& what);
 

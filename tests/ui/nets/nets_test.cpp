@@ -67,10 +67,10 @@ private slots:
     void netsOfPlacedStepsAreListedAndFollowed() {
         open(QString(locations::kTestData) + "/odb/panel");
         const model::StepTree& tree = window().selection().tree();
-        QVERIFY(tree.steps.size() > 1 && !panel().stepBox().isHidden());
+        QVERIFY(tree.steps.size() > 1 && !stepBox().isHidden());
         QStringList steps;
-        for (int i = 0; i < panel().stepBox().count(); ++i) {
-            steps += panel().stepBox().itemText(i);
+        for (int i = 0; i < stepBox().count(); ++i) {
+            steps += stepBox().itemText(i);
         }
         QVERIFY(steps.contains("CARD") && steps.contains("COUPON"));
         // The net of an element in a late copy of each step: the table goes there and N lights it up.
@@ -82,7 +82,7 @@ private slots:
             const model::BoardElement at{copy, tree.steps[step]->netElements.front()};
             window().selection().select({at});
             QTRY_VERIFY(nets().isArranged());
-            QCOMPARE(panel().stepBox().currentData().toUInt(), step);
+            QCOMPARE(stepBox().currentData().toUInt(), step);
             const BoardNet net = *window().selection().netOf(at);
             QTRY_COMPARE(table().currentIndex().row(), *nets().rowOf(net.net));
             m_fixture->key(Qt::Key_N);
@@ -189,6 +189,7 @@ private:
     ui::NetsPanel& panel() { return window().netsPanel(); }
     NetModel& nets() { return window().nets(); }
     ui::TableView& table() { return panel().table(); }
+    QComboBox& stepBox() { return *panel().findChild<QComboBox*>("netSteps"); }
     void open(const QString& path) {
         QVERIFY(m_fixture->openAndWait(path));
         QTRY_VERIFY(nets().isArranged());
