@@ -179,7 +179,7 @@ private slots:
         QVERIFY(std::abs(*distances().legend().mark - value) <
                 2.0 * distances().picture(BoardView::Kind::Flat).map()->frame.cell);
         window().actions()[ActionId::NextUnit].trigger();
-        QVERIFY2(window().label("position").contains(" mil   gap "), qPrintable(window().label("position")));
+        QVERIFY2(window().label("position").contains(" mil   spacing "), qPrintable(window().label("position")));
         window().actions()[ActionId::NextUnit].trigger();
         window().actions()[ActionId::NextUnit].trigger();
     }
