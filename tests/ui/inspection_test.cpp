@@ -15,8 +15,6 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/common/table_view.h"
 #include "ui/element/element_panel.h"
-#include "ui/measure/measurements_panel.h"
-#include "ui/nets/net_check_panel.h"
 #include "ui/nets/nets_panel.h"
 #include "ui/search/search_box.h"
 #include "ui/shell/message_bar.h"

@@ -18,7 +18,6 @@
 #include "ui/section/sections.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/message_bar.h"
-#include "ui/shell/status_line.h"
 #include "ui/stackup/stackup_model.h"
 #include "ui/stackup/stackup_panel.h"
 #include "ui/stackup/stackup_view.h"
@@ -83,7 +82,6 @@ public:
     [[nodiscard]] ui::Sections& sections() const { return find<ui::Sections>(); }
     [[nodiscard]] ui::StackupModel& stack() const { return find<ui::StackupModel>(); }
     [[nodiscard]] ui::StackupPanel& stackupPanel() const { return find<ui::StackupPanel>(); }
-    [[nodiscard]] ui::StatusLine& statusLine() const { return find<ui::StatusLine>(); }
     [[nodiscard]] ui::ViewCube& viewCube() const { return find<ui::ViewCube>(); }
 };
 

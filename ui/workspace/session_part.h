@@ -93,10 +93,10 @@ public:
         after.push_back(std::move(entry));
         m_part.edit(what, m_entries, std::move(after));
     }
-    template <class Change>
-    void change(const QString& what, int row, const Change& change) {
+    template <class Edit>
+    void change(const QString& what, int row, const Edit& edit) {
         List after = m_entries;
-        change(after[static_cast<std::size_t>(row)]);
+        edit(after[static_cast<std::size_t>(row)]);
         m_part.edit(what, m_entries, std::move(after));
     }
     void rename(const QString& what, int row, const QString& name) {

@@ -10,7 +10,6 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/clearance/clearances.h"
 #include "ui/layers/layers_panel.h"
-#include "ui/shell/status_line.h"
 
 using model::ClearanceMap;
 using model::DistanceField;

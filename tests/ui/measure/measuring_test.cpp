@@ -13,8 +13,6 @@
 #include "tests/places.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/common/table_view.h"
-#include "ui/measure/measurements_panel.h"
-#include "ui/shell/status_line.h"
 
 using model::Measurement;
 using model::MeasurementKind;

@@ -8,7 +8,6 @@
 #include "tests/places.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/unit/model/measure/measure_fixture.h"
-#include "ui/measure/measurements_panel.h"
 #include "ui/measure/measuring.h"
 
 using namespace measuring;

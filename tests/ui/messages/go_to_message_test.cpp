@@ -9,7 +9,6 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/common/table_view.h"
 #include "ui/messages/message_model.h"
-#include "ui/messages/messages_panel.h"
 
 using model::Diagnostic;
 using ui::MessageModel;

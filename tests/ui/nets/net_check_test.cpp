@@ -9,9 +9,7 @@
 #include "tests/places.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/common/table_view.h"
-#include "ui/nets/net_check_panel.h"
 #include "ui/shell/message_bar.h"
-#include "ui/shell/status_line.h"
 
 using ui::ActionId;
 using ui::NetCheckModel;

@@ -8,7 +8,6 @@
 #include "tests/places.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/common/table_view.h"
-#include "ui/saved_views/saved_views_panel.h"
 #include "ui/shell/message_bar.h"
 
 using ui::ActionId;

@@ -13,7 +13,6 @@
 #include "ui/element/element_panel.h"
 #include "ui/layers/layers_panel.h"
 #include "ui/nets/nets_panel.h"
-#include "ui/saved_views/saved_views_panel.h"
 #include "ui/search/search_box.h"
 
 using ui::ActionId;

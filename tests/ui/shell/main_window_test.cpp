@@ -20,7 +20,6 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/layers/layers_panel.h"
 #include "ui/shell/message_bar.h"
-#include "ui/shell/status_line.h"
 
 using base::ErrorCode;
 using model::OpenRequest;

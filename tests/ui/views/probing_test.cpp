@@ -9,7 +9,6 @@
 #include "ui/common/table_view.h"
 #include "ui/element/element_panel.h"
 #include "ui/nets/nets_panel.h"
-#include "ui/shell/status_line.h"
 
 using model::BoardElement;
 using ui::ActionId;
