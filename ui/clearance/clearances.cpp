@@ -186,7 +186,8 @@ void Clearances::take() {
     }
     const QStringList notes = textsOf(m_result.notes);
     m_panel->setNotes(notes.join('\n'));
-    m_workspace.report(tr("Clearances: %1").arg((m_locations.summary() + notes).join(QStringLiteral("; "))));
+    m_workspace.report(
+        tr("Clearances: %1").arg((QStringList{m_locations.summary()} + notes).join(QStringLiteral("; "))));
 }
 
 void Clearances::step(int by) {

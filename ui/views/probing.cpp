@@ -123,10 +123,10 @@ std::vector<model::Hit> Probing::hitsAt(const BoardView& view, QPointF position)
     // Steps of a length that keeps numbers near 1.
     const glm::dvec3 step = glm::normalize(glm::dvec3(direction)) * base::kNmPerMm;
     model::SightLine line{
-        position().toJob(origin), static_cast<double>(origin.z) * base::kNmPerMm, {step.x, step.y}, -step.z};
+        view.position().toJob(origin), static_cast<double>(origin.z) * base::kNmPerMm, {step.x, step.y}, -step.z};
     if (const render::SectionCut* cut = view.cut()) {
         const glm::dvec2 along = cut->plane.direction;
-        line.cutSide = {position().toJob(glm::vec3(glm::vec2(cut->plane.start), 0.0F)), {-along.y, along.x}};
+        line.cutSide = {view.position().toJob(glm::vec3(glm::vec2(cut->plane.start), 0.0F)), {-along.y, along.x}};
     }
     return m_picker->along(line, reach, layers);
 }
@@ -154,7 +154,7 @@ void Probing::announceLocation(const BoardView& view, QPointF position) {
         const base::PointD location = view.locationAt(position);
         emit pointedAt(location.x, location.y);
     } else if (const auto point = view.controller().boardPointAt(position)) {
-        const base::PointD location = position().toJob(*point);
+        const base::PointD location = view.position().toJob(*point);
         emit pointedAt(location.x, location.y);
     } else {
         emit pointedAway();
