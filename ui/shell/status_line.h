@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QWidget>
+
 #include "model/board/document.h"
 #include "render/scene/view_settings.h"
 
