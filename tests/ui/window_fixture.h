@@ -14,6 +14,7 @@
 #include "ui/messages/message_model.h"
 #include "ui/nets/net_check_model.h"
 #include "ui/nets/nets_panel.h"
+#include "ui/saved_views/view_list_model.h"
 #include "ui/search/search_box.h"
 #include "ui/section/sections.h"
 #include "ui/shell/main_window.h"
