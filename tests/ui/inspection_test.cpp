@@ -15,8 +15,6 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/common/table_view.h"
 #include "ui/element/element_panel.h"
-#include "ui/measure/measurements_panel.h"
-#include "ui/nets/net_check_panel.h"
 #include "ui/nets/nets_panel.h"
 #include "ui/search/search_box.h"
 #include "ui/shell/message_bar.h"
@@ -223,8 +221,8 @@ private slots:
         dock("element").raise();
         click(flat(), screenOf(flat(), m_a));
         const model::BoardElement element = *window().selection().current();
-        QCOMPARE(window().elementPanel().fact("Net"), QString::fromStdString(netOf(element.element)));
-        QCOMPARE(window().elementPanel().fact("Layer"),
+        QCOMPARE(window().fact("Net"), QString::fromStdString(netOf(element.element)));
+        QCOMPARE(window().fact("Layer"),
                  QString::fromStdString(board().layer(board().elements.layer[element.element.row()]).name));
         m_fixture->key(Qt::Key_N);
         m_fixture->key(Qt::Key_M);
@@ -265,11 +263,11 @@ private slots:
 
     void narrowGapsAreSteppedThroughAndTheLensLightsNeighbours() {
         dock("clearances").raise();
-        panel().whereBox().setCurrentIndex(static_cast<int>(ClearancePanel::Where::View));
+        box("where").setCurrentIndex(static_cast<int>(ClearancePanel::Where::View));
         m_fixture->key(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
         QTRY_VERIFY_WITH_TIMEOUT(!window().workspace().isWorking(), kPatienceMs);
         const auto& locations = window().find<ui::ClearanceModel>();
-        QVERIFY2(locations.rowCount() > 0, qPrintable(panel().summary()));
+        QVERIFY2(locations.rowCount() > 0, qPrintable(label("summary")));
         for (int row = 0; row < std::min(locations.rowCount(), 3); ++row) {
             m_fixture->key(Qt::Key_F8);
             const model::RuleFinding& found = locations.location(row).found;
@@ -281,7 +279,7 @@ private slots:
         shoot("clearance");
         window().selection().select({{0, m_a}});
         m_fixture->key(Qt::Key_L);
-        panel().lensSlider().setValue(panel().lensSlider().maximum());
+        lensSlider().setValue(lensSlider().maximum());
         QTRY_VERIFY_WITH_TIMEOUT(!window().selection().nearby().empty(), kPatienceMs);
         shoot("lens");
         m_fixture->key(Qt::Key_L);
@@ -310,8 +308,8 @@ private slots:
         }
         m_fixture->key(Qt::Key_L);
         QVERIFY(window().selection().nets().empty());
-        QVERIFY(!window().netCheckPanel().summary().isEmpty());
-        QVERIFY(!window().stackupPanel().summary().isEmpty());
+        QVERIFY(!window().panel("netCheck").findChild<QLabel*>()->text().isEmpty());
+        QVERIFY(!window().label("stackupSummary").isEmpty());
         QVERIFY(inkOf(m_fixture->picture()) > 0.01);
         shoot("almost-nothing");
     }
@@ -331,7 +329,7 @@ private slots:
         QCOMPARE(window().selection().nets(), (std::vector<model::BoardNet>{{0, empty}}));
         QCOMPARE(flat().controller().mmPerPixel(), before);
         m_fixture->key(Qt::Key_L);
-        panel().whereBox().setCurrentIndex(static_cast<int>(ClearancePanel::Where::Nets));
+        box("where").setCurrentIndex(static_cast<int>(ClearancePanel::Where::Nets));
         m_fixture->key(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
         QTRY_VERIFY_WITH_TIMEOUT(!isBusy(), kPatienceMs);
         QCOMPARE(window().find<ui::ClearanceModel>().rowCount(), 0);
@@ -345,7 +343,7 @@ private slots:
             << R"({"copperscope_session": 1, "job": "elsewhere", "thickness_nm": {"L1": 5000}})";
         QVERIFY(m_fixture->openAndWait(QString::fromStdString(job.string())));
         QVERIFY(window().messageBar().isVisible());
-        QVERIFY(window().messageBar().text().contains("elsewhere"));
+        QVERIFY(window().error().contains("elsewhere"));
         QVERIFY(board().layer(board().findLayer("L1")).thickness != 5000);
     }
 
@@ -355,7 +353,7 @@ private slots:
         std::ofstream(session) << R"({"copperscope_session": 99, "job": "negative"})";
         QVERIFY(m_fixture->openAndWait(QString::fromStdString(job.string())));
         QVERIFY(window().messageBar().isVisible());
-        QVERIFY2(window().messageBar().text().contains("99"), qPrintable(window().messageBar().text()));
+        QVERIFY2(window().error().contains("99"), qPrintable(window().error()));
         m_fixture->key(Qt::Key_S, Qt::ControlModifier);
         std::stringstream text;
         text << std::ifstream(session).rdbuf();
@@ -390,10 +388,13 @@ private:
     ui::StackupView& stackupView() { return window().stackupPanel().view(); }
     ui::TableView& nets() { return window().netsPanel().table(); }
     ClearancePanel& panel() { return window().find<ui::ClearancePanel>(); }
+    QComboBox& box(const char* name) { return *panel().findChild<QComboBox*>(name); }
+    QSlider& lensSlider() { return *panel().findChild<QSlider*>("lensReach"); }
+    QString label(const char* name) { return panel().findChild<QLabel*>(name)->text(); }
     QDockWidget& dock(const char* name) { return *window().findChild<QDockWidget*>(name); }
     const model::Document& board() { return *window().document(); }
     const ui::BoardPosition& place() { return window().probing().position(); }
-    const std::vector<Measurement>& measurements() { return window().measurements().list().measurements(); }
+    const std::vector<Measurement>& measurements() { return window().measurements().measurements(); }
     bool isBusy() {
         return window().workspace().isWorking() || window().workspace().isWorking() ||
                window().find<ui::Lens>().isSearching();
@@ -413,7 +414,7 @@ private:
         return copy;
     }
     void startSearches() {
-        panel().whereBox().setCurrentIndex(static_cast<int>(ClearancePanel::Where::Board));
+        box("where").setCurrentIndex(static_cast<int>(ClearancePanel::Where::Board));
         m_fixture->key(Qt::Key_F, Qt::ControlModifier);
         QTest::keyClicks(&window().searchBox().line(), "gnd");
         QTest::keyClick(&window().searchBox().line(), Qt::Key_Escape);  // while it is open, keys are its own

@@ -149,7 +149,7 @@ private slots:
             lens.setOn(true);
             QTRY_VERIFY_WITH_TIMEOUT(!lens.isSearching(), 60000);
             settle();
-            QSlider& slider = window().find<ui::ClearancePanel>().lensSlider();
+            QSlider& slider = *window().panel("clearances").findChild<QSlider*>("lensReach");
             slider.setValue(slider.minimum());
             settle();
             const QString what = QString("lens of %1").arg(isPad ? "an element" : "the largest net");
@@ -175,7 +175,7 @@ private slots:
         tell("distance map of both views", {static_cast<double>(clock.nsecsElapsed()) / 1e6});
         settle();
         measure("distance map, another range",
-                [&](int i) { window().find<ui::ClearancePanel>().distances().slider().setValue(8 + 2 * i); });
+                [&](int i) { window().panel("clearances").findChild<QSlider*>("mapReach")->setValue(8 + 2 * i); });
         window().selection().setNets({{0, largestNet()}});
         clock.start();
         QTRY_VERIFY_WITH_TIMEOUT(hasAll(), 60000);

@@ -11,11 +11,9 @@
 #include "ui/common/table_view.h"
 #include "ui/layers/layers_panel.h"
 #include "ui/messages/message_model.h"
-#include "ui/messages/messages_panel.h"
+#include "ui/messages/messages_feature.h"
 #include "ui/shell/theme.h"
-#include "ui/statistics/drill_model.h"
 #include "ui/statistics/statistics_model.h"
-#include "ui/statistics/statistics_panel.h"
 #include "ui/workspace/actions.h"
 
 using ui::LayerModel;
@@ -137,11 +135,12 @@ private slots:
     }
 
     void headingClickSortsStatisticsAndKeepsTheSumLast() {
-        ui::StatisticsPanel panel(m_statistics, m_drills);
-        show(panel);
-        QAbstractItemModel& shown = *panel.table().model();
+        ui::TableView table(m_statistics);
+        table.makeSortable();
+        show(table);
+        QAbstractItemModel& shown = *table.model();
         QCOMPARE(shown.index(0, 0).data().toString(), "top");  // the board's own order at first
-        QHeaderView& header = *panel.table().horizontalHeader();
+        QHeaderView& header = *table.horizontalHeader();
         const int x = header.sectionViewportPosition(ui::StatisticsModel::Circle) + 5;
         QTest::mouseClick(header.viewport(), Qt::LeftButton, {}, QPoint(x, header.height() / 2));
         QTest::mouseClick(header.viewport(), Qt::LeftButton, {}, QPoint(x, header.height() / 2));
@@ -150,27 +149,28 @@ private slots:
     }
 
     void rowsAreCopiedAsShown() {
-        ui::StatisticsPanel panel(m_statistics, m_drills);
-        show(panel);
-        panel.table().selectRow(1);
-        QTest::keyClick(&panel.table(), Qt::Key_C, Qt::ControlModifier);
+        ui::TableView table(m_statistics);
+        table.makeSortable();
+        show(table);
+        table.selectRow(1);
+        QTest::keyClick(&table, Qt::Key_C, Qt::ControlModifier);
         QCOMPARE(QGuiApplication::clipboard()->text(), "bottom\t0\t0\t2\t0\t0\t2\t2\t\n");
-        panel.table().copyAll();
+        table.copyAll();
         QVERIFY(QGuiApplication::clipboard()->text().startsWith("Layer\tLine\t"));
     }
 
     void messagesAreFilteredByWordsAndSeverity() {
-        ui::MessagesPanel panel(m_messages);
-        show(panel);
-        const QAbstractItemModel& shown = *panel.table().model();
+        const std::unique_ptr<QWidget> panel(ui::makeMessagesPanel(m_messages, [](const model::Diagnostic&) {}));
+        show(*panel);
+        const QAbstractItemModel& shown = *panel->findChild<ui::TableView*>()->model();
         QCOMPARE(shown.rowCount(), 3);
-        QTest::keyClicks(panel.findChild<QLineEdit*>(), "features");
+        QTest::keyClicks(panel->findChild<QLineEdit*>(), "features");
         QCOMPARE(shown.rowCount(), 2);
-        panel.findChild<QComboBox*>()->setCurrentIndex(2);
+        panel->findChild<QComboBox*>()->setCurrentIndex(2);
         QCOMPARE(shown.rowCount(), 1);
         QCOMPARE(shown.index(0, ui::MessageModel::Text).data().toString(), "Symbol is defined nowhere");
-        panel.findChild<QLineEdit*>()->clear();
-        panel.findChild<QComboBox*>()->setCurrentIndex(0);
+        panel->findChild<QLineEdit*>()->clear();
+        panel->findChild<QComboBox*>()->setCurrentIndex(0);
         QCOMPARE(shown.rowCount(), 3);
     }
 
@@ -211,7 +211,6 @@ private:
     std::unique_ptr<ui::ActionSet> m_actions;
     LayerModel m_layers;
     ui::StatisticsModel m_statistics;
-    ui::DrillModel m_drills;
     ui::MessageModel m_messages;
 };
 

@@ -3,6 +3,7 @@
 #include <QFileDialog>
 #include <QGuiApplication>
 #include <QScreen>
+#include <QTableWidget>
 #include <QWindow>
 #include <QtTest>
 
@@ -33,6 +34,16 @@ void TestWindow::save(ui::ActionId id, const QString& path) {
     delete dialog;
     activateWindow();  // keys go to the window again
     (void)QTest::qWaitForWindowActive(this);
+}
+
+QString TestWindow::fact(const QString& name) const {
+    const QTableWidget& table = *elementPanel().findChild<QTableWidget*>();
+    for (int row = 0; row < table.rowCount(); ++row) {
+        if (table.item(row, 0)->text() == name) {
+            return table.item(row, 1)->text();
+        }
+    }
+    return {};
 }
 
 void TestWindow::savePicture(const QString& path, int width) {

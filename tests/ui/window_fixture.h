@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QDockWidget>
 #include <QTemporaryDir>
 #include <memory>
 
@@ -9,24 +10,19 @@
 #include "ui/element/element_panel.h"
 #include "ui/element/element_picture.h"
 #include "ui/layers/layers_panel.h"
-#include "ui/measure/measurements_panel.h"
 #include "ui/measure/measuring.h"
 #include "ui/messages/message_model.h"
-#include "ui/messages/messages_panel.h"
 #include "ui/nets/net_check_model.h"
-#include "ui/nets/net_check_panel.h"
 #include "ui/nets/nets_panel.h"
-#include "ui/saved_views/saved_views_panel.h"
+#include "ui/saved_views/view_list_model.h"
 #include "ui/search/search_box.h"
 #include "ui/section/sections.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/message_bar.h"
-#include "ui/shell/status_line.h"
 #include "ui/stackup/stackup_model.h"
 #include "ui/stackup/stackup_panel.h"
 #include "ui/stackup/stackup_view.h"
 #include "ui/statistics/histogram_view.h"
-#include "ui/statistics/statistics_panel.h"
 #include "ui/views/frame_display.h"
 #include "ui/views/view_cube.h"
 #include "ui/views/view_history.h"
@@ -48,6 +44,13 @@ public:
         }
         return *part;
     }
+    /// A panel by the name of its dock, and the first table in it.
+    [[nodiscard]] QWidget& panel(const char* dock) const { return *findChild<QDockWidget*>(dock)->widget(); }
+    [[nodiscard]] ui::TableView& table(const char* dock) const { return *panel(dock).findChild<ui::TableView*>(); }
+    [[nodiscard]] QString label(const char* name) const { return findChild<QLabel*>(name)->text(); }
+    /// What the element panel says of the selected element; empty when there is no such line.
+    [[nodiscard]] QString fact(const QString& name) const;
+    [[nodiscard]] QString error() const { return messageBar().findChild<QLabel*>()->text(); }
     /// Triggers a command that saves a file, and names it in its dialog.
     void save(ui::ActionId id, const QString& path);
     /// As the commands that save pictures do.
@@ -70,22 +73,16 @@ public:
     [[nodiscard]] ui::FrameDisplay& frameDisplay() const { return find<ui::FrameDisplay>(); }
     [[nodiscard]] ui::LayersPanel& layersPanel() const { return find<ui::LayersPanel>(); }
     [[nodiscard]] ui::Measuring& measuring() const { return find<ui::Measuring>(); }
-    [[nodiscard]] ui::SavedMeasurements& measurements() const { return find<ui::SavedMeasurements>(); }
-    [[nodiscard]] ui::MeasurementsPanel& measurementsPanel() const { return find<ui::MeasurementsPanel>(); }
+    [[nodiscard]] ui::MeasurementModel& measurements() const { return find<ui::MeasurementModel>(); }
     [[nodiscard]] ui::MessageBar& messageBar() const { return find<ui::MessageBar>(); }
-    [[nodiscard]] ui::MessagesPanel& messagesPanel() const { return find<ui::MessagesPanel>(); }
     [[nodiscard]] ui::NetCheckModel& netCheck() const { return find<ui::NetCheckModel>(); }
-    [[nodiscard]] ui::NetCheckPanel& netCheckPanel() const { return find<ui::NetCheckPanel>(); }
     [[nodiscard]] ui::NetModel& nets() const { return find<ui::NetModel>(); }
     [[nodiscard]] ui::NetsPanel& netsPanel() const { return find<ui::NetsPanel>(); }
     [[nodiscard]] ui::ViewListModel& savedViews() const { return find<ui::ViewListModel>(); }
-    [[nodiscard]] ui::SavedViewsPanel& savedViewsPanel() const { return find<ui::SavedViewsPanel>(); }
     [[nodiscard]] ui::SearchBox& searchBox() const { return find<ui::SearchBox>(); }
     [[nodiscard]] ui::Sections& sections() const { return find<ui::Sections>(); }
     [[nodiscard]] ui::StackupModel& stack() const { return find<ui::StackupModel>(); }
     [[nodiscard]] ui::StackupPanel& stackupPanel() const { return find<ui::StackupPanel>(); }
-    [[nodiscard]] ui::StatisticsPanel& statisticsPanel() const { return find<ui::StatisticsPanel>(); }
-    [[nodiscard]] ui::StatusLine& statusLine() const { return find<ui::StatusLine>(); }
     [[nodiscard]] ui::ViewCube& viewCube() const { return find<ui::ViewCube>(); }
 };
 

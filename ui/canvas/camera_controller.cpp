@@ -116,10 +116,6 @@ void CameraController::zoomAt(QPointF position, float factor) {
     announceUserMove();
 }
 
-void CameraController::zoomAtCentre(float factor) {
-    zoomAt(centre(), factor);
-}
-
 void CameraController::zoomToBox(QPointF from, QPointF to) {
     const QPointF way = to - from;
     const double ratio = std::min(m_viewport.width() / std::max(std::abs(way.x()), 1.0),
@@ -132,10 +128,6 @@ void CameraController::zoomToBox(QPointF from, QPointF to) {
 glm::vec2 CameraController::ndcOf(QPointF position) const {
     return {static_cast<float>(2.0 * position.x() / m_viewport.width() - 1.0),
             static_cast<float>(1.0 - 2.0 * position.y() / m_viewport.height())};
-}
-
-glm::mat4 CameraController::clipFromBoard() const {
-    return m_camera.projection(aspect()) * m_camera.view();
 }
 
 CameraController::Ray CameraController::rayAt(QPointF position) const {
@@ -315,10 +307,6 @@ void CameraController::panBy(QPointF pixels) {
 void CameraController::announceUserMove() {
     m_isFitted = false;
     emit moved();
-}
-
-float CameraController::aspect() const {
-    return static_cast<float>(m_viewport.width() / m_viewport.height());
 }
 
 }  // namespace ui

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "model/base/units.h"
 #include "render/scene/camera.h"
 
 class QEvent;
@@ -57,7 +58,7 @@ public:
     void setPose(const render::CameraPose& pose);
     /// Zooms by `factor` (> 1 is closer) and keeps the point at `position` where it is on the screen.
     void zoomAt(QPointF position, float factor);
-    void zoomAtCentre(float factor);
+    void zoomAtCentre(float factor) { zoomAt(centre(), factor); }
     /// Zooms until a box of the canvas fills it, or drawn to another corner than the lower right one, until the canvas
     /// fits into the box.
     void zoomToBox(QPointF from, QPointF to);
@@ -87,9 +88,10 @@ public:
     /// Where a point of the board is on the canvas; none behind the eye.
     [[nodiscard]] std::optional<QPointF> screenOf(const glm::vec3& point) const;
     /// From millimetres of the board model to clip space, y down as Vulkan has it.
-    [[nodiscard]] glm::mat4 clipFromBoard() const;
+    [[nodiscard]] glm::mat4 clipFromBoard() const { return m_camera.projection(aspect()) * m_camera.view(); }
     /// Millimetres per logical pixel at the target.
     [[nodiscard]] float mmPerPixel() const { return m_camera.mmPerPixel(height()); }
+    [[nodiscard]] double nmPerPixel() const { return static_cast<double>(mmPerPixel()) * base::kNmPerMm; }
     [[nodiscard]] QSizeF viewport() const { return m_viewport; }
 
 signals:
@@ -124,7 +126,7 @@ private:
     void focusAt(QPointF position);
     [[nodiscard]] glm::vec2 ndcOf(QPointF position) const;
     [[nodiscard]] QPointF centre() const { return {m_viewport.width() / 2.0, m_viewport.height() / 2.0}; }
-    [[nodiscard]] float aspect() const;
+    [[nodiscard]] float aspect() const { return static_cast<float>(m_viewport.width() / m_viewport.height()); }
     [[nodiscard]] float height() const { return static_cast<float>(m_viewport.height()); }
 
     render::Camera m_camera;

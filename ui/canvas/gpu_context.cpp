@@ -52,23 +52,17 @@ GpuContext::~GpuContext() = default;
 
 base::Result<std::unique_ptr<GpuContext>> GpuContext::create() {
     std::unique_ptr<GpuContext> context(new GpuContext);
-    if (const base::Status made = context->makeInstance(); !made) {
-        return made.error();
-    }
-    if (const base::Status made = context->renewDevice(); !made) {
-        return made.error();
-    }
+    RETURN_IF_ERROR(context->makeInstance());
+    RETURN_IF_ERROR(context->renewDevice());
     return context;
 }
 
 base::Status GpuContext::makeInstance() {
     const std::vector<std::string> extensions = surfaceExtensions();
     base::Result<Instance> instance = Instance::create({.extensions = extensions});
+    m_canPresent = instance.ok() && !extensions.empty();
     if (!instance && !extensions.empty()) {
-        // The driver may lack surfaces and still draw to memory.
-        instance = Instance::create({});
-    } else if (instance && !extensions.empty()) {
-        m_canPresent = true;
+        instance = Instance::create({});  // the driver may lack surfaces and still draw to memory
     }
     if (!instance) {
         return instance.error();
@@ -83,32 +77,16 @@ base::Status GpuContext::makeInstance() {
 }
 
 base::Status GpuContext::renewDevice() {
-    if (m_canPresent && makePresentingDevice()) {
-        return base::Done{};
+    if (m_canPresent) {
+        ProbeWindow probe(*m_qtInstance);
+        m_canPresent = probe.surface() != VK_NULL_HANDLE && makeDevice(probe.surface()).ok();
     }
-    m_canPresent = false;
-    return makeDevice();
+    return m_canPresent ? base::Done{} : makeDevice(VK_NULL_HANDLE);
 }
 
-base::Status GpuContext::makePresentingDevice() {
-    ProbeWindow probe(*m_qtInstance);
-    if (probe.surface() == VK_NULL_HANDLE) {
-        return base::Error{base::ErrorCode::DeviceFailed, "The window system gave no Vulkan surface"};
-    }
-    base::Result<Device> device = Device::create(*m_instance, probe.surface());
-    if (!device) {
-        return device.error();
-    }
-    m_device = std::make_unique<Device>(std::move(*device));
-    return base::Done{};
-}
-
-base::Status GpuContext::makeDevice() {
-    base::Result<Device> device = Device::create(*m_instance);
-    if (!device) {
-        return device.error();
-    }
-    m_device = std::make_unique<Device>(std::move(*device));
+base::Status GpuContext::makeDevice(VkSurfaceKHR surface) {
+    ASSIGN_OR_RETURN(Device device, Device::create(*m_instance, surface));
+    m_device = std::make_unique<Device>(std::move(device));
     return base::Done{};
 }
 

@@ -33,8 +33,8 @@ public:
 private:
     GpuContext() = default;
     [[nodiscard]] base::Status makeInstance();
-    [[nodiscard]] base::Status makePresentingDevice();
-    [[nodiscard]] base::Status makeDevice();
+    /// One that can present to `surface`; null: any.
+    [[nodiscard]] base::Status makeDevice(VkSurfaceKHR surface);
 
     // Destroyed from the bottom up: the device before the instances.
     std::unique_ptr<render::gpu::Instance> m_instance;

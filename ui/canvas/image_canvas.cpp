@@ -17,10 +17,6 @@ void ImageCanvas::requestFrame() {
     update();
 }
 
-void ImageCanvas::releaseDevice() {
-    m_presenter.reset();
-}
-
 bool ImageCanvas::event(QEvent* event) {
     return m_controller.handle(*event) || QWidget::event(event);
 }

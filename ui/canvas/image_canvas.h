@@ -20,7 +20,7 @@ public:
 
     void requestFrame();
     /// Gives up everything made from the device; the next frame makes it anew.
-    void releaseDevice();
+    void releaseDevice() { m_presenter.reset(); }
 
 signals:
     void drawn();

@@ -1,7 +1,6 @@
 #include "ui/canvas/picture.h"
 
 #include <QColor>
-#include <memory>
 
 namespace ui {
 
@@ -41,12 +40,10 @@ base::Result<QImage> drawPicture(render::OffscreenPresenter& presenter, const Pi
     if (picture.scene == nullptr) {
         return background(picture.settings, size);
     }
-    auto pixels = presenter.render(*picture.scene, camera, picture.frameSettings(),
-                                   static_cast<std::uint32_t>(size.width()), static_cast<std::uint32_t>(size.height()));
-    if (!pixels) {
-        return pixels.error();
-    }
-    return adopt(std::move(*pixels));
+    ASSIGN_OR_RETURN(render::Image pixels, presenter.render(*picture.scene, camera, picture.frameSettings(),
+                                                            static_cast<std::uint32_t>(size.width()),
+                                                            static_cast<std::uint32_t>(size.height())));
+    return adopt(std::move(pixels));
 }
 
 }  // namespace ui

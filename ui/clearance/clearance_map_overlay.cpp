@@ -33,7 +33,6 @@ void ClearanceMapOverlay::setBoard(const LoadedBoard& board) {
     m_question.reset();
     m_cursor.reset();
     m_board = board.document;
-    m_position.origin = board.model->origin;
     show(nullptr);
     refresh();
 }
@@ -108,11 +107,7 @@ void ClearanceMapOverlay::show(std::shared_ptr<const DistanceField> field) {
     for (ClearanceMapPicture* picture : m_pictures) {
         const bool hasOutline = m_board && !m_board->board.isEmpty();
         picture->setReach(m_reach);
-        picture->setField(m_field,
-                          hasOutline ? m_board->board
-                          : m_field  ? m_field->extent()
-                                     : model::Box(),
-                          m_position);
+        picture->setField(m_field, hasOutline ? m_board->board : m_field ? m_field->extent() : model::Box());
     }
 }
 

@@ -71,7 +71,6 @@ private:
     std::array<ClearanceMapPicture*, 2> m_pictures{};  ///< as BoardViews::both
     std::function<model::LayerId()> m_layer;
     std::shared_ptr<const model::Document> m_board;
-    BoardPosition m_position;
     std::optional<Question> m_question;  ///< that the field answers, or will
     std::shared_ptr<const model::DistanceField> m_field;
     std::optional<base::PointD> m_cursor;

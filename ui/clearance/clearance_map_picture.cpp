@@ -30,17 +30,17 @@ struct Stretch {
 };
 
 /// What the corners of the canvas show of the plane at height `z`; nothing if one of them is above its horizon.
-std::optional<Stretch> seenStretch(const CameraController& controller, BoardPosition location, float z) {
-    const QSizeF size = controller.viewport();
+std::optional<Stretch> seenStretch(const BoardView& view, float z) {
+    const QSizeF size = view.controller().viewport();
     Stretch seen;
     for (const QPointF corner :
          {QPointF(0, 0), QPointF(size.width(), 0), QPointF(0, size.height()), QPointF(size.width(), size.height())}) {
-        const auto [from, along] = controller.rayAt(corner);
+        const auto [from, along] = view.controller().rayAt(corner);
         const float distance = (z - from.z) / along.z;
         if (!(distance >= 0.0F) || !std::isfinite(distance)) {
             return std::nullopt;
         }
-        seen.include(location.toJob(from + along * distance));
+        seen.include(view.position().toJob(from + along * distance));
     }
     return seen;
 }
@@ -64,13 +64,11 @@ ClearanceMapPicture::ClearanceMapPicture(BoardView& view, QObject* parent) : QOb
     view.addGroundPainter([this](QPainter& painter) { paint(painter); });
 }
 
-void ClearanceMapPicture::setField(std::shared_ptr<const model::DistanceField> field, const model::Box& board,
-                                   BoardPosition location) {
+void ClearanceMapPicture::setField(std::shared_ptr<const model::DistanceField> field, const model::Box& board) {
     m_work.cancel();
     m_rest.stop();
     m_field = std::move(field);
     m_board = board;
-    m_position = location;
     m_asked.reset();
     m_map.reset();
     m_image = {};
@@ -93,7 +91,7 @@ std::optional<model::MapFrame> ClearanceMapPicture::shownFrame() const {
     Stretch part;
     part.include(base::toDouble(m_board.min));
     part.include(base::toDouble(m_board.max));
-    const std::optional<Stretch> seen = seenStretch(m_view.controller(), m_position, height());
+    const std::optional<Stretch> seen = seenStretch(m_view, height());
     base::PointD grid = part.min;  // where the board is cut off, cells stay under their pixels
     if (seen) {
         grid = seen->min;
@@ -105,7 +103,7 @@ std::optional<model::MapFrame> ClearanceMapPicture::shownFrame() const {
     }
     const double ratio = m_view.devicePixelRatioF();
     const QSizeF size = m_view.controller().viewport() * ratio;
-    const double perPixel = static_cast<double>(m_view.controller().mmPerPixel()) * base::kNmPerMm / ratio;
+    const double perPixel = m_view.controller().nmPerPixel() / ratio;
     const double area = (part.max.x - part.min.x) * (part.max.y - part.min.y);
     model::MapFrame frame;
     frame.cell =
@@ -173,7 +171,7 @@ QTransform ClearanceMapPicture::canvasFromCells() const {
     const auto column = [&](const glm::vec4& p) {
         return std::array{(p.x + p.w) / 2.0 * size.width(), (p.y + p.w) / 2.0 * size.height(), double{p.w}};
     };
-    glm::vec3 corner = m_position.toModel(m_map->frame.corner);
+    glm::vec3 corner = m_view.position().toModel(m_map->frame.corner);
     corner.z = height();
     const auto step = static_cast<float>(m_map->frame.cell / base::kNmPerMm);
     const auto right = column(clip[0] * step);

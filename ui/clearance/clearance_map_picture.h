@@ -23,7 +23,7 @@ public:
     explicit ClearanceMapPicture(BoardView& view, QObject* parent = nullptr);
 
     /// From now on the map of this field, of what lies within `board`; null: nothing.
-    void setField(std::shared_ptr<const model::DistanceField> field, const model::Box& board, BoardPosition location);
+    void setField(std::shared_ptr<const model::DistanceField> field, const model::Box& board);
     /// Colours go from 0 to this (nm); what is farther is only darkened a little.
     void setReach(double nm);
 
@@ -54,7 +54,6 @@ private:
     BoardView& m_view;
     std::shared_ptr<const model::DistanceField> m_field;
     model::Box m_board;
-    BoardPosition m_position;
     double m_reach = 1e6;
     std::optional<model::MapFrame> m_asked;
     std::optional<model::ClearanceMap> m_map;

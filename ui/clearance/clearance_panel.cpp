@@ -6,6 +6,8 @@
 #include <QLabel>
 #include <QSlider>
 #include <QSplitter>
+#include <algorithm>
+#include <iterator>
 
 #include "ui/common/panel_parts.h"
 #include "ui/common/table_view.h"
@@ -18,6 +20,18 @@ namespace {
 constexpr int kLensSteps = 200;
 constexpr double kLensStepNm = 5'000.0;  // up to a millimetre
 constexpr int kLensStart = 30;
+constexpr double kMapReachesUm[] = {20,  25,  30,  40,   50,   60,   80,   100,  125,  150,  200,  250,  300,  400,
+                                    500, 600, 800, 1000, 1250, 1500, 2000, 2500, 3000, 4000, 5000, 6000, 8000, 10'000};
+constexpr double kFirstMapReachUm = 500;
+
+QSlider* sliderTo(int least, int most, const char* name, const QString& tip) {
+    auto* slider = new QSlider(Qt::Horizontal);
+    slider->setRange(least, most);
+    slider->setObjectName(QLatin1String(name));
+    slider->setMaximumWidth(220);
+    slider->setToolTip(tip);
+    return slider;
+}
 
 }  // namespace
 
@@ -29,42 +43,22 @@ ClearancePanel::ClearancePanel(ClearanceModel& locations, RuleModel& rules, cons
       m_summary(new QLabel),
       m_table(new TableView(locations)),
       m_ruleTable(new TableView(rules)),
-      m_lens(new QSlider(Qt::Horizontal)),
+      m_lens(sliderTo(1, kLensSteps, "lensReach", tr("How near copper must come for the lens to highlight it"))),
       m_lensText(new QLabel),
-      m_distances(new ClearanceMapBar(actions)),
+      m_map(sliderTo(0, static_cast<int>(std::size(kMapReachesUm)) - 1, "mapReach",
+                     tr("The map is coloured up to this distance; what is farther is darkened a little"))),
+      m_mapReach(new QLabel),
+      m_mapText(new QLabel),
       m_notes(new QLabel) {
+    m_notes->setObjectName(QStringLiteral("notes"));
     m_notes->setWordWrap(true);
     m_notes->hide();
-    m_what->addItems({tr("Smallest clearances"), tr("Rules")});
-    m_where->addItems(
-        {tr("of the board"), tr("of the current layer"), tr("in the 2D view"), tr("between the two highlighted nets")});
     m_table->makeSortable();
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_ruleTable->horizontalHeader()->setStretchLastSection(true);
-    m_lens->setRange(1, kLensSteps);
-    m_lens->setValue(kLensStart);
-    m_lens->setMaximumWidth(220);
-    m_lens->setToolTip(tr("How near copper must come for the lens to highlight it"));
-
     for (const int column : {RuleModel::Kind, RuleModel::First, RuleModel::Second}) {
         m_ruleTable->setColumnHidden(column, true);  // the title says them
     }
-
-    QToolBar* tools = toolBar(
-        {&actions[ActionId::SearchClearances], &actions[ActionId::ExportClearances], &actions[ActionId::EditRules]});
-    m_openRules = tools->addAction(tr("Open rules…"), this, &ClearancePanel::rulesAsked);
-    m_saveRules = tools->addAction(tr("Save rules…"), this, &ClearancePanel::rulesSaved);
-    m_summary->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    auto* row = new QHBoxLayout;
-    row->addWidget(m_what);
-    row->addWidget(m_where);
-    row->addWidget(tools, 3);
-    row->addWidget(m_summary, 2);
-    auto* lenses = new QHBoxLayout;
-    lenses->addWidget(toolButton(actions[ActionId::Lens]));
-    lenses->addWidget(m_lens, 1);
-    lenses->addWidget(m_lensText, 1);
-    lenses->addWidget(m_distances, 3);
     auto* tables = new QSplitter;
     tables->addWidget(m_ruleTable);
     tables->addWidget(m_table);
@@ -72,8 +66,8 @@ ClearancePanel::ClearancePanel(ClearanceModel& locations, RuleModel& rules, cons
     tables->setStretchFactor(1, 3);
     tables->setChildrenCollapsible(false);
     auto* all = columnIn(*this, 4);
-    all->addLayout(row);
-    all->addLayout(lenses);
+    all->addLayout(searchRow(actions));
+    all->addLayout(sliderRow(actions));
     all->addWidget(tables, 1);
     all->addWidget(m_notes);
 
@@ -83,9 +77,49 @@ ClearancePanel::ClearancePanel(ClearanceModel& locations, RuleModel& rules, cons
     connect(&locations, &QAbstractItemModel::modelReset, this, &ClearancePanel::onReset);
     connect(&rules, &QAbstractItemModel::dataChanged, m_ruleTable, &QTableView::resizeColumnsToContents);
     connect(&rules, &QAbstractItemModel::modelReset, m_ruleTable, &QTableView::resizeColumnsToContents);
-    connect(m_lens, &QSlider::valueChanged, this, [this] { emit lensMoved(lensReach()); });
     onWhat();
     onReset();
+    onMapReach();
+}
+
+QLayout* ClearancePanel::searchRow(const ActionSet& actions) {
+    m_what->addItems({tr("Smallest clearances"), tr("Rules")});
+    m_what->setObjectName(QStringLiteral("what"));
+    m_where->addItems(
+        {tr("of the board"), tr("of the current layer"), tr("in the 2D view"), tr("between the two highlighted nets")});
+    m_where->setObjectName(QStringLiteral("where"));
+    QToolBar* tools = toolBar(
+        {&actions[ActionId::SearchClearances], &actions[ActionId::ExportClearances], &actions[ActionId::EditRules]});
+    m_openRules = tools->addAction(tr("Open rules…"), this, &ClearancePanel::rulesAsked);
+    m_saveRules = tools->addAction(tr("Save rules…"), this, &ClearancePanel::rulesSaved);
+    m_summary->setObjectName(QStringLiteral("summary"));
+    m_summary->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_what);
+    row->addWidget(m_where);
+    row->addWidget(tools, 3);
+    row->addWidget(m_summary, 2);
+    return row;
+}
+
+QLayout* ClearancePanel::sliderRow(const ActionSet& actions) {
+    m_lens->setValue(kLensStart);
+    m_map->setPageStep(3);
+    m_map->setValue(static_cast<int>(std::ranges::find(kMapReachesUm, kFirstMapReachUm) - std::begin(kMapReachesUm)));
+    m_mapText->setObjectName(QStringLiteral("map"));
+    auto* map = new QHBoxLayout;
+    map->addWidget(toolButton(actions[ActionId::ClearanceMap]));
+    map->addWidget(m_map, 1);
+    map->addWidget(m_mapReach);
+    map->addWidget(m_mapText, 1);
+    auto* row = new QHBoxLayout;
+    row->addWidget(toolButton(actions[ActionId::Lens]));
+    row->addWidget(m_lens, 1);
+    row->addWidget(m_lensText, 1);
+    row->addLayout(map, 3);
+    connect(m_lens, &QSlider::valueChanged, this, [this] { emit lensMoved(lensReach()); });
+    connect(m_map, &QSlider::valueChanged, this, &ClearancePanel::onMapReach);
+    return row;
 }
 
 ClearancePanel::What ClearancePanel::what() const {
@@ -96,12 +130,24 @@ ClearancePanel::Where ClearancePanel::where() const {
     return static_cast<Where>(m_where->currentIndex());
 }
 
+void ClearancePanel::showRules() {
+    m_what->setCurrentIndex(static_cast<int>(What::Rules));
+}
+
 double ClearancePanel::lensReach() const {
     return m_lens->value() * kLensStepNm;
 }
 
+double ClearancePanel::mapReach() const {
+    return kMapReachesUm[m_map->value()] * base::kNmPerUm;
+}
+
 void ClearancePanel::showLens(const QString& text) {
     m_lensText->setText(text);
+}
+
+void ClearancePanel::showMap(const QString& text) {
+    m_mapText->setText(text);
 }
 
 void ClearancePanel::setNotes(const QString& notes) {
@@ -109,16 +155,9 @@ void ClearancePanel::setNotes(const QString& notes) {
     m_notes->setVisible(!notes.isEmpty());
 }
 
-QString ClearancePanel::notes() const {
-    return m_notes->text();
-}
-
-QString ClearancePanel::summary() const {
-    return m_summary->text();
-}
-
 void ClearancePanel::setUnit(LengthUnit unit) {
-    m_distances->setUnit(unit);
+    m_unit = unit;
+    m_mapReach->setText(lengthText(mapReach(), unit));
     m_summary->setText(m_locations.summary());
     m_table->resizeColumnsToContents();
 }
@@ -136,6 +175,11 @@ void ClearancePanel::onReset() {
     m_summary->setText(m_locations.summary());
     m_table->setColumnHidden(ClearanceModel::Rule, what() == What::Smallest);
     m_table->resizeColumnsToContents();
+}
+
+void ClearancePanel::onMapReach() {
+    m_mapReach->setText(lengthText(mapReach(), m_unit));
+    emit mapReachChanged(mapReach());
 }
 
 }  // namespace ui

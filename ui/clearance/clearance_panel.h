@@ -2,13 +2,13 @@
 
 #include <QWidget>
 
-#include "ui/clearance/clearance_map_bar.h"
 #include "ui/clearance/clearance_model.h"
 #include "ui/clearance/rule_model.h"
 
 class QAction;
 class QComboBox;
 class QLabel;
+class QLayout;
 class QSlider;
 
 namespace ui {
@@ -29,34 +29,35 @@ public:
 
     [[nodiscard]] What what() const;
     [[nodiscard]] Where where() const;
+    void showRules();
     void setUnit(LengthUnit unit);
-    /// How far the lens reaches, nm.
+    /// How far the lens reaches, and the end of the map's colours, nm.
     [[nodiscard]] double lensReach() const;
+    [[nodiscard]] double mapReach() const;
     /// What was not measured, in plain words; empty ones take no room.
     void setNotes(const QString& notes);
-    [[nodiscard]] QString notes() const;
-    /// What the lens shows, beside its slider.
+    /// What the lens and the map show, beside their sliders.
     void showLens(const QString& text);
+    void showMap(const QString& text);
 
     [[nodiscard]] TableView& table() { return *m_table; }
-    [[nodiscard]] TableView& ruleTable() { return *m_ruleTable; }
-    [[nodiscard]] QComboBox& whatBox() { return *m_what; }
-    [[nodiscard]] QComboBox& whereBox() { return *m_where; }
-    [[nodiscard]] QSlider& lensSlider() { return *m_lens; }
-    [[nodiscard]] ClearanceMapBar& distances() { return *m_distances; }
-    [[nodiscard]] QString summary() const;
 
 signals:
     void chosen(const ClearanceModel::Location& location);
     void lensMoved(double nm);
+    void mapReachChanged(double nm);
     void rulesAsked();
     void rulesSaved();
 
 private:
+    [[nodiscard]] QLayout* searchRow(const ActionSet& actions);
+    [[nodiscard]] QLayout* sliderRow(const ActionSet& actions);
     void onReset();
     void onWhat();
+    void onMapReach();
 
     ClearanceModel& m_locations;
+    LengthUnit m_unit = LengthUnit::Millimetre;
     QComboBox* m_what;
     QComboBox* m_where;
     QLabel* m_summary;
@@ -66,7 +67,9 @@ private:
     QAction* m_saveRules;
     QSlider* m_lens;
     QLabel* m_lensText;
-    ClearanceMapBar* m_distances;
+    QSlider* m_map;
+    QLabel* m_mapReach;
+    QLabel* m_mapText;
     QLabel* m_notes;
 };
 

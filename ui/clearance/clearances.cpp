@@ -1,6 +1,5 @@
 #include "ui/clearance/clearances.h"
 
-#include <QComboBox>
 #include <algorithm>
 #include <limits>
 
@@ -8,6 +7,7 @@
 #include "ui/clearance/rule_dialog.h"
 #include "ui/common/paths.h"
 #include "ui/common/table_view.h"
+#include "ui/common/texts.h"
 #include "ui/layers/layer_model.h"
 #include "ui/views/position_readout.h"
 #include "ui/workspace/session_part.h"
@@ -38,11 +38,10 @@ Clearances::Clearances(FeatureContext& context)
     context.addPanel(
         {ActionId::ShowClearanceDock, "clearances", tr("Clearances"), Qt::BottomDockWidgetArea, "messages", 0},
         *m_panel);
-    m_workspace.watch(m_checker.background(), [] { return tr("Clearances"); });
+    m_workspace.watch(m_search.background(), [] { return tr("Clearances"); });
     connect(&m_workspace, &Workspace::boardOpened, this, &Clearances::setBoard);
     connect(&m_workspace, &Workspace::unitChanged, this, &Clearances::setUnit);
-    connect(&m_checker, &ClearanceChecker::found, this, &Clearances::take);
-    connect(&m_checker, &ClearanceChecker::failed, &m_workspace, &Workspace::errorReported);
+    connect(&m_search.background(), &Background::finished, this, &Clearances::take);
     connect(&m_rules, &RuleModel::edited, this, &Clearances::remember);
     connect(&m_rules, &RuleModel::refused, &m_workspace, &Workspace::errorReported);
     connect(&m_selection, &SelectionModel::selectionChanged, this, [this] {
@@ -92,11 +91,10 @@ void Clearances::connectPanel(FeatureContext& context) {
     connect(m_panel, &ClearancePanel::lensMoved, &m_lens, &Lens::setReach);
     connect(&m_lens, &Lens::reported, m_panel, &ClearancePanel::showLens);
     m_lens.setReach(m_panel->lensReach());
-    ClearanceMapBar& bar = m_panel->distances();
     m_distances.setLayer([this] { return mappedLayer(); });
-    m_distances.setReach(bar.reach());
-    connect(&bar, &ClearanceMapBar::reachChanged, &m_distances, &ClearanceMapOverlay::setReach);
-    connect(&m_distances, &ClearanceMapOverlay::reported, &bar, &ClearanceMapBar::showText);
+    m_distances.setReach(m_panel->mapReach());
+    connect(m_panel, &ClearancePanel::mapReachChanged, &m_distances, &ClearanceMapOverlay::setReach);
+    connect(&m_distances, &ClearanceMapOverlay::reported, m_panel, &ClearancePanel::showMap);
     // The views take their styles from the same signal, before the map looks at them in a moment.
     connect(&context.layers, &LayerModel::stylesChanged, &m_distances, &ClearanceMapOverlay::refresh);
     context.position.setNote([this](base::PointD at) { return m_distances.textAt(at); });
@@ -162,26 +160,34 @@ std::optional<ClearanceRequest> Clearances::request() {
 
 void Clearances::search() {
     m_workspace.cancelLoading();
-    if (std::optional<ClearanceRequest> wanted = request()) {
-        m_checker.start(m_workspace.board()->document, std::move(*wanted));
+    std::optional<ClearanceRequest> wanted = request();
+    if (!wanted) {
+        return;
     }
+    m_searched = m_workspace.board()->document;
+    m_wanted = std::move(*wanted);
+    m_search.run([board = m_searched,
+                  request = m_wanted](base::Progress& progress) { return searchClearances(*board, request, progress); },
+                 tr("Measuring clearances"), tr("There is not enough memory to measure clearances"));
 }
 
-void Clearances::take(const std::shared_ptr<const model::Document>& board, const ClearanceRequest& request,
-                      const ClearanceResult& result) {
+void Clearances::take() {
+    base::Result<ClearanceResult> result = m_search.take();
+    if (!result) {
+        m_workspace.reportError(QString::fromStdString(result.error().text));
+        return;
+    }
     endShowing();
-    m_requested = request;
-    m_result = result;
-    m_locations.setSpacings(board, spacingsOf(result), request.isOfRules ? request.rules : model::RuleTable{});
-    if (request.isOfRules && m_rules.rules() == request.rules) {
-        m_rules.setCounts(countsOf(result));
+    m_requested = m_wanted;
+    m_result = std::move(*result);
+    m_locations.setSpacings(m_searched, spacingsOf(m_result), m_wanted.isOfRules ? m_wanted.rules : model::RuleTable{});
+    if (m_wanted.isOfRules && m_rules.rules() == m_wanted.rules) {
+        m_rules.setCounts(countsOf(m_result));
     }
-    QStringList words{m_locations.summary()};
-    for (const std::string& note : result.notes) {
-        words += QString::fromStdString(note);
-    }
-    m_panel->setNotes(words.mid(1).join('\n'));
-    m_workspace.report(tr("Clearances: %1").arg(words.join(QStringLiteral("; "))));
+    const QStringList notes = textsOf(m_result.notes);
+    m_panel->setNotes(notes.join('\n'));
+    m_workspace.report(
+        tr("Clearances: %1").arg((QStringList{m_locations.summary()} + notes).join(QStringLiteral("; "))));
 }
 
 void Clearances::step(int by) {
@@ -228,12 +234,12 @@ void Clearances::endShowing() {
 
 void Clearances::remember(const model::RuleTable& before) {
     if (!(before == m_rules.rules())) {
-        m_workspace.history().push(new UndoStep<model::RuleTable>(tr("the rules"), before, m_rules.rules(),
-                                                                  [this](const model::RuleTable& rules) {
-                                                                      if (!(m_rules.rules() == rules)) {
-                                                                          m_rules.setRules(rules);
-                                                                      }
-                                                                  }));
+        const auto apply = [this](const model::RuleTable& rules) {
+            if (!(m_rules.rules() == rules)) {
+                m_rules.setRules(rules);
+            }
+        };
+        m_workspace.history().push(new UndoStep<model::RuleTable>(tr("the rules"), before, m_rules.rules(), apply));
     }
 }
 
@@ -249,7 +255,7 @@ void Clearances::editRules(QWidget& parent) {
     connect(dialog, &QDialog::accepted, this, [this, dialog] {
         const model::RuleTable before = m_rules.rules();
         m_rules.setRules(dialog->rules().rules());
-        m_panel->whatBox().setCurrentIndex(static_cast<int>(ClearancePanel::What::Rules));
+        m_panel->showRules();
         remember(before);
     });
     dialog->open();
@@ -269,12 +275,9 @@ base::Status Clearances::exportReport(const QString& path) const {
 }
 
 base::Status Clearances::openRules(const QString& path) {
-    base::Result<model::RuleTable> rules = model::readRules(toPath(path));
-    if (!rules) {
-        return rules.error();
-    }
+    ASSIGN_OR_RETURN(model::RuleTable rules, model::readRules(toPath(path)));
     const model::RuleTable before = m_rules.rules();
-    m_rules.setRules(std::move(*rules));
+    m_rules.setRules(std::move(rules));
     remember(before);
     return base::Done{};
 }

@@ -2,12 +2,13 @@
 
 #include <QObject>
 
-#include "ui/clearance/clearance_checker.h"
 #include "ui/clearance/clearance_map_overlay.h"
 #include "ui/clearance/clearance_panel.h"
+#include "ui/clearance/clearance_search.h"
 #include "ui/clearance/lens.h"
 #include "ui/views/plan_painter.h"
 #include "ui/views/probing.h"
+#include "ui/workspace/background_result.h"
 #include "ui/workspace/feature.h"
 
 namespace ui {
@@ -43,8 +44,7 @@ private:
     void editRules(QWidget& parent);
     /// None if there is nothing to search for; that was reported.
     [[nodiscard]] std::optional<ClearanceRequest> request();
-    void take(const std::shared_ptr<const model::Document>& board, const ClearanceRequest& request,
-              const ClearanceResult& result);
+    void take();
     /// Until something else is selected.
     void show(const ClearanceModel::Location& location);
     void endShowing();
@@ -59,11 +59,13 @@ private:
     const PlanPainter& m_plan;
     ClearanceModel m_locations;
     RuleModel m_rules;
-    ClearanceChecker m_checker;
+    BackgroundResult<ClearanceResult> m_search;
+    std::shared_ptr<const model::Document> m_searched;  ///< the board that is or was searched, and what for
+    ClearanceRequest m_wanted;
     Lens m_lens;
     ClearanceMapOverlay m_distances;
     ClearancePanel* m_panel;
-    std::optional<ClearanceRequest> m_requested;  ///< what was searched for last, and what was found
+    std::optional<ClearanceRequest> m_requested;  ///< what was found last, and how it was asked for
     ClearanceResult m_result;
     bool m_isShowing = false;
     std::vector<model::BoardElement> m_sides;  ///< of what is shown, as they are selected

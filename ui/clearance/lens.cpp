@@ -26,7 +26,6 @@ Lens::Lens(BoardViews& views, Workspace& workspace, QObject* parent)
 void Lens::setBoard(const LoadedBoard& board) {
     m_search.cancel();
     m_board = board.document;
-    m_position.origin = board.model->origin;
     m_near.clear();
     search();
 }
@@ -45,11 +44,10 @@ void Lens::search() {
     m_search.cancel();
     m_near.clear();
     m_trouble.clear();
-    if (!m_isOn || !m_board) {
-        apply();
-        return;
+    std::vector<model::ElementId> elements;
+    if (m_isOn && m_board) {
+        elements = m_selection.ownElements();  // copies have no neighbours beyond their step
     }
-    std::vector<model::ElementId> elements = m_selection.ownElements();  // copies have no neighbours beyond their step
     if (elements.empty()) {
         apply();
         return;
@@ -102,11 +100,10 @@ void Lens::tell() {
 
 void Lens::paint(QPainter& painter) const {
     painter.setPen(QPen(kSpacingColour, kSpacingPixels, Qt::SolidLine, Qt::RoundCap));
-    const CameraController& controller = m_views.flat().controller();
-    const QRectF canvas(QPointF(), controller.viewport());
+    const QRectF canvas(QPointF(), m_views.flat().controller().viewport());
     for (const model::Nearby& near : highlighted().first(std::min(kMostSpacings, m_highlightedCount))) {
-        const auto from = controller.screenOf(m_position.toModel(near.spacing.from));
-        const auto to = controller.screenOf(m_position.toModel(near.spacing.to));
+        const auto from = m_views.flat().screenOf(near.spacing.from);
+        const auto to = m_views.flat().screenOf(near.spacing.to);
         if (!from || !to || !(canvas.contains(*from) || canvas.contains(*to))) {
             continue;
         }

@@ -48,7 +48,6 @@ private:
     SelectionModel& m_selection;
     BackgroundResult<std::vector<model::Nearby>> m_search;
     std::shared_ptr<const model::Document> m_board;
-    BoardPosition m_position;
     QString m_trouble;  ///< why the last search found nothing, if it failed
     std::vector<model::Nearby> m_near;
     std::size_t m_highlightedCount = 0;

@@ -1,8 +1,9 @@
 #include "ui/clearance/net_class_model.h"
 
-#include <QStringList>
 #include <algorithm>
 #include <utility>
+
+#include "ui/common/texts.h"
 
 namespace ui {
 
@@ -11,11 +12,7 @@ namespace {
 constexpr int kMostNamesInTip = 20;
 
 QString textOf(const std::vector<std::string>& patterns) {
-    QStringList words;
-    for (const std::string& pattern : patterns) {
-        words += QString::fromStdString(pattern);
-    }
-    return words.join(QStringLiteral(", "));
+    return textsOf(patterns).join(QStringLiteral(", "));
 }
 
 std::vector<std::string> patternsOf(const QString& text) {
@@ -38,10 +35,6 @@ NetClassModel::NetClassModel(RuleModel& rules, std::vector<std::string> nets, QO
           parent),
       m_rules(rules),
       m_nets(std::move(nets)) {}
-
-const model::NetClass& NetClassModel::classOf(int row) const {
-    return m_rules.rules().classes[static_cast<std::size_t>(row)];
-}
 
 std::vector<std::string> NetClassModel::netsOf(const model::NetClass& netClass) const {
     std::vector<std::string> fitting;

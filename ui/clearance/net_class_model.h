@@ -27,7 +27,9 @@ private:
     [[nodiscard]] QString tip(int row, int column) const override;
     /// Patterns stand between commas.
     bool edit(int row, int column, const QVariant& value) override;
-    [[nodiscard]] const model::NetClass& classOf(int row) const;
+    [[nodiscard]] const model::NetClass& classOf(int row) const {
+        return m_rules.rules().classes[static_cast<std::size_t>(row)];
+    }
     [[nodiscard]] std::vector<std::string> netsOf(const model::NetClass& netClass) const;
 
     RuleModel& m_rules;

@@ -89,10 +89,6 @@ QWidget* RuleDialog::classesBox() {
         {{tr("Add &class"), [this] { addClass(); }}, {tr("R&emove class"), [this] { removeClass(); }}});
 }
 
-QString RuleDialog::hint() const {
-    return m_hint->text();
-}
-
 void RuleDialog::addRule() {
     m_rules.addRule();
     m_ruleTable->setCurrentIndex(m_rules.index(m_rules.rowCount() - 1, RuleModel::Kind));

@@ -21,11 +21,6 @@ public:
                QWidget* parent = nullptr);
 
     [[nodiscard]] RuleModel& rules() { return m_rules; }
-    [[nodiscard]] NetClassModel& classes() { return m_classes; }
-    [[nodiscard]] TableView& ruleTable() { return *m_ruleTable; }
-    [[nodiscard]] TableView& classTable() { return *m_classTable; }
-    /// Why the last edit was refused; empty if it was not.
-    [[nodiscard]] QString hint() const;
 
 private:
     QWidget* rulesBox();
@@ -40,7 +35,7 @@ private:
     NetClassModel m_classes;
     TableView* m_ruleTable;
     TableView* m_classTable;
-    QLabel* m_hint;
+    QLabel* m_hint;  ///< why the last edit was refused; empty if it was not
 };
 
 }  // namespace ui

@@ -3,7 +3,6 @@
 #include <QLocale>
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "model/export/export_text.h"
 
@@ -27,14 +26,10 @@ const Unit& of(LengthUnit unit) {
 /// Without zeros at the end.
 QString shortest(double value, int digits) {
     QString text = QString::fromStdString(model::fixedText(value, digits));
-    while (text.contains('.') && (text.endsWith('0') || text.endsWith('.'))) {
-        const bool wasPoint = text.endsWith('.');
+    while (text.contains('.') && text.endsWith('0')) {
         text.chop(1);
-        if (wasPoint) {
-            break;
-        }
     }
-    return text;
+    return text.endsWith('.') ? text.chopped(1) : text;
 }
 
 }  // namespace

@@ -35,6 +35,14 @@ QLineEdit* filterEdit(SortedRows& rows, const QString& hint) {
     return line;
 }
 
+QWidget* panelOf(QLayout* controls, QWidget* below, int margin) {
+    auto* panel = new QWidget;
+    auto* column = columnIn(*panel, margin);
+    column->addLayout(controls);
+    column->addWidget(below);
+    return panel;
+}
+
 QVBoxLayout* columnIn(QWidget& panel, int margin) {
     auto* column = new QVBoxLayout(&panel);
     column->setContentsMargins(margin, margin, margin, margin);

@@ -29,6 +29,8 @@ template <class Run>
 [[nodiscard]] QToolBar* toolBar(std::initializer_list<QAction*> actions);
 /// A line that filters rows by words.
 [[nodiscard]] QLineEdit* filterEdit(SortedRows& rows, const QString& hint);
+/// A panel of controls above a table or drawing.
+[[nodiscard]] QWidget* panelOf(QLayout* controls, QWidget* below, int margin = 2);
 /// The layout of a panel, one above the other with little room between.
 QVBoxLayout* columnIn(QWidget& panel, int margin = 2);
 

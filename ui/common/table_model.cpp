@@ -25,14 +25,6 @@ void TableModel::setUnit(LengthUnit unit) {
     announceChange();
 }
 
-int TableModel::rankOf(int) const {
-    return 0;
-}
-
-bool TableModel::isTotal(int) const {
-    return false;
-}
-
 QString TableModel::searchText(int row) const {
     QStringList texts;
     for (int column = 0; column < columnCount(); ++column) {
@@ -111,26 +103,10 @@ bool TableModel::setData(const QModelIndex& index, const QVariant& value, int ro
            edit(index.row(), index.column(), value);
 }
 
-QString TableModel::tip(int, int) const {
-    return {};
-}
-
-bool TableModel::edit(int, int, const QVariant&) {
-    return false;
-}
-
-bool TableModel::check(int, int, bool) {
-    return false;
-}
-
 void TableModel::announceChange() {
     if (rowCount() > 0) {
         emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
     }
-}
-
-Cell TableModel::length(double nm) const {
-    return {lengthText(nm, m_unit), nm / nmPer(m_unit)};
 }
 
 Cell TableModel::area(double nm2) const {
@@ -139,10 +115,6 @@ Cell TableModel::area(double nm2) const {
 
 Cell TableModel::count(qulonglong number) {
     return {QLocale().toString(number), number};
-}
-
-Cell TableModel::text(const std::string& utf8) {
-    return {QString::fromStdString(utf8)};
 }
 
 QFont TableModel::boldFont() {

@@ -50,9 +50,9 @@ public:
     void setUnit(LengthUnit unit);
 
     /// Rows of a lower rank can be filtered out.
-    [[nodiscard]] virtual int rankOf(int row) const;
+    [[nodiscard]] virtual int rankOf(int /*row*/) const { return 0; }
     /// A row of totals, which is last however the table is sorted.
-    [[nodiscard]] virtual bool isTotal(int row) const;
+    [[nodiscard]] virtual bool isTotal(int /*row*/) const { return false; }
     /// What a filter looks for words in.
     [[nodiscard]] virtual QString searchText(int row) const;
 
@@ -66,10 +66,10 @@ public:
 protected:
     [[nodiscard]] virtual int rows() const = 0;
     [[nodiscard]] virtual Cell cell(int row, int column) const = 0;
-    [[nodiscard]] virtual QString tip(int row, int column) const;
+    [[nodiscard]] virtual QString tip(int /*row*/, int /*column*/) const { return {}; }
     /// Of cells with the trait; false if it cannot be.
-    virtual bool edit(int row, int column, const QVariant& value);
-    virtual bool check(int row, int column, bool isChecked);
+    virtual bool edit(int /*row*/, int /*column*/, const QVariant& /*value*/) { return false; }
+    virtual bool check(int /*row*/, int /*column*/, bool /*isChecked*/) { return false; }
 
     /// All cells may show something else.
     void announceChange();
@@ -86,11 +86,11 @@ protected:
 
     [[nodiscard]] LengthUnit unit() const { return m_unit; }
     /// In the user's unit.
-    [[nodiscard]] Cell length(double nm) const;
+    [[nodiscard]] Cell length(double nm) const { return {lengthText(nm, m_unit), nm / nmPer(m_unit)}; }
     [[nodiscard]] Cell area(double nm2) const;  ///< its value is in mm²
     /// Grouped for reading.
     [[nodiscard]] static Cell count(qulonglong number);
-    [[nodiscard]] static Cell text(const std::string& utf8);
+    [[nodiscard]] static Cell text(const std::string& utf8) { return {QString::fromStdString(utf8)}; }
     [[nodiscard]] static QFont boldFont();
 
 private:

@@ -31,11 +31,8 @@ std::optional<ElementPanel::Link> linkOf(const QString& fact) {
 }  // namespace
 
 ElementPanel::ElementPanel(SelectionModel& selection, ElementPicture* picture, QWidget* parent)
-    : QWidget(parent),
-      m_selection(selection),
-      m_heading(new QLabel),
-      m_picture(picture),
-      m_table(new QTableWidget(0, 2)) {
+    : QWidget(parent), m_selection(selection), m_heading(new QLabel), m_table(new QTableWidget(0, 2)) {
+    m_heading->setObjectName(QStringLiteral("elementHeading"));
     m_heading->setWordWrap(true);
     m_table->horizontalHeader()->hide();
     m_table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
@@ -62,7 +59,7 @@ ElementPanel::ElementPanel(SelectionModel& selection, ElementPicture* picture, Q
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(2, 2, 2, 2);
     layout->addWidget(m_heading);
-    layout->addWidget(m_picture);
+    layout->addWidget(picture);
     layout->addWidget(m_table);
     connect(&selection, &SelectionModel::selectionChanged, this, &ElementPanel::update);
     update();
@@ -115,19 +112,6 @@ bool ElementPanel::eventFilter(QObject* watched, QEvent* event) {
         }
     }
     return QWidget::eventFilter(watched, event);
-}
-
-QString ElementPanel::fact(const QString& name) const {
-    for (int row = 0; row < m_table->rowCount(); ++row) {
-        if (m_table->item(row, 0)->text() == name) {
-            return m_table->item(row, 1)->text();
-        }
-    }
-    return {};
-}
-
-QString ElementPanel::heading() const {
-    return m_heading->text();
 }
 
 }  // namespace ui

@@ -24,11 +24,6 @@ public:
     ElementPanel(SelectionModel& selection, ElementPicture* picture, QWidget* parent = nullptr);
 
     void setUnit(LengthUnit unit);
-    /// Empty when there is no such line.
-    [[nodiscard]] QString fact(const QString& name) const;
-    [[nodiscard]] QString heading() const;
-    [[nodiscard]] QTableWidget& table() { return *m_table; }
-    [[nodiscard]] ElementPicture& picture() { return *m_picture; }
 
     enum class Link { Layer, Net, Pin, Component };
 
@@ -47,7 +42,6 @@ private:
     SelectionModel& m_selection;
     LengthUnit m_unit = LengthUnit::Millimetre;
     QLabel* m_heading;
-    ElementPicture* m_picture;
     QTableWidget* m_table;
 };
 

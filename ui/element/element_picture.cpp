@@ -47,10 +47,6 @@ ElementPicture::ElementPicture(GpuContext& context, SelectionModel& selection, L
     setStale();
 }
 
-void ElementPicture::releaseDevice() {
-    m_presenter.reset();
-}
-
 QSize ElementPicture::sizeHint() const {
     return {2 * kWidth + kGap, kHeight};
 }

@@ -27,7 +27,7 @@ public:
     ElementPicture(GpuContext& context, SelectionModel& selection, LayerModel& layers, QWidget* parent = nullptr);
 
     /// Gives up what was made from the device, before it is renewed.
-    void releaseDevice();
+    void releaseDevice() { m_presenter.reset(); }
 
     enum View { Flat, Solid, ViewCount };
     /// Null where nothing is, could be, or has yet been drawn.

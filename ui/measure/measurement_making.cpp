@@ -1,6 +1,5 @@
 #include "ui/measure/measurement_making.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "model/measure/separation.h"
@@ -85,20 +84,17 @@ Measurement pointToPoint(const BoardIndex& index, const Caught& from, const Caug
 
 base::Result<Measurement> edgeToEdge(const BoardIndex& index, BoardElement a, BoardElement b) {
     base::Progress progress;
-    const auto separation = model::separationOf(index, a, b, progress);
-    if (!separation) {
-        return separation.error();
-    }
-    const model::PieceDistance* nearest = separation->main();
+    ASSIGN_OR_RETURN(const model::Separation separation, model::separationOf(index, a, b, progress));
+    const model::PieceDistance* nearest = separation.main();
     if (nearest == nullptr) {
-        return noNumber(separation->notes.front());
+        return noNumber(separation.notes.front());
     }
     Measurement measurement = measurementOf(index, MeasurementKind::Clearance,
                                             edgeOf(nearest->spacing.from, nearest->from.layer, nearest->from.at),
                                             edgeOf(nearest->spacing.to, nearest->to.layer, nearest->to.at));
     measurement.dz = nearest->dz;
     measurement.overlap = nearest->relation == model::Relation::Overlapping ? nearest->overlap : 0.0;
-    measurement.notes = separation->notes;
+    measurement.notes = separation.notes;
     return measurement;
 }
 

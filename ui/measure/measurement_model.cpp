@@ -1,5 +1,7 @@
 #include "ui/measure/measurement_model.h"
 
+#include "ui/common/texts.h"
+
 namespace ui {
 
 using model::Measurement;
@@ -55,14 +57,6 @@ QStringList partsText(const Measurement& measurement, LengthUnit unit) {
     return parts;
 }
 
-QStringList notesText(const Measurement& measurement) {
-    QStringList notes;
-    for (const std::string& note : measurement.notes) {
-        notes += QString::fromStdString(note);
-    }
-    return notes;
-}
-
 QString layersText(const Measurement& measurement) {
     return pairText(measurement.from.layer, measurement.to.layer, MeasurementModel::tr("no layer"));
 }
@@ -100,7 +94,7 @@ QString MeasurementModel::textOf(const Measurement& measurement, int column) con
 
 QString MeasurementModel::detailsOf(const Measurement& measurement) const {
     const QStringList parts = hasDeltas(measurement) ? QStringList() : partsText(measurement, unit());
-    return (parts + notesText(measurement)).join(QStringLiteral("; "));
+    return (parts + textsOf(measurement.notes)).join(QStringLiteral("; "));
 }
 
 Cell MeasurementModel::cell(int row, int column) const {
@@ -118,7 +112,7 @@ QString MeasurementModel::tip(int row, int) const {
         tr("%1: %2, from %3 to %4")
             .arg(textOf(measurement, Name), textOf(measurement, Kind), QString::fromStdString(measurement.from.snap),
                  QString::fromStdString(measurement.to.snap));
-    return (QStringList{ends, textOf(measurement, Value)} + partsText(measurement, unit()) + notesText(measurement))
+    return (QStringList{ends, textOf(measurement, Value)} + partsText(measurement, unit()) + textsOf(measurement.notes))
         .join('\n');
 }
 

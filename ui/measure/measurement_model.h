@@ -16,7 +16,6 @@ namespace ui {
 /// "TOP – BOTTOM", or one name if both ends are on one layer.
 [[nodiscard]] QString layersText(const model::Measurement& measurement);
 [[nodiscard]] QString netsText(const model::Measurement& measurement);
-[[nodiscard]] QStringList notesText(const model::Measurement& measurement);
 
 /// What the user has measured, in the order it was measured. The box before a name says whether it is drawn. Names and
 /// boxes can be edited; whoever listens sets the changed list.

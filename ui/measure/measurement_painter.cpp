@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ui/common/texts.h"
 #include "ui/measure/measurement_model.h"
 
 namespace ui {
@@ -59,8 +60,8 @@ QPainterPath markOf(SnapKind kind) {
 
 }  // namespace
 
-DrawnHeights::DrawnHeights(const BoardView& view, BoardPosition location, const model::Document& document)
-    : m_position(location),
+DrawnHeights::DrawnHeights(const BoardView& view, const model::Document& document)
+    : m_position(view.position()),
       m_document(document),
       m_heights(view.drawnHeights()),
       m_isFromAbove(view.controller().camera().direction().z < 0.0F) {}
@@ -74,9 +75,8 @@ glm::vec3 DrawnHeights::at(base::PointD nm, const std::string& layer) const {
     return at;
 }
 
-MeasurementPainter::MeasurementPainter(QPainter& painter, const BoardView& view, BoardPosition location,
-                                       const model::Document& document)
-    : m_painter(painter), m_view(view), m_heights(view, location, document), m_placing(view.controller().viewport()) {}
+MeasurementPainter::MeasurementPainter(QPainter& painter, const BoardView& view, const model::Document& document)
+    : m_painter(painter), m_view(view), m_heights(view, document), m_placing(view.controller().viewport()) {}
 
 std::optional<QPointF> MeasurementPainter::screenOf(base::PointD nm, const std::string& layer) const {
     return m_view.controller().screenOf(m_heights.at(nm, layer));
@@ -104,7 +104,7 @@ void MeasurementPainter::paint(const Measurement& measurement, LengthUnit unit, 
             lines += layersText(measurement);
         }
         lines += netsText(measurement);
-        lines += notesText(measurement);
+        lines += textsOf(measurement.notes);
     }
     m_labels.push_back({lines, *beside});
 }
@@ -132,8 +132,8 @@ std::optional<QPointF> MeasurementPainter::paintAngle(const Measurement& measure
     drawLine({*from, *apex, *to}, kLine);
     const base::PointD u = {measurement.from.x - corner.x, measurement.from.y - corner.y};
     const base::PointD v = {measurement.to.x - corner.x, measurement.to.y - corner.y};
-    const double nmPerPixel = static_cast<double>(m_view.controller().mmPerPixel()) * base::kNmPerMm;
-    const double radius = std::min({std::hypot(u.x, u.y) / 2.0, std::hypot(v.x, v.y) / 2.0, kAngleArc * nmPerPixel});
+    const double radius = std::min(
+        {std::hypot(u.x, u.y) / 2.0, std::hypot(v.x, v.y) / 2.0, kAngleArc * m_view.controller().nmPerPixel()});
     const double sweep = std::atan2(u.x * v.y - u.y * v.x, u.x * v.x + u.y * v.y);
     const QPolygonF arc = arcAround({corner.x, corner.y}, corner.layer, radius, std::atan2(u.y, u.x), sweep);
     drawLine(arc, kLine);

@@ -15,7 +15,7 @@ namespace ui {
 /// Where a view draws locations on layers.
 class DrawnHeights {
 public:
-    DrawnHeights(const BoardView& view, BoardPosition location, const model::Document& document);
+    DrawnHeights(const BoardView& view, const model::Document& document);
 
     /// In mm of the board's model: on the face of the layer that is seen; of no layer on the face of the board.
     [[nodiscard]] glm::vec3 at(base::PointD nm, const std::string& layer) const;
@@ -32,8 +32,7 @@ private:
 /// them. Labels are drawn last, where there is room for them.
 class MeasurementPainter {
 public:
-    MeasurementPainter(QPainter& painter, const BoardView& view, BoardPosition location,
-                       const model::Document& document);
+    MeasurementPainter(QPainter& painter, const BoardView& view, const model::Document& document);
 
     /// With `isFull` also parts, layers, nets and notes.
     void paint(const model::Measurement& measurement, LengthUnit unit, bool isFull);

@@ -1,10 +1,13 @@
 #include "ui/measure/measuring.h"
 
 #include <QGuiApplication>
+#include <QHeaderView>
 #include <QWindow>
 #include <array>
 
-#include "ui/measure/measurements_panel.h"
+#include "ui/common/panel_parts.h"
+#include "ui/common/table_view.h"
+#include "ui/common/texts.h"
 #include "ui/views/board_views.h"
 #include "ui/views/position_readout.h"
 
@@ -77,15 +80,21 @@ Measuring::Measuring(FeatureContext& context)
       m_views(context.views),
       m_probing(context.probing),
       m_readout(context.position),
-      m_saved(context.workspace, this),
+      m_list(this),
+      m_saved(context.workspace, tr("The measurements"), &model::session::Session::measurements,
+              model::session::saveMeasurements,
+              [this](const auto& measurements) {
+                  m_list.setMeasurements(measurements);
+                  m_views.requestOverlay();
+              }),
       m_cursor(context.probing) {
     for (BoardView* view : m_views.both()) {
         watch(*view);
     }
     connectCommands(context);
+    addPanel(context);
     context.escapes.emplace_back([this] { return stepBack(); });
     const auto repaint = [this] { m_views.requestOverlay(); };
-    connect(&m_saved, &SavedMeasurements::changed, this, repaint);
     connect(&m_workspace, &Workspace::unitChanged, this, repaint);
     connect(&m_workspace, &Workspace::boardOpened, this, &Measuring::setBoard);
     connect(&m_workspace, &Workspace::restacked, this, &Measuring::setHeights);
@@ -107,17 +116,50 @@ void Measuring::connectCommands(FeatureContext& context) {
     }
     context.on(ActionId::MeasureSpacing, this, [this] { measureSpacingAtCursor(); });
     context.on(ActionId::ExportMeasurements, this, [this, &context] { exportTable(context); });
-    auto* panel = new MeasurementsPanel(m_saved.list(), context.actions);
+}
+
+void Measuring::addPanel(FeatureContext& context) {
+    connect(&m_workspace, &Workspace::unitChanged, &m_list, &MeasurementModel::setUnit);
+    connect(&m_list, &MeasurementModel::renamed, this,
+            [this](int row, const QString& name) { m_saved.rename(tr("the name of a measurement"), row, name); });
+    connect(&m_list, &MeasurementModel::shownChanged, this, [this](int row, bool isShown) {
+        m_saved.change(isShown ? tr("showing a measurement") : tr("hiding a measurement"), row,
+                       [isShown](Measurement& measurement) { measurement.isShown = isShown; });
+    });
+    auto* table = new TableView(m_list);
+    table->setEditTriggers(QAbstractItemView::EditKeyPressed);
+    table->horizontalHeader()->setStretchLastSection(true);
+    table->fitColumns();
+    QAction& forget = table->addDelete(tr("Delete the selected measurements (Del)"));
+    connect(table, &TableView::deleteRequested, this,
+            [this](const auto& rows) { m_saved.remove(tr("deleting measurements"), rows); });
+    const auto choose = [this](const QModelIndex& index) {
+        if (index.isValid()) {
+            goTo(index.row());
+        }
+    };
+    connect(table, &QTableView::doubleClicked, this, choose);
+    connect(table, &TableView::enterPressed, this, choose);
+    connect(&m_list, &QAbstractItemModel::dataChanged, table, &QTableView::resizeColumnsToContents);
+    const ActionSet& actions = context.actions;
+    QToolBar* tools =
+        toolBar({&actions[ActionId::MeasurePoints], &actions[ActionId::MeasureObjects],
+                 &actions[ActionId::MeasureAngle], &actions[ActionId::MeasureLines], &actions[ActionId::MeasureRadius],
+                 &actions[ActionId::MeasureLength], &actions[ActionId::MeasureSpacing]});
+    tools->addSeparator();
+    tools->addActions({&forget, &actions[ActionId::ExportMeasurements]});
+    auto* panel = new QWidget;
+    auto* column = columnIn(*panel);
+    column->addWidget(tools);
+    column->addWidget(table);
     context.addPanel(
         {ActionId::ShowMeasurementsDock, "measurements", tr("Measurements"), Qt::BottomDockWidgetArea, "messages", 0},
         *panel);
-    connect(panel, &MeasurementsPanel::chosen, this, &Measuring::goTo);
-    connect(panel, &MeasurementsPanel::forgotten, &m_saved, &SavedMeasurements::remove);
 }
 
 void Measuring::exportTable(FeatureContext& context) {
     context.saveFile(tr("Export measurements"), {tr("Tables (*.csv)")}, [this](const QString& path) {
-        return writeFile(path, QByteArray::fromStdString(model::measurementsCsv(m_saved.list().measurements())));
+        return writeFile(path, QByteArray::fromStdString(model::measurementsCsv(m_saved.entries())));
     });
 }
 
@@ -142,7 +184,6 @@ void Measuring::watch(BoardView& view) {
 
 void Measuring::setBoard(const LoadedBoard& board) {
     m_index = board.index;
-    m_position.origin = board.model->origin;
     m_cursor.setBoard(board.index);
     m_hoverView = nullptr;
     m_isLatestFull = false;
@@ -338,18 +379,18 @@ void Measuring::save(const base::Result<Measurement>& measurement) {
         return;
     }
     m_isLatestFull = true;
-    m_saved.add(*measurement);
-    m_workspace.report((QStringList{valueText(*measurement)} + notesText(*measurement)).join(QStringLiteral("; ")));
+    m_saved.add(tr("a measurement"), *measurement, "");
+    m_workspace.report((QStringList{valueText(*measurement)} + textsOf(measurement->notes)).join(QStringLiteral("; ")));
 }
 
 void Measuring::goTo(int row) {
-    const Measurement& measurement = m_saved.list().measurements()[static_cast<std::size_t>(row)];
+    const Measurement& measurement = m_saved.entries()[static_cast<std::size_t>(row)];
     if (!m_index || !m_workspace.isOpen(measurement.step)) {
         m_workspace.report(tr("It was measured in step %1").arg(QString::fromStdString(measurement.step)));
         return;
     }
     for (BoardView* view : m_views.both()) {
-        const DrawnHeights heights(*view, m_position, *m_index->board);
+        const DrawnHeights heights(*view, *m_index->board);
         glm::vec3 low = heights.at(measurement.from);
         glm::vec3 high = low;
         for (const auto& [location, layer] : locationsOf(measurement)) {
@@ -364,8 +405,8 @@ void Measuring::paint(QPainter& painter, const BoardView& view) const {
     if (!m_index) {
         return;
     }
-    MeasurementPainter on(painter, view, m_position, *m_index->board);
-    const auto& measurements = m_saved.list().measurements();
+    MeasurementPainter on(painter, view, *m_index->board);
+    const auto& measurements = m_saved.entries();
     for (std::size_t row = 0; row < measurements.size(); ++row) {
         if (measurements[row].isShown && m_workspace.isOpen(measurements[row].step)) {
             on.paint(measurements[row], m_workspace.unit(), m_isLatestFull && row + 1 == measurements.size());

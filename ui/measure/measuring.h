@@ -4,10 +4,11 @@
 #include <optional>
 
 #include "ui/measure/measurement_making.h"
+#include "ui/measure/measurement_model.h"
 #include "ui/measure/measurement_painter.h"
-#include "ui/measure/saved_measurements.h"
 #include "ui/workspace/background_result.h"
 #include "ui/workspace/feature.h"
+#include "ui/workspace/session_part.h"
 
 namespace ui {
 
@@ -39,6 +40,9 @@ signals:
 
 private:
     void connectCommands(FeatureContext& context);
+    /// The box draws or hides a measurement, F2 renames it, a double click or Enter brings it to the middle, Del
+    /// deletes all selected ones.
+    void addPanel(FeatureContext& context);
     void setBoard(const LoadedBoard& board);
     void setHeights(const LoadedBoard& board);
     void exportTable(FeatureContext& context);
@@ -66,10 +70,10 @@ private:
     BoardViews& m_views;
     Probing& m_probing;
     PositionReadout& m_readout;
-    SavedMeasurements m_saved;
+    MeasurementModel m_list;
+    SavedList<model::Measurement> m_saved;
     MeasuringCursor m_cursor;
     std::shared_ptr<const model::BoardIndex> m_index;
-    BoardPosition m_position;
     Tool m_tool = Tool::None;
     std::vector<Caught> m_clicked;
     std::optional<Caught> m_under;     ///< the cursor, while a tool is in use

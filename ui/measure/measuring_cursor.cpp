@@ -58,7 +58,7 @@ std::optional<Caught> MeasuringCursor::at(const BoardView& view, QPointF positio
 std::optional<MeasuringCursor::Pointed> MeasuringCursor::pointedAt(const BoardView& view, QPointF position,
                                                                    Catch what) {
     const auto [origin, direction] = view.controller().rayAt(position);
-    const BoardPosition location = m_probing.position();
+    const BoardPosition& location = view.position();
     const bool isFlat = view.kind() == BoardView::Kind::Flat;
     const auto seenAt = [&](const model::Hit& hit) {
         // The picker counts its steps in millimetres.
@@ -150,7 +150,7 @@ std::optional<model::BoardElement> MeasuringCursor::emptyAt(const BoardView& vie
     if (!m_index || view.kind() != BoardView::Kind::Flat) {
         return std::nullopt;
     }
-    const base::PointD location = m_probing.position().toJob(view.controller().rayAt(position).origin);
+    const base::PointD location = view.locationAt(position);
     const double reach = reachIn(view);
     const std::vector<model::PickLayer> layers = m_probing.layersOf(view);
     std::optional<model::BoardElement> found;
@@ -177,7 +177,7 @@ std::optional<model::LocalSpacing> MeasuringCursor::spacingAt(const BoardView& v
 }
 
 double MeasuringCursor::reachIn(const BoardView& view) const {
-    return kCatchPixels * static_cast<double>(view.controller().mmPerPixel()) * base::kNmPerMm;
+    return kCatchPixels * view.controller().nmPerPixel();
 }
 
 }  // namespace ui

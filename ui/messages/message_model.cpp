@@ -40,16 +40,8 @@ const model::Diagnostic& MessageModel::message(int row) const {
                                      : m_modelling.entries()[position - readingCount()];
 }
 
-int MessageModel::rankOf(int row) const {
-    return static_cast<int>(message(row).severity);
-}
-
 QString MessageModel::searchText(int row) const {
     return QString::fromStdString(message(row).text) + ' ' + locationText(message(row));
-}
-
-int MessageModel::rows() const {
-    return static_cast<int>(readingCount() + m_modelling.entries().size());
 }
 
 Cell MessageModel::cell(int row, int column) const {

@@ -22,11 +22,11 @@ public:
     /// How many entries have this severity.
     [[nodiscard]] std::size_t count(model::Severity severity) const;
 
-    [[nodiscard]] int rankOf(int row) const override;
+    [[nodiscard]] int rankOf(int row) const override { return static_cast<int>(message(row).severity); }
     [[nodiscard]] QString searchText(int row) const override;
 
 private:
-    [[nodiscard]] int rows() const override;
+    [[nodiscard]] int rows() const override { return static_cast<int>(readingCount() + m_modelling.entries().size()); }
     [[nodiscard]] Cell cell(int row, int column) const override;
     [[nodiscard]] QString tip(int row, int column) const override;
     [[nodiscard]] std::size_t readingCount() const { return m_document ? m_document->diagnostics.entries().size() : 0; }

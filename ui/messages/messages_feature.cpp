@@ -1,19 +1,47 @@
 #include "ui/messages/messages_feature.h"
 
-#include "ui/messages/message_location.h"
+#include <QComboBox>
+#include <QLabel>
+
+#include "render/modelling/board_frame.h"
+#include "render/scene/explosion.h"
+#include "ui/common/panel_parts.h"
+#include "ui/common/sorted_rows.h"
+#include "ui/common/table_view.h"
 #include "ui/messages/message_model.h"
-#include "ui/messages/messages_panel.h"
 #include "ui/views/board_views.h"
 
 namespace ui {
 
 namespace {
 
+/// The part of the board that a message is about, in the renderer's millimetres; nothing for messages about files or
+/// the whole board.
+std::optional<render::Box3> locationOf(const model::Diagnostic& message, const model::Document& document) {
+    const render::BoardFrame frame = render::frameOf(document);
+    model::Box box;
+    float bottom = frame.boxMin.z;
+    float top = frame.boxMax.z;
+    if (message.element.isValid()) {
+        const std::size_t layer = document.elements.layer[message.element.row()].row();
+        box = document.boxOf(message.element);
+        bottom = frame.layerBottomMm[layer];
+        top = frame.layerTopMm[layer];
+    } else if (message.location) {
+        box.include(*message.location);
+    } else {
+        return std::nullopt;
+    }
+    const glm::vec2 low = render::toGpu(base::toDouble(box.min), frame.origin);
+    const glm::vec2 high = render::toGpu(base::toDouble(box.max), frame.origin);
+    return render::Box3{{low, bottom}, {high, top}};
+}
+
 void show(const model::Diagnostic& message, Workspace& workspace, BoardViews& views) {
     const model::Document& document = *workspace.board()->document;
-    const std::optional<render::Box3> location = locationOf(message, document, render::frameOf(document));
+    const std::optional<render::Box3> location = locationOf(message, document);
     if (!location) {
-        workspace.report(MessagesPanel::tr("This message is not about one location on the board"));
+        workspace.report(MessageModel::tr("This message is not about one location on the board"));
         return;
     }
     workspace.selection().select({});
@@ -31,17 +59,42 @@ void show(const model::Diagnostic& message, Workspace& workspace, BoardViews& vi
 void addMessages(FeatureContext& context) {
     Workspace& workspace = context.workspace;
     auto* messages = new MessageModel(&context.window);
-    auto* panel = new MessagesPanel(*messages);
+    QWidget* panel = makeMessagesPanel(
+        *messages, [&context](const model::Diagnostic& message) { show(message, context.workspace, context.views); });
     context.addPanel(
-        {ActionId::ShowMessagesDock, "messages", MessagesPanel::tr("Messages"), Qt::BottomDockWidgetArea, {}, 13},
+        {ActionId::ShowMessagesDock, "messages", MessageModel::tr("Messages"), Qt::BottomDockWidgetArea, {}, 13},
         *panel);
     const auto setBoard = [messages](const LoadedBoard& board) {
         messages->setMessages(board.document, board.model->diagnostics);
     };
     QObject::connect(&workspace, &Workspace::boardRead, messages, setBoard);
     QObject::connect(&workspace, &Workspace::restacked, messages, setBoard);
-    QObject::connect(panel, &MessagesPanel::chosen, &workspace,
-                     [&context](const model::Diagnostic& message) { show(message, context.workspace, context.views); });
+}
+
+QWidget* makeMessagesPanel(MessageModel& model, const std::function<void(const model::Diagnostic&)>& choose) {
+    auto* table = new TableView(model);
+    SortedRows& rows = table->makeSortable();
+    table->sortByColumn(MessageModel::Severity, Qt::DescendingOrder);
+    table->fitColumns(MessageModel::Text);
+    auto* severity = new QComboBox;
+    severity->addItems({MessageModel::tr("Everything"), MessageModel::tr("Warnings and errors"),
+                        MessageModel::tr("Errors only")});  // by least severity
+    QObject::connect(severity, &QComboBox::currentIndexChanged, &rows, &SortedRows::setLeastRank);
+    QObject::connect(table, &TableView::rowChosen, &model, [&model, choose](int row) { choose(model.message(row)); });
+    auto* summary = new QLabel;
+    const auto updateSummary = [&rows, &model, summary] {
+        summary->setText(MessageModel::tr("%1 of %2").arg(rows.rowCount()).arg(model.rowCount()));
+    };
+    for (const auto signal : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved}) {
+        QObject::connect(&rows, signal, summary, updateSummary);
+    }
+    QObject::connect(&rows, &QAbstractItemModel::modelReset, summary, updateSummary);
+    updateSummary();
+    auto* controls = new QHBoxLayout;
+    controls->addWidget(filterEdit(rows, MessageModel::tr("Filter by words of the message or the file")), 1);
+    controls->addWidget(severity);
+    controls->addWidget(summary);
+    return panelOf(controls, table);
 }
 
 }  // namespace ui

@@ -1,12 +1,16 @@
 #include "ui/nets/net_check_feature.h"
 
-#include "ui/nets/net_check_panel.h"
+#include <QLabel>
+
+#include "ui/common/panel_parts.h"
+#include "ui/common/sorted_rows.h"
+#include "ui/common/table_view.h"
 
 namespace ui {
 
 NetCheck::NetCheck(FeatureContext& context) : QObject(&context.window), m_workspace(context.workspace) {
     m_findings.setParent(this);
-    auto* panel = new NetCheckPanel(m_findings, context.actions);
+    QWidget* panel = makePanel(context.actions);
     context.addPanel(
         {ActionId::ShowNetCheckDock, "netCheck", tr("Netlist check"), Qt::BottomDockWidgetArea, "messages", 0}, *panel);
     context.on(ActionId::CheckNets, this, [this, panel] {
@@ -15,9 +19,22 @@ NetCheck::NetCheck(FeatureContext& context) : QObject(&context.window), m_worksp
     });
     m_workspace.watch(m_checks.background(), [] { return tr("Nets"); });
     connect(&m_checks.background(), &Background::finished, this, &NetCheck::deliver);
-    connect(panel, &NetCheckPanel::chosen, this, &NetCheck::show);
     connect(&m_workspace, &Workspace::boardRead, this, [this] { m_findings.setChecks(nullptr, {}); });
     connect(&m_workspace, &Workspace::unitChanged, &m_findings, &NetCheckModel::setUnit);
+}
+
+QWidget* NetCheck::makePanel(const ActionSet& actions) {
+    auto* table = new TableView(m_findings);
+    QLineEdit* filter = filterEdit(table->makeSortable(), tr("Filter by net, layer or kind"));
+    table->fitColumns(NetCheckModel::What);
+    auto* summary = new QLabel(m_findings.summary());
+    connect(table, &TableView::rowChosen, this, [this](int row) { show(m_findings.finding(row)); });
+    connect(&m_findings, &QAbstractItemModel::modelReset, summary,
+            [this, summary] { summary->setText(m_findings.summary()); });
+    auto* controls = buttonRow({&actions[ActionId::CheckNets], &actions[ActionId::InferNets]});
+    controls->addWidget(filter, 1);
+    controls->addWidget(summary);
+    return panelOf(controls, table);
 }
 
 void NetCheck::start() {

@@ -15,6 +15,8 @@ public:
     explicit NetCheck(FeatureContext& context);
 
 private:
+    /// A click on a row, or Enter, shows its location.
+    [[nodiscard]] QWidget* makePanel(const ActionSet& actions);
     void start();
     void deliver();
     void show(const NetCheckModel::Finding& finding);

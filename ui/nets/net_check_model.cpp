@@ -62,14 +62,6 @@ void NetCheckModel::listStep(std::uint32_t step) {
     }
 }
 
-const model::ShortedNets& NetCheckModel::shorted(const Finding& finding) const {
-    return check(finding).report.shorts[finding.row];
-}
-
-const model::NetIsland& NetCheckModel::island(const Finding& finding) const {
-    return check(finding).report.islands[finding.row];
-}
-
 std::vector<model::ElementId> NetCheckModel::elementsOf(const Finding& finding) const {
     if (finding.kind != FindingKind::Short) {
         return {island(finding).element};

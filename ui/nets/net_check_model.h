@@ -46,8 +46,12 @@ private:
     [[nodiscard]] Cell cell(int row, int column) const override;
     void listStep(std::uint32_t step);
     [[nodiscard]] const model::StepCheck& check(const Finding& finding) const { return m_checks[finding.step]; }
-    [[nodiscard]] const model::ShortedNets& shorted(const Finding& finding) const;
-    [[nodiscard]] const model::NetIsland& island(const Finding& finding) const;
+    [[nodiscard]] const model::ShortedNets& shorted(const Finding& finding) const {
+        return check(finding).report.shorts[finding.row];
+    }
+    [[nodiscard]] const model::NetIsland& island(const Finding& finding) const {
+        return check(finding).report.islands[finding.row];
+    }
     [[nodiscard]] QString netsText(const Finding& finding) const;
     [[nodiscard]] QString whatText(const Finding& finding) const;
 

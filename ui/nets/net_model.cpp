@@ -241,10 +241,6 @@ std::optional<int> NetModel::rowOf(model::NetId net) const {
     return found == m_rows.end() ? std::nullopt : std::optional(static_cast<int>(found - m_rows.begin()));
 }
 
-int NetModel::total() const {
-    return m_document ? static_cast<int>(m_document->nets.size()) : 0;
-}
-
 std::vector<model::BoardNet> NetModel::netsAt(int row) const {
     const int first = isHeading(row) ? row + 1 : row;
     const int end = isHeading(row) ? endOfGroup(row) : row + 1;

@@ -53,7 +53,7 @@ public:
     [[nodiscard]] int shown() const { return m_shownNets; }
     /// None if the filter hides it.
     [[nodiscard]] std::optional<int> rowOf(model::NetId net) const;
-    [[nodiscard]] int total() const;
+    [[nodiscard]] int total() const { return m_document ? static_cast<int>(m_document->nets.size()) : 0; }
 
     void sort(int column, Qt::SortOrder order) override;
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 
 namespace ui {
 
@@ -21,26 +20,15 @@ std::vector<model::BoardNet> sorted(std::span<const model::BoardNet> nets) {
 
 /// The state with `edit` done to the styles of these nets.
 template <class Edit>
-NetStyles::State edited(const NetStyles::State& before, std::span<const model::BoardNet> nets, const Edit& edit) {
-    NetStyles::State after;
-    auto old = before.begin();
-    const auto keepUpTo = [&](const auto& isReached) {
-        while (old != before.end() && !isReached(*old)) {
-            after.push_back(*old++);
-        }
-    };
+NetStyles::State edited(const NetStyles& styles, std::span<const model::BoardNet> nets, const Edit& edit) {
+    NetStyles::State changed;
     for (const model::BoardNet& net : sorted(nets)) {
-        keepUpTo([&](const NetStyle& style) { return style.net >= net; });
-        NetStyle style{net, std::nullopt, false};
-        if (old != before.end() && old->net == net) {
-            style = *old++;
-        }
-        edit(style);
-        if (style.colour || style.isHidden) {
-            after.push_back(style);
-        }
+        edit(changed.emplace_back(styles.of(net)));
     }
-    keepUpTo([](const NetStyle&) { return false; });
+    NetStyles::State after;
+    // Of two styles of one net the changed one is taken.
+    std::ranges::set_union(changed, styles.state(), std::back_inserter(after), {}, &NetStyle::net, &NetStyle::net);
+    std::erase_if(after, [](const NetStyle& style) { return !style.colour && !style.isHidden; });
     return after;
 }
 
@@ -76,7 +64,7 @@ bool NetStyles::hasColours() const {
 
 void NetStyles::colour(std::span<const model::BoardNet> nets, std::optional<QRgb> colour) {
     emit asked(tr("colour of %1").arg(counted(nets.size())),
-               edited(m_state, nets, [&](NetStyle& style) { style.colour = colour; }));
+               edited(*this, nets, [&](NetStyle& style) { style.colour = colour; }));
 }
 
 void NetStyles::colourAnew(std::span<const model::BoardNet> nets) {
@@ -87,7 +75,7 @@ void NetStyles::colourAnew(std::span<const model::BoardNet> nets) {
             ++uses[static_cast<std::size_t>(hue - kHues.begin())];
         }
     }
-    emit asked(tr("colour of %1").arg(counted(nets.size())), edited(m_state, nets, [&](NetStyle& style) {
+    emit asked(tr("colour of %1").arg(counted(nets.size())), edited(*this, nets, [&](NetStyle& style) {
                    if (!style.colour) {
                        const auto least = static_cast<std::size_t>(std::ranges::min_element(uses) - uses.begin());
                        ++uses[least];
@@ -98,7 +86,7 @@ void NetStyles::colourAnew(std::span<const model::BoardNet> nets) {
 
 void NetStyles::hide(std::span<const model::BoardNet> nets, bool isHidden) {
     emit asked((isHidden ? tr("hiding %1") : tr("showing %1")).arg(counted(nets.size())),
-               edited(m_state, nets, [&](NetStyle& style) { style.isHidden = isHidden; }));
+               edited(*this, nets, [&](NetStyle& style) { style.isHidden = isHidden; }));
 }
 
 void NetStyles::showAll() {

@@ -95,11 +95,15 @@ void NetsPanel::layOutControls(const ActionSet& actions) {
     m_filter->setClearButtonEnabled(true);
     m_kind->addItems({tr("Text"), tr("Wildcard"), tr("Regex")});  // in the order of FilterKind
     m_group->addItems({tr("No groups"), tr("By class"), tr("By pair"), tr("By bus"), tr("By supply")});
+    m_group->setObjectName(QStringLiteral("netGroups"));
     m_group->setToolTip(tr("Groups by what the job says of its nets; pairs, buses and supplies also by their names"));
+    m_step->setObjectName(QStringLiteral("netSteps"));
     m_step->setToolTip(tr("Whose nets are listed: the board's own, or those of a step it places"));
     m_step->hide();
     m_dim->setRange(0, 100);
     m_dim->setToolTip(tr("How far everything else is darkened while nets or elements are highlighted"));
+    m_summary->setObjectName(QStringLiteral("netsShown"));
+    m_details->setObjectName(QStringLiteral("netDetails"));
     m_details->setWordWrap(true);
     m_details->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_details->hide();
@@ -322,14 +326,6 @@ void NetsPanel::scrollToSelected() {
         m_table->selectionModel()->setCurrentIndex(m_model.index(*row, NetModel::Name), QItemSelectionModel::NoUpdate);
         m_table->scrollTo(m_model.index(*row, NetModel::Name));
     }
-}
-
-QString NetsPanel::summary() const {
-    return m_summary->text();
-}
-
-QString NetsPanel::details() const {
-    return m_details->text();
 }
 
 }  // namespace ui

@@ -39,16 +39,10 @@ public:
     void setShowsChosen(bool isOn) { m_showsChosen = isOn; }
     [[nodiscard]] TableView& table() { return *m_table; }
     [[nodiscard]] QLineEdit& filterEdit() { return *m_filter; }
-    [[nodiscard]] QComboBox& groupBox() { return *m_group; }
-    /// Hidden while only the board itself has nets.
-    [[nodiscard]] QComboBox& stepBox() { return *m_step; }
-    [[nodiscard]] QString summary() const;
     /// By how much the rest is darkened, in percent.
     [[nodiscard]] QSlider& dimSlider() { return *m_dim; }
     /// Opens the dialog for the colour of these nets; not with none.
     void chooseColour(std::vector<model::BoardNet> nets);
-    /// What is known of the highlighted nets; empty for none.
-    [[nodiscard]] QString details() const;
 
 signals:
     void showRequested(const std::vector<model::BoardNet>& nets);
@@ -81,7 +75,7 @@ private:
     QLineEdit* m_filter;
     QComboBox* m_kind;
     QComboBox* m_group;
-    QComboBox* m_step;
+    QComboBox* m_step;  ///< hidden while only the board itself has nets
     QSlider* m_dim;
     QLabel* m_summary;
     QLabel* m_details;

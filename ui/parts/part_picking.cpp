@@ -1,7 +1,5 @@
 #include "ui/parts/part_picking.h"
 
-#include <algorithm>
-
 namespace ui {
 
 namespace {

@@ -1,10 +1,12 @@
 #include "ui/saved_views/saved_views.h"
 
+#include <QHeaderView>
 #include <glm/trigonometric.hpp>
 #include <utility>
 
+#include "ui/common/panel_parts.h"
+#include "ui/common/table_view.h"
 #include "ui/layers/layer_model.h"
-#include "ui/saved_views/saved_views_panel.h"
 #include "ui/views/board_views.h"
 
 namespace ui {
@@ -38,33 +40,42 @@ SavedViews::SavedViews(FeatureContext& context)
       m_views(context.views),
       m_layers(context.layers),
       m_orthographic(context.actions[ActionId::Orthographic]),
-      m_part(
-          m_workspace, tr("The views"), [this](const List& views) { m_list.setViews(views); }, session::saveViews) {
+      m_saved(m_workspace, tr("The views"), &session::Session::views, session::saveViews,
+              [this](const auto& views) { m_list.setViews(views); }) {
     m_list.setParent(this);
-    auto* panel = new SavedViewsPanel(m_list, context.actions);
-    context.addPanel({ActionId::ShowSavedViewsDock, "views", tr("Saved views"), Qt::RightDockWidgetArea, "element", 0},
-                     *panel);
+    addPanel(context);
     context.on(ActionId::SaveView, this, [this] { saveView(); });
     context.on(ActionId::SaveSelection, this, [this] { saveSelection(); });
     context.on(ActionId::SaveSession, this, [this] { saveDesk(); });
-    connect(&m_list, &ViewListModel::renamed, this, &SavedViews::rename);
-    connect(panel, &SavedViewsPanel::chosen, this, &SavedViews::goTo);
-    connect(panel, &SavedViewsPanel::forgotten, this, &SavedViews::remove);
-    connect(&m_workspace, &Workspace::boardOpened, this, [this](const LoadedBoard& board) {
-        if (m_part.open()) {
-            m_list.setViews(board.session.views);
-        }
-    });
+    connect(&m_list, &ViewListModel::renamed, this,
+            [this](int row, const QString& name) { m_saved.rename(tr("the name of a view"), row, name); });
     connect(&m_workspace, &Workspace::sessionRestored, this, &SavedViews::restoreDesk);
 }
 
+void SavedViews::addPanel(FeatureContext& context) {
+    auto* table = new TableView(m_list);
+    table->setSelectionMode(QAbstractItemView::SingleSelection);
+    table->horizontalHeader()->setStretchLastSection(true);
+    QAction& forget = table->addDelete(tr("Delete the selected view or selection (Del)"));
+    connect(table, &TableView::deleteRequested, this,
+            [this](const auto& rows) { m_saved.remove(tr("deleting a view"), rows); });
+    connect(table, &TableView::rowChosen, this, &SavedViews::goTo);
+    const ActionSet& actions = context.actions;
+    context.addPanel(
+        {ActionId::ShowSavedViewsDock, "views", tr("Saved views"), Qt::RightDockWidgetArea, "element", 0},
+        *panelOf(buttonRow({&actions[ActionId::SaveView], &actions[ActionId::SaveSelection], &forget}), table));
+}
+
 void SavedViews::saveView() {
-    List after = m_list.views();
-    after.push_back({freeName(after, "View "), m_workspace.board()->document->job.step,
-                     poseOf(m_views.flat().controller()), poseOf(m_views.solid().controller()), m_layers.visibleNames(),
-                     std::nullopt});
-    m_workspace.report(tr("Saved as %1").arg(QString::fromStdString(after.back().name)));
-    m_part.edit(tr("saving a view"), m_list.views(), std::move(after));
+    m_saved.add(tr("saving a view"),
+                {{},
+                 {},
+                 poseOf(m_views.flat().controller()),
+                 poseOf(m_views.solid().controller()),
+                 m_layers.visibleNames(),
+                 std::nullopt},
+                "View ");
+    m_workspace.report(tr("Saved as %1").arg(QString::fromStdString(m_saved.entries().back().name)));
 }
 
 void SavedViews::saveSelection() {
@@ -79,27 +90,13 @@ void SavedViews::saveSelection() {
                                .arg(session::kMostSavedElements));
         return;
     }
-    List after = m_list.views();
-    session::SavedView saved{freeName(after, "Selection "), m_workspace.board()->document->job.step, {}, {}, {}, {}};
+    session::SavedView saved;
     saved.selection = session::saveSelection(selection.tree(), selection.selected(), selection.nets());
-    after.push_back(std::move(saved));
-    m_part.edit(tr("saving a selection"), m_list.views(), std::move(after));
-}
-
-void SavedViews::rename(int row, const QString& name) {
-    List after = m_list.views();
-    after[static_cast<std::size_t>(row)].name = name.toStdString();
-    m_part.edit(tr("the name of a view"), m_list.views(), std::move(after));
-}
-
-void SavedViews::remove(int row) {
-    List after = m_list.views();
-    after.erase(after.begin() + row);
-    m_part.edit(tr("deleting a view"), m_list.views(), std::move(after));
+    m_saved.add(tr("saving a selection"), std::move(saved), "Selection ");
 }
 
 void SavedViews::goTo(int row) {
-    const session::SavedView& view = m_list.views()[static_cast<std::size_t>(row)];
+    const session::SavedView& view = m_saved.entries()[static_cast<std::size_t>(row)];
     const QString name = QString::fromStdString(view.name);
     if (!m_workspace.isOpen(view.step)) {
         m_workspace.report(tr("%1 shows step %2, which is not open").arg(name, QString::fromStdString(view.step)));

@@ -19,16 +19,14 @@ public:
     void saveView();
     /// Saves what is selected and which nets are highlighted, as "Selection 1" and so on.
     void saveSelection();
-    void rename(int row, const QString& name);
-    void remove(int row);
     /// Looks at the board as saved. Of a view of another step only the name counts, and which step to open is reported.
     void goTo(int row);
     /// Saves what the window shows: cameras, layers and unit.
     void saveDesk();
 
 private:
-    using List = std::vector<model::session::SavedView>;
-
+    /// A click on a row, or Enter, restores it; F2 or a double click renames it, Del deletes it.
+    void addPanel(FeatureContext& context);
     /// Shows what was saved for this step of the board.
     void restoreDesk(const LoadedBoard& board);
     void setCameras(const model::session::Pose& flat, const model::session::Pose& solid);
@@ -39,7 +37,7 @@ private:
     LayerModel& m_layers;
     QAction& m_orthographic;
     ViewListModel m_list;
-    SessionPart<List> m_part;
+    SavedList<model::session::SavedView> m_saved;
 };
 
 }  // namespace ui

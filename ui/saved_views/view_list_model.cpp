@@ -1,5 +1,7 @@
 #include "ui/saved_views/view_list_model.h"
 
+#include "ui/common/texts.h"
+
 namespace ui {
 
 ViewListModel::ViewListModel(QObject* parent)
@@ -14,11 +16,7 @@ QString ViewListModel::tip(int row, int) const {
     if (view.selection) {
         return tr("%L1 nets, %L2 elements").arg(view.selection->nets.size()).arg(view.selection->elements.size());
     }
-    QStringList names;
-    for (const std::string& layer : view.layers) {
-        names += QString::fromStdString(layer);
-    }
-    return names.join(QStringLiteral(", "));
+    return textsOf(view.layers).join(QStringLiteral(", "));
 }
 
 bool ViewListModel::edit(int row, int, const QVariant& value) {

@@ -61,7 +61,7 @@ void SearchBox::update() {
 }
 
 void SearchBox::listCommands(const QString& text) {
-    for (const ActionSpec& spec : actionSpecs()) {
+    for (const ActionSpec& spec : ActionSet::kSpecs) {
         QAction& action = m_actions[spec.id];
         const QString name = action.text().remove('&');
         if (!action.isEnabled() || !name.contains(text, Qt::CaseInsensitive)) {

@@ -24,8 +24,7 @@ SectionLine::SectionLine(BoardView& flat, QObject* parent) : QObject(parent), m_
     flat.controller().setTaker([this](QEvent& event) { return take(event); });
 }
 
-void SectionLine::setBoard(const BoardPosition& location) {
-    m_position = location;
+void SectionLine::clear() {
     m_held.reset();
     m_isDrawing = m_isLaying = false;
     setLine({});
@@ -59,7 +58,7 @@ bool SectionLine::take(QEvent& event) {
         case QEvent::MouseButtonPress: return press(static_cast<const QMouseEvent&>(event));
         case QEvent::MouseMove:
             if (m_held) {
-                drag(static_cast<const QMouseEvent&>(event));
+                moveCorner(*m_held, static_cast<const QMouseEvent&>(event));
             }
             return m_held.has_value();
         case QEvent::MouseButtonRelease:
@@ -77,7 +76,7 @@ bool SectionLine::press(const QMouseEvent& event) {
         return m_held.has_value();
     }
     if (m_isDrawing) {
-        const base::PointD start = m_position.toJob(m_view.controller().rayAt(event.position()).origin);
+        const base::PointD start = m_view.locationAt(event.position());
         setLine({start, start});
         m_held = 1;
     } else if (!event.modifiers().testFlag(Qt::ControlModifier)) {
@@ -86,12 +85,13 @@ bool SectionLine::press(const QMouseEvent& event) {
     return m_held.has_value();
 }
 
-void SectionLine::drag(const QMouseEvent& event) {
-    base::PointD to = m_position.toJob(m_view.controller().rayAt(event.position()).origin);
+/// Straight from the corner beside it, with Shift.
+void SectionLine::moveCorner(std::size_t corner, const QMouseEvent& event) {
+    base::PointD to = m_view.locationAt(event.position());
     if (event.modifiers().testFlag(Qt::ShiftModifier)) {
-        to = model::straightened(m_line[*m_held == 0 ? 1 : *m_held - 1], to, 45.0);
+        to = model::straightened(m_line[corner == 0 ? 1 : corner - 1], to, 45.0);
     }
-    m_line[*m_held] = to;
+    m_line[corner] = to;
     m_view.requestOverlay();
     emit moved();
 }
@@ -109,15 +109,14 @@ void SectionLine::release() {
 }
 
 bool SectionLine::isClick(base::PointD from, base::PointD to) const {
-    const double nmPerPixel = static_cast<double>(m_view.controller().mmPerPixel()) * base::kNmPerMm;
-    return std::hypot(to.x - from.x, to.y - from.y) < CameraController::kClickPixels * nmPerPixel;
+    return std::hypot(to.x - from.x, to.y - from.y) < CameraController::kClickPixels * m_view.controller().nmPerPixel();
 }
 
 bool SectionLine::lay(QEvent& event) {
     switch (event.type()) {
         case QEvent::MouseButtonPress: return layPress(static_cast<const QMouseEvent&>(event));
         case QEvent::MouseButtonDblClick: endLaying(); return true;
-        case QEvent::MouseMove: layTo(static_cast<const QMouseEvent&>(event)); return false;
+        case QEvent::MouseMove: moveCorner(m_line.size() - 1, static_cast<const QMouseEvent&>(event)); return false;
         case QEvent::KeyPress: return layKey(static_cast<const QKeyEvent&>(event));
         default: return false;
     }
@@ -127,22 +126,11 @@ bool SectionLine::layPress(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton) {
         return false;  // the camera moves meanwhile
     }
-    layTo(event);
+    moveCorner(m_line.size() - 1, event);
     if (!isClick(m_line[m_line.size() - 2], m_line.back())) {
         m_line.push_back(m_line.back());
     }
     return true;
-}
-
-/// The leg under way ends at the cursor.
-void SectionLine::layTo(const QMouseEvent& event) {
-    base::PointD to = m_position.toJob(m_view.controller().rayAt(event.position()).origin);
-    if (event.modifiers().testFlag(Qt::ShiftModifier)) {
-        to = model::straightened(m_line[m_line.size() - 2], to, 45.0);
-    }
-    m_line.back() = to;
-    m_view.requestOverlay();
-    emit moved();
 }
 
 bool SectionLine::layKey(const QKeyEvent& event) {
@@ -176,7 +164,7 @@ void SectionLine::endLaying() {
 
 std::optional<std::size_t> SectionLine::cornerAt(QPointF position) const {
     for (std::size_t i = 0; i < m_line.size(); ++i) {
-        const auto at = m_view.controller().screenOf(m_position.toModel(m_line[i]));
+        const auto at = m_view.screenOf(m_line[i]);
         if (at && QLineF(*at, position).length() <= kGripPixels) {
             return i;
         }
@@ -187,7 +175,7 @@ std::optional<std::size_t> SectionLine::cornerAt(QPointF position) const {
 void SectionLine::paint(QPainter& painter) const {
     QPolygonF corners;
     for (const base::PointD& corner : m_line) {
-        if (const auto at = m_view.controller().screenOf(m_position.toModel(corner))) {
+        if (const auto at = m_view.screenOf(corner)) {
             corners += *at;
         }
     }

@@ -18,8 +18,8 @@ class SectionLine : public QObject {
 public:
     explicit SectionLine(BoardView& flat, QObject* parent = nullptr);
 
-    /// Another board has no line.
-    void setBoard(const BoardPosition& location);
+    /// For another board: there is no line, and none is being drawn.
+    void clear();
     /// Corners in nm of the board; none: no line.
     void setLine(std::vector<base::PointD> line);
     [[nodiscard]] const std::vector<base::PointD>& line() const { return m_line; }
@@ -37,11 +37,10 @@ signals:
 private:
     bool take(QEvent& event);
     bool press(const QMouseEvent& event);
-    void drag(const QMouseEvent& event);
+    void moveCorner(std::size_t corner, const QMouseEvent& event);
     void release();
     bool lay(QEvent& event);
     bool layPress(const QMouseEvent& event);
-    void layTo(const QMouseEvent& event);
     bool layKey(const QKeyEvent& event);
     void endLaying();
     [[nodiscard]] bool isClick(base::PointD from, base::PointD to) const;
@@ -49,7 +48,6 @@ private:
     void paint(QPainter& painter) const;
 
     BoardView& m_view;
-    BoardPosition m_position;
     std::vector<base::PointD> m_line;
     std::optional<std::size_t> m_held;  ///< corner being dragged
     bool m_isDrawing = false;

@@ -6,15 +6,6 @@
 
 namespace ui {
 
-namespace {
-
-base::PointD directionOf(double angle) {
-    // Against x at first: what lies to the left of that, nearer to the eye of an isometric view, goes.
-    return {-std::cos(angle), -std::sin(angle)};
-}
-
-}  // namespace
-
 void SectionPlaneTool::setBoard(const LoadedBoard& board) {
     m_index = board.index;
     m_origin = board.model->origin;
@@ -47,7 +38,9 @@ void SectionPlaneTool::cutAlong(base::PointD from, base::PointD to) {
 }
 
 base::PointD SectionPlaneTool::direction() const {
-    return directionOf(m_angle + m_eighths * std::numbers::pi / 4.0);
+    // Against x at first: what lies to the left of that, nearer to the eye of an isometric view, goes.
+    const double angle = m_angle + m_eighths * std::numbers::pi / 4.0;
+    return {-std::cos(angle), -std::sin(angle)};
 }
 
 void SectionPlaneTool::rotate() {

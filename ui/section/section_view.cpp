@@ -76,14 +76,6 @@ void SectionView::fit() {
     arrange();
 }
 
-QSize SectionView::sizeHint() const {
-    return {600, 260};
-}
-
-double SectionView::lineHeight() const {
-    return fontMetrics().height() + 1.0;
-}
-
 QRectF SectionView::plot() const {
     return {kMargin, kMargin, width() * (1.0 - kLabels) - kMargin, height() - kMargin - 2.0 * lineHeight()};
 }

@@ -43,7 +43,7 @@ public:
     /// The corner or else the edge of what is drawn that is nearest within a few pixels.
     [[nodiscard]] std::optional<SectionPosition> locationAt(QPointF at) const;
     [[nodiscard]] const SectionDimension& dimension() const { return m_dimension; }
-    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize sizeHint() const override { return {600, 260}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -57,7 +57,7 @@ protected:
 
 private:
     [[nodiscard]] QRectF plot() const;
-    [[nodiscard]] double lineHeight() const;
+    [[nodiscard]] double lineHeight() const { return fontMetrics().height() + 1.0; }
     [[nodiscard]] const model::Document& board() const { return *m_board->board; }
     [[nodiscard]] QRectF rectOf(const model::SectionPiece& piece) const;
     [[nodiscard]] bool isHighlighted(const model::SectionPiece& piece) const;

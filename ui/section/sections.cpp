@@ -6,6 +6,7 @@
 
 #include "model/section/net_line.h"
 #include "model/section/section_export.h"
+#include "ui/common/texts.h"
 #include "ui/layers/layer_model.h"
 #include "ui/views/board_views.h"
 #include "ui/views/probing.h"
@@ -31,8 +32,9 @@ Sections::Sections(FeatureContext& context)
       m_selection(context.workspace.selection()),
       m_line(context.views.flat()),
       m_plane(context.views),
-      m_saved(context.workspace, this),
-      m_panel(new SectionPanel(m_selection, m_saved.names(), context.actions)) {
+      m_saved(context.workspace, tr("The sections"), &model::session::Session::sections, model::session::saveSections,
+              [this](const auto&) { showNames(); }),
+      m_panel(new SectionPanel(m_selection, m_names, context.actions)) {
     m_line.setParent(this);
     context.addPanel(
         {ActionId::ShowSectionDock, "section", tr("Cross-section"), Qt::BottomDockWidgetArea, "messages", 0}, *m_panel);
@@ -46,7 +48,10 @@ Sections::Sections(FeatureContext& context)
     });
     connect(m_panel, &SectionPanel::cleared, this, [this] { cutAlong({}); });
     connect(m_panel, &SectionPanel::chosen, this, &Sections::goTo);
-    connect(m_panel, &SectionPanel::forgotten, &m_saved, &SavedSections::remove);
+    connect(m_panel, &SectionPanel::forgotten, this,
+            [this](int row) { m_saved.remove(tr("deleting a section"), {row}); });
+    connect(&m_names, &QStringListModel::dataChanged, this,
+            [this](const QModelIndex& at) { renameSection(at.row(), at.data(Qt::EditRole).toString().trimmed()); });
     connect(&m_workspace, &Workspace::boardOpened, this, &Sections::setBoard);
     connect(&m_workspace, &Workspace::restacked, this, [this](const LoadedBoard& board) {
         m_index = board.index;
@@ -100,7 +105,7 @@ void Sections::connectPlane(FeatureContext& context) {
 
 void Sections::setBoard(const LoadedBoard& board) {
     m_index = board.index;
-    m_line.setBoard({board.model->origin});
+    m_line.clear();
     m_plane.setBoard(board);
     for (const ActionId id : {ActionId::SectionPlane, ActionId::DrawSection}) {
         m_actions[id].setChecked(false);
@@ -153,11 +158,7 @@ void Sections::cut() {
         m_panel->setNotes(QString::fromStdString(section.error().text));
         return;
     }
-    QStringList notes;
-    for (const std::string& note : section->notes) {
-        notes += QString::fromStdString(note);
-    }
-    m_panel->setNotes(notes.join('\n'));
+    m_panel->setNotes(textsOf(section->notes).join('\n'));
     m_panel->view().setSection(m_index, std::move(*section));
 }
 
@@ -185,12 +186,32 @@ void Sections::followNet() {
 
 void Sections::saveSection() {
     const std::optional<model::Section>& section = m_panel->view().section();
-    m_workspace.report(section ? tr("Saved as %1").arg(m_saved.add(section->line))
-                               : tr("There is no section to save: draw one first"));
+    if (!section) {
+        m_workspace.report(tr("There is no section to save: draw one first"));
+        return;
+    }
+    m_saved.add(tr("saving a section"), {{}, {}, section->line}, "Section ");
+    m_workspace.report(tr("Saved as %1").arg(QString::fromStdString(m_saved.entries().back().name)));
+}
+
+void Sections::renameSection(int row, const QString& name) {
+    if (name.isEmpty() || name.toStdString() == m_saved.entries()[static_cast<std::size_t>(row)].name) {
+        showNames();  // the list shows what was typed
+    } else {
+        m_saved.rename(tr("the name of a section"), row, name);
+    }
+}
+
+void Sections::showNames() {
+    QStringList names;
+    for (const model::session::SavedSection& section : m_saved.entries()) {
+        names += QString::fromStdString(section.name);
+    }
+    m_names.setStringList(names);
 }
 
 void Sections::goTo(int row) {
-    const model::session::SavedSection& saved = m_saved.sections()[static_cast<std::size_t>(row)];
+    const model::session::SavedSection& saved = m_saved.entries()[static_cast<std::size_t>(row)];
     if (!m_workspace.isOpen(saved.step)) {
         const auto& steps = m_index->board->job.steps;
         const bool isKnown = std::ranges::find(steps, saved.step) != steps.end();

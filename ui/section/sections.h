@@ -1,18 +1,19 @@
 #pragma once
 
 #include <QObject>
+#include <QStringListModel>
 #include <QTimer>
 
-#include "ui/section/saved_sections.h"
 #include "ui/section/section_line.h"
 #include "ui/section/section_panel.h"
 #include "ui/section/section_plane_tool.h"
 #include "ui/workspace/feature.h"
+#include "ui/workspace/session_part.h"
 
 namespace ui {
 
-/// Cross-sections, from the line in the 2D view to the cut in its panel, where every move of the line cuts anew; and
-/// the section plane of the 3D view.
+/// Cross-sections, from the line in the 2D view to the cut in its panel, where every move of the line cuts anew; those
+/// that are saved in the session file; and the section plane of the 3D view.
 class Sections : public QObject {
     Q_OBJECT
 
@@ -27,6 +28,7 @@ public:
     void followNet();
     /// Writes what is shown as SVG. Errors: BadUsage if nothing is, OutputFailed.
     [[nodiscard]] base::Status save(const QString& path) const;
+    [[nodiscard]] const std::vector<model::session::SavedSection>& saved() const { return m_saved.entries(); }
 
 private:
     void connectCommands(FeatureContext& context);
@@ -39,6 +41,8 @@ private:
     /// Cuts the board of the 3D view along the straight line.
     void showIn3D();
     void saveSection();
+    void renameSection(int row, const QString& name);
+    void showNames();
     /// Cuts along the saved line of this row.
     void goTo(int row);
     void cut();
@@ -48,7 +52,8 @@ private:
     SelectionModel& m_selection;
     SectionLine m_line;
     SectionPlaneTool m_plane;
-    SavedSections m_saved;
+    QStringListModel m_names;  ///< of the saved ones; they can be edited
+    SavedList<model::session::SavedSection> m_saved;
     SectionPanel* m_panel;
     std::shared_ptr<const model::BoardIndex> m_index;
     std::vector<QColor> m_colours;

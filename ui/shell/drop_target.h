@@ -3,8 +3,6 @@
 #include <QObject>
 #include <QStringList>
 
-class QMimeData;
-
 namespace ui {
 
 /// Lets boards be dropped on whatever it is installed on as an event filter, a widget or a native window.

@@ -15,41 +15,34 @@ namespace ui {
 namespace {
 
 struct Gesture {
+    Q_DECLARE_TR_FUNCTIONS(HelpDialogs)
+public:
     const char* how;
     const char* what;
+
+    static const Gesture kAll[];
 };
 
-constexpr Gesture kGestures[] = {
-    {QT_TRANSLATE_NOOP("HelpDialogs", "Left drag"),
-     QT_TRANSLATE_NOOP("HelpDialogs", "Orbit (3D), select with a box (2D)")},
-    {QT_TRANSLATE_NOOP("HelpDialogs", "Click"),
-     QT_TRANSLATE_NOOP("HelpDialogs", "Select; again: what lies beneath; with Ctrl: add or remove")},
-    {QT_TRANSLATE_NOOP("HelpDialogs", "Double click, Alt + click"),
-     QT_TRANSLATE_NOOP("HelpDialogs", "Centre it in the other view")},
-    {QT_TRANSLATE_NOOP("HelpDialogs", "Box from the left, from the right (2D)"),
-     QT_TRANSLATE_NOOP("HelpDialogs", "Select what is inside; what is inside or touched")},
-    {QT_TRANSLATE_NOOP("HelpDialogs", "Shift, Ctrl, Alt (measuring)"),
-     QT_TRANSLATE_NOOP("HelpDialogs", "Straight, in steps of 45°, without snapping")},
-    {QT_TRANSLATE_NOOP("HelpDialogs", "Wheel"), QT_TRANSLATE_NOOP("HelpDialogs", "Zoom to the cursor")},
-    {QT_TRANSLATE_NOOP("HelpDialogs", "Shift + click, twice (cross-section)"),
-     QT_TRANSLATE_NOOP("HelpDialogs", "Measure the clearance (edge to edge)")},
-    {QT_TRANSLATE_NOOP("HelpDialogs", "Arrows (canvas)"),
-     QT_TRANSLATE_NOOP("HelpDialogs", "Orbit, with Shift pan (3D); pan (2D)")},
-    {QT_TRANSLATE_NOOP("HelpDialogs", "Click on a colour (layers)"),
-     QT_TRANSLATE_NOOP("HelpDialogs", "Change the colour")},
-    {QT_TRANSLATE_NOOP("HelpDialogs", "Drag in an opacity (layers)"),
-     QT_TRANSLATE_NOOP("HelpDialogs", "Change the opacity")},
-    {QT_TRANSLATE_NOOP("HelpDialogs", "Space (layers)"),
-     QT_TRANSLATE_NOOP("HelpDialogs", "Show or hide the selected layers")},
-    {QT_TRANSLATE_NOOP("HelpDialogs", "Enter, double click (nets)"),
-     QT_TRANSLATE_NOOP("HelpDialogs", "Centre the net in both views")},
-    {QT_TRANSLATE_NOOP("HelpDialogs", "Ctrl+C (any table)"),
-     QT_TRANSLATE_NOOP("HelpDialogs", "Copy the selected rows")},
-    {QT_TRANSLATE_NOOP("HelpDialogs", "Drop a file or folder"), QT_TRANSLATE_NOOP("HelpDialogs", "Open it")},
+const Gesture Gesture::kAll[] = {
+    {QT_TR_NOOP("Left drag"), QT_TR_NOOP("Orbit (3D), select with a box (2D)")},
+    {QT_TR_NOOP("Click"), QT_TR_NOOP("Select; again: what lies beneath; with Ctrl: add or remove")},
+    {QT_TR_NOOP("Double click, Alt + click"), QT_TR_NOOP("Centre it in the other view")},
+    {QT_TR_NOOP("Box from the left, from the right (2D)"),
+     QT_TR_NOOP("Select what is inside; what is inside or touched")},
+    {QT_TR_NOOP("Shift, Ctrl, Alt (measuring)"), QT_TR_NOOP("Straight, in steps of 45°, without snapping")},
+    {QT_TR_NOOP("Wheel"), QT_TR_NOOP("Zoom to the cursor")},
+    {QT_TR_NOOP("Shift + click, twice (cross-section)"), QT_TR_NOOP("Measure the clearance (edge to edge)")},
+    {QT_TR_NOOP("Arrows (canvas)"), QT_TR_NOOP("Orbit, with Shift pan (3D); pan (2D)")},
+    {QT_TR_NOOP("Click on a colour (layers)"), QT_TR_NOOP("Change the colour")},
+    {QT_TR_NOOP("Drag in an opacity (layers)"), QT_TR_NOOP("Change the opacity")},
+    {QT_TR_NOOP("Space (layers)"), QT_TR_NOOP("Show or hide the selected layers")},
+    {QT_TR_NOOP("Enter, double click (nets)"), QT_TR_NOOP("Centre the net in both views")},
+    {QT_TR_NOOP("Ctrl+C (any table)"), QT_TR_NOOP("Copy the selected rows")},
+    {QT_TR_NOOP("Drop a file or folder"), QT_TR_NOOP("Open it")},
 };
 
 QString text(const char* source) {
-    return QCoreApplication::translate("HelpDialogs", source);
+    return Gesture::tr(source);
 }
 
 QString row(const QString& how, const QString& what) {
@@ -63,7 +56,7 @@ QString section(const QString& title, const QString& rows) {
 
 QString rowsOf(MenuId menu, KeyPreset preset) {
     QString rows;
-    for (const ActionSpec& spec : actionSpecs()) {
+    for (const ActionSpec& spec : ActionSet::kSpecs) {
         if (spec.menu == menu) {
             rows += row(keysText(keysOf(spec, preset), text(" or ")), ActionSet::tr(spec.tip));
         }
@@ -105,7 +98,7 @@ void showDialog(QWidget& parent, const QString& name, const QString& title, QWid
 
 QString keyListText(KeyPreset keys) {
     QString gestures = dragRows(mouseHabitsOf(keys));
-    for (const Gesture& gesture : kGestures) {
+    for (const Gesture& gesture : Gesture::kAll) {
         gestures += row(text(gesture.how), text(gesture.what));
     }
     QString html = section(text("Mouse and canvas"), gestures);

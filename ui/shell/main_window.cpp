@@ -2,9 +2,11 @@
 
 #include <QAbstractButton>
 #include <QCloseEvent>
+#include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolBar>
@@ -20,7 +22,6 @@
 #include "ui/shell/keyboard.h"
 #include "ui/shell/message_bar.h"
 #include "ui/shell/recent_boards.h"
-#include "ui/shell/start_page.h"
 #include "ui/shell/status_line.h"
 #include "ui/shell/theme.h"
 
@@ -49,6 +50,41 @@ QString boardFilters() {
         filters += filter(QString::fromStdString(std::string(format.name)), {&format, 1});
     }
     return filters + MainWindow::tr("All files (*)");
+}
+
+QPushButton* buttonFor(QAction& action) {
+    auto* button = new QPushButton(action.text());
+    button->setToolTip(action.toolTip());
+    QObject::connect(button, &QPushButton::clicked, &action, &QAction::trigger);
+    return button;
+}
+
+QLabel* centredLabel(const QString& text) {
+    auto* label = new QLabel(text);
+    label->setAlignment(Qt::AlignCenter);
+    return label;
+}
+
+/// What is in the middle of the window before a board is open: how to open one.
+QWidget* startPage(const ActionSet& actions) {
+    QLabel* title = centredLabel(QStringLiteral("Copperscope"));
+    QFont large = title->font();
+    large.setPointSizeF(large.pointSizeF() * 2.0);
+    title->setFont(large);
+    auto* buttons = new QHBoxLayout;
+    buttons->addStretch();
+    buttons->addWidget(buttonFor(actions[ActionId::OpenFile]));
+    buttons->addWidget(buttonFor(actions[ActionId::OpenFolder]));
+    buttons->addStretch();
+    auto* page = new QWidget;
+    auto* layout = new QVBoxLayout(page);
+    layout->setSpacing(12);
+    layout->addStretch();
+    layout->addWidget(title);
+    layout->addWidget(centredLabel(MainWindow::tr("Drop an ODB++ archive or folder here, or open one.")));
+    layout->addLayout(buttons);
+    layout->addStretch();
+    return page;
 }
 
 }  // namespace
@@ -94,7 +130,7 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::createCentre() {
-    m_pages->addWidget(new StartPage(m_actions));
+    m_pages->addWidget(startPage(m_actions));
     m_pages->addWidget(m_views);
     auto* centre = new QWidget;
     auto* layout = new QVBoxLayout(centre);
@@ -217,17 +253,16 @@ void MainWindow::connectHelp() {
 }
 
 void MainWindow::connectStatus() {
-    LoadBar& bar = m_statusLine->loadBar();
     connect(&m_workspace, &Workspace::reported, this, [this](const QString& text) { statusBar()->showMessage(text); });
     connect(&m_workspace, &Workspace::errorReported, m_messageBar, &MessageBar::showError);
-    connect(&m_workspace, &Workspace::workBegan, &bar, &LoadBar::begin);
+    connect(&m_workspace, &Workspace::workBegan, m_statusLine, &StatusLine::beginWork);
     connect(&m_workspace, &Workspace::workBegan, this, [this] {
         m_actions[ActionId::CancelLoading].setEnabled(true);
         m_actions[ActionId::ClearSelection].setEnabled(true);
     });
-    connect(&m_workspace, &Workspace::workProgressed, &bar, &LoadBar::report);
+    connect(&m_workspace, &Workspace::workProgressed, m_statusLine, &StatusLine::showProgress);
     connect(&m_workspace, &Workspace::idle, this, &MainWindow::enableActions);
-    connect(&bar, &LoadBar::cancelRequested, &m_workspace, &Workspace::cancelWork);
+    connect(m_statusLine, &StatusLine::cancelRequested, &m_workspace, &Workspace::cancelWork);
     connect(m_views, &BoardViews::timed, m_statusLine, &StatusLine::showFrame);
     connect(&m_position, &PositionReadout::changed, m_statusLine, &StatusLine::showPosition);
 }
@@ -238,7 +273,7 @@ void MainWindow::onOpened(const LoadedBoard& board) {
 }
 
 void MainWindow::enableActions() {
-    m_statusLine->loadBar().hide();
+    m_statusLine->endWork();
     m_actions.enable(m_workspace.board() != nullptr);
     m_actions[ActionId::CancelLoading].setEnabled(false);
     if (m_workspace.board() != nullptr) {

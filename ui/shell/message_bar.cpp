@@ -29,8 +29,4 @@ void MessageBar::showError(const QString& text) {
     show();
 }
 
-QString MessageBar::text() const {
-    return m_label->text();
-}
-
 }  // namespace ui

@@ -15,7 +15,6 @@ public:
     explicit MessageBar(QWidget* parent = nullptr);
 
     void showError(const QString& text);
-    [[nodiscard]] QString text() const;
 
 private:
     QLabel* m_label;

@@ -30,10 +30,6 @@ void RecentBoards::add(const QString& path) {
     m_settings.setRecentBoards(paths.mid(0, kMost));
 }
 
-void RecentBoards::clear() {
-    m_settings.setRecentBoards({});
-}
-
 void RecentBoards::fillMenu() {
     m_menu.clear();
     int number = 0;
@@ -44,7 +40,7 @@ void RecentBoards::fillMenu() {
         action->setStatusTip(file.exists() ? path : tr("%1 is not there now").arg(path));
     }
     m_menu.addSeparator();
-    QAction* clearAction = m_menu.addAction(tr("&Clear list"), this, &RecentBoards::clear);
+    QAction* clearAction = m_menu.addAction(tr("&Clear list"), this, [this] { m_settings.setRecentBoards({}); });
     clearAction->setEnabled(number > 0);
 }
 

@@ -20,7 +20,6 @@ public:
 
     /// Puts the board first.
     void add(const QString& path);
-    void clear();
 
 signals:
     void chosen(const QString& path);

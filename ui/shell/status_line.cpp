@@ -1,40 +1,70 @@
 #include "ui/shell/status_line.h"
 
 #include <QComboBox>
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QProgressBar>
 #include <QStatusBar>
+#include <QToolButton>
 
+#include "ui/common/texts.h"
 #include "ui/views/frame_display.h"
 
 namespace ui {
 
 StatusLine::StatusLine(QStatusBar& bar)
     : QObject(&bar),
-      m_loadBar(new LoadBar),
+      m_work(new QWidget),
+      m_workText(new QLabel),
+      m_progress(new QProgressBar),
       m_stepLabel(new QLabel(tr("Step"))),
       m_steps(new QComboBox),
       m_position(new QLabel),
       m_frame(new QLabel) {
+    m_progress->setRange(0, 100);
+    m_progress->setFixedWidth(140);
+    m_progress->setMaximumHeight(m_work->fontMetrics().height() + 4);
+    auto* cancel = new QToolButton;
+    cancel->setText(tr("Cancel"));
+    cancel->setToolTip(tr("Stop reading; the board on the screen stays (Esc)"));
+    connect(cancel, &QToolButton::clicked, this, &StatusLine::cancelRequested);
+    m_work->setObjectName(QStringLiteral("work"));
+    auto* work = new QHBoxLayout(m_work);
+    work->setContentsMargins(4, 0, 4, 0);
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_workText, m_progress, cancel}) {
+        work->addWidget(widget);
+    }
+    m_steps->setObjectName(QStringLiteral("steps"));
     m_steps->setToolTip(tr("The part of the job that is shown"));
     m_steps->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_stepLabel->setBuddy(m_steps);
+    m_frame->setObjectName(QStringLiteral("frame"));
     m_frame->setToolTip(tr("Device, how it draws, and the time of the last frame"));
+    m_position->setObjectName(QStringLiteral("position"));
     m_position->setToolTip(tr("Position of the pointer in the coordinates of the job (Q changes the unit)"));
-    for (QWidget* widget :
-         {static_cast<QWidget*>(m_position), static_cast<QWidget*>(m_loadBar), static_cast<QWidget*>(m_stepLabel),
-          static_cast<QWidget*>(m_steps), static_cast<QWidget*>(m_frame)}) {
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_position, m_work, m_stepLabel, m_steps, m_frame}) {
         bar.addPermanentWidget(widget);
     }
+    m_work->hide();
     m_stepLabel->hide();
     m_steps->hide();
     connect(m_steps, &QComboBox::textActivated, this, &StatusLine::stepChosen);
 }
 
+void StatusLine::beginWork(const QString& name) {
+    m_workName = name;
+    showProgress(tr("Opening"), 0.0);
+    m_work->show();
+}
+
+void StatusLine::showProgress(const QString& phase, double fraction) {
+    m_workText->setText(QStringLiteral("%1: %2").arg(m_workName, phase));
+    m_progress->setValue(static_cast<int>(fraction * 100.0));
+}
+
 void StatusLine::showSteps(const model::JobInfo& job) {
     m_steps->clear();
-    for (const std::string& step : job.steps) {
-        m_steps->addItem(QString::fromStdString(step));
-    }
+    m_steps->addItems(textsOf(job.steps));
     m_steps->setCurrentText(QString::fromStdString(job.step));
     const bool hasChoice = job.steps.size() > 1;
     m_stepLabel->setVisible(hasChoice);
@@ -48,14 +78,6 @@ void StatusLine::showFrame(const render::FrameStats& stats) {
 
 void StatusLine::showPosition(const QString& text) {
     m_position->setText(text.isEmpty() ? text : text + QStringLiteral("   "));  // apart from the device beside it
-}
-
-QString StatusLine::positionText() const {
-    return m_position->text();
-}
-
-QString StatusLine::frameText() const {
-    return m_frame->text();
 }
 
 }  // namespace ui

@@ -1,39 +1,46 @@
 #pragma once
 
+#include <QWidget>
+
 #include "model/board/document.h"
 #include "render/scene/view_settings.h"
-#include "ui/shell/load_bar.h"
 
 class QComboBox;
 class QLabel;
+class QProgressBar;
 class QStatusBar;
 
 namespace ui {
 
-/// The widgets of the status bar: progress of a load, the step shown, the device, the time of the last frame.
+/// The widgets of the status bar: progress of work with a button to stop it (hidden while nothing runs), the step
+/// shown, the device, the time of the last frame.
 class StatusLine : public QObject {
     Q_OBJECT
 
 public:
     explicit StatusLine(QStatusBar& bar);
 
-    [[nodiscard]] LoadBar& loadBar() { return *m_loadBar; }
+    void beginWork(const QString& name);
+    /// `fraction` of the phase, 0 to 1.
+    void showProgress(const QString& phase, double fraction);
+    void endWork() { m_work->hide(); }
     /// Offers the job's steps when there are several, with the one shown chosen.
     void showSteps(const model::JobInfo& job);
     void showDevice(const QString& name) { m_device = name; }
     void showFrame(const render::FrameStats& stats);
     /// Where the cursor is on the board; empty when it is not.
     void showPosition(const QString& text);
-    [[nodiscard]] QString positionText() const;
-    [[nodiscard]] QString frameText() const;
-    [[nodiscard]] QComboBox& stepBox() { return *m_steps; }
 
 signals:
+    void cancelRequested();
     /// The user chose another step.
     void stepChosen(const QString& step);
 
 private:
-    LoadBar* m_loadBar;
+    QString m_workName;
+    QWidget* m_work;
+    QLabel* m_workText;
+    QProgressBar* m_progress;
     QLabel* m_stepLabel;
     QComboBox* m_steps;
     QLabel* m_position;

@@ -68,10 +68,6 @@ void StackupModel::setDocument(std::shared_ptr<const model::Document> document) 
     isSame ? announceChange() : endResetModel();
 }
 
-int StackupModel::rows() const {
-    return m_document ? static_cast<int>(m_document->stackup.rows.size()) : 0;
-}
-
 Cell StackupModel::cell(int at, int column) const {
     const model::StackupRow& row = this->row(at);
     switch (column) {

@@ -36,7 +36,9 @@ signals:
     void refused(const QString& reason);
 
 private:
-    [[nodiscard]] int rows() const override;
+    [[nodiscard]] int rows() const override {
+        return m_document ? static_cast<int>(m_document->stackup.rows.size()) : 0;
+    }
     [[nodiscard]] Cell cell(int row, int column) const override;
     [[nodiscard]] QString tip(int row, int column) const override;
     bool edit(int row, int column, const QVariant& value) override;

@@ -13,19 +13,6 @@
 
 namespace ui {
 
-namespace {
-
-/// A row of controls over a widget.
-QWidget* halfOf(QHBoxLayout* row, QWidget* widget) {
-    auto* half = new QWidget;
-    auto* column = columnIn(*half, 0);
-    column->addLayout(row);
-    column->addWidget(widget);
-    return half;
-}
-
-}  // namespace
-
 StackupPanel::StackupPanel(StackupModel& model, const ActionSet& actions, QWidget* parent)
     : QWidget(parent),
       m_model(model),
@@ -50,7 +37,7 @@ QWidget* StackupPanel::drawingHalf(const ActionSet& actions) {
     scroll->setWidget(m_view);
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    return halfOf(buttonRow({&actions[ActionId::ExaggerateCopper], &actions[ActionId::ExportStackup]}), scroll);
+    return panelOf(buttonRow({&actions[ActionId::ExaggerateCopper], &actions[ActionId::ExportStackup]}), scroll, 0);
 }
 
 QWidget* StackupPanel::tableHalf() {
@@ -63,9 +50,10 @@ QWidget* StackupPanel::tableHalf() {
         m_model.reset(rows);
     });
     auto* row = buttonRow({selected, all});
+    m_summary->setObjectName(QStringLiteral("stackupSummary"));
     m_summary->setMinimumWidth(1);  // the panel is not made wider for it
     row->addWidget(m_summary, 1);
-    return halfOf(row, m_table);
+    return panelOf(row, m_table, 0);
 }
 
 void StackupPanel::resizeEvent(QResizeEvent* event) {
@@ -81,10 +69,6 @@ void StackupPanel::updateSummary() {
     m_summary->setText(m_model.rowCount() == 0 ? tr("This board states its heights itself")
                        : assumed == 0          ? QString()
                                       : tr("%1 of %2 thicknesses assumed").arg(assumed).arg(m_model.rowCount()));
-}
-
-QString StackupPanel::summary() const {
-    return m_summary->text();
 }
 
 }  // namespace ui

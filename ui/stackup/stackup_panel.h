@@ -23,8 +23,6 @@ public:
 
     [[nodiscard]] TableView& table() { return *m_table; }
     [[nodiscard]] StackupView& view() { return *m_view; }
-    /// Says what the table cannot: why it is empty, or how much of it is assumed.
-    [[nodiscard]] QString summary() const;
 
 protected:
     /// Drawing and table side by side where there is width, else one above the other.
@@ -39,7 +37,7 @@ private:
     StackupView* m_view;
     TableView* m_table;
     QSplitter* m_halves;
-    QLabel* m_summary;
+    QLabel* m_summary;  ///< what the table cannot say: why it is empty, or how much of it is assumed
 };
 
 }  // namespace ui

@@ -53,14 +53,6 @@ QSize StackupView::sizeHint() const {
     return {fontMetrics().averageCharWidth() * 80, minimumHeight()};
 }
 
-double StackupView::lineHeight() const {
-    return fontMetrics().height() + 1.0;
-}
-
-double StackupView::labelLeft() const {
-    return width() * 0.42;
-}
-
 /// Above the layers a line for the numbers of the holes, below them a line for each and one to breathe.
 double StackupView::roomBeside() const {
     return 2 * kMargin + lineHeight() * (static_cast<double>(m_boreCount) + 2.0);

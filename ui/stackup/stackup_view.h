@@ -43,8 +43,8 @@ private:
     void arrange();
     void step(int by);
     [[nodiscard]] double roomBeside() const;
-    [[nodiscard]] double lineHeight() const;
-    [[nodiscard]] double labelLeft() const;
+    [[nodiscard]] double lineHeight() const { return fontMetrics().height() + 1.0; }
+    [[nodiscard]] double labelLeft() const { return width() * 0.42; }
     /// The layer at a position, a hole before the layers it passes; none beside them or where the job has no layer.
     [[nodiscard]] model::LayerId layerAt(QPointF at) const;
     [[nodiscard]] QString tipAt(QPointF at) const;

@@ -1,25 +1,66 @@
 #include "ui/statistics/statistics_feature.h"
 
+#include <QComboBox>
+#include <QSplitter>
+#include <QTabWidget>
+
+#include "ui/common/panel_parts.h"
+#include "ui/common/table_view.h"
 #include "ui/statistics/drill_model.h"
 #include "ui/statistics/histogram_view.h"
 #include "ui/statistics/statistics_model.h"
-#include "ui/statistics/statistics_panel.h"
 
 namespace ui {
+
+namespace {
+
+QWidget* plotWithChoice(HistogramView& plot) {
+    auto* measure = new QComboBox;
+    measure->addItems({StatisticsModel::tr("Track widths"), StatisticsModel::tr("Hole diameters"),
+                       StatisticsModel::tr("Annular rings (round pads)")});  // in the order of model::Measure
+    QObject::connect(measure, &QComboBox::currentIndexChanged, &plot,
+                     [&plot](int index) { plot.setMeasure(static_cast<model::Measure>(index)); });
+    auto* half = new QWidget;
+    auto* column = columnIn(*half, 0);
+    column->addWidget(measure);
+    column->addWidget(&plot, 1);
+    return half;
+}
+
+QWidget* panelOf(TableView* elements, TableView* drills, HistogramView& plot) {
+    for (TableView* table : {elements, drills}) {
+        table->makeSortable();
+        table->fitColumns();
+    }
+    drills->setToolTip(StatisticsModel::tr("Click rows to select their holes"));
+    auto* tabs = new QTabWidget;
+    tabs->setDocumentMode(true);
+    tabs->addTab(elements, StatisticsModel::tr("Elements"));
+    tabs->addTab(drills, StatisticsModel::tr("Drills"));
+    auto* halves = new QSplitter;
+    halves->addWidget(tabs);
+    halves->addWidget(plotWithChoice(plot));
+    auto* panel = new QWidget;
+    columnIn(*panel)->addWidget(halves);
+    return panel;
+}
+
+}  // namespace
 
 void addStatistics(FeatureContext& context) {
     Workspace& workspace = context.workspace;
     auto* statistics = new StatisticsModel(&context.window);
     auto* drills = new DrillModel(&context.window);
-    auto* panel = new StatisticsPanel(*statistics, *drills);
-    HistogramView& plot = panel->plot();
-    context.addPanel({ActionId::ShowStatisticsDock, "statistics", StatisticsPanel::tr("Statistics"),
+    auto* drillTable = new TableView(*drills);
+    auto* plot = new HistogramView;
+    QWidget* panel = panelOf(new TableView(*statistics), drillTable, *plot);
+    context.addPanel({ActionId::ShowStatisticsDock, "statistics", StatisticsModel::tr("Statistics"),
                       Qt::BottomDockWidgetArea, "messages", 0},
                      *panel);
-    const auto setBoard = [statistics, drills, &plot](const LoadedBoard& board) {
+    const auto setBoard = [statistics, drills, plot](const LoadedBoard& board) {
         statistics->setDocument(board.document, board.copperNm2);
         drills->setDocument(board.document);
-        plot.setDocument(board.document);
+        plot->setDocument(board.document);
     };
     const auto select = [&workspace](const std::vector<model::ElementId>& elements) {
         std::vector<model::BoardElement> selected;
@@ -29,11 +70,12 @@ void addStatistics(FeatureContext& context) {
         workspace.selection().select(selected);
     };
     QObject::connect(&workspace, &Workspace::boardRead, panel, setBoard);
-    QObject::connect(&workspace, &Workspace::unitChanged, &plot, &HistogramView::setUnit);
+    QObject::connect(&workspace, &Workspace::unitChanged, plot, &HistogramView::setUnit);
     QObject::connect(&workspace, &Workspace::unitChanged, statistics, &StatisticsModel::setUnit);
     QObject::connect(&workspace, &Workspace::unitChanged, drills, &DrillModel::setUnit);
-    QObject::connect(&plot, &HistogramView::chosen, &workspace, select);
-    QObject::connect(panel, &StatisticsPanel::holesChosen, &workspace, select);
+    QObject::connect(plot, &HistogramView::chosen, &workspace, select);
+    QObject::connect(drillTable, &TableView::rowChosen, &workspace,
+                     [select, drills, drillTable] { select(drills->holesIn(drillTable->selectedRows())); });
 }
 
 }  // namespace ui

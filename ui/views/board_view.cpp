@@ -98,10 +98,6 @@ std::vector<render::ZRange> BoardView::drawnHeights() const {
     return m_picture.scene->drawnHeights(m_picture.frameSettings());
 }
 
-void BoardView::setDim(float dim) {
-    m_picture.settings.dim = dim;
-}
-
 void BoardView::setOutlined(bool isOn) {
     m_picture.settings.isOutlined = isOn;
     requestFrame();
@@ -125,6 +121,18 @@ void BoardView::paintOverlay(Picture& picture, QSize pixels, Shown where) const 
             painter.restore();
         }
     }
+}
+
+base::Box BoardView::boxBetween(QPointF from, QPointF to) const {
+    const auto clamp = [](double v) {
+        return static_cast<base::Nm>(std::clamp<double>(v, -base::kMaxCoordinate, base::kMaxCoordinate));
+    };
+    base::Box box;
+    for (const QPointF corner : {from, to}) {
+        const base::PointD location = locationAt(corner);
+        box.include(base::Point{clamp(location.x), clamp(location.y)});
+    }
+    return box;
 }
 
 void BoardView::setBoard(const glm::vec3& boxMin, const glm::vec3& boxMax) {

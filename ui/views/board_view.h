@@ -9,6 +9,7 @@
 #include "ui/canvas/camera_controller.h"
 #include "ui/canvas/gpu_context.h"
 #include "ui/canvas/picture.h"
+#include "ui/views/board_position.h"
 
 class QPainter;
 
@@ -36,12 +37,24 @@ public:
     /// Shows a scene, which the caller keeps alive until it sets another one; null shows the background. `styles` has
     /// one entry per layer. The camera is the caller's affair.
     void setScene(render::BoardScene* scene, std::vector<render::LayerStyle> styles);
+    /// Where the board model lies in the job.
+    void setPosition(const BoardPosition& position) { m_position = position; }
+    [[nodiscard]] const BoardPosition& position() const { return m_position; }
+    /// Of a 2D view: the location on the board at a pixel, and the box between two pixels; in nm.
+    [[nodiscard]] base::PointD locationAt(QPointF pixel) const {
+        return m_position.toJob(m_controller.rayAt(pixel).origin);
+    }
+    [[nodiscard]] base::Box boxBetween(QPointF from, QPointF to) const;
+    /// Where a location is on the canvas, at the height of the board's lower face; none behind the eye.
+    [[nodiscard]] std::optional<QPointF> screenOf(base::PointD nm) const {
+        return m_controller.screenOf(m_position.toModel(nm));
+    }
     /// Box of the board in model millimetres, before explosion.
     void setBoard(const glm::vec3& boxMin, const glm::vec3& boxMax);
     void setStyles(std::vector<render::LayerStyle> styles);
     void setBackend(render::Backend backend);
     /// Darkens what does not stand out, see render::ViewSettings; from the next frame of the board on.
-    void setDim(float dim);
+    void setDim(float dim) { m_picture.settings.dim = dim; }
     /// Outlines and nothing in them; in 2D.
     void setOutlined(bool isOn);
     /// Painters paint in the order in which they were added, before every frame.
@@ -103,6 +116,7 @@ private:
     GpuContext& m_context;
     Kind m_kind;
     CameraController m_controller;
+    BoardPosition m_position;
     std::vector<std::pair<Painter, Shown>> m_painters;
     Picture m_picture;
     glm::vec3 m_boxMin{-1.0F};

@@ -53,8 +53,9 @@ void BoardViews::show(const LoadedBoard& board, const std::vector<LayerAppearanc
     makeScene();
     applyHeights();
     for (BoardView* view : m_views) {
-        view->setDim(0.0F);
+        view->setPosition({board.model->origin});
     }
+    setDim(0.0F);
     flat().controller().look(render::NamedView::Top);
     solid().controller().look(render::NamedView::Iso);
 }
@@ -121,6 +122,10 @@ void BoardViews::setStyles(const std::vector<LayerAppearance>& appearances) {
         return;
     }
     m_styles = appearances;
+    applyStyles();
+}
+
+void BoardViews::applyStyles() {
     for (BoardView* view : m_views) {
         view->setStyles(stylesOf(*view));
     }
@@ -138,10 +143,8 @@ void BoardViews::setContrastLayers(std::vector<model::LayerId> layers) {
         return;
     }
     m_contrastLayers = std::move(layers);
-    for (BoardView* view : m_views) {
-        if (m_scene) {
-            view->setStyles(stylesOf(*view));
-        }
+    if (m_scene) {
+        applyStyles();
     }
 }
 
@@ -160,22 +163,6 @@ void BoardViews::setStates(ElementStateLists states) {
     applyStates();
 }
 
-void BoardViews::setElementColours(std::vector<glm::vec3> colours) {
-    m_elementColours = std::move(colours);
-}
-
-void BoardViews::setDim(float dim) {
-    for (BoardView* view : m_views) {
-        view->setDim(dim);
-    }
-}
-
-void BoardViews::setBackend(render::Backend backend) {
-    for (BoardView* view : m_views) {
-        view->setBackend(backend);
-    }
-}
-
 void BoardViews::setArrangement(Arrangement arrangement) {
     m_arrangement = arrangement;
     m_splitter->setOrientation(arrangement == Arrangement::Stacked ? Qt::Vertical : Qt::Horizontal);
@@ -192,7 +179,6 @@ void BoardViews::setArrangement(Arrangement arrangement) {
 void BoardViews::setActive(BoardView& view) {
     if (std::exchange(m_active, &view) != &view) {
         update();
-        emit activeChanged();
     }
 }
 
@@ -214,24 +200,6 @@ void BoardViews::explode(bool isOn) {
     m_explosion.setStartValue(now.isValid() ? now.toFloat() : 0.0F);
     m_explosion.setEndValue(isOn ? 1.0F : 0.0F);
     m_explosion.start();
-}
-
-void BoardViews::requestFrame() {
-    for (BoardView* view : m_views) {
-        view->requestFrame();
-    }
-}
-
-void BoardViews::requestFrameAtRest() {
-    for (BoardView* view : m_views) {
-        view->requestFrameAtRest();
-    }
-}
-
-void BoardViews::requestOverlay() {
-    for (BoardView* view : m_views) {
-        view->requestOverlay();
-    }
 }
 
 void BoardViews::onTimed(const render::FrameStats& stats) {

@@ -2,6 +2,7 @@
 
 #include <QVariantAnimation>
 #include <QWidget>
+#include <algorithm>
 #include <array>
 #include <memory>
 
@@ -38,7 +39,9 @@ public:
     void setContrastLayer(model::LayerId layer);
     /// The same in both views and for several layers, over what `setContrastLayer` says; none ends it.
     void setContrastLayers(std::vector<model::LayerId> layers);
-    void setBackend(render::Backend backend);
+    void setBackend(render::Backend backend) {
+        std::ranges::for_each(m_views, [backend](BoardView* view) { view->setBackend(backend); });
+    }
     void setArrangement(Arrangement arrangement);
     [[nodiscard]] Arrangement arrangement() const { return m_arrangement; }
     /// Spreads the layers of the 3D view apart, or folds them back.
@@ -48,14 +51,16 @@ public:
     /// Cuts the board of the 3D view open; null: it is whole.
     void setCut(std::shared_ptr<const render::SectionCut> cut) { solid().setCut(std::move(cut)); }
     /// See BoardView, all three.
-    void requestFrame();
-    void requestFrameAtRest();
-    void requestOverlay();
+    void requestFrame() { std::ranges::for_each(m_views, &BoardView::requestFrame); }
+    void requestFrameAtRest() { std::ranges::for_each(m_views, &BoardView::requestFrameAtRest); }
+    void requestOverlay() { std::ranges::for_each(m_views, &BoardView::requestOverlay); }
     /// How elements look otherwise than their layers; the colours that they name, 63 at most; and by how much what does
     /// not stand out is darkened, 0 to 1. They show in the next frame of the board, which the caller asks for.
     void setStates(ElementStateLists states);
-    void setElementColours(std::vector<glm::vec3> colours);
-    void setDim(float dim);
+    void setElementColours(std::vector<glm::vec3> colours) { m_elementColours = std::move(colours); }
+    void setDim(float dim) {
+        std::ranges::for_each(m_views, [dim](BoardView* view) { view->setDim(dim); });
+    }
 
     [[nodiscard]] BoardView& flat() { return *m_views[0]; }
     [[nodiscard]] BoardView& solid() { return *m_views[1]; }
@@ -70,7 +75,6 @@ signals:
     /// The device failed and is about to be renewed: who made something from it gives that up.
     void deviceGoes();
     void timed(const render::FrameStats& stats);
-    void activeChanged();
     /// The device failed; says whether it works again.
     void troubled(const QString& what);
 
@@ -81,6 +85,7 @@ private:
     void makeScene();
     void applyHeights();
     void applyStates();
+    void applyStyles();
     void onTimed(const render::FrameStats& stats);
     void onDeviceLost();
     [[nodiscard]] std::vector<render::LayerStyle> stylesOf(const BoardView& view) const;

@@ -28,8 +28,6 @@ model::PolygonSet loopsOf(const model::Document& step, model::ElementId element)
 
 ElementOutlines::ElementOutlines(BoardViews& views, Workspace& workspace, QObject* parent)
     : QObject(parent), m_views(views), m_selection(workspace.selection()) {
-    connect(&workspace, &Workspace::boardShown, this,
-            [this](const LoadedBoard& board) { m_position.origin = board.model->origin; });
     connect(&m_selection, &SelectionModel::hoverChanged, this, &ElementOutlines::updateHovered);
     connect(&m_selection, &SelectionModel::highlightChanged, this, &ElementOutlines::updateSelected);
     for (BoardView* view : views.both()) {
@@ -98,7 +96,7 @@ void ElementOutlines::paintOutline(QPainter& painter, const BoardView& view, con
 QPolygonF ElementOutlines::onScreen(const BoardView& view, std::span<const base::Point> loop, float z) const {
     QPolygonF line;
     for (const base::Point& point : loop) {
-        glm::vec3 at = m_position.toModel(base::toDouble(point));
+        glm::vec3 at = view.position().toModel(base::toDouble(point));
         at.z = z;
         const auto pixel = view.controller().screenOf(at);
         // Points that fall on one pixel are one.

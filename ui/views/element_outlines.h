@@ -47,7 +47,6 @@ private:
 
     BoardViews& m_views;
     SelectionModel& m_selection;
-    BoardPosition m_position;
     Outline m_hovered;
     std::vector<Outline> m_selected;
 };

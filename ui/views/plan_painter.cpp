@@ -102,7 +102,6 @@ void PlanPainter::setBoard(const LoadedBoard& board) {
     if (m_index) {
         m_pins.emplace(*m_index->board);
     }
-    m_position = {board.model->origin};
     m_view.requestOverlay();
 }
 
@@ -121,21 +120,9 @@ void PlanPainter::showPinNames(bool isOn) {
     m_view.requestOverlay();
 }
 
-double PlanPainter::nmPerPixel() const {
-    return static_cast<double>(m_view.controller().mmPerPixel()) * base::kNmPerMm;
-}
-
 model::Box PlanPainter::shownBox() const {
     const QSizeF size = m_view.controller().viewport();
-    model::Box box;
-    for (const QPointF corner : {QPointF(0, 0), QPointF(size.width(), size.height())}) {
-        const base::PointD at = m_position.toJob(m_view.controller().rayAt(corner).origin);
-        const auto clamp = [](double v) {
-            return static_cast<model::Nm>(std::clamp<double>(v, -base::kMaxCoordinate, base::kMaxCoordinate));
-        };
-        box.include(model::Point{clamp(at.x), clamp(at.y)});
-    }
-    return box;
+    return m_view.boxBetween({}, {size.width(), size.height()});
 }
 
 double PlanPainter::gridStep(double nmPerPixel, LengthUnit unit, double pixels) {
@@ -150,7 +137,7 @@ double PlanPainter::gridStep(double nmPerPixel, LengthUnit unit, double pixels) 
 }
 
 QPointF PlanPainter::screenOf(double x, double y) const {
-    return m_view.controller().screenOf(m_position.toModel({x, y})).value_or(QPointF());
+    return m_view.screenOf({x, y}).value_or(QPointF());
 }
 
 void PlanPainter::paint(QPainter& painter) const {
@@ -158,13 +145,13 @@ void PlanPainter::paint(QPainter& painter) const {
         return;
     }
     if (m_hasGrid) {
-        paintGrid(painter, gridStep(nmPerPixel(), m_workspace.unit()));
+        paintGrid(painter, gridStep(m_view.controller().nmPerPixel(), m_workspace.unit()));
     }
     if (m_hasNames || m_hasPinNames) {
         paintNames(painter);
     }
     if (m_hasGrid) {
-        paintRulers(painter, gridStep(nmPerPixel(), m_workspace.unit(), kTickPixels));
+        paintRulers(painter, gridStep(m_view.controller().nmPerPixel(), m_workspace.unit(), kTickPixels));
     }
 }
 
@@ -284,7 +271,7 @@ std::vector<QStringList> PlanPainter::textsFor(model::ElementId element) const {
 
 std::vector<PlanPainter::Label> PlanPainter::labels() const {
     std::vector<Label> labels;
-    const double perPixel = nmPerPixel();
+    const double perPixel = m_view.controller().nmPerPixel();
     for (const model::ElementId element : namedElements()) {
         const std::optional<Stretch> stretch = stretchOf(*m_index->board, element);
         if (!stretch || stretch->width / perPixel * kFilled < kSmallestName || labels.size() >= kMostNames) {

@@ -52,13 +52,11 @@ private:
     [[nodiscard]] QStringList pinNames(model::ElementId element) const;
     [[nodiscard]] std::vector<QStringList> textsFor(model::ElementId element) const;
     [[nodiscard]] QPointF screenOf(double x, double y) const;
-    [[nodiscard]] double nmPerPixel() const;
 
     BoardView& m_view;
     Workspace& m_workspace;
     const NetStyles& m_styles;
     std::shared_ptr<const model::BoardIndex> m_index;
-    BoardPosition m_position;
     bool m_hasGrid = true;
     bool m_hasNames = true;
     bool m_hasPinNames = true;

@@ -78,7 +78,6 @@ void Probing::setBoard(const LoadedBoard& board) {
     if (board.index) {
         m_picker.emplace(board.index);
     }
-    m_position.origin = board.model->origin;
 }
 
 void Probing::hideNets() {
@@ -117,17 +116,17 @@ std::vector<model::Hit> Probing::hitsAt(const BoardView& view, QPointF position)
         return {};
     }
     const auto [origin, direction] = view.controller().rayAt(position);
-    const double reach = kReachPixels * static_cast<double>(view.controller().mmPerPixel()) * base::kNmPerMm;
+    const double reach = kReachPixels * view.controller().nmPerPixel();
     if (view.kind() == BoardView::Kind::Flat) {
-        return m_picker->at(m_position.toJob(origin), reach, layers, direction.z > 0.0F);
+        return m_picker->at(view.locationAt(position), reach, layers, direction.z > 0.0F);
     }
     // Steps of a length that keeps numbers near 1.
     const glm::dvec3 step = glm::normalize(glm::dvec3(direction)) * base::kNmPerMm;
     model::SightLine line{
-        m_position.toJob(origin), static_cast<double>(origin.z) * base::kNmPerMm, {step.x, step.y}, -step.z};
+        view.position().toJob(origin), static_cast<double>(origin.z) * base::kNmPerMm, {step.x, step.y}, -step.z};
     if (const render::SectionCut* cut = view.cut()) {
         const glm::dvec2 along = cut->plane.direction;
-        line.cutSide = {m_position.toJob(glm::vec3(glm::vec2(cut->plane.start), 0.0F)), {-along.y, along.x}};
+        line.cutSide = {view.position().toJob(glm::vec3(glm::vec2(cut->plane.start), 0.0F)), {-along.y, along.x}};
     }
     return m_picker->along(line, reach, layers);
 }
@@ -152,10 +151,10 @@ void Probing::hover() {
 
 void Probing::announceLocation(const BoardView& view, QPointF position) {
     if (view.kind() == BoardView::Kind::Flat) {
-        const base::PointD location = m_position.toJob(view.controller().rayAt(position).origin);
+        const base::PointD location = view.locationAt(position);
         emit pointedAt(location.x, location.y);
     } else if (const auto point = view.controller().boardPointAt(position)) {
-        const base::PointD location = m_position.toJob(*point);
+        const base::PointD location = view.position().toJob(*point);
         emit pointedAt(location.x, location.y);
     } else {
         emit pointedAway();
@@ -210,8 +209,8 @@ void Probing::show(BoardView& view, std::span<const model::BoardElement> element
         const model::Box box = copy.placement.boxOf(step.boxOf(at.element));
         const model::LayerId layer = step.layerOfCopy(step.elements.layer[at.element.row()], copy.isFlipped);
         const render::ZRange z = layer.row() < heights.size() ? heights[layer.row()] : render::ZRange{};
-        const glm::vec3 a = m_position.toModel(base::toDouble(box.min));
-        const glm::vec3 b = m_position.toModel(base::toDouble(box.max));
+        const glm::vec3 a = position().toModel(base::toDouble(box.min));
+        const glm::vec3 b = position().toModel(base::toDouble(box.max));
         low = glm::min(low, {a.x, a.y, z.z0});
         high = glm::max(high, {b.x, b.y, z.z1});
     }
@@ -230,7 +229,7 @@ void Probing::showPosition(base::PointD nm, model::LayerId layer, float aroundMm
     for (BoardView* view : m_views.both()) {
         const std::vector<render::ZRange> heights = view->drawnHeights();
         const render::ZRange z = layer.row() < heights.size() ? heights[layer.row()] : render::ZRange{};
-        const glm::vec3 at = m_position.toModel(nm);
+        const glm::vec3 at = position().toModel(nm);
         const float side = view == &m_views.flat() ? aroundMm : std::max(aroundMm, kAroundMm);
         const glm::vec3 around(side, side, 0.0F);
         view->controller().show(glm::vec3(at.x, at.y, z.z0) - around, glm::vec3(at.x, at.y, z.z1) + around);
@@ -243,15 +242,7 @@ void Probing::selectBox(QPointF from, QPointF to, Qt::KeyboardModifiers modifier
     if (!m_picker || !m_isSelecting) {
         return;
     }
-    const CameraController& controller = m_views.flat().controller();
-    model::Box box;
-    for (const QPointF corner : {from, to}) {
-        const base::PointD location = m_position.toJob(controller.rayAt(corner).origin);
-        const auto clamp = [](double v) {
-            return static_cast<base::Nm>(std::clamp<double>(v, -base::kMaxCoordinate, base::kMaxCoordinate));
-        };
-        box.include(model::Point{clamp(location.x), clamp(location.y)});
-    }
+    const model::Box box = m_views.flat().boxBetween(from, to);
     // From left to right what is inside, from right to left also what is touched, as CAD users know it.
     m_selection.select(
         m_picker->inside(box, to.x() < from.x(), layersOf(m_views.flat())),

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QObject>
-#include <QRectF>
 #include <QTimer>
 #include <array>
 #include <optional>
@@ -33,7 +32,7 @@ public:
     /// While something else takes the clicks, nothing is selected and no tips are shown.
     void setSelecting(bool isOn) { m_isSelecting = isOn; }
 
-    [[nodiscard]] const BoardPosition& position() const { return m_position; }
+    [[nodiscard]] const BoardPosition& position() const { return m_views.flat().position(); }
     /// What the view shows of each layer; empty without a board.
     [[nodiscard]] std::vector<model::PickLayer> layersOf(const BoardView& view) const;
     /// What lies under a location on the canvas, see model::Picker.
@@ -68,7 +67,6 @@ private:
     SelectionModel& m_selection;
     NetStyles& m_nets;
     std::optional<model::Picker> m_picker;
-    BoardPosition m_position;
     std::array<bool, 2> m_follows{};
     bool m_isSelecting = true;
 

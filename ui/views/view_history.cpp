@@ -32,13 +32,13 @@ void ViewHistory::back() {
     if (m_rest.isActive()) {
         onRest();  // what is left now can be come back to
     }
-    if (canGoBack()) {
+    if (m_at > 0) {
         goTo(m_at - 1);
     }
 }
 
 void ViewHistory::forward() {
-    if (canGoForward()) {
+    if (m_at + 1 < m_locations.size()) {
         goTo(m_at + 1);
     }
 }

@@ -21,8 +21,6 @@ public:
 
     /// Another board: begins anew.
     void clear();
-    [[nodiscard]] bool canGoBack() const { return m_at > 0; }
-    [[nodiscard]] bool canGoForward() const { return m_at + 1 < m_locations.size(); }
     void back();
     void forward();
 

@@ -189,11 +189,8 @@ void addViews(FeatureContext& context) {
 
 base::Status savePicture(BoardView& view, const QString& path, int width) {
     const double shown = view.width() * view.devicePixelRatioF();
-    const base::Result<QImage> picture = view.grabPicture(width > 0 ? width / shown : 1.0);
-    if (!picture) {
-        return picture.error();
-    }
-    if (!picture->save(path, "PNG")) {
+    ASSIGN_OR_RETURN(const QImage picture, view.grabPicture(width > 0 ? width / shown : 1.0));
+    if (!picture.save(path, "PNG")) {
         return base::Error{base::ErrorCode::OutputFailed,
                            BoardViews::tr("%1 cannot be written").arg(path).toStdString()};
     }

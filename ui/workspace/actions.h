@@ -5,7 +5,6 @@
 #include <QObject>
 #include <QString>
 #include <array>
-#include <span>
 
 class QMenu;
 class QWidget;
@@ -14,130 +13,37 @@ class QWidget;
 /// from it.
 namespace ui {
 
+// A menu a line or more, in the order of the table.
+// clang-format off
 enum class ActionId {
-    OpenFile,
-    OpenFolder,
-    Reload,
-    CancelLoading,
-    SaveSession,
-    SavePicture,
-    SaveLargePicture,
-    CopyPicture,
-    Quit,
-    Undo,
-    Redo,
-    Find,
-    Commands,
-    Fit,
-    ViewTop,
-    ViewBottom,
-    ViewIso,
-    Flip,
-    ZoomIn,
-    ZoomOut,
-    ViewBack,
-    ViewForward,
-    SaveView,
-    Orthographic,
-    Explode,
-    ShowViewCube,
-    ShowFrameDisplay,
-    ExaggerateCopperHeight,
-    ExaggerateDielectricHeight,
-    SectionPlane,
-    RotateSectionPlane,
-    MoveSectionPlaneOn,
+    OpenFile, OpenFolder, Reload, CancelLoading, SaveSession, SavePicture, SaveLargePicture, CopyPicture, Quit,
+    Undo, Redo, Find, Commands,
+    Fit, ViewTop, ViewBottom, ViewIso, Flip, ZoomIn, ZoomOut, ViewBack, ViewForward, SaveView, Orthographic, Explode,
+    ShowViewCube, ShowFrameDisplay,
+    ExaggerateCopperHeight, ExaggerateDielectricHeight, SectionPlane, RotateSectionPlane, MoveSectionPlaneOn,
     MoveSectionPlaneBack,
-    ShowFlat,
-    ShowSolid,
-    ShowSideBySide,
-    ShowStacked,
-    ShowLayersDock,
-    ShowNetsDock,
-    ShowElementDock,
-    ShowNetCheckDock,
-    ShowStackupDock,
-    ShowStatisticsDock,
-    ShowSavedViewsDock,
-    ShowClearanceDock,
-    ShowMeasurementsDock,
-    ShowSectionDock,
-    ShowMessagesDock,
-    ShowToolBar,
-    NextPanel,
-    PreviousPanel,
-    ThemeSystem,
-    ThemeDark,
-    ThemeLight,
-    BackendAuto,
-    BackendMesh,
-    BackendPull,
-    BackendImpostor,
-    BackendRaster,
-    KeysCopperscope,
-    KeysKiCad,
-    KeysAltium,
-    KeysAllegro,
-    KeysKLayout,
-    ShowAllLayers,
-    HideAllLayers,
-    ShowCopperOnly,
-    SoloLayer,
-    Contrast,
-    NextLayer,
-    PreviousLayer,
-    RestoreLayers,
+    ShowFlat, ShowSolid, ShowSideBySide, ShowStacked,
+    ShowLayersDock, ShowNetsDock, ShowElementDock, ShowNetCheckDock, ShowStackupDock, ShowStatisticsDock,
+    ShowSavedViewsDock, ShowClearanceDock, ShowMeasurementsDock, ShowSectionDock, ShowMessagesDock, ShowToolBar,
+    NextPanel, PreviousPanel,
+    ThemeSystem, ThemeDark, ThemeLight,
+    BackendAuto, BackendMesh, BackendPull, BackendImpostor, BackendRaster,
+    KeysCopperscope, KeysKiCad, KeysAltium, KeysAllegro, KeysKLayout,
+    ShowAllLayers, HideAllLayers, ShowCopperOnly, SoloLayer, Contrast, NextLayer, PreviousLayer, RestoreLayers,
     SafeColours,
-    ColourNet,
-    ChooseNetColour,
-    HideNet,
-    ShowAllNets,
-    ClearNetColours,
-    CheckNets,
-    InferNets,
-    ExaggerateCopper,
-    ExportStackup,
-    SearchClearances,
-    NextClearance,
-    PreviousClearance,
-    EditRules,
-    ExportClearances,
-    Lens,
-    ClearanceMap,
-    DrawSection,
-    SectionAlongNet,
-    OpenAlongSection,
-    SaveSection,
+    ColourNet, ChooseNetColour, HideNet, ShowAllNets, ClearNetColours,
+    CheckNets, InferNets, ExaggerateCopper, ExportStackup, SearchClearances, NextClearance, PreviousClearance,
+    EditRules, ExportClearances, Lens, ClearanceMap, DrawSection, SectionAlongNet, OpenAlongSection, SaveSection,
     ExportSection,
-    MeasurePoints,
-    MeasureObjects,
-    MeasureAngle,
-    MeasureLines,
-    MeasureRadius,
-    MeasureLength,
-    MeasureSpacing,
+    MeasurePoints, MeasureObjects, MeasureAngle, MeasureLines, MeasureRadius, MeasureLength, MeasureSpacing,
     ExportMeasurements,
-    ClearSelection,
-    ShowSelection,
-    SelectComponent,
-    SelectPin,
-    SaveSelection,
-    HighlightNet,
-    DimOthers,
-    FollowInSolid,
-    FollowInFlat,
-    FollowInTables,
-    FollowFromTables,
-    NextUnit,
-    ShowGrid,
-    ShowNames,
-    ShowOutlines,
-    ShowPinNames,
-    ShowKeys,
-    ResetSettings,
-    About,
+    ClearSelection, ShowSelection, SelectComponent, SelectPin, SaveSelection, HighlightNet, DimOthers, FollowInSolid,
+    FollowInFlat, FollowInTables, FollowFromTables,
+    NextUnit, ShowGrid, ShowNames, ShowOutlines, ShowPinNames,
+    ShowKeys, ResetSettings, About,
     Count
 };
+// clang-format on
 inline constexpr std::size_t kActionCount = static_cast<std::size_t>(ActionId::Count);
 
 /// Where a command is found. Solid (what the 3D view draws otherwise) and Panels are submenus of View; so are
@@ -174,8 +80,6 @@ inline constexpr unsigned kCheckable = 1U;
 inline constexpr unsigned kNewGroup = 2U;  ///< a separator goes before it
 inline constexpr unsigned kNeedsBoard = 4U;
 
-/// The table, in menu order; row n has id n.
-[[nodiscard]] std::span<const ActionSpec> actionSpecs();
 [[nodiscard]] QString menuTitle(MenuId menu);
 /// Keys written as in ActionSpec::shortcuts.
 [[nodiscard]] QList<QKeySequence> keysFrom(const char* shortcuts);
@@ -191,7 +95,7 @@ public:
     /// Makes all actions children of `window`, so that their shortcuts work wherever the focus is inside it.
     explicit ActionSet(QWidget& window);
 
-    static const ActionSpec kSpecs[kActionCount];  ///< see actionSpecs
+    static const ActionSpec kSpecs[kActionCount];  ///< in menu order; row n has id n
     static const char* const kMenuTitles[kMenuCount];
 
     [[nodiscard]] QAction& operator[](ActionId id) const { return *m_actions[static_cast<std::size_t>(id)]; }

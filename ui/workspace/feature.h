@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QMainWindow>
-#include <initializer_list>
 #include <utility>
 
 #include "ui/workspace/actions.h"

@@ -101,10 +101,6 @@ bool SelectionModel::clearStep() {
     return hadNets;
 }
 
-const model::Document& SelectionModel::stepOf(const model::BoardElement& element) const {
-    return *m_tree.steps[m_tree.copies[element.copy].step];
-}
-
 std::uint32_t SelectionModel::firstCopyOf(std::uint32_t step) const {
     return static_cast<std::uint32_t>(std::ranges::find(m_tree.copies, step, &model::StepCopy::step) -
                                       m_tree.copies.begin());

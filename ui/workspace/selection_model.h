@@ -54,7 +54,9 @@ public:
 
     [[nodiscard]] const model::StepTree& tree() const { return m_tree; }
     /// The document an element is a row of.
-    [[nodiscard]] const model::Document& stepOf(const model::BoardElement& element) const;
+    [[nodiscard]] const model::Document& stepOf(const model::BoardElement& element) const {
+        return *m_tree.steps[m_tree.copies[element.copy].step];
+    }
     /// Row of `tree().copies`: the first copy of a step.
     [[nodiscard]] std::uint32_t firstCopyOf(std::uint32_t step) const;
     /// Of steps that are placed often, in the first copy.

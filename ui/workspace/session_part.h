@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "ui/workspace/undo_step.h"
 #include "ui/workspace/workspace.h"
@@ -60,15 +61,66 @@ private:
     bool m_isSaved = true;
 };
 
-/// "View 3": a name that no entry of the list has, counted on from its length.
-template <class List>
-[[nodiscard]] std::string freeName(const List& list, const std::string& word) {
-    for (std::size_t number = list.size() + 1;; ++number) {
-        std::string name = word + std::to_string(number);
-        if (std::ranges::find(list, name, [](const auto& entry) { return entry.name; }) == list.end()) {
-            return name;
-        }
+/// A list in a board's session whose entries have a name and the step they are of: views, measurements, sections.
+template <class Entry>
+class SavedList {
+public:
+    using List = std::vector<Entry>;
+
+    /// `part` is the list in a session; `show` takes the list whenever it is another.
+    SavedList(Workspace& workspace, QString name, List model::session::Session::*part,
+              typename SessionPart<List>::Save save, std::function<void(const List&)> show)
+        : m_workspace(workspace),
+          m_show(std::move(show)),
+          m_part(
+              workspace, std::move(name), [this](const List& entries) { set(entries); }, std::move(save)) {
+        QObject::connect(&workspace, &Workspace::boardOpened, &workspace, [this, part](const LoadedBoard& board) {
+            if (m_part.open()) {
+                set(board.session.*part);
+            }
+        });
     }
-}
+
+    [[nodiscard]] const List& entries() const { return m_entries; }
+    /// Adds an entry of the step on the screen: "View 3", a name that no other has, counted on from the length.
+    void add(const QString& what, Entry entry, const std::string& word) {
+        entry.step = m_workspace.board()->document->job.step;
+        std::size_t number = m_entries.size();
+        do {
+            entry.name = word + std::to_string(++number);
+        } while (std::ranges::find(m_entries, entry.name, &Entry::name) != m_entries.end());
+        List after = m_entries;
+        after.push_back(std::move(entry));
+        m_part.edit(what, m_entries, std::move(after));
+    }
+    template <class Edit>
+    void change(const QString& what, int row, const Edit& edit) {
+        List after = m_entries;
+        edit(after[static_cast<std::size_t>(row)]);
+        m_part.edit(what, m_entries, std::move(after));
+    }
+    void rename(const QString& what, int row, const QString& name) {
+        change(what, row, [&name](Entry& entry) { entry.name = name.toStdString(); });
+    }
+    void remove(const QString& what, std::vector<int> rows) {
+        List after = m_entries;
+        std::ranges::sort(rows, std::greater());
+        for (const int row : rows) {
+            after.erase(after.begin() + row);
+        }
+        m_part.edit(what, m_entries, std::move(after));
+    }
+
+private:
+    void set(const List& entries) {
+        m_entries = entries;
+        m_show(m_entries);
+    }
+
+    Workspace& m_workspace;
+    List m_entries;
+    std::function<void(const List&)> m_show;
+    SessionPart<List> m_part;
+};
 
 }  // namespace ui

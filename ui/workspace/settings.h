@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QByteArray>
+#include <QDir>
 #include <QSettings>
 #include <QString>
 #include <QStringList>
@@ -21,12 +22,15 @@ enum class Arrangement { SideBySide, Stacked, Flat, Solid };
 /// settings, or in one file for tests.
 class Settings {
 public:
-    Settings();
-    explicit Settings(const QString& iniFile);
+    Settings() : m_store(QStringLiteral("Copperscope"), QStringLiteral("Copperscope")) {}
+    explicit Settings(const QString& iniFile) : m_store(iniFile, QSettings::IniFormat) {}
 
-    [[nodiscard]] QByteArray windowGeometry() const;
-    [[nodiscard]] QByteArray windowState() const;
-    void setWindow(const QByteArray& geometry, const QByteArray& state);
+    [[nodiscard]] QByteArray windowGeometry() const { return m_store.value("window/geometry").toByteArray(); }
+    [[nodiscard]] QByteArray windowState() const { return m_store.value("window/state").toByteArray(); }
+    void setWindow(const QByteArray& geometry, const QByteArray& state) {
+        m_store.setValue("window/geometry", geometry);
+        m_store.setValue("window/state", state);
+    }
 
     /// What the user chose of Theme, Arrangement, LengthUnit, KeyPreset, render::Backend or render::Palette; the first
     /// value where nothing was chosen, or by another version.
@@ -41,14 +45,14 @@ public:
     }
 
     /// Paths, newest first.
-    [[nodiscard]] QStringList recentBoards() const;
-    void setRecentBoards(const QStringList& paths);
+    [[nodiscard]] QStringList recentBoards() const { return m_store.value("files/recent").toStringList(); }
+    void setRecentBoards(const QStringList& paths) { m_store.setValue("files/recent", paths); }
     /// Where the last dialog was, or the home folder.
-    [[nodiscard]] QString lastFolder() const;
-    void setLastFolder(const QString& folder);
+    [[nodiscard]] QString lastFolder() const { return m_store.value("files/folder", QDir::homePath()).toString(); }
+    void setLastFolder(const QString& folder) { m_store.setValue("files/folder", folder); }
 
     /// Forgets everything.
-    void reset();
+    void reset() { m_store.clear(); }
 
 private:
     struct Choices {

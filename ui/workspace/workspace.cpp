@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ui/common/paths.h"
+#include "ui/common/texts.h"
 
 namespace ui {
 
@@ -48,10 +49,6 @@ Workspace::Workspace(Loader::Work work, QObject* parent)
     watch(m_loader.background(), [this] { return displayName(m_loader.request().path); });
 }
 
-bool Workspace::isOpen(const std::string& step) const {
-    return m_board && m_board->document->job.step == step;
-}
-
 void Workspace::open(model::OpenRequest request) {
     for (const QPointer<Background>& work : m_works) {
         work->cancel();
@@ -76,12 +73,8 @@ void Workspace::take(const LoadedBoard& board) {
     m_selection.setBoard(board.document);
     emit boardOpened(*m_board);
     emit sessionRestored(*m_board);
-    QStringList notes;
-    for (const std::string& note : board.notes) {
-        notes += QString::fromStdString(note);
-    }
-    if (!notes.isEmpty()) {
-        reportError(notes.join('\n'));
+    if (!board.notes.empty()) {
+        reportError(textsOf(board.notes).join('\n'));
     }
     report(summaryOf(*m_board));
 }

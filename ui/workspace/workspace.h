@@ -28,7 +28,7 @@ public:
     /// Null before the first board. The one on the screen stays until the next one is read, and if that fails.
     [[nodiscard]] const LoadedBoard* board() const { return m_board ? &*m_board : nullptr; }
     /// Is this the step on the screen?
-    [[nodiscard]] bool isOpen(const std::string& step) const;
+    [[nodiscard]] bool isOpen(const std::string& step) const { return m_board && m_board->document->job.step == step; }
     /// Stops all work and reads a board in the background.
     void open(model::OpenRequest request);
     /// Opens the board again, with its thicknesses as they are now, after `change` of the request.

@@ -10,7 +10,6 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/clearance/clearances.h"
 #include "ui/layers/layers_panel.h"
-#include "ui/shell/status_line.h"
 
 using model::ClearanceMap;
 using model::DistanceField;
@@ -31,7 +30,7 @@ private slots:
         while (window().selection().clearStep()) {
         }
         window().layers().restoreDefaults();
-        bar().slider().setValue(m_slider);
+        slider().setValue(m_slider);
         views().flat().controller().look(render::NamedView::Top);
         for (BoardView* view : views().both()) {
             view->controller().fit();
@@ -53,18 +52,18 @@ private slots:
         waitForMaps();
         QVERIFY(window().actions()[ActionId::ClearanceMap].isChecked());
         QCOMPARE(distances().field()->kind(), DistanceField::Kind::BetweenNets);
-        QVERIFY2(bar().text().contains("spacing between nets"), qPrintable(bar().text()));
+        QVERIFY2(text().contains("spacing between nets"), qPrintable(text()));
         QVERIFY(differingPixels(without[0], grab(views().flat())) > 500);
         QVERIFY(differingPixels(without[1], grab(views().solid())) > 500);
         m_fixture->key(Qt::Key_G, Qt::ShiftModifier);
         QTRY_VERIFY(distances().field() == nullptr);
         QCOMPARE(differingPixels(without[0], grab(views().flat())), 0);
-        QCOMPARE(bar().text(), QString());
+        QCOMPARE(text(), QString());
     }
 
     void everyValueIsPaintedInItsColourAtItsPlace() {
         switchOn();
-        bar().slider().setValue(bar().slider().maximum());
+        slider().setValue(slider().maximum());
         // From below, isometric and in parallel too: colours stay where they belong.
         views().flat().controller().look(render::NamedView::Bottom);
         for (BoardView* view : views().both()) {
@@ -88,7 +87,7 @@ private slots:
         window().selection().select({{0, target}});
         QTRY_VERIFY(distances().field() != nullptr && distances().field()->kind() == DistanceField::Kind::ToTargets);
         waitForMaps();
-        QVERIFY2(bar().text().endsWith("distance to the selection"), qPrintable(bar().text()));
+        QVERIFY2(text().endsWith("distance to the selection"), qPrintable(text()));
         const model::Box box = board.boxOf(target);
         const base::PointD beside{box.max.x + 400'000.0, (double{1} * box.min.y + box.max.y) / 2};
         QVERIFY(distances().field()->at(beside, 1e6) >= 400'000.0 - 1.0);
@@ -96,7 +95,7 @@ private slots:
         const model::NetId net = board.elements.net[target.row()];
         window().selection().select({});
         window().selection().setNets({{0, net}});
-        QTRY_VERIFY(bar().text().endsWith("distance to " + QString::fromStdString(board.nets[net.row()].name)));
+        QTRY_VERIFY(text().endsWith("distance to " + QString::fromStdString(board.nets[net.row()].name)));
         waitForMaps();
         m_fixture->key(Qt::Key_Escape);
         QTRY_VERIFY(distances().field() != nullptr && distances().field()->kind() == DistanceField::Kind::BetweenNets);
@@ -118,7 +117,7 @@ private slots:
         QTRY_VERIFY(distances().field() != nullptr && distances().field()->layer() == copper.front());
         window().layers().toggleSolo({});
         window().layers().hideAll();
-        QTRY_COMPARE(bar().text(), "show a copper layer");
+        QTRY_COMPARE(text(), "show a copper layer");
         QVERIFY(distances().field() == nullptr);
     }
 
@@ -126,7 +125,7 @@ private slots:
         switchOn();
         const std::vector<LayerId> copper = copperLayers();
         window().selection().select({{0, someCopper(copper.back())}});
-        QTRY_VERIFY2(bar().text().startsWith("the selection has no copper on"), qPrintable(bar().text()));
+        QTRY_VERIFY2(text().startsWith("the selection has no copper on"), qPrintable(text()));
         QVERIFY(distances().field() == nullptr);
         QTRY_VERIFY(!distances().isPending());
     }
@@ -135,16 +134,16 @@ private slots:
         switchOn();
         const ClearanceMap* map = distances().picture(BoardView::Kind::Flat).map();
         const float* values = map->nm.data();
-        bar().slider().setFocus();
+        slider().setFocus();
         std::set<int> painted;
         for (int i = 0; i < 5; ++i) {
-            const double before = bar().reach();
+            const double before = panel().mapReach();
             const QImage last = grab(views().flat());
-            QTest::keyClick(&bar().slider(), Qt::Key_PageUp);
-            QVERIFY(bar().reach() > before);
+            QTest::keyClick(&slider(), Qt::Key_PageUp);
+            QVERIFY(panel().mapReach() > before);
             QVERIFY(!distances().isPending());
             QVERIFY(differingPixels(last, grab(views().flat())) > 20);
-            QCOMPARE(distances().legend().numbers().back(), bar().reach());
+            QCOMPARE(distances().legend().numbers().back(), panel().mapReach());
         }
         QCOMPARE(distances().picture(BoardView::Kind::Flat).map()->nm.data(), values);
     }
@@ -152,7 +151,7 @@ private slots:
     void aMovedViewKeepsItsPictureUntilItRests() {
         views().flat().controller().zoomAtCentre(3.0F);
         switchOn();
-        bar().slider().setValue(bar().slider().maximum());
+        slider().setValue(slider().maximum());
         ui::ClearanceMapPicture& picture = distances().picture(BoardView::Kind::Flat);
         const model::MapFrame before = picture.map()->frame;
         const QPoint at(views().flat().width() / 2, views().flat().height() / 2);
@@ -170,18 +169,16 @@ private slots:
 
     void theCursorTellsTheValueInTheStatusLine() {
         switchOn();
-        bar().slider().setValue(bar().slider().maximum());
+        slider().setValue(slider().maximum());
         const auto [at, value] = coloured(views().flat()).front();
         QTest::qWait(20);
         emit views().flat().controller().hovered(at);
-        QTRY_VERIFY2(window().statusLine().positionText().contains("spacing "),
-                     qPrintable(window().statusLine().positionText()));
+        QTRY_VERIFY2(window().label("position").contains("spacing "), qPrintable(window().label("position")));
         QVERIFY(distances().legend().mark.has_value());
         QVERIFY(std::abs(*distances().legend().mark - value) <
                 2.0 * distances().picture(BoardView::Kind::Flat).map()->frame.cell);
         window().actions()[ActionId::NextUnit].trigger();
-        QVERIFY2(window().statusLine().positionText().contains(" mil   gap "),
-                 qPrintable(window().statusLine().positionText()));
+        QVERIFY2(window().label("position").contains(" mil   spacing "), qPrintable(window().label("position")));
         window().actions()[ActionId::NextUnit].trigger();
         window().actions()[ActionId::NextUnit].trigger();
     }
@@ -217,7 +214,9 @@ private:
     TestWindow& window() { return m_fixture->window(); }
     ui::BoardViews& views() { return window().views(); }
     ui::ClearanceMapOverlay& distances() { return window().find<ui::ClearanceMapOverlay>(); }
-    ui::ClearanceMapBar& bar() { return window().find<ui::ClearancePanel>().distances(); }
+    ui::ClearancePanel& panel() { return window().find<ui::ClearancePanel>(); }
+    QSlider& slider() { return *panel().findChild<QSlider*>("mapReach"); }
+    QString text() { return panel().findChild<QLabel*>("map")->text(); }
     QImage grab(BoardView& view) { return view.grabPicture()->convertToFormat(QImage::Format_RGB32); }
 
     void switchOn() {
@@ -275,8 +274,8 @@ private:
                 bool isEven = true;
                 for (std::uint32_t y = row - 2; y <= row + 2; ++y) {
                     for (std::uint32_t x = column - 2; x <= column + 2; ++x) {
-                        isEven = isEven && value(x, y) > 0 && value(x, y) <= bar().reach() &&
-                                 std::abs(value(x, y) - value(column, row)) < bar().reach() / 16;
+                        isEven = isEven && value(x, y) > 0 && value(x, y) <= panel().mapReach() &&
+                                 std::abs(value(x, y) - value(column, row)) < panel().mapReach() / 16;
                     }
                 }
                 glm::vec3 at = window().probing().position().toModel(map.frame.centreOf(column, row));
@@ -298,7 +297,7 @@ private:
         std::size_t right = 0;
         for (const auto& [at, value] : locations) {
             const QColor found = picture.pixelColor((at * view.devicePixelRatioF()).toPoint());
-            const glm::vec3 c = render::rampColour(static_cast<float>(value / bar().reach())) * 255.0F;
+            const glm::vec3 c = render::rampColour(static_cast<float>(value / panel().mapReach())) * 255.0F;
             const double off = std::max({std::abs(found.red() - double{c.r}), std::abs(found.green() - double{c.g}),
                                          std::abs(found.blue() - double{c.b})});
             right += off < 48.0 ? 1 : 0;

@@ -31,8 +31,8 @@ private slots:
     void init() {
         while (window().selection().clearStep()) {
         }
-        panel().whatBox().setCurrentIndex(static_cast<int>(ClearancePanel::What::Smallest));
-        panel().whereBox().setCurrentIndex(static_cast<int>(ClearancePanel::Where::Board));
+        box("what").setCurrentIndex(static_cast<int>(ClearancePanel::What::Smallest));
+        box("where").setCurrentIndex(static_cast<int>(ClearancePanel::Where::Board));
         if (window().actions()[ActionId::Lens].isChecked()) {
             window().actions()[ActionId::Lens].trigger();
         }
@@ -141,7 +141,7 @@ private slots:
 
     void aQuestionThatCannotBeAskedIsTold() {
         window().selection().setNets({});
-        panel().whereBox().setCurrentIndex(static_cast<int>(ClearancePanel::Where::Nets));
+        box("where").setCurrentIndex(static_cast<int>(ClearancePanel::Where::Nets));
         window().messageBar().hide();
         window().actions()[ActionId::SearchClearances].trigger();
         QVERIFY(window().messageBar().isVisible());
@@ -150,7 +150,7 @@ private slots:
     }
 
     void rulesAreEditedCheckedAndKeptInAFile() {
-        panel().whatBox().setCurrentIndex(static_cast<int>(ClearancePanel::What::Rules));
+        box("what").setCurrentIndex(static_cast<int>(ClearancePanel::What::Rules));
         ui::RuleModel& rules = window().find<ui::RuleModel>();
         const QModelIndex least = rules.index(0, ui::RuleModel::Least);
         QVERIFY(rules.setData(least, "5 mm", Qt::EditRole));
@@ -177,19 +177,21 @@ private slots:
         window().actions()[ui::ActionId::EditRules].trigger();
         auto* dialog = window().findChild<ui::RuleDialog*>();
         QVERIFY(dialog != nullptr && dialog->isVisible());
+        const QList<ui::TableView*> tables = dialog->findChildren<ui::TableView*>();  // rules, classes
+        const QAbstractItemModel& classes = *tables[1]->model();
         press(*dialog, "Add &class");
-        QCOMPARE(dialog->classes().rowCount(), 1);
-        type(dialog->classTable(), dialog->classes().index(0, ui::NetClassModel::Name), "gnd");
-        type(dialog->classTable(), dialog->classes().index(0, ui::NetClassModel::Nets), "GND*");
+        QCOMPARE(classes.rowCount(), 1);
+        type(*tables[1], classes.index(0, ui::NetClassModel::Name), "gnd");
+        type(*tables[1], classes.index(0, ui::NetClassModel::Nets), "GND*");
         QTRY_COMPARE(dialog->rules().rules().classes, (std::vector<model::NetClass>{{"gnd", {"GND*"}}}));
         press(*dialog, "&Add rule");
         const int row = dialog->rules().rowCount() - 1;
         QCOMPARE(row, static_cast<int>(before.rules.size()));
         QVERIFY(dialog->rules().setData(dialog->rules().index(row, ui::RuleModel::Second), "gnd", Qt::EditRole));
-        type(dialog->ruleTable(), dialog->rules().index(row, ui::RuleModel::Least), "7 mil");
+        type(*tables[0], dialog->rules().index(row, ui::RuleModel::Least), "7 mil");
         QTRY_COMPARE(dialog->rules().rules().rules.back().least, model::Nm{177'800});
-        dialog->ruleTable().setCurrentIndex(dialog->rules().index(0, ui::RuleModel::On));
-        QTest::keyClick(&dialog->ruleTable(), Qt::Key_Space);
+        tables[0]->setCurrentIndex(dialog->rules().index(0, ui::RuleModel::On));
+        QTest::keyClick(tables[0], Qt::Key_Space);
         QVERIFY(!dialog->rules().rules().rules[0].isOn);
         QVERIFY(window().find<ui::RuleModel>().rules() == before);  // nothing counts yet
         const model::RuleTable after = dialog->rules().rules();
@@ -215,7 +217,7 @@ private slots:
         QVERIFY(m_fixture->openAndWait(locations::kSample));
         const QString path = m_fixture->folder() + "/found";
         QVERIFY(!clearances().exportReport(path + ".csv"));  // nothing was searched for
-        panel().whatBox().setCurrentIndex(static_cast<int>(ClearancePanel::What::Rules));
+        box("what").setCurrentIndex(static_cast<int>(ClearancePanel::What::Rules));
         measure();
         base::Progress progress;
         const model::Document& board = *window().document();
@@ -223,7 +225,7 @@ private slots:
         const model::StepRules expected[] = {{&board, *model::checkRules(board, table, progress)}};
         QCOMPARE(exported(path + ".csv"), model::ruleReport(table, expected, model::ReportFormat::Csv, 1'000'000));
         QCOMPARE(exported(path + ".txt"), model::ruleReport(table, expected, model::ReportFormat::Text, 1'000'000));
-        panel().whatBox().setCurrentIndex(static_cast<int>(ClearancePanel::What::Smallest));
+        box("what").setCurrentIndex(static_cast<int>(ClearancePanel::What::Smallest));
         measure();
         model::ClearanceRequest question;
         question.count = 500;
@@ -240,11 +242,11 @@ private slots:
         m_fixture->key(Qt::Key_L);
         QVERIFY(window().find<ui::Lens>().isOn());
         QTRY_VERIFY(!window().find<ui::Lens>().isSearching());
-        panel().lensSlider().setFocus();
+        lensSlider().setFocus();
         std::size_t last = 0;
         bool hasOther = false;
-        for (int value = panel().lensSlider().minimum(); value <= panel().lensSlider().maximum(); value += 20) {
-            panel().lensSlider().setValue(value);
+        for (int value = lensSlider().minimum(); value <= lensSlider().maximum(); value += 20) {
+            lensSlider().setValue(value);
             const auto highlighted = window().find<ui::Lens>().highlighted();
             QVERIFY(highlighted.size() >= last);
             QTRY_COMPARE(window().selection().nearby().size(), highlighted.size());
@@ -265,7 +267,7 @@ private slots:
         measure();
         QVERIFY(m_fixture->openAndWait(locations::kSample));
         QCOMPARE(window().find<ui::ClearanceModel>().rowCount(), 0);
-        QCOMPARE(panel().summary(), "No search yet");
+        QCOMPARE(label("summary"), "No search yet");
         m_fixture->key(Qt::Key_F8);  // nothing to step to
     }
 
@@ -281,15 +283,18 @@ private slots:
         QVERIFY(m_fixture->openAndWait(QString(locations::kTestData) + "/odb/drills"));
         measure();
         QCOMPARE(window().find<ui::ClearanceModel>().rowCount(), 0);
-        QVERIFY2(panel().notes().contains("has copper but no nets"), qPrintable(panel().notes()));
+        QVERIFY2(label("notes").contains("has copper but no nets"), qPrintable(label("notes")));
         QVERIFY(m_fixture->openAndWait(locations::kSample));
-        QVERIFY(panel().notes().isEmpty());
+        QVERIFY(label("notes").isEmpty());
     }
 
 private:
     [[nodiscard]] TestWindow& window() { return m_fixture->window(); }
     [[nodiscard]] ui::Clearances& clearances() { return window().clearances(); }
     [[nodiscard]] ClearancePanel& panel() { return window().find<ui::ClearancePanel>(); }
+    QComboBox& box(const char* name) { return *panel().findChild<QComboBox*>(name); }
+    QSlider& lensSlider() { return *panel().findChild<QSlider*>("lensReach"); }
+    QString label(const char* name) { return panel().findChild<QLabel*>(name)->text(); }
 
     double heightOf(model::LayerId layer) { return window().document()->layer(layer).z; }
 
@@ -321,7 +326,7 @@ private:
         QTRY_VERIFY(!window().workspace().isWorking());
     }
     void ask(ClearancePanel::Where where) {
-        panel().whereBox().setCurrentIndex(static_cast<int>(where));
+        box("where").setCurrentIndex(static_cast<int>(where));
         measure();
     }
 

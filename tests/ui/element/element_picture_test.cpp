@@ -95,7 +95,7 @@ private slots:
 
 private:
     TestWindow& window() { return m_fixture->window(); }
-    ElementPicture& picture() { return window().elementPanel().picture(); }
+    ElementPicture& picture() { return window().find<ElementPicture>(); }
     const model::Document& board() { return *window().document(); }
     std::size_t layerOf(ElementId element) { return board().elements.layer[element.row()].row(); }
 

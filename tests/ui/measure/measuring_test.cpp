@@ -13,8 +13,6 @@
 #include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/common/table_view.h"
-#include "ui/measure/measurements_panel.h"
-#include "ui/shell/status_line.h"
 
 using model::Measurement;
 using model::MeasurementKind;
@@ -60,9 +58,9 @@ private slots:
             QVERIFY(window().actions()[ActionId::MeasurePoints].isChecked());
             click(*view, screenOf(*view, m_a) + QPointF(3, 2));
             move(*view, screenOf(*view, m_b));
-            QTRY_VERIFY(window().statusLine().positionText().contains("Δ"));
+            QTRY_VERIFY(window().label("position").contains("Δ"));
             click(*view, screenOf(*view, m_b) + QPointF(-2, 3));
-            QVERIFY(!window().statusLine().positionText().contains("Δ"));
+            QVERIFY(!window().label("position").contains("Δ"));
             const Measurement& m = list().back();
             QVERIFY2(std::abs(m.distance() - centreDistance()) < 1e-3,
                      qPrintable(QString("%1, not %2").arg(m.distance()).arg(centreDistance())));
@@ -207,8 +205,8 @@ private:
     BoardView& flat() { return window().views().flat(); }
     BoardView& solid() { return window().views().solid(); }
     const model::Document& board() { return *window().document(); }
-    const std::vector<Measurement>& list() { return window().measurements().list().measurements(); }
-    ui::TableView& table() { return window().measurementsPanel().table(); }
+    const std::vector<Measurement>& list() { return window().measurements().measurements(); }
+    ui::TableView& table() { return window().table("measurements"); }
     void undo() { window().actions()[ActionId::Undo].trigger(); }
 
     /// Two round pads of different nets on the uppermost copper layer, the nearest to each other.

@@ -8,7 +8,6 @@
 #include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/unit/model/measure/measure_fixture.h"
-#include "ui/measure/measurements_panel.h"
 #include "ui/measure/measuring.h"
 
 using namespace measuring;
@@ -132,8 +131,8 @@ private slots:
     }
 
     void theButtonsDoNotWidenTheWindow() {
-        QVERIFY2(window().measurementsPanel().minimumSizeHint().width() < 400,
-                 qPrintable(QString::number(window().measurementsPanel().minimumSizeHint().width())));
+        QVERIFY2(window().panel("measurements").minimumSizeHint().width() < 400,
+                 qPrintable(QString::number(window().panel("measurements").minimumSizeHint().width())));
     }
 
     void escapeTakesBackClickByClick() {
@@ -328,10 +327,10 @@ private:
     BoardView& flat() { return window().views().flat(); }
     BoardView& solid() { return window().views().solid(); }
     const model::Document& board() { return *window().document(); }
-    const std::vector<Measurement>& list() { return window().measurements().list().measurements(); }
+    const std::vector<Measurement>& list() { return window().measurements().measurements(); }
     QString said() { return window().statusBar()->currentMessage(); }
     QString details(int row) {
-        const auto& model = window().measurements().list();
+        const auto& model = window().measurements();
         return model.index(row, ui::MeasurementModel::Details).data().toString();
     }
     static bool isAt(const model::MeasuredEnd& end, double xMm, double yMm) {

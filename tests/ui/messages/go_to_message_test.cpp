@@ -9,7 +9,6 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/common/table_view.h"
 #include "ui/messages/message_model.h"
-#include "ui/messages/messages_panel.h"
 
 using model::Diagnostic;
 using ui::MessageModel;
@@ -65,7 +64,7 @@ private:
 
     /// Clicks on the row that shows this message.
     void click(const Diagnostic& message) {
-        QTableView& table = window().messagesPanel().table();
+        QTableView& table = window().table("messages");
         for (int row = 0; row < table.model()->rowCount(); ++row) {
             const QModelIndex text = table.model()->index(row, MessageModel::Text);
             if (text.data().toString().toStdString() == message.text) {

@@ -9,9 +9,7 @@
 #include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/common/table_view.h"
-#include "ui/nets/net_check_panel.h"
 #include "ui/shell/message_bar.h"
-#include "ui/shell/status_line.h"
 
 using ui::ActionId;
 using ui::NetCheckModel;
@@ -31,9 +29,9 @@ private slots:
     }
 
     void theCheckListsShortsOpensAndFloatingCopper() {
-        QCOMPARE(window().netCheckPanel().summary(), "Not checked yet");
+        QCOMPARE(summary(), "Not checked yet");
         check();
-        QCOMPARE(window().netCheckPanel().summary(), "1 short, 1 open net, 1 piece of floating copper");
+        QCOMPARE(summary(), "1 short, 1 open net, 1 piece of floating copper");
         QCOMPARE(rows(), (QStringList{"Short|A, B|Touch in 1 location|TOP|4 mm|5 mm|PCB",
                                       "Open|SPLIT|Part of the net: 1 piece, 1 pad or hole|TOP|2 mm|2 mm|PCB",
                                       "Open|SPLIT|Part of the net: 1 piece, 1 pad or hole|TOP|4 mm|2 mm|PCB",
@@ -63,8 +61,8 @@ private slots:
 
     void rowsAreFiltered() {
         check();
-        QTest::keyClicks(&window().netCheckPanel().filterEdit(), "split");
-        QCOMPARE(window().netCheckPanel().table().model()->rowCount(), 2);
+        QTest::keyClicks(window().panel("netCheck").findChild<QLineEdit*>(), "split");
+        QCOMPARE(window().table("netCheck").model()->rowCount(), 2);
     }
 
     void netsFromTheCopperHaveNoOpensAndGoBack() {
@@ -72,9 +70,9 @@ private slots:
         waitForBoard();
         QVERIFY(window().actions()[ActionId::InferNets].isChecked());
         QCOMPARE(window().document()->nets.size(), std::size_t{5});
-        QCOMPARE(window().netCheckPanel().summary(), "Not checked yet");
+        QCOMPARE(summary(), "Not checked yet");
         check();
-        QCOMPARE(window().netCheckPanel().summary(), "no shorts, no open nets, no floating copper");
+        QCOMPARE(summary(), "no shorts, no open nets, no floating copper");
         m_fixture->key(Qt::Key_F5);
         waitForBoard();
         QCOMPARE(window().document()->nets.size(), std::size_t{5});
@@ -95,27 +93,30 @@ private slots:
     void aCheckIsStoppedByEscapeAndByItsButton() {
         window().actions()[ActionId::CheckNets].trigger();
         QVERIFY(window().workspace().isWorking());
-        QVERIFY(window().statusLine().loadBar().isVisible());
+        QVERIFY(workBar().isVisible());
         m_fixture->key(Qt::Key_Escape);
         QVERIFY(!window().workspace().isWorking());
         window().actions()[ActionId::CheckNets].trigger();
-        window().statusLine().loadBar().findChild<QToolButton*>()->click();
+        workBar().findChild<QToolButton*>()->click();
         QVERIFY(!window().workspace().isWorking());
-        QVERIFY(!window().statusLine().loadBar().isVisible());
+        QVERIFY(!workBar().isVisible());
         QTest::qWait(200);
-        QCOMPARE(window().netCheckPanel().summary(), "Not checked yet");
+        QCOMPARE(summary(), "Not checked yet");
     }
 
     void anotherBoardEndsTheCheck() {
         window().actions()[ActionId::CheckNets].trigger();
         QVERIFY(m_fixture->openAndWait(locations::kTestData + QStringLiteral("/odb/everything")));
         QVERIFY(!window().workspace().isWorking());
-        QCOMPARE(window().netCheckPanel().summary(), "Not checked yet");
+        QCOMPARE(summary(), "Not checked yet");
         QCOMPARE(window().netCheck().rowCount(), 0);
     }
 
 private:
     TestWindow& window() { return m_fixture->window(); }
+
+    QWidget& workBar() { return *window().findChild<QWidget*>("work"); }
+    QString summary() { return window().panel("netCheck").findChild<QLabel*>()->text(); }
 
     void waitForBoard() {
         QVERIFY(window().loader().isLoading());
@@ -129,14 +130,14 @@ private:
     }
 
     void click(int row) {
-        QTableView& table = window().netCheckPanel().table();
+        QTableView& table = window().table("netCheck");
         const QModelIndex at = table.model()->index(row, NetCheckModel::What);
         table.scrollTo(at);
         QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, table.visualRect(at).center());
     }
 
     QStringList rows() {
-        const QAbstractItemModel& model = *window().netCheckPanel().table().model();
+        const QAbstractItemModel& model = *window().table("netCheck").model();
         QStringList lines;
         for (int row = 0; row < model.rowCount(); ++row) {
             QStringList cells;

@@ -27,7 +27,7 @@ private slots:
 
     void aHeadingStandsForItsNets() {
         open(locations::kSample);
-        panel().groupBox().setCurrentText("By supply");
+        panel().findChild<QComboBox*>("netGroups")->setCurrentText("By supply");
         QTRY_VERIFY(nets().isArranged() && nets().isHeading(0));
         const int end = nets().endOfGroup(0);
         QVERIFY(end > 1);
@@ -46,29 +46,31 @@ private slots:
 
     void whatIsKnownOfTheHighlightedNetsStandsBelow() {
         open(locations::kSample);
-        QVERIFY(panel().details().isEmpty());
+        QVERIFY(window().label("netDetails").isEmpty());
         const model::NetId gnd = window().document()->findNet("GND");
         window().selection().setNets({{0, gnd}});
-        QVERIFY(panel().details().startsWith("GND\n"));
-        QVERIFY(panel().details().contains("via"));
+        QVERIFY(window().label("netDetails").startsWith("GND\n"));
+        QVERIFY(window().label("netDetails").contains("via"));
         double routed = 0.0;
         const auto lengths = model::routedLengths(*window().document(), gnd);
         for (const auto& [layer, length] : lengths) {
-            QVERIFY(panel().details().contains(QString::fromStdString(window().document()->layer(layer).name) + ": "));
+            QVERIFY(window()
+                        .label("netDetails")
+                        .contains(QString::fromStdString(window().document()->layer(layer).name) + ": "));
             routed += length;
         }
         QVERIFY(routed > 0.0);
         window().selection().setNets({});
-        QVERIFY(panel().details().isEmpty());
+        QVERIFY(window().label("netDetails").isEmpty());
     }
 
     void netsOfPlacedStepsAreListedAndFollowed() {
         open(QString(locations::kTestData) + "/odb/panel");
         const model::StepTree& tree = window().selection().tree();
-        QVERIFY(tree.steps.size() > 1 && !panel().stepBox().isHidden());
+        QVERIFY(tree.steps.size() > 1 && !stepBox().isHidden());
         QStringList steps;
-        for (int i = 0; i < panel().stepBox().count(); ++i) {
-            steps += panel().stepBox().itemText(i);
+        for (int i = 0; i < stepBox().count(); ++i) {
+            steps += stepBox().itemText(i);
         }
         QVERIFY(steps.contains("CARD") && steps.contains("COUPON"));
         // The net of an element in a late copy of each step: the table goes there and N lights it up.
@@ -80,13 +82,13 @@ private slots:
             const model::BoardElement at{copy, tree.steps[step]->netElements.front()};
             window().selection().select({at});
             QTRY_VERIFY(nets().isArranged());
-            QCOMPARE(panel().stepBox().currentData().toUInt(), step);
+            QCOMPARE(stepBox().currentData().toUInt(), step);
             const BoardNet net = *window().selection().netOf(at);
             QTRY_COMPARE(table().currentIndex().row(), *nets().rowOf(net.net));
             m_fixture->key(Qt::Key_N);
             QCOMPARE(window().selection().nets(), std::vector{net});
             QVERIFY(!window().selection().highlight()[step].empty());
-            QVERIFY(!panel().details().isEmpty());
+            QVERIFY(!window().label("netDetails").isEmpty());
             m_fixture->key(Qt::Key_N);
         }
     }
@@ -187,6 +189,7 @@ private:
     ui::NetsPanel& panel() { return window().netsPanel(); }
     NetModel& nets() { return window().nets(); }
     ui::TableView& table() { return panel().table(); }
+    QComboBox& stepBox() { return *panel().findChild<QComboBox*>("netSteps"); }
     void open(const QString& path) {
         QVERIFY(m_fixture->openAndWait(path));
         QTRY_VERIFY(nets().isArranged());

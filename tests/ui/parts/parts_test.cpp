@@ -43,7 +43,7 @@ private slots:
         QCOMPARE(selectedIds(), m_finder->elementsOf(part()));
         QVERIFY(selectedIds().size() > 2);
         QCOMPARE(window().selection().current(), std::optional(BoardElement{0, m_pad}));
-        QVERIFY(panel().heading().startsWith("Component " + refdes() + ","));
+        QVERIFY(window().label("elementHeading").startsWith("Component " + refdes() + ","));
         QVERIFY(differingPixels(before[0], picture(flat())) > 20);
         QVERIFY(differingPixels(before[1], picture(solid())) > 20);
         m_fixture->key(Qt::Key_Escape);
@@ -55,7 +55,7 @@ private slots:
         window().selection().select({{0, m_pad}});
         m_fixture->key(Qt::Key_P, Qt::ShiftModifier);
         QCOMPARE(selectedIds(), m_finder->elementsOf(m_finder->pinsOf(m_pad).front()));
-        QVERIFY(panel().heading().startsWith("Pin " + refdes() + "."));
+        QVERIFY(window().label("elementHeading").startsWith("Pin " + refdes() + "."));
     }
 
     void ctrlShiftAndAClickSelectTheComponent() {
@@ -74,7 +74,7 @@ private slots:
         click(solid(), *solid().controller().screenOf(top));
         QCOMPARE(window().selection().current(), std::optional(BoardElement{0, body->element}));
         const std::string& refdesOfBody = board().components[body->component.row()].refdes;
-        QVERIFY(panel().fact("Component").startsWith(QString::fromStdString(refdesOfBody)));
+        QVERIFY(window().fact("Component").startsWith(QString::fromStdString(refdesOfBody)));
         m_fixture->key(Qt::Key_P);
         QCOMPARE(selectedIds(), m_finder->elementsOf(body->component));
     }
@@ -104,14 +104,14 @@ private slots:
         clickFact("Pin");
         QVERIFY(window().selection().title().startsWith("Pin "));
         window().selection().select({{0, m_pad}});
-        panel().table().setCurrentCell(rowOf("Component"), 1);
-        QTest::keyClick(&panel().table(), Qt::Key_Return);
+        table().setCurrentCell(rowOf("Component"), 1);
+        QTest::keyClick(&table(), Qt::Key_Return);
         QCOMPARE(selectedIds(), m_finder->elementsOf(part()));
     }
 
 private:
     TestWindow& window() { return m_fixture->window(); }
-    ui::ElementPanel& panel() { return window().elementPanel(); }
+    QTableWidget& table() { return *window().elementPanel().findChild<QTableWidget*>(); }
     ui::BoardView& flat() { return window().views().flat(); }
     ui::BoardView& solid() { return window().views().solid(); }
     const model::Document& board() { return *window().document(); }
@@ -153,19 +153,19 @@ private:
             {(double(box.min.x) + box.max.x) / 2.0, (double(box.min.y) + box.max.y) / 2.0});
     }
     int rowOf(const char* fact) {
-        for (int row = 0; row < panel().table().rowCount(); ++row) {
-            if (panel().table().item(row, 0)->text() == QLatin1String(fact)) {
+        for (int row = 0; row < table().rowCount(); ++row) {
+            if (table().item(row, 0)->text() == QLatin1String(fact)) {
                 return row;
             }
         }
         return -1;
     }
     void clickFact(const char* fact) {
-        QTableWidget& table = panel().table();
         const int row = rowOf(fact);
         QVERIFY(row >= 0);
-        table.scrollToItem(table.item(row, 1));
-        QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, table.visualItemRect(table.item(row, 1)).center());
+        const QTableWidgetItem* value = table().item(row, 1);
+        table().scrollToItem(value);
+        QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, table().visualItemRect(value).center());
     }
     static QImage picture(ui::BoardView& view) {
         base::Result<QImage> image = view.grabPicture();

@@ -8,7 +8,6 @@
 #include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/common/table_view.h"
-#include "ui/saved_views/saved_views_panel.h"
 #include "ui/shell/message_bar.h"
 
 using ui::ActionId;
@@ -179,13 +178,13 @@ private slots:
         choose(0);
         QCOMPARE(window().selection().selected().size(), std::size_t{1});
         QTRY_VERIFY(window().messageBar().isVisible());
-        QVERIFY(window().messageBar().text().contains("net GONE, 1 of 2 elements"));
+        QVERIFY(window().error().contains("net GONE, 1 of 2 elements"));
     }
 
 private:
     TestWindow& window() { return m_fixture->window(); }
     ui::CameraController& solid() { return window().views().solid().controller(); }
-    ui::TableView& table() { return window().savedViewsPanel().table(); }
+    ui::TableView& table() { return window().table("views"); }
     static void rest() { QTest::qWait(ui::ViewHistory::kRestMs + 100); }
     static bool isNear(const render::CameraPose& a, const render::CameraPose& b) {
         return glm::length(a.target - b.target) < 1e-3F && std::abs(a.distance - b.distance) < 1e-3F &&

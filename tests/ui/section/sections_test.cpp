@@ -415,7 +415,7 @@ private:
     [[nodiscard]] ui::SectionView& view() { return window().find<ui::SectionPanel>().view(); }
     [[nodiscard]] BoardView& flat() { return window().views().flat(); }
 
-    [[nodiscard]] const ui::SavedSections::List& kept() { return window().find<ui::SavedSections>().sections(); }
+    [[nodiscard]] const std::vector<model::session::SavedSection>& kept() { return window().sections().saved(); }
     static bool isAt(PointD a, PointD b) { return a.x == b.x && a.y == b.y; }
     static bool same(const std::vector<SectionPiece>& a, const std::vector<SectionPiece>& b) {
         return std::ranges::equal(a, b, [](const SectionPiece& p, const SectionPiece& q) {

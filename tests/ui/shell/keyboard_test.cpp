@@ -13,7 +13,6 @@
 #include "ui/element/element_panel.h"
 #include "ui/layers/layers_panel.h"
 #include "ui/nets/nets_panel.h"
-#include "ui/saved_views/saved_views_panel.h"
 #include "ui/search/search_box.h"
 
 using ui::ActionId;
@@ -40,7 +39,7 @@ private slots:
         QCOMPARE(window().selection().nets().size(), std::size_t{1});
         find("U1");
         QVERIFY(!window().selection().selected().empty());
-        QVERIFY(!window().elementPanel().fact("Layer").isEmpty());
+        QVERIFY(!window().fact("Layer").isEmpty());
         m_fixture->key(Qt::Key_Escape);
         QVERIFY(window().selection().selected().empty());
 

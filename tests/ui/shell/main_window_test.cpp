@@ -20,7 +20,6 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/layers/layers_panel.h"
 #include "ui/shell/message_bar.h"
-#include "ui/shell/status_line.h"
 
 using base::ErrorCode;
 using model::OpenRequest;
@@ -88,7 +87,7 @@ private slots:
         QVERIFY2(inkOf(m_fixture->picture()) > 0.1, "the board covers a good part of the canvas");
         QTRY_VERIFY2(differingPixels(m_fixture->shown(), m_fixture->picture()) < m_fixture->picture().width() * 4,
                      "the screen shows what the picture has");
-        QTRY_VERIFY(window().statusLine().frameText().endsWith(" ms"));
+        QTRY_VERIFY(window().label("frame").endsWith(" ms"));
     }
 
     void hidingALayerChangesThePictureAndShowingItRestoresIt() {
@@ -218,7 +217,7 @@ private slots:
         QVERIFY(!m_fixture->openAndWait("/no/such/board.tgz"));
         QCOMPARE(window().document(), before);
         QVERIFY(window().messageBar().isVisible());
-        QVERIFY2(window().messageBar().text().contains("board.tgz"), qPrintable(window().messageBar().text()));
+        QVERIFY2(window().error().contains("board.tgz"), qPrintable(window().error()));
         QVERIFY(window().windowTitle().startsWith("ocp_tap_sa45"));
         QCOMPARE(m_fixture->settings().recentBoards().size(), 1);
         window().messageBar().findChild<QToolButton*>()->click();
@@ -237,8 +236,8 @@ private slots:
         QVERIFY(m_fixture->openAndWait(kSample));
         const model::Document* before = window().document();
         window().open("slow");
-        ui::LoadBar& bar = window().statusLine().loadBar();
-        QTRY_COMPARE(bar.text(), "slow: Reading layers");
+        QWidget& bar = *window().findChild<QWidget*>("work");
+        QTRY_COMPARE(bar.findChild<QLabel*>()->text(), "slow: Reading layers");
         QVERIFY(bar.isVisible());
         m_fixture->key(Qt::Key_T);
         QVERIFY(window().views().solid().controller().camera().direction().z < -0.999F);
@@ -252,7 +251,7 @@ private slots:
     void cancelButtonStopsALoad() {
         window().open("slow");
         QVERIFY(window().loader().isLoading());
-        window().statusLine().loadBar().findChild<QToolButton*>()->click();
+        window().findChild<QWidget*>("work")->findChild<QToolButton*>()->click();
         QVERIFY(!window().loader().isLoading());
         QVERIFY(!window().actions()[ActionId::CancelLoading].isEnabled());
     }
@@ -272,7 +271,7 @@ private slots:
     void otherStepIsChosenInTheStatusBar() {
         m_fixture->restart(workWithSteps);
         QVERIFY(m_fixture->openAndWait("job"));
-        QComboBox& box = window().statusLine().stepBox();
+        QComboBox& box = *window().findChild<QComboBox*>("steps");
         QVERIFY(box.isVisible());
         QCOMPARE(box.currentText(), "pcb");
         emit box.textActivated("panel");

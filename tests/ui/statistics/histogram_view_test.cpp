@@ -11,7 +11,6 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/common/table_view.h"
 #include "ui/statistics/drill_model.h"
-#include "ui/statistics/statistics_panel.h"
 
 class HistogramViewTest : public QObject {
     Q_OBJECT
@@ -47,7 +46,7 @@ private slots:
 
     void anotherMeasureIsChosen() {
         const std::size_t tracks = plot().histogram().elements.size();
-        window().statisticsPanel().findChild<QComboBox*>()->setCurrentIndex(1);
+        window().panel("statistics").findChild<QComboBox*>()->setCurrentIndex(1);
         QVERIFY(plot().histogram().elements.size() != tracks);
         QTest::keyClick(&plot(), Qt::Key_Right);
         QVERIFY(!window().selection().selected().empty());
@@ -57,9 +56,9 @@ private slots:
     }
 
     void aClickInTheDrillTableSelectsTheHolesOfTheRow() {
-        ui::StatisticsPanel& panel = window().statisticsPanel();
-        panel.tabs().setCurrentIndex(1);
-        ui::TableView& table = panel.drillTable();
+        auto& tabs = *window().panel("statistics").findChild<QTabWidget*>();
+        tabs.setCurrentIndex(1);
+        auto& table = static_cast<ui::TableView&>(*tabs.currentWidget());
         table.sortByColumn(ui::DrillModel::Diameter, Qt::DescendingOrder);  // rows are not the board's
         QVERIFY(table.model()->rowCount() > 1);
         std::size_t all = 0;
@@ -84,7 +83,7 @@ private slots:
 
 private:
     TestWindow& window() { return m_fixture->window(); }
-    ui::HistogramView& plot() { return window().statisticsPanel().plot(); }
+    ui::HistogramView& plot() { return window().find<ui::HistogramView>(); }
 
     std::unique_ptr<WindowFixture> m_fixture;
 };

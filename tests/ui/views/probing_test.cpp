@@ -9,7 +9,6 @@
 #include "ui/common/table_view.h"
 #include "ui/element/element_panel.h"
 #include "ui/nets/nets_panel.h"
-#include "ui/shell/status_line.h"
 
 using model::BoardElement;
 using ui::ActionId;
@@ -51,8 +50,8 @@ private slots:
                 isFound = window().selection().current() == BoardElement{0, pad};
             }
             QVERIFY(isFound);
-            QVERIFY(!window().elementPanel().fact("Layer").isEmpty());
-            QCOMPARE(window().elementPanel().heading(), "One element");
+            QVERIFY(!window().fact("Layer").isEmpty());
+            QCOMPARE(window().label("elementHeading"), "One element");
         }
     }
 
@@ -107,7 +106,7 @@ private slots:
         const auto touched = window().selection().selected();
         QVERIFY(touched.size() > inside.size());
         QVERIFY(std::includes(touched.begin(), touched.end(), inside.begin(), inside.end()));
-        QVERIFY(window().elementPanel().heading().contains("elements"));
+        QVERIFY(window().label("elementHeading").contains("elements"));
     }
 
     void theBoxIsSeenWhileItIsDrawn() {
@@ -127,11 +126,11 @@ private slots:
         view.controller().show(boxMin(pad), boxMax(pad));
         mouse(view, QEvent::MouseMove, Qt::NoButton, centreOf(view, pad));
         QTRY_VERIFY(window().selection().hovered().has_value());
-        QVERIFY(window().statusLine().positionText().contains("mm"));
+        QVERIFY(window().label("position").contains("mm"));
         QEvent leave(QEvent::Leave);
         QCoreApplication::sendEvent(&view.canvas(), &leave);
         QVERIFY(!window().selection().hovered().has_value());
-        QVERIFY(window().statusLine().positionText().isEmpty());
+        QVERIFY(window().label("position").isEmpty());
     }
 
     void netKeyLightsUpTheNetAndEscapeTakesBackOneStepAtATime() {
@@ -181,13 +180,13 @@ private slots:
 
     void unitKeyChangesWhatIsRead() {
         window().selection().select({{0, aPad()}});
-        const QString before = window().elementPanel().fact("Extent");
+        const QString before = window().fact("Extent");
         QVERIFY(before.contains("mm"));
         m_fixture->key(Qt::Key_Q);
-        QVERIFY(window().elementPanel().fact("Extent").contains("mil"));
+        QVERIFY(window().fact("Extent").contains("mil"));
         m_fixture->key(Qt::Key_Q);
         m_fixture->key(Qt::Key_Q);
-        QCOMPARE(window().elementPanel().fact("Extent"), before);
+        QCOMPARE(window().fact("Extent"), before);
     }
 
     void netsTableAndViewsShowTheSameNets() {
@@ -217,7 +216,7 @@ private slots:
         QTest::keyClicks(&window().netsPanel().filterEdit(), QString::fromStdString(board().nets[net.row()].name));
         QTRY_VERIFY(window().nets().isArranged() && window().nets().rowCount() < all);
         QVERIFY(window().nets().rowOf(net).has_value());
-        QVERIFY(window().netsPanel().summary().contains(" of "));
+        QVERIFY(window().label("netsShown").contains(" of "));
         QCOMPARE(window().selection().nets(), std::vector{boardNet(net)});
         window().netsPanel().filterEdit().clear();
         QTRY_COMPARE(window().nets().rowCount(), all);

@@ -26,13 +26,13 @@ class ActionsTest : public QObject {
 private slots:
     void tableIsInTheOrderOfTheIds() {
         for (std::size_t row = 0; row < ui::kActionCount; ++row) {
-            QCOMPARE(static_cast<std::size_t>(ui::actionSpecs()[row].id), row);
+            QCOMPARE(static_cast<std::size_t>(ui::ActionSet::kSpecs[row].id), row);
         }
     }
 
     void everyCommandHasTextTipAndAMnemonicOfItsOwnInItsMenu() {
         std::set<std::pair<ui::MenuId, QChar>> taken;
-        for (const ActionSpec& spec : ui::actionSpecs()) {
+        for (const ActionSpec& spec : ui::ActionSet::kSpecs) {
             const QString text = QString::fromUtf8(spec.text);
             const auto at = text.indexOf('&');
             QVERIFY2(at >= 0 && at + 1 < text.size(), spec.text);
@@ -43,7 +43,7 @@ private slots:
 
     void everyCommandHasAKeyInEveryPreset() {
         for (const ui::KeyPreset preset : kPresets) {
-            for (const ActionSpec& spec : ui::actionSpecs()) {
+            for (const ActionSpec& spec : ui::ActionSet::kSpecs) {
                 QVERIFY2(!ui::keysOf(spec, preset).isEmpty(), spec.text);
             }
         }
@@ -53,7 +53,7 @@ private slots:
         QFile file(QFileInfo(locations::kTestData).dir().filePath("../docs/keys.md"));
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QString document = QString::fromUtf8(file.readAll());
-        for (const ActionSpec& spec : ui::actionSpecs()) {
+        for (const ActionSpec& spec : ui::ActionSet::kSpecs) {
             for (const QString& key : QString::fromUtf8(spec.shortcuts).split(' ', Qt::SkipEmptyParts)) {
                 QVERIFY2(document.contains('`' + key + '`'), spec.text);
             }
@@ -63,7 +63,7 @@ private slots:
     void noTwoCommandsOfAPresetShareAKeyOrBeginAlike() {
         for (const ui::KeyPreset preset : kPresets) {
             QList<QKeySequence> taken;
-            for (const ActionSpec& spec : ui::actionSpecs()) {
+            for (const ActionSpec& spec : ui::ActionSet::kSpecs) {
                 for (const QKeySequence& key : ui::keysOf(spec, preset)) {
                     for (const QKeySequence& other : taken) {
                         const QString both = key.toString() + " and " + other.toString() + " of " + spec.text;
@@ -78,7 +78,7 @@ private slots:
 
     void keysCanBeTyped() {
         for (const ui::KeyPreset preset : kPresets) {
-            for (const ActionSpec& spec : ui::actionSpecs()) {
+            for (const ActionSpec& spec : ui::ActionSet::kSpecs) {
                 for (const QKeySequence& key : ui::keysOf(spec, preset)) {
                     for (int i = 0; i < key.count(); ++i) {
                         const Qt::Key typed = key[static_cast<uint>(i)].key();
@@ -140,7 +140,7 @@ private slots:
     void keysSheetListsEveryShortcut() {
         for (const ui::KeyPreset preset : kPresets) {
             const QString plane = ui::keyListText(preset);
-            for (const ActionSpec& spec : ui::actionSpecs()) {
+            for (const ActionSpec& spec : ui::ActionSet::kSpecs) {
                 for (const QKeySequence& key : ui::keysOf(spec, preset)) {
                     QVERIFY2(plane.contains(key.toString(QKeySequence::NativeText).toHtmlEscaped()), spec.text);
                 }

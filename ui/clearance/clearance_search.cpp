@@ -1,4 +1,4 @@
-#include "ui/clearance/clearance_checker.h"
+#include "ui/clearance/clearance_search.h"
 
 #include <algorithm>
 #include <functional>
@@ -17,14 +17,11 @@ bool isOfTheBoardAlone(const model::ClearanceRequest& question) {
 
 base::Status checkRules(const Document& step, const ClearanceRequest& request, base::Progress& progress,
                         ClearanceResult& answer) {
-    Result<model::RuleReport> report = model::checkRules(step, request.rules, progress);
-    if (!report) {
-        return report.error();
-    }
-    for (const std::string& note : report->notes) {
+    ASSIGN_OR_RETURN(model::RuleReport report, model::checkRules(step, request.rules, progress));
+    for (const std::string& note : report.notes) {
         answer.notes.push_back("step " + step.job.step + ": " + note);
     }
-    answer.rules.push_back({&step, std::move(*report)});
+    answer.rules.push_back({&step, std::move(report)});
     return base::Done{};
 }
 
@@ -34,31 +31,27 @@ base::Status measure(const Document& step, const ClearanceRequest& request, base
     if (step.nets.empty()) {
         return base::Done{};
     }
-    Result<std::vector<model::Clearance>> clearances = model::smallestClearances(step, request.question, progress);
-    if (!clearances) {
-        return clearances.error();
-    }
-    answer.clearances.push_back({&step, std::move(*clearances)});
+    ASSIGN_OR_RETURN(std::vector<model::Clearance> clearances,
+                     model::smallestClearances(step, request.question, progress));
+    answer.clearances.push_back({&step, std::move(clearances)});
     return base::Done{};
 }
 
-Result<ClearanceResult> search(const Document& board, const ClearanceRequest& request, base::Progress& progress) {
+}  // namespace
+
+Result<ClearanceResult> searchClearances(const Document& board, const ClearanceRequest& request,
+                                         base::Progress& progress) {
     ClearanceResult answer;
     const bool isOfBoard = !request.isOfRules && isOfTheBoardAlone(request.question);
     for (const Document* step : isOfBoard ? std::vector{&board} : model::distinctSteps(board)) {
-        const base::Status done = request.isOfRules ? checkRules(*step, request, progress, answer)
-                                                    : measure(*step, request, progress, answer);
-        if (!done) {
-            return done.error();
-        }
+        RETURN_IF_ERROR(request.isOfRules ? checkRules(*step, request, progress, answer)
+                                          : measure(*step, request, progress, answer));
     }
     if (!request.isOfRules) {
         answer.notes = model::unmeasuredSteps(board);
     }
     return answer;
 }
-
-}  // namespace
 
 std::vector<StepSpacings> spacingsOf(const ClearanceResult& answer) {
     std::vector<StepSpacings> gaps;
@@ -81,26 +74,6 @@ std::vector<std::size_t> countsOf(const ClearanceResult& answer) {
         std::ranges::transform(counts, step.report.counts, counts.begin(), std::plus());
     }
     return counts;
-}
-
-ClearanceChecker::ClearanceChecker(QObject* parent) : QObject(parent) {
-    connect(&m_search.background(), &Background::finished, this, &ClearanceChecker::deliver);
-}
-
-void ClearanceChecker::start(std::shared_ptr<const Document> board, ClearanceRequest request) {
-    m_board = std::move(board);
-    m_request = std::move(request);
-    m_search.run(
-        [board = m_board, request = m_request](base::Progress& progress) { return search(*board, request, progress); },
-        tr("Measuring clearances"), tr("There is not enough memory to measure clearances"));
-}
-
-void ClearanceChecker::deliver() {
-    if (const auto answer = m_search.take()) {
-        emit found(m_board, m_request, *answer);
-    } else {
-        emit failed(QString::fromStdString(answer.error().text));
-    }
 }
 
 }  // namespace ui

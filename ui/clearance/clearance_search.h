@@ -1,0 +1,30 @@
+#pragma once
+
+#include "model/clearance/clearance_report.h"
+#include "ui/clearance/clearance_model.h"
+
+namespace ui {
+
+/// What is looked for: the narrowest places, or where rules are broken.
+struct ClearanceRequest {
+    bool isOfRules = false;
+    model::ClearanceRequest question;  ///< of the narrowest places
+    model::RuleTable rules;
+};
+
+/// Of every step what was asked for; steps are those of the board that was searched.
+struct ClearanceResult {
+    std::vector<model::StepClearances> clearances;
+    std::vector<model::StepRules> rules;
+    std::vector<std::string> notes;  ///< what was not measured, in plain words
+};
+[[nodiscard]] std::vector<StepSpacings> spacingsOf(const ClearanceResult& answer);
+/// Broken places by rule, over all steps; empty if no rules were asked for.
+[[nodiscard]] std::vector<std::size_t> countsOf(const ClearanceResult& answer);
+
+/// Looks for narrow places of a board and all its steps. Layers and nets in the request are the board's own; placed
+/// steps are searched only when neither is named. Errors: those of model::smallestClearances and model::checkRules.
+[[nodiscard]] base::Result<ClearanceResult> searchClearances(const model::Document& board,
+                                                             const ClearanceRequest& request, base::Progress& progress);
+
+}  // namespace ui
