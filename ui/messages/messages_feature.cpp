@@ -25,8 +25,8 @@ std::optional<render::Box3> locationOf(const model::Diagnostic& message, const m
     if (message.element.isValid()) {
         const std::size_t layer = document.elements.layer[message.element.row()].row();
         box = document.boxOf(message.element);
-        bottom = frame.layerBottomMm[layer];
-        top = frame.layerTopMm[layer];
+        bottom = frame.layers[layer].z0;
+        top = frame.layers[layer].z1;
     } else if (message.location) {
         box.include(*message.location);
     } else {

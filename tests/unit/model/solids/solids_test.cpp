@@ -152,7 +152,8 @@ private slots:
     void oneAndManyThreadsAgree() {
         const auto areas = [] {
             const auto document = boardWithMask();
-            return std::pair(document->shapes.nodes, document->elements.geometry);
+            return std::pair<std::vector<model::PathNode>, std::vector<std::uint32_t>>(document->shapes.nodes,
+                                                                                document->elements.geometry);
         };
         const auto many = areas();
         const base::ThreadLimit limit(1);

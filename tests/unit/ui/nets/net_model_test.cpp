@@ -187,9 +187,9 @@ private slots:
     void aMillionNetsNeverHoldTheWindowUp() {
         auto board = std::make_shared<model::Document>();
         for (int i = 0; i < 1'000'000; ++i) {
-            board->nets.emplace_back().name = "NET_" + std::to_string((i * 7919L) % 1'000'000);
+            board->nets.edit().emplace_back().name = "NET_" + std::to_string((i * 7919L) % 1'000'000);
         }
-        board->netStart.assign(board->nets.size() + 1, 0);
+        board->netStart.edit().assign(board->nets.size() + 1, 0);
         const auto statistics = statisticsOf(*board);
         NetModel nets;
         double longest = 0.0;

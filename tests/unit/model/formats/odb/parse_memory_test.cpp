@@ -74,8 +74,8 @@ std::string bigLayer(std::size_t bytes) {
 }
 
 template <class T>
-std::size_t bytesOf(const std::vector<T>& column) {
-    return column.capacity() * sizeof(T);
+std::size_t bytesOf(const base::Table<T>& column) {
+    return static_cast<const std::vector<T>&>(column).capacity() * sizeof(T);
 }
 
 }  // namespace

@@ -176,7 +176,8 @@ private slots:
         QCOMPARE(d->text(d->groups[0].type), std::string("TEXT"));
         QCOMPARE(d->text(d->propertiesOf(d->groups[0].properties)[0].value), std::string("hello"));
         // Features 2 and 3 are one trail.
-        QCOMPARE(d->groupElements, (std::vector{elementOf(*d, "top", 2), elementOf(*d, "top", 4)}));
+        const std::vector<model::ElementId>& grouped = d->groupElements;
+        QCOMPARE(grouped, (std::vector{elementOf(*d, "top", 2), elementOf(*d, "top", 4)}));
         QVERIFY(findDiagnostic(d->diagnostics, "a group names a feature that is not there") != nullptr);
     }
 
