@@ -14,6 +14,8 @@ template <class Row>
 class Table {
 public:
     Table() = default;
+    Table(const Table&) = default;  // and no move: what is moved from keeps its rows
+    Table& operator=(const Table&) = default;
     Table(std::initializer_list<Row> rows) : m_rows(std::make_shared<std::vector<Row>>(rows)) {}
 
     [[nodiscard]] const Row& operator[](std::size_t row) const { return (*m_rows)[row]; }
@@ -39,7 +41,7 @@ public:
     [[nodiscard]] bool sharesRowsWith(const Table& other) const { return m_rows == other.m_rows; }
 
 private:
-    std::shared_ptr<std::vector<Row>> m_rows = std::make_shared<std::vector<Row>>();  // never null: copied, not moved
+    std::shared_ptr<std::vector<Row>> m_rows = std::make_shared<std::vector<Row>>();  // never null
 };
 
 }  // namespace base
