@@ -1,5 +1,6 @@
 #include "tests/ui/window_fixture.h"
 
+#include <QCursor>
 #include <QFileDialog>
 #include <QGuiApplication>
 #include <QScreen>
@@ -67,6 +68,8 @@ void WindowFixture::restart(const ui::Loader::Work& work) {
         qFatal("the window does not appear");
     }
     m_window->activateWindow();
+    // The display's own pointer points at nothing: tests send what a mouse would.
+    QCursor::setPos(m_window->screen()->geometry().bottomRight());
 }
 
 bool WindowFixture::openAndWait(const QString& path) {
