@@ -1,5 +1,7 @@
 #include "ui/views/probing.h"
 
+#include <QApplication>
+#include <QEvent>
 #include <QPainter>
 #include <QToolTip>
 #include <algorithm>
@@ -37,6 +39,7 @@ Probing::Probing(BoardViews& views, Workspace& workspace, NetStyles& nets, QObje
             [this](base::PointD nm, model::LayerId layer) { showPosition(nm, layer); });
     m_rest.setSingleShot(true);
     connect(&m_rest, &QTimer::timeout, this, &Probing::hover);
+    qApp->installEventFilter(this);
     connect(&nets, &NetStyles::changed, this, &Probing::hideNets);
     for (BoardView* view : views.both()) {
         watch(*view);
@@ -68,6 +71,15 @@ void Probing::watch(BoardView& view) {
     connect(&controller, &CameraController::clicked, this,
             [this, &view](QPointF position, Qt::KeyboardModifiers modifiers) { click(view, position, modifiers); });
     connect(&controller, &CameraController::doubleClicked, this, [this, &view] { showInOther(view); });
+}
+
+bool Probing::eventFilter(QObject* object, QEvent* event) {
+    const bool isKey = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
+    if (isKey && m_rest.isActive()) {
+        m_rest.stop();
+        hover();
+    }
+    return QObject::eventFilter(object, event);
 }
 
 void Probing::setBoard(const LoadedBoard& board) {

@@ -84,6 +84,26 @@ private slots:
         QVERIFY2(std::adjacent_find(seen.begin(), seen.end()) == seen.end(), "each comes once");
     }
 
+    void keysAreAboutWhatThePointerIsOnNow() {
+        BoardView& view = views().flat();
+        view.controller().fit();
+        const model::ElementId first = aPad();
+        const model::ElementId second = aPad(board().elements.net[first.row()]);
+        const auto moveTo = [&](model::ElementId pad) {
+            const QPointF at = centreOf(view, pad);
+            QMouseEvent event(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+            QCoreApplication::sendEvent(&view.canvas(), &event);
+        };
+        moveTo(first);
+        QTRY_VERIFY(window().selection().hovered().has_value());
+        QCOMPARE(board().elements.net[window().selection().hovered()->element.row()],
+                 board().elements.net[first.row()]);
+        moveTo(second);
+        m_fixture->key(Qt::Key_N);
+        QCOMPARE(window().selection().nets(),
+                 (std::vector<model::BoardNet>{{0, board().elements.net[second.row()]}}));
+    }
+
     void ctrlAddsAndTakesAway() {
         const model::ElementId pad = aPad();
         BoardView& view = views().flat();
@@ -263,12 +283,14 @@ private:
     const model::Document& board() { return *window().document(); }
 
     /// A pad on the uppermost copper layer that has a net.
-    model::ElementId aPad() {
+    /// Not of this net.
+    model::ElementId aPad(model::NetId other = {}) {
         const auto& elements = board().elements;
         for (std::size_t row = 0; row < elements.size(); ++row) {
             const model::Layer& layer = board().layer(elements.layer[row]);
             if (layer.isCopper() && layer.side == model::LayerSide::Top && (elements.flags[row] & model::kPad) != 0 &&
-                elements.kind[row] == model::ElementKind::Circle && elements.net[row].isValid()) {
+                elements.kind[row] == model::ElementKind::Circle && elements.net[row].isValid() &&
+                elements.net[row] != other) {
                 return model::ElementId{row};
             }
         }
