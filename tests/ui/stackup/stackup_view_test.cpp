@@ -1,5 +1,7 @@
 // The drawing of the stack: a click isolates a layer in both views, keys step through layers, both forms are exported.
 
+#include "ui/stackup/stackup_view.h"
+
 #include <QDialog>
 #include <QDockWidget>
 #include <QStatusBar>
@@ -10,7 +12,6 @@
 #include "ui/layers/layers_panel.h"
 #include "ui/shell/message_bar.h"
 #include "ui/stackup/stackup_panel.h"
-#include "ui/stackup/stackup_view.h"
 
 using ui::ActionId;
 

@@ -100,8 +100,7 @@ private slots:
                  board().elements.net[first.row()]);
         moveTo(second);
         m_fixture->key(Qt::Key_N);
-        QCOMPARE(window().selection().nets(),
-                 (std::vector<model::BoardNet>{{0, board().elements.net[second.row()]}}));
+        QCOMPARE(window().selection().nets(), (std::vector<model::BoardNet>{{0, board().elements.net[second.row()]}}));
     }
 
     void ctrlAddsAndTakesAway() {

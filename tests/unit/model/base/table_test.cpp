@@ -1,7 +1,6 @@
 #include "model/base/table.h"
 
 #include <QTest>
-
 #include <span>
 
 class TableTest : public QObject {

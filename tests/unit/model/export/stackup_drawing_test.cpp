@@ -1,9 +1,10 @@
+#include "model/export/stackup_drawing.h"
+
 #include <QTemporaryDir>
 #include <QXmlStreamReader>
 #include <QtTest>
 #include <cmath>
 
-#include "model/export/stackup_drawing.h"
 #include "model/export/stackup_export.h"
 #include "tests/locations.h"
 #include "tests/unit/model/formats/odb/odb_testing.h"

@@ -1,7 +1,8 @@
+#include "model/formats/registry.h"
+
 #include <QtTest>
 #include <filesystem>
 
-#include "model/formats/registry.h"
 #include "tests/locations.h"
 
 namespace {

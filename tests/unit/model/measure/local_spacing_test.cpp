@@ -1,8 +1,9 @@
 // The gap at a cursor: between which pieces, and square to their edges.
+#include "model/measure/local_spacing.h"
+
 #include <QtTest>
 #include <cmath>
 
-#include "model/measure/local_spacing.h"
 #include "tests/unit/model/measure/measure_fixture.h"
 
 using namespace model;

@@ -1,10 +1,11 @@
+#include "model/solids/cutouts.h"
+
 #include <QtTest>
 #include <random>
 
 #include "model/board/document_builder.h"
 #include "model/figures/element_polygons.h"
 #include "model/geometry/boolean.h"
-#include "model/solids/cutouts.h"
 #include "model/solids/region_distance.h"
 
 using model::Cutouts;

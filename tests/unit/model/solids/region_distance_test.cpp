@@ -1,6 +1,6 @@
-#include <QtTest>
-
 #include "model/solids/region_distance.h"
+
+#include <QtTest>
 
 using model::Box;
 using model::EdgeStrips;

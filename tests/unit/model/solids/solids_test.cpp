@@ -153,7 +153,7 @@ private slots:
         const auto areas = [] {
             const auto document = boardWithMask();
             return std::pair<std::vector<model::PathNode>, std::vector<std::uint32_t>>(document->shapes.nodes,
-                                                                                document->elements.geometry);
+                                                                                       document->elements.geometry);
         };
         const auto many = areas();
         const base::ThreadLimit limit(1);

@@ -1,7 +1,8 @@
+#include "model/solids/substrates.h"
+
 #include <QtTest>
 
 #include "model/board/document_builder.h"
-#include "model/solids/substrates.h"
 
 using model::DocumentBuilder;
 using model::Layer;

@@ -1,4 +1,6 @@
 // Areas and lengths against their polygons: discretised finely, the two agree to a part in 10,000.
+#include "model/statistics/element_sizes.h"
+
 #include <QtTest>
 #include <numbers>
 
@@ -6,7 +8,6 @@
 #include "model/figures/element_polygons.h"
 #include "model/geometry/boolean.h"
 #include "model/geometry/discretise.h"
-#include "model/statistics/element_sizes.h"
 
 using namespace model;
 

@@ -1,8 +1,9 @@
+#include "render/modelling/substrate_margins.h"
+
 #include <QtTest>
 
 #include "model/board/document_builder.h"
 #include "render/modelling/board_model.h"
-#include "render/modelling/substrate_margins.h"
 
 using model::DocumentBuilder;
 using model::LayerType;

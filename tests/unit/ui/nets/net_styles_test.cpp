@@ -1,9 +1,9 @@
+#include "ui/nets/net_styles.h"
+
 #include <QSignalSpy>
 #include <QtTest>
 #include <random>
 #include <set>
-
-#include "ui/nets/net_styles.h"
 
 using model::BoardNet;
 using model::NetId;

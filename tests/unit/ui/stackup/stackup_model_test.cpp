@@ -1,3 +1,5 @@
+#include "ui/stackup/stackup_model.h"
+
 #include <QAbstractItemModelTester>
 #include <QSignalSpy>
 #include <QtTest>
@@ -5,7 +7,6 @@
 #include "model/board/document_builder.h"
 #include "tests/unit/ui/sample_document.h"
 #include "ui/common/table_text.h"
-#include "ui/stackup/stackup_model.h"
 
 using model::Source;
 using ui::StackupModel;

@@ -10,8 +10,8 @@
 #include "model/formats/common/archive.h"
 #include "model/formats/common/archive_stream.h"
 #include "model/solids/bodies.h"
-#include "tests/unit/model/formats/odb/odb_testing.h"
 #include "tests/locations.h"
+#include "tests/unit/model/formats/odb/odb_testing.h"
 
 using namespace odb_testing;
 using model::Document;

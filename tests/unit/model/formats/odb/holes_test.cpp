@@ -5,8 +5,8 @@
 
 #include "model/formats/common/hole_rules.h"
 #include "model/formats/odb/features/tools.h"
-#include "tests/unit/model/formats/odb/odb_testing.h"
 #include "tests/locations.h"
+#include "tests/unit/model/formats/odb/odb_testing.h"
 
 using model::DrillRow;
 using model::DrillTool;

@@ -6,8 +6,8 @@
 #include <new>
 
 #include "model/formats/odb/features/features.h"
-#include "tests/unit/model/formats/odb/odb_testing.h"
 #include "tests/locations.h"
+#include "tests/unit/model/formats/odb/odb_testing.h"
 
 namespace {
 

@@ -88,9 +88,7 @@ private slots:
                       "S P 0;1\nOB 10 10 I\nOS 20 10\nOS 20 20\nOS 10 10\nOE\nSE\n");
         folder.write("misc/userattr", "OPTION {\n NAME=colour\n OPTIONS=red;green\n}\n");
         const auto d = read(folder.path());
-        const auto of = [&](std::uint32_t feature) {
-            return d->attributesOf(elementOf(*d, "TOP", feature));
-        };
+        const auto of = [&](std::uint32_t feature) { return d->attributesOf(elementOf(*d, "TOP", feature)); };
         QCOMPARE(of(0), (AttributeValues{{"colour", "green"}}));
         QCOMPARE(of(2), (AttributeValues{{".smd", "yes"}}));  // other attributes end the trail
         QCOMPARE(of(3), of(0));
