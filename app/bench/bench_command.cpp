@@ -4,7 +4,7 @@
 
 #include "app/bench/bench_tables.h"
 #include "app/common/headless_device.h"
-#include "model/export/json_text.h"
+#include "model/text/json_text.h"
 
 namespace app {
 

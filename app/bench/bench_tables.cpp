@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "app/common/commit.h"
-#include "model/export/export_text.h"
+#include "model/text/formatting.h"
 
 namespace app {
 

@@ -11,8 +11,8 @@
 #include <thread>
 
 #include "model/base/parallel.h"
-#include "model/export/export_text.h"
-#include "model/export/json_text.h"
+#include "model/text/formatting.h"
+#include "model/text/json_text.h"
 #include "tri/verify.h"
 
 namespace tri::bench {

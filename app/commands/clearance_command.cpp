@@ -6,7 +6,7 @@
 #include "app/common/console_progress.h"
 #include "model/board/copies.h"
 #include "model/board/thickness_units.h"
-#include "model/clearance/clearance_report.h"
+#include "model/export/clearance_export.h"
 
 namespace app {
 

@@ -7,7 +7,7 @@
 #include "app/common/console_progress.h"
 #include "app/reports/info_json.h"
 #include "app/reports/stackup_report.h"
-#include "model/export/json_text.h"
+#include "model/text/json_text.h"
 #include "render/standard/standard_triangles.h"
 
 namespace app {

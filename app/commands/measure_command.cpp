@@ -6,11 +6,11 @@
 #include "app/commands/item_spec.h"
 #include "app/common/console_progress.h"
 #include "model/board/thickness_units.h"
-#include "model/export/export_text.h"
-#include "model/export/json_text.h"
 #include "model/measure/net_path.h"
 #include "model/measure/separation.h"
 #include "model/measure/sizes.h"
+#include "model/text/formatting.h"
+#include "model/text/json_text.h"
 
 namespace app {
 

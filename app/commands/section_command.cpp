@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/common/console_progress.h"
-#include "model/export/json_text.h"
-#include "model/section/section_export.h"
+#include "model/export/section_export.h"
+#include "model/text/json_text.h"
 #include "render/scene/layer_style.h"
 
 namespace app {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/export/export_text.h"
+#include "model/text/formatting.h"
 
 namespace model {
 

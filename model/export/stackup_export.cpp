@@ -5,8 +5,8 @@
 #include <fstream>
 
 #include "model/board/stackup.h"
-#include "model/export/export_text.h"
 #include "model/export/stackup_drawing.h"
+#include "model/text/formatting.h"
 
 namespace model {
 

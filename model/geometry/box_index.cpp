@@ -3,6 +3,7 @@
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <boost/iterator/function_output_iterator.hpp>
+#include <utility>
 #include <vector>
 
 namespace model {

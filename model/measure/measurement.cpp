@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "model/base/units.h"
-#include "model/export/export_text.h"
 #include "model/measure/edge_at.h"
+#include "model/text/formatting.h"
 
 namespace model {
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <functional>
 
-#include "model/export/export_text.h"
 #include "model/figures/distance.h"
 #include "model/figures/overlap.h"
 #include "model/geometry/box_index.h"
+#include "model/text/formatting.h"
 
 namespace model {
 

@@ -7,8 +7,8 @@
 #include <tuple>
 
 #include "model/board/holes.h"
-#include "model/export/export_text.h"
 #include "model/section/line_cut.h"
+#include "model/text/formatting.h"
 
 namespace model {
 

@@ -3,7 +3,7 @@
 #include <charconv>
 #include <unordered_map>
 
-#include "model/export/export_text.h"
+#include "model/text/formatting.h"
 
 namespace model::session {
 

@@ -11,9 +11,9 @@
 
 #include "model/board/stackup.h"
 #include "model/board/thickness_units.h"
-#include "model/export/json_text.h"
 #include "model/session/session_json.h"
 #include "model/solids/restack.h"
+#include "model/text/json_text.h"
 
 namespace model::session {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <numeric>
+#include <tuple>
 
 #include "model/base/parallel.h"
 #include "model/figures/element_polygons.h"

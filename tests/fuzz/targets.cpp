@@ -17,7 +17,7 @@
 #include "model/formats/odb/stackup/layer_facts.h"
 #include "model/formats/odb/stackup/matrix.h"
 #include "model/formats/odb/stackup/zones.h"
-#include "model/formats/odb/step/step_header.h"
+#include "model/formats/odb/steps/step_header.h"
 #include "model/formats/odb/symbols/standard_symbols.h"
 #include "model/formats/odb/text/job_tree.h"
 #include "model/formats/paper/paper_reader.h"

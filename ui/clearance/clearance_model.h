@@ -5,7 +5,7 @@
 
 #include "model/board/copies.h"
 #include "model/clearance/clearance.h"
-#include "model/clearance/rule_check.h"
+#include "model/clearance/design_rule_check.h"
 #include "ui/common/table_model.h"
 
 namespace ui {

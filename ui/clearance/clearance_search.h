@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/clearance/clearance_report.h"
+#include "model/export/clearance_export.h"
 #include "ui/clearance/clearance_model.h"
 
 namespace ui {

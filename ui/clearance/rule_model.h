@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "model/clearance/rules.h"
+#include "model/clearance/design_rules.h"
 #include "ui/common/table_model.h"
 
 namespace ui {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "model/export/export_text.h"
+#include "model/text/formatting.h"
 
 namespace ui {
 

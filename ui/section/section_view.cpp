@@ -7,7 +7,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "model/section/section_export.h"
+#include "model/export/section_export.h"
 #include "ui/canvas/camera_controller.h"
 
 namespace ui {

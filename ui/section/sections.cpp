@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "model/export/section_export.h"
 #include "model/section/net_line.h"
-#include "model/section/section_export.h"
 #include "ui/common/texts.h"
 #include "ui/layers/layer_model.h"
 #include "ui/views/board_views.h"

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "model/formats/odb/step/step.h"
+#include "model/formats/odb/steps/step.h"
 
 namespace model::odb {
 

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "model/board/document_builder.h"
-#include "model/formats/odb/step/step.h"
+#include "model/formats/odb/steps/step.h"
 
 namespace model::odb {
 

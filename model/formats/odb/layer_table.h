@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "model/board/document_builder.h"
-#include "model/formats/odb/step/step.h"
+#include "model/formats/odb/steps/step.h"
 
 namespace model::odb {
 

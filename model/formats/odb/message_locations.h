@@ -2,7 +2,7 @@
 
 #include "model/board/document_builder.h"
 #include "model/formats/odb/layer_table.h"
-#include "model/formats/odb/step/step.h"
+#include "model/formats/odb/steps/step.h"
 
 namespace model::odb {
 

@@ -8,8 +8,8 @@
 #include <QWheelEvent>
 #include <QtTest>
 
+#include "model/export/section_export.h"
 #include "model/section/intervals.h"
-#include "model/section/section_export.h"
 #include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/shell/message_bar.h"

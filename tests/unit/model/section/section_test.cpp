@@ -6,9 +6,9 @@
 #include <set>
 
 #include "model/board/document_builder.h"
+#include "model/export/section_export.h"
 #include "model/formats/registry.h"
 #include "model/index/picking.h"
-#include "model/section/section_export.h"
 #include "tests/locations.h"
 
 using namespace model;

@@ -3,7 +3,7 @@
 #include "model/formats/odb/job_info.h"
 #include "model/formats/odb/stackup/layer_facts.h"
 #include "model/formats/odb/stackup/matrix.h"
-#include "model/formats/odb/step/step_header.h"
+#include "model/formats/odb/steps/step_header.h"
 #include "model/formats/odb/text/structured_text.h"
 #include "tests/unit/model/formats/odb/odb_testing.h"
 

@@ -1,10 +1,10 @@
-#include "model/section/section_export.h"
+#include "model/export/section_export.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "model/export/export_text.h"
 #include "model/export/stackup_drawing.h"
+#include "model/text/formatting.h"
 
 namespace model {
 

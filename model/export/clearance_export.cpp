@@ -1,11 +1,11 @@
-#include "model/clearance/clearance_report.h"
+#include "model/export/clearance_export.h"
 
 #include <algorithm>
 #include <iterator>
 
 #include "model/base/units.h"
-#include "model/export/export_text.h"
-#include "model/export/json_text.h"
+#include "model/text/formatting.h"
+#include "model/text/json_text.h"
 
 namespace model {
 

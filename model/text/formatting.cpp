@@ -1,4 +1,4 @@
-#include "model/export/export_text.h"
+#include "model/text/formatting.h"
 
 #include <charconv>
 #include <string_view>

@@ -1,4 +1,4 @@
-#include "model/formats/odb/step/step_header.h"
+#include "model/formats/odb/steps/step_header.h"
 
 #include <cmath>
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "model/base/progress.h"
-#include "model/clearance/rules.h"
+#include "model/clearance/design_rules.h"
 #include "model/geometry/edges.h"
 
 namespace model {

@@ -1,12 +1,13 @@
-#include "model/clearance/rules.h"
+#include "model/clearance/design_rules.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "model/base/units.h"
-#include "model/export/json_text.h"
+#include "model/text/json_text.h"
 
 namespace model {
 

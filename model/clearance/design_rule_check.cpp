@@ -1,4 +1,4 @@
-#include "model/clearance/rule_check.h"
+#include "model/clearance/design_rule_check.h"
 
 #include <algorithm>
 #include <cmath>

@@ -11,7 +11,7 @@
 #include "model/formats/odb/features/tools.h"
 #include "model/formats/odb/stackup/matrix.h"
 #include "model/formats/odb/stackup/zones.h"
-#include "model/formats/odb/step/step_header.h"
+#include "model/formats/odb/steps/step_header.h"
 #include "model/formats/odb/text/attribute_types.h"
 #include "model/formats/odb/text/job_tree.h"
 

@@ -1,4 +1,4 @@
-#include "model/formats/odb/step/step.h"
+#include "model/formats/odb/steps/step.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,5 +1,5 @@
 // Design rules: each kind on a board made for it, at exactly its limit and just below.
-#include "model/clearance/rules.h"
+#include "model/clearance/design_rules.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -8,7 +8,7 @@
 
 #include "model/base/parallel.h"
 #include "model/board/document_builder.h"
-#include "model/clearance/clearance_report.h"
+#include "model/export/clearance_export.h"
 
 using model::DocumentBuilder;
 using model::ElementId;
