@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "model/formats/odb/text/records.h"
 #include "model/geometry/outlines.h"
@@ -129,10 +130,10 @@ void addString(BarcodeLayout& layout, const BarcodeRecord& barcode, const format
 
 }  // namespace
 
-std::optional<std::vector<bool>> code39(std::string_view text, bool isFullAscii, bool hasChecksum) {
+std::vector<bool> code39(std::string_view text, bool isFullAscii, bool hasChecksum) {
     std::optional<std::string> characters = encoded(text, isFullAscii);
     if (!characters) {
-        return std::nullopt;
+        return {};
     }
     if (hasChecksum) {
         std::size_t sum = 0;
@@ -162,11 +163,11 @@ BarcodeLayout layOut(const BarcodeRecord& barcode, const formats::Font& font) {
         return layout;
     }
     const bool isKnown = equalsIgnoringCase(barcode.code, "UPC39");
-    const auto elements =
-        isKnown ? code39(barcode.text, barcode.isFullAscii, barcode.hasChecksum) : std::optional<std::vector<bool>>{};
-    if (elements) {
-        layout.width = widthOf(*elements, barcode.elementWidth);
-        addBars(layout, *elements, barcode);
+    const std::vector<bool> elements =
+        isKnown ? code39(barcode.text, barcode.isFullAscii, barcode.hasChecksum) : std::vector<bool>();
+    if (!elements.empty()) {
+        layout.width = widthOf(elements, barcode.elementWidth);
+        addBars(layout, elements, barcode);
     } else {
         layout.problem = isKnown
                              ? "code 39 cannot hold the text '" + barcode.text + "'; a frame stands for the barcode"

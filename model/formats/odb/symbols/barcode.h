@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,8 +19,8 @@ struct BarcodeLayout {
 
 /// Elements of the code 39 pattern of a text, bar and space in turn, true for wide ones: start, text, check character
 /// if wanted, stop, with a narrow space between characters. Full ASCII writes what code 39 does not have as pairs;
-/// plain code 39 takes lower-case letters as capitals. Nothing when a character cannot be written.
-[[nodiscard]] std::optional<std::vector<bool>> code39(std::string_view text, bool isFullAscii, bool hasChecksum);
+/// plain code 39 takes lower-case letters as capitals. Empty when a character cannot be written.
+[[nodiscard]] std::vector<bool> code39(std::string_view text, bool isFullAscii, bool hasChecksum);
 
 /// Draws UPC39, which is code 39 with wide elements of three narrow ones. Another code, or a text it cannot hold, gives
 /// the outline of the space that the bars of code 39 would take, and a problem.

@@ -314,4 +314,4 @@ private slots:
 };
 
 QTEST_GUILESS_MAIN(RulesTest)
-#include "rules_test.moc"
+#include "design_rules_test.moc"

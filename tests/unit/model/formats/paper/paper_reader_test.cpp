@@ -1,6 +1,7 @@
 #include "model/formats/paper/paper_reader.h"
 
 #include <QtTest>
+#include <algorithm>
 
 #include "model/formats/paper/lexer.h"
 
@@ -67,7 +68,7 @@ private slots:
 
     void brokenRecordsAreListedAndTheRestIsRead() {
         std::string text(kModel);
-        text.replace(text.find("STRAIGHT,1,20.0,100.0,0.0"), 8, "CURVED--");
+        std::ranges::copy(std::string_view("CURVED--"), text.begin() + text.find("STRAIGHT,1,20.0,100.0,0.0"));
         const auto document = read(text);
         QCOMPARE(document->elementCounts()[0], 0U);
         QCOMPARE(document->elementCounts()[1], 1U);

@@ -158,30 +158,30 @@ private slots:
     }
 
     void code39HasStartStopAndNarrowSpaces() {
-        QCOMPARE(decode(lettersOf(code39("1A", false, false).value())), std::string("*1A*"));
-        QCOMPARE(decode(lettersOf(code39("1a", false, false).value())), std::string("*1A*"));
-        QVERIFY(!code39("1!", false, false).has_value());
-        QVERIFY(!code39("\xc3\xa4", true, false).has_value());
+        QCOMPARE(decode(lettersOf(code39("1A", false, false))), std::string("*1A*"));
+        QCOMPARE(decode(lettersOf(code39("1a", false, false))), std::string("*1A*"));
+        QVERIFY(code39("1!", false, false).empty());
+        QVERIFY(code39("\xc3\xa4", true, false).empty());
     }
 
     void fullAsciiWritesPairs() {
-        QCOMPARE(decode(lettersOf(code39("a!", true, false).value())), std::string("*+A/A*"));
-        QCOMPARE(decode(lettersOf(code39("+", true, false).value())), std::string("*/?*"));  // /K
+        QCOMPARE(decode(lettersOf(code39("a!", true, false))), std::string("*+A/A*"));
+        QCOMPARE(decode(lettersOf(code39("+", true, false))), std::string("*/?*"));  // /K
         for (char c = 1; c < 127; ++c) {
-            QVERIFY(code39(std::string{c}, true, true).has_value());
+            QVERIFY(!code39(std::string{c}, true, true).empty());
         }
     }
 
     void theCheckCharacterIsTheSumOfAllModulo43() {
         // A = 10, B = 11, C = 12: 33 is X. 1 + A = 11 is B.
-        QCOMPARE(lettersOf(code39("ABC", false, true).value()).substr(40, 9), std::string("NwNnWnNnW"));
-        QCOMPARE(decode(lettersOf(code39("1A", false, true).value())), std::string("*1AB*"));
+        QCOMPARE(lettersOf(code39("ABC", false, true)).substr(40, 9), std::string("NwNnWnNnW"));
+        QCOMPARE(decode(lettersOf(code39("1A", false, true))), std::string("*1AB*"));
     }
 
     void everyPatternHasThreeWideElementsAndIsItsOwn() {
         std::vector<std::string> seen;
         for (const char c : std::string("0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ-. $/+%")) {
-            seen.push_back(lettersOf(code39(std::string{c}, false, false).value()).substr(10, 9));
+            seen.push_back(lettersOf(code39(std::string{c}, false, false)).substr(10, 9));
             QCOMPARE(std::ranges::count_if(seen.back(), [](char e) { return e == 'w' || e == 'W'; }), 3);
         }
         seen.emplace_back(kStar);
