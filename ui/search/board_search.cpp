@@ -103,12 +103,12 @@ private:
 };
 
 std::optional<double> nmPer(const QString& unit, LengthUnit otherwise) {
-    return unit.isEmpty()                                    ? nmPer(otherwise)
-           : unit == QLatin1String("mm")                     ? base::kNmPerMm
-           : unit == QLatin1String("mil")                    ? base::kNmPerMil
-           : unit == QLatin1String("in")                     ? base::kNmPerInch
-           : unit == QLatin1String("um") || unit == u"µm"_qs ? std::optional(base::kNmPerUm)
-                                                             : std::nullopt;
+    return unit.isEmpty()                                              ? nmPer(otherwise)
+           : unit == QLatin1String("mm")                               ? base::kNmPerMm
+           : unit == QLatin1String("mil")                              ? base::kNmPerMil
+           : unit == QLatin1String("in")                               ? base::kNmPerInch
+           : unit == QLatin1String("um") || unit == QStringView(u"µm") ? std::optional(base::kNmPerUm)
+                                                                       : std::nullopt;
 }
 
 }  // namespace
