@@ -1,54 +1,11 @@
-#include <QJsonArray>
+// What every command has in common, info, render and thicknesses.
 #include <QJsonDocument>
-#include <QJsonObject>
-#include <QProcess>
 #include <QTemporaryDir>
-#include <QXmlStreamReader>
 #include <QtTest>
 
-#include "tests/locations.h"
+#include "tests/cli/program.h"
 
-namespace {
-
-struct Outcome {
-    int exitCode = -1;
-    QByteArray out;
-    QByteArray err;
-};
-
-Outcome copperscope(const QStringList& arguments, const QString& folder = {},
-                    const QProcessEnvironment& environment = {}) {
-    QProcess process;
-    process.setProcessEnvironment(environment.isEmpty() ? QProcessEnvironment::systemEnvironment() : environment);
-    if (!folder.isEmpty()) {
-        process.setWorkingDirectory(folder);
-    }
-    process.start(locations::kProgram, arguments);
-    process.waitForFinished(300'000);
-    const bool isNormal = process.exitStatus() == QProcess::NormalExit;
-    return {isNormal ? process.exitCode() : -1, process.readAllStandardOutput(), process.readAllStandardError()};
-}
-
-/// Width and height from a PNG's header, which is all that must be known here.
-QSize pngSize(const QString& path) {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) {
-        return {};
-    }
-    const QByteArray head = file.read(24);
-    const auto number = [&](int at) {
-        return static_cast<int>(qFromBigEndian<quint32>(reinterpret_cast<const uchar*>(head.constData()) + at));
-    };
-    return head.startsWith("\x89PNG") ? QSize(number(16), number(20)) : QSize();
-}
-
-/// The element of a list that must have one.
-QJsonObject onlyOne(const QJsonValue& list) {
-    const QJsonArray array = list.toArray();
-    return array.size() == 1 ? array.first().toObject() : QJsonObject();
-}
-
-}  // namespace
+using namespace program;
 
 class CliTest : public QObject {
     Q_OBJECT
@@ -110,238 +67,6 @@ private slots:
                         {"severity", "file", "line", "text", "count", "location", "place"}));
     }
 
-    void benchMeasuresBothPipelines() {
-        const Outcome run = copperscope({"bench", locations::kSample, "--frames", "1", "--json"});
-        QCOMPARE(run.exitCode, 0);
-        const QJsonObject report = QJsonDocument::fromJson(run.out).object();
-        QVERIFY(!report["device"].toString().isEmpty());
-        QVERIFY(report.contains("commit"));
-        const QJsonObject board = report["boards"].toArray().first().toObject();
-        QCOMPARE(board["name"].toString(), QFileInfo(locations::kSample).fileName());
-        QVERIFY(board["elements"].toObject()["total"].toInt() > 0);
-        for (const char* pipeline : {"hybrid", "standard"}) {
-            const QJsonObject result = board["pipelines"].toObject()[pipeline].toObject();
-            for (const char* key : {"parse_ms", "create_ms", "discretise_ms", "triangulate_ms", "upload_ms"}) {
-                QVERIFY2(result[key].toDouble(-1.0) >= 0.0, key);
-            }
-            QVERIFY(result["gpu_bytes"].toDouble() > 0 && result["cpu_bytes"].toDouble() > 0);
-            QSet<QString> views;
-            for (const QJsonValue& value : result["frames"].toArray()) {
-                const QJsonObject frame = value.toObject();
-                views.insert(frame["view"].toString());
-                QVERIFY(frame["ms"].toDouble() > 0.0 && frame["triangles"].toInt() > 0);
-                QVERIFY(frame["grey_mse"].toDouble() <= 0.001);
-            }
-            QCOMPARE(views, QSet<QString>({"whole", "5x", "30x"}));
-        }
-    }
-
-    void benchSaysWhatCannotBeRead() {
-        QCOMPARE(copperscope({"bench", "/nonexistent.tgz"}).exitCode, 2);
-        QCOMPARE(copperscope({"bench"}).exitCode, 1);
-    }
-
-    void generatedBoardsHaveTheCountsAskedFor() {
-        const QTemporaryDir folder;
-        const QString job = folder.filePath("t1.tgz");
-        QCOMPARE(copperscope({"generate", "--like", "t1", "-o", job}).exitCode, 0);
-        const QJsonObject elements =
-            QJsonDocument::fromJson(copperscope({"info", job, "--json"}).out).object()["elements"].toObject();
-        QCOMPARE(elements["line"].toInt(), 539);
-        QCOMPARE(elements["arc"].toInt(), 0);
-        QCOMPARE(elements["circle"].toInt(), 1395);
-        QCOMPARE(elements["trail"].toInt(), 529);
-        QCOMPARE(elements["area"].toInt(), 823);
-        QCOMPARE(copperscope({"generate", "--like", "t10", "-o", job}).exitCode, 1);
-        QCOMPARE(copperscope({"generate", "--like", "t1", "-o", folder.filePath("t1.zip")}).exitCode, 1);
-        QCOMPARE(copperscope({"generate", "--like", "t1", "-o", "/nonexistent/t1.tgz"}).exitCode, 3);
-    }
-
-    void theStandardPipelineDrawsToo() {
-        const QTemporaryDir folder;
-        const QString picture = folder.filePath("board.png");
-        QCOMPARE(
-            copperscope({"render", locations::kSample, "-o", picture, "--pipeline", "standard", "--size", "320x200"})
-                .exitCode,
-            0);
-        QCOMPARE(pngSize(picture), QSize(320, 200));
-    }
-
-    void areasComeOutTheSameFromEveryTriangulator() {
-        // Only how the triangles are found differs, so all that is said about the model has to be the same.
-        const auto triangles = [](const QString& triangulator) {
-            const Outcome run = copperscope({"info", locations::kSample, "--json", "--triangulator", triangulator});
-            return run.exitCode == 0 ? QJsonDocument::fromJson(run.out).object()["triangles"].toObject()
-                                     : QJsonObject();
-        };
-        const QJsonObject expected = triangles("cpu");
-        QVERIFY(expected["stored"].toInt() > 10'000);
-        for (const char* other : {"auto", "parallel", "cgal", "gpu"}) {
-            QCOMPARE(triangles(other), expected);
-        }
-        QCOMPARE(copperscope({"info", locations::kSample, "--triangulator", "magic"}).exitCode, 1);
-    }
-
-    void clearanceTellsABuildWhatIsTooClose() {
-        const Outcome all = copperscope({"clearance", locations::kSample, "--worst", "3", "--format", "json"});
-        QVERIFY2(all.exitCode == 0, all.err.constData());
-        const QJsonArray listed = QJsonDocument::fromJson(all.out)["steps"][0]["clearances"].toArray();
-        QCOMPARE(listed.size(), 3);
-        QCOMPARE(listed[0]["gap_um"], listed[0]["clearance_um"]);  // the old name
-        const double narrowest = listed[0]["clearance_um"].toDouble();
-        QVERIFY(narrowest > 0.0 && narrowest <= listed[1]["clearance_um"].toDouble());
-        const auto below = [&](double um) {
-            return copperscope({"clearance", locations::kSample, "--below", QString::number(um, 'f', 3) + "um"})
-                .exitCode;
-        };
-        QCOMPARE(below(narrowest + 1.0), 4);
-        QCOMPARE(below(narrowest - 1.0), 0);
-        QCOMPARE(copperscope({"clearance", locations::kSample, "--below", "3 apples"}).exitCode, 1);
-        QCOMPARE(copperscope({"clearance", locations::kSample, "--layer", "nowhere"}).exitCode, 1);
-    }
-
-    void rulesTellABuildWhatIsBroken() {
-        QTemporaryDir folder;
-        const auto check = [&](const char* um) {
-            QFile file(folder.filePath("rules.json"));
-            file.open(QIODevice::WriteOnly);
-            file.write(R"({"copperscope_rules": 1, "rules": [{"kind": "copper-copper", "least_um": )");
-            file.write(um + QByteArray("}]}"));
-            file.close();
-            return copperscope({"clearance", locations::kSample, "--rules", file.fileName(), "--format", "json"});
-        };
-        QCOMPARE(check("1").exitCode, 0);
-        const Outcome broken = check("5000");
-        QCOMPARE(broken.exitCode, 4);
-        const QJsonValue rule = QJsonDocument::fromJson(broken.out)["steps"][0]["rules"][0];
-        QCOMPARE(rule["passed"].toBool(true), false);
-        QCOMPARE(rule["findings"].toArray().size(), std::min(100, rule["count"].toInt()));
-        QVERIFY(rule["findings"][0]["clearance_um"].toDouble() < 5000.0);
-        QCOMPARE(check("-1").exitCode, 2);
-        QVERIFY(check("-1").err.contains("least_um"));
-        QCOMPARE(copperscope({"clearance", locations::kSample, "--rules", "/nowhere.json"}).exitCode, 2);
-    }
-
-    void measureTellsHowFarThingsAreApart() {
-        const auto measure = [](const QStringList& rest) {
-            return copperscope(QStringList{"measure", locations::kSample} + rest);
-        };
-        // The narrowest clearance of the board is the distance of its two nets, and of its two elements.
-        const Outcome all = copperscope({"clearance", locations::kSample, "--worst", "1", "--format", "json"});
-        const QJsonObject narrowest = onlyOne(QJsonDocument::fromJson(all.out)["steps"][0]["clearances"]);
-        const double gap = narrowest["clearance_um"].toDouble() * 1000.0;
-        const auto item = [&](const char* prefix, const char* list, int row) {
-            return prefix + narrowest[list][row].toVariant().toString();
-        };
-        for (const auto& [prefix, list] : {std::pair("net:", "nets"), std::pair("element:", "elements")}) {
-            const Outcome run =
-                measure({"--from", item(prefix, list, 0), "--to", item(prefix, list, 1), "--format", "json"});
-            QVERIFY2(run.exitCode == 0, run.err.constData());
-            const QJsonObject way = QJsonDocument::fromJson(run.out)["on_layer"].toObject();
-            QVERIFY2(std::abs(way["distance_nm"].toDouble() - gap) < 0.01, run.out.constData());
-            QCOMPARE(way["ends"][0]["layer"], narrowest["layer"]);
-            QCOMPARE(way["gap_nm"], way["spacing_nm"]);  // old names stay beside the new ones
-            QVERIFY(QJsonDocument::fromJson(run.out).object().contains("remarks"));
-            QCOMPARE(way["relation"].toString(), QString("apart"));
-        }
-        const QStringList nets = {"--from", item("net:", "nets", 0), "--to", item("net:", "nets", 1)};
-        QCOMPARE(measure(nets + QStringList{"--below", QString::number(gap / 1000 + 1) + "um"}).exitCode, 4);
-        QCOMPARE(measure(nets + QStringList{"--below", QString::number(gap / 1000 - 1) + "um"}).exitCode, 0);
-        const Outcome csv = measure(nets + QStringList{"--format", "csv"});
-        QVERIFY(csv.out.startsWith("kind,distance um") && csv.out.count('\n') == 4);
-        QVERIFY(measure({"--from", "part:U1", "--to", "edge"}).out.contains("on one layer"));
-        QVERIFY(measure({"--from", "at:1mm,-2mm", "--to", "at:4mm,2mm"}).out.contains("5.000000 mm"));
-    }
-
-    void measureSaysWhatItDoesNotKnow() {
-        const auto measure = [](const QString& from) {
-            return copperscope({"measure", locations::kSample, "--from", from, "--to", "edge"});
-        };
-        for (const auto& [from, why] :
-             {std::pair("net:GNDD", "did you mean GND"), std::pair("pin:U1.999", "no pin of U1"),
-              std::pair("element:99999999", "numbered from 0"), std::pair("at:1,2", "a number with um"),
-              std::pair("at:1mm", "X,Y"), std::pair("apple", "names no item"), std::pair("7/net:GND", "no copy 7"),
-              std::pair("at:1mm,1mm,nowhere", "no layer nowhere")}) {
-            const Outcome run = measure(from);
-            QVERIFY2(run.exitCode == 1 && run.err.contains(why), run.err.constData());
-        }
-        QVERIFY(measure("edge").out.contains("both are the same"));
-    }
-
-    void measureFollowsNets() {
-        const auto path = [](const QStringList& rest) {
-            return copperscope(QStringList{"measure", locations::kSample, "--path", "GND"} + rest);
-        };
-        const Outcome run = path({"--from", "net:GND", "--to", "net:GND", "--format", "json"});
-        QVERIFY2(run.exitCode == 0, run.err.constData());
-        QCOMPARE(QJsonDocument::fromJson(run.out)["length_nm"].toDouble(), 0.0);
-        const Outcome off = path({"--from", "edge", "--to", "net:GND"});
-        QVERIFY2(off.exitCode == 1 && off.err.contains("has no copper of net GND"), off.err.constData());
-        QCOMPARE(path({"--from", "edge", "--to", "net:GND", "--below", "1mm"}).exitCode, 1);
-    }
-
-    void oldNamesOfSolderMasksStillWork() {
-        const Outcome run = copperscope({"section", locations::kTestData + QStringLiteral("/odb/everything"), "--line",
-                                         "0,1,9,1", "--layers", "SMT coat"});
-        QVERIFY2(run.exitCode == 0, run.err.constData());
-        QVERIFY2(run.err.contains("\"SMT coat\" is now named \"SMT solder mask\""), run.err.constData());
-    }
-
-    void sectionShowsWhatALineCuts() {
-        const Outcome run =
-            copperscope({"section", locations::kSample, "--line", "-1000,20,1000,20.5", "--format", "json"});
-        QVERIFY2(run.exitCode == 0, run.err.constData());
-        const QJsonObject section = QJsonDocument::fromJson(run.out).object();
-        QSet<QString> layers;
-        for (const QJsonValue& piece : section["pieces"].toArray()) {
-            layers.insert(piece["layer"].toString());
-            QVERIFY(piece["from_nm"].toDouble() < piece["to_nm"].toDouble());
-            QVERIFY(piece["bottom_nm"].toInt() <= piece["top_nm"].toInt());
-        }
-        QVERIFY2(layers.size() > 3, run.out.constData());
-        QXmlStreamReader svg(copperscope({"section", locations::kSample, "--line", "-1000,20,1000,20.5"}).out);
-        while (!svg.atEnd()) {
-            svg.readNext();
-        }
-        QVERIFY2(!svg.hasError(), qPrintable(svg.errorString()));
-        const Outcome beside =
-            copperscope({"section", locations::kSample, "--line", "900,900,901,900", "--format", "csv"});
-        QCOMPARE(beside.exitCode, 0);
-        QCOMPARE(beside.out.count('\n'), 1);
-        for (const char* line : {"1,2,3", "1,2,1,2", "1,2", "0,0,5000,0"}) {
-            QCOMPARE(copperscope({"section", locations::kSample, "--line", line}).exitCode, 1);
-        }
-        QCOMPARE(copperscope({"section", locations::kSample, "--line", "0,0,1,1", "--layers", "nowhere"}).exitCode, 1);
-    }
-
-    void benchRefusesOptionsOfTheOtherMeasurement() {
-        QCOMPARE(copperscope({"bench", "--triangulation", "--sets", "none", "--frames", "3"}).exitCode, 1);
-        QCOMPARE(copperscope({"bench", locations::kSample, "--repeats", "3"}).exitCode, 1);
-    }
-
-    void benchMeasuresAllTriangulators() {
-        const Outcome run =
-            copperscope({"bench", "--triangulation", locations::kSample, "--sets", "areas 1k", "--threads", "1",
-                         "--repeats", "1", "--triangulators", "cgal,cpu,parallel,gpu", "--json"});
-        QVERIFY2(run.exitCode == 0, run.err.constData());
-        const QJsonObject report = QJsonDocument::fromJson(run.out).object();
-        QVERIFY(!report["device"].toString().isEmpty());
-        QVERIFY(report.contains("commit"));
-        const QJsonArray sets = report["sets"].toArray();
-        QCOMPARE(sets.size(), 2);
-        for (const QJsonValue& set : sets) {
-            const QJsonArray runs = set["runs"].toArray();
-            QCOMPARE(runs.size(), 4);
-            for (const QJsonValue& each : runs) {
-                QVERIFY(each["verified"].toBool());
-                QCOMPARE(each["hash"], runs.first()["hash"]);
-                QVERIFY(each["ms"].toDouble() > 0.0);
-            }
-        }
-        QCOMPARE(copperscope({"bench"}).exitCode, 1);
-        QCOMPARE(copperscope({"bench", "--triangulation", "no-such-board"}).exitCode, 2);
-    }
-
     void elementsAreTheSumOfTheLayers() {
         const QJsonObject info =
             QJsonDocument::fromJson(copperscope({"info", locations::kSample, "--json"}).out).object();
@@ -377,6 +102,7 @@ private slots:
         QTest::addRow("empty window") << QStringList{"render", "-o", "x.png", "--window", "1,1,1,5"};
         QTest::addRow("2D from the side") << QStringList{"render", "-o", "x.png", "--mode", "2d", "--view", "iso"};
     }
+
     void wrongUsageAnswersOne() {
         QFETCH(QStringList, arguments);
         QTemporaryDir folder;
@@ -397,6 +123,7 @@ private slots:
         QTest::addRow("truncated archive") << whole.left(whole.size() / 2) << "board.tgz";
         QTest::addRow("no board") << QByteArray("PK\x05\x06") + QByteArray(18, '\0') << "board.zip";
     }
+
     void unreadableInputAnswersTwo() {
         QFETCH(QByteArray, content);
         QFETCH(QString, name);
@@ -429,6 +156,7 @@ private slots:
         QTest::addRow("exploded") << QStringList{"--explode", "1"};
         QTest::addRow("window, mono") << QStringList{"--window", "10,10,20,20", "--mono"};
     }
+
     void renderWritesOnlyThePicture() {
         QFETCH(QStringList, options);
         QTemporaryDir folder;
@@ -574,6 +302,7 @@ private slots:
         row("severson_amdc_revC.tgz", 655, 0, 5, 0);
         row("kicad/dram-tester.tgz", 2225, 137, 0, 8);  // unfinished: a field of pads without tracks
     }
+
     void netsOfWholeBoardsAreAsTheyWere() {
         const Outcome run = copperscope({"info", QTest::currentDataTag(), "--check-nets", "--no-session", "--json"});
         const QJsonObject found = QJsonDocument::fromJson(run.out).object()["connectivity"].toObject();

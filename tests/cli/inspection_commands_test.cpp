@@ -1,0 +1,149 @@
+// clearance, measure and section: what a build or a script asks of a board.
+#include <QJsonDocument>
+#include <QTemporaryDir>
+#include <QXmlStreamReader>
+#include <QtTest>
+
+#include "tests/cli/program.h"
+
+using namespace program;
+
+class InspectionCommandsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void clearanceTellsABuildWhatIsTooClose() {
+        const Outcome all = copperscope({"clearance", locations::kSample, "--worst", "3", "--format", "json"});
+        QVERIFY2(all.exitCode == 0, all.err.constData());
+        const QJsonArray listed = QJsonDocument::fromJson(all.out)["steps"][0]["clearances"].toArray();
+        QCOMPARE(listed.size(), 3);
+        QCOMPARE(listed[0]["gap_um"], listed[0]["clearance_um"]);  // the old name
+        const double narrowest = listed[0]["clearance_um"].toDouble();
+        QVERIFY(narrowest > 0.0 && narrowest <= listed[1]["clearance_um"].toDouble());
+        const auto below = [&](double um) {
+            return copperscope({"clearance", locations::kSample, "--below", QString::number(um, 'f', 3) + "um"})
+                .exitCode;
+        };
+        QCOMPARE(below(narrowest + 1.0), 4);
+        QCOMPARE(below(narrowest - 1.0), 0);
+        QCOMPARE(copperscope({"clearance", locations::kSample, "--below", "3 apples"}).exitCode, 1);
+        QCOMPARE(copperscope({"clearance", locations::kSample, "--layer", "nowhere"}).exitCode, 1);
+    }
+
+    void rulesTellABuildWhatIsBroken() {
+        QTemporaryDir folder;
+        const auto check = [&](const char* um) {
+            QFile file(folder.filePath("rules.json"));
+            file.open(QIODevice::WriteOnly);
+            file.write(R"({"copperscope_rules": 1, "rules": [{"kind": "copper-copper", "least_um": )");
+            file.write(um + QByteArray("}]}"));
+            file.close();
+            return copperscope({"clearance", locations::kSample, "--rules", file.fileName(), "--format", "json"});
+        };
+        QCOMPARE(check("1").exitCode, 0);
+        const Outcome broken = check("5000");
+        QCOMPARE(broken.exitCode, 4);
+        const QJsonValue rule = QJsonDocument::fromJson(broken.out)["steps"][0]["rules"][0];
+        QCOMPARE(rule["passed"].toBool(true), false);
+        QCOMPARE(rule["findings"].toArray().size(), std::min(100, rule["count"].toInt()));
+        QVERIFY(rule["findings"][0]["clearance_um"].toDouble() < 5000.0);
+        QCOMPARE(check("-1").exitCode, 2);
+        QVERIFY(check("-1").err.contains("least_um"));
+        QCOMPARE(copperscope({"clearance", locations::kSample, "--rules", "/nowhere.json"}).exitCode, 2);
+    }
+
+    void measureTellsHowFarThingsAreApart() {
+        const auto measure = [](const QStringList& rest) {
+            return copperscope(QStringList{"measure", locations::kSample} + rest);
+        };
+        // The narrowest clearance of the board is the distance of its two nets, and of its two elements.
+        const Outcome all = copperscope({"clearance", locations::kSample, "--worst", "1", "--format", "json"});
+        const QJsonObject narrowest = onlyOne(QJsonDocument::fromJson(all.out)["steps"][0]["clearances"]);
+        const double gap = narrowest["clearance_um"].toDouble() * 1000.0;
+        const auto item = [&](const char* prefix, const char* list, int row) {
+            return prefix + narrowest[list][row].toVariant().toString();
+        };
+        for (const auto& [prefix, list] : {std::pair("net:", "nets"), std::pair("element:", "elements")}) {
+            const Outcome run =
+                measure({"--from", item(prefix, list, 0), "--to", item(prefix, list, 1), "--format", "json"});
+            QVERIFY2(run.exitCode == 0, run.err.constData());
+            const QJsonObject way = QJsonDocument::fromJson(run.out)["on_layer"].toObject();
+            QVERIFY2(std::abs(way["distance_nm"].toDouble() - gap) < 0.01, run.out.constData());
+            QCOMPARE(way["ends"][0]["layer"], narrowest["layer"]);
+            QCOMPARE(way["gap_nm"], way["spacing_nm"]);  // old names stay beside the new ones
+            QVERIFY(QJsonDocument::fromJson(run.out).object().contains("remarks"));
+            QCOMPARE(way["relation"].toString(), QString("apart"));
+        }
+        const QStringList nets = {"--from", item("net:", "nets", 0), "--to", item("net:", "nets", 1)};
+        QCOMPARE(measure(nets + QStringList{"--below", QString::number(gap / 1000 + 1) + "um"}).exitCode, 4);
+        QCOMPARE(measure(nets + QStringList{"--below", QString::number(gap / 1000 - 1) + "um"}).exitCode, 0);
+        const Outcome csv = measure(nets + QStringList{"--format", "csv"});
+        QVERIFY(csv.out.startsWith("kind,distance um") && csv.out.count('\n') == 4);
+        QVERIFY(measure({"--from", "part:U1", "--to", "edge"}).out.contains("on one layer"));
+        QVERIFY(measure({"--from", "at:1mm,-2mm", "--to", "at:4mm,2mm"}).out.contains("5.000000 mm"));
+    }
+
+    void measureSaysWhatItDoesNotKnow() {
+        const auto measure = [](const QString& from) {
+            return copperscope({"measure", locations::kSample, "--from", from, "--to", "edge"});
+        };
+        for (const auto& [from, why] :
+             {std::pair("net:GNDD", "did you mean GND"), std::pair("pin:U1.999", "no pin of U1"),
+              std::pair("element:99999999", "numbered from 0"), std::pair("at:1,2", "a number with um"),
+              std::pair("at:1mm", "X,Y"), std::pair("apple", "names no item"), std::pair("7/net:GND", "no copy 7"),
+              std::pair("at:1mm,1mm,nowhere", "no layer nowhere")}) {
+            const Outcome run = measure(from);
+            QVERIFY2(run.exitCode == 1 && run.err.contains(why), run.err.constData());
+        }
+        QVERIFY(measure("edge").out.contains("both are the same"));
+    }
+
+    void measureFollowsNets() {
+        const auto path = [](const QStringList& rest) {
+            return copperscope(QStringList{"measure", locations::kSample, "--path", "GND"} + rest);
+        };
+        const Outcome run = path({"--from", "net:GND", "--to", "net:GND", "--format", "json"});
+        QVERIFY2(run.exitCode == 0, run.err.constData());
+        QCOMPARE(QJsonDocument::fromJson(run.out)["length_nm"].toDouble(), 0.0);
+        const Outcome off = path({"--from", "edge", "--to", "net:GND"});
+        QVERIFY2(off.exitCode == 1 && off.err.contains("has no copper of net GND"), off.err.constData());
+        QCOMPARE(path({"--from", "edge", "--to", "net:GND", "--below", "1mm"}).exitCode, 1);
+    }
+
+    void oldNamesOfSolderMasksStillWork() {
+        const Outcome run = copperscope({"section", locations::kTestData + QStringLiteral("/odb/everything"), "--line",
+                                         "0,1,9,1", "--layers", "SMT coat"});
+        QVERIFY2(run.exitCode == 0, run.err.constData());
+        QVERIFY2(run.err.contains("\"SMT coat\" is now named \"SMT solder mask\""), run.err.constData());
+    }
+
+    void sectionShowsWhatALineCuts() {
+        const Outcome run =
+            copperscope({"section", locations::kSample, "--line", "-1000,20,1000,20.5", "--format", "json"});
+        QVERIFY2(run.exitCode == 0, run.err.constData());
+        const QJsonObject section = QJsonDocument::fromJson(run.out).object();
+        QSet<QString> layers;
+        for (const QJsonValue& piece : section["pieces"].toArray()) {
+            layers.insert(piece["layer"].toString());
+            QVERIFY(piece["from_nm"].toDouble() < piece["to_nm"].toDouble());
+            QVERIFY(piece["bottom_nm"].toInt() <= piece["top_nm"].toInt());
+        }
+        QVERIFY2(layers.size() > 3, run.out.constData());
+        QXmlStreamReader svg(copperscope({"section", locations::kSample, "--line", "-1000,20,1000,20.5"}).out);
+        while (!svg.atEnd()) {
+            svg.readNext();
+        }
+        QVERIFY2(!svg.hasError(), qPrintable(svg.errorString()));
+        const Outcome beside =
+            copperscope({"section", locations::kSample, "--line", "900,900,901,900", "--format", "csv"});
+        QCOMPARE(beside.exitCode, 0);
+        QCOMPARE(beside.out.count('\n'), 1);
+        for (const char* line : {"1,2,3", "1,2,1,2", "1,2", "0,0,5000,0"}) {
+            QCOMPARE(copperscope({"section", locations::kSample, "--line", line}).exitCode, 1);
+        }
+        QCOMPARE(copperscope({"section", locations::kSample, "--line", "0,0,1,1", "--layers", "nowhere"}).exitCode, 1);
+    }
+};
+
+QTEST_GUILESS_MAIN(InspectionCommandsTest)
+#include "inspection_commands_test.moc"
