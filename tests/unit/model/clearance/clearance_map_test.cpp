@@ -9,7 +9,9 @@
 #include "model/board/document_builder.h"
 #include "model/figures/distance.h"
 #include "tests/unit/model/figures/element_spacing.h"
+#include "tests/unit/model/hand_made.h"
 
+using namespace hand_made;
 using model::ClearanceMap;
 using model::DistanceField;
 using model::DocumentBuilder;
@@ -23,20 +25,10 @@ using model::PointD;
 
 namespace {
 
-constexpr Nm kUm = 1'000;
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
-DocumentBuilder::Origin of(NetId net) {
-    DocumentBuilder::Origin origin;
-    origin.net = net;
-    return origin;
-}
-
-LayerId addLayer(DocumentBuilder& builder, const char* name, model::LayerType type = model::LayerType::Signal) {
-    model::Layer layer;
-    layer.name = name;
-    layer.type = type;
-    const LayerId id = builder.addLayer(layer);
+LayerId beginLayer(DocumentBuilder& builder, const char* name, model::LayerType type = model::LayerType::Signal) {
+    const LayerId id = addLayer(builder, name, type);
     builder.beginLayer(id);
     return id;
 }
@@ -70,7 +62,7 @@ std::shared_ptr<const model::Document> randomBoard(std::uint32_t seed) {
     std::mt19937 random(seed);
     const auto at = [&] { return static_cast<Nm>(random() % 8'000'000); };
     for (const char* name : {"top", "bottom"}) {
-        addLayer(builder, name);
+        beginLayer(builder, name);
         for (int i = 0; i < 40; ++i) {
             const NetId net = nets[random() % nets.size()];
             const Point a{at(), at()};
@@ -235,7 +227,7 @@ private slots:
 
     void whatIsFarFromAIsAsFarFromB() {
         DocumentBuilder builder;
-        const LayerId top = addLayer(builder, "top");
+        const LayerId top = beginLayer(builder, "top");
         std::mt19937 random(5);
         std::vector<Point> locations;
         for (int i = 0; i < 30; ++i) {
@@ -254,7 +246,7 @@ private slots:
         DocumentBuilder builder;
         const NetId a = builder.addNet("a");
         const NetId b = builder.addNet("b");
-        const LayerId top = addLayer(builder, "top");
+        const LayerId top = beginLayer(builder, "top");
         builder.addLine({{0, 0}, {5'000'000, 0}, 200 * kUm, 0}, of(a));
         addRectangle(builder, {0, 350'000}, {5'000'000, 1'000'000}, b);
         const auto board = builder.finish();
@@ -272,7 +264,7 @@ private slots:
         DocumentBuilder builder;
         const NetId a = builder.addNet("a");
         const NetId b = builder.addNet("b");
-        const LayerId top = addLayer(builder, "top");
+        const LayerId top = beginLayer(builder, "top");
         addRectangle(builder, {0, 0}, {1'000'000, 100'000}, a);
         addRectangle(builder, {0, 100'000}, {1'000'000, 200'000}, {});  // touches a
         addRectangle(builder, {0, 200'000}, {1'000'000, 300'000}, {});  // touches that
@@ -287,8 +279,8 @@ private slots:
     void platedHolesCount() {
         DocumentBuilder builder;
         const NetId a = builder.addNet("a");
-        const LayerId top = addLayer(builder, "top");
-        const LayerId inner = addLayer(builder, "inner");
+        const LayerId top = beginLayer(builder, "top");
+        const LayerId inner = beginLayer(builder, "inner");
         model::Layer drill;
         drill.name = "drill";
         drill.type = model::LayerType::Drill;
@@ -322,8 +314,8 @@ private slots:
     void whatCannotBeMappedIsRefused() {
         DocumentBuilder builder;
         const NetId a = builder.addNet("a");
-        const LayerId top = addLayer(builder, "top");
-        const LayerId empty = addLayer(builder, "empty");
+        const LayerId top = beginLayer(builder, "top");
+        const LayerId empty = beginLayer(builder, "empty");
         builder.beginLayer(top);
         const ElementId only = builder.addCircle({{0, 0}, 100 * kUm, 0}, of(a));
         const auto board = builder.finish();

@@ -9,7 +9,9 @@
 #include "model/board/document_builder.h"
 #include "model/figures/distance.h"
 #include "tests/unit/model/figures/element_spacing.h"
+#include "tests/unit/model/hand_made.h"
 
+using namespace hand_made;
 using model::Clearance;
 using model::ClearanceRequest;
 using model::DocumentBuilder;
@@ -21,26 +23,10 @@ using model::Point;
 
 namespace {
 
-constexpr Nm kUm = 1'000;
-
-DocumentBuilder::Origin of(NetId net, int flags = 0) {
-    DocumentBuilder::Origin origin;
-    origin.net = net;
-    origin.flags = static_cast<std::uint8_t>(flags);
-    return origin;
-}
-
-LayerId addCopper(DocumentBuilder& builder, const char* name) {
-    model::Layer layer;
-    layer.name = name;
-    layer.type = model::LayerType::Signal;
-    return builder.addLayer(layer);
-}
-
 /// Two layers of random tracks and pads of eight nets and of none.
 std::shared_ptr<const model::Document> randomBoard() {
     DocumentBuilder builder;
-    const LayerId layers[] = {addCopper(builder, "top"), addCopper(builder, "bottom")};
+    const LayerId layers[] = {addLayer(builder, "top"), addLayer(builder, "bottom")};
     std::vector<NetId> nets(1);  // none
     for (int i = 0; i < 8; ++i) {
         nets.push_back(builder.addNet("n" + std::to_string(i)));
@@ -100,7 +86,7 @@ class ClearanceTest : public QObject {
 private slots:
     void stepsWithCopperButNoNetsAreTold() {
         DocumentBuilder bare;
-        const LayerId top = addCopper(bare, "top");
+        const LayerId top = addLayer(bare, "top");
         bare.beginLayer(top);
         bare.addCircle({{0, 0}, 200 * kUm, 0}, of({}));
         const auto board = bare.finish();
@@ -108,7 +94,7 @@ private slots:
         QCOMPARE(model::unmeasuredSteps(*board).size(), std::size_t{1});
         QVERIFY(model::unmeasuredSteps(*board)[0].find("no nets") != std::string::npos);
         DocumentBuilder empty;
-        addCopper(empty, "top");
+        addLayer(empty, "top");
         QVERIFY(model::unmeasuredSteps(*empty.finish()).empty());
         QVERIFY(model::unmeasuredSteps(*randomBoard()).empty());
     }
@@ -173,9 +159,9 @@ private slots:
     void aPlatedHoleIsCopperOfEveryLayerItJoins() {
         QFETCH(bool, isBackDrilled);
         DocumentBuilder builder;
-        const LayerId top = addCopper(builder, "top");
-        const LayerId inner = addCopper(builder, "inner");
-        const LayerId bottom = addCopper(builder, "bottom");
+        const LayerId top = addLayer(builder, "top");
+        const LayerId inner = addLayer(builder, "inner");
+        const LayerId bottom = addLayer(builder, "bottom");
         model::Layer drill;
         drill.type = model::LayerType::Drill;
         drill.spanTop = top;
@@ -204,7 +190,7 @@ private slots:
 
     void copperOfNobodyThatTouchesANetIsPartOfIt() {
         DocumentBuilder builder;
-        builder.beginLayer(addCopper(builder, "top"));
+        builder.beginLayer(addLayer(builder, "top"));
         const NetId a = builder.addNet("a");
         builder.addCircle({{0, 0}, 200 * kUm, 0}, of(a));
         builder.addCircle({{100 * kUm, 0}, 200 * kUm, 0}, of({}));

@@ -9,7 +9,9 @@
 #include "model/base/parallel.h"
 #include "model/board/document_builder.h"
 #include "model/export/clearance_export.h"
+#include "tests/unit/model/hand_made.h"
 
+using namespace hand_made;
 using model::DocumentBuilder;
 using model::ElementId;
 using model::LayerId;
@@ -22,39 +24,15 @@ using model::RuleTable;
 
 namespace {
 
-constexpr Nm kUm = 1'000;
-
-DocumentBuilder::Origin of(NetId net, int flags = 0) {
-    DocumentBuilder::Origin origin;
-    origin.net = net;
-    origin.flags = static_cast<std::uint8_t>(flags);
-    return origin;
-}
-
 /// Two copper layers, a mask on top, a drill through both.
 struct Board {
     DocumentBuilder builder;
-    LayerId mask = add("mask", model::LayerType::SolderMask);
-    LayerId top = add("top", model::LayerType::Signal);
-    LayerId bottom = add("bottom", model::LayerType::Signal);
-    LayerId drill = addDrill();
+    LayerId mask = addLayer(builder, "mask", model::LayerType::SolderMask);
+    LayerId top = addLayer(builder, "top", model::LayerType::Signal);
+    LayerId bottom = addLayer(builder, "bottom", model::LayerType::Signal);
+    LayerId drill = addDrill(builder, top, bottom);
     NetId a = builder.addNet("A");
     NetId b = builder.addNet("B1");
-
-    LayerId add(const char* name, model::LayerType type) {
-        model::Layer layer;
-        layer.name = name;
-        layer.type = type;
-        return builder.addLayer(layer);
-    }
-    LayerId addDrill() {
-        model::Layer layer;
-        layer.name = "drill";
-        layer.type = model::LayerType::Drill;
-        layer.spanTop = top;
-        layer.spanBottom = bottom;
-        return builder.addLayer(layer);
-    }
 };
 
 RuleReport check(const model::Document& board, const RuleTable& table) {

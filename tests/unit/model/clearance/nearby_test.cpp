@@ -8,7 +8,9 @@
 #include "model/board/document_builder.h"
 #include "model/figures/distance.h"
 #include "tests/unit/model/figures/element_spacing.h"
+#include "tests/unit/model/hand_made.h"
 
+using namespace hand_made;
 using model::DocumentBuilder;
 using model::ElementId;
 using model::LayerId;
@@ -19,14 +21,6 @@ using model::Point;
 
 namespace {
 
-constexpr Nm kUm = 1'000;
-
-DocumentBuilder::Origin of(NetId net) {
-    DocumentBuilder::Origin origin;
-    origin.net = net;
-    return origin;
-}
-
 std::shared_ptr<const model::Document> randomBoard(std::uint32_t seed) {
     DocumentBuilder builder;
     std::vector<NetId> nets(1);  // none
@@ -36,10 +30,7 @@ std::shared_ptr<const model::Document> randomBoard(std::uint32_t seed) {
     std::mt19937 random(seed);
     const auto at = [&] { return static_cast<Nm>(random() % 8'000'000); };
     for (const char* name : {"top", "bottom"}) {
-        model::Layer layer;
-        layer.name = name;
-        layer.type = model::LayerType::Signal;
-        builder.beginLayer(builder.addLayer(layer));
+        builder.beginLayer(addLayer(builder, name));
         for (int i = 0; i < 80; ++i) {
             const NetId net = nets[random() % nets.size()];
             const Point a{at(), at()};

@@ -7,7 +7,9 @@
 #include "model/base/parallel.h"
 #include "model/board/document_builder.h"
 #include "model/nets/net_check.h"
+#include "tests/unit/model/hand_made.h"
 
+using namespace hand_made;
 using model::Connectivity;
 using model::DocumentBuilder;
 using model::ElementId;
@@ -17,8 +19,6 @@ using model::Nm;
 using model::Point;
 
 namespace {
-
-constexpr Nm kMm = 1'000'000;
 
 /// A board of copper layers with a drill layer through all of them and a blind one through the first two.
 class Board {
@@ -42,30 +42,23 @@ public:
     NetId net(const std::string& name) { return m_builder.addNet(name); }
 
     ElementId pad(Point p, NetId net = {}, Nm size = kMm) {
-        return m_builder.addCircle({p, size, 0}, origin(net, model::kPad));
+        return m_builder.addCircle({p, size, 0}, of(net, model::kPad));
     }
     ElementId hole(Point p, bool isPlated = true, NetId net = {}, Nm size = kMm / 2) {
         const int flags = model::kHole | (isPlated ? model::kPlated : 0);
-        return m_builder.addCircle({p, size, size}, origin(net, flags));
+        return m_builder.addCircle({p, size, size}, of(net, flags));
     }
-    ElementId line(Point a, Point b, NetId net = {}) { return m_builder.addLine({a, b, 200'000, 0}, origin(net, 0)); }
+    ElementId line(Point a, Point b, NetId net = {}) { return m_builder.addLine({a, b, 200'000, 0}, of(net, 0)); }
     ElementId twoIslands(Point p, NetId net = {}) {
         model::ShapeSketch sketch;
         sketch.addCircle(p, kMm, false);
         sketch.addCircle({p.x + 10 * kMm, p.y}, kMm, false);
-        return m_builder.addArea({m_builder.addShape(sketch), {}}, origin(net, 0));
+        return m_builder.addArea({m_builder.addShape(sketch), {}}, of(net, 0));
     }
     std::shared_ptr<const model::Document> finish() { return m_builder.finish(); }
     [[nodiscard]] LayerId copper(int i) const { return m_copper[static_cast<std::size_t>(i)]; }
 
 private:
-    static DocumentBuilder::Origin origin(NetId net, int flags) {
-        DocumentBuilder::Origin origin;
-        origin.net = net;
-        origin.flags = static_cast<std::uint8_t>(flags);
-        return origin;
-    }
-
     DocumentBuilder m_builder;
     std::vector<LayerId> m_copper;
     LayerId m_drill;

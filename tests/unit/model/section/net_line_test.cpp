@@ -6,50 +6,24 @@
 #include <numbers>
 
 #include "model/board/document_builder.h"
+#include "tests/unit/model/hand_made.h"
 
 using namespace model;
+using namespace hand_made;
 
 namespace {
-
-constexpr Nm kMm = 1'000'000;
 
 /// Two copper layers and a drill through both.
 struct Board {
     DocumentBuilder builder;
-    LayerId top = add("top", LayerType::Signal);
-    LayerId bottom = add("bottom", LayerType::Signal);
-    LayerId drill = addDrill();
+    LayerId top = addLayer(builder, "top");
+    LayerId bottom = addLayer(builder, "bottom");
+    LayerId drill = addDrill(builder, top, bottom);
     NetId net = builder.addNet("N");
     NetId other = builder.addNet("other");
 
-    LayerId add(const char* name, LayerType type) {
-        Layer layer;
-        layer.name = name;
-        layer.type = type;
-        return builder.addLayer(layer);
-    }
-    LayerId addDrill() {
-        Layer layer;
-        layer.name = "drill";
-        layer.type = LayerType::Drill;
-        layer.spanTop = top;
-        layer.spanBottom = bottom;
-        return builder.addLayer(layer);
-    }
     void line(Point a, Point b, int flags = 0) { builder.addLine({a, b, kMm / 10, 0}, of(net, flags)); }
-
-    static DocumentBuilder::Origin of(NetId net, int flags = 0) {
-        DocumentBuilder::Origin origin;
-        origin.net = net;
-        origin.flags = static_cast<std::uint8_t>(flags);
-        return origin;
-    }
 };
-
-std::shared_ptr<const BoardIndex> indexOf(std::shared_ptr<const Document> board) {
-    base::Progress progress;
-    return *indexBoard(std::move(board), progress);
-}
 
 double lengthOf(const std::vector<PointD>& line) {
     double length = 0.0;
@@ -87,8 +61,8 @@ private slots:
         board.line({10 * kMm, 0}, {10 * kMm, 5 * kMm});
         board.line({10 * kMm, 0}, {12 * kMm, 0});         // a branch
         board.line({0, 20 * kMm}, {14 * kMm, 20 * kMm});  // longer than any stroke, but no longer than the chain
-        board.builder.addLine({{0, 0}, {-90 * kMm, 0}, kMm / 10, 0}, Board::of(board.other));
-        const auto line = lineAlong(*indexOf(board.builder.finish()), {0, board.net});
+        board.builder.addLine({{0, 0}, {-90 * kMm, 0}, kMm / 10, 0}, of(board.other));
+        const auto line = lineAlong(*indexed(board.builder.finish()), {0, board.net});
         QVERIFY2(line, line ? "" : line.error().text.c_str());
         QVERIFY(isLine(*line, {{0, 0}, {10 * kMm, 0}, {10 * kMm, 5 * kMm}}));
     }
@@ -103,7 +77,7 @@ private slots:
         board.line({8 * kMm, 2 * kMm}, {8 * kMm, 0});
         board.line({0, 0}, {8 * kMm, 0});
         board.line({8 * kMm, 0}, {15 * kMm, 0});
-        const auto line = lineAlong(*indexOf(board.builder.finish()), {0, board.net});
+        const auto line = lineAlong(*indexed(board.builder.finish()), {0, board.net});
         QVERIFY(line && isLine(*line, {{-5 * kMm, 0}, {0, 0}, {8 * kMm, 0}, {15 * kMm, 0}}));
     }
 
@@ -114,7 +88,7 @@ private slots:
         board.line({4 * kMm, 0}, {4 * kMm, 4 * kMm});
         board.line({4 * kMm, 4 * kMm}, {0, 4 * kMm});
         board.line({0, 4 * kMm}, {0, 0});
-        const auto line = lineAlong(*indexOf(board.builder.finish()), {0, board.net});
+        const auto line = lineAlong(*indexed(board.builder.finish()), {0, board.net});
         QVERIFY(line);
         QCOMPARE(lengthOf(*line), 8.0 * kMm);  // half of it
     }
@@ -124,9 +98,9 @@ private slots:
         board.builder.beginLayer(board.top);
         board.line({-9 * kMm, 0}, {-3 * kMm, 0});
         const PathNode start{{-3 * kMm, 0}, {0, 0}, EdgeKind::ArcClockwise};
-        board.builder.addArc({start, {3 * kMm, 0}, kMm / 10, 0}, Board::of(board.net));
+        board.builder.addArc({start, {3 * kMm, 0}, kMm / 10, 0}, of(board.net));
         board.line({3 * kMm, 0}, {9 * kMm, 0});
-        const auto line = lineAlong(*indexOf(board.builder.finish()), {0, board.net});
+        const auto line = lineAlong(*indexed(board.builder.finish()), {0, board.net});
         QVERIFY(line && line->size() > 36);
         for (std::size_t i = 1; i + 1 < line->size(); ++i) {
             QVERIFY(std::abs(std::hypot((*line)[i].x, (*line)[i].y) - 3.0 * kMm) < 1.0);
@@ -141,12 +115,12 @@ private slots:
         Board board;
         board.builder.beginLayer(board.top);
         board.line({0, 0}, {6 * kMm, 0});
-        board.builder.addCircle({{6 * kMm, 0}, kMm, 0}, Board::of(board.net, kPad));
+        board.builder.addCircle({{6 * kMm, 0}, kMm, 0}, of(board.net, kPad));
         board.builder.beginLayer(board.bottom);
         board.line({6 * kMm, 0}, {6 * kMm, 7 * kMm});
         board.builder.beginLayer(board.drill);
-        board.builder.addCircle({{6 * kMm, 0}, kMm / 2, kMm / 2}, Board::of(board.net, kHole | kPlated));
-        const auto line = lineAlong(*indexOf(board.builder.finish()), {0, board.net});
+        board.builder.addCircle({{6 * kMm, 0}, kMm / 2, kMm / 2}, of(board.net, kHole | kPlated));
+        const auto line = lineAlong(*indexed(board.builder.finish()), {0, board.net});
         QVERIFY(line && isLine(*line, {{0, 0}, {6 * kMm, 0}, {6 * kMm, 7 * kMm}}));
     }
 
@@ -158,7 +132,7 @@ private slots:
         const std::uint32_t row = panel.builder.addStep(step.builder.finish());
         panel.builder.addInstance({row, {{100 * kMm, 50 * kMm}, 0.0, false}, false});
         panel.builder.addInstance({row, {{200 * kMm, 50 * kMm}, 0.0, true}, true});
-        const auto index = indexOf(panel.builder.finish());
+        const auto index = indexed(panel.builder.finish());
         QCOMPARE(index->tree.copies.size(), std::size_t{3});
         const auto first = lineAlong(*index, {1, step.net});
         QVERIFY(first && isLine(*first, {{100 * kMm, 50 * kMm}, {103 * kMm, 50 * kMm}}));
@@ -169,9 +143,9 @@ private slots:
     void aNetWithoutStrokesIsTold() {
         Board board;
         board.builder.beginLayer(board.top);
-        board.builder.addCircle({{0, 0}, kMm, 0}, Board::of(board.net, kPad));
+        board.builder.addCircle({{0, 0}, kMm, 0}, of(board.net, kPad));
         board.line({kMm, 0}, {kMm * 2, 0}, kPad);  // an oval pad is no track
-        const auto line = lineAlong(*indexOf(board.builder.finish()), {0, board.net});
+        const auto line = lineAlong(*indexed(board.builder.finish()), {0, board.net});
         QVERIFY(!line);
         QVERIFY2(line.error().text.find("no tracks") != std::string::npos, line.error().text.c_str());
         QVERIFY(line.error().code == base::ErrorCode::BadUsage);

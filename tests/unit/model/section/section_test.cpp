@@ -10,54 +10,23 @@
 #include "model/formats/registry.h"
 #include "model/index/picking.h"
 #include "tests/locations.h"
+#include "tests/unit/model/hand_made.h"
 
 using namespace model;
+using namespace hand_made;
 
 namespace {
-
-constexpr Nm kMm = 1'000'000;
 
 /// Three copper layers of 0.1 mm, 1 mm apart, a laminate with the hole taken out, and a drill through all.
 enum BoardLayer : std::size_t { Top, Inner, Bottom, Drill, Substrate, Print };
 
 void addLayers(DocumentBuilder& builder) {
-    struct Row {
-        const char* name;
-        LayerType type;
-        Nm z, thickness;
-        std::size_t opposite;
-    };
-    for (const Row& row :
-         {Row{"top", LayerType::Signal, 2'200'000, 100'000, Bottom},
-          Row{"inner", LayerType::Signal, 1'100'000, 100'000, Inner}, Row{"bottom", LayerType::Signal, 0, 100'000, Top},
-          Row{"drill", LayerType::Drill, 0, 2'300'000, Drill},
-          Row{"board", LayerType::Body, 100'000, 2'100'000, Substrate},
-          Row{"print", LayerType::SilkScreen, 2'300'000, 0, Print}}) {
-        Layer layer;
-        layer.name = row.name;
-        layer.type = row.type;
-        layer.z = row.z;
-        layer.thickness = row.thickness;
-        layer.thicknessSource = Source::Job;
-        layer.opposite = LayerId{row.opposite};
-        if (layer.type == LayerType::Drill) {
-            layer.spanTop = LayerId{Top};
-            layer.spanBottom = LayerId{Bottom};
-        }
-        builder.addLayer(layer);
-    }
-}
-
-ShapeSketch rectangle(Point min, Point max) {
-    ShapeSketch sketch;
-    sketch.addPolygon(std::array<Point, 4>{{min, {max.x, min.y}, max, {min.x, max.y}}}, false);
-    return sketch;
-}
-
-DocumentBuilder::Origin flagged(int flags) {
-    DocumentBuilder::Origin origin;
-    origin.flags = static_cast<std::uint8_t>(flags);
-    return origin;
+    hand_made::addLayers(builder, std::array{StackLayer{"top", LayerType::Signal, 2'200'000, 100'000, Bottom},
+                                             StackLayer{"inner", LayerType::Signal, 1'100'000, 100'000, Inner},
+                                             StackLayer{"bottom", LayerType::Signal, 0, 100'000, Top},
+                                             StackLayer{"drill", LayerType::Drill, 0, 2'300'000, Drill},
+                                             StackLayer{"board", LayerType::Body, 100'000, 2'100'000, Substrate},
+                                             StackLayer{"print", LayerType::SilkScreen, 2'300'000, 0, Print}});
 }
 
 /// A pad of 2 mm on top at (0, 0), a plane of 20 mm on the inner layer, a track along y at x = 5 mm on the bottom, and
@@ -85,11 +54,6 @@ std::shared_ptr<const Document> card(bool isBackDrilled = false) {
     DocumentBuilder builder;
     addCard(builder, isBackDrilled);
     return builder.finish();
-}
-
-std::shared_ptr<const BoardIndex> indexed(std::shared_ptr<const Document> board) {
-    base::Progress progress;
-    return *indexBoard(std::move(board), progress);
 }
 
 Section cut(const std::shared_ptr<const Document>& board, std::vector<PointD> line) {

@@ -4,18 +4,14 @@
 #include <algorithm>
 
 #include "model/board/document_builder.h"
+#include "tests/unit/model/hand_made.h"
 
+using hand_made::flagged;
 using model::Histogram;
 using model::Measure;
 using model::Nm;
 
 namespace {
-
-model::DocumentBuilder::Origin flagged(int flags) {
-    model::DocumentBuilder::Origin origin;
-    origin.flags = static_cast<std::uint8_t>(flags);
-    return origin;
-}
 
 /// Copper with tracks of given widths and a pad; a drill layer with a plated hole in the pad, and a bare one.
 std::shared_ptr<const model::Document> boardWith(const std::vector<Nm>& widths) {
