@@ -1,8 +1,8 @@
 #pragma once
 
 #include "tri/contours.h"
-#include "tri/cores.h"
 #include "tri/mesh.h"
+#include "tri/threads.h"
 #include "tri/triangulate.h"
 
 namespace tri {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "tri/contours.h"
-#include "tri/cores.h"
 #include "tri/mesh.h"
+#include "tri/threads.h"
 #include "tri/triangulate.h"
 
 namespace tri {

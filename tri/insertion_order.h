@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "tri/cores.h"
 #include "tri/mesh.h"
+#include "tri/threads.h"
 
 namespace tri {
 

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "tri/contours.h"
-#include "tri/cores.h"
 #include "tri/insertion_order.h"
 #include "tri/mesh.h"
+#include "tri/threads.h"
 
 namespace tri {
 

@@ -4,8 +4,8 @@
 #include <cstdio>
 
 #include "app/common/console_progress.h"
+#include "model/base/thickness_units.h"
 #include "model/board/copies.h"
-#include "model/board/thickness_units.h"
 #include "model/export/clearance_export.h"
 
 namespace app {

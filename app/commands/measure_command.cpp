@@ -3,9 +3,9 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "app/commands/item_spec.h"
+#include "app/commands/measure_item_text.h"
 #include "app/common/console_progress.h"
-#include "model/board/thickness_units.h"
+#include "model/base/thickness_units.h"
 #include "model/measure/net_path.h"
 #include "model/measure/separation.h"
 #include "model/measure/sizes.h"

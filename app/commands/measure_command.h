@@ -9,7 +9,7 @@ namespace app {
 
 struct MeasureArguments {
     BoardArguments board;
-    std::string from;  ///< see app/commands/item_spec.h
+    std::string from;  ///< see app/commands/measure_item_text.h
     std::string to;
     std::string path;             ///< a net: the path along its copper instead of the distance
     std::string below;            ///< with a unit; exit code 4 if the distance is less

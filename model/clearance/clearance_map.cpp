@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "model/base/parallel.h"
+#include "model/figures/covered_runs.h"
 #include "model/figures/distance.h"
-#include "model/figures/row_cover.h"
 #include "model/nets/disjoint_sets.h"
 
 namespace model {

@@ -2,7 +2,8 @@
 
 #include <utility>
 
-#include "model/board/thickness_units.h"
+#include "model/base/thickness_units.h"
+#include "model/board/thickness_override.h"
 #include "model/formats/registry.h"
 
 namespace model {

@@ -9,8 +9,8 @@
 #include <fstream>
 #include <optional>
 
+#include "model/base/thickness_units.h"
 #include "model/board/stackup.h"
-#include "model/board/thickness_units.h"
 #include "model/session/session_json.h"
 #include "model/solids/restack.h"
 #include "model/text/json_text.h"

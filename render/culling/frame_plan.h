@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "render/culling/hiding.h"
+#include "render/culling/hidden_layers.h"
 #include "render/modelling/let_tables.h"
 #include "render/scene/camera.h"
 #include "render/scene/scene_layers.h"

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <span>
 
-#include "render/gpu/graveyard.h"
+#include "render/gpu/deferred_destroy.h"
 
 namespace render::gpu {
 

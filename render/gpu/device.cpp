@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "render/gpu/check.h"
+#include "render/gpu/deferred_destroy.h"
 #include "render/gpu/device_select.h"
-#include "render/gpu/graveyard.h"
 
 namespace render::gpu {
 
@@ -22,8 +22,8 @@ Device::State::~State() {
         return;
     }
     vkDeviceWaitIdle(handle);  // a lost device is idle too: its result changes nothing here
-    if (graveyard != nullptr) {
-        graveyard->collectAll();
+    if (deferred != nullptr) {
+        deferred->collectAll();
     }
     vkDestroySemaphore(handle, timeline, nullptr);
     vkDestroyPipelineCache(handle, pipelineCache, nullptr);
@@ -75,7 +75,7 @@ void Device::State::createObjects(bool hasDebugUtils) {
     VK_CHECK(vkCreateSemaphore(handle, &semaphore, nullptr, &timeline));
     auto cache = vkInfo<VkPipelineCacheCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO);
     VK_CHECK(vkCreatePipelineCache(handle, &cache, nullptr, &pipelineCache));
-    graveyard = std::make_unique<Graveyard>(handle);
+    deferred = std::make_unique<DeferredDestroy>(handle);
 }
 
 base::Result<Device> Device::create(const Instance& instance, VkSurfaceKHR presentTo) {
@@ -96,7 +96,7 @@ base::Result<Device> Device::create(const Instance& instance, VkSurfaceKHR prese
 }
 
 MemoryReport Device::memoryReport() const {
-    return graveyard().memory();
+    return deferred().memory();
 }
 
 bool Device::mayAllocate(std::uint64_t bytes) {
@@ -147,7 +147,7 @@ std::uint64_t Device::submit(const Submission& submission) {
         return 0;
     }
     VK_CHECK(result);
-    graveyard().noteSubmission(++m_state->submitted);
+    deferred().noteSubmission(++m_state->submitted);
     return m_state->submitted;
 }
 
@@ -164,7 +164,7 @@ bool Device::wait(std::uint64_t number) {
         return false;
     }
     VK_CHECK(result);
-    graveyard().collect(number);
+    deferred().collect(number);
     return true;
 }
 
@@ -178,7 +178,7 @@ void Device::waitIdle() {
     if (!noteLoss(result)) {
         VK_CHECK(result);
     }
-    graveyard().collectAll();
+    deferred().collectAll();
 }
 
 void Device::name(VkObjectType type, std::uint64_t object, std::string_view label) const {

@@ -13,7 +13,7 @@
 
 namespace render::gpu {
 
-class Graveyard;
+class DeferredDestroy;
 
 /// What memory is spent on.
 enum class MemoryUse : std::uint8_t {
@@ -109,7 +109,7 @@ public:
     [[nodiscard]] bool mayAllocate(std::uint64_t bytes);
 
     /// Where resources go when their owners drop them: freed after the submissions that may use them.
-    [[nodiscard]] Graveyard& graveyard() const { return *m_state->graveyard; }
+    [[nodiscard]] DeferredDestroy& deferred() const { return *m_state->deferred; }
     [[nodiscard]] MemoryReport memoryReport() const;
 
     /// Gives a Vulkan object the name that validation messages and frame debuggers show.
@@ -127,7 +127,7 @@ private:
         bool isLost = false;
         Faults faults;
         PFN_vkSetDebugUtilsObjectNameEXT setName = nullptr;
-        std::unique_ptr<Graveyard> graveyard;
+        std::unique_ptr<DeferredDestroy> deferred;
 
         State();
         State(const State&) = delete;

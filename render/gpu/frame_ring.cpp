@@ -19,7 +19,7 @@ constexpr std::uint64_t kUploadPiece = 16 * 1024 * 1024;
 Frame::Slice Frame::allocate(std::uint64_t size) {
     const std::uint64_t rounded = (size + kAlignment - 1) / kAlignment * kAlignment;
     if (m_used + rounded > m_memory.size()) {
-        // What was handed out of the old buffer stays valid: the graveyard keeps it until this frame is done.
+        // What was handed out of the old buffer stays valid: DeferredDestroy keeps it until this frame is done.
         const std::uint64_t bigger = std::max({kFirstSize, 2 * m_memory.size(), rounded});
         m_memory = Buffer(*m_device, {"frame memory", bigger, MemoryUse::Staging, true});
         m_used = 0;

@@ -54,7 +54,7 @@ Unique<VkDeviceMemory> allocate(Device& device, const MemoryOptions& options) {
     if (result != VK_SUCCESS) {
         throw OutOfMemory{describe(options)};
     }
-    device.graveyard().noteAllocation(memory, options.use, options.requirements.size);
+    device.deferred().noteAllocation(memory, options.use, options.requirements.size);
     return {device, memory, options.label};
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/gpu/graveyard.h"
+#include "render/gpu/deferred_destroy.h"
 
 namespace render::gpu {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "render/gpu/graveyard.h"
+#include "render/gpu/deferred_destroy.h"
 
 namespace render::gpu {
 

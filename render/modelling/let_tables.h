@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "shaders/shared/ladder.h"
+#include "shaders/shared/let_mesh.h"
 
 namespace render {
 
@@ -28,7 +28,7 @@ struct IndexRun {
     std::uint32_t count = 0;
 };
 
-/// The index tables all lets share (paper: one table per level). An index is level << 16 | vertex code (ladder.h).
+/// The index tables all lets share (paper: one table per level). An index is level << 16 | vertex code (let_mesh.h).
 struct LetTables {
     std::vector<std::uint32_t> indices;
     std::array<LetTable, shader::kBucketCount> tables{};  ///< by topology * kLevelCount + level

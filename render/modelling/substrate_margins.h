@@ -8,7 +8,7 @@ namespace render {
 
 struct BoardModel;
 
-/// What a layer has to do with the substrate, which hides what lies in it (hiding.h).
+/// What a layer has to do with the substrate, which hides what lies in it (render/culling/hidden_layers.h).
 struct LayerInSubstrate {
     enum class Role : std::uint8_t {
         Content,

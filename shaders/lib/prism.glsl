@@ -1,4 +1,4 @@
-// The one place where a let becomes points: vertices of both back ends come from here. See ladder.h for segments, sides and codes.
+// The one place where a let becomes points: vertices of both back ends come from here. See let_mesh.h for segments, sides and codes.
 #include "cell.glsl"
 
 const float kHalfPi = 1.57079632679;

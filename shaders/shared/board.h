@@ -46,7 +46,7 @@ GPU_CONST kLetHole =
         // p4 = tan(a/2) of the angle a of its x axis, -1..1   p2 = how far it reaches back and forth along x, p3 =
         // along y: two 16-bit numbers in units of kCellUnitsPerMm, the lower one back (lib/cell.glsl)
 GPU_CONST kCellUnitsPerMm = 1000;
-// Chords along one arc let in the finest of the paper's three levels (ladder.h): 2 * (9 + 1) points on its two sides
+// Chords along one arc let in the finest of the paper's three levels (let_mesh.h): 2 * (9 + 1) points on its two sides
 // and 6 more round each end are 32 points per face. Longer arcs are split on the CPU, so that no let needs more.
 GPU_CONST kArcFineChords = 9;
 

@@ -5,7 +5,7 @@
 #define COPPERSCOPE_SHADERS_SHARED_FRAME_H
 
 #include "board.h"
-#include "ladder.h"
+#include "let_mesh.h"
 
 #ifdef __cplusplus
 namespace shader {
@@ -93,7 +93,7 @@ struct FrameData {
     float sliverNudge;       // by how much of itself a step grows for each width a let is long
     float boreProtrusionMm;  // how far the dark inside of a hole protrudes from the outer faces
     uint flags;
-    uint firstTriangle;  // of the 8 of a ladder interval, the run that can be seen (ladder.h)
+    uint firstTriangle;  // of the 8 of a ladder interval, the run that can be seen (let_mesh.h)
     uint triangleCount;
     uint quadFace;  // 0 = the upper, 1 = the lower face faces the viewer
     uint clusterCount;

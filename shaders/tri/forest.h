@@ -5,7 +5,7 @@
 #ifndef COPPERSCOPE_SHADERS_TRI_FOREST_H
 #define COPPERSCOPE_SHADERS_TRI_FOREST_H
 
-#include "language.h"
+#include "cpp_and_glsl.h"
 
 #ifdef __cplusplus
 namespace shader::tri {

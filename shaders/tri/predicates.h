@@ -4,7 +4,7 @@
 #ifndef COPPERSCOPE_SHADERS_TRI_PREDICATES_H
 #define COPPERSCOPE_SHADERS_TRI_PREDICATES_H
 
-#include "language.h"
+#include "cpp_and_glsl.h"
 
 #ifdef __cplusplus
 namespace shader::tri {

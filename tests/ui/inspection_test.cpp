@@ -110,11 +110,7 @@ private slots:
                                     place().toModel(base::toDouble(both.max), heightOf(m_a)));
         }
     }
-    void cleanupTestCase() {
-        const std::uint32_t errors = m_fixture->context().validationErrors();
-        m_fixture.reset();
-        QCOMPARE(errors, 0U);
-    }
+    void cleanupTestCase() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
 
     void theStackIsOpenedSteppedThroughAndExported() {
         window().layers().restoreDefaults();
@@ -287,7 +283,7 @@ private slots:
     }
 
     void aJobThatKnowsAlmostNothingIsShownAndAsked() {
-        const fs::path job = copyOf("everything");
+        const fs::path job = m_fixture->copyOfJob("everything");
         for (const char* part : {"steps/board/eda", "steps/board/layers/comp_+_top", "steps/board/layers/comp_+_bot",
                                  "misc/attrlist", "steps/board/layers/top/attrlist", "steps/board/layers/core1",
                                  "steps/board/layers/core2", "steps/board/layers/inner plane/attrlist"}) {
@@ -315,7 +311,7 @@ private slots:
     }
 
     void aNetWithoutCopperIsChosenAndNothingMoves() {
-        const fs::path job = copyOf("open_short");
+        const fs::path job = m_fixture->copyOfJob("open_short");
         std::ofstream(job / "steps/pcb/eda/data", std::ios::app) << "NET EMPTY\n";
         QVERIFY(m_fixture->openAndWait(QString::fromStdString(job.string())));
         const model::NetId empty = board().findNet("EMPTY");
@@ -338,7 +334,7 @@ private slots:
     }
 
     void theSessionOfAnotherBoardIsToldAndNotUsed() {
-        const fs::path job = copyOf("drills");
+        const fs::path job = m_fixture->copyOfJob("drills");
         std::ofstream(job.string() + ".copperscope.json")
             << R"({"copperscope_session": 1, "job": "elsewhere", "thickness_nm": {"L1": 5000}})";
         QVERIFY(m_fixture->openAndWait(QString::fromStdString(job.string())));
@@ -348,7 +344,7 @@ private slots:
     }
 
     void theSessionOfAnotherVersionIsToldAndKept() {
-        const fs::path job = copyOf("negative");
+        const fs::path job = m_fixture->copyOfJob("negative");
         const std::string session = job.string() + ".copperscope.json";
         std::ofstream(session) << R"({"copperscope_session": 99, "job": "negative"})";
         QVERIFY(m_fixture->openAndWait(QString::fromStdString(job.string())));
@@ -407,11 +403,6 @@ private:
         m_a = padOf(m_inspected->netA);
         m_b = padOf(m_inspected->netB);
         QVERIFY(m_a.isValid() && m_b.isValid());
-    }
-    fs::path copyOf(const char* name) {
-        const fs::path copy = fs::path(m_fixture->folder().toStdString()) / name;
-        fs::copy(fs::path(locations::kTestData) / "odb" / name, copy, fs::copy_options::recursive);
-        return copy;
     }
     void startSearches() {
         box("where").setCurrentIndex(static_cast<int>(ClearancePanel::Where::Board));

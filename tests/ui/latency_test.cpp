@@ -49,11 +49,7 @@ private slots:
         QVERIFY(m_fixture->openAndWait(named.isEmpty() ? QString(locations::kSample) : named));
         settle();
     }
-    void cleanupTestCase() {
-        const std::uint32_t errors = m_fixture->context().validationErrors();
-        m_fixture.reset();
-        QCOMPARE(errors, 0U);
-    }
+    void cleanupTestCase() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
 
     void picking() {
         for (ui::BoardView* view : views().both()) {

@@ -12,8 +12,8 @@
 #include "ui/layers/layers_panel.h"
 #include "ui/messages/message_model.h"
 #include "ui/messages/messages_feature.h"
-#include "ui/shell/theme.h"
 #include "ui/statistics/statistics_model.h"
+#include "ui/theme/theme.h"
 #include "ui/workspace/actions.h"
 
 using ui::LayerModel;

@@ -12,7 +12,7 @@ function(copperscope_ui_test test file)
 endfunction()
 
 add_library(ui_test_support STATIC ui/window_fixture.cpp)
-target_link_libraries(ui_test_support PUBLIC copperscope_ui Qt6::Test)
+target_link_libraries(ui_test_support PUBLIC copperscope_ui copperscope_test_locations Qt6::Test)
 file(GLOB_RECURSE tests CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_LIST_DIR} ${CMAKE_CURRENT_LIST_DIR}/*_test.cpp)
 foreach(test IN LISTS tests)
     file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/${test} uses_window REGEX "window_fixture\\.h" LIMIT_COUNT 1)

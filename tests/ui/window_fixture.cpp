@@ -8,6 +8,8 @@
 #include <QWindow>
 #include <QtTest>
 
+#include "tests/locations.h"
+
 namespace {
 
 constexpr int kVisible = 6;  // of 255, in any channel
@@ -82,6 +84,15 @@ bool WindowFixture::openAndWait(const QString& path) {
     return isDone && isShown;
 }
 
+std::filesystem::path WindowFixture::copyOfJob(const char* name) const {
+    const std::filesystem::path job = std::filesystem::path(m_folder.path().toStdString()) / name;
+    if (!std::filesystem::exists(job)) {
+        std::filesystem::copy(std::filesystem::path(locations::kTestData) / "odb" / name, job,
+                              std::filesystem::copy_options::recursive);
+    }
+    return job;
+}
+
 QImage WindowFixture::picture() {
     base::Result<QImage> picture = m_window->views().solid().grabPicture();
     return picture ? picture->convertToFormat(QImage::Format_RGB32) : QImage();
@@ -105,6 +116,12 @@ void WindowFixture::key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
     } else {
         QTest::keyClick(qobject_cast<QWidget*>(&canvas), key, modifiers);
     }
+}
+
+std::uint32_t validationErrorsOnClosing(std::unique_ptr<WindowFixture>& fixture) {
+    const std::uint32_t errors = fixture->context().validationErrors();
+    fixture.reset();
+    return errors;
 }
 
 int differingPixels(const QImage& a, const QImage& b) {

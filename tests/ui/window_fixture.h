@@ -5,18 +5,18 @@
 #include <memory>
 
 #include "ui/canvas/gpu_context.h"
-#include "ui/clearance/clearances.h"
+#include "ui/clearance/clearance_feature.h"
 #include "ui/common/table_view.h"
 #include "ui/element/element_panel.h"
 #include "ui/element/element_picture.h"
 #include "ui/layers/layers_panel.h"
-#include "ui/measure/measuring.h"
+#include "ui/measure/measure_feature.h"
 #include "ui/messages/message_model.h"
 #include "ui/nets/net_check_model.h"
 #include "ui/nets/nets_panel.h"
 #include "ui/saved_views/view_list_model.h"
 #include "ui/search/search_box.h"
-#include "ui/section/sections.h"
+#include "ui/section/section_feature.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/message_bar.h"
 #include "ui/stackup/stackup_model.h"
@@ -68,11 +68,11 @@ public:
     [[nodiscard]] ui::LayerModel& layers() const { return find<ui::LayerModel>(); }
     [[nodiscard]] ui::NetStyles& netStyles() const { return find<ui::NetStyles>(); }
     [[nodiscard]] ui::Probing& probing() const { return find<ui::Probing>(); }
-    [[nodiscard]] ui::Clearances& clearances() const { return find<ui::Clearances>(); }
+    [[nodiscard]] ui::ClearanceFeature& clearances() const { return find<ui::ClearanceFeature>(); }
     [[nodiscard]] ui::ElementPanel& elementPanel() const { return find<ui::ElementPanel>(); }
     [[nodiscard]] ui::FrameDisplay& frameDisplay() const { return find<ui::FrameDisplay>(); }
     [[nodiscard]] ui::LayersPanel& layersPanel() const { return find<ui::LayersPanel>(); }
-    [[nodiscard]] ui::Measuring& measuring() const { return find<ui::Measuring>(); }
+    [[nodiscard]] ui::MeasureFeature& measuring() const { return find<ui::MeasureFeature>(); }
     [[nodiscard]] ui::MeasurementModel& measurements() const { return find<ui::MeasurementModel>(); }
     [[nodiscard]] ui::MessageBar& messageBar() const { return find<ui::MessageBar>(); }
     [[nodiscard]] ui::NetCheckModel& netCheck() const { return find<ui::NetCheckModel>(); }
@@ -80,7 +80,7 @@ public:
     [[nodiscard]] ui::NetsPanel& netsPanel() const { return find<ui::NetsPanel>(); }
     [[nodiscard]] ui::ViewListModel& savedViews() const { return find<ui::ViewListModel>(); }
     [[nodiscard]] ui::SearchBox& searchBox() const { return find<ui::SearchBox>(); }
-    [[nodiscard]] ui::Sections& sections() const { return find<ui::Sections>(); }
+    [[nodiscard]] ui::SectionFeature& sections() const { return find<ui::SectionFeature>(); }
     [[nodiscard]] ui::StackupModel& stack() const { return find<ui::StackupModel>(); }
     [[nodiscard]] ui::StackupPanel& stackupPanel() const { return find<ui::StackupPanel>(); }
     [[nodiscard]] ui::ViewCube& viewCube() const { return find<ui::ViewCube>(); }
@@ -94,6 +94,8 @@ public:
 
     /// Loads and waits until the board is shown; false if that fails or takes too long.
     [[nodiscard]] bool openAndWait(const QString& path);
+    /// A copy of tests/data/odb/<name> that the test may write to, in a folder of the fixture's own. Made once.
+    [[nodiscard]] std::filesystem::path copyOfJob(const char* name) const;
     /// A fresh window over the same settings, as in the next run of the program.
     void restart(const ui::Loader::Work& work = ui::loadBoard);
 
@@ -114,6 +116,9 @@ private:
     std::unique_ptr<ui::GpuContext> m_context;
     std::unique_ptr<TestWindow> m_window;
 };
+
+/// Closes the window; how often the validation layer complained while it was there.
+[[nodiscard]] std::uint32_t validationErrorsOnClosing(std::unique_ptr<WindowFixture>& fixture);
 
 /// Pixels that differ visibly; all of them if the sizes differ.
 [[nodiscard]] int differingPixels(const QImage& a, const QImage& b);

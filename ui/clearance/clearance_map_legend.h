@@ -4,7 +4,7 @@
 #include <QString>
 #include <optional>
 
-#include "ui/common/lengths.h"
+#include "ui/common/display_units.h"
 
 class QPainter;
 

@@ -5,10 +5,10 @@
 
 namespace ui {
 
-/// What is looked for: the narrowest places, or where rules are broken.
+/// What is looked for: the smallest clearances, or where rules are broken.
 struct ClearanceRequest {
     bool isOfRules = false;
-    model::ClearanceRequest question;  ///< of the narrowest places
+    model::ClearanceRequest question;  ///< of the smallest clearances
     model::RuleTable rules;
 };
 
@@ -22,8 +22,9 @@ struct ClearanceResult {
 /// Broken places by rule, over all steps; empty if no rules were asked for.
 [[nodiscard]] std::vector<std::size_t> countsOf(const ClearanceResult& answer);
 
-/// Looks for narrow places of a board and all its steps. Layers and nets in the request are the board's own; placed
-/// steps are searched only when neither is named. Errors: those of model::smallestClearances and model::checkRules.
+/// Looks for the smallest clearances of a board and all its steps. Layers and nets in the request are the board's own;
+/// placed steps are searched only when neither is named. Errors: those of model::smallestClearances and
+/// model::checkRules.
 [[nodiscard]] base::Result<ClearanceResult> searchClearances(const model::Document& board,
                                                              const ClearanceRequest& request, base::Progress& progress);
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "model/board/thickness_units.h"
+#include "model/base/thickness_units.h"
 
 namespace ui {
 

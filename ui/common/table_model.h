@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/common/lengths.h"
+#include "ui/common/display_units.h"
 
 namespace ui {
 

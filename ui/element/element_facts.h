@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "model/board/copies.h"
-#include "ui/common/lengths.h"
+#include "ui/common/display_units.h"
 
 /// What is known of an element, in words.
 namespace ui {

@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "ui/common/lengths.h"
+#include "ui/common/display_units.h"
 #include "ui/element/element_facts.h"
 #include "ui/workspace/selection_model.h"
 

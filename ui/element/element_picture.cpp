@@ -3,7 +3,7 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "model/board/lone_element.h"
+#include "model/board/single_element.h"
 #include "ui/canvas/picture.h"
 
 namespace ui {

@@ -5,7 +5,7 @@
 
 #include "model/measure/measurement.h"
 #include "model/measure/snapping.h"
-#include "ui/common/lengths.h"
+#include "ui/common/display_units.h"
 #include "ui/views/board_position.h"
 #include "ui/views/board_view.h"
 #include "ui/views/label_placing.h"

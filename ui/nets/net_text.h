@@ -4,7 +4,7 @@
 #include <span>
 
 #include "model/nets/net_statistics.h"
-#include "ui/common/lengths.h"
+#include "ui/common/display_units.h"
 
 namespace ui {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "model/board/copies.h"
-#include "ui/common/lengths.h"
+#include "ui/common/display_units.h"
 
 namespace ui {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "ui/common/lengths.h"
+#include "ui/common/display_units.h"
 
 namespace ui {
 

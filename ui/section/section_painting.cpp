@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/board/thickness_units.h"
+#include "model/base/thickness_units.h"
 #include "model/export/stackup_drawing.h"
 #include "ui/section/section_view.h"
 

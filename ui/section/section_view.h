@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "model/section/section.h"
-#include "ui/common/lengths.h"
+#include "ui/common/display_units.h"
 #include "ui/section/section_dimension.h"
 #include "ui/workspace/selection_model.h"
 

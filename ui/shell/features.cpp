@@ -1,15 +1,15 @@
 #include "ui/shell/features.h"
 
-#include "ui/clearance/clearances.h"
+#include "ui/clearance/clearance_feature.h"
 #include "ui/element/element_feature.h"
 #include "ui/layers/layers_feature.h"
-#include "ui/measure/measuring.h"
+#include "ui/measure/measure_feature.h"
 #include "ui/messages/messages_feature.h"
 #include "ui/nets/net_check_feature.h"
 #include "ui/nets/nets_feature.h"
-#include "ui/saved_views/saved_views.h"
+#include "ui/saved_views/saved_views_feature.h"
 #include "ui/search/search_feature.h"
-#include "ui/section/sections.h"
+#include "ui/section/section_feature.h"
 #include "ui/stackup/stackup_feature.h"
 #include "ui/statistics/statistics_feature.h"
 #include "ui/views/views_feature.h"
@@ -25,8 +25,19 @@ void add(FeatureContext& context) {
 
 /// Panels lie behind each other, and painters over each other, in this order.
 constexpr void (*kFeatures[])(FeatureContext&) = {
-    addViews,      addLayers,       addStackup,     add<NetsFeature>, addElement,    add<SavedViews>, addMessages,
-    add<NetCheck>, add<Clearances>, add<Measuring>, add<Sections>,    addStatistics, addSearch,
+    addViews,
+    addLayers,
+    addStackup,
+    add<NetsFeature>,
+    addElement,
+    add<SavedViewsFeature>,
+    addMessages,
+    add<NetCheck>,
+    add<ClearanceFeature>,
+    add<MeasureFeature>,
+    add<SectionFeature>,
+    addStatistics,
+    addSearch,
 };
 
 }  // namespace

@@ -23,7 +23,7 @@
 #include "ui/shell/message_bar.h"
 #include "ui/shell/recent_boards.h"
 #include "ui/shell/status_line.h"
-#include "ui/shell/theme.h"
+#include "ui/theme/theme.h"
 
 namespace ui {
 

@@ -1,7 +1,7 @@
 #include "ui/stackup/stackup_model.h"
 
+#include "model/base/thickness_units.h"
 #include "model/board/stackup.h"
-#include "model/board/thickness_units.h"
 #include "ui/layers/layer_model.h"
 
 namespace ui {

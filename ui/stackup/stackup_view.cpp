@@ -6,7 +6,7 @@
 #include <QToolTip>
 #include <algorithm>
 
-#include "model/board/thickness_units.h"
+#include "model/base/thickness_units.h"
 
 namespace ui {
 

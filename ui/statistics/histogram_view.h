@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "model/statistics/histogram.h"
-#include "ui/common/lengths.h"
+#include "ui/common/display_units.h"
 
 namespace ui {
 

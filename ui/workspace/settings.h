@@ -9,7 +9,7 @@
 
 #include "render/scene/layer_style.h"
 #include "render/scene/view_settings.h"
-#include "ui/common/lengths.h"
+#include "ui/common/display_units.h"
 #include "ui/workspace/actions.h"
 
 namespace ui {

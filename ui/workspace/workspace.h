@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "model/measure/local_spacing.h"
-#include "ui/common/lengths.h"
+#include "ui/common/display_units.h"
 #include "ui/workspace/loader.h"
 #include "ui/workspace/selection_model.h"
 

@@ -8,7 +8,7 @@
 #include "render/scene/colour_ramp.h"
 #include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/clearance/clearances.h"
+#include "ui/clearance/clearance_feature.h"
 #include "ui/layers/layers_panel.h"
 
 using model::ClearanceMap;
@@ -40,11 +40,7 @@ private slots:
         }
         QTRY_VERIFY(distances().field() == nullptr && !distances().isPending());
     }
-    void cleanupTestCase() {
-        const std::uint32_t errors = m_fixture->context().validationErrors();
-        m_fixture.reset();
-        QCOMPARE(errors, 0U);
-    }
+    void cleanupTestCase() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
 
     void theKeyShowsItAndTakesItAway() {
         const QImage without[2] = {grab(views().flat()), grab(views().solid())};

@@ -25,11 +25,7 @@ private slots:
         while (window().selection().clearStep()) {
         }
     }
-    void cleanupTestCase() {
-        const std::uint32_t errors = m_fixture->context().validationErrors();
-        m_fixture.reset();
-        QCOMPARE(errors, 0U);
-    }
+    void cleanupTestCase() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
 
     void itIsThereWithTheSelection() {
         QVERIFY(picture().isHidden());

@@ -8,14 +8,14 @@
 #include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/unit/model/measure/measure_fixture.h"
-#include "ui/measure/measuring.h"
+#include "ui/measure/measure_feature.h"
 
 using namespace measuring;
 using model::Measurement;
 using model::MeasurementKind;
 using ui::ActionId;
 using ui::BoardView;
-using ui::Measuring;
+using ui::MeasureFeature;
 namespace fs = std::filesystem;
 
 namespace {
@@ -101,11 +101,7 @@ private slots:
         QVERIFY(m_fixture->openAndWait("made"));
         showBoth({-4, -1}, {11, 7});
     }
-    void cleanup() {
-        const std::uint32_t errors = m_fixture->context().validationErrors();
-        m_fixture.reset();
-        QCOMPARE(errors, 0U);
-    }
+    void cleanup() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
 
     void threeClicksMakeAnAngleInBothViews() {
         for (BoardView* view : window().views().both()) {
@@ -143,9 +139,9 @@ private slots:
         QVERIFY(said().contains("first arm"));
         m_fixture->key(Qt::Key_Escape);
         QVERIFY(said().contains("corner"));
-        QCOMPARE(window().measuring().tool(), Measuring::Tool::Angle);
+        QCOMPARE(window().measuring().tool(), MeasureFeature::Tool::Angle);
         m_fixture->key(Qt::Key_Escape);
-        QCOMPARE(window().measuring().tool(), Measuring::Tool::None);
+        QCOMPARE(window().measuring().tool(), MeasureFeature::Tool::None);
         QVERIFY(list().empty());
     }
 
@@ -236,7 +232,7 @@ private slots:
         m_fixture->key(Qt::Key_Escape);
         QVERIFY(!window().workspace().isWorking());
         QCOMPARE(said(), QString("Stopped"));
-        QCOMPARE(window().measuring().tool(), Measuring::Tool::Length);
+        QCOMPARE(window().measuring().tool(), MeasureFeature::Tool::Length);
         click(flat(), {0, 0});
         click(flat(), {6, 4});
         QTRY_COMPARE_WITH_TIMEOUT(list().size(), std::size_t{1}, kPatienceMs);

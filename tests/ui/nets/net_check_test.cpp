@@ -22,11 +22,7 @@ private slots:
         m_fixture = std::make_unique<WindowFixture>();
         QVERIFY(m_fixture->openAndWait(locations::kTestData + QStringLiteral("/odb/open_short")));
     }
-    void cleanup() {
-        const std::uint32_t errors = m_fixture->context().validationErrors();
-        m_fixture.reset();
-        QCOMPARE(errors, 0U);
-    }
+    void cleanup() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
 
     void theCheckListsShortsOpensAndFloatingCopper() {
         QCOMPARE(summary(), "Not checked yet");

@@ -19,11 +19,7 @@ class NetsTest : public QObject {
 
 private slots:
     void init() { m_fixture = std::make_unique<WindowFixture>(); }
-    void cleanup() {
-        const std::uint32_t errors = m_fixture->context().validationErrors();
-        m_fixture.reset();
-        QCOMPARE(errors, 0U);
-    }
+    void cleanup() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
 
     void aHeadingStandsForItsNets() {
         open(locations::kSample);
@@ -196,11 +192,7 @@ private:
     }
     /// A copy that a session may lie beside.
     void openCopy() {
-        m_job = std::filesystem::path(m_fixture->folder().toStdString()) / "everything";
-        if (!std::filesystem::exists(m_job)) {
-            std::filesystem::copy(std::filesystem::path(locations::kTestData) / "odb/everything", m_job,
-                                  std::filesystem::copy_options::recursive);
-        }
+        m_job = m_fixture->copyOfJob("everything");
         open(QString::fromStdString(m_job.string()));
     }
     BoardNet gnd() { return {0, window().document()->findNet("GND")}; }

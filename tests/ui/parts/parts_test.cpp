@@ -30,11 +30,7 @@ private slots:
         window().views().flat().controller().look(render::NamedView::Top);
         window().views().solid().controller().look(render::NamedView::Top);
     }
-    void cleanupTestCase() {
-        const std::uint32_t errors = m_fixture->context().validationErrors();
-        m_fixture.reset();
-        QCOMPARE(errors, 0U);
-    }
+    void cleanupTestCase() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
 
     void theComponentOfAPadLightsUpInBothViews() {
         const QImage before[] = {picture(flat()), picture(solid())};

@@ -24,14 +24,9 @@ class KeyboardTest : public QObject {
 private slots:
     void init() {
         m_fixture = std::make_unique<WindowFixture>();
-        m_job = fs::path(m_fixture->folder().toStdString()) / "everything";
-        fs::copy(fs::path(locations::kTestData) / "odb/everything", m_job, fs::copy_options::recursive);
+        m_job = m_fixture->copyOfJob("everything");
     }
-    void cleanup() {
-        const std::uint32_t errors = m_fixture->context().validationErrors();
-        m_fixture.reset();
-        QCOMPARE(errors, 0U);
-    }
+    void cleanup() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
 
     void aBoardIsLookedIntoByKeysAlone() {
         openByKeys();

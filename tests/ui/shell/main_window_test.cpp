@@ -71,11 +71,7 @@ class MainWindowTest : public QObject {
 
 private slots:
     void init() { m_fixture = std::make_unique<WindowFixture>(workWithSlowBoards); }
-    void cleanup() {
-        const std::uint32_t errors = m_fixture->context().validationErrors();
-        m_fixture.reset();
-        QCOMPARE(errors, 0U);
-    }
+    void cleanup() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
 
     void boardIsOpenedListedAndSeen() {
         QVERIFY(!window().actions()[ActionId::Fit].isEnabled());

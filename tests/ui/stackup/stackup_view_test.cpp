@@ -24,11 +24,7 @@ private slots:
         window().findChild<QDockWidget*>("stack")->raise();
         QVERIFY(m_fixture->openAndWait(locations::kTestData + QStringLiteral("/odb/drills")));
     }
-    void cleanup() {
-        const std::uint32_t errors = m_fixture->context().validationErrors();
-        m_fixture.reset();
-        QCOMPARE(errors, 0U);
-    }
+    void cleanup() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
 
     void aClickOnALayerShowsItAloneInBothViews() {
         const QImage solid = m_fixture->picture();

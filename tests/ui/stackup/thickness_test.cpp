@@ -38,18 +38,13 @@ class ThicknessTest : public QObject {
 private slots:
     void init() {
         m_fixture = std::make_unique<WindowFixture>();
-        m_job = fs::path(m_fixture->folder().toStdString()) / "everything";
+        m_job = m_fixture->copyOfJob("everything");
         m_session = m_job.string() + ".copperscope.json";
-        fs::copy(fs::path(locations::kTestData) / "odb/everything", m_job, fs::copy_options::recursive);
         window().findChild<QDockWidget*>("stack")->raise();
         QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
         window().actions()[ActionId::ViewIso].trigger();
     }
-    void cleanup() {
-        const std::uint32_t errors = m_fixture->context().validationErrors();
-        m_fixture.reset();
-        QCOMPARE(errors, 0U);
-    }
+    void cleanup() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
 
     void aTypedThicknessIsSeenInEveryPlace() {
         const QImage before = m_fixture->picture();

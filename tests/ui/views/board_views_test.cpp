@@ -28,11 +28,7 @@ private slots:
         window().actions()[ActionId::ViewTop].trigger();
         views().setActive(views().solid());
     }
-    void cleanupTestCase() {
-        const std::uint32_t errors = m_fixture->context().validationErrors();
-        m_fixture.reset();
-        QCOMPARE(errors, 0U);
-    }
+    void cleanupTestCase() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
 
     void arrangementKeysShowOneOrBoth() {
         QVERIFY(views().flat().isVisible() && views().solid().isVisible());

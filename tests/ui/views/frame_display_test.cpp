@@ -20,11 +20,7 @@ private slots:
         QVERIFY(display().lines().isEmpty());
         QVERIFY(m_fixture->openAndWait(locations::kSample));
     }
-    void cleanupTestCase() {
-        const std::uint32_t errors = m_fixture->context().validationErrors();
-        m_fixture.reset();
-        QCOMPARE(errors, 0U);
-    }
+    void cleanupTestCase() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
 
     void elementsAreCountedInAllCopiesAndWhatIsStoredOnce() {
         base::Progress progress;

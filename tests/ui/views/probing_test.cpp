@@ -30,11 +30,7 @@ private slots:
         views().flat().controller().look(render::NamedView::Top);
         views().solid().controller().look(render::NamedView::Top);
     }
-    void cleanupTestCase() {
-        const std::uint32_t errors = m_fixture->context().validationErrors();
-        m_fixture.reset();
-        QCOMPARE(errors, 0U);
-    }
+    void cleanupTestCase() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
 
     void aClickSelectsThePadUnderItInEitherView() {
         const model::ElementId pad = aPad();

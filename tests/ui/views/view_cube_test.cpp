@@ -26,11 +26,7 @@ private slots:
         send(QEvent::MouseMove, {200, 300}, Qt::NoButton);
         QTRY_VERIFY(!cube().place().isEmpty());  // the view has got its size
     }
-    void cleanupTestCase() {
-        const std::uint32_t errors = m_fixture->context().validationErrors();
-        m_fixture.reset();
-        QCOMPARE(errors, 0U);
-    }
+    void cleanupTestCase() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
 
     void everyPartIsFoundWhereItIsSeen() {
         int seen = 0;

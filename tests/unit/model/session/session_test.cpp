@@ -5,8 +5,9 @@
 #include <QtTest>
 #include <cstring>
 
+#include "model/base/thickness_units.h"
 #include "model/board/stackup.h"
-#include "model/board/thickness_units.h"
+#include "model/board/thickness_override.h"
 #include "tests/unit/model/formats/odb/odb_testing.h"
 
 using model::Measurement;

@@ -1,8 +1,7 @@
-#include "render/culling/hiding.h"
-
 #include <QtTest>
 
 #include "render/culling/frame_plan.h"
+#include "render/culling/hidden_layers.h"
 #include "render/scene/element_state.h"
 
 using namespace render;

@@ -16,13 +16,13 @@ namespace ui {
 /// points or of two lines, radii, and lengths along nets; and the gap at the cursor in one stroke. While a tool is in
 /// use, clicks measure instead of selecting, and the status line says what the next one is for. What was measured goes
 /// to the list and stays on the canvas.
-class Measuring : public QObject {
+class MeasureFeature : public QObject {
     Q_OBJECT
 
 public:
     enum class Tool { None, Points, Objects, Angle, Lines, Radius, Length };
 
-    explicit Measuring(FeatureContext& context);
+    explicit MeasureFeature(FeatureContext& context);
 
     void setTool(Tool tool);
     [[nodiscard]] Tool tool() const { return m_tool; }

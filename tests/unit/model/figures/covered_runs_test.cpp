@@ -1,5 +1,5 @@
 // Rows of points inside of areas, against asking for each point.
-#include "model/figures/row_cover.h"
+#include "model/figures/covered_runs.h"
 
 #include <QtTest>
 #include <random>
@@ -70,7 +70,7 @@ std::shared_ptr<const model::Document> randomAreas(std::uint32_t seed) {
 
 }  // namespace
 
-class RowCoverTest : public QObject {
+class CoveredRunsTest : public QObject {
     Q_OBJECT
 
 private slots:
@@ -115,5 +115,5 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(RowCoverTest)
-#include "row_cover_test.moc"
+QTEST_GUILESS_MAIN(CoveredRunsTest)
+#include "covered_runs_test.moc"

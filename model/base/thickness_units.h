@@ -1,13 +1,14 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 
 #include "model/base/result.h"
-#include "model/board/document.h"
+#include "model/base/units.h"
 
 namespace model {
+
+using base::Nm;
 
 /// Thicknesses that a user may set; what is outside of them is a typing error.
 inline constexpr Nm kLeastSet = 1'000;
@@ -21,10 +22,6 @@ inline constexpr Nm kMostSet = 10'000'000;
 /// foot). Errors: BadUsage when it is no such text, is outside of 1 µm to 10 mm, or is a weight where there is no
 /// copper.
 [[nodiscard]] base::Result<Nm> parseThickness(std::string_view text, bool isCopper);
-
-/// "LAYER=LENGTH" for a row of the stackup, in any case. Layer names may hold "=": the last one counts. Errors:
-/// BadUsage as above, and when there is no such row (the text lists those that are there).
-[[nodiscard]] base::Result<ThicknessOverride> parseOverride(std::string_view text, const Stackup& stackup);
 
 /// "35 µm", "1.2 mm" below and from 1 mm; exact to the nanometre, and read back by parseThickness.
 [[nodiscard]] std::string thicknessText(Nm thickness);

@@ -1,4 +1,4 @@
-#include "ui/clearance/clearances.h"
+#include "ui/clearance/clearance_feature.h"
 
 #include <QAbstractItemModelTester>
 #include <QComboBox>
@@ -20,7 +20,7 @@ using ui::ClearanceModel;
 using ui::ClearancePanel;
 
 /// From the keys to the narrow place on the screen, on the sample board.
-class ClearancesTest : public QObject {
+class ClearanceFeatureTest : public QObject {
     Q_OBJECT
 
 private slots:
@@ -37,11 +37,7 @@ private slots:
             window().actions()[ActionId::Lens].trigger();
         }
     }
-    void cleanupTestCase() {
-        const std::uint32_t errors = m_fixture->context().validationErrors();
-        m_fixture.reset();
-        QCOMPARE(errors, 0U);
-    }
+    void cleanupTestCase() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
 
     void modelsKeepTheirPromises() {
         const QAbstractItemModelTester locations(&window().find<ui::ClearanceModel>());
@@ -290,7 +286,7 @@ private slots:
 
 private:
     [[nodiscard]] TestWindow& window() { return m_fixture->window(); }
-    [[nodiscard]] ui::Clearances& clearances() { return window().clearances(); }
+    [[nodiscard]] ui::ClearanceFeature& clearances() { return window().clearances(); }
     [[nodiscard]] ClearancePanel& panel() { return window().find<ui::ClearancePanel>(); }
     QComboBox& box(const char* name) { return *panel().findChild<QComboBox*>(name); }
     QSlider& lensSlider() { return *panel().findChild<QSlider*>("lensReach"); }
@@ -333,5 +329,5 @@ private:
     std::unique_ptr<WindowFixture> m_fixture;
 };
 
-QTEST_MAIN(ClearancesTest)
-#include "clearances_test.moc"
+QTEST_MAIN(ClearanceFeatureTest)
+#include "clearance_feature_test.moc"

@@ -39,11 +39,11 @@ inline constexpr Kind<Handle> kKind = std::get<Kind<Handle>>(kKinds);
 
 /// Keeps dropped Vulkan objects until the submissions that may use them are done, and books memory by use. Owned by the
 /// Device.
-class Graveyard {
+class DeferredDestroy {
 public:
-    explicit Graveyard(VkDevice device) : m_device(device) {}
-    Graveyard(const Graveyard&) = delete;
-    Graveyard& operator=(const Graveyard&) = delete;
+    explicit DeferredDestroy(VkDevice device) : m_device(device) {}
+    DeferredDestroy(const DeferredDestroy&) = delete;
+    DeferredDestroy& operator=(const DeferredDestroy&) = delete;
 
     /// The object may be used by all commands submitted until now and by those being recorded: the next submission
     /// still counts.
@@ -83,21 +83,21 @@ private:
     MemoryReport m_report;
 };
 
-/// The one owner of a Vulkan object: move-only, hands it to the graveyard when dropped. Classes above it default their
-/// moves.
+/// The one owner of a Vulkan object: move-only, hands it to DeferredDestroy when dropped. Classes above it default
+/// their moves.
 template <class Handle>
 class Unique {
 public:
     Unique() = default;
     /// Takes `handle`, names it `label`.
-    Unique(Device& device, Handle handle, std::string_view label) : m_graveyard(&device.graveyard()), m_handle(handle) {
+    Unique(Device& device, Handle handle, std::string_view label) : m_deferred(&device.deferred()), m_handle(handle) {
         device.name(kKind<Handle>.type, reinterpret_cast<std::uint64_t>(handle), label);
     }
     ~Unique() { reset(); }
     Unique(Unique&& other) noexcept
-        : m_graveyard(other.m_graveyard), m_handle(std::exchange(other.m_handle, VK_NULL_HANDLE)) {}
+        : m_deferred(other.m_deferred), m_handle(std::exchange(other.m_handle, VK_NULL_HANDLE)) {}
     Unique& operator=(Unique&& other) noexcept {
-        std::swap(m_graveyard, other.m_graveyard);
+        std::swap(m_deferred, other.m_deferred);
         std::swap(m_handle, other.m_handle);
         return *this;
     }
@@ -106,12 +106,12 @@ public:
     explicit operator bool() const { return m_handle != VK_NULL_HANDLE; }
     void reset() {
         if (m_handle != VK_NULL_HANDLE) {
-            m_graveyard->retire(std::exchange(m_handle, VK_NULL_HANDLE));
+            m_deferred->retire(std::exchange(m_handle, VK_NULL_HANDLE));
         }
     }
 
 private:
-    Graveyard* m_graveyard = nullptr;
+    DeferredDestroy* m_deferred = nullptr;
     Handle m_handle = VK_NULL_HANDLE;
 };
 

@@ -1,4 +1,4 @@
-#include "app/commands/item_spec.h"
+#include "app/commands/measure_item_text.h"
 
 #include <algorithm>
 #include <cctype>
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "model/board/thickness_units.h"
+#include "model/base/thickness_units.h"
 
 namespace app {
 

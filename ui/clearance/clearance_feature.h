@@ -17,11 +17,11 @@ namespace ui {
 /// panel to step through what was found, rules with their files and on the history, the lens and the clearance map.
 /// While a location is shown both views are there, and the layers of its two sides stand out, whatever is checked and
 /// whatever covers them; all is as before once something else is selected, or nothing.
-class Clearances : public QObject {
+class ClearanceFeature : public QObject {
     Q_OBJECT
 
 public:
-    explicit Clearances(FeatureContext& context);
+    explicit ClearanceFeature(FeatureContext& context);
 
     /// Writes what the last search found, as the command line does, in the format of the name's ending (.txt, .csv,
     /// .json). Errors: BadUsage for another ending or without a search, OutputFailed.

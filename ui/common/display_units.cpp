@@ -1,4 +1,4 @@
-#include "ui/common/lengths.h"
+#include "ui/common/display_units.h"
 
 #include <QLocale>
 #include <algorithm>

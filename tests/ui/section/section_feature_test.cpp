@@ -1,4 +1,4 @@
-#include "ui/section/sections.h"
+#include "ui/section/section_feature.h"
 
 #include <QComboBox>
 #include <QDockWidget>
@@ -21,7 +21,7 @@ using ui::ActionId;
 using ui::BoardView;
 
 /// From the line in the 2D view to the cut in the panel, with real mouse events on the sample board.
-class SectionsTest : public QObject {
+class SectionFeatureTest : public QObject {
     Q_OBJECT
 
 private slots:
@@ -40,11 +40,7 @@ private slots:
         flat().controller().look(render::NamedView::Top);
         window().find<ui::SectionPanel>().heightsBox().setCurrentIndex(0);
     }
-    void cleanupTestCase() {
-        const std::uint32_t errors = m_fixture->context().validationErrors();
-        m_fixture.reset();
-        QCOMPARE(errors, 0U);
-    }
+    void cleanupTestCase() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
 
     void aDraggedLineIsCutLiveAndExactly() {
         m_fixture->key(Qt::Key_S, Qt::ShiftModifier);
@@ -411,7 +407,7 @@ private slots:
 
 private:
     [[nodiscard]] TestWindow& window() { return m_fixture->window(); }
-    [[nodiscard]] ui::Sections& sections() { return window().sections(); }
+    [[nodiscard]] ui::SectionFeature& sections() { return window().sections(); }
     [[nodiscard]] ui::SectionView& view() { return window().find<ui::SectionPanel>().view(); }
     [[nodiscard]] BoardView& flat() { return window().views().flat(); }
 
@@ -483,5 +479,5 @@ private:
     std::shared_ptr<const model::BoardIndex> m_index;
 };
 
-QTEST_MAIN(SectionsTest)
-#include "sections_test.moc"
+QTEST_MAIN(SectionFeatureTest)
+#include "section_feature_test.moc"

@@ -1,4 +1,4 @@
-#include "ui/section/sections.h"
+#include "ui/section/section_feature.h"
 
 #include <QComboBox>
 #include <algorithm>
@@ -25,7 +25,7 @@ bool hasLength(const std::vector<base::PointD>& line) {
 
 }  // namespace
 
-Sections::Sections(FeatureContext& context)
+SectionFeature::SectionFeature(FeatureContext& context)
     : QObject(&context.window),
       m_workspace(context.workspace),
       m_actions(context.actions),
@@ -40,19 +40,19 @@ Sections::Sections(FeatureContext& context)
         {ActionId::ShowSectionDock, "section", tr("Cross-section"), Qt::BottomDockWidgetArea, "messages", 0}, *m_panel);
     m_due.setSingleShot(true);
     m_due.setInterval(0);
-    connect(&m_due, &QTimer::timeout, this, &Sections::cut);
+    connect(&m_due, &QTimer::timeout, this, &SectionFeature::cut);
     connect(&m_line, &SectionLine::moved, &m_due, qOverload<>(&QTimer::start));
     connect(&m_line, &SectionLine::finished, this, [this] {
         cut();
         onPlaced();
     });
     connect(m_panel, &SectionPanel::cleared, this, [this] { cutAlong({}); });
-    connect(m_panel, &SectionPanel::chosen, this, &Sections::goTo);
+    connect(m_panel, &SectionPanel::chosen, this, &SectionFeature::goTo);
     connect(m_panel, &SectionPanel::forgotten, this,
             [this](int row) { m_saved.remove(tr("deleting a section"), {row}); });
     connect(&m_names, &QStringListModel::dataChanged, this,
             [this](const QModelIndex& at) { renameSection(at.row(), at.data(Qt::EditRole).toString().trimmed()); });
-    connect(&m_workspace, &Workspace::boardOpened, this, &Sections::setBoard);
+    connect(&m_workspace, &Workspace::boardOpened, this, &SectionFeature::setBoard);
     connect(&m_workspace, &Workspace::restacked, this, [this](const LoadedBoard& board) {
         m_index = board.index;
         m_plane.setHeights(board.index);
@@ -65,7 +65,7 @@ Sections::Sections(FeatureContext& context)
     connectPlane(context);
 }
 
-void Sections::connectCommands(FeatureContext& context) {
+void SectionFeature::connectCommands(FeatureContext& context) {
     const auto on = [&](ActionId id, auto slot) { context.on(id, this, slot); };
     on(ActionId::DrawSection, [this](bool isOn) {
         FeatureContext::raise(*m_panel);
@@ -88,7 +88,7 @@ void Sections::connectCommands(FeatureContext& context) {
     });
 }
 
-void Sections::connectPlane(FeatureContext& context) {
+void SectionFeature::connectPlane(FeatureContext& context) {
     const auto on = [&](ActionId id, auto slot) { context.on(id, this, slot); };
     on(ActionId::SectionPlane, [this](bool isOn) {
         m_plane.setOn(isOn);
@@ -103,7 +103,7 @@ void Sections::connectPlane(FeatureContext& context) {
     connect(&context.probing, &Probing::pointedAway, this, [this] { m_plane.pointAt(std::nullopt); });
 }
 
-void Sections::setBoard(const LoadedBoard& board) {
+void SectionFeature::setBoard(const LoadedBoard& board) {
     m_index = board.index;
     m_line.clear();
     m_plane.setBoard(board);
@@ -114,14 +114,14 @@ void Sections::setBoard(const LoadedBoard& board) {
     cut();
 }
 
-void Sections::onPlaced() {
+void SectionFeature::onPlaced() {
     m_actions[ActionId::DrawSection].setChecked(false);
     if (m_plane.isAlongLine() && straightLine()) {
         showIn3D();
     }
 }
 
-void Sections::showIn3D() {
+void SectionFeature::showIn3D() {
     if (const auto line = straightLine()) {
         m_plane.cutAlong(line->first, line->second);
         m_actions[ActionId::SectionPlane].setChecked(true);
@@ -130,7 +130,7 @@ void Sections::showIn3D() {
     }
 }
 
-void Sections::draw(bool isOn) {
+void SectionFeature::draw(bool isOn) {
     m_line.setDrawing(isOn);
     if (isOn) {
         m_workspace.report(
@@ -139,13 +139,13 @@ void Sections::draw(bool isOn) {
     }
 }
 
-void Sections::cutAlong(std::vector<base::PointD> line) {
+void SectionFeature::cutAlong(std::vector<base::PointD> line) {
     m_line.setLine(std::move(line));
     m_panel->view().fit();
     cut();
 }
 
-void Sections::cut() {
+void SectionFeature::cut() {
     m_due.stop();
     if (m_index == nullptr || !hasLength(m_line.line())) {
         m_panel->view().setSection(nullptr, std::nullopt);
@@ -162,14 +162,14 @@ void Sections::cut() {
     m_panel->view().setSection(m_index, std::move(*section));
 }
 
-std::optional<std::pair<base::PointD, base::PointD>> Sections::straightLine() const {
+std::optional<std::pair<base::PointD, base::PointD>> SectionFeature::straightLine() const {
     if (m_line.line().size() != 2) {
         return std::nullopt;
     }
     return std::pair(m_line.line().front(), m_line.line().back());
 }
 
-void Sections::followNet() {
+void SectionFeature::followNet() {
     if (m_index == nullptr || m_selection.nets().size() != 1) {
         m_workspace.report(tr("Highlight one net first: N over its copper, or a click in the Nets panel"));
         return;
@@ -184,7 +184,7 @@ void Sections::followNet() {
     }
 }
 
-void Sections::saveSection() {
+void SectionFeature::saveSection() {
     const std::optional<model::Section>& section = m_panel->view().section();
     if (!section) {
         m_workspace.report(tr("There is no section to save: draw one first"));
@@ -194,7 +194,7 @@ void Sections::saveSection() {
     m_workspace.report(tr("Saved as %1").arg(QString::fromStdString(m_saved.entries().back().name)));
 }
 
-void Sections::renameSection(int row, const QString& name) {
+void SectionFeature::renameSection(int row, const QString& name) {
     if (name.isEmpty() || name.toStdString() == m_saved.entries()[static_cast<std::size_t>(row)].name) {
         showNames();  // the list shows what was typed
     } else {
@@ -202,7 +202,7 @@ void Sections::renameSection(int row, const QString& name) {
     }
 }
 
-void Sections::showNames() {
+void SectionFeature::showNames() {
     QStringList names;
     for (const model::session::SavedSection& section : m_saved.entries()) {
         names += QString::fromStdString(section.name);
@@ -210,7 +210,7 @@ void Sections::showNames() {
     m_names.setStringList(names);
 }
 
-void Sections::goTo(int row) {
+void SectionFeature::goTo(int row) {
     const model::session::SavedSection& saved = m_saved.entries()[static_cast<std::size_t>(row)];
     if (!m_workspace.isOpen(saved.step)) {
         const auto& steps = m_index->board->job.steps;
@@ -224,7 +224,7 @@ void Sections::goTo(int row) {
     onPlaced();
 }
 
-base::Status Sections::save(const QString& path) const {
+base::Status SectionFeature::save(const QString& path) const {
     const std::optional<model::Section>& section = m_panel->view().section();
     if (!section) {
         return base::Error{base::ErrorCode::BadUsage, "There is no section to export: draw one first."};

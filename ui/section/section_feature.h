@@ -14,11 +14,11 @@ namespace ui {
 
 /// Cross-sections, from the line in the 2D view to the cut in its panel, where every move of the line cuts anew; those
 /// that are saved in the session file; and the section plane of the 3D view.
-class Sections : public QObject {
+class SectionFeature : public QObject {
     Q_OBJECT
 
 public:
-    explicit Sections(FeatureContext& context);
+    explicit SectionFeature(FeatureContext& context);
 
     /// The next drag or clicks in the 2D view draw the line, or do not: the line is then what it was.
     void draw(bool isOn);

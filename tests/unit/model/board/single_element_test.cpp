@@ -1,5 +1,5 @@
 // An element by itself measures as it did on its board: kind, area, box and heights, of every element of a real job.
-#include "model/board/lone_element.h"
+#include "model/board/single_element.h"
 
 #include <QtTest>
 
@@ -9,7 +9,7 @@
 
 using namespace model;
 
-class LoneElementTest : public QObject {
+class SingleElementTest : public QObject {
     Q_OBJECT
 
 private slots:
@@ -40,5 +40,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(LoneElementTest)
-#include "lone_element_test.moc"
+QTEST_GUILESS_MAIN(SingleElementTest)
+#include "single_element_test.moc"

@@ -1,4 +1,4 @@
-#include "model/board/lone_element.h"
+#include "model/board/single_element.h"
 
 #include "model/board/element_copy.h"
 #include "model/geometry/outlines.h"

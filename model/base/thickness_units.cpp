@@ -1,11 +1,9 @@
-#include "model/board/thickness_units.h"
+#include "model/base/thickness_units.h"
 
 #include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <utility>
-
-#include "model/board/stackup.h"
 
 namespace model {
 
@@ -54,18 +52,6 @@ std::pair<double, const LengthUnit*> numberAndUnit(std::string_view text) {
     return {value, number.ec == std::errc() ? findUnit(rest) : nullptr};
 }
 
-bool isCopperRow(const StackupRow& row) {
-    return copperWeightOf(row).has_value();
-}
-
-std::string rowNames(const Stackup& stackup) {
-    std::string names;
-    for (const StackupRow& row : stackup.rows) {
-        names += (names.empty() ? "" : ", ") + row.name;
-    }
-    return names.empty() ? "the board states its heights itself" : "the stackup has " + names;
-}
-
 }  // namespace
 
 base::Result<Nm> parseLength(std::string_view text) {
@@ -94,21 +80,6 @@ base::Result<Nm> parseThickness(std::string_view text, bool isCopper) {
         return wrong(text, "is outside of what a layer can be: 1 µm to 10 mm");
     }
     return static_cast<Nm>(std::llround(nm));
-}
-
-base::Result<ThicknessOverride> parseOverride(std::string_view text, const Stackup& stackup) {
-    const std::size_t equals = text.rfind('=');
-    if (equals == std::string_view::npos) {
-        return wrong(text, "is not LAYER=LENGTH, for example TOP=35um");
-    }
-    const std::string_view name = trimmed(text.substr(0, equals));
-    const StackupRow* row = findRow(stackup, name);
-    if (row == nullptr) {
-        return Error{ErrorCode::BadUsage,
-                     "there is no layer " + std::string(name) + " in the stackup; " + rowNames(stackup)};
-    }
-    ASSIGN_OR_RETURN(const Nm nm, parseThickness(text.substr(equals + 1), isCopperRow(*row)));
-    return ThicknessOverride{row->name, nm};
 }
 
 std::string thicknessText(Nm thickness) {

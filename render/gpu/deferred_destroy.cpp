@@ -1,20 +1,20 @@
-#include "render/gpu/graveyard.h"
+#include "render/gpu/deferred_destroy.h"
 
 namespace render::gpu {
 
-void Graveyard::collect(std::uint64_t done) {
+void DeferredDestroy::collect(std::uint64_t done) {
     while (!m_retired.empty() && m_retired.front().after <= done) {
         m_retired.front().destroy();
         m_retired.pop_front();
     }
 }
 
-void Graveyard::noteAllocation(VkDeviceMemory memory, MemoryUse use, std::uint64_t bytes) {
+void DeferredDestroy::noteAllocation(VkDeviceMemory memory, MemoryUse use, std::uint64_t bytes) {
     m_allocations[memory] = {use, bytes};
     m_report.bytes[static_cast<std::size_t>(use)] += bytes;
 }
 
-void Graveyard::noteFree(VkDeviceMemory memory) {
+void DeferredDestroy::noteFree(VkDeviceMemory memory) {
     const auto found = m_allocations.find(memory);
     ASSERT(found != m_allocations.end());
     m_report.bytes[static_cast<std::size_t>(found->second.use)] -= found->second.bytes;

@@ -19,16 +19,11 @@ class SavedViewsTest : public QObject {
 private slots:
     void init() {
         m_fixture = std::make_unique<WindowFixture>();
-        m_job = fs::path(m_fixture->folder().toStdString()) / "everything";
-        fs::copy(fs::path(locations::kTestData) / "odb/everything", m_job, fs::copy_options::recursive);
+        m_job = m_fixture->copyOfJob("everything");
         QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
         window().findChild<QDockWidget*>("views")->raise();
     }
-    void cleanup() {
-        const std::uint32_t errors = m_fixture->context().validationErrors();
-        m_fixture.reset();
-        QCOMPARE(errors, 0U);
-    }
+    void cleanup() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
 
     void aKeptViewIsLookedAtAgain() {
         window().views().setActive(window().views().solid());
@@ -218,4 +213,4 @@ private:
 };
 
 QTEST_MAIN(SavedViewsTest)
-#include "saved_views_test.moc"
+#include "saved_views_feature_test.moc"

@@ -9,11 +9,11 @@ namespace ui {
 /// Ways of looking at the board that the user saves by name: where both cameras are and which layers are visible; and
 /// selections. They are saved in the session file beside the job; saving, renaming and deleting are undone like every
 /// other edit. What the window shows is saved there too, on request, and shown again when the board is opened.
-class SavedViews : public QObject {
+class SavedViewsFeature : public QObject {
     Q_OBJECT
 
 public:
-    explicit SavedViews(FeatureContext& context);
+    explicit SavedViewsFeature(FeatureContext& context);
 
     /// Saves what is seen now under a name of its own, "View 1" and so on.
     void saveView();

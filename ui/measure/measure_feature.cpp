@@ -1,4 +1,4 @@
-#include "ui/measure/measuring.h"
+#include "ui/measure/measure_feature.h"
 
 #include <QGuiApplication>
 #include <QHeaderView>
@@ -25,7 +25,7 @@ struct ToolFacts {
     const char* nothing;               ///< a click that catches nothing
 };
 
-/// As in Measuring::Tool.
+/// As in MeasureFeature::Tool.
 constexpr ToolFacts kTools[] = {
     {Catch::Points, 0, {}, ""},
     {Catch::Points,
@@ -60,7 +60,7 @@ constexpr ToolFacts kTools[] = {
      QT_TRANSLATE_NOOP("ui::Measuring", "There is no copper of a net under the pointer")},
 };
 
-const ToolFacts& factsOf(Measuring::Tool tool) {
+const ToolFacts& factsOf(MeasureFeature::Tool tool) {
     return kTools[static_cast<std::size_t>(tool)];
 }
 
@@ -74,7 +74,7 @@ void showCursor(BoardView& view, Qt::CursorShape shape) {
 
 }  // namespace
 
-Measuring::Measuring(FeatureContext& context)
+MeasureFeature::MeasureFeature(FeatureContext& context)
     : QObject(&context.window),
       m_workspace(context.workspace),
       m_views(context.views),
@@ -96,14 +96,14 @@ Measuring::Measuring(FeatureContext& context)
     context.escapes.emplace_back([this] { return stepBack(); });
     const auto repaint = [this] { m_views.requestOverlay(); };
     connect(&m_workspace, &Workspace::unitChanged, this, repaint);
-    connect(&m_workspace, &Workspace::boardOpened, this, &Measuring::setBoard);
-    connect(&m_workspace, &Workspace::restacked, this, &Measuring::setHeights);
-    connect(&m_workspace, &Workspace::spacingWanted, this, &Measuring::showSpacing);
+    connect(&m_workspace, &Workspace::boardOpened, this, &MeasureFeature::setBoard);
+    connect(&m_workspace, &Workspace::restacked, this, &MeasureFeature::setHeights);
+    connect(&m_workspace, &Workspace::spacingWanted, this, &MeasureFeature::showSpacing);
     m_workspace.watch(m_path.background(), [] { return tr("Length"); });
-    connect(&m_path.background(), &Background::finished, this, &Measuring::takePath);
+    connect(&m_path.background(), &Background::finished, this, &MeasureFeature::takePath);
 }
 
-void Measuring::connectCommands(FeatureContext& context) {
+void MeasureFeature::connectCommands(FeatureContext& context) {
     constexpr std::pair<ActionId, Tool> kActions[] = {
         {ActionId::MeasurePoints, Tool::Points}, {ActionId::MeasureObjects, Tool::Objects},
         {ActionId::MeasureAngle, Tool::Angle},   {ActionId::MeasureLines, Tool::Lines},
@@ -111,14 +111,14 @@ void Measuring::connectCommands(FeatureContext& context) {
     for (const auto& [id, tool] : kActions) {
         QAction& action = context.actions[id];
         context.on(id, this, [this, use = tool](bool isOn) { setTool(isOn ? use : Tool::None); });
-        connect(this, &Measuring::toolChanged, &action,
+        connect(this, &MeasureFeature::toolChanged, &action,
                 [this, &action, own = tool] { action.setChecked(m_tool == own); });
     }
     context.on(ActionId::MeasureSpacing, this, [this] { measureSpacingAtCursor(); });
     context.on(ActionId::ExportMeasurements, this, [this, &context] { exportTable(context); });
 }
 
-void Measuring::addPanel(FeatureContext& context) {
+void MeasureFeature::addPanel(FeatureContext& context) {
     connect(&m_workspace, &Workspace::unitChanged, &m_list, &MeasurementModel::setUnit);
     connect(&m_list, &MeasurementModel::renamed, this,
             [this](int row, const QString& name) { m_saved.rename(tr("the name of a measurement"), row, name); });
@@ -130,7 +130,7 @@ void Measuring::addPanel(FeatureContext& context) {
     table->setEditTriggers(QAbstractItemView::EditKeyPressed);
     table->horizontalHeader()->setStretchLastSection(true);
     table->fitColumns();
-    QAction& forget = table->addDelete(tr("Delete the selected measurements (Del)"));
+    QAction& remove = table->addDelete(tr("Delete the selected measurements (Del)"));
     connect(table, &TableView::deleteRequested, this,
             [this](const auto& rows) { m_saved.remove(tr("deleting measurements"), rows); });
     const auto choose = [this](const QModelIndex& index) {
@@ -147,7 +147,7 @@ void Measuring::addPanel(FeatureContext& context) {
                  &actions[ActionId::MeasureAngle], &actions[ActionId::MeasureLines], &actions[ActionId::MeasureRadius],
                  &actions[ActionId::MeasureLength], &actions[ActionId::MeasureSpacing]});
     tools->addSeparator();
-    tools->addActions({&forget, &actions[ActionId::ExportMeasurements]});
+    tools->addActions({&remove, &actions[ActionId::ExportMeasurements]});
     auto* panel = new QWidget;
     auto* column = columnIn(*panel);
     column->addWidget(tools);
@@ -157,13 +157,13 @@ void Measuring::addPanel(FeatureContext& context) {
         *panel);
 }
 
-void Measuring::exportTable(FeatureContext& context) {
+void MeasureFeature::exportTable(FeatureContext& context) {
     context.saveFile(tr("Export measurements"), {tr("Tables (*.csv)")}, [this](const QString& path) {
         return writeFile(path, QByteArray::fromStdString(model::measurementsCsv(m_saved.entries())));
     });
 }
 
-void Measuring::watch(BoardView& view) {
+void MeasureFeature::watch(BoardView& view) {
     CameraController& controller = view.controller();
     connect(&controller, &CameraController::hovered, this,
             [this, &view](QPointF position) { hover(view, position, QGuiApplication::keyboardModifiers()); });
@@ -182,7 +182,7 @@ void Measuring::watch(BoardView& view) {
     view.addPainter([this, &view](QPainter& painter) { paint(painter, view); });
 }
 
-void Measuring::setBoard(const LoadedBoard& board) {
+void MeasureFeature::setBoard(const LoadedBoard& board) {
     m_index = board.index;
     m_cursor.setBoard(board.index);
     m_hoverView = nullptr;
@@ -191,12 +191,12 @@ void Measuring::setBoard(const LoadedBoard& board) {
     setTool(Tool::None);
 }
 
-void Measuring::setHeights(const LoadedBoard& board) {
+void MeasureFeature::setHeights(const LoadedBoard& board) {
     m_path.cancel();  // heights of holes would be those of before
     m_index = board.index;
 }
 
-void Measuring::setTool(Tool tool) {
+void MeasureFeature::setTool(Tool tool) {
     m_tool = m_index ? tool : Tool::None;
     clearClicks();
     m_under.reset();
@@ -211,7 +211,7 @@ void Measuring::setTool(Tool tool) {
     reportNextClick();
 }
 
-bool Measuring::stepBack() {
+bool MeasureFeature::stepBack() {
     if (!m_clicked.empty()) {
         m_clicked.pop_back();
         if (m_clicked.empty()) {
@@ -227,24 +227,24 @@ bool Measuring::stepBack() {
     return true;
 }
 
-void Measuring::reportNextClick() {
+void MeasureFeature::reportNextClick() {
     if (m_tool != Tool::None) {
         m_workspace.report(tr(factsOf(m_tool).hints[m_clicked.size()]));
     }
 }
 
-void Measuring::clearClicks() {
+void MeasureFeature::clearClicks() {
     m_clicked.clear();
     m_views.requestOverlay();
     m_readout.measureFrom(std::nullopt);
 }
 
-std::optional<Caught> Measuring::catchAt(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers) {
+std::optional<Caught> MeasureFeature::catchAt(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers) {
     const auto from = m_clicked.empty() ? std::nullopt : std::optional(m_clicked.front().at);
     return m_cursor.at(view, position, factsOf(m_tool).what, modifiers, from);
 }
 
-void Measuring::hover(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers) {
+void MeasureFeature::hover(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers) {
     m_hoverView = &view;
     m_hoverAt = position;
     // What is under the cursor is outlined already: elements need no mark of their own.
@@ -254,7 +254,7 @@ void Measuring::hover(BoardView& view, QPointF position, Qt::KeyboardModifiers m
     }
 }
 
-void Measuring::click(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers) {
+void MeasureFeature::click(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers) {
     if (m_tool == Tool::None) {
         return;
     }
@@ -282,14 +282,14 @@ void Measuring::click(BoardView& view, QPointF position, Qt::KeyboardModifiers m
     measure(clicked);
 }
 
-void Measuring::reportWhyNothing(const BoardView& view, QPointF position) {
+void MeasureFeature::reportWhyNothing(const BoardView& view, QPointF position) {
     const auto empty = m_tool == Tool::Objects ? m_cursor.emptyAt(view, position) : std::nullopt;
     m_workspace.report(empty ? tr("%1 covers nothing, so it has no distance")
                                    .arg(QString::fromStdString(model::nameOf(*m_index, *empty)))
                              : tr(factsOf(m_tool).nothing));
 }
 
-QString Measuring::refusalOf(const Caught& caught) const {
+QString MeasureFeature::refusalOf(const Caught& caught) const {
     if (m_tool != Tool::Length || m_clicked.empty()) {
         return {};
     }
@@ -305,11 +305,11 @@ QString Measuring::refusalOf(const Caught& caught) const {
     return tr("That is %1: click copper of %2, where the length begins").arg(name(caught, other), name(first, net));
 }
 
-void Measuring::measure(const std::vector<Caught>& clicked) {
+void MeasureFeature::measure(const std::vector<Caught>& clicked) {
     m_tool == Tool::Length ? followNet(clicked[0], clicked[1]) : save(measured(clicked));
 }
 
-base::Result<Measurement> Measuring::measured(const std::vector<Caught>& clicked) const {
+base::Result<Measurement> MeasureFeature::measured(const std::vector<Caught>& clicked) const {
     switch (m_tool) {
         case Tool::Objects: return edgeToEdge(*m_index, *clicked[0].element, *clicked[1].element);
         case Tool::Angle: return angleAt(*m_index, clicked[0], clicked[1], clicked[2]);
@@ -319,7 +319,7 @@ base::Result<Measurement> Measuring::measured(const std::vector<Caught>& clicked
     }
 }
 
-std::optional<Measurement> Measuring::preview() const {
+std::optional<Measurement> MeasureFeature::preview() const {
     if (!m_under || m_tool == Tool::Length) {
         return std::nullopt;
     }
@@ -334,7 +334,7 @@ std::optional<Measurement> Measuring::preview() const {
                : std::nullopt;
 }
 
-void Measuring::followNet(const Caught& from, const Caught& to) {
+void MeasureFeature::followNet(const Caught& from, const Caught& to) {
     m_following = {m_index, from, to};
     const auto follow = [work = m_following](base::Progress& progress) {
         const model::BoardIndex& index = *work.index;
@@ -345,7 +345,7 @@ void Measuring::followNet(const Caught& from, const Caught& to) {
     m_path.run(follow, tr("Following the net"), tr("There is not enough memory to follow this net"));
 }
 
-void Measuring::takePath() {
+void MeasureFeature::takePath() {
     const auto path = m_path.take();
     const Following done = std::exchange(m_following, {});
     if (path) {
@@ -355,7 +355,7 @@ void Measuring::takePath() {
     }
 }
 
-void Measuring::measureSpacingAtCursor() {
+void MeasureFeature::measureSpacingAtCursor() {
     if (m_hoverView == nullptr || !m_cursor.isOnBoard(*m_hoverView, m_hoverAt)) {
         m_workspace.report(tr("Point at the board to measure the spacing there"));
         return;
@@ -368,12 +368,12 @@ void Measuring::measureSpacingAtCursor() {
     save(spacingOn(*m_index, *gap));
 }
 
-void Measuring::showSpacing(const std::optional<model::LocalSpacing>& gap) {
+void MeasureFeature::showSpacing(const std::optional<model::LocalSpacing>& gap) {
     m_shownSpacing = gap;
     m_views.requestOverlay();
 }
 
-void Measuring::save(const base::Result<Measurement>& measurement) {
+void MeasureFeature::save(const base::Result<Measurement>& measurement) {
     if (!measurement) {
         m_workspace.report(measurement.error().text);
         return;
@@ -383,7 +383,7 @@ void Measuring::save(const base::Result<Measurement>& measurement) {
     m_workspace.report((QStringList{valueText(*measurement)} + textsOf(measurement->notes)).join(QStringLiteral("; ")));
 }
 
-void Measuring::goTo(int row) {
+void MeasureFeature::goTo(int row) {
     const Measurement& measurement = m_saved.entries()[static_cast<std::size_t>(row)];
     if (!m_index || !m_workspace.isOpen(measurement.step)) {
         m_workspace.report(tr("It was measured in step %1").arg(QString::fromStdString(measurement.step)));
@@ -401,7 +401,7 @@ void Measuring::goTo(int row) {
     }
 }
 
-void Measuring::paint(QPainter& painter, const BoardView& view) const {
+void MeasureFeature::paint(QPainter& painter, const BoardView& view) const {
     if (!m_index) {
         return;
     }
@@ -419,7 +419,7 @@ void Measuring::paint(QPainter& painter, const BoardView& view) const {
     on.paintLabels();
 }
 
-void Measuring::paintClicks(MeasurementPainter& on, const BoardView& view) const {
+void MeasureFeature::paintClicks(MeasurementPainter& on, const BoardView& view) const {
     const std::optional<Measurement> coming = preview();
     if (coming) {
         on.paint(*coming, m_workspace.unit(), m_tool != Tool::Angle || m_clicked.size() == 2);

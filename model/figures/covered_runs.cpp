@@ -1,4 +1,4 @@
-#include "model/figures/row_cover.h"
+#include "model/figures/covered_runs.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "render/culling/hiding.h"
+#include "render/culling/hidden_layers.h"
 
 #include <algorithm>
 #include <cmath>

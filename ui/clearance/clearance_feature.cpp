@@ -1,4 +1,4 @@
-#include "ui/clearance/clearances.h"
+#include "ui/clearance/clearance_feature.h"
 
 #include <algorithm>
 #include <limits>
@@ -23,7 +23,7 @@ constexpr std::size_t kNarrowest = 500;  ///< more than anybody steps through
 
 }  // namespace
 
-Clearances::Clearances(FeatureContext& context)
+ClearanceFeature::ClearanceFeature(FeatureContext& context)
     : QObject(&context.window),
       m_workspace(context.workspace),
       m_views(context.views),
@@ -39,10 +39,10 @@ Clearances::Clearances(FeatureContext& context)
         {ActionId::ShowClearanceDock, "clearances", tr("Clearances"), Qt::BottomDockWidgetArea, "messages", 0},
         *m_panel);
     m_workspace.watch(m_search.background(), [] { return tr("Clearances"); });
-    connect(&m_workspace, &Workspace::boardOpened, this, &Clearances::setBoard);
-    connect(&m_workspace, &Workspace::unitChanged, this, &Clearances::setUnit);
-    connect(&m_search.background(), &Background::finished, this, &Clearances::take);
-    connect(&m_rules, &RuleModel::edited, this, &Clearances::remember);
+    connect(&m_workspace, &Workspace::boardOpened, this, &ClearanceFeature::setBoard);
+    connect(&m_workspace, &Workspace::unitChanged, this, &ClearanceFeature::setUnit);
+    connect(&m_search.background(), &Background::finished, this, &ClearanceFeature::take);
+    connect(&m_rules, &RuleModel::edited, this, &ClearanceFeature::remember);
     connect(&m_rules, &RuleModel::refused, &m_workspace, &Workspace::errorReported);
     connect(&m_selection, &SelectionModel::selectionChanged, this, [this] {
         if (m_isShowing && m_selection.selected() != m_sides) {
@@ -54,7 +54,7 @@ Clearances::Clearances(FeatureContext& context)
     connectPanel(context);
 }
 
-void Clearances::connectCommands(FeatureContext& context) {
+void ClearanceFeature::connectCommands(FeatureContext& context) {
     const auto on = [&](ActionId id, auto slot) {
         context.on(id, this, [this, slot](bool isOn) {
             FeatureContext::raise(*m_panel);
@@ -69,7 +69,7 @@ void Clearances::connectCommands(FeatureContext& context) {
     context.on(ActionId::PreviousClearance, this, [this] { step(-1); });
 }
 
-void Clearances::connectFiles(FeatureContext& context) {
+void ClearanceFeature::connectFiles(FeatureContext& context) {
     context.on(ActionId::ExportClearances, this, [this, &context] {
         context.saveFile(tr("Export clearances"), {tr("Text (*.txt)"), tr("Tables (*.csv)"), tr("JSON (*.json)")},
                          [this](const QString& path) { return exportReport(path); });
@@ -86,8 +86,8 @@ void Clearances::connectFiles(FeatureContext& context) {
     });
 }
 
-void Clearances::connectPanel(FeatureContext& context) {
-    connect(m_panel, &ClearancePanel::chosen, this, &Clearances::show);
+void ClearanceFeature::connectPanel(FeatureContext& context) {
+    connect(m_panel, &ClearancePanel::chosen, this, &ClearanceFeature::show);
     connect(m_panel, &ClearancePanel::lensMoved, &m_lens, &Lens::setReach);
     connect(&m_lens, &Lens::reported, m_panel, &ClearancePanel::showLens);
     m_lens.setReach(m_panel->lensReach());
@@ -101,14 +101,14 @@ void Clearances::connectPanel(FeatureContext& context) {
 }
 
 /// The current layer if it is copper that is to be seen, else the nearest such one.
-model::LayerId Clearances::mappedLayer() const {
+model::LayerId ClearanceFeature::mappedLayer() const {
     const model::LayerId current = m_workspace.currentLayer();
     const std::vector<render::LayerStyle>& styles = m_views.flat().styles();
     const bool isSeen = current.isValid() && current.row() < styles.size() && styles[current.row()].isVisible;
     return isSeen && m_workspace.board()->document->layer(current).isCopper() ? current : m_plan.namedLayer();
 }
 
-void Clearances::setBoard() {
+void ClearanceFeature::setBoard() {
     m_requested.reset();
     m_result = {};
     endShowing();
@@ -117,13 +117,13 @@ void Clearances::setBoard() {
     m_panel->setNotes({});
 }
 
-void Clearances::setUnit(LengthUnit unit) {
+void ClearanceFeature::setUnit(LengthUnit unit) {
     m_locations.setUnit(unit);
     m_rules.setUnit(unit);
     m_panel->setUnit(unit);
 }
 
-std::optional<ClearanceRequest> Clearances::request() {
+std::optional<ClearanceRequest> ClearanceFeature::request() {
     ClearanceRequest request;
     request.isOfRules = m_panel->what() == ClearancePanel::What::Rules;
     request.rules = m_rules.rules();
@@ -158,7 +158,7 @@ std::optional<ClearanceRequest> Clearances::request() {
     return request;
 }
 
-void Clearances::search() {
+void ClearanceFeature::search() {
     m_workspace.cancelLoading();
     std::optional<ClearanceRequest> wanted = request();
     if (!wanted) {
@@ -171,7 +171,7 @@ void Clearances::search() {
                  tr("Measuring clearances"), tr("There is not enough memory to measure clearances"));
 }
 
-void Clearances::take() {
+void ClearanceFeature::take() {
     base::Result<ClearanceResult> result = m_search.take();
     if (!result) {
         m_workspace.reportError(QString::fromStdString(result.error().text));
@@ -190,7 +190,7 @@ void Clearances::take() {
         tr("Clearances: %1").arg((QStringList{m_locations.summary()} + notes).join(QStringLiteral("; "))));
 }
 
-void Clearances::step(int by) {
+void ClearanceFeature::step(int by) {
     const QAbstractItemModel& rows = *m_panel->table().model();
     if (rows.rowCount() == 0) {
         return;
@@ -200,7 +200,7 @@ void Clearances::step(int by) {
     m_panel->table().setCurrentIndex(rows.index((next + rows.rowCount()) % rows.rowCount(), 0));
 }
 
-void Clearances::show(const ClearanceModel::Location& location) {
+void ClearanceFeature::show(const ClearanceModel::Location& location) {
     const std::uint32_t row = m_selection.firstCopyOf(location.step);
     const model::StepCopy& copy = m_selection.tree().copies[row];
     const model::Document& step = *m_selection.tree().steps[location.step];
@@ -226,13 +226,13 @@ void Clearances::show(const ClearanceModel::Location& location) {
     m_workspace.showSpacing(model::LocalSpacing{shown, {row, location.found.a}, {row, location.found.b}, layer});
 }
 
-void Clearances::endShowing() {
+void ClearanceFeature::endShowing() {
     m_isShowing = false;
     m_views.setContrastLayers({});
     m_workspace.showSpacing(std::nullopt);
 }
 
-void Clearances::remember(const model::RuleTable& before) {
+void ClearanceFeature::remember(const model::RuleTable& before) {
     if (!(before == m_rules.rules())) {
         const auto apply = [this](const model::RuleTable& rules) {
             if (!(m_rules.rules() == rules)) {
@@ -243,7 +243,7 @@ void Clearances::remember(const model::RuleTable& before) {
     }
 }
 
-void Clearances::editRules(QWidget& parent) {
+void ClearanceFeature::editRules(QWidget& parent) {
     std::vector<std::string> nets;
     for (const model::Document* step : model::distinctSteps(*m_workspace.board()->document)) {
         for (const model::Net& net : step->nets) {
@@ -261,7 +261,7 @@ void Clearances::editRules(QWidget& parent) {
     dialog->open();
 }
 
-base::Status Clearances::exportReport(const QString& path) const {
+base::Status ClearanceFeature::exportReport(const QString& path) const {
     const auto format = model::reportFormatOf(toPath(path).extension().string());
     if (!format || !m_requested) {
         return base::Error{base::ErrorCode::BadUsage,
@@ -274,7 +274,7 @@ base::Status Clearances::exportReport(const QString& path) const {
     return writeFile(path, QByteArray::fromStdString(report));
 }
 
-base::Status Clearances::openRules(const QString& path) {
+base::Status ClearanceFeature::openRules(const QString& path) {
     ASSIGN_OR_RETURN(model::RuleTable rules, model::readRules(toPath(path)));
     const model::RuleTable before = m_rules.rules();
     m_rules.setRules(std::move(rules));
@@ -282,7 +282,7 @@ base::Status Clearances::openRules(const QString& path) {
     return base::Done{};
 }
 
-base::Status Clearances::saveRules(const QString& path) const {
+base::Status ClearanceFeature::saveRules(const QString& path) const {
     return writeFile(path, QByteArray::fromStdString(model::toJson(m_rules.rules())));
 }
 

@@ -1,4 +1,4 @@
-#include "ui/saved_views/saved_views.h"
+#include "ui/saved_views/saved_views_feature.h"
 
 #include <QHeaderView>
 #include <glm/trigonometric.hpp>
@@ -34,7 +34,7 @@ render::CameraPose cameraPose(const session::Pose& pose) {
 
 }  // namespace
 
-SavedViews::SavedViews(FeatureContext& context)
+SavedViewsFeature::SavedViewsFeature(FeatureContext& context)
     : QObject(&context.window),
       m_workspace(context.workspace),
       m_views(context.views),
@@ -49,24 +49,24 @@ SavedViews::SavedViews(FeatureContext& context)
     context.on(ActionId::SaveSession, this, [this] { saveDesk(); });
     connect(&m_list, &ViewListModel::renamed, this,
             [this](int row, const QString& name) { m_saved.rename(tr("the name of a view"), row, name); });
-    connect(&m_workspace, &Workspace::sessionRestored, this, &SavedViews::restoreDesk);
+    connect(&m_workspace, &Workspace::sessionRestored, this, &SavedViewsFeature::restoreDesk);
 }
 
-void SavedViews::addPanel(FeatureContext& context) {
+void SavedViewsFeature::addPanel(FeatureContext& context) {
     auto* table = new TableView(m_list);
     table->setSelectionMode(QAbstractItemView::SingleSelection);
     table->horizontalHeader()->setStretchLastSection(true);
-    QAction& forget = table->addDelete(tr("Delete the selected view or selection (Del)"));
+    QAction& remove = table->addDelete(tr("Delete the selected view or selection (Del)"));
     connect(table, &TableView::deleteRequested, this,
             [this](const auto& rows) { m_saved.remove(tr("deleting a view"), rows); });
-    connect(table, &TableView::rowChosen, this, &SavedViews::goTo);
+    connect(table, &TableView::rowChosen, this, &SavedViewsFeature::goTo);
     const ActionSet& actions = context.actions;
     context.addPanel(
         {ActionId::ShowSavedViewsDock, "views", tr("Saved views"), Qt::RightDockWidgetArea, "element", 0},
-        *panelOf(buttonRow({&actions[ActionId::SaveView], &actions[ActionId::SaveSelection], &forget}), table));
+        *panelOf(buttonRow({&actions[ActionId::SaveView], &actions[ActionId::SaveSelection], &remove}), table));
 }
 
-void SavedViews::saveView() {
+void SavedViewsFeature::saveView() {
     m_saved.add(tr("saving a view"),
                 {{},
                  {},
@@ -78,7 +78,7 @@ void SavedViews::saveView() {
     m_workspace.report(tr("Saved as %1").arg(QString::fromStdString(m_saved.entries().back().name)));
 }
 
-void SavedViews::saveSelection() {
+void SavedViewsFeature::saveSelection() {
     const SelectionModel& selection = m_workspace.selection();
     if (selection.selected().empty() && selection.nets().empty()) {
         m_workspace.report(tr("Select elements or highlight nets to save them"));
@@ -95,7 +95,7 @@ void SavedViews::saveSelection() {
     m_saved.add(tr("saving a selection"), std::move(saved), "Selection ");
 }
 
-void SavedViews::goTo(int row) {
+void SavedViewsFeature::goTo(int row) {
     const session::SavedView& view = m_saved.entries()[static_cast<std::size_t>(row)];
     const QString name = QString::fromStdString(view.name);
     if (!m_workspace.isOpen(view.step)) {
@@ -111,13 +111,13 @@ void SavedViews::goTo(int row) {
     m_workspace.report(name);
 }
 
-void SavedViews::setCameras(const session::Pose& flat, const session::Pose& solid) {
+void SavedViewsFeature::setCameras(const session::Pose& flat, const session::Pose& solid) {
     m_views.flat().controller().setPose(cameraPose(flat));
     m_views.solid().controller().setPose(cameraPose(solid));
     m_orthographic.setChecked(m_views.solid().controller().camera().isOrthographic());
 }
 
-void SavedViews::select(const session::SavedView& saved) {
+void SavedViewsFeature::select(const session::SavedView& saved) {
     SelectionModel& selection = m_workspace.selection();
     session::FoundSelection found = session::findSelection(selection.tree(), *saved.selection);
     selection.setNets(std::move(found.nets));
@@ -135,7 +135,7 @@ void SavedViews::select(const session::SavedView& saved) {
     }
 }
 
-void SavedViews::saveDesk() {
+void SavedViewsFeature::saveDesk() {
     const LoadedBoard& board = *m_workspace.board();
     if (board.request.noSession) {
         m_workspace.reportError(tr("This board was opened without its session, so nothing is saved."));
@@ -147,7 +147,7 @@ void SavedViews::saveDesk() {
                             QString::fromStdString(session::sessionPath(board.request.path).string()));
 }
 
-void SavedViews::restoreDesk(const LoadedBoard& board) {
+void SavedViewsFeature::restoreDesk(const LoadedBoard& board) {
     const std::optional<session::Desk>& desk = board.session.desk;
     if (desk && m_workspace.isOpen(desk->step)) {
         m_layers.setStates(desk->layers);

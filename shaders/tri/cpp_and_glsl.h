@@ -1,8 +1,8 @@
 // The common part of C++ and GLSL that the kernels of triangulation are written in, so that one source is both the
 // compute shader and its oracle: 32-bit words, small vectors, values in and a value out, no pointers. C++ includes it
 // in namespace shader::tri.
-#ifndef COPPERSCOPE_SHADERS_TRI_LANGUAGE_H
-#define COPPERSCOPE_SHADERS_TRI_LANGUAGE_H
+#ifndef COPPERSCOPE_SHADERS_TRI_CPP_AND_GLSL_H
+#define COPPERSCOPE_SHADERS_TRI_CPP_AND_GLSL_H
 
 #ifdef __cplusplus
 #include <atomic>

@@ -1,5 +1,5 @@
 // Measuring with mouse and keys in both views, and what becomes of the measurements.
-#include "ui/measure/measuring.h"
+#include "ui/measure/measure_feature.h"
 
 #include <QClipboard>
 #include <QDockWidget>
@@ -18,10 +18,10 @@ using model::Measurement;
 using model::MeasurementKind;
 using ui::ActionId;
 using ui::BoardView;
-using ui::Measuring;
+using ui::MeasureFeature;
 namespace fs = std::filesystem;
 
-class MeasuringTest : public QObject {
+class MeasureFeatureTest : public QObject {
     Q_OBJECT
 
 private slots:
@@ -45,11 +45,7 @@ private slots:
         solid().controller().show(location.toModel(base::toDouble(both.min), 1.6e6),
                                   location.toModel(base::toDouble(both.max), 1.6e6));
     }
-    void cleanup() {
-        const std::uint32_t errors = m_fixture->context().validationErrors();
-        m_fixture.reset();
-        QCOMPARE(errors, 0U);
-    }
+    void cleanup() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
 
     void twoClicksMeasureFromCentreToCentreInBothViews() {
         for (BoardView* view : window().views().both()) {
@@ -69,7 +65,7 @@ private slots:
             QCOMPARE(m.to.net, netOf(m_b));
             QVERIFY(window().selection().selected().empty());  // clicks measured, nothing else
             m_fixture->key(Qt::Key_M);
-            QCOMPARE(window().measuring().tool(), Measuring::Tool::None);
+            QCOMPARE(window().measuring().tool(), MeasureFeature::Tool::None);
             QVERIFY(differingPixels(before, picture(*view)) > 200);
         }
         QCOMPARE(list().size(), std::size_t{2});
@@ -126,12 +122,12 @@ private slots:
         m_fixture->key(Qt::Key_M);
         click(flat(), screenOf(flat(), m_a));
         m_fixture->key(Qt::Key_Escape);
-        QCOMPARE(window().measuring().tool(), Measuring::Tool::Points);
+        QCOMPARE(window().measuring().tool(), MeasureFeature::Tool::Points);
         click(flat(), screenOf(flat(), m_b));
         QVERIFY(list().empty());  // it was a first point again
         m_fixture->key(Qt::Key_Escape);
         m_fixture->key(Qt::Key_Escape);
-        QCOMPARE(window().measuring().tool(), Measuring::Tool::None);
+        QCOMPARE(window().measuring().tool(), MeasureFeature::Tool::None);
         QVERIFY(!window().selection().selected().empty());
         m_fixture->key(Qt::Key_Escape);
         QVERIFY(window().selection().selected().empty());
@@ -274,5 +270,5 @@ private:
     std::pair<model::ElementId, model::ElementId> m_pair;
 };
 
-QTEST_MAIN(MeasuringTest)
-#include "measuring_test.moc"
+QTEST_MAIN(MeasureFeatureTest)
+#include "measure_feature_test.moc"

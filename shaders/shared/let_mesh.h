@@ -5,8 +5,8 @@
 // of the right wall, 2 below. An open ladder (track, disc, arc) has a wall at either end; a closed one (ring: left =
 // inner, right = outer outline) returns to its first segment. A vertex is named by its code: segment * 4 + side * 2 +
 // face, side 0 = left, face 0 = upper.
-#ifndef COPPERSCOPE_SHADERS_SHARED_LADDER_H
-#define COPPERSCOPE_SHADERS_SHARED_LADDER_H
+#ifndef COPPERSCOPE_SHADERS_SHARED_LET_MESH_H
+#define COPPERSCOPE_SHADERS_SHARED_LET_MESH_H
 
 #include "board.h"
 
