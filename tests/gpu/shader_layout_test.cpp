@@ -9,15 +9,135 @@
 #include "shaders/shared/section.h"
 #include "shaders/spirv.h"
 
+namespace {
+
+struct Location {
+    std::size_t offset = 0;
+    std::size_t size = 0;  ///< of the whole struct
+    bool operator==(const Location&) const = default;
+};
+
+/// "struct.member" -> place, as the C++ compiler lays it out.
+const QMap<QString, Location> kCompiled = {
+#define MEMBER(name, Struct, member) \
+    std::pair(QString(#name "." #member), Location{offsetof(shader::Struct, member), sizeof(shader::Struct)})
+    MEMBER(let, Let, p0),
+    MEMBER(let, Let, p1),
+    MEMBER(let, Let, p2),
+    MEMBER(let, Let, p3),
+    MEMBER(let, Let, p4),
+    MEMBER(let, Let, p5),
+    MEMBER(let, Let, meta),
+    MEMBER(let, Let, element),
+    MEMBER(cluster, Cluster, boxMin),
+    MEMBER(cluster, Cluster, boxMax),
+    MEMBER(cluster, Cluster, firstLet),
+    MEMBER(cluster, Cluster, count),
+    MEMBER(cluster, Cluster, layer),
+    MEMBER(cluster, Cluster, reserved),
+    MEMBER(layerState, LayerState, colour),
+    MEMBER(layerState, LayerState, z0),
+    MEMBER(layerState, LayerState, z1),
+    MEMBER(layerState, LayerState, flags),
+    MEMBER(layerState, LayerState, batch),
+    MEMBER(areaInstance, AreaInstance, origin),
+    MEMBER(areaInstance, AreaInstance, cosSin),
+    MEMBER(areaInstance, AreaInstance, shape),
+    MEMBER(areaInstance, AreaInstance, layer),
+    MEMBER(areaInstance, AreaInstance, element),
+    MEMBER(areaInstance, AreaInstance, isMirrored),
+    MEMBER(areaInstance, AreaInstance, height),
+    MEMBER(shapeBound, ShapeBound, centre),
+    MEMBER(shapeBound, ShapeBound, radius),
+    MEMBER(shapeBound, ShapeBound, reserved),
+    MEMBER(drawIndexed, DrawIndexed, indexCount),
+    MEMBER(drawIndexed, DrawIndexed, instanceCount),
+    MEMBER(drawIndexed, DrawIndexed, firstIndex),
+    MEMBER(drawIndexed, DrawIndexed, vertexOffset),
+    MEMBER(drawIndexed, DrawIndexed, firstInstance),
+    MEMBER(draw, Draw, vertexCount),
+    MEMBER(draw, Draw, instanceCount),
+    MEMBER(draw, Draw, firstVertex),
+    MEMBER(draw, Draw, firstInstance),
+    MEMBER(frameData, FrameData, clipFromBoard),
+    MEMBER(frameData, FrameData, planes),
+    MEMBER(frameData, FrameData, eye),
+    MEMBER(frameData, FrameData, centre),
+    MEMBER(frameData, FrameData, screen),
+    MEMBER(frameData, FrameData, screenRight),
+    MEMBER(frameData, FrameData, screenDown),
+    MEMBER(frameData, FrameData, width),
+    MEMBER(frameData, FrameData, height),
+    MEMBER(frameData, FrameData, light),
+    MEMBER(frameData, FrameData, pixelsPerMm),
+    MEMBER(frameData, FrameData, tolerancePx),
+    MEMBER(frameData, FrameData, quadRadiusPx),
+    MEMBER(frameData, FrameData, rasterRadiusPx),
+    MEMBER(frameData, FrameData, thinPx),
+    MEMBER(frameData, FrameData, nudgeZ),
+    MEMBER(frameData, FrameData, sectionPlane),
+    MEMBER(frameData, FrameData, restBrightness),
+    MEMBER(frameData, FrameData, nudgeW),
+    MEMBER(frameData, FrameData, sliverNudge),
+    MEMBER(frameData, FrameData, boreProtrusionMm),
+    MEMBER(frameData, FrameData, flags),
+    MEMBER(frameData, FrameData, firstTriangle),
+    MEMBER(frameData, FrameData, triangleCount),
+    MEMBER(frameData, FrameData, quadFace),
+    MEMBER(frameData, FrameData, clusterCount),
+    MEMBER(frameData, FrameData, letDrawCount),
+    MEMBER(frameData, FrameData, instanceCount),
+    MEMBER(frameData, FrameData, maxDispatch),
+    MEMBER(frameData, FrameData, copy),
+    MEMBER(frameData, FrameData, layers),
+    MEMBER(frameData, FrameData, lets),
+    MEMBER(frameData, FrameData, clusters),
+    MEMBER(frameData, FrameData, visibleClusters),
+    MEMBER(frameData, FrameData, letSlots),
+    MEMBER(frameData, FrameData, visibleLets),
+    MEMBER(frameData, FrameData, letDraws),
+    MEMBER(frameData, FrameData, vertices),
+    MEMBER(frameData, FrameData, next),
+    MEMBER(frameData, FrameData, instances),
+    MEMBER(frameData, FrameData, drawOfInstance),
+    MEMBER(frameData, FrameData, bounds),
+    MEMBER(frameData, FrameData, visibleInstances),
+    MEMBER(frameData, FrameData, capDraws),
+    MEMBER(frameData, FrameData, wallDraws),
+    MEMBER(frameData, FrameData, elementStates),
+    MEMBER(frameData, FrameData, palette),
+    MEMBER(frameData, FrameData, standardParts),
+    MEMBER(standardVertex, StandardVertex, x),
+    MEMBER(standardVertex, StandardVertex, y),
+    MEMBER(standardVertex, StandardVertex, face),
+    MEMBER(standardVertex, StandardVertex, owner),
+    MEMBER(standardPart, StandardPartRecord, vertices),
+    MEMBER(standardPart, StandardPartRecord, layer),
+    MEMBER(standardPart, StandardPartRecord, reserved),
+    MEMBER(cutRectangle, SectionRectangle, colour),
+    MEMBER(cutRectangle, SectionRectangle, rank),
+    MEMBER(cutRectangle, SectionRectangle, from),
+    MEMBER(cutRectangle, SectionRectangle, to),
+    MEMBER(cutRectangle, SectionRectangle, bottom),
+    MEMBER(cutRectangle, SectionRectangle, top),
+    MEMBER(rasterCopy, RasterCopy, frame),
+    MEMBER(rasterCopy, RasterCopy, firstId),
+    MEMBER(rasterCopy, RasterCopy, reserved),
+    MEMBER(rasterPush, RasterPush, pixels),
+    MEMBER(rasterPush, RasterPush, copies),
+    MEMBER(rasterPush, RasterPush, copy),
+    MEMBER(rasterPush, RasterPush, copyCount),
+    MEMBER(pushStruct, Push, frame),
+    MEMBER(pushStruct, Push, first),
+    MEMBER(pushStruct, Push, face),
+#undef MEMBER
+};
+
+}  // namespace
+
 /// C++ and GLSL agree on every struct that crosses; the compiled shaders are valid.
 class ShaderLayoutTest : public QObject {
     Q_OBJECT
-
-    struct Location {
-        std::size_t offset = 0;
-        std::size_t size = 0;  ///< of the whole struct
-        bool operator==(const Location&) const = default;
-    };
 
     /// "struct.member" -> place, as glslangValidator sees it.
     static QMap<QString, Location> reflect() {
@@ -36,131 +156,13 @@ class ShaderLayoutTest : public QObject {
         return locations;
     }
 
-    static QMap<QString, Location> compiled() {
-        QMap<QString, Location> locations;
-#define MEMBER(name, Struct, member) \
-    locations[#name "." #member] = {offsetof(shader::Struct, member), sizeof(shader::Struct)}
-        MEMBER(let, Let, p0);
-        MEMBER(let, Let, p1);
-        MEMBER(let, Let, p2);
-        MEMBER(let, Let, p3);
-        MEMBER(let, Let, p4);
-        MEMBER(let, Let, p5);
-        MEMBER(let, Let, meta);
-        MEMBER(let, Let, element);
-        MEMBER(cluster, Cluster, boxMin);
-        MEMBER(cluster, Cluster, boxMax);
-        MEMBER(cluster, Cluster, firstLet);
-        MEMBER(cluster, Cluster, count);
-        MEMBER(cluster, Cluster, layer);
-        MEMBER(cluster, Cluster, reserved);
-        MEMBER(layerState, LayerState, colour);
-        MEMBER(layerState, LayerState, z0);
-        MEMBER(layerState, LayerState, z1);
-        MEMBER(layerState, LayerState, flags);
-        MEMBER(layerState, LayerState, batch);
-        MEMBER(areaInstance, AreaInstance, origin);
-        MEMBER(areaInstance, AreaInstance, cosSin);
-        MEMBER(areaInstance, AreaInstance, shape);
-        MEMBER(areaInstance, AreaInstance, layer);
-        MEMBER(areaInstance, AreaInstance, element);
-        MEMBER(areaInstance, AreaInstance, isMirrored);
-        MEMBER(areaInstance, AreaInstance, height);
-        MEMBER(shapeBound, ShapeBound, centre);
-        MEMBER(shapeBound, ShapeBound, radius);
-        MEMBER(shapeBound, ShapeBound, reserved);
-        MEMBER(drawIndexed, DrawIndexed, indexCount);
-        MEMBER(drawIndexed, DrawIndexed, instanceCount);
-        MEMBER(drawIndexed, DrawIndexed, firstIndex);
-        MEMBER(drawIndexed, DrawIndexed, vertexOffset);
-        MEMBER(drawIndexed, DrawIndexed, firstInstance);
-        MEMBER(draw, Draw, vertexCount);
-        MEMBER(draw, Draw, instanceCount);
-        MEMBER(draw, Draw, firstVertex);
-        MEMBER(draw, Draw, firstInstance);
-        MEMBER(frameData, FrameData, clipFromBoard);
-        MEMBER(frameData, FrameData, planes);
-        MEMBER(frameData, FrameData, eye);
-        MEMBER(frameData, FrameData, centre);
-        MEMBER(frameData, FrameData, screen);
-        MEMBER(frameData, FrameData, screenRight);
-        MEMBER(frameData, FrameData, screenDown);
-        MEMBER(frameData, FrameData, width);
-        MEMBER(frameData, FrameData, height);
-        MEMBER(frameData, FrameData, light);
-        MEMBER(frameData, FrameData, pixelsPerMm);
-        MEMBER(frameData, FrameData, tolerancePx);
-        MEMBER(frameData, FrameData, quadRadiusPx);
-        MEMBER(frameData, FrameData, rasterRadiusPx);
-        MEMBER(frameData, FrameData, thinPx);
-        MEMBER(frameData, FrameData, nudgeZ);
-        MEMBER(frameData, FrameData, sectionPlane);
-        MEMBER(frameData, FrameData, restBrightness);
-        MEMBER(frameData, FrameData, nudgeW);
-        MEMBER(frameData, FrameData, sliverNudge);
-        MEMBER(frameData, FrameData, boreProtrusionMm);
-        MEMBER(frameData, FrameData, flags);
-        MEMBER(frameData, FrameData, firstTriangle);
-        MEMBER(frameData, FrameData, triangleCount);
-        MEMBER(frameData, FrameData, quadFace);
-        MEMBER(frameData, FrameData, clusterCount);
-        MEMBER(frameData, FrameData, letDrawCount);
-        MEMBER(frameData, FrameData, instanceCount);
-        MEMBER(frameData, FrameData, maxDispatch);
-        MEMBER(frameData, FrameData, copy);
-        MEMBER(frameData, FrameData, layers);
-        MEMBER(frameData, FrameData, lets);
-        MEMBER(frameData, FrameData, clusters);
-        MEMBER(frameData, FrameData, visibleClusters);
-        MEMBER(frameData, FrameData, letSlots);
-        MEMBER(frameData, FrameData, visibleLets);
-        MEMBER(frameData, FrameData, letDraws);
-        MEMBER(frameData, FrameData, vertices);
-        MEMBER(frameData, FrameData, next);
-        MEMBER(frameData, FrameData, instances);
-        MEMBER(frameData, FrameData, drawOfInstance);
-        MEMBER(frameData, FrameData, bounds);
-        MEMBER(frameData, FrameData, visibleInstances);
-        MEMBER(frameData, FrameData, capDraws);
-        MEMBER(frameData, FrameData, wallDraws);
-        MEMBER(frameData, FrameData, elementStates);
-        MEMBER(frameData, FrameData, palette);
-        MEMBER(frameData, FrameData, standardParts);
-        MEMBER(standardVertex, StandardVertex, x);
-        MEMBER(standardVertex, StandardVertex, y);
-        MEMBER(standardVertex, StandardVertex, face);
-        MEMBER(standardVertex, StandardVertex, owner);
-        MEMBER(standardPart, StandardPartRecord, vertices);
-        MEMBER(standardPart, StandardPartRecord, layer);
-        MEMBER(standardPart, StandardPartRecord, reserved);
-        MEMBER(cutRectangle, SectionRectangle, colour);
-        MEMBER(cutRectangle, SectionRectangle, rank);
-        MEMBER(cutRectangle, SectionRectangle, from);
-        MEMBER(cutRectangle, SectionRectangle, to);
-        MEMBER(cutRectangle, SectionRectangle, bottom);
-        MEMBER(cutRectangle, SectionRectangle, top);
-        MEMBER(rasterCopy, RasterCopy, frame);
-        MEMBER(rasterCopy, RasterCopy, firstId);
-        MEMBER(rasterCopy, RasterCopy, reserved);
-        MEMBER(rasterPush, RasterPush, pixels);
-        MEMBER(rasterPush, RasterPush, copies);
-        MEMBER(rasterPush, RasterPush, copy);
-        MEMBER(rasterPush, RasterPush, copyCount);
-        MEMBER(pushStruct, Push, frame);
-        MEMBER(pushStruct, Push, first);
-        MEMBER(pushStruct, Push, face);
-#undef MEMBER
-        return locations;
-    }
-
 private slots:
     void everyMemberLiesAtTheSamePlaceInBothLanguages() {
         const QMap<QString, Location> glsl = reflect();
-        const QMap<QString, Location> cpp = compiled();
         QVERIFY(!glsl.isEmpty());
-        QCOMPARE(glsl.keys(), cpp.keys());
+        QCOMPARE(glsl.keys(), kCompiled.keys());
         for (const QString& member : glsl.keys()) {
-            QVERIFY2(glsl[member] == cpp[member], qPrintable(member));
+            QVERIFY2(glsl[member] == kCompiled[member], qPrintable(member));
         }
     }
 

@@ -177,131 +177,123 @@ bool hexagon(Point p, double w, double h, double cut) {
 }
 
 /// By family; values as the name lists them.
-const std::map<std::string, Inside>& families() {
-    static const std::map<std::string, Inside> all = {
-        {"r", [](Point p, const Values& v) { return disc(p, v(0)); }},
-        {"s", [](Point p, const Values& v) { return box(p, v(0), v(0)); }},
-        {"rect",
-         [](Point p, const Values& v) {
-             return cornered(p, v(0), v(1), v, v.letter != 0 ? v.extra * v.unit : 0, v.letter == 'r');
-         }},
-        {"oval", [](Point p, const Values& v) { return oval(p, v(0), v(1)); }},
-        {"di", [](Point p, const Values& v) { return std::abs(p.x) / v(0) + std::abs(p.y) / v(1) <= 0.5; }},
-        {"oct", [](Point p, const Values& v) { return cornered(p, v(0), v(1), v, v(2), false); }},
-        {"hex_l", [](Point p, const Values& v) { return hexagon(p, v(0), v(1), v(2)); }},
-        {"hex_s",
-         [](Point p, const Values& v) {
-             return hexagon({p.y, p.x}, v(1), v(0), v(2));
-         }},
-        {"tri",
-         [](Point p, const Values& v) {
-             return box(p, v(0), v(1)) && std::abs(p.x) * 2 / v(0) <= (v(1) / 2 - p.y) / v(1);
-         }},
-        {"el", [](Point p, const Values& v) { return std::hypot(p.x / v(0), p.y / v(1)) <= 0.5; }},
-        {"oval_h",
-         [](Point p, const Values& v) {
-             const double x = p.x - (v(0) - v(1)) / 2;
-             return box(p, v(0), v(1)) && (x <= 0 || std::hypot(x, p.y) <= v(1) / 2);
-         }},
-        {"bfr", [](Point p, const Values& v) { return disc(p, v(0)) && p.x * p.y <= 0; }},
-        {"bfs", [](Point p, const Values& v) { return box(p, v(0), v(0)) && p.x * p.y <= 0; }},
-        {"donut_r", [](Point p, const Values& v) { return disc(p, v(0)) && !disc(p, v(1)); }},
-        {"donut_s",
-         [](Point p, const Values& v) {
-             const double r = v.extra * v.unit;
-             return cornered(p, v(0), v(0), v, r, true) && !cornered(p, v(1), v(1), v, r - (v(0) - v(1)) / 2, true);
-         }},
-        {"donut_sr", [](Point p, const Values& v) { return box(p, v(0), v(0)) && !disc(p, v(1)); }},
-        {"donut_rc",
-         [](Point p, const Values& v) {
-             const double r = v.extra * v.unit;
-             return cornered(p, v(0), v(1), v, r, true) &&
-                    !cornered(p, v(0) - 2 * v(2), v(1) - 2 * v(2), v, r - v(2), true);
-         }},
-        {"donut_o",
-         [](Point p, const Values& v) { return oval(p, v(0), v(1)) && !oval(p, v(0) - 2 * v(2), v(1) - 2 * v(2)); }},
-        {"thr", roundEnded},
-        {"ths",
-         [](Point p, const Values& v) { return disc(p, v(0)) && !disc(p, v(1)) && !gap(p, v.n[2], v.n[3], v(4)); }},
-        {"s_ths",
-         [](Point p, const Values& v) {
-             const double r = v.extra * v.unit;
-             return cornered(p, v(0), v(0), v, r, true) && !cornered(p, v(1), v(1), v, r - (v(0) - v(1)) / 2, true) &&
-                    !gap(p, v.n[2], v.n[3], v(4));
-         }},
-        {"s_tho",
-         [](Point p, const Values& v) { return openCorner(p, v(0), v(0), (v(0) - v(1)) / 2, v.n[2], v.n[3], v(4)); }},
-        {"s_thr", lineThermal},
-        {"sr_ths",
-         [](Point p, const Values& v) {
-             return box(p, v(0), v(0)) && !disc(p, v(1)) && !gap(p, v.n[2], v.n[3], v(4));
-         }},
-        {"rc_ths",
-         [](Point p, const Values& v) {
-             const double r = v.extra * v.unit;
-             return cornered(p, v(0), v(1), v, r, true) &&
-                    !cornered(p, v(0) - 2 * v(5), v(1) - 2 * v(5), v, r - v(5), true) &&
-                    !gap(p, v.n[2], v.n[3], v(4), v(0), v(1));
-         }},
-        {"rc_tho", [](Point p, const Values& v) { return openCorner(p, v(0), v(1), v(5), v.n[2], v.n[3], v(4)); }},
-        {"o_ths",
-         [](Point p, const Values& v) {
-             return oval(p, v(0), v(1)) && !oval(p, v(0) - 2 * v(5), v(1) - 2 * v(5)) && !gap(p, v.n[2], v.n[3], v(4));
-         }},
-        {"oblong_ths",
-         [](Point p, const Values& v) {
-             const bool isRound = v.letter == 'r';
-             const double w = v(0) - 2 * v(5);
-             const double h = v(1) - 2 * v(5);
-             const bool isRing = isRound ? oval(p, v(0), v(1)) && !oval(p, w, h) : box(p, v(0), v(1)) && !box(p, w, h);
-             return isRing && !gap(p, v.n[2], v.n[3], v(4), isRound ? 0 : v(0), isRound ? 0 : v(1));
-         }},
-        {"moire", moire},
-        {"hplate",
-         [](Point p, const Values& v) {
-             return box(p, v(0), v(1)) && v(0) / 2 - p.x >= v(2) * std::abs(p.y) / (v(1) / 2);
-         }},
-        {"rhplate",
-         [](Point p, const Values& v) {
-             return box(p, v(0), v(1)) && v(0) / 2 - p.x >= v(2) * (1 - std::abs(p.y) / (v(1) / 2));
-         }},
-        {"fhplate",
-         [](Point p, const Values& v) {
-             const double dx = p.x - (v(0) / 2 - v(3));
-             const double dy = std::abs(p.y) - (v(1) / 2 - v(2));
-             return box(p, v(0), v(1)) && (dx <= 0 || dy <= 0 || dx / v(3) + dy / v(2) <= 1);
-         }},
-        {"radhplate",
-         [](Point p, const Values& v) { return box(p, v(0), v(1)) && std::hypot(p.x - v(0) / 2, p.y) >= v(2) / 2; }},
-        {"dshape",
-         [](Point p, const Values& v) {
-             const double r = (v(1) * v(1) / 4 + v(2) * v(2)) / (2 * v(2));
-             return box(p, v(0), v(1)) && (p.x <= v(0) / 2 - v(2) || std::hypot(p.x - (v(0) / 2 - r), p.y) <= r);
-         }},
-        {"cross",
-         [](Point p, const Values& v) {
-             const bool isRound = v.letter == 'r';
-             return bar(p, 0, barMiddle(v.n[5], v(1), v(2)), v(0), v(2), isRound) ||
-                    bar(p, barMiddle(v.n[4], v(0), v(3)), 0, v(3), v(1), isRound);
-         }},
-        {"dogbone",
-         [](Point p, const Values& v) {
-             const bool isRound = v.letter == 'r';
-             const double y = (v(1) - v(2)) / 2;
-             return bar(p, 0, y, v(0), v(2), isRound) || bar(p, 0, -y, v(0), v(2), isRound) ||
-                    bar(p, barMiddle(v.n[4], v(0), v(3)), 0, v(3), v(1) - v(2), false);
-         }},
-        {"dpack", padGrid},
-    };
-    return all;
-}
+const std::map<std::string, Inside> kFamilies = {
+    {"r", [](Point p, const Values& v) { return disc(p, v(0)); }},
+    {"s", [](Point p, const Values& v) { return box(p, v(0), v(0)); }},
+    {"rect",
+     [](Point p, const Values& v) {
+         return cornered(p, v(0), v(1), v, v.letter != 0 ? v.extra * v.unit : 0, v.letter == 'r');
+     }},
+    {"oval", [](Point p, const Values& v) { return oval(p, v(0), v(1)); }},
+    {"di", [](Point p, const Values& v) { return std::abs(p.x) / v(0) + std::abs(p.y) / v(1) <= 0.5; }},
+    {"oct", [](Point p, const Values& v) { return cornered(p, v(0), v(1), v, v(2), false); }},
+    {"hex_l", [](Point p, const Values& v) { return hexagon(p, v(0), v(1), v(2)); }},
+    {"hex_s",
+     [](Point p, const Values& v) {
+         return hexagon({p.y, p.x}, v(1), v(0), v(2));
+     }},
+    {"tri", [](Point p,
+               const Values& v) { return box(p, v(0), v(1)) && std::abs(p.x) * 2 / v(0) <= (v(1) / 2 - p.y) / v(1); }},
+    {"el", [](Point p, const Values& v) { return std::hypot(p.x / v(0), p.y / v(1)) <= 0.5; }},
+    {"oval_h",
+     [](Point p, const Values& v) {
+         const double x = p.x - (v(0) - v(1)) / 2;
+         return box(p, v(0), v(1)) && (x <= 0 || std::hypot(x, p.y) <= v(1) / 2);
+     }},
+    {"bfr", [](Point p, const Values& v) { return disc(p, v(0)) && p.x * p.y <= 0; }},
+    {"bfs", [](Point p, const Values& v) { return box(p, v(0), v(0)) && p.x * p.y <= 0; }},
+    {"donut_r", [](Point p, const Values& v) { return disc(p, v(0)) && !disc(p, v(1)); }},
+    {"donut_s",
+     [](Point p, const Values& v) {
+         const double r = v.extra * v.unit;
+         return cornered(p, v(0), v(0), v, r, true) && !cornered(p, v(1), v(1), v, r - (v(0) - v(1)) / 2, true);
+     }},
+    {"donut_sr", [](Point p, const Values& v) { return box(p, v(0), v(0)) && !disc(p, v(1)); }},
+    {"donut_rc",
+     [](Point p, const Values& v) {
+         const double r = v.extra * v.unit;
+         return cornered(p, v(0), v(1), v, r, true) &&
+                !cornered(p, v(0) - 2 * v(2), v(1) - 2 * v(2), v, r - v(2), true);
+     }},
+    {"donut_o",
+     [](Point p, const Values& v) { return oval(p, v(0), v(1)) && !oval(p, v(0) - 2 * v(2), v(1) - 2 * v(2)); }},
+    {"thr", roundEnded},
+    {"ths", [](Point p, const Values& v) { return disc(p, v(0)) && !disc(p, v(1)) && !gap(p, v.n[2], v.n[3], v(4)); }},
+    {"s_ths",
+     [](Point p, const Values& v) {
+         const double r = v.extra * v.unit;
+         return cornered(p, v(0), v(0), v, r, true) && !cornered(p, v(1), v(1), v, r - (v(0) - v(1)) / 2, true) &&
+                !gap(p, v.n[2], v.n[3], v(4));
+     }},
+    {"s_tho",
+     [](Point p, const Values& v) { return openCorner(p, v(0), v(0), (v(0) - v(1)) / 2, v.n[2], v.n[3], v(4)); }},
+    {"s_thr", lineThermal},
+    {"sr_ths",
+     [](Point p, const Values& v) { return box(p, v(0), v(0)) && !disc(p, v(1)) && !gap(p, v.n[2], v.n[3], v(4)); }},
+    {"rc_ths",
+     [](Point p, const Values& v) {
+         const double r = v.extra * v.unit;
+         return cornered(p, v(0), v(1), v, r, true) &&
+                !cornered(p, v(0) - 2 * v(5), v(1) - 2 * v(5), v, r - v(5), true) &&
+                !gap(p, v.n[2], v.n[3], v(4), v(0), v(1));
+     }},
+    {"rc_tho", [](Point p, const Values& v) { return openCorner(p, v(0), v(1), v(5), v.n[2], v.n[3], v(4)); }},
+    {"o_ths",
+     [](Point p, const Values& v) {
+         return oval(p, v(0), v(1)) && !oval(p, v(0) - 2 * v(5), v(1) - 2 * v(5)) && !gap(p, v.n[2], v.n[3], v(4));
+     }},
+    {"oblong_ths",
+     [](Point p, const Values& v) {
+         const bool isRound = v.letter == 'r';
+         const double w = v(0) - 2 * v(5);
+         const double h = v(1) - 2 * v(5);
+         const bool isRing = isRound ? oval(p, v(0), v(1)) && !oval(p, w, h) : box(p, v(0), v(1)) && !box(p, w, h);
+         return isRing && !gap(p, v.n[2], v.n[3], v(4), isRound ? 0 : v(0), isRound ? 0 : v(1));
+     }},
+    {"moire", moire},
+    {"hplate",
+     [](Point p, const Values& v) {
+         return box(p, v(0), v(1)) && v(0) / 2 - p.x >= v(2) * std::abs(p.y) / (v(1) / 2);
+     }},
+    {"rhplate",
+     [](Point p, const Values& v) {
+         return box(p, v(0), v(1)) && v(0) / 2 - p.x >= v(2) * (1 - std::abs(p.y) / (v(1) / 2));
+     }},
+    {"fhplate",
+     [](Point p, const Values& v) {
+         const double dx = p.x - (v(0) / 2 - v(3));
+         const double dy = std::abs(p.y) - (v(1) / 2 - v(2));
+         return box(p, v(0), v(1)) && (dx <= 0 || dy <= 0 || dx / v(3) + dy / v(2) <= 1);
+     }},
+    {"radhplate",
+     [](Point p, const Values& v) { return box(p, v(0), v(1)) && std::hypot(p.x - v(0) / 2, p.y) >= v(2) / 2; }},
+    {"dshape",
+     [](Point p, const Values& v) {
+         const double r = (v(1) * v(1) / 4 + v(2) * v(2)) / (2 * v(2));
+         return box(p, v(0), v(1)) && (p.x <= v(0) / 2 - v(2) || std::hypot(p.x - (v(0) / 2 - r), p.y) <= r);
+     }},
+    {"cross",
+     [](Point p, const Values& v) {
+         const bool isRound = v.letter == 'r';
+         return bar(p, 0, barMiddle(v.n[5], v(1), v(2)), v(0), v(2), isRound) ||
+                bar(p, barMiddle(v.n[4], v(0), v(3)), 0, v(3), v(1), isRound);
+     }},
+    {"dogbone",
+     [](Point p, const Values& v) {
+         const bool isRound = v.letter == 'r';
+         const double y = (v(1) - v(2)) / 2;
+         return bar(p, 0, y, v(0), v(2), isRound) || bar(p, 0, -y, v(0), v(2), isRound) ||
+                bar(p, barMiddle(v.n[4], v(0), v(3)), 0, v(3), v(1) - v(2), false);
+     }},
+    {"dpack", padGrid},
+};
 
 }  // namespace
 
 std::optional<Symbol> standardSymbol(const std::string& name, double unit) {
     static const std::regex grammar(R"(([a-z_]+?)(-?[0-9.]+(?:x-?[0-9.]+)*)(?:x([rcs])([0-9.]*)(?:x([1-4]+))?)?)");
     std::smatch match;
-    if (!std::regex_match(name, match, grammar) || !families().contains(match[1])) {
+    if (!std::regex_match(name, match, grammar) || !kFamilies.contains(match[1])) {
         return std::nullopt;
     }
     Values v;
@@ -316,7 +308,7 @@ std::optional<Symbol> standardSymbol(const std::string& name, double unit) {
     v.extra = match[4].length() > 0 ? std::stod(match[4]) : 0.0;
     v.corners = match[5].matched ? match[5].str() : v.corners;
     Symbol symbol;
-    const Inside inside = families().at(match[1]);
+    const Inside inside = kFamilies.at(match[1]);
     symbol.isInside = [inside, v](Point p) { return inside(p, v); };
     for (const double value : v.n) {
         symbol.reach = std::max(symbol.reach, std::abs(value) * unit);

@@ -90,10 +90,8 @@ inline Case channels(int count) {
     return input;
 }
 
-/// What boards and bad exporters come up with, and what is degenerate enough to break a triangulator.
-inline std::vector<Case> nasty() {
-    using tri::Outcome;
-    constexpr int kMax = 1 << 30;
+/// What boards and bad exporters come up with.
+inline std::vector<Case> touching() {
     const std::vector<Point> big = square(0, 0, 100);
     return {
         Case{"triangle"}.loop({{0, 0}, {7, 1}, {3, 5}}),
@@ -160,6 +158,13 @@ inline std::vector<Case> nasty() {
                                      {0, 100},
                                      {0, 99},
                                      {0, 98}}),
+    };
+}
+
+/// As large, thin or round as input may be.
+inline std::vector<Case> extreme() {
+    constexpr int kMax = 1 << 30;
+    return {
         Case{"sliver"}.loop({{0, 0}, {1'000'000'000, 0}, {1'000'000'000, 1}, {0, 1}}),
         Case{"needle"}.loop({{-kMax, -kMax}, {kMax, kMax - 1}, {kMax, kMax}}),
         Case{"full extent"}
@@ -170,6 +175,14 @@ inline std::vector<Case> nasty() {
                                  {-7, -24}, {0, -25},  {7, -24}, {15, -20}, {20, -15}, {24, -7}}),
         Case{"circle of 4096"}.loop(circle(0, 0, 5e8, 4096)),
         lattice(8),
+    };
+}
+
+/// Degenerate enough to break a triangulator.
+inline std::vector<Case> refused() {
+    using tri::Outcome;
+    const std::vector<Point> big = square(0, 0, 100);
+    return {
         Case{"flat"}.loop({{0, 0}, {10, 0}, {20, 0}}).expect(Outcome::Degenerate),
         Case{"flat and slanted"}.loop({{0, 0}, {30, 10}, {60, 20}, {90, 30}}).expect(Outcome::Degenerate),
         Case{"there and back"}.loop({{0, 0}, {10, 5}}).expect(Outcome::Degenerate),
@@ -199,6 +212,15 @@ inline std::vector<Case> nasty() {
             .loop(squareHole(20, 30, 10))
             .expect(Outcome::Crossing),
     };
+}
+
+/// All of these.
+inline std::vector<Case> nasty() {
+    std::vector<Case> all;
+    for (const std::vector<Case>& some : {touching(), extreme(), refused()}) {
+        all.insert(all.end(), some.begin(), some.end());
+    }
+    return all;
 }
 
 }  // namespace cases
