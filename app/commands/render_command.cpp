@@ -45,17 +45,17 @@ using Highlights = std::vector<render::ElementStates>;
 Result<Highlights> elementsOfNets(const Document& document, const std::vector<std::string>& names) {
     const std::vector<const Document*> steps = model::distinctSteps(document);
     Highlights elements(steps.size());
-    for (const std::string& name : names) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
         bool isAnywhere = false;
         for (std::size_t step = 0; step < steps.size(); ++step) {
-            if (const model::NetId net = steps[step]->findNet(name); net.isValid()) {
+            if (const model::NetId net = steps[step]->findNet(names[i]); net.isValid()) {
                 const std::span<const model::ElementId> own = steps[step]->elementsOf(net);
-                elements[step].add(own, render::kHighlighted);
+                elements[step].add(own, names.size() == 1 ? render::kHighlighted : render::highlightedAs(i));
                 isAnywhere = true;
             }
         }
         if (!isAnywhere) {
-            return base::Error{ErrorCode::BadUsage, "there is no net " + name};
+            return base::Error{ErrorCode::BadUsage, "there is no net " + names[i]};
         }
     }
     return elements;

@@ -112,24 +112,12 @@ glm::vec4 linearColour(const LayerStyle& style) {
     return {toLinear(style.colour), std::clamp(style.opacity, 0.0F, 1.0F)};
 }
 
-/// While others are dimmed to show a net, the substrate lets inner copper shine through.
-LayerStyle shownStyle(const SceneLayers& scene, const ViewSettings& settings, std::size_t layer) {
-    constexpr float kGlassy = 0.85F;
-    LayerStyle style = scene.styles[layer];
-    const bool isSubstrate =
-        !scene.inSubstrate.empty() && scene.inSubstrate[layer].role == LayerInSubstrate::Role::Substrate;
-    if (isSubstrate && settings.dim > 0.0F) {
-        style.opacity = std::min(style.opacity, kGlassy);
-    }
-    return style;
-}
-
-std::vector<shader::LayerState> layerStates(const SceneLayers& scene, const ViewSettings& settings) {
+std::vector<shader::LayerState> layerStates(const SceneLayers& scene, const ViewSettings& settings, Subject subject) {
     const std::vector<ZRange> z = drawnHeights(scene, settings);
     std::vector<shader::LayerState> states(scene.layers.size());
     for (std::size_t i = 0; i < states.size(); ++i) {
-        const LayerStyle style = shownStyle(scene, settings, i);
-        const bool isTranslucent = style.opacity < 1.0F && !settings.isMono;
+        const LayerStyle& style = scene.styles[i];
+        const bool isTranslucent = style.opacity < 1.0F && !settings.isMono && subject == Subject::Board;
         states[i].colour = linearColour(style);
         states[i].z0 = z[i].z0;
         states[i].z1 = z[i].z1;
@@ -201,15 +189,16 @@ ZRange visibleHeights(std::span<const shader::LayerState> states) {
     return all;
 }
 
-LayerPlan planLayers(const SceneLayers& scene, const ViewSettings& settings, const Eye& eye, const EyePoint& point) {
+LayerPlan planLayers(const SceneLayers& scene, const ViewSettings& settings, const Eye& eye, const EyePoint& point,
+                     Subject subject) {
     LayerPlan plan;
-    plan.states = layerStates(scene, settings);
+    plan.states = layerStates(scene, settings, subject);
     rankFaces(plan.states, &shader::LayerState::z0, shader::kLayerBottomRankShift);
     rankFaces(plan.states, &shader::LayerState::z1, shader::kLayerTopRankShift);
     const ZRange heights = visibleHeights(plan.states);
     const bool leavesOut = settings.cull && !scene.inSubstrate.empty();
     const Sight sight = leavesOut ? sightOf(point, heights.z0, heights.z1) : Sight{};
-    if (leavesOut) {
+    if (leavesOut && subject == Subject::Board) {
         hideBuried(scene.inSubstrate, sight, plan.states);
     }
     plan.batches = makeBatches(plan.states, eye.direction.z <= 0.0F);
@@ -298,18 +287,33 @@ glm::vec3 sectionOf(const SectionPlane& plane, const glm::vec3& centre) {
 
 }  // namespace
 
+glm::vec3 backgroundOf(const ViewSettings& settings) {
+    return toLinear(settings.isMono ? glm::vec3(0.0F) : settings.background);
+}
+
+FramePlan shifted(FramePlan plan, glm::vec2 pixels) {
+    shader::FrameData& data = plan.data;
+    glm::mat4 rows = glm::transpose(data.clipFromBoard);
+    rows[0] += 2.0F * pixels.x / static_cast<float>(data.width) * rows[3];
+    rows[1] += 2.0F * pixels.y / static_cast<float>(data.height) * rows[3];
+    data.clipFromBoard = glm::transpose(rows);
+    data.screen -= pixels.x * data.screenRight + pixels.y * data.screenDown;
+    return plan;
+}
+
 bool isFlatView(const FramePlan& plan) {
     const bool isParallel = plan.data.eye.w == 0.0F;
     return isParallel && !plan.faces.walls && plan.faces.upper != plan.faces.lower;
 }
 
 FramePlan planFrame(const SceneLayers& scene, const Camera& camera, const ViewSettings& settings, std::uint32_t width,
-                    std::uint32_t height) {
+                    std::uint32_t height, Subject subject) {
     const auto pixelHeight = static_cast<float>(height);
     const Eye eye = makeEye(camera, static_cast<float>(width) / pixelHeight);
     const float pixelsPerMm = std::abs(camera.projection(1.0F)[1][1]) * pixelHeight / 2.0F;
     FramePlan plan;
-    plan.upright = planLayers(scene, settings, eye, {eye.clipFromCentred, glm::dvec3(camera.target()), pixelsPerMm});
+    plan.upright =
+        planLayers(scene, settings, eye, {eye.clipFromCentred, glm::dvec3(camera.target()), pixelsPerMm}, subject);
     plan.flipped = scene.hasFlipped ? flippedPlan(scene, plan.upright, eye) : LayerPlan{};
     plan.faces = seenOfAny(plan);
 
@@ -336,8 +340,10 @@ FramePlan planFrame(const SceneLayers& scene, const Camera& camera, const ViewSe
     data.light = kLight;
     plan.hasSection = settings.section != nullptr && !settings.is2d;
     data.sectionPlane = plan.hasSection ? sectionOf(settings.section->plane, data.centre) : glm::vec3(0.0F);
-    data.restBrightness = 1.0F - std::clamp(settings.dim, 0.0F, 1.0F);
-    data.flags = flagsOf(settings) | (settings.isOutlined && isFlatView(plan) ? shader::kFrameOutlines : 0);
+    data.restStrength = 1.0F - std::clamp(settings.dim, 0.0F, 1.0F);
+    data.background = backgroundOf(settings);
+    data.flags = flagsOf(settings) | (settings.isOutlined && isFlatView(plan) ? shader::kFrameOutlines : 0) |
+                 (subject == Subject::StandingOut ? shader::kFrameStandingOut : 0);
     setTriangleRun(plan.faces, data);
     return plan;
 }

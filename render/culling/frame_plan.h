@@ -24,6 +24,12 @@ struct LayerPlan {
     std::vector<SeenFaces> faces;     ///< per layer
 };
 
+/// What a pass over the board draws.
+enum class Subject : std::uint8_t {
+    Board,       ///< everything
+    StandingOut  ///< what is highlighted or has a colour of its own, through all that covers it
+};
+
 /// Everything decided on the CPU before a frame is recorded.
 struct FramePlan {
     LayerPlan upright;
@@ -35,7 +41,13 @@ struct FramePlan {
 
 /// `width` and `height` of the picture in pixels.
 [[nodiscard]] FramePlan planFrame(const SceneLayers& scene, const Camera& camera, const ViewSettings& settings,
-                                  std::uint32_t width, std::uint32_t height);
+                                  std::uint32_t width, std::uint32_t height, Subject subject = Subject::Board);
+
+/// What no layer covers: linear.
+[[nodiscard]] glm::vec3 backgroundOf(const ViewSettings& settings);
+
+/// The same picture moved by so many pixels to the right and down; what is in view is not asked anew.
+[[nodiscard]] FramePlan shifted(FramePlan plan, glm::vec2 pixels);
 
 /// Does the frame look straight at one face, in parallel projection?
 [[nodiscard]] bool isFlatView(const FramePlan& plan);

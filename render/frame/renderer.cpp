@@ -4,6 +4,7 @@
 
 #include "render/backends/backend_choice.h"
 #include "render/frame/frame_copies.h"
+#include "render/frame/standing_out.h"
 #include "render/gpu/check.h"
 #include "render/gpu/device_select.h"
 
@@ -16,17 +17,6 @@ constexpr std::uint32_t kStencilReferences = 255;
 
 /// Lets within a circle of this radius are left to compute shaders, where there is a choice (docs/performance.md).
 constexpr float kRasterRadiusPx = 2.0F;
-
-void clearStencil(VkCommandBuffer commands, VkExtent2D extent) {
-    VkClearAttachment what{};
-    what.aspectMask = VK_IMAGE_ASPECT_STENCIL_BIT;
-    const VkClearRect where{{{0, 0}, extent}, 0, 1};
-    vkCmdClearAttachments(commands, 1, &what, 1, &where);
-}
-
-glm::vec3 background(const ViewSettings& settings) {
-    return toLinear(settings.isMono ? glm::vec3(0.0F) : settings.background);
-}
 
 /// A picture being drawn. A single group of copies is looked through once, before drawing begins; several take turns in
 /// the draw lists, and drawing pauses whenever another one comes.
@@ -56,7 +46,7 @@ public:
         for (std::uint32_t batch = 1; batch < batches; ++batch) {
             const std::uint32_t reference = (batch - 1) % kStencilReferences + 1;
             if (batch > 1 && reference == 1) {
-                clearStencil(m_commands, m_target.extent());
+                clear(m_commands, VK_IMAGE_ASPECT_STENCIL_BIT, m_target.extent());
             }
             forGroups([&](std::span<const Recording> group) {
                 drawBatch(group, batch, gpu::Pass::DepthOnly);
@@ -165,7 +155,7 @@ Backend Renderer::record(gpu::Frame& frame, RenderTarget& target, VkExtent2D ext
         }
     } else {
         makeTarget(target, extent, colour, settings.backend, settings);
-        target.begin(frame.commands(), background(settings));
+        target.begin(frame.commands(), backgroundOf(settings));
         target.end(frame.commands());
         m_last = settings.backend;
     }
@@ -179,19 +169,26 @@ Backend Renderer::recordBoard(gpu::Frame& frame, RenderTarget& target, VkExtent2
     const bool isStandard = scene.impl().steps.front().standard.has_value();
     const Backend backend = isStandard ? Backend::Standard : resolve(settings.backend, plan);
     const TargetFormat format = makeTarget(target, extent, colour, backend, settings);
-    plan.data.flags |= (backend == Backend::Impostor ? shader::kFrameImpostors : 0) |
-                       (format.samples != VK_SAMPLE_COUNT_1_BIT ? shader::kFrameSmoothed : 0);
+    const std::uint32_t flags = (backend == Backend::Impostor ? shader::kFrameImpostors : 0) |
+                                (format.samples != VK_SAMPLE_COUNT_1_BIT ? shader::kFrameSmoothed : 0);
+    plan.data.flags |= flags;
     plan.data.rasterRadiusPx = backend == Backend::Raster ? kRasterRadiusPx : 0.0F;
     const std::vector<CopyGroup> groups = copiesInView(frame, plan, scene.impl());
     SceneDrawer& drawer = sceneDrawer({format.colour, format.samples, plan.hasSection}, backend);
     Picture picture(drawer, groups, target, frame.commands());
-    picture.begin(background(settings));
+    picture.begin(plan.data.background);
     picture.drawOpaque();
     if (plan.hasSection) {
         const SectionDrawer& sections = m_sections.try_emplace(format, *m_device, format).first->second;
         sections.draw(frame, plan, scene.impl().layers, *settings.section);
     }
     picture.drawTranslucent(plan.upright.batches.size());
+    if (hasStandingOut(scene.impl()) && !settings.isMono) {
+        FramePlan over =
+            planFrame(scene.impl().layers, camera, settings, extent.width, extent.height, Subject::StandingOut);
+        over.data.flags |= flags;
+        drawStandingOut(frame, target, drawer, over, scene.impl(), settings.levels);
+    }
     target.end(frame.commands());
     return backend;
 }

@@ -380,6 +380,7 @@ void BoardScene::setStates(std::span<const ElementState> states, std::uint32_t s
     wanted.resize(owner.states.size());
     const Change change = changeBetween(owner.states, wanted);
     owner.states = std::move(wanted);
+    owner.hasStandingOut = std::ranges::any_of(owner.states, standsOut);
     try {
         const auto bytes = std::as_bytes(std::span(owner.states)).subspan(change.from, change.count);
         gpu::upload(m_impl->uploads, owner.geometry.elementStates, bytes, change.from);
@@ -390,9 +391,8 @@ void BoardScene::setStates(std::span<const ElementState> states, std::uint32_t s
 }
 
 void BoardScene::setPalette(std::span<const glm::vec3> colours) {
-    ASSERT(colours.size() <= shader::kElementColourCount);
-    m_impl->layers.palette.fill({});
-    std::ranges::transform(colours, m_impl->layers.palette.begin(), toLinear);
+    ASSERT(colours.size() <= shader::kHighlightRow);
+    m_impl->layers.palette = paletteOf(colours);
 }
 
 std::uint64_t BoardScene::geometryBytes() const {

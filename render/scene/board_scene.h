@@ -46,7 +46,7 @@ public:
     /// How elements of the board itself or of a step it places (0 = the board, else 1 + row of BoardModel::steps) look
     /// in all its copies, by row; those beyond the list are plain. What did not change is not sent again.
     void setStates(std::span<const ElementState> states, std::uint32_t step = 0);
-    /// The colours that states name, sRGB; shader::kElementColourCount at most.
+    /// The colours that states name, sRGB; shader::kHighlightRow at most.
     void setPalette(std::span<const glm::vec3> colours);
     /// Grows with what is different on the board, not with the number of copies.
     [[nodiscard]] std::uint64_t geometryBytes() const;

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <span>
 #include <vector>
 
@@ -18,12 +20,31 @@ inline constexpr ElementState kPlain = 0;
 inline constexpr ElementState kHighlighted = shader::kElementHighlighted;
 inline constexpr ElementState kHidden = shader::kElementHidden;
 
-/// ViewSettings::dim while something is shown among the rest: dark, but still of its hue.
-inline constexpr float kDimRest = 0.88F;
+/// ViewSettings::dim while something is shown among the rest: faint, but still of its hue.
+inline constexpr float kDimRest = 0.75F;
+
+[[nodiscard]] constexpr bool standsOut(ElementState state) {
+    return (state & (shader::kElementHighlighted | shader::kElementColourMask)) != 0;
+}
+
+/// Colours of highlighted nets beside each other, sRGB; of one alone the first. No layer, solder mask or background of
+/// either palette is within 70 of 255 levels of one in every channel (tests/unit/render/scene/layer_style_test.cpp).
+inline constexpr std::array<glm::vec3, 6> kHighlightColours{{{1.0F, 0.0F, 0.94F},
+                                                             {0.12F, 1.0F, 0.0F},
+                                                             {0.0F, 1.0F, 1.0F},
+                                                             {1.0F, 0.0F, 0.06F},
+                                                             {0.53F, 0.0F, 1.0F},
+                                                             {0.0F, 0.0F, 1.0F}}};
+static_assert(shader::kHighlightRow + kHighlightColours.size() == shader::kElementColourCount);
 
 /// In the colour of this row of BoardScene::setPalette.
 [[nodiscard]] constexpr ElementState inColour(std::uint32_t row) {
     return static_cast<ElementState>((row + 1) & shader::kElementColourMask);
+}
+
+/// As the `net`-th of several that are highlighted.
+[[nodiscard]] constexpr ElementState highlightedAs(std::size_t net) {
+    return inColour(shader::kHighlightRow + static_cast<std::uint32_t>(net % kHighlightColours.size()));
 }
 
 /// Nothing but plain elements, for so many.

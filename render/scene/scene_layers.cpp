@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/scene/element_state.h"
 #include "render/scene/z_scale.h"
 
 namespace render {
@@ -32,6 +33,13 @@ glm::vec3 toLinear(const glm::vec3& srgb) {
         return part <= 0.04045F ? part / 12.92F : std::pow((part + 0.055F) / 1.055F, 2.4F);
     };
     return {linear(srgb.r), linear(srgb.g), linear(srgb.b)};
+}
+
+ElementColours paletteOf(std::span<const glm::vec3> colours) {
+    ElementColours palette{};
+    std::ranges::transform(colours, palette.begin(), toLinear);
+    std::ranges::transform(kHighlightColours, palette.begin() + shader::kHighlightRow, toLinear);
+    return palette;
 }
 
 std::vector<ZRange> drawnHeights(const SceneLayers& scene, const ViewSettings& settings) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "render/modelling/substrate_margins.h"
@@ -12,6 +13,14 @@
 
 namespace render {
 
+using ElementColours = std::array<glm::vec3, shader::kElementColourCount>;
+
+/// An sRGB colour, 0 to 1, as light.
+[[nodiscard]] glm::vec3 toLinear(const glm::vec3& srgb);
+
+/// Colours of single elements, linear: these, and those of what is highlighted from shader::kHighlightRow on.
+[[nodiscard]] ElementColours paletteOf(std::span<const glm::vec3> colours);
+
 /// What planning a frame must know of a scene; no device needed.
 struct SceneLayers {
     SceneLayers() = default;
@@ -20,16 +29,13 @@ struct SceneLayers {
     std::vector<FrameLayer> layers;             ///< with areas in any step
     std::vector<LayerInSubstrate> inSubstrate;  ///< one per layer; the standard pipeline's says nothing
     std::vector<LayerStyle> styles;             ///< likewise
-    std::array<glm::vec3, shader::kElementColourCount> palette{};  ///< linear; colours of single elements
-    float widthMm = 0.0F;                                          ///< longer side of the board
-    float facesMm = 0.0F;                                          ///< BoardFrame::facesMm
-    bool hasFlipped = false;                                       ///< some copies are flipped
+    ElementColours palette = paletteOf({});
+    float widthMm = 0.0F;     ///< longer side of the board
+    float facesMm = 0.0F;     ///< BoardFrame::facesMm
+    bool hasFlipped = false;  ///< some copies are flipped
 };
 
 /// Where layers are drawn: their heights after explosion.
 [[nodiscard]] std::vector<ZRange> drawnHeights(const SceneLayers& scene, const ViewSettings& settings);
-
-/// An sRGB colour, 0 to 1, as light.
-[[nodiscard]] glm::vec3 toLinear(const glm::vec3& srgb);
 
 }  // namespace render

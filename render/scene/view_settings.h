@@ -41,7 +41,7 @@ struct ViewSettings {
     float explode = 0.0F;  ///< 0 = real stackup; 1 spreads the layers over about half the board's width
     ZScale zScale;         ///< thicknesses as drawn
     std::shared_ptr<const SectionCut> section;  ///< cuts the board open in 3D; none: it is whole
-    float dim = 0.0F;                           ///< by how much what does not stand out is darkened; 1 = to black
+    float dim = 0.0F;  ///< by how much what does not stand out fades into the background; 1 = all
     bool isOutlined =
         false;  ///< outlines and nothing in them, in flat views; Impostor draws them, whatever `backend` says
     glm::vec3 background{0.10F, 0.11F, 0.13F};  ///< sRGB

@@ -11,8 +11,10 @@ bool standsOut(uint state) {
     return (state & (kElementHighlighted | kElementColourMask)) != 0u;
 }
 
+// Not drawn in this pass over the board.
 bool isHidden(uint element) {
-    return has(stateOf(element), kElementHidden);
+    const uint state = stateOf(element);
+    return has(state, kElementHidden) || (has(FRAME.flags, kFrameStandingOut) && !standsOut(state));
 }
 
 #endif

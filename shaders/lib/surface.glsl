@@ -2,27 +2,33 @@
 
 #include "element.glsl"
 
-// A highlighted element keeps its hue at full brightness.
+const vec3 kSilhouette = vec3(0.0015);
+const float kBoreShade = 0.4;  // of holes of what stands out, which must be seen where nothing but a hole is left
+
+// A highlighted element with a colour of its own keeps its hue at full brightness.
 vec3 highlighted(vec3 colour) {
-    const float peak = max(max(colour.r, colour.g), max(colour.b, 1e-3));
-    return mix(colour / peak, vec3(1.0), 0.25);
+    return colour / max(max(colour.r, colour.g), max(colour.b, 1e-3));
+}
+
+vec3 standingOut(uint state) {
+    const uint row = state & kElementColourMask;
+    const vec3 colour = FRAME.palette.at[row == 0u ? kHighlightRow : row - 1u];
+    return has(state, kElementHighlighted) ? highlighted(colour) : colour;
 }
 
 vec4 colourOf(LayerState layer, uint element, bool isBore) {
     if (has(FRAME.flags, kFrameMono)) {
         return vec4(1.0);
     }
+    if (has(FRAME.flags, kFrameSilhouettes)) {
+        return vec4(kSilhouette, 1.0);
+    }
     const uint state = stateOf(element);
     const vec4 plain = isBore ? vec4(vec3(0.004), layer.colour.a) : layer.colour;
     if (!standsOut(state)) {
-        return vec4(plain.rgb * FRAME.restBrightness, plain.a);
+        return vec4(mix(FRAME.background, plain.rgb, FRAME.restStrength), plain.a);
     }
-    if (isBore) {
-        return plain;
-    }
-    const uint row = state & kElementColourMask;
-    const vec3 colour = row == 0u ? plain.rgb : FRAME.palette.at[row - 1u];
-    return vec4(has(state, kElementHighlighted) ? highlighted(colour) : colour, 1.0);  // and hides what is under it
+    return vec4(standingOut(state) * (isBore ? kBoreShade : 1.0), 1.0);  // and hides what is under it
 }
 
 // Moves a clip position nearer by so many steps of depth resolution. `slenderness` is length over width: a rasteriser works out the slope of a sliver the

@@ -93,11 +93,11 @@ struct LayerState {
 GPU_SIZE(LayerState, 32);
 
 // How an element differs from the style of its layer: a byte each, four to a word.
-GPU_CONST kElementHighlighted =
-    0x80;                         // stands out: its hue at full brightness, on top of what lies in one plane with it
-GPU_CONST kElementHidden = 0x40;  // is not drawn
-GPU_CONST kElementColourMask = 0x3f;  // 0 = the layer's colour, else 1 + row of the palette
+GPU_CONST kElementHighlighted = 0x80;  // stands out: in one strong colour, or its own at full brightness
+GPU_CONST kElementHidden = 0x40;       // is not drawn
+GPU_CONST kElementColourMask = 0x3f;   // 0 = the layer's colour, else 1 + row of the palette
 GPU_CONST kElementColourCount = 63;
+GPU_CONST kHighlightRow = 57;  // of the palette: from here on the colours of what is highlighted
 GPU_CONST kElementsPerWord = 4;
 
 // p' = origin + M(mirror) * R * p with R = (c s; -s c), clockwise by the angle.

@@ -60,13 +60,15 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) buffer ClusterList 
 };
 #endif
 
-GPU_CONST kFrameFlat = 1;          // no lighting
-GPU_CONST kFrameMono = 2;          // everything visible is white
-GPU_CONST kFrameOutlines = 4;      // flat views: outlines, and nothing in them
-GPU_CONST kFrameCull = 8;          // frustum culling and level of detail
-GPU_CONST kFramePaperLevels = 16;  // none but the paper's three levels of detail
-GPU_CONST kFrameImpostors = 32;    // all lets are quads, whose fragments know the outline
-GPU_CONST kFrameSmoothed = 64;     // four samples per pixel
+GPU_CONST kFrameFlat = 1;           // no lighting
+GPU_CONST kFrameMono = 2;           // everything visible is white
+GPU_CONST kFrameOutlines = 4;       // flat views: outlines, and nothing in them
+GPU_CONST kFrameCull = 8;           // frustum culling and level of detail
+GPU_CONST kFramePaperLevels = 16;   // none but the paper's three levels of detail
+GPU_CONST kFrameImpostors = 32;     // all lets are quads, whose fragments know the outline
+GPU_CONST kFrameSmoothed = 64;      // four samples per pixel
+GPU_CONST kFrameStandingOut = 128;  // only what is highlighted or has a colour of its own
+GPU_CONST kFrameSilhouettes = 256;  // everything in one dark colour
 
 GPU_CONST kSlotBits = 28;
 
@@ -88,7 +90,7 @@ struct FrameData {
     float rasterRadiusPx;    // lets with a smaller circle around them are rasterised by compute shaders; 0 = never
     float thinPx;            // walls of fewer pixels are left out; 0 = never
     vec3 sectionPlane;       // p relative to `centre` is cut away where dot(cut.xy, p.xy) > cut.z (lib/section.glsl)
-    float restBrightness;    // of what is neither highlighted nor has a colour of its own, 0 to 1
+    float restStrength;      // of what is neither highlighted nor has a colour of its own: 0 = as the background
     float nudgeZ, nudgeW;    // one step of tie-break moves z by nudgeZ * z + nudgeW * w
     float sliverNudge;       // by how much of itself a step grows for each width a let is long
     float boreProtrusionMm;  // how far the dark inside of a hole protrudes from the outer faces
@@ -100,7 +102,7 @@ struct FrameData {
     uint letDrawCount;  // of letDraws
     uint instanceCount;
     uint maxDispatch;  // largest number of workgroups along x
-    uint copy;         // row of BoardModel::copies; with an element's number it names one element of the board
+    vec3 background;   // linear
 
     GPU_ADDRESS(Layers) layers;
     GPU_ADDRESS(Lets) lets;
@@ -122,7 +124,7 @@ struct FrameData {
     GPU_ADDRESS(Colours) palette;              // colours of elements, linear
     GPU_ADDRESS(StandardParts) standardParts;  // null in the hybrid pipeline
 };
-GPU_SIZE(FrameData, 64 + 96 + 16 + 4 * 12 + 8 + 16 + 20 * 4 + 18 * 8);
+GPU_SIZE(FrameData, 64 + 96 + 16 + 4 * 12 + 8 + 16 + 22 * 4 + 18 * 8);
 
 #ifndef __cplusplus
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Frame {

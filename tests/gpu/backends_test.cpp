@@ -31,8 +31,10 @@ class BackendsTest : public QObject {
         QVERIFY2(differing * 10000 <= std::size_t{pull.width} * pull.height, qPrintable(QString::number(differing)));
     }
 
-    /// Draws with pull and with `exact`, which knows true outlines.
-    static void compareSolids(Scene& scene, Backend exact, bool isSmoothed, ViewSettings how = {}) {
+    /// Draws with pull and with `exact`, which knows true outlines. At most so many pixels differ by nearly all there
+    /// is.
+    static void compareSolids(Scene& scene, Backend exact, bool isSmoothed, ViewSettings how = {},
+                              std::size_t mostFar = 0) {
         how.isSmoothed = isSmoothed;
         how.backend = Backend::Pull;
         const Image pull = scene.draw(how, 320, 240);
@@ -43,7 +45,7 @@ class BackendsTest : public QObject {
         QVERIFY2(mse < 0.0003, qPrintable(QString::number(mse)));
         if (isSmoothed) {
             constexpr int kNearlyFullContrast = 150;
-            QCOMPARE(differingPixels(pull, picture, kNearlyFullContrast), std::size_t{0});
+            QVERIFY(differingPixels(pull, picture, kNearlyFullContrast) <= mostFar);
         }
     }
 
@@ -179,7 +181,7 @@ private slots:
         ViewSettings how;
         how.dim = kDimRest;
         how.explode = 0.3F;
-        compareSolids(scene, Backend::Impostor, true, how);
+        compareSolids(scene, Backend::Impostor, true, how, 2);  // bright and dark lie side by side
         compareSolids(scene, Backend::Raster, false, how);
     }
 

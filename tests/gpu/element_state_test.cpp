@@ -103,8 +103,7 @@ private slots:
         QVERIFY(distance(colours[0], {255, 0, 255}) <= 1);
         QCOMPARE(colours[1], kBlack);
         QVERIFY(distance(colours[2], {0, 153, 0}) <= 1);
-        QVERIFY2(colours[3].g == 255 && colours[3].r > 100 && colours[3].r == colours[3].b,
-                 describe(colours[3]).c_str());  // the same hue, brighter
+        QVERIFY2(distance(colours[3], {0, 255, 0}) <= 1, describe(colours[3]).c_str());  // the same hue, brighter
     }
 
     void dimmingIsAsStrongAsAsked() {

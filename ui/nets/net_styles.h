@@ -47,7 +47,7 @@ public:
     [[nodiscard]] float dim() const { return m_dim; }
 
     /// The different colours, rising; at most `kMostColours`: nets beyond those take the one most alike.
-    static constexpr std::size_t kMostColours = 63;
+    static constexpr std::size_t kMostColours = shader::kHighlightRow;
     [[nodiscard]] std::vector<QRgb> palette() const;
 
 signals:

@@ -54,6 +54,17 @@ void ElementStyles::onHighlightChanged() {
     m_views.requestFrameAtRest();
 }
 
+/// Of several; one alone has the colour of all that is highlighted.
+void ElementStyles::addColoursOfHighlightedNets(ElementStateLists& states) const {
+    const std::vector<model::BoardNet>& nets = m_selection.nets();
+    for (std::size_t i = 0; nets.size() > 1 && i < nets.size(); ++i) {
+        if (!m_nets.of(nets[i]).colour) {
+            const model::Document& step = *m_selection.tree().steps[nets[i].step];
+            states[nets[i].step].add(step.elementsOf(nets[i].net), render::highlightedAs(i));
+        }
+    }
+}
+
 void ElementStyles::apply() {
     const auto highlighted = m_selection.highlight();
     ElementStateLists states = m_ofNets;
@@ -61,6 +72,7 @@ void ElementStyles::apply() {
     for (std::size_t step = 0; step < highlighted.size(); ++step) {
         states[step].add(highlighted[step], render::kHighlighted);
     }
+    addColoursOfHighlightedNets(states);
     m_views.setStates(std::move(states));
     const bool standsOut = !m_selection.selected().empty() || !m_selection.nets().empty() || m_nets.hasColours();
     m_views.setDim(m_dimOthers.isChecked() && standsOut ? m_nets.dim() : 0.0F);

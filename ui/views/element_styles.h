@@ -25,6 +25,7 @@ private:
     void onNetsChanged();
     void onHighlightChanged();
     void apply();
+    void addColoursOfHighlightedNets(ElementStateLists& states) const;
 
     BoardViews& m_views;
     SelectionModel& m_selection;

@@ -131,7 +131,7 @@ const ActionSpec ActionSet::kSpecs[kActionCount] = {
     {SelectPin, MenuId::Select, QT_TR_NOOP("Select p&in"), "Shift+P", QT_TR_NOOP("Select all pads and the hole of the pin under the pointer, or of the selected element"), kNeedsBoard},
     {SaveSelection, MenuId::Select, QT_TR_NOOP("Sa&ve selection"), "Ctrl+Shift+B", QT_TR_NOOP("Save what is selected and highlighted under a name, in the session file beside the board"), kNeedsBoard},
     {HighlightNet, MenuId::Select, QT_TR_NOOP("Highlight &net"), "N", QT_TR_NOOP("Highlight the whole net of the element under the pointer, or of the selected one; again to stop"), kNewGroup | kNeedsBoard},
-    {DimOthers, MenuId::Select, QT_TR_NOOP("&Dim others"), "D", QT_TR_NOOP("Darken everything that is not selected or highlighted"), kCheckable},
+    {DimOthers, MenuId::Select, QT_TR_NOOP("&Dim others"), "D", QT_TR_NOOP("Fade everything that is not selected or highlighted"), kCheckable},
     {FollowInSolid, MenuId::Select, QT_TR_NOOP("Follow in &3D"), "Ctrl+K,3", QT_TR_NOOP("Move the 3D view to what is clicked in 2D"), kCheckable | kNewGroup},
     {FollowInFlat, MenuId::Select, QT_TR_NOOP("Follow in &2D"), "Ctrl+K,2", QT_TR_NOOP("Move the 2D view to what is clicked in 3D"), kCheckable},
     {FollowInTables, MenuId::Select, QT_TR_NOOP("Follow in &tables"), "Ctrl+K,T", QT_TR_NOOP("Scroll tables to the net of what is clicked in a view"), kCheckable},

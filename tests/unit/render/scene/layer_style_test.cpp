@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "model/board/document_builder.h"
+#include "render/scene/element_state.h"
 
 using model::Layer;
 using model::LayerSide;
@@ -88,6 +89,31 @@ class LayerStyleTest : public QObject {
     Q_OBJECT
 
 private slots:
+    /// In one channel at least, as pictures are compared.
+    void highlightsAreFarFromEveryLayer() {
+        constexpr double kLevels = 70.0;
+        model::DocumentBuilder builder;
+        for (int type = 0; type <= static_cast<int>(LayerType::Other); ++type) {
+            for (const LayerSide side : {LayerSide::Top, LayerSide::Inner, LayerSide::Bottom}) {
+                builder.addLayer(layer(static_cast<LayerType>(type), side));
+            }
+        }
+        for (int inner = 0; inner < 12; ++inner) {
+            builder.addLayer(layer(LayerType::Signal, LayerSide::Inner));
+        }
+        const auto board = builder.finish();
+        for (const auto palette : {render::Palette::Standard, render::Palette::ColourBlindSafe}) {
+            for (const auto appearance : {render::Appearance::Flat, render::Appearance::Solid}) {
+                for (const render::LayerStyle& style : render::defaultStyles(*board, appearance, palette)) {
+                    for (const glm::vec3& highlight : render::kHighlightColours) {
+                        const glm::vec3 apart = glm::abs(style.colour - highlight) * 255.0F;
+                        QVERIFY(std::max({apart.r, apart.g, apart.b}) > kLevels);
+                    }
+                }
+            }
+        }
+    }
+
     void innerLayersDifferFromEachOtherAndFromTheOuterOnes() {
         const auto styles =
             stylesOf({layer(LayerType::Signal, LayerSide::Top), layer(LayerType::Signal, LayerSide::Inner),

@@ -1,14 +1,15 @@
+#include "render/culling/hidden_layers.h"
+
 #include <QtTest>
 
 #include "render/culling/frame_plan.h"
-#include "render/culling/hidden_layers.h"
 #include "render/scene/element_state.h"
 
 using namespace render;
 using Role = LayerInSubstrate::Role;
 
 /// What opaque laminate hides, decided without a device.
-class HidingTest : public QObject {
+class HiddenLayersTest : public QObject {
     Q_OBJECT
 
     enum Row : std::uint32_t { Top, Inner, Bottom, Drill, Substrate, kRows };
@@ -32,12 +33,12 @@ class HidingTest : public QObject {
     }
 
     static LayerPlan plan(const SceneLayers& scene, NamedView view = NamedView::Iso, ViewSettings settings = {},
-                          float zoom = 1.0F) {
+                          float zoom = 1.0F, Subject subject = Subject::Board) {
         Camera camera;
         camera.fit({-50, -40, 0}, {50, 40, 1.6F}, view, 1.5F);
         camera.focusOnHeight(1.6F);
         camera.zoom(zoom, {0.0F, 0.0F}, 1.5F);
-        return planFrame(scene, camera, settings, 1200, 800).upright;
+        return planFrame(scene, camera, settings, 1200, 800, subject).upright;
     }
 
     static bool isDrawn(const LayerPlan& plan, std::uint32_t row) {
@@ -71,8 +72,7 @@ private slots:
         QTest::newRow("hidden drills: holes are open") << 2;
         QTest::newRow("copper sticks out") << 3;
         QTest::newRow("no culling") << 4;
-        QTest::newRow("nets are lit up") << 5;
-        QTest::newRow("exploded") << 6;
+        QTest::newRow("exploded") << 5;
     }
     void whatCouldBeSeenIsDrawn() {
         QFETCH(int, change);
@@ -84,10 +84,19 @@ private slots:
             case 2: scene.styles[Drill].isVisible = false; break;
             case 3: scene.inSubstrate[Inner].marginMm = -1.0F; break;
             case 4: settings.cull = false; break;
-            case 5: settings.dim = kDimRest; break;
             default: settings.explode = 1.0F; break;
         }
         QVERIFY(isDrawn(plan(scene, NamedView::Iso, settings), Inner));
+    }
+
+    void whatStandsOutIsDrawnThroughEverything() {
+        for (const NamedView view : {NamedView::Iso, NamedView::Top, NamedView::Bottom}) {
+            const LayerPlan over = plan(board(), view, {}, 1.0F, Subject::StandingOut);
+            for (const Row row : {Top, Inner, Bottom, Drill}) {
+                QVERIFY(isDrawn(over, row));
+            }
+            QCOMPARE(over.batches.size(), std::size_t{1});  // nothing is blended
+        }
     }
 
     /// Close up, one looks past the edge at the far copper unless it keeps well inside.
@@ -124,5 +133,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(HidingTest)
-#include "hiding_test.moc"
+QTEST_APPLESS_MAIN(HiddenLayersTest)
+#include "hidden_layers_test.moc"

@@ -1,0 +1,83 @@
+#include "render/frame/standing_out.h"
+
+#include <algorithm>
+#include <memory>
+
+#include "render/frame/frame_copies.h"
+
+namespace render {
+namespace {
+
+// Drawn several times, moved to all sides, things get wider whatever they are: by this much on each side their dark
+// outline, and by this much they themselves, so that tracks thinner than a pixel are seen.
+constexpr float kOutlinePx = 1.6F;
+constexpr float kWidenPx = 0.5F;
+constexpr glm::vec2 kSides[] = {{-1.0F, -1.0F}, {0.0F, -1.0F}, {1.0F, -1.0F}, {-1.0F, 0.0F},
+                                {1.0F, 0.0F},   {-1.0F, 1.0F}, {0.0F, 1.0F},  {1.0F, 1.0F}};
+
+/// A plan and what is drawn of it; recordings point at their plan.
+struct MovedCopy {
+    std::unique_ptr<FramePlan> plan;
+    std::vector<CopyGroup> groups;
+};
+
+MovedCopy moved(gpu::Frame& frame, const FramePlan& wanted, const BoardScene::Impl& scene, glm::vec2 pixels,
+                std::uint32_t flags) {
+    auto plan = std::make_unique<FramePlan>(shifted(wanted, pixels));
+    plan->data.flags |= flags;
+    std::vector<CopyGroup> groups = copiesInView(frame, *plan, scene);
+    return {std::move(plan), std::move(groups)};
+}
+
+std::vector<MovedCopy> movedToAllSides(gpu::Frame& frame, const FramePlan& wanted, const BoardScene::Impl& scene,
+                                       float pixels, std::uint32_t flags) {
+    std::vector<MovedCopy> copies;
+    for (const glm::vec2& side : kSides) {
+        copies.push_back(moved(frame, wanted, scene, pixels * side, flags));
+    }
+    return copies;
+}
+
+/// Draws all of `copies` into the same depth. They share their draw lists, which are made for one group at a time.
+void draw(SceneDrawer& drawer, const RenderTarget& target, VkCommandBuffer commands,
+          const std::vector<MovedCopy>& copies) {
+    clear(commands, VK_IMAGE_ASPECT_DEPTH_BIT, target.extent());
+    for (std::size_t group = 0; group < copies.front().groups.size(); ++group) {
+        target.pause(commands);
+        drawer.cull(copies.front().groups[group]);
+        target.resume(commands);
+        for (const MovedCopy& copy : copies) {
+            for (const Recording& recording : copy.groups[group]) {
+                gpu::Pipeline::setFrontFace(commands, recording.isMirrored);
+                drawer.draw(recording, 0, gpu::Pass::Opaque);
+            }
+        }
+    }
+}
+
+}  // namespace
+
+void drawStandingOut(gpu::Frame& frame, const RenderTarget& target, SceneDrawer& drawer, const FramePlan& wanted,
+                     const BoardScene::Impl& scene, LevelOfDetail levels) {
+    std::vector<MovedCopy> copies;
+    if (levels != LevelOfDetail::Coarse) {
+        draw(drawer, target, frame.commands(),
+             movedToAllSides(frame, wanted, scene, kOutlinePx, shader::kFrameSilhouettes));
+        copies = movedToAllSides(frame, wanted, scene, kWidenPx, 0);
+    }
+    copies.push_back(moved(frame, wanted, scene, {}, 0));
+    draw(drawer, target, frame.commands(), copies);
+}
+
+bool hasStandingOut(const BoardScene::Impl& scene) {
+    return std::ranges::any_of(scene.steps, &SceneStep::hasStandingOut);
+}
+
+void clear(VkCommandBuffer commands, VkImageAspectFlags aspects, VkExtent2D extent) {
+    VkClearAttachment what{};  // reversed depth: 0 is farthest
+    what.aspectMask = aspects;
+    const VkClearRect where{{{0, 0}, extent}, 0, 1};
+    vkCmdClearAttachments(commands, 1, &what, 1, &where);
+}
+
+}  // namespace render
