@@ -85,7 +85,9 @@ ordered_json jsonOf(const StepClearances& found) {
 
 /// The first ones of a rule.
 std::span<const RuleFinding> findingsOf(const StepRules& step, std::size_t rule, std::size_t most) {
-    const auto [first, last] = std::ranges::equal_range(step.report.findings, rule, {}, &RuleFinding::rule);
+    const std::vector<RuleFinding>& all = step.report.findings;
+    const auto first = std::ranges::lower_bound(all, rule, {}, &RuleFinding::rule);
+    const auto last = std::ranges::upper_bound(all, rule, {}, &RuleFinding::rule);
     return std::span(first, last).first(std::min(most, static_cast<std::size_t>(last - first)));
 }
 

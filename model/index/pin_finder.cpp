@@ -91,7 +91,7 @@ std::vector<ElementId> PinFinder::elementsOf(std::uint32_t firstPin, std::uint32
         }
     }
     std::ranges::sort(found);
-    found.erase(std::ranges::unique(found).begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
 }
 

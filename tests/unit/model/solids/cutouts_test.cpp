@@ -150,7 +150,7 @@ private slots:
         const Point corners[] = {
             {10 * kMm, 10 * kMm}, {30 * kMm, 10 * kMm}, {30 * kMm, 30 * kMm}, {10 * kMm, 30 * kMm}};
         std::vector<model::PathNode> nodes;
-        for (const std::size_t i : {0, 1, 2, 3, 0}) {
+        for (const std::size_t i : {0U, 1U, 2U, 3U, 0U}) {
             nodes.push_back({corners[i], {}, EdgeKind::Line});
         }
         bench.trail(nodes, 2 * kMm);

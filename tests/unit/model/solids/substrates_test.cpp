@@ -111,7 +111,7 @@ private slots:
     void whatLiesBetweenTwoLayersIsWhereBothAre() {
         Stack stack;
         const model::ShapeId rigid = stack.square();
-        for (const std::size_t outer : {0, 3}) {
+        for (const std::size_t outer : {0U, 3U}) {
             stack.layer(outer).outlineGroup = 1;
             stack.layer(outer).profile = rigid;
         }
