@@ -4,7 +4,7 @@
 
 #include "render/backends/backend_choice.h"
 #include "render/frame/frame_copies.h"
-#include "render/frame/standing_out.h"
+#include "render/frame/highlight_pass.h"
 #include "render/gpu/check.h"
 #include "render/gpu/device_select.h"
 

@@ -12,7 +12,7 @@
 #include "ui/layers/layers_panel.h"
 #include "ui/measure/measure_feature.h"
 #include "ui/messages/message_model.h"
-#include "ui/nets/net_check_model.h"
+#include "ui/netlist_check/netlist_check_model.h"
 #include "ui/nets/nets_panel.h"
 #include "ui/saved_views/view_list_model.h"
 #include "ui/search/search_box.h"
@@ -75,7 +75,7 @@ public:
     [[nodiscard]] ui::MeasureFeature& measuring() const { return find<ui::MeasureFeature>(); }
     [[nodiscard]] ui::MeasurementModel& measurements() const { return find<ui::MeasurementModel>(); }
     [[nodiscard]] ui::MessageBar& messageBar() const { return find<ui::MessageBar>(); }
-    [[nodiscard]] ui::NetCheckModel& netCheck() const { return find<ui::NetCheckModel>(); }
+    [[nodiscard]] ui::NetlistCheckModel& netCheck() const { return find<ui::NetlistCheckModel>(); }
     [[nodiscard]] ui::NetModel& nets() const { return find<ui::NetModel>(); }
     [[nodiscard]] ui::NetsPanel& netsPanel() const { return find<ui::NetsPanel>(); }
     [[nodiscard]] ui::ViewListModel& savedViews() const { return find<ui::ViewListModel>(); }

@@ -5,7 +5,7 @@
 #include "ui/layers/layers_feature.h"
 #include "ui/measure/measure_feature.h"
 #include "ui/messages/messages_feature.h"
-#include "ui/nets/net_check_feature.h"
+#include "ui/netlist_check/netlist_check_feature.h"
 #include "ui/nets/nets_feature.h"
 #include "ui/saved_views/saved_views_feature.h"
 #include "ui/search/search_feature.h"
@@ -32,7 +32,7 @@ constexpr void (*kFeatures[])(FeatureContext&) = {
     addElement,
     add<SavedViewsFeature>,
     addMessages,
-    add<NetCheck>,
+    add<NetlistCheckFeature>,
     add<ClearanceFeature>,
     add<MeasureFeature>,
     add<SectionFeature>,

@@ -1,4 +1,4 @@
-#include "ui/nets/net_check_feature.h"
+#include "ui/netlist_check/netlist_check_feature.h"
 
 #include <QLabel>
 
@@ -8,7 +8,8 @@
 
 namespace ui {
 
-NetCheck::NetCheck(FeatureContext& context) : QObject(&context.window), m_workspace(context.workspace) {
+NetlistCheckFeature::NetlistCheckFeature(FeatureContext& context)
+    : QObject(&context.window), m_workspace(context.workspace) {
     m_findings.setParent(this);
     QWidget* panel = makePanel(context.actions);
     context.addPanel(
@@ -18,15 +19,15 @@ NetCheck::NetCheck(FeatureContext& context) : QObject(&context.window), m_worksp
         start();
     });
     m_workspace.watch(m_checks.background(), [] { return tr("Nets"); });
-    connect(&m_checks.background(), &Background::finished, this, &NetCheck::deliver);
+    connect(&m_checks.background(), &Background::finished, this, &NetlistCheckFeature::deliver);
     connect(&m_workspace, &Workspace::boardRead, this, [this] { m_findings.setChecks(nullptr, {}); });
-    connect(&m_workspace, &Workspace::unitChanged, &m_findings, &NetCheckModel::setUnit);
+    connect(&m_workspace, &Workspace::unitChanged, &m_findings, &NetlistCheckModel::setUnit);
 }
 
-QWidget* NetCheck::makePanel(const ActionSet& actions) {
+QWidget* NetlistCheckFeature::makePanel(const ActionSet& actions) {
     auto* table = new TableView(m_findings);
     QLineEdit* filter = filterEdit(table->makeSortable(), tr("Filter by net, layer or kind"));
-    table->fitColumns(NetCheckModel::What);
+    table->fitColumns(NetlistCheckModel::What);
     auto* summary = new QLabel(m_findings.summary());
     connect(table, &TableView::rowChosen, this, [this](int row) { show(m_findings.finding(row)); });
     connect(&m_findings, &QAbstractItemModel::modelReset, summary,
@@ -37,14 +38,14 @@ QWidget* NetCheck::makePanel(const ActionSet& actions) {
     return panelOf(controls, table);
 }
 
-void NetCheck::start() {
+void NetlistCheckFeature::start() {
     m_workspace.cancelLoading();
     m_board = m_workspace.board()->document;
     m_checks.run([board = m_board](base::Progress& progress) { return model::checkAllNets(*board, progress); },
                  tr("Checking nets"), tr("There is not enough memory to check the nets"));
 }
 
-void NetCheck::deliver() {
+void NetlistCheckFeature::deliver() {
     if (const auto checks = m_checks.take()) {
         m_findings.setChecks(m_board, *checks);
         m_workspace.report(tr("Nets against copper: %1").arg(m_findings.summary()));
@@ -53,7 +54,7 @@ void NetCheck::deliver() {
     }
 }
 
-void NetCheck::show(const NetCheckModel::Finding& finding) {
+void NetlistCheckFeature::show(const NetlistCheckModel::Finding& finding) {
     SelectionModel& selection = m_workspace.selection();
     const std::uint32_t row = selection.firstCopyOf(finding.step);
     const model::StepCopy& copy = selection.tree().copies[row];

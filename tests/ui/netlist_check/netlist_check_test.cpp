@@ -12,9 +12,9 @@
 #include "ui/shell/message_bar.h"
 
 using ui::ActionId;
-using ui::NetCheckModel;
+using ui::NetlistCheckModel;
 
-class NetCheckTest : public QObject {
+class NetlistCheckTest : public QObject {
     Q_OBJECT
 
 private slots:
@@ -127,7 +127,7 @@ private:
 
     void click(int row) {
         QTableView& table = window().table("netCheck");
-        const QModelIndex at = table.model()->index(row, NetCheckModel::What);
+        const QModelIndex at = table.model()->index(row, NetlistCheckModel::What);
         table.scrollTo(at);
         QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, table.visualRect(at).center());
     }
@@ -148,5 +148,5 @@ private:
     std::unique_ptr<WindowFixture> m_fixture;
 };
 
-QTEST_MAIN(NetCheckTest)
-#include "net_check_test.moc"
+QTEST_MAIN(NetlistCheckTest)
+#include "netlist_check_test.moc"

@@ -1,4 +1,4 @@
-#include "ui/nets/net_check_model.h"
+#include "ui/netlist_check/netlist_check_model.h"
 
 #include <QColor>
 #include <algorithm>
@@ -21,7 +21,7 @@ QString counted(qsizetype count, const QString& none, const QString& one, const 
 
 }  // namespace
 
-NetCheckModel::NetCheckModel(QObject* parent)
+NetlistCheckModel::NetlistCheckModel(QObject* parent)
     : TableModel(
           {{tr("Kind"), tr("Short: copper of two nets touches. Open: a net is in several parts. Floating: copper "
                            "that leads nowhere")},
@@ -33,7 +33,7 @@ NetCheckModel::NetCheckModel(QObject* parent)
            {tr("Step"), tr("The step it is on; seen in all its copies")}},
           parent) {}
 
-void NetCheckModel::setChecks(std::shared_ptr<const model::Document> board, std::vector<model::StepCheck> checks) {
+void NetlistCheckModel::setChecks(std::shared_ptr<const model::Document> board, std::vector<model::StepCheck> checks) {
     beginResetModel();
     m_board = std::move(board);
     m_checks = std::move(checks);
@@ -45,7 +45,7 @@ void NetCheckModel::setChecks(std::shared_ptr<const model::Document> board, std:
     endResetModel();
 }
 
-void NetCheckModel::listStep(std::uint32_t step) {
+void NetlistCheckModel::listStep(std::uint32_t step) {
     const model::NetReport& report = m_checks[step].report;
     for (std::uint32_t row = 0; row < report.shorts.size(); ++row) {
         m_findings.push_back({FindingKind::Short, step, row, report.shorts[row].a});
@@ -62,7 +62,7 @@ void NetCheckModel::listStep(std::uint32_t step) {
     }
 }
 
-std::vector<model::ElementId> NetCheckModel::elementsOf(const Finding& finding) const {
+std::vector<model::ElementId> NetlistCheckModel::elementsOf(const Finding& finding) const {
     if (finding.kind != FindingKind::Short) {
         return {island(finding).element};
     }
@@ -74,15 +74,15 @@ std::vector<model::ElementId> NetCheckModel::elementsOf(const Finding& finding) 
     return elements;
 }
 
-model::PointD NetCheckModel::locationOf(const Finding& finding) const {
+model::PointD NetlistCheckModel::locationOf(const Finding& finding) const {
     return finding.kind == FindingKind::Short ? shorted(finding).location : island(finding).location;
 }
 
-model::LayerId NetCheckModel::layerOf(const Finding& finding) const {
+model::LayerId NetlistCheckModel::layerOf(const Finding& finding) const {
     return finding.kind == FindingKind::Short ? shorted(finding).layer : island(finding).layer;
 }
 
-QString NetCheckModel::summary() const {
+QString NetlistCheckModel::summary() const {
     if (!isChecked()) {
         return tr("Not checked yet");
     }
@@ -102,14 +102,14 @@ QString NetCheckModel::summary() const {
                      tr("%L1 pieces of floating copper")));
 }
 
-QString NetCheckModel::netsText(const Finding& finding) const {
+QString NetlistCheckModel::netsText(const Finding& finding) const {
     const model::Document& step = *check(finding).step;
     const QString first = nameOf(step, finding.net);
     return finding.kind == FindingKind::Short ? QStringLiteral("%1, %2").arg(first, nameOf(step, shorted(finding).b))
                                               : first;
 }
 
-QString NetCheckModel::whatText(const Finding& finding) const {
+QString NetlistCheckModel::whatText(const Finding& finding) const {
     if (finding.kind == FindingKind::Short) {
         const model::ShortedNets& entry = shorted(finding);
         return entry.through.isValid() ? tr("Joined by copper without a net")
@@ -125,7 +125,7 @@ QString NetCheckModel::whatText(const Finding& finding) const {
                           counted(part.padCount, tr("no pads or holes"), tr("1 pad or hole"), tr("%L1 pads or holes")));
 }
 
-Cell NetCheckModel::cell(int row, int column) const {
+Cell NetlistCheckModel::cell(int row, int column) const {
     const Finding& found = finding(row);
     const QString kinds[] = {tr("Short"), tr("Open"), tr("Floating")};
     switch (column) {

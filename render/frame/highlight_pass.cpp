@@ -1,4 +1,4 @@
-#include "render/frame/standing_out.h"
+#include "render/frame/highlight_pass.h"
 
 #include <algorithm>
 #include <memory>

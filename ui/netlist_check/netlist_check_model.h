@@ -9,7 +9,7 @@ namespace ui {
 
 /// What the netlist check found (model/nets/net_check.h), as a table: a row per short, one per island of an open net,
 /// and one per piece of floating copper, the weighty ones first.
-class NetCheckModel : public TableModel {
+class NetlistCheckModel : public TableModel {
     Q_OBJECT
 
 public:
@@ -26,7 +26,7 @@ public:
         model::NetId net;        ///< the lower one of a short
     };
 
-    explicit NetCheckModel(QObject* parent = nullptr);
+    explicit NetlistCheckModel(QObject* parent = nullptr);
 
     /// `checks` of all steps of `board`, which is held as long as they are. A null board empties the table.
     void setChecks(std::shared_ptr<const model::Document> board, std::vector<model::StepCheck> checks);
