@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <span>
 
 #include "render/frame/frame_copies.h"
 
@@ -10,8 +11,10 @@ namespace {
 
 // Drawn several times, moved to all sides, things get wider whatever they are: by this much on each side their dark
 // outline, and by this much they themselves, so that tracks thinner than a pixel are seen.
-constexpr float kOutlinePx = 1.6F;
-constexpr float kWidenPx = 0.5F;
+constexpr float kOutlinePx[] = {1.4F, 1.8F};
+constexpr float kWidenPx[] = {0.4F, 0.8F};  // no gap between copies of what is thinner than a pixel
+/// Of more elements there are no outlines: they would cost more than the board, and what is so much is seen.
+constexpr std::size_t kMostOutlined = 2'000;
 constexpr glm::vec2 kSides[] = {{-1.0F, -1.0F}, {0.0F, -1.0F}, {1.0F, -1.0F}, {-1.0F, 0.0F},
                                 {1.0F, 0.0F},   {-1.0F, 1.0F}, {0.0F, 1.0F},  {1.0F, 1.0F}};
 
@@ -30,10 +33,12 @@ MovedCopy moved(gpu::Frame& frame, const FramePlan& wanted, const BoardScene::Im
 }
 
 std::vector<MovedCopy> movedToAllSides(gpu::Frame& frame, const FramePlan& wanted, const BoardScene::Impl& scene,
-                                       float pixels, std::uint32_t flags) {
+                                       std::span<const float> distances, std::uint32_t flags) {
     std::vector<MovedCopy> copies;
-    for (const glm::vec2& side : kSides) {
-        copies.push_back(moved(frame, wanted, scene, pixels * side, flags));
+    for (const float pixels : distances) {
+        for (const glm::vec2& side : kSides) {
+            copies.push_back(moved(frame, wanted, scene, pixels * side, flags));
+        }
     }
     return copies;
 }
@@ -60,7 +65,7 @@ void draw(SceneDrawer& drawer, const RenderTarget& target, VkCommandBuffer comma
 void drawStandingOut(gpu::Frame& frame, const RenderTarget& target, SceneDrawer& drawer, const FramePlan& wanted,
                      const BoardScene::Impl& scene, LevelOfDetail levels) {
     std::vector<MovedCopy> copies;
-    if (levels != LevelOfDetail::Coarse) {
+    if (levels != LevelOfDetail::Coarse && countStandingOut(scene) <= kMostOutlined) {
         draw(drawer, target, frame.commands(),
              movedToAllSides(frame, wanted, scene, kOutlinePx, shader::kFrameSilhouettes));
         copies = movedToAllSides(frame, wanted, scene, kWidenPx, 0);
@@ -69,8 +74,12 @@ void drawStandingOut(gpu::Frame& frame, const RenderTarget& target, SceneDrawer&
     draw(drawer, target, frame.commands(), copies);
 }
 
-bool hasStandingOut(const BoardScene::Impl& scene) {
-    return std::ranges::any_of(scene.steps, &SceneStep::hasStandingOut);
+std::size_t countStandingOut(const BoardScene::Impl& scene) {
+    std::size_t count = 0;
+    for (const SceneStep& step : scene.steps) {
+        count += step.standingOut;
+    }
+    return count;
 }
 
 void clear(VkCommandBuffer commands, VkImageAspectFlags aspects, VkExtent2D extent) {

@@ -183,7 +183,7 @@ Backend Renderer::recordBoard(gpu::Frame& frame, RenderTarget& target, VkExtent2
         sections.draw(frame, plan, scene.impl().layers, *settings.section);
     }
     picture.drawTranslucent(plan.upright.batches.size());
-    if (hasStandingOut(scene.impl()) && !settings.isMono) {
+    if (countStandingOut(scene.impl()) > 0 && !settings.isMono) {
         FramePlan over =
             planFrame(scene.impl().layers, camera, settings, extent.width, extent.height, Subject::StandingOut);
         over.data.flags |= flags;

@@ -380,7 +380,7 @@ void BoardScene::setStates(std::span<const ElementState> states, std::uint32_t s
     wanted.resize(owner.states.size());
     const Change change = changeBetween(owner.states, wanted);
     owner.states = std::move(wanted);
-    owner.hasStandingOut = std::ranges::any_of(owner.states, standsOut);
+    owner.standingOut = static_cast<std::size_t>(std::ranges::count_if(owner.states, standsOut));
     try {
         const auto bytes = std::as_bytes(std::span(owner.states)).subspan(change.from, change.count);
         gpu::upload(m_impl->uploads, owner.geometry.elementStates, bytes, change.from);

@@ -68,7 +68,7 @@ struct SceneStep {
     std::uint32_t instanceCount = 0;
     std::uint32_t areaDrawCount = 0;
     std::vector<ElementState> states;  ///< what `geometry.elementStates` holds
-    bool hasStandingOut = false;       ///< some of them are highlighted or have a colour
+    std::size_t standingOut = 0;       ///< so many of them are highlighted or have a colour
     GeometryBuffers geometry;
     std::optional<StandardBuffers> standard;  ///< then there is nothing but this and the states of elements
 
