@@ -43,14 +43,18 @@ std::vector<MovedCopy> movedToAllSides(gpu::Frame& frame, const FramePlan& wante
     return copies;
 }
 
-/// Draws all of `copies` into the same depth. They share their draw lists, which are made for one group at a time.
+/// Draws all of `copies` into the same depth. They share their draw lists, which hold one group at a time: where there
+/// is but one, `areListsMade` says that its lists are there already.
 void draw(SceneDrawer& drawer, const RenderTarget& target, VkCommandBuffer commands,
-          const std::vector<MovedCopy>& copies) {
+          const std::vector<MovedCopy>& copies, bool areListsMade) {
     clear(commands, VK_IMAGE_ASPECT_DEPTH_BIT, target.extent());
-    for (std::size_t group = 0; group < copies.front().groups.size(); ++group) {
-        target.pause(commands);
-        drawer.cull(copies.front().groups[group]);
-        target.resume(commands);
+    const std::size_t groups = copies.front().groups.size();
+    for (std::size_t group = 0; group < groups; ++group) {
+        if (!areListsMade || groups > 1) {
+            target.pause(commands);
+            drawer.cull(copies.front().groups[group]);
+            target.resume(commands);
+        }
         for (const MovedCopy& copy : copies) {
             for (const Recording& recording : copy.groups[group]) {
                 gpu::Pipeline::setFrontFace(commands, recording.isMirrored);
@@ -65,19 +69,20 @@ void draw(SceneDrawer& drawer, const RenderTarget& target, VkCommandBuffer comma
 void drawStandingOut(gpu::Frame& frame, const RenderTarget& target, SceneDrawer& drawer, const FramePlan& wanted,
                      const BoardScene::Impl& scene, LevelOfDetail levels) {
     std::vector<MovedCopy> copies;
-    if (levels != LevelOfDetail::Coarse && countStandingOut(scene) <= kMostOutlined) {
+    const bool isOutlined = levels != LevelOfDetail::Coarse && countStandingOut(scene) <= kMostOutlined;
+    if (isOutlined) {
         draw(drawer, target, frame.commands(),
-             movedToAllSides(frame, wanted, scene, kOutlinePx, shader::kFrameSilhouettes));
+             movedToAllSides(frame, wanted, scene, kOutlinePx, shader::kFrameSilhouettes), false);
         copies = movedToAllSides(frame, wanted, scene, kWidenPx, 0);
     }
     copies.push_back(moved(frame, wanted, scene, {}, 0));
-    draw(drawer, target, frame.commands(), copies);
+    draw(drawer, target, frame.commands(), copies, isOutlined);
 }
 
 std::size_t countStandingOut(const BoardScene::Impl& scene) {
     std::size_t count = 0;
-    for (const SceneStep& step : scene.steps) {
-        count += step.standingOut;
+    for (const ModelCopy& copy : scene.copies) {
+        count += scene.steps[copy.step].standingOut;
     }
     return count;
 }

@@ -11,7 +11,7 @@ namespace render {
 void drawStandingOut(gpu::Frame& frame, const RenderTarget& target, SceneDrawer& drawer, const FramePlan& wanted,
                      const BoardScene::Impl& scene, LevelOfDetail levels);
 
-/// Elements of all steps.
+/// Elements that stand out, in all copies of steps.
 [[nodiscard]] std::size_t countStandingOut(const BoardScene::Impl& scene);
 
 /// Clears depth or stencil of a target that is being drawn to.

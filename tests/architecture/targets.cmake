@@ -58,7 +58,7 @@ endfunction()
 read_architecture()
 if(COPPERSCOPE_GUI AND COPPERSCOPE_PRECOMPILED_HEADERS)
     # Vulkan first: Qt would hide its prototypes.
-    file(WRITE ${PROJECT_BINARY_DIR}/qt_headers.cpp "")
+    file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/qt_headers.cpp CONTENT "")
     add_library(copperscope_qt_headers STATIC ${PROJECT_BINARY_DIR}/qt_headers.cpp)
     target_link_libraries(copperscope_qt_headers PRIVATE copperscope_options Qt6::Widgets)
     target_precompile_headers(copperscope_qt_headers PRIVATE <vulkan/vulkan.h> <QtWidgets> <algorithm> <cmath> <functional> <map> <memory> <optional>

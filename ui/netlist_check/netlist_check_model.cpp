@@ -103,7 +103,7 @@ QString NetlistCheckModel::summary() const {
 }
 
 QString NetlistCheckModel::netsText(const Finding& finding) const {
-    const model::Document& step = *check(finding).step;
+    const model::Document& step = *stepCheck(finding).step;
     const QString first = nameOf(step, finding.net);
     return finding.kind == FindingKind::Short ? QStringLiteral("%1, %2").arg(first, nameOf(step, shorted(finding).b))
                                               : first;
@@ -137,7 +137,7 @@ Cell NetlistCheckModel::cell(int row, int column) const {
         case Layer: return layerOf(found).isValid() ? text(m_board->layer(layerOf(found)).name) : Cell{QString()};
         case X: return length(locationOf(found).x);
         case Y: return length(locationOf(found).y);
-        default: return text(check(found).step->job.step);
+        default: return text(stepCheck(found).step->job.step);
     }
 }
 

@@ -45,12 +45,12 @@ private:
     [[nodiscard]] int rows() const override { return static_cast<int>(m_findings.size()); }
     [[nodiscard]] Cell cell(int row, int column) const override;
     void listStep(std::uint32_t step);
-    [[nodiscard]] const model::StepCheck& check(const Finding& finding) const { return m_checks[finding.step]; }
+    [[nodiscard]] const model::StepCheck& stepCheck(const Finding& finding) const { return m_checks[finding.step]; }
     [[nodiscard]] const model::ShortedNets& shorted(const Finding& finding) const {
-        return check(finding).report.shorts[finding.row];
+        return stepCheck(finding).report.shorts[finding.row];
     }
     [[nodiscard]] const model::NetIsland& island(const Finding& finding) const {
-        return check(finding).report.islands[finding.row];
+        return stepCheck(finding).report.islands[finding.row];
     }
     [[nodiscard]] QString netsText(const Finding& finding) const;
     [[nodiscard]] QString whatText(const Finding& finding) const;
