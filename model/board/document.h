@@ -124,6 +124,7 @@ struct LayerFacts {
     std::optional<double> belowNm;      ///< copper: the dielectric under it, where the job has no row for that
     Material material;
     Material below;
+    bool hasMaterial = true;  ///< false: the layer marks an area or a process step, or draws nothing of what it is
 };
 
 /// A thickness the user sets over what the job says; `layer` is the name of a StackupRow.

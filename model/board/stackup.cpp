@@ -159,12 +159,14 @@ private:
 
     // ---- rows and what is known of them ----
 
+    [[nodiscard]] bool isRow(std::size_t i) const { return isPhysical(m_layers[i]) && m_facts.layers[i].hasMaterial; }
+
     void collectParts() {
         for (std::size_t i = 0; i < m_layers.size(); ++i) {
             if (isBoardCopper(m_layers[i])) {
                 addDielectricBefore();
                 addLayer(i, kMostCopper);
-            } else if (isPhysical(m_layers[i])) {
+            } else if (isRow(i)) {
                 addLayer(i, m_most);
             }
         }
@@ -471,8 +473,9 @@ private:
     static Nm upperFace(const Layer& layer) { return layer.z + layer.thickness; }
 
     void placePlanes(Nm top) {
-        for (Layer& layer : m_layers) {
-            if (isPhysical(layer) || isHoles(layer.type)) {
+        for (std::size_t i = 0; i < m_layers.size(); ++i) {
+            Layer& layer = m_layers[i];
+            if (isRow(i) || isHoles(layer.type)) {
                 continue;
             }
             const bool isBottom = namesBottom(layer);

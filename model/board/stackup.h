@@ -31,7 +31,8 @@ inline constexpr double kOunceTolerance = 0.035;
 /// document order: the physical ones (copper, dielectric, mask, paste, silk) from the top first; `facts.layers` has one
 /// entry per layer. z = 0 is the lower face of the lowest copper; surface layers lie outside of the outer copper;
 /// drills and routs must have their spans set and reach from the lower face of the lowest to the upper face of the
-/// highest copper they pass; everything else is a plane above or below the board. A board of one copper layer has its
+/// highest copper they pass; everything else, layers without material (LayerFacts::hasMaterial) too, is a plane above
+/// or below the board. A board of one copper layer has its
 /// substrate below z = 0. Coverlays, adhesives and stiffeners lie one on the other, from the board outwards; between
 /// copper layers they lie on the flexible copper next to them.
 ///

@@ -162,6 +162,40 @@ LayerFacts LayerTable::factsOf(std::size_t row) const {
     return {};
 }
 
+/// Is it printed or deposited only where it is drawn, and drawn nowhere? A solder mask that draws nothing has no
+/// openings instead, and a coverlay, adhesive or stiffener may be where its zone is.
+bool LayerTable::isEmptyMaterial(std::size_t row) const {
+    const MatrixLayer& layer = m_matrix.layers[row];
+    const bool isDrawn =
+        layer.type == LayerType::ConductivePaste || (layer.type == LayerType::Mask && !isLaidOn(layer));
+    return isDrawn && isPhysical(layer) && std::ranges::none_of(m_steps, [row](const StepData& step) {
+               return !step.layers[row].features.value.features.empty() || step.layers[row].profile.isPresent();
+           });
+}
+
+/// What is no material of the board is left out of the stackup.
+void LayerTable::leaveOut(std::vector<LayerFacts>& facts) {
+    std::string markers;
+    std::string empty;
+    for (std::size_t i = 0; i < m_order.size(); ++i) {
+        const MatrixLayer& layer = m_matrix.layers[m_order[i]];
+        if (!isMarker(layer) && !isEmptyMaterial(m_order[i])) {
+            continue;
+        }
+        facts[i].hasMaterial = false;
+        std::string& names = isMarker(layer) ? markers : empty;
+        names += (names.empty() ? "" : ", ") + layer.name;
+    }
+    if (!markers.empty()) {
+        diagnostics().report(Severity::Info, "matrix/matrix", 0,
+                             "layers that mark areas or process steps are not part of the stackup: " + markers);
+    }
+    if (!empty.empty()) {
+        diagnostics().report(Severity::Info, "matrix/matrix", 0,
+                             "masks and pastes that draw nothing are not part of the stackup: " + empty);
+    }
+}
+
 void LayerTable::addStackup(std::optional<double> boardNm) {
     const std::string attributes = m_steps[0].folder + "/attrlist";
     const std::optional<double> stepNm = boardThicknessIn(m_job.tree, attributes, m_job.defaultUnit, diagnostics());
@@ -171,6 +205,7 @@ void LayerTable::addStackup(std::optional<double> boardNm) {
         facts.layers.push_back(factsOf(row));
         addMatrixFacts(m_matrix.layers[row], facts.layers.back().material);
     }
+    leaveOut(facts.layers);
     if (const auto file = m_job.tree.read("matrix/stackup.xml", diagnostics())) {
         mergeStackupXml(parseStackupXml(file->text(), file->path, diagnostics()), file->path, m_builder.layers(), facts,
                         diagnostics());

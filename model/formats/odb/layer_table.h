@@ -30,6 +30,8 @@ public:
 private:
     void addLayers();
     [[nodiscard]] LayerFacts factsOf(std::size_t row) const;
+    [[nodiscard]] bool isEmptyMaterial(std::size_t row) const;
+    void leaveOut(std::vector<LayerFacts>& facts);
     void reportMissing(std::size_t row);
     void reportEmptyLayers();
     void reportUnread();

@@ -85,8 +85,7 @@ MatrixLayer layerOf(const Block& block, std::string_view path, Diagnostics& diag
 
 /// Films, glue and plates of rigid-flex boards lie anywhere in the stackup.
 bool mayLieInside(const MatrixLayer& layer) {
-    return layer.type == LayerType::Dielectric || layer.use == LayerUse::Coverlay || layer.use == LayerUse::Adhesive ||
-           layer.use == LayerUse::Stiffener;
+    return layer.type == LayerType::Dielectric || isLaidOn(layer);
 }
 
 /// Position in `order` behind which no copper belongs: the first surface layer (mask, paste, silk) that follows
@@ -133,7 +132,20 @@ std::size_t Matrix::rowOf(std::string_view name) const {
     return static_cast<std::size_t>(found - layers.begin());
 }
 
+bool isLaidOn(const MatrixLayer& layer) {
+    return layer.use == LayerUse::Coverlay || layer.use == LayerUse::Adhesive || layer.use == LayerUse::Stiffener;
+}
+
+bool isMarker(const MatrixLayer& layer) {
+    static constexpr std::string_view kMarkers[] = {"BEND_AREA",      "FLEX_AREA", "RIGID_AREA",  "PLATING_MASK",
+                                                    "IMMERSION_MASK", "OSP_MASK",  "WIRE_BONDING"};
+    return layer.type == LayerType::Mask && std::ranges::find(kMarkers, layer.useName) != std::end(kMarkers);
+}
+
 bool isPhysical(const MatrixLayer& layer) {
+    if (isMarker(layer)) {
+        return false;
+    }
     switch (layer.type) {
         case LayerType::Dielectric:
         case LayerType::SolderMask:

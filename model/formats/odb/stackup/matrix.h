@@ -44,7 +44,14 @@ inline constexpr std::size_t kMaxLayers = 5'000;
 
 [[nodiscard]] Matrix parseMatrix(std::string_view text, std::string_view path, Diagnostics& diagnostics);
 
-/// Is the layer a part of the stackup: copper, dielectric, mask, paste or silk of the board?
+/// A film, glue or plate of a rigid-flex board, which may be drawn by its zone alone.
+[[nodiscard]] bool isLaidOn(const MatrixLayer& layer);
+
+/// Does the layer mark an area (bend, flexible, rigid) or a process step (what is plated, or covered meanwhile) instead
+/// of being made of something?
+[[nodiscard]] bool isMarker(const MatrixLayer& layer);
+
+/// Is the layer a part of the stackup: copper, dielectric, mask, paste or silk of the board, and no marker?
 [[nodiscard]] bool isPhysical(const MatrixLayer& layer);
 
 /// Rows of `layers` in the order a document holds them: first the layers that make up the board, from the top, then the
