@@ -287,12 +287,9 @@ private:
 
     void fillUnknown() {
         const std::vector<Part*> dielectrics = unknown(false);
-        const bool isComplete = dielectrics.empty() && unknown(true).empty();
         fillCopper(dielectrics.empty());
         if (!dielectrics.empty()) {
             fillDielectrics(dielectrics);
-        } else if (isComplete && m_floor == 0 && m_first < m_last) {
-            compareWithBoard();
         }
     }
 
@@ -332,21 +329,6 @@ private:
             report(Severity::Info, unknown + "an even share of the board's " + inUm(*m_board));
         } else {
             report(Severity::Info, unknown + "an even share of an assumed board of " + inUm(kDefaultBoard));
-        }
-    }
-
-    /// Job thicknesses often count the solder mask, so only more than a tenth is a warning.
-    void compareWithBoard() {
-        double copper = 0;
-        for (const Part& part : m_parts) {
-            copper += part.isCopper ? part.row.thickness : 0;
-        }
-        const auto sum = static_cast<double>(knownSum());
-        const double off = m_board ? std::abs(sum - *m_board) : 0.0;
-        if (off > kOunceTolerance * copper) {
-            report(off > 0.1 * *m_board ? Severity::Warning : Severity::Info,
-                   "the layers add up to " + inUm(sum) + ", but the job says the board is " + inUm(*m_board) +
-                       " thick; the layers are used");
         }
     }
 

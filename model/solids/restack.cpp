@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "model/board/stackup.h"
+#include "model/board/stackup_checks.h"
 #include "model/solids/solids.h"
 
 namespace model {
@@ -55,11 +56,13 @@ std::shared_ptr<const Document> restack(const Document& document, std::vector<Th
     }
     Diagnostics before;
     (void)heightsWith(document, document.stackup.facts.set, before);
+    reportStackup(document, before);
     Diagnostics after;
     const Heights heights = heightsWith(document, std::move(set), after);
     out->stackup = heights.stackup;
     std::map<const Document*, std::shared_ptr<const Document>> done;
     setHeights(*out, heights, done);
+    reportStackup(*out, after);
     out->diagnostics = document.diagnostics.without(before);
     out->diagnostics.append(after);
     return out;

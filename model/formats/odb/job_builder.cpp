@@ -6,6 +6,7 @@
 #include <map>
 
 #include "model/base/parallel.h"
+#include "model/board/stackup_checks.h"
 #include "model/formats/common/back_drills.h"
 #include "model/formats/common/board_outline.h"
 #include "model/formats/common/hole_rules.h"
@@ -77,6 +78,9 @@ public:
         }
         setProfile();
         addOutlines(m_builder, m_matrix, m_layers, m_step);
+        if (m_isChosen) {
+            reportStackup(m_builder.soFar(), diagnostics());
+        }
         if (!buildLayers(true)) {
             return false;
         }

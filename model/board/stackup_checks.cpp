@@ -1,0 +1,255 @@
+#include "model/board/stackup_checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "model/base/thickness_units.h"
+#include "model/board/stackup.h"
+#include "model/board/stackup_table.h"
+
+namespace model {
+
+namespace {
+
+constexpr Nm kMostMask = 100'000;
+constexpr double kMostMaskRatio = 2.0;
+constexpr Nm kThinnestFoil = 5'000;
+constexpr Nm kThickestFoil = 480'000;
+constexpr Nm kThinnestDielectric = 12'000;
+constexpr double kLeastConstant = 1.9;
+constexpr double kMostConstant = 13.0;
+constexpr double kMostTangent = 0.05;
+constexpr double kSymmetryTolerance = 0.1;
+/// Of an unsymmetric stackup so many pairs are named; the rest is counted.
+constexpr std::size_t kNamedPairs = 3;
+
+std::string numberText(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%g", value);
+    return text;
+}
+
+class StackupChecker {
+public:
+    explicit StackupChecker(const Document& document) : m_document(document), m_rows(document.stackup.rows) {
+        for (const StackupRow& row : m_rows) {
+            m_kinds.push_back(kindOf(row, document));
+        }
+    }
+
+    std::vector<StackupFinding> run() {
+        checkSum();
+        eachRow(&StackupChecker::checkMask);
+        checkMaskSides();
+        eachRow(&StackupChecker::checkCopper);
+        eachRow(&StackupChecker::checkDielectric);
+        eachRow(&StackupChecker::checkConstant);
+        eachRow(&StackupChecker::checkTangent);
+        checkCores();
+        for (const Substack& part : substacksOf(m_document)) {
+            checkSymmetry(part);
+        }
+        return std::move(m_findings);
+    }
+
+private:
+    void eachRow(void (StackupChecker::*check)(std::size_t)) {
+        for (std::size_t i = 0; i < m_rows.size(); ++i) {
+            (this->*check)(i);
+        }
+    }
+
+    void add(StackupCheck check, std::string text, std::vector<std::size_t> rows,
+             Severity severity = Severity::Warning) {
+        m_findings.push_back({check, severity, std::move(text), std::move(rows)});
+    }
+
+    [[nodiscard]] std::string nameAndThickness(std::size_t row) const {
+        return m_rows[row].name + " " + thicknessText(m_rows[row].thickness);
+    }
+    [[nodiscard]] bool isKnown(std::size_t row) const { return m_rows[row].source != Source::Assumed; }
+    [[nodiscard]] bool isStated(std::size_t row) const {
+        return m_rows[row].source == Source::Job || m_rows[row].source == Source::Session;
+    }
+    [[nodiscard]] bool isCopper(std::size_t row) const { return m_kinds[row] == StackupKind::Copper; }
+
+    /// Copper and what lies between, of a part of the board.
+    [[nodiscard]] std::vector<std::size_t> coreRows(const std::vector<bool>& has) const {
+        std::vector<std::size_t> rows;
+        std::size_t used = 0;  // up to the last copper
+        for (std::size_t i = 0; i < m_rows.size(); ++i) {
+            if (has[i] && (isCopper(i) || (isDielectric(m_kinds[i]) && !rows.empty()))) {
+                rows.push_back(i);
+                used = isCopper(i) ? rows.size() : used;
+            }
+        }
+        rows.resize(used);
+        return rows;
+    }
+
+    void checkSum() {
+        const std::vector<std::size_t> rows = coreRows(std::vector<bool>(m_rows.size(), true));
+        const std::optional<double>& board = m_document.stackup.facts.boardNm;
+        if (!board || *board <= 0 || rows.size() < 2 ||
+            !std::ranges::all_of(rows, [this](std::size_t row) { return isStated(row); })) {
+            return;
+        }
+        double sum = 0;
+        double copper = 0;
+        for (const std::size_t row : rows) {
+            sum += m_rows[row].thickness;
+            copper += isCopper(row) ? m_rows[row].thickness : 0;
+        }
+        const double stated = std::clamp(*board, kLeastThickness, kMostDielectric);
+        const double off = std::abs(sum - stated);
+        if (off > kOunceTolerance * copper) {
+            add(StackupCheck::Sum,
+                "the layers add up to " + thicknessText(static_cast<Nm>(sum)) + ", but the job says the board is " +
+                    thicknessText(static_cast<Nm>(stated)) + " thick; the layers are used",
+                {}, off > 0.1 * stated ? Severity::Warning : Severity::Info);
+        }
+    }
+
+    void checkMask(std::size_t row) {
+        if (m_kinds[row] == StackupKind::SolderMask && isKnown(row) && m_rows[row].thickness > kMostMask) {
+            add(StackupCheck::MaskThickness,
+                "solder mask " + nameAndThickness(row) + ": no solder mask is thicker than " + thicknessText(kMostMask),
+                {row});
+        }
+    }
+
+    void checkMaskSides() {
+        std::vector<std::size_t> masks;
+        for (std::size_t i = 0; i < m_rows.size(); ++i) {
+            if (m_kinds[i] == StackupKind::SolderMask && isKnown(i)) {
+                masks.push_back(i);
+            }
+        }
+        if (masks.size() != 2) {
+            return;  // which two would belong together is not known
+        }
+        const auto [thin, thick] = std::minmax(m_rows[masks[0]].thickness, m_rows[masks[1]].thickness);
+        if (thick > kMostMaskRatio * thin) {
+            add(StackupCheck::MaskSides,
+                "the solder masks differ: " + nameAndThickness(masks[0]) + ", " + nameAndThickness(masks[1]), masks);
+        }
+    }
+
+    void checkCopper(std::size_t row) {
+        const Nm thickness = m_rows[row].thickness;
+        if (isCopper(row) && isKnown(row) && (thickness < kThinnestFoil || thickness > kThickestFoil)) {
+            add(StackupCheck::CopperThickness,
+                "copper " + nameAndThickness(row) + ": foils are " + thicknessText(kThinnestFoil) + " to " +
+                    thicknessText(kThickestFoil) + " thick",
+                {row});
+        }
+    }
+
+    void checkDielectric(std::size_t row) {
+        if (isDielectric(m_kinds[row]) && isKnown(row) && m_rows[row].thickness < kThinnestDielectric) {
+            add(StackupCheck::DielectricThickness,
+                "dielectric " + nameAndThickness(row) + ": none is made that is thinner than " +
+                    thicknessText(kThinnestDielectric),
+                {row});
+        }
+    }
+
+    void checkConstant(std::size_t row) {
+        const std::optional<double>& constant = m_rows[row].material.dielectricConstant;
+        if (constant && !isCopper(row) && (*constant < kLeastConstant || *constant > kMostConstant)) {
+            add(StackupCheck::DielectricConstant,
+                m_rows[row].name + ": a Dk of " + numberText(*constant) + "; materials have " +
+                    numberText(kLeastConstant) + " to " + numberText(kMostConstant),
+                {row});
+        }
+    }
+
+    void checkTangent(std::size_t row) {
+        const std::optional<double>& tangent = m_rows[row].material.lossTangent;
+        if (tangent && !isCopper(row) && *tangent > kMostTangent) {
+            add(StackupCheck::LossTangent,
+                m_rows[row].name + ": a Df of " + numberText(*tangent) + "; materials have up to " +
+                    numberText(kMostTangent),
+                {row});
+        }
+    }
+
+    /// One finding for all: writers call every dielectric a core.
+    void checkCores() {
+        std::vector<std::size_t> between;
+        std::string names;
+        for (std::size_t row = 1; row + 1 < m_rows.size(); ++row) {
+            if (isCopper(row) && m_kinds[row - 1] == StackupKind::Core && m_kinds[row + 1] == StackupKind::Core) {
+                between.push_back(row);
+                names += (names.empty() ? "" : ", ") + m_rows[row].name;
+            }
+        }
+        if (!between.empty()) {
+            add(StackupCheck::CoreOnCore, "copper between two cores, which only prepreg can bond: " + names,
+                std::move(between));
+        }
+    }
+
+    /// Are these, as far from the one side as from the other, alike?
+    [[nodiscard]] bool areAlike(std::size_t a, std::size_t b) const {
+        const auto [thin, thick] = std::minmax(m_rows[a].thickness, m_rows[b].thickness);
+        return isCopper(a) == isCopper(b) && (!isKnown(a) || !isKnown(b) || thick - thin <= kSymmetryTolerance * thick);
+    }
+
+    void checkSymmetry(const Substack& part) {
+        const std::vector<std::size_t> rows = coreRows(part.has);
+        std::vector<std::size_t> differing;
+        std::string pairs;
+        for (std::size_t i = 0; i < rows.size() / 2; ++i) {
+            const std::size_t other = rows[rows.size() - 1 - i];
+            if (areAlike(rows[i], other)) {
+                continue;
+            }
+            if (differing.size() < 2 * kNamedPairs) {
+                pairs += (pairs.empty() ? "" : "; ") + nameAndThickness(rows[i]) + " and " + nameAndThickness(other);
+            }
+            differing.insert(differing.end(), {rows[i], other});
+        }
+        if (!differing.empty()) {
+            const std::size_t more = differing.size() / 2 - std::min(differing.size() / 2, kNamedPairs);
+            add(StackupCheck::Symmetry,
+                "the stackup" + (part.name.empty() ? "" : " of zone " + part.name) +
+                    " is not symmetric about its middle: " + pairs +
+                    (more > 0 ? " and " + std::to_string(more) + " more pairs" : ""),
+                differing, Severity::Info);
+        }
+    }
+
+    const Document& m_document;
+    const std::vector<StackupRow>& m_rows;
+    std::vector<StackupKind> m_kinds;
+    std::vector<StackupFinding> m_findings;
+};
+
+}  // namespace
+
+const char* toString(StackupCheck check) {
+    constexpr const char* kNames[] = {"sum",
+                                      "mask_thickness",
+                                      "mask_sides",
+                                      "copper_thickness",
+                                      "dielectric_thickness",
+                                      "dielectric_constant",
+                                      "loss_tangent",
+                                      "core_on_core",
+                                      "symmetry"};
+    return kNames[static_cast<std::size_t>(check)];
+}
+
+std::vector<StackupFinding> checkStackup(const Document& document) {
+    return StackupChecker(document).run();
+}
+
+void reportStackup(const Document& document, Diagnostics& diagnostics) {
+    for (const StackupFinding& finding : checkStackup(document)) {
+        diagnostics.report(finding.severity, "", 0, finding.text);
+    }
+}
+
+}  // namespace model
