@@ -10,6 +10,9 @@ namespace model {
 namespace {
 
 constexpr double kMostTimes = 40.0;
+/// With zones: the part of the width that the holes take, and what is left free beside each zone.
+constexpr double kBoresBesideZones = 0.25;
+constexpr double kBesideZone = 0.02;
 
 bool isCopper(const StackupRow& row) {
     return row.type == LayerType::Signal || row.type == LayerType::PowerGround || row.type == LayerType::Mixed;
@@ -68,9 +71,27 @@ void placeBores(const Document& document, StackupDrawing& out) {
         const StackupBand* first = bandOf(document, out, layer.spanTop);
         const StackupBand* last = bandOf(document, out, layer.spanBottom);
         if (first != nullptr && last != nullptr) {
-            out.bores.push_back({row.layer, row.span, isPlated, first->top, last->bottom, 0, 0, 0});
+            out.bores.push_back({row.layer, row.span, isPlated, first->top, last->bottom});
             addHoles(row, out.bores.back());
         }
+    }
+}
+
+void placeColumns(const Document& document, StackupDrawing& out) {
+    std::vector<Substack> parts = substacksOf(document);
+    const auto count = static_cast<double>(parts.size());
+    const bool isWhole = document.zones.empty();
+    const double right = isWhole || out.bores.empty() ? 1.0 : 1.0 - kBoresBesideZones;
+    for (Substack& part : parts) {
+        const auto number = static_cast<double>(out.columns.size());
+        out.columns.push_back({std::move(part), right * number / count, right * (number + 1) / count});
+        out.columns.back().right -= isWhole ? 0.0 : kBesideZone;
+    }
+    const double left = isWhole ? 0.0 : right;
+    const double breadth = (1.0 - left) / std::max(1.0, static_cast<double>(out.bores.size()));
+    for (std::size_t i = 0; i < out.bores.size(); ++i) {
+        out.bores[i].breadth = breadth;
+        out.bores[i].x = left + breadth * (static_cast<double>(i) + 0.5);
     }
 }
 
@@ -109,6 +130,7 @@ StackupDrawing drawStackup(const Document& document, const StackupLayout& layout
     placeBands(rows, out);
     spreadLabels(layout.lineHeight, out);
     placeBores(document, out);
+    placeColumns(document, out);
     return out;
 }
 

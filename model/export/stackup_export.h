@@ -6,13 +6,15 @@
 #include "model/base/result.h"
 #include "model/board/document.h"
 
-/// The stackup of a board for others: a drawing and a table.
+/// The stackup of a board for others: a drawing and a table. The window writes the drawing as PDF too
+/// (ui/stackup/stackup_pdf.h).
 namespace model {
 
-/// A drawing with labels and holes, as SVG 1.1 in UTF-8.
+/// The sheet (model/export/stackup_sheet.h) as SVG 1.1 in UTF-8.
 [[nodiscard]] std::string stackupSvg(const Document& document, bool isExaggerated);
 /// A line per row of the stackup with headings, comma separated (RFC 4180); lengths in nm, empty where nothing is
-/// known.
+/// known. With zones there is a column of cumulative thickness for each, empty where it does not have the layer or that
+/// does not count.
 [[nodiscard]] std::string stackupCsv(const Document& document);
 
 /// Writes one of them, as the name's ending says. Errors: BadUsage for other endings and boards without a stackup,

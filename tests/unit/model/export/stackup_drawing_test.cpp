@@ -134,6 +134,62 @@ private slots:
         QCOMPARE(model::boreText(*document, back), "BACK: backdrill, non-plated, 1 hole of 1.2 mm");
     }
 
+    void zonesStandSideBySideWithTheLayersTheyHave() {
+        const auto document = board("rigid_flex");
+        const StackupDrawing drawing = model::drawStackup(*document, {1000.0, 10.0, true});
+        QCOMPARE(drawing.columns.size(), std::size_t{3});
+        QCOMPARE(drawing.columns[1].part.name, "Flex");
+        QVERIFY(!drawing.columns[1].part.has[rowOf(*document, "TOP")]);
+        double right = 0.0;
+        for (const model::StackupColumn& column : drawing.columns) {
+            QVERIFY(column.left >= right && column.right > column.left);
+            right = column.right;
+        }
+        for (const StackupBarrel& bore : drawing.bores) {
+            QVERIFY(bore.x - bore.breadth / 2 >= right && bore.x + bore.breadth / 2 <= 1.0 + 1e-9);
+        }
+        const auto whole = model::drawStackup(*board("drills"), {1000.0, 10.0, true});
+        QCOMPARE(whole.columns.size(), std::size_t{1});
+        QVERIFY(whole.columns[0].left == 0.0 && whole.columns[0].right == 1.0);
+    }
+
+    void theSheetHasTotalsZonesAndFindings() {
+        const std::string flex = model::stackupSvg(*board("rigid_flex"), true);
+        for (const char* text : {">Rigid</text>", ">Stiffened end</text>", ">coverlay</text>", ">–</text>",
+                                 "Zone Flex: copper to copper 556.67 µm, overall 606.67 µm"}) {
+            QVERIFY2(flex.find(text) != std::string::npos, text);
+        }
+        auto changed = std::make_shared<model::Document>(*board("everything"));
+        changed->stackup.rows[rowOf(*changed, "CORE1")].material.dielectricConstant = 42;
+        const std::string svg = model::stackupSvg(*changed, true);
+        QVERIFY(svg.find("Warning: CORE1: a Dk of 42") != std::string::npos);
+        QVERIFY(svg.find(">copper to copper ") != std::string::npos);
+        QVERIFY(model::stackupCsv(*changed).find(",CORE1: a Dk of 42;") != std::string::npos);
+    }
+
+    void longNamesAreShortenedBetweenCharacters() {
+        auto document = std::make_shared<model::Document>(*board("drills"));
+        for (const char* letter : {"x", "µ", "層"}) {
+            std::string name;
+            for (int i = 0; i < 60; ++i) {
+                name += letter;
+            }
+            document->stackup.rows[0].name = name;
+            const std::string svg = model::stackupSvg(*document, true);
+            QVERIFY(svg.find(name) == std::string::npos);
+            QVERIFY(svg.find("…</text>") != std::string::npos);
+            QVERIFY(svg.find('?') == std::string::npos);  // what xmlText puts for a broken character
+        }
+    }
+
+    void csvHasAColumnForEachZone() {
+        const std::string csv = model::stackupCsv(*board("rigid_flex"));
+        QVERIFY(csv.find(
+                    ",kind,cumulative_nm in Rigid,cumulative_nm in Flex,cumulative_nm in Stiffened end,findings\r\n") !=
+                std::string::npos);
+        QVERIFY2(csv.find(",copper,60000,,,\r\n") != std::string::npos, csv.c_str());  // TOP is in the rigid zone
+    }
+
     void svgHasABandPerLayerAndABarPerKindOfHole() {
         const auto document = board("drills");
         const StackupDrawing drawing = model::drawStackup(*document, {400.0, 10.0, true});
