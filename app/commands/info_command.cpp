@@ -110,7 +110,7 @@ void printModel(const OpenBoard& board) {
 void printText(const OpenBoard& board, const std::vector<StepCheck>* checks) {
     printJob(*board.document);
     printLayers(*board.document);
-    printStackup(board.document->stackup);
+    printStackup(*board.document);
     printDrills(*board.document);
     printPackages(*board.document);
     if (checks != nullptr) {

@@ -135,7 +135,7 @@ ordered_json infoJson(const OpenBoard& board, const std::vector<model::StepCheck
     addDiagnostics(document, board.model.diagnostics, diagnostics);
     ordered_json json = {{"job", jobJson(document.job)},
                          {"layers", layersJson(document)},
-                         {"stackup", stackupJson(document.stackup)},
+                         {"stackup", stackupJson(document)},
                          {"zones", zonesJson(document)},
                          {"elements", elementsJson(document.elementCounts())},
                          {"elements_with_copies", elementsJson(document.elementCountsWithCopies())},

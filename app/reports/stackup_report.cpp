@@ -5,6 +5,8 @@
 
 #include "model/board/holes.h"
 #include "model/board/stackup.h"
+#include "model/board/stackup_checks.h"
+#include "model/board/stackup_table.h"
 
 namespace app {
 
@@ -23,11 +25,12 @@ ordered_json orNull(const std::string& text) {
     return text.empty() ? ordered_json() : ordered_json(text);
 }
 
-ordered_json rowJson(const StackupRow& row) {
+ordered_json rowJson(const model::Document& document, const StackupRow& row) {
     const std::optional<model::CopperWeight> weight = model::copperWeightOf(row);
     return {{"name", row.name},
             {"has_layer", row.layer.isValid()},
             {"type", model::toString(row.type)},
+            {"kind", model::toString(model::kindOf(row, document))},
             {"z_nm", row.z},
             {"thickness_nm", row.thickness},
             {"thickness_source", model::toString(row.source)},
@@ -45,6 +48,52 @@ std::string numberOr(std::optional<double> value, const char* format) {
     char text[32];
     std::snprintf(text, sizeof text, format, value.value_or(0.0));
     return value ? text : "-";
+}
+
+ordered_json substackJson(const model::Stackup& stackup, const model::Substack& part) {
+    ordered_json rows = ordered_json::array();
+    for (std::size_t i = 0; i < part.has.size(); ++i) {
+        if (part.has[i]) {
+            rows.push_back({{"name", stackup.rows[i].name}, {"cumulative_nm", orNull(part.cumulative[i])}});
+        }
+    }
+    return {{"zone", orNull(part.name)},
+            {"copper_to_copper_nm", part.copperToCopper},
+            {"overall_nm", part.overall},
+            {"rows", rows}};
+}
+
+ordered_json findingJson(const model::Stackup& stackup, const model::StackupFinding& finding) {
+    ordered_json rows = ordered_json::array();
+    for (const std::size_t row : finding.rows) {
+        rows.push_back(stackup.rows[row].name);
+    }
+    return {{"check", model::toString(finding.check)},
+            {"severity", model::toString(finding.severity)},
+            {"text", finding.text},
+            {"rows", rows}};
+}
+
+void printRow(const model::Document& document, const StackupRow& row) {
+    const std::optional<model::CopperWeight> weight = model::copperWeightOf(row);
+    const std::optional<double> oz = weight ? std::optional(weight->oz) : std::nullopt;
+    std::printf("%-28s %-16s %-12s %10.2f %-8s %9s %-8s %8s %8s  %s%s%s\n", row.name.c_str(), model::toString(row.type),
+                model::toString(model::kindOf(row, document)), row.thickness / base::kNmPerUm,
+                model::toString(row.source), numberOr(oz, "%.3f").c_str(),
+                weight ? model::toString(weight->source) : "", numberOr(row.material.dielectricConstant, "%g").c_str(),
+                numberOr(row.material.lossTangent, "%g").c_str(), row.material.name.c_str(),
+                row.material.type.empty() ? "" : (" (" + row.material.type + ")").c_str(),
+                row.material.form.empty() ? "" : (" " + row.material.form).c_str());
+}
+
+void printSubstack(const model::Stackup& stackup, const model::Substack& part) {
+    std::string names;
+    for (std::size_t i = 0; i < part.has.size() && !part.name.empty(); ++i) {
+        names += part.has[i] ? (names.empty() ? ": " : ", ") + stackup.rows[i].name : "";
+    }
+    std::printf("%s: copper to copper %.2f um, overall %.2f um%s\n",
+                part.name.empty() ? "total" : ("zone " + part.name).c_str(), part.copperToCopper / base::kNmPerUm,
+                part.overall / base::kNmPerUm, names.c_str());
 }
 
 std::string nameOf(const model::Document& document, model::LayerId id) {
@@ -84,31 +133,39 @@ std::string inMm(model::Nm size) {
 
 }  // namespace
 
-ordered_json stackupJson(const model::Stackup& stackup) {
+ordered_json stackupJson(const model::Document& document) {
+    const model::Stackup& stackup = document.stackup;
     ordered_json rows = ordered_json::array();
     for (const StackupRow& row : stackup.rows) {
-        rows.push_back(rowJson(row));
+        rows.push_back(rowJson(document, row));
+    }
+    ordered_json substacks = ordered_json::array();
+    for (const model::Substack& part : model::substacksOf(document)) {
+        substacks.push_back(substackJson(stackup, part));
+    }
+    ordered_json findings = ordered_json::array();
+    for (const model::StackupFinding& finding : model::checkStackup(document)) {
+        findings.push_back(findingJson(stackup, finding));
     }
     const std::optional<double>& board = stackup.facts.boardNm;
-    return {{"board_nm", board ? ordered_json(std::llround(*board)) : ordered_json()}, {"rows", rows}};
+    return {{"board_nm", board ? ordered_json(std::llround(*board)) : ordered_json()},
+            {"rows", rows},
+            {"substacks", substacks},
+            {"findings", findings}};
 }
 
-void printStackup(const model::Stackup& stackup) {
-    if (stackup.rows.empty()) {
+void printStackup(const model::Document& document) {
+    const std::vector<StackupRow>& rows = document.stackup.rows;
+    if (rows.empty()) {
         return;
     }
-    std::printf("\n%-28s %-16s %10s %-8s %8s %-8s %8s %8s  %s\n", "stackup from the top", "type", "height um", "from",
-                "copper oz", "from", "Dk", "Df", "material");
-    for (const StackupRow& row : stackup.rows) {
-        const std::optional<model::CopperWeight> weight = model::copperWeightOf(row);
-        const std::optional<double> oz = weight ? std::optional(weight->oz) : std::nullopt;
-        std::printf("%-28s %-16s %10.2f %-8s %9s %-8s %8s %8s  %s%s%s\n", row.name.c_str(), model::toString(row.type),
-                    row.thickness / base::kNmPerUm, model::toString(row.source), numberOr(oz, "%.3f").c_str(),
-                    weight ? model::toString(weight->source) : "",
-                    numberOr(row.material.dielectricConstant, "%g").c_str(),
-                    numberOr(row.material.lossTangent, "%g").c_str(), row.material.name.c_str(),
-                    row.material.type.empty() ? "" : (" (" + row.material.type + ")").c_str(),
-                    row.material.form.empty() ? "" : (" " + row.material.form).c_str());
+    std::printf("\n%-28s %-16s %-12s %10s %-8s %8s %-8s %8s %8s  %s\n", "stackup from the top", "type", "kind",
+                "height um", "from", "copper oz", "from", "Dk", "Df", "material");
+    for (const StackupRow& row : rows) {
+        printRow(document, row);
+    }
+    for (const model::Substack& part : model::substacksOf(document)) {
+        printSubstack(document.stackup, part);
     }
 }
 

@@ -8,12 +8,14 @@ namespace app {
 
 /// `stackup` of `info --json`: {"board_nm": …, "rows": [{"name", "has_layer", "type", "z_nm", "thickness_nm",
 /// "thickness_source", "material", "material_type", "form", "copper_oz", "copper_oz_source", "dielectric_constant",
-/// "loss_tangent", "resistivity_nohm_m"}]}, from the top. `board_nm` is what the job states; what it does not state is
-/// null.
-[[nodiscard]] nlohmann::ordered_json stackupJson(const model::Stackup& stackup);
+/// "loss_tangent", "resistivity_nohm_m", "kind"}], "substacks": [{"zone", "copper_to_copper_nm", "overall_nm", "rows":
+/// [{"name", "cumulative_nm"}]}], "findings": [{"check", "severity", "text", "rows"}]}, from the top. `board_nm` is
+/// what the job states; what it does not state is null, and so is the `zone` of the whole board. Substacks are those of
+/// model/board/stackup_table.h, findings those of stackup_checks.h.
+[[nodiscard]] nlohmann::ordered_json stackupJson(const model::Document& document);
 
-/// The same as a table on stdout; nothing for a format without a stackup.
-void printStackup(const model::Stackup& stackup);
+/// The same as a table on stdout, without the findings, which are messages too; nothing for a format without a stackup.
+void printStackup(const model::Document& document);
 
 /// `drills` of `info --json`: a row per layer, kind and size: {"layer", "add_type", "from", "to", "span", "kind",
 /// "plated", "shape", "diameter_nm", "inside_nm" (also "open_nm", its old name), "tool", "process", "bit",
