@@ -62,6 +62,7 @@ private:
 
     void add(StackupCheck check, std::string text, std::vector<std::size_t> rows,
              Severity severity = Severity::Warning) {
+        text[0] = text[0] >= 'a' && text[0] <= 'z' ? static_cast<char>(text[0] - 32) : text[0];
         m_findings.push_back({check, severity, std::move(text), std::move(rows)});
     }
 

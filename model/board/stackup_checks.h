@@ -39,7 +39,7 @@ enum class StackupCheck : std::uint8_t {
 struct StackupFinding {
     StackupCheck check = StackupCheck::Sum;
     Severity severity = Severity::Warning;
-    std::string text;               ///< a sentence that names the layers
+    std::string text;               ///< a sentence that names the layers; begins with a capital
     std::vector<std::size_t> rows;  ///< of Stackup::rows that it is about; empty: the whole stackup
 };
 

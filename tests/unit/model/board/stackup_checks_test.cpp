@@ -73,7 +73,7 @@ private slots:
         QCOMPARE(rows.found(), QStringList({"sum"}));
         QCOMPARE(rows.first().severity, Severity::Info);
         QCOMPARE(rows.first().text,
-                 "the layers add up to 1.505 mm, but the job says the board is 1.555 mm thick; the layers are used");
+                 "The layers add up to 1.505 mm, but the job says the board is 1.555 mm thick; the layers are used");
         QCOMPARE(fourLayers().board(2'000'000).first().severity, Severity::Warning);
         QCOMPARE(fourLayers().board(1'508'000).found(), QStringList());  // what an ounce is differs
         rows.document.stackup.rows[1].source = Source::Derived;          // from the board's thickness
@@ -83,7 +83,7 @@ private slots:
     void masksThatNobodyMakes() {
         Rows rows = Rows().mask("SMT", 254'000).copper("TOP", 35'000).mask("SMB", 25'000, Source::Assumed);
         QCOMPARE(rows.found(), QStringList({"mask_thickness"}));
-        QCOMPARE(rows.first().text, "solder mask SMT 254 µm: no solder mask is thicker than 100 µm");
+        QCOMPARE(rows.first().text, "Solder mask SMT 254 µm: no solder mask is thicker than 100 µm");
         QCOMPARE(rows.first().rows, (std::vector<std::size_t>{0}));
         rows.document.stackup.rows[2].source = Source::Job;
         QCOMPARE(rows.found(), QStringList({"mask_thickness", "mask_sides"}));
@@ -134,7 +134,7 @@ private slots:
         Rows rows = fourLayers();
         rows.document.stackup.rows[2].material.type = "CORE";
         QCOMPARE(rows.found(), QStringList({"core_on_core"}));
-        QCOMPARE(rows.first().text, "copper between two cores, which only prepreg can bond: L2");
+        QCOMPARE(rows.first().text, "Copper between two cores, which only prepreg can bond: L2");
         QCOMPARE(rows.first().rows, (std::vector<std::size_t>{3}));
         rows.document.stackup.rows[6].material.type = "CORE";
         QCOMPARE(model::checkStackup(rows.document).size(), std::size_t{1});
@@ -146,7 +146,7 @@ private slots:
         rows.document.stackup.rows[6].thickness = 223'000;
         QCOMPARE(rows.found(), QStringList({"symmetry"}));
         QCOMPARE(rows.first().severity, Severity::Info);
-        QCOMPARE(rows.first().text, "the stackup is not symmetric about its middle: D1 200 µm and D3 223 µm");
+        QCOMPARE(rows.first().text, "The stackup is not symmetric about its middle: D1 200 µm and D3 223 µm");
         QCOMPARE(rows.first().rows, (std::vector<std::size_t>{2, 6}));
         rows.document.stackup.rows[6].thickness = 222'000;  // within a tenth
         QCOMPARE(rows.found(), QStringList());
@@ -173,7 +173,7 @@ private slots:
         copper->thickness = 70'000;
         const std::vector<StackupFinding> findings = model::checkStackup(*d);
         QCOMPARE(findings.size(), std::size_t{3});
-        QVERIFY(findings[1].text.starts_with("the stackup of zone Flex is not symmetric"));
+        QVERIFY(findings[1].text.starts_with("The stackup of zone Flex is not symmetric"));
     }
 
     void findingsAreMessagesUntilTheyAreEditedAway() {
