@@ -194,6 +194,25 @@ private slots:
         return {};
     }
 
+    void totalsZonesAndFindingsOfTheStackupAreReported() {
+        const Outcome text = copperscope({"info", locations::kTestData + QStringLiteral("/odb/rigid_flex")});
+        QVERIFY2(text.out.contains("zone Flex: copper to copper 556.67 um, overall 606.67 um: COVER, L2, CORE, L3"),
+                 text.out.constData());
+        const Outcome run =
+            copperscope({"info", locations::kSample, "--json", "--no-session", "--set-thickness", "TOP_SOLDER=254um"});
+        QCOMPARE(stackupRow(run.out, "DIELECTRIC_1")["kind"].toString(), "prepreg");
+        const QJsonObject stackup = QJsonDocument::fromJson(run.out).object()["stackup"].toObject();
+        const QJsonObject whole = stackup["substacks"].toArray()[0].toObject();
+        QVERIFY(whole["zone"].isNull());
+        QCOMPARE(whole["copper_to_copper_nm"].toInt(), 1'570'740);
+        QCOMPARE(whole["overall_nm"].toInt(), 1'570'740 + 254'000 + 17'780);
+        QCOMPARE(whole["rows"].toArray()[2].toObject()["cumulative_nm"].toInt(), 254'000);
+        const QJsonObject finding = stackup["findings"].toArray()[0].toObject();
+        QCOMPARE(finding["check"].toString(), "mask_thickness");
+        QCOMPARE(finding["severity"].toString(), "warning");
+        QCOMPARE(finding["rows"].toArray(), QJsonArray{"TOP_SOLDER"});
+    }
+
     void setThicknessesCountAndLeaveNoFile() {
         QTemporaryDir folder;
         QVERIFY(QFile::copy(locations::kSample, folder.filePath("amp.tgz")));
