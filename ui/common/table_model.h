@@ -73,6 +73,8 @@ protected:
 
     /// All cells may show something else.
     void announceChange();
+    /// Other columns, between beginResetModel and endResetModel.
+    void setColumns(std::vector<Column> columns) { m_columns = std::move(columns); }
     /// Other rows: as many as before keep the selection, another number begins anew.
     template <class Rows>
     void replace(Rows& rows, Rows after) {

@@ -1,13 +1,10 @@
 #include "ui/messages/message_model.h"
 
-#include <QColor>
+#include "ui/common/severity_colour.h"
 
 namespace ui {
 
 namespace {
-
-/// In the order of model::Severity; mid tones, readable on a light and on a dark ground.
-constexpr QColor kSeverityColours[] = {{0x56, 0x8c, 0xc8}, {0xe0, 0x9a, 0x1f}, {0xd9, 0x4a, 0x3d}};
 
 QString locationText(const model::Diagnostic& entry) {
     const QString file = QString::fromStdString(entry.file);
@@ -51,7 +48,7 @@ Cell MessageModel::cell(int row, int column) const {
         case Severity:
             return {.text = severities[rankOf(row)],
                     .order = rankOf(row),  // by weight, not by spelling
-                    .decoration = kSeverityColours[rankOf(row)]};
+                    .decoration = severityColour(entry.severity)};
         case Text: return text(entry.text);
         case Location: return {locationText(entry)};
         default: return {entry.count};

@@ -1,9 +1,12 @@
 #include "ui/stackup/stackup_feature.h"
 
+#include <algorithm>
+
 #include "model/export/stackup_export.h"
 #include "ui/common/paths.h"
 #include "ui/layers/layer_model.h"
 #include "ui/stackup/stackup_panel.h"
+#include "ui/stackup/stackup_pdf.h"
 #include "ui/stackup/stackup_view.h"
 #include "ui/workspace/session_part.h"
 
@@ -54,12 +57,60 @@ void connectView(FeatureContext& context, StackupView& view) {
     QObject::connect(&context.layers, &LayerModel::stylesChanged, &view, setColours);
     QObject::connect(&workspace, &Workspace::boardOpened, &view, setBoard);
     QObject::connect(&workspace, &Workspace::restacked, &view, setBoard);
-    QObject::connect(&view, &StackupView::isolateRequested, &workspace, [&](model::LayerId layer) {
-        context.workspace.setCurrentLayer(layer);
-        context.layers.toggleSolo(layer);
-    });
     context.actions[ActionId::ExaggerateCopper].setChecked(view.isExaggerated());
     context.on(ActionId::ExaggerateCopper, &view, [&view](bool isOn) { view.setExaggerated(isOn); });
+}
+
+/// Is there anything of it to be seen in the views?
+bool isDrawn(const model::Document& document, model::LayerId id) {
+    const model::Layer& layer = document.layer(id);
+    return layer.elements.count > 0 || std::ranges::any_of(layer.countsWithCopies, [](auto n) { return n > 0; });
+}
+
+/// With the layer of another row alone in the views, they show that of this one instead.
+void follow(FeatureContext& context, model::LayerId layer) {
+    if (!layer.isValid()) {
+        return;  // a dielectric that the job has no layer for
+    }
+    context.workspace.setCurrentLayer(layer);
+    const model::LayerId alone = context.layers.soloLayer();
+    if (alone.isValid() && alone != layer && isDrawn(*context.workspace.board()->document, layer)) {
+        context.layers.toggleSolo(layer);
+    }
+}
+
+void isolate(FeatureContext& context, model::LayerId layer) {
+    const model::Document& document = *context.workspace.board()->document;
+    if (isDrawn(document, layer)) {
+        context.layers.toggleSolo(layer);
+    } else {
+        context.workspace.report(StackupPanel::tr("%1 draws nothing that could be shown alone")
+                                     .arg(QString::fromStdString(document.layer(layer).name)));
+    }
+}
+
+void connectRows(FeatureContext& context, StackupPanel& panel, const StackupModel& stackup) {
+    QObject::connect(&panel, &StackupPanel::rowSelected, &context.workspace,
+                     [&context, &stackup](int row) { follow(context, stackup.row(row).layer); });
+    QObject::connect(&panel.view(), &StackupView::holesChosen, &context.workspace,
+                     [&context](model::LayerId layer) { follow(context, layer); });
+    QObject::connect(&context.workspace, &Workspace::currentLayerChanged, &panel, &StackupPanel::selectLayer);
+    QObject::connect(&panel.view(), &StackupView::isolateRequested, &context.workspace,
+                     [&context](model::LayerId layer) { isolate(context, layer); });
+    context.escapes.emplace_back([&layers = context.layers] {
+        const bool isAlone = layers.soloLayer().isValid();
+        if (isAlone) {
+            layers.toggleSolo(layers.soloLayer());
+        }
+        return isAlone;
+    });
+}
+
+base::Status save(const FeatureContext& context, const QString& path, bool isExaggerated) {
+    const model::Document& document = *context.workspace.board()->document;
+    return path.endsWith(QStringLiteral(".pdf"), Qt::CaseInsensitive)
+               ? writeStackupPdf(document, path, isExaggerated)
+               : model::writeStackup(document, toPath(path), isExaggerated);
 }
 
 }  // namespace
@@ -77,13 +128,13 @@ void addStackup(FeatureContext& context) {
                      [&workspace](const auto& changes) { edit(workspace, changes); });
     QObject::connect(stackup, &StackupModel::refused, &workspace, &Workspace::errorReported);
     connectView(context, panel->view());
+    connectRows(context, *panel, *stackup);
     context.on(ActionId::ExportStackup, panel, [&context, panel] {
-        context.saveFile(StackupPanel::tr("Export stackup"),
-                         {StackupPanel::tr("Drawings (*.svg)"), StackupPanel::tr("Tables (*.csv)")},
-                         [&context, panel](const QString& path) {
-                             return model::writeStackup(*context.workspace.board()->document, toPath(path),
-                                                        panel->view().isExaggerated());
-                         });
+        context.saveFile(
+            StackupPanel::tr("Export stackup"),
+            {StackupPanel::tr("Drawings (*.svg)"), StackupPanel::tr("Documents (*.pdf)"),
+             StackupPanel::tr("Tables (*.csv)")},
+            [&context, panel](const QString& path) { return save(context, path, panel->view().isExaggerated()); });
     });
 }
 

@@ -1,7 +1,12 @@
 #include "ui/stackup/stackup_model.h"
 
+#include <algorithm>
+#include <numeric>
+
 #include "model/base/thickness_units.h"
 #include "model/board/stackup.h"
+#include "model/text/formatting.h"
+#include "ui/common/severity_colour.h"
 #include "ui/layers/layer_model.h"
 
 namespace ui {
@@ -26,18 +31,35 @@ QFont fontOf(model::Source source) {
 
 }  // namespace
 
-StackupModel::StackupModel(QObject* parent)
-    : TableModel({{tr("#"), tr("From the top of the board")},
-                  {tr("Layer"), tr("As the job names it; “below TOP” for a dielectric that the job has no layer for")},
-                  {tr("Type"), tr("What the layer is for")},
-                  {tr("Thickness"), thicknessHint(), kEditable},
-                  {tr("From"), tr("Where the thickness comes from: read from the job, derived from other values of it, "
-                                  "assumed, or set by you")},
-                  {tr("Copper"), tr("Copper weight in ounces per square foot")},
-                  {tr("Material"), tr("As the job names it")},
-                  {tr("Dk"), tr("Dielectric constant")},
-                  {tr("Df"), tr("Loss tangent")}},
-                 parent) {}
+StackupModel::StackupModel(QObject* parent) : TableModel(columnsFor({}), parent) {}
+
+std::vector<Column> StackupModel::columnsFor(const std::vector<model::Substack>& substacks) {
+    std::vector<ui::Column> columns{
+        {tr("#"), tr("From the top of the board")},
+        {tr("Layer"), tr("As the job names it; “below TOP” for a dielectric that the job has no layer for")},
+        {tr("Type"), tr("What the layer is for; core or prepreg where the job says so")},
+        {tr("Thickness"), thicknessHint(), kEditable}};
+    const QString counted = tr("Solder mask, coverlay, adhesive and stiffener count; paste, silkscreen and ink do not");
+    if (substacks.size() < 2 && (substacks.empty() || substacks[0].name.empty())) {
+        columns.push_back({tr("Cumulative"), tr("Thickness from the top down to the layer's lower face.\n") + counted});
+    } else {
+        for (const model::Substack& zone : substacks) {
+            const QString name = QString::fromStdString(zone.name);
+            columns.push_back({name, tr("Zone %1: thickness from its top down to the layer's lower face; – where it "
+                                        "does not have the layer.\n")
+                                             .arg(name) +
+                                         counted});
+        }
+    }
+    columns.insert(columns.end(),
+                   {{tr("From"), tr("Where the thickness comes from: read from the job, derived from other values of "
+                                    "it, assumed, or edited by you")},
+                    {tr("Copper"), tr("Copper weight in ounces per square foot")},
+                    {tr("Dk"), tr("Dielectric constant")},
+                    {tr("Df"), tr("Loss tangent")},
+                    {tr("Material"), tr("As the job names it")}});
+    return columns;
+}
 
 QString StackupModel::thicknessHint() {
     return tr(
@@ -45,37 +67,85 @@ QString StackupModel::thicknessHint() {
         "value");
 }
 
-QString StackupModel::sourceText(model::Source source) const {
+QString StackupModel::sourceText(model::Source source) {
     switch (source) {
         case model::Source::Job: return tr("read");
         case model::Source::Derived: return tr("derived");
         case model::Source::Assumed: return tr("assumed");
-        case model::Source::Session: return tr("set by you");
+        case model::Source::Session: return tr("edited");
     }
     return {};
+}
+
+QString StackupModel::typeText(const model::StackupRow& row, model::StackupKind kind) {
+    switch (kind) {
+        case model::StackupKind::Core: return tr("Core");
+        case model::StackupKind::Prepreg: return tr("Prepreg");
+        case model::StackupKind::Coverlay: return tr("Coverlay");
+        case model::StackupKind::Adhesive: return tr("Adhesive");
+        case model::StackupKind::Stiffener: return tr("Stiffener");
+        case model::StackupKind::Finish: return tr("Finish");
+        default: return layerTypeText(row.type);
+    }
 }
 
 const model::StackupRow& StackupModel::row(int index) const {
     return m_document->stackup.rows[static_cast<std::size_t>(index)];
 }
 
+int StackupModel::rowOf(model::LayerId layer) const {
+    for (int index = 0; layer.isValid() && index < layerCount(); ++index) {
+        if (row(index).layer == layer) {
+            return index;
+        }
+    }
+    return -1;
+}
+
+std::pair<StackupModel::Column, std::size_t> StackupModel::fieldOf(int column) const {
+    const int behind = std::max(static_cast<int>(m_substacks.size()), 1) - 1;
+    if (column <= Cumulative) {
+        return {static_cast<Column>(column), 0};
+    }
+    return column <= Cumulative + behind ? std::pair{Cumulative, static_cast<std::size_t>(column - Cumulative)}
+                                         : std::pair{static_cast<Column>(column - behind), std::size_t{0}};
+}
+
+int StackupModel::columnOf(Column column) const {
+    return column <= Cumulative ? column : column + std::max(static_cast<int>(m_substacks.size()), 1) - 1;
+}
+
 void StackupModel::setDocument(std::shared_ptr<const model::Document> document) {
-    const bool isSame = m_document && document && document->stackup.rows.size() == m_document->stackup.rows.size();
+    std::vector<model::Substack> substacks = document ? model::substacksOf(*document) : std::vector<model::Substack>{};
+    const bool isSame = m_document && document && document->stackup.rows.size() == m_document->stackup.rows.size() &&
+                        std::ranges::equal(substacks, m_substacks, {}, &model::Substack::name, &model::Substack::name);
     if (!isSame) {
         beginResetModel();
+        setColumns(columnsFor(substacks));
     }
     m_document = std::move(document);
+    m_substacks = std::move(substacks);
+    m_findings = m_document ? model::checkStackup(*m_document) : std::vector<model::StackupFinding>{};
     isSame ? announceChange() : endResetModel();
 }
 
+Qt::ItemFlags StackupModel::flags(const QModelIndex& index) const {
+    return isTotal(index.row()) ? TableModel::flags(index) & ~Qt::ItemIsEditable : TableModel::flags(index);
+}
+
 Cell StackupModel::cell(int at, int column) const {
+    if (isTotal(at)) {
+        return totalCell(at, column);
+    }
     const model::StackupRow& row = this->row(at);
-    switch (column) {
+    const auto [field, substack] = fieldOf(column);
+    switch (field) {
         case Order: return {at + 1};
-        case Name: return text(row.name);
-        case Type: return {layerTypeText(row.type)};
+        case Name: return nameCell(at);
+        case Type: return {typeText(row, model::kindOf(row, *m_document))};
         case Thickness:
             return {.text = QString::fromStdString(model::thicknessText(row.thickness)), .font = fontOf(row.source)};
+        case Cumulative: return cumulativeCell(at, substack);
         case From: return {.text = sourceText(row.source), .font = fontOf(row.source)};
         case Weight: return weightOf(row);
         case Constant: return number(row.material.dielectricConstant);
@@ -84,21 +154,75 @@ Cell StackupModel::cell(int at, int column) const {
     }
 }
 
-/// In both systems, with how to change it.
+Cell StackupModel::totalCell(int at, int column) const {
+    const auto [field, substack] = fieldOf(column);
+    const bool isOverall = at > layerCount();
+    if (field == Name) {
+        return {.text = isOverall ? tr("Overall") : tr("Copper to copper"), .font = boldFont()};
+    }
+    if (field != Cumulative) {
+        return {};
+    }
+    const model::Substack& part = m_substacks[substack];
+    return {.text = QString::fromStdString(model::lengthText(isOverall ? part.overall : part.copperToCopper)),
+            .font = boldFont()};
+}
+
+Cell StackupModel::cumulativeCell(int at, std::size_t substack) const {
+    const model::Substack& part = m_substacks[substack];
+    const auto row = static_cast<std::size_t>(at);
+    if (!part.has[row]) {
+        return {QStringLiteral("–")};
+    }
+    const std::optional<model::Nm>& sum = part.cumulative[row];
+    return sum ? Cell{QString::fromStdString(model::lengthText(*sum))} : Cell{};
+}
+
+Cell StackupModel::nameCell(int at) const {
+    Cell cell = text(row(at).name);
+    for (const model::StackupFinding& finding : m_findings) {
+        const bool isAbout = std::ranges::find(finding.rows, static_cast<std::size_t>(at)) != finding.rows.end();
+        if (isAbout && (cell.decoration.isNull() || finding.severity == model::Severity::Warning)) {
+            cell.decoration = severityColour(finding.severity);
+        }
+    }
+    return cell;
+}
+
+/// What was found about the row; of its thickness, in both systems, how to change it.
 QString StackupModel::tip(int at, int column) const {
-    const model::StackupRow& row = this->row(at);
-    return column != Thickness && column != From
-               ? QString()
-               : QStringLiteral("%1, %2\n%3")
-                     .arg(lengthInBoth(row.thickness, LengthUnit::Millimetre), sourceText(row.source), thicknessHint());
+    if (isTotal(at)) {
+        return at > layerCount() ? tr("All layers that count")
+                                 : tr("From the upper face of the highest to the lower face of the lowest copper");
+    }
+    QStringList lines;
+    const Column field = fieldOf(column).first;
+    if (field == Thickness || field == From) {
+        lines += lengthInBoth(row(at).thickness, LengthUnit::Millimetre) + ", " + sourceText(row(at).source);
+        lines += thicknessHint();
+    }
+    for (const model::StackupFinding& finding : m_findings) {
+        if (std::ranges::find(finding.rows, static_cast<std::size_t>(at)) != finding.rows.end()) {
+            lines += QString::fromStdString(finding.text);
+        }
+    }
+    return lines.join('\n');
 }
 
 void StackupModel::reset(const std::vector<int>& rows) {
     std::vector<model::ThicknessOverride> changes;
     for (const int at : rows) {
-        changes.push_back({row(at).name, 0});
+        if (!isTotal(at)) {
+            changes.push_back({row(at).name, 0});
+        }
     }
     emit edited(changes);
+}
+
+void StackupModel::resetAll() {
+    std::vector<int> rows(static_cast<std::size_t>(layerCount()));
+    std::iota(rows.begin(), rows.end(), 0);
+    reset(rows);
 }
 
 bool StackupModel::edit(int at, int, const QVariant& value) {

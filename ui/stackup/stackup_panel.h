@@ -2,6 +2,7 @@
 
 #include <QWidget>
 
+#include "ui/stackup/finding_model.h"
 #include "ui/stackup/stackup_model.h"
 
 class QLabel;
@@ -14,7 +15,8 @@ class StackupView;
 class TableView;
 
 /// The stackup of the board from the top, drawn and as a table: what every layer is, of what, how thick and how that is
-/// known. Thicknesses are edited in the table, and taken back to the job's.
+/// known; below it what the checks found. Thicknesses are edited in the table, and taken back to the job's. The table
+/// holds which row is selected; drawing and findings select there.
 class StackupPanel : public QWidget {
     Q_OBJECT
 
@@ -23,6 +25,14 @@ public:
 
     [[nodiscard]] TableView& table() { return *m_table; }
     [[nodiscard]] StackupView& view() { return *m_view; }
+    [[nodiscard]] TableView& findings() { return *m_findingTable; }
+
+    /// Selects the row of a layer, if it is in the stackup; the current row is not moved within its layer.
+    void selectLayer(model::LayerId layer);
+
+signals:
+    /// Another row is current, by whichever way; never a total.
+    void rowSelected(int row);
 
 protected:
     /// Drawing and table side by side where there is width, else one above the other.
@@ -31,12 +41,20 @@ protected:
 private:
     [[nodiscard]] QWidget* drawingHalf(const ActionSet& actions);
     [[nodiscard]] QWidget* tableHalf();
+    [[nodiscard]] QWidget* tables();
+    void connectRows();
+    void selectRows(const std::vector<std::size_t>& rows);
+    void refresh();
+    void updateTotal();
     void updateSummary();
 
     StackupModel& m_model;
+    FindingModel m_findings;
     StackupView* m_view;
     TableView* m_table;
+    TableView* m_findingTable;
     QSplitter* m_halves;
+    QLabel* m_total;    ///< copper to copper, or how many zones there are
     QLabel* m_summary;  ///< what the table cannot say: why it is empty, or how much of it is assumed
 };
 

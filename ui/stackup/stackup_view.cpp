@@ -31,6 +31,7 @@ StackupView::StackupView(QWidget* parent) : QWidget(parent) {
 
 void StackupView::setStackup(std::shared_ptr<const model::Document> document) {
     m_document = std::move(document);
+    m_selected = m_document ? std::min(m_selected, static_cast<int>(m_document->stackup.rows.size()) - 1) : -1;
     const model::StackupDrawing least =
         m_document ? model::drawStackup(*m_document, {0.0, lineHeight(), false}) : model::StackupDrawing{};
     m_boreCount = least.bores.size();
@@ -41,6 +42,11 @@ void StackupView::setStackup(std::shared_ptr<const model::Document> document) {
 void StackupView::setStyles(std::vector<QColor> colours, model::LayerId alone) {
     m_colours = std::move(colours);
     m_isolated = alone;
+    update();
+}
+
+void StackupView::setSelected(int row) {
+    m_selected = row;
     update();
 }
 
@@ -74,13 +80,18 @@ QRectF StackupView::bandRect(std::size_t row) const {
     return {kMargin, top + band.top, labelLeft() - kLeader - kMargin, band.bottom - band.top};
 }
 
+QRectF StackupView::zoneRect(std::size_t row, std::size_t zone) const {
+    const QRectF band = bandRect(row);
+    const model::StackupColumn& column = m_drawing.columns[zone];
+    return {band.left() + column.left * band.width(), band.top(), (column.right - column.left) * band.width(),
+            band.height()};
+}
+
 QRectF StackupView::boreRect(std::size_t row) const {
     const model::StackupBarrel& bore = m_drawing.bores[row];
-    const double room = (labelLeft() - kLeader - kMargin) / static_cast<double>(m_drawing.bores.size());
-    const double wide =
-        std::min(kBoreWidth, room / 2);  // the layers are seen between the holes, however many there are
-    const double x = kMargin + room * (static_cast<double>(row) + 0.5);
-    return {x - wide / 2, kMargin + lineHeight() + bore.top, wide, bore.bottom - bore.top};
+    const double width = labelLeft() - kLeader - kMargin;
+    const double wide = std::min(kBoreWidth, bore.breadth * width / 2);  // the layers are seen between the holes
+    return {kMargin + bore.x * width - wide / 2, kMargin + lineHeight() + bore.top, wide, bore.bottom - bore.top};
 }
 
 QColor StackupView::colourOf(const model::StackupRow& row) const {
@@ -96,6 +107,7 @@ void StackupView::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.fillRect(rect(), palette().base());
     painter.setRenderHint(QPainter::Antialiasing);
+    paintZoneNames(painter);
     for (std::size_t row = 0; row < m_drawing.bands.size(); ++row) {
         paintBand(painter, row);
         paintLabel(painter, row);
@@ -106,14 +118,31 @@ void StackupView::paintEvent(QPaintEvent*) {
     }
 }
 
+/// In the line above the layers; a board without zones has none.
+void StackupView::paintZoneNames(QPainter& painter) const {
+    painter.setPen(palette().color(QPalette::Text));
+    for (std::size_t zone = 0; zone < m_drawing.columns.size(); ++zone) {
+        const QRectF column = zoneRect(0, zone);
+        const QString name = QString::fromStdString(m_drawing.columns[zone].part.name);
+        painter.drawText(QRectF(column.left(), kMargin, column.width(), lineHeight()), Qt::AlignCenter,
+                         fontMetrics().elidedText(name, Qt::ElideRight, static_cast<int>(column.width())));
+    }
+}
+
 void StackupView::paintBand(QPainter& painter, std::size_t row) const {
     const model::StackupRow& layer = m_document->stackup.rows[row];
-    const QRectF band = bandRect(row);
-    painter.fillRect(band, colourOf(layer));
     const bool isIsolated = layer.layer.isValid() && layer.layer == m_isolated;
-    painter.setPen(isIsolated ? QPen(palette().color(QPalette::Highlight), 2.0)
-                              : QPen(palette().color(QPalette::Mid), 0.5));
-    painter.drawRect(band);
+    const bool standsOut = isIsolated || static_cast<int>(row) == m_selected;
+    for (std::size_t zone = 0; zone < m_drawing.columns.size(); ++zone) {
+        if (!m_drawing.columns[zone].part.has[row]) {
+            continue;
+        }
+        const QRectF band = zoneRect(row, zone);
+        painter.fillRect(band, colourOf(layer));
+        painter.setPen(standsOut ? QPen(palette().color(QPalette::Highlight), 2.0)
+                                 : QPen(palette().color(QPalette::Mid), 0.5));
+        painter.drawRect(band);
+    }
 }
 
 void StackupView::paintLabel(QPainter& painter, std::size_t row) const {
@@ -125,8 +154,13 @@ void StackupView::paintLabel(QPainter& painter, std::size_t row) const {
                                    {band.right() + 5.0, band.center().y()},
                                    {labelLeft() - 7.0, y},
                                    {labelLeft() - 3.0, y}});
-    painter.setPen(palette().color(QPalette::Text));
-    const double thicknessLeft = labelLeft() + (width() - labelLeft()) * 0.62;
+    const bool isSelected = static_cast<int>(row) == m_selected;
+    if (isSelected) {
+        painter.fillRect(QRectF(labelLeft() - 2.0, y - lineHeight() / 2, width() - labelLeft() + 2.0, lineHeight()),
+                         palette().highlight());
+    }
+    painter.setPen(palette().color(isSelected ? QPalette::HighlightedText : QPalette::Text));
+    const double thicknessLeft = width() - fontMetrics().horizontalAdvance(QStringLiteral(" 888.888 µm "));
     const auto write = [&](double left, double right, const QString& text) {
         painter.drawText(QRectF(left, y - lineHeight() / 2, right - left, lineHeight()), Qt::AlignVCenter,
                          fontMetrics().elidedText(text, Qt::ElideMiddle, static_cast<int>(right - left)));
@@ -199,15 +233,36 @@ QString StackupView::tipAt(QPointF at) const {
         return {};
     }
     const model::StackupRow& layer = m_document->stackup.rows[row];
-    return QStringLiteral("%1: %2, %3")
+    return QStringLiteral("%1: %2%3, %4")
         .arg(QString::fromStdString(layer.name), QString::fromStdString(model::thicknessText(layer.thickness)),
-             layer.layer.isValid() ? tr("click to show it alone") : tr("no layer of the job"));
+             zonesOf(row),
+             layer.layer.isValid() ? tr("Alt+click shows it alone, Esc all again") : tr("no layer of the job"));
+}
+
+/// ", in Rigid and Flex"; nothing for a board without zones.
+QString StackupView::zonesOf(std::size_t row) const {
+    QStringList names;
+    for (const model::StackupColumn& column : m_drawing.columns) {
+        if (column.part.has[row] && !column.part.name.empty()) {
+            names += QString::fromStdString(column.part.name);
+        }
+    }
+    return names.isEmpty() ? QString() : tr(", in %1").arg(names.join(tr(" and ")));
 }
 
 void StackupView::mousePressEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton) {
+        return;
+    }
     const model::LayerId layer = layerAt(event->position());
-    if (event->button() == Qt::LeftButton && layer.isValid()) {
+    const std::size_t row = rowAt(event->position());
+    if (event->modifiers().testFlag(Qt::AltModifier) && layer.isValid()) {
         emit isolateRequested(layer);
+    }
+    if (boreAt(event->position()) < m_drawing.bores.size()) {
+        emit holesChosen(layer);
+    } else if (row < m_drawing.bands.size()) {
+        emit rowChosen(row);
     }
 }
 
@@ -220,19 +275,10 @@ void StackupView::keyPressEvent(QKeyEvent* event) {
 }
 
 void StackupView::step(int by) {
-    if (!m_document) {
-        return;
-    }
-    const std::vector<model::StackupRow>& rows = m_document->stackup.rows;
-    const auto count = static_cast<int>(rows.size());
-    const auto now = std::ranges::find(rows, m_isolated, &model::StackupRow::layer);
-    const bool hasNow = m_isolated.isValid() && now != rows.end();
-    int row = hasNow ? static_cast<int>(now - rows.begin()) + by : by > 0 ? 0 : count - 1;
-    while (row >= 0 && row < count && !rows[static_cast<std::size_t>(row)].layer.isValid()) {
-        row += by;  // a dielectric that the job has no layer for
-    }
+    const auto count = static_cast<int>(m_drawing.bands.size());
+    const int row = m_selected >= 0 ? m_selected + by : by > 0 ? 0 : count - 1;
     if (row >= 0 && row < count) {
-        emit isolateRequested(rows[static_cast<std::size_t>(row)].layer);
+        emit rowChosen(static_cast<std::size_t>(row));
     }
 }
 

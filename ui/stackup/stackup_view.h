@@ -9,7 +9,8 @@
 namespace ui {
 
 /// The stackup from the side: layers to scale or with the copper scale raised, labels, and what every kind of hole
-/// passes. A click on a layer, its label or a hole requests that layer alone in the views, Up and Down the next one.
+/// passes; zones side by side. A click on a layer or its label chooses its row, Up and Down the next one; a click on a
+/// hole chooses its layer. With Alt a click requests the layer alone in the views.
 class StackupView : public QWidget {
     Q_OBJECT
 
@@ -21,15 +22,21 @@ public:
     /// `colours` has one entry per layer of the document. `alone` is the layer that is shown alone, if one is.
     void setStyles(std::vector<QColor> colours, model::LayerId alone);
     void setExaggerated(bool isOn);
+    /// The row that stands out; -1 for none.
+    void setSelected(int row);
 
     [[nodiscard]] bool isExaggerated() const { return m_isExaggerated; }
     [[nodiscard]] const model::StackupDrawing& drawing() const { return m_drawing; }
-    /// Where a row of the stackup and a kind of hole is drawn, in pixels.
+    /// Where a row of the stackup, a zone of it and a kind of hole is drawn, in pixels.
     [[nodiscard]] QRectF bandRect(std::size_t row) const;
+    [[nodiscard]] QRectF zoneRect(std::size_t row, std::size_t zone) const;
     [[nodiscard]] QRectF boreRect(std::size_t row) const;
     [[nodiscard]] QSize sizeHint() const override;
 
 signals:
+    void rowChosen(std::size_t row);
+    void holesChosen(model::LayerId layer);
+    /// Shows this layer alone, or ends that; comes before the row is chosen.
     void isolateRequested(model::LayerId layer);
 
 protected:
@@ -44,13 +51,15 @@ private:
     void step(int by);
     [[nodiscard]] double roomBeside() const;
     [[nodiscard]] double lineHeight() const { return fontMetrics().height() + 1.0; }
-    [[nodiscard]] double labelLeft() const { return width() * 0.42; }
+    [[nodiscard]] double labelLeft() const { return width() * (m_drawing.columns.size() > 1 ? 0.52 : 0.42); }
     /// The layer at a position, a hole before the layers it passes; none beside them or where the job has no layer.
     [[nodiscard]] model::LayerId layerAt(QPointF at) const;
     [[nodiscard]] QString tipAt(QPointF at) const;
+    [[nodiscard]] QString zonesOf(std::size_t row) const;
     [[nodiscard]] std::size_t boreAt(QPointF at) const;
     [[nodiscard]] std::size_t rowAt(QPointF at) const;
     [[nodiscard]] QColor colourOf(const model::StackupRow& row) const;
+    void paintZoneNames(QPainter& painter) const;
     void paintBand(QPainter& painter, std::size_t row) const;
     void paintLabel(QPainter& painter, std::size_t row) const;
     void paintBore(QPainter& painter, std::size_t row) const;
@@ -61,6 +70,7 @@ private:
     model::StackupDrawing m_drawing;
     std::size_t m_boreCount = 0;
     model::LayerId m_isolated;
+    int m_selected = -1;
     bool m_isExaggerated = true;
 };
 

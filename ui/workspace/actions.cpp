@@ -104,7 +104,7 @@ const ActionSpec ActionSet::kSpecs[kActionCount] = {
     {CheckNets, MenuId::Board, QT_TR_NOOP("Netlist &check"), "Ctrl+Shift+N", QT_TR_NOOP("Compare the nets with the copper: opens, shorts and floating copper"), kNeedsBoard},
     {InferNets, MenuId::Board, QT_TR_NOOP("Infer &nets from copper"), "Ctrl+Shift+I", QT_TR_NOOP("Read the board again with nets found by following the copper, instead of the job's"), kCheckable | kNeedsBoard},
     {ExaggerateCopper, MenuId::Board, QT_TR_NOOP("E&xaggerate copper"), "Ctrl+Shift+X", QT_TR_NOOP("Draw copper as thick as dielectric in the stackup; off: to scale"), kCheckable | kNewGroup},
-    {ExportStackup, MenuId::Board, QT_TR_NOOP("Export &stackup…"), "Ctrl+Shift+E", QT_TR_NOOP("Export the stackup as a drawing (SVG) or a table (CSV)"), kNeedsBoard},
+    {ExportStackup, MenuId::Board, QT_TR_NOOP("Export &stackup…"), "Ctrl+Shift+E", QT_TR_NOOP("Export the stackup as a drawing (SVG, PDF) or a table (CSV)"), kNeedsBoard},
     {SearchClearances, MenuId::Board, QT_TR_NOOP("&Find clearances"), "Ctrl+Shift+G", QT_TR_NOOP("Find the smallest clearances, or what breaks the rules, as the Clearances panel says"), kNewGroup | kNeedsBoard},
     {NextClearance, MenuId::Board, QT_TR_NOOP("Next clea&rance"), "F8", QT_TR_NOOP("Show the next row of the Clearances panel in both views"), kNeedsBoard},
     {PreviousClearance, MenuId::Board, QT_TR_NOOP("&Previous clearance"), "Shift+F8", QT_TR_NOOP("Show the previous row of the Clearances panel in both views"), kNeedsBoard},

@@ -1,4 +1,5 @@
-// The drawing of the stack: a click isolates a layer in both views, keys step through layers, both forms are exported.
+// The drawing of the stackup: a click selects a row and the views follow, Alt+click isolates, Esc returns; zones,
+// findings and exports.
 
 #include "ui/stackup/stackup_view.h"
 
@@ -26,43 +27,129 @@ private slots:
     }
     void cleanup() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
 
-    void aClickOnALayerShowsItAloneInBothViews() {
+    void aClickOnALayerSelectsItsRowAndMakesItCurrent() {
+        const std::size_t row = rowOf("L2");
+        clickAt(edgeOf(row));
+        QCOMPARE(panel().table().currentIndex().row(), static_cast<int>(row));
+        QCOMPARE(panel().table().selectedRows(), std::vector<int>{static_cast<int>(row)});
+        QCOMPARE(window().workspace().currentLayer(), layerOf("L2"));
+        QCOMPARE(window().layersPanel().currentLayer(), layerOf("L2"));
+        QVERIFY(!window().layers().soloLayer().isValid());
+    }
+
+    void theRowFollowsTheCurrentLayer() {
+        window().workspace().setCurrentLayer(layerOf("L3"));
+        QCOMPARE(panel().table().currentIndex().row(), static_cast<int>(rowOf("L3")));
+        window().workspace().setCurrentLayer(layerOf("BURIED"));  // in no row
+        QCOMPARE(panel().table().currentIndex().row(), static_cast<int>(rowOf("L3")));
+        QCOMPARE(window().workspace().currentLayer(), layerOf("BURIED"));
+    }
+
+    void altClickShowsALayerAloneInBothViewsAndEscEndsIt() {
         const QImage solid = m_fixture->picture();
         const QImage flat = flatPicture();
-        const std::size_t row = rowOf("L1");
-        clickAt(view().bandRect(row).center() - QPointF(view().bandRect(row).width() / 2 - 1.0, 0.0));
-        const model::LayerId layer = window().document()->stackup.rows[row].layer;
-        QCOMPARE(window().layers().soloLayer(), layer);
-        QCOMPARE(window().layersPanel().currentLayer(), layer);
+        clickAt(edgeOf(rowOf("L1")), Qt::AltModifier);
+        QCOMPARE(window().layers().soloLayer(), layerOf("L1"));
+        QCOMPARE(window().layersPanel().currentLayer(), layerOf("L1"));
         QVERIFY(differingPixels(solid, m_fixture->picture()) > 1000);
         QVERIFY(differingPixels(flat, flatPicture()) > 50);
-        clickAt(view().bandRect(row).center() - QPointF(view().bandRect(row).width() / 2 - 1.0, 0.0));
+        m_fixture->key(Qt::Key_Escape);
         QVERIFY(!window().layers().soloLayer().isValid());
         QCOMPARE(differingPixels(solid, m_fixture->picture()), 0);
         QCOMPARE(differingPixels(flat, flatPicture()), 0);
     }
 
+    void altClickAgainEndsItToo() {
+        for (const char* alone : {"L1", "L3", "", "L3"}) {
+            clickAt(edgeOf(rowOf(*alone != 0 ? alone : "L3")), Qt::AltModifier);
+            QCOMPARE(window().layers().soloLayer(), *alone != 0 ? layerOf(alone) : model::LayerId{});
+        }
+    }
+
+    void whatDrawsNothingIsNotShownAlone() {
+        clickAt(edgeOf(rowOf("D2")), Qt::AltModifier);
+        QVERIFY(!window().layers().soloLayer().isValid());
+        QCOMPARE(panel().table().currentIndex().row(), static_cast<int>(rowOf("D2")));
+        QVERIFY(window().statusBar()->currentMessage().contains("D2 draws nothing"));
+    }
+
+    void whileALayerIsAloneTheNextOneTakesItsTurn() {
+        clickAt(edgeOf(rowOf("L1")), Qt::AltModifier);
+        clickAt(edgeOf(rowOf("L4")));
+        QCOMPARE(window().layers().soloLayer(), layerOf("L4"));
+        clickAt(edgeOf(rowOf("D1")));  // draws nothing: both views would be empty
+        QCOMPARE(window().layers().soloLayer(), layerOf("L4"));
+    }
+
     void aClickOnALabelOrAHoleCountsToo() {
         const double label = view().bandRect(0).top() + view().drawing().bands[rowOf("L3")].label;
         clickAt({view().width() * 0.5, label});
-        QCOMPARE(window().layers().soloLayer(), window().document()->findLayer("L3"));
+        QCOMPARE(panel().table().currentIndex().row(), static_cast<int>(rowOf("L3")));
         const auto& bores = view().drawing().bores;
         const auto buried = std::ranges::find(bores, model::HoleSpan::Buried, &model::StackupBarrel::span);
         QVERIFY(buried != bores.end());
-        clickAt(view().boreRect(static_cast<std::size_t>(buried - bores.begin())).center());
-        QCOMPARE(window().layers().soloLayer(), window().document()->findLayer("BURIED"));
+        const QPointF hole = view().boreRect(static_cast<std::size_t>(buried - bores.begin())).center();
+        clickAt(hole);
+        QCOMPARE(window().workspace().currentLayer(), layerOf("BURIED"));
+        clickAt(hole, Qt::AltModifier);
+        QCOMPARE(window().layers().soloLayer(), layerOf("BURIED"));
     }
 
-    void arrowsStepThroughTheLayersAndStopAtTheEnds() {
+    void arrowsStepThroughTheRowsAndStopAtTheEnds() {
         const QStringList expected{"L1", "D1", "L2", "D2", "L3", "D3", "L4", "L4"};
         QStringList seen;
         for (qsizetype i = 0; i < expected.size(); ++i) {
             QTest::keyClick(&view(), Qt::Key_Down);
-            seen += QString::fromStdString(window().document()->layer(window().layers().soloLayer()).name);
+            seen += panel().table().currentIndex().siblingAtColumn(ui::StackupModel::Name).data().toString();
         }
         QCOMPARE(seen, expected);
         QTest::keyClick(&view(), Qt::Key_Up);
-        QCOMPARE(window().layers().soloLayer(), window().document()->findLayer("D3"));
+        QCOMPARE(window().workspace().currentLayer(), layerOf("D3"));
+    }
+
+    void zonesAreDrawnSideBySide() {
+        QVERIFY(m_fixture->openAndWait(locations::kTestData + QStringLiteral("/odb/rigid_flex")));
+        const std::size_t top = rowOf("TOP");
+        const QImage picture = view().grab().toImage();
+        const auto colourAt = [&](std::size_t zone) {
+            return picture.pixelColor((view().zoneRect(top, zone).center() * picture.devicePixelRatio()).toPoint());
+        };
+        QCOMPARE(view().drawing().columns.size(), std::size_t{3});
+        QVERIFY(colourAt(0) != colourAt(1));
+        QCOMPARE(colourAt(1), colourAt(2));  // neither has it
+        clickAt(view().zoneRect(top, 0).center());
+        QCOMPARE(panel().table().currentIndex().row(), static_cast<int>(top));
+    }
+
+    void findingsAreListedAndSelectTheirRows() {
+        QVERIFY(panel().findings().isHidden());
+        QVERIFY(
+            window().stack().setData(window().stack().index(static_cast<int>(rowOf("L2")), ui::StackupModel::Thickness),
+                                     "490 um", Qt::EditRole));
+        QVERIFY(!panel().findings().isHidden());
+        QVERIFY(panel().findings().model()->index(0, 0).data().toString().startsWith("Copper L2 490 µm"));
+        const QRect line = panel().findings().visualRect(panel().findings().model()->index(0, 0));
+        QTest::mouseClick(panel().findings().viewport(), Qt::LeftButton, {}, line.center());
+        QCOMPARE(panel().table().selectedRows(), std::vector<int>{static_cast<int>(rowOf("L2"))});
+        window().actions()[ActionId::Undo].trigger();
+        QVERIFY(panel().findings().isHidden());
+    }
+
+    void theTotalIsSeenWithoutScrolling() {
+        QCOMPARE(window().label("stackupTotal"), "1.6 mm");
+        QVERIFY(window().findChild<QLabel*>("stackupTotal")->toolTip().startsWith("Copper to copper 1.6 mm, overall "));
+        QVERIFY(m_fixture->openAndWait(locations::kTestData + QStringLiteral("/odb/rigid_flex")));
+        QCOMPARE(window().label("stackupTotal"), "3 zones");
+        QVERIFY(window().findChild<QLabel*>("stackupTotal")->toolTip().contains("Flex: copper to copper 556.67 µm"));
+    }
+
+    void aPdfIsOnePage() {
+        const QString path = m_fixture->folder() + "/stackup.pdf";
+        window().save(ui::ActionId::ExportStackup, path);
+        QVERIFY(!window().messageBar().isVisible());
+        const QByteArray bytes = contentsOf(path);
+        QVERIFY(bytes.startsWith("%PDF-") && bytes.contains("/Count 1"));
+        QVERIFY(bytes.size() > 3000);
     }
 
     void copperIsExaggeratedOrNot() {
@@ -117,7 +204,17 @@ private:
         return picture ? picture->convertToFormat(QImage::Format_RGB32) : QImage();
     }
 
-    void clickAt(QPointF at) { QTest::mouseClick(&view(), Qt::LeftButton, {}, at.toPoint()); }
+    ui::StackupPanel& panel() { return window().stackupPanel(); }
+    model::LayerId layerOf(const char* name) { return window().document()->findLayer(name); }
+    /// Of a band, where no hole is drawn.
+    QPointF edgeOf(std::size_t row) {
+        const QRectF band = view().bandRect(row);
+        return {band.left() + 1.0, band.center().y()};
+    }
+
+    void clickAt(QPointF at, Qt::KeyboardModifiers modifiers = {}) {
+        QTest::mouseClick(&view(), Qt::LeftButton, modifiers, at.toPoint());
+    }
 
     static QByteArray contentsOf(const QString& path) {
         QFile file(path);

@@ -53,7 +53,7 @@ private slots:
         QCOMPARE(rowOf("BOTTOM").thickness, 500'000);
         QCOMPARE(rowOf("BOTTOM").source, model::Source::Session);
         QCOMPARE(textOf("BOTTOM", StackupModel::Thickness), "500 µm");
-        QCOMPARE(textOf("BOTTOM", StackupModel::From), "set by you");
+        QCOMPARE(textOf("BOTTOM", StackupModel::From), "edited");
         QCOMPARE(textOf("CORE2", StackupModel::Thickness), "795.2 µm");  // the board is 1.6 mm thick, says the job
         QCOMPARE(window().label("stackupSummary"), "4 of 9 thicknesses assumed");
         QVERIFY(differingPixels(before, m_fixture->picture()) > 20);

@@ -5,6 +5,7 @@
 #include <QtTest>
 
 #include "model/board/document_builder.h"
+#include "tests/unit/model/formats/odb/odb_testing.h"
 #include "tests/unit/ui/sample_document.h"
 #include "ui/common/table_text.h"
 
@@ -40,10 +41,67 @@ private slots:
 
     void everyRowTellsWhatItIsAndHowThatIsKnown() {
         QCOMPARE(ui::tableText(m_model),
-                 "#\tLayer\tType\tThickness\tFrom\tCopper\tMaterial\tDk\tDf\n"
-                 "1\tmask\tSolder mask\t25 µm\tassumed\t\t\t\t\n"
-                 "2\ttop\tSignal\t35 µm\tread\t1 oz\t\t\t\n"
-                 "3\tbelow top\tDielectric\t1.2 mm\tderived\t\tFR-4\t4.25\t0.02\n");
+                 "#\tLayer\tType\tThickness\tCumulative\tFrom\tCopper\tDk\tDf\tMaterial\n"
+                 "1\tmask\tSolder mask\t25 µm\t25 µm\tassumed\t\t\t\t\n"
+                 "2\ttop\tSignal\t35 µm\t60 µm\tread\t1 oz\t\t\t\n"
+                 "3\tbelow top\tDielectric\t1.2 mm\t1.26 mm\tderived\t\t4.25\t0.02\tFR-4\n"
+                 "\tCopper to copper\t\t\t1.2 mm\t\t\t\t\t\n"
+                 "\tOverall\t\t\t1.26 mm\t\t\t\t\t\n");
+    }
+
+    void coreAndPrepregAndEditedAreNamed() {
+        auto document = std::make_shared<model::Document>(*stackOf());
+        document->stackup.rows[2].material.type = "PREPREG";
+        document->stackup.rows[2].source = Source::Session;
+        m_model.setDocument(document);
+        QCOMPARE(textAt(2, StackupModel::Type), "Prepreg");
+        QCOMPARE(textAt(2, StackupModel::From), "edited");
+        document = std::make_shared<model::Document>(*document);
+        document->stackup.rows[2].material.type = "CORE";
+        m_model.setDocument(document);
+        QCOMPARE(textAt(2, StackupModel::Type), "Core");
+    }
+
+    void zonesAreColumnsSideBySide() {
+        m_model.setDocument(odb_testing::read(odb_testing::dataJob("rigid_flex")));
+        const int rigid = m_model.columnOf(StackupModel::Cumulative);
+        for (const auto& [column, name] : {std::pair{rigid, "Rigid"},
+                                           {rigid + 1, "Flex"},
+                                           {rigid + 2, "Stiffened end"},
+                                           {m_model.columnOf(StackupModel::From), "From"},
+                                           {m_model.columnOf(StackupModel::MaterialName), "Material"}}) {
+            QCOMPARE(m_model.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString(), name);
+        }
+        const int top = m_model.rowOf(model::LayerId{1});
+        QCOMPARE(textAt(top, StackupModel::Name), "TOP");
+        QCOMPARE(m_model.index(top, rigid).data().toString(), "60 µm");
+        QCOMPARE(m_model.index(top, rigid + 1).data().toString(), "–");
+        const int last = m_model.rowCount() - 1;
+        QCOMPARE(textAt(last, StackupModel::Name), "Overall");
+        QCOMPARE(m_model.index(last, rigid + 1).data().toString(), "606.67 µm");
+        QCOMPARE(m_model.index(last, rigid + 2).data().toString(), "856.67 µm");
+        QCOMPARE(m_model.index(top, m_model.columnOf(StackupModel::From)).data().toString(), "assumed");
+    }
+
+    void findingsMarkTheirRows() {
+        QVERIFY(!m_model.index(2, StackupModel::Name).data(Qt::DecorationRole).isValid());
+        auto document = std::make_shared<model::Document>(*stackOf());
+        document->stackup.rows[2].material.dielectricConstant = 42;
+        m_model.setDocument(document);
+        QCOMPARE(m_model.findings().size(), std::size_t{1});
+        QVERIFY(m_model.index(2, StackupModel::Name).data(Qt::DecorationRole).isValid());
+        QVERIFY(m_model.index(2, StackupModel::Name).data(Qt::ToolTipRole).toString().contains("a Dk of 42"));
+        QVERIFY(!m_model.index(1, StackupModel::Name).data(Qt::DecorationRole).isValid());
+    }
+
+    void totalsAreNeitherEditedNorReset() {
+        QSignalSpy edited(&m_model, &StackupModel::edited);
+        QVERIFY(m_model.isTotal(3) && m_model.isTotal(4) && !m_model.isTotal(2));
+        QVERIFY(!m_model.setData(thickness(3), "1 mm", Qt::EditRole));
+        m_model.resetAll();
+        QCOMPARE(edited[0][0].value<std::vector<model::ThicknessOverride>>().size(), std::size_t{3});
+        m_model.reset({2, 3, 4});
+        QCOMPARE(edited[1][0].value<std::vector<model::ThicknessOverride>>().size(), std::size_t{1});
     }
 
     void onlyThicknessesCanBeEdited() {
@@ -67,7 +125,7 @@ private slots:
 
     void theSameThicknessAgainIsNoEdit() {
         QSignalSpy edited(&m_model, &StackupModel::edited);
-        for (int row = 0; row < m_model.rowCount(); ++row) {
+        for (int row = 0; row < m_model.layerCount(); ++row) {
             QVERIFY(m_model.setData(thickness(row), thickness(row).data(Qt::EditRole), Qt::EditRole));
         }
         QCOMPARE(edited.count(), 0);
@@ -119,6 +177,9 @@ private slots:
     }
 
 private:
+    [[nodiscard]] QString textAt(int row, StackupModel::Column column) const {
+        return m_model.index(row, m_model.columnOf(column)).data().toString();
+    }
     [[nodiscard]] QModelIndex thickness(int row) const { return m_model.index(row, StackupModel::Thickness); }
 
     StackupModel m_model;

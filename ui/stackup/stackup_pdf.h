@@ -1,0 +1,14 @@
+#pragma once
+
+#include <QString>
+
+#include "model/base/result.h"
+#include "model/board/document.h"
+
+namespace ui {
+
+/// Writes the sheet of the stackup (model/export/stackup_sheet.h) as a PDF of one A4 page, lengthwise or across as it
+/// fits. Errors: BadUsage for boards without a stackup, OutputFailed.
+[[nodiscard]] base::Status writeStackupPdf(const model::Document& document, const QString& path, bool isExaggerated);
+
+}  // namespace ui
