@@ -5,6 +5,7 @@
 
 #include "model/base/assert.h"
 #include "model/geometry/nesting.h"
+#include "model/geometry/slits.h"
 
 namespace model {
 
@@ -67,7 +68,8 @@ AttributeSetId DocumentBuilder::attributes(const AttributeValues& values) {
 }
 
 ShapeId DocumentBuilder::addShape(const ShapeSketch& sketch) {
-    return m_document->shapes.add(nestHoles(sketch));
+    const std::optional<ShapeSketch> healed = healSlits(sketch);
+    return m_document->shapes.add(nestHoles(healed ? *healed : sketch));
 }
 
 ComponentId DocumentBuilder::addComponent(Component component, std::span<const Pin> pins) {

@@ -39,7 +39,8 @@ public:
     SymbolId symbol(std::string_view name);  ///< row of the name, added on first use
     /// Row of this set of attributes, added on first use; none for an empty one.
     AttributeSetId attributes(const AttributeValues& values);
-    /// Holes are put behind the island that contains them, in whatever order they were sketched.
+    /// Slits are healed into holes (model/geometry/slits.h), and holes are put behind the island that contains them, in
+    /// whatever order they were sketched.
     ShapeId addShape(const ShapeSketch& sketch);
     [[nodiscard]] const ShapeTable& shapes() const { return m_document->shapes; }
     void addTool(DrillTool tool) { m_document->tools.push_back(std::move(tool)); }

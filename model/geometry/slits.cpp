@@ -1,0 +1,167 @@
+#include "model/geometry/slits.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <numeric>
+
+#include "model/geometry/discretise.h"
+
+namespace model {
+
+namespace {
+
+using Loops = std::vector<std::vector<PathNode>>;
+
+/// A contour by its edges: edge i leaves node i.
+class SlitContour {
+public:
+    /// `slots` is room to work in.
+    SlitContour(std::span<const PathNode> nodes, std::vector<std::uint32_t>& slots)
+        : m_nodes(nodes), m_twin(nodes.size(), kNone) {
+        slots.assign(std::bit_ceil(2 * nodes.size()), kNone);
+        for (std::uint32_t edge = 0; edge < nodes.size(); ++edge) {
+            m_hasSlits = (isStraight(edge) && pair(edge, slots)) || m_hasSlits;
+        }
+    }
+
+    /// Whether edges are run along both ways.
+    [[nodiscard]] bool hasSlits() const { return m_hasSlits; }
+
+    /// What is left without them, in the order of the contour; it may be a few nodes without area.
+    [[nodiscard]] Loops loops() const {
+        Loops loops;
+        std::vector<bool> isTaken(m_nodes.size());
+        for (std::uint32_t first = 0; first < m_nodes.size(); ++first) {
+            if (m_twin[first] != kNone || isTaken[first]) {
+                continue;
+            }
+            std::vector<PathNode>& loop = loops.emplace_back();
+            for (std::uint32_t edge = first; !isTaken[edge]; edge = edgeAfter(edge)) {
+                isTaken[edge] = true;
+                loop.push_back(m_nodes[edge]);
+            }
+        }
+        return loops;
+    }
+
+private:
+    static constexpr std::uint32_t kNone = 0xFFFFFFFF;
+
+    [[nodiscard]] std::uint32_t next(std::uint32_t edge) const { return edge + 1 < m_nodes.size() ? edge + 1 : 0; }
+    [[nodiscard]] Point start(std::uint32_t edge) const { return m_nodes[edge].point; }
+    [[nodiscard]] Point end(std::uint32_t edge) const { return m_nodes[next(edge)].point; }
+    [[nodiscard]] bool isStraight(std::uint32_t edge) const {
+        return m_nodes[edge].edge == EdgeKind::Line && start(edge) != end(edge);
+    }
+
+    /// The same for both directions of an edge.
+    [[nodiscard]] static std::uint64_t hash(Point a, Point b) {
+        const auto bits = [](Point p) {
+            return std::uint64_t{static_cast<std::uint32_t>(p.x)} << 32U | static_cast<std::uint32_t>(p.y);
+        };
+        std::uint64_t key = bits(a) * 0x9E3779B97F4A7C15U + bits(b) * 0x9E3779B97F4A7C15U;
+        key ^= key >> 32U;
+        key *= 0xD6E8FEB86659FD93U;
+        return key ^ key >> 32U;
+    }
+
+    /// Joins the edge with one that runs back along it, or keeps it for such a one to come.
+    /// `slots` holds edges by the hash of their ends.
+    bool pair(std::uint32_t edge, std::vector<std::uint32_t>& slots) {
+        const std::size_t mask = slots.size() - 1;
+        std::size_t slot = hash(start(edge), end(edge)) & mask;
+        for (; slots[slot] != kNone; slot = (slot + 1) & mask) {
+            const std::uint32_t other = slots[slot];
+            if (m_twin[other] == kNone && start(other) == end(edge) && end(other) == start(edge)) {
+                m_twin[edge] = other;
+                m_twin[other] = edge;
+                return true;
+            }
+        }
+        slots[slot] = edge;
+        return false;
+    }
+
+    /// The edge that leaves where this one ends. Where a slit begins, that is the one behind the slit's way back.
+    /// Every edge has one successor and one predecessor, so that a walk ends where it began.
+    [[nodiscard]] std::uint32_t edgeAfter(std::uint32_t edge) const {
+        for (edge = next(edge); m_twin[edge] != kNone; edge = next(m_twin[edge])) {
+        }
+        return edge;
+    }
+
+    std::span<const PathNode> m_nodes;
+    std::vector<std::uint32_t> m_twin;  ///< by edge: the one that runs back along it
+    bool m_hasSlits = false;
+};
+
+/// Twice the area of a closed path, by the polygon that it is drawn as.
+__int128 twiceAreaOf(std::span<const PathNode> nodes) {
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        discretiseEdge(nodes[i], nodes[i + 1 < nodes.size() ? i + 1 : 0].point, {}, points);
+    }
+    return twiceArea(points);
+}
+
+/// Straight there and back, with other nodes on one way than on the other: covers nothing.
+bool isFlat(std::span<const PathNode> nodes) {
+    const PathNode& first = nodes.front();
+    const auto isElsewhere = [&](const PathNode& node) { return node.point != first.point; };
+    const auto elsewhere = std::ranges::find_if(nodes, isElsewhere);
+    return std::ranges::all_of(nodes, [&](const PathNode& node) {
+        return node.edge == EdgeKind::Line &&
+               (elsewhere == nodes.end() || twiceArea(std::array{first.point, elsewhere->point, node.point}) == 0);
+    });
+}
+
+void addLoop(ShapeSketch& sketch, std::span<const PathNode> nodes, bool isHole) {
+    sketch.beginContour(isHole);
+    std::ranges::for_each(nodes, [&](const PathNode& node) { sketch.addNode(node); });
+}
+
+/// Adds the loops of a contour, first those that wind as it does, then the others. False, and none added, where areas
+/// do not tell which those are: figures of eight whose halves cancel.
+bool addLoops(ShapeSketch& sketch, Loops loops, bool isHole) {
+    std::erase_if(loops, isFlat);
+    std::vector<__int128> areas;
+    std::ranges::transform(loops, std::back_inserter(areas), twiceAreaOf);
+    const __int128 sum = std::accumulate(areas.begin(), areas.end(), __int128{0});
+    if (sum == 0 || std::ranges::find(areas, 0) != areas.end()) {
+        return false;
+    }
+    for (const bool isAgainst : {false, true}) {
+        for (std::size_t i = 0; i < loops.size(); ++i) {
+            if (((areas[i] > 0) != (sum > 0)) == isAgainst) {
+                addLoop(sketch, loops[i], isHole != isAgainst);
+            }
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+std::optional<ShapeSketch> healSlits(const ShapeSketch& sketch) {
+    std::vector<SlitContour> contours;
+    std::vector<std::uint32_t> slots;
+    for (std::size_t i = 0; i < sketch.contourCount(); ++i) {
+        contours.emplace_back(sketch.contour(i), slots);
+    }
+    if (std::ranges::none_of(contours, &SlitContour::hasSlits)) {
+        return std::nullopt;
+    }
+    ShapeSketch healed;
+    bool isHealed = false;
+    for (std::size_t i = 0; i < contours.size(); ++i) {
+        if (contours[i].hasSlits() && addLoops(healed, contours[i].loops(), sketch.isHole(i))) {
+            isHealed = true;
+        } else {
+            addLoop(healed, sketch.contour(i), sketch.isHole(i));
+        }
+    }
+    return isHealed ? std::optional(std::move(healed)) : std::nullopt;
+}
+
+}  // namespace model

@@ -1,0 +1,314 @@
+#include "model/geometry/slits.h"
+
+#include <QtTest>
+#include <algorithm>
+#include <random>
+
+#include "model/board/document_builder.h"
+#include "model/formats/common/archive.h"
+#include "model/formats/odb/features/features.h"
+#include "model/geometry/nesting.h"
+#include "model/geometry/region.h"
+#include "tests/locations.h"
+
+using model::EdgeKind;
+using model::PathNode;
+using model::Point;
+using model::PolygonSet;
+using model::ShapeSketch;
+
+namespace {
+
+/// Contours as "island 4, hole 4": kind and nodes.
+QString text(const ShapeSketch& sketch) {
+    QStringList parts;
+    for (std::size_t i = 0; i < sketch.contourCount(); ++i) {
+        parts += QString("%1 %2").arg(sketch.isHole(i) ? "hole" : "island").arg(sketch.contour(i).size());
+    }
+    return parts.join(", ");
+}
+
+ShapeSketch contour(std::initializer_list<Point> points, bool isHole = false) {
+    ShapeSketch sketch;
+    sketch.addPolygon(std::vector<Point>(points), isHole);
+    return sketch;
+}
+
+/// The polygons that the program makes of it with slits and all.
+PolygonSet unhealed(const ShapeSketch& sketch) {
+    return model::polygonsOf(sketch, {});
+}
+
+PolygonSet healed(const ShapeSketch& sketch) {
+    return model::polygonsOf(model::healSlits(sketch).value_or(sketch), {});
+}
+
+int winding(std::span<const Point> loop, double x, double y) {
+    int turns = 0;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const Point a = loop[i];
+        const Point b = loop[(i + 1) % loop.size()];
+        const double side = (double(b.x) - a.x) * (y - a.y) - (double(b.y) - a.y) * (x - a.x);
+        turns += a.y <= y && b.y > y && side > 0 ? 1 : 0;
+        turns -= b.y <= y && a.y > y && side < 0 ? 1 : 0;
+    }
+    return turns;
+}
+
+int winding(const PolygonSet& set, double x, double y) {
+    int turns = 0;
+    for (std::size_t i = 0; i < set.loopCount(); ++i) {
+        turns += winding(set.loop(i), x, y);
+    }
+    return turns;
+}
+
+/// Points over the whole shape, none of which lies on a corner.
+bool coversSame(const PolygonSet& a, const PolygonSet& b, int points) {
+    model::Box box;
+    std::ranges::for_each(a.points, [&](const Point& p) { box.include(p); });
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> x(box.min.x, box.max.x);
+    std::uniform_real_distribution<double> y(box.min.y, box.max.y);
+    for (int i = 0; i < points; ++i) {
+        const double px = x(random);
+        const double py = y(random);
+        if (winding(a, px, py) != winding(b, px, py)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// Every S record of every feature file of a job, as the file says it.
+std::vector<ShapeSketch> surfacesOf(const std::filesystem::path& job) {
+    base::Progress progress;
+    model::Diagnostics diagnostics;
+    const auto archive = model::formats::Archive::open(job, {}, progress, diagnostics);
+    std::vector<ShapeSketch> sketches;
+    for (int row = 0; archive && row < static_cast<int>(archive->size()); ++row) {
+        if (!archive->path(row).ends_with("/features")) {
+            continue;
+        }
+        const auto bytes = archive->bytes(row);
+        const auto file = model::odb::parseFeatures(bytes->view(), "", model::odb::Unit::Millimetre, diagnostics);
+        for (std::size_t shape = 0; shape < file.surfaces.size(); ++shape) {
+            if (file.surfaces.shapes[shape].contourCount > 0) {
+                sketches.push_back(sketchOf(file.surfaces, model::ShapeId{shape}));
+            }
+        }
+    }
+    return sketches;
+}
+
+}  // namespace
+
+class SlitsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void contours_data() {
+        QTest::addColumn<ShapeSketch>("sketch");
+        QTest::addColumn<QString>("expected");  // empty: nothing to heal
+        const auto row = [](const char* name, const ShapeSketch& sketch, const char* expected) {
+            QTest::newRow(name) << sketch << QString(expected);
+        };
+        row("a square", contour({{0, 0}, {90, 0}, {90, 90}, {0, 90}}), "");
+        row("a keyhole",
+            contour({{0, 0},
+                     {90, 0},
+                     {90, 90},
+                     {0, 90},
+                     {0, 50},
+                     {20, 50},
+                     {40, 70},
+                     {60, 50},
+                     {40, 30},
+                     {20, 50},
+                     {0, 50}}),
+            "island 5, hole 4");
+        row("the same, clockwise",
+            contour({{0, 50},
+                     {20, 50},
+                     {40, 30},
+                     {60, 50},
+                     {40, 70},
+                     {20, 50},
+                     {0, 50},
+                     {0, 90},
+                     {90, 90},
+                     {90, 0},
+                     {0, 0}}),
+            "island 5, hole 4");
+        row("one that begins in the middle of the slit",
+            contour({{20, 50},
+                     {40, 70},
+                     {60, 50},
+                     {40, 30},
+                     {20, 50},
+                     {0, 50},
+                     {0, 0},
+                     {90, 0},
+                     {90, 90},
+                     {0, 90},
+                     {0, 50}}),
+            "island 5, hole 4");
+        row("a slit from hole to hole",
+            contour({{0, 0},
+                     {90, 0},
+                     {90, 90},
+                     {0, 90},
+                     {0, 50},
+                     {20, 50},
+                     {30, 60},
+                     {40, 50},
+                     {60, 50},
+                     {70, 60},
+                     {80, 50},
+                     {70, 40},
+                     {60, 50},
+                     {40, 50},
+                     {30, 40},
+                     {20, 50},
+                     {0, 50}}),
+            "island 5, hole 4, hole 4");
+        row("two slits from one point",
+            contour({{0, 0},
+                     {90, 0},
+                     {90, 90},
+                     {0, 90},
+                     {0, 50},
+                     {20, 60},
+                     {20, 80},
+                     {40, 70},
+                     {20, 60},
+                     {0, 50},
+                     {20, 40},
+                     {40, 30},
+                     {20, 20},
+                     {20, 40},
+                     {0, 50}}),
+            "island 5, hole 3, hole 3");
+        row("an island in a hole",
+            contour({{0, 0},
+                     {90, 0},
+                     {90, 90},
+                     {0, 90},
+                     {0, 0},
+                     {10, 10},
+                     {10, 80},
+                     {80, 80},
+                     {80, 10},
+                     {10, 10},
+                     {20, 20},
+                     {60, 20},
+                     {60, 60},
+                     {20, 60},
+                     {20, 20},
+                     {10, 10}}),
+            "island 4, island 4, hole 4");
+        row("a slit that ends in the copper", contour({{0, 0}, {90, 0}, {90, 90}, {50, 50}, {90, 90}, {0, 90}}),
+            "island 4");
+        row("a corner that touches a corner", contour({{0, 0}, {50, 50}, {90, 0}, {90, 90}, {50, 50}, {0, 90}}), "");
+        row("an edge that runs along part of another",
+            contour({{0, 0}, {90, 0}, {90, 90}, {0, 90}, {0, 50}, {20, 50}, {40, 70}, {60, 50}, {0, 50}}), "");
+        row("an edge run twice the same way", contour({{0, 0}, {90, 0}, {90, 90}, {0, 0}, {90, 0}, {90, 90}}), "");
+        row("a slit and nothing else", contour({{0, 0}, {90, 0}}), "");
+        row("a figure of eight beside the slit, halves alike",
+            contour({{0, 0},
+                     {90, 0},
+                     {90, 90},
+                     {0, 90},
+                     {0, 0},
+                     {10, 10},
+                     {20, 20},
+                     {30, 20},
+                     {20, 30},
+                     {30, 30},
+                     {20, 20},
+                     {10, 10}}),
+            "");
+    }
+    void contours() {
+        QFETCH(ShapeSketch, sketch);
+        QFETCH(QString, expected);
+        const std::optional<ShapeSketch> result = model::healSlits(sketch);
+        QCOMPARE(result ? text(*result) : QString(), expected);
+        QVERIFY(coversSame(unhealed(sketch), healed(sketch), 400));
+        QVERIFY(model::twiceArea(unhealed(sketch)) == model::twiceArea(healed(sketch)));
+    }
+
+    void arcsStayArcs() {
+        const Point centre{50, 50};
+        ShapeSketch sketch = contour({{0, 0}, {90, 0}, {90, 90}, {0, 90}, {0, 50}});
+        sketch.addNode(Point{40, 50});
+        sketch.addNode({{40, 50}, centre, EdgeKind::ArcClockwise});  // a full circle
+        const auto result = model::healSlits(sketch);
+        QVERIFY(!result);  // the way back is missing: not a slit but a crack
+        sketch = contour({{0, 0}, {90, 0}, {90, 90}, {0, 90}, {0, 50}});
+        sketch.addNode({{40, 50}, centre, EdgeKind::ArcClockwise});
+        sketch.addNode(Point{40, 50});
+        sketch.addNode(Point{0, 50});
+        const auto circle = model::healSlits(sketch);
+        QVERIFY(circle.has_value());
+        QCOMPARE(text(*circle), QString("island 5, hole 1"));
+        QVERIFY((circle->contour(1)[0] == PathNode{{40, 50}, centre, EdgeKind::ArcClockwise}));
+    }
+
+    /// Holes of a job stay where they are, and a hole with a slit becomes a hole with an island in it.
+    void holesAreHealedToo() {
+        ShapeSketch sketch = contour({{0, 0}, {90, 0}, {90, 90}, {0, 90}});
+        sketch.addPolygon(
+            std::vector<Point>{
+                {10, 10}, {80, 10}, {80, 80}, {10, 80}, {10, 10}, {20, 20}, {20, 60}, {60, 60}, {60, 20}, {20, 20}},
+            true);
+        const auto result = model::healSlits(sketch);
+        QVERIFY(result.has_value());
+        QCOMPARE(text(*result), QString("island 4, hole 4, island 4"));
+    }
+
+    void areasOfADocumentHaveNoSlits() {
+        model::DocumentBuilder builder;
+        const model::ShapeId shape = builder.addShape(contour(
+            {{0, 0}, {90, 0}, {90, 90}, {0, 90}, {0, 50}, {20, 50}, {40, 70}, {60, 50}, {40, 30}, {20, 50}, {0, 50}}));
+        const auto contours = builder.shapes().contoursOf(shape);
+        QCOMPARE(contours.size(), std::size_t{2});
+        QVERIFY(!contours[0].isHole && contours[1].isHole);
+    }
+
+    void surfacesOfJobsKeepTheirAreas_data() {
+        QTest::addColumn<QString>("job");
+        QTest::addColumn<std::size_t>("holes");  // that no record H says
+        const auto row = [](const char* job, std::size_t holes) {
+            if (!locations::boardsNamed({job}).empty()) {
+                QTest::newRow(job) << QString::fromStdString((locations::boards() / job).string()) << holes;
+            }
+        };
+        row("kicad/StickHub.tgz", 7);
+        row("kicad/jetson-agx-thor-baseboard.tgz", 8477);
+        row("kicad/dram-tester.tgz", 1398);
+        row("severson_amdc_revC.tgz", 0);
+        row("opencellular_sync.tgz", 0);
+    }
+    void surfacesOfJobsKeepTheirAreas() {
+        QFETCH(QString, job);
+        QFETCH(std::size_t, holes);
+        std::size_t made = 0;
+        for (const ShapeSketch& sketch : surfacesOf(job.toStdString())) {
+            const auto result = model::healSlits(sketch);
+            if (!result) {
+                continue;
+            }
+            const PolygonSet before = unhealed(sketch);
+            const PolygonSet after = healed(sketch);
+            QVERIFY(model::twiceArea(before) == model::twiceArea(after));
+            QVERIFY(!model::healSlits(*result));
+            QVERIFY(coversSame(before, after, locations::isThorough() ? 1000 : 50));
+            made += after.loopCount() - before.loopCount();
+        }
+        QCOMPARE(made, holes);
+    }
+};
+
+QTEST_APPLESS_MAIN(SlitsTest)
+#include "slits_test.moc"
