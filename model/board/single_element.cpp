@@ -1,5 +1,8 @@
 #include "model/board/single_element.h"
 
+#include <algorithm>
+#include <cstdlib>
+
 #include "model/board/element_copy.h"
 #include "model/geometry/outlines.h"
 
@@ -21,14 +24,46 @@ Layer emptyLayerLike(const Layer& layer) {
     return out;
 }
 
+bool isNearer(Point a, Point b, Nm distance) {
+    return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)) < distance;
+}
+
+/// Contours without nodes nearer to each other than `detail`; those smaller than it are left out, but for the first.
+ShapeSketch coarse(const Document& document, ShapeId shape, Nm detail) {
+    ShapeSketch sketch;
+    for (const Contour& contour : document.shapes.contoursOf(shape)) {
+        const std::span<const PathNode> nodes = document.shapes.nodesOf(contour);
+        const Box box = boxOfPath(nodes, true);
+        if (std::max(box.width(), box.height()) < detail && !sketch.isEmpty()) {
+            continue;
+        }
+        sketch.beginContour(contour.isHole);
+        Point last = nodes.front().point;
+        EdgeKind before = EdgeKind::ArcClockwise;  // of the edge that comes to a node; arcs keep both their ends
+        for (const PathNode& node : nodes) {
+            if (node.edge != EdgeKind::Line || before != EdgeKind::Line || !isNearer(node.point, last, detail)) {
+                sketch.addNode(node);
+                last = node.point;
+            }
+            before = node.edge;
+        }
+    }
+    return sketch;
+}
+
 }  // namespace
 
-std::shared_ptr<const Document> elementAlone(const Document& document, ElementId element) {
+std::shared_ptr<const Document> elementAlone(const Document& document, ElementId element, Nm detail) {
     DocumentBuilder builder;
     builder.beginLayer(builder.addLayer(emptyLayerLike(document.layer(document.elements.layer[element.row()]))));
     DocumentBuilder::Origin origin;
     origin.flags = document.elements.flags[element.row()];
-    const ElementId copy = ElementCopier(builder, document).copy(element, origin);
+    const bool isCoarse = detail > 0 && document.elements.kind[element.row()] == ElementKind::Area;
+    const auto addCoarse = [&] {
+        const AreaGeometry& area = document.areas[document.elements.geometry[element.row()]];
+        return builder.addArea({builder.addShape(coarse(document, area.shape, detail)), area.placement}, origin);
+    };
+    const ElementId copy = isCoarse ? addCoarse() : ElementCopier(builder, document).copy(element, origin);
     if (const Body* body = document.bodyOf(element)) {
         builder.addBody({copy, {}, body->height, body->source});
     }

@@ -32,6 +32,22 @@ render::Camera cameraFor(const model::Document& alone, const render::BoardModel&
     return camera;
 }
 
+/// The element with as many nodes as can be drawn; null if none of its nodes can be left out.
+std::shared_ptr<const model::Document> small(const model::Document& document, model::ElementId element) {
+    if (model::nodeCountOf(document, element) <= ElementPicture::kMostNodes) {
+        return model::elementAlone(document, element);
+    }
+    const model::Box box = document.boxOf(element);
+    const auto size = std::max(box.width(), box.height());
+    for (auto detail = size / (2 * kWidth); detail < size; detail *= 2) {
+        const auto alone = model::elementAlone(document, element, static_cast<model::Nm>(detail));
+        if (model::nodeCountOf(*alone, model::ElementId{0}) <= ElementPicture::kMostNodes) {
+            return alone;
+        }
+    }
+    return nullptr;
+}
+
 }  // namespace
 
 ElementPicture::ElementPicture(GpuContext& context, SelectionModel& selection, LayerModel& layers, QWidget* parent)
@@ -90,13 +106,13 @@ void ElementPicture::draw(QSize pixels) {
 }
 
 QString ElementPicture::drawElement(const model::Document& document, model::ElementId element, QSize pixels) {
-    if (model::nodeCountOf(document, element) > kMostNodes) {
-        return tr("Too large for a picture");
-    }
     if (m_context.device().isLost()) {
         return tr("No picture: the graphics device failed");
     }
-    const auto alone = model::elementAlone(document, element);
+    const auto alone = small(document, element);
+    if (!alone) {
+        return tr("Too large for a picture");
+    }
     base::Progress progress;
     const auto model = render::buildBoardModel(*alone, {}, progress);
     if (!model) {

@@ -21,8 +21,9 @@ class ElementPicture : public QWidget {
     Q_OBJECT
 
 public:
-    /// An element of more nodes is not drawn: that would hold up the window.
-    static constexpr std::size_t kMostNodes = 200'000;
+    /// An area of more nodes is drawn without what is smaller than the picture's pixels, so that it does not hold up
+    /// the window; a track chain of more is not drawn.
+    static constexpr std::size_t kMostNodes = 10'000;
 
     ElementPicture(GpuContext& context, SelectionModel& selection, LayerModel& layers, QWidget* parent = nullptr);
 

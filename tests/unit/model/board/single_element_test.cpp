@@ -2,8 +2,12 @@
 #include "model/board/single_element.h"
 
 #include <QtTest>
+#include <array>
+#include <cmath>
 
+#include "model/board/document_builder.h"
 #include "model/formats/registry.h"
+#include "model/geometry/vectors.h"
 #include "model/statistics/element_sizes.h"
 #include "tests/locations.h"
 
@@ -37,6 +41,27 @@ private slots:
         for (const ElementKind kind : {ElementKind::Line, ElementKind::Circle, ElementKind::Area}) {
             QVERIFY(seen[static_cast<std::size_t>(kind)] > 0);
         }
+    }
+
+    void detailsOfAreasAreLeftOutForAPicture() {
+        DocumentBuilder builder;
+        builder.beginLayer(builder.addLayer({}));
+        ShapeSketch sketch;
+        sketch.addCircle({0, 0}, 50'000'000, false);
+        sketch.beginContour(true);
+        for (int i = 0; i < 20'000; ++i) {
+            const double angle = i * 2e-4 * std::acos(-1.0) / 2;
+            sketch.addNode(Point{toNm(20e6 * std::cos(angle)), toNm(20e6 * std::sin(angle))});
+        }
+        sketch.addPolygon(std::array<Point, 3>{{{30'000'000, 0}, {30'010'000, 0}, {30'000'000, 10'000}}}, true);
+        builder.addArea({builder.addShape(sketch), {}}, {});
+        const auto whole = builder.finish();
+        const auto coarse = elementAlone(*whole, ElementId{0}, 1'000'000);
+        QVERIFY(nodeCountOf(*coarse, ElementId{0}) < 200);
+        QCOMPARE(coarse->shapes.contoursOf(coarse->areas[0].shape).size(), std::size_t{2});
+        const double area = areaOf(*whole, ElementId{0});
+        QVERIFY(std::abs(areaOf(*coarse, ElementId{0}) - area) < 0.002 * area);
+        QVERIFY(coarse->boxOf(ElementId{0}) == whole->boxOf(ElementId{0}));
     }
 };
 
