@@ -77,6 +77,7 @@ void showCursor(BoardView& view, Qt::CursorShape shape) {
 MeasureFeature::MeasureFeature(FeatureContext& context)
     : QObject(&context.window),
       m_workspace(context.workspace),
+      m_hint(context.workspace),
       m_views(context.views),
       m_probing(context.probing),
       m_readout(context.position),
@@ -228,9 +229,7 @@ bool MeasureFeature::stepBack() {
 }
 
 void MeasureFeature::reportNextClick() {
-    if (m_tool != Tool::None) {
-        m_workspace.report(tr(factsOf(m_tool).hints[m_clicked.size()]));
-    }
+    m_tool != Tool::None ? m_hint.show(tr(factsOf(m_tool).hints[m_clicked.size()])) : m_hint.end();
 }
 
 void MeasureFeature::clearClicks() {
@@ -264,7 +263,7 @@ void MeasureFeature::click(BoardView& view, QPointF position, Qt::KeyboardModifi
         return;
     }
     if (const QString refusal = refusalOf(*caught); !refusal.isEmpty()) {
-        m_workspace.report(refusal);
+        m_hint.show(refusal);
         return;
     }
     m_clicked.push_back(*caught);
@@ -284,9 +283,9 @@ void MeasureFeature::click(BoardView& view, QPointF position, Qt::KeyboardModifi
 
 void MeasureFeature::reportWhyNothing(const BoardView& view, QPointF position) {
     const auto empty = m_tool == Tool::Objects ? m_cursor.emptyAt(view, position) : std::nullopt;
-    m_workspace.report(empty ? tr("%1 covers nothing, so it has no distance")
-                                   .arg(QString::fromStdString(model::nameOf(*m_index, *empty)))
-                             : tr(factsOf(m_tool).nothing));
+    m_hint.show(empty ? tr("%1 covers nothing, so it has no distance")
+                            .arg(QString::fromStdString(model::nameOf(*m_index, *empty)))
+                      : tr(factsOf(m_tool).nothing));
 }
 
 QString MeasureFeature::refusalOf(const Caught& caught) const {

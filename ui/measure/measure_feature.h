@@ -8,6 +8,7 @@
 #include "ui/measure/measurement_painter.h"
 #include "ui/workspace/background_result.h"
 #include "ui/workspace/feature.h"
+#include "ui/workspace/hint.h"
 #include "ui/workspace/session_part.h"
 
 namespace ui {
@@ -67,6 +68,7 @@ private:
     void paintClicks(MeasurementPainter& on, const BoardView& view) const;
 
     Workspace& m_workspace;
+    Hint m_hint;  ///< what to click next
     BoardViews& m_views;
     Probing& m_probing;
     PositionReadout& m_readout;

@@ -28,6 +28,7 @@ bool hasLength(const std::vector<base::PointD>& line) {
 SectionFeature::SectionFeature(FeatureContext& context)
     : QObject(&context.window),
       m_workspace(context.workspace),
+      m_hint(context.workspace),
       m_actions(context.actions),
       m_selection(context.workspace.selection()),
       m_line(context.views.flat()),
@@ -115,6 +116,7 @@ void SectionFeature::setBoard(const LoadedBoard& board) {
 }
 
 void SectionFeature::onPlaced() {
+    m_hint.end();
     m_actions[ActionId::DrawSection].setChecked(false);
     if (m_plane.isAlongLine() && straightLine()) {
         showIn3D();
@@ -133,7 +135,7 @@ void SectionFeature::showIn3D() {
 void SectionFeature::draw(bool isOn) {
     m_line.setDrawing(isOn);
     if (isOn) {
-        m_workspace.report(
+        m_hint.show(
             tr("Drag a line, or click its corners: a double click or Enter ends it, Backspace takes the "
                "last corner back, Esc gives up"));
     }

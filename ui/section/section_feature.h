@@ -8,6 +8,7 @@
 #include "ui/section/section_panel.h"
 #include "ui/section/section_plane_tool.h"
 #include "ui/workspace/feature.h"
+#include "ui/workspace/hint.h"
 #include "ui/workspace/session_part.h"
 
 namespace ui {
@@ -48,6 +49,7 @@ private:
     void cut();
 
     Workspace& m_workspace;
+    Hint m_hint;
     const ActionSet& m_actions;
     SelectionModel& m_selection;
     SectionLine m_line;

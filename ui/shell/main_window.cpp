@@ -255,6 +255,11 @@ void MainWindow::connectHelp() {
 void MainWindow::connectStatus() {
     connect(&m_workspace, &Workspace::reported, this, [this](const QString& text) { statusBar()->showMessage(text); });
     connect(&m_workspace, &Workspace::errorReported, m_messageBar, &MessageBar::showError);
+    connect(&m_workspace.history(), &QUndoStack::indexChanged, this, [this](int index) {
+        if (index > 0) {  // 0: emptied, with another board
+            m_messageBar->endEarlierError();
+        }
+    });
     connect(&m_workspace, &Workspace::workBegan, m_statusLine, &StatusLine::beginWork);
     connect(&m_workspace, &Workspace::workBegan, this, [this] {
         m_actions[ActionId::CancelLoading].setEnabled(true);

@@ -21,12 +21,21 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent), m_label(new QLabel) {
     layout->setContentsMargins(10, 4, 6, 4);
     layout->addWidget(m_label, 1);
     layout->addWidget(close);
+    m_isNew.setSingleShot(true);
+    m_isNew.setInterval(0);
     hide();
 }
 
 void MessageBar::showError(const QString& text) {
     m_label->setText(text);
     show();
+    m_isNew.start();
+}
+
+void MessageBar::endEarlierError() {
+    if (!m_isNew.isActive()) {
+        hide();
+    }
 }
 
 }  // namespace ui

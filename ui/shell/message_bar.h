@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QFrame>
+#include <QTimer>
 
 class QLabel;
 
@@ -15,9 +16,12 @@ public:
     explicit MessageBar(QWidget* parent = nullptr);
 
     void showError(const QString& text);
+    /// Something succeeded: an error from before it is over, one that came with it is not.
+    void endEarlierError();
 
 private:
     QLabel* m_label;
+    QTimer m_isNew;  ///< runs until what was going on when the error came is done
 };
 
 }  // namespace ui

@@ -5,6 +5,7 @@
 #include <QFile>
 #include <QListView>
 #include <QMouseEvent>
+#include <QStatusBar>
 #include <QWheelEvent>
 #include <QtTest>
 
@@ -62,6 +63,22 @@ private slots:
         QVERIFY(same(view().section()->pieces, expected().pieces));
         QVERIFY(same(view().section()->bores, expected().bores));
         QVERIFY(window().selection().selected().empty());  // the drag drew no box
+    }
+
+    void theHintGoesWithTheTool() {
+        QStatusBar& bar = *window().statusBar();
+        m_fixture->key(Qt::Key_S, Qt::ShiftModifier);
+        QVERIFY(bar.currentMessage().startsWith("Drag a line"));
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(bar.currentMessage().isEmpty());
+        m_fixture->key(Qt::Key_S, Qt::ShiftModifier);
+        window().workspace().report(QString("something else"));
+        m_fixture->key(Qt::Key_Escape);
+        QCOMPARE(bar.currentMessage(), QString("something else"));
+        m_fixture->key(Qt::Key_M);
+        QVERIFY(!bar.currentMessage().isEmpty());
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(bar.currentMessage().isEmpty());
     }
 
     void cornersAreClickedTakenBackAndEnded() {

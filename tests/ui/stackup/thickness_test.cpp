@@ -123,6 +123,14 @@ private slots:
         QVERIFY(!window().actions()[ActionId::Undo].isEnabled());
     }
 
+    void aRefusalIsOverWithTheNextEdit() {
+        type("CORE1", "-5");
+        QVERIFY(window().messageBar().isVisible());
+        QCoreApplication::processEvents();
+        type("CORE1", "0.4 mm");
+        QVERIFY(!window().messageBar().isVisible());
+    }
+
     void thicknessesOfTheCommandLineAreNotKeptUntilEdited() {
         openWith({.path = m_job, .thicknesses = {"CORE1=0.3mm", "TOP=2oz"}});
         QCOMPARE(rowOf("CORE1").thickness, 300'000);
