@@ -42,6 +42,8 @@ public:
     /// Looks straight at the board and stays so: parallel, from above or below.
     void setPlan();
     [[nodiscard]] bool isPlan() const { return m_isPlan; }
+    /// A button is held down.
+    [[nodiscard]] bool isDragging() const { return m_button != Qt::NoButton; }
     /// Until the user moves the camera, the board is fitted again whenever viewport or box change.
     void setViewport(QSizeF size);
     /// The box `fit` shows, in board model millimetres.

@@ -47,6 +47,7 @@ Probing::Probing(BoardViews& views, Workspace& workspace, NetStyles& nets, QObje
     CameraController& flat = views.flat().controller();
     connect(&flat, &CameraController::boxDrawn, this, [this](QPointF from, QPointF to) {
         m_box = {from, to};
+        m_selection.hover(std::nullopt);
         m_views.flat().requestOverlay();
     });
     connect(&flat, &CameraController::boxFinished, this, &Probing::selectBox);
@@ -60,8 +61,10 @@ void Probing::watch(BoardView& view) {
         m_hoverView = &view;
         m_hoverAt = position;
         m_rest.start(view.isSlow() ? kSlowRestMs : kRestMs);
+        endStaleHover(view);
         announceLocation(view, position);
     });
+    connect(&controller, &CameraController::moved, this, [this, &view] { hoverAgain(view); });
     connect(&controller, &CameraController::left, this, [this] {
         m_rest.stop();
         m_hoverView = nullptr;
@@ -159,6 +162,33 @@ void Probing::hover() {
     }
     QToolTip::showText(m_hoverView->mapToGlobal(m_hoverAt.toPoint()) + QPoint(0, 4),
                        summaryOf(m_selection.tree(), hits.front().at, m_workspace.unit()), m_hoverView);
+}
+
+/// Nothing is shown as hovered that the pointer has left, however long it takes until it rests.
+void Probing::endStaleHover(BoardView& view) {
+    if (const auto before = m_selection.hovered()) {
+        const std::vector<model::Hit> hits = hitsAt(view, m_hoverAt);
+        if (hits.empty() || hits.front().at != *before) {
+            m_selection.hover(std::nullopt);
+            QToolTip::hideText();
+        }
+    }
+}
+
+/// The camera has moved: what was under the pointer is elsewhere. In a drag the pointer is elsewhere too, and says
+/// where when it moves next.
+void Probing::hoverAgain(const BoardView& view) {
+    if (m_hoverView != &view) {
+        return;
+    }
+    m_selection.hover(std::nullopt);
+    QToolTip::hideText();
+    if (view.controller().isDragging()) {
+        m_rest.stop();
+        m_hoverView = nullptr;
+    } else {
+        m_rest.start(view.isSlow() ? kSlowRestMs : kRestMs);
+    }
 }
 
 void Probing::announceLocation(const BoardView& view, QPointF position) {

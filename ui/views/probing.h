@@ -58,6 +58,8 @@ private:
     void watch(BoardView& view);
     void hideNets();
     void hover();
+    void endStaleHover(BoardView& view);
+    void hoverAgain(const BoardView& view);
     void click(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers);
     void showInOther(BoardView& view);
     void selectBox(QPointF from, QPointF to, Qt::KeyboardModifiers modifiers);

@@ -148,6 +148,39 @@ private slots:
         QVERIFY(window().label("position").isEmpty());
     }
 
+    void hoveringEndsWhenThePointerOrTheBoardMovesAway() {
+        const model::ElementId pad = aPad();
+        BoardView& view = views().flat();
+        view.controller().show(boxMin(pad), boxMax(pad));
+        const QPointF at = centreOf(view, pad);
+        const auto hover = [&] {
+            mouse(view, QEvent::MouseMove, Qt::NoButton, at);
+            QTRY_VERIFY(window().selection().hovered().has_value());
+        };
+        hover();
+        mouse(view, QEvent::MouseMove, Qt::NoButton, at + QPointF(1, 1));
+        QVERIFY(window().selection().hovered().has_value());  // still on it
+        mouse(view, QEvent::MouseMove, Qt::NoButton, {1, 1});
+        QVERIFY(!window().selection().hovered().has_value());  // at once, not when the pointer rests
+        hover();
+        drag(view, at, at + QPointF(60, 60));  // a box
+        QVERIFY(!window().selection().hovered().has_value());
+        hover();
+        mouse(view, QEvent::MouseButtonPress, Qt::MiddleButton, at);
+        mouse(view, QEvent::MouseMove, Qt::MiddleButton, at + QPointF(60, 0));
+        QVERIFY(!window().selection().hovered().has_value());
+        mouse(view, QEvent::MouseButtonRelease, Qt::MiddleButton, at + QPointF(60, 0));
+        QTest::qWait(100);
+        QVERIFY(!window().selection().hovered().has_value());  // where the pointer is now it has not said
+        view.controller().show(boxMin(pad), boxMax(pad));
+        hover();
+        view.controller().zoomAtCentre(1.2F);
+        QVERIFY(!window().selection().hovered().has_value());
+        QTRY_VERIFY(window().selection().hovered().has_value());  // the pad is still under the pointer
+        QEvent leave(QEvent::Leave);
+        QCoreApplication::sendEvent(&view.canvas(), &leave);
+    }
+
     void netKeyLightsUpTheNetAndEscapeTakesBackOneStepAtATime() {
         const model::ElementId pad = aPad();
         window().selection().select({{0, pad}});
