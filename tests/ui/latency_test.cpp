@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "model/board/single_element.h"
 #include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
 
@@ -79,6 +80,19 @@ private slots:
         measure("select", [this](int i) {
             const std::size_t count = window().document()->elements.size();
             window().selection().select({{0, model::ElementId{count * static_cast<std::size_t>(i) / 10}}});
+        });
+    }
+
+    void theLargestPlane() {
+        const model::ElementId plane = largestPlane();
+        const auto at = [plane](int i) {
+            return i % 2 == 0 ? std::optional(model::BoardElement{0, plane}) : std::nullopt;
+        };
+        const std::size_t nodes = model::nodeCountOf(*window().document(), plane);
+        measure(qPrintable(QString("hover a plane of %1 nodes").arg(nodes)),
+                [&](int i) { window().selection().hover(at(i)); });
+        measure(qPrintable(QString("select a plane of %1 nodes").arg(nodes)), [&](int i) {
+            window().selection().select(at(i) ? std::vector{*at(i)} : std::vector<model::BoardElement>{});
         });
     }
 
@@ -198,6 +212,19 @@ private:
             largest = board.elementsOf(net).size() > board.elementsOf(largest).size() ? net : largest;
         }
         return largest;
+    }
+
+    /// The element of most nodes.
+    model::ElementId largestPlane() {
+        const model::Document& board = *window().document();
+        std::size_t largest = 0;
+        for (std::size_t row = 0; row < board.elements.size(); ++row) {
+            largest =
+                model::nodeCountOf(board, model::ElementId{row}) > model::nodeCountOf(board, model::ElementId{largest})
+                    ? row
+                    : largest;
+        }
+        return model::ElementId{largest};
     }
 
     /// All frames that were asked for are drawn.

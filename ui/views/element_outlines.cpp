@@ -2,8 +2,8 @@
 
 #include <QPainter>
 #include <algorithm>
-#include <iterator>
 
+#include "model/board/single_element.h"
 #include "model/figures/element_polygons.h"
 #include "model/geometry/boolean.h"
 
@@ -11,17 +11,37 @@ namespace ui {
 
 namespace {
 
-constexpr QColor kHoverInk(255, 255, 255);
-constexpr QColor kSelectedInk(255, 221, 87);
+constexpr std::array kInks = {QColor(255, 221, 87), QColor(255, 255, 255)};
+enum Ink { Selected, Hovered };
 constexpr QColor kShadow(0, 0, 0, 140);
 constexpr double kWidth = 1.6;
-constexpr double kLeastOpening = 12.0;  ///< the rims of smaller ones, in pixels, would cover a plane full of vias
-/// Track chains of more points than this are outlined one by one: uniting them would take too long.
+/// Track chains of more points than this, and those beyond so many in all, are outlined track by track: uniting them
+/// would take too long.
 constexpr std::size_t kMostToUnite = 4000;
 
-model::PolygonSet loopsOf(const model::Document& step, model::ElementId element) {
+model::PolygonSet loopsOf(const model::Document& step, model::ElementId element, std::size_t& pointsToUnite) {
     model::PolygonSet parts = model::discretise(step, element, {});
-    return parts.polygons.size() > 1 && parts.points.size() <= kMostToUnite ? model::unite(parts) : parts;
+    const bool isTracks = step.elements.kind[element.row()] != model::ElementKind::Area && parts.polygons.size() > 1;
+    if (!isTracks || parts.points.size() > pointsToUnite) {
+        return parts;
+    }
+    pointsToUnite -= parts.points.size();
+    return model::unite(parts);
+}
+
+/// Where a body is drawn above the lower face of its layer, which may be flipped.
+std::optional<render::ZRange> bodyHeights(const model::Document& step, model::ElementId element, bool isFlipped) {
+    if (step.bodyOf(element) == nullptr) {
+        return std::nullopt;
+    }
+    const model::Layer& layer = step.layer(step.elements.layer[element.row()]);
+    const model::ZRange z = step.heightsOf(element);
+    const auto above = [&](model::Nm height) {
+        return static_cast<float>((double(height) - layer.z) / base::kNmPerMm);
+    };
+    const float thickness = above(layer.z + layer.thickness);
+    return isFlipped ? render::ZRange{thickness - above(z.top), thickness - above(z.bottom)}
+                     : render::ZRange{above(z.bottom), above(z.top)};
 }
 
 }  // namespace
@@ -30,81 +50,95 @@ ElementOutlines::ElementOutlines(BoardViews& views, Workspace& workspace, QObjec
     : QObject(parent), m_views(views), m_selection(workspace.selection()) {
     connect(&m_selection, &SelectionModel::hoverChanged, this, &ElementOutlines::updateHovered);
     connect(&m_selection, &SelectionModel::highlightChanged, this, &ElementOutlines::updateSelected);
-    for (BoardView* view : views.both()) {
-        view->addPainter([this, view](QPainter& painter) { paint(painter, *view); }, BoardView::Shown::OnCanvas);
+    for (std::size_t i = 0; i < m_pointers.size(); ++i) {
+        watch(*views.both()[i], m_pointers[i]);
     }
 }
 
-ElementOutlines::Outline ElementOutlines::outlineOf(const model::BoardElement& at) const {
+void ElementOutlines::watch(BoardView& view, std::optional<QPointF>& pointer) {
+    view.addPainter([this, &view](QPainter& painter) { paint(painter, view); }, BoardView::Shown::OnCanvas);
+    const auto setPointer = [this, &view, &pointer](std::optional<QPointF> at) {
+        pointer = at;
+        const auto isPerforated = [](const Outline& outline) { return outline.runs.isPerforated(); };
+        if (isPerforated(m_hovered) || std::ranges::any_of(m_selected, isPerforated)) {
+            view.requestOverlay();  // other openings are near the pointer
+        }
+    };
+    connect(&view.controller(), &CameraController::hovered, this, setPointer);
+    connect(&view.controller(), &CameraController::left, this, [setPointer] { setPointer(std::nullopt); });
+}
+
+ElementOutlines::Outline ElementOutlines::outlineOf(const model::BoardElement& at, std::size_t& pointsToUnite) const {
     const model::Document& step = m_selection.stepOf(at);
     const model::StepCopy& copy = m_selection.tree().copies[at.copy];
-    return {model::placed(loopsOf(step, at.element), copy.placement),
-            step.layerOfCopy(step.elements.layer[at.element.row()], copy.isFlipped)};
+    return {OutlineRuns(model::placed(loopsOf(step, at.element, pointsToUnite), copy.placement)),
+            step.layerOfCopy(step.elements.layer[at.element.row()], copy.isFlipped),
+            bodyHeights(step, at.element, copy.isFlipped)};
 }
 
 void ElementOutlines::updateHovered() {
     const auto at = m_selection.hovered();
-    m_hovered = at ? outlineOf(*at) : Outline();
+    std::size_t pointsToUnite = kMostToUnite;
+    m_hovered = at ? outlineOf(*at, pointsToUnite) : Outline();
     m_views.requestOverlay();
 }
 
 void ElementOutlines::updateSelected() {
     m_selected.clear();
+    std::size_t pointsToUnite = kMostToUnite;
+    std::size_t nodes = 0;
     for (const auto* elements : {&m_selection.nearby(), &m_selection.selected()}) {
-        if (elements->size() <= kMostOutlined) {
-            std::ranges::transform(*elements, std::back_inserter(m_selected),
-                                   [this](const model::BoardElement& at) { return outlineOf(at); });
+        for (std::size_t i = 0; elements->size() <= kMostOutlined && i < elements->size(); ++i) {
+            const model::BoardElement& at = (*elements)[i];
+            nodes += model::nodeCountOf(m_selection.stepOf(at), at.element);
+            if (nodes > kMostNodes) {
+                break;
+            }
+            m_selected.push_back(outlineOf(at, pointsToUnite));
         }
     }
     m_views.requestOverlay();
 }
 
-void ElementOutlines::paint(QPainter& painter, const BoardView& view) const {
-    for (const Outline& outline : m_selected) {
-        paintOutline(painter, view, outline, kSelectedInk);
+OutlineStrokes ElementOutlines::strokesOver(const BoardView& view) const {
+    const std::size_t index = &view == m_views.both()[0] ? 0 : 1;
+    OutlineSight sight{
+        view.controller().clipFromBoard(), view.controller().viewport(), view.position(), {}, m_pointers[index]};
+    if (view.cut() != nullptr) {
+        sight.cut = view.cut()->plane;
     }
-    paintOutline(painter, view, m_hovered, kHoverInk);
-}
-
-void ElementOutlines::paintOutline(QPainter& painter, const BoardView& view, const Outline& outline,
-                                   const QColor& ink) const {
-    if (outline.loops.points.empty()) {
-        return;
-    }
+    OutlineStrokes strokes(sight);
     const std::vector<render::ZRange> heights = view.drawnHeights();
-    if (outline.layer.row() >= heights.size()) {
-        return;
-    }
     const bool isFromBelow = view.controller().camera().direction().z > 0.0F;
-    const render::ZRange& height = heights[outline.layer.row()];
-    const float z = isFromBelow ? height.z0 : height.z1;
-    for (const model::PolygonSet::Polygon& polygon : outline.loops.polygons) {
-        for (std::uint32_t loop = 0; loop < polygon.loopCount; ++loop) {
-            const QPolygonF line = onScreen(view, outline.loops.loop(polygon.firstLoop + loop), z);
-            const QSizeF size = line.boundingRect().size();
-            if (loop > 0 && std::max(size.width(), size.height()) < kLeastOpening) {
-                continue;
-            }
-            for (const auto& [colour, width] : {std::pair(kShadow, 2.0 * kWidth), std::pair(ink, kWidth)}) {
-                painter.setPen(QPen(colour, width));
-                painter.drawPolygon(line);
-            }
+    const auto add = [&](const Outline& outline, Ink ink) {
+        const std::size_t row = outline.layer.row();
+        if (outline.runs.isEmpty() || row >= heights.size() || !view.styles()[row].isVisible) {
+            return;
         }
-    }
+        render::ZRange z = heights[row];
+        if (outline.body) {
+            z = {heights[row].z0 + outline.body->z0, heights[row].z0 + outline.body->z1};
+        }
+        strokes.add(outline.runs, isFromBelow ? z.z0 : z.z1, ink);
+    };
+    add(m_hovered, Hovered);  // first: what is too much goes from the end
+    std::ranges::for_each(m_selected, [&](const Outline& outline) { add(outline, Selected); });
+    strokes.thin();
+    return strokes;
 }
 
-QPolygonF ElementOutlines::onScreen(const BoardView& view, std::span<const base::Point> loop, float z) const {
-    QPolygonF line;
-    for (const base::Point& point : loop) {
-        glm::vec3 at = view.position().toModel(base::toDouble(point));
-        at.z = z;
-        const auto pixel = view.controller().screenOf(at);
-        // Points that fall on one pixel are one.
-        if (pixel && (line.isEmpty() || (*pixel - line.back()).manhattanLength() >= 1.0)) {
-            line += *pixel;
+void ElementOutlines::paint(QPainter& painter, const BoardView& view) const {
+    const OutlineStrokes strokes = strokesOver(view);
+    for (const Ink ink : {Selected, Hovered}) {
+        for (const auto& [colour, width] : {std::pair(kShadow, 2.0 * kWidth), std::pair(kInks[ink], kWidth)}) {
+            painter.setPen(QPen(colour, width));
+            for (const OutlineStrokes::Line& line : strokes.lines()) {
+                if (line.ink == ink) {
+                    painter.drawPolyline(line.points);
+                }
+            }
         }
     }
-    return line;
 }
 
 }  // namespace ui

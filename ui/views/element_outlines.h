@@ -1,32 +1,35 @@
 #pragma once
 
-#include <QColor>
 #include <QObject>
-#include <QPolygonF>
-#include <span>
+#include <array>
+#include <optional>
 #include <vector>
 
-#include "model/geometry/discretise.h"
-#include "ui/views/board_position.h"
 #include "ui/views/board_views.h"
+#include "ui/views/outline_strokes.h"
 #include "ui/workspace/workspace.h"
 
 namespace ui {
 
 /// Draws the outlines of the element under the pointer, and of what is selected or near it, over both views. They are
 /// painted, not drawn by the device, so that they need not wait for a frame of the board: where frames are slow they
-/// would lag behind the pointer. They also show where something lies that other layers cover.
+/// would lag behind the pointer. They also show where something lies that other layers cover; but what lies on a hidden
+/// layer or is cut away has none. Bodies of components are outlined at their own height.
 class ElementOutlines : public QObject {
     Q_OBJECT
 
 public:
     /// More elements than these are not outlined: that would take too long, and they are seen as it is.
     static constexpr std::size_t kMostOutlined = 500;
+    /// Nodes of all that is selected. Elements beyond this go without an outline, those before them have theirs.
+    static constexpr std::size_t kMostNodes = 400'000;
 
     /// Of one element.
     struct Outline {
-        model::PolygonSet loops;  ///< in nanometres of the board
-        model::LayerId layer;     ///< of the board, where the element is drawn
+        OutlineRuns runs;
+        model::LayerId layer;  ///< of the board, where the element is drawn
+        /// Of a body: its lower and upper face above the lower face of its layer, mm.
+        std::optional<render::ZRange> body;
     };
 
     ElementOutlines(BoardViews& views, Workspace& workspace, QObject* parent = nullptr);
@@ -35,20 +38,21 @@ public:
     [[nodiscard]] const Outline& hovered() const { return m_hovered; }
     /// Of the elements selected and those near them.
     [[nodiscard]] const std::vector<Outline>& selected() const { return m_selected; }
+    /// What is painted over a view as it is now.
+    [[nodiscard]] OutlineStrokes strokesOver(const BoardView& view) const;
 
 private:
+    void watch(BoardView& view, std::optional<QPointF>& pointer);
     void updateHovered();
     void updateSelected();
-    [[nodiscard]] Outline outlineOf(const model::BoardElement& at) const;
+    [[nodiscard]] Outline outlineOf(const model::BoardElement& at, std::size_t& pointsToUnite) const;
     void paint(QPainter& painter, const BoardView& view) const;
-    void paintOutline(QPainter& painter, const BoardView& view, const Outline& outline, const QColor& ink) const;
-
-    [[nodiscard]] QPolygonF onScreen(const BoardView& view, std::span<const base::Point> loop, float z) const;
 
     BoardViews& m_views;
     SelectionModel& m_selection;
     Outline m_hovered;
     std::vector<Outline> m_selected;
+    std::array<std::optional<QPointF>, 2> m_pointers;  ///< over each of the views
 };
 
 }  // namespace ui
