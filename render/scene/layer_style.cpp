@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "model/board/layers.h"
+
 namespace render {
 
 using model::Layer;
@@ -21,7 +23,9 @@ struct Colours {
     // Of a drawing.
     glm::vec3 top;
     glm::vec3 bottom;
-    std::array<glm::vec3, 10> inner;  ///< apart from each other and from the outer ones
+    /// Apart from each other and from the outer ones, so that a board with 40 copper layers has no colour twice. Those
+    /// after the tenth were searched on a grid, dull enough to leave the bright ones to highlights.
+    std::array<glm::vec3, 38> inner;
     // Of a board.
     glm::vec3 topMetal;
     glm::vec3 bottomMetal;
@@ -29,24 +33,33 @@ struct Colours {
     glm::vec3 substrate;
 };
 
-constexpr Colours kColours[] = {{rgb(0xd04a3c),
-                                 rgb(0x3d78d8),
-                                 {rgb(0xd8b030), rgb(0x3fa76b), rgb(0xb56cc8), rgb(0xe08040), rgb(0x46b3b8),
-                                  rgb(0x9aa83c), rgb(0xd86a92), rgb(0x7f86d0), rgb(0x58a040), rgb(0xc08a60)},
-                                 rgb(0xe0b050),
-                                 rgb(0xc87850),
-                                 rgb(0x0c6e38),
-                                 rgb(0x6f7a45)},
-                                // Orange, blue, yellow, sky, purple, green, moved until the layers of a board with six
-                                // are as far apart as layer_style_test states.
-                                {rgb(0xc67b01),
-                                 rgb(0x0654b9),
-                                 {rgb(0xf0d837), rgb(0x63d1ff), rgb(0x7b2b70), rgb(0x05a65a), rgb(0xf4b6a0),
-                                  rgb(0x8a5a2a), rgb(0xb4e4c8), rgb(0x3a2f6e), rgb(0xa39a3c), rgb(0xe48fc0)},
-                                 rgb(0xf0c860),
-                                 rgb(0xd09040),
-                                 rgb(0x0a4878),
-                                 rgb(0x8c8468)}};
+constexpr Colours kColours[] = {
+    {rgb(0xd04a3c),
+     rgb(0x3d78d8),
+     {rgb(0xd8b030), rgb(0x3fa76b), rgb(0xb56cc8), rgb(0xe08040), rgb(0x46b3b8), rgb(0x9aa83c), rgb(0xd86a92),
+      rgb(0x7f86d0), rgb(0x58a040), rgb(0xc08a60), rgb(0x486040), rgb(0xf0d0f8), rgb(0x50f8f8), rgb(0x006088),
+      rgb(0x00b0f0), rgb(0xb8f0a0), rgb(0x884850), rgb(0xf8d898), rgb(0x987000), rgb(0x087070), rgb(0xa8d8f8),
+      rgb(0x705078), rgb(0x88a888), rgb(0xf8b0b0), rgb(0xa02878), rgb(0xa82848), rgb(0x984000), rgb(0x106828),
+      rgb(0xa8f0d0), rgb(0xb888a8), rgb(0xe8e870), rgb(0xf88080), rgb(0xf8a0e0), rgb(0x785838), rgb(0x506800),
+      rgb(0x6848a8), rgb(0x58f8b8), rgb(0x888040)},
+     rgb(0xe0b050),
+     rgb(0xc87850),
+     rgb(0x0c6e38),
+     rgb(0x6f7a45)},
+    // Orange, blue, yellow, sky, purple, green, moved until the layers of a board with six
+    // are as far apart as layer_style_test states.
+    {rgb(0xc67b01),
+     rgb(0x0654b9),
+     {rgb(0xf0d837), rgb(0x63d1ff), rgb(0x7b2b70), rgb(0x05a65a), rgb(0xf4b6a0), rgb(0x8a5a2a), rgb(0xb4e4c8),
+      rgb(0x3a2f6e), rgb(0xa39a3c), rgb(0xe48fc0), rgb(0x980830), rgb(0x005000), rgb(0xc8f080), rgb(0x08a8a0),
+      rgb(0x1870a0), rgb(0xa8a8f8), rgb(0xf87860), rgb(0x00d8b0), rgb(0xf0e8a8), rgb(0xa05860), rgb(0x80a870),
+      rgb(0x9060c0), rgb(0xd0b8d0), rgb(0xf06088), rgb(0x005058), rgb(0x882800), rgb(0x806890), rgb(0x60f8f8),
+      rgb(0x609028), rgb(0xf8b868), rgb(0x00a0f8), rgb(0x80a8b0), rgb(0xc850a0), rgb(0xe898f8), rgb(0x88f8a0),
+      rgb(0xa89068), rgb(0x585800), rgb(0x206848)},
+     rgb(0xf0c860),
+     rgb(0xd09040),
+     rgb(0x0a4878),
+     rgb(0x8c8468)}};
 
 struct TypeStyle {
     LayerType type;
@@ -90,8 +103,9 @@ LayerStyle copperStyle(const Layer& layer, const Colours& colours, std::size_t& 
 }
 
 LayerStyle styleOfType(const Layer& layer, Palette palette) {
+    const LayerType drawnAs = model::isDrawingAsSilkscreen(layer) ? LayerType::Document : layer.type;
     for (const TypeStyle& entry : kTypeStyles) {
-        if (entry.type == layer.type) {
+        if (entry.type == drawnAs) {
             LayerStyle style = entry.style;
             style.colour = colourOfType(entry, palette);
             if (layer.side == LayerSide::Bottom) {
@@ -105,21 +119,13 @@ LayerStyle styleOfType(const Layer& layer, Palette palette) {
     return {};
 }
 
-/// Of several silk screens on one side the one next to the board is the print; the others are assembly drawings and
-/// placement outlines that would cover the board. Layers come in physical order from the top.
-void hideOuterPrints(const model::Document& document, std::vector<LayerStyle>& styles) {
-    std::vector<std::size_t> top;
-    std::vector<std::size_t> bottom;
+/// Silkscreens that are not the print of their side would cover the board.
+void hideDrawings(const model::Document& document, std::vector<LayerStyle>& styles) {
+    const std::vector<bool> prints = model::silkscreenPrints(document);
     for (std::size_t row = 0; row < styles.size(); ++row) {
-        if (document.layers[row].type == LayerType::SilkScreen && styles[row].isVisible) {
-            (document.layers[row].side == LayerSide::Bottom ? bottom : top).push_back(row);
+        if (document.layers[row].type == LayerType::SilkScreen && !prints[row]) {
+            styles[row].isVisible = false;
         }
-    }
-    for (std::size_t i = 0; i + 1 < top.size(); ++i) {
-        styles[top[i]].isVisible = false;
-    }
-    for (std::size_t i = 1; i < bottom.size(); ++i) {
-        styles[bottom[i]].isVisible = false;
     }
 }
 
@@ -159,7 +165,7 @@ std::vector<LayerStyle> defaultStyles(const model::Document& document, Appearanc
     for (const Layer& layer : document.layers) {
         styles.push_back(layer.isCopper() ? copperStyle(layer, colours, innerSeen) : styleOfType(layer, palette));
     }
-    hideOuterPrints(document, styles);
+    hideDrawings(document, styles);
     showSubstrates(document, styles);
     if (appearance == Appearance::Solid) {
         makeSolid(document, colours, styles);

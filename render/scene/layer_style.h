@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -12,6 +13,8 @@ struct LayerStyle {
     glm::vec3 colour{0.5F};  ///< sRGB, 0 to 1: the canvas colour is the panel colour
     float opacity = 1.0F;    ///< below 1 the layer is blended over what lies beneath
     bool isVisible = true;
+    /// In 2D it is drawn over all layers that are raised less, seen from either side.
+    std::uint8_t raised = 0;
 };
 
 enum class Appearance {

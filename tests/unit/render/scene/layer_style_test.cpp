@@ -98,7 +98,7 @@ private slots:
                 builder.addLayer(layer(static_cast<LayerType>(type), side));
             }
         }
-        for (int inner = 0; inner < 12; ++inner) {
+        for (int inner = 0; inner < 38; ++inner) {
             builder.addLayer(layer(LayerType::Signal, LayerSide::Inner));
         }
         const auto board = builder.finish();
@@ -123,6 +123,16 @@ private slots:
                 QVERIFY(glm::distance(styles[i].colour, styles[j].colour) > 0.2F);
             }
         }
+    }
+
+    void fortyCopperLayersAreToldApart() {
+        std::vector<Layer> layers(40, layer(LayerType::Signal, LayerSide::Inner));
+        layers.front().side = LayerSide::Top;
+        layers.back().side = LayerSide::Bottom;
+        const double standard = leastDistance(stylesOf(layers), kVisions[0]);
+        QVERIFY2(standard > 15.0, qPrintable(QString::number(standard)));
+        const double safe = leastDistance(stylesOf(layers, render::Palette::ColourBlindSafe), kVisions[0]);
+        QVERIFY2(safe > 20.0, qPrintable(QString::number(safe)));
     }
 
     void safeLayersAreToldApartWithAnyVision() {
@@ -159,6 +169,15 @@ private slots:
                       layer(LayerType::SilkScreen, LayerSide::Bottom)});
         QVERIFY(!styles[0].isVisible && styles[1].isVisible);
         QVERIFY(styles[3].isVisible && !styles[4].isVisible);
+    }
+
+    void drawingCalledSilkscreenIsNoPrint() {
+        Layer overlay = layer(LayerType::SilkScreen, LayerSide::Top);
+        overlay.name = "DXF_OVERLAY";
+        const auto styles = stylesOf({layer(LayerType::SilkScreen, LayerSide::Top), overlay,
+                                      layer(LayerType::Signal, LayerSide::Top), layer(LayerType::Document, {})});
+        QVERIFY(styles[0].isVisible && !styles[1].isVisible);
+        QVERIFY(styles[1].colour == styles[3].colour);
     }
 
     void lacquerIsShownOnASolidBoardOnly() {
