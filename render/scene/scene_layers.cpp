@@ -19,6 +19,23 @@ std::vector<StackedLayer> stackupOf(const SceneLayers& scene, const ZScale& scal
     return stackup;
 }
 
+/// Between a raised layer and the next, mm: more than the thinnest layer has.
+constexpr float kRaise = 0.02F;
+
+/// A raised layer reaches beyond the others on both sides: drawn flat, only its faces are seen.
+void raise(const std::vector<LayerStyle>& styles, std::vector<ZRange>& heights) {
+    ZRange all{0.0F, 0.0F};
+    for (const ZRange& z : heights) {
+        all = {std::min(all.z0, z.z0), std::max(all.z1, z.z1)};
+    }
+    for (std::size_t row = 0; row < heights.size(); ++row) {
+        if (styles[row].raised > 0) {
+            const float by = kRaise * static_cast<float>(styles[row].raised);
+            heights[row] = {all.z0 - by, all.z1 + by};
+        }
+    }
+}
+
 }  // namespace
 
 SceneLayers::SceneLayers(const BoardFrame& frame)
@@ -43,7 +60,12 @@ ElementColours paletteOf(std::span<const glm::vec3> colours) {
 }
 
 std::vector<ZRange> drawnHeights(const SceneLayers& scene, const ViewSettings& settings) {
-    return explode(stackupOf(scene, settings.zScale), settings.explode * kFullSpread * scene.widthMm);
+    std::vector<ZRange> heights =
+        explode(stackupOf(scene, settings.zScale), settings.explode * kFullSpread * scene.widthMm);
+    if (settings.is2d) {
+        raise(scene.styles, heights);
+    }
+    return heights;
 }
 
 }  // namespace render

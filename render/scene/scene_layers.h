@@ -35,7 +35,7 @@ struct SceneLayers {
     bool hasFlipped = false;  ///< some copies are flipped
 };
 
-/// Where layers are drawn: their heights after explosion.
+/// Where layers are drawn: their heights after explosion; in 2D with LayerStyle::raised.
 [[nodiscard]] std::vector<ZRange> drawnHeights(const SceneLayers& scene, const ViewSettings& settings);
 
 }  // namespace render

@@ -32,6 +32,22 @@ class FramePlanTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void raisedLayerReachesBeyondTheOthersInTwoDOnly() {
+        render::SceneLayers scene = sceneWithBodies(0);
+        scene.layers.resize(3);
+        scene.styles.resize(3);
+        scene.styles[1].raised = 1;
+        scene.styles[2].raised = 2;
+        const auto solid = render::drawnHeights(scene, {});
+        QCOMPARE(solid[1].z1, 0.0F);
+        render::ViewSettings flat;
+        flat.is2d = true;
+        const auto heights = render::drawnHeights(scene, flat);
+        QCOMPARE(heights[0].z1, solid[0].z1);
+        QVERIFY(heights[1].z1 > heights[0].z1 && heights[1].z0 < heights[0].z0);
+        QVERIFY(heights[2].z1 > heights[1].z1 && heights[2].z0 < heights[1].z0);
+    }
+
     void turnedOverBodiesHangFromTheOtherSide() {
         const render::FramePlan plan = planOf(sceneWithBodies(shader::kLayerGrowsUp), {});
         const shader::LayerState& upright = plan.upright.states[0];
