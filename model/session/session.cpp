@@ -29,6 +29,7 @@ constexpr const char* kNetsKey = "nets";
 constexpr const char* kDeskKey = "desk";
 constexpr const char* kMeasurementsKey = "measurements";
 constexpr const char* kSectionsKey = "sections";
+constexpr const char* kLayerSetsKey = "layer_sets";
 /// No session is this large; something else is.
 constexpr std::uintmax_t kMostBytes = 16 << 20;
 
@@ -252,6 +253,8 @@ LoadedSession loadSession(const fs::path& board, const Document& document) {
             readList(value, "measurement", measurementFrom, out.session.measurements, out.ignored);
         } else if (key == kSectionsKey) {
             readList(value, "section", sectionFrom, out.session.sections, out.ignored);
+        } else if (key == kLayerSetsKey) {
+            readList(value, "layer set", layerSetFrom, out.session.layerSets, out.ignored);
         } else if (key != kVersionKey && key != kJobKey) {
             out.ignored.push_back("\"" + key + "\" is not known");
         }
@@ -290,6 +293,10 @@ base::Status saveMeasurements(const fs::path& board, const Document& document,
 
 base::Status saveSections(const fs::path& board, const Document& document, const std::vector<SavedSection>& sections) {
     return saveList(board, document, kSectionsKey, sections);
+}
+
+base::Status saveLayerSets(const fs::path& board, const Document& document, const std::vector<LayerSet>& sets) {
+    return saveList(board, document, kLayerSetsKey, sets);
 }
 
 std::shared_ptr<const Document> applyThicknesses(std::shared_ptr<const Document> document,

@@ -24,6 +24,7 @@
 ///      "nets": [{"name": "GND", "step": "pcb", "colour": "#e69f00", "hidden": true}],
 ///      "desk": {"step": "pcb", "flat": {…}, "solid": {…}, "unit": "mm",
 ///               "layers": [{"name": "TOP", "visible": true, "opacity_percent": 80, "colour": "#ff8000"}]},
+///      "layer_sets": [{"name": "Power", "layers": ["GND", "VCC"]}],
 ///      "measurements": [see Measurement], "sections": [see SavedSection]}
 namespace model::session {
 
@@ -70,6 +71,13 @@ struct LayerState {
     bool operator==(const LayerState&) const = default;
 };
 
+/// Layers that the user shows together.
+struct LayerSet {
+    std::string name;
+    std::vector<std::string> layers;
+    bool operator==(const LayerSet&) const = default;
+};
+
 /// What the window showed when the user saved it.
 struct Desk {
     std::string step;
@@ -88,6 +96,7 @@ struct Session {
     std::optional<Desk> desk{};
     std::vector<Measurement> measurements{};
     std::vector<SavedSection> sections{};
+    std::vector<LayerSet> layerSets{};
     bool operator==(const Session&) const = default;
 };
 
@@ -120,6 +129,8 @@ struct LoadedSession {
                                             const std::vector<Measurement>& measurements);
 [[nodiscard]] base::Status saveSections(const std::filesystem::path& board, const Document& document,
                                         const std::vector<SavedSection>& sections);
+[[nodiscard]] base::Status saveLayerSets(const std::filesystem::path& board, const Document& document,
+                                         const std::vector<LayerSet>& sets);
 
 /// The document with these thicknesses in it.
 [[nodiscard]] std::shared_ptr<const Document> applyThicknesses(std::shared_ptr<const Document> document,

@@ -179,4 +179,12 @@ Json toJson(const SavedSection& section) {
     return {{"name", section.name}, {"step", section.step}, {"line_nm", lineJson(section.line)}};
 }
 
+LayerSet layerSetFrom(const Json& json) {
+    return {json.at("name"), listFrom(json.at("layers"), layerNameFrom)};
+}
+
+Json toJson(const LayerSet& set) {
+    return {{"name", set.name}, {"layers", set.layers}};
+}
+
 }  // namespace model::session

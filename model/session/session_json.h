@@ -17,12 +17,14 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] Json toJson(const Desk& desk);
 [[nodiscard]] Json toJson(const Measurement& measurement);
 [[nodiscard]] Json toJson(const SavedSection& section);
+[[nodiscard]] Json toJson(const LayerSet& set);
 
 [[nodiscard]] SavedView viewFrom(const Json& json);
 [[nodiscard]] SavedNet netFrom(const Json& json);
 [[nodiscard]] Desk deskFrom(const Json& json);
 [[nodiscard]] Measurement measurementFrom(const Json& json);
 [[nodiscard]] SavedSection sectionFrom(const Json& json);
+[[nodiscard]] LayerSet layerSetFrom(const Json& json);
 
 /// What `read` makes of the JSON; nothing where it throws.
 template <class Read>

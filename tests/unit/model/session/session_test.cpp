@@ -179,6 +179,15 @@ private slots:
         QVERIFY(model::session::applyThicknesses(location.document, {}) == location.document);
     }
 
+    void setsOfLayersAreReadBack() {
+        const Location location;
+        const std::vector<model::session::LayerSet> sets = {{"Power", {"GND", "VCC"}}, {"None", {}}};
+        QVERIFY(model::session::saveLayerSets(location.board, *location.document, sets).ok());
+        QVERIFY(location.load().session.layerSets == sets && location.load().ignored.empty());
+        location.write(R"({"copperscope_session": 1, "job": "everything", "layer_sets": [{"name": 7, "layers": []}]})");
+        QCOMPARE(location.load().ignored.size(), std::size_t{1});
+    }
+
     void nothingChangedIsNoFile() {
         const Location location;
         QVERIFY(location.save(kOneThickness).ok());
