@@ -48,6 +48,7 @@ void BoardViews::show(const LoadedBoard& board, const std::vector<LayerAppearanc
     m_styles = appearances;
     m_states.clear();
     m_elementColours.clear();
+    m_topLayer = {};
     m_contrastLayer = {};
     m_contrastLayers.clear();
     makeScene();
@@ -109,6 +110,9 @@ std::vector<render::LayerStyle> BoardViews::stylesOf(const BoardView& view) cons
     const bool isFlat = view.kind() == BoardView::Kind::Flat;
     std::vector<render::LayerStyle> styles =
         isFlat ? flatStyles(*m_board->document, m_styles) : solidStyles(*m_board->document, m_styles, m_palette);
+    if (isFlat) {
+        putOnTop(styles, *m_board->document, m_topLayer);
+    }
     if (isFlat && m_contrastLayers.empty() && m_contrastLayer.isValid()) {
         putInContrast(styles, std::array{m_contrastLayer});
     }
@@ -128,6 +132,13 @@ void BoardViews::setStyles(const std::vector<LayerAppearance>& appearances) {
 void BoardViews::applyStyles() {
     for (BoardView* view : m_views) {
         view->setStyles(stylesOf(*view));
+    }
+}
+
+void BoardViews::setTopLayer(model::LayerId layer) {
+    m_topLayer = layer;
+    if (m_scene) {
+        flat().setStyles(stylesOf(flat()));
     }
 }
 

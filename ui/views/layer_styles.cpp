@@ -52,6 +52,18 @@ std::vector<render::LayerStyle> flatStyles(const model::Document& document,
     return styles;
 }
 
+void putOnTop(std::vector<render::LayerStyle>& styles, const model::Document& document, model::LayerId layer) {
+    if (!layer.isValid()) {
+        return;
+    }
+    styles[layer.row()].raised = 1;
+    for (std::size_t row = 0; row < styles.size(); ++row) {
+        if (document.layers[row].spans(layer)) {
+            styles[row].raised = 2;
+        }
+    }
+}
+
 void putInContrast(std::vector<render::LayerStyle>& styles, std::span<const model::LayerId> layers) {
     for (std::size_t row = 0; row < styles.size() && !layers.empty(); ++row) {
         render::LayerStyle& style = styles[row];

@@ -20,6 +20,8 @@ namespace ui {
 /// For the 2D view: without laminate and lacquer, which would veil all layers below.
 [[nodiscard]] std::vector<render::LayerStyle> flatStyles(const model::Document& document,
                                                          const std::vector<LayerAppearance>& appearances);
+/// In 2D this layer is drawn over the others, and the holes through it over that; none: nothing changes.
+void putOnTop(std::vector<render::LayerStyle>& styles, const model::Document& document, model::LayerId layer);
 /// These layers are shown as they are, whatever their check marks, and all others are faint and grey. None of them:
 /// nothing changes.
 void putInContrast(std::vector<render::LayerStyle>& styles, std::span<const model::LayerId> layers);

@@ -46,6 +46,7 @@ void connectBoard(FeatureContext& context) {
         context.views.setContrastLayer(isOn ? context.workspace.currentLayer() : model::LayerId{});
     };
     context.on(ActionId::Contrast, setContrast);
+    QObject::connect(&workspace, &Workspace::currentLayerChanged, &views, &BoardViews::setTopLayer);
     QObject::connect(&workspace, &Workspace::currentLayerChanged, &views, setContrast);
     QObject::connect(&workspace, &Workspace::boardOpened, &views, setContrast);
 }
