@@ -4,6 +4,7 @@
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QLineEdit>
+#include <QScrollBar>
 #include <QSpinBox>
 #include <QtTest>
 
@@ -24,6 +25,19 @@ QPoint middleOf(const QTableView& table, int row, int column) {
     return table.visualRect(table.model()->index(row, column)).center();
 }
 
+/// Where the panel shows a layer, or the heading of a group.
+QPoint middleOf(ui::LayersPanel& panel, int layer, int column) {
+    return middleOf(panel.table(), panel.rows().reveal(model::LayerId{std::size_t(layer)}), column);
+}
+int headingOf(ui::LayersPanel& panel, model::LayerGroup group) {
+    for (int row = 0; row < panel.rows().rowCount(); ++row) {
+        if (panel.rows().isHeading(row) && panel.rows().groupAt(row) == group) {
+            return row;
+        }
+    }
+    return -1;
+}
+
 }  // namespace
 
 class PanelsTest : public QObject {
@@ -42,12 +56,12 @@ private slots:
     void clickOnACheckMarkHidesTheLayer() {
         ui::LayersPanel panel(m_layers, *m_actions);
         show(panel);
-        const QPoint box = middleOf(panel.table(), 1, LayerModel::Visible);
+        const QPoint box = middleOf(panel, 1, LayerModel::Visible);
         QTest::mouseClick(panel.table().viewport(), Qt::LeftButton, {}, box);
         QVERIFY(!m_layers.effectiveStyles()[1].isVisible);
         QTest::mouseClick(panel.table().viewport(), Qt::LeftButton, {}, box);
         QVERIFY(m_layers.effectiveStyles()[1].isVisible);
-        QTest::mouseClick(panel.table().viewport(), Qt::LeftButton, {}, middleOf(panel.table(), 2, LayerModel::Solo));
+        QTest::mouseClick(panel.table().viewport(), Qt::LeftButton, {}, middleOf(panel, 2, LayerModel::Solo));
         QCOMPARE(m_layers.soloLayer().row(), std::size_t{2});
     }
 
@@ -70,7 +84,7 @@ private slots:
         ui::LayersPanel panel(m_layers, *m_actions);
         show(panel);
         QTableView& table = panel.table();
-        const QRect cell = table.visualRect(m_layers.index(0, LayerModel::Opacity));
+        const QRect cell = table.visualRect(panel.rows().mapFromSource(m_layers.index(0, LayerModel::Opacity)));
         QTest::mousePress(table.viewport(), Qt::LeftButton, {}, cell.center());
         const int middle = m_layers.effectiveStyles()[0].opacityPercent;
         QVERIFY2(middle > 40 && middle < 60, qPrintable(QString::number(middle)));
@@ -86,34 +100,34 @@ private slots:
         ui::LayersPanel panel(m_layers, *m_actions);
         show(panel);
         QTableView& table = panel.table();
-        QTest::mousePress(table.viewport(), Qt::LeftButton, {}, middleOf(table, 0, LayerModel::Name));
-        const QPointF there = middleOf(table, 2, LayerModel::Opacity);
+        QTest::mousePress(table.viewport(), Qt::LeftButton, {}, middleOf(panel, 0, LayerModel::Name));
+        const QPointF there = middleOf(panel, 1, LayerModel::Opacity);
         QMouseEvent move(QEvent::MouseMove, there, table.viewport()->mapToGlobal(there), Qt::NoButton, Qt::LeftButton,
                          Qt::NoModifier);
         QCoreApplication::sendEvent(table.viewport(), &move);
         QTest::mouseRelease(table.viewport(), Qt::LeftButton, {}, there.toPoint());
-        QCOMPARE(m_layers.effectiveStyles()[2].opacityPercent, 100);
-        QCOMPARE(table.selectionModel()->selectedRows().size(), 3);
+        QCOMPARE(m_layers.effectiveStyles()[1].opacityPercent, 100);
+        QCOMPARE(table.selectionModel()->selectedRows().size(), 2);
     }
 
     void opacityIsTypedAfterEnter() {
         ui::LayersPanel panel(m_layers, *m_actions);
         show(panel);
-        panel.table().setCurrentIndex(m_layers.index(2, LayerModel::Opacity));
+        panel.table().setCurrentIndex(panel.rows().mapFromSource(m_layers.index(1, LayerModel::Opacity)));
         QTest::keyClick(&panel.table(), Qt::Key_Return);
         auto* box = panel.findChild<QSpinBox*>();
         QVERIFY(box != nullptr);
         box->selectAll();
         QTest::keyClicks(box, "35");
         QTest::keyClick(box, Qt::Key_Return);
-        QTRY_COMPARE(m_layers.effectiveStyles()[2].opacityPercent, 35);
+        QTRY_COMPARE(m_layers.effectiveStyles()[1].opacityPercent, 35);
     }
 
     void colourDialogShowsItsChoiceAtOnceAndTakesItBackOnCancel() {
         ui::LayersPanel panel(m_layers, *m_actions);
         show(panel);
         const QColor before = m_layers.effectiveStyles()[0].colour;
-        QTest::mouseClick(panel.table().viewport(), Qt::LeftButton, {}, middleOf(panel.table(), 0, LayerModel::Colour));
+        QTest::mouseClick(panel.table().viewport(), Qt::LeftButton, {}, middleOf(panel, 0, LayerModel::Colour));
         QPointer<QColorDialog> dialog = panel.findChild<QColorDialog*>();
         QVERIFY(dialog != nullptr);
         dialog->setCurrentColor(Qt::cyan);
@@ -126,12 +140,72 @@ private slots:
     void colourDialogOutlivesItsBoard() {
         ui::LayersPanel panel(m_layers, *m_actions);
         show(panel);
-        QTest::mouseClick(panel.table().viewport(), Qt::LeftButton, {}, middleOf(panel.table(), 3, LayerModel::Colour));
+        QTest::mouseClick(panel.table().viewport(), Qt::LeftButton, {}, middleOf(panel, 3, LayerModel::Colour));
         auto* dialog = panel.findChild<QColorDialog*>();
         QVERIFY(dialog != nullptr);
         m_layers.setDocument(nullptr, {});
         dialog->setCurrentColor(Qt::cyan);
         dialog->reject();
+    }
+
+    void groupsFoldAndTheirMarkIsOfAllTheirLayers() {
+        ui::LayersPanel panel(m_layers, *m_actions);
+        show(panel);
+        ui::GroupedLayers& rows = panel.rows();
+        QCOMPARE(rows.rowCount(), 5);  // copper with two layers, and what is folded: the outline, notes
+        QVERIFY(!rows.isFolded(model::LayerGroup::Copper) && rows.isFolded(model::LayerGroup::Other));
+        const int other = headingOf(panel, model::LayerGroup::Other);
+        const auto click = [&](int row, int column) {
+            QTest::mouseClick(panel.table().viewport(), Qt::LeftButton, {}, ::middleOf(panel.table(), row, column));
+        };
+        click(other, LayerModel::Name);
+        QCOMPARE(rows.rowCount(), 6);
+        QTest::keyClick(&panel.table(), Qt::Key_Return);
+        QCOMPARE(rows.rowCount(), 5);
+        const QModelIndex mark = rows.index(headingOf(panel, model::LayerGroup::Copper), LayerModel::Visible);
+        m_layers.setData(m_layers.index(0, LayerModel::Visible), Qt::Unchecked, Qt::CheckStateRole);
+        QCOMPARE(mark.data(Qt::CheckStateRole).toInt(), int(Qt::PartiallyChecked));
+        click(mark.row(), LayerModel::Visible);
+        QVERIFY(m_layers.visibility()[0] && m_layers.visibility()[1]);
+        click(mark.row(), LayerModel::Visible);
+        QVERIFY(!m_layers.visibility()[0] && !m_layers.visibility()[1]);
+    }
+
+    void clickIntoABoxLeavesTheCurrentLayer() {
+        ui::LayersPanel panel(m_layers, *m_actions);
+        show(panel);
+        panel.select(model::LayerId{std::size_t{0}});
+        QTest::mouseClick(panel.table().viewport(), Qt::LeftButton, {}, middleOf(panel, 1, LayerModel::Visible));
+        QCOMPARE(panel.currentLayer(), model::LayerId{std::size_t{0}});
+    }
+
+    /// As + is typed on many keyboards.
+    void steppingWithShiftHeldSelectsOneLayer() {
+        ui::LayersPanel panel(m_layers, *m_actions);
+        show(panel);
+        panel.select(model::LayerId{std::size_t{0}});
+        QTest::keyPress(&panel, Qt::Key_Shift, Qt::ShiftModifier);
+        panel.step(1);
+        QTest::keyRelease(&panel, Qt::Key_Shift);
+        QCOMPARE(panel.table().selectionModel()->selectedRows().size(), 1);
+        QCOMPARE(panel.currentLayer(), model::LayerId{std::size_t{1}});
+    }
+
+    void namesComeBeforeTypesAndNoHeadingIsCut() {
+        ui::LayersPanel panel(m_layers, *m_actions);
+        for (const int width : {230, 270, 600}) {
+            show(panel);
+            panel.resize(width, 300);
+            const QTableView& table = panel.table();
+            QTRY_COMPARE(table.isColumnHidden(LayerModel::Type), width < 600);
+            for (int column = 0; column < m_layers.columnCount(); ++column) {
+                const QString heading = m_layers.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+                const int needed = table.fontMetrics().horizontalAdvance(heading);
+                const bool isCut = !table.isColumnHidden(column) && table.columnWidth(column) < needed;
+                QVERIFY2(!isCut, qPrintable(QString("%1 at %2").arg(heading).arg(width)));
+            }
+            QCOMPARE(table.horizontalScrollBar()->maximum(), 0);
+        }
     }
 
     void headingClickSortsStatisticsAndKeepsTheSumLast() {

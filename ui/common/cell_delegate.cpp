@@ -17,8 +17,8 @@ int traitsOf(const QModelIndex& index) {
     return index.data(TableModel::kTraitsRole).toInt();
 }
 
-bool isChecked(const QModelIndex& index) {
-    return index.data(Qt::CheckStateRole).toInt() == Qt::Checked;
+Qt::CheckState checkOf(const QModelIndex& index) {
+    return static_cast<Qt::CheckState>(index.data(Qt::CheckStateRole).toInt());
 }
 
 /// A cell without the frame around it.
@@ -46,7 +46,7 @@ void paintSwatch(QPainter& painter, const QStyleOptionViewItem& option, const QC
 }
 
 /// In the colour of the text: the styles' own boxes vanish on a dark ground.
-void paintCheck(QPainter& painter, const QStyleOptionViewItem& option, bool isOn) {
+void paintCheck(QPainter& painter, const QStyleOptionViewItem& option, Qt::CheckState state) {
     const QColor tone = inkOf(option);
     const double side = std::min(innerOf(option.rect).height(), innerOf(option.rect).width());
     QRectF box(0.0, 0.0, side, side);
@@ -54,7 +54,9 @@ void paintCheck(QPainter& painter, const QStyleOptionViewItem& option, bool isOn
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(QPen(faint(tone, 110), 1.0));
     painter.drawRoundedRect(box, 2.0, 2.0);
-    if (isOn) {
+    if (state == Qt::PartiallyChecked) {
+        painter.fillRect(box.adjusted(side * 0.25, side * 0.4, -side * 0.25, -side * 0.4), tone);
+    } else if (state == Qt::Checked) {
         const auto at = [&](double x, double y) { return box.topLeft() + QPointF(x, y) * side; };
         painter.setPen(QPen(tone, side / 7.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         painter.drawPolyline(QPolygonF{at(0.22, 0.52), at(0.42, 0.74), at(0.78, 0.28)});
@@ -100,7 +102,7 @@ void CellDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, 
     const QStyle& style = cell.widget != nullptr ? *cell.widget->style() : *QApplication::style();
     style.drawPrimitive(QStyle::PE_PanelItemViewItem, &cell, painter, cell.widget);
     if (traits == kCheck) {
-        paintCheck(*painter, cell, isChecked(index));
+        paintCheck(*painter, cell, checkOf(index));
     } else if ((traits & kColour) != 0) {
         paintSwatch(*painter, cell, index.data(Qt::EditRole).value<QColor>());
     } else {
@@ -150,7 +152,7 @@ bool CellDelegate::editorEvent(QEvent* event, QAbstractItemModel* model, const Q
         return model->setData(index, percentAt(option.rect, x), Qt::EditRole);
     }
     if (isCheck && !isDrag) {
-        return model->setData(index, isChecked(index) ? Qt::Unchecked : Qt::Checked, Qt::CheckStateRole);
+        return model->setData(index, checkOf(index) == Qt::Checked ? Qt::Unchecked : Qt::Checked, Qt::CheckStateRole);
     }
     return QStyledItemDelegate::editorEvent(event, model, option, index);
 }

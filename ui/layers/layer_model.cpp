@@ -1,6 +1,7 @@
 #include "ui/layers/layer_model.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 #include "model/base/assert.h"
@@ -13,7 +14,29 @@ QString micrometres(model::Nm nm) {
     return QString::number(static_cast<double>(nm) / base::kNmPerUm, 'g', 6) + QStringLiteral(" µm");
 }
 
+/// Neither drawn nor material.
+bool isEmpty(const model::Layer& layer) {
+    return layer.type != model::LayerType::Dielectric &&
+           std::ranges::all_of(layer.countsWithCopies, [](auto count) { return count == 0; });
+}
+
 }  // namespace
+
+QString layerGroupText(model::LayerGroup group) {
+    using model::LayerGroup;
+    switch (group) {
+        case LayerGroup::Copper: return LayerModel::tr("Copper");
+        case LayerGroup::SolderMask: return LayerModel::tr("Solder mask");
+        case LayerGroup::Paste: return LayerModel::tr("Solder paste");
+        case LayerGroup::Silkscreen: return LayerModel::tr("Silkscreen");
+        case LayerGroup::Drill: return LayerModel::tr("Drill and routing");
+        case LayerGroup::Components: return LayerModel::tr("Components");
+        case LayerGroup::Mechanical: return LayerModel::tr("Mechanical");
+        case LayerGroup::Dielectric: return LayerModel::tr("Dielectric");
+        case LayerGroup::Other: return LayerModel::tr("Other");
+    }
+    return {};
+}
 
 QString layerTypeText(model::LayerType type) {
     using model::LayerType;
@@ -73,29 +96,100 @@ std::vector<LayerAppearance> LayerModel::effectiveStyles() const {
     return styles;
 }
 
-template <class Rule>
-void LayerModel::setVisibility(const Rule& rule) {
-    m_solo = {};
-    for (std::size_t row = 0; row < m_styles.size(); ++row) {
-        m_styles[row].isVisible = rule(m_document->layers[row]);
+template <class Change>
+void LayerModel::change(const QString& what, int cell, const Change& apply) {
+    LayerEdit edit{what, settings(), {}, cell};
+    apply();
+    edit.after = settings();
+    if (edit.after != edit.before) {
+        announceAllChanged();
+        emit edited(edit);
     }
-    announceAllChanged();
 }
 
-void LayerModel::showAll() {
-    setVisibility([](const model::Layer&) { return true; });
+void LayerModel::setVisibility(const std::vector<bool>& isVisible) {
+    change(tr("showing layers"), -1, [&] {
+        m_solo = {};
+        for (std::size_t row = 0; row < m_styles.size(); ++row) {
+            m_styles[row].isVisible = isVisible[row];
+        }
+    });
 }
 
-void LayerModel::hideAll() {
-    setVisibility([](const model::Layer&) { return false; });
+void LayerModel::showPreset(model::LayerPreset preset) {
+    if (m_document) {
+        setVisibility(model::layersOf(*m_document, preset));
+    }
 }
 
-void LayerModel::showCopperOnly() {
-    setVisibility([](const model::Layer& layer) { return layer.isCopper(); });
+void LayerModel::showDefaultSet() {
+    setVisibility(defaultVisibility());
 }
 
 void LayerModel::showOnly(const std::vector<std::string>& names) {
-    setVisibility([&](const model::Layer& layer) { return std::ranges::find(names, layer.name) != names.end(); });
+    std::vector<bool> isVisible;
+    for (std::size_t row = 0; row < m_styles.size(); ++row) {
+        isVisible.push_back(std::ranges::find(names, m_document->layers[row].name) != names.end());
+    }
+    setVisibility(isVisible);
+}
+
+void LayerModel::showLayers(std::span<const model::LayerId> layers) {
+    std::vector<bool> isVisible(m_styles.size());
+    for (const model::LayerId layer : layers) {
+        isVisible[layer.row()] = true;
+    }
+    setVisibility(isVisible);
+}
+
+void LayerModel::offerSets(std::vector<model::session::LayerSet> sets) {
+    m_offered = std::move(sets);
+    emit stylesChanged();
+}
+
+void LayerModel::setVisible(std::span<const model::LayerId> layers, bool isVisible) {
+    change(isVisible ? tr("showing a layer") : tr("hiding a layer"), -1, [&] {
+        for (const model::LayerId layer : layers) {
+            m_styles[layer.row()].isVisible = isVisible;
+        }
+    });
+}
+
+std::vector<bool> LayerModel::visibility() const {
+    std::vector<bool> isVisible;
+    std::ranges::transform(m_styles, std::back_inserter(isVisible), &LayerAppearance::isVisible);
+    return isVisible;
+}
+
+std::vector<bool> LayerModel::defaultVisibility() const {
+    std::vector<bool> isVisible;
+    std::ranges::transform(m_defaults, std::back_inserter(isVisible), &LayerAppearance::isVisible);
+    return isVisible;
+}
+
+LayerSettings LayerModel::settings() const {
+    LayerSettings settings{m_styles, m_solo};
+    for (std::size_t row = 0; row < m_styles.size(); ++row) {
+        if (m_styles[row].colour == m_defaults[row].colour) {
+            settings.styles[row].colour = QColor();
+        }
+    }
+    return settings;
+}
+
+void LayerModel::setSettings(const LayerSettings& settings) {
+    ASSERT(settings.styles.size() == m_styles.size());
+    if (settings == this->settings()) {
+        return;
+    }
+    m_styles = settings.styles;
+    m_solo = settings.solo;
+    for (std::size_t row = 0; row < m_styles.size(); ++row) {
+        if (!m_styles[row].colour.isValid()) {
+            m_styles[row].colour = m_defaults[row].colour;
+        }
+    }
+    announceAllChanged();
 }
 
 std::vector<std::string> LayerModel::visibleNames() const {
@@ -147,9 +241,10 @@ void LayerModel::setDefaults(std::vector<LayerAppearance> defaults) {
 }
 
 void LayerModel::restoreDefaults() {
-    m_solo = {};
-    m_styles = m_defaults;
-    announceAllChanged();
+    change(tr("default layers"), -1, [this] {
+        m_solo = {};
+        m_styles = m_defaults;
+    });
 }
 
 void LayerModel::toggleSolo(model::LayerId layer) {
@@ -171,7 +266,12 @@ Cell LayerModel::cell(int row, int column) const {
     switch (column) {
         case Visible: return {.isChecked = style.isVisible};
         case Colour: return {{}, style.colour};
-        case Name: return text(layer.name);
+        case Name:
+            return {QString::fromStdString(layer.name),
+                    {},
+                    {},
+                    {},
+                    isEmpty(layer) ? QVariant(QColor(Qt::gray)) : QVariant()};
         case Type: return {layerTypeText(layer.type)};
         case Opacity: return {QStringLiteral("%1 %").arg(style.opacityPercent), style.opacityPercent};
         default: return {.isChecked = m_solo == model::LayerId{static_cast<std::size_t>(row)}};
@@ -181,6 +281,9 @@ Cell LayerModel::cell(int row, int column) const {
 QString LayerModel::tip(int row, int) const {
     const model::Layer& layer = m_document->layers[static_cast<std::size_t>(row)];
     QString text = QString::fromStdString(layer.name) + '\n' + layerTypeText(layer.type);
+    if (model::isDrawingAsSilkscreen(layer)) {
+        text += tr(" in the job, a drawing by its name: shown as one");
+    }
     if (layer.side != model::LayerSide::None) {
         text += QStringLiteral(", ") + model::toString(layer.side);
     }
@@ -204,21 +307,21 @@ bool LayerModel::check(int row, int column, bool isChecked) {
         }
         return true;
     }
-    m_styles[static_cast<std::size_t>(row)].isVisible = isChecked;
-    announceAllChanged();
+    const model::LayerId layer{static_cast<std::size_t>(row)};
+    setVisible({&layer, 1}, isChecked);
     return true;
 }
 
 bool LayerModel::edit(int row, int column, const QVariant& value) {
     LayerAppearance& style = m_styles[static_cast<std::size_t>(row)];
+    const int cell = row * columnCount() + column;
     if (column == Colour && value.value<QColor>().isValid()) {
-        style.colour = value.value<QColor>();
+        change(tr("the colour of a layer"), cell, [&] { style.colour = value.value<QColor>(); });
     } else if (column == Opacity && value.canConvert<int>()) {
-        style.opacityPercent = std::clamp(value.toInt(), 0, 100);
+        change(tr("the opacity of a layer"), cell, [&] { style.opacityPercent = std::clamp(value.toInt(), 0, 100); });
     } else {
         return false;
     }
-    announceAllChanged();
     return true;
 }
 

@@ -2,10 +2,11 @@
 
 #include <QColor>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "model/board/document.h"
+#include "model/board/layers.h"
 #include "model/session/session.h"
 #include "ui/common/table_model.h"
 
@@ -17,6 +18,22 @@ struct LayerAppearance {
     int opacityPercent = 100;  ///< 0 to 100
     bool isVisible = true;
     bool operator==(const LayerAppearance&) const = default;
+};
+
+/// All that the user sets, and undo brings back.
+struct LayerSettings {
+    std::vector<LayerAppearance> styles;  ///< colours that nobody changed are invalid: they follow the palette
+    model::LayerId solo;
+    bool operator==(const LayerSettings&) const = default;
+};
+
+/// An edit that was made.
+struct LayerEdit {
+    QString what;  ///< for the undo history
+    LayerSettings before;
+    LayerSettings after;
+    /// Of colours and opacities that change while the user drags: edits of one cell in a row are one step. None: -1.
+    int cell = -1;
 };
 
 /// The layers of a document as an editable table; row n is LayerId n. Styles live here, the document stays frozen. At
@@ -40,20 +57,37 @@ public:
     [[nodiscard]] std::vector<LayerAppearance> effectiveStyles() const;
     [[nodiscard]] model::LayerId soloLayer() const { return m_solo; }
 
-    void showAll();
-    void hideAll();
-    void showCopperOnly();
+    void showAll() { showPreset(model::LayerPreset::All); }
+    void hideAll() { showPreset(model::LayerPreset::None); }
+    void showCopperOnly() { showPreset(model::LayerPreset::Copper); }
+    /// These layers and no others, as all that set visibility.
+    void showPreset(model::LayerPreset preset);
+    /// The layers that are visible when a board is opened.
+    void showDefaultSet();
     /// By name; names that no layer has are passed over.
     void showOnly(const std::vector<std::string>& names);
     [[nodiscard]] std::vector<std::string> visibleNames() const;
+    /// These and no others.
+    void showLayers(std::span<const model::LayerId> layers);
+    /// Sets of saved views, for the menu of layer sets.
+    void offerSets(std::vector<model::session::LayerSet> sets);
+    [[nodiscard]] const std::vector<model::session::LayerSet>& offeredSets() const { return m_offered; }
+    /// Shows or hides some, as one edit.
+    void setVisible(std::span<const model::LayerId> layers, bool isVisible);
+    /// By check marks, one entry per layer.
+    [[nodiscard]] std::vector<bool> visibility() const;
+    [[nodiscard]] std::vector<bool> defaultVisibility() const;
     /// As a session saves them: colours only where they were changed. Names that no layer has are passed over.
     [[nodiscard]] std::vector<model::session::LayerState> states() const;
     void setStates(const std::vector<model::session::LayerState>& states);
+    [[nodiscard]] LayerSettings settings() const;
+    /// Without `edited`.
+    void setSettings(const LayerSettings& settings);
     /// Other colours to begin with: layers whose colour nobody changed take them.
     void setDefaults(std::vector<LayerAppearance> defaults);
-    void show(model::LayerId layer) {
-        setData(index(static_cast<int>(layer.row()), Visible), Qt::Checked, Qt::CheckStateRole);
-    }
+    void show(model::LayerId layer) { setVisible({&layer, 1}, true); }
+    /// Null before the first board.
+    [[nodiscard]] const model::Document* document() const { return m_document.get(); }
     /// As drawn, one per layer.
     [[nodiscard]] std::vector<QColor> colours() const;
     /// Back to the styles the document was opened with.
@@ -64,10 +98,13 @@ public:
 signals:
     /// Once per edit, however many layers it concerns.
     void stylesChanged();
+    /// The user did this; what only shows for a while (solo) or came with a board is none.
+    void edited(const ui::LayerEdit& edit);
 
 private:
-    template <class Rule>
-    void setVisibility(const Rule& rule);
+    template <class Change>
+    void change(const QString& what, int cell, const Change& apply);
+    void setVisibility(const std::vector<bool>& isVisible);
     void announceAllChanged();
     [[nodiscard]] int rows() const override { return static_cast<int>(m_styles.size()); }
     [[nodiscard]] Cell cell(int row, int column) const override;
@@ -79,8 +116,11 @@ private:
     std::vector<LayerAppearance> m_defaults;
     std::vector<LayerAppearance> m_styles;
     model::LayerId m_solo;
+    std::vector<model::session::LayerSet> m_offered;
 };
 
+/// "Copper", "Solder mask", …
+[[nodiscard]] QString layerGroupText(model::LayerGroup group);
 /// What a layer is for, in words instead of the matrix's capitals: "Signal", "Power plane", …
 [[nodiscard]] QString layerTypeText(model::LayerType type);
 

@@ -1,5 +1,7 @@
 #include "ui/layers/layers_feature.h"
 
+#include "ui/layers/layer_sets.h"
+#include "ui/layers/layer_step.h"
 #include "ui/layers/layers_panel.h"
 
 namespace ui {
@@ -8,20 +10,23 @@ void addLayers(FeatureContext& context) {
     Workspace& workspace = context.workspace;
     LayerModel& layers = context.layers;
     auto* panel = new LayersPanel(layers, context.actions);
-    context.addPanel({ActionId::ShowLayersDock, "layers", LayersPanel::tr("Layers"), Qt::LeftDockWidgetArea, {}, 27},
+    context.addPanel({ActionId::ShowLayersDock, "layers", LayersPanel::tr("Layers"), Qt::LeftDockWidgetArea, {}, 20},
                      *panel);
-    context.on(ActionId::ShowAllLayers, [&layers] { layers.showAll(); });
-    context.on(ActionId::HideAllLayers, [&layers] { layers.hideAll(); });
-    context.on(ActionId::ShowCopperOnly, [&layers] { layers.showCopperOnly(); });
+    panel->setSets(*new LayerSets(layers, workspace, context.actions, context.window));
     context.on(ActionId::RestoreLayers, [&layers] { layers.restoreDefaults(); });
     context.on(ActionId::SoloLayer, [&] { layers.toggleSolo(workspace.currentLayer()); });
     context.on(ActionId::NextLayer, panel, [panel] { panel->step(1); });
     context.on(ActionId::PreviousLayer, panel, [panel] { panel->step(-1); });
+    context.on(ActionId::TopCopper, panel, [panel] { panel->goToOuterCopper(true); });
+    context.on(ActionId::BottomCopper, panel, [panel] { panel->goToOuterCopper(false); });
+    QObject::connect(&layers, &LayerModel::edited, &workspace, [&layers, &workspace](const LayerEdit& edit) {
+        workspace.history().push(new LayerStep(layers, edit));
+    });
     const auto report = [panel, &workspace] { workspace.setCurrentLayer(panel->currentLayer()); };
     QObject::connect(panel, &LayersPanel::currentChanged, &workspace, report);
     QObject::connect(&workspace, &Workspace::currentLayerChanged, panel, [panel](model::LayerId layer) {
         if (layer.isValid() && layer != panel->currentLayer()) {
-            panel->selectRow(static_cast<int>(layer.row()));
+            panel->select(layer);
         }
     });
     QObject::connect(&workspace, &Workspace::layerWanted, &layers, &LayerModel::show);

@@ -3,102 +3,236 @@
 #include <QColorDialog>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QMenu>
+#include <QToolButton>
 #include <algorithm>
+#include <iterator>
 
 #include "ui/common/panel_parts.h"
 #include "ui/common/table_view.h"
+#include "ui/layers/layer_sets.h"
 #include "ui/workspace/actions.h"
 
 namespace ui {
 
+namespace {
+
+/// In letters: what a name has at least, whatever the width of the panel.
+constexpr int kLeastName = 8;
+
+}  // namespace
+
 LayersPanel::LayersPanel(LayerModel& model, const ActionSet& actions, QWidget* parent)
-    : QWidget(parent), m_model(model), m_table(new TableView(model)) {
-    m_table->setTextElideMode(Qt::ElideMiddle);  // long names differ at their ends
-    m_table->installEventFilter(this);
-    connect(m_table, &QTableView::clicked, this, &LayersPanel::chooseColour);
-    connect(&model, &QAbstractItemModel::modelReset, this, &LayersPanel::fitColumns);
-    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &LayersPanel::currentChanged);
+    : QWidget(parent),
+      m_model(model),
+      m_actions(actions),
+      m_rows(new GroupedLayers(model, this)),
+      m_table(new TableView(model)),
+      m_sets(new QToolButton) {
+    setUpTable();
+    m_sets->setObjectName(QStringLiteral("layerSets"));
+    m_sets->setText(tr("Layer set"));
+    m_sets->setToolTip(tr("Show a set of layers; save the visible ones as a set of your own"));
+    m_sets->setPopupMode(QToolButton::InstantPopup);
+    m_sets->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    auto* controls = new QHBoxLayout;
+    controls->addWidget(m_sets);
+    controls->addLayout(buttonRow({&actions[ActionId::ShowAllLayers], &actions[ActionId::HideAllLayers]}));
     auto* column = columnIn(*this);
-    column->addLayout(buttonRow({&actions[ActionId::ShowAllLayers], &actions[ActionId::HideAllLayers],
-                                 &actions[ActionId::ShowCopperOnly], &actions[ActionId::RestoreLayers]}));
+    column->addLayout(controls);
     column->addWidget(m_table);
     fitColumns();
 }
 
+void LayersPanel::setUpTable() {
+    m_table->setModel(m_rows);
+    m_table->setButtonColumns({LayerModel::Visible, LayerModel::Colour, LayerModel::Solo});
+    m_table->setTextElideMode(Qt::ElideMiddle);  // long names differ at their ends
+    m_table->setContextMenuPolicy(Qt::CustomContextMenu);
+    m_table->installEventFilter(this);
+    m_table->viewport()->installEventFilter(this);
+    connect(m_table, &QWidget::customContextMenuRequested, this, &LayersPanel::showMenu);
+    connect(m_table, &QTableView::clicked, this, &LayersPanel::chooseColour);
+    connect(m_table, &QTableView::clicked, this, &LayersPanel::toggleFold);
+    connect(m_rows, &QAbstractItemModel::modelReset, this, &LayersPanel::fitColumns);
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &LayersPanel::currentChanged);
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &LayersPanel::currentChanged);
+}
+
+void LayersPanel::setSets(LayerSets& sets) {
+    m_sets->setMenu(&sets.menu());
+    const auto showName = [this, &sets] {
+        QString name = sets.shownName();
+        m_sets->setText(name.isEmpty() ? tr("Layer set") : name.replace('&', QLatin1String("&&")));
+    };
+    connect(&sets, &LayerSets::changed, m_sets, showName);
+    showName();
+}
+
 void LayersPanel::fitColumns() {
-    m_table->resizeColumnsToContents();
     QHeaderView& header = *m_table->horizontalHeader();
-    const int letter = fontMetrics().horizontalAdvance('0');
-    header.setMinimumSectionSize(letter * 5);
-    // Names come first, up to a length; types take what is left and are in the tips.
-    m_table->setColumnWidth(LayerModel::Name, std::min(m_table->columnWidth(LayerModel::Name), letter * 16));
-    header.setSectionResizeMode(LayerModel::Type, QHeaderView::Stretch);
-    m_table->setColumnWidth(LayerModel::Opacity, fontMetrics().horizontalAdvance("  " + tr("Opacity") + "  "));
+    const QFontMetrics letters = fontMetrics();
+    header.setMinimumSectionSize(letters.horizontalAdvance('0') * 4);
+    m_table->resizeColumnsToContents();
+    m_nameWidth = letters.horizontalAdvance('0') * kLeastName;
+    m_typeWidth = 0;
+    for (int row = 0; row < m_model.rowCount(); ++row) {
+        const auto widthOf = [&](int column) {
+            return letters.horizontalAdvance(m_model.index(row, column).data().toString() + QStringLiteral("MM"));
+        };
+        m_nameWidth = std::max(m_nameWidth, widthOf(LayerModel::Name));
+        m_typeWidth = std::max(m_typeWidth, widthOf(LayerModel::Type));
+    }
+    // Names take what is left: they are what is looked for. Types are also in the headings and tips.
+    header.setSectionResizeMode(LayerModel::Name, QHeaderView::Stretch);
+    m_table->setColumnWidth(LayerModel::Type, m_typeWidth);
+    m_table->setColumnWidth(LayerModel::Opacity, letters.horizontalAdvance(" " + tr("Opacity") + " "));
+    showTypesIfThereIsRoom();
+}
+
+void LayersPanel::showTypesIfThereIsRoom() {
+    int taken = m_nameWidth + m_typeWidth;
+    for (const int column : {LayerModel::Visible, LayerModel::Colour, LayerModel::Opacity, LayerModel::Solo}) {
+        taken += m_table->columnWidth(column);
+    }
+    m_table->setColumnHidden(LayerModel::Type, taken > m_table->viewport()->width());
 }
 
 model::LayerId LayersPanel::currentLayer() const {
-    const QModelIndex current = m_table->currentIndex();
-    return current.isValid() ? model::LayerId{static_cast<std::size_t>(current.row())} : model::LayerId{};
+    const QItemSelectionModel& selection = *m_table->selectionModel();
+    QModelIndex row = m_table->currentIndex();
+    if (!row.isValid() || !selection.isRowSelected(row.row())) {
+        // A click into a box moves the cursor there and leaves the selection.
+        const QModelIndexList rows = selection.selectedRows();
+        row = rows.isEmpty() ? QModelIndex() : rows.first();
+    }
+    const bool isLayer = row.isValid() && !m_rows->isHeading(row.row());
+    return isLayer ? m_rows->layersAt(row.row()).front() : model::LayerId{};
 }
 
-void LayersPanel::selectRow(int row) {
-    m_table->selectRow(row);
+void LayersPanel::select(model::LayerId layer) {
+    const QModelIndex row = m_rows->index(m_rows->reveal(layer), LayerModel::Name);
+    // Not QTableView::selectRow, which extends the selection while Shift is held, as it is for +.
+    m_table->selectionModel()->setCurrentIndex(row, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+    m_table->scrollTo(row);
+}
+
+void LayersPanel::makeCurrent(model::LayerId layer) {
+    const bool isSolo = m_model.soloLayer().isValid();
+    select(layer);
+    if (isSolo && m_model.soloLayer() != layer) {
+        m_model.toggleSolo(layer);
+    }
 }
 
 void LayersPanel::step(int by) {
     const bool isSolo = m_model.soloLayer().isValid();
-    const QModelIndex current = m_table->currentIndex();
-    for (int row = current.isValid() ? current.row() + by : 0; row >= 0 && row < m_model.rowCount(); row += by) {
-        const bool isShown = m_model.index(row, LayerModel::Visible).data(Qt::CheckStateRole).toInt() == Qt::Checked;
-        if (isShown || isSolo) {
-            selectRow(row);
-            if (isSolo) {
-                m_model.toggleSolo(currentLayer());
-            }
+    const std::vector<bool> isVisible = m_model.visibility();
+    const auto count = static_cast<int>(isVisible.size());
+    const model::LayerId current = currentLayer();
+    for (int row = current.isValid() ? static_cast<int>(current.row()) + by : 0; row >= 0 && row < count; row += by) {
+        if (isVisible[static_cast<std::size_t>(row)] || isSolo) {
+            makeCurrent(model::LayerId{static_cast<std::size_t>(row)});
             return;
         }
     }
 }
 
+void LayersPanel::goToOuterCopper(bool isTop) {
+    if (m_model.document() == nullptr) {
+        return;
+    }
+    model::LayerId outer;
+    const auto& layers = m_model.document()->layers;
+    for (std::size_t row = 0; row < layers.size(); ++row) {
+        if (layers[row].isCopper() && !(isTop && outer.isValid())) {
+            outer = model::LayerId{row};
+        }
+    }
+    if (outer.isValid()) {
+        m_model.show(outer);
+        makeCurrent(outer);
+    }
+}
+
 bool LayersPanel::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == m_table && event->type() == QEvent::KeyPress) {
-        const QModelIndex current = m_table->currentIndex();
-        const int key = static_cast<QKeyEvent*>(event)->key();
-        const bool isEnter = key == Qt::Key_Return || key == Qt::Key_Enter;
-        if (key == Qt::Key_Space && current.column() != LayerModel::Solo) {
-            toggleSelected();
-            return true;
-        }
-        if (isEnter && current.column() == LayerModel::Colour) {
-            chooseColour(current);
-            return true;
-        }
-        // The Enter that ends an editor arrives here too.
-        if (isEnter && current.column() == LayerModel::Opacity && !m_table->isPersistentEditorOpen(current)) {
-            m_table->edit(current);
-            return true;
-        }
+    if (watched == m_table->viewport() && event->type() == QEvent::Resize) {
+        showTypesIfThereIsRoom();
+    } else if (watched == m_table && event->type() == QEvent::KeyPress) {
+        return handleKey(static_cast<QKeyEvent*>(event)->key()) || QWidget::eventFilter(watched, event);
     }
     return QWidget::eventFilter(watched, event);
 }
 
-void LayersPanel::toggleSelected() {
-    const QModelIndexList rows = m_table->selectionModel()->selectedRows(LayerModel::Visible);
-    if (rows.isEmpty()) {
-        return;
+bool LayersPanel::handleKey(int key) {
+    const QModelIndex current = m_table->currentIndex();
+    if (key == Qt::Key_Space && current.column() != LayerModel::Solo) {
+        toggleSelected();
+        return true;
     }
-    // All follow the first, so that a mixed selection becomes uniform.
-    const bool wasShown = rows.first().data(Qt::CheckStateRole).toInt() == Qt::Checked;
-    for (const QModelIndex& row : rows) {
-        m_model.setData(row, wasShown ? Qt::Unchecked : Qt::Checked, Qt::CheckStateRole);
+    if ((key != Qt::Key_Return && key != Qt::Key_Enter) || !current.isValid()) {
+        return false;
+    }
+    if (m_rows->isHeading(current.row())) {
+        toggleFold(current);
+    } else if (current.column() == LayerModel::Colour) {
+        chooseColour(current);
+    } else if (current.column() == LayerModel::Opacity && !m_table->isPersistentEditorOpen(current)) {
+        m_table->edit(current);  // the Enter that ends an editor arrives here too
+    } else {
+        return false;
+    }
+    return true;
+}
+
+void LayersPanel::toggleFold(const QModelIndex& index) {
+    if (index.isValid() && m_rows->isHeading(index.row()) && index.column() != LayerModel::Visible) {
+        const model::LayerGroup group = m_rows->groupAt(index.row());
+        m_rows->fold(group, !m_rows->isFolded(group));
     }
 }
 
+void LayersPanel::toggleSelected() {
+    std::vector<model::LayerId> layers;
+    for (const QModelIndex& row : m_table->selectionModel()->selectedRows()) {
+        std::ranges::copy(m_rows->layersAt(row.row()), std::back_inserter(layers));
+    }
+    if (!layers.empty()) {
+        // All follow the first, so that a mixed selection becomes uniform.
+        m_model.setVisible(layers, !m_model.visibility()[layers.front().row()]);
+    }
+}
+
+void LayersPanel::showMenu(const QPoint& at) {
+    QMenu menu;
+    const QModelIndex index = m_table->indexAt(at);
+    if (index.isValid()) {
+        const std::vector<model::LayerId> layers = m_rows->layersAt(index.row());
+        menu.addAction(m_rows->isHeading(index.row()) ? tr("Show &only this group") : tr("Show &only this layer"), this,
+                       [this, layers] { m_model.showLayers(layers); });
+        if (!m_rows->isHeading(index.row())) {
+            menu.addAction(tr("&Colour…"), this,
+                           [this, index] { chooseColour(index.siblingAtColumn(LayerModel::Colour)); });
+        }
+        menu.addAction(&m_actions[ActionId::Contrast]);
+        menu.addSeparator();
+    }
+    for (const ActionId id : {ActionId::ShowDefaultLayers, ActionId::ShowAllLayers, ActionId::HideAllLayers,
+                              ActionId::SaveLayerSet, ActionId::RestoreLayers}) {
+        menu.addAction(&m_actions[id]);
+    }
+    menu.addSeparator();
+    menu.addAction(tr("Co&py rows"), m_table, &TableView::copySelection);
+    menu.exec(m_table->viewport()->mapToGlobal(at));
+}
+
 void LayersPanel::chooseColour(const QModelIndex& index) {
-    if (index.column() != LayerModel::Colour || findChild<QColorDialog*>() != nullptr) {
+    if (index.column() != LayerModel::Colour || m_rows->isHeading(index.row()) ||
+        findChild<QColorDialog*>() != nullptr) {
         return;
     }
-    const QPersistentModelIndex cell = index;  // the board may be replaced while the dialog is open
+    const QPersistentModelIndex cell =
+        m_rows->mapToSource(index);  // the board may be replaced while the dialog is open
     const QColor before = index.data(Qt::EditRole).value<QColor>();
     const auto set = [this, cell](const QColor& colour) {
         if (cell.isValid()) {

@@ -2,42 +2,63 @@
 
 #include <QWidget>
 
-#include "ui/layers/layer_model.h"
+#include "ui/layers/grouped_layers.h"
+
+class QToolButton;
 
 namespace ui {
 
 class ActionSet;
+class LayerSets;
 class TableView;
 
-/// The layers of the board: visibility, colour, opacity, solo; with buttons for all of them at once.
+/// The layers of the board in groups: visibility, colour, opacity, solo; with a menu of sets to show at once.
 class LayersPanel : public QWidget {
     Q_OBJECT
 
 public:
     LayersPanel(LayerModel& model, const ActionSet& actions, QWidget* parent = nullptr);
 
-    /// The row the cursor is on; none if there is none.
+    /// Lets the button above the table open the menu of `sets`, with the name of the one that is shown.
+    void setSets(LayerSets& sets);
+    /// The one that is selected; of several the one the cursor is on. None if there is none.
     [[nodiscard]] model::LayerId currentLayer() const;
-    void selectRow(int row);
-    /// Moves to the next visible layer `by` rows on (1 or -1), or stays at the last one. While a layer is shown alone,
-    /// all layers of the board count, and the one moved to is shown alone instead.
+    /// Unfolds its group.
+    void select(model::LayerId layer);
+    /// Moves to the next visible layer `by` rows on (1 or -1) in the order of the stackup, or stays at the last one.
+    /// While a layer is shown alone, all layers of the board count, and the one moved to is shown alone instead.
     void step(int by);
+    /// Goes to the uppermost or the lowest copper and shows it.
+    void goToOuterCopper(bool isTop);
     [[nodiscard]] TableView& table() { return *m_table; }
+    [[nodiscard]] GroupedLayers& rows() { return *m_rows; }
 
 signals:
     void currentChanged();
 
 protected:
-    /// Space shows and hides the selected layers, Enter edits the colour.
+    /// Space shows and hides the selected layers, Enter edits the colour or folds a group. The table's room decides
+    /// which columns there are.
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    void setUpTable();
     void fitColumns();
+    void showTypesIfThereIsRoom();
+    void makeCurrent(model::LayerId layer);
+    [[nodiscard]] bool handleKey(int key);
+    void toggleFold(const QModelIndex& index);
     void toggleSelected();
     void chooseColour(const QModelIndex& index);
+    void showMenu(const QPoint& at);
 
     LayerModel& m_model;
+    const ActionSet& m_actions;
+    GroupedLayers* m_rows;
     TableView* m_table;
+    QToolButton* m_sets;
+    int m_typeWidth = 0;  ///< pixels
+    int m_nameWidth = 0;  ///< of the longest
 };
 
 }  // namespace ui

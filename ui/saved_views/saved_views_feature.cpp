@@ -41,7 +41,7 @@ SavedViewsFeature::SavedViewsFeature(FeatureContext& context)
       m_layers(context.layers),
       m_orthographic(context.actions[ActionId::Orthographic]),
       m_saved(m_workspace, tr("The views"), &session::Session::views, session::saveViews,
-              [this](const auto& views) { m_list.setViews(views); }) {
+              [this](const auto& views) { take(views); }) {
     m_list.setParent(this);
     addPanel(context);
     context.on(ActionId::SaveView, this, [this] { saveView(); });
@@ -64,6 +64,17 @@ void SavedViewsFeature::addPanel(FeatureContext& context) {
     context.addPanel(
         {ActionId::ShowSavedViewsDock, "views", tr("Saved views"), Qt::RightDockWidgetArea, "element", 0},
         *panelOf(buttonRow({&actions[ActionId::SaveView], &actions[ActionId::SaveSelection], &remove}), table));
+}
+
+void SavedViewsFeature::take(const std::vector<session::SavedView>& views) {
+    m_list.setViews(views);
+    std::vector<session::LayerSet> sets;
+    for (const session::SavedView& view : views) {
+        if (!view.selection) {
+            sets.push_back({view.name, view.layers});
+        }
+    }
+    m_layers.offerSets(std::move(sets));
 }
 
 void SavedViewsFeature::saveView() {

@@ -27,6 +27,8 @@ public:
 private:
     /// A click on a row, or Enter, restores it; F2 or a double click renames it, Del deletes it.
     void addPanel(FeatureContext& context);
+    /// Lists the views, and offers their layers to whoever shows layers.
+    void take(const std::vector<model::session::SavedView>& views);
     /// Shows what was saved for this step of the board.
     void restoreDesk(const LoadedBoard& board);
     void setCameras(const model::session::Pose& flat, const model::session::Pose& solid);

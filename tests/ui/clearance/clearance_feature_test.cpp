@@ -80,7 +80,7 @@ private slots:
         for (std::size_t row = 0; row < board.layers.size(); ++row) {
             bottom = board.layers[row].isCopper() ? model::LayerId{row} : bottom;
         }
-        window().layersPanel().selectRow(static_cast<int>(bottom.row()));
+        window().layersPanel().select(bottom);
         ask(ClearancePanel::Where::Layer);
         const QModelIndex check = window().layers().index(int(bottom.row()), ui::LayerModel::Visible);
         QVERIFY(window().layers().setData(check, Qt::Unchecked, Qt::CheckStateRole));
@@ -118,7 +118,7 @@ private slots:
                                                 {0, board.elements.net[first.found.b.row()]}};
         }();
 
-        window().layersPanel().selectRow(static_cast<int>(first.found.layer.row()));
+        window().layersPanel().select(first.found.layer);
         ask(ClearancePanel::Where::Layer);
         QVERIFY(locations.rowCount() > 0 && locations.rowCount() < all);
         for (int row = 0; row < locations.rowCount(); ++row) {

@@ -106,9 +106,9 @@ private slots:
         views().flat().controller().look(render::NamedView::Bottom);
         QTRY_VERIFY(distances().field() != nullptr && distances().field()->layer() == copper.back());
         waitForMaps();
-        window().layersPanel().selectRow(static_cast<int>(copper[1].row()));
+        window().layersPanel().select(copper[1]);
         QTRY_VERIFY(distances().field() != nullptr && distances().field()->layer() == copper[1]);
-        window().layersPanel().selectRow(0);  // no copper
+        window().layersPanel().select(model::LayerId{std::size_t{0}});  // no copper
         window().layers().toggleSolo(copper.front());
         QTRY_VERIFY(distances().field() != nullptr && distances().field()->layer() == copper.front());
         window().layers().toggleSolo({});

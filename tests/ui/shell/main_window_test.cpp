@@ -110,7 +110,7 @@ private slots:
         QVERIFY(m_fixture->openAndWait(kSample));
         const QImage all = m_fixture->picture();
         const QModelIndex cell = topCopper(ui::LayerModel::Name);
-        window().layersPanel().selectRow(cell.row());
+        window().layersPanel().select(model::LayerId{std::size_t(cell.row())});
         m_fixture->key(Qt::Key_H);
         QCOMPARE(window().layers().soloLayer().row(), static_cast<std::size_t>(cell.row()));
         QVERIFY(differingPixels(all, m_fixture->picture()) > 1000);

@@ -110,7 +110,7 @@ private slots:
     }
 
     void contrastFadesTheOtherLayersInTwoDOnly() {
-        window().layersPanel().selectRow(topCopper());
+        window().layersPanel().select(model::LayerId{std::size_t(topCopper())});
         const QImage before[] = {picture(views().flat()), picture(views().solid())};
         m_fixture->key(Qt::Key_H, Qt::ShiftModifier);
         QVERIFY(differingPixels(before[0], picture(views().flat())) > 1000);
@@ -123,7 +123,7 @@ private slots:
     }
 
     void layerKeysStepThroughVisibleLayersAndCarrySoloAlong() {
-        window().layersPanel().selectRow(topCopper());
+        window().layersPanel().select(model::LayerId{std::size_t(topCopper())});
         m_fixture->key(Qt::Key_PageDown);
         const int next = static_cast<int>(window().layersPanel().currentLayer().row());
         QVERIFY(next > topCopper());

@@ -2,10 +2,12 @@
 
 #include <QAbstractItemModelTester>
 #include <QSignalSpy>
+#include <QUndoStack>
 #include <QtTest>
 
 #include "tests/unit/ui/sample_document.h"
 #include "ui/common/table_text.h"
+#include "ui/layers/layer_step.h"
 
 using ui::LayerAppearance;
 using ui::LayerModel;
@@ -85,6 +87,64 @@ private slots:
         QCOMPARE(visibleRows(m_model), "0000");
         m_model.restoreDefaults();
         QCOMPARE(visibleRows(m_model), "1101");
+    }
+
+    void editsAreToldWithWhatUndoNeeds() {
+        QUndoStack history;
+        connect(&m_model, &LayerModel::edited, &history,
+                [&](const ui::LayerEdit& edit) { history.push(new ui::LayerStep(m_model, edit)); });
+        m_model.setData(m_model.index(0, LayerModel::Visible), Qt::Unchecked, Qt::CheckStateRole);
+        m_model.showCopperOnly();
+        m_model.showCopperOnly();  // changes nothing
+        m_model.setData(m_model.index(1, LayerModel::Colour), QColor(1, 2, 3), Qt::EditRole);
+        QCOMPARE(history.count(), 3);
+        history.undo();
+        QCOMPARE(m_model.effectiveStyles()[1].colour, QColor(Qt::blue));
+        history.undo();
+        QCOMPARE(visibleRows(m_model), "0101");
+        history.undo();
+        QCOMPARE(visibleRows(m_model), "1101");
+        history.redo();
+        QCOMPARE(visibleRows(m_model), "0101");
+        QCOMPARE(history.count(), 3);
+    }
+
+    void aDragIsOneStepAndNoneIfItEndsWhereItBegan() {
+        QUndoStack history;
+        connect(&m_model, &LayerModel::edited, &history,
+                [&](const ui::LayerEdit& edit) { history.push(new ui::LayerStep(m_model, edit)); });
+        const auto drag = [this](int row, int percent) {
+            m_model.setData(m_model.index(row, LayerModel::Opacity), percent, Qt::EditRole);
+        };
+        drag(0, 80);
+        drag(0, 30);
+        drag(1, 50);
+        QCOMPARE(history.count(), 2);
+        drag(1, 100);
+        QCOMPARE(history.count(), 1);
+        history.undo();
+        QCOMPARE(m_model.effectiveStyles()[0].opacityPercent, 100);
+    }
+
+    void undoKeepsThePaletteThatWasChosenSince() {
+        QUndoStack history;
+        connect(&m_model, &LayerModel::edited, &history,
+                [&](const ui::LayerEdit& edit) { history.push(new ui::LayerStep(m_model, edit)); });
+        m_model.hideAll();
+        auto other = sampleStyles();
+        other[0].colour = Qt::magenta;
+        m_model.setDefaults(other);
+        history.undo();
+        QCOMPARE(visibleRows(m_model), "1101");
+        QCOMPARE(m_model.effectiveStyles()[0].colour, QColor(Qt::magenta));
+    }
+
+    void defaultSetRestoresVisibilityAlone() {
+        m_model.setData(m_model.index(1, LayerModel::Colour), QColor(1, 2, 3), Qt::EditRole);
+        m_model.showAll();
+        m_model.showDefaultSet();
+        QCOMPARE(visibleRows(m_model), "1101");
+        QCOMPARE(m_model.effectiveStyles()[1].colour, QColor(1, 2, 3));
     }
 
     void opacityStaysBetweenNothingAndAll() {

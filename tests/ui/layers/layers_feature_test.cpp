@@ -1,0 +1,109 @@
+// Layers are shown in sets, undone like every other edit, and the current one is on top in 2D.
+
+#include <QMenu>
+#include <QToolButton>
+#include <QtTest>
+#include <algorithm>
+
+#include "tests/ui/window_fixture.h"
+#include "ui/layers/layer_sets.h"
+
+using ui::ActionId;
+
+class LayersFeatureTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        m_fixture = std::make_unique<WindowFixture>();
+        m_job = QString::fromStdString(m_fixture->copyOfJob("everything").string());
+        QVERIFY(m_fixture->openAndWait(m_job));
+    }
+    void cleanup() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
+
+    void hidingAndShowingIsUndone() {
+        const std::vector<bool> before = window().layers().visibility();
+        trigger(ActionId::HideAllLayers);
+        trigger(ActionId::ShowInnerLayers);
+        QVERIFY(window().layers().visibility() != before);
+        m_fixture->key(Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(window().layers().visibleNames(), std::vector<std::string>());
+        m_fixture->key(Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(window().layers().visibility(), before);
+    }
+
+    void ownSetsAreKeptWithTheBoardAndUndone() {
+        window().layers().showOnly({"TOP"});
+        sets().save("Mine & yours");
+        trigger(ActionId::ShowDefaultLayers);
+        QCOMPARE(button().text(), QString("Default set"));
+        m_fixture->restart();
+        QVERIFY(m_fixture->openAndWait(m_job));
+        choose("Mine && yours");
+        QCOMPARE(window().layers().visibleNames(), std::vector<std::string>{"TOP"});
+        QCOMPARE(button().text(), QString("Mine && yours"));
+        sets().remove("Mine & yours");
+        QVERIFY(sets().own().empty());
+        trigger(ActionId::Undo);
+        QCOMPARE(sets().own().size(), std::size_t{1});
+    }
+
+    void savedViewsOfferTheirLayers() {
+        window().layers().showOnly({"TOP"});
+        trigger(ActionId::SaveView);
+        trigger(ActionId::ShowAllLayers);
+        choose("View 1");
+        QCOMPARE(window().layers().visibleNames(), std::vector<std::string>{"TOP"});
+    }
+
+    void theCurrentLayerIsOnTopIn2D() {
+        trigger(ActionId::ShowCopperOnly);
+        trigger(ActionId::TopCopper);
+        const QImage top = picture();
+        trigger(ActionId::BottomCopper);
+        const model::LayerId bottom = window().layersPanel().currentLayer();
+        QVERIFY(bottom > window().document()->findLayer("TOP"));
+        QVERIFY(differingPixels(picture(), top) > 100);
+        const auto heights = window().views().flat().drawnHeights();
+        QVERIFY(std::ranges::all_of(heights, [&](const auto& z) { return z.z1 <= heights[bottom.row()].z1; }));
+        trigger(ActionId::TopCopper);
+        QCOMPARE(differingPixels(picture(), top), 0);
+    }
+
+    void kiCadsKeysGoToOuterCopper() {
+        trigger(ActionId::KeysKiCad);
+        m_fixture->key(Qt::Key_PageDown);
+        const model::LayerId bottom = window().layersPanel().currentLayer();
+        QVERIFY(bottom.isValid());
+        m_fixture->key(Qt::Key_PageUp);
+        QCOMPARE(window().layersPanel().currentLayer(), window().document()->findLayer("TOP"));
+        QVERIFY(bottom > window().layersPanel().currentLayer());
+    }
+
+private:
+    TestWindow& window() { return m_fixture->window(); }
+    ui::LayerSets& sets() { return window().find<ui::LayerSets>(); }
+    QToolButton& button() { return *window().findChild<QToolButton*>("layerSets"); }
+    void trigger(ActionId id) { window().actions()[id].trigger(); }
+    void choose(const QString& set) {
+        QMenu& menu = *button().menu();
+        emit menu.aboutToShow();
+        for (QAction* action : menu.actions()) {
+            if (action->text() == set) {
+                action->trigger();
+                return;
+            }
+        }
+        QFAIL(qPrintable(set + " is not offered"));
+    }
+    QImage picture() {
+        base::Result<QImage> image = window().views().flat().grabPicture();
+        return image ? image->convertToFormat(QImage::Format_RGB32) : QImage();
+    }
+
+    std::unique_ptr<WindowFixture> m_fixture;
+    QString m_job;
+};
+
+QTEST_MAIN(LayersFeatureTest)
+#include "layers_feature_test.moc"
