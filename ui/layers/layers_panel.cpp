@@ -33,6 +33,7 @@ LayersPanel::LayersPanel(LayerModel& model, const ActionSet& actions, QWidget* p
     m_sets->setObjectName(QStringLiteral("layerSets"));
     m_sets->setText(tr("Layer set"));
     m_sets->setToolTip(tr("Show a set of layers; save the visible ones as a set of your own"));
+    m_sets->setFocusPolicy(Qt::NoFocus);  // who comes to the panel by keys comes for the layers
     m_sets->setPopupMode(QToolButton::InstantPopup);
     m_sets->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     auto* controls = new QHBoxLayout;
@@ -62,6 +63,7 @@ void LayersPanel::setUpTable() {
 void LayersPanel::setSets(LayerSets& sets) {
     m_sets->setMenu(&sets.menu());
     const auto showName = [this, &sets] {
+        m_sets->setEnabled(m_model.document() != nullptr);
         QString name = sets.shownName();
         m_sets->setText(name.isEmpty() ? tr("Layer set") : name.replace('&', QLatin1String("&&")));
     };

@@ -1,9 +1,8 @@
-// Layers are shown in sets, undone like every other edit, and the current one is on top in 2D.
+// Layers are shown in sets, and what is done to them is undone like every other edit.
 
 #include <QMenu>
 #include <QToolButton>
 #include <QtTest>
-#include <algorithm>
 
 #include "tests/ui/window_fixture.h"
 #include "ui/layers/layer_sets.h"
@@ -56,20 +55,6 @@ private slots:
         QCOMPARE(window().layers().visibleNames(), std::vector<std::string>{"TOP"});
     }
 
-    void theCurrentLayerIsOnTopIn2D() {
-        trigger(ActionId::ShowCopperOnly);
-        trigger(ActionId::TopCopper);
-        const QImage top = picture();
-        trigger(ActionId::BottomCopper);
-        const model::LayerId bottom = window().layersPanel().currentLayer();
-        QVERIFY(bottom > window().document()->findLayer("TOP"));
-        QVERIFY(differingPixels(picture(), top) > 100);
-        const auto heights = window().views().flat().drawnHeights();
-        QVERIFY(std::ranges::all_of(heights, [&](const auto& z) { return z.z1 <= heights[bottom.row()].z1; }));
-        trigger(ActionId::TopCopper);
-        QCOMPARE(differingPixels(picture(), top), 0);
-    }
-
     void kiCadsKeysGoToOuterCopper() {
         trigger(ActionId::KeysKiCad);
         m_fixture->key(Qt::Key_PageDown);
@@ -95,10 +80,6 @@ private:
             }
         }
         QFAIL(qPrintable(set + " is not offered"));
-    }
-    QImage picture() {
-        base::Result<QImage> image = window().views().flat().grabPicture();
-        return image ? image->convertToFormat(QImage::Format_RGB32) : QImage();
     }
 
     std::unique_ptr<WindowFixture> m_fixture;

@@ -118,8 +118,27 @@ private slots:
         const QImage contrast = picture(views().flat());
         m_fixture->key(Qt::Key_PageDown);
         QVERIFY2(differingPixels(contrast, picture(views().flat())) > 1000, "the layer below is the bright one now");
+        m_fixture->key(Qt::Key_PageUp);
         m_fixture->key(Qt::Key_H, Qt::ShiftModifier);
         QCOMPARE(differingPixels(before[0], picture(views().flat())), 0);
+    }
+
+    void theCurrentLayerIsOnTopInTwoDOnly() {
+        const auto trigger = [this](ActionId id) { window().actions()[id].trigger(); };
+        trigger(ActionId::ShowCopperOnly);
+        trigger(ActionId::TopCopper);
+        const QImage top[] = {picture(views().flat()), picture(views().solid())};
+        trigger(ActionId::BottomCopper);
+        const std::size_t bottom = window().layersPanel().currentLayer().row();
+        QVERIFY(differingPixels(picture(views().flat()), top[0]) > 1000);
+        QCOMPARE(differingPixels(picture(views().solid()), top[1]), 0);
+        const auto heights = views().flat().drawnHeights();  // by which clicks are resolved
+        for (std::size_t row = 0; row < heights.size(); ++row) {
+            const bool isHole = window().document()->layers[row].spans(model::LayerId{bottom});
+            QCOMPARE(heights[row].z1 > heights[bottom].z1, isHole);
+        }
+        trigger(ActionId::TopCopper);
+        QCOMPARE(differingPixels(picture(views().flat()), top[0]), 0);
     }
 
     void layerKeysStepThroughVisibleLayersAndCarrySoloAlong() {
