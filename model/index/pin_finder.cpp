@@ -2,19 +2,44 @@
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
 
 namespace model {
 
 PinFinder::PinFinder(const Document& document) : m_document(&document), m_start(document.nets.size() + 2) {
-    for (const Pin& pin : document.pins) {
+    groupPins();
+    listElements();
+}
+
+void PinFinder::groupPins() {
+    const auto& pins = m_document->pins;
+    for (const Pin& pin : pins) {
         ++m_start[groupOf(pin.net) + 1];
     }
     std::partial_sum(m_start.begin(), m_start.end(), m_start.begin());
-    m_pins.resize(m_start.back());
-    std::vector<std::uint32_t> next = m_start;
-    for (std::size_t row = 0; row < document.pins.size(); ++row) {
-        m_pins[next[groupOf(document.pins[row].net)]++] = PinId{row};
+    for (std::size_t row = 0; row < pins.size(); ++row) {
+        m_pins.emplace_back(row);
     }
+    std::ranges::sort(m_pins, {}, [&](PinId pin) {
+        const Pin& at = pins[pin.row()];
+        return std::tuple(groupOf(at.net), at.position.x, pin);
+    });
+}
+
+void PinFinder::listElements() {
+    std::vector<std::pair<PinId, ElementId>> pairs;
+    for (std::size_t row = 0; row < m_document->elements.size(); ++row) {
+        for (const PinId pin : pinsOf(ElementId{row})) {
+            pairs.emplace_back(pin, ElementId{row});
+        }
+    }
+    std::ranges::sort(pairs);
+    m_firstElement.resize(m_document->pins.size() + 1);
+    for (const auto& [pin, element] : pairs) {
+        ++m_firstElement[pin.row() + 1];
+        m_elements.push_back(element);
+    }
+    std::partial_sum(m_firstElement.begin(), m_firstElement.end(), m_firstElement.begin());
 }
 
 std::size_t PinFinder::groupOf(NetId net) const {
@@ -41,8 +66,16 @@ std::vector<PinId> PinFinder::pinsOf(ElementId element) const {
     std::vector<PinId> pins;
     const Box box = m_document->boxOf(element);
     const std::size_t group = groupOf(elements.net[element.row()]);
-    std::copy_if(m_pins.begin() + m_start[group], m_pins.begin() + m_start[group + 1], std::back_inserter(pins),
-                 [&](PinId pin) { return box.holds(m_document->pins[pin.row()].position); });
+    const auto at = [&](PinId pin) { return m_document->pins[pin.row()].position; };
+    const auto end = m_pins.begin() + m_start[group + 1];
+    auto next = std::lower_bound(m_pins.begin() + m_start[group], end, box.min.x,
+                                 [&](PinId pin, Nm x) { return at(pin).x < x; });
+    for (; next != end && at(*next).x <= box.max.x; ++next) {
+        if (box.holds(at(*next))) {
+            pins.push_back(*next);
+        }
+    }
+    std::ranges::sort(pins);
     return pins;
 }
 
@@ -54,40 +87,21 @@ ComponentId PinFinder::componentOf(ElementId element) const {
     return pins.empty() ? ComponentId{} : m_document->pins[pins.front().row()].component;
 }
 
-std::vector<ElementId> PinFinder::elementsOf(std::uint32_t firstPin, std::uint32_t pinCount) const {
-    std::vector<NetId> nets;
-    for (std::uint32_t row = firstPin; row < firstPin + pinCount; ++row) {
-        nets.push_back(m_document->pins[row].net);
-    }
-    std::ranges::sort(nets);
-    nets.erase(std::unique(nets.begin(), nets.end()), nets.end());
+std::vector<ElementId> PinFinder::elementsOf(PinId pin) const {
+    const auto first = m_elements.begin() + m_firstElement[pin.row()];
+    const auto end = m_elements.begin() + m_firstElement[pin.row() + 1];
+    return first != end ? std::vector(first, end) : sharedBy(m_document->pins[pin.row()]);
+}
+
+std::vector<ElementId> PinFinder::elementsOf(ComponentId component) const {
+    const Component& part = m_document->components[component.row()];
     std::vector<ElementId> found;
-    std::vector<bool> isFound(pinCount);
-    const auto addIfMeant = [&](ElementId element) {
-        bool isMeant = false;
-        for (const PinId pin : pinsOf(element)) {
-            if (pin.row() >= firstPin && pin.row() < firstPin + pinCount) {
-                isMeant = isFound[pin.row() - firstPin] = true;
-            }
-        }
-        if (isMeant) {
-            found.push_back(element);
-        }
-    };
-    for (const NetId net : nets) {
-        if (net.isValid()) {
-            std::ranges::for_each(m_document->elementsOf(net), addIfMeant);
-            continue;
-        }
-        for (std::size_t row = 0; row < m_document->elements.size(); ++row) {
-            if (!m_document->elements.net[row].isValid()) {
-                addIfMeant(ElementId{row});
-            }
-        }
+    for (std::size_t pin = part.firstPin; pin < part.firstPin + part.pinCount; ++pin) {
+        std::ranges::copy(elementsOf(PinId{pin}), std::back_inserter(found));
     }
-    for (std::uint32_t i = 0; i < pinCount; ++i) {
-        if (!isFound[i]) {
-            addShared(m_document->pins[firstPin + i], found);
+    for (const Body& body : m_document->bodies) {
+        if (body.component == component) {
+            found.push_back(body.element);
         }
     }
     std::ranges::sort(found);
@@ -95,27 +109,13 @@ std::vector<ElementId> PinFinder::elementsOf(std::uint32_t firstPin, std::uint32
     return found;
 }
 
-void PinFinder::addShared(const Pin& pin, std::vector<ElementId>& found) const {
+std::vector<ElementId> PinFinder::sharedBy(const Pin& pin) const {
+    std::vector<ElementId> found;
     if (pin.net.isValid()) {
         std::ranges::copy_if(m_document->elementsOf(pin.net), std::back_inserter(found), [&](ElementId element) {
             return mayHavePins(element) && m_document->boxOf(element).holds(pin.position);
         });
     }
-}
-
-std::vector<ElementId> PinFinder::elementsOf(PinId pin) const {
-    return elementsOf(static_cast<std::uint32_t>(pin.row()), 1);
-}
-
-std::vector<ElementId> PinFinder::elementsOf(ComponentId component) const {
-    const Component& part = m_document->components[component.row()];
-    std::vector<ElementId> found = elementsOf(part.firstPin, part.pinCount);
-    for (const Body& body : m_document->bodies) {
-        if (body.component == component) {
-            found.push_back(body.element);
-        }
-    }
-    std::ranges::sort(found);
     return found;
 }
 
