@@ -1,0 +1,43 @@
+#include "model/index/pin_names.h"
+
+#include <algorithm>
+
+namespace model {
+
+namespace {
+
+const std::string* designatorOf(const Document& document, const Pin& pin) {
+    return pin.component.isValid() ? &document.components[pin.component.row()].refdes : nullptr;
+}
+
+}  // namespace
+
+std::string pinName(const Document& document, PinId id) {
+    const Pin& pin = document.pins[id.row()];
+    const std::string& name = document.text(pin.name);
+    const std::string* refdes = designatorOf(document, pin);
+    if (refdes == nullptr || name.size() < refdes->size() + 2 || !name.starts_with(*refdes)) {
+        return name;
+    }
+    const char separator = name[refdes->size()];
+    return separator == '-' || separator == '.' ? name.substr(refdes->size() + 1) : name;
+}
+
+std::string fullPinName(const Document& document, PinId id) {
+    const std::string* refdes = designatorOf(document, document.pins[id.row()]);
+    return refdes != nullptr ? *refdes + '.' + pinName(document, id) : pinName(document, id);
+}
+
+std::vector<NetId> netsOf(const Document& document, const Component& component) {
+    std::vector<NetId> nets;
+    for (const Pin& pin : document.pinsOf(component)) {
+        if (pin.net.isValid()) {
+            nets.push_back(pin.net);
+        }
+    }
+    std::ranges::sort(nets);
+    nets.erase(std::unique(nets.begin(), nets.end()), nets.end());
+    return nets;
+}
+
+}  // namespace model
