@@ -1,5 +1,6 @@
 #include "ui/common/sorted_rows.h"
 
+#include <QScopedValueRollback>
 #include <algorithm>
 
 namespace ui {
@@ -12,11 +13,16 @@ SortedRows::SortedRows(TableModel& model, QObject* parent) : QSortFilterProxyMod
 
 void SortedRows::setWords(const QString& words) {
     m_words = words.split(' ', Qt::SkipEmptyParts);
-    invalidateFilter();
+    filterAnew();
 }
 
 void SortedRows::setLeastRank(int rank) {
     m_leastRank = rank;
+    filterAnew();
+}
+
+void SortedRows::filterAnew() {
+    const QScopedValueRollback guard(m_isFiltering, true);
     invalidateFilter();
 }
 

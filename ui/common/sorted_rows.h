@@ -17,15 +17,21 @@ public:
 
     void setWords(const QString& words);
     void setLeastRank(int rank);
+    /// While rows come and go because of what is typed: a table then loses selected rows that the user did not
+    /// deselect.
+    [[nodiscard]] bool isFiltering() const { return m_isFiltering; }
 
 protected:
     [[nodiscard]] bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
     [[nodiscard]] bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
 
 private:
+    void filterAnew();
+
     TableModel& m_model;
     QStringList m_words;
     int m_leastRank = 0;
+    bool m_isFiltering = false;
 };
 
 }  // namespace ui

@@ -75,6 +75,10 @@ QVariant TableModel::headerData(int section, Qt::Orientation orientation, int ro
     const Column& column = m_columns[static_cast<std::size_t>(section)];
     switch (role) {
         case Qt::DisplayRole: return column.heading;
+        case kFileHeadingRole:
+            return (column.traits & kLength) != 0
+                       ? QStringLiteral("%1 (%2)").arg(column.heading, QLatin1String(unitName(m_unit)))
+                       : column.heading;
         case Qt::ToolTipRole: return valid(column.tip);
         case Qt::TextAlignmentRole: return alignmentOf(column.traits);
         default: return {};

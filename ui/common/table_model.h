@@ -16,6 +16,7 @@ enum ColumnTrait {
     kCheck = 4,     ///< with a box; without any other trait the box is all there is
     kColour = 8,    ///< a swatch of the value
     kPercent = 16,  ///< a bar of the value
+    kLength = 32,   ///< in the user's unit, which files name in the heading
 };
 
 struct Column {
@@ -44,6 +45,7 @@ public:
     static constexpr int kTraitsRole = Qt::UserRole;  ///< of a cell: its column's traits
     static constexpr int kChoicesRole = Qt::UserRole + 1;
     static constexpr int kSortRole = Qt::UserRole + 2;
+    static constexpr int kFileHeadingRole = Qt::UserRole + 3;  ///< of a heading: with the unit of lengths
 
     explicit TableModel(std::vector<Column> columns, QObject* parent = nullptr);
 

@@ -5,6 +5,9 @@
 #include <QStringList>
 #include <set>
 
+#include "model/text/formatting.h"
+#include "ui/common/table_model.h"
+
 namespace ui {
 
 namespace {
@@ -48,6 +51,22 @@ QString tableText(const QAbstractItemModel& model) {
     QString text = headingText(model);
     for (int row = 0; row < model.rowCount(); ++row) {
         text += rowText(model, row);
+    }
+    return text;
+}
+
+QString tableCsv(const QAbstractItemModel& model) {
+    const auto line = [&](const auto& textOf) {
+        QStringList fields;
+        for (int column = 0; column < model.columnCount(); ++column) {
+            fields += QString::fromStdString(::model::csvField(textOf(column).toStdString()));
+        }
+        return fields.join(',') + '\n';
+    };
+    QString text = line(
+        [&](int column) { return model.headerData(column, Qt::Horizontal, TableModel::kFileHeadingRole).toString(); });
+    for (int row = 0; row < model.rowCount(); ++row) {
+        text += line([&](int column) { return cellText(model.index(row, column)); });
     }
     return text;
 }

@@ -13,6 +13,10 @@ namespace ui {
 /// All rows with a heading line; cells separated by tabs, lines ended by a line feed: spreadsheets take it as a table.
 [[nodiscard]] QString tableText(const QAbstractItemModel& model);
 
+/// The same as a file: separated by commas, cells in quotes where they need them, the unit behind headings of lengths.
+/// For a TableModel, or its SortedRows.
+[[nodiscard]] QString tableCsv(const QAbstractItemModel& model);
+
 /// The rows that hold any of `cells`, in the order of the model and with all their columns; no heading.
 [[nodiscard]] QString rowsText(const QModelIndexList& cells);
 
