@@ -30,7 +30,7 @@ void follow(ElementPanel::Link link, Workspace& workspace, PartPicking& parts) {
 void addElement(FeatureContext& context) {
     Workspace& workspace = context.workspace;
     auto* picture = new ElementPicture(context.device, workspace.selection(), context.layers);
-    auto* panel = new ElementPanel(workspace.selection(), picture);
+    auto* panel = new ElementPanel(context.parts, workspace.selection(), picture);
     context.addPanel(
         {ActionId::ShowElementDock, "element", ElementPanel::tr("Element"), Qt::RightDockWidgetArea, {}, 22}, *panel);
     QObject::connect(&workspace, &Workspace::deviceGoes, picture, &ElementPicture::releaseDevice);

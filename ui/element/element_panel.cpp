@@ -10,7 +10,9 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/element/component_facts.h"
 #include "ui/element/element_picture.h"
+#include "ui/parts/pin_text.h"
 
 namespace ui {
 
@@ -30,8 +32,8 @@ std::optional<ElementPanel::Link> linkOf(const QString& fact) {
 
 }  // namespace
 
-ElementPanel::ElementPanel(SelectionModel& selection, ElementPicture* picture, QWidget* parent)
-    : QWidget(parent), m_selection(selection), m_heading(new QLabel), m_table(new QTableWidget(0, 2)) {
+ElementPanel::ElementPanel(PartPicking& parts, SelectionModel& selection, ElementPicture* picture, QWidget* parent)
+    : QWidget(parent), m_parts(parts), m_selection(selection), m_heading(new QLabel), m_table(new QTableWidget(0, 2)) {
     m_heading->setObjectName(QStringLiteral("elementHeading"));
     m_heading->setWordWrap(true);
     m_table->horizontalHeader()->hide();
@@ -61,7 +63,7 @@ ElementPanel::ElementPanel(SelectionModel& selection, ElementPicture* picture, Q
     layout->addWidget(m_heading);
     layout->addWidget(picture);
     layout->addWidget(m_table);
-    connect(&selection, &SelectionModel::selectionChanged, this, &ElementPanel::update);
+    connect(&parts, &PartPicking::changed, this, &ElementPanel::update);
     update();
 }
 
@@ -71,6 +73,11 @@ void ElementPanel::setUnit(LengthUnit unit) {
 }
 
 void ElementPanel::update() {
+    if (const auto part = m_parts.wholePart()) {
+        m_heading->setText(tr("Component %1").arg(pinsOfPartsText(m_parts)));
+        fill(componentFacts(m_parts.document(part->step), part->component, m_unit));
+        return;
+    }
     const std::size_t count = m_selection.selected().size();
     const QString& title = m_selection.title();
     m_heading->setText(count == 0         ? tr("Click an element in a view to see its properties")

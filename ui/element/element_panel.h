@@ -4,6 +4,7 @@
 
 #include "ui/common/display_units.h"
 #include "ui/element/element_facts.h"
+#include "ui/parts/part_picking.h"
 #include "ui/workspace/selection_model.h"
 
 class QLabel;
@@ -13,7 +14,8 @@ namespace ui {
 
 class ElementPicture;
 
-/// Everything known of the element selected last, one line per fact; a line copies with Ctrl+C. Says how many are
+/// Everything known of the component that is selected as a whole, or else of the element selected last, one line per
+/// fact; a line copies with Ctrl+C. Says how many are
 /// selected when there are several, and shows it by itself. A click on its layer, net, pin or component, or Enter
 /// there, goes on to that.
 class ElementPanel : public QWidget {
@@ -21,7 +23,7 @@ class ElementPanel : public QWidget {
 
 public:
     /// Takes the picture over.
-    ElementPanel(SelectionModel& selection, ElementPicture* picture, QWidget* parent = nullptr);
+    ElementPanel(PartPicking& parts, SelectionModel& selection, ElementPicture* picture, QWidget* parent = nullptr);
 
     void setUnit(LengthUnit unit);
 
@@ -39,6 +41,7 @@ private:
     void fill(const Facts& facts);
     void follow(int row);
 
+    PartPicking& m_parts;
     SelectionModel& m_selection;
     LengthUnit m_unit = LengthUnit::Millimetre;
     QLabel* m_heading;

@@ -10,9 +10,24 @@
 
 namespace ui {
 
-/// From an element to the component or pin it belongs to: all its pads and holes, and the body of a component, become
-/// the selection. P and Shift+P do it for what is under the pointer or selected, Ctrl+Shift and a click for what is
-/// clicked.
+/// One component of the board: its row inside a document of the tree. It lies wherever that document is placed.
+struct BoardPart {
+    std::uint32_t step = 0;  ///< row of model::StepTree::steps
+    model::ComponentId component;
+    constexpr auto operator<=>(const BoardPart&) const = default;
+};
+
+/// One pin of the board, as BoardPart.
+struct BoardPin {
+    std::uint32_t step = 0;
+    model::PinId pin;
+    constexpr auto operator<=>(const BoardPin&) const = default;
+};
+
+/// From elements to the components and pins they belong to, and back: what is selected is known as elements
+/// (SelectionModel) and here as components and pins. Choosing a component or pin selects all its pads and holes, and
+/// the body of a component, in the first copy of its step. P and Shift+P do it for what is under the pointer or
+/// selected, Ctrl+Shift and a click for what is clicked.
 class PartPicking : public QObject {
     Q_OBJECT
 
@@ -21,19 +36,45 @@ public:
 
     void selectComponentOf(const model::BoardElement& at);
     void selectPinOf(const model::BoardElement& at);
-    /// Of one copy of a step. False if nothing there is of it.
-    bool selectComponent(std::uint32_t copy, model::ComponentId component);
-    bool selectPin(std::uint32_t copy, model::PinId pin);
+    void select(std::vector<BoardPart> parts);
+    void select(std::vector<BoardPin> pins);
+    /// Brings what is selected to the middle of the views, or where the first chosen one is placed if that has no
+    /// elements.
+    void showSelected();
+
+    /// Of what is selected, in rising order; both empty while more elements are selected than kMostElements.
+    [[nodiscard]] const std::vector<BoardPart>& parts() const { return m_parts; }
+    /// Empty if whole components were chosen: then it is all of theirs.
+    [[nodiscard]] const std::vector<BoardPin>& pins() const { return m_pins; }
+    /// The one component that was chosen as a whole.
+    [[nodiscard]] std::optional<BoardPart> wholePart() const;
+    static constexpr std::size_t kMostElements = 100'000;
+
+    /// Of a row of model::StepTree::steps; made when first needed.
+    [[nodiscard]] const model::PinFinder& finderOf(std::uint32_t step);
+    [[nodiscard]] const model::Document& document(std::uint32_t step) const { return *m_selection.tree().steps[step]; }
+
+signals:
+    /// What is selected is another; `parts` and `pins` are known.
+    void changed();
 
 private:
-    [[nodiscard]] const model::PinFinder& finderOf(std::uint32_t step);
-    bool select(const QString& title, std::uint32_t copy, const std::vector<model::ElementId>& elements,
-                std::optional<model::ElementId> last = std::nullopt);
+    struct Chosen {
+        QString title;
+        std::vector<BoardPart> parts;
+        std::vector<BoardPin> pins;
+    };
+    void select(const Chosen& chosen, const std::vector<model::BoardElement>& elements);
+    void onSelectionChanged();
+    void findParts(const model::BoardElement& at);
     [[nodiscard]] std::optional<model::BoardElement> target();
 
     Workspace& m_workspace;
     SelectionModel& m_selection;
-    std::vector<std::unique_ptr<model::PinFinder>> m_finders;  ///< per row of model::StepTree::steps, made when needed
+    std::vector<std::unique_ptr<model::PinFinder>> m_finders;  ///< per row of model::StepTree::steps
+    std::vector<BoardPart> m_parts;
+    std::vector<BoardPin> m_pins;
+    bool m_isChoosing = false;  ///< the selection becomes what was chosen here
 };
 
 }  // namespace ui

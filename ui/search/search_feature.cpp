@@ -7,20 +7,13 @@ namespace ui {
 
 namespace {
 
-/// In the first copy of its step.
-void showPart(const Found& found, Workspace& workspace, PartPicking& parts) {
-    SelectionModel& selection = workspace.selection();
-    const std::uint32_t copy = selection.firstCopyOf(found.step);
-    const std::size_t row = found.row;
-    const bool isPin = found.kind == FoundKind::Pin;
-    selection.select({});
-    if (isPin ? parts.selectPin(copy, model::PinId{row}) : parts.selectComponent(copy, model::ComponentId{row})) {
-        workspace.showElements(selection.selected());
-        return;
+void showPart(const Found& found, PartPicking& parts) {
+    if (found.kind == FoundKind::Pin) {
+        parts.select(std::vector{BoardPin{found.step, model::PinId{std::size_t{found.row}}}});
+    } else {
+        parts.select(std::vector{BoardPart{found.step, model::ComponentId{std::size_t{found.row}}}});
     }
-    const model::Document& step = *selection.tree().steps[found.step];
-    const model::Point location = isPin ? step.pins[row].position : step.components[row].placement.origin;
-    workspace.showLocation(selection.tree().copies[copy].placement.apply(base::toDouble(location)), {});
+    parts.showSelected();
 }
 
 void show(const Found& found, Workspace& workspace, PartPicking& parts) {
@@ -35,7 +28,7 @@ void show(const Found& found, Workspace& workspace, PartPicking& parts) {
             workspace.showNets(workspace.selection().nets());
             break;
         case FoundKind::Component:
-        case FoundKind::Pin: showPart(found, workspace, parts); break;
+        case FoundKind::Pin: showPart(found, parts); break;
     }
 }
 
@@ -46,8 +39,7 @@ void addSearch(FeatureContext& context) {
     auto* box = new SearchBox(context.actions, context.window);
     context.on(ActionId::Find, box, [box] { box->open({}); });
     context.on(ActionId::Commands, box, [box] { box->open(QStringLiteral(">")); });
-    QObject::connect(box, &SearchBox::chosen, &workspace,
-                     [&context](const Found& found) { show(found, context.workspace, context.parts); });
+    QObject::connect(box, &SearchBox::chosen, &workspace, [&context](const Found& found) { show(found, context.workspace, context.parts); });
     QObject::connect(&workspace, &Workspace::boardRead, box,
                      [box](const LoadedBoard& board) { box->search().setBoard(board.document); });
     QObject::connect(&workspace, &Workspace::unitChanged, box, &SearchBox::setUnit);

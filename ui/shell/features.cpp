@@ -7,6 +7,7 @@
 #include "ui/messages/messages_feature.h"
 #include "ui/netlist_check/netlist_check_feature.h"
 #include "ui/nets/nets_feature.h"
+#include "ui/parts/parts_feature.h"
 #include "ui/saved_views/saved_views_feature.h"
 #include "ui/search/search_feature.h"
 #include "ui/section/section_feature.h"
@@ -37,6 +38,7 @@ constexpr void (*kFeatures[])(FeatureContext&) = {
     add<MeasureFeature>,
     add<SectionFeature>,
     addStatistics,
+    add<PartsFeature>,
     addSearch,
 };
 

@@ -39,7 +39,7 @@ private slots:
         QCOMPARE(selectedIds(), m_finder->elementsOf(part()));
         QVERIFY(selectedIds().size() > 2);
         QCOMPARE(window().selection().current(), std::optional(BoardElement{0, m_pad}));
-        QVERIFY(window().label("elementHeading").startsWith("Component " + refdes() + ","));
+        QVERIFY(window().label("elementHeading").startsWith("Component " + refdes() + ": "));
         QVERIFY(differingPixels(before[0], picture(flat())) > 20);
         QVERIFY(differingPixels(before[1], picture(solid())) > 20);
         m_fixture->key(Qt::Key_Escape);
@@ -97,6 +97,10 @@ private slots:
         QCOMPARE(window().selection().nets(), (std::vector<model::BoardNet>{{0, board().elements.net[m_pad.row()]}}));
         clickFact("Component");
         QCOMPARE(selectedIds(), m_finder->elementsOf(part()));
+        QCOMPARE(rowOf("Pin"), -1);  // now the panel is about the component
+        QVERIFY(window().fact("Nets").contains(
+            QString::fromStdString(board().nets[board().elements.net[m_pad.row()].row()].name)));
+        window().selection().select({{0, m_pad}});
         clickFact("Pin");
         QVERIFY(window().selection().title().startsWith("Pin "));
         window().selection().select({{0, m_pad}});

@@ -1,0 +1,199 @@
+// The panels Parts and Pins in the window: both ways between rows and views, from a component to its nets and from a
+// net to its components, filters, export, and boards that have none of it.
+
+#include <QComboBox>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QToolButton>
+#include <QtTest>
+
+#include "model/index/pin_names.h"
+#include "tests/locations.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/parts/part_model.h"
+#include "ui/parts/pin_model.h"
+#include "ui/parts/pins_panel.h"
+
+using model::BoardElement;
+using ui::PartModel;
+using ui::PinModel;
+
+class PartsPanelTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        m_fixture = std::make_unique<WindowFixture>();
+        QVERIFY(m_fixture->openAndWait(locations::kSample));
+        window().actions()[ui::ActionId::ShowPartsDock].trigger();
+        window().actions()[ui::ActionId::ShowPinsDock].trigger();
+        QVERIFY(parts().isVisible() && pins().isVisible());
+    }
+    void cleanup() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
+
+    void aRowSelectsItsComponentAndListsItsPins() {
+        const int row = rowOf(parts(), "U1");
+        click(parts(), row);
+        QCOMPARE(selectedIds(), finder().elementsOf(component("U1")));
+        QVERIFY(window().label("elementHeading").startsWith("Component U1: 9 pins on "));
+        QVERIFY(window().label("pinsOf").startsWith("U1: 9 pins on "));
+        QCOMPARE(pins().model()->rowCount(), 9);
+        QCOMPARE(text(pins(), 0, PinModel::Pin), "U1.1");
+        QCOMPARE(rowsOf(parts()), QStringList{"U1"});
+        const float before = window().views().flat().controller().mmPerPixel();
+        QTest::keyClick(&parts(), Qt::Key_Return);
+        QVERIFY(window().views().flat().controller().mmPerPixel() != before);
+    }
+
+    void severalRowsSelectSeveralComponents() {
+        click(parts(), rowOf(parts(), "U1"));
+        click(parts(), rowOf(parts(), "J6"), Qt::ControlModifier);
+        std::vector<model::ElementId> both = finder().elementsOf(component("U1"));
+        std::ranges::copy(finder().elementsOf(component("J6")), std::back_inserter(both));
+        std::ranges::sort(both);
+        QCOMPARE(selectedIds(), both);
+        QVERIFY(window().label("pinsOf").startsWith("2 components: "));
+        parts().setFocus();
+        QTest::keyClick(&parts(), Qt::Key_A, Qt::ControlModifier);
+        QCOMPARE(window().selection().title(), QString("%1 components").arg(window().document()->components.size()));
+    }
+
+    void aPadInAViewMarksItsComponentAndItsPin() {
+        const model::PinId pin = pinAlone();
+        const QString name = QString::fromStdString(model::fullPinName(*window().document(), pin));
+        window().selection().select({{0, finder().elementsOf(pin).front()}});
+        QCOMPARE(rowsOf(parts()), QStringList{name.section('.', 0, 0)});
+        QCOMPARE(rowsOf(pins()), QStringList{name});
+        QCOMPARE(parts().currentIndex().row(), rowOf(parts(), name.section('.', 0, 0)));
+        QVERIFY(pins().model()->rowCount() > 1);
+        window().selection().select({});
+        QVERIFY(rowsOf(parts()).isEmpty() && rowsOf(pins()).isEmpty());
+    }
+
+    void aNetListsItsPinsAndThePinsStayWhileTheyAreChosen() {
+        const model::NetId net = window().document()->findNet("1PPS_OUT");
+        window().selection().setNets({{0, net}});
+        const auto count = std::ranges::count(window().document()->pins, net, &model::Pin::net);
+        QCOMPARE(pins().model()->rowCount(), static_cast<int>(count));
+        QVERIFY(window().label("pinsOf").startsWith(QString("1PPS_OUT: %1 pins of ").arg(count)));
+        const QString first = text(pins(), 0, PinModel::Pin);
+        click(pins(), 0);
+        QCOMPARE(window().selection().title(), "Pin " + first);
+        QCOMPARE(pins().model()->rowCount(), static_cast<int>(count));
+        QCOMPARE(rowsOf(pins()), QStringList{first});
+        QCOMPARE(rowsOf(parts()), QStringList{first.section('.', 0, 0)});
+    }
+
+    void thePinsOfAComponentLeadToItsNets() {
+        click(parts(), rowOf(parts(), "U1"));
+        window().findChild<QToolButton*>("highlightNetsOfPins")->click();
+        QCOMPARE(window().selection().nets().size(),
+                 model::netsOf(*window().document(), window().document()->components[component("U1").row()]).size());
+        QCOMPARE(pins().model()->rowCount(), 9);
+    }
+
+    void filteringChangesNothingElse() {
+        click(parts(), rowOf(parts(), "U1"));
+        const auto before = window().selection().selected();
+        auto* filter = window().findChild<QLineEdit*>("partFilter");
+        filter->setFocus();
+        QTest::keyClicks(filter, "j6");
+        QCOMPARE(parts().model()->rowCount(), 1);
+        QVERIFY(
+            window().label("partsShown").startsWith(QString("1 of %1").arg(window().document()->components.size())));
+        QCOMPARE(window().selection().selected(), before);
+        filter->clear();
+        QCOMPARE(rowsOf(parts()), QStringList{"U1"});
+    }
+
+    void allPinsAreListedWhileNothingIsChosen() {
+        QCOMPARE(pins().model()->rowCount(), static_cast<int>(window().document()->pins.size()));
+        auto* filter = window().findChild<QLineEdit*>("pinFilter");
+        filter->setFocus();
+        QTest::keyClicks(filter, "u1.4");
+        QCOMPARE(text(pins(), 0, PinModel::Pin), "U1.4");
+        QCOMPARE(text(pins(), 0, PinModel::Layer), "L01-TOP_LAYER to L04-BOTTOM_LAYER");  // it goes through
+    }
+
+    void rowsBecomeAFile() {
+        const QString path = m_fixture->folder() + "/parts.csv";
+        window().findChild<QToolButton*>("exportParts")->click();
+        auto* dialog = window().findChild<QFileDialog*>();
+        emit dialog->fileSelected(path);
+        delete dialog;
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QList<QByteArray> lines = file.readAll().trimmed().split('\n');
+        QCOMPARE(lines.size(), static_cast<qsizetype>(window().document()->components.size()) + 1);
+        QVERIFY(lines.front().startsWith("Designator,"));
+    }
+
+    void boardsWithoutComponentsSaySo() {
+        QVERIFY(m_fixture->openAndWait(QString(locations::kTestData) + "/odb/negative"));
+        QCOMPARE(window().label("partsShown"), "The job has no components");
+        QCOMPARE(window().label("pinsOf"), "The job has no pins of components");
+        window().selection().setNets({{0, model::NetId{std::size_t{0}}}});
+        QVERIFY2(window().label("pinsOf").contains(": no pins"), qPrintable(window().label("pinsOf")));
+    }
+
+private:
+    TestWindow& window() { return m_fixture->window(); }
+    ui::TableView& parts() { return window().table("parts"); }
+    ui::TableView& pins() { return window().table("pins"); }
+    const model::PinFinder& finder() { return window().find<ui::PartPicking>().finderOf(0); }
+
+    model::ComponentId component(const char* refdes) {
+        const auto& all = window().document()->components;
+        return model::ComponentId{
+            static_cast<std::size_t>(std::ranges::find(all, refdes, &model::Component::refdes) - all.begin())};
+    }
+    /// The first one of a component of several whose pad is no other component's.
+    model::PinId pinAlone() {
+        model::PinId pin{std::size_t{0}};
+        const auto& components = window().document()->components;
+        const auto isAlone = [&] {
+            const auto elements = finder().elementsOf(pin);
+            return components[window().document()->pins[pin.row()].component.row()].pinCount > 1 && !elements.empty() &&
+                   finder().pinsOf(elements.front()).size() == 1;
+        };
+        while (!isAlone()) {
+            ++pin.value;
+        }
+        return pin;
+    }
+    std::vector<model::ElementId> selectedIds() {
+        std::vector<model::ElementId> ids;
+        for (const BoardElement& at : window().selection().selected()) {
+            ids.push_back(at.element);
+        }
+        return ids;
+    }
+    static QString text(ui::TableView& table, int row, int column) {
+        return table.model()->index(row, column).data().toString();
+    }
+    static int rowOf(ui::TableView& table, const QString& name) {
+        for (int row = 0; row < table.model()->rowCount(); ++row) {
+            if (text(table, row, 0) == name) {
+                return row;
+            }
+        }
+        return -1;
+    }
+    static QStringList rowsOf(ui::TableView& table) {
+        QStringList names;
+        for (const QModelIndex& index : table.selectionModel()->selectedRows()) {
+            names += index.data().toString();
+        }
+        return names;
+    }
+    static void click(ui::TableView& table, int row, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+        const QModelIndex index = table.model()->index(row, 0);
+        table.scrollTo(index);
+        QTest::mouseClick(table.viewport(), Qt::LeftButton, modifiers, table.visualRect(index).center());
+    }
+
+    std::unique_ptr<WindowFixture> m_fixture;
+};
+
+QTEST_MAIN(PartsPanelTest)
+#include "parts_panel_test.moc"

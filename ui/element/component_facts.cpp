@@ -1,0 +1,58 @@
+#include "ui/element/component_facts.h"
+
+#include <QStringList>
+
+#include "model/index/pin_names.h"
+
+namespace ui {
+
+namespace {
+
+struct ComponentText {
+    Q_DECLARE_TR_FUNCTIONS(ui::Facts)
+};
+
+QString netsText(const model::Document& step, const model::Component& component) {
+    QStringList names;
+    for (const model::NetId net : model::netsOf(step, component)) {
+        names += QString::fromStdString(step.nets[net.row()].name);
+    }
+    return names.isEmpty() ? ComponentText::tr("none") : names.join(QStringLiteral(", "));
+}
+
+void addAttributes(const model::Document& step, const model::Component& component, Facts& facts) {
+    for (const model::Property& property : step.propertiesOf(component.properties)) {
+        const std::string& value = step.text(property.value);
+        const std::string& name = step.text(property.name);
+        if (!value.empty() || name.starts_with('.')) {  // properties without a value say nothing
+            facts.emplace_back(QString::fromStdString(name),
+                               value.empty() ? ComponentText::tr("yes") : QString::fromStdString(value));
+        }
+    }
+}
+
+}  // namespace
+
+Facts componentFacts(const model::Document& step, model::ComponentId id, LengthUnit unit) {
+    using T = ComponentText;
+    const model::Component& component = step.components[id.row()];
+    const model::Point at = component.placement.origin;
+    Facts facts;
+    if (!component.part.empty()) {
+        facts.emplace_back(T::tr("Part"), QString::fromStdString(component.part));
+    }
+    facts.emplace_back(T::tr("Package"), component.package.isValid()
+                                             ? QString::fromStdString(step.packages[component.package.row()].name)
+                                             : T::tr("not in the job"));
+    facts.emplace_back(T::tr("Side"), component.side == model::LayerSide::Bottom ? T::tr("Bottom") : T::tr("Top"));
+    facts.emplace_back(T::tr("Position"), positionText(at.x, at.y, unit));
+    facts.emplace_back(T::tr("Rotation"), T::tr("%1 clockwise").arg(angleText(component.placement.clockwiseDeg)));
+    facts.emplace_back(T::tr("Height"),
+                       component.height > 0 ? lengthInBoth(component.height, unit) : T::tr("not in the job"));
+    facts.emplace_back(T::tr("Fitted"), component.isPopulated ? T::tr("yes") : T::tr("no"));
+    facts.emplace_back(T::tr("Nets"), netsText(step, component));
+    addAttributes(step, component, facts);
+    return facts;
+}
+
+}  // namespace ui

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "ui/common/table_view.h"
+
+class QLineEdit;
+
+namespace ui {
+
+/// A table whose selected rows are what is chosen elsewhere, both ways. What is typed into its filter, and how it is
+/// sorted, changes neither.
+class LinkedTable : public TableView {
+    Q_OBJECT
+
+public:
+    explicit LinkedTable(TableModel& model, QWidget* parent = nullptr);
+
+    /// A line that filters its rows.
+    [[nodiscard]] QLineEdit* makeFilter(const QString& hint);
+    /// Selects these rows of the model, as far as the filter leaves them, and says nothing of it.
+    void mark(std::vector<int> rows);
+    /// Rows of the model that the filter leaves, in the order they are shown.
+    [[nodiscard]] std::vector<int> shownRows() const;
+    /// Scrolls to the first marked row.
+    void scrollToMarked();
+
+signals:
+    /// By mouse or keys; rows of the model.
+    void rowsSelected(const std::vector<int>& rows);
+    /// The filter leaves other rows.
+    void filtered();
+
+private:
+    void showMarked();
+    void takeSelected();
+
+    SortedRows& m_sorted;
+    std::vector<int> m_marked;
+    bool m_isMarking = false;
+};
+
+}  // namespace ui

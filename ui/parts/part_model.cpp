@@ -1,0 +1,230 @@
+#include "ui/parts/part_model.h"
+
+#include <algorithm>
+#include <set>
+
+#include "model/index/pin_names.h"
+#include "model/nets/net_statistics.h"
+
+namespace ui {
+
+namespace {
+
+QString sideText(model::LayerSide side) {
+    return side == model::LayerSide::Bottom ? PartModel::tr("Bottom") : PartModel::tr("Top");
+}
+
+QStringList netNames(const model::Document& step, const model::Component& component) {
+    QStringList names;
+    for (const model::NetId net : model::netsOf(step, component)) {
+        names += QString::fromStdString(step.nets[net.row()].name);
+    }
+    return names;
+}
+
+QString shortened(const QStringList& names) {
+    constexpr qsizetype kMost = 12;
+    const QString text = names.mid(0, kMost).join(QStringLiteral(", "));
+    return names.size() > kMost ? PartModel::tr("%1 and %L2 more").arg(text).arg(names.size() - kMost) : text;
+}
+
+}  // namespace
+
+PartModel::PartModel(QObject* parent)
+    : TableModel({{tr("Designator"), tr("Reference designator")},
+                  {tr("Part"), tr("Part name or number in the job")},
+                  {tr("Attributes"), tr("The attribute chosen above the table, or all of them; a filter looks "
+                                        "through all either way")},
+                  {tr("Package"), tr("Name of the package")},
+                  {tr("Side"), tr("Side of the board it is mounted on")},
+                  {tr("X"), tr("Position of its origin, in the coordinates of the step"), kNumber | kLength},
+                  {tr("Y"), tr("Position of its origin, in the coordinates of the step"), kNumber | kLength},
+                  {tr("Rotation"), tr("Clockwise, as the job states it"), kNumber},
+                  {tr("Height"), tr("As the job states it; empty where it does not"), kNumber | kLength},
+                  {tr("Pins"), tr("Pins of the component"), kNumber},
+                  {tr("Fitted"), tr("Whether it is assembled: the job may say that it is not populated")},
+                  {tr("Step"), tr("The step it is on; seen in all its copies")}},
+                 parent) {}
+
+void PartModel::setBoard(std::shared_ptr<const model::Document> board) {
+    beginResetModel();
+    m_board = std::move(board);
+    m_steps = m_board ? model::distinctSteps(*m_board) : std::vector<const model::Document*>();
+    sortRows();
+    listAttributeNames();
+    rank(Part);
+    rank(Package);
+    rank(Attributes);
+    endResetModel();
+}
+
+void PartModel::sortRows() {
+    m_rows.clear();
+    std::vector<std::string> names;
+    std::vector<BoardPart> parts;
+    for (std::uint32_t step = 0; step < m_steps.size(); ++step) {
+        for (std::size_t row = 0; row < m_steps[step]->components.size(); ++row) {
+            parts.push_back({step, model::ComponentId{row}});
+            names.push_back(m_steps[step]->components[row].refdes);
+        }
+    }
+    const std::vector<std::uint32_t> places = model::ranksOf(names);
+    m_rows.resize(parts.size());
+    for (std::size_t at = 0; at < parts.size(); ++at) {
+        m_rows[places[at]] = parts[at];
+    }
+}
+
+void PartModel::listAttributeNames() {
+    std::set<std::string, decltype(&model::isNamedBefore)> names(&model::isNamedBefore);
+    for (const model::Document* step : m_steps) {
+        for (const model::Component& component : step->components) {
+            for (const model::Property& property : step->propertiesOf(component.properties)) {
+                if (!step->text(property.value).empty()) {
+                    names.insert(step->text(property.name));
+                }
+            }
+        }
+    }
+    m_attributeNames.clear();
+    for (const std::string& name : names) {
+        m_attributeNames += QString::fromStdString(name);
+    }
+}
+
+void PartModel::rank(Column column) {
+    std::vector<std::string> texts;
+    for (int row = 0; row < rows(); ++row) {
+        texts.push_back(cell(row, column).text.toString().toStdString());
+    }
+    m_ranks[column] = model::ranksOf(texts);
+}
+
+void PartModel::setAttribute(const QString& name) {
+    m_attribute = m_attributeNames.contains(name) ? name : QString();
+    rank(Attributes);
+    announceChange();
+}
+
+std::optional<int> PartModel::rowOf(const BoardPart& part) const {
+    const auto found = std::ranges::find(m_rows, part);
+    return found == m_rows.end() ? std::nullopt : std::optional(static_cast<int>(found - m_rows.begin()));
+}
+
+bool PartModel::hasSeveralSteps() const {
+    return std::ranges::any_of(m_rows, [&](const BoardPart& part) { return part.step != m_rows.front().step; });
+}
+
+const model::Component& PartModel::componentOf(int row) const {
+    const BoardPart part = partAt(row);
+    return stepOf(part).components[part.component.row()];
+}
+
+std::string PartModel::packageOf(int row) const {
+    const model::PackageId package = componentOf(row).package;
+    return package.isValid() ? stepOf(partAt(row)).packages[package.row()].name : std::string();
+}
+
+std::vector<std::pair<QString, QString>> PartModel::attributesOf(int row) const {
+    const model::Document& step = stepOf(partAt(row));
+    std::vector<std::pair<QString, QString>> attributes;
+    for (const model::Property& property : step.propertiesOf(componentOf(row).properties)) {
+        const std::string& name = step.text(property.name);
+        const std::string& value = step.text(property.value);
+        const bool isSet =
+            name.starts_with('.');  // an attribute that is on or off; properties without a value say nothing
+        if (!value.empty() || isSet) {
+            attributes.emplace_back(QString::fromStdString(name),
+                                    value.empty() ? tr("yes") : QString::fromStdString(value));
+        }
+    }
+    return attributes;
+}
+
+QString PartModel::attributeText(int row) const {
+    QStringList texts;
+    for (const auto& [name, value] : attributesOf(row)) {
+        if (m_attribute.isEmpty()) {
+            texts += QStringLiteral("%1: %2").arg(name, value);
+        } else if (name == m_attribute) {
+            texts += value;
+        }
+    }
+    return texts.join(QStringLiteral(" · "));
+}
+
+Cell PartModel::cell(int row, int column) const {
+    const model::Component& component = componentOf(row);
+    const auto ranked = [&](const QString& name) {
+        const auto& ranks = m_ranks[static_cast<std::size_t>(column)];
+        const bool isRanked = ranks.size() == m_rows.size();
+        return Cell{.text = name, .order = isRanked ? QVariant(ranks[static_cast<std::size_t>(row)]) : QVariant()};
+    };
+    switch (column) {
+        case Designator: return {.text = QString::fromStdString(component.refdes), .order = row};
+        case Part: return ranked(QString::fromStdString(component.part));
+        case Attributes: return ranked(attributeText(row));
+        case Package: return ranked(QString::fromStdString(packageOf(row)));
+        case Side: return {sideText(component.side)};
+        case X: return length(component.placement.origin.x);
+        case Y: return length(component.placement.origin.y);
+        case Rotation: return {angleText(component.placement.clockwiseDeg), component.placement.clockwiseDeg};
+        case Height: return component.height > 0 ? length(component.height) : Cell{.text = QString(), .order = 0.0};
+        case Pins: return count(component.pinCount);
+        case Fitted: return {component.isPopulated ? tr("yes") : tr("no")};
+        default: return text(stepOf(partAt(row)).job.step);
+    }
+}
+
+QString PartModel::searchText(int row) const {
+    const model::Component& component = componentOf(row);
+    QStringList texts{QString::fromStdString(component.refdes), QString::fromStdString(component.part),
+                      QString::fromStdString(packageOf(row)), sideText(component.side)};
+    for (const auto& [name, value] : attributesOf(row)) {
+        texts << name << value;
+    }
+    return texts.join('\t');
+}
+
+QString PartModel::tip(int row, int column) const {
+    const model::Component& component = componentOf(row);
+    if (column == Pins) {
+        return shortened(netNames(stepOf(partAt(row)), component));
+    }
+    QStringList lines{QString::fromStdString(component.refdes)};
+    for (const auto& [name, value] : attributesOf(row)) {
+        lines += QStringLiteral("%1: %2").arg(name, value);
+    }
+    return lines.join('\n');
+}
+
+bool PartModel::hasHeights() const {
+    return std::ranges::any_of(
+        m_rows, [&](const BoardPart& part) { return stepOf(part).components[part.component.row()].height > 0; });
+}
+
+QStringList PartModel::missing() const {
+    if (m_rows.empty()) {
+        return m_board ? QStringList{tr("The job has no components")} : QStringList();
+    }
+    int heights = 0;
+    int outlines = 0;
+    for (int row = 0; row < rows(); ++row) {
+        const model::Component& component = componentOf(row);
+        const bool isDrawn =
+            component.package.isValid() && stepOf(partAt(row)).packages[component.package.row()].body.isValid();
+        heights += component.height > 0 ? 0 : 1;
+        outlines += isDrawn ? 0 : 1;
+    }
+    QStringList texts;
+    const auto add = [&](int count, const QString& all, const QString& some) {
+        if (count > 0) {
+            texts += count == rows() ? all : some.arg(count);
+        }
+    };
+    add(heights, tr("no heights"), tr("%L1 without a height"));
+    add(outlines, tr("no package outlines"), tr("%L1 without a package outline"));
+    return texts;
+}
+
+}  // namespace ui

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "ui/common/table_model.h"
+#include "ui/parts/part_picking.h"
+
+namespace ui {
+
+/// The components of the board and of the steps it places, each step's once, in the order people count: U2 before U10.
+/// Of their attributes (part number, value, tolerance …) one column shows all in one line, or the one that is chosen;
+/// a filter looks through all of them either way.
+class PartModel : public TableModel {
+    Q_OBJECT
+
+public:
+    enum Column { Designator, Part, Attributes, Package, Side, X, Y, Rotation, Height, Pins, Fitted, Step };
+
+    explicit PartModel(QObject* parent = nullptr);
+
+    void setBoard(std::shared_ptr<const model::Document> board);
+    /// Names of attributes that any component has a value of, in the order people count.
+    [[nodiscard]] const QStringList& attributeNames() const { return m_attributeNames; }
+    /// Which the column shows; empty or of no component: all of them.
+    void setAttribute(const QString& name);
+    /// "no heights", "3 without a package outline", or that there are no components; empty if nothing is missing.
+    [[nodiscard]] QStringList missing() const;
+    [[nodiscard]] bool hasHeights() const;
+
+    [[nodiscard]] BoardPart partAt(int row) const { return m_rows[static_cast<std::size_t>(row)]; }
+    [[nodiscard]] std::optional<int> rowOf(const BoardPart& part) const;
+    [[nodiscard]] bool hasSeveralSteps() const;
+    [[nodiscard]] QString searchText(int row) const override;
+
+private:
+    [[nodiscard]] int rows() const override { return static_cast<int>(m_rows.size()); }
+    [[nodiscard]] Cell cell(int row, int column) const override;
+    [[nodiscard]] QString tip(int row, int column) const override;
+    [[nodiscard]] const model::Document& stepOf(const BoardPart& part) const { return *m_steps[part.step]; }
+    [[nodiscard]] const model::Component& componentOf(int row) const;
+    /// Name and value of each that says something.
+    [[nodiscard]] std::vector<std::pair<QString, QString>> attributesOf(int row) const;
+    [[nodiscard]] QString attributeText(int row) const;
+    [[nodiscard]] std::string packageOf(int row) const;
+    void sortRows();
+    void rank(Column column);
+    void listAttributeNames();
+
+    std::shared_ptr<const model::Document> m_board;
+    std::vector<const model::Document*> m_steps;               ///< as model::StepTree::steps
+    std::vector<BoardPart> m_rows;                             ///< by designator
+    std::array<std::vector<std::uint32_t>, Step + 1> m_ranks;  ///< per column of names: places of the rows' texts
+    QStringList m_attributeNames;
+    QString m_attribute;
+};
+
+}  // namespace ui

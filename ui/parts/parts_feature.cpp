@@ -1,0 +1,49 @@
+#include "ui/parts/parts_feature.h"
+
+#include "ui/common/table_text.h"
+
+namespace ui {
+
+PartsFeature::PartsFeature(FeatureContext& context)
+    : QObject(&context.window),
+      m_parts(this),
+      m_pins(context.parts, this),
+      m_partsPanel(new PartsPanel(m_parts, context.parts)),
+      m_pinsPanel(new PinsPanel(m_pins, context.parts, context.workspace.selection())) {
+    context.addPanel({ActionId::ShowPartsDock, "parts", tr("Parts"), Qt::BottomDockWidgetArea, "messages", 0},
+                     *m_partsPanel);
+    context.addPanel({ActionId::ShowPinsDock, "pins", tr("Pins"), Qt::RightDockWidgetArea, "element", 0}, *m_pinsPanel);
+    connectFollowing(context);
+    connectExports(context);
+    connect(&context.workspace, &Workspace::boardOpened, this, [this](const LoadedBoard& board) {
+        m_partsPanel->setBoard(board.document);
+        m_pinsPanel->setBoard(board.document);
+    });
+    connect(&context.workspace, &Workspace::unitChanged, &m_parts, &PartModel::setUnit);
+    connect(&context.workspace, &Workspace::unitChanged, &m_pins, &PinModel::setUnit);
+}
+
+void PartsFeature::connectFollowing(const FeatureContext& context) {
+    context.on(ActionId::FollowInTables, this, [this](bool isOn) {
+        m_partsPanel->setFollows(isOn);
+        m_pinsPanel->setFollows(isOn);
+    });
+    context.on(ActionId::FollowFromTables, this, [this](bool isOn) {
+        m_partsPanel->setShowsChosen(isOn);
+        m_pinsPanel->setShowsChosen(isOn);
+    });
+}
+
+void PartsFeature::connectExports(const FeatureContext& context) {
+    const auto connectTo = [&](auto* panel, const QString& title) {
+        connect(panel, &std::remove_pointer_t<decltype(panel)>::exportRequested, this, [&context, panel, title] {
+            context.saveFile(title, {tr("Table (*.csv)")}, [panel](const QString& path) {
+                return writeFile(path, tableCsv(*panel->table().model()).toUtf8());
+            });
+        });
+    };
+    connectTo(m_partsPanel, tr("Export the components"));
+    connectTo(m_pinsPanel, tr("Export the pins"));
+}
+
+}  // namespace ui

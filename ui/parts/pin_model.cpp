@@ -1,0 +1,118 @@
+#include "ui/parts/pin_model.h"
+
+#include <algorithm>
+
+#include "model/index/pin_names.h"
+#include "model/nets/net_statistics.h"
+
+namespace ui {
+
+namespace {
+
+/// Of one type, or cells do not compare; what has no place comes first.
+QVariant place(std::optional<std::size_t> rank) {
+    return rank ? QVariant(static_cast<qlonglong>(*rank)) : QVariant(qlonglong{-1});
+}
+
+}  // namespace
+
+PinModel::PinModel(PartPicking& parts, QObject* parent)
+    : TableModel({{tr("Pin"), tr("Designator of the component and name of the pin")},
+                  {tr("Net"), tr("The net the pin is on")},
+                  {tr("Layer"), tr("Copper layers of its pads and hole")},
+                  {tr("X"), tr("Position in the coordinates of the step"), kNumber | kLength},
+                  {tr("Y"), tr("Position in the coordinates of the step"), kNumber | kLength},
+                  {tr("Step"), tr("The step it is on; seen in all its copies")}},
+                 parent),
+      m_parts(parts) {}
+
+void PinModel::setBoard(std::shared_ptr<const model::Document> board) {
+    beginResetModel();
+    m_rows.clear();
+    m_board = std::move(board);
+    m_steps = m_board ? model::distinctSteps(*m_board) : std::vector<const model::Document*>();
+    m_ranks.clear();
+    for (const model::Document* step : m_steps) {
+        std::vector<std::string> pins;
+        for (std::size_t row = 0; row < step->pins.size(); ++row) {
+            pins.push_back(model::fullPinName(*step, model::PinId{row}));
+        }
+        std::vector<std::string> nets;
+        std::ranges::transform(step->nets, std::back_inserter(nets), &model::Net::name);
+        m_ranks.push_back({model::ranksOf(pins), model::ranksOf(nets)});
+    }
+    endResetModel();
+}
+
+void PinModel::setPins(std::vector<BoardPin> pins) {
+    std::ranges::sort(pins, {},
+                      [&](const BoardPin& pin) { return std::pair(pin.step, m_ranks[pin.step].pins[pin.pin.row()]); });
+    beginResetModel();
+    m_rows.clear();
+    for (const BoardPin& pin : pins) {
+        m_rows.push_back(rowFor(pin));
+    }
+    endResetModel();
+}
+
+PinModel::Row PinModel::rowFor(const BoardPin& pin) const {
+    Row row{.pin = pin, .top = {}, .bottom = {}};
+    const model::Document& step = stepOf(pin);
+    for (const model::ElementId element : m_parts.finderOf(pin.step).elementsOf(pin.pin)) {
+        const model::LayerId id = step.elements.layer[element.row()];
+        if (step.layer(id).isCopper()) {
+            row.top = row.top.isValid() ? std::min(row.top, id) : id;
+            row.bottom = row.bottom.isValid() ? std::max(row.bottom, id) : id;
+        }
+    }
+    return row;
+}
+
+std::optional<int> PinModel::rowOf(const BoardPin& pin) const {
+    const auto found = std::ranges::find(m_rows, pin, &Row::pin);
+    return found == m_rows.end() ? std::nullopt : std::optional(static_cast<int>(found - m_rows.begin()));
+}
+
+std::optional<model::BoardNet> PinModel::netAt(int row) const {
+    const model::NetId net = recordOf(row).net;
+    return net.isValid() ? std::optional(model::BoardNet{pinAt(row).step, net}) : std::nullopt;
+}
+
+const model::Pin& PinModel::recordOf(int row) const {
+    const BoardPin pin = pinAt(row);
+    return stepOf(pin).pins[pin.pin.row()];
+}
+
+Cell PinModel::layerCell(const Row& row) const {
+    if (!row.top.isValid()) {
+        return {.text = tr("no copper"), .order = place({})};
+    }
+    const model::Document& step = stepOf(row.pin);
+    const QString top = QString::fromStdString(step.layer(row.top).name);
+    const QString text =
+        row.top == row.bottom ? top : tr("%1 to %2").arg(top, QString::fromStdString(step.layer(row.bottom).name));
+    return {.text = text, .order = place(row.top.row() * step.layers.size() + row.bottom.row())};
+}
+
+Cell PinModel::cell(int row, int column) const {
+    const BoardPin pin = pinAt(row);
+    const model::Document& step = stepOf(pin);
+    const model::Pin& record = recordOf(row);
+    switch (column) {
+        case Pin: return {.text = QString::fromStdString(model::fullPinName(step, pin.pin)), .order = row};
+        case Net:
+            return record.net.isValid() ? Cell{.text = QString::fromStdString(step.nets[record.net.row()].name),
+                                               .order = place(m_ranks[pin.step].nets[record.net.row()])}
+                                        : Cell{.text = QString(), .order = place({})};
+        case Layer: return layerCell(m_rows[static_cast<std::size_t>(row)]);
+        case X: return length(record.position.x);
+        case Y: return length(record.position.y);
+        default: return text(step.job.step);
+    }
+}
+
+QString PinModel::tip(int row, int column) const {
+    return column == Net || column == Layer ? cell(row, column).text.toString() : QString();
+}
+
+}  // namespace ui

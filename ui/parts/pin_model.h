@@ -1,0 +1,60 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "ui/common/table_model.h"
+#include "ui/parts/part_picking.h"
+
+namespace ui {
+
+/// Pins of components, in the order people count: U5.2 before U5.10. Which of the board's pins these are is decided by
+/// whoever calls `setPins`.
+class PinModel : public TableModel {
+    Q_OBJECT
+
+public:
+    enum Column { Pin, Net, Layer, X, Y, Step };
+
+    /// `parts` knows the elements of pins.
+    explicit PinModel(PartPicking& parts, QObject* parent = nullptr);
+
+    /// The selection must be of this board already. No pins until `setPins`.
+    void setBoard(std::shared_ptr<const model::Document> board);
+    void setPins(std::vector<BoardPin> pins);
+
+    [[nodiscard]] BoardPin pinAt(int row) const { return m_rows[static_cast<std::size_t>(row)].pin; }
+    [[nodiscard]] std::optional<int> rowOf(const BoardPin& pin) const;
+    /// None if it is on none.
+    [[nodiscard]] std::optional<model::BoardNet> netAt(int row) const;
+    [[nodiscard]] bool hasSeveralSteps() const { return m_steps.size() > 1; }
+    [[nodiscard]] const std::vector<const model::Document*>& steps() const { return m_steps; }
+
+private:
+    struct Row {
+        BoardPin pin;
+        model::LayerId top;  ///< copper that its pads and hole are on; none if there is none
+        model::LayerId bottom;
+    };
+    struct Ranks {
+        std::vector<std::uint32_t> pins;  ///< places of the names "U5.3" of all pins of a step
+        std::vector<std::uint32_t> nets;
+    };
+
+    [[nodiscard]] int rows() const override { return static_cast<int>(m_rows.size()); }
+    [[nodiscard]] Cell cell(int row, int column) const override;
+    [[nodiscard]] QString tip(int row, int column) const override;
+    [[nodiscard]] const model::Document& stepOf(const BoardPin& pin) const { return *m_steps[pin.step]; }
+    [[nodiscard]] const model::Pin& recordOf(int row) const;
+    [[nodiscard]] Row rowFor(const BoardPin& pin) const;
+    [[nodiscard]] Cell layerCell(const Row& row) const;
+
+    PartPicking& m_parts;
+    std::shared_ptr<const model::Document> m_board;
+    std::vector<const model::Document*> m_steps;  ///< as model::StepTree::steps
+    std::vector<Ranks> m_ranks;                   ///< per step
+    std::vector<Row> m_rows;
+};
+
+}  // namespace ui

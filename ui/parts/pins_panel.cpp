@@ -1,0 +1,177 @@
+#include "ui/parts/pins_panel.h"
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QScopedValueRollback>
+#include <algorithm>
+
+#include "ui/common/panel_parts.h"
+#include "ui/parts/pin_text.h"
+
+namespace ui {
+
+namespace {
+
+/// In letters.
+constexpr std::pair<PinModel::Column, int> kWidths[] = {
+    {PinModel::Pin, 9}, {PinModel::Net, 13}, {PinModel::Layer, 12}, {PinModel::X, 10}, {PinModel::Y, 10},
+};
+
+}  // namespace
+
+PinsPanel::PinsPanel(PinModel& model, PartPicking& parts, SelectionModel& selection, QWidget* parent)
+    : QWidget(parent),
+      m_model(model),
+      m_parts(parts),
+      m_selection(selection),
+      m_table(new LinkedTable(model)),
+      m_whose(new QLabel) {
+    const int letter = fontMetrics().horizontalAdvance('0');
+    for (const auto& [column, letters] : kWidths) {
+        m_table->setColumnWidth(column, letter * letters);
+    }
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    layOut();
+    connect(m_table, &LinkedTable::rowsSelected, this, &PinsPanel::takeRows);
+    connect(m_table, &QTableView::activated, this, [this] { m_parts.showSelected(); });
+    connect(&parts, &PartPicking::changed, this, &PinsPanel::followParts);
+    connect(&selection, &SelectionModel::netsChanged, this, &PinsPanel::followNets);
+}
+
+void PinsPanel::layOut() {
+    m_whose->setObjectName(QStringLiteral("pinsOf"));
+    m_whose->setWordWrap(true);
+    m_whose->setToolTip(tr("Pins of the components or nets chosen last in a view, Parts, Nets or the search box"));
+    QLineEdit* filter = m_table->makeFilter(tr("Filter by pin, net or layer"));
+    filter->setObjectName(QStringLiteral("pinFilter"));
+    auto* controls = new QHBoxLayout;
+    controls->addWidget(filter, 1);
+    controls->addWidget(toolButton(*command(*this, "exportPins", tr("Export…"),
+                                            tr("Export the rows as they are shown, as a table (CSV)"),
+                                            [this] { emit exportRequested(); })));
+    auto* whose = new QHBoxLayout;
+    whose->addWidget(m_whose, 1);
+    whose->addWidget(toolButton(*command(*this, "highlightNetsOfPins", tr("Highlight nets"),
+                                         tr("Highlight the nets of the selected pins, or of all that are listed"),
+                                         [this] { highlightNets(); })));
+    auto* column = columnIn(*this);
+    column->addLayout(controls);
+    column->addLayout(whose);
+    column->addWidget(m_table);
+}
+
+void PinsPanel::setBoard(std::shared_ptr<const model::Document> board) {
+    m_model.setBoard(std::move(board));
+    m_table->setColumnHidden(PinModel::Step, !m_model.hasSeveralSteps());
+    listAllPins();
+}
+
+void PinsPanel::followParts() {
+    if (m_isTaking) {
+        return;
+    }
+    const auto current = m_selection.current();
+    const auto net = current ? m_selection.netOf(*current) : std::nullopt;
+    if (!m_parts.parts().empty()) {
+        listPinsOfParts();
+    } else if (net) {
+        listPinsOfNets({*net});
+    } else if (!m_selection.nets().empty()) {
+        listPinsOfNets(m_selection.nets());
+    } else {
+        listAllPins();
+    }
+    markChosen();
+}
+
+void PinsPanel::followNets() {
+    if (m_isTaking) {
+        return;
+    }
+    if (m_selection.nets().empty()) {
+        followParts();
+        return;
+    }
+    listPinsOfNets(m_selection.nets());
+    markChosen();
+}
+
+void PinsPanel::listPinsOfParts() {
+    std::vector<BoardPin> pins;
+    for (const BoardPart& part : m_parts.parts()) {
+        const model::Component& component = m_parts.document(part.step).components[part.component.row()];
+        for (std::size_t row = 0; row < component.pinCount; ++row) {
+            pins.push_back({part.step, model::PinId{component.firstPin + row}});
+        }
+    }
+    m_model.setPins(std::move(pins));
+    m_whose->setText(pinsOfPartsText(m_parts));
+}
+
+void PinsPanel::listPinsOfNets(const std::vector<model::BoardNet>& nets) {
+    std::vector<BoardPin> pins;
+    const auto& steps = m_model.steps();
+    for (std::uint32_t step = 0; step < steps.size(); ++step) {
+        for (std::size_t row = 0; row < steps[step]->pins.size(); ++row) {
+            if (std::ranges::binary_search(nets, model::BoardNet{step, steps[step]->pins[row].net})) {
+                pins.push_back({step, model::PinId{row}});
+            }
+        }
+    }
+    m_whose->setText(pinsOfNetsText(m_parts, nets, pins));
+    m_model.setPins(std::move(pins));
+}
+
+void PinsPanel::listAllPins() {
+    std::vector<BoardPin> pins;
+    const auto& steps = m_model.steps();
+    for (std::uint32_t step = 0; step < steps.size(); ++step) {
+        for (std::size_t row = 0; row < steps[step]->pins.size(); ++row) {
+            pins.push_back({step, model::PinId{row}});
+        }
+    }
+    m_whose->setText(pins.empty() ? tr("The job has no pins of components")
+                                  : tr("All %L1 pins of the board").arg(pins.size()));
+    m_model.setPins(std::move(pins));
+}
+
+void PinsPanel::takeRows(const std::vector<int>& rows) {
+    const QScopedValueRollback guard(m_isTaking, true);
+    std::vector<BoardPin> pins;
+    for (const int row : rows) {
+        pins.push_back(m_model.pinAt(row));
+    }
+    m_parts.select(pins);
+    if (m_showsChosen && pins.size() == 1) {
+        m_parts.showSelected();
+    }
+}
+
+void PinsPanel::markChosen() {
+    std::vector<int> rows;
+    for (const BoardPin& pin : m_parts.pins()) {
+        if (const std::optional<int> row = m_model.rowOf(pin)) {
+            rows.push_back(*row);
+        }
+    }
+    m_table->mark(std::move(rows));
+    if (m_follows) {
+        m_table->scrollToMarked();
+    }
+}
+
+void PinsPanel::highlightNets() {
+    const std::vector<int> selected = m_table->selectedRows();
+    std::vector<model::BoardNet> nets;
+    for (const int row : selected.empty() ? m_table->shownRows() : selected) {
+        if (const auto net = m_model.netAt(row)) {
+            nets.push_back(*net);
+        }
+    }
+    const QScopedValueRollback guard(m_isTaking, true);  // the list stays as it is
+    m_selection.setNets(std::move(nets));
+    markChosen();
+}
+
+}  // namespace ui

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <QWidget>
+
+#include "ui/parts/linked_table.h"
+#include "ui/parts/pin_model.h"
+
+class QLabel;
+
+namespace ui {
+
+/// The pins of what was chosen last outside of this panel: of the selected components, or of the highlighted nets; of
+/// the net of a selected element that is of no component; of the whole board while nothing is chosen. So a component
+/// shows its nets here and a net its components. Selected rows are the pins that are selected in the views, both ways;
+/// Enter or a double click shows them there.
+class PinsPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    PinsPanel(PinModel& model, PartPicking& parts, SelectionModel& selection, QWidget* parent = nullptr);
+
+    /// The selection must be of this board already.
+    void setBoard(std::shared_ptr<const model::Document> board);
+    /// Whether the table scrolls to what is selected in the views.
+    void setFollows(bool isOn) { m_follows = isOn; }
+    /// Whether choosing a row also shows the pin in the views.
+    void setShowsChosen(bool isOn) { m_showsChosen = isOn; }
+    [[nodiscard]] LinkedTable& table() { return *m_table; }
+
+signals:
+    void exportRequested();
+
+private:
+    void layOut();
+    void followParts();
+    void followNets();
+    void listPinsOfParts();
+    void listPinsOfNets(const std::vector<model::BoardNet>& nets);
+    void listAllPins();
+    void takeRows(const std::vector<int>& rows);
+    void markChosen();
+    void highlightNets();
+
+    PinModel& m_model;
+    PartPicking& m_parts;
+    SelectionModel& m_selection;
+    LinkedTable* m_table;
+    QLabel* m_whose;
+    bool m_isTaking = false;  ///< what is selected or highlighted becomes the rows
+    bool m_follows = true;
+    bool m_showsChosen = false;
+};
+
+}  // namespace ui
