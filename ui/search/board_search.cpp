@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "model/index/pin_names.h"
 #include "model/nets/net_statistics.h"
 #include "ui/layers/layer_model.h"
 
@@ -17,10 +18,18 @@ char lower(char c) {
 
 enum class Fit : std::uint8_t { Whole, Begins, Holds, None };
 
+bool isSame(char inName, char inText) {
+    return lower(inName) == inText;
+}
+
+/// Names of attributes have underscores where people type blanks.
+bool isSameWord(char inName, char inText) {
+    return isSame(inName, inText) || (inName == '_' && inText == ' ');
+}
+
 /// How `name` fits a text that is in lower case.
-Fit fitOf(std::string_view name, std::string_view text) {
-    const auto at =
-        std::ranges::search(name, text, [](char inName, char inText) { return lower(inName) == inText; }).begin();
+Fit fitOf(std::string_view name, std::string_view text, bool (*isAlike)(char, char) = isSame) {
+    const auto at = std::ranges::search(name, text, isAlike).begin();
     if (at == name.end()) {
         return Fit::None;
     }
@@ -76,11 +85,23 @@ public:
                 continue;
             }
             for (std::uint32_t row = component.firstPin; row < component.firstPin + component.pinCount; ++row) {
-                const std::string& name = board.text(board.pins[row].name);
-                const Fit fit = fitOf(name, pin);
+                const Fit fit = fitOf(model::pinName(board, model::PinId{std::size_t{row}}), pin);
                 if (fit == Fit::Whole || fit == Fit::Begins) {
-                    m_matches.push_back({fit, name, {FoundKind::Pin, row, m_step, {}}});
+                    m_matches.push_back({fit, board.text(board.pins[row].name), {FoundKind::Pin, row, m_step, {}}});
                 }
+            }
+        }
+    }
+
+    /// By value, or by name: then behind all that is called so itself.
+    void lookForAttributes(const std::vector<model::AttributeValue>& attributes) {
+        for (std::uint32_t row = 0; row < attributes.size(); ++row) {
+            const auto& [owner, name, value, count] = attributes[row];
+            const Fit byValue = fitOf(value, m_text);
+            if (byValue != Fit::None) {
+                m_matches.push_back({byValue, value, {FoundKind::Attribute, row, m_step, {}}});
+            } else if (fitOf(name, m_text, isSameWord) != Fit::None) {
+                m_matches.push_back({Fit::Holds, name, {FoundKind::Attribute, row, m_step, {}}});
             }
         }
     }
@@ -111,6 +132,15 @@ std::optional<double> nmPer(const QString& unit, LengthUnit otherwise) {
                                                                        : std::nullopt;
 }
 
+QString ownersOf(const model::AttributeValue& attribute) {
+    const bool isOne = attribute.count == 1;
+    return attribute.owner == model::AttributeValue::Owner::Components
+               ? (isOne ? BoardSearch::tr("Attribute of 1 component")
+                        : BoardSearch::tr("Attribute of %L1 components").arg(attribute.count))
+               : (isOne ? BoardSearch::tr("Attribute of 1 element")
+                        : BoardSearch::tr("Attribute of %L1 elements").arg(attribute.count));
+}
+
 }  // namespace
 
 std::optional<base::PointD> parsePlace(const QString& text, LengthUnit unit) {
@@ -134,6 +164,10 @@ std::optional<base::PointD> parsePlace(const QString& text, LengthUnit unit) {
 void BoardSearch::setBoard(std::shared_ptr<const model::Document> board) {
     m_board = std::move(board);
     m_steps = m_board ? model::distinctSteps(*m_board) : std::vector<const model::Document*>();
+    m_attributes.clear();
+    for (const model::Document* step : m_steps) {
+        m_attributes.push_back(model::listAttributes(*step));
+    }
 }
 
 std::vector<Found> BoardSearch::find(const QString& text, LengthUnit unit, std::size_t most) const {
@@ -150,6 +184,7 @@ std::vector<Found> BoardSearch::find(const QString& text, LengthUnit unit, std::
                       [](const model::Component& component) -> const std::string& { return component.refdes; });
         matcher.match(FoundKind::Net, step.nets, [](const model::Net& net) -> const std::string& { return net.name; });
         matcher.lookForPins(step);
+        matcher.lookForAttributes(m_attributes[row]);
     }
     std::vector<Found> found = matcher.best(most);
     if (const std::optional<base::PointD> location = parsePlace(text, unit)) {
@@ -164,10 +199,11 @@ QString BoardSearch::titleOf(const Found& found) const {
         case FoundKind::Layer: return QString::fromStdString(m_board->layers[found.row].name);
         case FoundKind::Component: return QString::fromStdString(stepOf(found).components[found.row].refdes);
         case FoundKind::Net: return QString::fromStdString(stepOf(found).nets[found.row].name);
-        case FoundKind::Pin: {
-            const model::Pin& pin = stepOf(found).pins[found.row];
-            const std::string& part = stepOf(found).components[pin.component.row()].refdes;
-            return QString::fromStdString(part + "." + stepOf(found).text(pin.name));
+        case FoundKind::Pin:
+            return QString::fromStdString(model::fullPinName(stepOf(found), model::PinId{std::size_t{found.row}}));
+        case FoundKind::Attribute: {
+            const model::AttributeValue& value = attribute(found);
+            return QString::fromStdString(value.value.empty() ? value.name : value.name + ": " + value.value);
         }
     }
     return {};
@@ -198,6 +234,7 @@ QString BoardSearch::whatIs(const Found& found) const {
         case FoundKind::Net:
             return BoardSearch::tr("Net, %L1 elements")
                 .arg(stepOf(found).elementsOf(model::NetId{std::size_t{found.row}}).size());
+        case FoundKind::Attribute: return ownersOf(attribute(found));
     }
     return {};
 }

@@ -7,23 +7,25 @@
 #include <vector>
 
 #include "model/board/copies.h"
+#include "model/index/attributes.h"
 #include "ui/common/display_units.h"
 
 namespace ui {
 
-enum class FoundKind : std::uint8_t { Location, Layer, Component, Pin, Net };
+enum class FoundKind : std::uint8_t { Location, Layer, Component, Pin, Net, Attribute };
 
 /// Something on the board that a text names.
 struct Found {
     FoundKind kind = FoundKind::Net;
-    std::uint32_t row = 0;   ///< of the kind's table in the document of the step; none for locations
+    std::uint32_t row = 0;   ///< of the kind's table in the document of the step; of BoardSearch::attribute
     std::uint32_t step = 0;  ///< row of model::StepTree::steps; of layers and locations the board itself
     base::PointD location;   ///< of locations, nm in the board's coordinates
 };
 
-/// Finds nets, components, pins, layers and locations by what people type: part of a name in any case, "U1.5" or "U1-5"
-/// for a pin, "12.5, 30 mm" for a location; in the board and in all the steps placed on it. Names are looked through as
-/// they lie in the document; nothing is indexed.
+/// Finds nets, components, pins, attributes, layers and locations by what people type: part of a name in any case,
+/// "U1.5" or "U1-5" for a pin, a value or a name for an attribute, "12.5, 30 mm" for a location; in the board and in
+/// all the steps placed on it. Names are looked through as they lie in the document; of attributes each value is listed
+/// once when the board is set.
 class BoardSearch {
     Q_DECLARE_TR_FUNCTIONS(ui::BoardSearch)
 public:
@@ -32,6 +34,9 @@ public:
     /// Locations first, then names that are the text, that begin with it, that hold it; short ones before long ones.
     /// Coordinates without a unit are in `unit`.
     [[nodiscard]] std::vector<Found> find(const QString& text, LengthUnit unit, std::size_t most) const;
+    [[nodiscard]] const model::AttributeValue& attribute(const Found& found) const {
+        return m_attributes[found.step][found.row];
+    }
     [[nodiscard]] QString titleOf(const Found& found) const;
     /// "Net, 5 elements", "Component, 0603 on the top side": what it is, and in which step if not in the board's own.
     [[nodiscard]] QString detailOf(const Found& found) const;
@@ -41,7 +46,8 @@ private:
     [[nodiscard]] QString whatIs(const Found& found) const;
 
     std::shared_ptr<const model::Document> m_board;
-    std::vector<const model::Document*> m_steps;  ///< rows of model::StepTree::steps
+    std::vector<const model::Document*> m_steps;                   ///< rows of model::StepTree::steps
+    std::vector<std::vector<model::AttributeValue>> m_attributes;  ///< of each step
 };
 
 /// Two numbers, with or without a comma and a unit behind each or the last one (mm, mil, in, um); in nm.

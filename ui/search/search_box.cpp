@@ -21,7 +21,7 @@ constexpr QChar kCommandsOnly = '>';
 SearchBox::SearchBox(const ActionSet& actions, QWidget& window)
     : QFrame(&window, Qt::Popup), m_actions(actions), m_window(window), m_line(new QLineEdit), m_list(new QListWidget) {
     setFrameShape(QFrame::StyledPanel);
-    m_line->setPlaceholderText(tr("Net, component, U1.5, layer, 12.5, 30 mm, or > for commands"));
+    m_line->setPlaceholderText(tr("Net, component, U1.5, attribute, layer, 12.5, 30 mm, or > for commands"));
     m_line->setClearButtonEnabled(true);
     m_line->installEventFilter(this);
     m_list->setFocusPolicy(Qt::NoFocus);

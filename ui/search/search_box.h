@@ -12,8 +12,8 @@ namespace ui {
 
 class ActionSet;
 
-/// One line to find anything by: nets, components, pins, layers, locations and commands, shown while typing. Up and
-/// Down choose, Enter takes, Esc closes. A text that begins with > finds commands alone.
+/// One line to find anything by: nets, components, pins, attributes, layers, locations and commands, shown while
+/// typing. Up and Down choose, Enter takes, Esc closes. A text that begins with > finds commands alone.
 class SearchBox : public QFrame {
     Q_OBJECT
 

@@ -16,7 +16,28 @@ void showPart(const Found& found, PartPicking& parts) {
     parts.showSelected();
 }
 
-void show(const Found& found, Workspace& workspace, PartPicking& parts) {
+/// All that have it, in the first copy of their step.
+void showAttribute(const Found& found, const BoardSearch& search, Workspace& workspace, PartPicking& parts) {
+    const model::AttributeValue& attribute = search.attribute(found);
+    const model::Document& step = parts.document(found.step);
+    if (attribute.owner == model::AttributeValue::Owner::Components) {
+        std::vector<BoardPart> chosen;
+        for (const model::ComponentId component : model::componentsWith(step, attribute)) {
+            chosen.push_back({found.step, component});
+        }
+        parts.select(std::move(chosen));
+        parts.showSelected();
+        return;
+    }
+    std::vector<model::BoardElement> elements;
+    for (const model::ElementId element : model::elementsWith(step, attribute)) {
+        elements.push_back({workspace.selection().firstCopyOf(found.step), element});
+    }
+    workspace.selection().selectAs(search.titleOf(found), elements);
+    workspace.showElements(elements);
+}
+
+void show(const Found& found, const BoardSearch& search, Workspace& workspace, PartPicking& parts) {
     switch (found.kind) {
         case FoundKind::Location: workspace.showLocation(found.location, {}); break;
         case FoundKind::Layer:
@@ -27,6 +48,7 @@ void show(const Found& found, Workspace& workspace, PartPicking& parts) {
             workspace.selection().setNets({{found.step, model::NetId{std::size_t{found.row}}}});
             workspace.showNets(workspace.selection().nets());
             break;
+        case FoundKind::Attribute: showAttribute(found, search, workspace, parts); break;
         case FoundKind::Component:
         case FoundKind::Pin: showPart(found, parts); break;
     }
@@ -39,7 +61,9 @@ void addSearch(FeatureContext& context) {
     auto* box = new SearchBox(context.actions, context.window);
     context.on(ActionId::Find, box, [box] { box->open({}); });
     context.on(ActionId::Commands, box, [box] { box->open(QStringLiteral(">")); });
-    QObject::connect(box, &SearchBox::chosen, &workspace, [&context](const Found& found) { show(found, context.workspace, context.parts); });
+    QObject::connect(box, &SearchBox::chosen, &workspace, [&context, box](const Found& found) {
+        show(found, box->search(), context.workspace, context.parts);
+    });
     QObject::connect(&workspace, &Workspace::boardRead, box,
                      [box](const LoadedBoard& board) { box->search().setBoard(board.document); });
     QObject::connect(&workspace, &Workspace::unitChanged, box, &SearchBox::setUnit);

@@ -47,6 +47,16 @@ private slots:
         }
     }
 
+    void attributesAreFoundByValueAndByName() {
+        const std::vector<Found> found = m_search.find("smt", LengthUnit::Millimetre, 50);
+        const auto type = std::ranges::find(found, FoundKind::Attribute, &Found::kind);
+        QVERIFY(type != found.end());
+        QCOMPARE(m_search.titleOf(*type), ".comp_mount_type: smt");
+        QVERIFY(m_search.detailOf(*type).startsWith("Attribute of "));
+        QCOMPARE(m_search.attribute(*type).count, model::componentsWith(*m_board, m_search.attribute(*type)).size());
+        QVERIFY(titles("comp mount").contains(".comp_mount_type: smt"));
+    }
+
     void placesAreRead_data() {
         QTest::addColumn<QString>("text");
         QTest::addColumn<double>("x");
