@@ -54,6 +54,17 @@ bool PinFinder::mayHavePins(ElementId element) const {
            (elements.net[element.row()].isValid() || layer.isCopper() || layer.type == LayerType::Drill);
 }
 
+bool PinFinder::mayBeOn(PinId id, const Layer& layer) const {
+    const Pin& pin = m_document->pins[id.row()];
+    if (!layer.isCopper() || !pin.component.isValid() || pin.packagePin >= m_document->packagePins.size()) {
+        return true;
+    }
+    const Component& component = m_document->components[pin.component.row()];
+    const bool isOnOneSide =
+        component.mount == MountType::Surface && m_document->packagePins[pin.packagePin].kind == PinKind::Surface;
+    return !isOnOneSide || layer.side == component.side;
+}
+
 std::vector<PinId> PinFinder::pinsOf(ElementId element) const {
     const ElementTable& elements = m_document->elements;
     if (!mayHavePins(element)) {
@@ -64,6 +75,7 @@ std::vector<PinId> PinFinder::pinsOf(ElementId element) const {
         return {m_document->subnets[subnet.row()].pin};
     }
     std::vector<PinId> pins;
+    const Layer& layer = m_document->layer(elements.layer[element.row()]);
     const Box box = m_document->boxOf(element);
     const std::size_t group = groupOf(elements.net[element.row()]);
     const auto at = [&](PinId pin) { return m_document->pins[pin.row()].position; };
@@ -71,7 +83,7 @@ std::vector<PinId> PinFinder::pinsOf(ElementId element) const {
     auto next = std::lower_bound(m_pins.begin() + m_start[group], end, box.min.x,
                                  [&](PinId pin, Nm x) { return at(pin).x < x; });
     for (; next != end && at(*next).x <= box.max.x; ++next) {
-        if (box.holds(at(*next))) {
+        if (box.holds(at(*next)) && mayBeOn(*next, layer)) {
             pins.push_back(*next);
         }
     }

@@ -7,10 +7,10 @@
 namespace model {
 
 /// From elements to the pins and components they belong to, and back. A pad or plated hole belongs to the pin that its
-/// subnet names; where the job names none, to the pins of its net (of none, if it has none) that lie within its box.
-/// Pins that have no element by that, as those of a second part on the same pads, share those of their net that they
-/// lie in. A body belongs to its component. Made once for a document, which must outlive it: 20 bytes a pin, and one
-/// look at every pad and hole.
+/// subnet names; where the job names none, to the pins of its net (of none, if it has none) that lie within its box,
+/// but a pad on the far side of the board to no pin of a surface-mount component. Pins that have no element by that, as
+/// those of a second part on the same pads, share those of their net that they lie in. A body belongs to its component.
+/// Made once for a document, which must outlive it: 20 bytes a pin, and one look at every pad and hole.
 class PinFinder {
 public:
     explicit PinFinder(const Document& document);
@@ -27,6 +27,7 @@ public:
 private:
     [[nodiscard]] std::size_t groupOf(NetId net) const;
     [[nodiscard]] bool mayHavePins(ElementId element) const;
+    [[nodiscard]] bool mayBeOn(PinId pin, const Layer& layer) const;
     void groupPins();
     void listElements();
     [[nodiscard]] std::vector<ElementId> sharedBy(const Pin& pin) const;

@@ -90,6 +90,37 @@ private slots:
         QVERIFY(!finder.componentOf(board.trackA).isValid());
     }
 
+    /// Two pads of one net above each other, and a pin of a component on the lower side.
+    void padsOnTheFarSideAreNoPinsOfSurfaceMountComponents() {
+        for (const MountType mount : {MountType::Surface, MountType::Unknown}) {
+            DocumentBuilder builder;
+            const NetId gnd = builder.addNet("GND");
+            Component part;
+            part.side = LayerSide::Bottom;
+            part.mount = mount;
+            Pin pin;
+            pin.net = gnd;
+            pin.packagePin = 0;
+            const std::vector<PackagePin> packagePins(1);
+            part.package = builder.addPackage({}, packagePins);
+            builder.addComponent(part, std::vector{pin});
+            std::vector<ElementId> pads;
+            for (const LayerSide side : {LayerSide::Top, LayerSide::Bottom}) {
+                Layer layer;
+                layer.side = side;
+                layer.type = LayerType::Signal;
+                builder.beginLayer(builder.addLayer(layer));
+                DocumentBuilder::Origin origin;
+                origin.net = gnd;
+                origin.flags = kPad;
+                pads.push_back(builder.addCircle({{0, 0}, kMm, 0}, origin));
+            }
+            const auto document = builder.finish();
+            const auto found = PinFinder(*document).elementsOf(PinId{std::size_t{0}});
+            QCOMPARE(found, mount == MountType::Surface ? std::vector{pads[1]} : pads);
+        }
+    }
+
     void bothWaysAgreeOnARealBoard() {
         base::Progress progress;
         const auto board = readBoard(locations::kSample, {}, progress);
