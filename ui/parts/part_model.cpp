@@ -10,6 +10,8 @@ namespace ui {
 
 namespace {
 
+const QLatin1String kHeight(".comp_height");  // has a column of its own
+
 QString sideText(model::LayerSide side) {
     return side == model::LayerSide::Bottom ? PartModel::tr("Bottom") : PartModel::tr("Top");
 }
@@ -144,7 +146,7 @@ std::vector<std::pair<QString, QString>> PartModel::attributesOf(int row) const 
 QString PartModel::attributeText(int row) const {
     QStringList texts;
     for (const auto& [name, value] : attributesOf(row)) {
-        if (m_attribute.isEmpty()) {
+        if (m_attribute.isEmpty() && name != kHeight) {
             texts += QStringLiteral("%1: %2").arg(name, value);
         } else if (name == m_attribute) {
             texts += value;

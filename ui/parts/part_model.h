@@ -10,8 +10,8 @@
 namespace ui {
 
 /// The components of the board and of the steps it places, each step's once, in the order people count: U2 before U10.
-/// Of their attributes (part number, value, tolerance …) one column shows all in one line, or the one that is chosen;
-/// a filter looks through all of them either way.
+/// Of their attributes (part number, value, tolerance …) one column shows all but the height in one line, or the one
+/// that is chosen; a filter looks through all of them either way.
 class PartModel : public TableModel {
     Q_OBJECT
 

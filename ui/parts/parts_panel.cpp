@@ -15,7 +15,7 @@ namespace {
 constexpr std::pair<PartModel::Column, int> kWidths[] = {
     {PartModel::Designator, 9}, {PartModel::Part, 13}, {PartModel::Attributes, 14}, {PartModel::Package, 13},
     {PartModel::Side, 7},       {PartModel::X, 12},    {PartModel::Y, 12},          {PartModel::Rotation, 8},
-    {PartModel::Height, 9},     {PartModel::Pins, 5},  {PartModel::Fitted, 6},
+    {PartModel::Height, 10},    {PartModel::Pins, 5},  {PartModel::Fitted, 6},
 };
 
 /// What most people look for first.

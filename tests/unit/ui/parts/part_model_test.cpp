@@ -34,7 +34,8 @@ std::shared_ptr<const model::Document> board() {
         part.side = isFitted ? LayerSide::Top : LayerSide::Bottom;
         part.properties = builder.addProperties(
             std::vector<Property>{{builder.string("Value"), builder.string(value)},
-                                  {builder.string("Tolerance"), builder.string(isFitted ? "1%" : "")}});
+                                  {builder.string("Tolerance"), builder.string(isFitted ? "1%" : "")},
+                                  {builder.string(".comp_height"), builder.string("0.1")}});
         Pin pin;
         pin.name = builder.string("1");
         pin.net = gnd;
@@ -69,7 +70,7 @@ private slots:
     void oneColumnShowsTheChosenAttributeOrAll() {
         PartModel model;
         model.setBoard(board());
-        QCOMPARE(model.attributeNames(), (QStringList{"Tolerance", "Value"}));
+        QCOMPARE(model.attributeNames(), (QStringList{".comp_height", "Tolerance", "Value"}));
         QCOMPARE(texts(model, PartModel::Attributes),
                  (QStringList{"Value: TestPoint", "Value: 20n, X7R · Tolerance: 1%", "Value: 100n · Tolerance: 1%"}));
         model.setAttribute("Tolerance");
