@@ -63,7 +63,6 @@ void Camera::show(const glm::vec3& boxMin, const glm::vec3& boxMax, float aspect
 
 /// How far the eye must move back until every corner is inside both angles of the frustum.
 float Camera::distanceToSee(const std::array<glm::vec3, 8>& corners, float aspect) const {
-    constexpr float kMargin = 1.06F;
     const glm::mat3 rotation(view());
     float distance = kMinDistance;
     for (const glm::vec3& corner : corners) {

@@ -24,6 +24,8 @@ public:
     void fit(const glm::vec3& boxMin, const glm::vec3& boxMax, NamedView view, float aspect);
     /// Keeps the direction and fits the box.
     void fit(const glm::vec3& boxMin, const glm::vec3& boxMax, float aspect);
+    /// What is fitted or shown leaves a margin: the picture is this many times as large.
+    static constexpr float kMargin = 1.06F;
     /// Fills the picture with a part of the scene, direction unchanged.
     void show(const glm::vec3& boxMin, const glm::vec3& boxMax, float aspect);
     /// Looks straight down on a rectangle given in mm, orthographic and without margin (`render --window`).

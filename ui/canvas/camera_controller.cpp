@@ -20,8 +20,8 @@ bool isUse(QEvent::Type type) {
 }
 
 /// A part of the board that is shown fills this much of the canvas, so that its surroundings are seen.
-constexpr float kShownPart = 0.4F;
-constexpr float kSmallestShownMm = 1.0F;
+constexpr float kShownPart = 0.8F;
+constexpr float kSmallestShownMm = 1.0F;  // half of what is seen, across
 
 }  // namespace
 
@@ -42,14 +42,35 @@ void CameraController::setBox(const glm::vec3& boxMin, const glm::vec3& boxMax) 
     }
 }
 
+void CameraController::setMargins(const QMarginsF& margins) {
+    m_margins = margins;
+    if (m_isFitted) {
+        fit();
+    }
+}
+
+/// `place` is for a canvas of the aspect that is left; the camera then steps back and aside until the whole canvas has
+/// it there.
+template <class Place>
+void CameraController::placeInMargins(const Place& place) {
+    const QSizeF room = m_viewport.shrunkBy(m_margins).expandedTo({1.0, 1.0});
+    place(static_cast<float>(room.width() / room.height()));
+    if (!m_margins.isNull()) {
+        m_camera.zoom(static_cast<float>(room.height() / m_viewport.height()), {0.0F, 0.0F}, aspect());
+        m_camera.pan({static_cast<float>(m_margins.left() - m_margins.right()) / 2.0F,
+                      static_cast<float>(m_margins.top() - m_margins.bottom()) / 2.0F},
+                     height());
+    }
+}
+
 void CameraController::fit() {
-    m_camera.fit(m_boxMin, m_boxMax, aspect());
+    placeInMargins([&](float aspect) { m_camera.fit(m_boxMin, m_boxMax, aspect); });
     m_isFitted = true;
     emit moved();
 }
 
 void CameraController::look(render::NamedView view) {
-    m_camera.fit(m_boxMin, m_boxMax, view, aspect());
+    placeInMargins([&](float aspect) { m_camera.fit(m_boxMin, m_boxMax, view, aspect); });
     m_isFitted = true;
     emit moved();
 }
@@ -86,9 +107,9 @@ void CameraController::orbit(QPointF pixels) {
 
 void CameraController::show(const glm::vec3& boxMin, const glm::vec3& boxMax) {
     const glm::vec3 middle = (boxMin + boxMax) / 2.0F;
-    const glm::vec3 half =
-        glm::max((boxMax - boxMin) / 2.0F / kShownPart, glm::vec3(glm::vec2(kSmallestShownMm), 0.0F));
-    m_camera.show(middle - half, middle + half, aspect());
+    const glm::vec3 half = glm::max((boxMax - boxMin) / 2.0F / (kShownPart * render::Camera::kMargin),
+                                    glm::vec3(glm::vec2(kSmallestShownMm), 0.0F));
+    placeInMargins([&](float aspect) { m_camera.show(middle - half, middle + half, aspect); });
     announceUserMove();
 }
 
@@ -111,9 +132,27 @@ void CameraController::setPose(const render::CameraPose& pose) {
 }
 
 void CameraController::zoomAt(QPointF position, float factor) {
-    focusAt(position);
-    m_camera.zoom(factor, ndcOf(position), aspect());
+    const QPointF pivot = pivotAt(position);
+    m_camera.zoom(factor, ndcOf(pivot), aspect());
     announceUserMove();
+}
+
+/// The point of the canvas that a zoom keeps; the camera is focused on what is there.
+QPointF CameraController::pivotAt(QPointF position) {
+    if (boardPointAt(position)) {
+        focusAt(position);
+        return position;
+    }
+    const auto [from, along] = rayAt(position);
+    const glm::vec3 middle = (m_boxMin + m_boxMax) / 2.0F;
+    const float way = glm::dot(middle - from, m_camera.direction()) / glm::dot(along, m_camera.direction());
+    const glm::vec3 nearest = glm::clamp(from + along * way, m_boxMin, m_boxMax);
+    const std::optional<QPointF> onCanvas = screenOf(nearest);
+    if (!onCanvas || !QRectF({}, m_viewport).contains(*onCanvas)) {
+        return position;  // nothing of the board is near
+    }
+    m_camera.focusOn(nearest);
+    return *onCanvas;
 }
 
 void CameraController::zoomToBox(QPointF from, QPointF to) {
@@ -122,7 +161,9 @@ void CameraController::zoomToBox(QPointF from, QPointF to) {
                                   m_viewport.height() / std::max(std::abs(way.y()), 1.0));
     const bool isInto = way.x() > 0.0 && way.y() > 0.0;
     panBy(centre() - (from + to) / 2.0);
-    zoomAtCentre(static_cast<float>(isInto ? ratio : 1.0 / ratio));
+    focusAt(centre());
+    m_camera.zoom(static_cast<float>(isInto ? ratio : 1.0 / ratio), {0.0F, 0.0F}, aspect());
+    announceUserMove();
 }
 
 glm::vec2 CameraController::ndcOf(QPointF position) const {
@@ -180,11 +221,7 @@ bool CameraController::handle(QEvent& event) {
 bool CameraController::dispatch(QEvent& event) {
     switch (event.type()) {
         case QEvent::MouseButtonPress: return press(static_cast<const QMouseEvent&>(event));
-        case QEvent::MouseButtonDblClick: {
-            const auto& mouse = static_cast<const QMouseEvent&>(event);
-            emit doubleClicked(mouse.position(), mouse.modifiers());
-            return true;
-        }
+        case QEvent::MouseButtonDblClick: return doubleClick(static_cast<const QMouseEvent&>(event));
         case QEvent::Leave: emit left(); return false;
         case QEvent::MouseMove: return move(static_cast<const QMouseEvent&>(event));
         case QEvent::MouseButtonRelease: return release(static_cast<const QMouseEvent&>(event));
@@ -225,6 +262,16 @@ bool CameraController::press(const QMouseEvent& event) {
     return true;
 }
 
+/// Windows get the second press as a press too, widgets do not.
+bool CameraController::doubleClick(const QMouseEvent& event) {
+    m_drag = Drag::None;
+    m_button = Qt::NoButton;
+    if (event.button() == Qt::LeftButton) {
+        emit doubleClicked(event.position(), event.modifiers());
+    }
+    return true;
+}
+
 bool CameraController::move(const QMouseEvent& event) {
     if (m_drag == Drag::None) {
         emit hovered(event.position());
@@ -251,17 +298,18 @@ bool CameraController::release(const QMouseEvent& event) {
     if (event.button() != m_button) {
         return false;
     }
-    const bool wasClick = m_drag == Drag::Undecided && m_button == Qt::LeftButton;
     const Drag drag = std::exchange(m_drag, Drag::None);
-    m_button = Qt::NoButton;
+    const Qt::MouseButton button = std::exchange(m_button, Qt::NoButton);
     if (drag == Drag::Box) {
         emit boxFinished(m_pressed, event.position(), event.modifiers());
     } else if (drag == Drag::ZoomBox) {
         zoomToBox(m_pressed, event.position());
         emit zoomedToBox();
     }
-    if (wasClick) {
+    if (drag == Drag::Undecided && button == Qt::LeftButton) {
         emit clicked(m_pressed, event.modifiers());
+    } else if (drag == Drag::Undecided && button == Qt::RightButton) {
+        emit menuRequested(m_pressed);
     }
     return true;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QMarginsF>
 #include <QObject>
 #include <QPointF>
 #include <QSizeF>
@@ -28,7 +29,8 @@ struct MouseHabits {
 ///
 /// Left drag orbits; middle drag, right drag or Shift with left drag pans; the wheel zooms to the cursor; arrows orbit
 /// and with Shift pan. A press that moves less than kClickPixels before its release is a click and leaves the camera
-/// alone. In a plan nothing orbits: left drag draws a box and arrows pan.
+/// alone; a click of the right button asks for a menu. The second press of a double click is no click. In a plan
+/// nothing orbits: left drag draws a box and arrows pan.
 class CameraController : public QObject {
     Q_OBJECT
 
@@ -46,6 +48,8 @@ public:
     [[nodiscard]] bool isDragging() const { return m_button != Qt::NoButton; }
     /// Until the user moves the camera, the board is fitted again whenever viewport or box change.
     void setViewport(QSizeF size);
+    /// Pixels along the edges that something else covers: what is fitted or shown stays clear of them. In a plan.
+    void setMargins(const QMarginsF& margins);
     /// The box `fit` shows, in board model millimetres.
     void setBox(const glm::vec3& boxMin, const glm::vec3& boxMax);
 
@@ -53,12 +57,14 @@ public:
     void look(render::NamedView view);
     /// Looks at the other side of the board, at what is in the middle of the canvas now.
     void flip();
-    /// Brings a part of the board to the middle, large enough to be looked at.
+    /// Brings a part of the board to the middle, and as large as fills 80 % of the canvas, but no smaller parts than
+    /// can be made out with their surroundings.
     void show(const glm::vec3& boxMin, const glm::vec3& boxMax);
     void setOrthographic(bool isOrthographic);
     /// Looks as told; a plan stays straight.
     void setPose(const render::CameraPose& pose);
-    /// Zooms by `factor` (> 1 is closer) and keeps the point at `position` where it is on the screen.
+    /// Zooms by `factor` (> 1 is closer) and keeps the point of the board at `position` where it is on the screen, or
+    /// beside the board the point of it that is nearest: a board that is seen stays in sight.
     void zoomAt(QPointF position, float factor);
     void zoomAtCentre(float factor) { zoomAt(centre(), factor); }
     /// Zooms until a box of the canvas fills it, or drawn to another corner than the lower right one, until the canvas
@@ -100,7 +106,10 @@ signals:
     /// The camera changed: draw again.
     void moved();
     void clicked(QPointF position, Qt::KeyboardModifiers modifiers);
+    /// With the left button; the first of the two was `clicked`.
     void doubleClicked(QPointF position, Qt::KeyboardModifiers modifiers);
+    /// A click of the right button.
+    void menuRequested(QPointF position);
     /// The cursor rests or moves over the canvas with no button down; `left` when it goes away.
     void hovered(QPointF position);
     void left();
@@ -117,6 +126,7 @@ private:
 
     [[nodiscard]] Drag kindOf(const QMouseEvent& event) const;
     bool press(const QMouseEvent& event);
+    bool doubleClick(const QMouseEvent& event);
     bool move(const QMouseEvent& event);
     bool release(const QMouseEvent& event);
     bool wheel(const QWheelEvent& event);
@@ -126,6 +136,9 @@ private:
     void panBy(QPointF pixels);
     void announceUserMove();
     void focusAt(QPointF position);
+    template <class Place>
+    void placeInMargins(const Place& place);
+    [[nodiscard]] QPointF pivotAt(QPointF position);
     [[nodiscard]] glm::vec2 ndcOf(QPointF position) const;
     [[nodiscard]] QPointF centre() const { return {m_viewport.width() / 2.0, m_viewport.height() / 2.0}; }
     [[nodiscard]] float aspect() const { return static_cast<float>(m_viewport.width() / m_viewport.height()); }
@@ -135,6 +148,7 @@ private:
     glm::vec3 m_boxMin{-1.0F};
     glm::vec3 m_boxMax{1.0F};
     QSizeF m_viewport{1.0, 1.0};
+    QMarginsF m_margins;
     bool m_isFitted = true;
     bool m_isPlan = false;
     MouseHabits m_habits;

@@ -214,6 +214,10 @@ void BoardView::takeKeyboard() {
     }
 }
 
+bool BoardView::hasKeyboard() const {
+    return m_window != nullptr ? m_window->isActive() : m_image->hasFocus();
+}
+
 QObject& BoardView::canvas() {
     return m_window != nullptr ? static_cast<QObject&>(*m_window) : *m_image;
 }

@@ -79,6 +79,7 @@ public:
     void requestOverlay();
     /// Keys go to the canvas from now on.
     void takeKeyboard();
+    [[nodiscard]] bool hasKeyboard() const;
 
     [[nodiscard]] bool hasScene() const { return m_picture.scene != nullptr; }
     [[nodiscard]] Kind kind() const { return m_kind; }

@@ -28,7 +28,7 @@ BoardViews::BoardViews(GpuContext& context, QWidget* parent)
         m_splitter->addWidget(view);
         connect(view, &BoardView::timed, this, &BoardViews::onTimed);
         connect(view, &BoardView::deviceLost, this, &BoardViews::onDeviceLost);
-        connect(&view->controller(), &CameraController::used, this, [this, view] { setActive(*view); });
+        watch(*view);
     }
     connect(m_splitter, &QSplitter::splitterMoved, this, qOverload<>(&QWidget::update));
     m_explosion.setDuration(kExplodeMs);
@@ -37,6 +37,27 @@ BoardViews::BoardViews(GpuContext& context, QWidget* parent)
             [this](const QVariant& value) { solid().setExplode(value.toFloat()); });
     m_active = m_views[1];
     setArrangement(m_arrangement);
+}
+
+void BoardViews::watch(BoardView& view) {
+    const CameraController& controller = view.controller();
+    connect(&controller, &CameraController::used, this,
+            [this, &view] { setActive(m_pointed != nullptr ? *m_pointed : view); });
+    connect(&controller, &CameraController::hovered, this, [this, &view] { onPointed(view); });
+    connect(&controller, &CameraController::left, this, [this] { m_pointed = nullptr; });
+}
+
+/// The keyboard comes along from the other view, but not from a panel.
+void BoardViews::onPointed(BoardView& view) {
+    if (std::exchange(m_pointed, &view) == &view) {
+        return;
+    }
+    const bool hasKeyboard =
+        std::ranges::any_of(m_views, [&](BoardView* other) { return other != &view && other->hasKeyboard(); });
+    setActive(view);
+    if (hasKeyboard) {
+        view.takeKeyboard();
+    }
 }
 
 BoardViews::~BoardViews() {

@@ -19,8 +19,8 @@ namespace ui {
 using ElementStateLists = std::vector<render::ElementStates>;
 
 /// The 2D and the 3D view of one board: one scene on the device, one set of ids, two cameras. Either alone, side by
-/// side, or one above the other. Commands go to the view in use: the one last clicked, scrolled or typed in, which has
-/// a coloured edge.
+/// side, or one above the other. Commands and keys go to the view in use, which has a coloured edge: the one that the
+/// pointer is on, or was on last; with the pointer elsewhere, the one that has the keyboard.
 class BoardViews : public QWidget {
     Q_OBJECT
 
@@ -84,6 +84,8 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    void watch(BoardView& view);
+    void onPointed(BoardView& view);
     void makeScene();
     void applyHeights();
     void applyStates();
@@ -109,6 +111,7 @@ private:
     QSplitter* m_splitter = nullptr;
     std::array<BoardView*, 2> m_views{};
     BoardView* m_active = nullptr;
+    BoardView* m_pointed = nullptr;  ///< the pointer is on it
 };
 
 }  // namespace ui

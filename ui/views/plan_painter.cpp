@@ -94,6 +94,7 @@ PlanPainter::PlanPainter(BoardView& view, Workspace& workspace, const NetStyles&
     connect(&workspace, &Workspace::boardOpened, this, &PlanPainter::setBoard);
     connect(&workspace, &Workspace::unitChanged, this, [this] { m_view.requestOverlay(); });
     view.addPainter([this](QPainter& painter) { paint(painter); });
+    showGrid(m_hasGrid);
 }
 
 void PlanPainter::setBoard(const LoadedBoard& board) {
@@ -107,6 +108,7 @@ void PlanPainter::setBoard(const LoadedBoard& board) {
 
 void PlanPainter::showGrid(bool isOn) {
     m_hasGrid = isOn;
+    m_view.controller().setMargins(isOn ? QMarginsF(kRulerPixels, kRulerPixels, 0, 0) : QMarginsF());
     m_view.requestOverlay();
 }
 

@@ -202,6 +202,89 @@ private slots:
         QVERIFY(std::isfinite(m_controller->camera().eye().x));
     }
 
+    void doubleClicksAreOneClickAlsoWhereWindowsGetBothPresses() {
+        QSignalSpy clicked(m_controller.get(), &CameraController::clicked);
+        QSignalSpy doubled(m_controller.get(), &CameraController::doubleClicked);
+        for (const bool isWindow : {true, false}) {
+            clicked.clear();
+            doubled.clear();
+            send(*m_controller, QEvent::MouseButtonPress, {100, 100}, Qt::LeftButton);
+            send(*m_controller, QEvent::MouseButtonRelease, {100, 100}, Qt::LeftButton);
+            if (isWindow) {
+                send(*m_controller, QEvent::MouseButtonPress, {100, 100}, Qt::LeftButton);
+            }
+            send(*m_controller, QEvent::MouseButtonDblClick, {100, 100}, Qt::LeftButton);
+            send(*m_controller, QEvent::MouseButtonRelease, {100, 100}, Qt::LeftButton);
+            QCOMPARE(clicked.count(), 1);
+            QCOMPARE(doubled.count(), 1);
+        }
+    }
+
+    void aClickOfTheRightButtonAsksForAMenuAndADragDoesNot() {
+        QSignalSpy menus(m_controller.get(), &CameraController::menuRequested);
+        QSignalSpy clicked(m_controller.get(), &CameraController::clicked);
+        drag(*m_controller, {100, 100}, {140, 100}, Qt::RightButton);
+        QCOMPARE(menus.count(), 0);
+        drag(*m_controller, {100, 100}, {101, 100}, Qt::RightButton);
+        QCOMPARE(menus.count(), 1);
+        QCOMPARE(menus[0][0].toPointF(), QPointF(100, 100));
+        QCOMPARE(clicked.count(), 0);
+    }
+
+    void aPartThatIsShownFillsFourFifthsOfTheCanvas_data() {
+        QTest::addColumn<bool>("isPlan");
+        QTest::newRow("2D") << true;
+        QTest::newRow("3D") << false;
+    }
+    void aPartThatIsShownFillsFourFifthsOfTheCanvas() {
+        QFETCH(bool, isPlan);
+        isPlan ? m_controller->setPlan() : m_controller->look(render::NamedView::Top);
+        const glm::vec3 low{-20.0F, -5.0F, 1.6F};
+        const glm::vec3 high{10.0F, 5.0F, 1.6F};
+        m_controller->show(low, high);
+        const QPointF size = onScreen(*m_controller, high) - onScreen(*m_controller, low);
+        QVERIFY2(std::abs(size.x() / kViewport.width() - 0.8) < 0.01, qPrintable(QString::number(size.x())));
+    }
+
+    void whatIsFittedOrShownStaysClearOfTheMargins() {
+        m_controller->setPlan();
+        m_controller->setMargins({100.0, 200.0, 0.0, 0.0});
+        const QRectF room(100.0, 200.0, 700.0, 400.0);
+        QRectF board(onScreen(*m_controller, kBoxMin), onScreen(*m_controller, kBoxMax));
+        QVERIFY(room.contains(board.normalized()));
+        QVERIFY(distance(board.center(), room.center()) < 0.5);
+        m_controller->show(kBoxMin / 2.0F, kBoxMax / 2.0F);
+        board = QRectF(onScreen(*m_controller, kBoxMin / 2.0F), onScreen(*m_controller, kBoxMax / 2.0F));
+        QVERIFY(room.contains(board.normalized()));
+        QVERIFY(std::abs(board.normalized().height() / room.height() - 0.8) < 0.01);
+    }
+
+    void zoomingBesideTheBoardDoesNotLoseIt_data() {
+        QTest::addColumn<bool>("isPlan");
+        QTest::newRow("2D") << true;
+        QTest::newRow("3D") << false;
+    }
+    void zoomingBesideTheBoardDoesNotLoseIt() {
+        QFETCH(bool, isPlan);
+        if (isPlan) {
+            m_controller->setPlan();
+        }
+        for (const QPointF beside : {QPointF(3, 3), QPointF(797, 300), QPointF(400, 597)}) {
+            m_controller->fit();
+            QVERIFY(!m_controller->boardPointAt(beside));
+            for (int i = 0; i < 30; ++i) {
+                wheel(*m_controller, beside, 1);
+            }
+            int seen = 0;
+            for (int x = 0; x <= 800; x += 10) {
+                for (int y = 0; y <= 600; y += 10) {
+                    seen += m_controller->boardPointAt(QPointF(x, y)).has_value() ? 1 : 0;
+                }
+            }
+            QVERIFY2(seen > 0, qPrintable(QString("%1 %2").arg(beside.x()).arg(beside.y())));
+        }
+    }
+
     void arrowsTurnAndWithShiftShiftTheView() {
         const auto press = [&](Qt::KeyboardModifiers modifiers) {
             QKeyEvent event(QEvent::KeyPress, Qt::Key_Right, modifiers);

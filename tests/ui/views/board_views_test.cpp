@@ -56,6 +56,38 @@ private slots:
         QVERIFY(solid().mmPerPixel() < solidScale * 0.99F);
     }
 
+    void keysActOnTheViewUnderThePointer() {
+        const auto moveOver = [](BoardView& view) {
+            QMouseEvent event(QEvent::MouseMove, QPointF(60, 60), view.mapToGlobal(QPointF(60, 60)), Qt::NoButton,
+                              Qt::NoButton, Qt::NoModifier);
+            QCoreApplication::sendEvent(&view.canvas(), &event);
+        };
+        moveOver(views().flat());
+        QCOMPARE(&views().active(), &views().flat());
+        const float scale = flat().mmPerPixel();
+        const float solidScale = solid().mmPerPixel();
+        key(views().solid(), Qt::Key_Plus);  // the keyboard is still there
+        QCOMPARE(&views().active(), &views().flat());
+        QVERIFY(flat().mmPerPixel() < scale * 0.99F);
+        QCOMPARE(solid().mmPerPixel(), solidScale);
+        QEvent leave(QEvent::Leave);
+        QCoreApplication::sendEvent(&views().flat().canvas(), &leave);
+        QCOMPARE(&views().active(), &views().flat());
+        key(views().solid(), Qt::Key_Plus);
+        QCOMPARE(&views().active(), &views().solid());
+        QVERIFY(solid().mmPerPixel() < solidScale * 0.99F);
+    }
+
+    void aFittedBoardLiesClearOfTheRulers() {
+        flat().fit();
+        constexpr double kRuler = 18.0;
+        const model::Box box = window().document()->board;
+        for (const base::Point corner : {box.min, box.max}) {
+            const QPointF at = *views().flat().screenOf(base::toDouble(corner));
+            QVERIFY2(at.x() > kRuler && at.y() > kRuler, qPrintable(QString("%1 %2").arg(at.x()).arg(at.y())));
+        }
+    }
+
     void flatViewStaysFlat() {
         for (const Qt::Key pressed : {Qt::Key_I, Qt::Key_O, Qt::Key_Left, Qt::Key_Up}) {
             key(views().flat(), pressed);
