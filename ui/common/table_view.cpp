@@ -108,6 +108,8 @@ void TableView::keyPressEvent(QKeyEvent* event) {
 
 void TableView::contextMenuEvent(QContextMenuEvent* event) {
     QMenu menu;
+    menu.addActions(actions());
+    menu.addSeparator();
     QAction* copy = menu.addAction(tr("&Copy rows\tCtrl+C"), this, &TableView::copySelection);
     copy->setEnabled(selectionModel() != nullptr && selectionModel()->hasSelection());
     menu.addAction(tr("Copy &all with headings"), this, &TableView::copyAll);

@@ -9,7 +9,8 @@ class SortedRows;
 class TableModel;
 
 /// A table that looks and copies alike in all panels: whole rows, no grid, Ctrl+C and a context menu that put rows on
-/// the clipboard as tab-separated text. Rows are those of the TableModel, however they are sorted.
+/// the clipboard as tab-separated text. Before that the menu has the actions that were added to the table. Rows are
+/// those of the TableModel, however they are sorted.
 class TableView : public QTableView {
     Q_OBJECT
 
