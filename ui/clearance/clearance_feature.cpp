@@ -144,11 +144,11 @@ std::optional<ClearanceRequest> ClearanceFeature::request() {
             break;
         }
         case ClearancePanel::Where::Nets: {
-            const std::vector<model::BoardNet>& nets = m_selection.nets();
+            const std::vector<model::BoardNet> nets = m_selection.selectionNets();
             if (nets.size() != 2 || nets[0].step != 0 || nets[1].step != 0) {
                 m_workspace.reportError(
-                    tr("Highlight two nets of the board first: N over their copper, or Ctrl and a "
-                       "click in the Nets panel."));
+                    tr("Select two nets of the board first: N over the copper of one and Ctrl+N over that of the "
+                       "other, or Ctrl and a click in the Nets panel."));
                 return std::nullopt;
             }
             request.question.between = {nets[0].net, nets[1].net};

@@ -12,6 +12,7 @@
 
 #include "ui/element/component_facts.h"
 #include "ui/element/element_picture.h"
+#include "ui/element/net_facts.h"
 #include "ui/parts/pin_text.h"
 
 namespace ui {
@@ -64,6 +65,7 @@ ElementPanel::ElementPanel(PartPicking& parts, SelectionModel& selection, Elemen
     layout->addWidget(picture);
     layout->addWidget(m_table);
     connect(&parts, &PartPicking::changed, this, &ElementPanel::update);
+    connect(&selection, &SelectionModel::netsChanged, this, &ElementPanel::update);
     update();
 }
 
@@ -79,6 +81,13 @@ void ElementPanel::update() {
         return;
     }
     const std::size_t count = m_selection.selected().size();
+    if (const auto& nets = m_selection.nets(); count == 0 && !nets.empty()) {
+        const model::Net& first = m_selection.tree().steps[nets.front().step]->nets[nets.front().net.row()];
+        m_heading->setText(nets.size() == 1 ? tr("Net %1").arg(QString::fromStdString(first.name))
+                                            : tr("%L1 highlighted nets").arg(nets.size()));
+        fill(nets.size() == 1 ? netFacts(m_selection.tree(), nets.front()) : Facts());
+        return;
+    }
     const QString& title = m_selection.title();
     m_heading->setText(count == 0         ? tr("Click an element in a view to see its properties")
                        : !title.isEmpty() ? tr("%1, %L2 elements; of the last one:").arg(title).arg(count)

@@ -1,6 +1,8 @@
 #include "ui/nets/net_model.h"
 
 #include <QColor>
+#include <QImage>
+#include <QPainter>
 #include <QRegularExpression>
 #include <algorithm>
 
@@ -11,6 +13,18 @@ namespace ui {
 namespace {
 
 constexpr std::size_t kCheckEvery = 4096;  // nets between two checks whether the result is still wanted
+constexpr int kDot = 10;                   // pixels across
+
+QImage dot(const QColor& colour) {
+    QImage image(kDot, kDot, QImage::Format_ARGB32_Premultiplied);
+    image.fill(Qt::transparent);
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::black);
+    painter.setBrush(colour);
+    painter.drawEllipse(QRectF(0.5, 0.5, kDot - 1.0, kDot - 1.0));
+    return image;
+}
 
 /// Decides on names; made once per filter.
 class Filter {
@@ -173,6 +187,11 @@ void NetModel::setStyles(NetStyles& styles) {
     connect(&styles, &NetStyles::changed, this, &NetModel::announceChange);
 }
 
+void NetModel::setHighlighted(std::vector<model::BoardNet> nets) {
+    m_highlighted = std::move(nets);
+    announceChange();
+}
+
 bool NetModel::setFilter(const QString& pattern, FilterKind kind) {
     const bool isValid = Filter(pattern, kind).isValid();
     m_pattern = isValid ? pattern : QString();
@@ -256,6 +275,21 @@ bool NetModel::isAnyHidden(int row) const {
            std::ranges::any_of(netsAt(row), [&](const model::BoardNet& net) { return m_styles->isHidden(net); });
 }
 
+std::optional<QRgb> NetModel::ownColour(int row) const {
+    return m_styles != nullptr ? m_styles->of({m_step, netAt(row)}).colour : std::nullopt;
+}
+
+/// As ui/views/element_styles colours the net; nothing while it is not highlighted.
+QVariant NetModel::dotOf(int row) const {
+    const model::BoardNet net{m_step, netAt(row)};
+    const auto place = std::ranges::lower_bound(m_highlighted, net);
+    if (place == m_highlighted.end() || *place != net) {
+        return {};
+    }
+    const auto number = static_cast<std::size_t>(place - m_highlighted.begin());
+    return dot(QColor(ownColour(row).value_or(highlightColour(number))));
+}
+
 Cell NetModel::headingCell(int row, int column) const {
     if (column != Name) {
         return {};
@@ -275,11 +309,12 @@ Cell NetModel::cell(int row, int column) const {
     }
     const std::size_t net = netAt(row).row();
     if (column == Name) {
-        return text(m_document->nets[net].name);
+        Cell name = text(m_document->nets[net].name);
+        name.decoration = dotOf(row);
+        return name;
     }
     if (column == Colour) {
-        const std::optional<QRgb> colour =
-            m_styles != nullptr ? m_styles->of({m_step, netAt(row)}).colour : std::nullopt;
+        const std::optional<QRgb> colour = ownColour(row);
         return colour ? Cell{QColor(*colour).name(), QColor(*colour)} : Cell{};
     }
     if (!m_statistics) {

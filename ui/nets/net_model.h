@@ -33,6 +33,8 @@ public:
                  std::shared_ptr<const model::NetStatistics> statistics, std::uint32_t step = 0);
     /// Colours and whether nets are shown: read here, and requested where a cell is edited.
     void setStyles(NetStyles& styles);
+    /// Each has a dot before its name in the colour that it is drawn in; in rising order.
+    void setHighlighted(std::vector<model::BoardNet> nets);
     /// Case does not matter. Several words of a text must all be in the name; a wildcard has * and ? and fits the whole
     /// name. False if a regular expression is not one: then all nets are shown.
     bool setFilter(const QString& pattern, FilterKind kind);
@@ -74,6 +76,8 @@ private:
     [[nodiscard]] Cell cell(int row, int column) const override;
     [[nodiscard]] Cell headingCell(int row, int column) const;
     [[nodiscard]] bool isAnyHidden(int row) const;
+    [[nodiscard]] std::optional<QRgb> ownColour(int row) const;
+    [[nodiscard]] QVariant dotOf(int row) const;
     [[nodiscard]] QString tip(int row, int column) const override;
     bool edit(int row, int column, const QVariant& value) override;
     bool check(int row, int column, bool isChecked) override;
@@ -81,6 +85,7 @@ private:
     std::shared_ptr<const model::Document> m_document;
     std::shared_ptr<const model::NetStatistics> m_statistics;
     NetStyles* m_styles = nullptr;
+    std::vector<model::BoardNet> m_highlighted;
     std::uint32_t m_step = 0;
     QString m_pattern;
     FilterKind m_kind = FilterKind::Text;

@@ -38,6 +38,11 @@ QString counted(std::size_t nets) {
 
 }  // namespace
 
+QRgb highlightColour(std::size_t place) {
+    const glm::vec3 colour = render::kHighlightColours[place % render::kHighlightColours.size()];
+    return QColor::fromRgbF(colour.r, colour.g, colour.b).rgb();
+}
+
 std::size_t nearestColour(std::span<const QRgb> palette, QRgb colour) {
     const auto distance = [&](QRgb other) {
         const int red = qRed(other) - qRed(colour);
@@ -87,6 +92,25 @@ void NetStyles::colourAnew(std::span<const model::BoardNet> nets) {
 void NetStyles::hide(std::span<const model::BoardNet> nets, bool isHidden) {
     emit asked((isHidden ? tr("hiding %1") : tr("showing %1")).arg(counted(nets.size())),
                edited(*this, nets, [&](NetStyle& style) { style.isHidden = isHidden; }));
+}
+
+void NetStyles::isolate(std::span<const model::BoardNet> nets, const model::StepTree& tree) {
+    const std::vector<model::BoardNet> kept = sorted(nets);
+    State after;
+    for (std::uint32_t step = 0; step < tree.steps.size(); ++step) {
+        for (std::size_t row = 0; row < tree.steps[step]->nets.size(); ++row) {
+            NetStyle style = of({step, model::NetId{row}});
+            style.isHidden = !std::ranges::binary_search(kept, style.net);
+            if (style.colour || style.isHidden) {
+                after.push_back(style);
+            }
+        }
+    }
+    if (after == m_state) {
+        showAll();
+    } else {
+        emit asked(tr("isolating %1").arg(counted(kept.size())), after);
+    }
 }
 
 void NetStyles::showAll() {

@@ -40,6 +40,8 @@ public:
     /// Gives each net without a colour the hue that is used least, of eight that everybody can distinguish.
     void colourAnew(std::span<const model::BoardNet> nets);
     void hide(std::span<const model::BoardNet> nets, bool isHidden);
+    /// Hides all nets of the tree but these; where that is so already, shows all again.
+    void isolate(std::span<const model::BoardNet> nets, const model::StepTree& tree);
     void showAll();
     void clearColours();
     /// By how much what does not stand out is darkened, 0 to 1.
@@ -60,6 +62,9 @@ private:
     State m_state;
     float m_dim = render::kDimRest;
 };
+
+/// What a net is drawn in as the `place`-th of those that are highlighted, if it has no colour of its own.
+[[nodiscard]] QRgb highlightColour(std::size_t place);
 
 /// The row of a palette that is most like a colour; it has one.
 [[nodiscard]] std::size_t nearestColour(std::span<const QRgb> palette, QRgb colour);

@@ -11,6 +11,7 @@ NetsFeature::NetsFeature(FeatureContext& context)
       m_selection(context.workspace.selection()),
       m_styles(context.netStyles),
       m_editing(context.netStyles, context.workspace),
+      m_highlights(context.workspace),
       m_nets(this) {
     m_nets.setStyles(m_styles);
     m_panel = new NetsPanel(m_nets, m_selection, m_styles, context.actions);
@@ -22,10 +23,12 @@ NetsFeature::NetsFeature(FeatureContext& context)
 
 void NetsFeature::connectCommands(FeatureContext& context) {
     const auto on = [&](ActionId id, auto slot) { context.on(id, this, slot); };
-    on(ActionId::HighlightNet, [this] { highlightNet(); });
+    on(ActionId::HighlightNet, [this] { highlightNets(); });
+    on(ActionId::AddNet, [this] { addNets(); });
     on(ActionId::ColourNet, [this] { colour(); });
     on(ActionId::ChooseNetColour, [this] { m_panel->chooseColour(targets()); });
     on(ActionId::HideNet, [this] { hide(); });
+    on(ActionId::IsolateNet, [this] { isolate(); });
     on(ActionId::ShowAllNets, [this] { m_styles.showAll(); });
     on(ActionId::ClearNetColours, [this] { m_styles.clearColours(); });
     on(ActionId::InferNets,
@@ -61,26 +64,39 @@ void NetsFeature::connectDimming(QAction& dimOthers) {
     });
 }
 
-std::optional<model::BoardNet> NetsFeature::netUnderPointer() const {
-    const auto at = m_selection.hovered() ? m_selection.hovered() : m_selection.current();
-    return at ? m_selection.netOf(*at) : std::nullopt;
+std::vector<model::BoardNet> NetsFeature::netsToChoose() {
+    const auto pointed = m_selection.pointed();
+    const auto net = pointed ? m_selection.netOf(*pointed) : std::nullopt;
+    const std::vector<model::BoardNet> nets = net ? std::vector{*net} : m_selection.selectionNets();
+    if (nets.empty()) {
+        m_workspace.report(tr("Point at an element of a net, or select one, to highlight its net"));
+    }
+    return nets;
 }
 
-void NetsFeature::highlightNet() {
-    if (const auto net = netUnderPointer()) {
-        m_selection.toggleNet(*net);
-    } else {
-        m_workspace.report(tr("Point at an element of a net, or select one, to highlight its net"));
+void NetsFeature::highlightNets() {
+    if (std::vector<model::BoardNet> nets = netsToChoose(); nets == m_selection.nets()) {
+        m_selection.setNets({});
+    } else if (!nets.empty()) {
+        m_selection.setNets(std::move(nets));
+    }
+}
+
+void NetsFeature::addNets() {
+    if (const std::vector<model::BoardNet> nets = netsToChoose(); !nets.empty()) {
+        m_selection.toggleNets(nets);
     }
 }
 
 std::vector<model::BoardNet> NetsFeature::targets() {
-    std::vector<model::BoardNet> nets = m_selection.nets();
-    if (const auto net = netUnderPointer(); net && nets.empty()) {
+    std::vector<model::BoardNet> nets = m_selection.selectionNets();
+    const auto hovered = m_selection.isEmpty() ? m_selection.hovered() : std::nullopt;
+    if (const auto net = hovered ? m_selection.netOf(*hovered) : std::nullopt) {
         nets.push_back(*net);
     }
     if (nets.empty()) {
-        m_workspace.report(tr("Highlight a net, point at an element of one, or select one"));
+        m_workspace.report(m_selection.isEmpty() ? tr("Select an element of a net or highlight a net, or point at one")
+                                                 : tr("What is selected has no net"));
     }
     return nets;
 }
@@ -104,6 +120,12 @@ void NetsFeature::hide() {
     if (!nets.empty()) {
         m_styles.hide(nets, true);
         m_selection.hover(std::nullopt);
+    }
+}
+
+void NetsFeature::isolate() {
+    if (const std::vector<model::BoardNet> nets = targets(); !nets.empty()) {
+        m_styles.isolate(nets, m_selection.tree());
     }
 }
 

@@ -30,6 +30,11 @@ constexpr std::pair<NetModel::Column, int> kWidths[] = {
     {NetModel::Length, 12}, {NetModel::Area, 12}, {NetModel::Colour, 6}, {NetModel::Shown, 5},
 };
 
+/// Of the context menu, for the selected rows.
+constexpr ActionId kMenu[] = {ActionId::ShowSelection,   ActionId::ColourNet,      ActionId::ChooseNetColour,
+                              ActionId::HideNet,         ActionId::IsolateNet,     ActionId::ShowAllNets,
+                              ActionId::ClearNetColours, ActionId::SectionAlongNet};
+
 /// Rows that follow each other become one range: a million of them would be slow.
 void addRow(QItemSelection& rows, const NetModel& model, int row) {
     const int last = model.columnCount() - 1;
@@ -57,15 +62,18 @@ NetsPanel::NetsPanel(NetModel& model, SelectionModel& selection, NetStyles& styl
       m_details(new QLabel),
       m_table(new TableView(model)) {
     setUpTable();
+    for (const ActionId id : kMenu) {
+        m_table->addAction(&actions[id]);
+    }
     layOutControls(actions);
     connect(m_filter, &QLineEdit::textChanged, this, &NetsPanel::applyFilter);
     connect(m_kind, &QComboBox::currentIndexChanged, this, &NetsPanel::applyFilter);
     connect(m_group, &QComboBox::currentIndexChanged, this, &NetsPanel::applyGrouping);
     connect(m_step, &QComboBox::currentIndexChanged, this, &NetsPanel::applyStep);
     connect(&model, &NetModel::arranged, this, &NetsPanel::onArranged);
-    connect(&selection, &SelectionModel::netsChanged, this, &NetsPanel::showInTable);
-    connect(&selection, &SelectionModel::netsChanged, this, &NetsPanel::showDetails);
-    connect(&selection, &SelectionModel::selectionChanged, this, &NetsPanel::scrollToSelected);
+    connect(&selection, &SelectionModel::netsChanged, &model, [this] { m_model.setHighlighted(m_selection.nets()); });
+    connect(&selection, &SelectionModel::netsChanged, this, &NetsPanel::onSelectionChanged);
+    connect(&selection, &SelectionModel::selectionChanged, this, &NetsPanel::onSelectionChanged);
 }
 
 void NetsPanel::setUpTable() {
@@ -145,7 +153,7 @@ bool NetsPanel::eventFilter(QObject* watched, QEvent* event) {
 
 void NetsPanel::toggleSelected() {
     // All follow the first, so that a mixed selection becomes uniform.
-    const auto& nets = m_selection.nets();
+    const std::vector<model::BoardNet> nets = m_selection.selectionNets();
     if (!nets.empty()) {
         m_styles.hide(nets, !m_styles.isHidden(nets.front()));
     }
@@ -153,6 +161,7 @@ void NetsPanel::toggleSelected() {
 
 void NetsPanel::onClicked(const QModelIndex& index) {
     if (index.column() != NetModel::Colour) {
+        chooseAgain(index);
         return;
     }
     const std::vector<model::BoardNet> nets = m_model.netsAt(index.row());
@@ -260,10 +269,29 @@ void NetsPanel::takeFromTable(const QItemSelection& selected, const QItemSelecti
         std::erase_if(nets, [&](const model::BoardNet& net) { return std::ranges::binary_search(gone, net); });
     }
     const bool isOne = nets.size() == 1;
-    m_selection.setNets(std::move(nets));
+    {
+        const QScopedValueRollback guard(m_isSyncing, true);  // the table stays where the user is
+        m_selection.setNets(std::move(nets));
+    }
     showInTable();  // a heading and its nets go together
+    showDetails();
     if (m_showsChosen && isOne) {
         emit showRequested(m_selection.nets());
+    }
+}
+
+/// A row that is selected already, for the net of an element, becomes the choice where it is clicked.
+void NetsPanel::chooseAgain(const QModelIndex& index) {
+    if (!m_selection.selected().empty() && m_table->selectionModel()->isSelected(index)) {
+        takeFromTable({}, {});
+    }
+}
+
+void NetsPanel::onSelectionChanged() {
+    if (!m_isSyncing) {
+        showInTable();
+        showDetails();
+        scrollToSelected();
     }
 }
 
@@ -272,20 +300,21 @@ void NetsPanel::showInTable() {
         return;
     }
     const QScopedValueRollback guard(m_isSyncing, true);
-    const auto isHighlighted = [&](int row) {
-        return std::ranges::binary_search(m_selection.nets(), model::BoardNet{step(), m_model.netAt(row)});
+    const std::vector<model::BoardNet> nets = m_selection.selectionNets();
+    const auto isOfSelection = [&](int row) {
+        return std::ranges::binary_search(nets, model::BoardNet{step(), m_model.netAt(row)});
     };
     QItemSelection rows;
-    for (int row = 0; !m_selection.nets().empty() && row < m_model.rowCount(); ++row) {
+    for (int row = 0; !nets.empty() && row < m_model.rowCount(); ++row) {
         if (!m_model.isHeading(row)) {
-            if (isHighlighted(row)) {
+            if (isOfSelection(row)) {
                 addRow(rows, m_model, row);
             }
             continue;
         }
         int member = row + 1;
         const int end = m_model.endOfGroup(row);
-        while (member < end && isHighlighted(member)) {
+        while (member < end && isOfSelection(member)) {
             ++member;
         }
         if (member == end) {
@@ -297,7 +326,7 @@ void NetsPanel::showInTable() {
 
 void NetsPanel::showDetails() {
     std::vector<model::NetId> nets;
-    for (const model::BoardNet& net : m_selection.nets()) {
+    for (const model::BoardNet& net : m_selection.selectionNets()) {
         if (net.step == step()) {
             nets.push_back(net.net);
         }
@@ -313,8 +342,9 @@ void NetsPanel::showDetails() {
 
 void NetsPanel::scrollToSelected() {
     const auto current = m_selection.current();
-    const auto net = m_follows && current ? m_selection.netOf(*current) : std::nullopt;
-    if (!net) {
+    const std::vector<model::BoardNet>& nets = m_selection.nets();
+    const auto net = current ? m_selection.netOf(*current) : nets.empty() ? std::nullopt : std::optional(nets.front());
+    if (!net || !m_follows) {
         return;
     }
     if (net->step != step()) {

@@ -17,16 +17,18 @@ namespace ui {
 class ActionSet;
 class TableView;
 
-/// The nets of the board, or of a step it places: filter, sort, group, highlight. Selected rows are the highlighted
-/// nets, in both directions, and a heading means all nets under it; Enter or a double click shows them. In front of
-/// each is whether it is drawn and its colour. Below the table are the properties of the highlighted ones.
+/// The nets of the board, or of a step it places: filter, sort, group, highlight. Selected rows are the nets of the
+/// selection (ui/workspace/selection_model.h): choosing rows highlights their nets, and what is selected elsewhere
+/// marks the rows of its nets. A heading means all nets under it; Enter or a double click shows them. In front of each
+/// is whether it is drawn and its colour, and while it is highlighted a dot in the colour it is drawn in. Below the
+/// table are the properties of the nets that are selected.
 class NetsPanel : public QWidget {
     Q_OBJECT
 
 public:
     using Statistics = std::vector<std::shared_ptr<const model::NetStatistics>>;  ///< as LoadedBoard::nets
 
-    /// The commands are those of the menu Nets.
+    /// The commands are those of the menu Nets; the context menu of the table has them too.
     NetsPanel(NetModel& model, SelectionModel& selection, NetStyles& styles, const ActionSet& actions,
               QWidget* parent = nullptr);
 
@@ -60,6 +62,8 @@ private:
     void applyStep();
     void onArranged();
     void takeFromTable(const QItemSelection& selected, const QItemSelection& deselected);
+    void chooseAgain(const QModelIndex& index);
+    void onSelectionChanged();
     void showInTable();
     void showDetails();
     void scrollToSelected();
@@ -81,7 +85,7 @@ private:
     QLabel* m_details;
     TableView* m_table;
     bool m_isSyncing = false;   ///< the table is being changed to show what is highlighted
-    bool m_isToScroll = false;  ///< to the selected element's net, once the rows are arranged
+    bool m_isToScroll = false;  ///< to the net of the selection, once the rows are arranged
     bool m_follows = true;
     bool m_showsChosen = false;
 };

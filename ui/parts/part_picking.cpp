@@ -68,7 +68,7 @@ std::optional<BoardPart> PartPicking::wholePart() const {
 }
 
 std::optional<model::BoardElement> PartPicking::target() {
-    const auto at = m_selection.hovered() ? m_selection.hovered() : m_selection.current();
+    const auto at = m_selection.pointedOrCurrent();
     if (!at) {
         m_workspace.report(tr("Point at a pad or a body, or select one"));
     }

@@ -172,11 +172,12 @@ std::optional<std::pair<base::PointD, base::PointD>> SectionFeature::straightLin
 }
 
 void SectionFeature::followNet() {
-    if (m_index == nullptr || m_selection.nets().size() != 1) {
-        m_workspace.report(tr("Highlight one net first: N over its copper, or a click in the Nets panel"));
+    const std::vector<model::BoardNet> nets = m_selection.selectionNets();
+    if (m_index == nullptr || nets.size() != 1) {
+        m_workspace.report(tr("Select one net first: a click on its copper, or in the Nets panel"));
         return;
     }
-    const model::BoardNet& net = m_selection.nets().front();
+    const model::BoardNet& net = nets.front();
     if (base::Result<std::vector<base::PointD>> line =
             model::lineAlong(*m_index, {m_selection.firstCopyOf(net.step), net.net})) {
         cutAlong(std::move(*line));

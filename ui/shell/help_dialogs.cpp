@@ -25,8 +25,10 @@ public:
 
 const Gesture Gesture::kAll[] = {
     {QT_TR_NOOP("Left drag"), QT_TR_NOOP("Orbit (3D), select with a box (2D)")},
-    {QT_TR_NOOP("Click"), QT_TR_NOOP("Select; again: what lies beneath; with Ctrl: add or remove")},
-    {QT_TR_NOOP("Double click, Alt + click"), QT_TR_NOOP("Centre it in the other view")},
+    {QT_TR_NOOP("Click"), QT_TR_NOOP("Select; again after a pause: what lies beneath; with Ctrl: add or remove")},
+    {QT_TR_NOOP("Tab, Shift + Tab (after a click)"), QT_TR_NOOP("Select what lies beneath; what lies above")},
+    {QT_TR_NOOP("Double click, Alt + click"), QT_TR_NOOP("Zoom both views to it; the other view alone")},
+    {QT_TR_NOOP("Right click"), QT_TR_NOOP("Menu of what lies there")},
     {QT_TR_NOOP("Box from the left, from the right (2D)"),
      QT_TR_NOOP("Select what is inside; what is inside or touched")},
     {QT_TR_NOOP("Shift, Ctrl, Alt (measuring)"), QT_TR_NOOP("Straight, in steps of 45°, without snapping")},

@@ -54,7 +54,7 @@ void ElementStyles::onHighlightChanged() {
     m_views.requestFrameAtRest();
 }
 
-/// Of several; one alone has the colour of all that is highlighted.
+/// Of several; one alone has the colour of all that is highlighted. `highlightColour` says the same to the table.
 void ElementStyles::addColoursOfHighlightedNets(ElementStateLists& states) const {
     const std::vector<model::BoardNet>& nets = m_selection.nets();
     for (std::size_t i = 0; nets.size() > 1 && i < nets.size(); ++i) {
@@ -74,7 +74,7 @@ void ElementStyles::apply() {
     }
     addColoursOfHighlightedNets(states);
     m_views.setStates(std::move(states));
-    const bool standsOut = !m_selection.selected().empty() || !m_selection.nets().empty() || m_nets.hasColours();
+    const bool standsOut = !m_selection.isEmpty() || m_nets.hasColours();
     m_views.setDim(m_dimOthers.isChecked() && standsOut ? m_nets.dim() : 0.0F);
 }
 

@@ -1,7 +1,7 @@
 #include "ui/views/probing.h"
 
 #include <QApplication>
-#include <QEvent>
+#include <QKeyEvent>
 #include <QPainter>
 #include <QToolTip>
 #include <algorithm>
@@ -73,7 +73,11 @@ void Probing::watch(BoardView& view) {
     });
     connect(&controller, &CameraController::clicked, this,
             [this, &view](QPointF position, Qt::KeyboardModifiers modifiers) { click(view, position, modifiers); });
-    connect(&controller, &CameraController::doubleClicked, this, [this, &view] { showInOther(view); });
+    connect(&controller, &CameraController::doubleClicked, this, [this] {
+        if (m_isSelecting) {
+            showInBoth(m_selection.selected());
+        }
+    });
 }
 
 bool Probing::eventFilter(QObject* object, QEvent* event) {
@@ -82,7 +86,17 @@ bool Probing::eventFilter(QObject* object, QEvent* event) {
         m_rest.stop();
         hover();
     }
+    if (event->type() == QEvent::KeyPress && m_isSelecting && isCanvas(object)) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if ((key == Qt::Key_Tab && selectBeneath(1)) || (key == Qt::Key_Backtab && selectBeneath(-1))) {
+            return true;
+        }
+    }
     return QObject::eventFilter(object, event);
+}
+
+bool Probing::isCanvas(const QObject* object) const {
+    return std::ranges::any_of(m_views.both(), [&](BoardView* view) { return &view->canvas() == object; });
 }
 
 void Probing::setBoard(const LoadedBoard& board) {
@@ -216,24 +230,61 @@ void Probing::click(BoardView& view, QPointF position, Qt::KeyboardModifiers mod
         }
         return;
     }
-    const bool isRepeated = m_last.view == &view && found == m_last.found &&
-                            QLineF(m_last.position, position).length() < CameraController::kClickPixels &&
-                            m_selection.current().has_value();
-    const std::size_t taken = isRepeated && !found.empty() ? (m_last.taken + 1) % found.size() : 0;
-    m_last = {&view, position, found, taken};
-    m_selection.select(found.empty() ? std::vector<model::BoardElement>{} : std::vector{found[taken]});
+    const bool isRepeated = m_last.view == &view && found == m_last.found && isLastSelected() &&
+                            QLineF(m_last.position, position).length() < CameraController::kClickPixels;
+    if (!isRepeated) {
+        selectFirst(view, position, std::move(found));
+    } else if (m_last.since.restart() >= QApplication::doubleClickInterval()) {
+        selectBeneath(1);
+    }
     BoardView& other = view.kind() == BoardView::Kind::Flat ? m_views.solid() : m_views.flat();
     if (modifiers.testFlag(Qt::AltModifier)) {
         showInOther(view);
-    } else if (!found.empty() && m_follows[static_cast<std::size_t>(other.kind())] && other.isVisible()) {
+    } else if (m_follows[static_cast<std::size_t>(other.kind())] && other.isVisible()) {
         show(other, m_selection.selected());
     }
 }
 
-void Probing::showInOther(BoardView& view) {
-    if (!m_isSelecting) {
-        return;
+void Probing::selectFirst(const BoardView& view, QPointF position, std::vector<model::BoardElement> found) {
+    m_selection.select(found.empty() ? found : std::vector{found.front()});
+    m_last = {&view, position, std::move(found), 0, {}};
+    m_last.since.start();
+}
+
+bool Probing::isLastSelected() const {
+    return !m_last.found.empty() && m_selection.selected() == std::vector{m_last.found[m_last.taken]};
+}
+
+bool Probing::selectBeneath(int by) {
+    if (!isLastSelected()) {
+        return false;
     }
+    const std::size_t count = m_last.found.size();
+    m_last.taken = (m_last.taken + count + static_cast<std::size_t>(by)) % count;
+    m_selection.select({m_last.found[m_last.taken]});
+    return true;
+}
+
+bool Probing::chooseAt(const BoardView& view, QPointF position) {
+    std::vector<model::BoardElement> found = elementsOf(hitsAt(view, position));
+    if (found.empty()) {
+        return false;
+    }
+    const auto isSelected = [&](const model::BoardElement& at) {
+        return std::ranges::binary_search(m_selection.selected(), at);
+    };
+    const auto net = m_selection.netOf(found.front());
+    const bool isOfChosenNet =
+        m_selection.selected().empty() && net && std::ranges::binary_search(m_selection.nets(), *net);
+    // What was taken from beneath is chosen too, where it was taken.
+    const bool isTakenHere = found == m_last.found && isLastSelected();
+    if (!isSelected(found.front()) && !isOfChosenNet && !isTakenHere) {
+        selectFirst(view, position, std::move(found));
+    }
+    return true;
+}
+
+void Probing::showInOther(BoardView& view) {
     BoardView& other = view.kind() == BoardView::Kind::Flat ? m_views.solid() : m_views.flat();
     show(other.isVisible() ? other : view, m_selection.selected());
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
 #include <array>
@@ -13,10 +14,12 @@
 
 namespace ui {
 
-/// Between the pointer in the two views and the selection: hovering highlights an element and shows what it is, a
-/// click selects it, a repeated click what lies beneath, Ctrl adds, a double click or Alt brings it to the middle of
-/// the other view (or of this one if it is alone), a box in 2D selects many. What stands out is seen in both views,
-/// always; cameras move only when asked.
+/// Between the pointer in the two views and the selection (ui/workspace/selection_model.h): hovering shows what an
+/// element is, a click selects it, Ctrl adds, a box in 2D selects many. A click on what is selected, once a double
+/// click is over, takes what lies beneath; so does Tab, and Shift+Tab what lies above. A double click keeps what the
+/// first of the two selected and brings it to the middle of both views; Alt and a click brings it to the middle of the
+/// other view (or of this one if it is alone). What stands out is seen in both views, always; cameras move only when
+/// asked.
 class Probing : public QObject {
     Q_OBJECT
 
@@ -31,12 +34,16 @@ public:
 
     /// While something else takes the clicks, nothing is selected and no tips are shown.
     void setSelecting(bool isOn) { m_isSelecting = isOn; }
+    [[nodiscard]] bool isSelecting() const { return m_isSelecting; }
 
     [[nodiscard]] const BoardPosition& position() const { return m_views.flat().position(); }
     /// What the view shows of each layer; empty without a board.
     [[nodiscard]] std::vector<model::PickLayer> layersOf(const BoardView& view) const;
     /// What lies under a location on the canvas, see model::Picker.
     [[nodiscard]] std::vector<model::Hit> hitsAt(const BoardView& view, QPointF position);
+    /// Selects what a click there does, unless it is chosen already: what a menu is opened on. False where nothing
+    /// lies.
+    bool chooseAt(const BoardView& view, QPointF position);
     /// Brings elements to the middle.
     void show(BoardView& view, std::span<const model::BoardElement> elements);
     void showInBoth(std::span<const model::BoardElement> elements);
@@ -61,6 +68,11 @@ private:
     void endStaleHover(BoardView& view);
     void hoverAgain(const BoardView& view);
     void click(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers);
+    void selectFirst(const BoardView& view, QPointF position, std::vector<model::BoardElement> found);
+    /// By 1 beneath, by -1 above what the last click took; false if that is not what is selected.
+    bool selectBeneath(int by);
+    [[nodiscard]] bool isLastSelected() const;
+    [[nodiscard]] bool isCanvas(const QObject* object) const;
     void showInOther(BoardView& view);
     void selectBox(QPointF from, QPointF to, Qt::KeyboardModifiers modifiers);
     void announceLocation(const BoardView& view, QPointF position);
@@ -85,6 +97,7 @@ private:
         QPointF position;
         std::vector<model::BoardElement> found;
         std::size_t taken = 0;
+        QElapsedTimer since;
     } m_last;
 };
 

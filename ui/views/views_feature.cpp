@@ -14,6 +14,7 @@
 #include "ui/views/probing.h"
 #include "ui/views/view_cube.h"
 #include "ui/views/view_history.h"
+#include "ui/views/view_menu.h"
 
 namespace ui {
 
@@ -86,8 +87,9 @@ void connectProbing(FeatureContext& context) {
     QObject::connect(&probing, &Probing::componentRequested, &context.parts, &PartPicking::selectComponentOf);
     context.on(ActionId::FollowInSolid, [&](bool isOn) { probing.setFollows(BoardView::Kind::Solid, isOn); });
     context.on(ActionId::FollowInFlat, [&](bool isOn) { probing.setFollows(BoardView::Kind::Flat, isOn); });
-    context.on(ActionId::ShowSelection,
-               [&probing, &selection = context.workspace.selection()] { probing.showInBoth(selection.selected()); });
+    context.on(ActionId::ShowSelection, [&probing, &selection = context.workspace.selection()] {
+        probing.showInBoth(selection.selectionElements());
+    });
 }
 
 void connectOverlays(FeatureContext& context) {
@@ -181,6 +183,7 @@ void addViews(FeatureContext& context) {
     connectBoard(context);
     connectCameras(context);
     connectProbing(context);
+    addViewMenu(context);
     connectOverlays(context);
     connectAppearance(context);
     context.on(ActionId::SavePicture, [&context] { requestPicture(context, 0); });

@@ -28,6 +28,7 @@ void SelectionModel::setBoard(std::shared_ptr<const model::Document> board) {
     m_board = std::move(board);
     m_tree = m_board ? model::unfoldCopies(*m_board) : model::StepTree{};
     m_hovered.reset();
+    m_isHoveredNewer = false;
     m_current.reset();
     m_selected.clear();
     m_title.clear();
@@ -42,6 +43,7 @@ void SelectionModel::setBoard(std::shared_ptr<const model::Document> board) {
 void SelectionModel::hover(std::optional<model::BoardElement> element) {
     if (element != m_hovered) {
         m_hovered = element;
+        m_isHoveredNewer = element.has_value();
         emit hoverChanged();
     }
 }
@@ -53,6 +55,7 @@ void SelectionModel::selectAs(const QString& title, const std::vector<model::Boa
 
 void SelectionModel::select(const std::vector<model::BoardElement>& elements, Mode mode) {
     m_title = std::exchange(m_nextTitle, QString());
+    m_isHoveredNewer = false;
     m_selected = mode == Mode::Toggle ? toggled(m_selected, elements) : elements;
     sortUnique(m_selected);
     const auto isSelected = [&](const model::BoardElement& e) { return std::ranges::binary_search(m_selected, e); };
@@ -67,9 +70,20 @@ void SelectionModel::select(const std::vector<model::BoardElement>& elements, Mo
 
 void SelectionModel::setNets(std::vector<model::BoardNet> nets) {
     sortUnique(nets);
-    if (nets != m_nets) {
-        m_nets = std::move(nets);
+    m_isHoveredNewer = false;
+    const bool isUnselecting = !nets.empty() && !m_selected.empty();
+    const bool isOther = nets != m_nets;
+    m_nets = std::move(nets);
+    if (isUnselecting) {
+        m_selected.clear();
+        m_current.reset();
+        m_title.clear();
+        emit selectionChanged();
+    }
+    if (isOther) {
         emit netsChanged();
+    }
+    if (isUnselecting || isOther) {
         emit highlightChanged();
     }
 }
@@ -82,8 +96,45 @@ void SelectionModel::setNearby(std::vector<model::BoardElement> elements) {
     }
 }
 
-void SelectionModel::toggleNet(const model::BoardNet& net) {
-    setNets(toggled(m_nets, {net}));
+void SelectionModel::toggleNets(const std::vector<model::BoardNet>& nets) {
+    setNets(toggled(m_nets, nets));
+}
+
+std::vector<model::BoardNet> SelectionModel::selectionNets() const {
+    if (m_selected.empty()) {
+        return m_nets;
+    }
+    std::vector<std::vector<bool>> isOf(m_tree.steps.size());
+    for (const model::BoardElement& element : m_selected) {
+        if (const auto net = netOf(element)) {
+            isOf[net->step].resize(m_tree.steps[net->step]->nets.size());
+            isOf[net->step][net->net.row()] = true;
+        }
+    }
+    std::vector<model::BoardNet> nets;
+    for (std::uint32_t step = 0; step < isOf.size(); ++step) {
+        for (std::size_t row = 0; row < isOf[step].size(); ++row) {
+            if (isOf[step][row]) {
+                nets.push_back({step, model::NetId{row}});
+            }
+        }
+    }
+    return nets;
+}
+
+std::vector<model::BoardElement> SelectionModel::selectionElements() const {
+    return m_selected.empty() ? elementsOf(m_nets) : m_selected;
+}
+
+std::optional<model::BoardElement> SelectionModel::pointed() const {
+    return m_isHoveredNewer || isEmpty() ? m_hovered : std::nullopt;
+}
+
+std::optional<model::BoardElement> SelectionModel::pointedOrCurrent() const {
+    if (const auto element = pointed()) {
+        return element;
+    }
+    return m_current ? m_current : m_hovered;
 }
 
 std::optional<model::BoardNet> SelectionModel::netOf(const model::BoardElement& element) const {

@@ -9,11 +9,28 @@
 
 namespace ui {
 
-/// What the user points at: the element under the pointer, the selected elements, the highlighted nets. Views, tables
-/// and tools share one of these, so that what is chosen in one is seen in all.
+/// What the user works on: one for the whole window. Views, tables, search and tools change it here and follow it here,
+/// so that what is chosen in one is chosen in all. From what passes to what stays it holds
 ///
-/// Hovering is fleeting, selecting replaces or adds, nets stay highlighted until they are cleared. `clearStep` takes
-/// back one of them at a time, the most fleeting first.
+///     hovered    the element under the pointer
+///     selected   elements; a pin or a component is all its elements, with a title
+///     nets       highlighted as a whole, several each in a colour of its own
+///
+/// The selection that commands work on (colour, hide, isolate, show in both views, follow, save, section along a net)
+/// is what was chosen last: the selected elements, or if there are none the highlighted nets. `selectionNets` and
+/// `selectionElements` say it in nets and in elements; nobody works it out anew. What lies under the pointer counts
+/// while nothing is chosen, and for the commands that choose (N, P, Shift+P) once the pointer has come to another
+/// element: `pointed`.
+///
+///     gesture                                               changes
+///     the pointer moves                                     hovered
+///     click, box, Tab; P, search for a part                 selected; nets stay highlighted
+///     Ctrl + click, Ctrl + box                              selected, added or taken away
+///     N, search for a net, row of Nets, link in Element     nets; no elements are selected any more
+///     Ctrl+N, Ctrl + row of Nets                            nets, one added or taken away; the same
+///     right click on something that is not chosen           selected, as a click does
+///     Esc                                                   one step back: the elements, then the nets
+///     Undo                                                  nets, as they were before their last change
 class SelectionModel : public QObject {
     Q_OBJECT
 
@@ -28,7 +45,7 @@ public:
     [[nodiscard]] std::optional<model::BoardElement> hovered() const { return m_hovered; }
 
     enum class Mode { Replace, Toggle };
-    /// Nothing selected when `elements` is empty and they replace. Toggled ones change sides.
+    /// Nothing selected when `elements` is empty and they replace. Toggled ones change sides. Nets stay highlighted.
     void select(const std::vector<model::BoardElement>& elements, Mode mode = Mode::Replace);
     /// Elements that are one item together, and what it is: "Component U1".
     void selectAs(const QString& title, const std::vector<model::BoardElement>& elements);
@@ -39,13 +56,26 @@ public:
     /// The one selected last; none when nothing is selected.
     [[nodiscard]] std::optional<model::BoardElement> current() const { return m_current; }
 
+    /// These and no others. Where there are any, they are the selection: no elements are selected any more.
     void setNets(std::vector<model::BoardNet> nets);
-    void toggleNet(const model::BoardNet& net);
+    /// Each of them changes sides.
+    void toggleNets(const std::vector<model::BoardNet>& nets);
     /// In rising order. A net of a step that is placed often is highlighted in all its copies.
     [[nodiscard]] const std::vector<model::BoardNet>& nets() const { return m_nets; }
     /// What lies near what is selected or highlighted (the clearance lens); in rising order.
     void setNearby(std::vector<model::BoardElement> elements);
     [[nodiscard]] const std::vector<model::BoardElement>& nearby() const { return m_nearby; }
+    /// The nets of the selection, in rising order: those of the selected elements, or if there are none all that are
+    /// highlighted. Time of one pass over what is selected.
+    [[nodiscard]] std::vector<model::BoardNet> selectionNets() const;
+    /// The elements of the selection: the selected ones, or if there are none those of the highlighted nets.
+    [[nodiscard]] std::vector<model::BoardElement> selectionElements() const;
+    [[nodiscard]] bool isEmpty() const { return m_selected.empty() && m_nets.empty(); }
+    /// The element under the pointer if it came there after the last choice, or nothing is chosen: so that a choice is
+    /// not lost to a pointer that rests somewhere.
+    [[nodiscard]] std::optional<model::BoardElement> pointed() const;
+    /// What a command that chooses more of an element goes on from.
+    [[nodiscard]] std::optional<model::BoardElement> pointedOrCurrent() const;
     /// The net of an element; none if it has none.
     [[nodiscard]] std::optional<model::BoardNet> netOf(const model::BoardElement& element) const;
 
@@ -80,6 +110,7 @@ private:
     std::shared_ptr<const model::Document> m_board;
     model::StepTree m_tree;
     std::optional<model::BoardElement> m_hovered;
+    bool m_isHoveredNewer = false;  ///< than what was chosen
     std::vector<model::BoardElement> m_selected;
     QString m_title;
     QString m_nextTitle;  ///< of the selection that is being made

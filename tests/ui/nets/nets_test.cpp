@@ -2,8 +2,11 @@
 
 #include <QColorDialog>
 #include <QComboBox>
+#include <QContextMenuEvent>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QSlider>
+#include <QTimer>
 #include <QtTest>
 
 #include "tests/locations.h"
@@ -89,6 +92,103 @@ private slots:
         }
     }
 
+    void rowsOfTheSelectionAreMarkedAndAClickOnOneHighlightsIt() {
+        open(locations::kSample);
+        const BoardNet other{0, model::NetId{gnd().net.row() == 0 ? std::size_t{1} : std::size_t{0}}};
+        window().selection().setNets({other});
+        QCOMPARE(markedRows(), QList{*nets().rowOf(other.net)});
+        window().selection().select({{0, aPadOf(gnd())}});
+        QCOMPARE(markedRows(), QList{*nets().rowOf(gnd().net)});
+        QCOMPARE(table().currentIndex().row(), *nets().rowOf(gnd().net));
+        QVERIFY(window().label("netDetails").startsWith("GND\n"));
+        QCOMPARE(window().selection().nets(), std::vector{other});
+        click(*nets().rowOf(gnd().net));
+        QCOMPARE(window().selection().nets(), std::vector{gnd()});
+        QVERIFY(window().selection().selected().empty());
+    }
+
+    void undoTakesBackTheLastThingDone() {
+        openCopy();
+        const BoardNet other{0, model::NetId{gnd().net.row() == 0 ? std::size_t{1} : std::size_t{0}}};
+        QAction& undo = window().actions()[ActionId::Undo];
+        window().selection().setNets({gnd()});
+        m_fixture->key(Qt::Key_U);
+        window().selection().toggleNets({other});
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(window().selection().nets().empty());
+        undo.trigger();
+        QCOMPARE(window().selection().nets().size(), std::size_t{2});
+        undo.trigger();
+        QCOMPARE(window().selection().nets(), std::vector{gnd()});
+        QVERIFY(window().netStyles().hasColours());
+        undo.trigger();
+        QVERIFY(!window().netStyles().hasColours());
+        QCOMPARE(window().selection().nets(), std::vector{gnd()});
+        undo.trigger();
+        QVERIFY(window().selection().nets().empty());
+        QVERIFY(!undo.isEnabled());
+        window().actions()[ActionId::Redo].trigger();
+        QCOMPARE(window().selection().nets(), std::vector{gnd()});
+        window().selection().setNets({other});  // one after the other, as the arrows in the table do
+        window().selection().setNets({{0, model::NetId{std::size_t{2}}}});
+        undo.trigger();
+        QCOMPARE(window().selection().nets(), std::vector{gnd()});
+    }
+
+    void nReplacesAndCtrlNAdds() {
+        open(locations::kSample);
+        const BoardNet other{0, model::NetId{gnd().net.row() == 0 ? std::size_t{1} : std::size_t{0}}};
+        window().selection().setNets({other});
+        window().selection().select({{0, aPadOf(gnd())}});
+        m_fixture->key(Qt::Key_N, Qt::ControlModifier);
+        QCOMPARE(window().selection().nets().size(), std::size_t{2});
+        window().selection().select({{0, aPadOf(gnd())}});
+        m_fixture->key(Qt::Key_N);
+        QCOMPARE(window().selection().nets(), std::vector{gnd()});
+        m_fixture->key(Qt::Key_U);
+        QVERIFY(!window().netStyles().of(other).colour);
+        QVERIFY(window().netStyles().of(gnd()).colour);
+        m_fixture->key(Qt::Key_N);
+        QVERIFY(window().selection().nets().empty());
+        window().actions()[ActionId::ClearNetColours].trigger();
+    }
+
+    void isolatingHidesAllOtherNetsAndAgainShowsThem() {
+        openCopy();
+        window().selection().setNets({gnd()});
+        m_fixture->key(Qt::Key_I, Qt::ShiftModifier);
+        for (int row = 0; row < nets().rowCount(); ++row) {
+            QCOMPARE(window().netStyles().isHidden({0, nets().netAt(row)}), nets().netAt(row) != gnd().net);
+        }
+        m_fixture->key(Qt::Key_I, Qt::ShiftModifier);
+        QVERIFY(window().netStyles().state().empty());
+        window().actions()[ActionId::Undo].trigger();
+        QCOMPARE(window().netStyles().state().size(), window().document()->nets.size() - 1);
+        window().actions()[ActionId::Undo].trigger();
+        QVERIFY(window().netStyles().state().empty());
+    }
+
+    void theContextMenuHasTheCommandsForTheRows() {
+        open(locations::kSample);
+        const QList<QAction*> actions = table().actions();
+        for (const ActionId id : {ActionId::ShowSelection, ActionId::ColourNet, ActionId::HideNet, ActionId::IsolateNet,
+                                  ActionId::ShowAllNets}) {
+            QVERIFY(actions.contains(&window().actions()[id]));
+        }
+        QStringList texts;
+        QTimer::singleShot(0, this, [&] {
+            auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+            QVERIFY(menu != nullptr);
+            for (const QAction* action : menu->actions()) {
+                texts += action->text().remove('&');
+            }
+            menu->close();
+        });
+        QContextMenuEvent event(QContextMenuEvent::Mouse, {5, 5}, table().viewport()->mapToGlobal(QPoint(5, 5)));
+        QCoreApplication::sendEvent(table().viewport(), &event);
+        QVERIFY(texts.contains("Isolate net"));
+    }
+
     void aColourStaysUntilItIsTakenBack() {
         openCopy();
         const QImage before = m_fixture->picture();
@@ -99,9 +199,13 @@ private slots:
         QVERIFY(window().netStyles().of(gnd()).colour.has_value());
         const QImage coloured = m_fixture->picture();
         QVERIFY(differingPixels(before, coloured) > 50);
-        window().actions()[ActionId::Undo].trigger();
+        for (int step = 0; step < 3; ++step) {  // Esc, U, the highlight
+            window().actions()[ActionId::Undo].trigger();
+        }
         QCOMPARE(differingPixels(before, m_fixture->picture()), 0);
-        window().actions()[ActionId::Redo].trigger();
+        for (int step = 0; step < 3; ++step) {
+            window().actions()[ActionId::Redo].trigger();
+        }
         QCOMPARE(differingPixels(coloured, m_fixture->picture()), 0);
         m_fixture->restart();
         openCopy();
@@ -194,6 +298,13 @@ private:
     void openCopy() {
         m_job = m_fixture->copyOfJob("everything");
         open(QString::fromStdString(m_job.string()));
+    }
+    QList<int> markedRows() {
+        QList<int> rows;
+        for (const QModelIndex& index : table().selectionModel()->selectedRows()) {
+            rows += index.row();
+        }
+        return rows;
     }
     BoardNet gnd() { return {0, window().document()->findNet("GND")}; }
     void click(int row, Qt::KeyboardModifiers modifiers = Qt::NoModifier, int column = NetModel::Name) {

@@ -93,8 +93,6 @@ private slots:
         window().selection().select({{0, m_pad}});
         clickFact("Layer");
         QCOMPARE(window().layersPanel().currentLayer(), board().elements.layer[m_pad.row()]);
-        clickFact("Net");
-        QCOMPARE(window().selection().nets(), (std::vector<model::BoardNet>{{0, board().elements.net[m_pad.row()]}}));
         clickFact("Component");
         QCOMPARE(selectedIds(), m_finder->elementsOf(part()));
         QCOMPARE(rowOf("Pin"), -1);  // now the panel is about the component
@@ -107,6 +105,14 @@ private slots:
         table().setCurrentCell(rowOf("Component"), 1);
         QTest::keyClick(&table(), Qt::Key_Return);
         QCOMPARE(selectedIds(), m_finder->elementsOf(part()));
+        window().selection().select({{0, m_pad}});
+        clickFact("Net");
+        const model::NetId net = board().elements.net[m_pad.row()];
+        QCOMPARE(window().selection().nets(), (std::vector<model::BoardNet>{{0, net}}));
+        QCOMPARE(window().label("elementHeading"), "Net " + QString::fromStdString(board().nets[net.row()].name));
+        QCOMPARE(window().fact("Elements").toULongLong(), static_cast<qulonglong>(board().elementsOf(net).size()));
+        const auto ofNet = [&](const model::Pin& pin) { return pin.net == net; };
+        QCOMPARE(window().fact("Pins").toLongLong(), std::ranges::count_if(board().pins, ofNet));
     }
 
 private:

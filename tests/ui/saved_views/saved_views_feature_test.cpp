@@ -144,8 +144,8 @@ private slots:
         const std::vector<model::BoardElement> chosen{{0, model::ElementId{std::size_t{1}}},
                                                       {0, model::ElementId{std::size_t{4}}}};
         const std::vector<model::BoardNet> nets{{0, model::NetId{std::size_t{1}}}};
-        window().selection().select(chosen);
         window().selection().setNets(nets);
+        window().selection().select(chosen);
         m_fixture->key(Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier);
         QCOMPARE(names(), QStringList{"Selection 1"});
         m_fixture->restart();

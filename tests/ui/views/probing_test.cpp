@@ -1,6 +1,7 @@
 #include "ui/views/probing.h"
 
 #include <QLineEdit>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QtTest>
 
@@ -42,7 +43,7 @@ private slots:
             // The pad itself or the hole through it; the other one lies beneath.
             bool isFound = window().selection().current() == BoardElement{0, pad};
             if (!isFound) {
-                click(*view, centreOf(*view, pad));
+                tab(*view);
                 isFound = window().selection().current() == BoardElement{0, pad};
             }
             QVERIFY(isFound);
@@ -63,21 +64,93 @@ private slots:
         QCOMPARE(differingPixels(before[1], picture(views().solid())), 0);
     }
 
-    void repeatedClicksWalkThroughWhatLiesBeneathAndComeBack() {
+    void tabWalksThroughWhatLiesBeneathAndComesBack() {
         const model::ElementId pad = aPad();
         BoardView& view = views().flat();
         view.controller().show(boxMin(pad), boxMax(pad));
         const QPointF location = centreOf(view, pad);
         std::vector<BoardElement> seen;
+        click(view, location);
         do {
-            click(view, location);
             seen.push_back(*window().selection().current());
-        } while (seen.size() < 50 && (seen.size() < 2 || seen.back() != seen.front()));
+            tab(view);
+        } while (seen.size() < 50 && *window().selection().current() != seen.front());
+        seen.push_back(*window().selection().current());
         QVERIFY2(seen.size() > 2, "several layers lie under a pad");
         QVERIFY2(seen.size() < 50, "the first one comes again");
         seen.pop_back();
         std::sort(seen.begin(), seen.end());
         QVERIFY2(std::adjacent_find(seen.begin(), seen.end()) == seen.end(), "each comes once");
+    }
+
+    void whatLiesBeneathNeedsAPause() {
+        const model::ElementId pad = aPad();
+        BoardView& view = views().flat();
+        view.controller().show(boxMin(pad), boxMax(pad));
+        const QPointF location = centreOf(view, pad);
+        QApplication::setDoubleClickInterval(60'000);
+        click(view, location);
+        const auto first = window().selection().current();
+        QVERIFY(first.has_value());
+        click(view, location);
+        QCOMPARE(window().selection().current(), first);
+        tab(view);
+        const auto beneath = window().selection().current();
+        QVERIFY(beneath && beneath != first);
+        tab(view, Qt::Key_Backtab);
+        QCOMPARE(window().selection().current(), first);
+        QApplication::setDoubleClickInterval(1);
+        QTest::qWait(10);
+        click(view, location);
+        QCOMPARE(window().selection().current(), beneath);
+        QApplication::setDoubleClickInterval(400);
+    }
+
+    void aDoubleClickKeepsWhatItHitFirstAndZoomsBothViews() {
+        const model::ElementId pad = aPad();
+        BoardView& view = views().flat();
+        const QPointF location = centreOf(view, pad);
+        const float scales[] = {view.controller().mmPerPixel(), views().solid().controller().mmPerPixel()};
+        click(view, location);
+        const auto first = window().selection().current();
+        QVERIFY(first.has_value());
+        mouse(view, QEvent::MouseButtonPress, Qt::LeftButton, location);  // as a window gets it
+        mouse(view, QEvent::MouseButtonDblClick, Qt::LeftButton, location);
+        mouse(view, QEvent::MouseButtonRelease, Qt::LeftButton, location);
+        QCOMPARE(window().selection().current(), first);
+        QVERIFY(view.controller().mmPerPixel() < scales[0] * 0.5F);
+        QVERIFY(views().solid().controller().mmPerPixel() < scales[1] * 0.5F);
+    }
+
+    void aRightClickSelectsAndOffersWhatCanBeDone() {
+        const model::ElementId pad = aPad();
+        BoardView& view = views().flat();
+        view.controller().show(boxMin(pad), boxMax(pad));
+        const QPointF location = centreOf(view, pad);
+        const QStringList texts = menuAt(view, location);
+        QVERIFY(window().selection().selected().size() == 1);
+        const auto chosen = window().selection().current();
+        for (const char* text : {"Highlight net", "Isolate net", "Select component", "Show in both views"}) {
+            QVERIFY2(texts.contains(text), text);
+        }
+        QVERIFY(!texts.filter("Hide layer ").isEmpty());
+        tab(view);
+        const auto beneath = window().selection().current();
+        QVERIFY(beneath != chosen);
+        menuAt(view, location);
+        QCOMPARE(window().selection().current(), beneath);  // what was taken from beneath stays
+        window().selection().select({});
+        view.controller().fit();
+        view.controller().zoomAtCentre(0.3F);
+        QVERIFY(menuAt(view, {22, 22}).contains("Show all nets"));
+        QVERIFY(window().selection().isEmpty());
+    }
+
+    void zShowsTheHighlightedNet() {
+        window().selection().setNets({boardNet(smallNet())});
+        const float before = views().flat().controller().mmPerPixel();
+        m_fixture->key(Qt::Key_Z);
+        QVERIFY(views().flat().controller().mmPerPixel() < before * 0.9F);
     }
 
     void keysAreAboutWhatThePointerIsOnNow() {
@@ -186,6 +259,8 @@ private slots:
         window().selection().select({{0, pad}});
         m_fixture->key(Qt::Key_N);
         QCOMPARE(window().selection().nets(), (std::vector{boardNet(board().elements.net[pad.row()])}));
+        QVERIFY(window().selection().selected().empty());
+        window().selection().select({{0, pad}});
         m_fixture->key(Qt::Key_Escape);
         QVERIFY(window().selection().selected().empty());
         QCOMPARE(window().selection().nets().size(), std::size_t{1});
@@ -202,11 +277,12 @@ private slots:
         m_fixture->key(Qt::Key_D);
     }
 
-    void doubleClickBringsTheElementToTheOtherView() {
+    void altAndAClickBringTheElementToTheOtherView() {
         const model::ElementId pad = aPad();
-        window().selection().select({{0, pad}});
         const float before = views().solid().controller().mmPerPixel();
-        mouse(views().flat(), QEvent::MouseButtonDblClick, Qt::LeftButton, {50, 50});
+        const float own = views().flat().controller().mmPerPixel();
+        click(views().flat(), centreOf(views().flat(), pad), Qt::AltModifier);
+        QCOMPARE(views().flat().controller().mmPerPixel(), own);
         QVERIFY(views().solid().controller().mmPerPixel() < before * 0.5F);
         const QPointF at = centreOf(views().solid(), pad);
         const QSizeF size = views().solid().controller().viewport();
@@ -382,6 +458,23 @@ private:
     static void click(BoardView& view, QPointF at, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
         mouse(view, QEvent::MouseButtonPress, Qt::LeftButton, at, modifiers);
         mouse(view, QEvent::MouseButtonRelease, Qt::LeftButton, at, modifiers);
+    }
+    static void tab(BoardView& view, Qt::Key key = Qt::Key_Tab) {
+        QKeyEvent event(QEvent::KeyPress, key, Qt::NoModifier);
+        QCoreApplication::sendEvent(&view.canvas(), &event);
+    }
+    /// The texts of the menu that a right click opens; it is closed again.
+    static QStringList menuAt(BoardView& view, QPointF at) {
+        mouse(view, QEvent::MouseButtonPress, Qt::RightButton, at);
+        mouse(view, QEvent::MouseButtonRelease, Qt::RightButton, at);
+        QStringList texts;
+        if (auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget())) {
+            for (const QAction* action : menu->actions()) {
+                texts += action->text().remove('&');
+            }
+            menu->close();
+        }
+        return texts;
     }
     static void drag(BoardView& view, QPointF from, QPointF to) {
         mouse(view, QEvent::MouseButtonPress, Qt::LeftButton, from);

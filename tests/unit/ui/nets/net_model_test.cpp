@@ -96,6 +96,28 @@ private slots:
         }
     }
 
+    void highlightedNetsHaveADotInTheColourTheyAreDrawnIn() {
+        NetModel nets;
+        NetStyles styles;
+        nets.setStyles(styles);
+        const auto board = smallBoard();
+        nets.setNets(board, statisticsOf(*board));
+        wait(nets);
+        const auto dotOf = [&](std::size_t net) {
+            const int row = *nets.rowOf(model::NetId{net});
+            const auto dot = nets.index(row, NetModel::Name).data(Qt::DecorationRole).value<QImage>();
+            return dot.isNull() ? QRgb{0} : dot.pixel(dot.width() / 2, dot.height() / 2);
+        };
+        QCOMPARE(dotOf(0), QRgb{0});
+        nets.setHighlighted({{0, model::NetId{std::size_t{0}}}, {0, model::NetId{std::size_t{2}}}});
+        QCOMPARE(dotOf(0), highlightColour(0));
+        QCOMPARE(dotOf(1), QRgb{0});
+        QCOMPARE(dotOf(2), highlightColour(1));
+        QVERIFY(highlightColour(0) != highlightColour(1));
+        styles.setState({{{0, model::NetId{std::size_t{2}}}, qRgb(1, 2, 3), false}});
+        QCOMPARE(dotOf(2), qRgb(1, 2, 3));
+    }
+
     void rowsAreFilteredAndSorted() {
         NetModel nets;
         QAbstractItemModelTester tester(&nets, QAbstractItemModelTester::FailureReportingMode::QtTest);

@@ -54,8 +54,8 @@ private slots:
 
     void everythingThatIsChosenStandsOutOnce() {
         m_model->setNearby({at(5), at(3)});
-        m_model->select({at(3), at(0)});
         m_model->setNets({{0, NetId{0}}});
+        m_model->select({at(3), at(0)});
         QCOMPARE(m_model->highlight(), (Lists{rows({0, 1, 2, 3, 5})}));
         m_model->setNearby({});
         m_model->hover(at(4));  // is outlined, no more
@@ -76,8 +76,8 @@ private slots:
     }
 
     void clearingTakesOneStepAtATime() {
-        m_model->select({at(0)});
         m_model->setNets({{0, NetId{1}}});
+        m_model->select({at(0)});
         QVERIFY(m_model->clearStep());
         QVERIFY(m_model->selected().empty());
         QCOMPARE(m_model->nets().size(), std::size_t{1});
@@ -87,11 +87,50 @@ private slots:
     }
 
     void netsToggle() {
-        m_model->toggleNet({0, NetId{1}});
-        m_model->toggleNet({0, NetId{0}});
+        m_model->toggleNets({{0, NetId{1}}});
+        m_model->toggleNets({{0, NetId{0}}});
         QCOMPARE(m_model->nets(), (std::vector<BoardNet>{{0, NetId{0}}, {0, NetId{1}}}));
-        m_model->toggleNet({0, NetId{1}});
+        m_model->toggleNets({{0, NetId{1}}});
         QCOMPARE(m_model->nets(), (std::vector<BoardNet>{{0, NetId{0}}}));
+    }
+
+    void theSelectionIsWhatWasChosenLast() {
+        const std::vector<BoardNet> a{{0, NetId{0}}};
+        const std::vector<BoardNet> b{{0, NetId{1}}};
+        QVERIFY(m_model->isEmpty());
+        m_model->select({at(3), at(4), at(5)});
+        QCOMPARE(m_model->selectionNets(), b);
+        QCOMPARE(m_model->selectionElements(), (std::vector{at(3), at(4), at(5)}));
+        m_model->setNets(a);
+        QVERIFY2(m_model->selected().empty() && !m_model->current(), "nets take the place of elements");
+        QCOMPARE(m_model->selectionNets(), a);
+        QCOMPARE(m_model->selectionElements(), (std::vector{at(0), at(1), at(2)}));
+        m_model->select({at(4)});
+        QCOMPARE(m_model->nets(), a);
+        QCOMPARE(m_model->selectionNets(), b);
+        m_model->select({at(5)});
+        QVERIFY2(m_model->selectionNets().empty(), "what is selected has no net");
+        m_model->select({});
+        QCOMPARE(m_model->selectionNets(), a);
+        m_model->select({at(5)});
+        m_model->setNets(a);
+        QVERIFY2(m_model->selected().empty(), "chosen again, nets that are highlighted already are the selection too");
+    }
+
+    void thePointerCountsOnceItHasComeToAnotherElement() {
+        m_model->hover(at(0));
+        QCOMPARE(m_model->pointed(), std::optional(at(0)));
+        m_model->select({at(3)});
+        m_model->hover(at(0));
+        QVERIFY2(!m_model->pointed(), "it rests where it was");
+        QCOMPARE(m_model->pointedOrCurrent(), std::optional(at(3)));
+        m_model->hover(at(1));
+        QCOMPARE(m_model->pointedOrCurrent(), std::optional(at(1)));
+        m_model->setNets({{0, NetId{1}}});
+        QVERIFY(!m_model->pointed());
+        QCOMPARE(m_model->pointedOrCurrent(), std::optional(at(1)));
+        m_model->hover(std::nullopt);
+        QVERIFY(!m_model->pointedOrCurrent());
     }
 
     void oneSignalPerChangeAndNoneWithout() {
@@ -104,6 +143,11 @@ private slots:
         m_model->setNets({{0, NetId{0}}});
         m_model->setNets({{0, NetId{0}}, {0, NetId{0}}});
         QCOMPARE(changed.count(), 2);
+        QSignalSpy selected(m_model.get(), &SelectionModel::selectionChanged);
+        m_model->select({at(0)});
+        m_model->setNets({{0, NetId{1}}});  // takes the element's place too
+        QCOMPARE(selected.count(), 2);
+        QCOMPARE(changed.count(), 4);
     }
 
     void elementsOfCopiesStandOutInTheirStep() {
@@ -124,7 +168,7 @@ private slots:
         const auto net = m_model->netOf(at(4, 2));
         QCOMPARE(net, std::optional(BoardNet{1, NetId{1}}));
         QVERIFY(!m_model->netOf(at(5, 1)));
-        m_model->toggleNet(*net);
+        m_model->toggleNets({*net});
         QCOMPARE(m_model->highlight(), (Lists{rows({}), rows({3, 4})}));
     }
 
