@@ -33,8 +33,9 @@ private slots:
         const model::Box box = board.boxOf(message.element);
         for (ui::BoardView* view : window().views().both()) {
             const glm::vec3 target = view->controller().camera().target();
-            // In perspective the near side takes more room, so that the middle of the picture lies a little behind.
-            const float off = view == &window().views().flat() ? 0.01F : 1.0F;
+            // In perspective the near side takes more room, so that the middle of the picture lies a little behind; in
+            // 2D it lies aside by half of what the rulers take.
+            const float off = view == &window().views().flat() ? 10.0F * view->controller().mmPerPixel() : 1.0F;
             QVERIFY(std::abs(target.x - middleMm(box.min.x, box.max.x, board.board.min.x, board.board.max.x)) < off);
             QVERIFY(std::abs(target.y - middleMm(box.min.y, box.max.y, board.board.min.y, board.board.max.y)) < off);
         }
