@@ -145,7 +145,7 @@ private slots:
     }
 
     void aMovedViewKeepsItsPictureUntilItRests() {
-        views().flat().controller().zoomAtCentre(3.0F);
+        views().flat().controller().zoomAtCentre(2.7F);
         switchOn();
         slider().setValue(slider().maximum());
         ui::ClearanceMapPicture& picture = distances().picture(BoardView::Kind::Flat);
