@@ -9,7 +9,7 @@
 layout(local_size_x = kCullGroupSize) in;
 
 bool isInView(AreaInstance instance, LayerState layer) {
-    if (!has(layer.flags, kLayerVisible) || isHidden(instance.element)) {
+    if (!has(layer.flags, kLayerVisible) || !isDrawn(instance.onlyAs) || isHidden(instance.element)) {
         return false;
     }
     const ShapeBound bound = FRAME.bounds.at[instance.shape];

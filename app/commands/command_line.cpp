@@ -158,6 +158,8 @@ void addRender(CLI::App& parent, Command& chosen) {
     addList(command, "--clip", arguments.clip,
             "X0,Y0,X1,Y1 in millimetres: a section plane along this line; what is to its left is left out (3D)")
         ->expected(4);
+    command.add_flag("--as-designed", arguments.isAsDesigned,
+                     "in 3D, draw also what is milled away beyond the board outline");
     command.add_flag("--outlines", arguments.isOutlined, "in 2D, outlines without fill");
     command.add_flag("--mono", arguments.isMono, "shapes white on black, neither shaded nor smoothed");
 }

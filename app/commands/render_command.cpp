@@ -107,6 +107,7 @@ render::ViewSettings settingsFor(const RenderArguments& arguments) {
     render::ViewSettings settings;
     settings.backend = backendNamed(arguments.backend);
     settings.is2d = arguments.mode == "2d";
+    settings.isFabricated = !settings.is2d && !arguments.isAsDesigned;
     settings.isMono = arguments.isMono;
     settings.isOutlined = arguments.isOutlined;
     settings.isSmoothed = !arguments.isMono;

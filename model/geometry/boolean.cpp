@@ -67,6 +67,10 @@ PolygonSet subtract(const PolygonSet& from, const PolygonSet& what) {
     return execute(ClipperLib::ctDifference, from, what);
 }
 
+PolygonSet intersect(const PolygonSet& a, const PolygonSet& b) {
+    return execute(ClipperLib::ctIntersection, a, b);
+}
+
 PolygonSet grow(const PolygonSet& set, double distance) {
     PolygonSet all;
     const Paths paths = toPaths(set);

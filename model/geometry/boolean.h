@@ -9,6 +9,7 @@ namespace model {
 /// polygons of their own.
 [[nodiscard]] PolygonSet unite(const PolygonSet& set);
 [[nodiscard]] PolygonSet subtract(const PolygonSet& from, const PolygonSet& what);
+[[nodiscard]] PolygonSet intersect(const PolygonSet& a, const PolygonSet& b);
 
 /// Every polygon with its outline moved outwards by `distance` nm (inwards when negative), corners mitred; holes stay
 /// as they are.

@@ -259,7 +259,7 @@ void setScreen(const glm::dmat4& clip, double width, double height, shader::Fram
 
 std::uint32_t flagsOf(const ViewSettings& settings) {
     return (settings.is2d ? shader::kFrameFlat : 0) | (settings.isMono ? shader::kFrameMono : 0) |
-           (settings.cull ? shader::kFrameCull : 0) |
+           (settings.cull ? shader::kFrameCull : 0) | (settings.isFabricated ? shader::kFrameFabricated : 0) |
            (settings.levels == LevelOfDetail::Paper ? shader::kFramePaperLevels : 0);
 }
 

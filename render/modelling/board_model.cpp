@@ -7,6 +7,7 @@
 
 #include "model/base/parallel.h"
 #include "model/base/stopwatch.h"
+#include "model/solids/milling.h"
 #include "render/modelling/area_meshes.h"
 #include "render/modelling/area_pieces.h"
 #include "render/modelling/lets.h"
@@ -47,23 +48,59 @@ std::vector<std::uint32_t> rowsOfShapes(const Document& document, const std::vec
     return rows;
 }
 
+/// What is milled, and what of it becomes meshes behind those of the shapes.
+class Milling {
+public:
+    Milling(const Document& document, std::vector<model::MilledElement> milled)
+        : m_isMilled(document.elements.size(), 0), m_milled(std::move(milled)) {
+        for (const model::MilledElement& element : m_milled) {
+            m_isMilled[element.element.row()] = 1;
+        }
+    }
+
+    [[nodiscard]] bool isMilled(model::ElementId element) const { return m_isMilled[element.row()] != 0; }
+    [[nodiscard]] const std::vector<model::MilledElement>& elements() const { return m_milled; }
+
+    /// Appends a mesh of each rest; the region moves there.
+    void takeRests(std::vector<ShapeMesh>& meshes) {
+        for (model::MilledElement& element : m_milled) {
+            if (!element.rest.polygons.empty()) {
+                m_rests.push_back({element.element, static_cast<std::uint32_t>(meshes.size())});
+                meshes.emplace_back().polygons = std::move(element.rest);
+            }
+        }
+    }
+    /// A mesh that is the rest of an element.
+    struct Rest {
+        model::ElementId element;
+        std::uint32_t mesh = 0;
+    };
+    [[nodiscard]] const std::vector<Rest>& rests() const { return m_rests; }
+
+private:
+    std::vector<std::uint8_t> m_isMilled;  ///< by element
+    std::vector<model::MilledElement> m_milled;
+    std::vector<Rest> m_rests;
+};
+
 void makeAllLets(const Document& document, const model::Discretisation& how,
-                 const std::vector<std::uint32_t>& rowOfShape, const std::vector<ShapeMesh>& meshes, BoardModel& out) {
+                 const std::vector<std::uint32_t>& rowOfShape, const std::vector<ShapeMesh>& meshes,
+                 const Milling& milling, BoardModel& out) {
     std::vector<LayerLets> perLayer(document.layers.size());
     const HolesOfShape holesOf = [&](model::ShapeId shape) { return std::span(meshes[rowOfShape[shape.row()]].holes); };
     base::parallelFor(perLayer.size(), [&](std::size_t row) {
-        perLayer[row] = makeLets(document, model::LayerId{row}, out.origin, how.chordToleranceNm, holesOf);
+        perLayer[row] = makeLets(document, model::LayerId{row}, out.origin, how.chordToleranceNm, holesOf,
+                                 [&](model::ElementId element) { return milling.isMilled(element); });
     });
     joinLets(document, perLayer, out);
 }
 
 /// Puts the shapes' meshes one behind the other. Vertices are mm from the centre of the shape's box, so that floats
 /// resolve them as finely as pads wherever the shape lies; the instance adds the centre's place on the board.
-void joinMeshes(const Document& document, const std::vector<model::ShapeId>& used, const std::vector<ShapeMesh>& meshes,
-                BoardModel& out) {
+void joinMeshes(const std::vector<ShapeMesh>& meshes, const std::vector<model::Point>& centres, BoardModel& out) {
     for (std::size_t row = 0; row < meshes.size(); ++row) {
         const ShapeMesh& mesh = meshes[row];
-        const model::Point centre = centreOf(document.shapes.shapes[used[row].row()].box);
+        const model::Point centre = centres[row];
         const auto firstVertex = static_cast<std::uint32_t>(out.vertices.size());
         out.shapes.push_back({firstVertex, static_cast<std::uint32_t>(mesh.polygons.points.size()),
                               static_cast<std::uint32_t>(out.indices.size()),
@@ -107,7 +144,32 @@ void addBatches(const std::vector<shader::AreaInstance>& instances, std::uint32_
     out.areaBatchesOfLayer.push_back({firstBatch, static_cast<std::uint32_t>(out.areaBatches.size()) - firstBatch});
 }
 
-void makeInstances(const Document& document, const std::vector<std::uint32_t>& rowOfShape, BoardModel& out) {
+shader::AreaInstance instanceOfRest(const Document& document, const Milling::Rest& rest, model::Point centre,
+                                    model::Point origin) {
+    shader::AreaInstance instance{};
+    instance.origin = toGpu(base::toDouble(centre), origin);
+    instance.cosSin = {1.0F, 0.0F};
+    instance.shape = rest.mesh;
+    instance.layer = document.elements.layer[rest.element.row()].value;
+    instance.element = rest.element.value;
+    instance.onlyAs = shader::kOnlyAsFabricated;
+    return instance;
+}
+
+std::vector<std::vector<shader::AreaInstance>> restsOfLayers(const Document& document, const Milling& milling,
+                                                             const std::vector<model::Point>& centres,
+                                                             model::Point origin) {
+    std::vector<std::vector<shader::AreaInstance>> byLayer(document.layers.size());
+    for (const Milling::Rest& rest : milling.rests()) {
+        const shader::AreaInstance instance = instanceOfRest(document, rest, centres[rest.mesh], origin);
+        byLayer[instance.layer].push_back(instance);
+    }
+    return byLayer;
+}
+
+void makeInstances(const Document& document, const std::vector<std::uint32_t>& rowOfShape, const Milling& milling,
+                   const std::vector<model::Point>& centres, BoardModel& out) {
+    const auto rests = restsOfLayers(document, milling, centres, out.origin);
     std::vector<shader::AreaInstance> ofLayer;
     for (std::size_t layer = 0; layer < document.layers.size(); ++layer) {
         ofLayer.clear();
@@ -116,10 +178,51 @@ void makeInstances(const Document& document, const std::vector<std::uint32_t>& r
             if (document.elements.kind[row] == ElementKind::Area) {
                 const std::uint32_t shape = rowOfShape[document.areas[document.elements.geometry[row]].shape.row()];
                 ofLayer.push_back(instanceOf(document, model::ElementId{row}, shape, out.origin));
+                if (milling.isMilled(model::ElementId{row})) {
+                    ofLayer.back().onlyAs = shader::kOnlyAsDesigned;
+                }
             }
         }
+        ofLayer.insert(ofLayer.end(), rests[layer].begin(), rests[layer].end());
         std::ranges::stable_sort(ofLayer, {}, &shader::AreaInstance::shape);
         addBatches(ofLayer, static_cast<std::uint32_t>(layer), out);
+    }
+}
+
+std::vector<model::Point> centresOf(const Document& document, const std::vector<model::ShapeId>& used,
+                                    const std::vector<ShapeMesh>& meshes) {
+    std::vector<model::Point> centres;
+    for (const model::ShapeId shape : used) {
+        centres.push_back(centreOf(document.shapes.shapes[shape.row()].box));
+    }
+    for (std::size_t row = used.size(); row < meshes.size(); ++row) {
+        model::Box box;
+        for (const model::Point point : meshes[row].polygons.points) {
+            box.include(point);
+        }
+        centres.push_back(centreOf(box));
+    }
+    return centres;
+}
+
+/// Says what the board as fabricated leaves out: once per layer, with the line of the first.
+void reportMilled(const Document& document, const Milling& milling, BoardModel& out) {
+    std::vector<std::uint32_t> counts(document.layers.size(), 0);
+    std::vector<model::ElementId> firsts(document.layers.size());
+    for (const model::MilledElement& milled : milling.elements()) {
+        const std::size_t layer = document.elements.layer[milled.element.row()].row();
+        if (counts[layer]++ == 0) {
+            firsts[layer] = milled.element;
+        }
+    }
+    for (std::size_t row = 0; row < counts.size(); ++row) {
+        if (counts[row] > 0) {
+            const Layer& layer = document.layers[row];
+            out.diagnostics.report(model::Severity::Info, layer.file, document.elements.line[firsts[row].row()],
+                                   "layer " + layer.name + ": " + std::to_string(counts[row]) +
+                                       " elements reach beyond the board outline; 3D shows them as they are milled",
+                                   firsts[row]);
+        }
     }
 }
 
@@ -146,7 +249,7 @@ void reportMeshes(const Document& document, const std::vector<ShapeMesh>& meshes
 }
 
 /// One step by itself.
-base::Result<BoardModel> buildStepModel(const Document& document, const model::Discretisation& how,
+base::Result<BoardModel> buildStepModel(const Document& document, Milling milling, const model::Discretisation& how,
                                         base::Progress& progress, const AreaTriangulator& triangulator) {
     const base::Error cancelled{base::ErrorCode::Cancelled, "cancelled"};
     BoardModel out;
@@ -155,6 +258,8 @@ base::Result<BoardModel> buildStepModel(const Document& document, const model::D
     const std::vector<model::ShapeId> used = shapesInUse(document);
     const std::vector<std::uint32_t> rowOfShape = rowsOfShapes(document, used);
     std::vector<ShapeMesh> meshes = punchShapes(document, used, how, progress);
+    milling.takeRests(meshes);
+    const std::vector<model::Point> centres = centresOf(document, used, meshes);
     out.times.discretiseMs = watch.milliseconds();
     if (progress.isCancelled()) {
         return cancelled;
@@ -163,8 +268,8 @@ base::Result<BoardModel> buildStepModel(const Document& document, const model::D
     progress.beginPhase("Modelling traces and pads");
     watch = {};
     static_cast<BoardFrame&>(out) = frameOf(document);
-    makeAllLets(document, how, rowOfShape, meshes, out);
-    makeInstances(document, rowOfShape, out);
+    makeAllLets(document, how, rowOfShape, meshes, milling, out);
+    makeInstances(document, rowOfShape, milling, centres, out);
     out.times.createMs = watch.milliseconds();
 
     progress.beginPhase("Triangulating copper areas");
@@ -175,10 +280,11 @@ base::Result<BoardModel> buildStepModel(const Document& document, const model::D
         return cancelled;
     }
     watch = {};
-    joinMeshes(document, used, meshes, out);
+    joinMeshes(meshes, centres, out);
     out.inSubstrate = findSubstrateMargins(document, out);
     out.times.createMs += watch.milliseconds();
     reportMeshes(document, meshes, out);
+    reportMilled(document, milling, out);
     watch = {};
     cutIntoPieces(out);
     out.times.createMs += watch.milliseconds();
@@ -197,8 +303,13 @@ void addMessages(model::Diagnostics messages, model::Diagnostics& board) {
 
 base::Result<BoardModel> buildBoardModel(const Document& document, const model::Discretisation& how,
                                          base::Progress& progress, const AreaTriangulator& triangulator) {
-    auto board = buildWithSteps<BoardModel>(
-        document, [&](const Document& step) { return buildStepModel(step, how, progress, triangulator); });
+    auto board = buildWithSteps<BoardModel>(document, [&](const Document& step) {
+        // The steps of a panel are milled from it later.
+        const bool isBoard = &step == &document;
+        progress.beginPhase("Milling");
+        Milling milling(step, isBoard ? model::findMilled(step, how, progress) : std::vector<model::MilledElement>{});
+        return buildStepModel(step, std::move(milling), how, progress, triangulator);
+    });
     if (board) {
         for (const BoardModel& step : board->steps) {
             addMessages(step.diagnostics, board->diagnostics);

@@ -308,7 +308,7 @@ Box2 boxOf(const shader::Let& let) {
 }
 
 LayerLets makeLets(const model::Document& document, model::LayerId layer, Point origin, double chordToleranceNm,
-                   const HolesOfShape& holesOf) {
+                   const HolesOfShape& holesOf, const IsMilled& isMilled) {
     LayerLets out;
     const model::Range range = document.layer(layer).elements;
     out.lets.reserve(expectedLets(document, range, holesOf));
@@ -317,20 +317,31 @@ LayerLets makeLets(const model::Document& document, model::LayerId layer, Point 
         maker.add(model::ElementId{range.first + i});
     }
     out.order = orderAlongMorton(out.lets);
+    out.wholeCount = out.order.size();
+    if (isMilled) {
+        const auto isWhole = [&](std::uint32_t row) { return !isMilled(model::ElementId{out.lets[row].element}); };
+        const auto milled = std::stable_partition(out.order.begin(), out.order.end(), isWhole);
+        out.wholeCount = static_cast<std::size_t>(milled - out.order.begin());
+    }
     return out;
 }
 
 void appendLets(const LayerLets& made, model::LayerId layer, std::vector<shader::Let>& lets,
                 std::vector<shader::Cluster>& clusters) {
-    for (std::size_t done = 0; done < made.order.size(); done += shader::kClusterSize) {
-        const std::size_t count = std::min<std::size_t>(shader::kClusterSize, made.order.size() - done);
-        const auto first = static_cast<std::uint32_t>(lets.size());
-        Box2 box;
-        for (std::size_t i = done; i < done + count; ++i) {
-            box.include(boxOf(lets.emplace_back(made.lets[made.order[i]])));
+    const auto append = [&](std::span<const std::uint32_t> rows, std::uint32_t onlyAs) {
+        for (std::size_t done = 0; done < rows.size(); done += shader::kClusterSize) {
+            const std::size_t count = std::min<std::size_t>(shader::kClusterSize, rows.size() - done);
+            const auto first = static_cast<std::uint32_t>(lets.size());
+            Box2 box;
+            for (const std::uint32_t row : rows.subspan(done, count)) {
+                box.include(boxOf(lets.emplace_back(made.lets[row])));
+            }
+            clusters.push_back({box.min, box.max, first, static_cast<std::uint32_t>(count), layer.value, onlyAs});
         }
-        clusters.push_back({box.min, box.max, first, static_cast<std::uint32_t>(count), layer.value, 0});
-    }
+    };
+    const std::span<const std::uint32_t> order(made.order);
+    append(order.first(made.wholeCount), 0);
+    append(order.subspan(made.wholeCount), shader::kOnlyAsDesigned);
 }
 
 }  // namespace render

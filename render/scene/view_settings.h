@@ -33,10 +33,11 @@ enum class LevelOfDetail {
 /// Everything that changes from frame to frame. None of it rebuilds geometry.
 struct ViewSettings {
     Backend backend = Backend::Auto;
-    bool is2d = false;       ///< flat colours, seen straight down
-    bool isMono = false;     ///< white on black, unshaded, unsmoothed: a raster of the visible layers
-    bool isSmoothed = true;  ///< 4x multisampling, where device and back end have it and the picture fits with it
-    bool cull = true;        ///< frustum culling and level of detail
+    bool is2d = false;          ///< flat colours, seen straight down
+    bool isFabricated = false;  ///< without what a fabricator mills away (model/solids/milling.h)
+    bool isMono = false;        ///< white on black, unshaded, unsmoothed: a raster of the visible layers
+    bool isSmoothed = true;     ///< 4x multisampling, where device and back end have it and the picture fits with it
+    bool cull = true;           ///< frustum culling and level of detail
     LevelOfDetail levels = LevelOfDetail::Error;
     float explode = 0.0F;  ///< 0 = real stackup; 1 spreads the layers over about half the board's width
     ZScale zScale;         ///< thicknesses as drawn

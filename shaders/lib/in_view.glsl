@@ -1,5 +1,9 @@
 // What is in view.
 
+bool isDrawn(uint onlyAs) {
+    return !has(onlyAs, has(FRAME.flags, kFrameFabricated) ? kOnlyAsDesigned : kOnlyAsFabricated);
+}
+
 // Whether a box (half extents around its middle, relative to FRAME.centre) may be in view.
 bool isBoxInView(vec3 middle, vec3 extent) {
     for (uint i = 0u; i < kPlaneCount; ++i) {

@@ -63,7 +63,12 @@ struct Let {
 };
 GPU_SIZE(Let, 32);
 
-// 32 lets of one layer, neighbours along a Morton curve. `count` may be less than 32 at the end of a layer.
+// What a fabricator mills away (model/solids/milling.h) is drawn only in views of the board as designed; what is left of elements that are milled in part,
+// only in views of the board as fabricated (kFrameFabricated); all else (0) in both.
+GPU_CONST kOnlyAsDesigned = 1;
+GPU_CONST kOnlyAsFabricated = 2;
+
+// 32 lets of one layer, neighbours along a Morton curve, all milled or none. `count` may be less than 32 at the end of either.
 GPU_CONST kClusterSize = 32;
 struct Cluster {
     vec2 boxMin;
@@ -71,7 +76,7 @@ struct Cluster {
     uint firstLet;
     uint count;
     uint layer;
-    uint reserved;
+    uint onlyAs;
 };
 GPU_SIZE(Cluster, 32);
 
@@ -109,8 +114,9 @@ struct AreaInstance {
     uint element;
     uint isMirrored;
     float height;  // mm, on a layer that grows up or down; 0 = as high as the layer
+    uint onlyAs;
 };
-GPU_SIZE(AreaInstance, 36);
+GPU_SIZE(AreaInstance, 40);
 
 // A corner of a prism in the standard pipeline's vertex buffers.
 GPU_CONST kStandardBore = 0x80000000;  // bit of `owner`: the empty inside of a hole (kLetBore)

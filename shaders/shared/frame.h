@@ -69,6 +69,7 @@ GPU_CONST kFrameImpostors = 32;     // all lets are quads, whose fragments know 
 GPU_CONST kFrameSmoothed = 64;      // four samples per pixel
 GPU_CONST kFrameStandingOut = 128;  // only what is highlighted or has a colour of its own
 GPU_CONST kFrameSilhouettes = 256;  // everything in one dark colour
+GPU_CONST kFrameFabricated = 512;   // without what is milled away
 
 GPU_CONST kSlotBits = 28;
 

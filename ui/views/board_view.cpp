@@ -42,6 +42,7 @@ BoardView::BoardView(GpuContext& context, Kind kind, QWidget* parent)
         m_picture.settings.is2d = true;
         m_controller.setPlan();
     }
+    m_picture.settings.isFabricated = kind == Kind::Solid;
     if (context.surfaceInstance() != nullptr) {
         showVulkanCanvas();
     } else {
@@ -143,6 +144,11 @@ void BoardView::setBoard(const glm::vec3& boxMin, const glm::vec3& boxMax) {
 
 void BoardView::setBackend(render::Backend backend) {
     m_picture.settings.backend = backend;
+    requestFrame();
+}
+
+void BoardView::setFabricated(bool isOn) {
+    m_picture.settings.isFabricated = isOn;
     requestFrame();
 }
 

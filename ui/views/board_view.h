@@ -57,6 +57,10 @@ public:
     void setDim(float dim) { m_picture.settings.dim = dim; }
     /// Outlines and nothing in them; in 2D.
     void setOutlined(bool isOn);
+    /// Without what a fabricator mills away (render::ViewSettings::isFabricated): how a 3D view begins.
+    void setFabricated(bool isOn);
+    [[nodiscard]] const glm::vec3& background() const { return m_picture.settings.background; }  ///< sRGB, 0 to 1
+    [[nodiscard]] bool isFabricated() const { return m_picture.settings.isFabricated; }
     /// Painters paint in the order in which they were added, before every frame.
     void addPainter(Painter painter, Shown shown = Shown::Everywhere) {
         m_painters.emplace_back(std::move(painter), shown);

@@ -10,6 +10,7 @@
 #include "ui/views/element_styles.h"
 #include "ui/views/frame_display.h"
 #include "ui/views/layer_styles.h"
+#include "ui/views/outline_veil.h"
 #include "ui/views/plan_painter.h"
 #include "ui/views/probing.h"
 #include "ui/views/view_cube.h"
@@ -98,6 +99,11 @@ void connectOverlays(FeatureContext& context) {
     new ElementStyles(views, context.workspace.selection(), context.netStyles, context.actions[ActionId::DimOthers],
                       &context.window);
     new ElementOutlines(views, context.workspace, &context.window);
+    auto* veil = new OutlineVeil(views.flat(), context.workspace, &context.window);
+    context.on(ActionId::ShowMilledAway, veil, [veil, &views](bool isOn) {
+        veil->setOn(!isOn);
+        views.solid().setFabricated(!isOn);
+    });
     auto* cube = new ViewCube(views.solid(), &context.window);
     auto* frameDisplay = new FrameDisplay(views, context.workspace, &context.window);
     context.on(ActionId::ShowViewCube, cube, [cube](bool isOn) { cube->setOn(isOn); });

@@ -20,7 +20,7 @@ enum class ActionId {
     Undo, Redo, Find, Commands,
     Fit, ViewTop, ViewBottom, ViewIso, Flip, ZoomIn, ZoomOut, ViewBack, ViewForward, SaveView, Orthographic, Explode,
     ShowViewCube, ShowFrameDisplay,
-    ExaggerateCopperHeight, ExaggerateDielectricHeight, SectionPlane, RotateSectionPlane, MoveSectionPlaneOn,
+    ExaggerateCopperHeight, ExaggerateDielectricHeight, ShowMilledAway, SectionPlane, RotateSectionPlane, MoveSectionPlaneOn,
     MoveSectionPlaneBack,
     ShowFlat, ShowSolid, ShowSideBySide, ShowStacked,
     ShowLayersDock, ShowNetsDock, ShowElementDock, ShowNetCheckDock, ShowStackupDock, ShowStatisticsDock,

@@ -1,0 +1,203 @@
+#include "model/solids/milling.h"
+
+#include <algorithm>
+
+#include "model/base/parallel.h"
+#include "model/board/holes.h"
+#include "model/figures/element_polygons.h"
+#include "model/geometry/boolean.h"
+#include "model/geometry/box_index.h"
+#include "model/solids/region_distance.h"
+
+namespace model {
+
+namespace {
+
+/// Edges closer than this meet, nm.
+constexpr double kMeeting = 1.0;
+
+/// How an element lies to the outline.
+enum class Lie : std::uint8_t { Within, Beyond, Across };
+
+class Outline {
+public:
+    Outline(const Document& document, const Discretisation& how)
+        : m_region(discretise(document.shapes, document.profile, how)), m_edges(m_region) {}
+
+    [[nodiscard]] const PolygonSet& region() const { return m_region; }
+
+    /// Where an element lies, by its box if that is enough; else `polygons()` is what it covers.
+    template <class Polygons>
+    [[nodiscard]] Lie lieOf(const Box& box, const Polygons& polygons) const {
+        if (!m_edges.meets(box)) {
+            return m_edges.contains(box.min) ? Lie::Within : Lie::Beyond;
+        }
+        const PolygonSet set = polygons();
+        if (set.polygons.empty()) {
+            return Lie::Within;
+        }
+        if (m_edges.comesNear(set, set.polygons, box, kMeeting) || surroundsLoop(set, box)) {
+            return reachesBeyond(set) ? Lie::Across : Lie::Within;
+        }
+        return m_edges.contains(set.points[0]) ? Lie::Within : Lie::Beyond;
+    }
+
+private:
+    [[nodiscard]] bool surroundsLoop(const PolygonSet& set, const Box& box) const {
+        for (std::size_t i = 0; i < m_region.loopCount(); ++i) {
+            const Point p = m_region.loop(i)[0];
+            if (box.holds(p) && contains(set, set.polygons, p)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    [[nodiscard]] bool reachesBeyond(const PolygonSet& set) const {
+        return !grow(subtract(set, m_region), -static_cast<double>(kMillingTolerance)).polygons.empty();
+    }
+
+    PolygonSet m_region;
+    EdgeStrips m_edges;
+};
+
+/// The holes that the outline crosses, and what they pass.
+class CrossedHoles {
+public:
+    CrossedHoles(const Document& document, std::vector<ElementId> holes)
+        : m_document(document), m_holes(std::move(holes)), m_index(boxesOf(document, m_holes)) {}
+
+    /// Those that may pass the element; rising. No hole passes another.
+    [[nodiscard]] std::vector<ElementId> through(ElementId element) const {
+        std::vector<ElementId> found;
+        if (m_holes.empty() || isHole(m_document, element)) {
+            return found;
+        }
+        const ZRange heights = m_document.heightsOf(element);
+        m_index.visit(m_document.boxOf(element), [&](std::uint32_t row) {
+            const ZRange drilled = m_document.heightsOf(m_holes[row]);
+            if (heights.bottom <= drilled.top && drilled.bottom <= heights.top) {
+                found.push_back(m_holes[row]);
+            }
+        });
+        std::ranges::sort(found);
+        return found;
+    }
+
+    [[nodiscard]] static bool isHole(const Document& document, ElementId element) {
+        return (document.elements.flags[element.row()] & kHole) != 0;
+    }
+
+private:
+    static std::vector<Box> boxesOf(const Document& document, const std::vector<ElementId>& holes) {
+        std::vector<Box> boxes;
+        std::ranges::transform(holes, std::back_inserter(boxes), [&](ElementId hole) { return document.boxOf(hole); });
+        return boxes;
+    }
+
+    const Document& m_document;
+    std::vector<ElementId> m_holes;
+    BoxIndex m_index;
+};
+
+class Miller {
+public:
+    Miller(const Document& document, const Discretisation& how, const base::Progress& progress)
+        : m_document(document), m_how(how), m_progress(progress), m_outline(document, how) {}
+
+    [[nodiscard]] std::vector<MilledElement> run() {
+        findLies();
+        std::vector<MilledElement> milled;
+        if (isOfAnotherBoard()) {
+            return milled;
+        }
+        const CrossedHoles holes(m_document, crossedHoles());
+        forEachOfJob([&](ElementId element) {
+            if (lieOf(element) != Lie::Within || !holes.through(element).empty()) {
+                milled.push_back({element, {}});
+            }
+        });
+        std::ranges::sort(milled, {}, &MilledElement::element);
+        base::parallelFor(milled.size(), [&](std::size_t row) {
+            if (!m_progress.isCancelled() && lieOf(milled[row].element) != Lie::Beyond) {
+                milled[row].rest = restOf(milled[row].element, holes);
+            }
+        });
+        return milled;
+    }
+
+private:
+    [[nodiscard]] PolygonSet polygonsOf(ElementId element) const { return discretise(m_document, element, m_how); }
+    [[nodiscard]] Lie lieOf(ElementId element) const { return m_lies[element.row()]; }
+
+    /// Not those of layers that we add.
+    template <class Visit>
+    void forEachOfJob(const Visit& visit) const {
+        for (const Layer& layer : m_document.layers) {
+            for (std::uint32_t i = 0; i < layer.elements.count && !layer.isSynthetic; ++i) {
+                visit(ElementId{layer.elements.first + i});
+            }
+        }
+    }
+
+    void findLies() {
+        std::vector<ElementId> elements;
+        forEachOfJob([&](ElementId element) { elements.push_back(element); });
+        m_lies.assign(m_document.elements.size(), Lie::Within);
+        constexpr std::size_t kChunk = 1024;
+        base::parallelFor((elements.size() + kChunk - 1) / kChunk, [&](std::size_t chunk) {
+            const std::size_t end = std::min((chunk + 1) * kChunk, elements.size());
+            for (std::size_t i = chunk * kChunk; i < end && !m_progress.isCancelled(); ++i) {
+                const ElementId element = elements[i];
+                m_lies[element.row()] = m_outline.lieOf(m_document.boxOf(element), [&] { return polygonsOf(element); });
+            }
+        });
+    }
+
+    [[nodiscard]] bool isOfAnotherBoard() const {
+        std::size_t within = 0;
+        std::size_t beyond = 0;
+        forEachOfJob([&](ElementId element) {
+            if (m_document.layer(m_document.elements.layer[element.row()]).isCopper()) {
+                ++(lieOf(element) == Lie::Beyond ? beyond : within);
+            }
+        });
+        return beyond > within;
+    }
+
+    [[nodiscard]] std::vector<ElementId> crossedHoles() const {
+        std::vector<ElementId> holes;
+        forEachOfJob([&](ElementId element) {
+            if (lieOf(element) == Lie::Across && CrossedHoles::isHole(m_document, element)) {
+                holes.push_back(element);
+            }
+        });
+        return holes;
+    }
+
+    [[nodiscard]] PolygonSet restOf(ElementId element, const CrossedHoles& holes) const {
+        PolygonSet open;
+        if (CrossedHoles::isHole(m_document, element)) {
+            open = discretiseOpening(m_document, element, m_how);
+        }
+        for (const ElementId hole : holes.through(element)) {
+            open.append(polygonsOf(hole));
+        }
+        return intersect(subtract(polygonsOf(element), open), m_outline.region());
+    }
+
+    const Document& m_document;
+    Discretisation m_how;
+    const base::Progress& m_progress;
+    Outline m_outline;
+    std::vector<Lie> m_lies;  ///< by element
+};
+
+}  // namespace
+
+std::vector<MilledElement> findMilled(const Document& document, const Discretisation& how,
+                                      const base::Progress& progress) {
+    return document.profile.isValid() ? Miller(document, how, progress).run() : std::vector<MilledElement>{};
+}
+
+}  // namespace model

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "model/base/progress.h"
+#include "model/board/document.h"
+#include "model/geometry/discretise.h"
+
+/// What a fabricator mills away: all that a job draws beyond the outline of the board.
+namespace model {
+
+/// What reaches less than this beyond the outline is not milled, nm: jobs draw copper to the edge in rounded numbers.
+inline constexpr Nm kMillingTolerance = 2'500;
+
+/// An element of which milling leaves a part, or nothing.
+struct MilledElement {
+    ElementId element;
+    PolygonSet rest;  ///< what is left of it, in the document's coordinates; empty: nothing
+};
+
+/// The document's elements that lie beyond its outline (Document::profile) or reach across it, rising. None where there
+/// is no outline, or more copper elements lie beyond it than within: then it is not that of the board.
+///
+/// A hole across the outline (a castellation) keeps its plating within the outline; what it passes is open there.
+/// Layers that we add (Layer::isSynthetic) end at the outline already. Copies of other steps are not looked at: a panel
+/// is whole until it is milled. Curves become chords of `how`, of the elements listed only. The same with 1 and N
+/// threads; incomplete when cancelled.
+[[nodiscard]] std::vector<MilledElement> findMilled(const Document& document, const Discretisation& how,
+                                                    const base::Progress& progress);
+
+}  // namespace model

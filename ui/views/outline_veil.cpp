@@ -1,0 +1,69 @@
+#include "ui/views/outline_veil.h"
+
+#include <QPainter>
+
+#include "model/geometry/discretise.h"
+
+namespace ui {
+
+namespace {
+
+constexpr int kStrength = 175;  // of 255
+
+QPainterPath pathOf(const model::PolygonSet& region, const BoardPosition& position) {
+    QPainterPath path;
+    for (std::size_t row = 0; row < region.loopCount(); ++row) {
+        QPolygonF loop;
+        for (const model::Point point : region.loop(row)) {
+            const glm::vec3 mm = position.toModel(base::toDouble(point));
+            loop << QPointF(static_cast<double>(mm.x), static_cast<double>(mm.y));
+        }
+        path.addPolygon(loop);
+        path.closeSubpath();
+    }
+    return path;
+}
+
+QColor backgroundOf(const glm::vec3& colour) {
+    return QColor::fromRgbF(colour.r, colour.g, colour.b, static_cast<float>(kStrength) / 255.0F);
+}
+
+}  // namespace
+
+OutlineVeil::OutlineVeil(BoardView& view, Workspace& workspace, QObject* parent) : QObject(parent), m_view(view) {
+    connect(&workspace, &Workspace::boardShown, this, &OutlineVeil::setBoard);
+    view.addGroundPainter([this](QPainter& painter) { paint(painter); });
+}
+
+void OutlineVeil::setOn(bool isOn) {
+    m_isOn = isOn;
+    m_view.requestOverlay();
+}
+
+void OutlineVeil::setBoard(const LoadedBoard& board) {
+    m_outline.clear();
+    if (const model::Document& document = *board.document; document.profile.isValid()) {
+        m_outline = pathOf(model::discretise(document.shapes, document.profile, {}), m_view.position());
+    }
+}
+
+void OutlineVeil::paint(QPainter& painter) const {
+    if (!m_isOn || m_outline.isEmpty() || !m_view.hasScene()) {
+        return;
+    }
+    const CameraController& controller = m_view.controller();
+    const auto origin = controller.screenOf({0.0F, 0.0F, 0.0F});
+    const auto right = controller.screenOf({1.0F, 0.0F, 0.0F});
+    const auto up = controller.screenOf({0.0F, 1.0F, 0.0F});
+    if (!origin || !right || !up) {
+        return;
+    }
+    const QPointF x = *right - *origin;
+    const QPointF y = *up - *origin;
+    QPainterPath beyond;  // odd-even: all of the canvas but the board
+    beyond.addRect(QRectF({0.0, 0.0}, controller.viewport()));
+    beyond.addPath(QTransform(x.x(), x.y(), y.x(), y.y(), origin->x(), origin->y()).map(m_outline));
+    painter.fillPath(beyond, backgroundOf(m_view.background()));
+}
+
+}  // namespace ui
