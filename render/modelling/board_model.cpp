@@ -284,6 +284,7 @@ base::Result<BoardModel> buildStepModel(const Document& document, Milling millin
     out.inSubstrate = findSubstrateMargins(document, out);
     out.times.createMs += watch.milliseconds();
     reportMeshes(document, meshes, out);
+    std::ranges::transform(milling.elements(), std::back_inserter(out.milled), &model::MilledElement::element);
     reportMilled(document, milling, out);
     watch = {};
     cutIntoPieces(out);

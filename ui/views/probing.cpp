@@ -104,6 +104,7 @@ void Probing::setBoard(const LoadedBoard& board) {
     m_last = {};
     m_hoverView = nullptr;
     m_picker.reset();
+    m_milledAway = MilledAway(board);
     if (board.index) {
         m_picker.emplace(board.index);
     }
@@ -157,7 +158,14 @@ std::vector<model::Hit> Probing::hitsAt(const BoardView& view, QPointF position)
         const glm::dvec2 along = cut->plane.direction;
         line.cutSide = {view.position().toJob(glm::vec3(glm::vec2(cut->plane.start), 0.0F)), {-along.y, along.x}};
     }
-    return m_picker->along(line, reach, layers);
+    std::vector<model::Hit> hits = m_picker->along(line, reach, layers);
+    if (view.isFabricated()) {
+        std::erase_if(hits, [&](const model::Hit& hit) {
+            return m_milledAway.has(
+                hit.at, {line.origin.x + line.direction.x * hit.depth, line.origin.y + line.direction.y * hit.depth});
+        });
+    }
+    return hits;
 }
 
 void Probing::hover() {

@@ -10,6 +10,7 @@
 #include "ui/nets/net_styles.h"
 #include "ui/views/board_position.h"
 #include "ui/views/board_views.h"
+#include "ui/views/milled_away.h"
 #include "ui/workspace/workspace.h"
 
 namespace ui {
@@ -83,6 +84,7 @@ private:
     SelectionModel& m_selection;
     NetStyles& m_nets;
     std::optional<model::Picker> m_picker;
+    MilledAway m_milledAway;
     std::array<bool, 2> m_follows{};
     bool m_isSelecting = true;
 

@@ -52,7 +52,7 @@ const ActionSpec ActionSet::kSpecs[kActionCount] = {
     {ShowFrameDisplay, MenuId::View, QT_TR_NOOP("Frame di&splay"), "Ctrl+K,F", QT_TR_NOOP("Show frame time, back end and what is drawn, in 3D"), kCheckable},
     {ExaggerateCopperHeight, MenuId::Solid, QT_TR_NOOP("&Copper scale ×10"), "C", QT_TR_NOOP("Draw copper at ten times its thickness, in 3D"), kCheckable},
     {ExaggerateDielectricHeight, MenuId::Solid, QT_TR_NOOP("&Dielectric scale ×5"), "V", QT_TR_NOOP("Draw all layers but copper at five times their thickness, in 3D"), kCheckable},
-    {ShowMilledAway, MenuId::Solid, QT_TR_NOOP("Show what is &milled away"), "", QT_TR_NOOP("Show also what the fabricator mills away beyond the board outline: without this it is faint in 2D and not there in 3D"), kCheckable},
+    {ShowMilledAway, MenuId::Solid, QT_TR_NOOP("Show what is &milled away"), "Ctrl+K,E", QT_TR_NOOP("Show also what the fabricator mills away beyond the board outline: without this it is faint in 2D and not there in 3D"), kCheckable},
     {SectionPlane, MenuId::Solid, QT_TR_NOOP("&Section plane"), "X", QT_TR_NOOP("Cut the board through the pointer, or through its middle, in 3D; again to remove the plane"), kCheckable | kNewGroup},
     {RotateSectionPlane, MenuId::Solid, QT_TR_NOOP("&Rotate plane"), "Shift+X", QT_TR_NOOP("Rotate the section plane by 45 degrees")},
     {MoveSectionPlaneOn, MenuId::Solid, QT_TR_NOOP("Move plane &forward"), ".", QT_TR_NOOP("Move the section plane, so that less of the board is left")},

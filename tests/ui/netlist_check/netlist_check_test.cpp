@@ -45,8 +45,8 @@ private slots:
         QVERIFY(window().layers().effectiveStyles()[0].isVisible);
         for (ui::BoardView* view : window().views().both()) {
             const glm::vec3 target = view->controller().camera().target();
-            // 4, 5 mm on a board of 10 mm; in perspective the near side takes more room.
-            const float off = view == &window().views().flat() ? 0.01F : 1.0F;
+            // 4, 5 mm on a board of 10 mm; in perspective the near side takes more room, in 2D rulers take some.
+            const float off = view == &window().views().flat() ? 10.0F * view->controller().mmPerPixel() : 1.0F;
             QVERIFY(std::abs(target.x + 1.0F) < off);
             QVERIFY(std::abs(target.y) < off);
         }

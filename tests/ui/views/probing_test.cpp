@@ -473,6 +473,8 @@ private:
                 texts += action->text().remove('&');
             }
             menu->close();
+            view.window()->activateWindow();  // the offscreen platform does not give it back
+            (void)QTest::qWaitForWindowActive(view.window());
         }
         return texts;
     }
