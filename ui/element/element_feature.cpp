@@ -32,7 +32,7 @@ void addElement(FeatureContext& context) {
     auto* picture = new ElementPicture(context.device, workspace.selection(), context.layers);
     auto* panel = new ElementPanel(context.parts, workspace.selection(), picture);
     context.addPanel(
-        {ActionId::ShowElementDock, "element", ElementPanel::tr("Element"), Qt::RightDockWidgetArea, {}, 22}, *panel);
+        {ActionId::ShowElementDock, "element", ElementPanel::tr("Element"), Qt::RightDockWidgetArea, {}, 15}, *panel);
     QObject::connect(&workspace, &Workspace::deviceGoes, picture, &ElementPicture::releaseDevice);
     QObject::connect(&workspace, &Workspace::unitChanged, panel, &ElementPanel::setUnit);
     QObject::connect(panel, &ElementPanel::followed, &workspace,

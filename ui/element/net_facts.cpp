@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <map>
 
+#include "model/index/pin_names.h"
+
 namespace ui {
 
 namespace {
@@ -17,10 +19,9 @@ QString countText(std::size_t count) {
 
 QStringList pinsOf(const model::Document& step, model::NetId net) {
     QStringList pins;
-    for (const model::Pin& pin : step.pins) {
-        if (pin.net == net && pin.component.isValid()) {
-            const std::string& part = step.components[pin.component.row()].refdes;
-            pins += QString::fromStdString(part + "." + step.text(pin.name));
+    for (std::size_t row = 0; row < step.pins.size(); ++row) {
+        if (step.pins[row].net == net && step.pins[row].component.isValid()) {
+            pins += QString::fromStdString(model::fullPinName(step, model::PinId{row}));
         }
     }
     return pins;

@@ -10,7 +10,7 @@ void addLayers(FeatureContext& context) {
     Workspace& workspace = context.workspace;
     LayerModel& layers = context.layers;
     auto* panel = new LayersPanel(layers, context.actions);
-    context.addPanel({ActionId::ShowLayersDock, "layers", LayersPanel::tr("Layers"), Qt::LeftDockWidgetArea, {}, 20},
+    context.addPanel({ActionId::ShowLayersDock, "layers", LayersPanel::tr("Layers"), Qt::LeftDockWidgetArea, {}, 16},
                      *panel);
     panel->setSets(*new LayerSets(layers, workspace, context.actions, context.window));
     context.on(ActionId::RestoreLayers, [&layers] { layers.restoreDefaults(); });

@@ -62,7 +62,7 @@ void addMessages(FeatureContext& context) {
     QWidget* panel = makeMessagesPanel(
         *messages, [&context](const model::Diagnostic& message) { show(message, context.workspace, context.views); });
     context.addPanel(
-        {ActionId::ShowMessagesDock, "messages", MessageModel::tr("Messages"), Qt::BottomDockWidgetArea, {}, 13},
+        {ActionId::ShowMessagesDock, "messages", MessageModel::tr("Messages"), Qt::BottomDockWidgetArea, {}, 8},
         *panel);
     const auto setBoard = [messages](const LoadedBoard& board) {
         messages->setMessages(board.document, board.model->diagnostics);

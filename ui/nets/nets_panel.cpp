@@ -78,7 +78,7 @@ NetsPanel::NetsPanel(NetModel& model, SelectionModel& selection, NetStyles& styl
 
 void NetsPanel::setUpTable() {
     m_table->setButtonColumns({NetModel::Shown, NetModel::Colour});
-    m_table->setTextElideMode(Qt::ElideMiddle);  // long names differ at their ends
+    m_table->setTextElideMode(Qt::ElideLeft);  // of sheets within sheets the last name tells nets apart
     m_table->setSortingEnabled(true);
     m_table->sortByColumn(NetModel::Name, Qt::AscendingOrder);
     const int letter = fontMetrics().horizontalAdvance('0');
