@@ -101,6 +101,44 @@ std::vector<ShapeSketch> surfacesOf(const std::filesystem::path& job) {
     return sketches;
 }
 
+/// A name, the nodes of a contour, and what it is healed to.
+struct Case {
+    const char* name;
+    const char* nodes;
+    const char* expected;
+};
+constexpr Case kContours[] = {
+    {"a square", "0,0 90,0 90,90 0,90", ""},
+    {"a keyhole", "0,0 90,0 90,90 0,90 0,50 20,50 40,70 60,50 40,30 20,50 0,50", "island 5, hole 4"},
+    {"the same, clockwise", "0,50 20,50 40,30 60,50 40,70 20,50 0,50 0,90 90,90 90,0 0,0", "island 5, hole 4"},
+    {"one that begins in the middle of the slit", "20,50 40,70 60,50 40,30 20,50 0,50 0,0 90,0 90,90 0,90 0,50",
+     "island 5, hole 4"},
+    {"a slit from hole to hole",
+     "0,0 90,0 90,90 0,90 0,50 20,50 30,60 40,50 60,50 70,60 80,50 70,40 60,50 40,50 30,40 20,50 0,50",
+     "island 5, hole 4, hole 4"},
+    {"two slits from one point", "0,0 90,0 90,90 0,90 0,50 20,60 20,80 40,70 20,60 0,50 20,40 40,30 20,20 20,40 0,50",
+     "island 5, hole 3, hole 3"},
+    {"an island in a hole", "0,0 90,0 90,90 0,90 0,0 10,10 10,80 80,80 80,10 10,10 20,20 60,20 60,60 20,60 20,20 10,10",
+     "island 4, island 4, hole 4"},
+    {"a slit that ends in the copper", "0,0 90,0 90,90 50,50 90,90 0,90", "island 4"},
+    {"a corner that touches a corner", "0,0 50,50 90,0 90,90 50,50 0,90", ""},
+    {"an edge that runs along part of another", "0,0 90,0 90,90 0,90 0,50 20,50 40,70 60,50 0,50", ""},
+    {"an edge run twice the same way", "0,0 90,0 90,90 0,0 90,0 90,90", ""},
+    {"a slit and nothing else", "0,0 90,0", ""},
+    {"a figure of eight beside the slit, halves alike",
+     "0,0 90,0 90,90 0,90 0,0 10,10 20,20 30,20 20,30 30,30 20,20 10,10", ""},
+};
+
+ShapeSketch contour(const QString& nodes) {
+    std::vector<Point> points;
+    for (const QString& node : nodes.split(' ')) {
+        points.push_back({node.section(',', 0, 0).toInt(), node.section(',', 1, 1).toInt()});
+    }
+    ShapeSketch sketch;
+    sketch.addPolygon(points, false);
+    return sketch;
+}
+
 }  // namespace
 
 class SlitsTest : public QObject {
@@ -108,130 +146,16 @@ class SlitsTest : public QObject {
 
 private slots:
     void contours_data() {
-        QTest::addColumn<ShapeSketch>("sketch");
+        QTest::addColumn<QString>("nodes");
         QTest::addColumn<QString>("expected");  // empty: nothing to heal
-        const auto row = [](const char* name, const ShapeSketch& sketch, const char* expected) {
-            QTest::newRow(name) << sketch << QString(expected);
-        };
-        row("a square", contour({{0, 0}, {90, 0}, {90, 90}, {0, 90}}), "");
-        row("a keyhole",
-            contour({{0, 0},
-                     {90, 0},
-                     {90, 90},
-                     {0, 90},
-                     {0, 50},
-                     {20, 50},
-                     {40, 70},
-                     {60, 50},
-                     {40, 30},
-                     {20, 50},
-                     {0, 50}}),
-            "island 5, hole 4");
-        row("the same, clockwise",
-            contour({{0, 50},
-                     {20, 50},
-                     {40, 30},
-                     {60, 50},
-                     {40, 70},
-                     {20, 50},
-                     {0, 50},
-                     {0, 90},
-                     {90, 90},
-                     {90, 0},
-                     {0, 0}}),
-            "island 5, hole 4");
-        row("one that begins in the middle of the slit",
-            contour({{20, 50},
-                     {40, 70},
-                     {60, 50},
-                     {40, 30},
-                     {20, 50},
-                     {0, 50},
-                     {0, 0},
-                     {90, 0},
-                     {90, 90},
-                     {0, 90},
-                     {0, 50}}),
-            "island 5, hole 4");
-        row("a slit from hole to hole",
-            contour({{0, 0},
-                     {90, 0},
-                     {90, 90},
-                     {0, 90},
-                     {0, 50},
-                     {20, 50},
-                     {30, 60},
-                     {40, 50},
-                     {60, 50},
-                     {70, 60},
-                     {80, 50},
-                     {70, 40},
-                     {60, 50},
-                     {40, 50},
-                     {30, 40},
-                     {20, 50},
-                     {0, 50}}),
-            "island 5, hole 4, hole 4");
-        row("two slits from one point",
-            contour({{0, 0},
-                     {90, 0},
-                     {90, 90},
-                     {0, 90},
-                     {0, 50},
-                     {20, 60},
-                     {20, 80},
-                     {40, 70},
-                     {20, 60},
-                     {0, 50},
-                     {20, 40},
-                     {40, 30},
-                     {20, 20},
-                     {20, 40},
-                     {0, 50}}),
-            "island 5, hole 3, hole 3");
-        row("an island in a hole",
-            contour({{0, 0},
-                     {90, 0},
-                     {90, 90},
-                     {0, 90},
-                     {0, 0},
-                     {10, 10},
-                     {10, 80},
-                     {80, 80},
-                     {80, 10},
-                     {10, 10},
-                     {20, 20},
-                     {60, 20},
-                     {60, 60},
-                     {20, 60},
-                     {20, 20},
-                     {10, 10}}),
-            "island 4, island 4, hole 4");
-        row("a slit that ends in the copper", contour({{0, 0}, {90, 0}, {90, 90}, {50, 50}, {90, 90}, {0, 90}}),
-            "island 4");
-        row("a corner that touches a corner", contour({{0, 0}, {50, 50}, {90, 0}, {90, 90}, {50, 50}, {0, 90}}), "");
-        row("an edge that runs along part of another",
-            contour({{0, 0}, {90, 0}, {90, 90}, {0, 90}, {0, 50}, {20, 50}, {40, 70}, {60, 50}, {0, 50}}), "");
-        row("an edge run twice the same way", contour({{0, 0}, {90, 0}, {90, 90}, {0, 0}, {90, 0}, {90, 90}}), "");
-        row("a slit and nothing else", contour({{0, 0}, {90, 0}}), "");
-        row("a figure of eight beside the slit, halves alike",
-            contour({{0, 0},
-                     {90, 0},
-                     {90, 90},
-                     {0, 90},
-                     {0, 0},
-                     {10, 10},
-                     {20, 20},
-                     {30, 20},
-                     {20, 30},
-                     {30, 30},
-                     {20, 20},
-                     {10, 10}}),
-            "");
+        for (const auto& [name, nodes, expected] : kContours) {
+            QTest::newRow(name) << QString(nodes) << QString(expected);
+        }
     }
     void contours() {
-        QFETCH(ShapeSketch, sketch);
+        QFETCH(QString, nodes);
         QFETCH(QString, expected);
+        const ShapeSketch sketch = contour(nodes);
         const std::optional<ShapeSketch> result = model::healSlits(sketch);
         QCOMPARE(result ? text(*result) : QString(), expected);
         QVERIFY(coversSame(unhealed(sketch), healed(sketch), 400));
