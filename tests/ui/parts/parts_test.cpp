@@ -64,10 +64,12 @@ private slots:
         const model::Body* body = aTopBody();
         QVERIFY(body != nullptr);
         window().layers().showOnly({board().layer(board().elements.layer[body->element.row()]).name});
-        solid().controller().show(centre(body->element) - glm::vec3(2.0F), centre(body->element) + glm::vec3(2.0F));
         glm::vec3 top = centre(body->element);
         top.z = static_cast<float>(base::toMm(board().heightsOf(body->element).top));
-        click(solid(), *solid().controller().screenOf(top));
+        solid().controller().show(top - glm::vec3(2.0F), top + glm::vec3(2.0F));
+        const auto onCanvas = solid().controller().screenOf(top);
+        QVERIFY2(onCanvas.has_value(), "in front of the eye");
+        click(solid(), *onCanvas);
         QCOMPARE(window().selection().current(), std::optional(BoardElement{0, body->element}));
         const std::string& refdesOfBody = board().components[body->component.row()].refdes;
         QVERIFY(window().fact("Component").startsWith(QString::fromStdString(refdesOfBody)));

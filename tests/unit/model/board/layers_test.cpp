@@ -57,8 +57,9 @@ class LayersTest : public QObject {
 
 private slots:
     void groupsFollowTypesAndNames() {
+        const auto document = board();
         std::vector<LayerGroup> groups;
-        for (const Layer& each : board()->layers) {
+        for (const Layer& each : document->layers) {
             groups.push_back(groupOf(each));
         }
         using enum LayerGroup;
