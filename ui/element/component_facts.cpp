@@ -1,5 +1,6 @@
 #include "ui/element/component_facts.h"
 
+#include <QCoreApplication>
 #include <QStringList>
 
 #include "model/index/pin_names.h"
