@@ -105,12 +105,12 @@ public:
     Miller(const Document& document, const Discretisation& how, const base::Progress& progress)
         : m_document(document), m_how(how), m_progress(progress), m_outline(document, how) {}
 
-    [[nodiscard]] std::vector<MilledElement> run() {
+    [[nodiscard]] MilledBoard run() {
         findLies();
-        std::vector<MilledElement> milled;
-        if (isOfAnotherBoard()) {
-            return milled;
+        if (isOutlineDoubtful()) {
+            return {.elements = {}, .isOutlineDoubtful = true};
         }
+        std::vector<MilledElement> milled;
         const CrossedHoles holes(m_document, crossedHoles());
         forEachOfJob([&](ElementId element) {
             if (lieOf(element) != Lie::Within || !holes.through(element).empty()) {
@@ -123,7 +123,7 @@ public:
                 milled[row].rest = restOf(milled[row].element, holes);
             }
         });
-        return milled;
+        return {.elements = std::move(milled)};
     }
 
 private:
@@ -154,7 +154,7 @@ private:
         });
     }
 
-    [[nodiscard]] bool isOfAnotherBoard() const {
+    [[nodiscard]] bool isOutlineDoubtful() const {
         std::size_t within = 0;
         std::size_t beyond = 0;
         forEachOfJob([&](ElementId element) {
@@ -195,9 +195,8 @@ private:
 
 }  // namespace
 
-std::vector<MilledElement> findMilled(const Document& document, const Discretisation& how,
-                                      const base::Progress& progress) {
-    return document.profile.isValid() ? Miller(document, how, progress).run() : std::vector<MilledElement>{};
+MilledBoard findMilled(const Document& document, const Discretisation& how, const base::Progress& progress) {
+    return document.profile.isValid() ? Miller(document, how, progress).run() : MilledBoard{};
 }
 
 }  // namespace model

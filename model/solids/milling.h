@@ -18,14 +18,22 @@ struct MilledElement {
     PolygonSet rest;  ///< what is left of it, in the document's coordinates; empty: nothing
 };
 
-/// The document's elements that lie beyond its outline (Document::profile) or reach across it, rising. None where there
-/// is no outline, or more copper elements lie beyond it than within: then it is not that of the board.
+/// What findMilled finds.
+struct MilledBoard {
+    std::vector<MilledElement> elements;  ///< rising
+    /// More copper elements lie beyond the outline than within: it is taken for that of something else, and nothing is
+    /// milled.
+    bool isOutlineDoubtful = false;
+};
+
+/// The document's elements that lie beyond its outline (Document::profile) or reach across it; none where there is no
+/// outline, or a doubtful one.
 ///
 /// A hole across the outline (a castellation) keeps its plating within the outline; what it passes is open there.
 /// Layers that we add (Layer::isSynthetic) end at the outline already. Copies of other steps are not looked at: a panel
 /// is whole until it is milled. Curves become chords of `how`, of the elements listed only. The same with 1 and N
 /// threads; incomplete when cancelled.
-[[nodiscard]] std::vector<MilledElement> findMilled(const Document& document, const Discretisation& how,
-                                                    const base::Progress& progress);
+[[nodiscard]] MilledBoard findMilled(const Document& document, const Discretisation& how,
+                                     const base::Progress& progress);
 
 }  // namespace model

@@ -51,19 +51,20 @@ std::vector<std::uint32_t> rowsOfShapes(const Document& document, const std::vec
 /// What is milled, and what of it becomes meshes behind those of the shapes.
 class Milling {
 public:
-    Milling(const Document& document, std::vector<model::MilledElement> milled)
+    Milling(const Document& document, model::MilledBoard milled)
         : m_isMilled(document.elements.size(), 0), m_milled(std::move(milled)) {
-        for (const model::MilledElement& element : m_milled) {
+        for (const model::MilledElement& element : m_milled.elements) {
             m_isMilled[element.element.row()] = 1;
         }
     }
 
     [[nodiscard]] bool isMilled(model::ElementId element) const { return m_isMilled[element.row()] != 0; }
-    [[nodiscard]] const std::vector<model::MilledElement>& elements() const { return m_milled; }
+    [[nodiscard]] const std::vector<model::MilledElement>& elements() const { return m_milled.elements; }
+    [[nodiscard]] bool isOutlineDoubtful() const { return m_milled.isOutlineDoubtful; }
 
     /// Appends a mesh of each rest; the region moves there.
     void takeRests(std::vector<ShapeMesh>& meshes) {
-        for (model::MilledElement& element : m_milled) {
+        for (model::MilledElement& element : m_milled.elements) {
             if (!element.rest.polygons.empty()) {
                 m_rests.push_back({element.element, static_cast<std::uint32_t>(meshes.size())});
                 meshes.emplace_back().polygons = std::move(element.rest);
@@ -79,7 +80,7 @@ public:
 
 private:
     std::vector<std::uint8_t> m_isMilled;  ///< by element
-    std::vector<model::MilledElement> m_milled;
+    model::MilledBoard m_milled;
     std::vector<Rest> m_rests;
 };
 
@@ -207,6 +208,11 @@ std::vector<model::Point> centresOf(const Document& document, const std::vector<
 
 /// Says what the board as fabricated leaves out: once per layer, with the line of the first.
 void reportMilled(const Document& document, const Milling& milling, BoardModel& out) {
+    if (milling.isOutlineDoubtful()) {
+        out.diagnostics.report(model::Severity::Warning, {}, 0,
+                               "more copper lies beyond the board outline than within; 3D shows all of it, as if the "
+                               "outline were not that of the board");
+    }
     std::vector<std::uint32_t> counts(document.layers.size(), 0);
     std::vector<model::ElementId> firsts(document.layers.size());
     for (const model::MilledElement& milled : milling.elements()) {
@@ -308,7 +314,7 @@ base::Result<BoardModel> buildBoardModel(const Document& document, const model::
         // The steps of a panel are milled from it later.
         const bool isBoard = &step == &document;
         progress.beginPhase("Milling");
-        Milling milling(step, isBoard ? model::findMilled(step, how, progress) : std::vector<model::MilledElement>{});
+        Milling milling(step, isBoard ? model::findMilled(step, how, progress) : model::MilledBoard{});
         return buildStepModel(step, std::move(milling), how, progress, triangulator);
     });
     if (board) {

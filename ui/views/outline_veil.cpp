@@ -42,7 +42,8 @@ void OutlineVeil::setOn(bool isOn) {
 
 void OutlineVeil::setBoard(const LoadedBoard& board) {
     m_outline.clear();
-    if (const model::Document& document = *board.document; document.profile.isValid()) {
+    const model::Document& document = *board.document;
+    if (document.profile.isValid() && board.model && !board.model->milled.empty()) {
         m_outline = pathOf(model::discretise(document.shapes, document.profile, {}), m_view.position());
     }
 }

@@ -9,7 +9,7 @@
 namespace ui {
 
 /// Lets what lies beyond the board outline fade into the background of a 2D view: drawing frames, stray texts, and all
-/// else that a fabricator mills away (model/solids/milling.h). Nothing fades where the board has no outline.
+/// else that a fabricator mills away (model/solids/milling.h). Nothing fades where 3D mills nothing.
 class OutlineVeil : public QObject {
 public:
     /// Paints over `view` from now on, which must live as long.

@@ -44,9 +44,10 @@ public:
         m_builder.addCircle({centre, diameter, inside}, flagged(model::kHole));
     }
 
-    [[nodiscard]] std::vector<MilledElement> milled() const {
+    [[nodiscard]] model::MilledBoard found() const {
         return model::findMilled(m_builder.soFar(), model::kBooleanChords, {});
     }
+    [[nodiscard]] std::vector<MilledElement> milled() const { return found().elements; }
     [[nodiscard]] const model::Document& document() const { return m_builder.soFar(); }
 
 private:
@@ -161,7 +162,9 @@ private slots:
         board.on(0);
         board.disc({5 * kMm, 5 * kMm}, kMm);
         board.disc({-5 * kMm, 5 * kMm}, kMm);
+        QVERIFY(!board.found().isOutlineDoubtful);
         board.disc({-6 * kMm, 5 * kMm}, kMm);
+        QVERIFY(board.found().isOutlineDoubtful);
         QCOMPARE(board.milled().size(), 0U);
     }
 
