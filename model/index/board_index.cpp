@@ -39,15 +39,20 @@ base::Result<std::shared_ptr<const BoardIndex>> indexBoard(std::shared_ptr<const
         for (const Box& box : boxes) {
             extent.include(box);
         }
+        index.pins.emplace_back(*step);
         progress.setFraction(static_cast<float>(index.elements.size()) / static_cast<float>(index.tree.steps.size()));
     }
     return std::make_shared<const BoardIndex>(std::move(index));
 }
 
 std::shared_ptr<const BoardIndex> withHeights(const BoardIndex& index, std::shared_ptr<const Document> board) {
-    StepTree tree = unfoldCopies(*board);
-    return std::make_shared<const BoardIndex>(
-        BoardIndex{std::move(board), std::move(tree), index.elements, index.extents});
+    BoardIndex raised = index;
+    raised.tree = unfoldCopies(*board);
+    raised.board = std::move(board);
+    for (std::size_t step = 0; step < raised.pins.size(); ++step) {
+        raised.pins[step] = PinFinder(std::move(raised.pins[step]), *raised.tree.steps[step]);
+    }
+    return std::make_shared<const BoardIndex>(std::move(raised));
 }
 
 }  // namespace model

@@ -7,17 +7,21 @@
 #include "model/base/result.h"
 #include "model/board/copies.h"
 #include "model/geometry/box_index.h"
+#include "model/index/pin_finder.h"
 
 namespace model {
 
-/// Where the elements of a board are, copies of steps included. Made once per document and frozen with it.
+/// Where the elements of a board are, copies of steps included, and whose pins they are. Made once per document and
+/// frozen with it.
 struct BoardIndex {
     std::shared_ptr<const Document> board;
     StepTree tree;
     std::vector<BoxIndex> elements;  ///< per step of the tree; rows are ElementId
     std::vector<Box> extents;        ///< per step, of its own elements
+    std::vector<PinFinder> pins;     ///< per step
 
     [[nodiscard]] const Document& stepOf(std::uint32_t copy) const { return *tree.steps[tree.copies[copy].step]; }
+    [[nodiscard]] const PinFinder& pinsOf(std::uint32_t copy) const { return pins[tree.copies[copy].step]; }
 };
 
 /// Errors: Cancelled.

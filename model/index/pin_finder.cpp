@@ -91,6 +91,11 @@ std::vector<PinId> PinFinder::pinsOf(ElementId element) const {
     return pins;
 }
 
+std::span<const PinId> PinFinder::pinsOf(NetId net) const {
+    const std::size_t group = groupOf(net);
+    return std::span(m_pins).subspan(m_start[group], m_start[group + 1] - m_start[group]);
+}
+
 ComponentId PinFinder::componentOf(ElementId element) const {
     if (const Body* body = m_document->bodyOf(element)) {
         return body->component;

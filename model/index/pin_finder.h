@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "model/board/document.h"
@@ -10,10 +12,13 @@ namespace model {
 /// subnet names; where the job names none, to the pins of its net (of none, if it has none) that lie within its box,
 /// but a pad on the far side of the board to no pin of a surface-mount component. Pins that have no element by that, as
 /// those of a second part on the same pads, share those of their net that they lie in. A body belongs to its component.
-/// Made once for a document, which must outlive it: 20 bytes a pin, and one look at every pad and hole.
+/// Made once for a document, which must outlive it, with its index (BoardIndex::pins): 20 bytes a pin, and one look at
+/// every pad and hole.
 class PinFinder {
 public:
     explicit PinFinder(const Document& document);
+    /// The same for a document that differs in heights only.
+    PinFinder(PinFinder same, const Document& document) : PinFinder(std::move(same)) { m_document = &document; }
 
     /// Rising; empty for what is neither pad nor hole.
     [[nodiscard]] std::vector<PinId> pinsOf(ElementId element) const;
@@ -21,6 +26,8 @@ public:
     [[nodiscard]] ComponentId componentOf(ElementId element) const;
     /// Pads and holes, rising.
     [[nodiscard]] std::vector<ElementId> elementsOf(PinId pin) const;
+    /// In no particular order.
+    [[nodiscard]] std::span<const PinId> pinsOf(NetId net) const;
     /// Pads, holes and the body, rising.
     [[nodiscard]] std::vector<ElementId> elementsOf(ComponentId component) const;
 
@@ -34,7 +41,7 @@ private:
 
     const Document* m_document;
     std::vector<std::uint32_t> m_start;  ///< pins of net n: m_pins[m_start[n] .. m_start[n + 1]), those of none last
-    std::vector<PinId> m_pins;           ///< those of a net from left to right
+    std::vector<PinId> m_pins;           ///< of a net from left to right
     std::vector<std::uint32_t> m_firstElement;  ///< of pin n: m_elements[m_firstElement[n] .. m_firstElement[n + 1])
     std::vector<ElementId> m_elements;
 };

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "model/index/pin_finder.h"
-
 namespace model {
 
 namespace {
@@ -124,10 +122,10 @@ struct Collector {
         return conductorsOf(index, at.copy, index.stepOf(at.copy).elementsOf(at.net));
     }
     std::vector<BoardElement> operator()(PartOfCopy at) const {
-        return conductorsOf(index, at.copy, PinFinder(index.stepOf(at.copy)).elementsOf(at.component));
+        return conductorsOf(index, at.copy, index.pinsOf(at.copy).elementsOf(at.component));
     }
     std::vector<BoardElement> operator()(PinOfCopy at) const {
-        return conductorsOf(index, at.copy, PinFinder(index.stepOf(at.copy)).elementsOf(at.pin));
+        return conductorsOf(index, at.copy, index.pinsOf(at.copy).elementsOf(at.pin));
     }
     std::vector<BoardElement> operator()(BoardEdge) const { return {}; }
     std::vector<BoardElement> operator()(const Location&) const { return {}; }

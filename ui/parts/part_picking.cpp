@@ -40,7 +40,6 @@ void add(std::uint32_t copy, const std::vector<model::ElementId>& elements, std:
 
 PartPicking::PartPicking(const ActionSet& actions, Workspace& workspace, QObject* parent)
     : QObject(parent), m_workspace(workspace), m_selection(workspace.selection()) {
-    connect(&workspace, &Workspace::boardOpened, this, [this] { m_finders.clear(); });
     connect(&m_selection, &SelectionModel::selectionChanged, this, &PartPicking::onSelectionChanged);
     connect(&actions[ActionId::SelectComponent], &QAction::triggered, this, [this] {
         if (const auto at = target()) {
@@ -54,12 +53,8 @@ PartPicking::PartPicking(const ActionSet& actions, Workspace& workspace, QObject
     });
 }
 
-const model::PinFinder& PartPicking::finderOf(std::uint32_t step) {
-    m_finders.resize(m_selection.tree().steps.size());
-    if (m_finders[step] == nullptr) {
-        m_finders[step] = std::make_unique<model::PinFinder>(document(step));
-    }
-    return *m_finders[step];
+const model::PinFinder& PartPicking::finderOf(std::uint32_t step) const {
+    return m_workspace.board()->index->pins[step];
 }
 
 std::optional<BoardPart> PartPicking::wholePart() const {

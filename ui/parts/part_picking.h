@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QObject>
-#include <memory>
 #include <optional>
 
 #include "model/index/pin_finder.h"
@@ -50,8 +49,8 @@ public:
     [[nodiscard]] std::optional<BoardPart> wholePart() const;
     static constexpr std::size_t kMostElements = 100'000;
 
-    /// Of a row of model::StepTree::steps; made when first needed.
-    [[nodiscard]] const model::PinFinder& finderOf(std::uint32_t step);
+    /// Of a row of model::StepTree::steps, of a board that has elements.
+    [[nodiscard]] const model::PinFinder& finderOf(std::uint32_t step) const;
     [[nodiscard]] const model::Document& document(std::uint32_t step) const { return *m_selection.tree().steps[step]; }
 
 signals:
@@ -71,7 +70,6 @@ private:
 
     Workspace& m_workspace;
     SelectionModel& m_selection;
-    std::vector<std::unique_ptr<model::PinFinder>> m_finders;  ///< per row of model::StepTree::steps
     std::vector<BoardPart> m_parts;
     std::vector<BoardPin> m_pins;
     bool m_isChoosing = false;  ///< the selection becomes what was chosen here

@@ -7,7 +7,7 @@ namespace ui {
 PartsFeature::PartsFeature(FeatureContext& context)
     : QObject(&context.window),
       m_parts(this),
-      m_pins(context.parts, this),
+      m_pins(this),
       m_partsPanel(new PartsPanel(m_parts, context.parts)),
       m_pinsPanel(new PinsPanel(m_pins, context.parts, context.workspace.selection())) {
     context.addPanel({ActionId::ShowPartsDock, "parts", tr("Parts"), Qt::BottomDockWidgetArea, "messages", 0},
@@ -17,7 +17,7 @@ PartsFeature::PartsFeature(FeatureContext& context)
     connectExports(context);
     connect(&context.workspace, &Workspace::boardOpened, this, [this](const LoadedBoard& board) {
         m_partsPanel->setBoard(board.document);
-        m_pinsPanel->setBoard(board.document);
+        m_pinsPanel->setBoard(board.index);
     });
     connect(&context.workspace, &Workspace::unitChanged, &m_parts, &PartModel::setUnit);
     connect(&context.workspace, &Workspace::unitChanged, &m_pins, &PinModel::setUnit);
@@ -25,8 +25,8 @@ PartsFeature::PartsFeature(FeatureContext& context)
 
 void PartsFeature::connectFollowing(const FeatureContext& context) {
     context.on(ActionId::FollowInTables, this, [this](bool isOn) {
-        m_partsPanel->setFollows(isOn);
-        m_pinsPanel->setFollows(isOn);
+        m_partsPanel->table().setFollows(isOn);
+        m_pinsPanel->table().setFollows(isOn);
     });
     context.on(ActionId::FollowFromTables, this, [this](bool isOn) {
         m_partsPanel->setShowsChosen(isOn);

@@ -16,23 +16,26 @@ QVariant place(std::optional<std::size_t> rank) {
 
 }  // namespace
 
-PinModel::PinModel(PartPicking& parts, QObject* parent)
+PinModel::PinModel(QObject* parent)
     : TableModel({{tr("Pin"), tr("Designator of the component and name of the pin")},
                   {tr("Net"), tr("The net the pin is on")},
                   {tr("Layer"), tr("Copper layers of its pads and hole")},
                   {tr("X"), tr("Position in the coordinates of the step"), kNumber | kLength},
                   {tr("Y"), tr("Position in the coordinates of the step"), kNumber | kLength},
                   {tr("Step"), tr("The step it is on; seen in all its copies")}},
-                 parent),
-      m_parts(parts) {}
+                 parent) {}
 
-void PinModel::setBoard(std::shared_ptr<const model::Document> board) {
+std::span<const model::Document* const> PinModel::steps() const {
+    return m_board ? std::span<const model::Document* const>(m_board->tree.steps)
+                   : std::span<const model::Document* const>();
+}
+
+void PinModel::setBoard(std::shared_ptr<const model::BoardIndex> board) {
     beginResetModel();
     m_rows.clear();
     m_board = std::move(board);
-    m_steps = m_board ? model::distinctSteps(*m_board) : std::vector<const model::Document*>();
     m_ranks.clear();
-    for (const model::Document* step : m_steps) {
+    for (const model::Document* step : steps()) {
         std::vector<std::string> pins;
         for (std::size_t row = 0; row < step->pins.size(); ++row) {
             pins.push_back(model::fullPinName(*step, model::PinId{row}));
@@ -58,7 +61,7 @@ void PinModel::setPins(std::vector<BoardPin> pins) {
 PinModel::Row PinModel::rowFor(const BoardPin& pin) const {
     Row row{.pin = pin, .top = {}, .bottom = {}};
     const model::Document& step = stepOf(pin);
-    for (const model::ElementId element : m_parts.finderOf(pin.step).elementsOf(pin.pin)) {
+    for (const model::ElementId element : m_board->pins[pin.step].elementsOf(pin.pin)) {
         const model::LayerId id = step.elements.layer[element.row()];
         if (step.layer(id).isCopper()) {
             row.top = row.top.isValid() ? std::min(row.top, id) : id;

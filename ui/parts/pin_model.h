@@ -2,8 +2,10 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "model/index/board_index.h"
 #include "ui/common/table_model.h"
 #include "ui/parts/part_picking.h"
 
@@ -17,19 +19,18 @@ class PinModel : public TableModel {
 public:
     enum Column { Pin, Net, Layer, X, Y, Step };
 
-    /// `parts` knows the elements of pins.
-    explicit PinModel(PartPicking& parts, QObject* parent = nullptr);
+    explicit PinModel(QObject* parent = nullptr);
 
-    /// The selection must be of this board already. No pins until `setPins`.
-    void setBoard(std::shared_ptr<const model::Document> board);
+    /// May be null: a board without pins. None are listed until `setPins`.
+    void setBoard(std::shared_ptr<const model::BoardIndex> board);
     void setPins(std::vector<BoardPin> pins);
 
     [[nodiscard]] BoardPin pinAt(int row) const { return m_rows[static_cast<std::size_t>(row)].pin; }
     [[nodiscard]] std::optional<int> rowOf(const BoardPin& pin) const;
     /// None if it is on none.
     [[nodiscard]] std::optional<model::BoardNet> netAt(int row) const;
-    [[nodiscard]] bool hasSeveralSteps() const { return m_steps.size() > 1; }
-    [[nodiscard]] const std::vector<const model::Document*>& steps() const { return m_steps; }
+    [[nodiscard]] bool hasSeveralSteps() const { return steps().size() > 1; }
+    [[nodiscard]] std::span<const model::Document* const> steps() const;
 
 private:
     struct Row {
@@ -45,15 +46,13 @@ private:
     [[nodiscard]] int rows() const override { return static_cast<int>(m_rows.size()); }
     [[nodiscard]] Cell cell(int row, int column) const override;
     [[nodiscard]] QString tip(int row, int column) const override;
-    [[nodiscard]] const model::Document& stepOf(const BoardPin& pin) const { return *m_steps[pin.step]; }
+    [[nodiscard]] const model::Document& stepOf(const BoardPin& pin) const { return *m_board->tree.steps[pin.step]; }
     [[nodiscard]] const model::Pin& recordOf(int row) const;
     [[nodiscard]] Row rowFor(const BoardPin& pin) const;
     [[nodiscard]] Cell layerCell(const Row& row) const;
 
-    PartPicking& m_parts;
-    std::shared_ptr<const model::Document> m_board;
-    std::vector<const model::Document*> m_steps;  ///< as model::StepTree::steps
-    std::vector<Ranks> m_ranks;                   ///< per step
+    std::shared_ptr<const model::BoardIndex> m_board;
+    std::vector<Ranks> m_ranks;  ///< per row of model::StepTree::steps
     std::vector<Row> m_rows;
 };
 

@@ -4,7 +4,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QScopedValueRollback>
-#include <algorithm>
 
 #include "ui/common/panel_parts.h"
 #include "ui/parts/pin_text.h"
@@ -61,7 +60,7 @@ void PinsPanel::layOut() {
     column->addWidget(m_table);
 }
 
-void PinsPanel::setBoard(std::shared_ptr<const model::Document> board) {
+void PinsPanel::setBoard(std::shared_ptr<const model::BoardIndex> board) {
     m_model.setBoard(std::move(board));
     m_table->setColumnHidden(PinModel::Step, !m_model.hasSeveralSteps());
     listAllPins();
@@ -111,12 +110,9 @@ void PinsPanel::listPinsOfParts() {
 
 void PinsPanel::listPinsOfNets(const std::vector<model::BoardNet>& nets) {
     std::vector<BoardPin> pins;
-    const auto& steps = m_model.steps();
-    for (std::uint32_t step = 0; step < steps.size(); ++step) {
-        for (std::size_t row = 0; row < steps[step]->pins.size(); ++row) {
-            if (std::ranges::binary_search(nets, model::BoardNet{step, steps[step]->pins[row].net})) {
-                pins.push_back({step, model::PinId{row}});
-            }
+    for (const model::BoardNet& net : nets) {
+        for (const model::PinId pin : m_parts.finderOf(net.step).pinsOf(net.net)) {
+            pins.push_back({net.step, pin});
         }
     }
     m_whose->setText(pinsOfNetsText(m_parts, nets, pins));
@@ -125,7 +121,7 @@ void PinsPanel::listPinsOfNets(const std::vector<model::BoardNet>& nets) {
 
 void PinsPanel::listAllPins() {
     std::vector<BoardPin> pins;
-    const auto& steps = m_model.steps();
+    const auto steps = m_model.steps();
     for (std::uint32_t step = 0; step < steps.size(); ++step) {
         for (std::size_t row = 0; row < steps[step]->pins.size(); ++row) {
             pins.push_back({step, model::PinId{row}});
@@ -156,9 +152,6 @@ void PinsPanel::markChosen() {
         }
     }
     m_table->mark(std::move(rows));
-    if (m_follows) {
-        m_table->scrollToMarked();
-    }
 }
 
 void PinsPanel::highlightNets() {

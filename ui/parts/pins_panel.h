@@ -19,10 +19,8 @@ class PinsPanel : public QWidget {
 public:
     PinsPanel(PinModel& model, PartPicking& parts, SelectionModel& selection, QWidget* parent = nullptr);
 
-    /// The selection must be of this board already.
-    void setBoard(std::shared_ptr<const model::Document> board);
-    /// Whether the table scrolls to what is selected in the views.
-    void setFollows(bool isOn) { m_follows = isOn; }
+    /// The selection must be of this board already; null as in PinModel.
+    void setBoard(std::shared_ptr<const model::BoardIndex> board);
     /// Whether choosing a row also shows the pin in the views.
     void setShowsChosen(bool isOn) { m_showsChosen = isOn; }
     [[nodiscard]] LinkedTable& table() { return *m_table; }
@@ -47,7 +45,6 @@ private:
     LinkedTable* m_table;
     QLabel* m_whose;
     bool m_isTaking = false;  ///< what is selected or highlighted becomes the rows
-    bool m_follows = true;
     bool m_showsChosen = false;
 };
 

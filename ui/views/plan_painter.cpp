@@ -99,10 +99,6 @@ PlanPainter::PlanPainter(BoardView& view, Workspace& workspace, const NetStyles&
 
 void PlanPainter::setBoard(const LoadedBoard& board) {
     m_index = board.index;
-    m_pins.reset();
-    if (m_index) {
-        m_pins.emplace(*m_index->board);
-    }
     m_view.requestOverlay();
 }
 
@@ -243,7 +239,8 @@ std::vector<model::ElementId> PlanPainter::namedElements() const {
 /// "U1.5", and "5" where there is no room for that; empty for what is no pad of one pin.
 QStringList PlanPainter::pinNames(model::ElementId element) const {
     const model::Document& board = *m_index->board;
-    const std::vector<model::PinId> pins = m_hasPinNames ? m_pins->pinsOf(element) : std::vector<model::PinId>();
+    const std::vector<model::PinId> pins =
+        m_hasPinNames ? m_index->pins.front().pinsOf(element) : std::vector<model::PinId>();
     if (pins.size() != 1 || !board.pins[pins.front().row()].component.isValid()) {
         return {};
     }

@@ -2,10 +2,8 @@
 
 #include <QStringList>
 #include <memory>
-#include <optional>
 
 #include "model/index/board_index.h"
-#include "model/index/pin_finder.h"
 #include "ui/nets/net_styles.h"
 #include "ui/views/board_position.h"
 #include "ui/views/board_view.h"
@@ -60,7 +58,6 @@ private:
     bool m_hasGrid = true;
     bool m_hasNames = true;
     bool m_hasPinNames = true;
-    std::optional<model::PinFinder> m_pins;
 };
 
 }  // namespace ui
