@@ -10,9 +10,9 @@ namespace {
 
 using Key = std::pair<std::string_view, std::string_view>;
 
-/// `take` gets the name and the value of each.
+/// The part, the package, and the attributes.
 template <class Take>
-void forEachAttribute(const Document& document, const Component& component, const Take& take) {
+void forEachKey(const Document& document, const Component& component, const Take& take) {
     const auto takeIfSaid = [&](std::string_view name, const std::string& value) {
         if (!value.empty()) {
             take(Key{name, value});
@@ -22,14 +22,9 @@ void forEachAttribute(const Document& document, const Component& component, cons
     if (component.package.isValid()) {
         takeIfSaid("Package", document.packages[component.package.row()].name);
     }
-    for (const Property& property : document.propertiesOf(component.properties)) {
-        const std::string& name = document.text(property.name);
-        const std::string& value = document.text(property.value);
-        const bool isSet = name.starts_with('.');  // one that is on or off
-        if (isSet || !value.empty()) {
-            take(Key{name, value});
-        }
-    }
+    forEachAttribute(document, component, [&](const std::string& name, const std::string& value) {
+        take(Key{name, value});
+    });
 }
 
 void append(const std::map<Key, std::uint32_t>& counts, AttributeValue::Owner owner, std::vector<AttributeValue>& all) {
@@ -55,7 +50,7 @@ std::vector<AttributeValue> listAttributes(const Document& document) {
     std::vector<AttributeValue> all;
     std::map<Key, std::uint32_t> counts;
     for (const Component& component : document.components) {
-        forEachAttribute(document, component, [&](const Key& key) { ++counts[key]; });
+        forEachKey(document, component, [&](const Key& key) { ++counts[key]; });
     }
     append(counts, AttributeValue::Owner::Components, all);
     counts.clear();
@@ -74,7 +69,7 @@ std::vector<ComponentId> componentsWith(const Document& document, const Attribut
     for (std::size_t row = 0; attribute.owner == AttributeValue::Owner::Components && row < document.components.size();
          ++row) {
         bool hasIt = false;
-        forEachAttribute(document, document.components[row], [&](const Key& key) {
+        forEachKey(document, document.components[row], [&](const Key& key) {
             hasIt |= key == Key{attribute.name, attribute.value};
         });
         if (hasIt) {

@@ -8,6 +8,19 @@
 /// Attributes and properties of the job the other way round: from a name and a value to what has them.
 namespace model {
 
+/// `take` gets the name and the value of each attribute of a component that says something: its value is not empty, or
+/// it is one that is on or off, whose name begins with a dot. Other properties without a value are left out.
+template <class Take>
+void forEachAttribute(const Document& document, const Component& component, const Take& take) {
+    for (const Property& property : document.propertiesOf(component.properties)) {
+        const std::string& name = document.text(property.name);
+        const std::string& value = document.text(property.value);
+        if (!value.empty() || name.starts_with('.')) {
+            take(name, value);
+        }
+    }
+}
+
 /// One value of one attribute. Part and package of a component count as attributes called "Part" and "Package".
 struct AttributeValue {
     enum class Owner : std::uint8_t { Components, Elements };
@@ -17,7 +30,7 @@ struct AttributeValue {
     std::uint32_t count = 0;  ///< how many components or elements have it
 };
 
-/// Each once, by owner, name and value. Properties of components without a value are left out: they say nothing.
+/// Each once, by owner, name and value; of components those of forEachAttribute.
 [[nodiscard]] std::vector<AttributeValue> listAttributes(const Document& document);
 
 /// Rising; empty if it is one of elements.

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include "model/index/attributes.h"
 #include "model/index/pin_names.h"
 
 namespace ui {
@@ -22,14 +23,10 @@ QString netsText(const model::Document& step, const model::Component& component)
 }
 
 void addAttributes(const model::Document& step, const model::Component& component, Facts& facts) {
-    for (const model::Property& property : step.propertiesOf(component.properties)) {
-        const std::string& value = step.text(property.value);
-        const std::string& name = step.text(property.name);
-        if (!value.empty() || name.starts_with('.')) {  // properties without a value say nothing
-            facts.emplace_back(QString::fromStdString(name),
-                               value.empty() ? ComponentText::tr("yes") : QString::fromStdString(value));
-        }
-    }
+    model::forEachAttribute(step, component, [&](const std::string& name, const std::string& value) {
+        facts.emplace_back(QString::fromStdString(name),
+                           value.empty() ? ComponentText::tr("yes") : QString::fromStdString(value));
+    });
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "model/index/attributes.h"
 #include "model/index/pin_names.h"
 #include "model/nets/net_statistics.h"
 
@@ -130,16 +131,10 @@ std::string PartModel::packageOf(int row) const {
 std::vector<std::pair<QString, QString>> PartModel::attributesOf(int row) const {
     const model::Document& step = stepOf(partAt(row));
     std::vector<std::pair<QString, QString>> attributes;
-    for (const model::Property& property : step.propertiesOf(componentOf(row).properties)) {
-        const std::string& name = step.text(property.name);
-        const std::string& value = step.text(property.value);
-        const bool isSet =
-            name.starts_with('.');  // an attribute that is on or off; properties without a value say nothing
-        if (!value.empty() || isSet) {
-            attributes.emplace_back(QString::fromStdString(name),
-                                    value.empty() ? tr("yes") : QString::fromStdString(value));
-        }
-    }
+    model::forEachAttribute(step, componentOf(row), [&](const std::string& name, const std::string& value) {
+        attributes.emplace_back(QString::fromStdString(name),
+                                value.empty() ? tr("yes") : QString::fromStdString(value));
+    });
     return attributes;
 }
 
