@@ -26,6 +26,9 @@ QLineEdit* LinkedTable::makeFilter(const QString& hint) {
 void LinkedTable::mark(std::vector<int> rows) {
     m_marked = std::move(rows);
     showMarked();
+    if (m_follows) {
+        scrollToMarked();
+    }
 }
 
 void LinkedTable::showMarked() {

@@ -16,12 +16,12 @@ public:
 
     /// A line that filters its rows.
     [[nodiscard]] QLineEdit* makeFilter(const QString& hint);
+    /// Whether it scrolls to the first of the rows that are marked.
+    void setFollows(bool isOn) { m_follows = isOn; }
     /// Selects these rows of the model, as far as the filter leaves them, and says nothing of it.
     void mark(std::vector<int> rows);
     /// Rows of the model that the filter leaves, in the order they are shown.
     [[nodiscard]] std::vector<int> shownRows() const;
-    /// Scrolls to the first marked row.
-    void scrollToMarked();
 
 signals:
     /// By mouse or keys; rows of the model.
@@ -31,10 +31,12 @@ signals:
 
 private:
     void showMarked();
+    void scrollToMarked();
     void takeSelected();
 
     SortedRows& m_sorted;
     std::vector<int> m_marked;
+    bool m_follows = true;
     bool m_isMarking = false;
 };
 

@@ -128,9 +128,6 @@ void PartsPanel::markChosen() {
         }
     }
     m_table->mark(std::move(rows));
-    if (m_follows) {
-        m_table->scrollToMarked();
-    }
 }
 
 }  // namespace ui

@@ -21,8 +21,6 @@ public:
 
     /// The selection must be of this board already.
     void setBoard(std::shared_ptr<const model::Document> board);
-    /// Whether the table scrolls to what is selected in the views.
-    void setFollows(bool isOn) { m_follows = isOn; }
     /// Whether choosing a row also shows the component in the views.
     void setShowsChosen(bool isOn) { m_showsChosen = isOn; }
     [[nodiscard]] LinkedTable& table() { return *m_table; }
@@ -44,7 +42,6 @@ private:
     QComboBox* m_attribute;  ///< which one the column shows
     QLabel* m_count;
     bool m_isTaking = false;  ///< what is selected becomes the rows
-    bool m_follows = true;
     bool m_showsChosen = false;
 };
 
