@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# Checks that the sources of ui/ include what they use: ./scripts/check_includes.sh [BUILD DIRECTORY, build/test by default]
+# The test build reads Qt's headers once for all of them (precompiled headers), which hides what a source fails to include, and breaks the build of
+# ./run, which does not. Compiles each as the build did, without these headers and without making anything.
+set -euo pipefail
+root=$(dirname "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")")
+build=$(readlink -f "${1:-$root/build/test}")
+
+# Of "... -Winvalid-pch -include HEADERS -MD ... -o OBJECT -c SOURCE" the flags before and the source.
+commands=$(ninja -C "$build" -t commands copperscope |
+    sed -nE 's|^(.*) -Winvalid-pch -include [^ ]+ .* -c ([^ ]*/ui/[^ ]*\.cpp)$|\1 -fsyntax-only \2|p')
+[ -n "$commands" ] || { echo "check_includes: no source of ui/ in $build uses precompiled headers" >&2; exit 1; }
+cd "$build"
+xargs -P "$(nproc)" -d '\n' -n 1 bash -c <<<"$commands"
+echo "check_includes: $(wc -l <<<"$commands") sources include what they use"
