@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "model/nets/net_statistics.h"
+#include "model/text/net_names.h"
 
 namespace model {
 
@@ -96,7 +97,8 @@ public:
     /// The groups in the order of their names.
     [[nodiscard]] NetGroups finish() {
         const std::vector<std::uint32_t> ranks = ranksOf(m_groups.names);
-        NetGroups sorted{std::vector<std::string>(ranks.size()), std::move(m_groups.groupOf)};
+        NetGroups sorted{std::vector<std::string>(ranks.size()), std::vector<std::uint32_t>(ranks.size(), 0),
+                         std::move(m_groups.groupOf)};
         for (std::size_t row = 0; row < ranks.size(); ++row) {
             sorted.names[ranks[row]] = std::move(m_groups.names[row]);
         }
@@ -214,6 +216,50 @@ void gatherSupplies(const Document& document, Gatherer& out) {
     }
 }
 
+/// A sheet by the names of those it lies within and its own; none for the root sheet.
+using SheetPath = std::vector<std::string_view>;
+
+SheetPath pathOf(std::string_view sheet) {
+    SheetPath path;
+    for (std::size_t first = 1; first < sheet.size();) {
+        const std::size_t end = sheet.find('/', first);
+        path.push_back(sheet.substr(first, end - first));
+        first = end + 1;
+    }
+    return path;
+}
+
+/// Sheets within another follow it.
+struct IsSheetBefore {
+    bool operator()(const SheetPath& a, const SheetPath& b) const {
+        return std::ranges::lexicographical_compare(a, b, isNamedBefore);
+    }
+};
+
+NetGroups groupBySheet(const Document& document) {
+    std::map<SheetPath, std::uint32_t, IsSheetBefore> rows;
+    for (const Net& net : document.nets) {
+        SheetPath path = pathOf(sheetOf(net.name));
+        if (path.empty() && !sheetOf(net.name).empty()) {
+            rows.try_emplace(path);
+        }
+        for (; !path.empty(); path.pop_back()) {
+            rows.try_emplace(path);
+        }
+    }
+    NetGroups groups;
+    for (auto& [path, row] : rows) {
+        row = static_cast<std::uint32_t>(groups.names.size());
+        groups.names.emplace_back(path.empty() ? "/" : path.back());
+        groups.depths.push_back(path.empty() ? 0 : static_cast<std::uint32_t>(path.size() - 1));
+    }
+    for (const Net& net : document.nets) {
+        const std::string_view sheet = sheetOf(net.name);
+        groups.groupOf.push_back(sheet.empty() ? kNoGroup : rows.at(pathOf(sheet)));
+    }
+    return groups;
+}
+
 /// Names that a program gave because people had not.
 bool isMadeUp(std::string_view name) {
     if (name.empty() || name.front() == '$' || beginsWith(name, "unconnected-")) {
@@ -321,6 +367,15 @@ Supply supplyOf(std::string_view name, std::uint32_t pins) {
     return isSure && (isRail(words.front()) || isRail(words.back())) ? Supply::Power : Supply::None;
 }
 
+bool hasSheets(const Document& document) {
+    std::string_view first;
+    return std::ranges::any_of(document.nets, [&](const Net& net) {
+        const std::string_view sheet = sheetOf(net.name);
+        first = first.empty() ? sheet : first;
+        return sheet != first && !sheet.empty();
+    });
+}
+
 NetGroups groupNets(const Document& document, NetGrouping grouping) {
     Gatherer out(document.nets.size());
     switch (grouping) {
@@ -331,6 +386,7 @@ NetGroups groupNets(const Document& document, NetGrouping grouping) {
             break;
         case NetGrouping::Bus: gatherBuses(document, out); break;
         case NetGrouping::Supply: gatherSupplies(document, out); break;
+        case NetGrouping::Sheet: return groupBySheet(document);
     }
     return out.finish();
 }

@@ -14,17 +14,24 @@ enum class NetGrouping : std::uint8_t {
     Class,             ///< attributes of the job alone
     DifferentialPair,  ///< attributes, else two names that differ in one sign of polarity
     Bus,               ///< names that differ in one number
-    Supply             ///< names of grounds and rails, and nets with a large part of all pins
+    Supply,            ///< names of grounds and rails, and nets with a large part of all pins
+    Sheet              ///< the sheets of the schematic that names begin with (model::sheetOf), within each other
 };
 
 inline constexpr std::uint32_t kNoGroup = 0xffffffffu;
 
 struct NetGroups {
-    std::vector<std::string> names;      ///< in the order people count (isNamedBefore); none is empty of nets
+    /// In the order people count (isNamedBefore), groups within another right behind it; none is empty of nets or
+    /// groups.
+    std::vector<std::string> names;
+    std::vector<std::uint32_t> depths;   ///< by row of `names`: how many others it lies within
     std::vector<std::uint32_t> groupOf;  ///< by net: row of `names` or kNoGroup
 };
 
-/// Depends on the names, attributes and pins alone; a net is in one group at most.
+/// Names of nets are of two sheets at least.
+[[nodiscard]] bool hasSheets(const Document& document);
+
+/// Depends on the names, attributes and pins alone; a net is in one group at most, and in those that it lies within.
 [[nodiscard]] NetGroups groupNets(const Document& document, NetGrouping grouping);
 
 /// The name of the other half of a differential pair, should there be a net of that name: "USB_D-" for "USB_D+",

@@ -2,6 +2,8 @@
 
 #include <QPainter>
 
+#include "ui/common/net_name.h"
+
 namespace ui {
 
 using model::DistanceField;
@@ -125,7 +127,7 @@ QString ClearanceMapOverlay::reasonFor(const base::Error& error) const {
 QString ClearanceMapOverlay::targetName() const {
     const std::vector<model::BoardNet>& nets = m_selection.nets();
     if (nets.size() == 1 && m_selection.selected().empty()) {
-        return QString::fromStdString(m_board->nets[nets.front().net.row()].name);
+        return netName(*m_board, nets.front().net);
     }
     return !m_selection.title().isEmpty() && nets.empty() ? m_selection.title() : tr("the selection");
 }

@@ -5,6 +5,7 @@
 
 #include "model/index/attributes.h"
 #include "model/index/pin_names.h"
+#include "ui/common/net_name.h"
 
 namespace ui {
 
@@ -15,10 +16,7 @@ struct ComponentText {
 };
 
 QString netsText(const model::Document& step, const model::Component& component) {
-    QStringList names;
-    for (const model::NetId net : model::netsOf(step, component)) {
-        names += QString::fromStdString(step.nets[net.row()].name);
-    }
+    const QStringList names = netNames(step, model::netsOf(step, component));
     return names.isEmpty() ? ComponentText::tr("none") : names.join(QStringLiteral(", "));
 }
 

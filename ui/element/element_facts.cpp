@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "model/statistics/element_sizes.h"
+#include "ui/common/net_name.h"
 
 namespace ui {
 
@@ -177,7 +178,7 @@ Facts factsOf(const model::StepTree& tree, const model::BoardElement& at, Length
     facts.emplace_back(s.tr("Kind"), kindText(s));
     facts.emplace_back(s.tr("Layer"), QString::fromStdString(layer.name));
     if (elements.net[row].isValid()) {
-        facts.emplace_back(s.tr("Net"), QString::fromStdString(s.step.nets[elements.net[row].row()].name));
+        facts.emplace_back(s.tr("Net"), netName(s.step, elements.net[row]));
     }
     addParts(s, facts);
     if (elements.symbol[row].isValid()) {
@@ -208,7 +209,7 @@ QString summaryOf(const model::StepTree& tree, const model::BoardElement& at, Le
     }
     words += QString::fromStdString(s.step.layer(elements.layer[row]).name);
     if (elements.net[row].isValid()) {
-        words += QString::fromStdString(s.step.nets[elements.net[row].row()].name);
+        words += netName(s.step, elements.net[row]);
     }
     Facts parts;
     addParts(s, parts);

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/common/net_name.h"
 #include "ui/element/component_facts.h"
 #include "ui/element/element_picture.h"
 #include "ui/element/net_facts.h"
@@ -82,8 +83,8 @@ void ElementPanel::update() {
     }
     const std::size_t count = m_selection.selected().size();
     if (const auto& nets = m_selection.nets(); count == 0 && !nets.empty()) {
-        const model::Net& first = m_selection.tree().steps[nets.front().step]->nets[nets.front().net.row()];
-        m_heading->setText(nets.size() == 1 ? tr("Net %1").arg(QString::fromStdString(first.name))
+        const model::Document& step = *m_selection.tree().steps[nets.front().step];
+        m_heading->setText(nets.size() == 1 ? tr("Net %1").arg(netName(step, nets.front().net))
                                             : tr("%L1 highlighted nets").arg(nets.size()));
         fill(nets.size() == 1 ? netFacts(m_selection.tree(), nets.front()) : Facts());
         return;

@@ -15,9 +15,8 @@ namespace ui {
 class ElementPicture;
 
 /// Everything known of the component that is selected as a whole, or else of the element selected last, one line per
-/// fact; a line copies with Ctrl+C. Says how many are
-/// selected when there are several, and shows it by itself. A click on its layer, net, pin or component, or Enter
-/// there, goes on to that.
+/// fact; a line copies with Ctrl+C. Says how many are selected when there are several, and shows it by itself. A click
+/// on its layer, net, pin or component, or Enter there, goes on to that.
 class ElementPanel : public QWidget {
     Q_OBJECT
 

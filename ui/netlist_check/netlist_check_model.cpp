@@ -3,16 +3,14 @@
 #include <QColor>
 #include <algorithm>
 
+#include "ui/common/net_name.h"
+
 namespace ui {
 
 namespace {
 
 /// In the order of FindingKind; mid tones, readable on a light and on a dark ground; the word says the same.
 constexpr QColor kKindColours[] = {{0xd9, 0x4a, 0x3d}, {0xe0, 0x9a, 0x1f}, {0x56, 0x8c, 0xc8}};
-
-QString nameOf(const model::Document& step, model::NetId net) {
-    return QString::fromStdString(step.nets[net.row()].name);
-}
 
 /// "1 short", "2 shorts", "no shorts"
 QString counted(qsizetype count, const QString& none, const QString& one, const QString& many) {
@@ -104,8 +102,8 @@ QString NetlistCheckModel::summary() const {
 
 QString NetlistCheckModel::netsText(const Finding& finding) const {
     const model::Document& step = *stepCheck(finding).step;
-    const QString first = nameOf(step, finding.net);
-    return finding.kind == FindingKind::Short ? QStringLiteral("%1, %2").arg(first, nameOf(step, shorted(finding).b))
+    const QString first = netName(step, finding.net);
+    return finding.kind == FindingKind::Short ? QStringLiteral("%1, %2").arg(first, netName(step, shorted(finding).b))
                                               : first;
 }
 

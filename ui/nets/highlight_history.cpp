@@ -4,6 +4,8 @@
 #include <functional>
 #include <utility>
 
+#include "ui/common/net_name.h"
+
 namespace ui {
 
 namespace {
@@ -15,8 +17,7 @@ constexpr int kStepId = 1;  // QUndoCommand::id: steps of one kind may become on
 QString textOf(const SelectionModel& selection, const Nets& nets) {
     if (nets.size() == 1) {
         const model::Document& step = *selection.tree().steps[nets.front().step];
-        return HighlightHistory::tr("highlight of %1")
-            .arg(QString::fromStdString(step.nets[nets.front().net.row()].name));
+        return HighlightHistory::tr("highlight of %1").arg(netName(step, nets.front().net));
     }
     return nets.empty() ? HighlightHistory::tr("end of highlights")
                         : HighlightHistory::tr("highlight of %L1 nets").arg(nets.size());

@@ -6,6 +6,7 @@
 #include <QRegularExpression>
 #include <algorithm>
 
+#include "model/text/net_names.h"
 #include "ui/nets/net_text.h"
 
 namespace ui {
@@ -14,6 +15,7 @@ namespace {
 
 constexpr std::size_t kCheckEvery = 4096;  // nets between two checks whether the result is still wanted
 constexpr int kDot = 10;                   // pixels across
+constexpr int kIndentation = 3;            // blanks
 
 QImage dot(const QColor& colour) {
     QImage image(kDot, kDot, QImage::Format_ARGB32_Premultiplied);
@@ -24,6 +26,10 @@ QImage dot(const QColor& colour) {
     painter.setBrush(colour);
     painter.drawEllipse(QRectF(0.5, 0.5, kDot - 1.0, kDot - 1.0));
     return image;
+}
+
+QString indentation(int depth) {
+    return QString(depth * kIndentation, ' ');
 }
 
 /// Decides on names; made once per filter.
@@ -66,10 +72,8 @@ private:
 }  // namespace
 
 struct NetModel::Arranged {
-    Rows rows;
-    Groups groups;
+    NetRows rows;
     std::optional<model::NetGrouping> groupedBy;
-    int nets = 0;
 };
 
 /// What is worked out in the background, from frozen tables alone.
@@ -78,7 +82,7 @@ struct NetModel::Task {
     std::shared_ptr<const model::NetStatistics> statistics;
     Filter filter;
     std::optional<model::NetGrouping> grouping;
-    Groups groups;  ///< known from before, or null
+    NetRows::Groups groups;  ///< known from before, or null
     int column = Name;
     Qt::SortOrder order = Qt::AscendingOrder;
 
@@ -96,31 +100,26 @@ struct NetModel::Task {
 
     template <class IsWanted>
     [[nodiscard]] Arranged run(const IsWanted& isWanted) const {
-        Arranged out;
+        std::vector<std::uint32_t> nets;
         for (std::uint32_t net = 0; net < document->nets.size(); ++net) {
             if (net % kCheckEvery == 0 && !isWanted()) {
                 return {};
             }
-            if (filter.takes(document->nets[net].name)) {
-                out.rows.push_back(net);
+            const std::string& name = document->nets[net].name;
+            if (filter.takes(name) || filter.takes(model::typedName(name))) {
+                nets.push_back(net);
             }
         }
-        out.nets = static_cast<int>(out.rows.size());
-        if (grouping) {
-            out.groupedBy = grouping;
-            out.groups = groups ? groups : std::make_shared<model::NetGroups>(model::groupNets(*document, *grouping));
-        }
-        sort(out);
-        if (out.groups) {
-            addHeadings(out);
-        }
-        return out;
+        const NetRows::Groups known =
+            grouping && !groups ? std::make_shared<model::NetGroups>(model::groupNets(*document, *grouping)) : groups;
+        sort(nets, known.get());
+        return {NetRows(nets, known), grouping};
     }
 
-    void sort(Arranged& out) const {
-        const auto groupOf = [&](std::uint32_t net) { return out.groups ? out.groups->groupOf[net] : 0; };
+    void sort(std::vector<std::uint32_t>& nets, const model::NetGroups* by) const {
+        const auto groupOf = [&](std::uint32_t net) { return by != nullptr ? by->groupOf[net] : 0; };
         const auto rank = [&](std::uint32_t net) { return statistics ? statistics->nameRank[net] : net; };
-        std::ranges::sort(out.rows, [&](std::uint32_t a, std::uint32_t b) {
+        std::ranges::sort(nets, [&](std::uint32_t a, std::uint32_t b) {
             if (groupOf(a) != groupOf(b)) {
                 return groupOf(a) < groupOf(b);
             }
@@ -132,25 +131,10 @@ struct NetModel::Task {
             return rank(a) < rank(b);
         });
     }
-
-    static void addHeadings(Arranged& out) {
-        Rows rows;
-        std::optional<std::uint32_t> last;
-        for (const std::uint32_t net : out.rows) {
-            const auto rest = static_cast<std::uint32_t>(out.groups->names.size());
-            const std::uint32_t group = std::min(out.groups->groupOf[net], rest);
-            if (group != last) {
-                rows.push_back(kHeading | group);
-                last = group;
-            }
-            rows.push_back(net);
-        }
-        out.rows = std::move(rows);
-    }
 };
 
 NetModel::NetModel(QObject* parent)
-    : TableModel({{tr("Net"), tr("Name in the job")},
+    : TableModel({{tr("Net"), tr("Name of the net")},
                   {tr("Pins"), tr("Pins of components on the net"), kNumber},
                   {tr("Vias"), tr("Plated holes that join layers; not those of pins"), kNumber},
                   {tr("Elements"), tr("All elements of the net, on whatever layers"), kNumber},
@@ -174,10 +158,9 @@ void NetModel::setNets(std::shared_ptr<const model::Document> document,
     m_step = step;
     m_document = std::move(document);
     m_statistics = std::move(statistics);
-    m_rows.clear();
-    m_groups.reset();
+    m_rows = {};
     m_groupedBy.reset();
-    m_shownNets = 0;
+    m_folded.clear();
     endResetModel();
     arrange();
 }
@@ -202,7 +185,26 @@ bool NetModel::setFilter(const QString& pattern, FilterKind kind) {
 
 void NetModel::setGrouping(std::optional<model::NetGrouping> grouping) {
     m_grouping = grouping;
+    m_folded.clear();
     arrange();
+}
+
+void NetModel::fold(int heading, bool isFolded) {
+    beginResetModel();
+    m_rows.fold(heading, isFolded);
+    m_folded = m_pattern.isEmpty() ? m_rows.folded() : m_folded;
+    endResetModel();
+    emit arranged();
+}
+
+void NetModel::reveal(model::NetId net) {
+    if (m_rows.groups() && !m_rows.rowOf(net)) {
+        beginResetModel();
+        m_rows.reveal(net);
+        m_folded = m_pattern.isEmpty() ? m_rows.folded() : m_folded;
+        endResetModel();
+        emit arranged();
+    }
 }
 
 void NetModel::sort(int column, Qt::SortOrder order) {
@@ -218,7 +220,7 @@ void NetModel::arrange() {
         return;
     }
     m_pool.clear();  // what has not begun is not wanted any more
-    const Groups known = m_groupedBy == m_grouping ? m_groups : nullptr;
+    const NetRows::Groups known = m_groupedBy == m_grouping ? m_rows.groups() : nullptr;
     m_pool.start(
         [this, number,
          task = Task{m_document, m_statistics, Filter(m_pattern, m_kind), m_grouping, known, m_column, m_order}] {
@@ -238,34 +240,19 @@ void NetModel::take(Arranged arranged, std::uint64_t number) {
     }
     beginResetModel();
     m_rows = std::move(arranged.rows);
-    m_groups = std::move(arranged.groups);
+    if (m_rows.groups() && m_pattern.isEmpty()) {
+        m_rows.setFolded(m_folded);
+    }
     m_groupedBy = arranged.groupedBy;
-    m_shownNets = arranged.nets;
     m_shown = number;
     endResetModel();
     emit this->arranged();
 }
 
-model::NetId NetModel::netAt(int row) const {
-    return isHeading(row) ? model::NetId{} : model::NetId{m_rows[static_cast<std::size_t>(row)]};
-}
-
-int NetModel::endOfGroup(int heading) const {
-    const auto isHeading = [](std::uint32_t row) { return (row & kHeading) != 0; };
-    return static_cast<int>(std::find_if(m_rows.begin() + heading + 1, m_rows.end(), isHeading) - m_rows.begin());
-}
-
-std::optional<int> NetModel::rowOf(model::NetId net) const {
-    const auto found = std::ranges::find(m_rows, net.value);
-    return found == m_rows.end() ? std::nullopt : std::optional(static_cast<int>(found - m_rows.begin()));
-}
-
 std::vector<model::BoardNet> NetModel::netsAt(int row) const {
-    const int first = isHeading(row) ? row + 1 : row;
-    const int end = isHeading(row) ? endOfGroup(row) : row + 1;
     std::vector<model::BoardNet> nets;
-    for (int member = first; member < end; ++member) {
-        nets.push_back({m_step, netAt(member)});
+    for (const model::NetId net : m_rows.netsAt(row)) {
+        nets.push_back({m_step, net});
     }
     return nets;
 }
@@ -294,10 +281,24 @@ Cell NetModel::headingCell(int row, int column) const {
     if (column != Name) {
         return {};
     }
-    const std::uint32_t group = m_rows[static_cast<std::size_t>(row)] & ~kHeading;
-    const bool isRest = group == m_groups->names.size();
-    const QString name = isRest ? tr("Other nets") : QString::fromStdString(m_groups->names[group]);
-    return {.text = tr("%1  (%L2)").arg(name).arg(endOfGroup(row) - row - 1), .font = boldFont()};
+    const std::vector<std::string>& groups = m_rows.groups()->names;
+    const std::uint32_t group = m_rows.groupAt(row);
+    const QString rest = m_groupedBy == model::NetGrouping::Sheet ? tr("Nets of all sheets") : tr("Other nets");
+    const QString name = group == groups.size() ? rest : QString::fromStdString(model::readableName(groups[group]));
+    const QString sign = m_rows.isFolded(row) ? QStringLiteral("▸") : QStringLiteral("▾");
+    return {
+        .text = tr("%1%2 %3  (%L4)").arg(indentation(m_rows.depthOf(row)), sign, name).arg(m_rows.netsAt(row).size()),
+        .font = boldFont()};
+}
+
+Cell NetModel::nameCell(int row) const {
+    const std::string& name = m_document->nets[netAt(row).row()].name;
+    const bool isInSheet = m_groupedBy == model::NetGrouping::Sheet;
+    const std::string shown = isInSheet ? name.substr(model::sheetOf(name).size()) : name;
+    const QString whole = QString::fromStdString(model::readableName(name));
+    return {.text = indentation(m_rows.depthOf(row)) + QString::fromStdString(model::readableName(shown)),
+            .value = whole,
+            .decoration = dotOf(row)};
 }
 
 Cell NetModel::cell(int row, int column) const {
@@ -309,9 +310,7 @@ Cell NetModel::cell(int row, int column) const {
     }
     const std::size_t net = netAt(row).row();
     if (column == Name) {
-        Cell name = text(m_document->nets[net].name);
-        name.decoration = dotOf(row);
-        return name;
+        return nameCell(row);
     }
     if (column == Colour) {
         const std::optional<QRgb> colour = ownColour(row);
@@ -334,7 +333,8 @@ QString NetModel::tip(int row, int column) const {
         return {};
     }
     if (isHeading(row)) {
-        return column == Name ? tr("Select it to highlight all nets of the group") : QString();
+        return column == Name ? tr("Select it to highlight all nets of the group; ▸ or ▾, or the arrow keys, fold it")
+                              : QString();
     }
     const model::NetId net = netAt(row);
     return netsText(*m_document, m_statistics.get(), std::span(&net, 1), unit());

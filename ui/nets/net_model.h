@@ -7,16 +7,16 @@
 #include <vector>
 
 #include "model/board/copies.h"
-#include "model/nets/net_groups.h"
 #include "model/nets/net_statistics.h"
 #include "ui/common/table_model.h"
+#include "ui/nets/net_rows.h"
 #include "ui/nets/net_styles.h"
 
 namespace ui {
 
-/// The nets of a board or of a step it places, filtered, sorted and under headings of groups if requested; a row is an
-/// id and nothing else. All that runs in the background, so that the window stays usable with a million nets: until it
-/// is done the rows stay as they were.
+/// The nets of a board or of a step it places, filtered, sorted and under headings of groups if requested. All that
+/// runs in the background, so that the window stays usable with a million nets: until it is done the rows stay as they
+/// were. Under the headings of sheets a name is what it is within its sheet.
 class NetModel : public TableModel {
     Q_OBJECT
 
@@ -40,21 +40,25 @@ public:
     bool setFilter(const QString& pattern, FilterKind kind);
     /// Groups come in the order people count, each under a heading, what is in none of them last.
     void setGrouping(std::optional<model::NetGrouping> grouping);
+    /// Folds the group of a heading, or unfolds it. While there is a filter nothing is folded.
+    void fold(int heading, bool isFolded);
+    /// Unfolds what a net is folded away in.
+    void reveal(model::NetId net);
     /// Filter and order have been worked out for the last request.
     [[nodiscard]] bool isArranged() const { return m_shown == m_wanted; }
 
-    [[nodiscard]] bool isHeading(int row) const { return (m_rows[static_cast<std::size_t>(row)] & kHeading) != 0; }
+    /// Headings, what lies within what, what is folded.
+    [[nodiscard]] const NetRows& arrangement() const { return m_rows; }
+    [[nodiscard]] bool isHeading(int row) const { return m_rows.isHeading(row); }
     /// None for headings.
-    [[nodiscard]] model::NetId netAt(int row) const;
+    [[nodiscard]] model::NetId netAt(int row) const { return m_rows.netAt(row); }
     /// The net of a row, or all under a heading.
     [[nodiscard]] std::vector<model::BoardNet> netsAt(int row) const;
     [[nodiscard]] std::uint32_t step() const { return m_step; }
-    /// One behind the last row under a heading.
-    [[nodiscard]] int endOfGroup(int heading) const;
-    /// Of all rows, headings left out.
-    [[nodiscard]] int shown() const { return m_shownNets; }
-    /// None if the filter hides it.
-    [[nodiscard]] std::optional<int> rowOf(model::NetId net) const;
+    /// Nets that the filter takes.
+    [[nodiscard]] int shown() const { return m_rows.nets(); }
+    /// None if the filter hides it or it is folded away.
+    [[nodiscard]] std::optional<int> rowOf(model::NetId net) const { return m_rows.rowOf(net); }
     [[nodiscard]] int total() const { return m_document ? static_cast<int>(m_document->nets.size()) : 0; }
 
     void sort(int column, Qt::SortOrder order) override;
@@ -65,16 +69,14 @@ signals:
 
 private:
     struct Task;
-    using Rows = std::vector<std::uint32_t>;
-    using Groups = std::shared_ptr<const model::NetGroups>;
     struct Arranged;
-    static constexpr std::uint32_t kHeading = 1U << 31U;  ///< with the row of the group, or their number for the rest
 
     void arrange();
     void take(Arranged arranged, std::uint64_t number);
-    [[nodiscard]] int rows() const override { return static_cast<int>(m_rows.size()); }
+    [[nodiscard]] int rows() const override { return m_rows.count(); }
     [[nodiscard]] Cell cell(int row, int column) const override;
     [[nodiscard]] Cell headingCell(int row, int column) const;
+    [[nodiscard]] Cell nameCell(int row) const;
     [[nodiscard]] bool isAnyHidden(int row) const;
     [[nodiscard]] std::optional<QRgb> ownColour(int row) const;
     [[nodiscard]] QVariant dotOf(int row) const;
@@ -92,11 +94,10 @@ private:
     int m_column = Name;
     Qt::SortOrder m_order = Qt::AscendingOrder;
     std::optional<model::NetGrouping> m_grouping;
-    Rows m_rows;      ///< row to net, or to a heading
-    Groups m_groups;  ///< those of the rows; null without grouping
-    std::optional<model::NetGrouping> m_groupedBy;
-    int m_shownNets = 0;
-    std::atomic<std::uint64_t> m_wanted = 0;  ///< number of the last task
+    NetRows m_rows;
+    std::optional<model::NetGrouping> m_groupedBy;  ///< those of the rows
+    std::vector<bool> m_folded;                     ///< of the rows without a filter
+    std::atomic<std::uint64_t> m_wanted = 0;        ///< number of the last task
     std::uint64_t m_shown = 0;
     QThreadPool m_pool;  ///< of one thread; waits for it when it goes
 };

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "ui/common/net_name.h"
+
 namespace ui {
 
 namespace {
@@ -65,8 +67,7 @@ QString netsText(const model::Document& document, const model::NetStatistics* st
     if (nets.empty()) {
         return {};
     }
-    QString text = nets.size() == 1 ? QString::fromStdString(document.nets[nets.front().row()].name)
-                                    : NetText::tr("%L1 nets").arg(nets.size());
+    QString text = nets.size() == 1 ? netName(document, nets.front()) : NetText::tr("%L1 nets").arg(nets.size());
     if (statistics != nullptr) {
         text += '\n' + totalsText(*statistics, nets, unit);
         if (nets.size() == 2) {

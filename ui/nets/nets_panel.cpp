@@ -20,9 +20,13 @@ namespace ui {
 namespace {
 
 /// In the order of the box.
-constexpr std::optional<model::NetGrouping> kGroupings[] = {std::nullopt, model::NetGrouping::Class,
+constexpr std::optional<model::NetGrouping> kGroupings[] = {std::nullopt,
+                                                            model::NetGrouping::Class,
                                                             model::NetGrouping::DifferentialPair,
-                                                            model::NetGrouping::Bus, model::NetGrouping::Supply};
+                                                            model::NetGrouping::Bus,
+                                                            model::NetGrouping::Supply,
+                                                            model::NetGrouping::Sheet};
+constexpr int kBySheet = 5;  // of these
 
 /// In letters.
 constexpr std::pair<NetModel::Column, int> kWidths[] = {
@@ -69,6 +73,7 @@ NetsPanel::NetsPanel(NetModel& model, SelectionModel& selection, NetStyles& styl
     connect(m_filter, &QLineEdit::textChanged, this, &NetsPanel::applyFilter);
     connect(m_kind, &QComboBox::currentIndexChanged, this, &NetsPanel::applyFilter);
     connect(m_group, &QComboBox::currentIndexChanged, this, &NetsPanel::applyGrouping);
+    connect(m_group, &QComboBox::activated, this, [this] { m_isGroupingChosen = true; });
     connect(m_step, &QComboBox::currentIndexChanged, this, &NetsPanel::applyStep);
     connect(&model, &NetModel::arranged, this, &NetsPanel::onArranged);
     connect(&selection, &SelectionModel::netsChanged, &model, [this] { m_model.setHighlighted(m_selection.nets()); });
@@ -89,6 +94,7 @@ void NetsPanel::setUpTable() {
     m_table->horizontalHeader()->moveSection(NetModel::Shown, 0);
     m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->installEventFilter(this);
+    m_table->viewport()->installEventFilter(this);
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &NetsPanel::takeFromTable);
     connect(m_table, &QTableView::clicked, this, &NetsPanel::onClicked);
     connect(m_table, &QTableView::activated, this, [this](const QModelIndex& index) {
@@ -102,9 +108,10 @@ void NetsPanel::layOutControls(const ActionSet& actions) {
     m_filter->setPlaceholderText(tr("Filter nets by name"));
     m_filter->setClearButtonEnabled(true);
     m_kind->addItems({tr("Text"), tr("Wildcard"), tr("Regex")});  // in the order of FilterKind
-    m_group->addItems({tr("No groups"), tr("By class"), tr("By pair"), tr("By bus"), tr("By supply")});
+    m_group->addItems({tr("No groups"), tr("By class"), tr("By pair"), tr("By bus"), tr("By supply"), tr("By sheet")});
     m_group->setObjectName(QStringLiteral("netGroups"));
-    m_group->setToolTip(tr("Groups by what the job says of its nets; pairs, buses and supplies also by their names"));
+    m_group->setToolTip(
+        tr("Groups by what the job says of its nets; pairs, buses, supplies and sheets also by their names"));
     m_step->setObjectName(QStringLiteral("netSteps"));
     m_step->setToolTip(tr("Whose nets are listed: the board's own, or those of a step it places"));
     m_step->hide();
@@ -135,20 +142,48 @@ void NetsPanel::layOutControls(const ActionSet& actions) {
 }
 
 bool NetsPanel::eventFilter(QObject* watched, QEvent* event) {
-    if (watched != m_table || event->type() != QEvent::KeyPress) {
-        return QWidget::eventFilter(watched, event);
-    }
-    const int key = static_cast<QKeyEvent*>(event)->key();
+    const bool isTaken =
+        (watched == m_table && event->type() == QEvent::KeyPress && takeKey(static_cast<QKeyEvent*>(event)->key())) ||
+        (watched == m_table->viewport() && event->type() == QEvent::MouseButtonPress &&
+         foldAt(static_cast<QMouseEvent*>(event)->position().toPoint()));
+    return isTaken || QWidget::eventFilter(watched, event);
+}
+
+bool NetsPanel::takeKey(int key) {
     const QModelIndex current = m_table->currentIndex();
     const bool isEnter = key == Qt::Key_Return || key == Qt::Key_Enter;
+    const bool isHeading = current.isValid() && m_model.isHeading(current.row());
     if (key == Qt::Key_Space) {
         toggleSelected();
     } else if (isEnter && current.column() == NetModel::Colour) {
         chooseColour(m_model.netsAt(current.row()));
+    } else if (isHeading && (key == Qt::Key_Left || key == Qt::Key_Right)) {
+        fold(current.row(), key == Qt::Key_Left);
     } else {
-        return QWidget::eventFilter(watched, event);
+        return false;
     }
     return true;
+}
+
+/// A click on the triangle of a heading; anywhere else on it its nets are chosen.
+bool NetsPanel::foldAt(const QPoint& at) {
+    const QModelIndex index = m_table->indexAt(at);
+    if (!index.isValid() || index.column() != NetModel::Name || !m_model.isHeading(index.row())) {
+        return false;
+    }
+    const QString text = index.data().toString();
+    const qsizetype sign = text.indexOf(QChar(m_model.arrangement().isFolded(index.row()) ? u'▸' : u'▾'));
+    const QFontMetrics letters(index.data(Qt::FontRole).value<QFont>());
+    if (at.x() > m_table->visualRect(index).left() + letters.horizontalAdvance(text.left(sign + 2))) {
+        return false;
+    }
+    fold(index.row(), !m_model.arrangement().isFolded(index.row()));
+    return true;
+}
+
+void NetsPanel::fold(int heading, bool isFolded) {
+    m_model.fold(heading, isFolded);
+    m_table->selectionModel()->setCurrentIndex(m_model.index(heading, NetModel::Name), QItemSelectionModel::NoUpdate);
 }
 
 void NetsPanel::toggleSelected() {
@@ -203,7 +238,16 @@ void NetsPanel::setBoard(std::shared_ptr<const model::Document> board, Statistic
         }
     }
     m_step->setVisible(m_step->count() > 1 || step() > 0);
+    groupBySheet();
     applyStep();
+}
+
+/// Until the user has chosen how nets are grouped, those of schematics with several sheets are by sheet.
+void NetsPanel::groupBySheet() {
+    if (!m_isGroupingChosen) {
+        const bool hasSheets = m_board && model::hasSheets(*m_board);
+        m_group->setCurrentIndex(hasSheets ? kBySheet : 0);
+    }
 }
 
 void NetsPanel::setUnit(LengthUnit unit) {
@@ -301,23 +345,16 @@ void NetsPanel::showInTable() {
     }
     const QScopedValueRollback guard(m_isSyncing, true);
     const std::vector<model::BoardNet> nets = m_selection.selectionNets();
-    const auto isOfSelection = [&](int row) {
-        return std::ranges::binary_search(nets, model::BoardNet{step(), m_model.netAt(row)});
-    };
+    const auto isSelected = [&](const model::BoardNet& net) { return std::ranges::binary_search(nets, net); };
     QItemSelection rows;
     for (int row = 0; !nets.empty() && row < m_model.rowCount(); ++row) {
         if (!m_model.isHeading(row)) {
-            if (isOfSelection(row)) {
+            if (isSelected({step(), m_model.netAt(row)})) {
                 addRow(rows, m_model, row);
             }
             continue;
         }
-        int member = row + 1;
-        const int end = m_model.endOfGroup(row);
-        while (member < end && isOfSelection(member)) {
-            ++member;
-        }
-        if (member == end) {
+        if (std::ranges::all_of(m_model.netsAt(row), isSelected)) {
             addRow(rows, m_model, row);
         }
     }
@@ -352,6 +389,7 @@ void NetsPanel::scrollToSelected() {
         m_step->setCurrentIndex(m_step->findData(net->step));
         return;
     }
+    m_model.reveal(net->net);
     if (const std::optional<int> row = m_model.rowOf(net->net)) {
         m_table->selectionModel()->setCurrentIndex(m_model.index(*row, NetModel::Name), QItemSelectionModel::NoUpdate);
         m_table->scrollTo(m_model.index(*row, NetModel::Name));

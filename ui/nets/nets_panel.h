@@ -19,7 +19,8 @@ class TableView;
 
 /// The nets of the board, or of a step it places: filter, sort, group, highlight. Selected rows are the nets of the
 /// selection (ui/workspace/selection_model.h): choosing rows highlights their nets, and what is selected elsewhere
-/// marks the rows of its nets. A heading means all nets under it; Enter or a double click shows them. In front of each
+/// marks the rows of its nets. A heading means all nets under it; Enter or a double click shows them, its triangle or
+/// Left and Right fold it. In front of each
 /// is whether it is drawn and its colour, and while it is highlighted a dot in the colour it is drawn in. Below the
 /// table are the properties of the nets that are selected.
 class NetsPanel : public QWidget {
@@ -55,6 +56,10 @@ protected:
 private:
     void setUpTable();
     void layOutControls(const ActionSet& actions);
+    bool takeKey(int key);
+    bool foldAt(const QPoint& at);
+    void fold(int heading, bool isFolded);
+    void groupBySheet();
     void onClicked(const QModelIndex& index);
     void toggleSelected();
     void applyFilter();
@@ -88,6 +93,7 @@ private:
     bool m_isToScroll = false;  ///< to the net of the selection, once the rows are arranged
     bool m_follows = true;
     bool m_showsChosen = false;
+    bool m_isGroupingChosen = false;  ///< by the user
 };
 
 }  // namespace ui

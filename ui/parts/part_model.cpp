@@ -6,6 +6,7 @@
 #include "model/index/attributes.h"
 #include "model/index/pin_names.h"
 #include "model/nets/net_statistics.h"
+#include "ui/common/net_name.h"
 
 namespace ui {
 
@@ -15,14 +16,6 @@ const QLatin1String kHeight(".comp_height");  // has a column of its own
 
 QString sideText(model::LayerSide side) {
     return side == model::LayerSide::Bottom ? PartModel::tr("Bottom") : PartModel::tr("Top");
-}
-
-QStringList netNames(const model::Document& step, const model::Component& component) {
-    QStringList names;
-    for (const model::NetId net : model::netsOf(step, component)) {
-        names += QString::fromStdString(step.nets[net.row()].name);
-    }
-    return names;
 }
 
 QString shortened(const QStringList& names) {
@@ -186,7 +179,7 @@ QString PartModel::searchText(int row) const {
 QString PartModel::tip(int row, int column) const {
     const model::Component& component = componentOf(row);
     if (column == Pins) {
-        return shortened(netNames(stepOf(partAt(row)), component));
+        return shortened(netNames(stepOf(partAt(row)), model::netsOf(stepOf(partAt(row)), component)));
     }
     QStringList lines{QString::fromStdString(component.refdes)};
     for (const auto& [name, value] : attributesOf(row)) {

@@ -4,6 +4,7 @@
 
 #include "model/index/pin_names.h"
 #include "model/nets/net_statistics.h"
+#include "ui/common/net_name.h"
 
 namespace ui {
 
@@ -104,7 +105,7 @@ Cell PinModel::cell(int row, int column) const {
     switch (column) {
         case Pin: return {.text = QString::fromStdString(model::fullPinName(step, pin.pin)), .order = row};
         case Net:
-            return record.net.isValid() ? Cell{.text = QString::fromStdString(step.nets[record.net.row()].name),
+            return record.net.isValid() ? Cell{.text = netName(step, record.net),
                                                .order = place(m_ranks[pin.step].nets[record.net.row()])}
                                         : Cell{.text = QString(), .order = place({})};
         case Layer: return layerCell(m_rows[static_cast<std::size_t>(row)]);

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "model/index/pin_names.h"
+#include "ui/common/net_name.h"
 
 namespace ui {
 
@@ -66,8 +67,7 @@ QString pinsOfNetsText(const PartPicking& parts, const std::vector<model::BoardN
     }
     const model::BoardNet& first = nets.front();
     const model::Document& step = parts.document(first.step);
-    const QString whose =
-        nets.size() == 1 ? QString::fromStdString(step.nets[first.net.row()].name) : netsText(nets.size());
+    const QString whose = nets.size() == 1 ? netName(step, first.net) : netsText(nets.size());
     const QString text =
         pins.empty() ? PinText::tr("%1: no pins").arg(whose)
                      : PinText::tr("%1: %2 of %3").arg(whose, pinsText(pins.size()), componentsText(components.size()));

@@ -6,6 +6,7 @@
 
 #include "model/index/pin_names.h"
 #include "model/nets/net_statistics.h"
+#include "ui/common/net_name.h"
 #include "ui/layers/layer_model.h"
 
 namespace ui {
@@ -68,6 +69,17 @@ public:
             const Fit fit = fitOf(name, m_text);
             if (fit != Fit::None) {
                 m_matches.push_back({fit, name, {kind, static_cast<std::uint32_t>(row), m_step, {}}});
+            }
+        }
+    }
+
+    /// By the name in the job, and as people type it.
+    void lookForNets(const base::Table<model::Net>& nets) {
+        for (std::uint32_t row = 0; row < nets.size(); ++row) {
+            const std::string& name = nets[row].name;
+            const Fit fit = std::min(fitOf(name, m_text), fitOf(model::typedName(name), m_text));
+            if (fit != Fit::None) {
+                m_matches.push_back({fit, name, {FoundKind::Net, row, m_step, {}}});
             }
         }
     }
@@ -182,7 +194,7 @@ std::vector<Found> BoardSearch::find(const QString& text, LengthUnit unit, std::
         matcher.setStep(row);
         matcher.match(FoundKind::Component, step.components,
                       [](const model::Component& component) -> const std::string& { return component.refdes; });
-        matcher.match(FoundKind::Net, step.nets, [](const model::Net& net) -> const std::string& { return net.name; });
+        matcher.lookForNets(step.nets);
         matcher.lookForPins(step);
         matcher.lookForAttributes(m_attributes[row]);
     }
@@ -198,7 +210,7 @@ QString BoardSearch::titleOf(const Found& found) const {
         case FoundKind::Location: return positionText(found.location.x, found.location.y, LengthUnit::Millimetre);
         case FoundKind::Layer: return QString::fromStdString(m_board->layers[found.row].name);
         case FoundKind::Component: return QString::fromStdString(stepOf(found).components[found.row].refdes);
-        case FoundKind::Net: return QString::fromStdString(stepOf(found).nets[found.row].name);
+        case FoundKind::Net: return netName(stepOf(found), model::NetId{std::size_t{found.row}});
         case FoundKind::Pin:
             return QString::fromStdString(model::fullPinName(stepOf(found), model::PinId{std::size_t{found.row}}));
         case FoundKind::Attribute: {
@@ -227,9 +239,8 @@ QString BoardSearch::whatIs(const Found& found) const {
         }
         case FoundKind::Pin: {
             const model::NetId net = stepOf(found).pins[found.row].net;
-            return net.isValid()
-                       ? BoardSearch::tr("Pin, net %1").arg(QString::fromStdString(stepOf(found).nets[net.row()].name))
-                       : BoardSearch::tr("Pin without a net");
+            return net.isValid() ? BoardSearch::tr("Pin, net %1").arg(netName(stepOf(found), net))
+                                 : BoardSearch::tr("Pin without a net");
         }
         case FoundKind::Net:
             return BoardSearch::tr("Net, %L1 elements")

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/common/net_name.h"
+
 namespace ui {
 
 namespace {
@@ -253,7 +255,7 @@ QStringList PlanPainter::pinNames(model::ElementId element) const {
 std::vector<QStringList> PlanPainter::textsFor(model::ElementId element) const {
     const model::Document& board = *m_index->board;
     const model::NetId id = board.elements.net[element.row()];
-    const QString net = m_hasNames && id.isValid() ? QString::fromStdString(board.nets[id.row()].name) : QString();
+    const QString net = m_hasNames ? netName(board, id) : QString();
     const QStringList pins = pinNames(element);
     std::vector<QStringList> texts;
     if (!net.isEmpty()) {

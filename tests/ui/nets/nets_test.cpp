@@ -28,7 +28,7 @@ private slots:
         open(locations::kSample);
         panel().findChild<QComboBox*>("netGroups")->setCurrentText("By supply");
         QTRY_VERIFY(nets().isArranged() && nets().isHeading(0));
-        const int end = nets().endOfGroup(0);
+        const int end = static_cast<int>(nets().netsAt(0).size()) + 1;
         QVERIFY(end > 1);
         click(0);
         QCOMPARE(window().selection().nets().size(), static_cast<std::size_t>(end - 1));
@@ -41,6 +41,27 @@ private slots:
         window().views().solid().takeKeyboard();
         m_fixture->key(Qt::Key_Escape);
         QTRY_VERIFY(table().selectionModel()->selectedRows().isEmpty());
+    }
+
+    void aTriangleAndArrowKeysFold() {
+        open(locations::kSample);
+        panel().findChild<QComboBox*>("netGroups")->setCurrentText("By supply");
+        QTRY_VERIFY(nets().isArranged() && nets().isHeading(0));
+        const int all = nets().rowCount();
+        const int members = static_cast<int>(nets().netsAt(0).size());
+        const QModelIndex heading = nets().index(0, NetModel::Name);
+        const QPoint triangle = table().visualRect(heading).topLeft() + QPoint(8, 8);
+        QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, triangle);
+        QCOMPARE(nets().rowCount(), all - members);
+        QVERIFY2(window().selection().nets().empty(), "folding chooses nothing");
+        QTest::keyClick(&table(), Qt::Key_Right);
+        QCOMPARE(nets().rowCount(), all);
+        QTest::keyClick(&table(), Qt::Key_Left);
+        QCOMPARE(nets().rowCount(), all - members);
+        const model::NetId hidden = nets().netsAt(0).front().net;
+        QVERIFY(!nets().rowOf(hidden));
+        window().selection().setNets({{0, hidden}});
+        QVERIFY2(nets().rowOf(hidden).has_value(), "what is selected elsewhere is unfolded");
     }
 
     void whatIsKnownOfTheHighlightedNetsStandsBelow() {

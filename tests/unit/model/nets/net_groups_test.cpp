@@ -44,6 +44,18 @@ class NetGroupsTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void sheetsFollowTheOnesAroundThem() {
+        const auto board =
+            boardOf({"/Power/VIN", "GND", "/CPU 10/DDR/A0", "/CPU 2/X", "/EN", "/CPU 10/DDR/A1", "DAC_U/D"});
+        const NetGroups groups = groupNets(*board, NetGrouping::Sheet);
+        QCOMPARE(groups.names, (std::vector<std::string>{"/", "CPU 2", "CPU 10", "DDR", "Power"}));
+        QCOMPARE(groups.depths, (std::vector<std::uint32_t>{0, 0, 0, 1, 0}));
+        QCOMPARE(groups.groupOf, (std::vector<std::uint32_t>{4, kNoGroup, 3, 1, 0, 3, kNoGroup}));
+        QVERIFY(hasSheets(*board));
+        QVERIFY(!hasSheets(*boardOf({"GND", "/EN", "/VIN", "DAC_U/D"})));
+        QVERIFY(!hasSheets(*boardOf({})));
+    }
+
     void pairs_data() {
         QTest::addColumn<QString>("a");
         QTest::addColumn<QString>("b");

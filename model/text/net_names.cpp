@@ -1,0 +1,116 @@
+#include "model/text/net_names.h"
+
+#include <utility>
+
+namespace model {
+
+namespace {
+
+constexpr std::pair<std::string_view, std::string_view> kSpellings[] = {
+    {"slash", "/"}, {"backslash", "\\"}, {"space", " "}, {"colon", ":"},     {"comma", ","}, {"bar", "|"},
+    {"lt", "<"},    {"gt", ">"},         {"quote", "'"}, {"dblquote", "\""}, {"brace", "{"},
+};
+
+constexpr std::string_view kBar = "\xcc\x85";  // U+0305, over the character before it
+
+bool beginsCharacter(char c) {
+    return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U;
+}
+
+/// Reads a name from its beginning to its end.
+class Reader {
+public:
+    Reader(std::string_view name, bool hasBars) : m_rest(name), m_hasBars(hasBars) {}
+
+    [[nodiscard]] std::string run() {
+        while (!m_rest.empty()) {
+            if (!takeSpelling() && !takeBarred()) {
+                takeCharacter();
+            }
+        }
+        return std::move(m_out);
+    }
+
+private:
+    bool takeSpelling() {
+        for (const auto& [word, character] : kSpellings) {
+            const bool isIt = m_rest.front() == '{' && m_rest.size() >= word.size() + 2 &&
+                              m_rest.substr(1, word.size()) == word && m_rest[word.size() + 1] == '}';
+            if (isIt) {
+                m_out += character;
+                addBar();
+                m_rest.remove_prefix(word.size() + 2);
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /// "~{" begins a part with bars, up to its brace; parts within it have them already.
+    bool takeBarred() {
+        if (m_isBarred || !m_rest.starts_with("~{")) {
+            return false;
+        }
+        const std::size_t end = closingBrace();
+        if (end == std::string_view::npos) {
+            return false;
+        }
+        Reader within(m_rest.substr(2, end - 2), m_hasBars);
+        within.m_isBarred = true;
+        m_out += within.run();
+        m_rest.remove_prefix(end + 1);
+        return true;
+    }
+
+    [[nodiscard]] std::size_t closingBrace() const {
+        int depth = 0;
+        for (std::size_t at = 1; at < m_rest.size(); ++at) {
+            depth += m_rest[at] == '{' ? 1 : m_rest[at] == '}' ? -1 : 0;
+            if (depth == 0) {
+                return at;
+            }
+        }
+        return std::string_view::npos;
+    }
+
+    void takeCharacter() {
+        std::size_t size = 1;
+        while (size < m_rest.size() && !beginsCharacter(m_rest[size])) {
+            ++size;
+        }
+        m_out += m_rest.substr(0, size);
+        addBar();
+        m_rest.remove_prefix(size);
+    }
+
+    void addBar() {
+        if (m_isBarred && m_hasBars) {
+            m_out += kBar;
+        }
+    }
+
+    std::string_view m_rest;
+    bool m_hasBars;
+    bool m_isBarred = false;
+    std::string m_out;
+};
+
+bool hasBraces(std::string_view name) {
+    return name.find('{') != std::string_view::npos;  // few have: the others cost a look
+}
+
+}  // namespace
+
+std::string readableName(std::string_view name) {
+    return hasBraces(name) ? Reader(name, true).run() : std::string(name);
+}
+
+std::string typedName(std::string_view name) {
+    return hasBraces(name) ? Reader(name, false).run() : std::string(name);
+}
+
+std::string_view sheetOf(std::string_view name) {
+    return name.starts_with('/') ? name.substr(0, name.rfind('/') + 1) : std::string_view();
+}
+
+}  // namespace model

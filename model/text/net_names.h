@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+/// Names of nets as people write them. Jobs that KiCad wrote spell some characters as words in braces and mark parts
+/// that are active low.
+namespace model {
+
+/// "Net-(U1-P1.00/XL1)" for "Net-(U1-P1.00{slash}XL1)"; the characters of "~{RESET}" have bars over them (U+0305 behind
+/// each). What is no such spelling, or has no closing brace, stays as it is. UTF-8.
+[[nodiscard]] std::string readableName(std::string_view name);
+
+/// The same as people type it, without bars: "RESET".
+[[nodiscard]] std::string typedName(std::string_view name);
+
+/// The sheets of a schematic that a net belongs to, with the slashes around them: "/Ethernet/" of "/Ethernet/RXD0", "/"
+/// of "/RXD0". Empty for nets of all sheets, whose names begin with none.
+[[nodiscard]] std::string_view sheetOf(std::string_view name);
+
+}  // namespace model
