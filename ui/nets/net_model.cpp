@@ -14,22 +14,37 @@ namespace ui {
 namespace {
 
 constexpr std::size_t kCheckEvery = 4096;  // nets between two checks whether the result is still wanted
-constexpr int kDot = 10;                   // pixels across
-constexpr int kIndentation = 3;            // blanks
+constexpr int kSign = 10;                  // pixels across
+constexpr int kIndentation = 12;           // pixels for each heading that a row stands under
 
-QImage dot(const QColor& colour) {
-    QImage image(kDot, kDot, QImage::Format_ARGB32_Premultiplied);
+/// What stands before a name: room for its depth, and behind it a sign, if any, that `draw` draws into a square.
+template <class Draw>
+QImage before(int depth, bool hasSign, const Draw& draw) {
+    QImage image(std::max(depth * kIndentation + (hasSign ? kSign : 0), 1), kSign, QImage::Format_ARGB32_Premultiplied);
     image.fill(Qt::transparent);
     QPainter painter(&image);
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(Qt::black);
-    painter.setBrush(colour);
-    painter.drawEllipse(QRectF(0.5, 0.5, kDot - 1.0, kDot - 1.0));
+    painter.translate(depth * kIndentation, 0);
+    if (hasSign) {
+        draw(painter);
+    }
     return image;
 }
 
-QString indentation(int depth) {
-    return QString(depth * kIndentation, ' ');
+QImage dot(int depth, const std::optional<QRgb>& colour) {
+    return before(depth, colour.has_value(), [&](QPainter& painter) {
+        painter.setPen(Qt::black);
+        painter.setBrush(QColor(*colour));
+        painter.drawEllipse(QRectF(0.5, 0.5, kSign - 1.0, kSign - 1.0));
+    });
+}
+
+QImage triangle(int depth, bool isFolded) {
+    return before(depth, true, [&](QPainter& painter) {
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(Qt::gray);  // on light and on dark ground
+        painter.drawPolygon(isFolded ? QPolygonF({{2, 1}, {8, 5}, {2, 9}}) : QPolygonF({{1, 2}, {9, 2}, {5, 8}}));
+    });
 }
 
 /// Decides on names; made once per filter.
@@ -266,15 +281,15 @@ std::optional<QRgb> NetModel::ownColour(int row) const {
     return m_styles != nullptr ? m_styles->of({m_step, netAt(row)}).colour : std::nullopt;
 }
 
-/// As ui/views/element_styles colours the net; nothing while it is not highlighted.
-QVariant NetModel::dotOf(int row) const {
+/// As ui/views/element_styles colours the net; none while it is not highlighted.
+std::optional<QRgb> NetModel::highlightOf(int row) const {
     const model::BoardNet net{m_step, netAt(row)};
     const auto place = std::ranges::lower_bound(m_highlighted, net);
     if (place == m_highlighted.end() || *place != net) {
-        return {};
+        return std::nullopt;
     }
     const auto number = static_cast<std::size_t>(place - m_highlighted.begin());
-    return dot(QColor(ownColour(row).value_or(highlightColour(number))));
+    return ownColour(row).value_or(highlightColour(number));
 }
 
 Cell NetModel::headingCell(int row, int column) const {
@@ -285,20 +300,20 @@ Cell NetModel::headingCell(int row, int column) const {
     const std::uint32_t group = m_rows.groupAt(row);
     const QString rest = m_groupedBy == model::NetGrouping::Sheet ? tr("Nets of all sheets") : tr("Other nets");
     const QString name = group == groups.size() ? rest : QString::fromStdString(model::readableName(groups[group]));
-    const QString sign = m_rows.isFolded(row) ? QStringLiteral("▸") : QStringLiteral("▾");
-    return {
-        .text = tr("%1%2 %3  (%L4)").arg(indentation(m_rows.depthOf(row)), sign, name).arg(m_rows.netsAt(row).size()),
-        .font = boldFont()};
+    return {.text = tr("%1  (%L2)").arg(name).arg(m_rows.netsAt(row).size()),
+            .decoration = triangle(m_rows.depthOf(row), m_rows.isFolded(row)),
+            .font = boldFont()};
 }
 
 Cell NetModel::nameCell(int row) const {
     const std::string& name = m_document->nets[netAt(row).row()].name;
     const bool isInSheet = m_groupedBy == model::NetGrouping::Sheet;
     const std::string shown = isInSheet ? name.substr(model::sheetOf(name).size()) : name;
-    const QString whole = QString::fromStdString(model::readableName(name));
-    return {.text = indentation(m_rows.depthOf(row)) + QString::fromStdString(model::readableName(shown)),
-            .value = whole,
-            .decoration = dotOf(row)};
+    const std::optional<QRgb> highlight = highlightOf(row);
+    const int depth = m_rows.depthOf(row);
+    return {.text = QString::fromStdString(model::readableName(shown)),
+            .value = QString::fromStdString(model::readableName(name)),
+            .decoration = depth > 0 || highlight ? QVariant(dot(depth, highlight)) : QVariant()};
 }
 
 Cell NetModel::cell(int row, int column) const {
@@ -333,8 +348,9 @@ QString NetModel::tip(int row, int column) const {
         return {};
     }
     if (isHeading(row)) {
-        return column == Name ? tr("Select it to highlight all nets of the group; ▸ or ▾, or the arrow keys, fold it")
-                              : QString();
+        return column == Name
+                   ? tr("Select it to highlight all nets of the group; its triangle, or Left and Right, fold it")
+                   : QString();
     }
     const model::NetId net = netAt(row);
     return netsText(*m_document, m_statistics.get(), std::span(&net, 1), unit());

@@ -79,7 +79,7 @@ private:
     [[nodiscard]] Cell nameCell(int row) const;
     [[nodiscard]] bool isAnyHidden(int row) const;
     [[nodiscard]] std::optional<QRgb> ownColour(int row) const;
-    [[nodiscard]] QVariant dotOf(int row) const;
+    [[nodiscard]] std::optional<QRgb> highlightOf(int row) const;
     [[nodiscard]] QString tip(int row, int column) const override;
     bool edit(int row, int column, const QVariant& value) override;
     bool check(int row, int column, bool isChecked) override;

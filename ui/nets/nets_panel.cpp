@@ -171,10 +171,9 @@ bool NetsPanel::foldAt(const QPoint& at) {
     if (!index.isValid() || index.column() != NetModel::Name || !m_model.isHeading(index.row())) {
         return false;
     }
-    const QString text = index.data().toString();
-    const qsizetype sign = text.indexOf(QChar(m_model.arrangement().isFolded(index.row()) ? u'▸' : u'▾'));
-    const QFontMetrics letters(index.data(Qt::FontRole).value<QFont>());
-    if (at.x() > m_table->visualRect(index).left() + letters.horizontalAdvance(text.left(sign + 2))) {
+    constexpr int kAround = 8;  // what is easily hit beside the triangle, pixels
+    const int triangle = index.data(Qt::DecorationRole).value<QImage>().width();
+    if (at.x() > m_table->visualRect(index).left() + triangle + kAround) {
         return false;
     }
     fold(index.row(), !m_model.arrangement().isFolded(index.row()));
