@@ -58,6 +58,7 @@ ElementPicture::ElementPicture(GpuContext& context, SelectionModel& selection, L
     m_settle.setInterval(kSettleMs);
     connect(&m_settle, &QTimer::timeout, this, qOverload<>(&QWidget::update));
     setToolTip(tr("The element alone, from the top and as an isometric view, with its true height"));
+    connect(&m_modelling.background(), &Background::finished, this, &ElementPicture::takeModelled);
     connect(&selection, &SelectionModel::selectionChanged, this, &ElementPicture::setStale);
     connect(&layers, &LayerModel::stylesChanged, this, &ElementPicture::setStale);
     setStale();
@@ -69,7 +70,10 @@ QSize ElementPicture::sizeHint() const {
 
 void ElementPicture::setStale() {
     m_isStale = true;
+    m_modelling.cancel();
+    m_modelled.reset();
     m_images = {};
+    m_reason.clear();
     m_settle.start();
     setVisible(m_selection.current().has_value());
     update();
@@ -82,7 +86,9 @@ QRect ElementPicture::locationOf(int view) const {
 
 void ElementPicture::paintEvent(QPaintEvent*) {
     const QSize pixels = (QSizeF(locationOf(Flat).size()) * devicePixelRatioF()).toSize();
-    if (!m_settle.isActive() && (m_isStale || pixels != m_pixels)) {
+    if (m_isStale && !m_settle.isActive()) {
+        startModelling();
+    } else if (m_modelled && pixels != m_pixels) {
         draw(pixels);
     }
     QPainter painter(this);
@@ -95,43 +101,60 @@ void ElementPicture::paintEvent(QPaintEvent*) {
     }
 }
 
-void ElementPicture::draw(QSize pixels) {
+void ElementPicture::startModelling() {
     m_isStale = false;
-    m_pixels = pixels;
-    m_images = {};
-    m_reason.clear();
-    if (const auto current = m_selection.current()) {
-        m_reason = drawElement(m_selection.stepOf(*current), current->element, pixels);
+    const auto current = m_selection.current();
+    if (!current) {
+        return;
     }
+    const auto model = [document = m_selection.sharedStepOf(*current),
+                        element = current->element](base::Progress& progress) -> base::Result<Modelled> {
+        Modelled out{small(*document, element), std::nullopt, document->elements.layer[element.row()].row()};
+        if (out.alone) {
+            ASSIGN_OR_RETURN(out.model, render::buildBoardModel(*out.alone, {}, progress));
+        }
+        return out;
+    };
+    m_modelling.run(model, tr("Modelling an element"), tr("No picture: there is not enough memory"));
 }
 
-QString ElementPicture::drawElement(const model::Document& document, model::ElementId element, QSize pixels) {
+void ElementPicture::takeModelled() {
+    if (auto modelled = m_modelling.take()) {
+        m_modelled = std::move(*modelled);
+        m_pixels = {};
+    } else {
+        m_reason = QString::fromStdString(modelled.error().text);
+    }
+    update();
+}
+
+void ElementPicture::draw(QSize pixels) {
+    m_pixels = pixels;
+    m_images = {};
+    m_reason = drawModelled(pixels);
+}
+
+QString ElementPicture::drawModelled(QSize pixels) {
     if (m_context.device().isLost()) {
         return tr("No picture: the graphics device failed");
     }
-    const auto alone = small(document, element);
-    if (!alone) {
+    if (!m_modelled->model) {
         return tr("Too large for a picture");
     }
-    base::Progress progress;
-    const auto model = render::buildBoardModel(*alone, {}, progress);
-    if (!model) {
-        return QString::fromStdString(model.error().text);
-    }
-    auto scene = render::BoardScene::make(m_context.device(), *model);
+    auto scene = render::BoardScene::make(m_context.device(), *m_modelled->model);
     if (!scene) {
         return QString::fromStdString(scene.error().text);
     }
     if (!m_presenter) {
         m_presenter.emplace(m_context.device());
     }
-    const std::size_t layer = document.elements.layer[element.row()].row();
     Picture picture;
     picture.scene = &*scene;
-    picture.styles = {{rgb(m_layers.effectiveStyles()[layer].colour), 1.0F, true}};
+    picture.styles = {{rgb(m_layers.effectiveStyles()[m_modelled->layer].colour), 1.0F, true}};
     for (const View view : {Flat, Solid}) {
         picture.settings.is2d = view == Flat;
-        const auto image = drawPicture(*m_presenter, picture, cameraFor(*alone, *model, view, pixels), pixels);
+        const render::Camera camera = cameraFor(*m_modelled->alone, *m_modelled->model, view, pixels);
+        const auto image = drawPicture(*m_presenter, picture, camera, pixels);
         if (!image) {
             m_images = {};
             return QString::fromStdString(image.error().text);

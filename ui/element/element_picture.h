@@ -9,20 +9,21 @@
 #include "render/frame/offscreen_presenter.h"
 #include "ui/canvas/gpu_context.h"
 #include "ui/layers/layer_model.h"
+#include "ui/workspace/background_result.h"
 #include "ui/workspace/selection_model.h"
 
 namespace ui {
 
 /// The element selected last by itself, from above and aslant, in the colour of its layer and with its true height.
-/// Drawn a moment after the selection changed, so that the views answer first, and when it is painted, so that it costs
-/// nothing while it is out of sight; hidden while nothing is selected. It requests no room of its own: a selection must
-/// not make the window grow.
+/// Modelled a moment after the selection changed, so that the views answer first, in the background, and when it is
+/// painted, so that it costs nothing while it is out of sight; hidden while nothing is selected. It requests no room of
+/// its own: a selection must not make the window grow.
 class ElementPicture : public QWidget {
     Q_OBJECT
 
 public:
-    /// An area of more nodes is drawn without what is smaller than the picture's pixels, so that it does not hold up
-    /// the window; a track chain of more is not drawn.
+    /// An area of more nodes is drawn without what is smaller than the picture's pixels, so that drawing it does not
+    /// hold up the window; a track chain of more is not drawn.
     static constexpr std::size_t kMostNodes = 10'000;
 
     ElementPicture(GpuContext& context, SelectionModel& selection, LayerModel& layers, QWidget* parent = nullptr);
@@ -42,15 +43,26 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    /// The element by itself; without a model if it is too large.
+    struct Modelled {
+        std::shared_ptr<const model::Document> alone;
+        std::optional<render::BoardModel> model;
+        std::size_t layer = 0;  ///< of the board
+    };
+
     void setStale();
+    void startModelling();
+    void takeModelled();
     void draw(QSize pixels);
-    [[nodiscard]] QString drawElement(const model::Document& document, model::ElementId element, QSize pixels);
+    [[nodiscard]] QString drawModelled(QSize pixels);
     [[nodiscard]] QRect locationOf(int view) const;
 
     GpuContext& m_context;
     SelectionModel& m_selection;
     LayerModel& m_layers;
     std::optional<render::OffscreenPresenter> m_presenter;  ///< held: making its pipelines takes longer than drawing
+    BackgroundResult<Modelled> m_modelling;
+    std::optional<Modelled> m_modelled;  ///< none while nothing is selected, or it is being modelled
     std::array<QImage, ViewCount> m_images;
     QSize m_pixels;  ///< of each image
     QString m_reason;

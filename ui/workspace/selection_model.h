@@ -87,6 +87,10 @@ public:
     [[nodiscard]] const model::Document& stepOf(const model::BoardElement& element) const {
         return *m_tree.steps[m_tree.copies[element.copy].step];
     }
+    /// The same for work in the background, which may outlive the board.
+    [[nodiscard]] std::shared_ptr<const model::Document> sharedStepOf(const model::BoardElement& element) const {
+        return {m_board, &stepOf(element)};
+    }
     /// Row of `tree().copies`: the first copy of a step.
     [[nodiscard]] std::uint32_t firstCopyOf(std::uint32_t step) const;
     /// Of steps that are placed often, in the first copy.
