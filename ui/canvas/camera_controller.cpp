@@ -22,6 +22,7 @@ bool isUse(QEvent::Type type) {
 /// A part of the board that is shown fills this much of the canvas, so that its surroundings are seen.
 constexpr float kShownPart = 0.8F;
 constexpr float kSmallestShownMm = 1.0F;  // half of what is seen, across
+constexpr int kSeenRows = 24;             // of places where the board is looked for
 
 }  // namespace
 
@@ -147,12 +148,29 @@ QPointF CameraController::pivotAt(QPointF position) {
     const glm::vec3 middle = (m_boxMin + m_boxMax) / 2.0F;
     const float way = glm::dot(middle - from, m_camera.direction()) / glm::dot(along, m_camera.direction());
     const glm::vec3 nearest = glm::clamp(from + along * way, m_boxMin, m_boxMax);
-    const std::optional<QPointF> onCanvas = screenOf(nearest);
+    std::optional<QPointF> onCanvas = screenOf(nearest);
     if (!onCanvas || !QRectF({}, m_viewport).contains(*onCanvas)) {
-        return position;  // nothing of the board is near
+        onCanvas = nearestSeen(position);
+        focusAt(onCanvas.value_or(position));
+        return onCanvas.value_or(position);  // the latter: nothing of the board is in sight
     }
     m_camera.focusOn(nearest);
     return *onCanvas;
+}
+
+/// Of the places of a grid over the canvas where the board is seen, the one nearest to `position`.
+std::optional<QPointF> CameraController::nearestSeen(QPointF position) const {
+    const auto farness = [position](QPointF p) { return std::hypot(p.x() - position.x(), p.y() - position.y()); };
+    std::optional<QPointF> nearest;
+    for (int row = 0; row <= kSeenRows; ++row) {
+        for (int column = 0; column <= kSeenRows; ++column) {
+            const QPointF at(m_viewport.width() * column / kSeenRows, m_viewport.height() * row / kSeenRows);
+            if ((!nearest || farness(at) < farness(*nearest)) && boardPointAt(at)) {
+                nearest = at;
+            }
+        }
+    }
+    return nearest;
 }
 
 void CameraController::zoomToBox(QPointF from, QPointF to) {

@@ -139,6 +139,7 @@ private:
     template <class Place>
     void placeInMargins(const Place& place);
     [[nodiscard]] QPointF pivotAt(QPointF position);
+    [[nodiscard]] std::optional<QPointF> nearestSeen(QPointF position) const;
     [[nodiscard]] glm::vec2 ndcOf(QPointF position) const;
     [[nodiscard]] QPointF centre() const { return {m_viewport.width() / 2.0, m_viewport.height() / 2.0}; }
     [[nodiscard]] float aspect() const { return static_cast<float>(m_viewport.width() / m_viewport.height()); }

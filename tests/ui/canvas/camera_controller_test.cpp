@@ -275,14 +275,35 @@ private slots:
             for (int i = 0; i < 30; ++i) {
                 wheel(*m_controller, beside, 1);
             }
-            int seen = 0;
-            for (int x = 0; x <= 800; x += 10) {
-                for (int y = 0; y <= 600; y += 10) {
-                    seen += m_controller->boardPointAt(QPointF(x, y)).has_value() ? 1 : 0;
-                }
-            }
-            QVERIFY2(seen > 0, qPrintable(QString("%1 %2").arg(beside.x()).arg(beside.y())));
+            QVERIFY2(isSeen(), qPrintable(QString("%1 %2").arg(beside.x()).arg(beside.y())));
         }
+    }
+
+    /// All that is seen is a corner of the board, in a corner of the canvas, aslant.
+    void zoomingFarFromABoardDoesNotLoseIt() {
+        for (const double turn : {0.0, 60.0, 200.0, 330.0}) {
+            m_controller->fit();
+            m_controller->orbit({turn, 150.0});
+            for (const QPointF corner : {QPointF(40, 560), QPointF(760, 40), QPointF(40, 40), QPointF(760, 560)}) {
+                m_controller->show(kCorner - 5.0F, kCorner + 5.0F);
+                const QPointF at = onScreen(*m_controller, glm::vec3(50.0F, 40.0F, 1.6F));
+                drag(*m_controller, at, corner, Qt::MiddleButton);
+                QVERIFY(isSeen());
+                for (int i = 0; i < 40; ++i) {
+                    wheel(*m_controller, QPointF(800, 600) - corner, 1);
+                }
+                QVERIFY2(isSeen(), qPrintable(QString("%1 %2").arg(corner.x()).arg(turn)));
+            }
+        }
+    }
+
+    void zoomingOutEndsWhileTheBoardCanBeSeen() {
+        for (int i = 0; i < 100; ++i) {
+            wheel(*m_controller, QPointF(3, 3), -1);
+        }
+        const QPointF across = onScreen(*m_controller, kBoxMax) - onScreen(*m_controller, kBoxMin);
+        QVERIFY(std::hypot(across.x(), across.y()) > 10.0);
+        QVERIFY(QRectF({}, kViewport).contains(onScreen(*m_controller, kCorner)));
     }
 
     void arrowsTurnAndWithShiftShiftTheView() {
@@ -301,6 +322,23 @@ private slots:
     }
 
 private:
+    /// A line of sight through the canvas meets the box of the board.
+    bool isSeen() const {
+        for (int x = 0; x <= 800; x += 10) {
+            for (int y = 0; y <= 600; y += 10) {
+                const auto [origin, direction] = m_controller->rayAt(QPointF(x, y));
+                const glm::vec3 low = (kBoxMin - origin) / direction;
+                const glm::vec3 high = (kBoxMax - origin) / direction;
+                const glm::vec3 enter = glm::min(low, high);
+                const glm::vec3 leave = glm::max(low, high);
+                if (std::max({enter.x, enter.y, enter.z}) <= std::min({leave.x, leave.y, leave.z})) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
     std::unique_ptr<CameraController> m_controller;
 };
 
