@@ -41,13 +41,17 @@ Heights bodyHeights(const Document& document) {
     return {upperFace(*lowest), highest->z};
 }
 
+/// Rigid-flex: layers are only where their zones have them.
+bool hasOutlines(const Document& document) {
+    return std::ranges::any_of(document.layers, [](const Layer& layer) { return layer.outlineGroup > 0; });
+}
+
 /// Heights at which something about the substrate changes, rising.
 std::set<Nm> planesOf(const Document& document, const Heights& body) {
-    const bool hasOutlines =
-        std::ranges::any_of(document.layers, [](const Layer& layer) { return layer.outlineGroup > 0; });
+    const bool isByLayer = hasOutlines(document);
     std::set<Nm> planes{body.bottom, body.top};
     for (const Layer& layer : document.layers) {
-        if (isHoles(layer.type) || (hasOutlines && isStackupLayer(layer))) {
+        if (isHoles(layer.type) || (isByLayer && isStackupLayer(layer))) {
             planes.insert(std::clamp(layer.z, body.bottom, body.top));
             planes.insert(std::clamp(upperFace(layer), body.bottom, body.top));
         }
@@ -126,6 +130,31 @@ SubstratePart partBetween(const Document& document, Nm bottom, Nm top) {
     return part;
 }
 
+/// Follows a stackup down, slice by slice, and says where one dielectric ends and the next begins. What lies beside
+/// copper goes with the dielectric above it; at the top of a part, with the one below.
+class Slabs {
+public:
+    explicit Slabs(const Document& document) : m_document(document) {}
+
+    /// Whether the next slice goes with the ones before; `isLike`: for all else it does.
+    [[nodiscard]] bool continuesWith(const SubstratePart& slice, bool isLike) {
+        const Layer* here = neighboursOf(m_document, slice.bottom, slice.top).here;
+        const bool isCopper = here != nullptr && here->isCopper();
+        const bool isAnother = !isCopper && m_hasDielectric && (m_isEnded || here != m_dielectric);
+        const bool continues = isLike && !isAnother;
+        m_hasDielectric = !isCopper || (continues && m_hasDielectric);
+        m_isEnded = isCopper;
+        m_dielectric = isCopper ? m_dielectric : here;
+        return continues;
+    }
+
+private:
+    const Document& m_document;
+    const Layer* m_dielectric = nullptr;  ///< the last one; null: no row of the job
+    bool m_hasDielectric = false;         ///< the part so far is not beside copper only
+    bool m_isEnded = false;               ///< copper was the last
+};
+
 }  // namespace
 
 std::vector<SubstratePart> substratesOf(const Document& document) {
@@ -135,9 +164,12 @@ std::vector<SubstratePart> substratesOf(const Document& document) {
         return parts;
     }
     const std::set<Nm> planes = planesOf(document, body);
+    const bool isByLayer = hasOutlines(document);
+    Slabs slabs(document);
     for (auto top = planes.rbegin(), bottom = std::next(top); bottom != planes.rend(); top = bottom++) {
         SubstratePart part = partBetween(document, *bottom, *top);
-        if (!parts.empty() && parts.back().isLike(part)) {
+        const bool isLike = !parts.empty() && parts.back().isLike(part);
+        if (isByLayer ? slabs.continuesWith(part, isLike) : isLike) {
             parts.back().bottom = part.bottom;
         } else {
             parts.push_back(std::move(part));

@@ -124,6 +124,29 @@ private slots:
         QCOMPARE(parts[2].outline, rigid);
     }
 
+    void everyDielectricOfARigidFlexIsASlab() {
+        Stack stack;
+        const model::ShapeId rigid = stack.square();
+        stack.layer(0).outlineGroup = 1;  // the foil on top only, all else is alike
+        stack.layer(0).profile = rigid;
+        stack.add(LayerType::Dielectric, 1'405'000, 200'000);
+        stack.add(LayerType::Dielectric, 1'105'000, 300'000);
+        const auto parts = stack.parts();
+        // Two prepregs above the second copper, then what no row of the job is.
+        QCOMPARE(parts.size(), std::size_t{4});
+        QCOMPARE(parts[0].bottom, 1'405'000);
+        QCOMPARE(parts[1].bottom, 1'070'000);  // with what lies beside the copper below it
+        QCOMPARE(parts[2].bottom, 535'000);
+        QCOMPARE(parts[3].bottom, 35'000);
+    }
+
+    void dielectricsOfABoardThatIsRigidAreOneSlab() {
+        Stack stack;
+        stack.add(LayerType::Dielectric, 1'405'000, 200'000);
+        stack.add(LayerType::Dielectric, 1'105'000, 300'000);
+        QCOMPARE(stack.parts().size(), std::size_t{1});
+    }
+
     void stepsWithoutTheOutlineHaveTheSameSlabs() {
         Stack stack;
         Layer& dielectric = stack.add(LayerType::Dielectric, 570'000, 500'000);
