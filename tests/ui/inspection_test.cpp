@@ -2,7 +2,6 @@
 // COPPERSCOPE_SHOTS names a folder for pictures of the window on the way.
 
 #include <QComboBox>
-#include <QDockWidget>
 #include <QLineEdit>
 #include <QMouseEvent>
 #include <QScreen>
@@ -152,7 +151,7 @@ private slots:
         QVERIFY(assumed != stack.end());
         const model::LayerId layer = assumed->layer;
         const std::vector<render::ZRange> before = solid().drawnHeights();
-        window().findChild<QDockWidget*>("stack")->raise();
+        window().showPanel("stack");
         type(static_cast<int>(assumed - stack.begin()), "0.3 mm");
         QCOMPARE(board().layer(layer).thickness, 300'000);
         const render::ZRange after = solid().drawnHeights()[layer.row()];
@@ -188,7 +187,7 @@ private slots:
     }
 
     void tablesAndViewsFollowWhenAsked() {
-        dock("nets").raise();
+        window().showPanel("nets");
         QTRY_VERIFY_WITH_TIMEOUT(window().nets().isArranged(), kPatienceMs);
         click(solid(), screenOf(solid(), m_a));
         QCOMPARE(netInTable(), netOf(m_a));
@@ -215,7 +214,7 @@ private slots:
     }
 
     void theElementIsToldOfAndEscapeGoesBackStepByStep() {
-        dock("element").raise();
+        window().showPanel("element");
         click(flat(), screenOf(flat(), m_a));
         const model::BoardElement element = *window().selection().current();
         QCOMPARE(window().fact("Net"), QString::fromStdString(netOf(element.element)));
@@ -234,7 +233,7 @@ private slots:
     }
 
     void distancesAreMeasured() {
-        dock("measurements").raise();
+        window().showPanel("measurements");
         const std::size_t before = measurements().size();
         m_fixture->key(Qt::Key_M);
         click(flat(), screenOf(flat(), m_a));
@@ -256,7 +255,7 @@ private slots:
     }
 
     void narrowGapsAreSteppedThroughAndTheLensLightsNeighbours() {
-        dock("clearances").raise();
+        window().showPanel("clearances");
         box("where").setCurrentIndex(static_cast<int>(ClearancePanel::Where::View));
         m_fixture->key(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
         QTRY_VERIFY_WITH_TIMEOUT(!window().workspace().isWorking(), kPatienceMs);
@@ -385,7 +384,6 @@ private:
     QComboBox& box(const char* name) { return *panel().findChild<QComboBox*>(name); }
     QSlider& lensSlider() { return *panel().findChild<QSlider*>("lensReach"); }
     QString label(const char* name) { return panel().findChild<QLabel*>(name)->text(); }
-    QDockWidget& dock(const char* name) { return *window().findChild<QDockWidget*>(name); }
     const model::Document& board() { return *window().document(); }
     const ui::BoardPosition& place() { return window().probing().position(); }
     const std::vector<Measurement>& measurements() { return window().measurements().measurements(); }

@@ -39,6 +39,13 @@ void TestWindow::save(ui::ActionId id, const QString& path) {
     (void)QTest::qWaitForWindowActive(this);
 }
 
+void TestWindow::showPanel(const char* dock) const {
+    auto* panel = findChild<QDockWidget*>(dock);
+    panel->show();
+    panel->raise();
+    QTest::qWait(1);  // lays it out
+}
+
 QString TestWindow::fact(const QString& name) const {
     const QTableWidget& table = *elementPanel().findChild<QTableWidget*>();
     for (int row = 0; row < table.rowCount(); ++row) {

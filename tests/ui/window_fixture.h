@@ -44,6 +44,8 @@ public:
         }
         return *part;
     }
+    /// Opens the panel of this dock in front of the others.
+    void showPanel(const char* dock) const;
     /// A panel by the name of its dock, and the first table in it.
     [[nodiscard]] QWidget& panel(const char* dock) const { return *findChild<QDockWidget*>(dock)->widget(); }
     [[nodiscard]] ui::TableView& table(const char* dock) const { return *panel(dock).findChild<ui::TableView*>(); }

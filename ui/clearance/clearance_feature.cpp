@@ -35,9 +35,7 @@ ClearanceFeature::ClearanceFeature(FeatureContext& context)
       m_panel(new ClearancePanel(m_locations, m_rules, context.actions)) {
     m_locations.setParent(this);
     m_rules.setParent(this);
-    context.addPanel(
-        {ActionId::ShowClearanceDock, "clearances", tr("Clearances"), Qt::BottomDockWidgetArea, "messages", 0},
-        *m_panel);
+    context.addPanel({ActionId::ShowClearanceDock, "clearances", tr("Clearances"), Qt::BottomDockWidgetArea}, *m_panel);
     m_workspace.watch(m_search.background(), [] { return tr("Clearances"); });
     connect(&m_workspace, &Workspace::boardOpened, this, &ClearanceFeature::setBoard);
     connect(&m_workspace, &Workspace::unitChanged, this, &ClearanceFeature::setUnit);

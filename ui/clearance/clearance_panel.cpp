@@ -23,6 +23,8 @@ constexpr int kLensStart = 30;
 constexpr double kMapReachesUm[] = {20,  25,  30,  40,   50,   60,   80,   100,  125,  150,  200,  250,  300,  400,
                                     500, 600, 800, 1000, 1250, 1500, 2000, 2500, 3000, 4000, 5000, 6000, 8000, 10'000};
 constexpr double kFirstMapReachUm = 500;
+constexpr int kWhereLetters = 12;  ///< a choice has room for at least so many
+constexpr int kNarrowLines = 35;   ///< in heights of a line: a panel that is narrower is a column
 
 QSlider* sliderTo(int least, int most, const char* name, const QString& tip) {
     auto* slider = new QSlider(Qt::Horizontal);
@@ -49,7 +51,10 @@ ClearancePanel::ClearancePanel(ClearanceModel& locations, RuleModel& rules, cons
                      tr("The map is coloured up to this distance; what is farther is darkened a little"))),
       m_mapReach(new QLabel),
       m_mapText(new QLabel),
-      m_notes(new QLabel) {
+      m_notes(new QLabel),
+      m_searchRow(searchRow(actions)),
+      m_sliderRow(sliderRow(actions)),
+      m_tables(new QSplitter) {
     m_notes->setObjectName(QStringLiteral("notes"));
     m_notes->setWordWrap(true);
     m_notes->hide();
@@ -59,16 +64,16 @@ ClearancePanel::ClearancePanel(ClearanceModel& locations, RuleModel& rules, cons
     for (const int column : {RuleModel::Kind, RuleModel::First, RuleModel::Second}) {
         m_ruleTable->setColumnHidden(column, true);  // the title says them
     }
-    auto* tables = new QSplitter;
-    tables->addWidget(m_ruleTable);
-    tables->addWidget(m_table);
-    tables->setStretchFactor(0, 2);
-    tables->setStretchFactor(1, 3);
-    tables->setChildrenCollapsible(false);
+    m_tables->addWidget(m_ruleTable);
+    m_tables->addWidget(m_table);
+    m_tables->setStretchFactor(0, 2);
+    m_tables->setStretchFactor(1, 3);
+    m_tables->setChildrenCollapsible(false);
+    setMinimumWidth(1);  // what lies side by side goes below each other
     auto* all = columnIn(*this, 4);
-    all->addLayout(searchRow(actions));
-    all->addLayout(sliderRow(actions));
-    all->addWidget(tables, 1);
+    all->addLayout(m_searchRow);
+    all->addLayout(m_sliderRow);
+    all->addWidget(m_tables, 1);
     all->addWidget(m_notes);
 
     connect(m_what, &QComboBox::currentIndexChanged, this, &ClearancePanel::onWhat);
@@ -82,44 +87,62 @@ ClearancePanel::ClearancePanel(ClearanceModel& locations, RuleModel& rules, cons
     onMapReach();
 }
 
-QLayout* ClearancePanel::searchRow(const ActionSet& actions) {
+QBoxLayout* ClearancePanel::searchRow(const ActionSet& actions) {
     m_what->addItems({tr("Smallest clearances"), tr("Rules")});
     m_what->setObjectName(QStringLiteral("what"));
     m_where->addItems(
         {tr("of the board"), tr("of the current layer"), tr("in the 2D view"), tr("between the two highlighted nets")});
     m_where->setObjectName(QStringLiteral("where"));
+    m_where->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_where->setMinimumContentsLength(kWhereLetters);
     QToolBar* tools = toolBar(
         {&actions[ActionId::SearchClearances], &actions[ActionId::ExportClearances], &actions[ActionId::EditRules]});
     m_openRules = tools->addAction(tr("Open rules…"), this, &ClearancePanel::rulesAsked);
     m_saveRules = tools->addAction(tr("Save rules…"), this, &ClearancePanel::rulesSaved);
     m_summary->setObjectName(QStringLiteral("summary"));
     m_summary->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    auto* row = new QHBoxLayout;
-    row->addWidget(m_what);
-    row->addWidget(m_where);
+    auto* choices = new QHBoxLayout;
+    choices->addWidget(m_what);
+    choices->addWidget(m_where, 1);
+    auto* row = new QBoxLayout(QBoxLayout::LeftToRight);
+    row->addLayout(choices);
     row->addWidget(tools, 3);
     row->addWidget(m_summary, 2);
     return row;
 }
 
-QLayout* ClearancePanel::sliderRow(const ActionSet& actions) {
+QBoxLayout* ClearancePanel::sliderRow(const ActionSet& actions) {
     m_lens->setValue(kLensStart);
     m_map->setPageStep(3);
     m_map->setValue(static_cast<int>(std::ranges::find(kMapReachesUm, kFirstMapReachUm) - std::begin(kMapReachesUm)));
     m_mapText->setObjectName(QStringLiteral("map"));
+    for (QLabel* text : {m_lensText, m_mapText}) {
+        text->setMinimumWidth(1);  // the panel is not made wider for it
+    }
     auto* map = new QHBoxLayout;
     map->addWidget(toolButton(actions[ActionId::ClearanceMap]));
     map->addWidget(m_map, 1);
     map->addWidget(m_mapReach);
     map->addWidget(m_mapText, 1);
-    auto* row = new QHBoxLayout;
-    row->addWidget(toolButton(actions[ActionId::Lens]));
-    row->addWidget(m_lens, 1);
-    row->addWidget(m_lensText, 1);
+    auto* lens = new QHBoxLayout;
+    lens->addWidget(toolButton(actions[ActionId::Lens]));
+    lens->addWidget(m_lens, 1);
+    lens->addWidget(m_lensText, 1);
+    auto* row = new QBoxLayout(QBoxLayout::LeftToRight);
+    row->addLayout(lens, 2);
     row->addLayout(map, 3);
     connect(m_lens, &QSlider::valueChanged, this, [this] { emit lensMoved(lensReach()); });
     connect(m_map, &QSlider::valueChanged, this, &ClearancePanel::onMapReach);
     return row;
+}
+
+void ClearancePanel::resizeEvent(QResizeEvent* event) {
+    const bool isNarrow = width() < fontMetrics().height() * kNarrowLines;
+    for (QBoxLayout* row : {m_searchRow, m_sliderRow}) {
+        row->setDirection(isNarrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    }
+    m_tables->setOrientation(isNarrow ? Qt::Vertical : Qt::Horizontal);
+    QWidget::resizeEvent(event);
 }
 
 ClearancePanel::What ClearancePanel::what() const {

@@ -6,10 +6,11 @@
 #include "ui/clearance/rule_model.h"
 
 class QAction;
+class QBoxLayout;
 class QComboBox;
 class QLabel;
-class QLayout;
 class QSlider;
+class QSplitter;
 
 namespace ui {
 
@@ -17,7 +18,8 @@ class ActionSet;
 class TableView;
 
 /// The smallest clearances or broken rules, one row each, to step through; and the sliders of the lens and the
-/// clearance map. A row that becomes the current one is shown, so the arrow keys walk through all locations.
+/// clearance map. A row that becomes the current one is shown, so the arrow keys walk through all locations. In a
+/// narrow column controls and tables lie below each other, else side by side.
 class ClearancePanel : public QWidget {
     Q_OBJECT
 
@@ -49,9 +51,12 @@ signals:
     void rulesAsked();
     void rulesSaved();
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
-    [[nodiscard]] QLayout* searchRow(const ActionSet& actions);
-    [[nodiscard]] QLayout* sliderRow(const ActionSet& actions);
+    [[nodiscard]] QBoxLayout* searchRow(const ActionSet& actions);
+    [[nodiscard]] QBoxLayout* sliderRow(const ActionSet& actions);
     void onReset();
     void onWhat();
     void onMapReach();
@@ -71,6 +76,9 @@ private:
     QLabel* m_mapReach;
     QLabel* m_mapText;
     QLabel* m_notes;
+    QBoxLayout* m_searchRow;
+    QBoxLayout* m_sliderRow;
+    QSplitter* m_tables;
 };
 
 }  // namespace ui

@@ -31,8 +31,8 @@ void addElement(FeatureContext& context) {
     Workspace& workspace = context.workspace;
     auto* picture = new ElementPicture(context.device, workspace.selection(), context.layers);
     auto* panel = new ElementPanel(context.parts, workspace.selection(), picture);
-    context.addPanel(
-        {ActionId::ShowElementDock, "element", ElementPanel::tr("Element"), Qt::RightDockWidgetArea, {}, 15}, *panel);
+    context.addPanel({ActionId::ShowElementDock, "element", ElementPanel::tr("Element"), Qt::LeftDockWidgetArea},
+                     *panel);
     QObject::connect(&workspace, &Workspace::deviceGoes, picture, &ElementPicture::releaseDevice);
     QObject::connect(&workspace, &Workspace::unitChanged, panel, &ElementPanel::setUnit);
     QObject::connect(panel, &ElementPanel::followed, &workspace,

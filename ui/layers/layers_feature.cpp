@@ -10,8 +10,7 @@ void addLayers(FeatureContext& context) {
     Workspace& workspace = context.workspace;
     LayerModel& layers = context.layers;
     auto* panel = new LayersPanel(layers, context.actions);
-    context.addPanel({ActionId::ShowLayersDock, "layers", LayersPanel::tr("Layers"), Qt::LeftDockWidgetArea, {}, 16},
-                     *panel);
+    context.addPanel({ActionId::ShowLayersDock, "layers", LayersPanel::tr("Layers"), Qt::LeftDockWidgetArea}, *panel);
     panel->setSets(*new LayerSets(layers, workspace, context.actions, context.window));
     context.on(ActionId::RestoreLayers, [&layers] { layers.restoreDefaults(); });
     context.on(ActionId::SoloLayer, [&] { layers.toggleSolo(workspace.currentLayer()); });

@@ -36,6 +36,7 @@ LayersPanel::LayersPanel(LayerModel& model, const ActionSet& actions, QWidget* p
     m_sets->setFocusPolicy(Qt::NoFocus);  // who comes to the panel by keys comes for the layers
     m_sets->setPopupMode(QToolButton::InstantPopup);
     m_sets->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    m_sets->setMinimumWidth(1);  // the panel is not made wider for a long name
     auto* controls = new QHBoxLayout;
     controls->addWidget(m_sets);
     controls->addLayout(buttonRow({&actions[ActionId::ShowAllLayers], &actions[ActionId::HideAllLayers]}));

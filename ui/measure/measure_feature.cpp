@@ -153,9 +153,8 @@ void MeasureFeature::addPanel(FeatureContext& context) {
     auto* column = columnIn(*panel);
     column->addWidget(tools);
     column->addWidget(table);
-    context.addPanel(
-        {ActionId::ShowMeasurementsDock, "measurements", tr("Measurements"), Qt::BottomDockWidgetArea, "messages", 0},
-        *panel);
+    context.addPanel({ActionId::ShowMeasurementsDock, "measurements", tr("Measurements"), Qt::BottomDockWidgetArea},
+                     *panel);
 }
 
 void MeasureFeature::exportTable(FeatureContext& context) {

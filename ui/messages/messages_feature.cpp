@@ -61,9 +61,8 @@ void addMessages(FeatureContext& context) {
     auto* messages = new MessageModel(&context.window);
     QWidget* panel = makeMessagesPanel(
         *messages, [&context](const model::Diagnostic& message) { show(message, context.workspace, context.views); });
-    context.addPanel(
-        {ActionId::ShowMessagesDock, "messages", MessageModel::tr("Messages"), Qt::BottomDockWidgetArea, {}, 8},
-        *panel);
+    context.addPanel({ActionId::ShowMessagesDock, "messages", MessageModel::tr("Messages"), Qt::BottomDockWidgetArea},
+                     *panel);
     const auto setBoard = [messages](const LoadedBoard& board) {
         messages->setMessages(board.document, board.model->diagnostics);
     };

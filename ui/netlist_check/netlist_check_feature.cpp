@@ -12,8 +12,7 @@ NetlistCheckFeature::NetlistCheckFeature(FeatureContext& context)
     : QObject(&context.window), m_workspace(context.workspace) {
     m_findings.setParent(this);
     QWidget* panel = makePanel(context.actions);
-    context.addPanel(
-        {ActionId::ShowNetCheckDock, "netCheck", tr("Netlist check"), Qt::BottomDockWidgetArea, "messages", 0}, *panel);
+    context.addPanel({ActionId::ShowNetCheckDock, "netCheck", tr("Netlist check"), Qt::BottomDockWidgetArea}, *panel);
     context.on(ActionId::CheckNets, this, [this, panel] {
         FeatureContext::raise(*panel);
         start();

@@ -15,7 +15,7 @@ NetsFeature::NetsFeature(FeatureContext& context)
       m_nets(this) {
     m_nets.setStyles(m_styles);
     m_panel = new NetsPanel(m_nets, m_selection, m_styles, context.actions);
-    context.addPanel({ActionId::ShowNetsDock, "nets", tr("Nets"), Qt::RightDockWidgetArea, {}, 15}, *m_panel);
+    context.addPanel({ActionId::ShowNetsDock, "nets", tr("Nets"), Qt::LeftDockWidgetArea}, *m_panel);
     connectCommands(context);
     connectPanel(context);
     connectDimming(context.actions[ActionId::DimOthers]);

@@ -92,6 +92,9 @@ void NetsPanel::setUpTable() {
     }
     m_table->horizontalHeader()->moveSection(NetModel::Colour, 0);
     m_table->horizontalHeader()->moveSection(NetModel::Shown, 0);
+    // Beside the name, where a narrow panel still shows it.
+    QHeaderView& header = *m_table->horizontalHeader();
+    header.moveSection(header.visualIndex(NetModel::Length), header.visualIndex(NetModel::Name) + 1);
     m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->installEventFilter(this);
     m_table->viewport()->installEventFilter(this);
@@ -130,7 +133,8 @@ void NetsPanel::layOutControls(const ActionSet& actions) {
     groups->addWidget(m_group);
     groups->addStretch();
     groups->addWidget(m_summary);
-    auto* styles = buttonRow({&actions[ActionId::ShowAllNets], &actions[ActionId::ClearNetColours]});
+    auto* styles = new QHBoxLayout;
+    styles->addWidget(toolBar({&actions[ActionId::ShowAllNets], &actions[ActionId::ClearNetColours]}), 2);
     styles->addWidget(new QLabel(tr("Dim")));
     styles->addWidget(m_dim, 1);
     auto* column = columnIn(*this);

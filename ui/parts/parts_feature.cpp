@@ -10,9 +10,8 @@ PartsFeature::PartsFeature(FeatureContext& context)
       m_pins(this),
       m_partsPanel(new PartsPanel(m_parts, context.parts)),
       m_pinsPanel(new PinsPanel(m_pins, context.parts, context.workspace.selection())) {
-    context.addPanel({ActionId::ShowPartsDock, "parts", tr("Parts"), Qt::BottomDockWidgetArea, "messages", 0},
-                     *m_partsPanel);
-    context.addPanel({ActionId::ShowPinsDock, "pins", tr("Pins"), Qt::RightDockWidgetArea, "element", 0}, *m_pinsPanel);
+    context.addPanel({ActionId::ShowPartsDock, "parts", tr("Parts"), Qt::BottomDockWidgetArea}, *m_partsPanel);
+    context.addPanel({ActionId::ShowPinsDock, "pins", tr("Pins"), Qt::LeftDockWidgetArea}, *m_pinsPanel);
     connectFollowing(context);
     connectExports(context);
     connect(&context.workspace, &Workspace::boardOpened, this, [this](const LoadedBoard& board) {

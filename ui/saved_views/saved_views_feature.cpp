@@ -62,7 +62,7 @@ void SavedViewsFeature::addPanel(FeatureContext& context) {
     connect(table, &TableView::rowChosen, this, &SavedViewsFeature::goTo);
     const ActionSet& actions = context.actions;
     context.addPanel(
-        {ActionId::ShowSavedViewsDock, "views", tr("Saved views"), Qt::RightDockWidgetArea, "element", 0},
+        {ActionId::ShowSavedViewsDock, "views", tr("Saved views"), Qt::LeftDockWidgetArea},
         *panelOf(buttonRow({&actions[ActionId::SaveView], &actions[ActionId::SaveSelection], &remove}), table));
 }
 

@@ -37,8 +37,7 @@ SectionFeature::SectionFeature(FeatureContext& context)
               [this](const auto&) { showNames(); }),
       m_panel(new SectionPanel(m_selection, m_names, context.actions)) {
     m_line.setParent(this);
-    context.addPanel(
-        {ActionId::ShowSectionDock, "section", tr("Cross-section"), Qt::BottomDockWidgetArea, "messages", 0}, *m_panel);
+    context.addPanel({ActionId::ShowSectionDock, "section", tr("Cross-section"), Qt::BottomDockWidgetArea}, *m_panel);
     m_due.setSingleShot(true);
     m_due.setInterval(0);
     connect(&m_due, &QTimer::timeout, this, &SectionFeature::cut);

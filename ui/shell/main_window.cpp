@@ -35,7 +35,7 @@ constexpr ActionId kToolBar[] = {ActionId::OpenFile,   ActionId::Count,   Action
                                  ActionId::Explode,    ActionId::Count,   ActionId::SavePicture};
 
 /// Submenus of View, in order.
-constexpr MenuId kViewMenus[] = {MenuId::Solid, MenuId::Arrangement, MenuId::Panels,
+constexpr MenuId kViewMenus[] = {MenuId::Solid, MenuId::Arrangement, MenuId::Uses, MenuId::Panels,
                                  MenuId::Theme, MenuId::Backend,     MenuId::Keys};
 constexpr MenuId kMenus[] = {MenuId::File,  MenuId::Edit,    MenuId::View,   MenuId::Layers, MenuId::Nets,
                              MenuId::Board, MenuId::Measure, MenuId::Select, MenuId::Help};
@@ -106,14 +106,14 @@ MainWindow::MainWindow(GpuContext& context, Settings& settings, const Loader::Wo
       m_messageBar(new MessageBar),
       m_statusLine(new StatusLine(*statusBar())) {
     setObjectName(QStringLiteral("workbench"));
-    resize(1280, 800);  // before the docks take their shares of it
+    resize(1280, 800);  // before the panels take their shares of it
     setWindowTitle(QStringLiteral("Copperscope"));
     m_statusLine->showDevice(QString::fromStdString(context.device().caps().name));
     createCentre();
     addFeatures(m_features);
-    m_features.sizeDocks();
     m_keyboard = new Keyboard(*this, m_actions, *m_views);
     createToolBar();
+    m_arrangements.emplace(*this, m_settings);
     createMenus();
     connectFiles();
     connectCommands();
@@ -297,27 +297,32 @@ void MainWindow::addChoices() {
                                      {ActionId::KeysAllegro, KeyPreset::Allegro},
                                      {ActionId::KeysKLayout, KeyPreset::KLayout}},
                                     [this](KeyPreset preset) { m_keyboard->setPreset(preset); });
+    m_features.addChoice<Use>({{ActionId::UseGeneral, Use::General},
+                               {ActionId::UseStackup, Use::Stackup},
+                               {ActionId::UseNets, Use::Nets},
+                               {ActionId::UseClearance, Use::Clearance}},
+                              [this](Use use) { m_arrangements->show(use); });
+    m_features.on(ActionId::RestorePanels, [this] { m_arrangements->restoreDefault(); });
     connect(&m_workspace, &Workspace::unitChanged, this, [this](LengthUnit unit) { m_settings.choose(unit); });
     m_features.restorers.emplace_back([this] { m_workspace.setUnit(m_settings.choice<LengthUnit>()); });
 }
 
 void MainWindow::restoreSettings() {
-    m_defaultState = saveState();
     restoreGeometry(m_settings.windowGeometry());
-    restoreState(m_settings.windowState());
     std::ranges::for_each(m_features.restorers, [](const auto& restore) { restore(); });
     statusBar()->clearMessage();
 }
 
 void MainWindow::resetSettings() {
     m_settings.reset();
-    restoreState(m_defaultState);
+    m_arrangements->forget();
     std::ranges::for_each(m_features.restorers, [](const auto& restore) { restore(); });
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     m_workspace.cancelLoading();
-    m_settings.setWindow(saveGeometry(), saveState());
+    m_settings.setWindowGeometry(saveGeometry());
+    m_arrangements->save();
     event->accept();
 }
 

@@ -6,6 +6,7 @@
 #include "ui/nets/net_styles.h"
 #include "ui/parts/part_picking.h"
 #include "ui/shell/drop_target.h"
+#include "ui/shell/panel_arrangements.h"
 #include "ui/views/board_views.h"
 #include "ui/views/plan_painter.h"
 #include "ui/views/position_readout.h"
@@ -66,11 +67,11 @@ private:
     PositionReadout m_position;
     FeatureContext m_features;
     DropTarget m_dropTarget;
-    QByteArray m_defaultState;
     QStackedWidget* m_pages;  // owned by the window, as the rest
     MessageBar* m_messageBar;
     StatusLine* m_statusLine;
     Keyboard* m_keyboard = nullptr;
+    std::optional<PanelArrangements> m_arrangements;  ///< once the panels are there
 };
 
 }  // namespace ui

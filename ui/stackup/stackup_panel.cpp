@@ -33,6 +33,8 @@ StackupPanel::StackupPanel(StackupModel& model, const ActionSet& actions, QWidge
     m_table->setEditTriggers(m_table->editTriggers() | QAbstractItemView::AnyKeyPressed);
     m_table->fitColumns();
     m_table->horizontalHeader()->setStretchLastSection(true);
+    // Beside the name, where a narrow panel still shows it.
+    m_table->horizontalHeader()->moveSection(StackupModel::Thickness, StackupModel::Type);
     connect(&model, &QAbstractItemModel::modelReset, this, &StackupPanel::refresh);
     connect(&model, &QAbstractItemModel::dataChanged, this, &StackupPanel::refresh);
     connectRows();
@@ -88,7 +90,8 @@ QWidget* StackupPanel::drawingHalf(const ActionSet& actions) {
     scroll->setWidget(m_view);
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    auto* row = buttonRow({&actions[ActionId::ExaggerateCopper], &actions[ActionId::ExportStackup]});
+    auto* row = new QHBoxLayout;
+    row->addWidget(toolBar({&actions[ActionId::ExaggerateCopper], &actions[ActionId::ExportStackup]}), 2);
     m_total->setObjectName(QStringLiteral("stackupTotal"));
     m_total->setMinimumWidth(1);  // the panel is not made wider for it
     m_total->setAlignment(Qt::AlignRight | Qt::AlignVCenter);

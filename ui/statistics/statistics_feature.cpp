@@ -54,9 +54,9 @@ void addStatistics(FeatureContext& context) {
     auto* drillTable = new TableView(*drills);
     auto* plot = new HistogramView;
     QWidget* panel = panelOf(new TableView(*statistics), drillTable, *plot);
-    context.addPanel({ActionId::ShowStatisticsDock, "statistics", StatisticsModel::tr("Statistics"),
-                      Qt::BottomDockWidgetArea, "messages", 0},
-                     *panel);
+    context.addPanel(
+        {ActionId::ShowStatisticsDock, "statistics", StatisticsModel::tr("Statistics"), Qt::BottomDockWidgetArea},
+        *panel);
     const auto setBoard = [statistics, drills, plot](const LoadedBoard& board) {
         statistics->setDocument(board.document, board.copperNm2);
         drills->setDocument(board.document);

@@ -4,6 +4,7 @@
 #include <QKeySequence>
 #include <QMenu>
 #include <QWidget>
+#include <algorithm>
 
 #include "model/base/assert.h"
 #include "ui/workspace/key_presets.h"
@@ -15,7 +16,8 @@ namespace {
 using enum ActionId;
 
 bool isChoice(MenuId menu) {
-    return menu == MenuId::Arrangement || menu == MenuId::Theme || menu == MenuId::Backend || menu == MenuId::Keys;
+    constexpr MenuId kChoices[] = {MenuId::Arrangement, MenuId::Uses, MenuId::Theme, MenuId::Backend, MenuId::Keys};
+    return std::ranges::find(kChoices, menu) != std::end(kChoices);
 }
 
 }  // namespace
@@ -61,6 +63,11 @@ const ActionSpec ActionSet::kSpecs[kActionCount] = {
     {ShowSolid, MenuId::Arrangement, QT_TR_NOOP("&3D only"), "3", QT_TR_NOOP("Show the 3D view only"), kCheckable},
     {ShowSideBySide, MenuId::Arrangement, QT_TR_NOOP("&Side by side"), "4", QT_TR_NOOP("Show 2D to the left of 3D"), kCheckable},
     {ShowStacked, MenuId::Arrangement, QT_TR_NOOP("One &above the other"), "5", QT_TR_NOOP("Show 2D above 3D"), kCheckable},
+    {UseGeneral, MenuId::Uses, QT_TR_NOOP("&General"), "Ctrl+F9", QT_TR_NOOP("Arrange panels for a look around: layers, element"), kCheckable},
+    {UseStackup, MenuId::Uses, QT_TR_NOOP("&Stackup"), "Ctrl+F10", QT_TR_NOOP("Arrange panels for work on the stackup: stackup, layers"), kCheckable},
+    {UseNets, MenuId::Uses, QT_TR_NOOP("&Nets"), "Ctrl+F11", QT_TR_NOOP("Arrange panels for work on nets: nets, layers, element, pins"), kCheckable},
+    {UseClearance, MenuId::Uses, QT_TR_NOOP("&Clearance"), "Ctrl+F12", QT_TR_NOOP("Arrange panels for clearances: clearances, measurements, layers"), kCheckable},
+    {RestorePanels, MenuId::Uses, QT_TR_NOOP("&Restore default"), "Ctrl+Shift+F9", QT_TR_NOOP("Arrange the panels of this use as they were at first"), kNewGroup},
     {ShowLayersDock, MenuId::Panels, QT_TR_NOOP("&Layers"), "Ctrl+1", QT_TR_NOOP("Show or hide the layers panel"), kCheckable},
     {ShowNetsDock, MenuId::Panels, QT_TR_NOOP("&Nets"), "Ctrl+5", QT_TR_NOOP("Show or hide the nets"), kCheckable},
     {ShowElementDock, MenuId::Panels, QT_TR_NOOP("Ele&ment"), "Ctrl+4", QT_TR_NOOP("Show or hide the properties of the selected element"), kCheckable},
@@ -162,10 +169,10 @@ const ActionSpec ActionSet::kSpecs[kActionCount] = {
 // clang-format on
 
 const char* const ActionSet::kMenuTitles[kMenuCount] = {
-    QT_TR_NOOP("&File"),        QT_TR_NOOP("&Edit"),   QT_TR_NOOP("&View"),  QT_TR_NOOP("Se&ction plane and scale"),
-    QT_TR_NOOP("A&rrangement"), QT_TR_NOOP("Pa&nels"), QT_TR_NOOP("The&me"), QT_TR_NOOP("Bac&k end"),
-    QT_TR_NOOP("&Keys"),        QT_TR_NOOP("&Layers"), QT_TR_NOOP("&Nets"),  QT_TR_NOOP("&Board"),
-    QT_TR_NOOP("&Measure"),     QT_TR_NOOP("&Select"), QT_TR_NOOP("&Help")};
+    QT_TR_NOOP("&File"),      QT_TR_NOOP("&Edit"),        QT_TR_NOOP("&View"),   QT_TR_NOOP("Se&ction plane and scale"),
+    QT_TR_NOOP("2D and &3D"), QT_TR_NOOP("A&rrangement"), QT_TR_NOOP("Pa&nels"), QT_TR_NOOP("The&me"),
+    QT_TR_NOOP("Bac&k end"),  QT_TR_NOOP("&Keys"),        QT_TR_NOOP("&Layers"), QT_TR_NOOP("&Nets"),
+    QT_TR_NOOP("&Board"),     QT_TR_NOOP("&Measure"),     QT_TR_NOOP("&Select"), QT_TR_NOOP("&Help")};
 
 QString menuTitle(MenuId menu) {
     return ActionSet::tr(ActionSet::kMenuTitles[static_cast<std::size_t>(menu)]);

@@ -23,6 +23,7 @@ enum class ActionId {
     ExaggerateCopperHeight, ExaggerateDielectricHeight, ShowMilledAway, SectionPlane, RotateSectionPlane, MoveSectionPlaneOn,
     MoveSectionPlaneBack,
     ShowFlat, ShowSolid, ShowSideBySide, ShowStacked,
+    UseGeneral, UseStackup, UseNets, UseClearance, RestorePanels,
     ShowLayersDock, ShowNetsDock, ShowElementDock, ShowNetCheckDock, ShowStackupDock, ShowStatisticsDock,
     ShowSavedViewsDock, ShowClearanceDock, ShowMeasurementsDock, ShowSectionDock, ShowPartsDock, ShowPinsDock,
     ShowMessagesDock, ShowToolBar,
@@ -49,13 +50,14 @@ enum class ActionId {
 inline constexpr std::size_t kActionCount = static_cast<std::size_t>(ActionId::Count);
 
 /// Where a command is found. Solid (what the 3D view draws otherwise) and Panels are submenus of View; so are
-/// Arrangement, Theme, Backend and Keys, with one choice each.
+/// Arrangement (of the views), Uses (of the window), Theme, Backend and Keys, with one choice each.
 enum class MenuId {
     File,
     Edit,
     View,
     Solid,
     Arrangement,
+    Uses,
     Panels,
     Theme,
     Backend,

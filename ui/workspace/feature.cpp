@@ -6,7 +6,7 @@
 
 namespace ui {
 
-void FeatureContext::addPanel(const DockSpec& spec, QWidget& panel) {
+void FeatureContext::addPanel(const DockSpec& spec, QWidget& panel) const {
     auto* dock = new QDockWidget(spec.title, &window);
     dock->setObjectName(QLatin1String(spec.name));
     dock->setWidget(&panel);
@@ -19,28 +19,6 @@ void FeatureContext::addPanel(const DockSpec& spec, QWidget& panel) {
     });
     QObject::connect(dock, &QDockWidget::visibilityChanged, &toggle, &QAction::setChecked);
     window.addDockWidget(spec.area, dock);
-    if (spec.behind != nullptr) {
-        auto* front = window.findChild<QDockWidget*>(QLatin1String(spec.behind));
-        window.tabifyDockWidget(front, dock);
-        front->raise();
-    }
-    docks.emplace_back(dock, spec.lines);
-}
-
-void FeatureContext::sizeDocks() const {
-    window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-    // All at once, or one takes from another what it was given.
-    for (const Qt::Orientation way : {Qt::Horizontal, Qt::Vertical}) {
-        QList<QDockWidget*> sized;
-        QList<int> sizes;
-        for (const auto& [dock, lines] : docks) {
-            if (lines > 0 && (window.dockWidgetArea(dock) == Qt::BottomDockWidgetArea) == (way == Qt::Vertical)) {
-                sized += dock;
-                sizes += window.fontMetrics().height() * lines;
-            }
-        }
-        window.resizeDocks(sized, sizes, way);
-    }
 }
 
 void FeatureContext::raise(QWidget& panel) {

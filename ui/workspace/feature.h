@@ -7,8 +7,6 @@
 #include "ui/workspace/settings.h"
 #include "ui/workspace/workspace.h"
 
-class QDockWidget;
-
 namespace ui {
 
 class BoardViews;
@@ -24,9 +22,7 @@ struct DockSpec {
     ActionId toggle;
     const char* name;  ///< QMainWindow::saveState finds it by this
     QString title;
-    Qt::DockWidgetArea area;
-    const char* behind;  ///< shares the area of this one, which stays in front; null: an area of its own
-    int lines;  ///< width at the sides, height at the bottom, in heights of a line of text; 0: of the one in front
+    Qt::DockWidgetArea area;  ///< where it opens, unless the use of the window has another place for it
 };
 
 /// What the features of a window share. A feature (layers, clearances, …) is made once by its row in
@@ -50,7 +46,6 @@ struct FeatureContext {
     std::vector<std::function<bool()>> escapes{};
     /// Put what the settings hold into effect, at the start and when they are reset.
     std::vector<std::function<void()>> restorers{};
-    std::vector<std::pair<QDockWidget*, int>> docks{};  ///< with DockSpec::lines
 
     /// `slot` is done when the user triggers the action, as long as `receiver` lives.
     template <class Receiver, class Slot>
@@ -77,10 +72,9 @@ struct FeatureContext {
         restorers.emplace_back([this, choose] { choose(settings.choice<Value>()); });
     }
 
-    /// Takes the panel over. Its action brings it to the front, and hides it when it is there.
-    void addPanel(const DockSpec& spec, QWidget& panel);
-    /// Gives the docks their sizes, once all are there.
-    void sizeDocks() const;
+    /// Takes the panel over. Its action brings it to the front, and hides it when it is there. Whether it is shown at
+    /// first is a matter of the use of the window (ui/shell/panel_arrangements.h).
+    void addPanel(const DockSpec& spec, QWidget& panel) const;
     /// Brings the panel to the front.
     static void raise(QWidget& panel);
 

@@ -17,6 +17,8 @@ namespace ui {
 enum class Theme { System, Dark, Light };
 /// Which of the two views are shown: 2D, 3D, or both.
 enum class Arrangement { SideBySide, Stacked, Flat, Solid };
+/// What the window is used for: each has panels of its own.
+enum class Use { General, Stackup, Nets, Clearance };
 
 /// What is kept between runs: window place, panels, theme, back end, recent boards. Stored where the system keeps
 /// settings, or in one file for tests.
@@ -26,14 +28,13 @@ public:
     explicit Settings(const QString& iniFile) : m_store(iniFile, QSettings::IniFormat) {}
 
     [[nodiscard]] QByteArray windowGeometry() const { return m_store.value("window/geometry").toByteArray(); }
-    [[nodiscard]] QByteArray windowState() const { return m_store.value("window/state").toByteArray(); }
-    void setWindow(const QByteArray& geometry, const QByteArray& state) {
-        m_store.setValue("window/geometry", geometry);
-        m_store.setValue("window/state", state);
-    }
+    void setWindowGeometry(const QByteArray& geometry) { m_store.setValue("window/geometry", geometry); }
+    /// Where the panels of a use are.
+    [[nodiscard]] QByteArray windowState(Use use) const { return m_store.value(stateKey(use)).toByteArray(); }
+    void setWindowState(Use use, const QByteArray& state) { m_store.setValue(stateKey(use), state); }
 
-    /// What the user chose of Theme, Arrangement, LengthUnit, KeyPreset, render::Backend or render::Palette; the first
-    /// value where nothing was chosen, or by another version.
+    /// What the user chose of Theme, Arrangement, Use, LengthUnit, KeyPreset, render::Backend or render::Palette; the
+    /// first value where nothing was chosen, or by another version.
     template <class Value>
     [[nodiscard]] Value choice() const {
         return static_cast<Value>(indexIn(choicesOf(Value{})));
@@ -61,6 +62,7 @@ private:
     };
     static Choices choicesOf(Theme) { return {"view/theme", {"system", "dark", "light"}}; }
     static Choices choicesOf(Arrangement) { return {"view/arrangement", {"side by side", "stacked", "2d", "3d"}}; }
+    static Choices choicesOf(Use) { return {"window/use", {"general", "stackup", "nets", "clearance"}}; }
     static Choices choicesOf(LengthUnit) { return {"view/unit", {"mm", "mil", "inch"}}; }
     static Choices choicesOf(render::Backend) {
         return {"view/backend", {"auto", "mesh", "pull", "impostor", "raster"}};
@@ -68,6 +70,9 @@ private:
     static Choices choicesOf(render::Palette) { return {"view/palette", {"standard", "colour-blind safe"}}; }
     static Choices choicesOf(KeyPreset) {
         return {"view/keys", {"copperscope", "kicad", "altium", "allegro", "klayout"}};
+    }
+    static QString stateKey(Use use) {
+        return QStringLiteral("window/panels ") + choicesOf(use).words[static_cast<qsizetype>(use)];
     }
     [[nodiscard]] qsizetype indexIn(const Choices& choices) const {
         return std::max<qsizetype>(choices.words.indexOf(m_store.value(choices.key).toString()), 0);

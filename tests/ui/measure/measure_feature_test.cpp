@@ -2,7 +2,6 @@
 #include "ui/measure/measure_feature.h"
 
 #include <QClipboard>
-#include <QDockWidget>
 #include <QLineEdit>
 #include <QMouseEvent>
 #include <QStatusBar>
@@ -30,7 +29,7 @@ private slots:
         m_job = fs::path(m_fixture->folder().toStdString()) / "sample.tgz";
         fs::copy_file(locations::kSample, m_job);
         QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
-        window().findChild<QDockWidget*>("measurements")->raise();
+        window().showPanel("measurements");
         findPads();
         // Both pads in the middle, the copper of their layer alone.
         window().layers().showOnly({board().layer(board().elements.layer[m_a.row()]).name});

@@ -20,6 +20,8 @@ private slots:
     void init() {
         m_fixture = std::make_unique<WindowFixture>();
         QVERIFY(m_fixture->openAndWait(locations::kTestData + QStringLiteral("/odb/everything")));
+        window().showPanel("messages");
+        QTest::qWait(50);  // the views are smaller now
     }
     void cleanup() { m_fixture.reset(); }
 

@@ -1,6 +1,5 @@
 // Views are kept, renamed, forgotten and looked at again; Back and Forward walk through where one has been.
 
-#include <QDockWidget>
 #include <QLineEdit>
 #include <QtTest>
 
@@ -21,7 +20,7 @@ private slots:
         m_fixture = std::make_unique<WindowFixture>();
         m_job = m_fixture->copyOfJob("everything");
         QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
-        window().findChild<QDockWidget*>("views")->raise();
+        window().showPanel("views");
     }
     void cleanup() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
 
@@ -150,7 +149,7 @@ private slots:
         QCOMPARE(names(), QStringList{"Selection 1"});
         m_fixture->restart();
         QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
-        window().findChild<QDockWidget*>("views")->raise();
+        window().showPanel("views");
         QVERIFY(window().selection().selected().empty());
         const render::CameraPose before = solid().camera().pose();
         choose(0);
@@ -169,7 +168,7 @@ private slots:
         QVERIFY(model::session::saveViews(m_job, *window().document(), views).ok());
         m_fixture->restart();
         QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
-        window().findChild<QDockWidget*>("views")->raise();
+        window().showPanel("views");
         choose(0);
         QCOMPARE(window().selection().selected().size(), std::size_t{1});
         QTRY_VERIFY(window().messageBar().isVisible());

@@ -70,7 +70,10 @@ class MainWindowTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void init() { m_fixture = std::make_unique<WindowFixture>(workWithSlowBoards); }
+    void init() {
+        m_fixture = std::make_unique<WindowFixture>(workWithSlowBoards);
+        window().actions()[ActionId::ShowViewCube].trigger();  // it is on the screen and not in pictures
+    }
     void cleanup() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
 
     void boardIsOpenedListedAndSeen() {
@@ -293,8 +296,8 @@ private slots:
     void settingsPersistBetweenTwoWindows() {
         QVERIFY(m_fixture->openAndWait(kSample));
         window().resize(780, 640);  // fits on the screen of the offscreen platform, 800 pixels wide
-        window().actions()[ActionId::ShowStatisticsDock].trigger();  // from behind the messages
         window().actions()[ActionId::ShowStatisticsDock].trigger();
+        window().actions()[ActionId::ShowLayersDock].trigger();
         window().actions()[ActionId::ThemeDark].trigger();
         window().actions()[ActionId::BackendImpostor].trigger();
         const QSize size = window().size();
@@ -302,15 +305,16 @@ private slots:
 
         TestWindow second(m_fixture->context(), m_fixture->settings());
         QCOMPARE(second.size(), size);
-        QVERIFY(second.findChild<QDockWidget*>("statistics")->isHidden());
-        QVERIFY(!second.findChild<QDockWidget*>("layers")->isHidden());
+        QVERIFY(!second.findChild<QDockWidget*>("statistics")->isHidden());
+        QVERIFY(second.findChild<QDockWidget*>("layers")->isHidden());
         QVERIFY(second.actions()[ActionId::ThemeDark].isChecked());
         QVERIFY(second.actions()[ActionId::BackendImpostor].isChecked());
         QVERIFY(!second.actions()[ActionId::BackendPull].isChecked());
         QCOMPARE(m_fixture->settings().recentBoards(), QStringList(QFileInfo(kSample).absoluteFilePath()));
 
         second.resetSettings();
-        QVERIFY(!second.findChild<QDockWidget*>("statistics")->isHidden());
+        QVERIFY(second.findChild<QDockWidget*>("statistics")->isHidden());
+        QVERIFY(!second.findChild<QDockWidget*>("layers")->isHidden());
         QVERIFY(second.actions()[ActionId::ThemeSystem].isChecked());
         QVERIFY(m_fixture->settings().recentBoards().isEmpty());
     }

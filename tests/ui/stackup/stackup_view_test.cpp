@@ -4,7 +4,6 @@
 #include "ui/stackup/stackup_view.h"
 
 #include <QDialog>
-#include <QDockWidget>
 #include <QStatusBar>
 #include <QtTest>
 
@@ -22,7 +21,7 @@ class StackupViewTest : public QObject {
 private slots:
     void init() {
         m_fixture = std::make_unique<WindowFixture>();
-        window().findChild<QDockWidget*>("stack")->raise();
+        window().showPanel("stack");
         QVERIFY(m_fixture->openAndWait(locations::kTestData + QStringLiteral("/odb/drills")));
     }
     void cleanup() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }

@@ -1,7 +1,6 @@
 // Thicknesses are edited in the window, undone, redone, and kept in the session file beside the job.
 
 #include <QDirIterator>
-#include <QDockWidget>
 #include <QLineEdit>
 #include <QToolButton>
 #include <QtTest>
@@ -40,7 +39,7 @@ private slots:
         m_fixture = std::make_unique<WindowFixture>();
         m_job = m_fixture->copyOfJob("everything");
         m_session = m_job.string() + ".copperscope.json";
-        window().findChild<QDockWidget*>("stack")->raise();
+        window().showPanel("stack");
         QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
         window().actions()[ActionId::ViewIso].trigger();
     }

@@ -3,7 +3,6 @@
 #include "ui/statistics/histogram_view.h"
 
 #include <QComboBox>
-#include <QDockWidget>
 #include <QTabWidget>
 #include <QtTest>
 
@@ -18,7 +17,7 @@ class HistogramViewTest : public QObject {
 private slots:
     void init() {
         m_fixture = std::make_unique<WindowFixture>();
-        window().findChild<QDockWidget*>("statistics")->raise();
+        window().showPanel("statistics");
         QVERIFY(m_fixture->openAndWait(locations::kSample));
     }
     void cleanup() { m_fixture.reset(); }

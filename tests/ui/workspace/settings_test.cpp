@@ -27,7 +27,9 @@ private slots:
             settings.choose(render::Backend::Pull);
             settings.choose(ui::Arrangement::Stacked);
             settings.choose(ui::KeyPreset::Allegro);
-            settings.setWindow("geometry", "state");
+            settings.setWindowGeometry("geometry");
+            settings.setWindowState(ui::Use::Nets, "state");
+            settings.choose(ui::Use::Clearance);
             settings.setLastFolder("/boards");
         }
         const Settings settings(iniFile());
@@ -36,7 +38,9 @@ private slots:
         QCOMPARE(settings.choice<ui::Arrangement>(), ui::Arrangement::Stacked);
         QCOMPARE(settings.choice<ui::KeyPreset>(), ui::KeyPreset::Allegro);
         QCOMPARE(settings.windowGeometry(), QByteArray("geometry"));
-        QCOMPARE(settings.windowState(), QByteArray("state"));
+        QCOMPARE(settings.windowState(ui::Use::Nets), QByteArray("state"));
+        QVERIFY(settings.windowState(ui::Use::General).isEmpty());
+        QCOMPARE(settings.choice<ui::Use>(), ui::Use::Clearance);
         QCOMPARE(settings.lastFolder(), "/boards");
     }
 
