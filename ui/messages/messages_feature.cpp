@@ -2,12 +2,14 @@
 
 #include <QComboBox>
 #include <QLabel>
+#include <QStatusBar>
 
 #include "render/modelling/board_frame.h"
 #include "render/scene/explosion.h"
 #include "ui/common/panel_parts.h"
 #include "ui/common/sorted_rows.h"
 #include "ui/common/table_view.h"
+#include "ui/messages/message_badge.h"
 #include "ui/messages/message_model.h"
 #include "ui/views/board_views.h"
 
@@ -63,6 +65,8 @@ void addMessages(FeatureContext& context) {
         *messages, [&context](const model::Diagnostic& message) { show(message, context.workspace, context.views); });
     context.addPanel({ActionId::ShowMessagesDock, "messages", MessageModel::tr("Messages"), Qt::BottomDockWidgetArea},
                      *panel);
+    context.window.statusBar()->addPermanentWidget(
+        new MessageBadge(*messages, context.actions[ActionId::ShowMessagesDock]));
     const auto setBoard = [messages](const LoadedBoard& board) {
         messages->setMessages(board.document, board.model->diagnostics);
     };

@@ -6,8 +6,8 @@ namespace ui {
 
 class MessageModel;
 
-/// The messages panel: what was skipped, repaired or assumed while the board was opened. A message that is chosen is
-/// shown: its element is selected, its layer visible.
+/// The messages panel: what was skipped, repaired or assumed while the board was opened, and the badge that counts it.
+/// A message that is chosen is shown: its element is selected, its layer visible.
 void addMessages(FeatureContext& context);
 
 /// Messages with file and line, filtered by words and by severity. A click on one, or Enter, chooses it.
