@@ -24,6 +24,7 @@
 #include "ui/shell/recent_boards.h"
 #include "ui/shell/status_line.h"
 #include "ui/theme/theme.h"
+#include "ui/views/height_controls.h"
 
 namespace ui {
 
@@ -158,6 +159,9 @@ void MainWindow::createToolBar() {
         }
         m_actions[id].setIcon(iconOf(id));
         bar->addAction(&m_actions[id]);
+        if (id == ActionId::Explode) {
+            bar->addWidget(new HeightControls(*m_views, m_workspace, m_actions));
+        }
     }
     m_actions.adopt(ActionId::ShowToolBar, *bar->toggleViewAction());
 }

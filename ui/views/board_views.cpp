@@ -34,7 +34,7 @@ BoardViews::BoardViews(GpuContext& context, QWidget* parent)
     m_explosion.setDuration(kExplodeMs);
     m_explosion.setEasingCurve(QEasingCurve::OutCubic);
     connect(&m_explosion, &QVariantAnimation::valueChanged, this,
-            [this](const QVariant& value) { solid().setExplode(value.toFloat()); });
+            [this](const QVariant& value) { applyExplode(value.toFloat()); });
     m_active = m_views[1];
     setArrangement(m_arrangement);
 }
@@ -226,12 +226,21 @@ void BoardViews::paintEvent(QPaintEvent*) {
     }
 }
 
-void BoardViews::explode(bool isOn) {
-    const QVariant now = m_explosion.currentValue();
+void BoardViews::explode(float by) {
     m_explosion.stop();
-    m_explosion.setStartValue(now.isValid() ? now.toFloat() : 0.0F);
-    m_explosion.setEndValue(isOn ? 1.0F : 0.0F);
+    m_explosion.setStartValue(m_exploded);
+    m_explosion.setEndValue(by);
     m_explosion.start();
+}
+
+void BoardViews::setExplode(float by) {
+    m_explosion.stop();
+    applyExplode(by);
+}
+
+void BoardViews::applyExplode(float by) {
+    m_exploded = by;
+    solid().setExplode(by);
 }
 
 void BoardViews::onTimed(const render::FrameStats& stats) {

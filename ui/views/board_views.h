@@ -46,10 +46,14 @@ public:
     }
     void setArrangement(Arrangement arrangement);
     [[nodiscard]] Arrangement arrangement() const { return m_arrangement; }
-    /// Spreads the layers of the 3D view apart, or folds them back.
-    void explode(bool isOn);
+    /// Spreads the layers of the 3D view apart by so much (render::ViewSettings::explode), with a short animation, or
+    /// at once.
+    void explode(float by);
+    void setExplode(float by);
+    [[nodiscard]] float exploded() const { return m_exploded; }
     /// Thicknesses as the 3D view draws them.
     void setZScale(const render::ZScale& scale);
+    [[nodiscard]] const render::ZScale& zScale() const { return m_zScale; }
     /// Cuts the board of the 3D view open; null: it is whole.
     void setCut(std::shared_ptr<const render::SectionCut> cut) { solid().setCut(std::move(cut)); }
     /// See BoardView, all three.
@@ -88,6 +92,7 @@ private:
     void onPointed(BoardView& view);
     void makeScene();
     void applyHeights();
+    void applyExplode(float by);
     void applyStates();
     void applyStyles();
     void onTimed(const render::FrameStats& stats);
@@ -106,6 +111,7 @@ private:
     std::vector<model::LayerId> m_contrastLayers;  ///< in both views
     render::ZScale m_zScale;
     QVariantAnimation m_explosion;
+    float m_exploded = 0.0F;
     Arrangement m_arrangement = Arrangement::SideBySide;
     bool m_isUntried = false;  ///< the device was renewed and has not finished a frame since
     QSplitter* m_splitter = nullptr;

@@ -21,10 +21,6 @@ namespace ui {
 
 namespace {
 
-/// How many times as thick layers are drawn when they are to be seen.
-constexpr float kCopperScale = 10.0F;
-constexpr float kDielectricScale = 5.0F;
-
 constexpr int kLargeWidth = 3840;  ///< proposed for pictures of any size
 
 void connectBoard(FeatureContext& context) {
@@ -145,13 +141,6 @@ void connectAppearance(FeatureContext& context) {
         setPalette(isOn ? render::Palette::ColourBlindSafe : render::Palette::Standard);
     });
     context.restorers.emplace_back([&context, setPalette] { setPalette(context.settings.choice<render::Palette>()); });
-    context.on(ActionId::Explode, [&views](bool isOn) { views.explode(isOn); });
-    const auto setScale = [&views, &actions = context.actions] {
-        views.setZScale({actions[ActionId::ExaggerateCopperHeight].isChecked() ? kCopperScale : 1.0F,
-                         actions[ActionId::ExaggerateDielectricHeight].isChecked() ? kDielectricScale : 1.0F});
-    };
-    context.on(ActionId::ExaggerateCopperHeight, setScale);
-    context.on(ActionId::ExaggerateDielectricHeight, setScale);
 }
 
 void requestPicture(FeatureContext& context, int width) {

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <QWidget>
+
+#include "ui/workspace/actions.h"
+#include "ui/workspace/workspace.h"
+
+class QPainter;
+class QSlider;
+
+namespace ui {
+
+class BoardViews;
+
+/// How the 3D view draws heights otherwise than they are: two sliders for the tool bar, how far layers are spread apart
+/// and how many times as thick they are drawn, together with the commands for the same (ActionId::Explode and the
+/// scales of copper and dielectric, which multiply). A double click on a slider resets it, another board resets all.
+/// What is not as it is on the board is written into a corner of the view, and of its pictures. Nothing of it is
+/// undone.
+class HeightControls : public QWidget {
+    Q_OBJECT
+
+public:
+    HeightControls(BoardViews& views, const Workspace& workspace, const ActionSet& actions, QWidget* parent = nullptr);
+
+    /// What the view is marked with; empty while heights are as they are.
+    [[nodiscard]] QString text() const;
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    [[nodiscard]] QSlider* addSlider(const char* name, int least, int most, const QString& tip);
+    void onExplode(bool isOn);
+    void onSpread(int value);
+    void applyScale();
+    void onBoard(const LoadedBoard& board);
+    void paint(QPainter& painter) const;
+
+    BoardViews& m_views;
+    const ActionSet& m_actions;
+    QSlider* m_spread;
+    QSlider* m_scale;
+    std::filesystem::path m_path;  ///< of the board that the heights are of, with its step
+    std::string m_step;
+};
+
+}  // namespace ui
