@@ -115,7 +115,7 @@ private slots:
         window().layers().restoreDefaults();
         m_fixture->key(Qt::Key_6, Qt::ControlModifier);
         QTRY_VERIFY(!stackupView().visibleRegion().isEmpty());
-        shoot("stack");
+        shoot("stackup");
         const std::vector<std::size_t> rows = rowsWithLayers();
         const QImage before[] = {picture(flat()), picture(solid())};
         clickBand(rows[3], Qt::AltModifier);
@@ -151,7 +151,7 @@ private slots:
         QVERIFY(assumed != stack.end());
         const model::LayerId layer = assumed->layer;
         const std::vector<render::ZRange> before = solid().drawnHeights();
-        window().showPanel("stack");
+        window().showPanel("stackup");
         type(static_cast<int>(assumed - stack.begin()), "0.3 mm");
         QCOMPARE(board().layer(layer).thickness, 300'000);
         const render::ZRange after = solid().drawnHeights()[layer.row()];

@@ -91,6 +91,17 @@ void LayersPanel::fitColumns() {
     m_table->setColumnWidth(LayerModel::Type, m_typeWidth);
     m_table->setColumnWidth(LayerModel::Opacity, letters.horizontalAdvance(" " + tr("Opacity") + " "));
     showTypesIfThereIsRoom();
+    widenHeadings();
+}
+
+/// A heading has no opacity and no solo: it takes their room. The table moves what is wide along with its row.
+void LayersPanel::widenHeadings() {
+    m_table->clearSpans();
+    for (int row = 0; row < m_rows->rowCount(); ++row) {
+        if (m_rows->isHeading(row)) {
+            m_table->setSpan(row, LayerModel::Name, 1, LayerModel::Solo - LayerModel::Name + 1);
+        }
+    }
 }
 
 void LayersPanel::showTypesIfThereIsRoom() {

@@ -44,6 +44,7 @@ protected:
 private:
     void setUpTable();
     void fitColumns();
+    void widenHeadings();
     void showTypesIfThereIsRoom();
     void makeCurrent(model::LayerId layer);
     [[nodiscard]] bool handleKey(int key);

@@ -25,10 +25,10 @@ struct Plan {
 
 Plan planOf(Use use) {
     switch (use) {
-        case Use::Stackup: return {{"stack", "layers"}};
+        case Use::Stackup: return {{"stackup", "layers"}};
         case Use::Nets: return {{"nets", "layers"}, {"element", "pins"}};
         case Use::Clearance: return {{"clearances", "measurements", "layers"}};
-        default: return {{"layers", "stack", "nets"}, {"element", "pins", "views"}};
+        default: return {{"layers", "stackup", "nets"}, {"element", "pins", "views"}};
     }
 }
 

@@ -39,7 +39,7 @@ HeightControls::HeightControls(BoardViews& views, const Workspace& workspace, co
                          tr("How far the layers are spread apart in 3D; double-click to put them together"));
     row->addWidget(new QLabel(tr("Height")));
     m_scale = addSlider("heightScale", 1, kMostScale,
-                        tr("How many times as thick layers are drawn in 3D; double-click for their true thickness"));
+                        tr("Vertical scale of all layers in 3D; double-click for their true thickness"));
     connect(m_spread, &QSlider::valueChanged, this, &HeightControls::onSpread);
     connect(m_scale, &QSlider::valueChanged, this, &HeightControls::applyScale);
     connect(&actions[ActionId::Explode], &QAction::triggered, this, &HeightControls::onExplode);

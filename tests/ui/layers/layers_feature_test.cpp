@@ -65,6 +65,26 @@ private slots:
         QVERIFY(bottom > window().layersPanel().currentLayer());
     }
 
+    void headingsTakeTheWholeRowHoweverGroupsAreFolded() {
+        const ui::TableView& table = window().table("layers");
+        const auto& rows = static_cast<const ui::GroupedLayers&>(*table.model());
+        const auto areWide = [&] {
+            for (int row = 0; row < rows.rowCount(); ++row) {
+                if ((table.columnSpan(row, ui::LayerModel::Name) > 1) != rows.isHeading(row)) {
+                    return false;
+                }
+            }
+            return true;
+        };
+        QVERIFY(areWide() && rows.isHeading(0));
+        QTest::mouseClick(table.viewport(), Qt::LeftButton, {},
+                          table.visualRect(rows.index(0, ui::LayerModel::Name)).center());
+        QVERIFY(rows.isFolded(rows.groupAt(0)) && areWide());
+        QTest::mouseClick(table.viewport(), Qt::LeftButton, {},
+                          table.visualRect(rows.index(0, ui::LayerModel::Name)).center());
+        QVERIFY(!rows.isFolded(rows.groupAt(0)) && areWide());
+    }
+
 private:
     TestWindow& window() { return m_fixture->window(); }
     ui::LayerSets& sets() { return window().find<ui::LayerSets>(); }

@@ -327,7 +327,7 @@ private slots:
         m_fixture->key(Qt::Key_1, Qt::ControlModifier);
         QVERIFY(!layers->isHidden());
         m_fixture->key(Qt::Key_6, Qt::ControlModifier);  // from behind
-        auto* stack = window().findChild<QDockWidget*>("stack");
+        auto* stack = window().findChild<QDockWidget*>("stackup");
         QTRY_VERIFY(!stack->visibleRegion().isEmpty());
         QTRY_VERIFY(!window().actions()[ActionId::ShowLayersDock].isChecked());
         m_fixture->key(Qt::Key_6, Qt::ControlModifier);

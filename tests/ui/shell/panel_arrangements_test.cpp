@@ -47,7 +47,7 @@ private slots:
     void everyUseHasItsPanelsInFront() {
         QVERIFY(isInFront("layers") && isInFront("element"));
         window().actions()[ActionId::UseStackup].trigger();
-        QTRY_VERIFY(isInFront("stack") && !isInFront("element"));
+        QTRY_VERIFY(isInFront("stackup") && !isInFront("element"));
         window().actions()[ActionId::UseNets].trigger();
         QTRY_VERIFY(isInFront("nets") && isInFront("element"));
         window().actions()[ActionId::UseClearance].trigger();

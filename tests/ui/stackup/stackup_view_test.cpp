@@ -21,7 +21,7 @@ class StackupViewTest : public QObject {
 private slots:
     void init() {
         m_fixture = std::make_unique<WindowFixture>();
-        window().showPanel("stack");
+        window().showPanel("stackup");
         QVERIFY(m_fixture->openAndWait(locations::kTestData + QStringLiteral("/odb/drills")));
     }
     void cleanup() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }

@@ -39,7 +39,7 @@ private slots:
         m_fixture = std::make_unique<WindowFixture>();
         m_job = m_fixture->copyOfJob("everything");
         m_session = m_job.string() + ".copperscope.json";
-        window().showPanel("stack");
+        window().showPanel("stackup");
         QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
         window().actions()[ActionId::ViewIso].trigger();
     }
