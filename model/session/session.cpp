@@ -30,6 +30,7 @@ constexpr const char* kDeskKey = "desk";
 constexpr const char* kMeasurementsKey = "measurements";
 constexpr const char* kSectionsKey = "sections";
 constexpr const char* kLayerSetsKey = "layer_sets";
+constexpr const char* kBoardColoursKey = "board_colours";
 /// No session is this large; something else is.
 constexpr std::uintmax_t kMostBytes = 16 << 20;
 
@@ -255,6 +256,12 @@ LoadedSession loadSession(const fs::path& board, const Document& document) {
             readList(value, "section", sectionFrom, out.session.sections, out.ignored);
         } else if (key == kLayerSetsKey) {
             readList(value, "layer set", layerSetFrom, out.session.layerSets, out.ignored);
+        } else if (key == kBoardColoursKey) {
+            if (const auto chosen = tryRead(value, boardColoursFrom)) {
+                out.session.boardColours = *chosen;
+            } else {
+                out.ignored.push_back(std::string(kBoardColoursKey) + ", which are no colours of a board");
+            }
         } else if (key != kVersionKey && key != kJobKey) {
             out.ignored.push_back("\"" + key + "\" is not known");
         }
@@ -297,6 +304,10 @@ base::Status saveSections(const fs::path& board, const Document& document, const
 
 base::Status saveLayerSets(const fs::path& board, const Document& document, const std::vector<LayerSet>& sets) {
     return saveList(board, document, kLayerSetsKey, sets);
+}
+
+base::Status saveBoardColours(const fs::path& board, const Document& document, const BoardColourChoice& chosen) {
+    return savePart(board, document, kBoardColoursKey, chosen == BoardColourChoice{} ? Json() : toJson(chosen));
 }
 
 std::shared_ptr<const Document> applyThicknesses(std::shared_ptr<const Document> document,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model/base/result.h"
+#include "model/board/board_colours.h"
 #include "model/board/document.h"
 #include "model/measure/measurement.h"
 #include "model/session/saved_nets.h"
@@ -24,6 +25,7 @@
 ///      "nets": [{"name": "GND", "step": "pcb", "colour": "#e69f00", "hidden": true}],
 ///      "desk": {"step": "pcb", "flat": {…}, "solid": {…}, "unit": "mm",
 ///               "layers": [{"name": "TOP", "visible": true, "opacity_percent": 80, "colour": "#ff8000"}]},
+///      "board_colours": {"solder_mask": "blue", "silkscreen": "white", "finish": "gold"},
 ///      "layer_sets": [{"name": "Power", "layers": ["GND", "VCC"]}],
 ///      "measurements": [see Measurement], "sections": [see SavedSection]}
 namespace model::session {
@@ -97,6 +99,7 @@ struct Session {
     std::vector<Measurement> measurements{};
     std::vector<SavedSection> sections{};
     std::vector<LayerSet> layerSets{};
+    BoardColourChoice boardColours{};
     bool operator==(const Session&) const = default;
 };
 
@@ -131,6 +134,8 @@ struct LoadedSession {
                                         const std::vector<SavedSection>& sections);
 [[nodiscard]] base::Status saveLayerSets(const std::filesystem::path& board, const Document& document,
                                          const std::vector<LayerSet>& sets);
+[[nodiscard]] base::Status saveBoardColours(const std::filesystem::path& board, const Document& document,
+                                            const BoardColourChoice& chosen);
 
 /// The document with these thicknesses in it.
 [[nodiscard]] std::shared_ptr<const Document> applyThicknesses(std::shared_ptr<const Document> document,

@@ -179,6 +179,33 @@ Json toJson(const SavedSection& section) {
     return {{"name", section.name}, {"step", section.step}, {"line_nm", lineJson(section.line)}};
 }
 
+BoardColourChoice boardColoursFrom(const Json& json) {
+    require(json.is_object());
+    const auto named = [&](const char* key, auto valueNamed) {
+        decltype(valueNamed("")) value;
+        if (json.contains(key)) {
+            value = valueNamed(json.at(key).get<std::string>());
+            require(value.has_value());
+        }
+        return value;
+    };
+    return {named("solder_mask", boardColourNamed), named("silkscreen", boardColourNamed),
+            named("finish", surfaceFinishNamed)};
+}
+
+Json toJson(const BoardColourChoice& chosen) {
+    Json json = Json::object();
+    const auto add = [&](const char* key, const std::vector<std::string>& names, const auto& value) {
+        if (value) {
+            json[key] = names[static_cast<std::size_t>(*value)];
+        }
+    };
+    add("solder_mask", boardColourNames(), chosen.solderMask);
+    add("silkscreen", boardColourNames(), chosen.silkscreen);
+    add("finish", surfaceFinishNames(), chosen.finish);
+    return json;
+}
+
 LayerSet layerSetFrom(const Json& json) {
     return {json.at("name"), listFrom(json.at("layers"), layerNameFrom)};
 }

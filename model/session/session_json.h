@@ -18,6 +18,7 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] Json toJson(const Measurement& measurement);
 [[nodiscard]] Json toJson(const SavedSection& section);
 [[nodiscard]] Json toJson(const LayerSet& set);
+[[nodiscard]] Json toJson(const BoardColourChoice& chosen);
 
 [[nodiscard]] SavedView viewFrom(const Json& json);
 [[nodiscard]] SavedNet netFrom(const Json& json);
@@ -25,6 +26,7 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] Measurement measurementFrom(const Json& json);
 [[nodiscard]] SavedSection sectionFrom(const Json& json);
 [[nodiscard]] LayerSet layerSetFrom(const Json& json);
+[[nodiscard]] BoardColourChoice boardColoursFrom(const Json& json);
 
 /// What `read` makes of the JSON; nothing where it throws.
 template <class Read>

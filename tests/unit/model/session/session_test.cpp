@@ -250,6 +250,20 @@ private slots:
         QVERIFY(found.ignored.empty());
     }
 
+    void coloursOfTheBoardAreKept() {
+        const Location location;
+        const model::BoardColourChoice chosen{model::BoardColour::Purple, std::nullopt, model::SurfaceFinish::Tin};
+        QVERIFY(model::session::saveBoardColours(location.board, *location.document, chosen).ok());
+        const LoadedSession found = location.load();
+        QVERIFY(found.session.boardColours == chosen);
+        QVERIFY(found.ignored.empty());
+        QVERIFY(model::session::saveBoardColours(location.board, *location.document, {}).ok());
+        QVERIFY(!fs::exists(sessionPath(location.board)));
+        location.write(R"({"copperscope_session": 1, "job": "everything", "board_colours": {"finish": "pink"}})");
+        QCOMPARE(location.load().ignored.size(), std::size_t{1});
+        QVERIFY(location.load().session.boardColours == model::BoardColourChoice{});
+    }
+
     void layersThatAreGoneAreNamed() {
         const Location location;
         model::session::Desk other = desk();
