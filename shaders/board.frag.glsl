@@ -6,6 +6,7 @@
 
 layout(location = 0) in vec3 inPosition;
 layout(location = 1) flat in vec4 inColour;
+layout(location = 2) flat in uint inMaterial;
 layout(location = 0) out vec4 outColour;
 
 // Faces are flat: their normal is that of the surface through the neighbouring pixels, turned to the viewer. Caps and walls are exactly
@@ -17,10 +18,10 @@ vec3 faceNormal(vec3 toEye) {
 }
 
 void main() {
-    outColour = inColour;
+    outColour = unshaded(inColour);
     if (isShaded()) {
         const vec3 toEye = FRAME.eye.xyz - inPosition * FRAME.eye.w;
-        outColour.rgb *= brightness(faceNormal(toEye));
+        outColour = shaded(inColour, inMaterial, faceNormal(toEye), toEye);
     }
     if (isClipped(inPosition)) {
         discard;

@@ -15,15 +15,14 @@ layout(depth_less) out float gl_FragDepth;
 void main() {
     const Let let = FRAME.lets.at[inLet];
     const LayerState layer = FRAME.layers.at[let.meta >> kLetLayerShift];
-    const Seen seen = seenOf(let, layer, sightAt(gl_FragCoord.xy));
+    const Sight sight = sightAt(gl_FragCoord.xy);
+    const Seen seen = seenOf(let, layer, sight);
     if (!seen.isHit) {
         discard;
     }
     const bool isBore = has(let.meta, kLetBore);
     const vec4 clip = clipPosition(seen.position, layer, let.element, isBore, seen.height, slendernessOf(let));
     gl_FragDepth = clip.z / clip.w;
-    outColour = colourOf(layer, let.element, isBore);
-    if (isShaded()) {
-        outColour.rgb *= brightness(seen.normal);
-    }
+    const vec4 colour = colourOf(layer, let.element, isBore);
+    outColour = isShaded() ? shaded(colour, materialOf(layer, let.element, isBore), seen.normal, -sight.along) : unshaded(colour);
 }

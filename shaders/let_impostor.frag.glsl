@@ -3,11 +3,13 @@
 #include "lib/frame.glsl"
 #include "lib/section.glsl"
 #include "lib/outline.glsl"
+#include "lib/shading.glsl"
 
 // Impostor back end: which samples of a pixel lie in the let, from its true outline. The face looks straight at the viewer.
 layout(location = 0) in vec2 inLocation;
 layout(location = 1) flat in vec4 inColour;
 layout(location = 2) flat in uint inLet;
+layout(location = 3) flat in uint inMaterial;
 layout(location = 0) out vec4 outColour;
 
 // Vulkan's standard places of four samples, from the middle of the pixel.
@@ -31,5 +33,6 @@ void main() {
         discard;
     }
     gl_SampleMask[0] = mask;
-    outColour = inColour;
+    const vec3 normal = vec3(0.0, 0.0, FRAME.quadFace == 0u ? 1.0 : -1.0);
+    outColour = isShaded() ? shaded(inColour, inMaterial, normal, FRAME.eye.xyz) : unshaded(inColour);
 }

@@ -8,6 +8,7 @@
 layout(location = 0) out vec2 outLocation;
 layout(location = 1) flat out vec4 outColour;
 layout(location = 2) flat out uint outLet;
+layout(location = 3) flat out uint outMaterial;
 invariant gl_Position;
 
 void main() {
@@ -23,5 +24,6 @@ void main() {
     const vec3 position = vec3(boundCorner(let, corner, 1.0 / FRAME.pixelsPerMm), z) - FRAME.centre;
     outLocation = position.xy;
     outColour = colourOf(layer, let.element, isBore);
+    outMaterial = materialOf(layer, let.element, isBore);
     gl_Position = clipPosition(position, layer, let.element, isBore, float(isUpper), slendernessOf(let));
 }

@@ -12,6 +12,7 @@ layout(triangles, max_vertices = kSliceMaxVertices, max_primitives = kSliceMaxTr
 
 layout(location = 0) out vec3 outPosition[];
 layout(location = 1) flat out vec4 outColour[];
+layout(location = 2) flat out uint outMaterial[];
 out gl_MeshPerVertexEXT {
     invariant vec4 gl_Position;
 } gl_MeshVerticesEXT[];
@@ -106,6 +107,7 @@ void writeVertex(Share share, uint vertex) {
         clipPosition(position, layer, let.element, isBore, float((code & 1u) == 0u), slendernessOf(let));
     outPosition[vertex] = position;
     outColour[vertex] = colourOf(layer, let.element, isBore);
+    outMaterial[vertex] = materialOf(layer, let.element, isBore);
 }
 
 void main() {

@@ -27,12 +27,15 @@ vec4 colourOfPixel(uint id) {
     frame = copy.frame;
     const Let let = FRAME.lets.at[id - copy.firstId];
     const LayerState layer = FRAME.layers.at[let.meta >> kLetLayerShift];
-    const vec4 colour = colourOf(layer, let.element, has(let.meta, kLetBore));
+    const bool isBore = has(let.meta, kLetBore);
+    const vec4 colour = colourOf(layer, let.element, isBore);
     if (!isShaded()) {
-        return colour;
+        return unshaded(colour);
     }
-    const Seen seen = seenOf(let, layer, sightAt(gl_FragCoord.xy));
-    return vec4(colour.rgb * (seen.isHit ? brightness(seen.normal) : 1.0), colour.a);
+    const Sight sight = sightAt(gl_FragCoord.xy);
+    const Seen seen = seenOf(let, layer, sight);
+    const vec3 normal = seen.isHit ? seen.normal : vec3(0.0, 0.0, sight.along.z < 0.0 ? 1.0 : -1.0);
+    return shaded(colour, materialOf(layer, let.element, isBore), normal, -sight.along);
 }
 
 void main() {

@@ -32,6 +32,10 @@ constexpr float kPositionRoundingPx = 0x1p-15F;
 /// Where the light comes from, seen from above: from over the left shoulder.
 const glm::vec2 kLight = glm::normalize(glm::vec2(-0.55F, 0.83F));
 
+/// Where the lamp that glossy surfaces mirror stands: to the left, and up, for each step beyond the board.
+constexpr float kLampAside = 0.6F;
+constexpr float kLampHeight = 1.7F;
+
 /// Larger than this the sine of the view angle to the board counts as straight.
 constexpr float kStraight = 0.9999995F;
 
@@ -108,6 +112,23 @@ SeenFaces seenOfAny(const FramePlan& plan) {
     return all.upper || all.lower ? all : SeenFaces{};
 }
 
+/// By how much a film of solder mask takes its own hue from what passes through it.
+constexpr float kTint = 0.75F;
+
+/// Glossy films are stained glass, everything else a veil. Dimmed, all are veils: what is under them is of the
+/// background's colour, and has to stay so.
+glm::vec3 passedBy(const LayerStyle& style, float restStrength) {
+    const glm::vec3 colour = toLinear(style.colour);
+    const float most = std::max({colour.r, colour.g, colour.b, 1e-3F});
+    const bool isFilm = style.material == Material::Gloss;
+    const glm::vec3 hue = isFilm ? glm::mix(glm::vec3(1.0F), colour / most, kTint * restStrength) : glm::vec3(1.0F);
+    return (1.0F - std::clamp(style.opacity, 0.0F, 1.0F)) * hue;
+}
+
+float restStrengthOf(const ViewSettings& settings) {
+    return 1.0F - std::clamp(settings.dim, 0.0F, 1.0F);
+}
+
 glm::vec4 linearColour(const LayerStyle& style) {
     return {toLinear(style.colour), std::clamp(style.opacity, 0.0F, 1.0F)};
 }
@@ -122,7 +143,8 @@ std::vector<shader::LayerState> layerStates(const SceneLayers& scene, const View
         states[i].z0 = z[i].z0;
         states[i].z1 = z[i].z1;
         states[i].flags = (style.isVisible ? shader::kLayerVisible : 0) |
-                          (isTranslucent ? shader::kLayerTranslucent : 0) | scene.layers[i].growth;
+                          (isTranslucent ? shader::kLayerTranslucent : 0) | scene.layers[i].growth |
+                          static_cast<std::uint32_t>(style.material) << shader::kLayerMaterialShift;
     }
     return states;
 }
@@ -203,6 +225,9 @@ LayerPlan planLayers(const SceneLayers& scene, const ViewSettings& settings, con
     }
     plan.batches = makeBatches(plan.states, eye.direction.z <= 0.0F);
     plan.faces = facesOfLayers(eye, plan.states);
+    for (const LayerStyle& style : scene.styles) {
+        plan.passed.push_back(passedBy(style, restStrengthOf(settings)));
+    }
     if (leavesOut && !settings.isMono) {
         dropThinWalls(sight.pixelsPerMm, plan);
     }
@@ -279,6 +304,15 @@ void setTriangleRun(SeenFaces faces, shader::FrameData& data) {
     data.quadFace = faces.upper ? 0 : 1;
 }
 
+/// A lamp that follows the camera: seen from wherever, it stands beyond the board and to its left, so high that
+/// neither straight views nor tilted ones miss its glow.
+glm::vec3 keyLightOf(const Eye& eye, const shader::FrameData& data) {
+    const glm::vec2 right = glm::normalize(glm::vec2(data.screenRight) + glm::vec2(1e-9F, 0.0F));
+    const glm::vec2 beyond = glm::vec2(eye.direction) - glm::vec2(glm::normalize(data.screenDown));
+    const glm::vec2 to = glm::normalize(glm::normalize(beyond + glm::vec2(0.0F, 1e-9F)) - kLampAside * right);
+    return glm::normalize(glm::vec3(to, eye.direction.z > 0.0F ? -kLampHeight : kLampHeight));
+}
+
 /// Left of the plane's line, for places relative to the camera's target.
 glm::vec3 sectionOf(const SectionPlane& plane, const glm::vec3& centre) {
     const glm::dvec2 left(-plane.direction.y, plane.direction.x);
@@ -338,9 +372,10 @@ FramePlan planFrame(const SceneLayers& scene, const Camera& camera, const ViewSe
     data.sliverNudge = kPositionRoundingPx * depthPerMm / data.pixelsPerMm;
     data.boreProtrusionMm = std::max(kBoreProtrusionMm, kBoreProtrusionSteps * eye.stepMm);
     data.light = kLight;
+    data.keyLight = keyLightOf(eye, data);
     plan.hasSection = settings.section != nullptr && !settings.is2d;
     data.sectionPlane = plan.hasSection ? sectionOf(settings.section->plane, data.centre) : glm::vec3(0.0F);
-    data.restStrength = 1.0F - std::clamp(settings.dim, 0.0F, 1.0F);
+    data.restStrength = restStrengthOf(settings);
     data.background = backgroundOf(settings);
     data.flags = flagsOf(settings) | (settings.isOutlined && isFlatView(plan) ? shader::kFrameOutlines : 0) |
                  (subject == Subject::StandingOut ? shader::kFrameStandingOut : 0);

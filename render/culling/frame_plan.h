@@ -22,6 +22,7 @@ struct LayerPlan {
     std::vector<LayerBatch> batches;  ///< [0] all opaque layers from the front, then one per translucent layer
                                       ///< from the back
     std::vector<SeenFaces> faces;     ///< per layer
+    std::vector<glm::vec3> passed;    ///< per layer: how much of each colour beneath a translucent one shows through it
 };
 
 /// What a pass over the board draws.

@@ -51,6 +51,7 @@ shader::FrameData frameOfCopy(const shader::FrameData& board, const ModelCopy& c
         data.*vector = {rotateBack(glm::vec2(board.*vector)), (board.*vector).z};
     }
     data.light = rotateBack(board.light);
+    data.keyLight = {rotateBack(glm::vec2(board.keyLight)), board.keyLight.z};
     data.sectionPlane = {rotateBack(glm::vec2(board.sectionPlane)), board.sectionPlane.z};
     return data;
 }

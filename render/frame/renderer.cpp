@@ -42,15 +42,16 @@ public:
 
     /// Translucent layers one after the other from the back: first which of its surfaces is in front, then that one's
     /// colour, once per sample. So the picture does not depend on the order of draws inside a layer.
-    void drawTranslucent(std::size_t batches) {
-        for (std::uint32_t batch = 1; batch < batches; ++batch) {
+    void drawTranslucent(const LayerPlan& layers) {
+        for (std::uint32_t batch = 1; batch < layers.batches.size(); ++batch) {
             const std::uint32_t reference = (batch - 1) % kStencilReferences + 1;
             if (batch > 1 && reference == 1) {
                 clear(m_commands, VK_IMAGE_ASPECT_STENCIL_BIT, m_target.extent());
             }
+            const glm::vec3& passed = layers.passed[layers.batches[batch].front()];
             forGroups([&](std::span<const Recording> group) {
                 drawBatch(group, batch, gpu::Pass::DepthOnly);
-                vkCmdSetStencilReference(m_commands, VK_STENCIL_FACE_FRONT_AND_BACK, reference);
+                gpu::Pipeline::setFilter(m_commands, reference, {passed.r, passed.g, passed.b, 1.0F});
                 drawBatch(group, batch, gpu::Pass::Blend);
             });
         }
@@ -182,7 +183,7 @@ Backend Renderer::recordBoard(gpu::Frame& frame, RenderTarget& target, VkExtent2
         const SectionDrawer& sections = m_sections.try_emplace(format, *m_device, format).first->second;
         sections.draw(frame, plan, scene.impl().layers, *settings.section);
     }
-    picture.drawTranslucent(plan.upright.batches.size());
+    picture.drawTranslucent(plan.upright);
     if (countStandingOut(scene.impl()) > 0 && !settings.isMono) {
         FramePlan over =
             planFrame(scene.impl().layers, camera, settings, extent.width, extent.height, Subject::StandingOut);

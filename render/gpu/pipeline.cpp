@@ -44,8 +44,10 @@ VkPipelineDepthStencilStateCreateInfo depthState(Pass pass) {
 VkPipelineColorBlendAttachmentState blendState(Pass pass) {
     VkPipelineColorBlendAttachmentState state{};
     state.blendEnable = pass == Pass::Blend || pass == Pass::Overlay ? VK_TRUE : VK_FALSE;
-    state.srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
-    state.dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+    // Layers come multiplied by their opacity; what they let through of each colour is set with setFilter.
+    const bool isLayer = pass == Pass::Blend;
+    state.srcColorBlendFactor = isLayer ? VK_BLEND_FACTOR_ONE : VK_BLEND_FACTOR_SRC_ALPHA;
+    state.dstColorBlendFactor = isLayer ? VK_BLEND_FACTOR_CONSTANT_COLOR : VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
     state.srcAlphaBlendFactor = VK_BLEND_FACTOR_ZERO;
     state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
     // Alpha stays what the background is: pictures are opaque.
@@ -125,9 +127,10 @@ Pipeline::Pipeline(Device& device, const GraphicsPipelineOptions& options) {
     colour.pAttachments = &blend;
     // Binding a pipeline where a state is fixed undoes what was set: so the front face is dynamic in all of them.
     constexpr VkDynamicState kDynamic[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
-                                           VK_DYNAMIC_STATE_FRONT_FACE, VK_DYNAMIC_STATE_STENCIL_REFERENCE};
+                                           VK_DYNAMIC_STATE_FRONT_FACE, VK_DYNAMIC_STATE_STENCIL_REFERENCE,
+                                           VK_DYNAMIC_STATE_BLEND_CONSTANTS};
     auto dynamic = vkInfo<VkPipelineDynamicStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO);
-    dynamic.dynamicStateCount = options.pass == Pass::Blend ? 4 : 3;
+    dynamic.dynamicStateCount = options.pass == Pass::Blend ? 5 : 3;
     dynamic.pDynamicStates = kDynamic;
     auto rendering = vkInfo<VkPipelineRenderingCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO);
     rendering.colorAttachmentCount = 1;

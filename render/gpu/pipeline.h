@@ -55,7 +55,7 @@ struct GraphicsPipelineOptions {
 };
 
 /// A compute or graphics pipeline. Its only interface to data are push constants (buffers go by address). Viewport,
-/// scissor, front face and stencil reference are dynamic.
+/// scissor, front face, stencil reference and blend constants are dynamic.
 class Pipeline {
 public:
     Pipeline() = default;
@@ -71,6 +71,12 @@ public:
     /// Counter-clockwise faces are the front ones, in mirrored copies clockwise ones. Holds for all pipelines.
     static void setFrontFace(VkCommandBuffer commands, bool isMirrored) {
         vkCmdSetFrontFace(commands, isMirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
+    }
+    /// How much of each colour passes through what Pass::Blend draws, and through which stencil reference it is marked.
+    /// To be set for every layer, after its depth was drawn.
+    static void setFilter(VkCommandBuffer commands, std::uint32_t reference, const float (&passed)[4]) {
+        vkCmdSetStencilReference(commands, VK_STENCIL_FACE_FRONT_AND_BACK, reference);
+        vkCmdSetBlendConstants(commands, passed);
     }
     explicit operator bool() const { return static_cast<bool>(m_handle); }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "model/board/layers.h"
+#include "shaders/shared/board.h"
 
 namespace render {
 
@@ -42,8 +43,8 @@ constexpr Colours kColours[] = {
       rgb(0x705078), rgb(0x88a888), rgb(0xf8b0b0), rgb(0xa02878), rgb(0xa82848), rgb(0x984000), rgb(0x106828),
       rgb(0xa8f0d0), rgb(0xb888a8), rgb(0xe8e870), rgb(0xf88080), rgb(0xf8a0e0), rgb(0x785838), rgb(0x506800),
       rgb(0x6848a8), rgb(0x58f8b8), rgb(0x888040)},
-     rgb(0xe0b050),
-     rgb(0xc87850),
+     rgb(0xe6b450),
+     rgb(0xe6b450),
      rgb(0x0c6e38),
      rgb(0x6f7a45)},
     // Orange, blue, yellow, sky, purple, green, moved until the layers of a board with six
@@ -140,25 +141,78 @@ void showSubstrates(const model::Document& document, std::vector<LayerStyle>& st
     }
 }
 
-/// What a board is drawn as: outer copper as metal under a solder mask, which it shows through.
-void makeSolid(const model::Document& document, const Colours& colours, std::vector<LayerStyle>& styles) {
-    for (std::size_t row = 0; row < styles.size(); ++row) {
-        const Layer& layer = document.layers[row];
-        if (layer.isCopper() && layer.side == LayerSide::Top) {
-            styles[row].colour = colours.topMetal;
-        } else if (layer.isCopper() && layer.side == LayerSide::Bottom) {
-            styles[row].colour = colours.bottomMetal;
-        } else if (layer.isSynthetic && layer.type == LayerType::SolderMask) {
-            styles[row] = {colours.solderMask, 0.8F, true};
-        } else if (layer.type == LayerType::Body) {
-            styles[row] = {colours.substrate, 1.0F, true};
+/// A film of solder mask: pale ones hide more of what is under them.
+struct Film {
+    glm::vec3 colour;
+    float opacity;
+};
+/// By model::BoardColour; the green one is of the palette.
+constexpr Film kFilms[] = {{rgb(0x0c6e38), 0.7F},  {rgb(0xb01820), 0.7F},  {rgb(0x1438a8), 0.7F},
+                           {rgb(0x101214), 0.93F}, {rgb(0xe4e4e0), 0.92F}, {rgb(0xc89808), 0.8F},
+                           {rgb(0x641878), 0.75F}};
+constexpr glm::vec3 kInks[] = {rgb(0x2e9a58), rgb(0xc83030), rgb(0x3060c8), rgb(0x18181a),
+                               rgb(0xeeeedd), rgb(0xe8cc30), rgb(0x7038a8)};
+constexpr glm::vec3 kTin = rgb(0xc6cacd);
+constexpr glm::vec3 kBareCopper = rgb(0xc87a4c);
+constexpr Film kPolyimide{rgb(0xb86a10), 0.55F};
+
+template <class Row, std::size_t Count, class Value>
+const Row& rowOf(const Row (&rows)[Count], Value value) {
+    return rows[static_cast<std::size_t>(value)];
+}
+
+/// What a board is drawn as.
+class SolidStyles {
+public:
+    SolidStyles(const model::Document& document, const Colours& colours, const model::BoardColours& chosen)
+        : m_document(document), m_colours(colours), m_chosen(chosen), m_mask(rowOf(kFilms, chosen.solderMask)) {
+        if (chosen.solderMask == model::BoardColour::Green) {
+            m_mask.colour = colours.solderMask;
         }
     }
-}
+
+    void apply(const Layer& layer, LayerStyle& style) const {
+        const bool isFlexible = isFlexibleFilm(m_document, layer);
+        const bool isOuter = layer.side == LayerSide::Top || layer.side == LayerSide::Bottom;
+        if (layer.isCopper() || layer.type == LayerType::Drill) {
+            style.material = Material::Metal;
+            style.colour = isOuter || layer.type == LayerType::Drill ? metal(layer.side) : style.colour;
+        } else if (layer.isSynthetic && layer.type == LayerType::SolderMask) {
+            const Film& film = isFlexible ? kPolyimide : m_mask;
+            style = {film.colour, film.opacity, true, 0, Material::Gloss};
+        } else if (layer.type == LayerType::Body) {
+            style = {isFlexible ? kPolyimide.colour : m_colours.substrate, 1.0F, true};
+        } else if (layer.type == LayerType::SilkScreen && m_chosen.silkscreen != model::BoardColour::White) {
+            style.colour = rowOf(kInks, m_chosen.silkscreen);
+        }
+    }
+
+private:
+    [[nodiscard]] const glm::vec3& metal(LayerSide side) const {
+        const glm::vec3& gold = side == LayerSide::Bottom ? m_colours.bottomMetal : m_colours.topMetal;
+        return m_chosen.finish == model::SurfaceFinish::Gold  ? gold
+               : m_chosen.finish == model::SurfaceFinish::Tin ? kTin
+                                                              : kBareCopper;
+    }
+
+    const model::Document& m_document;
+    const Colours& m_colours;
+    const model::BoardColours& m_chosen;
+    Film m_mask;
+};
 
 }  // namespace
 
+static_assert(static_cast<std::uint32_t>(Material::Matt) == shader::kMaterialMatt &&
+              static_cast<std::uint32_t>(Material::Metal) == shader::kMaterialMetal &&
+              static_cast<std::uint32_t>(Material::Gloss) == shader::kMaterialGloss);
+
 std::vector<LayerStyle> defaultStyles(const model::Document& document, Appearance appearance, Palette palette) {
+    return defaultStyles(document, appearance, palette, model::boardColours(document));
+}
+
+std::vector<LayerStyle> defaultStyles(const model::Document& document, Appearance appearance, Palette palette,
+                                      const model::BoardColours& chosen) {
     const Colours& colours = kColours[static_cast<std::size_t>(palette)];
     std::vector<LayerStyle> styles;
     std::size_t innerSeen = 0;
@@ -167,8 +221,9 @@ std::vector<LayerStyle> defaultStyles(const model::Document& document, Appearanc
     }
     hideDrawings(document, styles);
     showSubstrates(document, styles);
-    if (appearance == Appearance::Solid) {
-        makeSolid(document, colours, styles);
+    const SolidStyles solid(document, colours, chosen);
+    for (std::size_t row = 0; appearance == Appearance::Solid && row < styles.size(); ++row) {
+        solid.apply(document.layers[row], styles[row]);
     }
     return styles;
 }

@@ -1,4 +1,4 @@
-// How bright a surface is: the same for all back ends.
+// How bright a surface is and what it mirrors: the same for all back ends.
 
 // A headlight seen from over the left shoulder: caps bright, walls clearly darker and different on every side, so that thickness is readable.
 // `normal` of unit length; caps are exactly horizontal, walls exactly vertical.
@@ -13,4 +13,32 @@ float brightness(vec3 normal) {
 
 bool isShaded() {
     return !has(FRAME.flags, kFrameFlat | kFrameMono);
+}
+
+// A large lamp in a dim room: by how much of it is mirrored, from a broad glow around it to its image.
+const vec2 kMetalRange = vec2(0.72, 0.75);   // of its colour: in the dim room, and what the glow adds
+const vec2 kGlossRange = vec2(0.035, 0.06);  // white: of the glow, of the image
+const float kGlossAtEdge = 0.10;             // where sight grazes the surface, everything mirrors
+
+// Colour as it is added to what shows through: multiplied by its opacity, with what is mirrored on top. `normal` is a unit vector, `toEye` leads to
+// the viewer. Only arithmetic: software devices run both sides of a condition.
+vec4 shaded(vec4 colour, uint material, vec3 normal, vec3 toEye) {
+    const float perMm = inversesqrt(dot(toEye, toEye));
+    const float facing = dot(toEye, normal);
+    const float lamp = max((2.0 * facing * dot(normal, FRAME.keyLight) - dot(toEye, FRAME.keyLight)) * perMm, 0.0);
+    const float lamp2 = lamp * lamp;
+    const float glow = lamp2 * lamp2 * lamp2;
+    const float image = glow * glow * glow * glow;
+    const float beside = 1.0 - facing * perMm;
+    const float away = beside * beside;
+    const float metal = material == kMaterialMetal ? kMetalRange.x + kMetalRange.y * glow : 1.0;
+    const float gloss = material == kMaterialGloss
+                            ? kGlossRange.x * glow + kGlossRange.y * image + kGlossAtEdge * away * away
+                            : 0.0;
+    return vec4(colour.rgb * (brightness(normal) * metal * colour.a) + gloss * FRAME.restStrength, colour.a);
+}
+
+// Flat views have colours as they are.
+vec4 unshaded(vec4 colour) {
+    return vec4(colour.rgb * colour.a, colour.a);
 }

@@ -31,6 +31,11 @@ vec4 colourOf(LayerState layer, uint element, bool isBore) {
     return vec4(standingOut(state) * (isBore ? kBoreShade : 1.0), 1.0);  // and hides what is under it
 }
 
+// What stands out is matt, so that its colour is the same from everywhere; so is the dark inside of a hole.
+uint materialOf(LayerState layer, uint element, bool isBore) {
+    return isBore || standsOut(stateOf(element)) ? kMaterialMatt : layer.flags >> kLayerMaterialShift & kMaterialMask;
+}
+
 // Moves a clip position nearer by so many steps of depth resolution. `slenderness` is length over width: a rasteriser works out the slope of a sliver the
 // worse the thinner it is, and the step grows with that.
 vec4 nudged(vec4 clip, float steps, float slenderness) {

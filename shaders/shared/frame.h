@@ -124,8 +124,11 @@ struct FrameData {
     GPU_ADDRESS(Words) elementStates;          // a byte per element
     GPU_ADDRESS(Colours) palette;              // colours of elements, linear
     GPU_ADDRESS(StandardParts) standardParts;  // null in the hybrid pipeline
+
+    vec3 keyLight;  // unit vector to what glossy surfaces mirror
+    uint reserved;
 };
-GPU_SIZE(FrameData, 64 + 96 + 16 + 4 * 12 + 8 + 16 + 22 * 4 + 18 * 8);
+GPU_SIZE(FrameData, 64 + 96 + 16 + 4 * 12 + 8 + 16 + 22 * 4 + 18 * 8 + 16);
 
 #ifndef __cplusplus
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Frame {

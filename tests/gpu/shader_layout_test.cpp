@@ -108,6 +108,8 @@ const QMap<QString, Location> kCompiled = {
     MEMBER(frameData, FrameData, elementStates),
     MEMBER(frameData, FrameData, palette),
     MEMBER(frameData, FrameData, standardParts),
+    MEMBER(frameData, FrameData, keyLight),
+    MEMBER(frameData, FrameData, reserved),
     MEMBER(standardVertex, StandardVertex, x),
     MEMBER(standardVertex, StandardVertex, y),
     MEMBER(standardVertex, StandardVertex, face),

@@ -135,6 +135,52 @@ private slots:
         comparePixel(scene.draw(flat(), 200, 200), 100, 100, {toByte(0.5F), 0, toByte(0.25F)});
     }
 
+    /// Stained glass lets its own hue through, a veil all hues alike; dimmed altogether, both are the background.
+    void glossyFilmTintsWhatShowsThrough() {
+        SyntheticBoard board;
+        board.addLayer(0.0F, 0.1F, {1, 1, 1});
+        board.addDisc({0, 0}, 0.5F);
+        board.addLayer(0.1F, 0.12F, {0, 0.5F, 0}, 0.5F);
+        board.addDisc({0, 0}, 0.5F);
+        Scene scene(board);
+        scene.lookDown({-1, -1}, {1, 1});
+        ViewSettings how = flat();
+        const Rgb veiled = pixel(scene.draw(how, 200, 200), 100, 100);
+        std::vector<LayerStyle> styles = board.styles();
+        styles[1].material = Material::Gloss;
+        scene.scene.setStyles(styles);
+        const Rgb tinted = pixel(scene.draw(how, 200, 200), 100, 100);
+        QVERIFY(std::abs(veiled.r - toByte(0.5F)) <= 1);
+        QVERIFY2(tinted.r < veiled.r - 60 && std::abs(tinted.g - veiled.g) <= 1, describe(tinted).c_str());
+        how.background = {0.4F, 0.2F, 0.1F};
+        how.dim = 1.0F;
+        comparePixel(scene.draw(how, 200, 200), 100, 100, {102, 51, 26});
+    }
+
+    /// Seen straight from above, a face towards the lamp is brighter than one away from it; matt ones are alike. All
+    /// back ends shine alike.
+    void metalAndGlossMirrorTheLamp() {
+        SyntheticBoard board;
+        board.addLayer(0.0F, 0.1F, {0.2F, 0.15F, 0.1F});
+        board.addTrack({-20, 0}, {20, 0}, 19.0F);
+        Scene scene(board);
+        scene.camera.fit(scene.model.boxMin, scene.model.boxMax, NamedView::Top, 1.0F);
+        std::vector<LayerStyle> styles = board.styles();
+        for (const Material material : {Material::Matt, Material::Metal, Material::Gloss}) {
+            styles[0].material = material;
+            scene.scene.setStyles(styles);
+            ViewSettings how;
+            how.backend = Backend::Pull;
+            const Image pull = scene.draw(how, 200, 200);
+            const int change = pixel(pull, 60, 80).r - pixel(pull, 140, 120).r;
+            QVERIFY2(material == Material::Matt ? change == 0 : change > 5, qPrintable(QString::number(change)));
+            for (const Backend other : {Backend::Mesh, Backend::Impostor, Backend::Raster}) {
+                how.backend = other;
+                QVERIFY(distance(pixel(scene.draw(how, 200, 200), 60, 80), pixel(pull, 60, 80)) <= 2);
+            }
+        }
+    }
+
     /// The stencil tells 255 layers apart. The 256th has the number of the first again and must not be taken for it.
     void manyTranslucentLayersAreAllBlended() {
         SyntheticBoard board;

@@ -58,6 +58,21 @@ private slots:
         QCOMPARE(flipped.z0, 1.6F - 5.0F);
     }
 
+    /// Upper left in the picture, on the side of the board that is seen.
+    void theLampFollowsTheCamera() {
+        render::Camera camera;
+        const glm::vec3 box(20.0F, 10.0F, 1.0F);
+        for (const render::NamedView view :
+             {render::NamedView::Top, render::NamedView::Bottom, render::NamedView::Iso}) {
+            camera.fit(-box, box, view, 1.0F);
+            const shader::FrameData data = planOf(sceneWithBodies(0), camera).data;
+            QVERIFY(std::abs(glm::length(data.keyLight) - 1.0F) < 1e-5F);
+            QVERIFY(glm::dot(data.keyLight, data.screenRight) < 0.0F);
+            QVERIFY(glm::dot(data.keyLight, data.screenDown) < 0.0F);
+            QCOMPARE(data.keyLight.z > 0.0F, view != render::NamedView::Bottom);
+        }
+    }
+
     void evenLayersStayEven() {
         const render::FramePlan plan = planOf(sceneWithBodies(0), {});
         constexpr std::uint32_t kUneven = shader::kLayerGrowsUp | shader::kLayerGrowsDown;

@@ -193,6 +193,36 @@ private slots:
         QVERIFY(!flat[0].isVisible && !flat[1].isVisible);
     }
 
+    /// Each mask, print and finish is another colour, and none is near that of a highlighted net.
+    void boardColoursDifferAndLeaveHighlightsAlone() {
+        model::DocumentBuilder builder;
+        Layer mask = layer(LayerType::SolderMask, LayerSide::Top);
+        mask.isSynthetic = true;
+        builder.addLayer(mask);
+        builder.addLayer(layer(LayerType::SilkScreen, LayerSide::Top));
+        builder.addLayer(layer(LayerType::Signal, LayerSide::Top));
+        const auto board = builder.finish();
+        std::vector<render::LayerStyle> masks;
+        std::vector<render::LayerStyle> metals;
+        for (std::size_t i = 0; i < model::boardColourNames().size(); ++i) {
+            const auto colour = static_cast<model::BoardColour>(i);
+            const auto finish = static_cast<model::SurfaceFinish>(i % 3);
+            const auto styles = render::defaultStyles(*board, render::Appearance::Solid, render::Palette::Standard,
+                                                      {colour, colour, finish});
+            masks.push_back(styles[0]);
+            metals.push_back(styles[2]);
+            QVERIFY(styles[0].material == render::Material::Gloss && styles[0].opacity < 1.0F);
+            QVERIFY(styles[2].material == render::Material::Metal);
+            for (const render::LayerStyle& style : styles) {
+                const glm::vec3 apart = glm::abs(style.colour - render::kHighlightColours[0]) * 255.0F;
+                QVERIFY(std::max({apart.r, apart.g, apart.b}) > 60.0F);
+            }
+        }
+        metals.resize(3);
+        QVERIFY(leastDistance(masks, kVisions[0]) > 20.0);
+        QVERIFY(leastDistance(metals, kVisions[0]) > 10.0);
+    }
+
     void bodiesOfComponentsStartHidden() {
         const Layer bodies = layer(LayerType::ComponentBody, LayerSide::Top);
         QVERIFY(!stylesOf({bodies})[0].isVisible);
