@@ -14,6 +14,7 @@
 #include "app/commands/workbench_command.h"
 #include "app/common/commit.h"
 #include "app/common/exit_code.h"
+#include "model/board/board_colours.h"
 #include "model/formats/registry.h"
 
 namespace app {
@@ -138,12 +139,19 @@ void addPictureOptions(CLI::App& command, RenderArguments& arguments) {
     addLevels(command, arguments.levels);
 }
 
+void addBoardColours(CLI::App& command, RenderArguments& arguments) {
+    addChoice(command, "--mask-colour", arguments.maskColour, model::boardColourNames(), ": of the solder mask, in 3D");
+    addChoice(command, "--silkscreen-colour", arguments.silkscreenColour, model::boardColourNames(), ", in 3D");
+    addChoice(command, "--finish", arguments.finish, model::surfaceFinishNames(), ": of exposed copper, in 3D");
+}
+
 void addRender(CLI::App& parent, Command& chosen) {
     CLI::App& command = *parent.add_subcommand("render", "Draw a board to a picture");
     RenderArguments& arguments = argumentsOf(command, chosen, runRender);
     addBoardOptions(command, arguments.board);
     addPictureOptions(command, arguments);
     addList(command, "--layers", arguments.layers, "only these layers, separated by commas");
+    addBoardColours(command, arguments);
     addRepeated(command, "--net", arguments.nets, "highlight this net");
     command
         .add_option("--explode", arguments.explode,

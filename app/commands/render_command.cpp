@@ -17,9 +17,16 @@ using model::Document;
 
 namespace {
 
+model::BoardColours coloursOf(const Document& document, const RenderArguments& arguments) {
+    return model::boardColours(
+        document, {model::boardColourNamed(arguments.maskColour), model::boardColourNamed(arguments.silkscreenColour),
+                   model::surfaceFinishNamed(arguments.finish)});
+}
+
 Result<std::vector<render::LayerStyle>> chooseLayers(const Document& document, const RenderArguments& arguments) {
     const render::Appearance appearance = arguments.mode == "2d" ? render::Appearance::Flat : render::Appearance::Solid;
-    std::vector<render::LayerStyle> styles = render::defaultStyles(document, appearance);
+    std::vector<render::LayerStyle> styles =
+        render::defaultStyles(document, appearance, render::Palette::Standard, coloursOf(document, arguments));
     if (arguments.layers.empty()) {
         for (std::size_t row = 0; row < styles.size(); ++row) {
             // A raster of shapes is about copper and print, not about the substrate around them.

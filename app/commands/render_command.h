@@ -20,6 +20,9 @@ struct RenderArguments {
     std::string backend = "auto";
     std::string pipeline = "hybrid";  ///< or "standard"
     std::vector<std::string> layers;  ///< only these, fully opaque; empty: as in the window
+    std::string maskColour;           ///< in 3D, as model::boardColourNames; empty: as the job says, or the common one
+    std::string silkscreenColour;     ///< likewise
+    std::string finish;               ///< as model::surfaceFinishNames, likewise
     std::vector<std::string> nets;    ///< highlighted, everything else dimmed
     float explode = 0.0F;
     std::vector<float> zScale;     ///< of copper and of everything else; empty: as it is

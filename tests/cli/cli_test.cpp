@@ -2,6 +2,7 @@
 #include <QJsonDocument>
 #include <QTemporaryDir>
 #include <QtTest>
+#include <set>
 
 #include "tests/cli/program.h"
 
@@ -98,6 +99,8 @@ private slots:
         QTest::addRow("unknown step") << QStringList{"info", "--step", "no-such-step"};
         QTest::addRow("bad size") << QStringList{"render", "-o", "x.png", "--size", "12"};
         QTest::addRow("bad chord") << QStringList{"info", "--chord", "0.1"};
+        QTest::addRow("no colour of masks") << QStringList{"render", "-o", "x.png", "--mask-colour", "pink"};
+        QTest::addRow("no finish") << QStringList{"render", "-o", "x.png", "--finish", "paint"};
         QTest::addRow("picture of unknown kind") << QStringList{"render", "-o", "x.bmp"};
         QTest::addRow("empty window") << QStringList{"render", "-o", "x.png", "--window", "1,1,1,5"};
         QTest::addRow("2D from the side") << QStringList{"render", "-o", "x.png", "--mode", "2d", "--view", "iso"};
@@ -166,6 +169,22 @@ private slots:
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList{"out.png"});
         QCOMPARE(pngSize(folder.filePath("out.png")), QSize(120, 80));
         QVERIFY(run.out.isEmpty());
+    }
+
+    void boardsAreDrawnInTheColoursAskedFor() {
+        QTemporaryDir folder;
+        std::set<QByteArray> pictures;
+        for (const QStringList& options :
+             {QStringList{}, QStringList{"--mask-colour", "blue"}, QStringList{"--silkscreen-colour", "yellow"},
+              QStringList{"--finish", "tin"}, QStringList{"--finish", "copper"}}) {
+            const Outcome run =
+                copperscope(QStringList{"render", "-o", "out.png", "--view", "top"} + options, folder.path());
+            QVERIFY2(run.exitCode == 0, run.err.constData());
+            QFile picture(folder.filePath("out.png"));
+            QVERIFY(picture.open(QIODevice::ReadOnly));
+            pictures.insert(picture.readAll());
+        }
+        QCOMPARE(pictures.size(), std::size_t{5});
     }
 
     void unwritableOutputAnswersThree() {

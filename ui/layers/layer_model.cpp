@@ -240,6 +240,11 @@ void LayerModel::setDefaults(std::vector<LayerAppearance> defaults) {
     announceAllChanged();
 }
 
+void LayerModel::setBoardColours(const model::BoardColourChoice& chosen) {
+    m_boardColours = chosen;
+    emit stylesChanged();
+}
+
 void LayerModel::restoreDefaults() {
     change(tr("default layers"), -1, [this] {
         m_solo = {};

@@ -85,6 +85,9 @@ public:
     void setSettings(const LayerSettings& settings);
     /// Other colours to begin with: layers whose colour nobody changed take them.
     void setDefaults(std::vector<LayerAppearance> defaults);
+    /// What the user chose of the colours a fabricator offers; the 3D view draws them (ui/layers/board_colour_menu.h).
+    void setBoardColours(const model::BoardColourChoice& chosen);
+    [[nodiscard]] const model::BoardColourChoice& boardColours() const { return m_boardColours; }
     void show(model::LayerId layer) { setVisible({&layer, 1}, true); }
     /// Null before the first board.
     [[nodiscard]] const model::Document* document() const { return m_document.get(); }
@@ -117,6 +120,7 @@ private:
     std::vector<LayerAppearance> m_styles;
     model::LayerId m_solo;
     std::vector<model::session::LayerSet> m_offered;
+    model::BoardColourChoice m_boardColours;
 };
 
 /// "Copper", "Solder mask", …

@@ -1,5 +1,6 @@
 #include "ui/layers/layers_feature.h"
 
+#include "ui/layers/board_colour_menu.h"
 #include "ui/layers/layer_sets.h"
 #include "ui/layers/layer_step.h"
 #include "ui/layers/layers_panel.h"
@@ -12,6 +13,7 @@ void addLayers(FeatureContext& context) {
     auto* panel = new LayersPanel(layers, context.actions);
     context.addPanel({ActionId::ShowLayersDock, "layers", LayersPanel::tr("Layers"), Qt::LeftDockWidgetArea}, *panel);
     panel->setSets(*new LayerSets(layers, workspace, context.actions, context.window));
+    panel->setBoardColours(*new BoardColourMenu(layers, workspace, panel));
     context.on(ActionId::RestoreLayers, [&layers] { layers.restoreDefaults(); });
     context.on(ActionId::SoloLayer, [&] { layers.toggleSolo(workspace.currentLayer()); });
     context.on(ActionId::NextLayer, panel, [panel] { panel->step(1); });

@@ -20,6 +20,16 @@ namespace {
 /// In letters: what a name has at least, whatever the width of the panel.
 constexpr int kLeastName = 8;
 
+QToolButton* menuButton(const char* name, const QString& text, const QString& tip) {
+    auto* button = new QToolButton;
+    button->setObjectName(QLatin1String(name));
+    button->setText(text);
+    button->setToolTip(tip);
+    button->setFocusPolicy(Qt::NoFocus);  // who comes to the panel by keys comes for the layers
+    button->setPopupMode(QToolButton::InstantPopup);
+    return button;
+}
+
 }  // namespace
 
 LayersPanel::LayersPanel(LayerModel& model, const ActionSet& actions, QWidget* parent)
@@ -28,17 +38,16 @@ LayersPanel::LayersPanel(LayerModel& model, const ActionSet& actions, QWidget* p
       m_actions(actions),
       m_rows(new GroupedLayers(model, this)),
       m_table(new TableView(model)),
-      m_sets(new QToolButton) {
+      m_sets(menuButton("layerSets", tr("Layer set"),
+                        tr("Show a set of layers; save the visible ones as a set of your own"))),
+      m_boardColours(menuButton("boardColours", tr("Colours"),
+                                tr("Colours of solder mask and silkscreen and the surface finish, in 3D"))) {
     setUpTable();
-    m_sets->setObjectName(QStringLiteral("layerSets"));
-    m_sets->setText(tr("Layer set"));
-    m_sets->setToolTip(tr("Show a set of layers; save the visible ones as a set of your own"));
-    m_sets->setFocusPolicy(Qt::NoFocus);  // who comes to the panel by keys comes for the layers
-    m_sets->setPopupMode(QToolButton::InstantPopup);
     m_sets->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     m_sets->setMinimumWidth(1);  // the panel is not made wider for a long name
     auto* controls = new QHBoxLayout;
     controls->addWidget(m_sets);
+    controls->addWidget(m_boardColours);
     controls->addLayout(buttonRow({&actions[ActionId::ShowAllLayers], &actions[ActionId::HideAllLayers]}));
     auto* column = columnIn(*this);
     column->addLayout(controls);
@@ -70,6 +79,13 @@ void LayersPanel::setSets(LayerSets& sets) {
     };
     connect(&sets, &LayerSets::changed, m_sets, showName);
     showName();
+}
+
+void LayersPanel::setBoardColours(QMenu& menu) {
+    m_boardColours->setMenu(&menu);
+    const auto enable = [this] { m_boardColours->setEnabled(m_model.document() != nullptr); };
+    connect(&m_model, &QAbstractItemModel::modelReset, m_boardColours, enable);
+    enable();
 }
 
 void LayersPanel::fitColumns() {
@@ -235,6 +251,7 @@ void LayersPanel::showMenu(const QPoint& at) {
                               ActionId::SaveLayerSet, ActionId::RestoreLayers}) {
         menu.addAction(&m_actions[id]);
     }
+    menu.addMenu(m_boardColours->menu());
     menu.addSeparator();
     menu.addAction(tr("Co&py rows"), m_table, &TableView::copySelection);
     menu.exec(m_table->viewport()->mapToGlobal(at));

@@ -4,6 +4,7 @@
 
 #include "ui/layers/grouped_layers.h"
 
+class QMenu;
 class QToolButton;
 
 namespace ui {
@@ -21,6 +22,8 @@ public:
 
     /// Lets the button above the table open the menu of `sets`, with the name of the one that is shown.
     void setSets(LayerSets& sets);
+    /// Lets a button above the table, and a right click, open this menu.
+    void setBoardColours(QMenu& menu);
     /// The one that is selected; of several the one the cursor is on. None if there is none.
     [[nodiscard]] model::LayerId currentLayer() const;
     /// Unfolds its group.
@@ -58,6 +61,7 @@ private:
     GroupedLayers* m_rows;
     TableView* m_table;
     QToolButton* m_sets;
+    QToolButton* m_boardColours;
     int m_typeWidth = 0;  ///< pixels
     int m_nameWidth = 0;  ///< of the longest
 };

@@ -129,8 +129,9 @@ void BoardViews::makeScene() {
 
 std::vector<render::LayerStyle> BoardViews::stylesOf(const BoardView& view) const {
     const bool isFlat = view.kind() == BoardView::Kind::Flat;
-    std::vector<render::LayerStyle> styles =
-        isFlat ? flatStyles(*m_board->document, m_styles) : solidStyles(*m_board->document, m_styles, m_palette);
+    std::vector<render::LayerStyle> styles = isFlat
+                                                 ? flatStyles(*m_board->document, m_styles)
+                                                 : solidStyles(*m_board->document, m_styles, m_palette, m_boardColours);
     if (isFlat) {
         putOnTop(styles, *m_board->document, m_topLayer);
     }

@@ -35,6 +35,8 @@ public:
     void setStyles(const std::vector<LayerAppearance>& styles);
     /// What layers look like in 3D whose colour nobody changed; `setStyles` comes after it.
     void setPalette(render::Palette palette) { m_palette = palette; }
+    /// Likewise.
+    void setBoardColours(const model::BoardColourChoice& chosen) { m_boardColours = chosen; }
     /// In 2D this layer is drawn over the others; none ends it.
     void setTopLayer(model::LayerId layer);
     /// In 2D all layers but this one fade into the background; none ends it.
@@ -106,6 +108,7 @@ private:
     ElementStateLists m_states;
     std::vector<glm::vec3> m_elementColours;
     render::Palette m_palette = render::Palette::Standard;
+    model::BoardColourChoice m_boardColours;
     model::LayerId m_topLayer;                     ///< in 2D
     model::LayerId m_contrastLayer;                ///< in 2D
     std::vector<model::LayerId> m_contrastLayers;  ///< in both views

@@ -30,14 +30,19 @@ bool isVeil(const model::Layer& layer) {
 }  // namespace
 
 std::vector<render::LayerStyle> solidStyles(const model::Document& document,
-                                            const std::vector<LayerAppearance>& appearances, render::Palette palette) {
+                                            const std::vector<LayerAppearance>& appearances, render::Palette palette,
+                                            const model::BoardColourChoice& chosen) {
     std::vector<render::LayerStyle> styles = toStyles(appearances);
     const std::vector<LayerAppearance> untouched = defaultAppearances(document, palette);
     const std::vector<render::LayerStyle> material =
-        render::defaultStyles(document, render::Appearance::Solid, palette);
+        render::defaultStyles(document, render::Appearance::Solid, palette, model::boardColours(document, chosen));
     for (std::size_t row = 0; row < styles.size(); ++row) {
+        styles[row].material = material[row].material;
         if (appearances[row].colour == untouched[row].colour) {
             styles[row].colour = material[row].colour;
+        }
+        if (appearances[row].opacityPercent == untouched[row].opacityPercent) {
+            styles[row].opacity = material[row].opacity;
         }
     }
     return styles;

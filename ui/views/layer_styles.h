@@ -13,10 +13,12 @@ namespace ui {
 /// The colours of a drawing (render::Appearance::Flat), with everything visible that makes up a solid board.
 [[nodiscard]] std::vector<LayerAppearance> defaultAppearances(const model::Document& document, render::Palette palette);
 [[nodiscard]] std::vector<render::LayerStyle> toStyles(const std::vector<LayerAppearance>& appearances);
-/// For the 3D view: layers whose colour nobody changed have that of their material.
+/// For the 3D view: layers are of their material, those whose colour nobody changed in its colour. The film of a solder
+/// mask whose opacity nobody changed is as opaque as its colour needs.
 [[nodiscard]] std::vector<render::LayerStyle> solidStyles(const model::Document& document,
                                                           const std::vector<LayerAppearance>& appearances,
-                                                          render::Palette palette);
+                                                          render::Palette palette,
+                                                          const model::BoardColourChoice& chosen);
 /// For the 2D view: without laminate and lacquer, which would veil all layers below.
 [[nodiscard]] std::vector<render::LayerStyle> flatStyles(const model::Document& document,
                                                          const std::vector<LayerAppearance>& appearances);

@@ -35,8 +35,10 @@ void connectBoard(FeatureContext& context) {
     });
     QObject::connect(&workspace, &Workspace::restacked, &views,
                      [&views](const LoadedBoard& board) { views.setHeights(board.document); });
-    QObject::connect(&context.layers, &LayerModel::stylesChanged, &views,
-                     [&context] { context.views.setStyles(context.layers.effectiveStyles()); });
+    QObject::connect(&context.layers, &LayerModel::stylesChanged, &views, [&context] {
+        context.views.setBoardColours(context.layers.boardColours());
+        context.views.setStyles(context.layers.effectiveStyles());
+    });
     QObject::connect(&views, &BoardViews::troubled, &workspace, &Workspace::errorReported);
     QObject::connect(&views, &BoardViews::deviceGoes, &workspace, &Workspace::deviceGoes);
     const auto setContrast = [&context] {

@@ -55,6 +55,31 @@ private slots:
         QCOMPARE(window().layers().visibleNames(), std::vector<std::string>{"TOP"});
     }
 
+    void boardColoursAreDrawnKeptAndUndone() {
+        const auto mask = [this] {
+            for (std::size_t row = 0; row < window().document()->layers.size(); ++row) {
+                if (window().document()->layers[row].name == "SMT solder mask") {
+                    return window().views().solid().styles()[row];
+                }
+            }
+            return render::LayerStyle{};
+        };
+        const render::LayerStyle green = mask();
+        QVERIFY(green.material == render::Material::Gloss);
+        chooseBoardColour(0, "Blue");
+        QVERIFY(mask().colour.b > 2.0F * mask().colour.g);
+        chooseBoardColour(2, "Tin (HASL)");
+        m_fixture->restart();
+        QVERIFY(m_fixture->openAndWait(m_job));
+        QVERIFY(mask().colour.b > 2.0F * mask().colour.g);
+        chooseBoardColour(0, "White");
+        trigger(ActionId::Undo);
+        QVERIFY(mask().colour.b > 2.0F * mask().colour.g);
+        chooseBoardColour(0, "Default: Green");
+        QVERIFY(mask().colour == green.colour);
+        QCOMPARE(window().layers().boardColours().finish, std::optional(model::SurfaceFinish::Tin));
+    }
+
     void kiCadsKeysGoToOuterCopper() {
         trigger(ActionId::KeysKiCad);
         m_fixture->key(Qt::Key_PageDown);
@@ -90,6 +115,18 @@ private:
     ui::LayerSets& sets() { return window().find<ui::LayerSets>(); }
     QToolButton& button() { return *window().findChild<QToolButton*>("layerSets"); }
     void trigger(ActionId id) { window().actions()[id].trigger(); }
+    /// `part`: 0 = solder mask, 1 = silkscreen, 2 = finish.
+    void chooseBoardColour(int part, const QString& text) {
+        QMenu& menu = *window().findChild<QToolButton*>("boardColours")->menu();
+        emit menu.aboutToShow();
+        for (QAction* action : menu.actions()[part]->menu()->actions()) {
+            if (action->text() == text) {
+                action->trigger();
+                return;
+            }
+        }
+        QFAIL(qPrintable(text + " is not offered"));
+    }
     void choose(const QString& set) {
         QMenu& menu = *button().menu();
         emit menu.aboutToShow();
