@@ -149,6 +149,29 @@ std::vector<shader::LayerState> layerStates(const SceneLayers& scene, const View
     return states;
 }
 
+/// What stands out is darker the more copper lies over it: through the openings of a plane one sees how deep the next
+/// one is. The first steps are the largest.
+constexpr float kBrightest = 0.8F;  // leaves room for what is mirrored
+constexpr float kDarkest = 0.3F;
+constexpr float kPerCopper = 0.62F;
+
+void shadeByDepth(const SceneLayers& scene, bool is2d, bool isSeenFromAbove, std::vector<shader::LayerState>& states) {
+    const auto height = [&](std::uint32_t i) { return isSeenFromAbove ? states[i].z1 : -states[i].z0; };
+    std::vector<std::uint32_t> copper;
+    for (std::uint32_t i = 0; i < states.size(); ++i) {
+        states[i].colour.a = is2d ? 1.0F : kBrightest;
+        if (!is2d && scene.layers[i].isCopper && (states[i].flags & shader::kLayerVisible) != 0) {
+            copper.push_back(i);
+        }
+    }
+    std::ranges::stable_sort(copper, std::greater(), height);
+    float rest = 1.0F;
+    for (const std::uint32_t i : copper) {
+        states[i].colour.a = kDarkest + (kBrightest - kDarkest) * rest;
+        rest *= kPerCopper;
+    }
+}
+
 /// Among visible layers with a face at the same height, later layers win: they get higher ranks.
 void rankFaces(std::vector<shader::LayerState>& layers, float shader::LayerState::*face, std::uint32_t shift) {
     std::vector<std::uint32_t> order(layers.size());
@@ -222,6 +245,9 @@ LayerPlan planLayers(const SceneLayers& scene, const ViewSettings& settings, con
     const Sight sight = leavesOut ? sightOf(point, heights.z0, heights.z1) : Sight{};
     if (leavesOut && subject == Subject::Board) {
         hideBuried(scene.inSubstrate, sight, plan.states);
+    }
+    if (subject == Subject::StandingOut) {
+        shadeByDepth(scene, settings.is2d, eye.direction.z <= 0.0F, plan.states);
     }
     plan.batches = makeBatches(plan.states, eye.direction.z <= 0.0F);
     plan.faces = facesOfLayers(eye, plan.states);

@@ -8,7 +8,7 @@ float brightness(vec3 normal) {
         return 1.0;
     }
     const float side = 0.36 + 0.22 * dot(normal.xy, FRAME.light);
-    return has(FRAME.flags, kFrameStandingOut) ? mix(side, 1.0, 0.6) : side;
+    return has(FRAME.flags, kFrameStandingOut) ? mix(side, 1.0, 0.45) : side;
 }
 
 bool isShaded() {

@@ -16,6 +16,17 @@ vec3 standingOut(uint state) {
     return has(state, kElementHighlighted) ? highlighted(colour) : colour;
 }
 
+// What does not stand out: in flat views fading into the background; in 3D turning grey first, with enough left of its lights and shadows to see
+// where things lie.
+vec3 dimmed(vec3 colour) {
+    const float strength = FRAME.restStrength;
+    if (has(FRAME.flags, kFrameFlat)) {
+        return mix(FRAME.background, colour, strength);
+    }
+    const vec3 grey = vec3(dot(colour, vec3(0.2126, 0.7152, 0.0722)));
+    return mix(FRAME.background, mix(grey, colour, strength), strength * (1.5 - 0.5 * strength));
+}
+
 vec4 colourOf(LayerState layer, uint element, bool isBore) {
     if (has(FRAME.flags, kFrameMono)) {
         return vec4(1.0);
@@ -26,14 +37,16 @@ vec4 colourOf(LayerState layer, uint element, bool isBore) {
     const uint state = stateOf(element);
     const vec4 plain = isBore ? vec4(vec3(0.004), layer.colour.a) : layer.colour;
     if (!standsOut(state)) {
-        return vec4(mix(FRAME.background, plain.rgb, FRAME.restStrength), plain.a);
+        return vec4(dimmed(plain.rgb), plain.a);
     }
-    return vec4(standingOut(state) * (isBore ? kBoreShade : 1.0), 1.0);  // and hides what is under it
+    const float depthShade = has(FRAME.flags, kFrameStandingOut) ? layer.colour.a : 1.0;
+    return vec4(standingOut(state) * (isBore ? kBoreShade : depthShade), 1.0);  // and hides what is under it
 }
 
-// What stands out is matt, so that its colour is the same from everywhere; so is the dark inside of a hole.
+// What stands out shines like metal whatever it is, in its own colour: so a plane is no flat patch. The dark inside of a hole does not.
 uint materialOf(LayerState layer, uint element, bool isBore) {
-    return isBore || standsOut(stateOf(element)) ? kMaterialMatt : layer.flags >> kLayerMaterialShift & kMaterialMask;
+    const uint plain = standsOut(stateOf(element)) ? kMaterialMetal : layer.flags >> kLayerMaterialShift & kMaterialMask;
+    return isBore ? kMaterialMatt : plain;
 }
 
 // Moves a clip position nearer by so many steps of depth resolution. `slenderness` is length over width: a rasteriser works out the slope of a sliver the

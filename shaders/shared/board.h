@@ -96,7 +96,7 @@ GPU_CONST kMaterialMatt = 0;   // the same from everywhere
 GPU_CONST kMaterialMetal = 1;  // mirrors the light in its own colour
 GPU_CONST kMaterialGloss = 2;  // mirrors some of the light as it is, over its own colour
 struct LayerState {
-    vec4 colour;   // linear RGB, opacity
+    vec4 colour;   // linear RGB, opacity; with kFrameStandingOut the last is how bright it is for its depth
     float z0, z1;  // mm, explosion included
     uint flags;
     uint batch;  // 0 = with all opaque layers, else the translucent batch that draws it

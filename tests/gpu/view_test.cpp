@@ -309,6 +309,22 @@ private slots:
         QVERIFY(pixel(image, 150, 100).r > pixel(image, 150, 100).b);  // still its hue
     }
 
+    /// In 3D what is dimmed is greyer, and its walls are told from its top.
+    void dimmedSolidsKeepTheirDepth() {
+        SyntheticBoard board;
+        board.addLayer(0.0F, 1.0F, {0.8F, 0.3F, 0.2F});
+        board.addArea({{{-800, -800}, {800, -800}, {800, 800}, {-800, 800}}}, {{{0, 0}, {1, 0}, 0, 0, 0, 0, 0.0F, 0}});
+        Scene scene(board);
+        scene.camera.fit({-1, -1, 0}, {1, 1, 1}, NamedView::Iso, 1.0F);
+        ViewSettings how;
+        how.dim = kDimRest;
+        const Image image = scene.draw(how, 200, 200);
+        const Rgb top = pixel(image, 100, 80);
+        const Rgb wall = pixel(image, 100, 150);
+        QVERIFY2(top.r - top.b < 60 && top.r > top.b, describe(top).c_str());
+        QVERIFY2(top.r - wall.r > 25, describe(wall).c_str());
+    }
+
     void hiddenLayersAreNotDrawn() {
         SyntheticBoard board;
         board.addLayer(0.0F, 0.035F, {1, 0, 0});

@@ -73,6 +73,33 @@ private slots:
         }
     }
 
+    void whatStandsOutIsDarkerTheDeeperItLies() {
+        render::SceneLayers scene;
+        for (int i = 0; i < 3; ++i) {  // from the top: two of copper and one of something else
+            render::FrameLayer layer;
+            layer.z1 = 2.0F - static_cast<float>(i);
+            layer.z0 = layer.z1 - 0.1F;
+            layer.isCopper = i < 2;
+            scene.layers.push_back(layer);
+        }
+        scene.styles.resize(3);
+        scene.styles[1].opacity = 0.5F;
+        const auto shades = [&](render::NamedView view, bool is2d) {
+            render::Camera camera;
+            camera.fit(glm::vec3(-1.0F), glm::vec3(1.0F), view, 1.0F);
+            render::ViewSettings settings;
+            settings.is2d = is2d;
+            const auto plan = render::planFrame(scene, camera, settings, 80, 60, render::Subject::StandingOut);
+            return glm::vec3(plan.upright.states[0].colour.a, plan.upright.states[1].colour.a,
+                             plan.upright.states[2].colour.a);
+        };
+        const glm::vec3 fromAbove = shades(render::NamedView::Top, false);
+        QVERIFY(fromAbove.y < 0.9F * fromAbove.x && fromAbove.y > 0.3F);
+        QCOMPARE(fromAbove.z, fromAbove.x);
+        QCOMPARE(shades(render::NamedView::Bottom, false), glm::vec3(fromAbove.y, fromAbove.x, fromAbove.x));
+        QCOMPARE(shades(render::NamedView::Top, true), glm::vec3(1.0F));
+    }
+
     void evenLayersStayEven() {
         const render::FramePlan plan = planOf(sceneWithBodies(0), {});
         constexpr std::uint32_t kUneven = shader::kLayerGrowsUp | shader::kLayerGrowsDown;
