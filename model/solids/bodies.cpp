@@ -1,18 +1,13 @@
 #include "model/solids/bodies.h"
 
-#include <array>
 #include <cmath>
 
 namespace model {
 
 namespace {
 
-/// Half the width of a pin that the job draws no outline of.
-constexpr Nm kHalfPin = 250'000;
-
-constexpr const char* kBoxOfPins = "a package has no outline; the box of its pins is taken for its body";
-constexpr const char* kTooSmall =
-    "the outline of a package is a dot between its pins; the box around them is taken for its body";
+/// An outline that covers more of the board than this is the board's or that of a card beside it, not a body's.
+constexpr double kMostOfBoard = 0.4;
 
 bool isFace(const Layer& layer) {
     return layer.context == LayerContext::Board &&
@@ -51,14 +46,14 @@ bool isInRange(const Box& box, const Placement& placement) {
 class BodyMaker {
 public:
     explicit BodyMaker(DocumentBuilder& builder)
-        : m_builder(builder), m_document(builder.soFar()), m_outlines(builder.soFar().packages.size()) {}
+        : m_builder(builder), m_document(builder.soFar()), m_plans(builder.soFar()) {}
 
     void addLayer(LayerSide side, Nm thickness, const ZRange& faces) {
         if (thickness <= 0) {
             return;
         }
         Layer layer;
-        layer.name = side == LayerSide::Top ? "component bodies top" : "component bodies bottom";
+        layer.name = side == LayerSide::Top ? "bodies top" : "bodies bottom";
         layer.type = LayerType::ComponentBody;
         layer.side = side;
         layer.isSynthetic = true;
@@ -74,13 +69,6 @@ public:
     }
 
 private:
-    /// An outline and from where it comes: nullptr if the package draws it, else what to report.
-    struct Outline {
-        ShapeId shape;
-        const char* message = nullptr;
-        bool isKnown = false;
-    };
-
     void report(Severity severity, const char* text, ElementId element = {}) {
         m_builder.diagnostics().report(severity, "", 0, text, element);
     }
@@ -90,105 +78,72 @@ private:
         if (!component.isPopulated) {
             return report(Severity::Info, "a component that is not populated has no body");
         }
-        const bool hasPackage = component.package.isValid();
-        const Outline outline = hasPackage ? ofPackage(component.package) : ofPins(component);
-        const Placement placement = hasPackage ? component.placement : Placement{};
-        if (!outline.shape.isValid()) {
-            return report(Severity::Warning, outline.message);
+        const BodyPlan& plan = m_plans.of(id);
+        const Placement placement = component.package.isValid() ? component.placement : Placement{};
+        if (!mayStand(component, plan, placement)) {
+            return;
         }
-        if (!isInRange(m_document.shapes.shapes[outline.shape.row()].box, placement)) {
-            return report(Severity::Warning,
-                          "a component reaches out of the coordinate range of ±1.07 m; it has no body");
-        }
-        const ElementId element = m_builder.addArea({outline.shape, placement}, {});
-        m_builder.addBody({element, id, bodyHeight(component.height),
-                           component.height > 0 && component.height <= kMostBody ? Source::Job : Source::Assumed});
-        if (outline.message != nullptr) {
-            report(Severity::Info, outline.message, element);
-        }
+        const ElementId element = m_builder.addArea({shapeOf(plan), placement}, {});
+        m_builder.addBody({element, id, plan.height, plan.isHeightAssumed ? Source::Assumed : Source::Job});
         reportHeight(component.height, element);
+    }
+
+    /// Reports why not.
+    bool mayStand(const Component& component, const BodyPlan& plan, const Placement& placement) {
+        if (plan.box.isEmpty()) {
+            const std::uint32_t pins = component.package.isValid()
+                                           ? m_document.packages[component.package.row()].pins.count
+                                           : component.pinCount;
+            report(Severity::Info, pins == 0 ? "a component without pins has no body"
+                                             : "a component that is bare copper or a hole (test point, fiducial, "
+                                               "mounting hole, jumper of solder) has no body");
+            return false;
+        }
+        if (!isInRange(plan.box, placement)) {
+            report(Severity::Warning, "a component reaches out of the coordinate range of ±1.07 m; it has no body");
+            return false;
+        }
+        if (coversBoard(plan.box)) {
+            report(Severity::Info, "the outline of a component covers more than 40 % of the board; it has no body");
+            return false;
+        }
+        return true;
+    }
+
+    [[nodiscard]] bool coversBoard(const Box& box) const {
+        const auto areaOf = [](const Box& of) {
+            return static_cast<double>(of.width()) * static_cast<double>(of.height());
+        };
+        return m_document.profile.isValid() &&
+               areaOf(box) > kMostOfBoard * areaOf(m_document.shapes.shapes[m_document.profile.row()].box);
     }
 
     void reportHeight(Nm stated, ElementId element) {
         if (stated <= 0) {
-            report(Severity::Info, "the job gives no height for a component; its body is taken as 1 mm high", element);
-        } else if (stated > kMostBody) {
-            report(Severity::Warning, "the height of a component is absurd; its body is taken as 150 mm high", element);
+            report(Severity::Info,
+                   "the job gives no height for a component; a height usual for its package is assumed for its body",
+                   element);
+        } else if (!isPlausibleHeight(stated)) {
+            report(Severity::Warning,
+                   "the height of a component is below 0.1 or above 150 mm; a height usual for its package is assumed "
+                   "for its body",
+                   element);
         }
     }
 
-    /// Made once for all components of the package.
-    const Outline& ofPackage(PackageId id) {
-        Outline& outline = m_outlines[id.row()];
-        if (!outline.isKnown) {
-            outline = outlineOf(m_document.packages[id.row()]);
-            outline.isKnown = true;
+    /// Made once for all components of a plan.
+    ShapeId shapeOf(const BodyPlan& plan) {
+        ShapeId& shape = m_shapes[&plan];
+        if (!shape.isValid()) {
+            shape = m_builder.addShape(sketchOf(plan.outline));
         }
-        return outline;
-    }
-
-    Outline outlineOf(const Package& package) {
-        const Box pins = boxOfPins(package);
-        if (package.body.isValid()) {
-            const bool isBelieved = !isPlaceholder(m_document.shapes.shapes[package.body.row()].box, pins);
-            return isBelieved ? Outline{package.body} : withoutOutline(package.box, pins, kTooSmall, kTooSmall);
-        }
-        return withoutOutline(package.box, pins, "a package draws no outline; the box it states is taken for its body",
-                              kBoxOfPins);
-    }
-
-    /// Some programs write a dot where they know no outline (odb-notes, Nets and parts).
-    static bool isPlaceholder(const Box& outline, const Box& pins) {
-        return 4 * outline.width() < pins.width() && 4 * outline.height() < pins.height();
-    }
-
-    Outline withoutOutline(const Box& stated, const Box& pins, const char* ofStated, const char* ofPins) {
-        const bool isStated = stated.width() > 0 && stated.height() > 0;
-        return isStated ? Outline{boxShape(stated), ofStated} : ofBox(pins, ofPins);
-    }
-
-    [[nodiscard]] Box boxOfPins(const Package& package) const {
-        Box pins;
-        for (std::uint32_t i = package.pins.first; i < package.pins.first + package.pins.count; ++i) {
-            const PackagePin& pin = m_document.packagePins[i];
-            const bool isDrawn = pin.outline.isValid();
-            pins.include(isDrawn ? m_document.shapes.shapes[pin.outline.row()].box : around(pin.position));
-        }
-        return pins;
-    }
-
-    /// Of a component whose package is not known.
-    Outline ofPins(const Component& component) {
-        Box pins;
-        for (const Pin& pin : m_document.pinsOf(component)) {
-            pins.include(around(pin.position));
-        }
-        return ofBox(pins, kBoxOfPins);
-    }
-
-    Outline ofBox(const Box& pins, const char* message) {
-        if (pins.width() <= 0 || pins.height() <= 0) {
-            return {{}, "a component has neither an outline nor pins; it has no body"};
-        }
-        return {boxShape(pins), message};
-    }
-
-    static Box around(Point pin) {
-        Box box;
-        box.include(pin);
-        return box.grownBy(kHalfPin);
-    }
-
-    ShapeId boxShape(const Box& box) {
-        ShapeSketch sketch;
-        const std::array<Point, 4> corners{{box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}};
-        sketch.addPolygon(corners, false);
-        return m_builder.addShape(sketch);
+        return shape;
     }
 
     DocumentBuilder& m_builder;
     const Document& m_document;
-    std::vector<Outline> m_outlines;  ///< by package
+    BodyPlans m_plans;
+    std::map<const BodyPlan*, ShapeId> m_shapes;
 };
 
 }  // namespace

@@ -1,20 +1,11 @@
 #pragma once
 
 #include "model/board/document_builder.h"
+#include "model/packages/body_plan.h"
 
-/// Bodies of components: the outline of the package, as high as the component.
+/// Bodies of components: the prism around each component that stands on the board. What they look like in detail is in
+/// model/packages.
 namespace model {
-
-/// Height of a body where the job states none.
-inline constexpr Nm kAssumedBody = 1'000'000;
-/// A height beyond this is taken for a mistake of the job: the tallest parts soldered to boards are capacitors and
-/// heat sinks of some 100 mm.
-inline constexpr Nm kMostBody = 150'000'000;
-
-/// The height of a component's body, from what the job states (0 or less: nothing).
-[[nodiscard]] constexpr Nm bodyHeight(Nm stated) {
-    return stated <= 0 ? kAssumedBody : std::min(stated, kMostBody);
-}
 
 /// Heights of the tallest bodies on either side; 0 where there is no component.
 struct TallestBodies {
@@ -24,8 +15,9 @@ struct TallestBodies {
 
 /// Adds a synthetic layer (LayerType::ComponentBody) for each side with a height, and on it the bodies of the
 /// document's components (Document::bodies), to be called when all other layers are complete. They stand on the
-/// outermost of copper and solder mask. The outline is the package's; where it draws none its stated box, then the box
-/// of its pins. Components that are not populated have no body. What is assumed is reported, once per cause.
+/// outermost of copper and solder mask. Outlines and the heights that the job does not state follow from the package
+/// (BodyPlan). Components that are not populated have no body, nor have those that only are copper or a hole, and those
+/// whose outline covers much of the board. What is assumed or left out is reported, once per cause.
 ///
 /// All steps of a panel have the same rows: `tallest` is that of all of them.
 void addBodies(DocumentBuilder& builder, const TallestBodies& tallest);

@@ -211,6 +211,39 @@ void addParts(DocumentBuilder& builder, const Matrix& matrix, const LayerTable& 
     PartsMaker(builder, matrix, layers, step, nets).run();
 }
 
+namespace {
+
+Box boxOf(const ShapeSketch& sketch) {
+    Box box;
+    for (std::size_t i = 0; i < sketch.contourCount(); ++i) {
+        box.include(boxOfPath(sketch.contour(i), true));
+    }
+    return box;
+}
+
+/// The height a component's body will have, or a little more: outlines are taken for their boxes.
+Nm heightOf(const PlacedComponent& component, const std::vector<EdaPackage>& packages, const Document& document) {
+    PackageFacts facts;
+    facts.refdes = component.refdes;
+    facts.boardDepth = document.boardThickness;
+    const bool isKnown = component.package >= 0 && static_cast<std::size_t>(component.package) < packages.size();
+    if (!isKnown) {
+        for (const PlacedPin& pin : component.pins) {
+            facts.addPin(pin.position, {}, mountOf(component) == MountType::ThroughHole);
+        }
+        return planBody(facts, component.height).height;
+    }
+    const EdaPackage& package = packages[static_cast<std::size_t>(component.package)];
+    facts.name = package.name;
+    for (const EdaPin& pin : package.pins) {
+        facts.addPin(pin.position, boxOf(pin.outline), pin.kind == PinKind::Through);
+    }
+    facts.setOutline({}, boxOf(package.outline), package.box);
+    return planBody(facts, component.height).height;
+}
+
+}  // namespace
+
 TallestBodies tallestParts(const Matrix& matrix, const LayerTable& layers, const Steps& steps,
                            const Document& document) {
     TallestBodies tallest;
@@ -219,7 +252,7 @@ TallestBodies tallestParts(const Matrix& matrix, const LayerTable& layers, const
             for (const PlacedComponent& component : step.layers[row].components.value) {
                 const bool isBottom = document.layer(layers.id(row)).side == LayerSide::Bottom;
                 Nm& side = isBottom ? tallest.bottom : tallest.top;
-                side = std::max(side, bodyHeight(component.height));
+                side = std::max(side, heightOf(component, step.eda.value.packages, document));
             }
         }
     }

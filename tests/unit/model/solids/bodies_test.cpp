@@ -47,7 +47,18 @@ struct Board {
         sketch.addPolygon(corners, false);
         model::Package package;
         package.body = builder.addShape(sketch);
-        return builder.addPackage(std::move(package), {});
+        model::PackagePin pins[2];
+        pins[0].position = {-kMm / 5, kMm / 2};
+        pins[1].position = {2 * kMm + kMm / 5, kMm / 2};
+        return builder.addPackage(std::move(package), pins);
+    }
+
+    /// A board of 40 by 40 mm.
+    void addProfile() {
+        model::ShapeSketch sketch;
+        const Point corners[] = {{0, 0}, {40 * kMm, 0}, {40 * kMm, 40 * kMm}, {0, 40 * kMm}};
+        sketch.addPolygon(corners, false);
+        builder.setProfile(builder.addShape(sketch));
     }
 
     ComponentId place(model::PackageId package, LayerSide side, Nm height, const model::Placement& placement = {}) {
@@ -117,35 +128,49 @@ private slots:
         const auto d = board.finish({0, kMm});
         // Clockwise: (2, 1) -> (1, -2); then x is mirrored: (-1, -2).
         QCOMPARE(d->boxOf(d->bodies[0].element), box(9 * kMm, 18 * kMm, 10 * kMm, 20 * kMm));
-        QVERIFY(!d->findLayer("component bodies top").isValid());
+        QVERIFY(!d->findLayer("bodies top").isValid());
     }
 
     void whatIsNotStatedIsAssumedAndTold() {
         Board board;
-        model::Package stated;
-        stated.box = box(-kMm, -kMm, kMm, kMm);
-        board.place(board.builder.addPackage(std::move(stated), {}), LayerSide::Top, 0);
         model::PackagePin pins[2];
         pins[1].position = {4 * kMm, 0};
         board.place(board.builder.addPackage({}, pins), LayerSide::Top, 0, {{kMm, 0}, 0.0, false});
-        board.place(board.builder.addPackage({}, {}), LayerSide::Top, kMm);
-        model::Pin pin;
-        pin.position = {7 * kMm, 7 * kMm};
-        board.builder.addComponent({}, std::span(&pin, 1));
-        board.place({}, LayerSide::Top, 200 * kMm);
+        model::Pin placed[2];
+        placed[0].position = {7 * kMm, 7 * kMm};
+        placed[1].position = {7 * kMm, 9 * kMm};
+        board.builder.addComponent({}, placed);
         const auto d = board.finish({model::kMostBody, 0});
-        QCOMPARE(d->bodies.size(), std::size_t{3});
-        QCOMPARE(d->boxOf(d->bodies[0].element), box(-kMm, -kMm, kMm, kMm));
-        QCOMPARE(d->boxOf(d->bodies[1].element), box(750'000, -250'000, 5'250'000, 250'000));
-        QCOMPARE(d->boxOf(d->bodies[2].element), box(6'750'000, 6'750'000, 7'250'000, 7'250'000));
+        QCOMPARE(d->bodies.size(), std::size_t{2});
+        QCOMPARE(d->boxOf(d->bodies[0].element).middle(), (Point{3 * kMm, 0}));
+        QCOMPARE(d->boxOf(d->bodies[1].element).middle(), (Point{7 * kMm, 8 * kMm}));
         for (const model::Body& body : d->bodies) {
-            QCOMPARE(body.height, model::kAssumedBody);
+            QVERIFY(body.height > 0 && body.height < kMm);
             QCOMPARE(body.source, Source::Assumed);
         }
-        QCOMPARE(messages(*d, "no height"), std::uint64_t{3});
-        QCOMPARE(messages(*d, "the box it states"), std::uint64_t{1});
-        QCOMPARE(messages(*d, "the box of its pins"), std::uint64_t{2});
-        QCOMPARE(messages(*d, "neither an outline nor pins"), std::uint64_t{2});
+        QCOMPARE(messages(*d, "gives no height"), std::uint64_t{2});
+    }
+
+    void whatOnlyIsCopperHasNoBody() {
+        Board board;
+        model::Package stated;
+        stated.box = box(-kMm, -kMm, kMm, kMm);
+        board.place(board.builder.addPackage(std::move(stated), {}), LayerSide::Top, kMm);
+        board.place({}, LayerSide::Top, kMm);
+        model::PackagePin pin;
+        board.place(board.builder.addPackage({}, {&pin, 1}), LayerSide::Top, 0);
+        const auto d = board.finish({kMm, 0});
+        QVERIFY(d->bodies.empty());
+        QCOMPARE(messages(*d, "without pins"), std::uint64_t{2});
+        QCOMPARE(messages(*d, "bare copper or a hole"), std::uint64_t{1});
+    }
+
+    void aBoardWithoutComponentsHasNoLayersOfBodies() {
+        Board board;
+        const auto d = board.finish({});
+        QVERIFY(d->bodies.empty());
+        QCOMPARE(d->layers.size(), std::size_t{3});
+        QVERIFY(d->diagnostics.entries().empty());
     }
 
     void aDotBetweenThePinsIsNoOutline() {
@@ -159,16 +184,35 @@ private slots:
         pins[0].position = {-2 * kMm, -2 * kMm};
         pins[1].position = {2 * kMm, 2 * kMm};
         board.place(board.builder.addPackage(package, pins), LayerSide::Top, kMm);
-        // In one direction only it may well be smaller: a part with long leads.
-        pins[0].position.y = pins[1].position.y = 0;
-        board.place(board.builder.addPackage(package, pins), LayerSide::Top, kMm);
         const auto d = board.finish({kMm, 0});
-        QCOMPARE(d->boxOf(d->bodies[0].element), box(-2'250'000, -2'250'000, 2'250'000, 2'250'000));
-        QCOMPARE(d->boxOf(d->bodies[1].element), box(0, 0, kMm, kMm));
-        QCOMPARE(messages(*d, "is a dot"), std::uint64_t{1});
+        QVERIFY(d->boxOf(d->bodies[0].element).width() > 3 * kMm);
     }
 
-    void absurdHeightsAreCutAndUnpopulatedPartsHaveNoBody() {
+    void whatCoversTheBoardIsNoBody() {
+        Board board;
+        board.addProfile();
+        model::ShapeSketch sketch;
+        const Point corners[] = {{0, 0}, {39 * kMm, 0}, {39 * kMm, 20 * kMm}, {0, 20 * kMm}};
+        sketch.addPolygon(corners, false);
+        model::Package package;
+        package.body = board.builder.addShape(sketch);
+        model::PackagePin pins[3];
+        pins[0].position = {kMm, kMm};
+        pins[1].position = {38 * kMm, kMm};
+        pins[2].position = {20 * kMm, 19 * kMm};
+        const model::PackageId card = board.builder.addPackage(std::move(package), pins);
+        model::Component component;
+        component.refdes = "J1";
+        component.package = card;
+        board.builder.addComponent(component, {});
+        board.place(board.drawnPackage(), LayerSide::Top, kMm);
+        const auto d = board.finish({kMm, 0});
+        QCOMPARE(d->bodies.size(), std::size_t{1});
+        QCOMPARE(d->bodies[0].component, ComponentId{1});
+        QCOMPARE(messages(*d, "more than 40 %"), std::uint64_t{1});
+    }
+
+    void absurdHeightsAreNotBelievedAndUnpopulatedPartsHaveNoBody() {
         Board board;
         const model::PackageId package = board.drawnPackage();
         board.place(package, LayerSide::Top, 900 * kMm);
@@ -177,10 +221,11 @@ private slots:
         absent.isPopulated = false;
         board.builder.addComponent(std::move(absent), {});
         board.place(package, LayerSide::Top, kMm, {{base::kMaxCoordinate, 0}, 0.0, false});
-        const auto d = board.finish({model::bodyHeight(900 * kMm), 0});
+        const auto d = board.finish({kMm, 0});
         QCOMPARE(d->bodies.size(), std::size_t{1});
-        QCOMPARE(d->bodies[0].height, model::kMostBody);
-        QCOMPARE(messages(*d, "absurd"), std::uint64_t{1});
+        QVERIFY(d->bodies[0].height < 3 * kMm);
+        QCOMPARE(d->bodies[0].source, Source::Assumed);
+        QCOMPARE(messages(*d, "below 0.1 or above 150 mm"), std::uint64_t{1});
         QCOMPARE(messages(*d, "not populated"), std::uint64_t{1});
         QCOMPARE(messages(*d, "out of the coordinate range"), std::uint64_t{1});
     }

@@ -87,8 +87,7 @@ private slots:
                                                    "board 2",
                                                    "SMT solder mask",
                                                    "SMB solder mask",
-                                                   "component bodies top",
-                                                   "component bodies bottom"};
+                                                   "bodies top"};
         QCOMPARE(names, expected);
         QCOMPARE(layerOf(*d, "top").side, LayerSide::Top);
         QCOMPARE(layerOf(*d, "inner plane").side, LayerSide::Inner);
