@@ -8,7 +8,7 @@
 // layer; winding says nothing here, the mirror of an instance flips it.
 void main() {
     const AreaInstance instance = FRAME.instances.at[FRAME.visibleInstances.at[gl_InstanceIndex]];
-    const LayerState layer = FRAME.layers.at[instance.layer];
+    const LayerState layer = layerOf(instance);
     const bool isUpper = push.face == 0u;
     const vec3 position = vec3(placed(instance, FRAME.vertices.at[gl_VertexIndex]), faceOf(instance, layer, isUpper));
     writeVertex(position, layer, instance.element, false, float(isUpper), 0.0);

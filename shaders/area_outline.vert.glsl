@@ -8,7 +8,7 @@
 // Outlines of an area in flat views: six vertices per outline vertex make a line to the next one. A vertex that leads to itself makes nothing.
 void main() {
     const AreaInstance instance = FRAME.instances.at[FRAME.visibleInstances.at[gl_InstanceIndex]];
-    const LayerState layer = FRAME.layers.at[instance.layer];
+    const LayerState layer = layerOf(instance);
     const uint vertex = uint(gl_VertexIndex) / 6u;
     const uint corner = uint(gl_VertexIndex) % 6u;
     // Corners (left', left, right), (left', right, right'): bit set = next vertex, or left side.

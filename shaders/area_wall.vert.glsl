@@ -8,7 +8,7 @@
 // makes nothing.
 void main() {
     const AreaInstance instance = FRAME.instances.at[FRAME.visibleInstances.at[gl_InstanceIndex]];
-    const LayerState layer = FRAME.layers.at[instance.layer];
+    const LayerState layer = layerOf(instance);
     const uint vertex = uint(gl_VertexIndex) / 6u;
     const uint corner = uint(gl_VertexIndex) % 6u;
     // Corners (upper', upper, lower), (upper', lower, lower'): bit set = next vertex, or upper face. A mirror turns the outline round.

@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 
+#include "app/common/board_styles.h"
 #include "app/common/console_progress.h"
 #include "model/base/stopwatch.h"
 #include "render/frame/frame_measures.h"
@@ -56,7 +57,10 @@ public:
           m_presenter(device),
           m_levels(levelsOf(arguments.levels)),
           m_onlyCulled(arguments.onlyCulled),
+          m_hasComponents(arguments.hasComponents),
           m_frames(arguments.frames) {}
+
+    [[nodiscard]] bool hasComponents() const { return m_hasComponents; }
 
     base::Status measure(render::BoardScene& scene, const render::BoardFrame& frame, bool isStandard,
                          std::vector<FrameResult>& out) {
@@ -156,6 +160,7 @@ private:
     render::OffscreenPresenter m_presenter;
     render::LevelOfDetail m_levels;
     bool m_onlyCulled;
+    bool m_hasComponents;
     int m_frames;
     std::map<std::string, render::Image> m_expected;
     std::map<std::string, Backend> m_auto;
@@ -177,7 +182,11 @@ base::Status benchModel(render::gpu::Device& device, const model::Document& docu
     device.waitIdle();
     out.uploadMs = upload.milliseconds();
     out.gpuBytes = scene.gpuBytes();
-    scene.setStyles(render::defaultStyles(document));
+    std::vector<render::LayerStyle> styles = render::defaultStyles(document);
+    if (frames.hasComponents()) {
+        showComponents(document, styles);
+    }
+    scene.setStyles(styles);
     return frames.measure(scene, model, out.name == "standard", out.frames);
 }
 

@@ -14,6 +14,7 @@ struct BenchArguments {
     std::string pipeline = "both";  ///< or "hybrid", "standard"
     std::string levels = "error";   ///< of detail; or "paper", "coarse"
     bool onlyCulled = false;        ///< leaves out frames without culling and level of detail
+    bool hasComponents = false;     ///< with the bodies of the components
     int frames = 7;                 ///< per median
     bool asJson = false;
 };

@@ -166,6 +166,7 @@ void addRender(CLI::App& parent, Command& chosen) {
     addList(command, "--clip", arguments.clip,
             "X0,Y0,X1,Y1 in millimetres: a section plane along this line; what is to its left is left out (3D)")
         ->expected(4);
+    command.add_flag("--components", arguments.hasComponents, "with the bodies of the components");
     command.add_flag("--as-designed", arguments.isAsDesigned,
                      "in 3D, draw also what is milled away beyond the board outline");
     command.add_flag("--outlines", arguments.isOutlined, "in 2D, outlines without fill");
@@ -270,6 +271,7 @@ void addBench(CLI::App& parent, Command& chosen) {
     addChoice(command, "--pipeline", arguments.pipeline, {"both", "hybrid", "standard"});
     addLevels(command, arguments.levels);
     command.add_flag("--only-culled", arguments.onlyCulled, "no frames without culling and level of detail");
+    command.add_flag("--components", arguments.hasComponents, "with the bodies of the components");
     addNumber(command, "--frames", arguments.frames, 1, 1000, "frames per median");
     command.add_flag("--json", arguments.asJson, "as JSON");
     addTriangulationBench(command, both->isTriangulation, both->triangulation);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/common/board_styles.h"
 #include "app/common/console_progress.h"
 #include "app/common/headless_device.h"
 #include "model/board/copies.h"
@@ -27,6 +28,9 @@ Result<std::vector<render::LayerStyle>> chooseLayers(const Document& document, c
     const render::Appearance appearance = arguments.mode == "2d" ? render::Appearance::Flat : render::Appearance::Solid;
     std::vector<render::LayerStyle> styles =
         render::defaultStyles(document, appearance, render::Palette::Standard, coloursOf(document, arguments));
+    if (arguments.hasComponents) {
+        showComponents(document, styles);
+    }
     if (arguments.layers.empty()) {
         for (std::size_t row = 0; row < styles.size(); ++row) {
             // A raster of shapes is about copper and print, not about the substrate around them.

@@ -10,6 +10,7 @@
 #include "model/solids/milling.h"
 #include "render/modelling/area_meshes.h"
 #include "render/modelling/area_pieces.h"
+#include "render/modelling/body_details.h"
 #include "render/modelling/lets.h"
 
 namespace render {
@@ -114,21 +115,25 @@ void joinMeshes(const std::vector<ShapeMesh>& meshes, const std::vector<model::P
     }
 }
 
+/// A shape laid on the board; `centre` is what its vertices count from.
+shader::AreaInstance instanceAt(const model::Placement& placement, model::Point centre, std::uint32_t shape,
+                                model::Point origin) {
+    const double angle = placement.clockwiseDeg * std::numbers::pi / 180.0;
+    shader::AreaInstance instance{};
+    instance.origin = toGpu(placement.apply(base::toDouble(centre)), origin);
+    instance.cosSin = {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
+    instance.shape = shape;
+    instance.isMirrored = placement.isMirrored ? 1 : 0;
+    return instance;
+}
+
 shader::AreaInstance instanceOf(const Document& document, model::ElementId element, std::uint32_t shape,
                                 model::Point origin) {
     const model::AreaGeometry& area = document.areas[document.elements.geometry[element.row()]];
-    const double angle = area.placement.clockwiseDeg * std::numbers::pi / 180.0;
-    shader::AreaInstance instance{};
     const model::Point centre = centreOf(document.shapes.shapes[area.shape.row()].box);
-    instance.origin = toGpu(area.placement.apply(base::toDouble(centre)), origin);
-    instance.cosSin = {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
-    instance.shape = shape;
+    shader::AreaInstance instance = instanceAt(area.placement, centre, shape, origin);
     instance.layer = document.elements.layer[element.row()].value;
     instance.element = element.value;
-    instance.isMirrored = area.placement.isMirrored ? 1 : 0;
-    if (const model::Body* body = document.bodyOf(element)) {
-        instance.height = static_cast<float>(base::toMm(body->height));
-    }
     return instance;
 }
 
@@ -145,32 +150,37 @@ void addBatches(const std::vector<shader::AreaInstance>& instances, std::uint32_
     out.areaBatchesOfLayer.push_back({firstBatch, static_cast<std::uint32_t>(out.areaBatches.size()) - firstBatch});
 }
 
-shader::AreaInstance instanceOfRest(const Document& document, const Milling::Rest& rest, model::Point centre,
-                                    model::Point origin) {
-    shader::AreaInstance instance{};
-    instance.origin = toGpu(base::toDouble(centre), origin);
-    instance.cosSin = {1.0F, 0.0F};
-    instance.shape = rest.mesh;
-    instance.layer = document.elements.layer[rest.element.row()].value;
+shader::AreaInstance instanceOfRest(const Milling::Rest& rest, model::Point centre, model::Point origin) {
+    shader::AreaInstance instance = instanceAt({}, centre, rest.mesh, origin);
     instance.element = rest.element.value;
     instance.onlyAs = shader::kOnlyAsFabricated;
     return instance;
 }
 
-std::vector<std::vector<shader::AreaInstance>> restsOfLayers(const Document& document, const Milling& milling,
-                                                             const std::vector<model::Point>& centres,
-                                                             model::Point origin) {
+/// What is drawn besides the elements of a layer as they are, by layer: rests of what is milled, parts of bodies.
+std::vector<std::vector<shader::AreaInstance>> additionsOfLayers(const Document& document, const Milling& milling,
+                                                                 const BodyDetails& bodies,
+                                                                 const std::vector<model::Point>& centres,
+                                                                 model::Point origin) {
     std::vector<std::vector<shader::AreaInstance>> byLayer(document.layers.size());
-    for (const Milling::Rest& rest : milling.rests()) {
-        const shader::AreaInstance instance = instanceOfRest(document, rest, centres[rest.mesh], origin);
+    const auto add = [&](model::ElementId element, shader::AreaInstance instance) {
+        instance.layer = document.elements.layer[element.row()].value;
         byLayer[instance.layer].push_back(instance);
+    };
+    for (const Milling::Rest& rest : milling.rests()) {
+        add(rest.element, instanceOfRest(rest, centres[rest.mesh], origin));
+    }
+    for (const BodyDetails::Part& part : bodies.parts()) {
+        shader::AreaInstance instance = instanceAt(part.placement, centres[part.mesh], part.mesh, origin);
+        describePart(part, instance);
+        add(part.element, instance);
     }
     return byLayer;
 }
 
 void makeInstances(const Document& document, const std::vector<std::uint32_t>& rowOfShape, const Milling& milling,
-                   const std::vector<model::Point>& centres, BoardModel& out) {
-    const auto rests = restsOfLayers(document, milling, centres, out.origin);
+                   const BodyDetails& bodies, const std::vector<model::Point>& centres, BoardModel& out) {
+    const auto additions = additionsOfLayers(document, milling, bodies, centres, out.origin);
     std::vector<shader::AreaInstance> ofLayer;
     for (std::size_t layer = 0; layer < document.layers.size(); ++layer) {
         ofLayer.clear();
@@ -179,12 +189,13 @@ void makeInstances(const Document& document, const std::vector<std::uint32_t>& r
             if (document.elements.kind[row] == ElementKind::Area) {
                 const std::uint32_t shape = rowOfShape[document.areas[document.elements.geometry[row]].shape.row()];
                 ofLayer.push_back(instanceOf(document, model::ElementId{row}, shape, out.origin));
+                bodies.paint(model::ElementId{row}, ofLayer.back());
                 if (milling.isMilled(model::ElementId{row})) {
                     ofLayer.back().onlyAs = shader::kOnlyAsDesigned;
                 }
             }
         }
-        ofLayer.insert(ofLayer.end(), rests[layer].begin(), rests[layer].end());
+        ofLayer.insert(ofLayer.end(), additions[layer].begin(), additions[layer].end());
         std::ranges::stable_sort(ofLayer, {}, &shader::AreaInstance::shape);
         addBatches(ofLayer, static_cast<std::uint32_t>(layer), out);
     }
@@ -265,6 +276,8 @@ base::Result<BoardModel> buildStepModel(const Document& document, Milling millin
     const std::vector<std::uint32_t> rowOfShape = rowsOfShapes(document, used);
     std::vector<ShapeMesh> meshes = punchShapes(document, used, how, progress);
     milling.takeRests(meshes);
+    BodyDetails bodies(document);
+    bodies.takeMeshes(meshes);
     const std::vector<model::Point> centres = centresOf(document, used, meshes);
     out.times.discretiseMs = watch.milliseconds();
     if (progress.isCancelled()) {
@@ -275,7 +288,7 @@ base::Result<BoardModel> buildStepModel(const Document& document, Milling millin
     watch = {};
     static_cast<BoardFrame&>(out) = frameOf(document);
     makeAllLets(document, how, rowOfShape, meshes, milling, out);
-    makeInstances(document, rowOfShape, milling, centres, out);
+    makeInstances(document, rowOfShape, milling, bodies, centres, out);
     out.times.createMs = watch.milliseconds();
 
     progress.beginPhase("Triangulating copper areas");

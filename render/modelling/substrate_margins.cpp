@@ -273,6 +273,7 @@ public:
         : m_model(model), m_result(document.layers.size()) {
         for (std::size_t i = 0; i < document.layers.size(); ++i) {
             const model::Layer& layer = document.layers[i];
+            m_isBodies.push_back(layer.type == model::LayerType::ComponentBody ? 1 : 0);
             if (layer.type == model::LayerType::Body) {
                 m_result[i].role = Role::Substrate;
             } else if (layer.type == model::LayerType::Drill || layer.type == model::LayerType::Rout) {
@@ -292,7 +293,7 @@ public:
         base::parallelFor(m_result.size(), [&](std::size_t layer) {
             const bool isEmpty =
                 m_model.clustersOfLayer[layer].count == 0 && m_model.areaBatchesOfLayer[layer].count == 0;
-            if (m_result[layer].role == Role::Substrate || (parts.empty() && !isEmpty)) {
+            if (m_result[layer].role == Role::Substrate || (parts.empty() && !isEmpty) || m_isBodies[layer] != 0) {
                 return;
             }
             float margin = kLargestMargin;
@@ -329,6 +330,7 @@ private:
     const BoardModel& m_model;
     std::vector<LayerInSubstrate> m_result;
     std::vector<std::size_t> m_holeLayers;
+    std::vector<std::uint8_t> m_isBodies;  ///< by layer: bodies, whose pins come out on the other side of the board
 };
 
 }  // namespace

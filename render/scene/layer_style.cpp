@@ -75,7 +75,7 @@ const TypeStyle kTypeStyles[] = {
     {LayerType::Rout, {rgb(0x8a8f98), 1.0F, true}},         {LayerType::Component, {rgb(0x707a88), 1.0F, false}},
     {LayerType::Mask, {rgb(0x8a6fb0), 0.6F, false}},        {LayerType::ConductivePaste, {rgb(0x9c8c7c), 1.0F, false}},
     {LayerType::Document, {rgb(0xc8c8c8), 1.0F, false}},    {LayerType::Profile, {rgb(0xe8d44d), 1.0F, false}},
-    {LayerType::Other, {rgb(0x9aa0a6), 1.0F, false}},       {LayerType::ComponentBody, {rgb(0x4a4d52), 1.0F, false}},
+    {LayerType::Other, {rgb(0x9aa0a6), 1.0F, false}},       {LayerType::ComponentBody, {rgb(0x2e3034), 1.0F, false}},
 };
 
 /// Colours of types that the palette for the colour-blind has otherwise.

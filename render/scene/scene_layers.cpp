@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/scene/body_colours.h"
 #include "render/scene/element_state.h"
 #include "render/scene/z_scale.h"
 
@@ -56,6 +57,7 @@ ElementColours paletteOf(std::span<const glm::vec3> colours) {
     ElementColours palette{};
     std::ranges::transform(colours, palette.begin(), toLinear);
     std::ranges::transform(kHighlightColours, palette.begin() + shader::kHighlightRow, toLinear);
+    std::ranges::transform(kBodyColours, palette.begin() + shader::kMaterialRow, toLinear);
     return palette;
 }
 

@@ -13,12 +13,13 @@
 
 namespace render {
 
-using ElementColours = std::array<glm::vec3, shader::kElementColourCount>;
+using ElementColours = std::array<glm::vec3, shader::kElementColourCount + shader::kMaterialCount>;
 
 /// An sRGB colour, 0 to 1, as light.
 [[nodiscard]] glm::vec3 toLinear(const glm::vec3& srgb);
 
-/// Colours of single elements, linear: these, and those of what is highlighted from shader::kHighlightRow on.
+/// Colours of single elements, linear: these, those of what is highlighted from shader::kHighlightRow on, and behind
+/// them those of materials (body_colours.h).
 [[nodiscard]] ElementColours paletteOf(std::span<const glm::vec3> colours);
 
 /// What planning a frame must know of a scene; no device needed.

@@ -7,9 +7,19 @@ vec2 placed(AreaInstance instance, vec2 p) {
 
 // The height of an area's upper or lower face.
 float faceOf(AreaInstance instance, LayerState layer, bool isUpper) {
-    const bool isFarFromBoard = isUpper != has(layer.flags, kLayerGrowsDown);
-    if (instance.height > 0.0 && isFarFromBoard) {
-        return isUpper ? layer.z0 + instance.height : layer.z1 - instance.height;
+    const bool growsDown = has(layer.flags, kLayerGrowsDown);
+    if (instance.height > 0.0) {
+        const float away = isUpper != growsDown ? instance.height : instance.floor;
+        return growsDown ? layer.z1 - away : layer.z0 + away;
     }
     return isUpper ? layer.z1 : layer.z0;
+}
+
+// The layer as this area shows it: in the colour of its material.
+LayerState layerOf(AreaInstance instance) {
+    LayerState layer = FRAME.layers.at[instance.layer];
+    if (instance.material != 0u) {
+        layer.colour.rgb = FRAME.palette.at[kMaterialRow + instance.material - 1u];
+    }
+    return layer;
 }

@@ -110,6 +110,9 @@ GPU_CONST kElementColourMask = 0x3f;   // 0 = the layer's colour, else 1 + row o
 GPU_CONST kElementColourCount = 63;
 GPU_CONST kHighlightRow = 57;  // of the palette: from here on the colours of what is highlighted
 GPU_CONST kElementsPerWord = 4;
+// Behind the colours of elements the palette has those of what bodies of components are made of.
+GPU_CONST kMaterialRow = kElementColourCount;
+GPU_CONST kMaterialCount = 10;
 
 // p' = origin + M(mirror) * R * p with R = (c s; -s c), clockwise by the angle.
 struct AreaInstance {
@@ -119,10 +122,12 @@ struct AreaInstance {
     uint layer;
     uint element;
     uint isMirrored;
-    float height;  // mm, on a layer that grows up or down; 0 = as high as the layer
+    float height;  // mm, on a layer that grows up or down, of the face away from the board; 0 = as high as the layer
     uint onlyAs;
+    float floor;    // of the face towards the board, where `height` is not 0; negative: it reaches into the board
+    uint material;  // 0 = the layer's colour, else 1 + row behind kMaterialRow of the palette
 };
-GPU_SIZE(AreaInstance, 40);
+GPU_SIZE(AreaInstance, 48);
 
 // A corner of a prism in the standard pipeline's vertex buffers.
 GPU_CONST kStandardBore = 0x80000000;  // bit of `owner`: the empty inside of a hole (kLetBore)

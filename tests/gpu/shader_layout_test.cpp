@@ -48,6 +48,8 @@ const QMap<QString, Location> kCompiled = {
     MEMBER(areaInstance, AreaInstance, isMirrored),
     MEMBER(areaInstance, AreaInstance, height),
     MEMBER(areaInstance, AreaInstance, onlyAs),
+    MEMBER(areaInstance, AreaInstance, floor),
+    MEMBER(areaInstance, AreaInstance, material),
     MEMBER(shapeBound, ShapeBound, centre),
     MEMBER(shapeBound, ShapeBound, radius),
     MEMBER(shapeBound, ShapeBound, reserved),

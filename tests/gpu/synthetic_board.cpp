@@ -32,7 +32,7 @@ void appendLets(BoardModel& model, const std::vector<shader::Let>& lets, std::ui
 }
 
 shader::AreaInstance place(glm::vec2 origin, float clockwise = 0.0F, bool isMirrored = false) {
-    return {origin, {std::cos(clockwise), std::sin(clockwise)}, 0, 0, 0, isMirrored ? 1U : 0U, 0.0F, 0};
+    return {origin, {std::cos(clockwise), std::sin(clockwise)}, 0, 0, 0, isMirrored ? 1U : 0U, 0.0F, 0, 0.0F, 0};
 }
 
 std::vector<base::Point> box(base::Nm x0, base::Nm y0, base::Nm x1, base::Nm y1) {
