@@ -1,11 +1,49 @@
 #include "ui/layers/layers_feature.h"
 
+#include <algorithm>
+
 #include "ui/layers/board_colour_menu.h"
 #include "ui/layers/layer_sets.h"
 #include "ui/layers/layer_step.h"
 #include "ui/layers/layers_panel.h"
 
 namespace ui {
+
+namespace {
+
+/// The bodies of the components that a board has, on either side.
+std::vector<model::LayerId> bodyLayers(const LayerModel& layers) {
+    std::vector<model::LayerId> found;
+    const std::size_t count = layers.document() != nullptr ? layers.document()->layers.size() : 0;
+    for (std::size_t row = 0; row < count; ++row) {
+        if (layers.document()->layers[row].type == model::LayerType::ComponentBody) {
+            found.emplace_back(row);
+        }
+    }
+    return found;
+}
+
+/// The switch says what is drawn: on as soon as the bodies of one side are.
+void addComponentSwitch(FeatureContext& context) {
+    LayerModel& layers = context.layers;
+    QAction& action = context.actions[ActionId::ShowComponents];
+    const auto follow = [&layers, &action] {
+        const std::vector<LayerAppearance> styles = layers.effectiveStyles();
+        action.setChecked(
+            std::ranges::any_of(bodyLayers(layers), [&](model::LayerId id) { return styles[id.row()].isVisible; }));
+    };
+    context.on(ActionId::ShowComponents, [&layers, &workspace = context.workspace, follow](bool isOn) {
+        const std::vector<model::LayerId> bodies = bodyLayers(layers);
+        if (bodies.empty()) {
+            workspace.report(LayersPanel::tr("The board has no components with a body"));
+        }
+        layers.setVisible(bodies, isOn);
+        follow();
+    });
+    QObject::connect(&layers, &LayerModel::stylesChanged, &action, follow);
+}
+
+}  // namespace
 
 void addLayers(FeatureContext& context) {
     Workspace& workspace = context.workspace;
@@ -14,6 +52,7 @@ void addLayers(FeatureContext& context) {
     context.addPanel({ActionId::ShowLayersDock, "layers", LayersPanel::tr("Layers"), Qt::LeftDockWidgetArea}, *panel);
     panel->setSets(*new LayerSets(layers, workspace, context.actions, context.window));
     panel->setBoardColours(*new BoardColourMenu(layers, workspace, panel));
+    addComponentSwitch(context);
     context.on(ActionId::RestoreLayers, [&layers] { layers.restoreDefaults(); });
     context.on(ActionId::SoloLayer, [&] { layers.toggleSolo(workspace.currentLayer()); });
     context.on(ActionId::NextLayer, panel, [panel] { panel->step(1); });

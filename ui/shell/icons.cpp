@@ -63,6 +63,16 @@ void drawParallel(QPainter& painter) {
     painter.drawPolyline(QPolygonF{{21, 3}, {21, 15}, {15, 21}});
 }
 
+/// A body with leads on two sides.
+void drawComponent(QPainter& painter) {
+    for (const double y : {6.0, 10.0, 14.0, 18.0}) {
+        painter.drawLine(QPointF(2, y), QPointF(6, y));
+        painter.drawLine(QPointF(18, y), QPointF(22, y));
+    }
+    painter.drawRect(QRectF(6, 3, 12, 18));
+    painter.drawEllipse(QPointF(9, 6), 0.8, 0.8);
+}
+
 void drawCamera(QPainter& painter) {
     painter.drawPolygon(QPolygonF{{2, 7}, {7, 7}, {9, 4}, {15, 4}, {17, 7}, {22, 7}, {22, 20}, {2, 20}});
     painter.drawEllipse(QPointF(12, 13), 4.0, 4.0);
@@ -83,6 +93,7 @@ const Drawing kDrawings[] = {
     {ActionId::ViewIso, [](QPainter& painter) { drawSubstrate(painter, false, false); }},
     {ActionId::Orthographic, drawParallel},
     {ActionId::Explode, drawExplode},
+    {ActionId::ShowComponents, drawComponent},
     {ActionId::SavePicture, drawCamera},
 };
 

@@ -31,9 +31,10 @@ namespace ui {
 namespace {
 
 /// Toolbar in order; Count stands for a separator.
-constexpr ActionId kToolBar[] = {ActionId::OpenFile,   ActionId::Count,   ActionId::Fit,        ActionId::ViewTop,
-                                 ActionId::ViewBottom, ActionId::ViewIso, ActionId::Count,      ActionId::Orthographic,
-                                 ActionId::Explode,    ActionId::Count,   ActionId::SavePicture};
+constexpr ActionId kToolBar[] = {ActionId::OpenFile,       ActionId::Count,        ActionId::Fit,
+                                 ActionId::ViewTop,        ActionId::ViewBottom,   ActionId::ViewIso,
+                                 ActionId::Count,          ActionId::Orthographic, ActionId::Explode,
+                                 ActionId::ShowComponents, ActionId::Count,        ActionId::SavePicture};
 
 /// Submenus of View, in order.
 constexpr MenuId kViewMenus[] = {MenuId::Solid, MenuId::Arrangement, MenuId::Uses, MenuId::Panels,

@@ -106,6 +106,7 @@ const ActionSpec ActionSet::kSpecs[kActionCount] = {
     {ShowInnerLayers, MenuId::Layers, QT_TR_NOOP("&Inner"), "Ctrl+K,7", QT_TR_NOOP("Show inner copper and holes"), kNeedsBoard},
     {ShowAssemblyLayers, MenuId::Layers, QT_TR_NOOP("Assembl&y"), "Ctrl+K,8", QT_TR_NOOP("Show components, silkscreen and assembly drawings"), kNeedsBoard},
     {ShowFabricationLayers, MenuId::Layers, QT_TR_NOOP("&Fabrication"), "Ctrl+K,9", QT_TR_NOOP("Show what a fabricator makes: copper, solder mask, silkscreen and holes"), kNeedsBoard},
+    {ShowComponents, MenuId::Layers, QT_TR_NOOP("Compo&nents"), "Shift+C Ctrl+K,K", QT_TR_NOOP("Draw the bodies of the components on both sides"), kCheckable | kNeedsBoard},
     {SaveLayerSet, MenuId::Layers, QT_TR_NOOP("Save &layer set…"), "Ctrl+K,W", QT_TR_NOOP("Save the visible layers under a name, in the session file beside the board"), kNeedsBoard},
     {SoloLayer, MenuId::Layers, QT_TR_NOOP("&Only this layer"), "H", QT_TR_NOOP("Show the current layer of the panel only; again to go back"), kNewGroup | kNeedsBoard},
     {Contrast, MenuId::Layers, QT_TR_NOOP("High con&trast"), "Shift+H", QT_TR_NOOP("Dim all layers but the current one of the panel, in 2D"), kCheckable | kNeedsBoard},

@@ -32,7 +32,7 @@ enum class ActionId {
     BackendAuto, BackendMesh, BackendPull, BackendImpostor, BackendRaster,
     KeysCopperscope, KeysKiCad, KeysAltium, KeysAllegro, KeysKLayout,
     ShowDefaultLayers, ShowAllLayers, HideAllLayers, ShowCopperOnly, ShowTopLayers, ShowBottomLayers, ShowInnerLayers,
-    ShowAssemblyLayers, ShowFabricationLayers, SaveLayerSet, SoloLayer, Contrast, NextLayer, PreviousLayer, TopCopper,
+    ShowAssemblyLayers, ShowFabricationLayers, ShowComponents, SaveLayerSet, SoloLayer, Contrast, NextLayer, PreviousLayer, TopCopper,
     BottomCopper, RestoreLayers, SafeColours,
     ColourNet, ChooseNetColour, HideNet, IsolateNet, ShowAllNets, ClearNetColours,
     CheckNets, InferNets, ExaggerateCopper, ExportStackup, SearchClearances, NextClearance, PreviousClearance,

@@ -1,6 +1,7 @@
 // Layers are shown in sets, and what is done to them is undone like every other edit.
 
 #include <QMenu>
+#include <QToolBar>
 #include <QToolButton>
 #include <QtTest>
 
@@ -110,7 +111,38 @@ private slots:
         QVERIFY(!rows.isFolded(rows.groupAt(0)) && areWide());
     }
 
+    void theSwitchOfComponentsSaysWhatIsDrawn() {
+        const QAction& action = window().actions()[ActionId::ShowComponents];
+        auto* bar = window().findChild<QToolBar*>("toolbar");
+        QWidget* button = bar->widgetForAction(&window().actions()[ActionId::ShowComponents]);
+        QVERIFY(!action.isChecked() && !action.icon().isNull());
+        QVERIFY(!isShown("bodies top"));
+        QTest::mouseClick(button, Qt::LeftButton);
+        QVERIFY(action.isChecked());
+        QVERIFY(isShown("bodies top"));
+        m_fixture->key(Qt::Key_C, Qt::ShiftModifier);
+        QVERIFY(!action.isChecked());
+        QVERIFY(!isShown("bodies top"));
+        m_fixture->key(Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(action.isChecked());
+        // Wherever the layers are hidden, the switch follows.
+        trigger(ActionId::ShowCopperOnly);
+        QVERIFY(!action.isChecked());
+        trigger(ActionId::ShowAssemblyLayers);
+        QVERIFY(action.isChecked());
+    }
+
+    void aBoardWithoutComponentsHasNothingToSwitch() {
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_fixture->copyOfJob("drills").string())));
+        trigger(ActionId::ShowComponents);
+        QVERIFY(!window().actions()[ActionId::ShowComponents].isChecked());
+    }
+
 private:
+    [[nodiscard]] bool isShown(const char* layer) {
+        const std::vector<std::string> names = window().layers().visibleNames();
+        return std::ranges::find(names, layer) != names.end();
+    }
     TestWindow& window() { return m_fixture->window(); }
     ui::LayerSets& sets() { return window().find<ui::LayerSets>(); }
     QToolButton& button() { return *window().findChild<QToolButton*>("layerSets"); }
