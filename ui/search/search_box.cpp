@@ -57,6 +57,9 @@ void SearchBox::update() {
     if (isCommand || !text.trimmed().isEmpty()) {
         listCommands(isCommand ? text.mid(1).trimmed() : text.trimmed());
     }
+    if (m_list->count() == 0 && !text.trimmed().isEmpty()) {
+        (new QListWidgetItem(tr("Nothing is called %1").arg(text.trimmed()), m_list))->setFlags(Qt::NoItemFlags);
+    }
     m_list->setCurrentRow(0);
 }
 
@@ -76,12 +79,11 @@ void SearchBox::listCommands(const QString& text) {
 }
 
 void SearchBox::take() {
-    const int row = m_list->currentRow();
-    if (row < 0) {
+    const auto at = static_cast<std::size_t>(m_list->currentRow());  // none: beyond all
+    if (at >= m_found.size() + m_commands.size()) {
         return;
     }
     close();  // first: a command may open a window of its own
-    const auto at = static_cast<std::size_t>(row);
     if (at < m_found.size()) {
         emit chosen(m_found[at]);
     } else {

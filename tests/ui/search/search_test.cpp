@@ -30,6 +30,16 @@ private slots:
         QVERIFY(window().views().flat().controller().mmPerPixel() != before);
     }
 
+    void whereNothingIsFoundItSaysSo() {
+        type("no such thing at all");
+        QCOMPARE(box().list().count(), 1);
+        QVERIFY(box().list().item(0)->text().contains("no such thing at all"));
+        QTest::keyClick(&box().line(), Qt::Key_Return);
+        QVERIFY2(box().isVisible(), "there is nothing to go to");
+        QTest::keyClick(&box().line(), Qt::Key_Escape);
+        QVERIFY(!box().isVisible());
+    }
+
     void aComponentsPadsAreSelected() {
         type("u1");
         take();
