@@ -54,8 +54,10 @@ ClearanceFeature::ClearanceFeature(FeatureContext& context)
 
 void ClearanceFeature::connectCommands(FeatureContext& context) {
     const auto on = [&](ActionId id, auto slot) {
-        context.on(id, this, [this, slot](bool isOn) {
-            FeatureContext::raise(*m_panel);
+        context.on(id, this, [this, slot, &action = context.actions[id]](bool isOn) {
+            if (isOn || !action.isCheckable()) {
+                FeatureContext::raise(*m_panel);
+            }
             slot(isOn);
         });
     };

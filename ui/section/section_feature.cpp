@@ -68,7 +68,9 @@ SectionFeature::SectionFeature(FeatureContext& context)
 void SectionFeature::connectCommands(FeatureContext& context) {
     const auto on = [&](ActionId id, auto slot) { context.on(id, this, slot); };
     on(ActionId::DrawSection, [this](bool isOn) {
-        FeatureContext::raise(*m_panel);
+        if (isOn) {
+            FeatureContext::raise(*m_panel);
+        }
         draw(isOn);
     });
     on(ActionId::SectionAlongNet, [this] {

@@ -25,6 +25,8 @@ private slots:
         m_fixture = std::make_unique<WindowFixture>();
         m_fixture->window().resize(1250, 950);
         QVERIFY(m_fixture->openAndWait(locations::kSample));
+        window().showPanel("clearances");  // the map would open it, and so make the views smaller
+        QTest::qWait(50);
     }
     void init() {
         while (window().selection().clearStep()) {
@@ -55,6 +57,18 @@ private slots:
         QTRY_VERIFY(distances().field() == nullptr);
         QCOMPARE(differingPixels(without[0], grab(views().flat())), 0);
         QCOMPARE(text(), QString());
+    }
+
+    void thePanelOpensWithTheMapOnly() {
+        auto* panel = window().findChild<QDockWidget*>("clearances");
+        panel->hide();
+        m_fixture->key(Qt::Key_G, Qt::ShiftModifier);
+        QTRY_VERIFY(panel->isVisible());
+        panel->hide();
+        m_fixture->key(Qt::Key_G, Qt::ShiftModifier);
+        QTRY_VERIFY(distances().field() == nullptr);
+        QVERIFY(panel->isHidden());
+        window().showPanel("clearances");
     }
 
     void everyValueIsPaintedInItsColourAtItsPlace() {
