@@ -14,7 +14,8 @@ inline constexpr Nm kWidestTent = 500'000;
 /// all other layers are complete:
 /// - the substrate (LayerType::Body): the outline minus all holes, from the upper face of the lowest to the lower face
 ///   of the highest copper layer. Cut into parts where blind and buried holes end, so that every part has the
-///   holes that pass it; parts are called "board", or "board 1", "board 2", … from the top.
+///   holes that pass it, and on rigid-flex boards at every dielectric (substrates.h); parts are called "board", or
+///   "board 1", "board 2", … from the top.
 /// - the solder masks (LayerType::SolderMask): the outline minus the mask's openings and minus the
 /// holes
 ///   that stay open (routs, NPTHs, plated ones wider than kWidestTent), named "<mask> solder mask".

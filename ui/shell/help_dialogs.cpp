@@ -33,6 +33,7 @@ const Gesture Gesture::kAll[] = {
      QT_TR_NOOP("Select what is inside; what is inside or touched")},
     {QT_TR_NOOP("Shift, Ctrl, Alt (measuring)"), QT_TR_NOOP("Straight, in steps of 45°, without snapping")},
     {QT_TR_NOOP("Wheel"), QT_TR_NOOP("Zoom to the cursor")},
+    {QT_TR_NOOP("Double click (sliders of the toolbar)"), QT_TR_NOOP("Layers together; true thickness")},
     {QT_TR_NOOP("Shift + click, twice (cross-section)"), QT_TR_NOOP("Measure the clearance (edge to edge)")},
     {QT_TR_NOOP("Arrows (canvas)"), QT_TR_NOOP("Orbit, with Shift pan (3D); pan (2D)")},
     {QT_TR_NOOP("Click on a colour (layers)"), QT_TR_NOOP("Change the colour")},

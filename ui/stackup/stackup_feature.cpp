@@ -119,7 +119,8 @@ void addStackup(FeatureContext& context) {
     Workspace& workspace = context.workspace;
     auto* stackup = new StackupModel(&context.window);
     auto* panel = new StackupPanel(*stackup, context.actions);
-    context.addPanel({ActionId::ShowStackupDock, "stackup", StackupPanel::tr("Stackup"), Qt::LeftDockWidgetArea}, *panel);
+    context.addPanel({ActionId::ShowStackupDock, "stackup", StackupPanel::tr("Stackup"), Qt::LeftDockWidgetArea},
+                     *panel);
     const auto setBoard = [stackup](const LoadedBoard& board) { stackup->setDocument(board.document); };
     QObject::connect(&workspace, &Workspace::boardRead, stackup, setBoard);
     QObject::connect(&workspace, &Workspace::restacked, stackup, setBoard);

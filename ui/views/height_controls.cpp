@@ -1,5 +1,6 @@
 #include "ui/views/height_controls.h"
 
+#include <QEvent>
 #include <QFontMetricsF>
 #include <QHBoxLayout>
 #include <QLabel>

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <QWidget>
+#include <filesystem>
+#include <string>
 
 #include "ui/workspace/actions.h"
 #include "ui/workspace/workspace.h"

@@ -3,6 +3,7 @@
 #include "ui/shell/panel_arrangements.h"
 
 #include <QDockWidget>
+#include <QHeaderView>
 #include <QToolBar>
 #include <QtTest>
 #include <cmath>
