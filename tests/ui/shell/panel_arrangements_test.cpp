@@ -6,7 +6,6 @@
 #include <QHeaderView>
 #include <QToolBar>
 #include <QtTest>
-#include <cmath>
 
 #include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
