@@ -46,7 +46,7 @@ constexpr Colours kColours[] = {
      rgb(0xe6b450),
      rgb(0xe6b450),
      rgb(0x0c6e38),
-     rgb(0x6f7a45)},
+     rgb(0x86804a)},
     // Orange, blue, yellow, sky, purple, green, moved until the layers of a board with six
     // are as far apart as layer_style_test states.
     {rgb(0xc67b01),
@@ -182,8 +182,8 @@ public:
             style = {film.colour, film.opacity, true, 0, Material::Gloss};
         } else if (layer.type == LayerType::Body) {
             style = {isFlexible ? kPolyimide.colour : m_colours.substrate, 1.0F, true};
-        } else if (layer.type == LayerType::SilkScreen && m_chosen.silkscreen != model::BoardColour::White) {
-            style.colour = rowOf(kInks, m_chosen.silkscreen);
+        } else if (layer.type == LayerType::SilkScreen && !model::isDrawingAsSilkscreen(layer)) {
+            style.colour = rowOf(kInks, m_chosen.silkscreen);  // on both sides alike
         }
     }
 

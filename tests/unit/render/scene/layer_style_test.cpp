@@ -223,6 +223,17 @@ private slots:
         QVERIFY(leastDistance(metals, kVisions[0]) > 10.0);
     }
 
+    void bothSidesOfABoardArePrintedAndFinishedAlike() {
+        model::DocumentBuilder builder;
+        for (const LayerType type : {LayerType::SilkScreen, LayerType::Signal}) {
+            builder.addLayer(layer(type, LayerSide::Top));
+            builder.addLayer(layer(type, LayerSide::Bottom));
+        }
+        const auto styles = render::defaultStyles(*builder.finish());
+        QVERIFY(styles[0].colour == styles[1].colour);
+        QVERIFY(styles[2].colour == styles[3].colour);
+    }
+
     void bodiesOfComponentsStartHidden() {
         const Layer bodies = layer(LayerType::ComponentBody, LayerSide::Top);
         QVERIFY(!stylesOf({bodies})[0].isVisible);
