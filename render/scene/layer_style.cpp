@@ -147,9 +147,8 @@ struct Film {
     float opacity;
 };
 /// By model::BoardColour; the green one is of the palette.
-constexpr Film kFilms[] = {{rgb(0x0c6e38), 0.7F},  {rgb(0xb01820), 0.7F},  {rgb(0x1438a8), 0.7F},
-                           {rgb(0x101214), 0.93F}, {rgb(0xe4e4e0), 0.92F}, {rgb(0xc89808), 0.8F},
-                           {rgb(0x641878), 0.75F}};
+constexpr Film kFilms[] = {{rgb(0x0c6e38), 0.7F},  {rgb(0xb01820), 0.7F}, {rgb(0x1438a8), 0.7F}, {rgb(0x101214), 0.93F},
+                           {rgb(0xe4e4e0), 0.92F}, {rgb(0xc89808), 0.8F}, {rgb(0x641878), 0.75F}};
 constexpr glm::vec3 kInks[] = {rgb(0x2e9a58), rgb(0xc83030), rgb(0x3060c8), rgb(0x18181a),
                                rgb(0xeeeedd), rgb(0xe8cc30), rgb(0x7038a8)};
 constexpr glm::vec3 kTin = rgb(0xc6cacd);
