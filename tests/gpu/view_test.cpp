@@ -309,6 +309,31 @@ private slots:
         QVERIFY(pixel(image, 150, 100).r > pixel(image, 150, 100).b);  // still its hue
     }
 
+    /// From straight above in parallel projection impostors are flat rectangles, and shine no less.
+    void flatImpostorsShineAlike() {
+        SyntheticBoard board;
+        board.addLayer(0.0F, 0.1F, {0.2F, 0.15F, 0.1F});
+        board.addTrack({-20, 0}, {20, 0}, 19.0F);
+        Scene scene(board);
+        std::vector<LayerStyle> styles = board.styles();
+        for (const NamedView view : {NamedView::Top, NamedView::Bottom}) {
+            scene.camera.setOrthographic(true);
+            scene.camera.fit(scene.model.boxMin, scene.model.boxMax, view, 1.0F);
+            std::vector<Rgb> colours;
+            for (const Material material : {Material::Matt, Material::Metal, Material::Gloss}) {
+                styles[0].material = material;
+                scene.scene.setStyles(styles);
+                ViewSettings how;
+                how.backend = Backend::Pull;
+                colours.push_back(pixel(scene.draw(how, 200, 200), 100, 100));
+                how.backend = Backend::Impostor;
+                QVERIFY(distance(pixel(scene.draw(how, 200, 200), 100, 100), colours.back()) <= 1);
+                QCOMPARE(Gpu::get().presenter.stats().backend, Backend::Impostor);
+            }
+            QVERIFY(colours[0] != colours[1] && colours[0] != colours[2]);
+        }
+    }
+
     /// In 3D what is dimmed is greyer, and its walls are told from its top.
     void dimmedSolidsKeepTheirDepth() {
         SyntheticBoard board;
