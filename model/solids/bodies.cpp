@@ -6,7 +6,8 @@ namespace model {
 
 namespace {
 
-/// An outline that covers more of the board than this is the board's or that of a card beside it, not a body's.
+/// An outline that covers more of the board than this is the board's or that of a card beside it, not a body's, unless
+/// the job states how high it is.
 constexpr double kMostOfBoard = 0.4;
 
 bool isFace(const Layer& layer) {
@@ -103,8 +104,9 @@ private:
             report(Severity::Warning, "a component reaches out of the coordinate range of ±1.07 m; it has no body");
             return false;
         }
-        if (coversBoard(plan.box)) {
-            report(Severity::Info, "the outline of a component covers more than 40 % of the board; it has no body");
+        if (plan.isHeightAssumed && coversBoard(plan.box)) {
+            report(Severity::Info,
+                   "the outline of a component without a height covers more than 40 % of the board; it has no body");
             return false;
         }
         return true;
