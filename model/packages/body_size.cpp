@@ -57,6 +57,12 @@ struct Ends {
     Nm high = 0;
 };
 
+/// How far a pad reaches from the middle of its pin towards the body. The body lies over the tab of a power package.
+Nm reachOf(Nm reach) {
+    constexpr Nm kTab = 2 * kMm;
+    return reach > kTab ? 0 : reach;
+}
+
 /// Between the pads on the left and those on the right; of a package with leads on all sides those above and below do
 /// not count.
 Ends betweenPads(const PackageFacts& facts) {
@@ -66,9 +72,9 @@ Ends betweenPads(const PackageFacts& facts) {
     Nm right = pins.max.x;
     for (const PinFacts& pin : facts.pins) {
         if (pin.position.x - pins.min.x <= near) {
-            left = std::max(left, pin.pad.max.x);
+            left = std::max(left, pin.position.x + reachOf(pin.pad.max.x - pin.position.x));
         } else if (pins.max.x - pin.position.x <= near) {
-            right = std::min(right, pin.pad.min.x);
+            right = std::min(right, pin.position.x - reachOf(pin.position.x - pin.pad.min.x));
         }
     }
     return {left + scaled(pins.min.x - left, kLeadStart), right + scaled(pins.max.x - right, kLeadStart)};

@@ -170,6 +170,20 @@ private slots:
         QVERIFY(partOf(plan, BodyMaterial::DarkPrint) != nullptr);
     }
 
+    void bodiesLieOverTheTabsOfPowerPackages() {
+        // A DDPAK: five leads at the bottom, a tab of 10 by 8 mm above.
+        PackageFacts facts = named("U39", "5-DDPAK");
+        for (int i = 0; i < 5; ++i) {
+            facts.addPin({mm(1.7 * (i - 2)), mm(-5.8)}, boxAt(1.7 * (i - 2), -5.8, 1.1, 2.7), false);
+        }
+        facts.addPin({0, mm(3)}, boxAt(0, 3, 10.6, 8.5), false);
+        facts.setOutline({}, boxAt(0, 0, 10.2, 14), {});
+        const BodyPlan plan = planBody(facts, 0);
+        QCOMPARE(plan.family, PackageFamily::SmallOutline);
+        QVERIFY(plan.box.height() > mm(6.5));
+        QCOMPARE(plan.box.max.y, mm(3));
+    }
+
     void theMarkIsNextToPinOne() {
         PackageFacts facts = dual(1.27, 4, 5.4, 1.55, boxAt(0, 0, 3.9, 4.9));
         for (const std::size_t first : {std::size_t{0}, std::size_t{5}}) {
