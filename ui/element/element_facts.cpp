@@ -102,6 +102,12 @@ void addMeasures(const Subject& s, Facts& facts) {
     facts.emplace_back(s.tr("Extent"),
                        QStringLiteral("%1 × %2").arg(lengthText(static_cast<double>(box.width()), s.unit),
                                                      lengthText(static_cast<double>(box.height()), s.unit)));
+    if (const model::Body* body = s.step.bodyOf(s.element)) {
+        const QString height = s.text(body->height);
+        facts.emplace_back(s.tr("Height"), body->source == model::Source::Assumed
+                                               ? s.tr("%1 (assumed, usual for its package)").arg(height)
+                                               : height);
+    }
 }
 
 /// Pins that lie on the element's net inside of its box: what a pad belongs to.

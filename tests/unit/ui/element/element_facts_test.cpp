@@ -83,6 +83,31 @@ private slots:
         QCOMPARE(summaryOf(tree, {0, ElementId{std::size_t{1}}}, LengthUnit::Millimetre),
                  "Pad (circle), 2 mm across · top · GND · U1.7");
     }
+
+    void heightsOfBodiesSayWhetherTheyAreAssumed() {
+        model::DocumentBuilder builder;
+        model::Layer layer;
+        layer.type = model::LayerType::ComponentBody;
+        builder.beginLayer(builder.addLayer(layer));
+        model::ShapeSketch square;
+        square.addCircle({0, 0}, 1'000'000, false);
+        const model::ShapeId shape = builder.addShape(square);
+        for (const model::Source source : {model::Source::Job, model::Source::Assumed}) {
+            const model::ComponentId component = builder.addComponent({}, {});
+            builder.addBody({builder.addArea({shape, {}}, {}), component, 1'200'000, source});
+        }
+        const auto document = builder.finish();
+        const model::StepTree tree = model::unfoldCopies(*document);
+        const auto height = [&](std::size_t row) {
+            QString text;
+            for (const auto& [key, value] : factsOf(tree, {0, ElementId{row}}, LengthUnit::Millimetre)) {
+                text = key == QLatin1String("Height") ? value : text;
+            }
+            return text;
+        };
+        QVERIFY(height(0).startsWith("1.2 mm") && !height(0).contains("assumed"));
+        QVERIFY(height(1).startsWith("1.2 mm") && height(1).contains("assumed"));
+    }
 };
 
 QTEST_APPLESS_MAIN(ElementFactsTest)
