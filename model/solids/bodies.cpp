@@ -10,6 +10,11 @@ namespace {
 /// the job states how high it is.
 constexpr double kMostOfBoard = 0.4;
 
+/// What lies over so many other components is a card on connectors or a shield; without a height it hides them.
+constexpr int kMostBelow = 2;
+/// Smaller outlines only hold others where they are drawn too large.
+constexpr Nm kLeastCard = 10'000'000;
+
 bool isFace(const Layer& layer) {
     return layer.context == LayerContext::Board &&
            (layer.isCopper() || layer.type == LayerType::SolderMask || layer.type == LayerType::Body);
@@ -81,7 +86,7 @@ private:
         }
         const BodyPlan& plan = m_plans.of(id);
         const Placement placement = component.package.isValid() ? component.placement : Placement{};
-        if (!mayStand(component, plan, placement)) {
+        if (!mayStand(id, plan, placement)) {
             return;
         }
         const ElementId element = m_builder.addArea({shapeOf(plan), placement}, {});
@@ -90,7 +95,8 @@ private:
     }
 
     /// Reports why not.
-    bool mayStand(const Component& component, const BodyPlan& plan, const Placement& placement) {
+    bool mayStand(ComponentId id, const BodyPlan& plan, const Placement& placement) {
+        const Component& component = m_document.components[id.row()];
         if (plan.box.isEmpty()) {
             const std::uint32_t pins = component.package.isValid()
                                            ? m_document.packages[component.package.row()].pins.count
@@ -109,7 +115,29 @@ private:
                    "the outline of a component without a height covers more than 40 % of the board; it has no body");
             return false;
         }
+        if (plan.isHeightAssumed && liesOverOthers(id, plan.box, placement)) {
+            report(Severity::Info, "a component without a height lies over other components; it has no body");
+            return false;
+        }
         return true;
+    }
+
+    [[nodiscard]] bool liesOverOthers(ComponentId id, const Box& box, const Placement& placement) const {
+        if (box.width() < kLeastCard || box.height() < kLeastCard) {
+            return false;
+        }
+        const Box placed = placement.boxOf(box);
+        int below = 0;
+        for (std::size_t row = 0; row < m_document.components.size(); ++row) {
+            const Component& other = m_document.components[row];
+            const std::span<const Pin> pins = m_document.pinsOf(other);
+            const bool isInside = std::ranges::all_of(pins, [&](const Pin& pin) { return placed.holds(pin.position); });
+            below +=
+                row != id.row() && other.side == m_document.components[id.row()].side && pins.size() > 1 && isInside
+                    ? 1
+                    : 0;
+        }
+        return below > kMostBelow;
     }
 
     [[nodiscard]] bool coversBoard(const Box& box) const {

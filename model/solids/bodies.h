@@ -17,7 +17,8 @@ struct TallestBodies {
 /// document's components (Document::bodies), to be called when all other layers are complete. They stand on the
 /// outermost of copper and solder mask. Outlines and the heights that the job does not state follow from the package
 /// (BodyPlan). Components that are not populated have no body, nor have those that only are copper or a hole, and those
-/// without a height whose outline covers much of the board. What is assumed or left out is reported, once per cause.
+/// without a height whose outline covers much of the board, or other components. What is assumed or left out is
+/// reported, once per cause.
 ///
 /// All steps of a panel have the same rows: `tallest` is that of all of them.
 void addBodies(DocumentBuilder& builder, const TallestBodies& tallest);

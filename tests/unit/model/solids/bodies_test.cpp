@@ -214,6 +214,35 @@ private slots:
         QCOMPARE(messages(*d, "more than 40 %"), std::uint64_t{1});
     }
 
+    void cardsOverOtherComponentsDoNotHideThem_data() {
+        QTest::addColumn<int>("below");
+        QTest::addColumn<Nm>("height");
+        QTest::addColumn<bool>("isThere");
+        QTest::addRow("two") << 2 << Nm{0} << true;
+        QTest::addRow("three") << 3 << Nm{0} << false;
+        QTest::addRow("three, and a height") << 3 << Nm{4 * kMm} << true;
+    }
+    void cardsOverOtherComponentsDoNotHideThem() {
+        QFETCH(int, below);
+        QFETCH(Nm, height);
+        QFETCH(bool, isThere);
+        Board board;
+        model::PackagePin corners[3];
+        corners[0].position = {0, 0};
+        corners[1].position = {30 * kMm, 0};
+        corners[2].position = {15 * kMm, 20 * kMm};
+        board.place(board.builder.addPackage({}, corners), LayerSide::Top, height);
+        for (int i = 0; i < below; ++i) {
+            model::Pin pins[2];
+            pins[0].position = {(10 + 3 * i) * kMm, 5 * kMm};
+            pins[1].position = {(11 + 3 * i) * kMm, 5 * kMm};
+            board.builder.addComponent({}, pins);
+        }
+        const auto d = board.finish({12 * kMm, 0});
+        QCOMPARE(d->bodies.size(), static_cast<std::size_t>(below) + (isThere ? 1 : 0));
+        QCOMPARE(messages(*d, "lies over other components"), std::uint64_t{isThere ? 0U : 1U});
+    }
+
     void absurdHeightsAreNotBelievedAndUnpopulatedPartsHaveNoBody() {
         Board board;
         const model::PackageId package = board.drawnPackage();
