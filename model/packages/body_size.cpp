@@ -225,7 +225,8 @@ Nm usualHeight(const Box& body, const PackageFacts& facts, PackageFamily family,
         case PackageFamily::Grid: return 1'200'000;
         case PackageFamily::Crystal: return partOf(narrow, 0.3, 400'000, 1'300'000);
         case PackageFamily::Header: return 8'500'000;
-        case PackageFamily::Connector: return partOf(narrow, patternOf(facts).isThrough ? 0.6 : 0.4, kMm, 11 * kMm);
+        case PackageFamily::Connector:
+            return patternOf(facts).isThrough ? partOf(narrow, 0.6, kMm, 11 * kMm) : partOf(narrow, 0.4, kMm, 6 * kMm);
         case PackageFamily::Radial: return partOf(narrow, 1.3, 3 * kMm, 30 * kMm);
         case PackageFamily::Axial: return static_cast<Nm>(std::max<std::int64_t>(narrow, kLeastBody));
         case PackageFamily::ThroughDual: return 3'800'000;
