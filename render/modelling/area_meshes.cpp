@@ -79,7 +79,11 @@ std::vector<std::uint32_t> findWalls(const PolygonSet& set, const std::vector<st
 }
 
 /// Fields of round holes have none. They are known by their corners: no other loop comes near them, repaired or not.
+/// Not of a mesh that has its walls already, as long as it was not repaired.
 void findMeshWalls(ShapeMesh& mesh) {
+    if (!mesh.next.empty() && mesh.next.size() == mesh.polygons.points.size()) {
+        return;
+    }
     std::vector<Point> corners;
     std::ranges::transform(mesh.fields, std::back_inserter(corners), &model::Box::min);
     std::ranges::sort(corners);

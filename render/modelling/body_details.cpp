@@ -1,5 +1,7 @@
 #include "render/modelling/body_details.h"
 
+#include <numeric>
+
 #include "model/packages/designator.h"
 
 namespace render {
@@ -38,7 +40,7 @@ void BodyDetails::addParts(const model::Body& body, const model::BodyPlan& plan)
     for (const model::BodyPart& part : plan.parts) {
         const auto [found, isNew] = m_shapeOfPart.try_emplace(&part, static_cast<std::uint32_t>(m_shapes.size()));
         if (isNew) {
-            m_shapes.push_back(part.polygons);
+            m_shapes.push_back({part.polygons});
         }
         m_parts.push_back({body.element, found->second, placement, part.bottom, part.top, part.material});
     }
@@ -50,9 +52,9 @@ void BodyDetails::addDesignator(const model::Body& body, const model::BodyPlan& 
         const auto [found, isNew] = m_shapeOfCharacter.try_emplace({printed.character, printed.height},
                                                                    static_cast<std::uint32_t>(m_shapes.size()));
         if (isNew) {
-            m_shapes.push_back(model::characterStrokes(printed.character, printed.height));
+            m_shapes.push_back({model::characterStrokes(printed.character, printed.height), true});
         }
-        if (!m_shapes[found->second].polygons.empty()) {
+        if (!m_shapes[found->second].polygons.polygons.empty()) {
             m_parts.push_back({body.element, found->second, printed.placement, plan.bodyTop, plan.bodyTop + kPrint,
                                model::printOn(plan.material)});
         }
@@ -61,8 +63,13 @@ void BodyDetails::addDesignator(const model::Body& body, const model::BodyPlan& 
 
 void BodyDetails::takeMeshes(std::vector<ShapeMesh>& meshes) {
     const auto first = static_cast<std::uint32_t>(meshes.size());
-    for (model::PolygonSet& shape : m_shapes) {
-        meshes.emplace_back().polygons = std::move(shape);
+    for (Shape& shape : m_shapes) {
+        ShapeMesh& mesh = meshes.emplace_back();
+        mesh.polygons = std::move(shape.polygons);
+        if (shape.isPrint) {
+            mesh.next.resize(mesh.polygons.points.size());
+            std::iota(mesh.next.begin(), mesh.next.end(), 0U);
+        }
     }
     for (Part& part : m_parts) {
         part.mesh += first;

@@ -14,7 +14,8 @@ class BodyDetails {
 public:
     explicit BodyDetails(const model::Document& document);
 
-    /// Appends a mesh of each kind of part and character, in package coordinates; each is made once.
+    /// Appends a mesh of each kind of part and character, in package coordinates; each is made once. Characters know
+    /// already that they have no walls (ShapeMesh::next): print has no height to see.
     void takeMeshes(std::vector<ShapeMesh>& meshes);
 
     /// Gives the instance of a body its own height and material. What is no body stays as it is.
@@ -43,9 +44,14 @@ private:
     void addDesignator(const model::Body& body, const model::BodyPlan& plan);
 
     const model::Document& m_document;
-    std::vector<Made> m_made;                 ///< by body
-    std::vector<model::PolygonSet> m_shapes;  ///< what becomes meshes
-    std::vector<Part> m_parts;                ///< their mesh counts from the first of `m_shapes` until meshes are taken
+    std::vector<Made> m_made;  ///< by body
+    /// What becomes a mesh.
+    struct Shape {
+        model::PolygonSet polygons;
+        bool isPrint = false;
+    };
+    std::vector<Shape> m_shapes;
+    std::vector<Part> m_parts;  ///< their mesh counts from the first of `m_shapes` until meshes are taken
     std::map<const model::BodyPart*, std::uint32_t> m_shapeOfPart;
     std::map<std::pair<char32_t, model::Nm>, std::uint32_t> m_shapeOfCharacter;
 };

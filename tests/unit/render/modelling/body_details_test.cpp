@@ -74,6 +74,24 @@ private slots:
         }
     }
 
+    void printHasNoWalls() {
+        const auto d = board();
+        BodyDetails details(*d);
+        std::vector<render::ShapeMesh> meshes;
+        details.takeMeshes(meshes);
+        base::Progress progress;
+        render::triangulateShapes(meshes, {}, progress);
+        for (const BodyDetails::Part& part : details.parts()) {
+            const render::ShapeMesh& mesh = meshes[part.mesh];
+            std::size_t walls = 0;
+            for (std::uint32_t i = 0; i < mesh.next.size(); ++i) {
+                walls += mesh.next[i] != i ? 1 : 0;
+            }
+            QVERIFY(!mesh.triangles.empty());
+            QCOMPARE(walls, part.material == model::BodyMaterial::Print ? 0 : mesh.polygons.points.size());
+        }
+    }
+
     void designatorsAreReadFromTheSideTheyAreOn() {
         const auto d = board();
         const BodyDetails details(*d);
