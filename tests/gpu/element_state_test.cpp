@@ -25,7 +25,7 @@ SyntheticBoard discsAndSquares() {
     SyntheticBoard board;
     board.addLayer(0.0F, 0.035F, {0.2F, 0.2F, 0.8F});
     for (const float x : {-0.5F, 0.5F}) {
-        board.addArea(square, {{{x, -0.5F}, {1.0F, 0.0F}, 0, 0, 0, 0, 0.0F, 0}});
+        board.addArea(square, {{{x, -0.5F}, {1.0F, 0.0F}, 0, 0, 0, 0, 0.0F, 0, 0.0F, 0}});
     }
     board.addLayer(0.1F, 0.135F, {0.8F, 0.4F, 0.2F});
     board.addDisc({-0.5F, 0.5F}, 0.3F);

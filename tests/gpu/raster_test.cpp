@@ -138,7 +138,7 @@ private slots:
         // Window 5.12 mm: 10 µm per pixel. 200 x 100 pixels with a hole of 50 x 30.
         board.addArea({{{-1000, -500}, {1000, -500}, {1000, 500}, {-1000, 500}},
                        {{-250, -150}, {-250, 150}, {250, 150}, {250, -150}}},
-                      {{{0.0F, 0.0F}, {1.0F, 0.0F}, 0, 0, 0, 0, 0.0F, 0}});
+                      {{{0.0F, 0.0F}, {1.0F, 0.0F}, 0, 0, 0, 0, 0.0F, 0, 0.0F, 0}});
         QCOMPARE(count(board, 2.56F, Backend::Pull), std::size_t{200 * 100 - 50 * 30});
     }
 
@@ -160,9 +160,17 @@ private slots:
         QFETCH(int, x);
         QFETCH(int, y);
         SyntheticBoard board = layer();
-        board.addArea(
-            {{{0, 0}, {2000, 0}, {2000, 500}, {500, 500}, {500, 1000}, {0, 1000}}},
-            {{{0.0F, 0.0F}, {std::cos(clockwise), std::sin(clockwise)}, 0, 0, 0, isMirrored ? 1U : 0U, 0.0F, 0}});
+        board.addArea({{{0, 0}, {2000, 0}, {2000, 500}, {500, 500}, {500, 1000}, {0, 1000}}},
+                      {{{0.0F, 0.0F},
+                        {std::cos(clockwise), std::sin(clockwise)},
+                        0,
+                        0,
+                        0,
+                        isMirrored ? 1U : 0U,
+                        0.0F,
+                        0,
+                        0.0F,
+                        0}});
         Scene scene(board);
         scene.lookDown({-2.56F, -2.56F}, {2.56F, 2.56F});
         const Image image = scene.draw(mono(Backend::Pull), kPixels, kPixels);

@@ -112,7 +112,8 @@ private slots:
             board.addDisc({-0.2F, 0}, 0.5F);
         }
         board.addTrack({0, 0}, {0.6F, 0}, 0.3F);
-        board.addArea({{{-200, -200}, {200, -200}, {200, 200}, {-200, 200}}}, {{{0, 0}, {1, 0}, 0, 0, 0, 0, 0.0F, 0}});
+        board.addArea({{{-200, -200}, {200, -200}, {200, 200}, {-200, 200}}},
+                      {{{0, 0}, {1, 0}, 0, 0, 0, 0, 0.0F, 0, 0.0F, 0}});
         Scene scene(board);
         scene.lookDown({-1, -1}, {1, 1});
         const Image image = scene.draw(flat(), 200, 200);
@@ -225,10 +226,11 @@ private slots:
         board.addLayer(0.0F, 0.035F, {0, 0, 1});
         board.addDisc({0, 0}, 0.3F);
         // Areas are drawn before lets: here only the tie-break makes them win.
-        board.addArea({{{-100, -100}, {100, -100}, {100, 100}, {-100, 100}}}, {{{0, 0}, {1, 0}, 0, 0, 0, 0, 0.0F, 0}});
+        board.addArea({{{-100, -100}, {100, -100}, {100, 100}, {-100, 100}}},
+                      {{{0, 0}, {1, 0}, 0, 0, 0, 0, 0.0F, 0, 0.0F, 0}});
         board.addLayer(0.0F, 0.035F, {1, 1, 0});
         board.addArea({{{-100, -100}, {100, -100}, {100, 100}, {-100, 100}}},
-                      {{{0.45F, 0}, {1, 0}, 0, 0, 0, 0, 0.0F, 0}});
+                      {{{0.45F, 0}, {1, 0}, 0, 0, 0, 0, 0.0F, 0, 0.0F, 0}});
         Scene scene(board);
         for (const NamedView view : {NamedView::Top, NamedView::Bottom}) {
             for (const bool isParallel : {false, true}) {
@@ -338,7 +340,8 @@ private slots:
     void dimmedSolidsKeepTheirDepth() {
         SyntheticBoard board;
         board.addLayer(0.0F, 1.0F, {0.8F, 0.3F, 0.2F});
-        board.addArea({{{-800, -800}, {800, -800}, {800, 800}, {-800, 800}}}, {{{0, 0}, {1, 0}, 0, 0, 0, 0, 0.0F, 0}});
+        board.addArea({{{-800, -800}, {800, -800}, {800, 800}, {-800, 800}}},
+                      {{{0, 0}, {1, 0}, 0, 0, 0, 0, 0.0F, 0, 0.0F, 0}});
         Scene scene(board);
         scene.camera.fit({-1, -1, 0}, {1, 1, 1}, NamedView::Iso, 1.0F);
         ViewSettings how;
@@ -355,7 +358,7 @@ private slots:
         board.addLayer(0.0F, 0.035F, {1, 0, 0});
         board.addDisc({0, 0}, 0.5F);
         board.addArea({{{-200, -200}, {200, -200}, {200, 200}, {-200, 200}}},
-                      {{{0.7F, 0.7F}, {1, 0}, 0, 0, 0, 0, 0.0F, 0}});
+                      {{{0.7F, 0.7F}, {1, 0}, 0, 0, 0, 0, 0.0F, 0, 0.0F, 0}});
         Scene scene(board);
         scene.lookDown({-1, -1}, {1, 1});
         std::vector<LayerStyle> styles = board.styles();
@@ -410,7 +413,7 @@ private slots:
         SyntheticBoard board;
         board.addLayer(0.0F, 2.0F, {1, 0, 0});
         board.addArea({{{-1000, -1000}, {1000, -1000}, {1000, 1000}, {-1000, 1000}}},
-                      {{{0, 0}, {1, 0}, 0, 0, 0, isMirrored ? 1U : 0U, 0.0F, 0}});
+                      {{{0, 0}, {1, 0}, 0, 0, 0, isMirrored ? 1U : 0U, 0.0F, 0, 0.0F, 0}});
         board.addLayer(0.5F, 1.5F, {0, 1, 0});
         board.addDisc({0, 0}, 0.5F);
         Scene scene(board);

@@ -90,6 +90,13 @@ QWidget* percentBox(QWidget* parent) {
 
 }  // namespace
 
+void CellDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {
+    QStyledItemDelegate::initStyleOption(option, index);
+    if (option->font.bold()) {
+        option->textElideMode = Qt::ElideRight;
+    }
+}
+
 void CellDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
     const int traits = traitsOf(index);
     if (traits != kCheck && (traits & (kColour | kPercent)) == 0) {

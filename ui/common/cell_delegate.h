@@ -6,7 +6,7 @@ namespace ui {
 
 /// Paints and edits the cells of a TableModel by the traits of their columns: a box that a click toggles, a swatch of a
 /// colour (what a click on it does is the panel's), a bar of percents that is dragged or typed, a choice of names.
-/// Everything else is text.
+/// Everything else is text. Bold text, that of headings, loses its end where there is no room, whatever the table has.
 class CellDelegate : public QStyledItemDelegate {
     Q_OBJECT
 
@@ -17,6 +17,9 @@ public:
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
     bool editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
                      const QModelIndex& index) override;
+
+protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override;
 
 private:
     QPersistentModelIndex m_pressed;  ///< where the mouse button went down

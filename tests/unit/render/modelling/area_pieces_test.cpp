@@ -32,7 +32,8 @@ BoardModel strip(std::uint32_t quads, std::uint32_t locations) {
     }
     model.shapes.push_back({0, static_cast<std::uint32_t>(row.size()), 0, 2 * quads});
     for (std::uint32_t i = 0; i < locations; ++i) {
-        model.instances.push_back({glm::vec2(0.0F, 10.0F * static_cast<float>(i)), {1.0F, 0.0F}, 0, 0, i, 0, 0.0F, 0});
+        model.instances.push_back(
+            {glm::vec2(0.0F, 10.0F * static_cast<float>(i)), {1.0F, 0.0F}, 0, 0, i, 0, 0.0F, 0, 0.0F, 0});
     }
     model.areaBatches.push_back({0, 0, 0, locations});
     model.areaBatchesOfLayer.push_back({0, 1});
