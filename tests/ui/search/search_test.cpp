@@ -128,14 +128,6 @@ private slots:
         QCOMPARE(window().selection().tree().steps[net.step]->nets[net.net.row()].name, std::string("B"));
     }
 
-    void aTextThatNamesNothingIsNoHarm() {
-        type("zzzzz");
-        QCOMPARE(box().list().count(), 0);
-        QTest::keyClick(&box().line(), Qt::Key_Return);
-        QVERIFY(box().isVisible());
-        box().close();
-    }
-
 private:
     TestWindow& window() { return m_fixture->window(); }
     ui::SearchBox& box() { return window().searchBox(); }
