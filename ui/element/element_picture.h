@@ -24,7 +24,7 @@ class ElementPicture : public QWidget {
 public:
     /// An area of more nodes is drawn without what is smaller than the picture's pixels, so that drawing it does not
     /// hold up the window; a track chain of more is not drawn.
-    static constexpr std::size_t kMostNodes = 10'000;
+    static constexpr std::size_t kMostNodes = 2'000;
 
     ElementPicture(GpuContext& context, SelectionModel& selection, LayerModel& layers, QWidget* parent = nullptr);
 
