@@ -119,6 +119,15 @@ void CameraController::setOrthographic(bool isOrthographic) {
     emit moved();
 }
 
+void CameraController::lift(float mm) {
+    if (!m_isFitted && mm != 0.0F) {
+        render::CameraPose pose = m_camera.pose();
+        pose.target.z += mm;
+        m_camera.setPose(pose);
+        emit moved();
+    }
+}
+
 void CameraController::setPose(const render::CameraPose& pose) {
     m_camera.setPose(pose);
     if (m_isPlan) {

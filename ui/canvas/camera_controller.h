@@ -61,6 +61,8 @@ public:
     /// can be made out with their surroundings.
     void show(const glm::vec3& boxMin, const glm::vec3& boxMax);
     void setOrthographic(bool isOrthographic);
+    /// Follows what is looked at up by so many millimetres; not while all of the board is shown.
+    void lift(float mm);
     /// Looks as told; a plan stays straight.
     void setPose(const render::CameraPose& pose);
     /// Zooms by `factor` (> 1 is closer) and keeps the point of the board at `position` where it is on the screen, or

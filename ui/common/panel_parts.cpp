@@ -24,6 +24,10 @@ QHBoxLayout* buttonRow(std::initializer_list<QAction*> actions) {
 QToolBar* toolBar(std::initializer_list<QAction*> actions) {
     auto* bar = new QToolBar;
     bar->addActions(actions);
+    if (auto* more = bar->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"))) {
+        more->setIcon({});  // a picture of its own style, dark on whatever ground; text has the palette's colour
+        more->setText(QStringLiteral("»"));
+    }
     return bar;
 }
 

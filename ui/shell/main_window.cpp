@@ -99,7 +99,7 @@ MainWindow::MainWindow(GpuContext& context, Settings& settings, const Loader::Wo
       m_netStyles(this),
       m_parts(m_actions, m_workspace, this),
       m_views(new BoardViews(context)),
-      m_probing(*m_views, m_workspace, m_netStyles, this),
+      m_probing(*m_views, m_workspace, m_netStyles, m_layers, this),
       m_plan(m_views->flat(), m_workspace, m_netStyles, this),
       m_position(m_probing, m_workspace, this),
       m_features{*this,       context, m_workspace, m_actions, m_settings, m_layers,

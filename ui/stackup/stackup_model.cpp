@@ -160,7 +160,8 @@ Cell StackupModel::totalCell(int at, int column) const {
     if (field == Name) {
         return {.text = isOverall ? tr("Overall") : tr("Copper to copper"), .font = boldFont()};
     }
-    if (field != Cumulative) {
+    const bool isAlone = m_substacks.size() == 1;  // then also where thicknesses stand, which is seen sooner
+    if (field != Cumulative && !(field == Thickness && isAlone)) {
         return {};
     }
     const model::Substack& part = m_substacks[substack];

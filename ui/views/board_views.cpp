@@ -92,11 +92,13 @@ void BoardViews::setHeights(std::shared_ptr<const model::Document> document) {
 }
 
 void BoardViews::setZScale(const render::ZScale& scale) {
+    const std::optional<float> before = anchorHeight();
     m_zScale = scale;
     solid().setZScale(scale);
     if (m_board) {
         applyHeights();
     }
+    followAnchor(before);
 }
 
 void BoardViews::applyHeights() {
@@ -240,8 +242,22 @@ void BoardViews::setExplode(float by) {
 }
 
 void BoardViews::applyExplode(float by) {
+    const std::optional<float> before = anchorHeight();
     m_exploded = by;
     solid().setExplode(by);
+    followAnchor(before);
+}
+
+std::optional<float> BoardViews::anchorHeight() {
+    const model::LayerId anchor = m_anchor();
+    const std::vector<render::ZRange> heights = solid().drawnHeights();
+    return anchor.isValid() && anchor.row() < heights.size() ? std::optional(heights[anchor.row()].z1) : std::nullopt;
+}
+
+void BoardViews::followAnchor(std::optional<float> before) {
+    if (const std::optional<float> after = anchorHeight(); before && after) {
+        solid().controller().lift(*after - *before);
+    }
 }
 
 void BoardViews::onTimed(const render::FrameStats& stats) {

@@ -4,7 +4,9 @@
 #include <QWidget>
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <memory>
+#include <optional>
 
 #include "ui/layers/layer_model.h"
 #include "ui/views/board_view.h"
@@ -56,6 +58,9 @@ public:
     /// Thicknesses as the 3D view draws them.
     void setZScale(const render::ZScale& scale);
     [[nodiscard]] const render::ZScale& zScale() const { return m_zScale; }
+    /// Names the layer that stays where it is seen in 3D while layers are spread or scaled; none: they move about the
+    /// lowest.
+    void setAnchor(std::function<model::LayerId()> anchor) { m_anchor = std::move(anchor); }
     /// Cuts the board of the 3D view open; null: it is whole.
     void setCut(std::shared_ptr<const render::SectionCut> cut) { solid().setCut(std::move(cut)); }
     /// See BoardView, all three.
@@ -95,6 +100,8 @@ private:
     void makeScene();
     void applyHeights();
     void applyExplode(float by);
+    [[nodiscard]] std::optional<float> anchorHeight();
+    void followAnchor(std::optional<float> before);
     void applyStates();
     void applyStyles();
     void onTimed(const render::FrameStats& stats);
@@ -114,6 +121,7 @@ private:
     std::vector<model::LayerId> m_contrastLayers;  ///< in both views
     render::ZScale m_zScale;
     QVariantAnimation m_explosion;
+    std::function<model::LayerId()> m_anchor = [] { return model::LayerId{}; };
     float m_exploded = 0.0F;
     Arrangement m_arrangement = Arrangement::SideBySide;
     bool m_isUntried = false;  ///< the device was renewed and has not finished a frame since

@@ -28,9 +28,27 @@ constexpr double kPadding = 6.0;
 constexpr QColor kGround(20, 22, 26, 190);
 constexpr QColor kInk(255, 205, 90);
 
+/// The layer of what is selected; of a highlighted net, its first copper.
+model::LayerId layerOfSelection(const SelectionModel& selection) {
+    if (const auto at = selection.current()) {
+        const model::Document& step = selection.stepOf(*at);
+        return step.layerOfCopy(step.elements.layer[at->element.row()], selection.tree().copies[at->copy].isFlipped);
+    }
+    for (const model::BoardNet& net : selection.nets()) {
+        const model::Document& step = *selection.tree().steps[net.step];
+        for (const model::ElementId element : step.elementsOf(net.net)) {
+            const model::LayerId layer = step.elements.layer[element.row()];
+            if (step.layer(layer).isCopper()) {
+                return step.layerOfCopy(layer, selection.tree().copies[selection.firstCopyOf(net.step)].isFlipped);
+            }
+        }
+    }
+    return {};
+}
+
 }  // namespace
 
-HeightControls::HeightControls(BoardViews& views, const Workspace& workspace, const ActionSet& actions, QWidget* parent)
+HeightControls::HeightControls(BoardViews& views, Workspace& workspace, const ActionSet& actions, QWidget* parent)
     : QWidget(parent), m_views(views), m_actions(actions) {
     setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
     auto* row = new QHBoxLayout(this);
@@ -48,6 +66,7 @@ HeightControls::HeightControls(BoardViews& views, const Workspace& workspace, co
         connect(&actions[id], &QAction::triggered, this, &HeightControls::applyScale);
     }
     connect(&workspace, &Workspace::boardShown, this, &HeightControls::onBoard);
+    views.setAnchor([&workspace] { return layerOfSelection(workspace.selection()); });
     views.solid().addPainter([this](QPainter& painter) { paint(painter); });
 }
 

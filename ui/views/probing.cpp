@@ -31,7 +31,7 @@ std::vector<model::BoardElement> elementsOf(const std::vector<model::Hit>& hits)
 
 }  // namespace
 
-Probing::Probing(BoardViews& views, Workspace& workspace, NetStyles& nets, QObject* parent)
+Probing::Probing(BoardViews& views, Workspace& workspace, NetStyles& nets, LayerModel& layers, QObject* parent)
     : QObject(parent), m_views(views), m_workspace(workspace), m_selection(workspace.selection()), m_nets(nets) {
     connect(&workspace, &Workspace::boardShown, this, &Probing::setBoard);
     connect(&workspace, &Workspace::elementsWanted, this, &Probing::showInBoth);
@@ -41,6 +41,9 @@ Probing::Probing(BoardViews& views, Workspace& workspace, NetStyles& nets, QObje
     connect(&m_rest, &QTimer::timeout, this, &Probing::hover);
     qApp->installEventFilter(this);
     connect(&nets, &NetStyles::changed, this, &Probing::hideNets);
+    connect(&nets, &NetStyles::changed, this, &Probing::endHiddenHover);
+    connect(&layers, &LayerModel::stylesChanged, this, &Probing::endHiddenHover);
+    connect(&workspace, &Workspace::currentLayerChanged, this, &Probing::endHiddenHover);
     for (BoardView* view : views.both()) {
         watch(*view);
     }
@@ -195,6 +198,18 @@ void Probing::endStaleHover(BoardView& view) {
             QToolTip::hideText();
         }
     }
+}
+
+/// Layers or nets are shown otherwise: what was under the pointer may be hidden. Once the views have their new styles.
+void Probing::endHiddenHover() {
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+            if (m_hoverView != nullptr) {
+                endStaleHover(*m_hoverView);
+            }
+        },
+        Qt::QueuedConnection);
 }
 
 /// The camera has moved: what was under the pointer is elsewhere. In a drag the pointer is elsewhere too, and says

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "model/index/picking.h"
+#include "ui/layers/layer_model.h"
 #include "ui/nets/net_styles.h"
 #include "ui/views/board_position.h"
 #include "ui/views/board_views.h"
@@ -28,7 +29,7 @@ public:
     static constexpr float kAroundMm = 1.5F;
 
     /// What `nets` hides is looked through.
-    Probing(BoardViews& views, Workspace& workspace, NetStyles& nets, QObject* parent = nullptr);
+    Probing(BoardViews& views, Workspace& workspace, NetStyles& nets, LayerModel& layers, QObject* parent = nullptr);
 
     /// Whether the camera of `to` follows what is clicked in the other view.
     void setFollows(BoardView::Kind to, bool isOn) { m_follows[static_cast<std::size_t>(to)] = isOn; }
@@ -67,6 +68,7 @@ private:
     void hideNets();
     void hover();
     void endStaleHover(BoardView& view);
+    void endHiddenHover();
     void hoverAgain(const BoardView& view);
     void click(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers);
     void selectFirst(const BoardView& view, QPointF position, std::vector<model::BoardElement> found);

@@ -55,6 +55,31 @@ private slots:
         QVERIFY(controls().text().isEmpty());
     }
 
+    void whatIsSelectedStaysInSight() {
+        const model::Document& document = *window().document();
+        ui::CameraController& camera = views().solid().controller();
+        std::size_t row = 0;
+        while (!document.layer(document.elements.layer[row]).isCopper()) {
+            ++row;
+        }
+        const model::ElementId element{row};
+        const std::size_t layer = document.elements.layer[row].row();
+        window().selection().select({{0, element}});
+        window().workspace().showElements({{0, element}});
+        const auto place = [&] {
+            const model::PointD middle = base::toDouble(document.boxOf(element).middle());
+            const glm::vec3 at = window().probing().position().toModel(middle);
+            return camera.screenOf({at.x, at.y, views().solid().drawnHeights()[layer].z1});
+        };
+        const auto before = place();
+        slider("spread").setValue(slider("spread").maximum());
+        const auto after = place();
+        QVERIFY(before && after);
+        QVERIFY2((*after - *before).manhattanLength() < 2.0, "it stays where it is on the canvas");
+        slider("heightScale").setValue(10);
+        QVERIFY((*place() - *before).manhattanLength() < 2.0);
+    }
+
     void theMarkIsOnTheView() {
         const QImage plain = m_fixture->picture();
         slider("heightScale").setValue(2);

@@ -45,8 +45,8 @@ private slots:
                  "1\tmask\tSolder mask\t25 µm\t25 µm\tassumed\t\t\t\t\n"
                  "2\ttop\tSignal\t35 µm\t60 µm\tread\t1 oz\t\t\t\n"
                  "3\tbelow top\tDielectric\t1.2 mm\t1.26 mm\tderived\t\t4.25\t0.02\tFR-4\n"
-                 "\tCopper to copper\t\t\t1.2 mm\t\t\t\t\t\n"
-                 "\tOverall\t\t\t1.26 mm\t\t\t\t\t\n");
+                 "\tCopper to copper\t\t1.2 mm\t1.2 mm\t\t\t\t\t\n"
+                 "\tOverall\t\t1.26 mm\t1.26 mm\t\t\t\t\t\n");
     }
 
     void coreAndPrepregAndEditedAreNamed() {
