@@ -41,7 +41,7 @@ void paintSwatch(QPainter& painter, const QStyleOptionViewItem& option, const QC
     if (colour.isValid()) {
         painter.fillRect(innerOf(option.rect), colour);
     }
-    painter.setPen(option.palette.color(QPalette::Mid));
+    painter.setPen(faint(inkOf(option), 90));
     painter.drawRect(innerOf(option.rect).adjusted(0, 0, -1, -1));
 }
 

@@ -92,7 +92,7 @@ private slots:
         send(QEvent::MouseMove, cube().positionOf(top), Qt::NoButton);
         QCOMPARE(cube().hovered(), std::optional(top));
         QCOMPARE(hovers.count(), 0);
-        QVERIFY(differingPixels(plain, painted()) > 100);
+        QTRY_VERIFY(differingPixels(plain, painted()) > 100);
         send(QEvent::MouseMove, {200, 300}, Qt::NoButton);
         QVERIFY(!cube().hovered());
         QCOMPARE(hovers.count(), 1);
