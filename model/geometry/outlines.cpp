@@ -151,6 +151,14 @@ std::int64_t turn(Point a, Point b, Point c) {
 
 }  // namespace
 
+Box boxOf(const ShapeSketch& sketch) {
+    Box box;
+    for (std::size_t i = 0; i < sketch.contourCount(); ++i) {
+        box.include(boxOfPath(sketch.contour(i), true));
+    }
+    return box;
+}
+
 std::vector<Point> convexHull(std::vector<Point> points) {
     std::ranges::sort(points);
     points.erase(std::unique(points.begin(), points.end()), points.end());

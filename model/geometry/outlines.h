@@ -40,6 +40,9 @@ void addCapsule(ShapeSketch& sketch, PointD from, PointD to, double width);
 /// Adds nodes as one contour, without those whose straight edge has no length.
 void addPath(ShapeSketch& sketch, std::span<const PathNode> nodes, bool isHole);
 
+/// Around the contours of a sketch.
+[[nodiscard]] Box boxOf(const ShapeSketch& sketch);
+
 /// Corners of the convex hull, counter-clockwise.
 [[nodiscard]] std::vector<Point> convexHull(std::vector<Point> points);
 

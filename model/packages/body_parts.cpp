@@ -9,31 +9,33 @@ namespace model {
 
 namespace {
 
-constexpr Nm kMm = 1'000'000;
 /// How far a part that wraps around another one stands out, so that it hides it.
 constexpr Nm kWrap = 15'000;
-/// Print is this thick.
-constexpr Nm kPrint = 20'000;
 /// Pins end this far behind the board.
 constexpr Nm kBehindBoard = 1'000'000;
 
-Nm scaled(std::int64_t length, double factor) {
-    return static_cast<Nm>(std::lround(static_cast<double>(length) * factor));
-}
-
 enum class Side { Left, Right, Lower, Upper };
 
-/// The side of the body a pin lies on; none below it.
-std::optional<Side> sideOf(Point pin, const Box& body) {
-    const std::array<Nm, 4> beyond{body.min.x - pin.x, pin.x - body.max.x, body.min.y - pin.y, pin.y - body.max.y};
-    const auto farthest = std::ranges::max_element(beyond);
-    return *farthest <= 0 ? std::nullopt : std::optional(static_cast<Side>(farthest - beyond.begin()));
+/// How far the middle of a pin lies outside of a side.
+Nm distanceTo(Side side, const Box& body, Point p) {
+    switch (side) {
+        case Side::Left: return body.min.x - p.x;
+        case Side::Right: return p.x - body.max.x;
+        case Side::Lower: return body.min.y - p.y;
+        default: return p.y - body.max.y;
+    }
 }
 
 /// The side a pin is next to, wherever it lies.
 Side nearestSide(Point pin, const Box& body) {
-    const std::array<Nm, 4> beyond{body.min.x - pin.x, pin.x - body.max.x, body.min.y - pin.y, pin.y - body.max.y};
-    return static_cast<Side>(std::ranges::max_element(beyond) - beyond.begin());
+    return std::ranges::max({Side::Left, Side::Right, Side::Lower, Side::Upper}, {},
+                            [&](Side side) { return distanceTo(side, body, pin); });
+}
+
+/// The side of the body a pin lies on; none below it.
+std::optional<Side> sideOf(Point pin, const Box& body) {
+    const Side nearest = nearestSide(pin, body);
+    return distanceTo(nearest, body, pin) <= 0 ? std::nullopt : std::optional(nearest);
 }
 
 bool isOnX(Side side) {
@@ -48,16 +50,6 @@ Box outwards(Side side, const Box& body, const PinFacts& pin, Nm from, Nm to, Nm
         case Side::Right: return {{body.max.x + from, p.y - half}, {body.max.x + to, p.y + half}};
         case Side::Lower: return {{p.x - half, body.min.y - to}, {p.x + half, body.min.y - from}};
         default: return {{p.x - half, body.max.y + from}, {p.x + half, body.max.y + to}};
-    }
-}
-
-/// How far the middle of a pin lies outside of a side.
-Nm distanceTo(Side side, const Box& body, Point p) {
-    switch (side) {
-        case Side::Left: return body.min.x - p.x;
-        case Side::Right: return p.x - body.max.x;
-        case Side::Lower: return body.min.y - p.y;
-        default: return p.y - body.max.y;
     }
 }
 

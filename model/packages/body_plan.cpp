@@ -79,27 +79,24 @@ void transpose(BodyPlan& plan) {
 }  // namespace
 
 BodyPlan planBody(const PackageFacts& given, Nm statedHeight) {
-    const PinPattern pattern = patternOf(given);
-    const PartKind kind = kindOf(given.refdes, given.name);
+    const BodySize size = sizeBody(given, statedHeight);
     BodyPlan plan;
-    plan.family = familyOf(given, pattern, kind, statedHeight);
-    if (plan.family == PackageFamily::None) {
+    plan.family = size.family;
+    if (size.box.isEmpty()) {
         return plan;
     }
-    const PackageFacts facts = pattern.isAlongY ? transposed(given) : given;
-    plan.box = bodyBox(facts, pattern, plan.family, kind);
-    if (plan.box.width() <= 0 || plan.box.height() <= 0) {
-        return {};
-    }
+    const bool isTurned = size.pattern.isAlongY;
+    const PackageFacts facts = isTurned ? transposed(given) : given;
+    plan.outlineSource = given.outlineSource;
+    plan.isAsDrawn = isAsDrawn(size, given);
+    plan.box = isTurned ? transposed(size.box) : size.box;
     plan.outline = outlineOf(facts, plan.family, plan.box);
-    plan.isHeightAssumed = !isPlausibleHeight(statedHeight);
-    plan.height = plan.isHeightAssumed ? usualHeight(plan.box, facts, plan.family, kind) : statedHeight;
-    plan.bodyTop = plan.family == PackageFamily::Header
-                       ? static_cast<Nm>(std::lround(kHousing * static_cast<double>(plan.height)))
-                       : plan.height;
-    plan.material = materialOf(plan.family, kind);
-    addBodyParts(facts, kind, plan);
-    if (pattern.isAlongY) {
+    plan.height = size.height;
+    plan.isHeightAssumed = size.isHeightAssumed;
+    plan.bodyTop = plan.family == PackageFamily::Header ? scaled(plan.height, kHousing) : plan.height;
+    plan.material = materialOf(plan.family, size.kind);
+    addBodyParts(facts, size.kind, plan);
+    if (isTurned) {
         transpose(plan);
     }
     return plan;

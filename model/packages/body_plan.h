@@ -23,6 +23,9 @@ enum class BodyMaterial : std::uint8_t {
 };
 inline constexpr std::size_t kBodyMaterialCount = static_cast<std::size_t>(BodyMaterial::DarkPrint) + 1;
 
+/// Print is so thick that it is seen from any distance at which it can be read.
+inline constexpr Nm kPrint = 20'000;
+
 /// What can be read on a material.
 [[nodiscard]] constexpr BodyMaterial printOn(BodyMaterial material) {
     const bool isLight = material == BodyMaterial::Housing || material == BodyMaterial::Metal ||
@@ -43,9 +46,11 @@ struct BodyPart {
 /// What a component looks like, as prisms.
 struct BodyPlan {
     PackageFamily family = PackageFamily::None;
-    PolygonSet outline;  ///< of the body without its leads
-    Box box;             ///< around it; empty: there is no body
-    Nm height = 0;       ///< of all of it
+    OutlineSource outlineSource = OutlineSource::None;
+    bool isAsDrawn = false;  ///< the box is that of the drawn outline
+    PolygonSet outline;      ///< of the body without its leads
+    Box box;                 ///< around it; empty: there is no body
+    Nm height = 0;           ///< of all of it
     bool isHeightAssumed = true;
     Nm bodyTop = 0;  ///< of the prism over the outline; less than `height` where pins stand out of a housing
     BodyMaterial material = BodyMaterial::Moulding;

@@ -1,12 +1,9 @@
 #include "model/packages/body_size.h"
 
-#include <cmath>
-
 namespace model {
 
 namespace {
 
-constexpr Nm kMm = 1'000'000;
 /// How far courtyards usually reach beyond what they are around (IPC-7351, nominal density).
 constexpr Nm kCourtyard = 250'000;
 /// An outline that reaches this far beyond all pads is a courtyard.
@@ -19,10 +16,6 @@ constexpr double kChipLength = 1.05;
 constexpr double kChipWidth = 0.86;
 /// Where the body of a package with leads ends: between the inner ends (0) and the middles (1) of its pads.
 constexpr double kLeadStart = 0.3;
-
-Nm scaled(std::int64_t length, double factor) {
-    return static_cast<Nm>(std::lround(static_cast<double>(length) * factor));
-}
 
 Box boxAround(Point middle, Nm width, Nm height) {
     return {{middle.x - width / 2, middle.y - height / 2}, {middle.x + width / 2, middle.y + height / 2}};
@@ -184,8 +177,7 @@ Nm chipHeight(Nm width, PartKind kind) {
     return isFlat ? partOf(width, 0.5, 100'000, 600'000) : partOf(width, 0.9, 150'000, 3 * kMm);
 }
 
-}  // namespace
-
+/// In package coordinates, for facts whose leads point along x. Empty without pins.
 Box bodyBox(const PackageFacts& facts, const PinPattern& pattern, PackageFamily family, PartKind kind) {
     switch (family) {
         case PackageFamily::None: return {};
@@ -208,6 +200,7 @@ Box bodyBox(const PackageFacts& facts, const PinPattern& pattern, PackageFamily 
     }
 }
 
+/// A height that is usual for such a body.
 Nm usualHeight(const Box& body, const PackageFacts& facts, PackageFamily family, PartKind kind) {
     const std::int64_t narrow = std::min(body.width(), body.height());
     const std::int64_t wide = std::max(body.width(), body.height());
@@ -235,6 +228,33 @@ Nm usualHeight(const Box& body, const PackageFacts& facts, PackageFamily family,
                                                 : partOf(wide, 0.7, 2 * kMm, 12 * kMm);
         default: return partOf(narrow, 0.25, 700'000, 3 * kMm);
     }
+}
+
+}  // namespace
+
+BodySize sizeBody(const PackageFacts& given, Nm statedHeight) {
+    BodySize size;
+    size.pattern = patternOf(given);
+    size.kind = kindOf(given.refdes, given.name);
+    size.family = familyOf(given, size.pattern, size.kind, statedHeight);
+    if (size.family == PackageFamily::None) {
+        return size;
+    }
+    const bool isTurned = size.pattern.isAlongY;
+    const PackageFacts turned = isTurned ? transposed(given) : PackageFacts{};
+    const PackageFacts& facts = isTurned ? turned : given;
+    const Box box = bodyBox(facts, size.pattern, size.family, size.kind);
+    if (box.width() <= 0 || box.height() <= 0) {
+        return {};
+    }
+    size.box = isTurned ? transposed(box) : box;
+    size.isHeightAssumed = !isPlausibleHeight(statedHeight);
+    size.height = size.isHeightAssumed ? usualHeight(box, facts, size.family, size.kind) : statedHeight;
+    return size;
+}
+
+bool isAsDrawn(const BodySize& size, const PackageFacts& facts) {
+    return facts.outlineSource == OutlineSource::Drawn && size.box == facts.box;
 }
 
 PackageFacts transposed(const PackageFacts& facts) {

@@ -12,16 +12,26 @@ inline constexpr Nm kLeastBody = 100'000;
 /// heat sinks of some 100 mm.
 inline constexpr Nm kMostBody = 150'000'000;
 
-/// The box of a body in package coordinates, for facts whose leads point along x (turnedToX). Empty without pins.
-[[nodiscard]] Box bodyBox(const PackageFacts& facts, const PinPattern& pattern, PackageFamily family, PartKind kind);
+/// What a body is and how large.
+struct BodySize {
+    PackageFamily family = PackageFamily::None;
+    PartKind kind = PartKind::Unknown;
+    PinPattern pattern;
+    Box box;  ///< in package coordinates; empty: there is no body
+    Nm height = 0;
+    bool isHeightAssumed = true;
+};
 
-/// A height that is usual for such a body.
-[[nodiscard]] Nm usualHeight(const Box& body, const PackageFacts& facts, PackageFamily family, PartKind kind);
+/// `statedHeight` is the job's; 0 or less: it states none.
+[[nodiscard]] BodySize sizeBody(const PackageFacts& facts, Nm statedHeight);
 
 /// Is a stated height one a body can have?
 [[nodiscard]] constexpr bool isPlausibleHeight(Nm stated) {
     return stated >= kLeastBody && stated <= kMostBody;
 }
+
+/// Is a size the one that the job draws, and not concluded from pads?
+[[nodiscard]] bool isAsDrawn(const BodySize& size, const PackageFacts& facts);
 
 /// x and y exchanged, so that what is written for leads along x serves both ways.
 [[nodiscard]] PackageFacts transposed(const PackageFacts& facts);

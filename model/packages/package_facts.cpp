@@ -1,5 +1,7 @@
 #include "model/packages/package_facts.h"
 
+#include <cmath>
+
 namespace model {
 
 namespace {
@@ -33,6 +35,10 @@ void addPlacedPins(const Document& document, const Component& component, Package
 }
 
 }  // namespace
+
+Nm scaled(std::int64_t length, double factor) {
+    return static_cast<Nm>(std::lround(static_cast<double>(length) * factor));
+}
 
 Box PackageFacts::boxOfPads() const {
     Box all;
@@ -76,10 +82,15 @@ void PackageFacts::addPin(Point position, const Box& pad, bool isThrough) {
 
 void PackageFacts::setOutline(PolygonSet polygons, const Box& drawn, const Box& stated) {
     const Box pads = boxOfPads();
-    const bool isDot = 4 * drawn.width() < pads.width() && 4 * drawn.height() < pads.height();
+    const bool isDot = !drawn.isEmpty() && 4 * drawn.width() < pads.width() && 4 * drawn.height() < pads.height();
     const bool isDrawn = drawn.width() > 0 && drawn.height() > 0 && !isDot;
+    const bool isStated = stated.width() > 0 && stated.height() > 0;
+    outlineSource = isDrawn    ? OutlineSource::Drawn
+                    : isDot    ? OutlineSource::Dot
+                    : isStated ? OutlineSource::Stated
+                               : OutlineSource::None;
     outline = isDrawn ? std::move(polygons) : PolygonSet{};
-    box = isDrawn ? drawn : stated.width() > 0 && stated.height() > 0 ? stated : Box{};
+    box = isDrawn ? drawn : isStated ? stated : Box{};
 }
 
 bool isFirstPin(std::string_view name) {

@@ -8,11 +8,24 @@
 
 namespace model {
 
+inline constexpr Nm kMm = 1'000'000;
+
+/// A length times a factor, rounded.
+[[nodiscard]] Nm scaled(std::int64_t length, double factor);
+
 /// A pin as the shape of a body follows from it, in package coordinates.
 struct PinFacts {
     Point position;
     Box pad;  ///< of its land pattern; a box of half a millimetre around it where the job draws none
     bool isThrough = false;
+};
+
+/// What a job says of the outline of a package.
+enum class OutlineSource : std::uint8_t {
+    None,
+    Drawn,
+    Stated,  ///< a box only
+    Dot      ///< some programs write one where they know no outline (odb-notes, Nets and parts)
 };
 
 /// All that is known of the package of a component before anything is concluded from it. Lengths are nanometres.
@@ -21,10 +34,10 @@ struct PackageFacts {
     std::string name;  ///< of the package; a hint only
     std::vector<PinFacts> pins;
     std::size_t firstPin = 0;  ///< row of pin 1 (A1); 0 if none is called so
-    /// What the job draws as the outline: of the body, of body and leads, or a courtyard around both. Empty if it
-    /// draws none, or a dot between the pins, which some programs write where they know none (odb-notes, Nets and
-    /// parts).
+    /// What the job draws as the outline: of the body, of body and leads, or a courtyard around both. Empty unless
+    /// that is Drawn.
     PolygonSet outline;
+    OutlineSource outlineSource = OutlineSource::None;
     Box box;            ///< around the outline; what the job states where it draws none; empty if neither
     Nm boardDepth = 0;  ///< from the face it stands on to the other face of the board
 

@@ -9,7 +9,6 @@ namespace model {
 
 namespace {
 
-constexpr Nm kMm = 1'000'000;
 /// What stands on one pin is at least this high.
 constexpr Nm kLeastPost = 500'000;
 /// Terminals of leadless packages end under the body; feet of leads reach out of it and have longer pads.

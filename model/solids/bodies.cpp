@@ -91,6 +91,7 @@ private:
         }
         const ElementId element = m_builder.addArea({shapeOf(plan), placement}, {});
         m_builder.addBody({element, id, plan.height, plan.isHeightAssumed ? Source::Assumed : Source::Job});
+        reportOutline(plan, element);
         reportHeight(component.height, element);
     }
 
@@ -146,6 +147,26 @@ private:
         };
         return m_document.profile.isValid() &&
                areaOf(box) > kMostOfBoard * areaOf(m_document.shapes.shapes[m_document.profile.row()].box);
+    }
+
+    void reportOutline(const BodyPlan& plan, ElementId element) {
+        if (plan.outlineSource == OutlineSource::None) {
+            report(Severity::Info, "a package has no outline; the size of its body is told from its pads", element);
+        } else if (plan.outlineSource == OutlineSource::Dot) {
+            report(Severity::Info,
+                   "the outline of a package is a dot between its pins; the size of its body is told from its pads",
+                   element);
+        } else if (plan.outlineSource == OutlineSource::Stated) {
+            report(Severity::Info,
+                   "a package draws no outline; the size of its body is told from the box it states and its pads",
+                   element);
+        } else if (!plan.isAsDrawn) {
+            report(
+                Severity::Info,
+                "the outline of a package holds more than its body (pads or a courtyard); the size of its body is told "
+                "from its pads and its family",
+                element);
+        }
     }
 
     void reportHeight(Nm stated, ElementId element) {

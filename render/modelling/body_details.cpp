@@ -10,9 +10,6 @@ namespace {
 
 static_assert(model::kBodyMaterialCount == shader::kMaterialCount + 1);
 
-/// Print is so thick that it is seen from any distance at which it can be read.
-constexpr model::Nm kPrint = 20'000;
-
 float millimetres(model::Nm length) {
     return static_cast<float>(base::toMm(length));
 }
@@ -55,8 +52,8 @@ void BodyDetails::addDesignator(const model::Body& body, const model::BodyPlan& 
             m_shapes.push_back({model::characterStrokes(printed.character, printed.height), true});
         }
         if (!m_shapes[found->second].polygons.polygons.empty()) {
-            m_parts.push_back({body.element, found->second, printed.placement, plan.bodyTop, plan.bodyTop + kPrint,
-                               model::printOn(plan.material)});
+            m_parts.push_back({body.element, found->second, printed.placement, plan.bodyTop,
+                               plan.bodyTop + model::kPrint, model::printOn(plan.material)});
         }
     }
 }

@@ -10,14 +10,6 @@ namespace model::formats {
 
 namespace {
 
-Box boxOf(const ShapeSketch& sketch) {
-    Box box;
-    for (std::size_t i = 0; i < sketch.contourCount(); ++i) {
-        box.include(boxOfPath(sketch.contour(i), true));
-    }
-    return box;
-}
-
 bool isBoardCopper(const Layer& layer) {
     return layer.isCopper() && layer.context == LayerContext::Board;
 }

@@ -5,6 +5,8 @@
 #include <cstdlib>
 
 #include "model/formats/odb/text/records.h"
+#include "model/geometry/outlines.h"
+#include "model/packages/body_size.h"
 
 namespace model::odb {
 
@@ -213,14 +215,6 @@ void addParts(DocumentBuilder& builder, const Matrix& matrix, const LayerTable& 
 
 namespace {
 
-Box boxOf(const ShapeSketch& sketch) {
-    Box box;
-    for (std::size_t i = 0; i < sketch.contourCount(); ++i) {
-        box.include(boxOfPath(sketch.contour(i), true));
-    }
-    return box;
-}
-
 /// The height a component's body will have, or a little more: outlines are taken for their boxes.
 Nm heightOf(const PlacedComponent& component, const std::vector<EdaPackage>& packages, const Document& document) {
     PackageFacts facts;
@@ -231,7 +225,7 @@ Nm heightOf(const PlacedComponent& component, const std::vector<EdaPackage>& pac
         for (const PlacedPin& pin : component.pins) {
             facts.addPin(pin.position, {}, mountOf(component) == MountType::ThroughHole);
         }
-        return planBody(facts, component.height).height;
+        return sizeBody(facts, component.height).height;
     }
     const EdaPackage& package = packages[static_cast<std::size_t>(component.package)];
     facts.name = package.name;
@@ -239,7 +233,7 @@ Nm heightOf(const PlacedComponent& component, const std::vector<EdaPackage>& pac
         facts.addPin(pin.position, boxOf(pin.outline), pin.kind == PinKind::Through);
     }
     facts.setOutline({}, boxOf(package.outline), package.box);
-    return planBody(facts, component.height).height;
+    return sizeBody(facts, component.height).height;
 }
 
 }  // namespace

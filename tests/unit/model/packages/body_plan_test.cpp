@@ -3,6 +3,8 @@
 
 #include <QtTest>
 
+#include "tests/unit/model/packages/in_millimetres.h"
+
 using model::BodyMaterial;
 using model::BodyPart;
 using model::BodyPlan;
@@ -10,16 +12,10 @@ using model::Box;
 using model::Nm;
 using model::PackageFacts;
 using model::PackageFamily;
+using packages::boxAt;
+using packages::mm;
 
 namespace {
-
-Nm mm(double value) {
-    return static_cast<Nm>(std::lround(value * 1e6));
-}
-
-Box boxAt(double x, double y, double width, double height) {
-    return {{mm(x - width / 2), mm(y - height / 2)}, {mm(x + width / 2), mm(y + height / 2)}};
-}
 
 PackageFacts named(const char* refdes, const char* name) {
     PackageFacts facts;

@@ -3,6 +3,8 @@
 
 #include <QtTest>
 
+#include "tests/unit/model/packages/in_millimetres.h"
+
 using model::Box;
 using model::Nm;
 using model::PackageFacts;
@@ -10,16 +12,10 @@ using model::PackageFamily;
 using model::PartKind;
 using model::PinLayout;
 using model::Point;
+using packages::boxAt;
+using packages::mm;
 
 namespace {
-
-Nm mm(double value) {
-    return static_cast<Nm>(std::lround(value * 1e6));
-}
-
-Box boxAt(double x, double y, double width, double height) {
-    return {{mm(x - width / 2), mm(y - height / 2)}, {mm(x + width / 2), mm(y + height / 2)}};
-}
 
 /// A package under construction.
 struct Package {

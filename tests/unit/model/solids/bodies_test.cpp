@@ -3,6 +3,7 @@
 #include <QtTest>
 
 #include "model/board/stackup.h"
+#include "model/geometry/outlines.h"
 
 using model::ComponentId;
 using model::Document;
@@ -149,6 +150,43 @@ private slots:
             QCOMPARE(body.source, Source::Assumed);
         }
         QCOMPARE(messages(*d, "gives no height"), std::uint64_t{2});
+        QCOMPARE(messages(*d, "package has no outline"), std::uint64_t{2});
+    }
+
+    void whatIsNotTheBodyAsDrawnIsTold_data() {
+        QTest::addColumn<Nm>("beyond");
+        QTest::addColumn<bool>("isDrawn");
+        QTest::addColumn<QString>("message");
+        QTest::addRow("the body") << -kMm << true << QString();
+        QTest::addRow("a courtyard") << kMm << true << QString("holds more than its body");
+        QTest::addRow("a box that is stated") << -kMm << false << QString("draws no outline");
+    }
+    void whatIsNotTheBodyAsDrawnIsTold() {
+        QFETCH(Nm, beyond);
+        QFETCH(bool, isDrawn);
+        QFETCH(QString, message);
+        Board board;
+        model::PackagePin pins[2];
+        pins[0].position = {-2 * kMm, 0};
+        pins[1].position = {2 * kMm, 0};
+        const model::Box outline = box(-2 * kMm - beyond, -kMm, 2 * kMm + beyond, kMm);
+        model::Package package;
+        if (isDrawn) {
+            model::ShapeSketch sketch;
+            model::addBox(sketch, outline);
+            package.body = board.builder.addShape(sketch);
+        } else {
+            package.box = outline;
+        }
+        board.place(board.builder.addPackage(std::move(package), pins), LayerSide::Top, kMm);
+        const auto d = board.finish({kMm, 0});
+        QCOMPARE(d->bodies.size(), std::size_t{1});
+        QCOMPARE(d->diagnostics.entries().size(), message.isEmpty() ? std::size_t{0} : std::size_t{1});
+        if (!message.isEmpty()) {
+            const model::Diagnostic& told = d->diagnostics.entries().front();
+            QVERIFY2(told.text.find(message.toStdString()) != std::string::npos, told.text.c_str());
+            QCOMPARE(told.severity, model::Severity::Info);
+        }
     }
 
     void whatOnlyIsCopperHasNoBody() {
@@ -186,6 +224,7 @@ private slots:
         board.place(board.builder.addPackage(package, pins), LayerSide::Top, kMm);
         const auto d = board.finish({kMm, 0});
         QVERIFY(d->boxOf(d->bodies[0].element).width() > 3 * kMm);
+        QCOMPARE(messages(*d, "is a dot between its pins"), std::uint64_t{1});
     }
 
     void whatCoversTheBoardIsNoBody() {
