@@ -95,11 +95,11 @@ private:
     std::string m_out;
 };
 
-bool hasBraces(std::string_view name) {
-    return name.find('{') != std::string_view::npos;  // few have: the others cost a look
-}
-
 }  // namespace
+
+bool hasBraces(std::string_view name) {
+    return name.find('{') != std::string_view::npos;
+}
 
 std::string readableName(std::string_view name) {
     return hasBraces(name) ? Reader(name, true).run() : std::string(name);

@@ -14,6 +14,9 @@ namespace model {
 /// The same as people type it, without bars: "RESET".
 [[nodiscard]] std::string typedName(std::string_view name);
 
+/// May a name hold such a spelling? Few do; the others are as people write and type them.
+[[nodiscard]] bool hasBraces(std::string_view name);
+
 /// The sheets of a schematic that a net belongs to, with the slashes around them: "/Ethernet/" of "/Ethernet/RXD0", "/"
 /// of "/RXD0". Empty for nets of all sheets, whose names begin with none.
 [[nodiscard]] std::string_view sheetOf(std::string_view name);

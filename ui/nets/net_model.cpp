@@ -121,7 +121,7 @@ struct NetModel::Task {
                 return {};
             }
             const std::string& name = document->nets[net].name;
-            if (filter.takes(name) || filter.takes(model::typedName(name))) {
+            if (filter.takes(name) || (model::hasBraces(name) && filter.takes(model::typedName(name)))) {
                 nets.push_back(net);
             }
         }
@@ -300,7 +300,7 @@ Cell NetModel::headingCell(int row, int column) const {
     const std::uint32_t group = m_rows.groupAt(row);
     const QString rest = m_groupedBy == model::NetGrouping::Sheet ? tr("Nets of all sheets") : tr("Other nets");
     const QString name = group == groups.size() ? rest : QString::fromStdString(model::readableName(groups[group]));
-    return {.text = tr("%1  (%L2)").arg(name).arg(m_rows.netsAt(row).size()),
+    return {.text = tr("%1  (%L2)").arg(name).arg(m_rows.netCountAt(row)),
             .decoration = triangle(m_rows.depthOf(row), m_rows.isFolded(row)),
             .font = boldFont()};
 }

@@ -54,6 +54,7 @@ public:
     [[nodiscard]] model::NetId netAt(int row) const { return m_rows.netAt(row); }
     /// The net of a row, or all under a heading.
     [[nodiscard]] std::vector<model::BoardNet> netsAt(int row) const;
+    [[nodiscard]] std::size_t netCountAt(int row) const { return m_rows.netCountAt(row); }
     [[nodiscard]] std::uint32_t step() const { return m_step; }
     /// Nets that the filter takes.
     [[nodiscard]] int shown() const { return m_rows.nets(); }

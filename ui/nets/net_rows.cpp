@@ -22,6 +22,7 @@ NetRows::NetRows(const std::vector<std::uint32_t>& nets, Groups groups)
         m_all.push_back(net);
     }
     m_isFolded.assign(rest + 1, false);
+    countNets();
     show();
 }
 
@@ -40,6 +41,23 @@ void NetRows::addHeadings(std::uint32_t group, std::optional<std::uint32_t> last
     }
     for (auto heading = headings.rbegin(); heading != headings.rend(); ++heading) {
         m_all.push_back(kHeading | *heading);
+    }
+}
+
+void NetRows::countNets() {
+    m_netCounts.assign(m_isFolded.size(), 0);
+    std::vector<std::uint32_t> open;  // headings the next net stands under
+    for (const std::uint32_t entry : m_all) {
+        if ((entry & kHeading) == 0) {
+            for (const std::uint32_t heading : open) {
+                ++m_netCounts[heading & ~kHeading];
+            }
+            continue;
+        }
+        while (!open.empty() && depthOfHeading(open.back()) >= depthOfHeading(entry)) {
+            open.pop_back();
+        }
+        open.push_back(entry);
     }
 }
 

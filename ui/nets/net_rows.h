@@ -30,6 +30,8 @@ public:
     [[nodiscard]] model::NetId netAt(int row) const;
     /// The net of a row, or all under a heading.
     [[nodiscard]] std::vector<model::NetId> netsAt(int row) const;
+    /// How many those are; known without looking at them.
+    [[nodiscard]] std::size_t netCountAt(int row) const { return isHeading(row) ? m_netCounts[groupAt(row)] : 1; }
     /// Row of NetGroups::names, or their number for the heading of nets in none.
     [[nodiscard]] std::uint32_t groupAt(int heading) const { return at(heading) & ~kHeading; }
     /// How many headings a row stands under, not counting its own.
@@ -54,6 +56,7 @@ private:
     [[nodiscard]] std::uint32_t depthOfHeading(std::uint32_t entry) const;
     [[nodiscard]] std::size_t endOfHeading(std::size_t place) const;
     void addHeadings(std::uint32_t group, std::optional<std::uint32_t> last);
+    void countNets();
     void show();
 
     Groups m_groups;
@@ -61,6 +64,7 @@ private:
     std::vector<std::uint32_t> m_shown;  ///< rows of m_all
     std::vector<int> m_headings;         ///< shown rows that are, rising
     std::vector<bool> m_isFolded;
+    std::vector<std::uint32_t> m_netCounts;  ///< by group, with those of the groups within it
     int m_nets = 0;
 };
 

@@ -357,7 +357,8 @@ void NetsPanel::showInTable() {
             }
             continue;
         }
-        if (std::ranges::all_of(m_model.netsAt(row), isSelected)) {
+        // Counted first: a group may have a million nets.
+        if (m_model.netCountAt(row) <= nets.size() && std::ranges::all_of(m_model.netsAt(row), isSelected)) {
             addRow(rows, m_model, row);
         }
     }

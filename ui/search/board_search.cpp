@@ -77,7 +77,8 @@ public:
     void lookForNets(const base::Table<model::Net>& nets) {
         for (std::uint32_t row = 0; row < nets.size(); ++row) {
             const std::string& name = nets[row].name;
-            const Fit fit = std::min(fitOf(name, m_text), fitOf(model::typedName(name), m_text));
+            const Fit typed = model::hasBraces(name) ? fitOf(model::typedName(name), m_text) : Fit::None;
+            const Fit fit = std::min(fitOf(name, m_text), typed);
             if (fit != Fit::None) {
                 m_matches.push_back({fit, name, {FoundKind::Net, row, m_step, {}}});
             }
