@@ -320,7 +320,7 @@ void MainWindow::restoreSettings() {
 
 void MainWindow::resetSettings() {
     m_settings.reset();
-    m_arrangements->forget();
+    m_arrangements->discard();
     std::ranges::for_each(m_features.restorers, [](const auto& restore) { restore(); });
 }
 

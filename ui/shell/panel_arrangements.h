@@ -24,7 +24,7 @@ public:
     /// Keeps how panels are now for the next run.
     void save() const;
     /// What is shown is not kept: the settings were reset.
-    void forget() { m_use.reset(); }
+    void discard() { m_use.reset(); }
 
 private:
     void layOut(Use use);
