@@ -41,6 +41,10 @@ base::Status checkSize(std::uint32_t width, std::uint32_t height, const gpu::Cap
 OffscreenPresenter::OffscreenPresenter(gpu::Device& device)
     : m_device(&device), m_ring(device, 1, "offscreen frames"), m_renderer(device), m_target(device) {}
 
+void OffscreenPresenter::makeReady(Backend backend) {
+    m_renderer.makeReady(gpu::kColourFormat, backend);
+}
+
 void OffscreenPresenter::copyPicture(VkCommandBuffer commands) {
     const VkExtent2D extent = m_target.extent();
     const std::uint64_t bytes = std::uint64_t{extent.width} * extent.height * kBytesPerPixel;
@@ -88,6 +92,7 @@ base::Result<Image> OffscreenPresenter::render(BoardScene& scene, const Camera& 
         return draw(scene, camera, settings, {width, height});
     } catch (const gpu::OutOfMemory& shortage) {
         m_device->waitIdle();  // what was begun is freed
+        scene.impl().resendStates();
         return noMemory(*m_device, shortage);
     }
 }

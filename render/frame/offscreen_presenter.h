@@ -15,6 +15,8 @@ public:
     [[nodiscard]] base::Result<Image> render(BoardScene& scene, const Camera& camera, const ViewSettings& settings,
                                              std::uint32_t width, std::uint32_t height);
     [[nodiscard]] FrameStats stats() const { return m_stats; }
+    /// As Renderer::makeReady.
+    void makeReady(Backend backend);
 
 private:
     base::Result<Image> draw(BoardScene& scene, const Camera& camera, const ViewSettings& settings, VkExtent2D extent);

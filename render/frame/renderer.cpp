@@ -106,6 +106,10 @@ SceneDrawer& Renderer::sceneDrawer(const TargetFormat& format, Backend backend) 
     return *drawer;
 }
 
+void Renderer::makeReady(VkFormat colour, Backend backend) {
+    sceneDrawer({colour, m_device->caps().canSmooth ? VK_SAMPLE_COUNT_4_BIT : VK_SAMPLE_COUNT_1_BIT}, backend);
+}
+
 void Renderer::cacheBoard(gpu::Frame& frame, RenderTarget& target) {
     try {
         target.cacheBoard(frame.commands());
@@ -166,6 +170,7 @@ Backend Renderer::record(gpu::Frame& frame, RenderTarget& target, VkExtent2D ext
 
 Backend Renderer::recordBoard(gpu::Frame& frame, RenderTarget& target, VkExtent2D extent, VkFormat colour,
                               BoardScene& scene, const Camera& camera, const ViewSettings& settings) {
+    scene.impl().sendStates(frame);
     FramePlan plan = planFrame(scene.impl().layers, camera, settings, extent.width, extent.height);
     const bool isStandard = scene.impl().steps.front().standard.has_value();
     const Backend backend = isStandard ? Backend::Standard : resolve(settings.backend, plan);

@@ -3,7 +3,6 @@
 #include <vulkan/vulkan.h>
 
 #include <cstdint>
-#include <optional>
 
 #include "render/frame/renderer.h"
 #include "render/gpu/swapchain.h"
@@ -13,27 +12,38 @@ namespace render {
 
 /// Draws to a window's surface. The surface belongs to the window system: the presenter makes and destroys only the
 /// swapchain, and must be destroyed before the surface goes (with Qt: on SurfaceAboutToBeDestroyed). Colours are those
-/// of OffscreenPresenter. Waits for the display's refresh (FIFO); draw only when something changed.
+/// of OffscreenPresenter.
+///
+/// A frame has two halves, so that nobody waits for the device: `draw` has it begin a picture beside the window, and
+/// once it `isDrawn`, `present` shows it. Presenting a picture that is not done yet would wait for it, and for all that
+/// was submitted before, where the device is a software one.
 class SwapchainPresenter {
 public:
     using Outcome = gpu::Swapchain::Outcome;
 
     SwapchainPresenter(gpu::Device& device, VkSurfaceKHR surface);
 
-    /// The window's size in pixels (not points). Cheap; the swapchain follows with the next draw.
-    void resize(std::uint32_t width, std::uint32_t height) { m_swapchain.resize({width, height}); }
-    /// Draws and presents one frame; `scene` may be null (background only).
-    Outcome draw(BoardScene* scene, const Camera& camera, const ViewSettings& settings);
-    /// Of the last frame that drew the board, as soon as the device is done with all frames; none before. Told once:
-    /// after that it says `isOverlayAlone`. Does not wait.
-    [[nodiscard]] std::optional<FrameStats> finishedStats();
+    /// Before every picture: the window's size in pixels (not points). Cheap unless it has changed. Skipped where there
+    /// is nothing to draw on.
+    [[nodiscard]] Outcome setSize(std::uint32_t width, std::uint32_t height);
+    /// Begins a picture; the one before must be drawn. `scene` may be null (background only). False: the device is
+    /// lost.
+    [[nodiscard]] bool draw(BoardScene* scene, const Camera& camera, const ViewSettings& settings);
+    /// Is the picture done? Waits so many nanoseconds for it at most.
+    [[nodiscard]] bool isDrawn(std::uint64_t patienceNs = 0) { return m_ring.poll(patienceNs); }
+    /// Shows the picture that is drawn. Waits for the display's refresh (FIFO). Skipped where the window has another
+    /// size by now: to be drawn again.
+    [[nodiscard]] Outcome present();
+    /// Of the picture that is drawn.
+    [[nodiscard]] const FrameStats& stats() const { return m_stats; }
 
 private:
-    Outcome tryToDraw(BoardScene* scene, const Camera& camera, const ViewSettings& settings);
+    bool tryToDraw(BoardScene* scene, const Camera& camera, const ViewSettings& settings);
 
     gpu::Device* m_device;
     gpu::Swapchain m_swapchain;
     gpu::FrameRing m_ring;
+    gpu::FrameRing m_copies;  ///< to the window
     Renderer m_renderer;
     RenderTarget m_target;
     FrameStats m_stats;

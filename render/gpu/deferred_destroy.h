@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <mutex>
 #include <tuple>
 #include <type_traits>
 #include <unordered_map>
@@ -38,7 +39,7 @@ template <class Handle>
 inline constexpr Kind<Handle> kKind = std::get<Kind<Handle>>(kKinds);
 
 /// Keeps dropped Vulkan objects until the submissions that may use them are done, and books memory by use. Owned by the
-/// Device.
+/// Device. Objects may be dropped on any thread.
 class DeferredDestroy {
 public:
     explicit DeferredDestroy(VkDevice device) : m_device(device) {}
@@ -49,6 +50,7 @@ public:
     /// still counts.
     template <class Handle>
     void retire(Handle handle) {
+        const std::lock_guard lock(m_mutex);
         m_retired.push_back({m_submitted + 1, [this, handle] {
                                  if constexpr (std::is_same_v<Handle, VkDeviceMemory>) {
                                      noteFree(handle);
@@ -56,7 +58,10 @@ public:
                                  kKind<Handle>.destroy(m_device, handle, nullptr);
                              }});
     }
-    void noteSubmission(std::uint64_t number) { m_submitted = number; }
+    void noteSubmission(std::uint64_t number) {
+        const std::lock_guard lock(m_mutex);
+        m_submitted = number;
+    }
     /// Frees what no submission after `done` can use.
     void collect(std::uint64_t done);
     /// For an idle device.
@@ -77,6 +82,7 @@ private:
     void noteFree(VkDeviceMemory memory);
 
     VkDevice m_device;
+    std::mutex m_mutex;  ///< of the next two
     std::uint64_t m_submitted = 0;
     std::deque<Retired> m_retired;
     std::unordered_map<VkDeviceMemory, Allocation> m_allocations;

@@ -151,15 +151,19 @@ std::uint64_t Device::submit(const Submission& submission) {
     return m_state->submitted;
 }
 
+VkResult Device::State::waitFor(std::uint64_t number, std::uint64_t patienceNs) const {
+    auto info = vkInfo<VkSemaphoreWaitInfo>(VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO);
+    info.semaphoreCount = 1;
+    info.pSemaphores = &timeline;
+    info.pValues = &number;
+    return vkWaitSemaphores(handle, &info, patienceNs);
+}
+
 bool Device::wait(std::uint64_t number) {
     if (isLost()) {
         return false;
     }
-    auto info = vkInfo<VkSemaphoreWaitInfo>(VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO);
-    info.semaphoreCount = 1;
-    info.pSemaphores = &m_state->timeline;
-    info.pValues = &number;
-    const VkResult result = vkWaitSemaphores(handle(), &info, ~std::uint64_t{0});
+    const VkResult result = m_state->waitFor(number, ~std::uint64_t{0});
     if (noteLoss(result)) {
         return false;
     }
@@ -168,9 +172,8 @@ bool Device::wait(std::uint64_t number) {
     return true;
 }
 
-bool Device::isDone(std::uint64_t number) const {
-    std::uint64_t done = 0;
-    return vkGetSemaphoreCounterValue(handle(), m_state->timeline, &done) == VK_SUCCESS && done >= number;
+bool Device::isDone(std::uint64_t number, std::uint64_t patienceNs) const {
+    return m_state->waitFor(number, patienceNs) == VK_SUCCESS;
 }
 
 void Device::waitIdle() {

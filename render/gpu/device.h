@@ -93,8 +93,8 @@ public:
     std::uint64_t submit(const Submission& submission);
     /// Waits until submission `number` is done; false if the device is lost.
     bool wait(std::uint64_t number);
-    /// Whether submission `number` is done, without waiting.
-    [[nodiscard]] bool isDone(std::uint64_t number) const;
+    /// Whether submission `number` is done; waits so many nanoseconds for it at most.
+    [[nodiscard]] bool isDone(std::uint64_t number, std::uint64_t patienceNs = 0) const;
     /// Waits for everything and frees what was retired.
     void waitIdle();
     /// From now on submit and wait fail.
@@ -135,6 +135,7 @@ private:
         ~State();
         VkResult createDevice();
         void createObjects(bool hasDebugUtils);
+        [[nodiscard]] VkResult waitFor(std::uint64_t number, std::uint64_t patienceNs) const;
     };
     explicit Device(std::unique_ptr<State> state) : m_state(std::move(state)) {}
     std::unique_ptr<State> m_state;

@@ -106,9 +106,9 @@ bool FrameRing::end(const FrameSemaphores& semaphores) {
     return frame.m_number != 0;
 }
 
-bool FrameRing::poll() {
+bool FrameRing::poll(std::uint64_t patienceNs) {
     Frame& frame = m_frames[m_current];
-    if (frame.m_number != 0 && !m_device->isDone(frame.m_number)) {
+    if (frame.m_number != 0 && !m_device->isDone(frame.m_number, patienceNs)) {
         return false;
     }
     // The ones before it are done too: there is nothing to wait for.

@@ -144,11 +144,19 @@ void Swapchain::createImages() {
     }
 }
 
-Swapchain::Outcome Swapchain::tryAcquire(Target& target, VkResult& result) {
+Swapchain::Outcome Swapchain::makeReady() {
+    const bool isResized = m_wanted.width != m_requested.width || m_wanted.height != m_requested.height;
+    if ((m_isStale || isResized || !m_handle) && !remake()) {
+        return m_device->isLost() ? Outcome::DeviceLost : Outcome::Skipped;
+    }
+    return Outcome::Done;
+}
+
+Swapchain::Outcome Swapchain::acquire(Target& target) {
     m_next = (m_next + 1) % m_available.size();
     target.available = m_available[m_next].get();
-    result = vkAcquireNextImageKHR(m_device->handle(), m_handle.get(), kPatienceNs, target.available, VK_NULL_HANDLE,
-                                   &target.index);
+    const VkResult result = vkAcquireNextImageKHR(m_device->handle(), m_handle.get(), kPatienceNs, target.available,
+                                                  VK_NULL_HANDLE, &target.index);
     if (m_device->noteLoss(result)) {
         return Outcome::DeviceLost;
     }
@@ -160,21 +168,6 @@ Swapchain::Outcome Swapchain::tryAcquire(Target& target, VkResult& result) {
     target.image = m_images[target.index];
     target.finished = m_finished[target.index].get();
     return Outcome::Done;
-}
-
-Swapchain::Outcome Swapchain::acquire(Target& target) {
-    for (int attempt = 0; attempt < 2; ++attempt) {
-        const bool isResized = m_wanted.width != m_requested.width || m_wanted.height != m_requested.height;
-        if ((m_isStale || isResized || !m_handle) && !remake()) {
-            return m_device->isLost() ? Outcome::DeviceLost : Outcome::Skipped;
-        }
-        VkResult result = VK_SUCCESS;
-        const Outcome outcome = tryAcquire(target, result);
-        if (result != VK_ERROR_OUT_OF_DATE_KHR) {
-            return outcome;
-        }
-    }
-    return Outcome::Skipped;
 }
 
 Swapchain::Outcome Swapchain::present(const Target& target) {

@@ -28,9 +28,11 @@ public:
     Swapchain(Swapchain&&) noexcept = default;
     Swapchain& operator=(Swapchain&&) = delete;
 
-    /// Used where the surface has no size of its own; a changed size remakes the images with the next `acquire`.
+    /// Used where the surface has no size of its own; a changed size remakes the images with the next `makeReady`.
     void resize(VkExtent2D size);
-    /// The next image, of size `extent()`.
+    /// Makes the images where there are none of the window's size. Waits for the device if it does.
+    [[nodiscard]] Outcome makeReady();
+    /// The next image, of size `extent()`. Skipped where the window has got another size since `makeReady`.
     [[nodiscard]] Outcome acquire(Target& target);
     /// After the submission that signals `target.finished`.
     [[nodiscard]] Outcome present(const Target& target);
@@ -42,7 +44,6 @@ public:
 
 private:
     bool remake();
-    [[nodiscard]] Outcome tryAcquire(Target& target, VkResult& result);
     void createImages();
     void drop();
 

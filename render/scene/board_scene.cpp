@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <type_traits>
+#include <utility>
 
+#include "render/gpu/barrier.h"
 #include "render/gpu/check.h"
 #include "render/scene/scene_buffers.h"
 #include "render/scene/scene_loader.h"
@@ -188,13 +190,8 @@ Buffer makeLists(gpu::Device& device, const std::vector<SceneStep>& steps, const
     return {device, {"draw lists", std::max(largest, std::min(all, most)), MemoryUse::Transient, false}};
 }
 
-/// The words of a list that differ, in bytes.
-struct Change {
-    std::size_t from = 0;
-    std::size_t count = 0;
-};
-
-Change changeBetween(const std::vector<ElementState>& before, const std::vector<ElementState>& after) {
+/// The words of a list that differ.
+ElementRun changeBetween(const std::vector<ElementState>& before, const std::vector<ElementState>& after) {
     const auto first = static_cast<std::size_t>(std::ranges::mismatch(before, after).in1 - before.begin());
     if (first == before.size()) {
         return {};
@@ -204,8 +201,12 @@ Change changeBetween(const std::vector<ElementState>& before, const std::vector<
         --end;
     }
     constexpr std::size_t kWord = shader::kElementsPerWord;
-    const std::size_t from = first / kWord * kWord;
-    return {from, (end + kWord - 1) / kWord * kWord - from};
+    return {first / kWord * kWord, (end + kWord - 1) / kWord * kWord};
+}
+
+/// Around both.
+ElementRun united(const ElementRun& a, const ElementRun& b) {
+    return a.from == a.end ? b : b.from == b.end ? a : ElementRun{std::min(a.from, b.from), std::max(a.end, b.end)};
 }
 
 /// Hands out parts of a buffer one behind the other.
@@ -296,7 +297,6 @@ void SceneStep::setAddresses(shader::FrameData& data, const DrawLists& lists) co
 template <class Model>
 BoardScene::Impl::Impl(gpu::Device& owner, const Model& model, std::uint64_t mostListBytes)
     : device(&owner),
-      uploads(owner, 1, "scene updates"),
       layers(model),
       steps(loadSteps(owner, model)),
       copies(model.copies),
@@ -378,15 +378,28 @@ void BoardScene::setStates(std::span<const ElementState> states, std::uint32_t s
     // Elements after the last one drawn have no state: empty areas, say.
     std::vector<ElementState> wanted(states.begin(), states.end());
     wanted.resize(owner.states.size());
-    const Change change = changeBetween(owner.states, wanted);
+    owner.unsent = united(owner.unsent, changeBetween(owner.states, wanted));
     owner.states = std::move(wanted);
     owner.standingOut = static_cast<std::size_t>(std::ranges::count_if(owner.states, standsOut));
-    try {
-        const auto bytes = std::as_bytes(std::span(owner.states)).subspan(change.from, change.count);
-        gpu::upload(m_impl->uploads, owner.geometry.elementStates, bytes, change.from);
-    } catch (const gpu::OutOfMemory& shortage) {
-        spdlog::error("{} has no memory for {}.", m_impl->device->caps().name, shortage.what);
-        m_impl->device->markLost();  // the next frame says so to its caller
+}
+
+void BoardScene::Impl::sendStates(gpu::Frame& frame) {
+    for (SceneStep& step : steps) {
+        const ElementRun run = std::exchange(step.unsent, {});
+        if (run.from == run.end) {
+            continue;
+        }
+        gpu::memoryBarrier(frame.commands(), gpu::kAnything, gpu::kCopyWrite);
+        const gpu::Frame::Slice staged = frame.put(std::span(step.states).subspan(run.from, run.end - run.from));
+        const VkBufferCopy region{staged.offset, run.from * sizeof(ElementState), staged.bytes.size()};
+        vkCmdCopyBuffer(frame.commands(), staged.buffer, step.geometry.elementStates.handle(), 1, &region);
+        gpu::memoryBarrier(frame.commands(), gpu::kCopyWrite, gpu::kAnything);
+    }
+}
+
+void BoardScene::Impl::resendStates() {
+    for (SceneStep& step : steps) {
+        step.unsent = {0, step.states.size()};
     }
 }
 

@@ -44,7 +44,8 @@ public:
     /// Lower and upper face of every layer as a view with these settings and the styles set last draws it, mm.
     [[nodiscard]] std::vector<ZRange> drawnHeights(const ViewSettings& settings) const;
     /// How elements of the board itself or of a step it places (0 = the board, else 1 + row of BoardModel::steps) look
-    /// in all its copies, by row; those beyond the list are plain. What did not change is not sent again.
+    /// in all its copies, by row; those beyond the list are plain. What did not change is not sent again, what did
+    /// comes with the next frame of the board.
     void setStates(std::span<const ElementState> states, std::uint32_t step = 0);
     /// The colours that states name, sRGB; shader::kHighlightRow at most.
     void setPalette(std::span<const glm::vec3> colours);

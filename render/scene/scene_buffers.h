@@ -55,6 +55,12 @@ struct StandardBuffers {
     std::uint64_t bytes = 0;  ///< of all of them
 };
 
+/// Elements one behind the other, `from` to before `end`; whole words of shaders.
+struct ElementRun {
+    std::size_t from = 0;
+    std::size_t end = 0;
+};
+
 /// A step as the back ends draw it.
 struct SceneStep {
     struct Layer {
@@ -67,8 +73,9 @@ struct SceneStep {
     std::uint32_t clusterCount = 0;
     std::uint32_t instanceCount = 0;
     std::uint32_t areaDrawCount = 0;
-    std::vector<ElementState> states;  ///< what `geometry.elementStates` holds
-    std::size_t standingOut = 0;       ///< so many of them are highlighted or have a colour
+    std::vector<ElementState> states;
+    ElementRun unsent;            ///< of `states`; `geometry.elementStates` gets them with the next frame
+    std::size_t standingOut = 0;  ///< so many of them are highlighted or have a colour
     GeometryBuffers geometry;
     std::optional<StandardBuffers> standard;  ///< then there is nothing but this and the states of elements
 
@@ -85,7 +92,6 @@ struct SceneStep {
 
 struct BoardScene::Impl {
     gpu::Device* device = nullptr;
-    gpu::FrameRing uploads;  ///< for small changes; its memory stays small
     SceneLayers layers;
     LetTables letTables;
     gpu::Buffer letIndices;
@@ -96,6 +102,10 @@ struct BoardScene::Impl {
 
     template <class Model>
     Impl(gpu::Device& owner, const Model& model, std::uint64_t mostListBytes);
+    /// States of elements that have changed, before what `frame` draws.
+    void sendStates(gpu::Frame& frame);
+    /// A frame that had them was not submitted: all go with the next one.
+    void resendStates();
 };
 
 }  // namespace render

@@ -95,6 +95,8 @@ int main(int argc, char** argv) {
         const auto [least, most] = std::ranges::minmax_element(nodes);
         std::printf("%s: %zu nodes in the largest area\n", argv[i], *most);
         ui::SelectionModel& selection = fixture.window().selection();
+        Busy settling;  // after opening, views are drawn once more at rest
+        measure([] {}, settling);
         bench(selection, model::ElementId{std::size_t(most - nodes.begin())}, "largest, hovered", "largest, selected");
         bench(selection, model::ElementId{std::size_t(least - nodes.begin())}, "smallest, hovered",
               "smallest, selected");

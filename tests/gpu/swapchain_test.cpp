@@ -39,6 +39,14 @@ class SwapchainTest : public QObject {
         Window& operator=(const Window&) = delete;
     };
 
+    static constexpr std::uint64_t kPatienceNs = 60'000'000'000;
+
+    static void show(SwapchainPresenter& presenter, BoardScene* scene, const Camera& camera) {
+        QVERIFY(presenter.draw(scene, camera, {}));
+        QVERIFY(presenter.isDrawn(kPatienceNs));
+        QCOMPARE(presenter.present(), Outcome::Done);
+    }
+
     std::unique_ptr<Window> m_window;
 
 private slots:
@@ -59,9 +67,8 @@ private slots:
 
     void windowWithoutSizeIsSkipped() {
         SwapchainPresenter presenter(*m_window->device, m_window->surface);
-        QCOMPARE(presenter.draw(nullptr, Camera(), {}), Outcome::Skipped);
-        presenter.resize(0, 200);
-        QCOMPARE(presenter.draw(nullptr, Camera(), {}), Outcome::Skipped);
+        QCOMPARE(presenter.setSize(0, 0), Outcome::Skipped);
+        QCOMPARE(presenter.setSize(0, 200), Outcome::Skipped);
     }
 
     void framesAreDrawnThroughResizes() {
@@ -71,24 +78,21 @@ private slots:
         Camera camera;
         SwapchainPresenter presenter(*m_window->device, m_window->surface);
         for (const std::uint32_t size : {300U, 200U, 200U, 350U}) {
-            presenter.resize(size, 200);
+            QCOMPARE(presenter.setSize(size, 200), Outcome::Done);
             camera.fit(model.boxMin, model.boxMax, NamedView::Iso, static_cast<float>(size) / 200.0F);
             for (int frame = 0; frame < 4; ++frame) {
-                QCOMPARE(presenter.draw(&scene, camera, {}), Outcome::Done);
+                show(presenter, &scene, camera);
             }
-            presenter.resize(0, 0);  // minimised
-            QCOMPARE(presenter.draw(&scene, camera, {}), Outcome::Skipped);
+            QCOMPARE(presenter.setSize(0, 0), Outcome::Skipped);  // minimised
         }
-        std::optional<FrameStats> stats;
-        QTRY_VERIFY((stats = presenter.finishedStats()).has_value());
-        QVERIFY(stats->cpuMs > 0.0);
-        QVERIFY(stats->backend != Backend::Auto);
+        QVERIFY(presenter.stats().cpuMs > 0.0);
+        QVERIFY(presenter.stats().backend != Backend::Auto);
     }
 
     void emptyWindowIsDrawn() {
         SwapchainPresenter presenter(*m_window->device, m_window->surface);
-        presenter.resize(64, 64);
-        QCOMPARE(presenter.draw(nullptr, Camera(), {}), Outcome::Done);
+        QCOMPARE(presenter.setSize(64, 64), Outcome::Done);
+        show(presenter, nullptr, Camera());
     }
 
     void twoPresentersShareADeviceAndAScene() {
@@ -98,10 +102,10 @@ private slots:
         Camera camera;
         camera.fit(model.boxMin, model.boxMax, NamedView::Top, 1.0F);
         SwapchainPresenter window(*m_window->device, m_window->surface);
-        window.resize(100, 100);
+        QCOMPARE(window.setSize(100, 100), Outcome::Done);
         OffscreenPresenter offscreen(*m_window->device);
         for (int frame = 0; frame < 3; ++frame) {
-            QCOMPARE(window.draw(&scene, camera, {}), Outcome::Done);
+            show(window, &scene, camera);
             QVERIFY(offscreen.render(scene, camera, {}, 100, 100));
         }
     }

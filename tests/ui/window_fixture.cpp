@@ -87,7 +87,9 @@ bool WindowFixture::openAndWait(const QString& path) {
     m_window->open(path.toStdString());
     const bool isDone = QTest::qWaitFor([&] { return !m_window->loader().isLoading(); }, kLoadMs);
     QObject::disconnect(connection);
-    QTest::qWait(50);  // lets the layout settle and the first frame come
+    do {
+        QTest::qWait(50);  // lets the layout settle and the first frames come
+    } while (!m_context->turns().isFree());
     return isDone && isShown;
 }
 

@@ -5,6 +5,7 @@
 #include "model/base/result.h"
 #include "render/gpu/device.h"
 #include "render/gpu/instance.h"
+#include "ui/canvas/device_turns.h"
 
 class QVulkanInstance;
 
@@ -22,6 +23,8 @@ public:
     GpuContext& operator=(const GpuContext&) = delete;
 
     [[nodiscard]] render::gpu::Device& device() { return *m_device; }
+    /// For what the window does not wait for.
+    [[nodiscard]] DeviceTurns& turns() { return m_turns; }
     /// For QWindow::setVulkanInstance; null where windows cannot be drawn to.
     [[nodiscard]] QVulkanInstance* surfaceInstance() const { return m_canPresent ? m_qtInstance.get() : nullptr; }
     /// Errors the validation layer has reported; stays 0 when it is off.
@@ -41,6 +44,7 @@ private:
     std::unique_ptr<QVulkanInstance> m_qtInstance;
     std::unique_ptr<render::gpu::Device> m_device;
     bool m_canPresent = false;
+    DeviceTurns m_turns;
 };
 
 }  // namespace ui

@@ -4,12 +4,17 @@
 #include <QPlatformSurfaceEvent>
 #include <QVulkanInstance>
 #include <cmath>
+#include <utility>
 
 namespace ui {
 
 namespace {
 
-constexpr int kAskMs = 15;
+constexpr int kLookMs = 2;
+/// A picture that is done within this time is shown at once.
+constexpr std::uint64_t kPatienceNs = 6'000'000;
+
+using Outcome = render::SwapchainPresenter::Outcome;
 
 /// The window's size in device pixels, rounded as the window system does.
 glm::uvec2 pixelSize(const QWindow& window) {
@@ -30,14 +35,29 @@ VulkanCanvas::VulkanCanvas(GpuContext& context, CameraController& controller, co
     : m_context(context), m_controller(controller), m_picture(picture) {
     setSurfaceType(QSurface::VulkanSurface);
     setVulkanInstance(context.surfaceInstance());
-    m_times.setInterval(kAskMs);
-    connect(&m_times, &QTimer::timeout, this, &VulkanCanvas::askForTimes);
+    m_look.setTimerType(Qt::PreciseTimer);
+    m_look.setInterval(kLookMs);
+    connect(&m_look, &QTimer::timeout, this, [this] { showIfDone(0); });
+    connect(&context.turns(), &DeviceTurns::came, this, [this](QObject* user) {
+        if (user == this) {
+            draw();
+        }
+    });
 }
 
-VulkanCanvas::~VulkanCanvas() = default;
+VulkanCanvas::~VulkanCanvas() {
+    stop();
+}
 
 void VulkanCanvas::releaseDevice() {
     m_presenter.reset();
+    stop();
+}
+
+/// Gives way to others.
+void VulkanCanvas::stop() {
+    m_look.stop();
+    m_context.turns().end(*this);
 }
 
 bool VulkanCanvas::event(QEvent* event) {
@@ -46,7 +66,7 @@ bool VulkanCanvas::event(QEvent* event) {
         return true;
     }
     if (losesSurface(*event)) {
-        m_presenter.reset();  // the swapchain must go before its surface
+        releaseDevice();  // the swapchain must go before its surface
     }
     return m_controller.handle(*event) || QWindow::event(event);
 }
@@ -71,38 +91,62 @@ bool VulkanCanvas::makePresenter() {
     return true;
 }
 
-void VulkanCanvas::askForTimes() {
-    const auto stats = m_presenter ? m_presenter->finishedStats() : std::nullopt;
-    if (stats || !m_presenter) {
-        m_times.stop();
+Outcome VulkanCanvas::beginPicture() {
+    if (m_context.device().isLost()) {
+        return Outcome::DeviceLost;
     }
-    if (stats) {
-        emit timed(*stats);
+    if (!m_presenter && !makePresenter()) {
+        return Outcome::Skipped;
     }
+    const glm::uvec2 size = pixelSize(*this);
+    if (const Outcome outcome = m_presenter->setSize(size.x, size.y); outcome != Outcome::Done) {
+        return outcome;
+    }
+    m_picture.prepare(QSize(static_cast<int>(size.x), static_cast<int>(size.y)));
+    const bool isBegun = m_presenter->draw(m_picture.scene, m_controller.camera(), m_picture.frameSettings());
+    return isBegun ? Outcome::Done : Outcome::DeviceLost;
 }
 
 void VulkanCanvas::draw() {
     if (!isExposed()) {
+        stop();
         return;
     }
-    if (m_context.device().isLost()) {
+    m_isWanted = m_look.isActive();
+    if (m_isWanted || !m_context.turns().begin(*this)) {
+        return;
+    }
+    if (const Outcome outcome = beginPicture(); outcome != Outcome::Done) {
+        finish(outcome);
+        return;
+    }
+    m_look.start();
+    showIfDone(kPatienceNs);
+}
+
+void VulkanCanvas::showIfDone(std::uint64_t patienceNs) {
+    if (m_presenter->isDrawn(patienceNs)) {
+        finish(m_presenter->present());
+    } else if (m_context.device().isLost()) {
+        finish(Outcome::DeviceLost);
+    }
+}
+
+void VulkanCanvas::finish(Outcome outcome) {
+    const bool isResized = outcome == Outcome::Skipped && m_look.isActive();
+    const bool isTriedAgain = isResized && !std::exchange(m_isSecondTry, true);
+    stop();
+    if (std::exchange(m_isWanted, false) || isTriedAgain) {
+        requestUpdate();
+    }
+    if (outcome == Outcome::DeviceLost) {
         emit deviceLost();
-        return;
-    }
-    if (!m_presenter && !makePresenter()) {
-        return;
-    }
-    const glm::uvec2 size = pixelSize(*this);
-    m_presenter->resize(size.x, size.y);
-    m_picture.prepare(QSize(static_cast<int>(size.x), static_cast<int>(size.y)));
-    switch (m_presenter->draw(m_picture.scene, m_controller.camera(), m_picture.frameSettings())) {
-        case render::SwapchainPresenter::Outcome::Done:
-            vulkanInstance()->presentQueued(this);
-            m_times.start();
-            emit drawn();
-            break;
-        case render::SwapchainPresenter::Outcome::Skipped: break;
-        case render::SwapchainPresenter::Outcome::DeviceLost: emit deviceLost(); break;
+    } else if (outcome == Outcome::Done) {
+        m_isSecondTry = false;
+        const render::FrameStats stats = m_presenter->stats();
+        vulkanInstance()->presentQueued(this);
+        emit drawn();
+        emit timed(stats);
     }
 }
 

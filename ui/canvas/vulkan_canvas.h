@@ -14,7 +14,7 @@
 namespace ui {
 
 /// A native window that shows the picture through a swapchain. Draws when `requestUpdate` was called since the last
-/// frame, and not else.
+/// frame, and not else; never waits for the device, but shows a picture once it is done.
 class VulkanCanvas : public QWindow {
     Q_OBJECT
 
@@ -26,8 +26,9 @@ public:
     void releaseDevice();
 
 signals:
+    /// The picture is shown.
     void drawn();
-    /// The times of the frame drawn last, a little later.
+    /// The times of that picture.
     void timed(const render::FrameStats& stats);
     void deviceLost();
     /// This window cannot be drawn to with our device.
@@ -41,13 +42,18 @@ protected:
 private:
     void draw();
     [[nodiscard]] bool makePresenter();
-    void askForTimes();
+    [[nodiscard]] render::SwapchainPresenter::Outcome beginPicture();
+    void showIfDone(std::uint64_t patienceNs);
+    void finish(render::SwapchainPresenter::Outcome outcome);
+    void stop();
 
     GpuContext& m_context;
     CameraController& m_controller;
     const Picture& m_picture;
     std::unique_ptr<render::SwapchainPresenter> m_presenter;
-    QTimer m_times;  ///< runs while a frame's times are not known
+    QTimer m_look;               ///< runs while the device draws: is it done?
+    bool m_isWanted = false;     ///< another picture, after the one the device draws
+    bool m_isSecondTry = false;  ///< after a picture that the window had no use for
 };
 
 }  // namespace ui

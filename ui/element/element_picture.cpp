@@ -14,6 +14,8 @@ constexpr int kWidth = 140;
 constexpr int kHeight = 110;
 constexpr int kGap = 4;
 constexpr int kSettleMs = 60;
+/// One for both pictures: they are small, and each back end has pipelines of its own.
+constexpr render::Backend kBackend = render::Backend::Pull;
 
 glm::vec3 rgb(const QColor& colour) {
     return {static_cast<float>(colour.redF()), static_cast<float>(colour.greenF()), static_cast<float>(colour.blueF())};
@@ -59,6 +61,12 @@ ElementPicture::ElementPicture(GpuContext& context, SelectionModel& selection, L
     connect(&m_settle, &QTimer::timeout, this, qOverload<>(&QWidget::update));
     setToolTip(tr("The element alone, from the top and as an isometric view, with its true height"));
     connect(&m_modelling.background(), &Background::finished, this, &ElementPicture::takeModelled);
+    connect(&context.turns(), &DeviceTurns::came, this, [this](QObject* user) {
+        if (user == this) {
+            drawInTurn();
+            update();
+        }
+    });
     connect(&selection, &SelectionModel::selectionChanged, this, &ElementPicture::setStale);
     connect(&layers, &LayerModel::stylesChanged, this, &ElementPicture::setStale);
     setStale();
@@ -84,12 +92,15 @@ QRect ElementPicture::locationOf(int view) const {
     return {view * (width + kGap), 0, width, std::max(1, height())};
 }
 
+QSize ElementPicture::pixels() const {
+    return (QSizeF(locationOf(Flat).size()) * devicePixelRatioF()).toSize();
+}
+
 void ElementPicture::paintEvent(QPaintEvent*) {
-    const QSize pixels = (QSizeF(locationOf(Flat).size()) * devicePixelRatioF()).toSize();
     if (m_isStale && !m_settle.isActive()) {
         startModelling();
-    } else if (m_modelled && pixels != m_pixels) {
-        draw(pixels);
+    } else {
+        drawInTurn();
     }
     QPainter painter(this);
     if (!m_reason.isEmpty()) {
@@ -107,15 +118,35 @@ void ElementPicture::startModelling() {
     if (!current) {
         return;
     }
-    const auto model = [document = m_selection.sharedStepOf(*current),
-                        element = current->element](base::Progress& progress) -> base::Result<Modelled> {
+    makePresenter();
+    const auto model = [document = m_selection.sharedStepOf(*current), element = current->element,
+                        pipelines = m_pipelines](base::Progress& progress) -> base::Result<Modelled> {
         Modelled out{small(*document, element), std::nullopt, document->elements.layer[element.row()].row()};
         if (out.alone) {
             ASSIGN_OR_RETURN(out.model, render::buildBoardModel(*out.alone, {}, progress));
         }
+        if (pipelines.valid()) {
+            pipelines.wait();
+        }
         return out;
     };
     m_modelling.run(model, tr("Modelling an element"), tr("No picture: there is not enough memory"));
+}
+
+/// Making its pipelines takes longer than drawing, so it is kept, and they are made in the background.
+void ElementPicture::makePresenter() {
+    if (m_presenter || m_context.device().isLost()) {
+        return;
+    }
+    m_presenter.emplace(m_context.device());
+    m_pipelines = std::async(std::launch::async, [this] { m_presenter->makeReady(kBackend); }).share();
+}
+
+void ElementPicture::releaseDevice() {
+    if (m_pipelines.valid()) {
+        m_pipelines.wait();
+    }
+    m_presenter.reset();
 }
 
 void ElementPicture::takeModelled() {
@@ -128,10 +159,19 @@ void ElementPicture::takeModelled() {
     update();
 }
 
-void ElementPicture::draw(QSize pixels) {
-    m_pixels = pixels;
-    m_images = {};
-    m_reason = drawModelled(pixels);
+/// Now, or when the device has drawn what it was given before.
+void ElementPicture::drawInTurn() {
+    const QSize wanted = pixels();
+    const bool isWanted = m_modelled && wanted != m_pixels;
+    if (isWanted && !m_context.turns().begin(*this)) {
+        return;
+    }
+    if (isWanted) {
+        m_pixels = wanted;
+        m_images = {};
+        m_reason = drawModelled(wanted);
+    }
+    m_context.turns().end(*this);
 }
 
 QString ElementPicture::drawModelled(QSize pixels) {
@@ -145,10 +185,10 @@ QString ElementPicture::drawModelled(QSize pixels) {
     if (!scene) {
         return QString::fromStdString(scene.error().text);
     }
-    if (!m_presenter) {
-        m_presenter.emplace(m_context.device());
-    }
+    makePresenter();  // the device may be another one by now
+    m_pipelines.wait();
     Picture picture;
+    picture.settings.backend = kBackend;
     picture.scene = &*scene;
     picture.styles = {{rgb(m_layers.effectiveStyles()[m_modelled->layer].colour), 1.0F, true}};
     for (const View view : {Flat, Solid}) {

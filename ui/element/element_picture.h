@@ -4,6 +4,7 @@
 #include <QTimer>
 #include <QWidget>
 #include <array>
+#include <future>
 #include <optional>
 
 #include "render/frame/offscreen_presenter.h"
@@ -27,9 +28,10 @@ public:
     static constexpr std::size_t kMostNodes = 2'000;
 
     ElementPicture(GpuContext& context, SelectionModel& selection, LayerModel& layers, QWidget* parent = nullptr);
+    ~ElementPicture() override { m_context.turns().end(*this); }
 
     /// Gives up what was made from the device, before it is renewed.
-    void releaseDevice() { m_presenter.reset(); }
+    void releaseDevice();
 
     enum View { Flat, Solid, ViewCount };
     /// Null where nothing is, could be, or has yet been drawn.
@@ -52,15 +54,18 @@ private:
 
     void setStale();
     void startModelling();
+    void makePresenter();
     void takeModelled();
-    void draw(QSize pixels);
+    [[nodiscard]] QSize pixels() const;
+    void drawInTurn();
     [[nodiscard]] QString drawModelled(QSize pixels);
     [[nodiscard]] QRect locationOf(int view) const;
 
     GpuContext& m_context;
     SelectionModel& m_selection;
     LayerModel& m_layers;
-    std::optional<render::OffscreenPresenter> m_presenter;  ///< held: making its pipelines takes longer than drawing
+    std::optional<render::OffscreenPresenter> m_presenter;
+    std::shared_future<void> m_pipelines;  ///< of the presenter; being made in the background
     BackgroundResult<Modelled> m_modelling;
     std::optional<Modelled> m_modelled;  ///< none while nothing is selected, or it is being modelled
     std::array<QImage, ViewCount> m_images;

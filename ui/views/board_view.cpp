@@ -34,10 +34,9 @@ BoardView::BoardView(GpuContext& context, Kind kind, QWidget* parent)
     connect(&m_controller, &CameraController::moved, this, &BoardView::requestMovingFrame);
     m_picture.settings.cachesBoard = true;
     m_picture.prepare = [this](QSize pixels) {
-        m_picture.settings.isBoardCached = m_isBoardDrawn;
+        m_picture.settings.isBoardCached = std::exchange(m_isBoardDrawn, true);
         paintOverlay(m_picture, pixels, Shown::OnCanvas);
     };
-    connect(this, &BoardView::drawn, this, [this] { m_isBoardDrawn = true; });
     if (kind == Kind::Flat) {
         m_picture.settings.is2d = true;
         m_controller.setPlan();

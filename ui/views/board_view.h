@@ -130,7 +130,7 @@ private:
     ImageCanvas* m_image = nullptr;
     QWidget* m_container = nullptr;
     QTimer m_rest;                ///< runs out when the view has not moved for a while
-    bool m_isBoardDrawn = false;  ///< as it is to be seen, by the last frame
+    bool m_isBoardDrawn = false;  ///< as it is to be seen, by the last frame, which may not be shown yet
     bool m_isSlow = false;        ///< a frame of this scene took longer than an eye blinks away
 };
 
