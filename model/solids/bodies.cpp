@@ -151,19 +151,19 @@ private:
 
     void reportOutline(const BodyPlan& plan, ElementId element) {
         if (plan.outlineSource == OutlineSource::None) {
-            report(Severity::Info, "a package has no outline; the size of its body is told from its pads", element);
+            report(Severity::Info, "a package has no outline; the size of its body follows from its pads", element);
         } else if (plan.outlineSource == OutlineSource::Dot) {
             report(Severity::Info,
-                   "the outline of a package is a dot between its pins; the size of its body is told from its pads",
+                   "the outline of a package is a dot between its pins; the size of its body follows from its pads",
                    element);
         } else if (plan.outlineSource == OutlineSource::Stated) {
             report(Severity::Info,
-                   "a package draws no outline; the size of its body is told from the box it states and its pads",
+                   "a package draws no outline; the size of its body follows from the box it states and its pads",
                    element);
         } else if (!plan.isAsDrawn) {
             report(
                 Severity::Info,
-                "the outline of a package holds more than its body (pads or a courtyard); the size of its body is told "
+                "the outline of a package holds more than its body (pads or a courtyard); the size of its body follows "
                 "from its pads and its family",
                 element);
         }
