@@ -221,8 +221,9 @@ using SheetPath = std::vector<std::string_view>;
 
 SheetPath pathOf(std::string_view sheet) {
     SheetPath path;
-    for (std::size_t first = 1; first < sheet.size();) {
-        const std::size_t end = sheet.find('/', first);
+    const bool isRooted = sheet.starts_with('/');
+    for (std::size_t first = isRooted ? 1 : 0; first < sheet.size();) {
+        const std::size_t end = sheet.find(isRooted ? '/' : '\\', first);
         path.push_back(sheet.substr(first, end - first));
         first = end + 1;
     }

@@ -110,7 +110,8 @@ std::string typedName(std::string_view name) {
 }
 
 std::string_view sheetOf(std::string_view name) {
-    return name.starts_with('/') ? name.substr(0, name.rfind('/') + 1) : std::string_view();
+    const std::size_t last = name.rfind(name.starts_with('/') ? '/' : '\\');
+    return last == std::string_view::npos ? std::string_view() : name.substr(0, last + 1);
 }
 
 }  // namespace model

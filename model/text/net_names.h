@@ -17,8 +17,8 @@ namespace model {
 /// May a name hold such a spelling? Few do; the others are as people write and type them.
 [[nodiscard]] bool hasBraces(std::string_view name);
 
-/// The sheets of a schematic that a net belongs to, with the slashes around them: "/Ethernet/" of "/Ethernet/RXD0", "/"
-/// of "/RXD0". Empty for nets of all sheets, whose names begin with none.
+/// The sheets of a schematic that a net belongs to, with what is around them: "/Ethernet/" of "/Ethernet/RXD0", "/" of
+/// "/RXD0", and as other programs write them "POWER\" of "POWER\ADJ". Empty for nets of all sheets.
 [[nodiscard]] std::string_view sheetOf(std::string_view name);
 
 }  // namespace model

@@ -29,6 +29,9 @@ public:
 };
 
 QString kindText(const Subject& s) {
+    if (s.step.bodyOf(s.element) != nullptr) {
+        return s.tr("Body");
+    }
     const ElementKind kind = s.step.elements.kind[s.element.row()];
     QString text = kind == ElementKind::Trail ? s.tr("track chain") : QString::fromLatin1(model::toString(kind));
     text[0] = text[0].toUpper();

@@ -35,9 +35,10 @@ constexpr std::pair<NetModel::Column, int> kWidths[] = {
 };
 
 /// Of the context menu, for the selected rows.
-constexpr ActionId kMenu[] = {ActionId::ShowSelection,   ActionId::ColourNet,      ActionId::ChooseNetColour,
-                              ActionId::HideNet,         ActionId::IsolateNet,     ActionId::ShowAllNets,
-                              ActionId::ClearNetColours, ActionId::SectionAlongNet};
+constexpr ActionId kMenu[] = {ActionId::HighlightNet,   ActionId::AddNet,          ActionId::ShowSelection,
+                              ActionId::ColourNet,      ActionId::ChooseNetColour, ActionId::HideNet,
+                              ActionId::IsolateNet,     ActionId::ShowAllNets,     ActionId::ClearNetColours,
+                              ActionId::SectionAlongNet};
 
 /// Rows that follow each other become one range: a million of them would be slow.
 void addRow(QItemSelection& rows, const NetModel& model, int row) {

@@ -152,9 +152,10 @@ void StackupPanel::updateTotal() {
                 : tr("%1: copper to copper %2, overall %3").arg(QString::fromStdString(part.name), copper, overall);
     }
     m_total->setToolTip(lines.join('\n'));
-    m_total->setText(parts.empty()       ? QString()
-                     : parts.size() == 1 ? QString::fromStdString(model::lengthText(parts[0].copperToCopper))
-                                         : tr("%1 zones").arg(parts.size()));
+    m_total->setText(parts.empty() ? QString()
+                     : parts.size() == 1
+                         ? tr("Cu to Cu %1").arg(QString::fromStdString(model::lengthText(parts[0].copperToCopper)))
+                         : tr("%1 zones").arg(parts.size()));
 }
 
 void StackupPanel::updateSummary() {

@@ -192,8 +192,8 @@ private slots:
     void theContextMenuHasTheCommandsForTheRows() {
         open(locations::kSample);
         const QList<QAction*> actions = table().actions();
-        for (const ActionId id : {ActionId::ShowSelection, ActionId::ColourNet, ActionId::HideNet, ActionId::IsolateNet,
-                                  ActionId::ShowAllNets}) {
+        for (const ActionId id : {ActionId::HighlightNet, ActionId::ShowSelection, ActionId::ColourNet,
+                                  ActionId::HideNet, ActionId::IsolateNet, ActionId::ShowAllNets}) {
             QVERIFY(actions.contains(&window().actions()[id]));
         }
         QStringList texts;

@@ -135,7 +135,7 @@ private slots:
     }
 
     void theTotalIsSeenWithoutScrolling() {
-        QCOMPARE(window().label("stackupTotal"), "1.6 mm");
+        QCOMPARE(window().label("stackupTotal"), "Cu to Cu 1.6 mm");
         QVERIFY(window().findChild<QLabel*>("stackupTotal")->toolTip().startsWith("Copper to copper 1.6 mm, overall "));
         QVERIFY(m_fixture->openAndWait(locations::kTestData + QStringLiteral("/odb/rigid_flex")));
         QCOMPARE(window().label("stackupTotal"), "3 zones");

@@ -52,6 +52,11 @@ private slots:
         QCOMPARE(groups.depths, (std::vector<std::uint32_t>{0, 0, 0, 1, 0}));
         QCOMPARE(groups.groupOf, (std::vector<std::uint32_t>{4, kNoGroup, 3, 1, 0, 3, kNoGroup}));
         QVERIFY(hasSheets(*board));
+        const auto other = boardOf({"POWER\\ADJ", "GND", "IO\\UART\\RX", "POWER\\FB"});
+        const NetGroups nested = groupNets(*other, NetGrouping::Sheet);
+        QCOMPARE(nested.names, (std::vector<std::string>{"IO", "UART", "POWER"}));
+        QCOMPARE(nested.groupOf, (std::vector<std::uint32_t>{2, kNoGroup, 1, 2}));
+        QVERIFY(hasSheets(*other));
         QVERIFY(!hasSheets(*boardOf({"GND", "/EN", "/VIN", "DAC_U/D"})));
         QVERIFY(!hasSheets(*boardOf({})));
     }

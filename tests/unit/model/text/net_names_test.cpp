@@ -34,6 +34,7 @@ private slots:
     void sheetsEndAtTheLastSlash() {
         QCOMPARE(model::sheetOf("/Ethernet/PHY/RXD0"), "/Ethernet/PHY/");
         QCOMPARE(model::sheetOf("/RXD0"), "/");
+        QCOMPARE(model::sheetOf("INTERFACES\\MOTOR\\$1N28"), "INTERFACES\\MOTOR\\");
         QCOMPARE(model::sheetOf("DAC_U/D"), "");
         QCOMPARE(model::sheetOf("Net-(U1-P1.00{slash}XL1)"), "");
         QCOMPARE(model::sheetOf(""), "");

@@ -107,6 +107,7 @@ private slots:
         };
         QVERIFY(height(0).startsWith("1.2 mm") && !height(0).contains("assumed"));
         QVERIFY(height(1).startsWith("1.2 mm") && height(1).contains("assumed"));
+        QVERIFY(summaryOf(tree, {0, ElementId{std::size_t{0}}}, LengthUnit::Millimetre).startsWith("Body · "));
     }
 };
 
