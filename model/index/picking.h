@@ -15,6 +15,7 @@ struct PickLayer {
     bool isVisible = false;
     double bottom = 0.0;  ///< nm, as drawn (exploded, exaggerated); `top` is not below it
     double top = 0.0;
+    bool isSeenThrough = false;  ///< hides nothing that lies beneath
 };
 
 /// What is left of a board that is cut by a section plane: what does not lie beyond a line.

@@ -12,7 +12,8 @@ namespace model {
 
 namespace {
 
-constexpr std::array<const char*, 5> kKindNames = {"point to point", "edge to edge", "angle", "radius", "along a net"};
+constexpr std::array<const char*, 6> kKindNames = {"point to point", "edge to edge", "spacing at a location",
+                                                   "angle",          "radius",       "along a net"};
 
 std::string mm(double nm) {
     return fixedText(base::toMm(nm), 6);
@@ -34,7 +35,7 @@ std::string partsOf(const MeasuredPath& path) {
 std::vector<std::string> cellsOf(const Measurement& m) {
     const bool isLength = m.path.has_value();
     const bool isAngle = m.kind == MeasurementKind::Angle;
-    const double value = isLength ? m.path->length() : m.distance();
+    const double value = isLength ? m.path->length() : m.value();
     return {m.name,
             m.step,
             toString(m.kind),
@@ -92,6 +93,10 @@ std::vector<std::pair<std::string, double>> MeasuredPath::perLayer() const {
 
 double Measurement::distance() const {
     return std::hypot(dx(), dy(), dz);
+}
+
+double Measurement::value() const {
+    return isPlanar ? std::hypot(dx(), dy()) : distance();
 }
 
 double Measurement::angleDeg() const {

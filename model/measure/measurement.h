@@ -25,6 +25,7 @@ struct MeasuredEnd {
 enum class MeasurementKind : std::uint8_t {
     Points,     ///< a distance from point to point
     Clearance,  ///< the clearance of two elements
+    Spacing,    ///< the spacing at a location, from copper to copper; that of the two elements may be smaller
     Angle,      ///< the arms of an angle, which meet in `corner`
     Radius,     ///< a radius: `from` is the centre, `to` lies on the circle or arc
     Length      ///< a path along the copper of a net
@@ -59,7 +60,7 @@ struct MeasuredPath {
 ///      "from": {"at_nm": [0, 0], "layer": "TOP", "net": "GND", "snap": "edge"}, "to": {…},
 ///      "dz_nm": 0, "overlap_nm": 0, "notes": ["both are of net GND"], "shown": true}
 ///
-/// an angle also has "corner": {…}, a length along a net
+/// one measured in a plan also has "planar": true, an angle "corner": {…}, a length along a net
 ///
 ///     "path": {"runs": [{"layer": "TOP", "length_nm": 1000, "line_nm": [[0, 0], [1000, 0]]}], "holes": 1,
 ///              "hole_height_nm": 1500}
@@ -75,11 +76,13 @@ struct Measurement {
     std::optional<MeasuredPath> path{};   ///< of a length, and of nothing else
     std::vector<std::string> notes{};     ///< what must be known to read it
     bool isShown = true;
+    bool isPlanar = false;  ///< measured in a plan: the value is the distance as seen from above
     bool operator==(const Measurement&) const = default;
 
     [[nodiscard]] double dx() const { return to.x - from.x; }
     [[nodiscard]] double dy() const { return to.y - from.y; }
     [[nodiscard]] double distance() const;  ///< from end to end in space, nm
+    [[nodiscard]] double value() const;     ///< of a distance: in the plane if it is planar, else in space; nm
     [[nodiscard]] double angleDeg() const;  ///< of an angle, as seen from above: 0 to 180
 };
 

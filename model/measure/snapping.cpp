@@ -53,63 +53,139 @@ public:
           m_position(location),
           m_reach(reach),
           m_layers(layers),
-          m_isFromBelow(isFromBelow) {
-        m_best.at = location;
-    }
+          m_isFromBelow(isFromBelow) {}
 
-    SnapPoint run() {
-        for (std::uint32_t copy = 0; copy < m_index.tree.copies.size(); ++copy) {
-            searchCopy(copy);
-        }
+    SnapPoint run(std::size_t skip) {
+        forEachNear(m_position, m_reach, [&](const Placed& near, const Box& box) { offerPointsOf(near, box); });
         offerCrossings();
-        return m_best;
+        std::ranges::sort(m_points, {}, [&](const SnapPoint& p) { return rankOf(p); });
+        return chosen(skip);
     }
 
 private:
     void offer(SnapKind kind, PointD at, BoardElement element, LayerId layer) {
         const SnapPoint point{kind, at, element, layer, distance(at, m_position)};
-        if (point.missedBy <= m_reach && (m_best.kind == SnapKind::Free || isBetter(point, m_best))) {
-            m_best = point;
+        if (point.missedBy <= m_reach) {
+            m_points.push_back(point);
         }
     }
 
-    [[nodiscard]] bool isBetter(const SnapPoint& a, const SnapPoint& b) const {
-        if (a.kind != b.kind) {
-            return a.kind < b.kind;
-        }
-        if (distance(a.at, b.at) > kSameLocationNm && a.missedBy != b.missedBy) {
-            return a.missedBy < b.missedBy;
-        }
-        const auto rank = [&](const SnapPoint& p) {
-            const PickLayer& layer = m_layers[p.layer.row()];
-            const bool hasNet = netOf(m_index, p.element).isValid();
-            return std::tuple(!hasNet, m_isFromBelow ? layer.bottom : -layer.top, p.element);
-        };
-        return rank(a) < rank(b);
+    [[nodiscard]] double depthOf(LayerId layer) const {
+        return m_isFromBelow ? m_layers[layer.row()].bottom : -m_layers[layer.row()].top;
     }
 
-    void searchCopy(std::uint32_t copy) {
-        const StepCopy& how = m_index.tree.copies[copy];
-        const Document& step = *m_index.tree.steps[how.step];
-        const Box box = boxAround(unplaced(m_position, how.placement), m_reach);
-        m_index.elements[how.step].visit(box, [&](std::uint32_t row) {
-            const ElementId element{row};
-            const LayerId layer = step.layerOfCopy(step.elements.layer[row], how.isFlipped);
-            if (!m_layers[layer.row()].isVisible) {
-                return;
+    /// What is wanted most comes first.
+    [[nodiscard]] std::tuple<SnapKind, double, bool, double, BoardElement> rankOf(const SnapPoint& p) const {
+        const bool hasNet = netOf(m_index, p.element).isValid();
+        return {p.kind, std::floor(p.missedBy / kSameLocationNm), !hasNet, depthOf(p.layer), p.element};
+    }
+
+    SnapPoint chosen(std::size_t skip) {
+        std::vector<SnapPoint> hidden;
+        std::vector<SnapPoint> passed;
+        for (const SnapPoint& point : m_points) {
+            const Cover cover = coverOf(point);
+            if (cover == Cover::Seen && passed.size() == skip) {
+                return point;
             }
-            const std::optional<PointD> centre = centreOf(step, element);
-            if (centre) {
-                offer(SnapKind::Centre, how.placement.apply(*centre), {copy, element}, layer);
+            if (cover != Cover::Buried) {
+                (cover == Cover::Seen ? passed : hidden).push_back(point);
             }
-            const FigureTable& figures = m_figures.of(m_index, how.step, element);
-            for (std::size_t figure = 0; figure < figures.size(); ++figure) {
-                visitEdges(figures, figure, box, [&](const Edge& edge) {
-                    offerEdge({placed(edge, how.placement), {copy, element}, layer}, figures[figure].isFilled,
-                              centre.has_value());
-                });
+        }
+        if (passed.empty()) {
+            passed.push_back(nothing());
+        }
+        passed.insert(passed.end(), hidden.begin(), hidden.end());
+        return passed[skip % passed.size()];
+    }
+
+    [[nodiscard]] SnapPoint nothing() const {
+        SnapPoint point;
+        point.at = m_position;
+        return point;
+    }
+
+    enum class Cover : std::uint8_t { Seen, Hidden, Buried };
+
+    /// Of copper over a point: is it nearer to the viewer, or on the layer of an edge that is none then?
+    [[nodiscard]] Cover coverOf(const SnapPoint& point) {
+        Cover cover = Cover::Seen;
+        forEachNear(point.at, kSameLocationNm, [&](const Placed& near, const Box&) {
+            const bool isNearer =
+                depthOf(near.layer) < depthOf(point.layer) && !m_layers[near.layer.row()].isSeenThrough;
+            const bool isBeside =
+                point.kind == SnapKind::Edge && near.layer == point.layer && near.element != point.element;
+            if ((isNearer || isBeside) && isCopper(near) && isWithin(near, point.at)) {
+                cover = isBeside ? Cover::Buried : std::max(cover, Cover::Hidden);
             }
         });
+        return cover;
+    }
+
+    /// An element of a copy near a location.
+    struct Placed {
+        const Document& step;
+        const StepCopy& copy;
+        BoardElement element;
+        LayerId layer;
+    };
+
+    [[nodiscard]] bool isCopper(const Placed& near) const {
+        return m_index.board->layer(near.layer).isCopper() &&
+               (near.step.elements.flags[near.element.element.row()] & kHole) == 0;
+    }
+
+    /// Does an element cover a location, and not only touch it?
+    [[nodiscard]] bool isWithin(const Placed& near, PointD location) {
+        const FigureTable& figures = m_figures.of(m_index, near.copy.step, near.element.element);
+        const PointD at = unplaced(location, near.copy.placement);
+        for (std::size_t row = 0; row < figures.size(); ++row) {
+            const double beside = spacingToEdges(figures, row, at).distance;
+            if (figures[row].isFilled ? isInside(figures, row, at) && beside > kSameLocationNm
+                                      : isInTrack(figures, row, at)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    static bool isInTrack(const FigureTable& figures, std::size_t row, PointD at) {
+        bool isIn = false;
+        visitEdges(figures, row, boxAround(at, kSameLocationNm), [&](const Edge& edge) {
+            isIn = isIn || distance(nearestOn(edge, at), at) < edge.pen - kSameLocationNm;
+        });
+        return isIn;
+    }
+
+    /// Calls `visit(Placed, box in the coordinates of the step)` for the elements of visible layers near a location.
+    template <class Visit>
+    void forEachNear(PointD location, double reach, const Visit& visit) const {
+        for (std::uint32_t copy = 0; copy < m_index.tree.copies.size(); ++copy) {
+            const StepCopy& how = m_index.tree.copies[copy];
+            const Document& step = *m_index.tree.steps[how.step];
+            const Box box = boxAround(unplaced(location, how.placement), reach);
+            m_index.elements[how.step].visit(box, [&](std::uint32_t row) {
+                const ElementId element{row};
+                const LayerId layer = step.layerOfCopy(step.elements.layer[row], how.isFlipped);
+                if (m_layers[layer.row()].isVisible) {
+                    visit(Placed{step, how, {copy, element}, layer}, box);
+                }
+            });
+        }
+    }
+
+    void offerPointsOf(const Placed& near, const Box& box) {
+        const std::optional<PointD> centre = centreOf(near.step, near.element.element);
+        if (centre) {
+            offer(SnapKind::Centre, near.copy.placement.apply(*centre), near.element, near.layer);
+        }
+        const FigureTable& figures = m_figures.of(m_index, near.copy.step, near.element.element);
+        for (std::size_t figure = 0; figure < figures.size(); ++figure) {
+            visitEdges(figures, figure, box, [&](const Edge& edge) {
+                offerEdge({placed(edge, near.copy.placement), near.element, near.layer}, figures[figure].isFilled,
+                          centre.has_value());
+            });
+        }
     }
 
     /// `isDot`: the middle line of a pad is nothing that anybody sees.
@@ -172,7 +248,7 @@ private:
     double m_reach;
     std::span<const PickLayer> m_layers;
     bool m_isFromBelow;
-    SnapPoint m_best;
+    std::vector<SnapPoint> m_points;
     std::vector<NearEdge> m_near;
 };
 
@@ -190,8 +266,9 @@ PointD straightened(PointD from, PointD location, double stepDeg) {
     return {from.x + length * std::cos(angle), from.y + length * std::sin(angle)};
 }
 
-SnapPoint Snapper::at(PointD location, double reach, std::span<const PickLayer> layers, bool isFromBelow) {
-    return Search(*m_index, m_figures, location, reach, layers, isFromBelow).run();
+SnapPoint Snapper::at(PointD location, double reach, std::span<const PickLayer> layers, bool isFromBelow,
+                      std::size_t skip) {
+    return Search(*m_index, m_figures, location, reach, layers, isFromBelow).run(skip);
 }
 
 }  // namespace model

@@ -35,11 +35,15 @@ class Snapper {
 public:
     explicit Snapper(std::shared_ptr<const BoardIndex> index) : m_index(std::move(index)) {}
 
-    /// The best point within `reach` nm: the kind decides, then how near it is; of points at one location that of a
-    /// net, then that of the layer nearer to the viewer, then the lower element. Only visible layers count (`layers`
-    /// has one entry per layer of the board). A Free point where nothing is near: the location itself.
+    /// The best point within `reach` nm that is seen: the kind decides, then how near it is; of points as near that of
+    /// a net, then that of the layer nearer to the viewer, then the lower element. Only visible layers count (`layers`
+    /// has one entry per layer of the board); what copper nearer to the viewer covers is not seen. Edges are those of
+    /// all copper of a layer together: the edge of a track within a pad is none.
+    ///
+    /// `skip`: that many points are passed over, those that are covered coming after all that are seen, and then the
+    /// first again. A Free point where nothing is near, or nothing that is seen with `skip` 0: the location itself.
     [[nodiscard]] SnapPoint at(PointD location, double reach, std::span<const PickLayer> layers,
-                               bool isFromBelow = false);
+                               bool isFromBelow = false, std::size_t skip = 0);
 
 private:
     std::shared_ptr<const BoardIndex> m_index;

@@ -55,6 +55,9 @@ Json toJson(const Measurement& measurement) {
     if (measurement.corner) {
         json["corner"] = toJson(*measurement.corner);
     }
+    if (measurement.isPlanar) {
+        json["planar"] = true;
+    }
     if (measurement.path) {
         json["path"] = toJson(*measurement.path);
     }
@@ -74,7 +77,8 @@ Measurement measurementFrom(const Json& json) {
                             {},
                             {},
                             fieldOf(json, "notes", "remarks"),
-                            json.at("shown").get<bool>()};
+                            json.at("shown").get<bool>(),
+                            json.value("planar", false)};
     if (kind == MeasurementKind::Angle) {
         measurement.corner = endFrom(json.at("corner"));
     } else if (kind == MeasurementKind::Length) {

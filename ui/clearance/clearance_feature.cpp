@@ -71,7 +71,8 @@ void ClearanceFeature::connectCommands(FeatureContext& context) {
 
 void ClearanceFeature::connectFiles(FeatureContext& context) {
     context.on(ActionId::ExportClearances, this, [this, &context] {
-        context.saveFile(tr("Export clearances"), {tr("Text (*.txt)"), tr("Tables (*.csv)"), tr("JSON (*.json)")},
+        context.saveFile(tr("Export clearances"), tr("clearances"),
+                         {tr("Text (*.txt)"), tr("Tables (*.csv)"), tr("JSON (*.json)")},
                          [this](const QString& path) { return exportReport(path); });
     });
     connect(m_panel, &ClearancePanel::rulesAsked, this, [this, &context] {
@@ -81,7 +82,7 @@ void ClearanceFeature::connectFiles(FeatureContext& context) {
         });
     });
     connect(m_panel, &ClearancePanel::rulesSaved, this, [this, &context] {
-        context.saveFile(tr("Save rules"), {tr("Rules (*.json)")},
+        context.saveFile(tr("Save rules"), tr("rules"), {tr("Rules (*.json)")},
                          [this](const QString& path) { return saveRules(path); });
     });
 }

@@ -5,6 +5,8 @@
 #include <QWindow>
 #include <array>
 
+#include "model/board/single_element.h"
+#include "ui/common/net_name.h"
 #include "ui/common/panel_parts.h"
 #include "ui/common/table_view.h"
 #include "ui/common/texts.h"
@@ -30,7 +32,7 @@ constexpr ToolFacts kTools[] = {
     {Catch::Points, 0, {}, ""},
     {Catch::Points,
      2,
-     {QT_TRANSLATE_NOOP("ui::Measuring", "Click the first point; Alt snaps to nothing"),
+     {QT_TRANSLATE_NOOP("ui::Measuring", "Click the first point; Alt snaps to nothing, Tab to what lies beneath"),
       QT_TRANSLATE_NOOP("ui::Measuring", "Click the second point; Shift straight, Ctrl in steps of 45°")},
      QT_TRANSLATE_NOOP("ui::Measuring", "Click on the board")},
     {Catch::Elements,
@@ -100,6 +102,12 @@ MeasureFeature::MeasureFeature(FeatureContext& context)
     connect(&m_workspace, &Workspace::boardOpened, this, &MeasureFeature::setBoard);
     connect(&m_workspace, &Workspace::restacked, this, &MeasureFeature::setHeights);
     connect(&m_workspace, &Workspace::spacingWanted, this, &MeasureFeature::showSpacing);
+    connect(&m_probing, &Probing::beneathWanted, this, [this](int by) {
+        m_cursor.step(by);
+        if (m_hoverView != nullptr) {
+            hover(*m_hoverView, m_hoverAt, Qt::NoModifier);
+        }
+    });
     m_workspace.watch(m_path.background(), [] { return tr("Length"); });
     connect(&m_path.background(), &Background::finished, this, &MeasureFeature::takePath);
 }
@@ -131,6 +139,10 @@ void MeasureFeature::addPanel(FeatureContext& context) {
     table->setEditTriggers(QAbstractItemView::EditKeyPressed);
     table->horizontalHeader()->setStretchLastSection(true);
     table->fitColumns();
+    QAction* zoom = table->addAction(tr("Show"), table, [table] { emit table->enterPressed(table->currentIndex()); });
+    zoom->setToolTip(tr("Bring the measurement to the middle of both views (Enter)"));
+    table->addAction(tr("Rename"), table,
+                     [table] { table->edit(table->currentIndex().siblingAtColumn(MeasurementModel::Name)); });
     QAction& remove = table->addDelete(tr("Delete the selected measurements (Del)"));
     connect(table, &TableView::deleteRequested, this,
             [this](const auto& rows) { m_saved.remove(tr("deleting measurements"), rows); });
@@ -142,7 +154,9 @@ void MeasureFeature::addPanel(FeatureContext& context) {
     connect(table, &QTableView::doubleClicked, this, choose);
     connect(table, &TableView::enterPressed, this, choose);
     connect(&m_list, &QAbstractItemModel::dataChanged, table, &QTableView::resizeColumnsToContents);
+    connect(this, &MeasureFeature::measuredNew, table, &QTableView::scrollToBottom);
     const ActionSet& actions = context.actions;
+    table->addAction(&context.actions[ActionId::Undo]);
     QToolBar* tools =
         toolBar({&actions[ActionId::MeasurePoints], &actions[ActionId::MeasureObjects],
                  &actions[ActionId::MeasureAngle], &actions[ActionId::MeasureLines], &actions[ActionId::MeasureRadius],
@@ -158,9 +172,10 @@ void MeasureFeature::addPanel(FeatureContext& context) {
 }
 
 void MeasureFeature::exportTable(FeatureContext& context) {
-    context.saveFile(tr("Export measurements"), {tr("Tables (*.csv)")}, [this](const QString& path) {
-        return writeFile(path, QByteArray::fromStdString(model::measurementsCsv(m_saved.entries())));
-    });
+    context.saveFile(tr("Export measurements"), tr("measurements"), {tr("Tables (*.csv)")},
+                     [this](const QString& path) {
+                         return writeFile(path, QByteArray::fromStdString(model::measurementsCsv(m_saved.entries())));
+                     });
 }
 
 void MeasureFeature::watch(BoardView& view) {
@@ -171,7 +186,7 @@ void MeasureFeature::watch(BoardView& view) {
         m_hoverView = nullptr;
         m_under.reset();
         if (m_tool != Tool::None) {
-            m_views.requestOverlay();
+            updatePreview();
         }
     });
     const auto onClick = [this, &view](QPointF position, Qt::KeyboardModifiers modifiers) {
@@ -200,6 +215,7 @@ void MeasureFeature::setTool(Tool tool) {
     m_tool = m_index ? tool : Tool::None;
     clearClicks();
     m_under.reset();
+    m_coming.reset();
     m_probing.setSelecting(m_tool == Tool::None);
     for (BoardView* view : m_views.both()) {
         showCursor(*view, m_tool == Tool::None ? Qt::ArrowCursor : Qt::CrossCursor);
@@ -217,7 +233,8 @@ bool MeasureFeature::stepBack() {
         if (m_clicked.empty()) {
             clearClicks();
         }
-        m_views.requestOverlay();
+        markClicked();
+        updatePreview();
         reportNextClick();
     } else if (m_tool != Tool::None) {
         setTool(Tool::None);
@@ -233,7 +250,8 @@ void MeasureFeature::reportNextClick() {
 
 void MeasureFeature::clearClicks() {
     m_clicked.clear();
-    m_views.requestOverlay();
+    markClicked();
+    updatePreview();
     m_readout.measureFrom(std::nullopt);
 }
 
@@ -245,11 +263,25 @@ std::optional<Caught> MeasureFeature::catchAt(BoardView& view, QPointF position,
 void MeasureFeature::hover(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers) {
     m_hoverView = &view;
     m_hoverAt = position;
-    // What is under the cursor is outlined already: elements need no mark of their own.
-    if (m_tool != Tool::None && m_tool != Tool::Objects) {
+    if (m_tool != Tool::None) {
         m_under = catchAt(view, position, modifiers);
-        m_views.requestOverlay();
+        updatePreview();
     }
+}
+
+void MeasureFeature::updatePreview() {
+    m_coming = preview();
+    m_views.requestOverlay();
+}
+
+void MeasureFeature::markClicked() {
+    std::vector<model::BoardElement> elements;
+    for (const Caught& caught : m_clicked) {
+        if (m_tool == Tool::Objects && caught.element) {
+            elements.push_back(*caught.element);
+        }
+    }
+    m_workspace.selection().mark(std::move(elements));
 }
 
 void MeasureFeature::click(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers) {
@@ -266,8 +298,9 @@ void MeasureFeature::click(BoardView& view, QPointF position, Qt::KeyboardModifi
         return;
     }
     m_clicked.push_back(*caught);
-    m_under = m_tool == Tool::Objects ? std::nullopt : caught;
-    m_views.requestOverlay();
+    m_under = caught;
+    markClicked();
+    updatePreview();
     if (m_clicked.size() < factsOf(m_tool).clicks) {
         if (m_tool == Tool::Points) {
             m_readout.measureFrom(caught->at);
@@ -323,13 +356,25 @@ std::optional<Measurement> MeasureFeature::preview() const {
     }
     std::vector<Caught> clicked = m_clicked;
     clicked.push_back(*m_under);
-    if (clicked.size() == factsOf(m_tool).clicks) {
+    if (clicked.size() == factsOf(m_tool).clicks && isQuick(clicked)) {
         const auto measurement = measured(clicked);
         return measurement ? std::optional(*measurement) : std::nullopt;
     }
     return m_tool == Tool::Angle && clicked.size() == 2
                ? std::optional(pointToPoint(*m_index, clicked[0], clicked[1]))  // the first arm
                : std::nullopt;
+}
+
+/// Large areas are left to a click: the value would come behind the cursor.
+bool MeasureFeature::isQuick(const std::vector<Caught>& clicked) const {
+    constexpr std::size_t kMostNodes = 4'000;
+    std::size_t nodes = 0;
+    for (const Caught& caught : clicked) {
+        if (m_tool == Tool::Objects) {
+            nodes += model::nodeCountOf(m_index->stepOf(caught.element->copy), caught.element->element);
+        }
+    }
+    return nodes <= kMostNodes;
 }
 
 void MeasureFeature::followNet(const Caught& from, const Caught& to) {
@@ -378,7 +423,9 @@ void MeasureFeature::save(const base::Result<Measurement>& measurement) {
     }
     m_isLatestFull = true;
     m_saved.add(tr("a measurement"), *measurement, "");
-    m_workspace.report((QStringList{valueText(*measurement)} + textsOf(measurement->notes)).join(QStringLiteral("; ")));
+    emit measuredNew();
+    m_workspace.report((QStringList{valueText(*measurement, m_workspace.unit())} + textsOf(measurement->notes))
+                           .join(QStringLiteral("; ")));
 }
 
 void MeasureFeature::goTo(int row) {
@@ -418,22 +465,23 @@ void MeasureFeature::paint(QPainter& painter, const BoardView& view) const {
 }
 
 void MeasureFeature::paintClicks(MeasurementPainter& on, const BoardView& view) const {
-    const std::optional<Measurement> coming = preview();
-    if (coming) {
-        on.paint(*coming, m_workspace.unit(), m_tool != Tool::Angle || m_clicked.size() == 2);
+    if (m_coming) {
+        on.paint(*m_coming, m_workspace.unit(), m_tool != Tool::Angle || m_clicked.size() == 2);
     }
     const auto mark = [&](const Caught& caught) {
         const model::MeasuredEnd end = endOf(*m_index, caught);
-        const bool isPoint = caught.kind != SnapKind::Free || !caught.element;
-        on.paintSnap(end, caught.kind,
-                     QString::fromStdString(isPoint           ? end.snap
-                                            : end.net.empty() ? end.layer
-                                                              : end.net));
+        QStringList words;
+        for (const std::string& word :
+             {caught.kind == SnapKind::Free ? std::string() : end.snap, end.layer, model::readableName(end.net)}) {
+            words += word.empty() ? QStringList() : QStringList{QString::fromStdString(word)};
+        }
+        on.paintSnap(end, caught.kind, words.join(QStringLiteral(" · ")));
     };
-    if (!coming) {
+    if (!m_coming) {
         std::ranges::for_each(m_clicked, mark);
     }
-    if (m_under && m_hoverView == &view) {
+    // What is under the cursor is outlined already: elements need no mark of their own.
+    if (m_under && m_hoverView == &view && m_tool != Tool::Objects) {
         mark(*m_under);
     }
 }

@@ -38,6 +38,8 @@ public:
 
 signals:
     void toolChanged();
+    /// One was added to the list.
+    void measuredNew();
 
 private:
     void connectCommands(FeatureContext& context);
@@ -59,8 +61,11 @@ private:
     void measure(const std::vector<Caught>& clicked);
     /// What so many clicks measure. Not for lengths.
     [[nodiscard]] base::Result<model::Measurement> measured(const std::vector<Caught>& clicked) const;
-    /// What it will be if the cursor is clicked; nothing if that is not known yet.
+    /// What it will be if the cursor is clicked; nothing if that is not known yet, or takes too long to find out.
     [[nodiscard]] std::optional<model::Measurement> preview() const;
+    [[nodiscard]] bool isQuick(const std::vector<Caught>& clicked) const;
+    void updatePreview();
+    void markClicked();
     void followNet(const Caught& from, const Caught& to);
     void takePath();
     void save(const base::Result<model::Measurement>& measurement);
@@ -78,7 +83,8 @@ private:
     std::shared_ptr<const model::BoardIndex> m_index;
     Tool m_tool = Tool::None;
     std::vector<Caught> m_clicked;
-    std::optional<Caught> m_under;     ///< the cursor, while a tool is in use
+    std::optional<Caught> m_under;  ///< the cursor, while a tool is in use
+    std::optional<model::Measurement> m_coming;
     BoardView* m_hoverView = nullptr;  ///< null: the cursor is on no view
     QPointF m_hoverAt;
     bool m_isLatestFull = false;  ///< the last of the list was measured just now: all is told of it

@@ -27,7 +27,7 @@ Measurement measurementOf(const BoardIndex& index, MeasurementKind kind, const C
 }
 
 Caught edgeOf(base::PointD at, model::LayerId layer, BoardElement element) {
-    return {at, SnapKind::Edge, layer, element, {}, {}};
+    return {at, SnapKind::Edge, layer, element};
 }
 
 model::ZRange heightsOf(const model::Layer& layer) {
@@ -73,6 +73,7 @@ model::MeasuredEnd endOf(const BoardIndex& index, const Caught& caught) {
 
 Measurement pointToPoint(const BoardIndex& index, const Caught& from, const Caught& to) {
     Measurement measurement = measurementOf(index, MeasurementKind::Points, from, to);
+    measurement.isPlanar = from.isInPlan && to.isInPlan;
     measurement.dz = model::heightBetween(*index.board, from.layer, to.layer).value_or(0.0);
     if (measurement.dz > 0) {
         const std::string note = model::noteOnHeight(*index.board, heightsOf(index.board->layer(from.layer)),
@@ -99,7 +100,7 @@ base::Result<Measurement> edgeToEdge(const BoardIndex& index, BoardElement a, Bo
 }
 
 Measurement spacingOn(const BoardIndex& index, const model::LocalSpacing& spacing) {
-    return measurementOf(index, MeasurementKind::Clearance, edgeOf(spacing.spacing.from, spacing.layer, spacing.from),
+    return measurementOf(index, MeasurementKind::Spacing, edgeOf(spacing.spacing.from, spacing.layer, spacing.from),
                          edgeOf(spacing.spacing.to, spacing.layer, spacing.to));
 }
 

@@ -11,6 +11,7 @@ namespace ui {
 
 [[nodiscard]] model::MeasuredEnd endOf(const model::BoardIndex& index, const Caught& caught);
 
+/// In the plane if both were clicked in a plan.
 [[nodiscard]] model::Measurement pointToPoint(const model::BoardIndex& index, const Caught& from, const Caught& to);
 /// Of two elements on one layer, or through the stackup. Errors: BadUsage where there is no distance, and why.
 [[nodiscard]] base::Result<model::Measurement> edgeToEdge(const model::BoardIndex& index, model::BoardElement a,

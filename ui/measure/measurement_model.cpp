@@ -17,13 +17,14 @@ QString pairText(const std::string& a, const std::string& b, const QString& none
 
 /// Distances have parts along the axes.
 bool hasDeltas(const Measurement& measurement) {
-    return measurement.kind == MeasurementKind::Points || measurement.kind == MeasurementKind::Clearance;
+    return measurement.kind == MeasurementKind::Points || measurement.kind == MeasurementKind::Clearance ||
+           measurement.kind == MeasurementKind::Spacing;
 }
 
 }  // namespace
 
-QString valueText(const Measurement& measurement) {
-    const auto inBoth = [](double nm) { return lengthInBoth(nm, LengthUnit::Millimetre); };
+QString valueText(const Measurement& measurement, LengthUnit unit) {
+    const auto inBoth = [unit](double nm) { return lengthInBoth(nm, unit); };
     if (measurement.overlap > 0) {
         return MeasurementModel::tr("overlap %1").arg(inBoth(measurement.overlap));
     }
@@ -33,7 +34,7 @@ QString valueText(const Measurement& measurement) {
             return QStringLiteral("R %1  ⌀ %2")
                 .arg(inBoth(measurement.distance()), inBoth(2.0 * measurement.distance()));
         case MeasurementKind::Length: return inBoth(measurement.path->length());
-        default: return inBoth(measurement.distance());
+        default: return inBoth(measurement.value());
     }
 }
 
@@ -41,7 +42,13 @@ QStringList partsText(const Measurement& measurement, LengthUnit unit) {
     const auto length = [unit](double nm) { return lengthText(nm, unit); };
     if (hasDeltas(measurement)) {
         const QString plane = QStringLiteral("ΔX %1  ΔY %2").arg(length(measurement.dx()), length(measurement.dy()));
-        return {measurement.dz > 0 ? QStringLiteral("%1  ΔZ %2").arg(plane, length(measurement.dz)) : plane};
+        if (measurement.dz <= 0) {
+            return {plane};
+        }
+        const QString inSpace = QStringLiteral("%1  ΔZ %2").arg(plane, length(measurement.dz));
+        return measurement.isPlanar
+                   ? QStringList{inSpace, MeasurementModel::tr("in space %1").arg(length(measurement.distance()))}
+                   : QStringList{inSpace};
     }
     QStringList parts;
     if (measurement.path) {
@@ -82,7 +89,7 @@ QString MeasurementModel::textOf(const Measurement& measurement, int column) con
     switch (column) {
         case Name: return QString::fromStdString(measurement.name);
         case Kind: return QLatin1String(toString(measurement.kind));
-        case Value: return valueText(measurement);
+        case Value: return valueText(measurement, unit());
         case DeltaX: return delta(measurement.dx());
         case DeltaY: return delta(measurement.dy());
         case DeltaZ: return delta(measurement.dz);

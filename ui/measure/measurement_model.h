@@ -8,8 +8,9 @@
 
 namespace ui {
 
-/// "overlap 0.12 mm (4.7 mil)", "0.25 mm (9.84 mil)", "45°", "R 0.3 mm (11.81 mil)  ⌀ 0.6 mm (23.62 mil)".
-[[nodiscard]] QString valueText(const model::Measurement& measurement);
+/// In the unit, and in brackets in the other: "overlap 0.12 mm (4.7 mil)", "0.25 mm (9.84 mil)", "45°",
+/// "R 0.3 mm (11.81 mil)  ⌀ 0.6 mm (23.62 mil)".
+[[nodiscard]] QString valueText(const model::Measurement& measurement, LengthUnit unit);
 /// What the value is made of, in lines: "ΔX 0.25 mm  ΔY 0 mm  ΔZ 1.2 mm", without ΔZ where the layers are at one
 /// height; of a length what lies on each layer and in holes: "TOP 12 mm", "2 holes 3.2 mm".
 [[nodiscard]] QStringList partsText(const model::Measurement& measurement, LengthUnit unit);

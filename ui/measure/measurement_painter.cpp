@@ -94,7 +94,7 @@ void MeasurementPainter::paint(const Measurement& measurement, LengthUnit unit, 
     if (!beside) {
         return;
     }
-    QStringList lines{valueText(measurement)};
+    QStringList lines{valueText(measurement, unit)};
     if (!measurement.name.empty()) {
         lines.front().prepend(QString::fromStdString(measurement.name) + QStringLiteral(":  "));
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace ui {
 
@@ -40,10 +41,16 @@ std::optional<Caught> MeasuringCursor::at(const BoardView& view, QPointF positio
     if (!pointed) {
         return std::nullopt;
     }
+    if (std::exchange(m_last, position) != position) {
+        m_skip = 0;
+    }
     if (!isOfPoints(what)) {
         return pointed->hit ? std::optional(elementAt(*pointed, reachIn(view), what)) : std::nullopt;
     }
     std::optional<Caught> caught = pointAt(view, *pointed, what, !modifiers.testFlag(Qt::AltModifier));
+    if (caught && caught->kind == SnapKind::Free && !caught->element) {
+        findCopper(view, position, *caught);
+    }
     const std::optional<double> lock = from ? lockOf(modifiers) : std::nullopt;
     if (caught && lock) {
         const base::PointD straight = model::straightened(*from, caught->at, *lock);
@@ -52,7 +59,27 @@ std::optional<Caught> MeasuringCursor::at(const BoardView& view, QPointF positio
         }
         caught->at = straight;
     }
+    if (caught) {
+        caught->isInPlan = view.kind() == BoardView::Kind::Flat;
+    }
     return caught;
+}
+
+void MeasuringCursor::step(int by) {
+    m_skip = by > 0 ? m_skip + 1 : std::max<std::size_t>(m_skip, 1) - 1;
+}
+
+void MeasuringCursor::findCopper(const BoardView& view, QPointF position, Caught& caught) {
+    if (view.kind() != BoardView::Kind::Flat) {
+        return;
+    }
+    for (const model::Hit& hit : m_probing.hitsAt(view, position)) {
+        if (hit.missedBy == 0.0 && m_index->board->layer(hit.layer).isCopper()) {
+            caught.element = hit.at;
+            caught.layer = hit.layer;
+            return;
+        }
+    }
 }
 
 std::optional<MeasuringCursor::Pointed> MeasuringCursor::pointedAt(const BoardView& view, QPointF position,
@@ -120,20 +147,21 @@ std::optional<Caught> MeasuringCursor::pointAt(const BoardView& view, const Poin
         return std::nullopt;
     }
     if (isSnapping) {
-        const model::SnapPoint snap = m_snapper->at(pointed.location, reachIn(view), layers, pointed.isFromBelow);
+        const model::SnapPoint snap =
+            m_snapper->at(pointed.location, reachIn(view), layers, pointed.isFromBelow, m_skip);
         if (snap.kind != SnapKind::Free && (what != Catch::Copper || isNetCopper(snap.element))) {
-            return Caught{snap.at, snap.kind, snap.layer, snap.element, {}, {}};
+            return Caught{snap.at, snap.kind, snap.layer, snap.element};
         }
     }
     if (what == Catch::Copper) {
         return pointed.hit ? std::optional(elementAt(pointed, 0.0, Catch::Elements)) : std::nullopt;
     }
-    return Caught{pointed.location, SnapKind::Free, pointed.hit ? pointed.hit->layer : model::LayerId{}, {}, {}, {}};
+    return Caught{pointed.location, SnapKind::Free, pointed.hit ? pointed.hit->layer : model::LayerId{}, {}};
 }
 
 Caught MeasuringCursor::elementAt(const Pointed& pointed, double reach, Catch what) {
     const model::Hit& hit = *pointed.hit;
-    Caught caught{pointed.location, SnapKind::Free, hit.layer, hit.at, {}, {}};
+    Caught caught{pointed.location, SnapKind::Free, hit.layer, hit.at};
     if (what == Catch::Straight) {
         caught.line = model::straightAt(*m_index, m_figures, hit.at, pointed.location, reach);
         caught.at = model::nearestOn(*caught.line, pointed.location);

@@ -24,8 +24,9 @@ struct Caught {
     model::SnapKind kind = model::SnapKind::Free;
     model::LayerId layer;                        ///< of the board
     std::optional<model::BoardElement> element;  ///< none: a location without one
-    std::optional<model::Edge> line;             ///< of Catch::Straight
-    std::optional<model::Round> round;           ///< of Catch::Round
+    std::optional<model::Edge> line{};           ///< of Catch::Straight
+    std::optional<model::Round> round{};         ///< of Catch::Round
+    bool isInPlan = false;                       ///< in a 2D view
 };
 
 /// Finds what may be measured under a cursor, in both views. In 3D only the layer that is seen at the cursor counts.
@@ -37,11 +38,14 @@ public:
 
     void setBoard(std::shared_ptr<const model::BoardIndex> index);
 
-    /// Nothing if there is nothing of that kind. With Alt held no points are snapped to; with a location to come
-    /// `from`, Shift keeps points straight beside or above it, and Ctrl to steps of 45 degrees.
+    /// Nothing if there is nothing of that kind. Points are those that are seen; a location without one is of the
+    /// copper that is seen there. With Alt held no points are snapped to; with a location to come `from`, Shift keeps
+    /// points straight beside or above it, and Ctrl to steps of 45 degrees.
     [[nodiscard]] std::optional<Caught> at(const BoardView& view, QPointF position, Catch what,
                                            Qt::KeyboardModifiers modifiers = {},
                                            std::optional<base::PointD> from = std::nullopt);
+    /// The next point beneath the one that is caught (1), or the one before (-1); until the cursor moves.
+    void step(int by);
     /// An element under the cursor that covers nothing, so that nothing above finds it.
     [[nodiscard]] std::optional<model::BoardElement> emptyAt(const BoardView& view, QPointF position) const;
     /// Is the cursor over the board?
@@ -64,6 +68,8 @@ private:
     [[nodiscard]] bool isNetCopper(model::BoardElement at) const;
     [[nodiscard]] std::optional<Caught> pointAt(const BoardView& view, const Pointed& pointed, Catch what,
                                                 bool isSnapping);
+    /// The copper that is seen at a location without a point, in 2D.
+    void findCopper(const BoardView& view, QPointF position, Caught& caught);
     [[nodiscard]] Caught elementAt(const Pointed& pointed, double reach, Catch what);
     /// On which layers points are snapped to.
     [[nodiscard]] std::vector<model::PickLayer> layersFor(const BoardView& view, const Pointed& pointed,
@@ -74,6 +80,8 @@ private:
     std::shared_ptr<const model::BoardIndex> m_index;
     std::optional<model::Snapper> m_snapper;
     std::optional<model::Picker> m_picker;
+    QPointF m_last;          ///< where the cursor was
+    std::size_t m_skip = 0;  ///< points better than the one wanted
     model::FigureCache m_figures;
 };
 

@@ -34,15 +34,15 @@ void PartsFeature::connectFollowing(const FeatureContext& context) {
 }
 
 void PartsFeature::connectExports(const FeatureContext& context) {
-    const auto connectTo = [&](auto* panel, const QString& title) {
-        connect(panel, &std::remove_pointer_t<decltype(panel)>::exportRequested, this, [&context, panel, title] {
-            context.saveFile(title, {tr("Table (*.csv)")}, [panel](const QString& path) {
+    const auto connectTo = [&](auto* panel, const QString& title, const QString& what) {
+        connect(panel, &std::remove_pointer_t<decltype(panel)>::exportRequested, this, [&context, panel, title, what] {
+            context.saveFile(title, what, {tr("Table (*.csv)")}, [panel](const QString& path) {
                 return writeFile(path, tableCsv(*panel->table().model()).toUtf8());
             });
         });
     };
-    connectTo(m_partsPanel, tr("Export the components"));
-    connectTo(m_pinsPanel, tr("Export the pins"));
+    connectTo(m_partsPanel, tr("Export the components"), tr("components"));
+    connectTo(m_pinsPanel, tr("Export the pins"), tr("pins"));
 }
 
 }  // namespace ui

@@ -80,7 +80,7 @@ void SectionFeature::connectCommands(FeatureContext& context) {
     on(ActionId::OpenAlongSection, [this] { showIn3D(); });
     on(ActionId::SaveSection, [this] { saveSection(); });
     on(ActionId::ExportSection, [this, &context] {
-        context.saveFile(tr("Export section"), {tr("Drawings (*.svg)")},
+        context.saveFile(tr("Export section"), tr("section"), {tr("Drawings (*.svg)")},
                          [this](const QString& path) { return save(path); });
     });
     context.escapes.emplace_back([this] {

@@ -131,7 +131,7 @@ void addStackup(FeatureContext& context) {
     connectRows(context, *panel, *stackup);
     context.on(ActionId::ExportStackup, panel, [&context, panel] {
         context.saveFile(
-            StackupPanel::tr("Export stackup"),
+            StackupPanel::tr("Export stackup"), StackupPanel::tr("stackup"),
             {StackupPanel::tr("Drawings (*.svg)"), StackupPanel::tr("Documents (*.pdf)"),
              StackupPanel::tr("Tables (*.csv)")},
             [&context, panel](const QString& path) { return save(context, path, panel->view().isExaggerated()); });

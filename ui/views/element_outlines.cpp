@@ -50,6 +50,7 @@ ElementOutlines::ElementOutlines(BoardViews& views, Workspace& workspace, QObjec
     : QObject(parent), m_views(views), m_selection(workspace.selection()) {
     connect(&m_selection, &SelectionModel::hoverChanged, this, &ElementOutlines::updateHovered);
     connect(&m_selection, &SelectionModel::highlightChanged, this, &ElementOutlines::updateSelected);
+    connect(&m_selection, &SelectionModel::marksChanged, this, &ElementOutlines::updateSelected);
     for (std::size_t i = 0; i < m_pointers.size(); ++i) {
         watch(*views.both()[i], m_pointers[i]);
     }
@@ -87,7 +88,7 @@ void ElementOutlines::updateSelected() {
     m_selected.clear();
     std::size_t pointsToUnite = kMostToUnite;
     std::size_t nodes = 0;
-    for (const auto* elements : {&m_selection.nearby(), &m_selection.selected()}) {
+    for (const auto* elements : {&m_selection.marked(), &m_selection.nearby(), &m_selection.selected()}) {
         for (std::size_t i = 0; elements->size() <= kMostOutlined && i < elements->size(); ++i) {
             const model::BoardElement& at = (*elements)[i];
             nodes += model::nodeCountOf(m_selection.stepOf(at), at.element);

@@ -36,7 +36,7 @@ public:
 
     /// No loops while nothing is hovered.
     [[nodiscard]] const Outline& hovered() const { return m_hovered; }
-    /// Of the elements selected and those near them.
+    /// Of the elements selected, those near them, and those marked.
     [[nodiscard]] const std::vector<Outline>& selected() const { return m_selected; }
     /// What is painted over a view as it is now.
     [[nodiscard]] OutlineStrokes strokesOver(const BoardView& view) const;

@@ -89,9 +89,14 @@ bool Probing::eventFilter(QObject* object, QEvent* event) {
         m_rest.stop();
         hover();
     }
-    if (event->type() == QEvent::KeyPress && m_isSelecting && isCanvas(object)) {
+    if (event->type() == QEvent::KeyPress && isCanvas(object)) {
         const int key = static_cast<QKeyEvent*>(event)->key();
-        if ((key == Qt::Key_Tab && selectBeneath(1)) || (key == Qt::Key_Backtab && selectBeneath(-1))) {
+        const int by = key == Qt::Key_Tab ? 1 : key == Qt::Key_Backtab ? -1 : 0;
+        if (by != 0 && !m_isSelecting) {
+            emit beneathWanted(by);
+            return true;
+        }
+        if (by != 0 && selectBeneath(by)) {
             return true;
         }
     }
@@ -136,6 +141,7 @@ std::vector<model::PickLayer> Probing::layersOf(const BoardView& view) const {
         layers[row].isVisible = isPickable(m_picker->index().board->layers[row], view.styles()[row]);
         layers[row].bottom = static_cast<double>(heights[row].z0) * base::kNmPerMm;
         layers[row].top = static_cast<double>(heights[row].z1) * base::kNmPerMm;
+        layers[row].isSeenThrough = view.styles()[row].opacity < 1.0F;
     }
     return layers;
 }

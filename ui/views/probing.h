@@ -57,6 +57,8 @@ signals:
     /// The pointer is over a location on the board, in its coordinates in nm.
     void pointedAt(double x, double y);
     void pointedAway();
+    /// Tab (1) or Shift+Tab (-1) while something else takes the clicks.
+    void beneathWanted(int by);
     /// Ctrl+Shift and a click: the component of an element is wanted.
     void componentRequested(const model::BoardElement& at);
 

@@ -147,7 +147,7 @@ void connectAppearance(FeatureContext& context) {
 
 void requestPicture(FeatureContext& context, int width) {
     context.saveFile(
-        BoardViews::tr("Save picture"), {BoardViews::tr("PNG pictures (*.png)")},
+        BoardViews::tr("Save picture"), BoardViews::tr("picture"), {BoardViews::tr("PNG pictures (*.png)")},
         [&context, width](const QString& path) { return savePicture(context.views.active(), path, width); });
 }
 

@@ -2,7 +2,10 @@
 
 #include <QDockWidget>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QSaveFile>
+
+#include "ui/common/paths.h"
 
 namespace ui {
 
@@ -27,7 +30,7 @@ void FeatureContext::raise(QWidget& panel) {
     dock->raise();
 }
 
-void FeatureContext::saveFile(const QString& title, const QStringList& filters,
+void FeatureContext::saveFile(const QString& title, const QString& what, const QStringList& filters,
                               const std::function<base::Status(const QString&)>& write) const {
     auto* dialog = new QFileDialog(&window, title, settings.lastFolder());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -37,6 +40,9 @@ void FeatureContext::saveFile(const QString& title, const QStringList& filters,
         dialog->setDefaultSuffix(filter.section(QStringLiteral("*."), 1).remove(')'));
     };
     takeEnding(filters.first());
+    // The ending follows the filter: the name must not seem to have one.
+    const QString board = workspace.board() ? displayName(workspace.board()->request.path) : QString();
+    dialog->selectFile((QFileInfo(board).completeBaseName() + ' ' + what).simplified().replace('.', '_'));
     QObject::connect(dialog, &QFileDialog::filterSelected, dialog, takeEnding);
     QObject::connect(dialog, &QFileDialog::fileSelected, &workspace,
                      [this, write](const QString& path) { workspace.reportSaved(write(path), path); });

@@ -78,9 +78,9 @@ struct FeatureContext {
     /// Brings the panel to the front.
     static void raise(QWidget& panel);
 
-    /// Lets the user name a file, writes it and reports what came of it. Filters: "Name (*.ending)"; the chosen one's
-    /// ending is added where the name has none.
-    void saveFile(const QString& title, const QStringList& filters,
+    /// Lets the user name a file, writes it and reports what came of it. Proposed is `what` after the name of the
+    /// board. Filters: "Name (*.ending)"; the chosen one's ending is added where the name has none.
+    void saveFile(const QString& title, const QString& what, const QStringList& filters,
                   const std::function<base::Status(const QString&)>& write) const;
     /// `open` is called with the file that the user chooses.
     void openFile(const QString& title, const QString& filters, const std::function<void(const QString&)>& open) const;

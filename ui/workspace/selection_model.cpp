@@ -34,6 +34,7 @@ void SelectionModel::setBoard(std::shared_ptr<const model::Document> board) {
     m_title.clear();
     m_nets.clear();
     m_nearby.clear();
+    m_marked.clear();
     emit hoverChanged();
     emit selectionChanged();
     emit netsChanged();
@@ -93,6 +94,13 @@ void SelectionModel::setNearby(std::vector<model::BoardElement> elements) {
     if (elements != m_nearby) {
         m_nearby = std::move(elements);
         emit highlightChanged();
+    }
+}
+
+void SelectionModel::mark(std::vector<model::BoardElement> elements) {
+    if (elements != m_marked) {
+        m_marked = std::move(elements);
+        emit marksChanged();
     }
 }
 

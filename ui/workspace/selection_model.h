@@ -65,6 +65,9 @@ public:
     /// What lies near what is selected or highlighted (the clearance lens); in rising order.
     void setNearby(std::vector<model::BoardElement> elements);
     [[nodiscard]] const std::vector<model::BoardElement>& nearby() const { return m_nearby; }
+    /// What a tool has taken and waits with: outlined, and nothing else.
+    void mark(std::vector<model::BoardElement> elements);
+    [[nodiscard]] const std::vector<model::BoardElement>& marked() const { return m_marked; }
     /// The nets of the selection, in rising order: those of the selected elements, or if there are none all that are
     /// highlighted. Time of one pass over what is selected.
     [[nodiscard]] std::vector<model::BoardNet> selectionNets() const;
@@ -109,6 +112,7 @@ signals:
     void netsChanged();
     /// What `highlight` returns is another.
     void highlightChanged();
+    void marksChanged();
 
 private:
     std::shared_ptr<const model::Document> m_board;
@@ -121,6 +125,7 @@ private:
     std::optional<model::BoardElement> m_current;
     std::vector<model::BoardNet> m_nets;
     std::vector<model::BoardElement> m_nearby;
+    std::vector<model::BoardElement> m_marked;
 };
 
 }  // namespace ui

@@ -105,13 +105,48 @@ private slots:
         QVERIFY(window().statusBar()->currentMessage().contains("both are the same"));
     }
 
+    void theFirstOfTwoElementsIsMarkedAndTheValueIsLive() {
+        m_fixture->key(Qt::Key_M, Qt::ShiftModifier);
+        click(flat(), screenOf(flat(), m_a));
+        QCOMPARE(window().selection().marked(), (std::vector<model::BoardElement>{{0, m_a}}));
+        const QImage before = picture(flat());
+        move(flat(), screenOf(flat(), m_b));
+        QVERIFY(differingPixels(before, picture(flat())) > 100);
+        QVERIFY(list().empty());
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(window().selection().marked().empty());
+        click(flat(), screenOf(flat(), m_a));
+        click(flat(), screenOf(flat(), m_b));
+        QVERIFY(window().selection().marked().empty());
+        QCOMPARE(list().size(), std::size_t{1});
+    }
+
+    void theMenuOfTheListShowsRenamesAndUndoes() {
+        measureBoth();
+        QStringList texts;
+        for (const QAction* action : table().actions()) {
+            texts += action->text().remove('&').section(' ', 0, 0);
+        }
+        for (const char* text : {"Show", "Rename", "Delete", "Undo"}) {
+            QVERIFY2(texts.contains(text), qPrintable(texts.join(' ')));
+        }
+        table().setCurrentIndex(table().model()->index(0, 1));
+        action("Rename")->trigger();
+        QVERIFY(table().findChild<QLineEdit*>() != nullptr);
+        QTest::keyClick(table().findChild<QLineEdit*>(), Qt::Key_Escape);
+        flat().controller().fit();
+        const float before = flat().controller().mmPerPixel();
+        action("Show")->trigger();
+        QVERIFY(flat().controller().mmPerPixel() < before);
+    }
+
     void oneKeyMeasuresTheGapAtTheCursor() {
         m_fixture->key(Qt::Key_R);
         QVERIFY(list().empty());  // the cursor is on no view
         move(flat(), screenOf(flat(), m_a));
         m_fixture->key(Qt::Key_R);
         QCOMPARE(list().size(), std::size_t{1});
-        QVERIFY(list()[0].kind == MeasurementKind::Clearance && list()[0].distance() > 0);
+        QVERIFY(list()[0].kind == MeasurementKind::Spacing && list()[0].distance() > 0);
         QCOMPARE(list()[0].from.layer, list()[0].to.layer);
         QVERIFY(list()[0].from.net != list()[0].to.net);
     }
@@ -201,6 +236,14 @@ private:
     BoardView& solid() { return window().views().solid(); }
     const model::Document& board() { return *window().document(); }
     const std::vector<Measurement>& list() { return window().measurements().measurements(); }
+    QAction* action(const QString& text) {
+        for (QAction* action : table().actions()) {
+            if (action->text() == text) {
+                return action;
+            }
+        }
+        return nullptr;
+    }
     ui::TableView& table() { return window().table("measurements"); }
     void undo() { window().actions()[ActionId::Undo].trigger(); }
 

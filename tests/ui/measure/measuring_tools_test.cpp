@@ -259,6 +259,28 @@ private slots:
         QVERIFY2(details(1).contains("assumed thicknesses: below top"), qPrintable(details(1)));
     }
 
+    void distancesInAPlanAreThoseSeenFromAbove() {
+        m_fixture->key(Qt::Key_M);
+        click(flat(), {-3, 0});
+        click(flat(), {-3, 4});
+        QVERIFY(list().back().isPlanar);
+        QVERIFY2(said().startsWith("4 mm "), qPrintable(said()));
+        QVERIFY(std::abs(list().back().distance() - std::hypot(4e6, 1e6)) < 1.0);
+        click(solid(), {-3, 0});
+        click(solid(), {0, 0});
+        QVERIFY(!list().back().isPlanar);
+    }
+
+    void locationsWithoutAPointAreOfTheCopperThatIsSeenThere() {
+        m_fixture->key(Qt::Key_M);
+        click(flat(), {2, 3.05}, Qt::AltModifier);
+        click(flat(), {2, 1.5}, Qt::AltModifier);
+        QCOMPARE(list().back().from.snap, std::string("free"));
+        QCOMPARE(list().back().from.net, std::string("M"));
+        QCOMPARE(list().back().from.layer, std::string("top"));
+        QVERIFY(list().back().to.net.empty() && list().back().to.layer.empty());
+    }
+
     void whatHasNoPlaceInTheStackIsMeasuredInThePlane() {
         m_fixture->key(Qt::Key_M, Qt::ShiftModifier);
         window().actions()[ActionId::ShowAllLayers].trigger();
@@ -304,6 +326,8 @@ private slots:
         showBoth({both.min.x / 1e6, both.min.y / 1e6}, {both.max.x / 1e6, both.max.y / 1e6});
         m_fixture->key(Qt::Key_J);
         for (const model::ElementId pad : {a, b}) {
+            // Other copper may cover it.
+            window().layers().showOnly({board().layer(board().elements.layer[pad.row()]).name});
             const base::Point centre = board().areas[board().elements.geometry[pad.row()]].placement.origin;
             click(flat(), {centre.x / 1e6, centre.y / 1e6});
         }
@@ -371,13 +395,13 @@ private:
         }
     }
     /// Clicks on a place of the uppermost layer, mm.
-    void click(BoardView& view, QPointF mm) {
+    void click(BoardView& view, QPointF mm, Qt::KeyboardModifiers modifiers = {}) {
         const double z = static_cast<double>(view.drawnHeights().front().z1) * base::kNmPerMm;
         const glm::vec3 location = window().probing().position().toModel({mm.x() * 1e6, mm.y() * 1e6}, z);
         const QPointF at = *view.controller().screenOf(location);
         for (const QEvent::Type type : {QEvent::MouseButtonPress, QEvent::MouseButtonRelease}) {
             const Qt::MouseButtons held = type == QEvent::MouseButtonPress ? Qt::LeftButton : Qt::NoButton;
-            QMouseEvent event(type, at, view.mapToGlobal(at), Qt::LeftButton, held, Qt::NoModifier);
+            QMouseEvent event(type, at, view.mapToGlobal(at), Qt::LeftButton, held, modifiers);
             QCoreApplication::sendEvent(&view.canvas(), &event);
         }
     }

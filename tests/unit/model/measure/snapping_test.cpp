@@ -94,9 +94,9 @@ private slots:
         addLayers(builder);
         const NetId net = builder.addNet("A");
         builder.beginLayer(LayerId{Top});
-        builder.addCircle({{0, 0}, kMm, 0}, {});
-        builder.beginLayer(LayerId{Bottom});
         const ElementId netted = builder.addCircle({{0, 0}, kMm, 0}, of(net));
+        builder.beginLayer(LayerId{Drawing});
+        builder.addCircle({{0, 0}, kMm, 0}, {});
         QCOMPARE(snap(builder, {10, 10}, 500'000).element.element, netted);
     }
 
@@ -116,6 +116,61 @@ private slots:
         QCOMPARE(snapper.at({0, 0}, 1000, layers).element.element, bottom);
         layers[Bottom].isVisible = false;
         QCOMPARE(snapper.at({0, 0}, 1000, layers).kind, SnapKind::Free);
+    }
+
+    void whatAPlaneCoversIsReachedBySkippingOnly() {
+        DocumentBuilder builder;
+        addLayers(builder);
+        builder.beginLayer(LayerId{Top});
+        builder.addArea({builder.addShape(rectangle({-5 * kMm, -5 * kMm}, {5 * kMm, 5 * kMm})), {}}, {});
+        builder.beginLayer(LayerId{Bottom});
+        const ElementId below = builder.addLine({{0, 0}, {3 * kMm, 0}, 200'000, 0}, {});
+        builder.addCircle({{200'000, 0}, 100'000, 0}, {});
+        const auto index = indexed(builder.finish());
+        std::vector<PickLayer> layers = layersOf(*index->board);
+        Snapper snapper(index);
+        QCOMPARE(toString(snapper.at({0, 0}, 500'000, layers).kind), toString(SnapKind::Free));
+        QCOMPARE(snapper.at({0, 0}, 500'000, layers, false, 1).element.element.value, below.value + 1);
+        // Looked at from below, and through translucent copper, it is seen.
+        QCOMPARE(toString(snapper.at({0, 0}, 500'000, layers, true).kind), toString(SnapKind::Centre));
+        layers[Top].isSeenThrough = true;
+        QCOMPARE(toString(snapper.at({0, 0}, 500'000, layers).kind), toString(SnapKind::Centre));
+        // Beside the plane there is nothing over it.
+        QCOMPARE(toString(snapper.at({kMm, 4'990'000}, 50'000, layers).kind), toString(SnapKind::Edge));
+    }
+
+    void skippingGoesFromTheBestToTheLastAndRoundAgain() {
+        DocumentBuilder builder;
+        addLayers(builder);
+        builder.beginLayer(LayerId{Top});
+        builder.addLine({{0, 0}, {3 * kMm, 0}, 200'000, 0}, {});
+        const auto index = indexed(builder.finish());
+        const std::vector<PickLayer> layers = layersOf(*index->board);
+        Snapper snapper(index);
+        const auto kind = [&](std::size_t skip) {
+            return snapper.at({10'000, 90'000}, 150'000, layers, false, skip).kind;
+        };
+        QCOMPARE(toString(kind(0)), toString(SnapKind::End));
+        QCOMPARE(toString(kind(1)), toString(SnapKind::Edge));
+        QCOMPARE(toString(kind(2)), toString(SnapKind::End));
+    }
+
+    void theEdgeOfATrackWithinAPadIsNone() {
+        DocumentBuilder builder;
+        addLayers(builder);
+        builder.beginLayer(LayerId{Top});
+        const ElementId pad =
+            builder.addArea({builder.addShape(rectangle({-kMm, -kMm}, {kMm, kMm})), {}}, of({}, kPad));
+        builder.addLine({{0, 0}, {9 * kMm, 0}, 200'000, 0}, {});
+        const auto index = indexed(builder.finish());
+        const std::vector<PickLayer> layers = layersOf(*index->board);
+        Snapper snapper(index);
+        QCOMPARE(toString(snapper.at({500'000, 110'000}, 50'000, layers).kind), toString(SnapKind::Free));
+        // Nor is the side of the pad where the track leaves it.
+        QCOMPARE(toString(snapper.at({980'000, 50'000}, 40'000, layers).kind), toString(SnapKind::Free));
+        QVERIFY(isAt(snapper.at({980'000, 510'000}, 50'000, layers), 1e6, 510'000));
+        QCOMPARE(snapper.at({980'000, 510'000}, 50'000, layers).element.element, pad);
+        QCOMPARE(toString(snapper.at({2 * kMm, 110'000}, 50'000, layers).kind), toString(SnapKind::Edge));
     }
 
     void copiesSnapWhereTheyLie() {

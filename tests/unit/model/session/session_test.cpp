@@ -353,7 +353,10 @@ private slots:
 
     void everyKindOfMeasurementIsReadBack() {
         const Location location;
-        const std::vector all{measured("gap"), measuredAngle(), measuredLength()};
+        Measurement planar = measured("planar");
+        planar.kind = model::MeasurementKind::Spacing;
+        planar.isPlanar = true;
+        const std::vector all{measured("gap"), measuredAngle(), measuredLength(), planar};
         QVERIFY(saveMeasurements(location.board, *location.document, all).ok());
         QVERIFY(location.load().session.measurements == all);
     }

@@ -66,6 +66,18 @@ private slots:
         QCOMPARE(text(1, MeasurementModel::Layers), QString("TOP"));
         QCOMPARE(text(1, MeasurementModel::Nets), QString("A – no net"));
         QVERIFY(!ui::partsText(flat, ui::LengthUnit::Millimetre).front().contains("ΔZ"));
+        model.setUnit(ui::LengthUnit::Mil);
+        QVERIFY2(text(1, MeasurementModel::Value).startsWith("overlap 10 mil ("),
+                 qPrintable(text(1, MeasurementModel::Value)));
+    }
+
+    void aPlanarDistanceHasTheOneInSpaceBesideIt() {
+        Measurement planar = slanting("a");
+        planar.isPlanar = true;
+        QVERIFY2(text(planar, MeasurementModel::Value).startsWith("5 mm ("),
+                 qPrintable(text(planar, MeasurementModel::Value)));
+        QCOMPARE(ui::partsText(planar, ui::LengthUnit::Millimetre),
+                 (QStringList{"ΔX 3 mm  ΔY 4 mm  ΔZ 12 mm", "in space 13 mm"}));
     }
 
     void anAngleIsTheOneBetweenItsArms() {
