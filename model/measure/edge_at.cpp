@@ -51,6 +51,15 @@ Round rimOf(const Edge& edge, PointD location) {
     return roundOf(edge.centre, isInside ? edge.radius - edge.pen : edge.radius + edge.pen, location);
 }
 
+/// The round end of a straight track that a location is beyond; of an oval pad the nearer one.
+std::optional<Round> endOf(const Edge& track, PointD location, bool isPad) {
+    const bool isAtA = distance(track.a, location) < distance(track.b, location);
+    const PointD end = isAtA ? track.a : track.b;
+    const PointD other = isAtA ? track.b : track.a;
+    const bool isBeyond = dot(minus(location, end), minus(end, other)) > 0;
+    return track.pen > 0 && (isBeyond || isPad) ? std::optional(roundOf(end, track.pen, location)) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<Round> roundAt(const BoardIndex& index, FigureCache& figures, BoardElement element, PointD location,
@@ -59,7 +68,10 @@ std::optional<Round> roundAt(const BoardIndex& index, FigureCache& figures, Boar
     const bool isCircle = step.elements.kind[element.element.row()] == ElementKind::Circle;
     const auto edge =
         nearestEdge(index, figures, element, location, isCircle ? std::numeric_limits<double>::infinity() : reach);
-    if (!edge || (!isCircle && !edge->isArc())) {
+    if (edge && !isCircle && !edge->isArc()) {
+        return endOf(*edge, location, (step.elements.flags[element.element.row()] & kPad) != 0);
+    }
+    if (!edge) {
         return std::nullopt;
     }
     return isCircle ? rimOf(*edge, location) : Round{edge->centre, edge->radius, nearestOn(*edge, location)};

@@ -79,6 +79,25 @@ private slots:
         QVERIFY(!straightAt(*index, figures, {0, hairline}, {0, 0}, kReach));  // it covers nothing
     }
 
+    void endsOfTracksAndOvalPadsAreRound() {
+        DocumentBuilder builder;
+        addLayers(builder);
+        builder.beginLayer(LayerId{Top});
+        const ElementId track = builder.addLine({{0, 0}, {4 * kMm, 0}, kMm, 0}, {});
+        const ElementId oval = builder.addLine({{0, 9 * kMm}, {2 * kMm, 9 * kMm}, kMm, 0}, of({}, kPad));
+        const auto index = indexed(builder.finish());
+        FigureCache figures;
+        const auto at = [&](ElementId id, PointD location) {
+            return roundAt(*index, figures, {0, id}, location, kReach);
+        };
+        const auto end = at(track, {4.3e6, 0});
+        QVERIFY(end && isAt(end->centre, 4e6, 0) && isAt(end->on, 4.5e6, 0));
+        QCOMPARE(end->radius, 5e5);
+        QVERIFY(!at(track, {3.7e6, 0}));
+        QVERIFY(isAt(at(oval, {1.4e6, 9e6})->centre, 2e6, 9e6));
+        QVERIFY(isAt(at(oval, {-0.1e6, 9e6})->centre, 0, 9e6));
+    }
+
     void linesCrossWhereTheyWouldMeet() {
         const Edge flat = straight({0, 0}, {1e6, 0});
         QVERIFY(isAt(*linesCross(flat, straight({5e6, 1e6}, {5e6, 2e6})), 5e6, 0));
