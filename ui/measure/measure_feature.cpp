@@ -62,6 +62,9 @@ constexpr ToolFacts kTools[] = {
      QT_TRANSLATE_NOOP("ui::Measuring", "There is no copper of a net under the pointer")},
 };
 
+/// So long the cursor rests before a length is followed to it.
+constexpr int kRestMs = 80;
+
 const ToolFacts& factsOf(MeasureFeature::Tool tool) {
     return kTools[static_cast<std::size_t>(tool)];
 }
@@ -110,6 +113,10 @@ MeasureFeature::MeasureFeature(FeatureContext& context)
     });
     m_workspace.watch(m_path.background(), [] { return tr("Length"); });
     connect(&m_path.background(), &Background::finished, this, &MeasureFeature::takePath);
+    connect(&m_pathAhead.background(), &Background::finished, this, &MeasureFeature::takePathAhead);
+    m_restBeforePath.setSingleShot(true);
+    m_restBeforePath.setInterval(kRestMs);
+    connect(&m_restBeforePath, &QTimer::timeout, this, &MeasureFeature::followAhead);
 }
 
 void MeasureFeature::connectCommands(FeatureContext& context) {
@@ -208,6 +215,7 @@ void MeasureFeature::setBoard(const LoadedBoard& board) {
 
 void MeasureFeature::setHeights(const LoadedBoard& board) {
     m_path.cancel();  // heights of holes would be those of before
+    m_pathAhead.cancel();
     m_index = board.index;
 }
 
@@ -271,6 +279,8 @@ void MeasureFeature::hover(BoardView& view, QPointF position, Qt::KeyboardModifi
 
 void MeasureFeature::updatePreview() {
     m_coming = preview();
+    m_pathAhead.cancel();
+    m_restBeforePath.start();
     m_views.requestOverlay();
 }
 
@@ -379,13 +389,33 @@ bool MeasureFeature::isQuick(const std::vector<Caught>& clicked) const {
 
 void MeasureFeature::followNet(const Caught& from, const Caught& to) {
     m_following = {m_index, from, to};
-    const auto follow = [work = m_following](base::Progress& progress) {
+    m_path.run(pathOf(m_following), tr("Following the net"), tr("There is not enough memory to follow this net"));
+}
+
+BackgroundResult<model::NetPath>::Work MeasureFeature::pathOf(const Following& work) {
+    return [work](base::Progress& progress) {
         const model::BoardIndex& index = *work.index;
         const model::BoardElement at = *work.from.element;
         return model::pathAlong(index, {at.copy, model::netOf(index, at)}, pathEndOf(index, work.from),
                                 pathEndOf(index, work.to), progress);
     };
-    m_path.run(follow, tr("Following the net"), tr("There is not enough memory to follow this net"));
+}
+
+void MeasureFeature::followAhead() {
+    if (m_tool == Tool::Length && m_clicked.size() == 1 && m_under && refusalOf(*m_under).isEmpty()) {
+        m_ahead = {m_index, m_clicked.front(), *m_under};
+        m_pathAhead.run(pathOf(m_ahead), tr("Following the net"), {});
+    }
+}
+
+void MeasureFeature::takePathAhead() {
+    const auto path = m_pathAhead.take();
+    const auto length =
+        path ? lengthAlong(*m_ahead.index, m_ahead.from, m_ahead.to, *path) : base::Result<Measurement>(path.error());
+    if (length) {
+        m_coming = *length;
+        m_views.requestOverlay();
+    }
 }
 
 void MeasureFeature::takePath() {

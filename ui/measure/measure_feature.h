@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <QTimer>
 #include <optional>
 
 #include "ui/measure/measurement_making.h"
@@ -68,6 +69,9 @@ private:
     void markClicked();
     void followNet(const Caught& from, const Caught& to);
     void takePath();
+    /// The length from the first click to where the cursor rests.
+    void followAhead();
+    void takePathAhead();
     void save(const base::Result<model::Measurement>& measurement);
     void paint(QPainter& painter, const BoardView& view) const;
     void paintClicks(MeasurementPainter& on, const BoardView& view) const;
@@ -96,8 +100,12 @@ private:
         Caught from;
         Caught to;
     };
+    [[nodiscard]] static BackgroundResult<model::NetPath>::Work pathOf(const Following& work);
     Following m_following;  ///< what the path under way is for
     BackgroundResult<model::NetPath> m_path;
+    QTimer m_restBeforePath;
+    Following m_ahead;
+    BackgroundResult<model::NetPath> m_pathAhead;
 };
 
 }  // namespace ui

@@ -211,6 +211,19 @@ private slots:
                  text.constData());
     }
 
+    void aLengthIsFollowedToWhereTheCursorRests() {
+        m_fixture->key(Qt::Key_J);
+        click(flat(), {0, 0});
+        const QImage before = picture(flat());
+        move(flat(), {6, 4});
+        const auto isFollowed = [&] { return differingPixels(before, picture(flat())) > 3000; };
+        QTRY_VERIFY_WITH_TIMEOUT(isFollowed(), 10'000);
+        move(flat(), {-3, 0});  // of another net
+        QTest::qWait(300);
+        QVERIFY(!isFollowed());
+        QVERIFY(list().empty());
+    }
+
     void lengthsWithoutAWayAreTold() {
         m_fixture->key(Qt::Key_J);
         click(flat(), {0, 6});
@@ -395,10 +408,17 @@ private:
         }
     }
     /// Clicks on a place of the uppermost layer, mm.
-    void click(BoardView& view, QPointF mm, Qt::KeyboardModifiers modifiers = {}) {
+    QPointF screenOf(BoardView& view, QPointF mm) {
         const double z = static_cast<double>(view.drawnHeights().front().z1) * base::kNmPerMm;
-        const glm::vec3 location = window().probing().position().toModel({mm.x() * 1e6, mm.y() * 1e6}, z);
-        const QPointF at = *view.controller().screenOf(location);
+        return *view.controller().screenOf(window().probing().position().toModel({mm.x() * 1e6, mm.y() * 1e6}, z));
+    }
+    void move(BoardView& view, QPointF mm) {
+        const QPointF at = screenOf(view, mm);
+        QMouseEvent event(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(&view.canvas(), &event);
+    }
+    void click(BoardView& view, QPointF mm, Qt::KeyboardModifiers modifiers = {}) {
+        const QPointF at = screenOf(view, mm);
         for (const QEvent::Type type : {QEvent::MouseButtonPress, QEvent::MouseButtonRelease}) {
             const Qt::MouseButtons held = type == QEvent::MouseButtonPress ? Qt::LeftButton : Qt::NoButton;
             QMouseEvent event(type, at, view.mapToGlobal(at), Qt::LeftButton, held, modifiers);
