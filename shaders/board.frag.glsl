@@ -21,7 +21,7 @@ void main() {
     outColour = unshaded(inColour);
     if (isShaded()) {
         const vec3 toEye = FRAME.eye.xyz - inPosition * FRAME.eye.w;
-        outColour = shaded(inColour, inMaterial, faceNormal(toEye), toEye);
+        outColour = shaded(inColour, inMaterial, faceNormal(toEye), toEye, inPosition.xy);
     }
     if (isClipped(inPosition)) {
         discard;

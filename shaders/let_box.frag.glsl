@@ -24,5 +24,5 @@ void main() {
     const vec4 clip = clipPosition(seen.position, layer, let.element, isBore, seen.height, slendernessOf(let));
     gl_FragDepth = clip.z / clip.w;
     const vec4 colour = colourOf(layer, let.element, isBore);
-    outColour = isShaded() ? shaded(colour, materialOf(layer, let.element, isBore), seen.normal, -sight.along) : unshaded(colour);
+    outColour = isShaded() ? shaded(colour, materialOf(layer, let.element, isBore), seen.normal, -sight.along, seen.position.xy) : unshaded(colour);
 }

@@ -34,5 +34,5 @@ void main() {
     }
     gl_SampleMask[0] = mask;
     const vec3 normal = vec3(0.0, 0.0, FRAME.quadFace == 0u ? 1.0 : -1.0);
-    outColour = isShaded() ? shaded(inColour, inMaterial, normal, FRAME.eye.xyz) : unshaded(inColour);
+    outColour = isShaded() ? shaded(inColour, inMaterial, normal, FRAME.eye.xyz, inLocation) : unshaded(inColour);
 }

@@ -35,7 +35,7 @@ vec4 colourOfPixel(uint id) {
     const Sight sight = sightAt(gl_FragCoord.xy);
     const Seen seen = seenOf(let, layer, sight);
     const vec3 normal = seen.isHit ? seen.normal : vec3(0.0, 0.0, sight.along.z < 0.0 ? 1.0 : -1.0);
-    return shaded(colour, materialOf(layer, let.element, isBore), normal, -sight.along);
+    return shaded(colour, materialOf(layer, let.element, isBore), normal, -sight.along, seen.position.xy);
 }
 
 void main() {

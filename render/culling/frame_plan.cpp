@@ -5,6 +5,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numeric>
 
+#include "render/culling/shadowed_layers.h"
+
 namespace render {
 namespace {
 
@@ -235,9 +237,10 @@ ZRange visibleHeights(std::span<const shader::LayerState> states) {
 }
 
 LayerPlan planLayers(const SceneLayers& scene, const ViewSettings& settings, const Eye& eye, const EyePoint& point,
-                     Subject subject) {
+                     Subject subject, const ShadowedLayers& shadows) {
     LayerPlan plan;
     plan.states = layerStates(scene, settings, subject);
+    shadows.mark(plan.states);
     rankFaces(plan.states, &shader::LayerState::z0, shader::kLayerBottomRankShift);
     rankFaces(plan.states, &shader::LayerState::z1, shader::kLayerTopRankShift);
     const ZRange heights = visibleHeights(plan.states);
@@ -262,7 +265,8 @@ LayerPlan planLayers(const SceneLayers& scene, const ViewSettings& settings, con
 
 /// Flipped, a layer is drawn as the one it lies on; one without a counterpart keeps its style and lies at its mirror
 /// image.
-LayerPlan flippedPlan(const SceneLayers& scene, const LayerPlan& upright, const Eye& eye) {
+LayerPlan flippedPlan(const SceneLayers& scene, const LayerPlan& upright, const Eye& eye,
+                      const ShadowedLayers& shadows) {
     LayerPlan plan;
     plan.batches.resize(upright.batches.size());
     for (std::uint32_t row = 0; row < scene.layers.size(); ++row) {
@@ -272,6 +276,7 @@ LayerPlan flippedPlan(const SceneLayers& scene, const LayerPlan& upright, const 
             state.z0 = scene.facesMm - upright.states[row].z1;
             state.z1 = scene.facesMm - upright.states[row].z0;
             state.flags ^= isUneven(state) ? kUneven : 0;
+            shadows.markMirrored(row, state);
         }
         if ((state.flags & shader::kLayerVisible) != 0) {
             plan.batches[state.batch].push_back(row);
@@ -372,9 +377,11 @@ FramePlan planFrame(const SceneLayers& scene, const Camera& camera, const ViewSe
     const Eye eye = makeEye(camera, static_cast<float>(width) / pixelHeight);
     const float pixelsPerMm = std::abs(camera.projection(1.0F)[1][1]) * pixelHeight / 2.0F;
     FramePlan plan;
-    plan.upright =
-        planLayers(scene, settings, eye, {eye.clipFromCentred, glm::dvec3(camera.target()), pixelsPerMm}, subject);
-    plan.flipped = scene.hasFlipped ? flippedPlan(scene, plan.upright, eye) : LayerPlan{};
+    plan.isFromAbove = eye.isParallel ? eye.direction.z <= 0.0F : eye.position.z > 0.5F * scene.facesMm;
+    const ShadowedLayers shadows(scene, settings, plan.isFromAbove);
+    plan.upright = planLayers(scene, settings, eye, {eye.clipFromCentred, glm::dvec3(camera.target()), pixelsPerMm},
+                              subject, shadows);
+    plan.flipped = scene.hasFlipped ? flippedPlan(scene, plan.upright, eye, shadows) : LayerPlan{};
     plan.faces = seenOfAny(plan);
 
     shader::FrameData& data = plan.data;
@@ -402,6 +409,7 @@ FramePlan planFrame(const SceneLayers& scene, const Camera& camera, const ViewSe
     plan.hasSection = settings.section != nullptr && !settings.is2d;
     data.sectionPlane = plan.hasSection ? sectionOf(settings.section->plane, data.centre) : glm::vec3(0.0F);
     data.restStrength = restStrengthOf(settings);
+    data.shadowStrength = shadows.strength();
     data.background = backgroundOf(settings);
     data.flags = flagsOf(settings) | (settings.isOutlined && isFlatView(plan) ? shader::kFrameOutlines : 0) |
                  (subject == Subject::StandingOut ? shader::kFrameStandingOut : 0);

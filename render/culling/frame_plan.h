@@ -36,6 +36,7 @@ struct FramePlan {
     LayerPlan upright;
     LayerPlan flipped;         ///< empty if nothing is flipped; its batches are those of the layers its own lie on
     SeenFaces faces;           ///< of any layer
+    bool isFromAbove = true;   ///< which side of the board is seen: its bodies' shadows are those that are drawn
     bool hasSection = false;   ///< the board is cut by a section plane (ViewSettings::section)
     shader::FrameData data{};  ///< for the board itself, all but the addresses and counts of the scene
 };

@@ -81,6 +81,7 @@ std::vector<CopyGroup> copiesInView(gpu::Frame& frame, const FramePlan& plan, co
         const DrawLists lists = step.listsAt(scene.lists, used);
         used += bytes;
         step.setAddresses(data, lists);
+        step.setShadows(data, plan.isFromAbove != copy.isFlipped);
         data.layers = copy.isFlipped ? flipped : upright;
         data.palette = palette;
         data.letDrawCount = static_cast<std::uint32_t>(layers.batches.size()) * shader::kBucketCount;

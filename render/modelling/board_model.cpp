@@ -301,6 +301,7 @@ base::Result<BoardModel> buildStepModel(const Document& document, Milling millin
     watch = {};
     joinMeshes(meshes, centres, out);
     out.inSubstrate = findSubstrateMargins(document, out);
+    out.shadows = castShadows(out);
     out.times.createMs += watch.milliseconds();
     reportMeshes(document, meshes, out);
     std::ranges::transform(milling.elements(), std::back_inserter(out.milled), &model::MilledElement::element);

@@ -9,6 +9,7 @@
 #include "model/geometry/discretise.h"
 #include "render/modelling/area_meshes.h"
 #include "render/modelling/board_frame.h"
+#include "render/modelling/body_shadows.h"
 #include "render/modelling/substrate_margins.h"
 #include "shaders/shared/board.h"
 
@@ -57,6 +58,7 @@ struct BoardModel : BoardFrame {
     std::vector<AreaBatch> areaBatches;
     std::vector<LayerRun> areaBatchesOfLayer;
     std::vector<LayerInSubstrate> inSubstrate;  ///< by layer; empty: nothing is known
+    BodyShadows shadows;
     std::vector<model::ElementId> milled;       ///< rising (model/solids/milling.h): held as designed and as fabricated
 
     std::uint32_t repairedAreas = 0;  ///< areas whose outline crossed itself and went through integer booleans

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "model/base/parallel.h"
+#include "render/modelling/area_loops.h"
 #include "render/modelling/board_model.h"
 #include "render/modelling/edge_grid.h"
 #include "render/modelling/lets.h"
@@ -19,7 +20,6 @@ constexpr std::size_t kMostLoops = 512;
 /// Lines closer than this, mm, lie on each other.
 constexpr float kSlack = 2e-3F;
 
-using Loop = std::vector<glm::vec2>;
 using Role = LayerInSubstrate::Role;
 
 std::uint32_t kindOf(const shader::Let& let) {
@@ -32,31 +32,6 @@ glm::vec2 startOf(const shader::Let& let) {
 
 Edge edgeOf(const Loop& loop, std::size_t i) {
     return {loop[i], loop[(i + 1) % loop.size()]};
-}
-
-glm::vec2 placed(const shader::AreaInstance& instance, glm::vec2 p) {
-    const glm::vec2 cs = instance.cosSin;
-    const glm::vec2 rotated{cs.x * p.x + cs.y * p.y, -cs.y * p.x + cs.x * p.y};
-    return instance.origin + glm::vec2(instance.isMirrored != 0 ? -rotated.x : rotated.x, rotated.y);
-}
-
-/// The walls of an area instance as loops.
-std::vector<Loop> loopsOf(const BoardModel& model, const shader::AreaInstance& instance) {
-    const AreaShape& shape = model.shapes[instance.shape];
-    std::vector<std::uint8_t> isDone(shape.vertexCount, 0);
-    std::vector<Loop> loops;
-    for (std::uint32_t i = 0; i < shape.vertexCount; ++i) {
-        Loop loop;
-        for (std::uint32_t v = i; isDone[v] == 0 && model.next[shape.firstVertex + v] != shape.firstVertex + v;
-             v = model.next[shape.firstVertex + v] - shape.firstVertex) {
-            isDone[v] = 1;
-            loop.push_back(placed(instance, model.vertices[shape.firstVertex + v]));
-        }
-        if (!loop.empty()) {
-            loops.push_back(std::move(loop));
-        }
-    }
-    return loops;
 }
 
 /// Calls `visit(row)` for the area instances of a layer.

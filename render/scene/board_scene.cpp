@@ -138,6 +138,8 @@ GeometryBuffers loadGeometry(gpu::Device& device, const BoardModel& model, const
     b.elementStates = loader.load("element states", states);
     b.capDraws = loader.load("capDraws", capDraws(model));
     b.wallDraws = loader.load("wallDraws", wallDraws(model));
+    b.topShadows = loader.load("shadows on top", model.shadows.top.cells);
+    b.bottomShadows = loader.load("shadows on the bottom", model.shadows.bottom.cells);
     b.bytes = loader.bytes();
     return b;
 }
@@ -230,6 +232,15 @@ private:
     std::uint64_t m_offset;
 };
 
+bool hasShadows(const BoardModel& board) {
+    return !board.shadows.isEmpty() ||
+           std::ranges::any_of(board.steps, [](const BoardModel& step) { return !step.shadows.isEmpty(); });
+}
+
+bool hasShadows(const StandardModel&) {
+    return false;
+}
+
 DrawLists takeLists(const SceneStep& step, Parts& parts) {
     constexpr std::uint64_t kWord = sizeof(std::uint32_t);
     const std::uint64_t batches = 1 + step.layers.size();
@@ -254,7 +265,9 @@ SceneStep::SceneStep(gpu::Device& device, const BoardModel& model, std::size_t l
       instanceCount(static_cast<std::uint32_t>(model.instances.size())),
       areaDrawCount(static_cast<std::uint32_t>(model.areaBatches.size())),
       states(plainStates(elementCount(model))),
-      geometry(loadGeometry(device, model, states)) {}
+      geometry(loadGeometry(device, model, states)),
+      topShadows(model.shadows.top),
+      bottomShadows(model.shadows.bottom) {}
 
 SceneStep::SceneStep(gpu::Device& device, const StandardModel& model, std::size_t layerCount)
     : layers(layerCount),
@@ -294,6 +307,16 @@ void SceneStep::setAddresses(shader::FrameData& data, const DrawLists& lists) co
     data.standardParts = standard ? standard->records.address() : 0;
 }
 
+void SceneStep::setShadows(shader::FrameData& data, bool isTop) const {
+    const ShadowGrid& map = isTop ? topShadows : bottomShadows;
+    const Buffer& cells = isTop ? geometry.topShadows : geometry.bottomShadows;
+    data.shadows = standard ? 0 : cells.address();
+    data.shadowOrigin = map.origin - glm::vec2(data.centre);
+    data.shadowCellsPerMm = 1.0F / map.cellMm;
+    data.shadowWidth = map.width;
+    data.shadowHeight = map.height;
+}
+
 template <class Model>
 BoardScene::Impl::Impl(gpu::Device& owner, const Model& model, std::uint64_t mostListBytes)
     : device(&owner),
@@ -302,6 +325,7 @@ BoardScene::Impl::Impl(gpu::Device& owner, const Model& model, std::uint64_t mos
       copies(model.copies),
       lists(makeLists(owner, steps, copies, mostListBytes)) {
     layers.inSubstrate = inSubstrate(model);
+    layers.hasShadows = hasShadows(model);
     if constexpr (std::is_same_v<Model, BoardModel>) {
         letTables = makeLetTables();
         letIndices = SceneLoader(owner).load("letIndices", letTables.indices);

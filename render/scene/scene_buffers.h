@@ -22,6 +22,8 @@ struct GeometryBuffers {
     gpu::Buffer elementStates;  ///< a byte per element, ElementState
     gpu::Buffer capDraws;       ///< commands without instances: what each frame starts from
     gpu::Buffer wallDraws;
+    gpu::Buffer topShadows;  ///< ShadowMap::cells
+    gpu::Buffer bottomShadows;
     std::uint64_t bytes = 0;  ///< of all of them
 };
 
@@ -77,6 +79,8 @@ struct SceneStep {
     ElementRun unsent;            ///< of `states`; `geometry.elementStates` gets them with the next frame
     std::size_t standingOut = 0;  ///< so many of them are highlighted or have a colour
     GeometryBuffers geometry;
+    ShadowGrid topShadows;  ///< their cells are in `geometry`
+    ShadowGrid bottomShadows;
     std::optional<StandardBuffers> standard;  ///< then there is nothing but this and the states of elements
 
     /// `layerCount` of the board; a step has the same rows or fewer.
@@ -88,6 +92,8 @@ struct SceneStep {
     [[nodiscard]] DrawLists listsAt(const gpu::Buffer& buffer, std::uint64_t offset) const;
     /// Fills in where the shaders of a frame find this step.
     void setAddresses(shader::FrameData& data, const DrawLists& lists) const;
+    /// Fills in the shadows on one side of this step; `data` has its centre.
+    void setShadows(shader::FrameData& data, bool isTop) const;
 };
 
 struct BoardScene::Impl {

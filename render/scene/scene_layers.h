@@ -34,6 +34,7 @@ struct SceneLayers {
     float widthMm = 0.0F;     ///< longer side of the board
     float facesMm = 0.0F;     ///< BoardFrame::facesMm
     bool hasFlipped = false;  ///< some copies are flipped
+    bool hasShadows = false;  ///< bodies of some step darken the board around them; not in the standard pipeline
 };
 
 /// Where layers are drawn: their heights after explosion; in 2D with LayerStyle::raised.

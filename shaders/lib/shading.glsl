@@ -20,9 +20,30 @@ const vec2 kMetalRange = vec2(0.72, 0.75);   // of its colour: in the dim room, 
 const vec2 kGlossRange = vec2(0.035, 0.06);  // white: of the glow, of the image
 const float kGlossAtEdge = 0.10;             // where sight grazes the surface, everything mirrors
 
+// How much light the bodies around let through to a location, relative to FRAME.centre, of the side that is seen.
+float lightBesideBodies(vec2 location) {
+    const vec2 at = max((location - FRAME.shadowOrigin) * FRAME.shadowCellsPerMm, vec2(0.0));
+    const uvec2 cell = min(uvec2(at), uvec2(FRAME.shadowWidth, FRAME.shadowHeight) - 1u);
+    const vec4 corners = unpackUnorm4x8(FRAME.shadows.at[cell.y * FRAME.shadowWidth + cell.x]);
+    const vec2 part = clamp(at - vec2(cell), 0.0, 1.0);
+    const vec2 sides = mix(corners.xz, corners.yw, part.x);
+    return 1.0 - FRAME.shadowStrength * mix(sides.x, sides.y, part.y);
+}
+
+// Of a face, level or not, that may have shadows.
+float lightOf(uint material, vec3 normal, vec2 location) {
+    float light = 1.0;
+    // A loop and no condition: software devices leave out loops that none of a block's pixels enters, but run what is conditional for all of them.
+    for (uint rest = normal.z != 0.0 ? material & kMaterialShadowed : 0u; rest > 0u; rest = 0u) {
+        light = lightBesideBodies(location);
+    }
+    return light;
+}
+
 // Colour as it is added to what shows through: multiplied by its opacity, with what is mirrored on top. `normal` is a unit vector, `toEye` leads to
-// the viewer. Only arithmetic: software devices run both sides of a condition.
-vec4 shaded(vec4 colour, uint material, vec3 normal, vec3 toEye) {
+// the viewer, `location` is relative to FRAME.centre. Only arithmetic: software devices run both sides of a condition.
+vec4 shaded(vec4 colour, uint material, vec3 normal, vec3 toEye, vec2 location) {
+    const uint kind = material & kMaterialMask;
     const float perMm = inversesqrt(dot(toEye, toEye));
     const float facing = dot(toEye, normal);
     const float lamp = max((2.0 * facing * dot(normal, FRAME.keyLight) - dot(toEye, FRAME.keyLight)) * perMm, 0.0);
@@ -31,11 +52,12 @@ vec4 shaded(vec4 colour, uint material, vec3 normal, vec3 toEye) {
     const float image = glow * glow * glow * glow;
     const float beside = 1.0 - facing * perMm;
     const float away = beside * beside;
-    const float metal = material == kMaterialMetal ? kMetalRange.x + kMetalRange.y * glow : 1.0;
-    const float gloss = material == kMaterialGloss
+    const float metal = kind == kMaterialMetal ? kMetalRange.x + kMetalRange.y * glow : 1.0;
+    const float gloss = kind == kMaterialGloss
                             ? kGlossRange.x * glow + kGlossRange.y * image + kGlossAtEdge * away * away
                             : 0.0;
-    return vec4(colour.rgb * (brightness(normal) * metal * colour.a) + gloss * FRAME.restStrength, colour.a);
+    const vec3 light = colour.rgb * (brightness(normal) * metal * colour.a) + gloss * FRAME.restStrength;
+    return vec4(light * lightOf(material, normal, location), colour.a);
 }
 
 // Flat views have colours as they are.

@@ -43,9 +43,11 @@ vec4 colourOf(LayerState layer, uint element, bool isBore) {
     return vec4(standingOut(state) * (isBore ? kBoreShade : depthShade), 1.0);  // and hides what is under it
 }
 
-// What stands out shines like metal whatever it is, in its own colour: so a plane is no flat patch. The dark inside of a hole does not.
+// What stands out shines like metal whatever it is, in its own colour, and no shadow falls on it: so a plane is no flat patch. The dark inside of
+// a hole does not shine.
 uint materialOf(LayerState layer, uint element, bool isBore) {
-    const uint plain = standsOut(stateOf(element)) ? kMaterialMetal : layer.flags >> kLayerMaterialShift & kMaterialMask;
+    const uint ofLayer = layer.flags >> kLayerMaterialShift & (kMaterialMask | kMaterialShadowed);
+    const uint plain = standsOut(stateOf(element)) ? kMaterialMetal : ofLayer;
     return isBore ? kMaterialMatt : plain;
 }
 

@@ -82,7 +82,7 @@ GPU_SIZE(Cluster, 32);
 
 // Per layer, rewritten whenever a style or the explosion changes; geometry never is.
 // LayerState::flags: bits 0-7 flags, bits 8-15 and 16-23 the tie-break of the lower and the upper face among layers
-// whose faces lie in one plane, bits 24-27 the material.
+// whose faces lie in one plane, bits 24-27 the material, bit 28 kMaterialShadowed.
 GPU_CONST kLayerVisible = 1;
 GPU_CONST kLayerTranslucent = 2;  // drawn in its own blended pass
 GPU_CONST kLayerGrowsUp = 4;      // areas differ in height: each grows up from the lower face
@@ -95,6 +95,8 @@ GPU_CONST kMaterialMask = 0xf;
 GPU_CONST kMaterialMatt = 0;   // the same from everywhere
 GPU_CONST kMaterialMetal = 1;  // mirrors the light in its own colour
 GPU_CONST kMaterialGloss = 2;  // mirrors some of the light as it is, over its own colour
+// With any of them: faces have the shadows of the bodies that stand on them.
+GPU_CONST kMaterialShadowed = 0x10;
 struct LayerState {
     vec4 colour;   // linear RGB, opacity; with kFrameStandingOut the last is how bright it is for its depth
     float z0, z1;  // mm, explosion included

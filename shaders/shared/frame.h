@@ -126,9 +126,16 @@ struct FrameData {
     GPU_ADDRESS(StandardParts) standardParts;  // null in the hybrid pipeline
 
     vec3 keyLight;  // unit vector to what glossy surfaces mirror
+
+    // What bodies darken on the side of the board that is seen (render/modelling/body_shadows.h).
+    float shadowStrength;  // by how much where it is darkest
+    vec2 shadowOrigin;     // lower left corner of the map, relative to `centre`, mm
+    float shadowCellsPerMm;
+    uint shadowWidth, shadowHeight;  // cells
     uint reserved;
+    GPU_ADDRESS(Words) shadows;
 };
-GPU_SIZE(FrameData, 64 + 96 + 16 + 4 * 12 + 8 + 16 + 22 * 4 + 18 * 8 + 16);
+GPU_SIZE(FrameData, 64 + 96 + 16 + 4 * 12 + 8 + 16 + 22 * 4 + 18 * 8 + 16 + 24 + 8);
 
 #ifndef __cplusplus
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Frame {

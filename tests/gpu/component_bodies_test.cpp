@@ -1,4 +1,5 @@
-// Bodies of components as they are drawn: in the colours of what they are made of, on the right side of every copy.
+// Bodies of components as they are drawn: in the colours of what they are made of, on the right side of every copy,
+// with shadows around them.
 #include <QtTest>
 
 #include "model/board/document_builder.h"
@@ -89,26 +90,61 @@ std::shared_ptr<const Document> panel() {
 
 class Drawn {
 public:
-    explicit Drawn(const Document& document)
-        : m_model(modelOf(document)), m_scene(Gpu::get().device, m_model, 1 << 20) {}
+    explicit Drawn(const Document& document) : Drawn(modelOf(document)) {}
+
+    /// Without shadows: as if the bodies cast none.
+    static Drawn withoutShadows(const Document& document) { return Drawn(unshadowed(modelOf(document))); }
 
     Image draw(Backend backend, NamedView view, bool hasBodies) {
+        ViewSettings settings;
+        settings.backend = backend;
+        return draw(settings, view, hasBodies);
+    }
+    Image draw(const ViewSettings& settings, NamedView view, bool hasBodies) {
         std::vector<LayerStyle> styles(4, {{0.2F, 0.4F, 0.8F}, 1.0F, true});
         styles[2].isVisible = styles[3].isVisible = hasBodies;
         m_scene.setStyles(styles);
-        Camera camera;
-        camera.setOrthographic(true);
-        camera.fit({-16.0F, -8.0F, 0.0F}, {16.0F, 8.0F, 1.6F}, view, 4.0F / 3.0F);
-        ViewSettings settings;
-        settings.backend = backend;
-        auto image = Gpu::get().presenter.render(m_scene, camera, settings, 640, 480);
+        auto image = Gpu::get().presenter.render(m_scene, cameraFor(view), settings, kWidth, kHeight);
         return std::move(*image);
+    }
+    /// The copper of the top, in both copies.
+    void highlightTop() {
+        const model::ElementId plane{0};
+        m_scene.setStates(statesOf({&plane, 1}), 1);
+    }
+
+    /// The colour in which a location on the face of the board is drawn.
+    static Rgb at(const Image& image, NamedView view, glm::vec2 location) {
+        const Camera camera = cameraFor(view);
+        const float z = view == NamedView::Top ? 1.6F : 0.0F;
+        const glm::vec4 clip =
+            camera.projection(float(kWidth) / kHeight) * camera.view() * glm::vec4(location, z, 1.0F);
+        const glm::vec2 pixels = (glm::vec2(clip) / clip.w + 1.0F) / 2.0F * glm::vec2(kWidth, kHeight);
+        return pixel(image, static_cast<std::uint32_t>(pixels.x), static_cast<std::uint32_t>(pixels.y));
     }
 
 private:
+    static constexpr std::uint32_t kWidth = 640;
+    static constexpr std::uint32_t kHeight = 480;
+
+    explicit Drawn(BoardModel model) : m_model(std::move(model)), m_scene(Gpu::get().device, m_model, 1 << 20) {}
+
     static BoardModel modelOf(const Document& document) {
         base::Progress progress;
         return std::move(*buildBoardModel(document, {}, progress));
+    }
+    static BoardModel unshadowed(BoardModel model) {
+        model.shadows = {};
+        for (BoardModel& step : model.steps) {
+            step.shadows = {};
+        }
+        return model;
+    }
+    static Camera cameraFor(NamedView view) {
+        Camera camera;
+        camera.setOrthographic(true);
+        camera.fit({-16.0F, -8.0F, 0.0F}, {16.0F, 8.0F, 1.6F}, view, float(kWidth) / kHeight);
+        return camera;
     }
 
     BoardModel m_model;
@@ -132,22 +168,37 @@ Change changeOf(const Image& with, const Image& without) {
     return change;
 }
 
+/// Beside the body of the upright copy, and of the flipped one; and where the shadow of neither reaches.
+constexpr glm::vec2 kBesideUpright{-8.0F, 2.1F};
+constexpr glm::vec2 kBesideFlipped{8.0F, 2.1F};
+constexpr glm::vec2 kFarFromBoth{-8.0F, 4.5F};
+
+int sumOf(const Rgb& colour) {
+    return colour.r + colour.g + colour.b;
+}
+
+void addBackends() {
+    QTest::addColumn<int>("backend");
+    for (const Backend backend : {Backend::Pull, Backend::Mesh, Backend::Impostor, Backend::Raster}) {
+        QTest::addRow("%s", nameOf(backend)) << int(backend);
+    }
+}
+
+bool canDraw(Backend backend) {
+    return backend != Backend::Mesh || Gpu::get().device.caps().hasMeshShader;
+}
+
 }  // namespace
 
 class ComponentBodiesTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void bodiesOfFlippedCopiesAreOnTheOtherSide_data() {
-        QTest::addColumn<int>("backend");
-        for (const Backend backend : {Backend::Pull, Backend::Mesh, Backend::Impostor, Backend::Raster}) {
-            QTest::addRow("%s", nameOf(backend)) << int(backend);
-        }
-    }
+    void bodiesOfFlippedCopiesAreOnTheOtherSide_data() { addBackends(); }
     void bodiesOfFlippedCopiesAreOnTheOtherSide() {
         QFETCH(int, backend);
         const auto with = static_cast<Backend>(backend);
-        if (with == Backend::Mesh && !Gpu::get().device.caps().hasMeshShader) {
+        if (!canDraw(with)) {
             QSKIP("the device has no mesh shaders");
         }
         Drawn board(*panel());
@@ -157,6 +208,56 @@ private slots:
         const Change below =
             changeOf(board.draw(with, NamedView::Bottom, true), board.draw(with, NamedView::Bottom, false));
         QVERIFY2(below.left > 1000 && below.right == 0, qPrintable(QString("%1 %2").arg(below.left).arg(below.right)));
+    }
+
+    void bodiesDarkenTheBoardAroundThem_data() { addBackends(); }
+    void bodiesDarkenTheBoardAroundThem() {
+        QFETCH(int, backend);
+        const auto with = static_cast<Backend>(backend);
+        if (!canDraw(with)) {
+            QSKIP("the device has no mesh shaders");
+        }
+        Drawn board(*panel());
+        for (const NamedView view : {NamedView::Top, NamedView::Bottom}) {
+            const Image shaded = board.draw(with, view, true);
+            const Image bare = board.draw(with, view, false);
+            const bool isTop = view == NamedView::Top;
+            const glm::vec2 beside = isTop ? kBesideUpright : kBesideFlipped;
+            const Rgb dark = Drawn::at(shaded, view, beside);
+            QVERIFY2(10 * sumOf(dark) < 9 * sumOf(Drawn::at(bare, view, beside)), describe(dark).c_str());
+            for (const glm::vec2 bright : {isTop ? kBesideFlipped : kBesideUpright, kFarFromBoth}) {
+                QCOMPARE(describe(Drawn::at(shaded, view, bright)), describe(Drawn::at(bare, view, bright)));
+            }
+            const Rgb expected = Drawn::at(board.draw(Backend::Pull, view, true), view, beside);
+            QVERIFY2(distance(dark, expected) <= 2, describe(expected).c_str());
+        }
+    }
+
+    void bodiesThatAreNotShownDarkenNothing() {
+        Drawn board(*panel());
+        Drawn unshadowed = Drawn::withoutShadows(*panel());
+        for (const NamedView view : {NamedView::Top, NamedView::Bottom, NamedView::Iso}) {
+            QVERIFY(board.draw(Backend::Pull, view, false).rgba == unshadowed.draw(Backend::Pull, view, false).rgba);
+            QVERIFY(board.draw(Backend::Pull, view, true).rgba != unshadowed.draw(Backend::Pull, view, true).rgba);
+        }
+        ViewSettings settings;
+        settings.backend = Backend::Pull;
+        settings.is2d = true;
+        QVERIFY(board.draw(settings, NamedView::Top, true).rgba ==
+                unshadowed.draw(settings, NamedView::Top, true).rgba);
+        settings.is2d = false;
+        settings.explode = 0.5F;
+        QVERIFY(board.draw(settings, NamedView::Iso, true).rgba ==
+                unshadowed.draw(settings, NamedView::Iso, true).rgba);
+    }
+
+    void whatIsHighlightedKeepsItsColour() {
+        Drawn board(*panel());
+        board.highlightTop();
+        const Image with = board.draw(Backend::Pull, NamedView::Top, true);
+        const Image without = board.draw(Backend::Pull, NamedView::Top, false);
+        QCOMPARE(describe(Drawn::at(with, NamedView::Top, kBesideUpright)),
+                 describe(Drawn::at(without, NamedView::Top, kBesideUpright)));
     }
 
     void capacitorsAreBrownWithMetalEnds() {

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "shaders/shared/board.h"
+
+namespace render {
+
+struct BoardModel;
+
+/// A closed line; the last point leads to the first.
+using Loop = std::vector<glm::vec2>;
+
+/// The walls of an area instance as loops, where it lies on the board, mm. `instance.shape` is whole: before
+/// cutIntoPieces.
+[[nodiscard]] std::vector<Loop> loopsOf(const BoardModel& model, const shader::AreaInstance& instance);
+
+}  // namespace render
