@@ -39,12 +39,16 @@ struct Recording {
     DrawLists lists;
     bool isMirrored = false;
     VkDeviceAddress frameData = 0;
+    shader::Shadows shadows{};  ///< those of the frame data
 
     [[nodiscard]] VkCommandBuffer commands() const { return frame.commands(); }
     /// With the push constants that shaders know this copy by.
     void bind(const gpu::Pipeline& pipeline, std::uint32_t first = 0, std::uint32_t face = 0) const {
         pipeline.bind(commands());
-        pipeline.push(commands(), shader::Push{frameData, first, face});
+        push(pipeline, first, face);
+    }
+    void push(const gpu::Pipeline& pipeline, std::uint32_t first, std::uint32_t face) const {
+        pipeline.push(commands(), shader::Push{frameData, first, face, shadows});
     }
 };
 

@@ -41,7 +41,7 @@ private:
     void drawRun(const Recording& recording, gpu::Pass pass, LayerRun run) {
         while (run.count > 0) {
             const std::uint32_t groups = std::min(run.count, m_maxGroups);
-            m_pipelines[passRow(pass)].push(recording.commands(), shader::Push{recording.frameData, run.first, 0});
+            recording.push(m_pipelines[passRow(pass)], run.first, 0);
             m_drawMeshTasks(recording.commands(), groups, 1, 1);
             run = {run.first + groups, run.count - groups};
         }

@@ -20,7 +20,7 @@ public:
         for (const std::uint32_t layer : recording.layers.batches[batch]) {
             const LayerRun run = buffers.partsOfLayer[layer];
             for (std::uint32_t part = run.first; part < run.first + run.count; ++part) {
-                pipeline.push(recording.commands(), shader::Push{recording.frameData, part, 0});
+                recording.push(pipeline, part, 0);
                 vkCmdBindIndexBuffer(recording.commands(), buffers.indices[part].handle(), 0, VK_INDEX_TYPE_UINT32);
                 vkCmdDrawIndexed(recording.commands(), buffers.indexCounts[part], 1, 0, 0, 0);
             }

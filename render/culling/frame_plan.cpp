@@ -409,7 +409,7 @@ FramePlan planFrame(const SceneLayers& scene, const Camera& camera, const ViewSe
     plan.hasSection = settings.section != nullptr && !settings.is2d;
     data.sectionPlane = plan.hasSection ? sectionOf(settings.section->plane, data.centre) : glm::vec3(0.0F);
     data.restStrength = restStrengthOf(settings);
-    data.shadowStrength = shadows.strength();
+    data.shadows.strength = shadows.strength();
     data.background = backgroundOf(settings);
     data.flags = flagsOf(settings) | (settings.isOutlined && isFlatView(plan) ? shader::kFrameOutlines : 0) |
                  (subject == Subject::StandingOut ? shader::kFrameStandingOut : 0);

@@ -87,7 +87,7 @@ std::vector<CopyGroup> copiesInView(gpu::Frame& frame, const FramePlan& plan, co
         data.letDrawCount = static_cast<std::uint32_t>(layers.batches.size()) * shader::kBucketCount;
         data.maxDispatch = kMaxDispatch;
         const VkDeviceAddress address = frame.put(std::span(&data, 1)).address;
-        groups.back().push_back({frame, plan, scene, layers, step, lists, copy.isMirrored, address});
+        groups.back().push_back({frame, plan, scene, layers, step, lists, copy.isMirrored, address, data.shadows});
     }
     return groups;
 }

@@ -148,6 +148,8 @@ GeometryBuffers loadGeometry(gpu::Device& device, const std::vector<ElementState
     SceneLoader loader(device);
     GeometryBuffers b;
     b.elementStates = loader.load("element states", states);
+    b.topShadows = loader.load("shadows on top", ShadowMap().cells);
+    b.bottomShadows = loader.load("shadows on the bottom", ShadowMap().cells);
     b.bytes = loader.bytes();
     return b;
 }
@@ -310,11 +312,11 @@ void SceneStep::setAddresses(shader::FrameData& data, const DrawLists& lists) co
 void SceneStep::setShadows(shader::FrameData& data, bool isTop) const {
     const ShadowGrid& map = isTop ? topShadows : bottomShadows;
     const Buffer& cells = isTop ? geometry.topShadows : geometry.bottomShadows;
-    data.shadows = standard ? 0 : cells.address();
-    data.shadowOrigin = map.origin - glm::vec2(data.centre);
-    data.shadowCellsPerMm = 1.0F / map.cellMm;
-    data.shadowWidth = map.width;
-    data.shadowHeight = map.height;
+    data.shadows.cells = cells.address();
+    data.shadows.origin = map.origin - glm::vec2(data.centre);
+    data.shadows.cellsPerMm = 1.0F / map.cellMm;
+    data.shadows.width = map.width;
+    data.shadows.height = map.height;
 }
 
 template <class Model>

@@ -5,3 +5,4 @@ layout(push_constant, scalar) uniform PushBlock {
     Push push;
 };
 #define FRAME push.frame.data
+#define SHADOWS push.shadows

@@ -6,3 +6,4 @@ layout(push_constant, scalar) uniform PushBlock {
 };
 Frame frame;  // set before anything else
 #define FRAME frame.data
+#define SHADOWS frame.data.shadows

@@ -22,22 +22,18 @@ const float kGlossAtEdge = 0.10;             // where sight grazes the surface, 
 
 // How much light the bodies around let through to a location, relative to FRAME.centre, of the side that is seen.
 float lightBesideBodies(vec2 location) {
-    const vec2 at = max((location - FRAME.shadowOrigin) * FRAME.shadowCellsPerMm, vec2(0.0));
-    const uvec2 cell = min(uvec2(at), uvec2(FRAME.shadowWidth, FRAME.shadowHeight) - 1u);
-    const vec4 corners = unpackUnorm4x8(FRAME.shadows.at[cell.y * FRAME.shadowWidth + cell.x]);
+    const vec2 at = max((location - SHADOWS.origin) * SHADOWS.cellsPerMm, vec2(0.0));
+    const uvec2 cell = min(uvec2(at), uvec2(SHADOWS.width, SHADOWS.height) - 1u);
+    const vec4 corners = unpackUnorm4x8(SHADOWS.cells.at[cell.y * SHADOWS.width + cell.x]);
     const vec2 part = clamp(at - vec2(cell), 0.0, 1.0);
     const vec2 sides = mix(corners.xz, corners.yw, part.x);
-    return 1.0 - FRAME.shadowStrength * mix(sides.x, sides.y, part.y);
+    return 1.0 - SHADOWS.strength * mix(sides.x, sides.y, part.y);
 }
 
-// Of a face, level or not, that may have shadows.
+// Of a level face that may have shadows; walls have none.
 float lightOf(uint material, vec3 normal, vec2 location) {
-    float light = 1.0;
-    // A loop and no condition: software devices leave out loops that none of a block's pixels enters, but run what is conditional for all of them.
-    for (uint rest = normal.z != 0.0 ? material & kMaterialShadowed : 0u; rest > 0u; rest = 0u) {
-        light = lightBesideBodies(location);
-    }
-    return light;
+    const bool isShadowed = normal.z != 0.0 && has(material, kMaterialShadowed);
+    return isShadowed ? lightBesideBodies(location) : 1.0;
 }
 
 // Colour as it is added to what shows through: multiplied by its opacity, with what is mirrored on top. `normal` is a unit vector, `toEye` leads to

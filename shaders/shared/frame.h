@@ -75,6 +75,16 @@ GPU_CONST kSlotBits = 28;
 
 GPU_CONST kPlaneCount = 6;
 
+// Where bodies darken the side of the board that is seen (render/modelling/body_shadows.h).
+struct Shadows {
+    GPU_ADDRESS(Words) cells;
+    vec2 origin;  // lower left corner of the map, relative to FrameData::centre, mm
+    float cellsPerMm;
+    float strength;      // by how much where it is darkest
+    uint width, height;  // cells
+};
+GPU_SIZE(Shadows, 32);
+
 struct FrameData {
     mat4 clipFromBoard;        // of positions relative to `centre`: differences of nearby numbers stay exact in 32 bits
     vec4 planes[kPlaneCount];  // of the frustum, pointing inwards, for positions relative to `centre`
@@ -126,16 +136,11 @@ struct FrameData {
     GPU_ADDRESS(StandardParts) standardParts;  // null in the hybrid pipeline
 
     vec3 keyLight;  // unit vector to what glossy surfaces mirror
-
-    // What bodies darken on the side of the board that is seen (render/modelling/body_shadows.h).
-    float shadowStrength;  // by how much where it is darkest
-    vec2 shadowOrigin;     // lower left corner of the map, relative to `centre`, mm
-    float shadowCellsPerMm;
-    uint shadowWidth, shadowHeight;  // cells
     uint reserved;
-    GPU_ADDRESS(Words) shadows;
+
+    Shadows shadows;
 };
-GPU_SIZE(FrameData, 64 + 96 + 16 + 4 * 12 + 8 + 16 + 22 * 4 + 18 * 8 + 16 + 24 + 8);
+GPU_SIZE(FrameData, 64 + 96 + 16 + 4 * 12 + 8 + 16 + 22 * 4 + 18 * 8 + 16 + 32);
 
 #ifndef __cplusplus
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Frame {
@@ -148,8 +153,10 @@ struct Push {
     GPU_ADDRESS(Frame) frame;
     uint first;  // task: the first cluster; standard: the part
     uint face;   // caps of areas: 0 = upper, 1 = lower
+    // Those of the frame: reading them from memory for every pixel costs software devices a fifth of a frame.
+    Shadows shadows;
 };
-GPU_SIZE(Push, 16);
+GPU_SIZE(Push, 48);
 
 GPU_CONST kCullGroupSize = 64;  // threads per workgroup of the compute shaders that test clusters and area instances
 

@@ -20,6 +20,7 @@ layout(set = 0, binding = 11, scalar) buffer StandardPartBlock { StandardPartRec
 layout(set = 0, binding = 12, scalar) buffer CutRectangleBlock { SectionRectangle cutRectangle[2]; };
 layout(set = 0, binding = 13, scalar) buffer RasterCopyBlock { RasterCopy rasterCopy[2]; };
 layout(set = 0, binding = 14, scalar) buffer RasterPushBlock { RasterPush rasterPush[2]; };
+layout(set = 0, binding = 15, scalar) buffer ShadowsBlock { Shadows shadows[2]; };
 
 void main() {
     // Reflection lists what is used.
@@ -35,6 +36,7 @@ void main() {
     standardVertex[0] = standardVertex[1];
     rasterCopy[0] = rasterCopy[1];
     rasterPush[0] = rasterPush[1];
+    shadows[0] = shadows[1];
     standardPart[0] = standardPart[1];
     cutRectangle[0] = cutRectangle[1];
 }
