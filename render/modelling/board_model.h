@@ -59,7 +59,7 @@ struct BoardModel : BoardFrame {
     std::vector<LayerRun> areaBatchesOfLayer;
     std::vector<LayerInSubstrate> inSubstrate;  ///< by layer; empty: nothing is known
     BodyShadows shadows;
-    std::vector<model::ElementId> milled;       ///< rising (model/solids/milling.h): held as designed and as fabricated
+    std::vector<model::ElementId> milled;  ///< rising (model/solids/milling.h): held as designed and as fabricated
 
     std::uint32_t repairedAreas = 0;  ///< areas whose outline crossed itself and went through integer booleans
     std::uint32_t emptyAreas = 0;     ///< areas without any area
