@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <span>
 
 #include "app/common/console_progress.h"
 #include "model/base/thickness_units.h"
@@ -81,6 +82,17 @@ base::Result<std::vector<StepClearances>> measureSteps(const Document& board, co
     return found;
 }
 
+/// A rule that is broken counts, and one that could not check everything, unless that is allowed.
+int exitCodeOf(std::span<const StepRules> steps, bool allowsIncomplete) {
+    const bool isPassed = std::ranges::all_of(steps, [](const StepRules& s) { return s.report.isPassed(); });
+    const bool isComplete = std::ranges::all_of(steps, [](const StepRules& s) { return s.report.isComplete(); });
+    if (!isComplete) {
+        std::fprintf(stderr, "copperscope: not everything could be checked; see \"incomplete\" and \"not checked\"%s\n",
+                     allowsIncomplete ? "" : " (--allow-incomplete accepts that)");
+    }
+    return isPassed && (isComplete || allowsIncomplete) ? kDone : kTooClose;
+}
+
 Outcome runRules(const ClearanceArguments& arguments, const Document& board, base::Progress& progress) {
     ASSIGN_OR_RETURN(const model::RuleTable table, arguments.rules == "default"
                                                        ? base::Result<model::RuleTable>(model::defaultRules())
@@ -91,13 +103,7 @@ Outcome runRules(const ClearanceArguments& arguments, const Document& board, bas
         steps.push_back({step, std::move(report)});
     }
     print(model::ruleReport(table, steps, formatOf(arguments), arguments.worst));
-    for (const StepRules& step : steps) {
-        for (const std::string& note : step.report.notes) {
-            std::fprintf(stderr, "copperscope: step %s: %s\n", step.step->job.step.c_str(), note.c_str());
-        }
-    }
-    const bool isPassed = std::ranges::all_of(steps, [](const StepRules& s) { return s.report.isPassed(); });
-    return int{isPassed ? kDone : kTooClose};
+    return exitCodeOf(steps, arguments.allowsIncomplete);
 }
 
 }  // namespace

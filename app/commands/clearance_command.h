@@ -17,11 +17,12 @@ struct ClearanceArguments {
     std::vector<std::string> nets;  ///< two names, or none
     std::string format = "text";    ///< text, json or csv
     std::string rules;              ///< a file of rules, "default", or empty: no rules
+    bool allowsIncomplete = false;  ///< a rule that could not check everything is no failure
 };
 
 /// `copperscope clearance BOARD [--below 100um] [--layer NAME] [--nets A,B]`: the smallest clearances between nets, on
 /// stdout; with `--rules FILE` what every rule says of the board (model::RuleTable). Returns kTooClose if
-/// --below was given and anything is closer, or if a rule is broken.
+/// --below was given and anything is closer, or if a rule is broken or could not check everything.
 [[nodiscard]] Outcome runClearance(const ClearanceArguments& arguments);
 
 }  // namespace app

@@ -198,7 +198,9 @@ void addClearance(CLI::App& parent, Command& chosen) {
     addNetOptions(command, request);
     addNumber<std::size_t>(command, "--worst", arguments.worst, 1, 1'000'000, "how many of the smallest");
     command.add_option("--rules", arguments.rules,
-                       "check the rules of this JSON file, or \"default\"; exit code 4 if one is broken");
+                       "check the rules of this JSON file, or \"default\"; exit code 4 if one is broken or incomplete");
+    command.add_flag("--allow-incomplete", arguments.allowsIncomplete,
+                     "with --rules: exit code 0 also where a rule could not check everything");
     command.add_option("--below", arguments.below,
                        "only clearances less than this, with um, mm, mil or inch; exit code 4 if there is one");
     command.add_option("--layer", arguments.layer, "only on this copper layer");

@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <tuple>
 
 #include "model/clearance/annular_ring.h"
+#include "model/clearance/copper_owners.h"
 #include "model/clearance/layer_geometry.h"
+#include "model/clearance/rule_choice.h"
+#include "model/clearance/unchecked_items.h"
 #include "model/figures/distance.h"
 
 namespace model {
@@ -15,6 +19,8 @@ namespace {
 
 constexpr Nm kConcentric = 1000;  ///< holes this near to each other's middle are one hole, drilled twice
 
+constexpr double kRounding = 0.01;  ///< nm; distances are exact to a tenth of this
+
 bool areConcentric(const Box& a, const Box& b) {
     const auto twice = [](const Box& box) {
         return base::PointD{double{1} * box.min.x + box.max.x, double{1} * box.min.y + box.max.y};
@@ -22,75 +28,21 @@ bool areConcentric(const Box& a, const Box& b) {
     return std::hypot(twice(a).x - twice(b).x, twice(a).y - twice(b).y) <= 2 * kConcentric;
 }
 
-/// Which rule holds between two nets.
-class ClassRules {
-public:
-    ClassRules(const Document& document, const RuleTable& table) : m_table(table), m_classes(document.nets.size()) {
-        for (std::size_t row = 0; row < table.classes.size(); ++row) {
-            for (std::size_t net = 0; net < m_classes.size(); ++net) {
-                const bool isIn = std::ranges::any_of(table.classes[row].nets, [&](const std::string& pattern) {
-                    return fitsWildcard(document.nets[net].name, pattern);
-                });
-                m_classes[net] |= (isIn ? std::uint64_t{1} : 0) << row;
-            }
-        }
-        for (std::size_t row = 0; row < table.rules.size(); ++row) {
-            if (table.rules[row].kind == RuleKind::CopperToCopper && table.rules[row].isOn) {
-                m_rules.push_back({row, maskOf(table.rules[row].classes[0]), maskOf(table.rules[row].classes[1])});
-            }
-        }
-    }
-
-    /// None if no rule fits.
-    [[nodiscard]] std::optional<std::size_t> between(NetId a, NetId b) const {
-        const std::uint64_t ofA = classesOf(a);
-        const std::uint64_t ofB = classesOf(b);
-        std::optional<std::size_t> last;
-        for (const Fit& rule : m_rules) {
-            const bool fits = ((ofA & rule.first) != 0 && (ofB & rule.second) != 0) ||
-                              ((ofA & rule.second) != 0 && (ofB & rule.first) != 0);
-            last = fits ? rule.row : last;
-        }
-        return last;
-    }
-
-    [[nodiscard]] double reach() const {
-        Nm most = 0;
-        for (const Fit& rule : m_rules) {
-            most = std::max(most, m_table.rules[rule.row].least);
-        }
-        return most;
-    }
-
-private:
-    struct Fit {
-        std::size_t row;
-        std::uint64_t first;
-        std::uint64_t second;
-    };
-
-    [[nodiscard]] std::uint64_t maskOf(const std::string& name) const {
-        const auto at = std::ranges::find(m_table.classes, name, &NetClass::name);
-        return name.empty() ? ~std::uint64_t{0} : std::uint64_t{1} << (at - m_table.classes.begin());
-    }
-    /// A net of no class, and copper without a net, fit "any" alone; its mask has all bits, theirs must have one.
-    [[nodiscard]] std::uint64_t classesOf(NetId net) const {
-        constexpr std::uint64_t kAny = std::uint64_t{1} << 63U;
-        return kAny | (net.isValid() ? m_classes[net.row()] : 0);
-    }
-
-    const RuleTable& m_table;
-    std::vector<std::uint64_t> m_classes;  ///< by net
-    std::vector<Fit> m_rules;
+/// What is known of a hole's rings over all layers so far.
+struct HoleRings {
+    std::optional<RuleFinding> removed;  ///< on the first layer where the drill takes the pad
+    bool hasCopper = false;
+    LayerId first;  ///< the first layer that it passes
 };
 
 class Check {
 public:
-    Check(const Document& document, const RuleTable& table, base::Progress& progress)
-        : m_document(document), m_table(table), m_classRules(document, table), m_progress(progress) {}
+    Check(const Document& document, const RuleTable& table, const CopperOwners& owners, base::Progress& progress)
+        : m_document(document), m_table(table), m_owners(owners), m_choice(document, table), m_progress(progress) {}
 
     [[nodiscard]] RuleReport run() {
         m_report.counts.resize(m_table.rules.size());
+        m_report.unchecked = uncheckedItems(m_document, m_table, m_choice);
         for (std::size_t row = 0; row < m_document.layers.size() && !m_progress.isCancelled(); ++row) {
             const LayerId layer{row};
             if (m_document.layers[row].isCopper()) {
@@ -101,13 +53,9 @@ public:
             m_progress.setFraction(static_cast<float>(row + 1) / static_cast<float>(m_document.layers.size()));
         }
         checkHoles();
+        addHolesWithoutRing();
         note();
-        std::ranges::sort(m_report.findings, {}, [](const RuleFinding& f) {
-            return std::tuple(f.rule, f.spacing.distance, f.layer, f.a, f.b);
-        });
-        for (const RuleFinding& finding : m_report.findings) {
-            ++m_report.counts[finding.rule];
-        }
+        finish();
         return std::move(m_report);
     }
 
@@ -115,19 +63,19 @@ private:
     /// As the job has it, with its openings.
     static bool isMask(const Layer& layer) { return layer.type == LayerType::SolderMask && !layer.isSynthetic; }
 
-    [[nodiscard]] NetId netOf(ElementId element) const { return m_document.elements.net[element.row()]; }
-
-    /// The last rule of a kind that is on; none if the table has none.
-    [[nodiscard]] std::optional<std::size_t> ruleOf(RuleKind kind) const {
-        const auto last = std::find_if(m_table.rules.rbegin(), m_table.rules.rend(),
-                                       [kind](const Rule& rule) { return rule.kind == kind && rule.isOn; });
-        return last == m_table.rules.rend() ? std::nullopt
-                                            : std::optional<std::size_t>(m_table.rules.rend() - last - 1);
+    void finish() {
+        std::ranges::sort(m_report.findings, {}, [](const RuleFinding& f) {
+            return std::tuple(f.rule, f.spacing.distance, f.layer, f.a, f.b);
+        });
+        for (const RuleFinding& finding : m_report.findings) {
+            ++m_report.counts[finding.rule];
+        }
+        std::ranges::stable_sort(m_report.unchecked, {}, &Unchecked::rule);
     }
 
     void add(std::size_t rule, LayerId layer, ElementId a, ElementId b, const Spacing& spacing) {
-        if (spacing.distance < m_table.rules[rule].least) {
-            m_report.findings.push_back({rule, layer, a, b, spacing});
+        if (spacing.distance < m_table.rules[rule].least - kRounding) {
+            m_report.findings.push_back({rule, layer, a, b, spacing, FindingReason::TooClose});
         }
     }
 
@@ -145,31 +93,73 @@ private:
         checkNets(layer, copper);
         checkToHoles(layer);
         checkToEdge(layer, copper);
-        if (const auto rule = ruleOf(RuleKind::AnnularRing)) {
-            for (const AnnularRing& ring : annularRings(m_document, layer, m_table.rules[*rule].least)) {
-                add(*rule, layer, ring.hole, ring.pad, ring.width);
-            }
-        }
+        checkRings(layer);
+    }
+
+    /// Pads and holes: what has no net and is none of them is text, a shape or a part of one.
+    [[nodiscard]] bool isLand(ElementId element) const {
+        return (m_document.elements.flags[element.row()] & (kPad | kHole)) != 0;
+    }
+
+    /// Do two elements belong to different copper that has to keep a clearance?
+    [[nodiscard]] bool areForeign(ElementId a, ElementId b) const {
+        const bool hasNet = m_owners.netOf(a).isValid() || m_owners.netOf(b).isValid();
+        return m_owners.of(a) != m_owners.of(b) && (hasNet || isLand(a) || isLand(b));
     }
 
     void checkNets(LayerId layer, const LayerGeometry& copper) {
-        const auto net = [&](std::uint32_t row) { return netOf(copper.elementOf(row)); };
-        PairRequest request = requestByNets(m_document, copper);
-        request.reach = m_classRules.reach();
+        const auto ruleOf = [&](std::uint32_t a, std::uint32_t b) {
+            return m_choice.between(m_owners.netOf(copper.elementOf(a)), m_owners.netOf(copper.elementOf(b)));
+        };
+        PairRequest request;
+        request.reach = m_document.nets.empty() ? 0.0 : m_choice.reachOf(RuleKind::CopperToCopper);
         request.isWanted = [&](std::uint32_t a, std::uint32_t b) {
-            return net(a) != net(b) && m_classRules.between(net(a), net(b));
+            return areForeign(copper.elementOf(a), copper.elementOf(b)) && ruleOf(a, b);
+        };
+        request.groupOf = [&](std::uint32_t a, std::uint32_t b) {
+            const auto [low, high] = std::minmax({m_owners.of(copper.elementOf(a)), m_owners.of(copper.elementOf(b))});
+            return std::uint64_t{low} << 32U | high;
         };
         if (request.reach <= 0) {
             return;
         }
         for (const FigurePair& pair : closestPairs(copper, copper, request, m_progress)) {
-            add(*m_classRules.between(net(pair.a), net(pair.b)), layer, copper.elementOf(pair.a),
-                copper.elementOf(pair.b), pair.spacing);
+            const auto [a, b] = inOrder(copper.elementOf(pair.a), copper.elementOf(pair.b));
+            const bool isTurned = a != copper.elementOf(pair.a);
+            const Spacing& s = pair.spacing;
+            add(*ruleOf(pair.a, pair.b), layer, a, b, isTurned ? Spacing{s.distance, s.to, s.from} : s);
         }
     }
 
+    /// What no rule asks for.
+    void note() {
+        std::size_t islands = 0;
+        std::size_t thin = 0;
+        for (const Layer& layer : m_document.layers) {
+            const Range range = layer.isCopper() ? layer.elements : Range{};
+            for (std::uint32_t i = range.first; i < range.first + range.count; ++i) {
+                const ElementId element{i};
+                islands += !m_owners.netOf(element).isValid() && !isLand(element) ? 1 : 0;
+                thin += coversNothing(m_document, element) ? 1 : 0;
+            }
+        }
+        const auto add = [&](std::size_t count, const char* what) {
+            if (count > 0) {
+                m_report.notes.push_back(std::to_string(count) + what);
+            }
+        };
+        add(m_document.nets.empty() ? 0 : islands,
+            " copper elements of no net, neither pads nor holes, are held against nets, not against each other");
+        add(thin, " copper elements have no width and leave no copper");
+    }
+
+    /// The one of the lower net first, as in searches for clearances.
+    [[nodiscard]] std::pair<ElementId, ElementId> inOrder(ElementId a, ElementId b) const {
+        return m_owners.of(b) < m_owners.of(a) ? std::pair(b, a) : std::pair(a, b);
+    }
+
     void checkToHoles(LayerId layer) {
-        const auto rule = ruleOf(RuleKind::CopperToHole);
+        const auto rule = m_choice.of(RuleKind::CopperToHole);
         if (!rule) {
             return;
         }
@@ -179,31 +169,75 @@ private:
         request.isWanted = [&](std::uint32_t a, std::uint32_t b) {
             const ElementId hole = holes.elementOf(b);
             const bool isPlated = isPlatedHole(m_document.elements.flags[hole.row()]);
-            return !isPlated || netOf(copper.elementOf(a)) != netOf(hole);
+            return !isPlated || m_owners.of(copper.elementOf(a)) != m_owners.of(hole);
         };
         addPairs(*rule, layer, copper, holes, request);
     }
 
     void checkToEdge(LayerId layer, const LayerGeometry& copper) {
-        const auto rule = ruleOf(RuleKind::CopperToEdge);
+        const auto rule = m_choice.of(RuleKind::CopperToEdge);
         if (rule && m_document.profile.isValid()) {
             addPairs(*rule, layer, copper, edgeGeometry(m_document), {});
         }
     }
 
+    void checkRings(LayerId layer) {
+        const auto rule = m_choice.of(RuleKind::AnnularRing);
+        if (!rule) {
+            return;
+        }
+        for (const AnnularRing& ring : annularRings(m_document, layer, m_table.rules[*rule].least)) {
+            HoleRings& rings = m_rings[ring.hole];
+            rings.first = rings.first.isValid() ? rings.first : layer;
+            rings.hasCopper = rings.hasCopper || ring.ring.state != RingState::Apart;
+            if (ring.ring.state == RingState::Removed && !rings.removed) {
+                rings.removed =
+                    RuleFinding{*rule, layer, ring.hole, ring.pad, middleOf(ring.hole), FindingReason::PadRemoved};
+            } else if (ring.ring.state == RingState::BreaksOut || ring.ring.state == RingState::Around) {
+                add(*rule, layer, ring.hole, ring.pad, ring.ring.width);
+            }
+        }
+    }
+
+    [[nodiscard]] Spacing middleOf(ElementId hole) const {
+        const PointD middle = base::toDouble(m_document.boxOf(hole).middle());
+        return {0.0, middle, middle};
+    }
+
+    /// Once per hole, whatever the number of layers.
+    void addHolesWithoutRing() {
+        for (const auto& [hole, rings] : m_rings) {
+            if (rings.removed) {
+                m_report.findings.push_back(*rings.removed);
+            } else if (!rings.hasCopper) {
+                m_report.findings.push_back(
+                    {*m_choice.of(RuleKind::AnnularRing), rings.first, hole, {}, middleOf(hole), FindingReason::NoPad});
+            }
+        }
+    }
+
     void checkMask(LayerId layer) {
-        const auto rule = ruleOf(RuleKind::MaskSliver);
+        const auto rule = m_choice.of(RuleKind::MaskSliver);
         if (!rule) {
             return;
         }
         const LayerGeometry openings = layerGeometry(m_document, layer);
+        std::size_t bridged = 0;
         PairRequest request;
         request.reach = m_table.rules[*rule].least;
         request.mayTouch = [](std::uint32_t, std::uint32_t) { return false; };  // they are one opening
         for (const FigurePair& pair : closestPairs(openings, openings, request, m_progress)) {
-            if (!isOpenBetween(openings, pair.spacing)) {
+            if (isOpenBetween(openings, pair.spacing)) {
+                ++bridged;
+            } else {
                 add(*rule, layer, openings.elementOf(pair.a), openings.elementOf(pair.b), pair.spacing);
             }
+        }
+        if (bridged > 0) {
+            m_report.unchecked.push_back({*rule, bridged, bridged == 1 ? "pair of openings" : "pairs of openings",
+                                          "on " + m_document.layer(layer).name +
+                                              " a third opening lies where they are closest, and other locations "
+                                              "were not searched"});
         }
     }
 
@@ -222,7 +256,7 @@ private:
     }
 
     void checkHoles() {
-        const auto rule = ruleOf(RuleKind::HoleToHole);
+        const auto rule = m_choice.of(RuleKind::HoleToHole);
         if (!rule) {
             return;
         }
@@ -254,53 +288,21 @@ private:
                !areConcentric(holes.figures().box(a), holes.figures().box(b));
     }
 
-    void note() {
-        if (m_document.nets.empty() && m_classRules.reach() > 0) {
-            m_report.notes.emplace_back("the board has no nets, so copper was not held against copper");
-        }
-        if (!m_document.profile.isValid() && ruleOf(RuleKind::CopperToEdge)) {
-            m_report.notes.emplace_back("the board has no outline, so copper was not held against its edge");
-        }
-        if (ruleOf(RuleKind::MaskSliver) && std::ranges::none_of(m_document.layers, isMask)) {
-            m_report.notes.emplace_back("the board has no solder mask layer, so slivers are not checked");
-        }
-        if (ruleOf(RuleKind::AnnularRing)) {
-            noteRings();
-        }
-    }
-
-    void noteRings() {
-        const HolesWithoutRings left = holesWithoutRings(m_document);
-        const auto note = [&](std::size_t count, const char* why) {
-            if (count > 0) {
-                m_report.notes.push_back("plated holes whose annular rings were not measured because " +
-                                         std::string(why) + ": " + std::to_string(count));
-            }
-        };
-        note(left.notRound, "they are not round");
-        note(left.withoutNet, "they have no net");
-    }
-
     const Document& m_document;
     const RuleTable& m_table;
-    ClassRules m_classRules;
+    const CopperOwners& m_owners;
+    RuleChoice m_choice;
     base::Progress& m_progress;
+    std::map<ElementId, HoleRings> m_rings;
     RuleReport m_report;
 };
 
 }  // namespace
 
-std::string sideOf(const Document& step, ElementId element) {
-    if (!element.isValid()) {
-        return "(board edge)";
-    }
-    const NetId net = step.elements.net[element.row()];
-    return net.isValid() ? step.nets[net.row()].name : "(no net)";
-}
-
 base::Result<RuleReport> checkRules(const Document& document, const RuleTable& table, base::Progress& progress) {
+    ASSIGN_OR_RETURN(const CopperOwners owners, CopperOwners::of(document, progress));
     progress.beginPhase("Checking rules");
-    RuleReport report = Check(document, table, progress).run();
+    RuleReport report = Check(document, table, owners, progress).run();
     if (progress.isCancelled()) {
         return base::Error{base::ErrorCode::Cancelled, "cancelled"};
     }

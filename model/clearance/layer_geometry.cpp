@@ -144,6 +144,12 @@ LayerGeometry edgeGeometry(const Document& document) {
     return LayerGeometry(std::move(figures));
 }
 
+bool coversNothing(const Document& document, ElementId element) {
+    FigureTable figures;
+    figures.add(document, element);
+    return figures.size() == 0;
+}
+
 PairRequest requestByNets(const Document& document, const LayerGeometry& copper) {
     const auto netOf = [&](std::uint32_t row) { return document.elements.net[copper.elementOf(row).row()]; };
     PairRequest request;

@@ -46,6 +46,9 @@ using ElementFilter = std::function<bool(ElementId)>;
 /// The outline of the board (Document::profile) with its cut-outs, as lines.
 [[nodiscard]] LayerGeometry edgeGeometry(const Document& document);
 
+/// Has an element no width, so that no figure comes of it?
+[[nodiscard]] bool coversNothing(const Document& document, ElementId element);
+
 /// Two figures and the shortest distance between them, from the first one to the second.
 struct FigurePair {
     std::uint32_t a = 0;  ///< rows of their layer geometry

@@ -24,6 +24,10 @@ std::string padded(std::string text, std::size_t width) {
     return text;
 }
 
+std::string secondSideOf(const Document& step, const Clearance& clearance) {
+    return sideOf(step, clearance.b);
+}
+
 ordered_json inMm(PointD p) {
     return {base::toMm(p.x), base::toMm(p.y)};
 }
@@ -32,8 +36,8 @@ ordered_json inMm(PointD p) {
 template <class Found>
 std::string csvOf(const Document& step, const Found& f) {
     return csvField(step.layer(f.layer).name) + formatted(",%.3f,", micrometres(f.spacing.distance)) +
-           csvField(sideOf(step, f.a)) + ',' + csvField(sideOf(step, f.b)) +
-           formatted(",%.6f,%.6f,%.6f,%.6f\n", base::toMm(f.spacing.from.x), base::toMm(f.spacing.from.y),
+           csvField(sideOf(step, f.a)) + ',' + csvField(secondSideOf(step, f)) +
+           formatted(",%.6f,%.6f,%.6f,%.6f", base::toMm(f.spacing.from.x), base::toMm(f.spacing.from.y),
                      base::toMm(f.spacing.to.x), base::toMm(f.spacing.to.y));
 }
 
@@ -46,7 +50,7 @@ ordered_json jsonOf(const Document& step, const Found& f) {
     return {{"clearance_um", micrometres(f.spacing.distance)},
             {"gap_um", micrometres(f.spacing.distance)},
             {"layer", step.layer(f.layer).name},
-            {"nets", {sideOf(step, f.a), sideOf(step, f.b)}},
+            {"nets", {sideOf(step, f.a), secondSideOf(step, f)}},
             {"elements", elements},
             {"from_mm", inMm(f.spacing.from)},
             {"to_mm", inMm(f.spacing.to)}};
@@ -70,7 +74,7 @@ std::string csvOf(const StepClearances& found) {
     const Document& step = *found.step;
     std::string text;
     for (const Clearance& c : found.clearances) {
-        text += csvField(step.job.step) + ',' + csvOf(step, c);
+        text += csvField(step.job.step) + ',' + csvOf(step, c) + '\n';
     }
     return text;
 }
@@ -91,58 +95,110 @@ std::span<const RuleFinding> findingsOf(const StepRules& step, std::size_t rule,
     return std::span(first, last).first(std::min(most, static_cast<std::size_t>(last - first)));
 }
 
-const char* wordOf(const RuleTable& table, const StepRules& step, std::size_t rule) {
-    return !table.rules[rule].isOn ? "off " : step.report.counts[rule] == 0 ? "pass" : "FAIL";
+/// What a rule could not check.
+std::vector<std::string> uncheckedOf(const RuleReport& report, std::size_t rule) {
+    std::vector<std::string> texts;
+    for (const Unchecked& unchecked : report.unchecked) {
+        if (unchecked.rule == rule) {
+            texts.push_back(textOf(unchecked));
+        }
+    }
+    return texts;
 }
 
-std::string textOf(const RuleTable& table, const StepRules& found, std::size_t most) {
-    const Document& step = *found.step;
-    std::string text = "step " + step.job.step + '\n';
-    for (std::size_t rule = 0; rule < table.rules.size(); ++rule) {
-        const std::size_t count = found.report.counts[rule];
-        text += std::string(wordOf(table, found, rule)) + "  " + titleOf(table.rules[rule]) +
-                formatted(", at least %.1f um: %zu %s\n", micrometres(static_cast<double>(table.rules[rule].least)),
-                          count, count == 1 ? "location" : "locations");
-        for (const RuleFinding& f : findingsOf(found, rule, most)) {
-            text += formatted("  %10.3f um  ", micrometres(f.spacing.distance)) + padded(step.layer(f.layer).name, 20) +
-                    formatted(" %11.4f %11.4f mm  ", base::toMm(f.spacing.from.x), base::toMm(f.spacing.from.y)) +
-                    padded(sideOf(step, f.a), 28) + ' ' + sideOf(step, f.b) + '\n';
-        }
+std::string textOf(const Document& step, const RuleFinding& f) {
+    const std::string reason = toString(f.reason);
+    return formatted("  %10.3f um  ", micrometres(f.spacing.distance)) + padded(step.layer(f.layer).name, 20) +
+           formatted(" %11.4f %11.4f mm  ", base::toMm(f.spacing.from.x), base::toMm(f.spacing.from.y)) +
+           padded(sideOf(step, f.a), 28) + ' ' + secondSideOf(step, f) + (reason.empty() ? "" : "  " + reason) + '\n';
+}
+
+std::string textOf(const RuleTable& table, const StepRules& found, std::size_t rule, std::size_t most) {
+    const std::size_t count = found.report.counts[rule];
+    std::string text =
+        padded(toString(verdictOf(table, found.report, rule)), 12) + titleOf(table.rules[rule]) +
+        formatted(", at least %.1f um: %zu %s\n", micrometres(static_cast<double>(table.rules[rule].least)), count,
+                  count == 1 ? "location" : "locations");
+    for (const std::string& unchecked : uncheckedOf(found.report, rule)) {
+        text += "            not checked: " + unchecked + '\n';
+    }
+    for (const RuleFinding& f : findingsOf(found, rule, most)) {
+        text += textOf(*found.step, f);
     }
     return text;
 }
 
+std::string textOf(const RuleTable& table, const StepRules& found, std::size_t most) {
+    std::string text = "step " + found.step->job.step + '\n';
+    for (std::size_t rule = 0; rule < table.rules.size(); ++rule) {
+        text += textOf(table, found, rule, most);
+    }
+    for (const std::string& note : found.report.notes) {
+        text += "note: " + note + '\n';
+    }
+    return text;
+}
+
+/// Findings, then a row for all that was not checked: without layer, sides and location.
 std::string csvOf(const RuleTable& table, const StepRules& found, std::size_t most) {
     const Document& step = *found.step;
     std::string text;
     for (std::size_t row = 0; row < table.rules.size(); ++row) {
         const Rule& rule = table.rules[row];
+        const std::string start = csvField(step.job.step) + ',' + csvField(titleOf(rule)) +
+                                  formatted(",%.3f,", micrometres(static_cast<double>(rule.least)));
         for (const RuleFinding& f : findingsOf(found, row, most)) {
-            text += csvField(step.job.step) + ',' + csvField(titleOf(rule)) +
-                    formatted(",%.3f,", micrometres(static_cast<double>(rule.least))) + csvOf(step, f);
+            text += start + csvOf(step, f) + ',' + toString(Verdict::Failed) + ',' + toString(f.reason) + '\n';
+        }
+        for (const std::string& unchecked : uncheckedOf(found.report, row)) {
+            text += start + ",,,,,,,," + toString(Verdict::Incomplete) + ',' + csvField(unchecked) + '\n';
         }
     }
     return text;
 }
 
+ordered_json jsonOf(const Unchecked& unchecked) {
+    return {{"count", unchecked.count}, {"items", unchecked.what}, {"reason", unchecked.why}};
+}
+
+ordered_json ruleJson(const Document& step, const RuleFinding& finding) {
+    ordered_json json = jsonOf(step, finding);
+    if (finding.reason != FindingReason::TooClose) {
+        json["reason"] = toString(finding.reason);
+    }
+    return json;
+}
+
+ordered_json jsonOf(const RuleTable& table, const StepRules& found, std::size_t row, std::size_t most) {
+    const Rule& rule = table.rules[row];
+    const Verdict verdict = verdictOf(table, found.report, row);
+    ordered_json json{{"rule", titleOf(rule)}, {"least_um", micrometres(static_cast<double>(rule.least))}};
+    if (rule.isOn) {
+        json["passed"] = verdict == Verdict::Passed;
+    } else {
+        json["on"] = false;
+    }
+    json["result"] = verdict == Verdict::Failed ? "fail" : toString(verdict);
+    json["count"] = found.report.counts[row];
+    json["unchecked"] = ordered_json::array();
+    for (const Unchecked& unchecked : found.report.unchecked) {
+        if (unchecked.rule == row) {
+            json["unchecked"].push_back(jsonOf(unchecked));
+        }
+    }
+    json["findings"] = ordered_json::array();
+    for (const RuleFinding& f : findingsOf(found, row, most)) {
+        json["findings"].push_back(ruleJson(*found.step, f));
+    }
+    return json;
+}
+
 ordered_json jsonOf(const RuleTable& table, const StepRules& found, std::size_t most) {
     ordered_json rules = ordered_json::array();
     for (std::size_t row = 0; row < table.rules.size(); ++row) {
-        const Rule& rule = table.rules[row];
-        ordered_json json{{"rule", titleOf(rule)}, {"least_um", micrometres(static_cast<double>(rule.least))}};
-        if (rule.isOn) {
-            json["passed"] = found.report.counts[row] == 0;
-        } else {
-            json["on"] = false;
-        }
-        json["count"] = found.report.counts[row];
-        json["findings"] = ordered_json::array();
-        for (const RuleFinding& f : findingsOf(found, row, most)) {
-            json["findings"].push_back(jsonOf(*found.step, f));
-        }
-        rules.push_back(json);
+        rules.push_back(jsonOf(table, found, row, most));
     }
-    return {{"step", found.step->job.step}, {"rules", rules}};
+    return {{"step", found.step->job.step}, {"rules", rules}, {"notes", found.report.notes}};
 }
 
 /// All steps, each as one of the three has it.
@@ -180,7 +236,8 @@ std::string clearanceReport(std::span<const StepClearances> steps, ReportFormat 
 std::string ruleReport(const RuleTable& table, std::span<const StepRules> steps, ReportFormat format,
                        std::size_t most) {
     return reportOf(
-        steps, format, "step,rule,least um,layer,clearance um,a,b,x mm on a,y mm on a,x mm on b,y mm on b\n",
+        steps, format,
+        "step,rule,least um,layer,clearance um,a,b,x mm on a,y mm on a,x mm on b,y mm on b,result,reason\n",
         [&](const StepRules& step) { return jsonOf(table, step, most); },
         [&](const StepRules& step) { return csvOf(table, step, most); },
         [&](const StepRules& step) { return textOf(table, step, most); });

@@ -30,7 +30,8 @@ enum class ReportFormat { Text, Json, Csv };
 
 /// The smallest clearances, step by step. Widths in micrometres, places in millimetres.
 [[nodiscard]] std::string clearanceReport(std::span<const StepClearances> steps, ReportFormat format);
-/// Every rule with pass or fail, or that it is off, and its places, `most` of each at most. Notes are not part of it.
+/// Every rule with its verdict (model::Verdict), what it could not check and why, and its locations, `most` of each at
+/// most; in text and JSON the notes too.
 [[nodiscard]] std::string ruleReport(const RuleTable& table, std::span<const StepRules> steps, ReportFormat format,
                                      std::size_t most);
 

@@ -52,6 +52,32 @@ private slots:
         QCOMPARE(copperscope({"clearance", locations::kSample, "--rules", "/nowhere.json"}).exitCode, 2);
     }
 
+    /// A rule that could not check something is no pass.
+    void incompleteRulesTellABuildToo() {
+        QTemporaryDir folder;
+        const QString rules = folder.filePath("rules.json");
+        QFile file(rules);
+        file.open(QIODevice::WriteOnly);
+        file.write(R"({"copperscope_rules": 1, "rules": [{"kind": "copper-copper", "least_um": 100}]})");
+        file.close();
+        const QString board = QString(locations::kTestData) + "/odb/drills";
+        const Outcome text = copperscope({"clearance", board, "--rules", rules});
+        QCOMPARE(text.exitCode, 4);
+        QVERIFY2(text.out.contains("incomplete  copper-copper"), text.out.constData());
+        QVERIFY2(text.out.contains("not checked: ") && text.out.contains("the board has no nets"),
+                 text.out.constData());
+        QVERIFY2(text.err.contains("--allow-incomplete"), text.err.constData());
+        QCOMPARE(copperscope({"clearance", board, "--rules", rules, "--allow-incomplete"}).exitCode, 0);
+        const Outcome json = copperscope({"clearance", board, "--rules", rules, "--format", "json"});
+        const QJsonValue rule = QJsonDocument::fromJson(json.out)["steps"][0]["rules"][0];
+        QCOMPARE(rule["result"].toString(), "incomplete");
+        QCOMPARE(rule["passed"].toBool(true), false);
+        QVERIFY(rule["unchecked"][0]["count"].toInt() > 0);
+        QCOMPARE(rule["unchecked"][0]["reason"].toString(), "the board has no nets");
+        const Outcome csv = copperscope({"clearance", board, "--rules", rules, "--format", "csv"});
+        QVERIFY2(csv.out.contains(",incomplete,") && csv.out.count('\n') == 2, csv.out.constData());
+    }
+
     void measureTellsHowFarThingsAreApart() {
         const auto measure = [](const QStringList& rest) {
             return copperscope(QStringList{"measure", locations::kSample} + rest);

@@ -113,8 +113,8 @@ void ClearanceFeature::setBoard() {
     m_requested.reset();
     m_result = {};
     endShowing();
-    m_locations.setSpacings(nullptr, {}, {});
-    m_rules.setCounts({});
+    m_locations.setSpacings(nullptr, {}, {}, true);
+    m_rules.setResults({});
     m_panel->setNotes({});
 }
 
@@ -181,9 +181,10 @@ void ClearanceFeature::take() {
     endShowing();
     m_requested = m_wanted;
     m_result = std::move(*result);
-    m_locations.setSpacings(m_searched, spacingsOf(m_result), m_wanted.isOfRules ? m_wanted.rules : model::RuleTable{});
+    m_locations.setSpacings(m_searched, spacingsOf(m_result), m_wanted.isOfRules ? m_wanted.rules : model::RuleTable{},
+                            isComplete(m_result));
     if (m_wanted.isOfRules && m_rules.rules() == m_wanted.rules) {
-        m_rules.setCounts(countsOf(m_result));
+        m_rules.setResults(resultsOf(m_wanted.rules, m_result));
     }
     const QStringList notes = textsOf(m_result.notes);
     m_panel->setNotes(notes.join('\n'));

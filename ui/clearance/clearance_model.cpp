@@ -6,6 +6,16 @@
 
 namespace ui {
 
+namespace {
+
+/// With the reason where the spacing does not say it.
+std::string titleOf(const model::Rule& rule, const model::RuleFinding& found) {
+    const std::string reason = model::toString(found.reason);
+    return model::titleOf(rule) + (reason.empty() ? "" : ": " + reason);
+}
+
+}  // namespace
+
 ClearanceModel::ClearanceModel(QObject* parent)
     : TableModel({{tr("Spacing"), tr("How far apart; 0: they touch or overlap"), kNumber},
                   {tr("Rule"), tr("The rule that is broken there")},
@@ -18,11 +28,12 @@ ClearanceModel::ClearanceModel(QObject* parent)
                  parent) {}
 
 void ClearanceModel::setSpacings(std::shared_ptr<const model::Document> board, std::vector<StepSpacings> spacings,
-                                 model::RuleTable rules) {
+                                 model::RuleTable rules, bool isComplete) {
     beginResetModel();
     m_board = std::move(board);
     m_tree = m_board ? model::unfoldCopies(*m_board) : model::StepTree{};
     m_rules = std::move(rules);
+    m_isComplete = isComplete;
     m_locations.clear();
     for (const StepSpacings& step : spacings) {
         const auto at = std::ranges::find_if(m_tree.steps, [&](const auto& known) { return &*known == step.step; });
@@ -41,7 +52,9 @@ QString ClearanceModel::summary() const {
         return tr("No search yet");
     }
     if (m_locations.empty()) {
-        return m_rules.rules.empty() ? tr("Nothing found") : tr("All rules pass");
+        return m_rules.rules.empty() ? tr("Nothing found")
+               : m_isComplete        ? tr("All rules pass")
+                                     : tr("No rule is broken, but not everything could be checked");
     }
     const auto smallest =
         std::ranges::min_element(m_locations, {}, [](const Location& p) { return p.found.spacing.distance; });
@@ -55,10 +68,10 @@ Cell ClearanceModel::cell(int row, int column) const {
     const model::Document& step = *m_tree.steps[location(row).step];
     switch (column) {
         case Spacing: return length(found.spacing.distance);
-        case Rule: return m_rules.rules.empty() ? Cell{QString()} : text(model::titleOf(m_rules.rules[found.rule]));
+        case Rule: return m_rules.rules.empty() ? Cell{QString()} : text(titleOf(m_rules.rules[found.rule], found));
         case Layer: return text(step.layer(found.layer).name);
         case First: return text(model::sideOf(step, found.a));
-        case Second: return text(model::sideOf(step, found.b));
+        case Second: return text(model::secondSideOf(step, found));
         case X: return length(found.spacing.from.x);
         case Y: return length(found.spacing.from.y);
         default: return text(step.job.step);

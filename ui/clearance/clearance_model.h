@@ -25,9 +25,10 @@ public:
 
     explicit ClearanceModel(QObject* parent = nullptr);
 
-    /// `rules` say what a finding's rule is; empty for a search without rules. A null board empties the table.
+    /// `rules` say what a finding's rule is; empty for a search without rules. `isComplete`: could they check
+    /// everything? A null board empties the table.
     void setSpacings(std::shared_ptr<const model::Document> board, std::vector<StepSpacings> spacings,
-                     model::RuleTable rules);
+                     model::RuleTable rules, bool isComplete);
 
     struct Location {
         std::uint32_t step = 0;  ///< row of model::StepTree::steps
@@ -44,6 +45,7 @@ private:
     std::shared_ptr<const model::Document> m_board;
     model::StepTree m_tree;
     model::RuleTable m_rules;
+    bool m_isComplete = true;
     std::vector<Location> m_locations;
 };
 

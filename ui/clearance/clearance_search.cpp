@@ -1,7 +1,6 @@
 #include "ui/clearance/clearance_search.h"
 
 #include <algorithm>
-#include <functional>
 #include <utility>
 
 namespace ui {
@@ -18,8 +17,13 @@ bool isOfTheBoardAlone(const model::ClearanceRequest& question) {
 base::Status checkRules(const Document& step, const ClearanceRequest& request, base::Progress& progress,
                         ClearanceResult& answer) {
     ASSIGN_OR_RETURN(model::RuleReport report, model::checkRules(step, request.rules, progress));
+    const std::string start = "step " + step.job.step + ": ";
+    for (const model::Unchecked& unchecked : report.unchecked) {
+        answer.notes.push_back(start + "not checked: " + model::titleOf(request.rules.rules[unchecked.rule]) + ": " +
+                               model::textOf(unchecked));
+    }
     for (const std::string& note : report.notes) {
-        answer.notes.push_back("step " + step.job.step + ": " + note);
+        answer.notes.push_back(start + note);
     }
     answer.rules.push_back({&step, std::move(report)});
     return base::Done{};
@@ -67,13 +71,22 @@ std::vector<StepSpacings> spacingsOf(const ClearanceResult& answer) {
     return gaps;
 }
 
-std::vector<std::size_t> countsOf(const ClearanceResult& answer) {
-    std::vector<std::size_t> counts;
+std::vector<RuleResult> resultsOf(const model::RuleTable& rules, const ClearanceResult& answer) {
+    std::vector<RuleResult> results(answer.rules.empty() ? 0 : rules.rules.size());
     for (const model::StepRules& step : answer.rules) {
-        counts.resize(step.report.counts.size());
-        std::ranges::transform(counts, step.report.counts, counts.begin(), std::plus());
+        for (std::size_t rule = 0; rule < results.size(); ++rule) {
+            RuleResult& result = results[rule];
+            result.verdict = std::max(result.verdict, model::verdictOf(rules, step.report, rule));
+            result.count += step.report.counts[rule];
+            result.unchecked +=
+                static_cast<std::size_t>(std::ranges::count(step.report.unchecked, rule, &model::Unchecked::rule));
+        }
     }
-    return counts;
+    return results;
+}
+
+bool isComplete(const ClearanceResult& answer) {
+    return std::ranges::all_of(answer.rules, [](const model::StepRules& step) { return step.report.isComplete(); });
 }
 
 }  // namespace ui

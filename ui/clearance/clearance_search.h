@@ -2,6 +2,7 @@
 
 #include "model/export/clearance_export.h"
 #include "ui/clearance/clearance_model.h"
+#include "ui/clearance/rule_model.h"
 
 namespace ui {
 
@@ -16,11 +17,13 @@ struct ClearanceRequest {
 struct ClearanceResult {
     std::vector<model::StepClearances> clearances;
     std::vector<model::StepRules> rules;
-    std::vector<std::string> notes;  ///< what was not measured, in plain words
+    std::vector<std::string> notes;  ///< what was not measured or checked, and what is good to know, in plain words
 };
 [[nodiscard]] std::vector<StepSpacings> spacingsOf(const ClearanceResult& answer);
-/// Broken places by rule, over all steps; empty if no rules were asked for.
-[[nodiscard]] std::vector<std::size_t> countsOf(const ClearanceResult& answer);
+/// By rule of the table, over all steps; empty if no rules were checked.
+[[nodiscard]] std::vector<RuleResult> resultsOf(const model::RuleTable& rules, const ClearanceResult& answer);
+/// Could every rule check everything?
+[[nodiscard]] bool isComplete(const ClearanceResult& answer);
 
 /// Looks for the smallest clearances of a board and all its steps. Layers and nets in the request are the board's own;
 /// placed steps are searched only when neither is named. Errors: those of model::smallestClearances and

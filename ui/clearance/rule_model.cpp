@@ -14,6 +14,7 @@ namespace {
 /// Mid tones, readable on a light and on a dark ground; the word says the same.
 constexpr QColor kBroken(0xd9, 0x4a, 0x3d);
 constexpr QColor kPassed(0x3a, 0x9a, 0x7a);
+constexpr QColor kIncomplete(0xb8, 0x86, 0x1b);
 constexpr model::Nm kCommonClearance = 100'000;
 
 QString anyNet() {
@@ -47,18 +48,18 @@ RuleModel::RuleModel(QObject* parent)
            {tr("Between"), tr("Nets of this class; any net"), kEditable},
            {tr("And"), tr("Nets of this class; any net"), kEditable},
            {tr("At least"), tr("The least value that passes; with a unit (100um, 4 mil) or in yours"), kEditable},
-           {tr("Result"), tr("In how many locations the rule is broken")}},
+           {tr("Result"), tr("In how many locations the rule is broken, or that it could not check everything")}},
           parent) {}
 
 void RuleModel::setRules(model::RuleTable rules) {
     beginResetModel();
     m_rules = std::move(rules);
-    m_counts.clear();
+    m_results.clear();
     endResetModel();
 }
 
-void RuleModel::setCounts(std::vector<std::size_t> counts) {
-    m_counts = std::move(counts);
+void RuleModel::setResults(std::vector<RuleResult> results) {
+    m_results = std::move(results);
     announceChange();
 }
 
@@ -69,7 +70,7 @@ void RuleModel::change(model::RuleTable after) {
         setRules(std::move(after));
     } else {
         m_rules = std::move(after);
-        m_counts.clear();
+        m_results.clear();
         announceChange();
     }
     emit edited(before);
@@ -151,12 +152,18 @@ Cell RuleModel::resultOf(std::size_t row) const {
     if (!m_rules.rules[row].isOn) {
         return {tr("off")};
     }
-    if (m_counts.empty()) {
+    if (m_results.empty()) {
         return {tr("not checked")};
     }
-    return m_counts[row] == 0   ? Cell{.text = tr("pass"), .colour = kPassed}
-           : m_counts[row] == 1 ? Cell{.text = tr("FAIL, in 1 location"), .colour = kBroken}
-                                : Cell{.text = tr("FAIL, in %L1 locations").arg(m_counts[row]), .colour = kBroken};
+    const RuleResult& result = m_results[row];
+    if (result.verdict == model::Verdict::Passed) {
+        return {.text = tr("pass"), .colour = kPassed};
+    }
+    if (result.verdict == model::Verdict::Incomplete) {
+        return {.text = tr("incomplete, see below"), .colour = kIncomplete};
+    }
+    const QString text = result.count == 1 ? tr("FAIL, in 1 location") : tr("FAIL, in %L1 locations").arg(result.count);
+    return {.text = result.unchecked == 0 ? text : tr("%1; incomplete").arg(text), .colour = kBroken};
 }
 
 Cell RuleModel::cell(int row, int column) const {

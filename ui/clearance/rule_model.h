@@ -2,10 +2,17 @@
 
 #include <vector>
 
-#include "model/clearance/design_rules.h"
+#include "model/clearance/rule_report.h"
 #include "ui/common/table_model.h"
 
 namespace ui {
+
+/// What a check found out about a rule, over all steps of a board.
+struct RuleResult {
+    model::Verdict verdict = model::Verdict::Off;  ///< of the step where it is worst
+    std::size_t count = 0;                         ///< locations
+    std::size_t unchecked = 0;                     ///< reasons why it could not check everything
+};
 
 /// The rules of a board and whether they pass; everything but the result can be edited. What is refused says why.
 class RuleModel : public TableModel {
@@ -18,8 +25,8 @@ public:
 
     void setRules(model::RuleTable rules);
     [[nodiscard]] const model::RuleTable& rules() const { return m_rules; }
-    /// In how many locations each rule is broken; empty: not checked.
-    void setCounts(std::vector<std::size_t> counts);
+    /// By rule; empty: not checked.
+    void setResults(std::vector<RuleResult> results);
 
     /// A rule between any nets, behind all others.
     void addRule();
@@ -51,7 +58,7 @@ private:
     void change(model::RuleTable after);
 
     model::RuleTable m_rules = model::defaultRules();
-    std::vector<std::size_t> m_counts;
+    std::vector<RuleResult> m_results;
 };
 
 }  // namespace ui

@@ -280,6 +280,11 @@ private slots:
         measure();
         QCOMPARE(window().find<ui::ClearanceModel>().rowCount(), 0);
         QVERIFY2(label("notes").contains("has copper but no nets"), qPrintable(label("notes")));
+        box("what").setCurrentIndex(static_cast<int>(ClearancePanel::What::Rules));
+        measure();
+        const ui::RuleModel& rules = window().find<ui::RuleModel>();
+        QCOMPARE(rules.index(0, ui::RuleModel::Result).data().toString(), "incomplete, see below");
+        QVERIFY2(label("notes").contains("the board has no nets"), qPrintable(label("notes")));
         QVERIFY(m_fixture->openAndWait(locations::kSample));
         QVERIFY(label("notes").isEmpty());
     }

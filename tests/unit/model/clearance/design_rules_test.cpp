@@ -1,6 +1,4 @@
 // Design rules: each kind on a board made for it, at exactly its limit and just below.
-#include "model/clearance/design_rules.h"
-
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QtTest>
@@ -8,6 +6,7 @@
 
 #include "model/base/parallel.h"
 #include "model/board/document_builder.h"
+#include "model/clearance/design_rule_check.h"
 #include "model/export/clearance_export.h"
 #include "tests/unit/model/hand_made.h"
 
@@ -158,28 +157,94 @@ private slots:
 
     void whatCannotBeCheckedIsSaid() {
         DocumentBuilder builder;
-        const RuleReport report = check(*builder.finish(), model::defaultRules());
+        QVERIFY(check(*builder.finish(), model::defaultRules()).isComplete());  // nothing is there
+        DocumentBuilder some;
+        some.beginLayer(addLayer(some, "top"));
+        some.addCircle({{0, 0}, 200 * kUm, 0}, of({}));
+        const auto document = some.finish();
+        const RuleReport report = check(*document, model::defaultRules());
         QVERIFY(report.isPassed());
-        QCOMPARE(report.notes.size(), std::size_t{3});  // neither nets nor outline nor mask
-        RuleTable off = model::defaultRules();
-        for (Rule& rule : off.rules) {
+        QCOMPARE(report.unchecked.size(), std::size_t{3});
+        QCOMPARE(model::textOf(report.unchecked[0]), std::string("1 copper element: the board has no nets"));
+        QCOMPARE(model::textOf(report.unchecked[1]), std::string("1 copper element: the board has no outline"));
+        QCOMPARE(model::textOf(report.unchecked[2]), std::string("1 copper element: the job has no solder mask layer"));
+        RuleTable table = model::defaultRules();
+        QVERIFY(model::verdictOf(table, report, 0) == model::Verdict::Incomplete);
+        QVERIFY(model::verdictOf(table, report, 1) == model::Verdict::Passed);
+        for (Rule& rule : table.rules) {
             rule.isOn = false;
         }
-        QVERIFY(check(*DocumentBuilder().finish(), off).notes.empty());
+        QVERIFY(check(*document, table).isComplete());
     }
 
-    void ringsThatAreNotMeasuredAreCounted() {
+    void holesWithoutSpanOrSizeAreCounted() {
         Board board;
+        const LayerId open = addLayer(board.builder, "open", model::LayerType::Drill);
         board.builder.beginLayer(board.drill);
-        board.builder.addCircle({{0, 0}, 300 * kUm, 300 * kUm}, of({}, kWall));                     // no net
-        board.builder.addLine({{0, 0}, {900 * kUm, 0}, 300 * kUm, 300 * kUm}, of(board.a, kWall));  // a slot
-        board.builder.addLine({{0, 0}, {0, 900 * kUm}, 300 * kUm, 300 * kUm}, of({}, kWall));       // neither
-        board.builder.addCircle({{5000 * kUm, 0}, 300 * kUm, 300 * kUm}, of(board.a, kWall));       // measured
-        board.builder.addCircle({{9000 * kUm, 0}, 300 * kUm, 0}, of({}, kBare));                    // has no ring
-        const std::vector<std::string> notes = check(*board.builder.finish(), RuleKind::AnnularRing, 1).notes;
-        QCOMPARE(notes.size(), std::size_t{2});
-        QVERIFY2(notes[0].find("not round: 2") != std::string::npos, notes[0].c_str());
-        QVERIFY2(notes[1].find("no net: 1") != std::string::npos, notes[1].c_str());
+        board.builder.addCircle({{0, 0}, 0, 0}, of(board.a, kWall));
+        board.builder.beginLayer(open);
+        board.builder.addCircle({{0, 0}, 300 * kUm, 300 * kUm}, of(board.a, kWall));
+        board.builder.addCircle({{5000 * kUm, 0}, 300 * kUm, 300 * kUm}, of({}, kBare));
+        const auto document = board.builder.finish();
+        const auto texts = [&](RuleKind kind) {
+            std::vector<std::string> all;
+            for (const model::Unchecked& unchecked : check(*document, kind, 1).unchecked) {
+                all.push_back(model::textOf(unchecked));
+            }
+            return all;
+        };
+        const std::string why = ": layer open does not say which copper layers it passes";
+        const std::string size = "1 hole: the job gives them no size";
+        QCOMPARE(texts(RuleKind::AnnularRing), (std::vector<std::string>{"1 hole" + why, size}));
+        QCOMPARE(texts(RuleKind::CopperToHole), (std::vector<std::string>{"2 holes" + why, size}));
+        QCOMPARE(texts(RuleKind::CopperToCopper), (std::vector<std::string>{"1 hole" + why}));
+        QCOMPARE(texts(RuleKind::HoleToHole), (std::vector<std::string>{size}));
+    }
+
+    void aClassWithoutNetsLeavesItsRuleIncomplete() {
+        Board board;
+        const auto document = board.builder.finish();
+        const RuleTable table{
+            {{"power", {"V*"}}, {"a", {"A"}}},
+            {{RuleKind::CopperToCopper, 1, {"power", "a"}}, {RuleKind::CopperToCopper, 1, {"a", ""}}}};
+        const RuleReport report = check(*document, table);
+        QCOMPARE(report.unchecked.size(), std::size_t{1});
+        QCOMPARE(model::textOf(report.unchecked[0]), std::string("no net fits the net class power"));
+    }
+
+    /// A pad without a net that touches a net is part of it; one that lies alone keeps away from all, other such too.
+    void copperWithoutANetBelongsToWhatItTouches() {
+        Board board;
+        board.builder.beginLayer(board.top);
+        board.builder.addCircle({{0, 0}, 200 * kUm, 0}, of(board.a));
+        board.builder.addLine({{0, 0}, {500 * kUm, 0}, 50 * kUm, 0}, of({}));          // of A
+        board.builder.addCircle({{500 * kUm, 160 * kUm}, 200 * kUm, 0}, of(board.a));  // 35 um from it
+        board.builder.addCircle({{5000 * kUm, 0}, 200 * kUm, 0}, of({}, model::kPad));
+        board.builder.addCircle({{5240 * kUm, 0}, 200 * kUm, 0}, of({}, model::kPad));   // 40 um
+        board.builder.addLine({{9000 * kUm, 0}, {9500 * kUm, 0}, 50 * kUm, 0}, of({}));  // text
+        board.builder.addLine({{9000 * kUm, 60 * kUm}, {9500 * kUm, 60 * kUm}, 50 * kUm, 0}, of({}));
+        const auto document = board.builder.finish();
+        const RuleReport report = check(*document, RuleKind::CopperToCopper, 50 * kUm);
+        QCOMPARE(report.findings.size(), std::size_t{1});
+        QCOMPARE(report.findings[0].spacing.distance, 40.0 * kUm);
+        QCOMPARE(report.notes.size(), std::size_t{1});
+        QVERIFY2(report.notes[0].starts_with("2 copper elements of no net"), report.notes[0].c_str());
+    }
+
+    void copiesThatMayComeTooCloseAreCounted() {
+        for (const Nm apart : {Nm{900 * kUm}, Nm{1100 * kUm}}) {
+            DocumentBuilder step;
+            step.beginLayer(addLayer(step, "top"));
+            step.addCircle({{0, 0}, 1000 * kUm, 0}, of(step.addNet("A")));
+            DocumentBuilder panel;
+            panel.beginLayer(addLayer(panel, "top"));
+            panel.addCircle({{5000 * kUm, 0}, 1000 * kUm, 0}, of(panel.addNet("A")));
+            const std::uint32_t row = panel.addStep(step.finish());
+            panel.addInstance({row, {{0, 0}}, false});
+            panel.addInstance({row, {{1000 * kUm + apart, 0}}, false});
+            const RuleReport report = check(*panel.finish(), RuleKind::CopperToCopper, 1000 * kUm);
+            QCOMPARE(report.unchecked.size(), std::size_t{apart < 1000 * kUm ? 1U : 0U});
+        }
     }
 
     void rulesThatAreOffDoNotCount() {
@@ -223,8 +288,8 @@ private slots:
                                {RuleKind::CopperToHole, 120 * kUm, {}, false}}};
         const model::StepRules steps[] = {{document.get(), check(*document, table)}};
         const std::string text = model::ruleReport(table, steps, model::ReportFormat::Text, 9);
-        for (const char* word : {"FAIL  copper-copper, at least 120.0 um: 1 location\n", "pass  hole-hole",
-                                 "off   copper-hole", "   100.000 um  top ", "A  "}) {
+        for (const char* word : {"FAIL        copper-copper, at least 120.0 um: 1 location\n", "pass        hole-hole",
+                                 "off         copper-hole", "   100.000 um  top ", "A  "}) {
             QVERIFY2(text.find(word) != std::string::npos, (text + word).c_str());
         }
         const auto lines = [](const std::string& csv) { return std::ranges::count(csv, '\n'); };

@@ -123,10 +123,17 @@ private slots:
 
     void resultsAreForgottenByEveryEdit() {
         RuleModel rules;
-        rules.setCounts({0, 1, 2, 0, 0, 0});
+        using model::Verdict;
+        rules.setResults({{Verdict::Passed, 0, 0},
+                          {Verdict::Failed, 1, 0},
+                          {Verdict::Failed, 2, 1},
+                          {Verdict::Incomplete, 0, 1},
+                          {Verdict::Passed, 0, 0},
+                          {Verdict::Passed, 0, 0}});
         QCOMPARE(text(rules, 0, RuleModel::Result), "pass");
         QCOMPARE(text(rules, 1, RuleModel::Result), "FAIL, in 1 location");
-        QCOMPARE(text(rules, 2, RuleModel::Result), "FAIL, in 2 locations");
+        QCOMPARE(text(rules, 2, RuleModel::Result), "FAIL, in 2 locations; incomplete");
+        QCOMPARE(text(rules, 3, RuleModel::Result), "incomplete, see below");
         QVERIFY(set(rules, 3, RuleModel::Least, "1 um"));
         QCOMPARE(text(rules, 0, RuleModel::Result), "not checked");
     }

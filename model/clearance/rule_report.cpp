@@ -1,0 +1,41 @@
+#include "model/clearance/rule_report.h"
+
+#include <algorithm>
+
+namespace model {
+
+const char* toString(FindingReason reason) {
+    constexpr const char* kTexts[] = {"", "the drill removes the whole pad", "no copper around the hole on any layer"};
+    return kTexts[static_cast<std::size_t>(reason)];
+}
+
+std::string textOf(const Unchecked& unchecked) {
+    return unchecked.count == 0 ? unchecked.why
+                                : std::to_string(unchecked.count) + ' ' + unchecked.what + ": " + unchecked.why;
+}
+
+Verdict verdictOf(const RuleTable& table, const RuleReport& report, std::size_t rule) {
+    return !table.rules[rule].isOn                                            ? Verdict::Off
+           : report.counts[rule] > 0                                          ? Verdict::Failed
+           : std::ranges::count(report.unchecked, rule, &Unchecked::rule) > 0 ? Verdict::Incomplete
+                                                                              : Verdict::Passed;
+}
+
+const char* toString(Verdict verdict) {
+    constexpr const char* kWords[] = {"off", "pass", "incomplete", "FAIL"};
+    return kWords[static_cast<std::size_t>(verdict)];
+}
+
+std::string sideOf(const Document& step, ElementId element) {
+    if (!element.isValid()) {
+        return "(board edge)";
+    }
+    const NetId net = step.elements.net[element.row()];
+    return net.isValid() ? step.nets[net.row()].name : "(no net)";
+}
+
+std::string secondSideOf(const Document& step, const RuleFinding& finding) {
+    return finding.reason == FindingReason::NoPad ? "(no pad)" : sideOf(step, finding.b);
+}
+
+}  // namespace model

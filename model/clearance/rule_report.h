@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "model/board/document.h"
+#include "model/clearance/design_rules.h"
+#include "model/geometry/edges.h"
+
+/// What a check of rules says: where they are broken, and what they could not check.
+namespace model {
+
+/// Why a rule is broken at a location.
+enum class FindingReason : std::uint8_t {
+    TooClose,    ///< less than the rule's least value
+    PadRemoved,  ///< the drill takes the whole pad of a plated hole, on this layer and perhaps on others
+    NoPad        ///< a plated hole has no copper around it on any layer it passes
+};
+/// "the drill removes the whole pad"; empty for TooClose, where the spacing says it all.
+[[nodiscard]] const char* toString(FindingReason reason);
+
+/// A location where a rule is broken.
+struct RuleFinding {
+    std::size_t rule = 0;  ///< row of RuleTable::rules
+    LayerId layer;         ///< the first one where this is so
+    ElementId a;
+    ElementId b;      ///< none for the edge of the board, and for the pad of a hole without one
+    Spacing spacing;  ///< nm; 0: they touch or overlap. Of a ring: from the hole's edge to the pad's
+    FindingReason reason = FindingReason::TooClose;
+};
+
+/// Items that a rule could not be held against, though it should.
+struct Unchecked {
+    std::size_t rule = 0;   ///< row of RuleTable::rules
+    std::size_t count = 0;  ///< of items; 0: they cannot be counted
+    std::string what;       ///< those items, in the number they are: "holes"
+    std::string why;        ///< "layer drill does not say which copper layers it passes"
+};
+/// "36 holes: layer drill does not say which copper layers it passes"
+[[nodiscard]] std::string textOf(const Unchecked& unchecked);
+
+struct RuleReport {
+    std::vector<RuleFinding> findings;  ///< by rule, then smallest first
+    std::vector<std::size_t> counts;    ///< of findings by rule
+    std::vector<Unchecked> unchecked;   ///< by rule
+    std::vector<std::string> notes;     ///< what is no fault, but good to know, in plain words
+    [[nodiscard]] bool isPassed() const { return findings.empty(); }
+    [[nodiscard]] bool isComplete() const { return unchecked.empty(); }
+};
+
+/// A rule that is broken somewhere has failed, whatever else it could not check; else it has passed only if it could
+/// check everything.
+enum class Verdict : std::uint8_t { Off, Passed, Incomplete, Failed };
+[[nodiscard]] Verdict verdictOf(const RuleTable& table, const RuleReport& report, std::size_t rule);
+/// "off", "pass", "incomplete", "FAIL"
+[[nodiscard]] const char* toString(Verdict verdict);
+
+/// What lies on one side of a location: the name of its net, "(no net)", or for no element "(board edge)".
+[[nodiscard]] std::string sideOf(const Document& step, ElementId element);
+/// The same of the second side of a finding, which may be "(no pad)".
+[[nodiscard]] std::string secondSideOf(const Document& step, const RuleFinding& finding);
+
+}  // namespace model

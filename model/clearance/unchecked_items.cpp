@@ -1,0 +1,199 @@
+#include "model/clearance/unchecked_items.h"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+#include "model/clearance/layer_geometry.h"
+#include "model/geometry/box_index.h"
+
+namespace model {
+
+namespace {
+
+using ElementTest = std::function<bool(std::uint32_t)>;
+
+bool isCopperLayer(const Layer& layer) {
+    return layer.isCopper();
+}
+
+/// Elements of layers.
+std::size_t countOf(const Document& document, const std::function<bool(const Layer&)>& isWantedLayer,
+                    const ElementTest& isWanted) {
+    std::size_t count = 0;
+    for (const Layer& layer : document.layers) {
+        const Range range = isWantedLayer(layer) ? layer.elements : Range{};
+        for (std::uint32_t i = range.first; i < range.first + range.count; ++i) {
+            count += isWanted(i) ? 1 : 0;
+        }
+    }
+    return count;
+}
+
+Box placed(const Box& box, const Placement& placement) {
+    Box out;
+    if (!box.isEmpty()) {
+        for (const Point corner : {box.min, box.max, Point{box.min.x, box.max.y}, Point{box.max.x, box.min.y}}) {
+            out.include(placement.apply(corner));
+        }
+    }
+    return out;
+}
+
+bool keepsClearance(const Document& document, std::uint32_t element) {
+    return document.layer(document.elements.layer[element]).isCopper() ||
+           (document.elements.flags[element] & kHole) != 0;
+}
+
+/// Around the copper and holes of a step and of the copies on it.
+Box copperExtent(const Document& step) {
+    Box extent;
+    for (std::uint32_t i = 0; i < step.elements.size(); ++i) {
+        extent.include(keepsClearance(step, i) ? step.boxOf(ElementId{i}) : Box{});
+    }
+    for (const StepInstance& copy : step.instances) {
+        extent.include(placed(copperExtent(*step.steps[copy.step]), copy.placement));
+    }
+    return extent;
+}
+
+class Collector {
+public:
+    Collector(const Document& document, const RuleTable& table, const RuleChoice& choice)
+        : m_document(document), m_table(table), m_choice(choice) {}
+
+    std::vector<Unchecked> run() {
+        addCopperWithoutNets();
+        addClassesWithoutNets();
+        addEdges();
+        addMask();
+        addHoles();
+        addCopies();
+        std::ranges::stable_sort(m_items, {}, &Unchecked::rule);
+        return std::move(m_items);
+    }
+
+private:
+    void add(RuleKind kind, std::size_t count, const char* one, const char* many, const std::string& why) {
+        if (count > 0) {
+            for (const std::size_t rule : m_choice.rowsOf(kind)) {
+                m_items.push_back({rule, count, count == 1 ? one : many, why});
+            }
+        }
+    }
+
+    [[nodiscard]] std::size_t copperCount() const {
+        return countOf(m_document, isCopperLayer, [](std::uint32_t) { return true; });
+    }
+
+    void addCopperWithoutNets() {
+        if (m_document.nets.empty()) {
+            add(RuleKind::CopperToCopper, copperCount(), "copper element", "copper elements", "the board has no nets");
+        }
+    }
+
+    void addClassesWithoutNets() {
+        for (const std::size_t rule : m_choice.rowsOf(RuleKind::CopperToCopper)) {
+            for (const std::size_t row : m_choice.emptyClassesOf(rule)) {
+                m_items.push_back({rule, 0, "", "no net fits the net class " + m_table.classes[row].name});
+            }
+        }
+    }
+
+    void addEdges() {
+        if (!m_document.profile.isValid()) {
+            add(RuleKind::CopperToEdge, copperCount(), "copper element", "copper elements", "the board has no outline");
+        }
+        const auto hasOutline = [](const Layer& layer) { return layer.isCopper() && layer.profile.isValid(); };
+        add(RuleKind::CopperToEdge, static_cast<std::size_t>(std::ranges::count_if(m_document.layers, hasOutline)),
+            "copper layer", "copper layers", "the outline of the layer itself is not held against its copper");
+    }
+
+    void addMask() {
+        const auto isMask = [](const Layer& layer) {
+            return layer.type == LayerType::SolderMask && !layer.isSynthetic;
+        };
+        if (std::ranges::none_of(m_document.layers, isMask)) {
+            add(RuleKind::MaskSliver, copperCount(), "copper element", "copper elements",
+                "the job has no solder mask layer");
+        }
+    }
+
+    void addHoles() {
+        const auto& flags = m_document.elements.flags;
+        const auto isHole = [&](std::uint32_t i) { return (flags[i] & kHole) != 0; };
+        const auto isPlated = [&](std::uint32_t i) { return isPlatedHole(flags[i]); };
+        addHolesWithoutSpan(RuleKind::CopperToCopper, isPlated);
+        addHolesWithoutSpan(RuleKind::CopperToHole, isHole);
+        addHolesWithoutSpan(RuleKind::AnnularRing, isPlated);
+        addHolesWithoutSize(RuleKind::CopperToHole, isHole);
+        addHolesWithoutSize(RuleKind::HoleToHole, isHole);
+        addHolesWithoutSize(RuleKind::AnnularRing, isPlated);
+    }
+
+    void addHolesWithoutSpan(RuleKind kind, const ElementTest& isWanted) {
+        for (const Layer& layer : m_document.layers) {
+            const bool isThis = !layer.spanTop.isValid() || !layer.spanBottom.isValid();
+            const auto isLayer = [&](const Layer& other) { return isThis && &other == &layer; };
+            add(kind, countOf(m_document, isLayer, isWanted), "hole", "holes",
+                "layer " + layer.name + " does not say which copper layers it passes");
+        }
+    }
+
+    void addHolesWithoutSize(RuleKind kind, const ElementTest& isWanted) {
+        const auto hasNoSize = [&](std::uint32_t i) { return isWanted(i) && coversNothing(m_document, ElementId{i}); };
+        add(kind,
+            countOf(
+                m_document, [](const Layer&) { return true; }, hasNoSize),
+            "hole", "holes", "the job gives them no size");
+    }
+
+    void addCopies() {
+        constexpr std::array kKinds = {RuleKind::CopperToCopper, RuleKind::CopperToHole, RuleKind::HoleToHole};
+        double reach = 0.0;
+        for (const RuleKind kind : kKinds) {
+            reach = std::max(reach, m_choice.reachOf(kind));
+        }
+        const std::size_t pairs = reach > 0 ? pairsOfCopies(static_cast<Nm>(reach)) : 0;
+        for (const RuleKind kind : kKinds) {
+            add(kind, pairs, "pair", "pairs",
+                "copies of steps, or a copy and an element, may come closer than the limit");
+        }
+    }
+
+    /// Copies whose boxes come within reach of each other, and elements within reach of a copy.
+    [[nodiscard]] std::size_t pairsOfCopies(Nm reach) const {
+        std::vector<Box> extents;
+        for (const auto& step : m_document.steps) {
+            extents.push_back(copperExtent(*step));
+        }
+        std::vector<Box> boxes;
+        for (const StepInstance& copy : m_document.instances) {
+            boxes.push_back(placed(extents[copy.step], copy.placement));
+        }
+        const BoxIndex index(boxes);
+        std::size_t pairs = 0;
+        for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+            index.visit(boxes[i].grownBy(reach), [&](std::uint32_t other) { pairs += other > i ? 1 : 0; });
+        }
+        for (std::uint32_t i = 0; i < m_document.elements.size() && !boxes.empty(); ++i) {
+            if (keepsClearance(m_document, i)) {
+                index.visit(m_document.boxOf(ElementId{i}).grownBy(reach), [&](std::uint32_t) { ++pairs; });
+            }
+        }
+        return pairs;
+    }
+
+    const Document& m_document;
+    const RuleTable& m_table;
+    const RuleChoice& m_choice;
+    std::vector<Unchecked> m_items;
+};
+
+}  // namespace
+
+std::vector<Unchecked> uncheckedItems(const Document& document, const RuleTable& table, const RuleChoice& choice) {
+    return Collector(document, table, choice).run();
+}
+
+}  // namespace model

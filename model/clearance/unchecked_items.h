@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "model/clearance/rule_choice.h"
+#include "model/clearance/rule_report.h"
+
+namespace model {
+
+/// What rules cannot be held against on a document, because the job does not say enough: copper without any nets, a
+/// board without an outline, holes without a span or a size, copies of steps that lie too close to each other, net
+/// classes without nets. Layers of rigid-flex boards with an outline of their own are held against that of the board
+/// alone. By rule.
+[[nodiscard]] std::vector<Unchecked> uncheckedItems(const Document& document, const RuleTable& table,
+                                                    const RuleChoice& choice);
+
+}  // namespace model
