@@ -82,6 +82,27 @@ base::Result<std::vector<StepClearances>> measureSteps(const Document& board, co
     return found;
 }
 
+/// "0" needs no unit.
+base::Result<base::Nm> parseTolerance(const std::string& text) {
+    ASSIGN_OR_RETURN(const base::Nm tolerance,
+                     text == "0" ? base::Result<base::Nm>(base::Nm{0}) : model::parseLength(text));
+    if (tolerance > model::kMostTolerance) {
+        return base::Error{base::ErrorCode::BadUsage, "a tolerance of limits is at most 10 um, not " + text};
+    }
+    return tolerance;
+}
+
+base::Result<model::RuleTable> rulesFor(const ClearanceArguments& arguments) {
+    model::RuleTable table = model::defaultRules();
+    if (arguments.rules != "default") {
+        ASSIGN_OR_RETURN(table, model::readRules(arguments.rules));
+    }
+    if (!arguments.tolerance.empty()) {
+        ASSIGN_OR_RETURN(table.tolerance, parseTolerance(arguments.tolerance));
+    }
+    return table;
+}
+
 /// A rule that is broken counts, and one that could not check everything, unless that is allowed.
 int exitCodeOf(std::span<const StepRules> steps, bool allowsIncomplete) {
     const bool isPassed = std::ranges::all_of(steps, [](const StepRules& s) { return s.report.isPassed(); });
@@ -94,9 +115,7 @@ int exitCodeOf(std::span<const StepRules> steps, bool allowsIncomplete) {
 }
 
 Outcome runRules(const ClearanceArguments& arguments, const Document& board, base::Progress& progress) {
-    ASSIGN_OR_RETURN(const model::RuleTable table, arguments.rules == "default"
-                                                       ? base::Result<model::RuleTable>(model::defaultRules())
-                                                       : model::readRules(arguments.rules));
+    ASSIGN_OR_RETURN(const model::RuleTable table, rulesFor(arguments));
     std::vector<StepRules> steps;
     for (const Document* step : model::distinctSteps(board)) {
         ASSIGN_OR_RETURN(model::RuleReport report, model::checkRules(*step, table, progress));

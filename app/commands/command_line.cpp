@@ -199,6 +199,8 @@ void addClearance(CLI::App& parent, Command& chosen) {
     addNumber<std::size_t>(command, "--worst", arguments.worst, 1, 1'000'000, "how many of the smallest");
     command.add_option("--rules", arguments.rules,
                        "check the rules of this JSON file, or \"default\"; exit code 4 if one is broken or incomplete");
+    command.add_option("--tolerance", arguments.tolerance,
+                       "with --rules: how far a distance may be below its limit; default 0.5um, or as the file says");
     command.add_flag("--allow-incomplete", arguments.allowsIncomplete,
                      "with --rules: exit code 0 also where a rule could not check everything");
     command.add_option("--below", arguments.below,

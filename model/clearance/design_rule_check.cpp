@@ -19,8 +19,6 @@ namespace {
 
 constexpr Nm kConcentric = 1000;  ///< holes this near to each other's middle are one hole, drilled twice
 
-constexpr double kRounding = 0.01;  ///< nm; distances are exact to a tenth of this
-
 bool areConcentric(const Box& a, const Box& b) {
     const auto twice = [](const Box& box) {
         return base::PointD{double{1} * box.min.x + box.max.x, double{1} * box.min.y + box.max.y};
@@ -74,7 +72,7 @@ private:
     }
 
     void add(std::size_t rule, LayerId layer, ElementId a, ElementId b, const Spacing& spacing) {
-        if (spacing.distance < m_table.rules[rule].least - kRounding) {
+        if (isBroken(m_table.rules[rule], m_table.tolerance, spacing.distance)) {
             m_report.findings.push_back({rule, layer, a, b, spacing, FindingReason::TooClose});
         }
     }

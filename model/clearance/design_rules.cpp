@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/base/units.h"
+#include "model/figures/distance.h"
 #include "model/text/json_text.h"
 
 namespace model {
@@ -79,6 +80,15 @@ base::Result<Rule> parseRule(const ordered_json& json, const RuleTable& table, s
     return rule;
 }
 
+base::Result<Nm> parseTolerance(const ordered_json& json) {
+    const ordered_json value = json.value("tolerance_um", ordered_json(kTolerance / base::kNmPerUm));
+    const double um = value.is_number() ? value.get<double>() : -1.0;
+    if (!(um >= 0 && um <= kMostTolerance / base::kNmPerUm)) {
+        return bad("\"tolerance_um\" must be a number from 0 to 10");
+    }
+    return static_cast<Nm>(std::lround(um * base::kNmPerUm));
+}
+
 }  // namespace
 
 const char* nameOf(RuleKind kind) {
@@ -97,6 +107,11 @@ std::string titleOf(const Rule& rule) {
         title += " between " + word(rule.classes[0]) + " and " + word(rule.classes[1]);
     }
     return title;
+}
+
+bool isBroken(const Rule& rule, Nm tolerance, double distance) {
+    constexpr double kRounding = 0.01;  // distances are exact to a tenth of this
+    return distance <= kTouchNm || distance < rule.least - std::max<double>(tolerance, kRounding);
 }
 
 RuleTable defaultRules() {
@@ -121,6 +136,7 @@ base::Result<RuleTable> parseRules(std::string_view text) {
         return bad("\"classes\" must be an object and \"rules\" a list");
     }
     RuleTable table;
+    ASSIGN_OR_RETURN(table.tolerance, parseTolerance(json));
     for (const auto& [name, nets] : classes.items()) {
         ASSIGN_OR_RETURN(NetClass netClass, parseClass(name, nets));
         table.classes.push_back(std::move(netClass));
@@ -151,7 +167,10 @@ std::string toJson(const RuleTable& table) {
         }
         rules.push_back(json);
     }
-    return jsonText({{kVersionKey, kVersion}, {"classes", classes}, {"rules", rules}});
+    return jsonText({{kVersionKey, kVersion},
+                     {"tolerance_um", table.tolerance / base::kNmPerUm},
+                     {"classes", classes},
+                     {"rules", rules}});
 }
 
 base::Result<RuleTable> readRules(const std::filesystem::path& path) {

@@ -45,12 +45,21 @@ struct Rule {
 /// "copper-copper between power and any net"
 [[nodiscard]] std::string titleOf(const Rule& rule);
 
+/// By how much a distance may be below its limit, if nothing else is said: jobs round coordinates and sizes apart.
+inline constexpr Nm kTolerance = 500;
+inline constexpr Nm kMostTolerance = 10'000;
+
 /// Of several rules of one kind that fit a pair of nets the last one holds.
 struct RuleTable {
     std::vector<NetClass> classes;
     std::vector<Rule> rules;
+    Nm tolerance = kTolerance;  ///< 0 to kMostTolerance
     bool operator==(const RuleTable&) const = default;
 };
+
+/// Does a distance (nm) break the rule? Less than the limit by more than the tolerance; what touches, overlaps or
+/// breaks out does in any case.
+[[nodiscard]] bool isBroken(const Rule& rule, Nm tolerance, double distance);
 
 inline constexpr std::size_t kMostNetClasses = 63;
 inline constexpr Nm kMostLeast = 100'000'000;  ///< nothing on a board is asked to stay a decimetre apart
@@ -61,10 +70,11 @@ inline constexpr Nm kMostLeast = 100'000'000;  ///< nothing on a board is asked 
 /// From JSON:
 ///
 ///     {"copperscope_rules": 1, "classes": {"power": ["VCC*", "GND"]},
+///      "tolerance_um": 0.5,
 ///      "rules": [{"kind": "copper-copper", "least_um": 100}, {"kind": "copper-copper", "least_um": 250,
 ///                 "between": ["power", ""], "on": false}]}
 ///
-/// A rule without "on" is on.
+/// A rule without "on" is on; without "tolerance_um" it is kTolerance.
 /// Errors: BadInput, saying what is wrong with which rule.
 [[nodiscard]] base::Result<RuleTable> parseRules(std::string_view json);
 [[nodiscard]] std::string toJson(const RuleTable& table);

@@ -129,7 +129,8 @@ std::string textOf(const RuleTable& table, const StepRules& found, std::size_t r
 }
 
 std::string textOf(const RuleTable& table, const StepRules& found, std::size_t most) {
-    std::string text = "step " + found.step->job.step + '\n';
+    std::string text =
+        "step " + found.step->job.step + formatted(", tolerance of limits %.3f um\n", micrometres(table.tolerance));
     for (std::size_t rule = 0; rule < table.rules.size(); ++rule) {
         text += textOf(table, found, rule, most);
     }
@@ -142,16 +143,17 @@ std::string textOf(const RuleTable& table, const StepRules& found, std::size_t m
 /// Findings, then a row for all that was not checked: without layer, sides and location.
 std::string csvOf(const RuleTable& table, const StepRules& found, std::size_t most) {
     const Document& step = *found.step;
+    const std::string end = formatted(",%.3f\n", micrometres(table.tolerance));
     std::string text;
     for (std::size_t row = 0; row < table.rules.size(); ++row) {
         const Rule& rule = table.rules[row];
         const std::string start = csvField(step.job.step) + ',' + csvField(titleOf(rule)) +
                                   formatted(",%.3f,", micrometres(static_cast<double>(rule.least)));
         for (const RuleFinding& f : findingsOf(found, row, most)) {
-            text += start + csvOf(step, f) + ',' + toString(Verdict::Failed) + ',' + toString(f.reason) + '\n';
+            text += start + csvOf(step, f) + ',' + toString(Verdict::Failed) + ',' + toString(f.reason) + end;
         }
         for (const std::string& unchecked : uncheckedOf(found.report, row)) {
-            text += start + ",,,,,,,," + toString(Verdict::Incomplete) + ',' + csvField(unchecked) + '\n';
+            text += start + ",,,,,,,," + toString(Verdict::Incomplete) + ',' + csvField(unchecked) + end;
         }
     }
     return text;
@@ -198,7 +200,10 @@ ordered_json jsonOf(const RuleTable& table, const StepRules& found, std::size_t 
     for (std::size_t row = 0; row < table.rules.size(); ++row) {
         rules.push_back(jsonOf(table, found, row, most));
     }
-    return {{"step", found.step->job.step}, {"rules", rules}, {"notes", found.report.notes}};
+    return {{"step", found.step->job.step},
+            {"tolerance_um", micrometres(table.tolerance)},
+            {"rules", rules},
+            {"notes", found.report.notes}};
 }
 
 /// All steps, each as one of the three has it.
@@ -237,7 +242,8 @@ std::string ruleReport(const RuleTable& table, std::span<const StepRules> steps,
                        std::size_t most) {
     return reportOf(
         steps, format,
-        "step,rule,least um,layer,clearance um,a,b,x mm on a,y mm on a,x mm on b,y mm on b,result,reason\n",
+        "step,rule,least um,layer,clearance um,a,b,x mm on a,y mm on a,x mm on b,y mm on b,result,reason,tolerance "
+        "um\n",
         [&](const StepRules& step) { return jsonOf(table, step, most); },
         [&](const StepRules& step) { return csvOf(table, step, most); },
         [&](const StepRules& step) { return textOf(table, step, most); });

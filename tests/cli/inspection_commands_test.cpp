@@ -52,6 +52,29 @@ private slots:
         QCOMPARE(copperscope({"clearance", locations::kSample, "--rules", "/nowhere.json"}).exitCode, 2);
     }
 
+    void limitsOfRulesHaveATolerance() {
+        QTemporaryDir folder;
+        QFile file(folder.filePath("rules.json"));
+        const Outcome all = copperscope({"clearance", locations::kSample, "--worst", "1", "--format", "json"});
+        const double narrowest =
+            QJsonDocument::fromJson(all.out)["steps"][0]["clearances"][0]["clearance_um"].toDouble();
+        file.open(QIODevice::WriteOnly);
+        file.write(R"({"copperscope_rules": 1, "rules": [{"kind": "copper-copper", "least_um": )" +
+                   QByteArray::number(narrowest + 0.4, 'f', 3) + "}]}");
+        file.close();
+        const auto check = [&](const QStringList& more) {
+            return copperscope(QStringList{"clearance", locations::kSample, "--rules", file.fileName()} + more);
+        };
+        const Outcome passed = check({});
+        QCOMPARE(passed.exitCode, 0);
+        QVERIFY2(passed.out.contains("tolerance of limits 0.500 um"), passed.out.constData());
+        QCOMPARE(check({"--tolerance", "0"}).exitCode, 4);
+        QCOMPARE(check({"--tolerance", "0.3um"}).exitCode, 4);
+        QCOMPARE(check({"--tolerance", "0.45um"}).exitCode, 0);
+        QCOMPARE(check({"--tolerance", "1mm"}).exitCode, 1);
+        QCOMPARE(check({"--tolerance", "apple"}).exitCode, 1);
+    }
+
     /// A rule that could not check something is no pass.
     void incompleteRulesTellABuildToo() {
         QTemporaryDir folder;

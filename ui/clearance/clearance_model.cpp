@@ -51,6 +51,12 @@ QString ClearanceModel::summary() const {
     if (!m_board) {
         return tr("No search yet");
     }
+    return m_rules.rules.empty() ? found()
+                                 : tr("%1; tolerance of limits %2")
+                                       .arg(found(), lengthText(static_cast<double>(m_rules.tolerance), unit()));
+}
+
+QString ClearanceModel::found() const {
     if (m_locations.empty()) {
         return m_rules.rules.empty() ? tr("Nothing found")
                : m_isComplete        ? tr("All rules pass")

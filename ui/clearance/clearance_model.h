@@ -35,10 +35,12 @@ public:
         model::RuleFinding found;
     };
     [[nodiscard]] const Location& location(int row) const { return m_locations[static_cast<std::size_t>(row)]; }
-    /// "12 locations, the smallest spacing 0.1 mm", or that no search was made yet.
+    /// "12 locations, the smallest spacing 0.1 mm", of rules with their tolerance, or that no search was made yet.
     [[nodiscard]] QString summary() const;
 
 private:
+    /// The summary without the tolerance.
+    [[nodiscard]] QString found() const;
     [[nodiscard]] int rows() const override { return static_cast<int>(m_locations.size()); }
     [[nodiscard]] Cell cell(int row, int column) const override;
 

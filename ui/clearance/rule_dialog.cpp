@@ -1,9 +1,11 @@
 #include "ui/clearance/rule_dialog.h"
 
 #include <QDialogButtonBox>
+#include <QFormLayout>
 #include <QGroupBox>
 #include <QHeaderView>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -55,6 +57,7 @@ RuleDialog::RuleDialog(const model::RuleTable& rules, std::vector<std::string> n
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
     auto* all = new QVBoxLayout(this);
     all->addWidget(rulesBox(), 3);
+    all->addWidget(toleranceRow());
     all->addWidget(classesBox(), 2);
     all->addWidget(m_hint);
     all->addWidget(buttons);
@@ -78,6 +81,21 @@ QWidget* RuleDialog::rulesBox() {
                                          {tr("&Remove rule"), [this] { removeRule(); }},
                                          {tr("Move &up"), [this] { moveRule(-1); }},
                                          {tr("Move &down"), [this] { moveRule(1); }}});
+}
+
+QWidget* RuleDialog::toleranceRow() {
+    auto* line = new QLineEdit(m_rules.tolerance());
+    line->setObjectName(QStringLiteral("tolerance"));
+    line->setToolTip(tr("How far a distance may be below its limit and still pass, 0 to 10 µm"));
+    auto* row = new QWidget;
+    auto* form = new QFormLayout(row);
+    form->setContentsMargins({});
+    form->addRow(tr("&Tolerance of limits"), line);
+    connect(line, &QLineEdit::editingFinished, this, [this, line] {
+        m_rules.setTolerance(line->text());
+        line->setText(m_rules.tolerance());
+    });
+    return row;
 }
 
 QWidget* RuleDialog::classesBox() {

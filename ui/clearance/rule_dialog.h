@@ -25,6 +25,7 @@ public:
 private:
     QWidget* rulesBox();
     QWidget* classesBox();
+    QWidget* toleranceRow();
     void addRule();
     void removeRule();
     void moveRule(int by);

@@ -21,8 +21,8 @@ QString anyNet() {
     return RuleModel::tr("any net");
 }
 
-/// None if the text is no length that a rule can have.
-std::optional<model::Nm> lengthOf(const QString& text, LengthUnit unit) {
+/// In nanometres; -1 if the text is no length.
+double nanometresOf(const QString& text, LengthUnit unit) {
     bool isNumber = false;
     const double bare = text.trimmed().toDouble(&isNumber) * nmPer(unit);
     double nm = bare;
@@ -30,6 +30,12 @@ std::optional<model::Nm> lengthOf(const QString& text, LengthUnit unit) {
         const base::Result<base::Nm> length = model::parseLength(text.trimmed().toStdString());
         nm = length ? static_cast<double>(*length) : -1.0;
     }
+    return nm;
+}
+
+/// None if the text is no length that a rule can have.
+std::optional<model::Nm> lengthOf(const QString& text, LengthUnit unit) {
+    const double nm = nanometresOf(text, unit);
     const bool isLeast = nm >= 0.5 && nm <= static_cast<double>(model::kMostLeast);
     return isLeast ? std::optional(static_cast<model::Nm>(std::lround(nm))) : std::nullopt;
 }
@@ -79,6 +85,23 @@ void RuleModel::change(model::RuleTable after) {
 bool RuleModel::refuse(const QString& why) {
     emit refused(why);
     return false;
+}
+
+bool RuleModel::setTolerance(const QString& text) {
+    const double nm = nanometresOf(text, unit());
+    if (!(nm >= 0 && nm <= static_cast<double>(model::kMostTolerance))) {
+        return refuse(tr("%1 is no tolerance: 0 to 10 um").arg(text));
+    }
+    model::RuleTable after = m_rules;
+    after.tolerance = static_cast<model::Nm>(std::lround(nm));
+    if (text != tolerance() && !(after == m_rules)) {  // what is shown is rounded
+        change(std::move(after));
+    }
+    return true;
+}
+
+QString RuleModel::tolerance() const {
+    return lengthText(static_cast<double>(m_rules.tolerance), unit());
 }
 
 void RuleModel::addRule() {

@@ -28,6 +28,11 @@ public:
     /// By rule; empty: not checked.
     void setResults(std::vector<RuleResult> results);
 
+    /// With a unit, or in the user's; false if it is none.
+    bool setTolerance(const QString& text);
+    /// "0.5 µm"
+    [[nodiscard]] QString tolerance() const;
+
     /// A rule between any nets, behind all others.
     void addRule();
     void removeRule(int row);

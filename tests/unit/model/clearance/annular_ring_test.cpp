@@ -97,7 +97,7 @@ private:
 
 RuleReport check(const model::Document& board, Nm least) {
     base::Progress progress;
-    return *model::checkRules(board, {{}, {{RuleKind::AnnularRing, least, {}}}}, progress);
+    return *model::checkRules(board, {{}, {{RuleKind::AnnularRing, least, {}}}, 0}, progress);
 }
 
 void verifyWidth(const AnnularRing& ring, double width) {

@@ -34,8 +34,10 @@ struct Board {
     NetId b = builder.addNet("B1");
 };
 
-RuleReport check(const model::Document& board, const RuleTable& table) {
+/// Without tolerance: to the nanometre.
+RuleReport check(const model::Document& board, RuleTable table) {
     base::Progress progress;
+    table.tolerance = 0;
     return *model::checkRules(board, table, progress);
 }
 
@@ -69,6 +71,27 @@ private slots:
         board.builder.addCircle({{300 * kUm, 0}, 200 * kUm, 0}, of(board.b));
         board.builder.addCircle({{150 * kUm, 0}, 50 * kUm, 0}, of(board.a));  // of one of both nets
         verifyNarrowest(*board.builder.finish(), RuleKind::CopperToCopper, 25 * kUm);
+    }
+
+    /// Half a micrometre by default; copper that touches has no clearance, however small the limit.
+    void limitsHaveATolerance() {
+        Board board;
+        board.builder.beginLayer(board.top);
+        board.builder.addCircle({{0, 0}, 200 * kUm, 0}, of(board.a));
+        board.builder.addCircle({{300 * kUm, 0}, 200 * kUm, 0}, of(board.b));  // 100 um apart
+        board.builder.addCircle({{0, 5000 * kUm}, 200 * kUm, 0}, of(board.builder.addNet("C")));
+        board.builder.addCircle({{200 * kUm, 5000 * kUm}, 200 * kUm, 0}, of(board.builder.addNet("D")));  // they touch
+        const auto document = board.builder.finish();
+        const auto count = [&](Nm least, Nm tolerance) {
+            base::Progress progress;
+            return model::checkRules(*document, {{}, {{RuleKind::CopperToCopper, least, {}}}, tolerance}, progress)
+                ->findings.size();
+        };
+        QCOMPARE(count(100'500, model::RuleTable{}.tolerance), std::size_t{1});
+        QCOMPARE(count(100'501, model::RuleTable{}.tolerance), std::size_t{2});
+        QCOMPARE(count(100'003, 3), std::size_t{1});
+        QCOMPARE(count(100'003, 2), std::size_t{2});
+        QCOMPARE(count(100, 500), std::size_t{1});
     }
 
     void theLastRuleThatFitsTheClassesHolds() {
@@ -312,6 +335,7 @@ private slots:
         table.rules.push_back({RuleKind::CopperToCopper, 123'456, {"power", "clk"}});
         table.rules.push_back({RuleKind::CopperToCopper, 200 * kUm, {"", "power"}});
         table.rules[2].isOn = false;
+        table.tolerance = 1250;
         const auto again = model::parseRules(model::toJson(table));
         QVERIFY2(again, again ? "" : again.error().text.c_str());
         QVERIFY(*again == table);
@@ -335,6 +359,8 @@ private slots:
         QTest::newRow("kind of class") << rules(R"({"kind": "hole-hole", "least_um": 1, "between": ["p", ""]})")
                                        << QByteArray("copper-copper");
         QTest::newRow("switch") << rules(R"({"kind": "hole-hole", "least_um": 1, "on": 2})") << QByteArray("\"on\"");
+        QTest::newRow("tolerance") << QByteArray(R"({"copperscope_rules": 1, "tolerance_um": 10.1, "rules": []})")
+                                   << QByteArray("tolerance_um");
         QTest::newRow("list") << QByteArray(R"({"copperscope_rules": 1, "classes": {"p": "V"}, "rules": []})")
                               << QByteArray("\"p\"");
         QTest::newRow("odd classes") << QByteArray(R"({"copperscope_rules": 1, "classes": 3, "rules": 4})")

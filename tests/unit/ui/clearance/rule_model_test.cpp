@@ -121,6 +121,19 @@ private slots:
         QCOMPARE(rules.rowCount(), 1);
     }
 
+    void theToleranceIsALengthOfAtMostTenMicrometres() {
+        RuleModel rules;
+        const QSignalSpy edited(&rules, &RuleModel::edited);
+        QVERIFY(rules.setTolerance(rules.tolerance()));
+        QCOMPARE(edited.count(), 0);
+        QVERIFY(rules.setTolerance("1.5 um"));
+        QCOMPARE(rules.rules().tolerance, model::Nm{1500});
+        QVERIFY(rules.setTolerance("0"));
+        QCOMPARE(rules.rules().tolerance, model::Nm{0});
+        QVERIFY(!rules.setTolerance("11 um") && !rules.setTolerance("apple") && !rules.setTolerance("-1"));
+        QCOMPARE(edited.count(), 2);
+    }
+
     void resultsAreForgottenByEveryEdit() {
         RuleModel rules;
         using model::Verdict;
