@@ -117,6 +117,13 @@ const DrillTool* toolFor(const std::vector<const DrillTool*>& tools, const Drill
     return best;
 }
 
+/// Of holes like this one, whose tool is set.
+HoleSpan spanOf(const Document& document, const Layer& layer, const DrillRow& hole) {
+    const HoleSpan span = layerSpan(document, layer);
+    const bool isPart = span == HoleSpan::Blind || span == HoleSpan::Buried;
+    return isPart && isMicro(document, layer, hole.tool, hole.diameter) ? HoleSpan::Micro : span;
+}
+
 }  // namespace
 
 const char* toString(HoleSpan span) {
@@ -157,13 +164,27 @@ std::vector<DrillRow> drillTable(const Document& document) {
         }
         for (auto& [key, row] : counted) {
             row.tool = row.diameter > 0 ? toolFor(tools, row) : nullptr;
-            row.span = layerSpan(document, layer);
-            const bool isPart = row.span == HoleSpan::Blind || row.span == HoleSpan::Buried;
-            row.span = isPart && isMicro(document, layer, row.tool, row.diameter) ? HoleSpan::Micro : row.span;
+            row.span = spanOf(document, layer, row);
             rows.push_back(row);
         }
     }
     return rows;
+}
+
+std::vector<bool> microviasOf(const Document& document) {
+    std::vector<bool> isMicrovia(document.elements.size());
+    for (std::size_t i = 0; i < document.layers.size(); ++i) {
+        const Layer& layer = document.layers[i];
+        const std::vector<const DrillTool*> tools = toolsOf(document, LayerId{i});
+        for (std::uint32_t e = layer.elements.first; e < layer.elements.first + layer.elements.count; ++e) {
+            if (isPlatedHole(document.elements.flags[e])) {
+                DrillRow hole = measured(document, e);
+                hole.tool = hole.diameter > 0 ? toolFor(tools, hole) : nullptr;
+                isMicrovia[e] = spanOf(document, layer, hole) == HoleSpan::Micro;
+            }
+        }
+    }
+    return isMicrovia;
 }
 
 std::vector<ElementId> holesOf(const Document& document, const DrillRow& row) {

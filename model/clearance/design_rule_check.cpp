@@ -8,7 +8,9 @@
 
 #include "model/clearance/annular_ring.h"
 #include "model/clearance/copper_owners.h"
+#include "model/clearance/drilled_away.h"
 #include "model/clearance/layer_geometry.h"
+#include "model/clearance/net_ties.h"
 #include "model/clearance/rule_choice.h"
 #include "model/clearance/unchecked_items.h"
 #include "model/figures/distance.h"
@@ -36,7 +38,13 @@ struct HoleRings {
 class Check {
 public:
     Check(const Document& document, const RuleTable& table, const CopperOwners& owners, base::Progress& progress)
-        : m_document(document), m_table(table), m_owners(owners), m_choice(document, table), m_progress(progress) {}
+        : m_document(document),
+          m_table(table),
+          m_owners(owners),
+          m_choice(document, table),
+          m_ties(document, owners, progress),
+          m_isAway(drilledAway(document)),
+          m_progress(progress) {}
 
     [[nodiscard]] RuleReport run() {
         m_report.counts.resize(m_table.rules.size());
@@ -86,8 +94,13 @@ private:
         }
     }
 
+    /// Copper that no NPTH takes away.
+    [[nodiscard]] ElementFilter isThere() const {
+        return [this](ElementId element) { return !m_isAway[element.row()]; };
+    }
+
     void checkCopper(LayerId layer) {
-        const LayerGeometry copper = copperGeometry(m_document, layer);
+        const LayerGeometry copper = copperGeometry(m_document, layer, isThere());
         checkNets(layer, copper);
         checkToHoles(layer);
         checkToEdge(layer, copper);
@@ -112,7 +125,8 @@ private:
         PairRequest request;
         request.reach = m_document.nets.empty() ? 0.0 : m_choice.reachOf(RuleKind::CopperToCopper);
         request.isWanted = [&](std::uint32_t a, std::uint32_t b) {
-            return areForeign(copper.elementOf(a), copper.elementOf(b)) && ruleOf(a, b);
+            return areForeign(copper.elementOf(a), copper.elementOf(b)) && ruleOf(a, b) &&
+                   !m_ties.joins(copper.elementOf(a), copper.elementOf(b));
         };
         request.groupOf = [&](std::uint32_t a, std::uint32_t b) {
             const auto [low, high] = std::minmax({m_owners.of(copper.elementOf(a)), m_owners.of(copper.elementOf(b))});
@@ -149,6 +163,11 @@ private:
         add(m_document.nets.empty() ? 0 : islands,
             " copper elements of no net, neither pads nor holes, are held against nets, not against each other");
         add(thin, " copper elements have no width and leave no copper");
+        add(static_cast<std::size_t>(std::ranges::count(m_isAway, true)),
+            " pads lie wholly within NPTHs, which take them away");
+        if (m_choice.reachOf(RuleKind::CopperToCopper) > 0) {
+            m_report.netTies = m_ties.ties();
+        }
     }
 
     /// The one of the lower net first, as in searches for clearances.
@@ -161,7 +180,7 @@ private:
         if (!rule) {
             return;
         }
-        const LayerGeometry copper = layerGeometry(m_document, layer);
+        const LayerGeometry copper = layerGeometry(m_document, layer, isThere());
         const LayerGeometry holes = holeGeometry(m_document, layer);
         PairRequest request;
         request.isWanted = [&](std::uint32_t a, std::uint32_t b) {
@@ -290,6 +309,8 @@ private:
     const RuleTable& m_table;
     const CopperOwners& m_owners;
     RuleChoice m_choice;
+    NetTies m_ties;
+    std::vector<bool> m_isAway;  ///< elements that NPTHs take away
     base::Progress& m_progress;
     std::map<ElementId, HoleRings> m_rings;
     RuleReport m_report;

@@ -130,9 +130,9 @@ LayerGeometry holeGeometry(const Document& document, LayerId layer) {
     return LayerGeometry(std::move(figures));
 }
 
-LayerGeometry layerGeometry(const Document& document, LayerId layer) {
+LayerGeometry layerGeometry(const Document& document, LayerId layer, const ElementFilter& isWanted) {
     FigureTable figures;
-    addLayer(figures, document, document.layer(layer), isAnyElement);
+    addLayer(figures, document, document.layer(layer), isWanted);
     return LayerGeometry(std::move(figures));
 }
 

@@ -42,7 +42,8 @@ using ElementFilter = std::function<bool(ElementId)>;
 /// Drilled and routed holes through a copper layer, plated or not, as wide as drilled.
 [[nodiscard]] LayerGeometry holeGeometry(const Document& document, LayerId layer);
 /// Everything on one layer.
-[[nodiscard]] LayerGeometry layerGeometry(const Document& document, LayerId layer);
+[[nodiscard]] LayerGeometry layerGeometry(const Document& document, LayerId layer,
+                                          const ElementFilter& isWanted = isAnyElement);
 /// The outline of the board (Document::profile) with its cut-outs, as lines.
 [[nodiscard]] LayerGeometry edgeGeometry(const Document& document);
 

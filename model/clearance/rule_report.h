@@ -40,10 +40,22 @@ struct Unchecked {
 /// "36 holes: layer drill does not say which copper layers it passes"
 [[nodiscard]] std::string textOf(const Unchecked& unchecked);
 
+/// Two nets that a component joins on purpose.
+struct NetTie {
+    ComponentId component;
+    LayerId layer;
+    NetId netA;  ///< the lower row
+    NetId netB;
+    bool operator==(const NetTie&) const = default;
+};
+/// "NT1 ties GND and AGND on TOP"
+[[nodiscard]] std::string textOf(const Document& step, const NetTie& tie);
+
 struct RuleReport {
     std::vector<RuleFinding> findings;  ///< by rule, then smallest first
     std::vector<std::size_t> counts;    ///< of findings by rule
     std::vector<Unchecked> unchecked;   ///< by rule
+    std::vector<NetTie> netTies;        ///< which are no shorts; empty if no rule is on between nets
     std::vector<std::string> notes;     ///< what is no fault, but good to know, in plain words
     [[nodiscard]] bool isPassed() const { return findings.empty(); }
     [[nodiscard]] bool isComplete() const { return unchecked.empty(); }

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "model/base/units.h"
+#include "model/clearance/side_names.h"
 #include "model/text/formatting.h"
 #include "model/text/json_text.h"
 
@@ -24,25 +25,44 @@ std::string padded(std::string text, std::size_t width) {
     return text;
 }
 
-std::string secondSideOf(const Document& step, const Clearance& clearance) {
-    return sideOf(step, clearance.b);
-}
-
 ordered_json inMm(PointD p) {
     return {base::toMm(p.x), base::toMm(p.y)};
 }
 
-/// From the layer on; of clearances and of findings of rules.
-template <class Found>
-std::string csvOf(const Document& step, const Found& f) {
-    return csvField(step.layer(f.layer).name) + formatted(",%.3f,", micrometres(f.spacing.distance)) +
-           csvField(sideOf(step, f.a)) + ',' + csvField(secondSideOf(step, f)) +
-           formatted(",%.6f,%.6f,%.6f,%.6f", base::toMm(f.spacing.from.x), base::toMm(f.spacing.from.y),
-                     base::toMm(f.spacing.to.x), base::toMm(f.spacing.to.y));
+/// A clearance as a finding of no rule.
+RuleFinding asFinding(const Clearance& c) {
+    return {0, c.layer, c.a, c.b, c.spacing};
 }
 
-template <class Found>
-ordered_json jsonOf(const Document& step, const Found& f) {
+std::string csvOf(const Side& side) {
+    const std::string element = side.element.isValid() ? std::to_string(side.element.value) : "";
+    return csvField(side.pin) + ',' + csvField(side.kind) + ',' + element;
+}
+
+/// From the layer on.
+std::string csvOf(const Document& step, const SideNames& names, const RuleFinding& f) {
+    const auto [a, b] = names.of(f);
+    return csvField(step.layer(f.layer).name) + formatted(",%.3f,", micrometres(f.spacing.distance)) + csvField(a.net) +
+           ',' + csvField(b.net) +
+           formatted(",%.6f,%.6f,%.6f,%.6f,", base::toMm(f.spacing.from.x), base::toMm(f.spacing.from.y),
+                     base::toMm(f.spacing.to.x), base::toMm(f.spacing.to.y)) +
+           csvOf(a) + ',' + csvOf(b);
+}
+
+ordered_json jsonOf(const Side& side) {
+    ordered_json json{{"net", side.net}};
+    if (!side.pin.empty()) {
+        json["pin"] = side.pin;
+    }
+    if (side.element.isValid()) {
+        json["kind"] = side.kind;
+        json["element"] = side.element.value;
+    }
+    return json;
+}
+
+ordered_json jsonOf(const Document& step, const SideNames& names, const RuleFinding& f) {
+    const auto [a, b] = names.of(f);
     ordered_json elements{f.a.value};
     if (f.b.isValid()) {
         elements.push_back(f.b.value);
@@ -50,8 +70,9 @@ ordered_json jsonOf(const Document& step, const Found& f) {
     return {{"clearance_um", micrometres(f.spacing.distance)},
             {"gap_um", micrometres(f.spacing.distance)},
             {"layer", step.layer(f.layer).name},
-            {"nets", {sideOf(step, f.a), secondSideOf(step, f)}},
+            {"nets", {a.net, b.net}},
             {"elements", elements},
+            {"sides", {jsonOf(a), jsonOf(b)}},
             {"from_mm", inMm(f.spacing.from)},
             {"to_mm", inMm(f.spacing.to)}};
 }
@@ -60,29 +81,33 @@ std::string textOf(const StepClearances& found) {
     const Document& step = *found.step;
     std::string text = "step " + step.job.step + ": " + std::to_string(found.clearances.size()) + " clearances\n";
     if (!found.clearances.empty()) {
-        text += formatted("%10s  %-20s %11s %11s  %-32s %s\n", "clear. um", "layer", "x mm", "y mm", "net", "net");
+        text += formatted("%10s  %-20s %11s %11s  %-48s %s\n", "clear. um", "layer", "x mm", "y mm", "one side",
+                          "other side");
     }
+    const SideNames names(step);
     for (const Clearance& c : found.clearances) {
         text += formatted("%10.3f  ", micrometres(c.spacing.distance)) + padded(step.layer(c.layer).name, 20) +
                 formatted(" %11.4f %11.4f  ", base::toMm(c.spacing.from.x), base::toMm(c.spacing.from.y)) +
-                padded(sideOf(step, c.a), 32) + ' ' + sideOf(step, c.b) + '\n';
+                padded(textOf(names.of(c.a)), 48) + ' ' + textOf(names.of(c.b)) + '\n';
     }
     return text;
 }
 
 std::string csvOf(const StepClearances& found) {
     const Document& step = *found.step;
+    const SideNames names(step);
     std::string text;
     for (const Clearance& c : found.clearances) {
-        text += csvField(step.job.step) + ',' + csvOf(step, c) + '\n';
+        text += csvField(step.job.step) + ',' + csvOf(step, names, asFinding(c)) + '\n';
     }
     return text;
 }
 
 ordered_json jsonOf(const StepClearances& found) {
+    const SideNames names(*found.step);
     ordered_json list = ordered_json::array();
     for (const Clearance& c : found.clearances) {
-        list.push_back(jsonOf(*found.step, c));
+        list.push_back(jsonOf(*found.step, names, asFinding(c)));
     }
     return {{"step", found.step->job.step}, {"clearances", list}};
 }
@@ -106,14 +131,16 @@ std::vector<std::string> uncheckedOf(const RuleReport& report, std::size_t rule)
     return texts;
 }
 
-std::string textOf(const Document& step, const RuleFinding& f) {
+std::string textOf(const Document& step, const SideNames& names, const RuleFinding& f) {
+    const auto [a, b] = names.of(f);
     const std::string reason = toString(f.reason);
     return formatted("  %10.3f um  ", micrometres(f.spacing.distance)) + padded(step.layer(f.layer).name, 20) +
            formatted(" %11.4f %11.4f mm  ", base::toMm(f.spacing.from.x), base::toMm(f.spacing.from.y)) +
-           padded(sideOf(step, f.a), 28) + ' ' + secondSideOf(step, f) + (reason.empty() ? "" : "  " + reason) + '\n';
+           padded(textOf(a), 48) + ' ' + textOf(b) + (reason.empty() ? "" : "  " + reason) + '\n';
 }
 
-std::string textOf(const RuleTable& table, const StepRules& found, std::size_t rule, std::size_t most) {
+std::string textOf(const RuleTable& table, const StepRules& found, const SideNames& names, std::size_t rule,
+                   std::size_t most) {
     const std::size_t count = found.report.counts[rule];
     std::string text =
         padded(toString(verdictOf(table, found.report, rule)), 12) + titleOf(table.rules[rule]) +
@@ -123,7 +150,7 @@ std::string textOf(const RuleTable& table, const StepRules& found, std::size_t r
         text += "            not checked: " + unchecked + '\n';
     }
     for (const RuleFinding& f : findingsOf(found, rule, most)) {
-        text += textOf(*found.step, f);
+        text += textOf(*found.step, names, f);
     }
     return text;
 }
@@ -131,8 +158,12 @@ std::string textOf(const RuleTable& table, const StepRules& found, std::size_t r
 std::string textOf(const RuleTable& table, const StepRules& found, std::size_t most) {
     std::string text =
         "step " + found.step->job.step + formatted(", tolerance of limits %.3f um\n", micrometres(table.tolerance));
+    const SideNames names(*found.step);
     for (std::size_t rule = 0; rule < table.rules.size(); ++rule) {
-        text += textOf(table, found, rule, most);
+        text += textOf(table, found, names, rule, most);
+    }
+    for (const NetTie& tie : found.report.netTies) {
+        text += "net tie: " + textOf(*found.step, tie) + '\n';
     }
     for (const std::string& note : found.report.notes) {
         text += "note: " + note + '\n';
@@ -143,6 +174,7 @@ std::string textOf(const RuleTable& table, const StepRules& found, std::size_t m
 /// Findings, then a row for all that was not checked: without layer, sides and location.
 std::string csvOf(const RuleTable& table, const StepRules& found, std::size_t most) {
     const Document& step = *found.step;
+    const SideNames names(step);
     const std::string end = formatted(",%.3f\n", micrometres(table.tolerance));
     std::string text;
     for (std::size_t row = 0; row < table.rules.size(); ++row) {
@@ -150,10 +182,10 @@ std::string csvOf(const RuleTable& table, const StepRules& found, std::size_t mo
         const std::string start = csvField(step.job.step) + ',' + csvField(titleOf(rule)) +
                                   formatted(",%.3f,", micrometres(static_cast<double>(rule.least)));
         for (const RuleFinding& f : findingsOf(found, row, most)) {
-            text += start + csvOf(step, f) + ',' + toString(Verdict::Failed) + ',' + toString(f.reason) + end;
+            text += start + csvOf(step, names, f) + ',' + toString(Verdict::Failed) + ',' + toString(f.reason) + end;
         }
         for (const std::string& unchecked : uncheckedOf(found.report, row)) {
-            text += start + ",,,,,,,," + toString(Verdict::Incomplete) + ',' + csvField(unchecked) + end;
+            text += start + ",,,,,,,,,,,,,," + toString(Verdict::Incomplete) + ',' + csvField(unchecked) + end;
         }
     }
     return text;
@@ -163,15 +195,16 @@ ordered_json jsonOf(const Unchecked& unchecked) {
     return {{"count", unchecked.count}, {"items", unchecked.what}, {"reason", unchecked.why}};
 }
 
-ordered_json ruleJson(const Document& step, const RuleFinding& finding) {
-    ordered_json json = jsonOf(step, finding);
+ordered_json ruleJson(const Document& step, const SideNames& names, const RuleFinding& finding) {
+    ordered_json json = jsonOf(step, names, finding);
     if (finding.reason != FindingReason::TooClose) {
         json["reason"] = toString(finding.reason);
     }
     return json;
 }
 
-ordered_json jsonOf(const RuleTable& table, const StepRules& found, std::size_t row, std::size_t most) {
+ordered_json jsonOf(const RuleTable& table, const StepRules& found, const SideNames& names, std::size_t row,
+                    std::size_t most) {
     const Rule& rule = table.rules[row];
     const Verdict verdict = verdictOf(table, found.report, row);
     ordered_json json{{"rule", titleOf(rule)}, {"least_um", micrometres(static_cast<double>(rule.least))}};
@@ -190,19 +223,32 @@ ordered_json jsonOf(const RuleTable& table, const StepRules& found, std::size_t 
     }
     json["findings"] = ordered_json::array();
     for (const RuleFinding& f : findingsOf(found, row, most)) {
-        json["findings"].push_back(ruleJson(*found.step, f));
+        json["findings"].push_back(ruleJson(*found.step, names, f));
     }
     return json;
 }
 
+ordered_json tiesJson(const StepRules& found) {
+    ordered_json list = ordered_json::array();
+    for (const NetTie& tie : found.report.netTies) {
+        const Document& step = *found.step;
+        list.push_back({{"component", step.components[tie.component.row()].refdes},
+                        {"nets", {step.nets[tie.netA.row()].name, step.nets[tie.netB.row()].name}},
+                        {"layer", step.layer(tie.layer).name}});
+    }
+    return list;
+}
+
 ordered_json jsonOf(const RuleTable& table, const StepRules& found, std::size_t most) {
     ordered_json rules = ordered_json::array();
+    const SideNames names(*found.step);
     for (std::size_t row = 0; row < table.rules.size(); ++row) {
-        rules.push_back(jsonOf(table, found, row, most));
+        rules.push_back(jsonOf(table, found, names, row, most));
     }
     return {{"step", found.step->job.step},
             {"tolerance_um", micrometres(table.tolerance)},
             {"rules", rules},
+            {"net_ties", tiesJson(found)},
             {"notes", found.report.notes}};
 }
 
@@ -233,7 +279,9 @@ std::optional<ReportFormat> reportFormatOf(std::string_view name) {
 
 std::string clearanceReport(std::span<const StepClearances> steps, ReportFormat format) {
     return reportOf(
-        steps, format, "step,layer,clearance um,net a,net b,x mm on a,y mm on a,x mm on b,y mm on b\n",
+        steps, format,
+        "step,layer,clearance um,net a,net b,x mm on a,y mm on a,x mm on b,y mm on b,pin a,kind a,element a,pin b,kind "
+        "b,element b\n",
         [](const StepClearances& step) { return jsonOf(step); }, [](const StepClearances& step) { return csvOf(step); },
         [](const StepClearances& step) { return textOf(step); });
 }
@@ -242,7 +290,8 @@ std::string ruleReport(const RuleTable& table, std::span<const StepRules> steps,
                        std::size_t most) {
     return reportOf(
         steps, format,
-        "step,rule,least um,layer,clearance um,a,b,x mm on a,y mm on a,x mm on b,y mm on b,result,reason,tolerance "
+        "step,rule,least um,layer,clearance um,a,b,x mm on a,y mm on a,x mm on b,y mm on b,pin a,kind a,element a,pin "
+        "b,kind b,element b,result,reason,tolerance "
         "um\n",
         [&](const StepRules& step) { return jsonOf(table, step, most); },
         [&](const StepRules& step) { return csvOf(table, step, most); },

@@ -20,8 +20,8 @@ ClearanceModel::ClearanceModel(QObject* parent)
     : TableModel({{tr("Spacing"), tr("How far apart; 0: they touch or overlap"), kNumber},
                   {tr("Rule"), tr("The rule that is broken there")},
                   {tr("Layer"), tr("Where it is")},
-                  {tr("First"), tr("The net of the one side")},
-                  {tr("Second"), tr("The net of the other side")},
+                  {tr("First"), tr("The one side: net, pin, what it is, and the number of its element")},
+                  {tr("Second"), tr("The other side: net, pin, what it is, and the number of its element")},
                   {tr("X"), tr("Where it is, in the coordinates of the step"), kNumber},
                   {tr("Y"), tr("Where it is, in the coordinates of the step"), kNumber},
                   {tr("Step"), tr("The step it is on; seen in all its copies")}},
@@ -35,9 +35,11 @@ void ClearanceModel::setSpacings(std::shared_ptr<const model::Document> board, s
     m_rules = std::move(rules);
     m_isComplete = isComplete;
     m_locations.clear();
+    m_names.assign(m_tree.steps.size(), nullptr);
     for (const StepSpacings& step : spacings) {
         const auto at = std::ranges::find_if(m_tree.steps, [&](const auto& known) { return &*known == step.step; });
         const auto row = static_cast<std::uint32_t>(at - m_tree.steps.begin());
+        m_names[row] = step.names;
         for (const model::RuleFinding& found : step.locations) {
             m_locations.push_back({row, found});
         }
@@ -76,8 +78,8 @@ Cell ClearanceModel::cell(int row, int column) const {
         case Spacing: return length(found.spacing.distance);
         case Rule: return m_rules.rules.empty() ? Cell{QString()} : text(titleOf(m_rules.rules[found.rule], found));
         case Layer: return text(step.layer(found.layer).name);
-        case First: return text(model::sideOf(step, found.a));
-        case Second: return text(model::secondSideOf(step, found));
+        case First: return text(model::textOf(m_names[location(row).step]->of(found).first));
+        case Second: return text(model::textOf(m_names[location(row).step]->of(found).second));
         case X: return length(found.spacing.from.x);
         case Y: return length(found.spacing.from.y);
         default: return text(step.job.step);

@@ -5,7 +5,7 @@
 
 #include "model/board/copies.h"
 #include "model/clearance/clearance.h"
-#include "model/clearance/design_rule_check.h"
+#include "model/clearance/side_names.h"
 #include "ui/common/table_model.h"
 
 namespace ui {
@@ -14,6 +14,7 @@ namespace ui {
 struct StepSpacings {
     const model::Document* step = nullptr;  ///< the board or a step that it places
     std::vector<model::RuleFinding> locations;
+    std::shared_ptr<const model::SideNames> names;  ///< of the step
 };
 
 /// Small clearances of a board as a table, the smallest first: what a search for clearances or a check of rules found.
@@ -48,6 +49,7 @@ private:
     model::StepTree m_tree;
     model::RuleTable m_rules;
     bool m_isComplete = true;
+    std::vector<std::shared_ptr<const model::SideNames>> m_names;  ///< by step of the tree
     std::vector<Location> m_locations;
 };
 

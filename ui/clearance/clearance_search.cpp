@@ -22,10 +22,14 @@ base::Status checkRules(const Document& step, const ClearanceRequest& request, b
         answer.notes.push_back(start + "not checked: " + model::titleOf(request.rules.rules[unchecked.rule]) + ": " +
                                model::textOf(unchecked));
     }
+    for (const model::NetTie& tie : report.netTies) {
+        answer.notes.push_back(start + "net tie: " + model::textOf(step, tie));
+    }
     for (const std::string& note : report.notes) {
         answer.notes.push_back(start + note);
     }
     answer.rules.push_back({&step, std::move(report)});
+    answer.names.push_back(std::make_shared<const model::SideNames>(step));
     return base::Done{};
 }
 
@@ -38,6 +42,7 @@ base::Status measure(const Document& step, const ClearanceRequest& request, base
     ASSIGN_OR_RETURN(std::vector<model::Clearance> clearances,
                      model::smallestClearances(step, request.question, progress));
     answer.clearances.push_back({&step, std::move(clearances)});
+    answer.names.push_back(std::make_shared<const model::SideNames>(step));
     return base::Done{};
 }
 
@@ -58,17 +63,17 @@ Result<ClearanceResult> searchClearances(const Document& board, const ClearanceR
 }
 
 std::vector<StepSpacings> spacingsOf(const ClearanceResult& answer) {
-    std::vector<StepSpacings> gaps;
+    std::vector<StepSpacings> found;
     for (const model::StepRules& step : answer.rules) {
-        gaps.push_back({step.step, step.report.findings});
+        found.push_back({step.step, step.report.findings, answer.names[found.size()]});
     }
     for (const model::StepClearances& step : answer.clearances) {
-        gaps.push_back({step.step, {}});
+        found.push_back({step.step, {}, answer.names[found.size()]});
         for (const model::Clearance& c : step.clearances) {
-            gaps.back().locations.push_back({0, c.layer, c.a, c.b, c.spacing});
+            found.back().locations.push_back({0, c.layer, c.a, c.b, c.spacing});
         }
     }
-    return gaps;
+    return found;
 }
 
 std::vector<RuleResult> resultsOf(const model::RuleTable& rules, const ClearanceResult& answer) {

@@ -17,6 +17,7 @@ struct ClearanceRequest {
 struct ClearanceResult {
     std::vector<model::StepClearances> clearances;
     std::vector<model::StepRules> rules;
+    std::vector<std::shared_ptr<const model::SideNames>> names;  ///< of the steps of the one that is not empty
     std::vector<std::string> notes;  ///< what was not measured or checked, and what is good to know, in plain words
 };
 [[nodiscard]] std::vector<StepSpacings> spacingsOf(const ClearanceResult& answer);

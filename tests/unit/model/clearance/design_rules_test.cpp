@@ -7,6 +7,7 @@
 #include "model/base/parallel.h"
 #include "model/board/document_builder.h"
 #include "model/clearance/design_rule_check.h"
+#include "model/clearance/side_names.h"
 #include "model/export/clearance_export.h"
 #include "tests/unit/model/hand_made.h"
 
@@ -32,6 +33,7 @@ struct Board {
     LayerId drill = addDrill(builder, top, bottom);
     NetId a = builder.addNet("A");
     NetId b = builder.addNet("B1");
+    std::uint32_t pins = 0;  ///< added by addPart
 };
 
 /// Without tolerance: to the nanometre.
@@ -43,6 +45,29 @@ RuleReport check(const model::Document& board, RuleTable table) {
 
 RuleReport check(const model::Document& board, RuleKind kind, Nm least) {
     return check(board, RuleTable{{}, {{kind, least, {}}}});
+}
+
+struct PadAt {
+    NetId net;
+    model::Point at;
+};
+
+/// A component with pads of 100 um on the layer that was begun, a pin each.
+void addPart(Board& board, model::Component part, const std::vector<PadAt>& pads) {
+    std::vector<model::Pin> pins;
+    for (const PadAt& pad : pads) {
+        model::Pin pin;
+        pin.net = pad.net;
+        pin.position = pad.at;
+        pin.name = board.builder.string(std::to_string(pins.size() + 1));
+        pins.push_back(pin);
+    }
+    board.builder.addComponent(std::move(part), pins);
+    for (const PadAt& pad : pads) {
+        DocumentBuilder::Origin origin = of(pad.net, model::kPad);
+        origin.subnet = board.builder.addSubnet({pad.net, model::SubnetKind::PinPads, model::PinId{board.pins++}});
+        board.builder.addCircle({pad.at, 100 * kUm, 0}, origin);
+    }
 }
 
 constexpr int kBare = model::kHole;
@@ -298,6 +323,92 @@ private slots:
         QCOMPARE(model::sideOf(*document, {}), std::string("(board edge)"));
     }
 
+    /// Pads of the size of an NPTH, or smaller, are no copper: a note, and no location of any rule.
+    void padsThatNpthsTakeAwayAreNoCopper() {
+        Board board;
+        board.builder.beginLayer(board.top);
+        board.builder.addCircle({{0, 0}, 300 * kUm, 0}, of({}, model::kPad));                // as large
+        board.builder.addCircle({{5000 * kUm, 0}, 200 * kUm, 0}, of(board.b, model::kPad));  // smaller
+        board.builder.addCircle({{200 * kUm, 0}, 20 * kUm, 0}, of(board.a));            // 40 um from the first hole
+        board.builder.addCircle({{9000 * kUm, 0}, 310 * kUm, 0}, of({}, model::kPad));  // 5 um of it stay
+        board.builder.beginLayer(board.drill);
+        for (const Nm x : {0, 5000 * kUm, 9000 * kUm}) {
+            board.builder.addCircle({{x, 0}, 300 * kUm, 0}, of({}, kBare));
+        }
+        const auto document = board.builder.finish();
+        const RuleReport report = check(*document, RuleKind::CopperToHole, 50 * kUm);
+        QCOMPARE(report.findings.size(), std::size_t{2});
+        QCOMPARE(report.findings[0].a.value, 3U);
+        QCOMPARE(report.findings[1].a.value, 2U);
+        QVERIFY(std::ranges::count(report.notes, "2 pads lie wholly within NPTHs, which take them away") == 1);
+        QVERIFY(check(*document, RuleKind::CopperToCopper, 50 * kUm).isPassed());
+    }
+
+    void netTies_data() {
+        QTest::addColumn<QString>("what");
+        QTest::addColumn<int>("shorts");
+        QTest::addColumn<int>("ties");
+        QTest::newRow("pads of one component") << "one component" << 0 << 1;
+        QTest::newRow("pads of two components") << "two components" << 1 << 0;
+        QTest::newRow("joined by copper without a net") << "bridge" << 0 << 1;
+        QTest::newRow("tracks beside it") << "tracks" << 1 << 1;
+        QTest::newRow("a component that says so") << "declared" << 0 << 1;
+    }
+    void netTies() {
+        QFETCH(QString, what);
+        QFETCH(int, shorts);
+        QFETCH(int, ties);
+        Board board;
+        model::Component part;
+        part.refdes = "X1";
+        part.part = what == "declared" ? "Net-Tie 2" : "R0";
+        const Nm second = what == "bridge" || what == "declared" ? 500 * kUm : 90 * kUm;
+        board.builder.beginLayer(board.top);
+        if (what == "two components") {
+            addPart(board, part, {{board.a, {0, 0}}});
+            addPart(board, part, {{board.b, {second, 0}}});
+        } else {
+            addPart(board, part, {{board.a, {0, 0}}, {board.b, {second, 0}}});
+        }
+        if (what == "bridge") {
+            board.builder.addLine({{0, 0}, {second, 0}, 50 * kUm, 0}, of({}));
+        } else if (what == "declared") {
+            board.builder.addLine({{0, 0}, {second, 0}, 50 * kUm, 0}, of(board.a));
+        } else if (what == "tracks") {
+            board.builder.addLine({{0, 5000 * kUm}, {0, 6000 * kUm}, 50 * kUm, 0}, of(board.a));
+            board.builder.addLine({{0, 6000 * kUm}, {0, 7000 * kUm}, 50 * kUm, 0}, of(board.b));
+        }
+        const auto document = board.builder.finish();
+        const RuleReport report = check(*document, RuleKind::CopperToCopper, 50 * kUm);
+        QCOMPARE(report.findings.size(), static_cast<std::size_t>(shorts));
+        QCOMPARE(report.netTies.size(), static_cast<std::size_t>(ties));
+        if (ties > 0) {
+            QCOMPARE(model::textOf(*document, report.netTies[0]), std::string("X1 ties A and B1 on top"));
+        }
+    }
+
+    void sidesAreToldApart() {
+        Board board;
+        model::Component part;
+        part.refdes = "U5";
+        board.builder.beginLayer(board.top);
+        addPart(board, part, {{board.a, {0, 0}}});
+        board.builder.addLine({{0, 0}, {0, kMm}, 50 * kUm, 0}, of(board.b));
+        board.builder.beginLayer(board.drill);
+        board.builder.addCircle({{0, 0}, 300 * kUm, 0}, of({}, kBare));
+        board.builder.addLine({{5 * kMm, 0}, {5 * kMm, kMm}, 300 * kUm, 100 * kUm}, of(board.a, kWall));
+        board.builder.addCircle({{9 * kMm, 0}, 300 * kUm, 200 * kUm}, of(board.a, kWall | model::kVia));
+        const auto document = board.builder.finish();
+        const model::SideNames names(*document);
+        const auto text = [&](std::uint32_t element) { return model::textOf(names.of(ElementId{element})); };
+        QCOMPARE(text(0), std::string("A, U5.1, pad, element 0"));
+        QCOMPARE(text(1), std::string("B1, track, element 1"));
+        QCOMPARE(text(2), std::string("(no net), NPTH, element 2"));
+        QCOMPARE(text(3), std::string("A, plated slot, element 3"));
+        QCOMPARE(text(4), std::string("A, via, element 4"));
+        QCOMPARE(model::textOf(names.of(ElementId{})), std::string("(board edge)"));
+    }
+
     /// What the reports of a step say, in all formats.
     void reportsNameEveryRuleAndPlace() {
         Board board;
@@ -312,7 +423,7 @@ private slots:
         const model::StepRules steps[] = {{document.get(), check(*document, table)}};
         const std::string text = model::ruleReport(table, steps, model::ReportFormat::Text, 9);
         for (const char* word : {"FAIL        copper-copper, at least 120.0 um: 1 location\n", "pass        hole-hole",
-                                 "off         copper-hole", "   100.000 um  top ", "A  "}) {
+                                 "off         copper-hole", "   100.000 um  top ", "A, dot, element 0 "}) {
             QVERIFY2(text.find(word) != std::string::npos, (text + word).c_str());
         }
         const auto lines = [](const std::string& csv) { return std::ranges::count(csv, '\n'); };
