@@ -44,11 +44,15 @@ public:
           m_choice(document, table),
           m_ties(document, owners, progress),
           m_isAway(drilledAway(document)),
+          m_holes(holeClassesOf(document)),
           m_progress(progress) {}
 
     [[nodiscard]] RuleReport run() {
         m_report.counts.resize(m_table.rules.size());
         m_report.unchecked = uncheckedItems(m_document, m_table, m_choice);
+        for (std::size_t rule = 0; rule < m_table.rules.size(); ++rule) {
+            m_report.unused.push_back(m_table.rules[rule].isOn ? m_choice.whyUnused(rule, m_holes) : "");
+        }
         for (std::size_t row = 0; row < m_document.layers.size() && !m_progress.isCancelled(); ++row) {
             const LayerId layer{row};
             if (m_document.layers[row].isCopper()) {
@@ -82,15 +86,6 @@ private:
     void add(std::size_t rule, LayerId layer, ElementId a, ElementId b, const Spacing& spacing) {
         if (isBroken(m_table.rules[rule], m_table.tolerance, spacing.distance)) {
             m_report.findings.push_back({rule, layer, a, b, spacing, FindingReason::TooClose});
-        }
-    }
-
-    /// Adds the closest pairs that break a rule.
-    void addPairs(std::size_t rule, LayerId layer, const LayerGeometry& a, const LayerGeometry& b,
-                  PairRequest request) {
-        request.reach = m_table.rules[rule].least;
-        for (const FigurePair& pair : closestPairs(a, b, request, m_progress)) {
-            add(rule, layer, a.elementOf(pair.a), b.elementOf(pair.b), pair.spacing);
         }
     }
 
@@ -175,44 +170,63 @@ private:
         return m_owners.of(b) < m_owners.of(a) ? std::pair(b, a) : std::pair(a, b);
     }
 
+    [[nodiscard]] std::optional<std::size_t> ruleOf(RuleKind kind, ElementId hole) const {
+        return m_choice.of(kind, m_holes[hole.row()]);
+    }
+
     void checkToHoles(LayerId layer) {
-        const auto rule = m_choice.of(RuleKind::CopperToHole);
-        if (!rule) {
-            return;
-        }
         const LayerGeometry copper = layerGeometry(m_document, layer, isThere());
         const LayerGeometry holes = holeGeometry(m_document, layer);
         PairRequest request;
+        request.reach = m_choice.reachOf(RuleKind::CopperToHole);
         request.isWanted = [&](std::uint32_t a, std::uint32_t b) {
             const ElementId hole = holes.elementOf(b);
             const bool isPlated = isPlatedHole(m_document.elements.flags[hole.row()]);
-            return !isPlated || m_owners.of(copper.elementOf(a)) != m_owners.of(hole);
+            return ruleOf(RuleKind::CopperToHole, hole) &&
+                   (!isPlated || m_owners.of(copper.elementOf(a)) != m_owners.of(hole));
         };
-        addPairs(*rule, layer, copper, holes, request);
+        if (request.reach <= 0) {
+            return;
+        }
+        for (const FigurePair& pair : closestPairs(copper, holes, request, m_progress)) {
+            const ElementId hole = holes.elementOf(pair.b);
+            add(*ruleOf(RuleKind::CopperToHole, hole), layer, copper.elementOf(pair.a), hole, pair.spacing);
+        }
     }
 
     void checkToEdge(LayerId layer, const LayerGeometry& copper) {
         const auto rule = m_choice.of(RuleKind::CopperToEdge);
         if (rule && m_document.profile.isValid()) {
-            addPairs(*rule, layer, copper, edgeGeometry(m_document), {});
+            const LayerGeometry edge = edgeGeometry(m_document);
+            PairRequest request;
+            request.reach = m_table.rules[*rule].least;
+            for (const FigurePair& pair : closestPairs(copper, edge, request, m_progress)) {
+                add(*rule, layer, copper.elementOf(pair.a), edge.elementOf(pair.b), pair.spacing);
+            }
         }
     }
 
     void checkRings(LayerId layer) {
-        const auto rule = m_choice.of(RuleKind::AnnularRing);
-        if (!rule) {
+        const double reach = m_choice.reachOf(RuleKind::AnnularRing);
+        if (reach <= 0) {
             return;
         }
-        for (const AnnularRing& ring : annularRings(m_document, layer, m_table.rules[*rule].least)) {
-            HoleRings& rings = m_rings[ring.hole];
-            rings.first = rings.first.isValid() ? rings.first : layer;
-            rings.hasCopper = rings.hasCopper || ring.ring.state != RingState::Apart;
-            if (ring.ring.state == RingState::Removed && !rings.removed) {
-                rings.removed =
-                    RuleFinding{*rule, layer, ring.hole, ring.pad, middleOf(ring.hole), FindingReason::PadRemoved};
-            } else if (ring.ring.state == RingState::BreaksOut || ring.ring.state == RingState::Around) {
-                add(*rule, layer, ring.hole, ring.pad, ring.ring.width);
+        for (const AnnularRing& ring : annularRings(m_document, layer, reach)) {
+            if (const auto rule = ruleOf(RuleKind::AnnularRing, ring.hole)) {
+                checkRing(*rule, layer, ring);
             }
+        }
+    }
+
+    void checkRing(std::size_t rule, LayerId layer, const AnnularRing& ring) {
+        HoleRings& rings = m_rings[ring.hole];
+        rings.first = rings.first.isValid() ? rings.first : layer;
+        rings.hasCopper = rings.hasCopper || ring.ring.state != RingState::Apart;
+        if (ring.ring.state == RingState::Removed && !rings.removed) {
+            rings.removed =
+                RuleFinding{rule, layer, ring.hole, ring.pad, middleOf(ring.hole), FindingReason::PadRemoved};
+        } else if (ring.ring.state == RingState::BreaksOut || ring.ring.state == RingState::Around) {
+            add(rule, layer, ring.hole, ring.pad, ring.ring.width);
         }
     }
 
@@ -227,8 +241,12 @@ private:
             if (rings.removed) {
                 m_report.findings.push_back(*rings.removed);
             } else if (!rings.hasCopper) {
-                m_report.findings.push_back(
-                    {*m_choice.of(RuleKind::AnnularRing), rings.first, hole, {}, middleOf(hole), FindingReason::NoPad});
+                m_report.findings.push_back({*ruleOf(RuleKind::AnnularRing, hole),
+                                             rings.first,
+                                             hole,
+                                             {},
+                                             middleOf(hole),
+                                             FindingReason::NoPad});
             }
         }
     }
@@ -273,10 +291,9 @@ private:
     }
 
     void checkHoles() {
-        const auto rule = m_choice.of(RuleKind::HoleToHole);
-        if (!rule) {
-            return;
-        }
+        const auto ruleOf = [&](ElementId a, ElementId b) {
+            return m_choice.between(m_holes[a.row()], m_holes[b.row()]);
+        };
         FigureTable figures;
         for (const Layer& layer : m_document.layers) {
             for (std::uint32_t i = layer.elements.first; i < layer.elements.first + layer.elements.count; ++i) {
@@ -287,11 +304,17 @@ private:
         }
         const LayerGeometry holes(std::move(figures));
         PairRequest request;
-        request.reach = m_table.rules[*rule].least;
-        request.isWanted = [&](std::uint32_t a, std::uint32_t b) { return areApart(holes, a, b); };
+        request.reach = m_choice.reachOf(RuleKind::HoleToHole);
+        request.isWanted = [&](std::uint32_t a, std::uint32_t b) {
+            return areApart(holes, a, b) && ruleOf(holes.elementOf(a), holes.elementOf(b));
+        };
+        if (request.reach <= 0) {
+            return;
+        }
         for (const FigurePair& pair : closestPairs(holes, holes, request, m_progress)) {
-            const ElementId hole = holes.elementOf(pair.a);
-            add(*rule, m_document.elements.layer[hole.row()], hole, holes.elementOf(pair.b), pair.spacing);
+            const ElementId a = holes.elementOf(pair.a);
+            const ElementId b = holes.elementOf(pair.b);
+            add(*ruleOf(a, b), m_document.elements.layer[a.row()], a, b, pair.spacing);
         }
     }
 
@@ -310,7 +333,8 @@ private:
     const CopperOwners& m_owners;
     RuleChoice m_choice;
     NetTies m_ties;
-    std::vector<bool> m_isAway;  ///< elements that NPTHs take away
+    std::vector<bool> m_isAway;      ///< elements that NPTHs take away
+    std::vector<HoleClass> m_holes;  ///< by element
     base::Progress& m_progress;
     std::map<ElementId, HoleRings> m_rings;
     RuleReport m_report;

@@ -21,6 +21,8 @@ constexpr int kVersion = 1;
 constexpr std::array<const char*, kRuleKindCount> kNames = {"copper-copper", "copper-hole",  "copper-edge",
                                                             "hole-hole",     "annular-ring", "mask-sliver"};
 
+constexpr std::array<const char*, kHoleClassCount> kHoleNames = {"any", "plated", "microvia", "non-plated"};
+
 base::Error bad(const std::string& what) {
     return {base::ErrorCode::BadInput, "the rules cannot be used: " + what};
 }
@@ -54,6 +56,23 @@ base::Status parseBetween(const ordered_json& between, const RuleTable& table, c
     return base::Done{};
 }
 
+base::Status parseHoles(const ordered_json& json, const std::string& where, Rule& rule) {
+    const std::size_t sides = holeSidesOf(rule.kind);
+    const ordered_json names = json.is_string() ? ordered_json::array({json}) : json;
+    if (sides == 0 || !names.is_array() || names.size() != sides) {
+        return bad(where + ": \"holes\" names one kind of a copper-hole or annular-ring rule, two of a hole-hole rule");
+    }
+    for (std::size_t i = 0; i < sides; ++i) {
+        const std::optional<HoleClass> holes =
+            names[i].is_string() ? holeClassOf(names[i].get<std::string>()) : std::nullopt;
+        if (!holes) {
+            return bad(where + ": \"holes\" are any, plated, microvia or non-plated, not " + names[i].dump());
+        }
+        rule.holes[i] = *holes;
+    }
+    return base::Done{};
+}
+
 base::Result<Rule> parseRule(const ordered_json& json, const RuleTable& table, std::size_t row) {
     const std::string where = "rule " + std::to_string(row + 1);
     if (!json.is_object() || !json.contains("kind") || !json["kind"].is_string() || !json.contains("least_um") ||
@@ -76,6 +95,9 @@ base::Result<Rule> parseRule(const ordered_json& json, const RuleTable& table, s
     Rule rule{*kind, static_cast<Nm>(std::lround(least * base::kNmPerUm)), {}, isOn};
     if (json.contains("between")) {
         RETURN_IF_ERROR(parseBetween(json["between"], table, where, rule));
+    }
+    if (json.contains("holes")) {
+        RETURN_IF_ERROR(parseHoles(json["holes"], where, rule));
     }
     return rule;
 }
@@ -100,11 +122,31 @@ std::optional<RuleKind> ruleKindOf(std::string_view name) {
     return kind == kNames.end() ? std::nullopt : std::optional(static_cast<RuleKind>(kind - kNames.begin()));
 }
 
+const char* nameOf(HoleClass holes) {
+    return kHoleNames[static_cast<std::size_t>(holes)];
+}
+
+std::optional<HoleClass> holeClassOf(std::string_view name) {
+    const auto found = std::ranges::find_if(kHoleNames, [&](const char* known) { return name == known; });
+    return found == kHoleNames.end() ? std::nullopt : std::optional(static_cast<HoleClass>(found - kHoleNames.begin()));
+}
+
+std::size_t holeSidesOf(RuleKind kind) {
+    return kind == RuleKind::HoleToHole ? 2 : kind == RuleKind::CopperToHole || kind == RuleKind::AnnularRing ? 1 : 0;
+}
+
 std::string titleOf(const Rule& rule) {
     std::string title = nameOf(rule.kind);
     if (rule.classes != std::array<std::string, 2>{}) {
         const auto word = [](const std::string& name) { return name.empty() ? std::string("any net") : name; };
         title += " between " + word(rule.classes[0]) + " and " + word(rule.classes[1]);
+    }
+    if (rule.holes != std::array<HoleClass, 2>{}) {
+        constexpr const char* kMany[] = {"any holes", "plated holes", "microvias", "NPTHs"};
+        const auto word = [&](std::size_t side) {
+            return std::string(kMany[static_cast<std::size_t>(rule.holes[side])]);
+        };
+        title += holeSidesOf(rule.kind) == 2 ? " between " + word(0) + " and " + word(1) : " of " + word(0);
     }
     return title;
 }
@@ -122,7 +164,10 @@ RuleTable defaultRules() {
              {RuleKind::CopperToEdge, 250 * kUm, {}},
              {RuleKind::HoleToHole, 250 * kUm, {}},
              {RuleKind::AnnularRing, 100 * kUm, {}},
-             {RuleKind::MaskSliver, 75 * kUm, {}}}};
+             {RuleKind::MaskSliver, 75 * kUm, {}},
+             {RuleKind::CopperToHole, 125 * kUm, {}, true, {HoleClass::Microvia}},
+             {RuleKind::HoleToHole, 150 * kUm, {}, true, {HoleClass::Microvia, HoleClass::Any}},
+             {RuleKind::AnnularRing, 75 * kUm, {}, true, {HoleClass::Microvia}}}};
 }
 
 base::Result<RuleTable> parseRules(std::string_view text) {
@@ -161,6 +206,12 @@ std::string toJson(const RuleTable& table) {
         ordered_json json{{"kind", nameOf(rule.kind)}, {"least_um", rule.least / base::kNmPerUm}};
         if (rule.classes != std::array<std::string, 2>{}) {
             json["between"] = rule.classes;
+        }
+        if (rule.holes != std::array<HoleClass, 2>{}) {
+            json["holes"] = nameOf(rule.holes[0]);
+            if (holeSidesOf(rule.kind) == 2) {
+                json["holes"] = {nameOf(rule.holes[0]), nameOf(rule.holes[1])};
+            }
         }
         if (!rule.isOn) {
             json["on"] = false;

@@ -26,6 +26,15 @@ inline constexpr std::size_t kRuleKindCount = 6;
 [[nodiscard]] const char* nameOf(RuleKind kind);
 [[nodiscard]] std::optional<RuleKind> ruleKindOf(std::string_view name);
 
+/// Which holes a rule is for: those that a laser drills (HoleSpan::Micro) are made otherwise than drilled ones.
+enum class HoleClass : std::uint8_t { Any, Plated, Microvia, NonPlated };
+inline constexpr std::size_t kHoleClassCount = 4;
+/// As rule files have it: "any", "plated" (and no microvia), "microvia", "non-plated"
+[[nodiscard]] const char* nameOf(HoleClass holes);
+[[nodiscard]] std::optional<HoleClass> holeClassOf(std::string_view name);
+/// To how many sides of a rule of this kind a class of holes may be given: 0, 1 or 2 (holes to holes).
+[[nodiscard]] std::size_t holeSidesOf(RuleKind kind);
+
 /// Nets that share rules.
 struct NetClass {
     std::string name;
@@ -38,18 +47,19 @@ struct Rule {
     Nm least = 0;
     /// CopperToCopper: between nets of these classes only, either way round; empty: any net.
     std::array<std::string, 2> classes;
-    bool isOn = true;  ///< else nothing is held against it, as if it were not there
+    bool isOn = true;                  ///< else nothing is held against it, as if it were not there
+    std::array<HoleClass, 2> holes{};  ///< either way round; of kinds with one side (holeSidesOf) the first
     bool operator==(const Rule&) const = default;
 };
 
-/// "copper-copper between power and any net"
+/// "copper-copper between power and any net", "annular-ring of microvias"
 [[nodiscard]] std::string titleOf(const Rule& rule);
 
 /// By how much a distance may be below its limit, if nothing else is said: jobs round coordinates and sizes apart.
 inline constexpr Nm kTolerance = 500;
 inline constexpr Nm kMostTolerance = 10'000;
 
-/// Of several rules of one kind that fit a pair of nets the last one holds.
+/// Of several rules of one kind that fit, a pair of nets or a kind of holes, the last one holds.
 struct RuleTable {
     std::vector<NetClass> classes;
     std::vector<Rule> rules;
@@ -64,7 +74,7 @@ struct RuleTable {
 inline constexpr std::size_t kMostNetClasses = 63;
 inline constexpr Nm kMostLeast = 100'000'000;  ///< nothing on a board is asked to stay a decimetre apart
 
-/// A rule of every kind, as common fabricators offer without extra cost.
+/// A rule of every kind, and of microvias those of their own, as common fabricators offer without extra cost.
 [[nodiscard]] RuleTable defaultRules();
 
 /// From JSON:
@@ -74,6 +84,7 @@ inline constexpr Nm kMostLeast = 100'000'000;  ///< nothing on a board is asked 
 ///      "rules": [{"kind": "copper-copper", "least_um": 100}, {"kind": "copper-copper", "least_um": 250,
 ///                 "between": ["power", ""], "on": false}]}
 ///
+/// Rules of holes may name which: "holes": "microvia", of hole-hole two: "holes": ["microvia", "any"].
 /// A rule without "on" is on; without "tolerance_um" it is kTolerance.
 /// Errors: BadInput, saying what is wrong with which rule.
 [[nodiscard]] base::Result<RuleTable> parseRules(std::string_view json);

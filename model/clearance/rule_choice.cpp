@@ -2,7 +2,42 @@
 
 #include <algorithm>
 
+#include "model/board/holes.h"
+
 namespace model {
+
+namespace {
+
+bool fits(HoleClass wanted, HoleClass hole) {
+    return wanted == HoleClass::Any || wanted == hole;
+}
+
+/// Is a rule for everything that another one is for?
+bool coversAll(const Rule& rule, const Rule& other) {
+    const auto isIn = [&](std::size_t a, std::size_t b) {
+        const auto hasClass = [&](std::size_t i, std::size_t j) {
+            return rule.classes[i].empty() || rule.classes[i] == other.classes[j];
+        };
+        return hasClass(0, a) && hasClass(1, b) && fits(rule.holes[0], other.holes[a]) &&
+               fits(rule.holes[1], other.holes[b]);
+    };
+    return rule.kind == other.kind && (isIn(0, 1) || isIn(1, 0));
+}
+
+}  // namespace
+
+std::vector<HoleClass> holeClassesOf(const Document& document) {
+    const std::vector<bool> isMicrovia = microviasOf(document);
+    std::vector<HoleClass> classes(document.elements.size());
+    for (std::size_t i = 0; i < classes.size(); ++i) {
+        const std::uint8_t flags = document.elements.flags[i];
+        classes[i] = (flags & kHole) == 0     ? HoleClass::Any
+                     : isMicrovia[i]          ? HoleClass::Microvia
+                     : (flags & kPlated) != 0 ? HoleClass::Plated
+                                              : HoleClass::NonPlated;
+    }
+    return classes;
+}
 
 RuleChoice::RuleChoice(const Document& document, const RuleTable& table)
     : m_table(table), m_classes(document.nets.size()) {
@@ -30,9 +65,37 @@ std::optional<std::size_t> RuleChoice::between(NetId a, NetId b) const {
     return last == m_rules.rend() ? std::nullopt : std::optional(last->row);
 }
 
-std::optional<std::size_t> RuleChoice::of(RuleKind kind) const {
-    const std::vector<std::size_t> rows = rowsOf(kind);
-    return rows.empty() ? std::nullopt : std::optional(rows.back());
+std::optional<std::size_t> RuleChoice::of(RuleKind kind, HoleClass hole) const {
+    std::optional<std::size_t> last;
+    for (const std::size_t row : rowsOf(kind)) {
+        last = fits(m_table.rules[row].holes[0], hole) ? row : last;
+    }
+    return last;
+}
+
+std::optional<std::size_t> RuleChoice::between(HoleClass a, HoleClass b) const {
+    std::optional<std::size_t> last;
+    for (const std::size_t row : rowsOf(RuleKind::HoleToHole)) {
+        const auto& [first, second] = m_table.rules[row].holes;
+        const bool isFit = (fits(first, a) && fits(second, b)) || (fits(first, b) && fits(second, a));
+        last = isFit ? row : last;
+    }
+    return last;
+}
+
+std::string RuleChoice::whyUnused(std::size_t rule, const std::vector<HoleClass>& holes) const {
+    const Rule& own = m_table.rules[rule];
+    for (std::size_t side = 0; side < holeSidesOf(own.kind); ++side) {
+        if (own.holes[side] != HoleClass::Any && std::ranges::count(holes, own.holes[side]) == 0) {
+            return std::string("the board has no holes of the kind ") + nameOf(own.holes[side]);
+        }
+    }
+    for (std::size_t row = rule + 1; row < m_table.rules.size(); ++row) {
+        if (m_table.rules[row].isOn && coversAll(m_table.rules[row], own)) {
+            return "rule " + std::to_string(row + 1) + " holds instead";
+        }
+    }
+    return {};
 }
 
 double RuleChoice::reachOf(RuleKind kind) const {

@@ -20,14 +20,16 @@ std::string textOf(const Document& step, const NetTie& tie) {
 }
 
 Verdict verdictOf(const RuleTable& table, const RuleReport& report, std::size_t rule) {
-    return !table.rules[rule].isOn                                            ? Verdict::Off
-           : report.counts[rule] > 0                                          ? Verdict::Failed
-           : std::ranges::count(report.unchecked, rule, &Unchecked::rule) > 0 ? Verdict::Incomplete
-                                                                              : Verdict::Passed;
+    const bool isComplete = std::ranges::count(report.unchecked, rule, &Unchecked::rule) == 0;
+    return !table.rules[rule].isOn        ? Verdict::Off
+           : report.counts[rule] > 0      ? Verdict::Failed
+           : !isComplete                  ? Verdict::Incomplete
+           : !report.unused[rule].empty() ? Verdict::Unused
+                                          : Verdict::Passed;
 }
 
 const char* toString(Verdict verdict) {
-    constexpr const char* kWords[] = {"off", "pass", "incomplete", "FAIL"};
+    constexpr const char* kWords[] = {"off", "unused", "pass", "incomplete", "FAIL"};
     return kWords[static_cast<std::size_t>(verdict)];
 }
 

@@ -55,6 +55,7 @@ struct RuleReport {
     std::vector<RuleFinding> findings;  ///< by rule, then smallest first
     std::vector<std::size_t> counts;    ///< of findings by rule
     std::vector<Unchecked> unchecked;   ///< by rule
+    std::vector<std::string> unused;    ///< by rule: why nothing on the board can meet it; empty if something can
     std::vector<NetTie> netTies;        ///< which are no shorts; empty if no rule is on between nets
     std::vector<std::string> notes;     ///< what is no fault, but good to know, in plain words
     [[nodiscard]] bool isPassed() const { return findings.empty(); }
@@ -62,10 +63,10 @@ struct RuleReport {
 };
 
 /// A rule that is broken somewhere has failed, whatever else it could not check; else it has passed only if it could
-/// check everything.
-enum class Verdict : std::uint8_t { Off, Passed, Incomplete, Failed };
+/// check everything, and there was something to check.
+enum class Verdict : std::uint8_t { Off, Unused, Passed, Incomplete, Failed };
 [[nodiscard]] Verdict verdictOf(const RuleTable& table, const RuleReport& report, std::size_t rule);
-/// "off", "pass", "incomplete", "FAIL"
+/// "off", "unused", "pass", "incomplete", "FAIL"
 [[nodiscard]] const char* toString(Verdict verdict);
 
 /// What lies on one side of a location: the name of its net, "(no net)", or for no element "(board edge)".

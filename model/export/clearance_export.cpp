@@ -146,6 +146,9 @@ std::string textOf(const RuleTable& table, const StepRules& found, const SideNam
         padded(toString(verdictOf(table, found.report, rule)), 12) + titleOf(table.rules[rule]) +
         formatted(", at least %.1f um: %zu %s\n", micrometres(static_cast<double>(table.rules[rule].least)), count,
                   count == 1 ? "location" : "locations");
+    if (verdictOf(table, found.report, rule) == Verdict::Unused) {
+        text += "            " + found.report.unused[rule] + '\n';
+    }
     for (const std::string& unchecked : uncheckedOf(found.report, rule)) {
         text += "            not checked: " + unchecked + '\n';
     }
@@ -208,7 +211,9 @@ ordered_json jsonOf(const RuleTable& table, const StepRules& found, const SideNa
     const Rule& rule = table.rules[row];
     const Verdict verdict = verdictOf(table, found.report, row);
     ordered_json json{{"rule", titleOf(rule)}, {"least_um", micrometres(static_cast<double>(rule.least))}};
-    if (rule.isOn) {
+    if (verdict == Verdict::Unused) {
+        json["unused"] = found.report.unused[row];
+    } else if (rule.isOn) {
         json["passed"] = verdict == Verdict::Passed;
     } else {
         json["on"] = false;

@@ -44,6 +44,11 @@ bool isOfNets(const model::Rule& rule) {
     return rule.kind == model::RuleKind::CopperToCopper;
 }
 
+/// For how many sides nets or holes can be named.
+std::size_t sidesOf(const model::Rule& rule) {
+    return isOfNets(rule) ? 2 : model::holeSidesOf(rule.kind);
+}
+
 }  // namespace
 
 RuleModel::RuleModel(QObject* parent)
@@ -51,8 +56,8 @@ RuleModel::RuleModel(QObject* parent)
           {{tr("On"), tr("Whether the rule is checked"), kCheck},
            {tr("Rule"), tr("What is checked against what")},
            {tr("Kind"), tr("What keeps a clearance, or how much must be left"), kEditable},
-           {tr("Between"), tr("Nets of this class; any net"), kEditable},
-           {tr("And"), tr("Nets of this class; any net"), kEditable},
+           {tr("Between"), tr("Nets of this class, any net; or kind of holes"), kEditable},
+           {tr("And"), tr("Nets of this class, any net; or kind of holes"), kEditable},
            {tr("At least"), tr("The least value that passes; with a unit (100um, 4 mil) or in yours"), kEditable},
            {tr("Result"), tr("In how many locations the rule is broken, or that it could not check everything")}},
           parent) {}
@@ -182,6 +187,9 @@ Cell RuleModel::resultOf(std::size_t row) const {
     if (result.verdict == model::Verdict::Passed) {
         return {.text = tr("pass"), .colour = kPassed};
     }
+    if (result.verdict == model::Verdict::Unused) {
+        return {tr("unused: nothing on the board meets it")};
+    }
     if (result.verdict == model::Verdict::Incomplete) {
         return {.text = tr("incomplete, see below"), .colour = kIncomplete};
     }
@@ -192,23 +200,30 @@ Cell RuleModel::resultOf(std::size_t row) const {
 Cell RuleModel::cell(int row, int column) const {
     const model::Rule& rule = m_rules.rules[static_cast<std::size_t>(row)];
     const auto className = [&](std::size_t side) {
-        return !isOfNets(rule)              ? QString()
-               : rule.classes[side].empty() ? anyNet()
-                                            : QString::fromStdString(rule.classes[side]);
+        return side < model::holeSidesOf(rule.kind) ? QString(QLatin1String(model::nameOf(rule.holes[side])))
+               : !isOfNets(rule)                    ? QString()
+               : rule.classes[side].empty()         ? anyNet()
+                                                    : QString::fromStdString(rule.classes[side]);
     };
     switch (column) {
         case On: return {.isChecked = rule.isOn};
         case Title: return text(model::titleOf(rule));
-        case Kind: return {.text = QLatin1String(model::nameOf(rule.kind)), .choices = choicesOf(column)};
-        case First: return {.text = className(0), .choices = choicesOf(column)};
-        case Second: return {.text = className(1), .choices = choicesOf(column)};
+        case Kind: return {.text = QLatin1String(model::nameOf(rule.kind)), .choices = choicesOf(rule, column)};
+        case First: return {.text = className(0), .choices = choicesOf(rule, column)};
+        case Second: return {.text = className(1), .choices = choicesOf(rule, column)};
         case Least: return {lengthText(static_cast<double>(rule.least), unit())};
         default: return resultOf(static_cast<std::size_t>(row));
     }
 }
 
-QStringList RuleModel::choicesOf(int column) const {
+QStringList RuleModel::choicesOf(const model::Rule& rule, int column) const {
     QStringList choices;
+    if (column != Kind && model::holeSidesOf(rule.kind) > 0) {
+        for (std::size_t holes = 0; holes < model::kHoleClassCount; ++holes) {
+            choices += QLatin1String(model::nameOf(static_cast<model::HoleClass>(holes)));
+        }
+        return choices;
+    }
     if (column == Kind) {
         for (std::size_t kind = 0; kind < model::kRuleKindCount; ++kind) {
             choices += QLatin1String(model::nameOf(static_cast<model::RuleKind>(kind)));
@@ -224,9 +239,10 @@ QStringList RuleModel::choicesOf(int column) const {
 
 Qt::ItemFlags RuleModel::flags(const QModelIndex& index) const {
     const Qt::ItemFlags flags = TableModel::flags(index);
+    const model::Rule& rule = m_rules.rules[static_cast<std::size_t>(index.row())];
     const bool isClass = index.column() == First || index.column() == Second;
-    return isClass && !isOfNets(m_rules.rules[static_cast<std::size_t>(index.row())]) ? flags & ~Qt::ItemIsEditable
-                                                                                      : flags;
+    const bool isOpen = !isClass || (index.column() == First ? 0U : 1U) < sidesOf(rule);
+    return isOpen ? flags : flags & ~Qt::ItemIsEditable;
 }
 
 /// False if the text is none for this column.
@@ -235,6 +251,9 @@ bool RuleModel::set(model::Rule& rule, int column, const QString& text) {
         const std::optional<model::RuleKind> kind = model::ruleKindOf(text.toStdString());
         rule.kind = kind.value_or(rule.kind);
         rule.classes = isOfNets(rule) ? rule.classes : decltype(rule.classes){};
+        for (std::size_t side = model::holeSidesOf(rule.kind); side < rule.holes.size(); ++side) {
+            rule.holes[side] = model::HoleClass::Any;
+        }
         return kind.has_value();
     }
     if (column == Least) {
@@ -242,8 +261,16 @@ bool RuleModel::set(model::Rule& rule, int column, const QString& text) {
         rule.least = least.value_or(rule.least);
         return least || refuse(tr("%1 is no length: 100um, 4 mil, …").arg(text));
     }
-    rule.classes[column == First ? 0 : 1] = text == anyNet() ? std::string() : text.toStdString();
-    return choicesOf(column).contains(text);
+    const std::size_t side = column == First ? 0 : 1;
+    if (!choicesOf(rule, column).contains(text) || side >= sidesOf(rule)) {
+        return false;
+    }
+    if (model::holeSidesOf(rule.kind) > 0) {
+        rule.holes[side] = model::holeClassOf(text.toStdString()).value_or(model::HoleClass::Any);
+        return true;
+    }
+    rule.classes[side] = text == anyNet() ? std::string() : text.toStdString();
+    return true;
 }
 
 bool RuleModel::check(int row, int, bool isChecked) {

@@ -54,7 +54,7 @@ private:
     [[nodiscard]] int rows() const override { return static_cast<int>(m_rules.rules.size()); }
     [[nodiscard]] Cell cell(int row, int column) const override;
     [[nodiscard]] Cell resultOf(std::size_t row) const;
-    [[nodiscard]] QStringList choicesOf(int column) const;
+    [[nodiscard]] QStringList choicesOf(const model::Rule& rule, int column) const;
     /// Takes lengths with a unit ("100um", "4 mil"); without one in the user's. Kinds and classes go by name.
     bool edit(int row, int column, const QVariant& value) override;
     bool check(int row, int column, bool isChecked) override;

@@ -344,6 +344,59 @@ private slots:
         QVERIFY(check(*document, RuleKind::CopperToCopper, 50 * kUm).isPassed());
     }
 
+    /// A laser via, a drilled one and an NPTH, 60 um from a net each and 60 um from each other.
+    void kindsOfHolesHaveLimitsOfTheirOwn() {
+        using model::HoleClass;
+        Board board;
+        board.builder.beginLayer(board.top);
+        for (const Nm x : {0, 1000 * kUm, 2000 * kUm}) {
+            board.builder.addCircle({{x, 160 * kUm + 50 * kUm}, 100 * kUm, 0}, of(board.b));
+        }
+        board.builder.beginLayer(board.drill);
+        board.builder.addCircle({{0, 0}, 100 * kUm, 80 * kUm}, of(board.a, kWall | model::kVia));
+        board.builder.addCircle({{1000 * kUm, 0}, 200 * kUm, 180 * kUm}, of(board.a, kWall | model::kVia));
+        board.builder.addCircle({{2000 * kUm, 0}, 200 * kUm, 200 * kUm}, of({}, kBare));
+        const auto document = board.builder.finish();
+        const auto found = [&](RuleKind kind, Nm least, std::array<HoleClass, 2> holes) {
+            std::vector<std::uint32_t> all;
+            for (const model::RuleFinding& finding :
+                 check(*document, {{}, {{kind, least, {}, true, holes}}}).findings) {
+                all.push_back(finding.a.value * 10 + (finding.b.isValid() ? finding.b.value : 0));
+            }
+            return all;
+        };
+        using Found = std::vector<std::uint32_t>;
+        const auto toHole = RuleKind::CopperToHole;
+        QCOMPARE(found(toHole, 120 * kUm, {HoleClass::Microvia}), (Found{3}));
+        QCOMPARE(found(toHole, 120 * kUm, {HoleClass::Plated}), (Found{14}));
+        QCOMPARE(found(toHole, 120 * kUm, {HoleClass::NonPlated}), (Found{25}));
+        QCOMPARE(found(RuleKind::HoleToHole, kMm, {HoleClass::Microvia, HoleClass::Any}), (Found{34}));
+        QCOMPARE(found(RuleKind::HoleToHole, kMm, {HoleClass::NonPlated, HoleClass::Plated}), (Found{45}));
+        QCOMPARE(found(RuleKind::AnnularRing, 1, {HoleClass::Microvia}), (Found{30}));
+        QCOMPARE(found(RuleKind::AnnularRing, 1, {HoleClass::Any}), (Found{30, 40}));
+    }
+
+    void rulesThatNothingCanMeetAreUnused() {
+        using model::HoleClass;
+        Board board;
+        board.builder.beginLayer(board.drill);
+        board.builder.addCircle({{0, 0}, 300 * kUm, 200 * kUm}, of(board.a, kWall));
+        const auto document = board.builder.finish();
+        const RuleTable table{{},
+                              {{RuleKind::CopperToHole, 1, {}, true, {HoleClass::Microvia}},
+                               {RuleKind::HoleToHole, 1, {}, true, {HoleClass::Plated, HoleClass::Any}},
+                               {RuleKind::HoleToHole, 2, {}},
+                               {RuleKind::CopperToCopper, 1, {}}}};
+        const RuleReport report = check(*document, table);
+        QCOMPARE(report.unused[0], std::string("the board has no holes of the kind microvia"));
+        QCOMPARE(report.unused[1], std::string("rule 3 holds instead"));
+        QVERIFY(report.unused[2].empty() && report.unused[3].empty());
+        QVERIFY(model::verdictOf(table, report, 0) == model::Verdict::Unused);
+        const model::StepRules steps[] = {{document.get(), report}};
+        const std::string text = model::ruleReport(table, steps, model::ReportFormat::Text, 9);
+        QVERIFY2(text.find("unused      copper-hole of microvias") != std::string::npos, text.c_str());
+    }
+
     void netTies_data() {
         QTest::addColumn<QString>("what");
         QTest::addColumn<int>("shorts");
@@ -447,6 +500,8 @@ private slots:
         table.rules.push_back({RuleKind::CopperToCopper, 200 * kUm, {"", "power"}});
         table.rules[2].isOn = false;
         table.tolerance = 1250;
+        table.rules.push_back(
+            {RuleKind::HoleToHole, 1, {}, true, {model::HoleClass::NonPlated, model::HoleClass::Any}});
         const auto again = model::parseRules(model::toJson(table));
         QVERIFY2(again, again ? "" : again.error().text.c_str());
         QVERIFY(*again == table);
@@ -470,6 +525,10 @@ private slots:
         QTest::newRow("kind of class") << rules(R"({"kind": "hole-hole", "least_um": 1, "between": ["p", ""]})")
                                        << QByteArray("copper-copper");
         QTest::newRow("switch") << rules(R"({"kind": "hole-hole", "least_um": 1, "on": 2})") << QByteArray("\"on\"");
+        QTest::newRow("holes") << rules(R"({"kind": "annular-ring", "least_um": 1, "holes": "round"})")
+                               << QByteArray("\"round\"");
+        QTest::newRow("two holes") << rules(R"({"kind": "hole-hole", "least_um": 1, "holes": "plated"})")
+                                   << QByteArray("two of a hole-hole rule");
         QTest::newRow("tolerance") << QByteArray(R"({"copperscope_rules": 1, "tolerance_um": 10.1, "rules": []})")
                                    << QByteArray("tolerance_um");
         QTest::newRow("list") << QByteArray(R"({"copperscope_rules": 1, "classes": {"p": "V"}, "rules": []})")

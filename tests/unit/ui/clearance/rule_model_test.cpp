@@ -105,6 +105,12 @@ private slots:
         QVERIFY(set(rules, 0, RuleModel::Kind, "hole-hole"));
         QVERIFY(rules.rules().rules[0] == (model::Rule{RuleKind::HoleToHole, 100'000, {}}));
         QVERIFY(model::parseRules(model::toJson(rules.rules())));
+        QCOMPARE(text(rules, 0, RuleModel::First), "any");
+        QVERIFY(set(rules, 0, RuleModel::Second, "microvia"));
+        QVERIFY(!set(rules, 0, RuleModel::Second, "class 1"));
+        QCOMPARE(text(rules, 0, RuleModel::Title), "hole-hole between any holes and microvias");
+        QVERIFY(set(rules, 0, RuleModel::Kind, "mask-sliver"));
+        QVERIFY(rules.rules().rules[0] == (model::Rule{RuleKind::MaskSliver, 100'000, {}}));
         QCOMPARE(text(rules, 0, RuleModel::First), "");
     }
 
