@@ -128,6 +128,11 @@ Outcome runRules(const ClearanceArguments& arguments, const Document& board, bas
 }  // namespace
 
 Outcome runClearance(const ClearanceArguments& arguments) {
+    if (arguments.printsRules) {
+        ASSIGN_OR_RETURN(const model::RuleTable table, rulesFor(arguments));
+        print(model::commentedJson(table));
+        return int{kDone};
+    }
     ConsoleProgress console;
     ASSIGN_OR_RETURN(const auto board, openDocument(arguments.board, console.progress()));
     if (!arguments.rules.empty()) {

@@ -17,6 +17,7 @@ struct ClearanceArguments {
     std::vector<std::string> nets;  ///< two names, or none
     std::string format = "text";    ///< text, json or csv
     std::string rules;              ///< a file of rules, "default", or empty: no rules
+    bool printsRules = false;       ///< prints the rules as a file, and checks nothing
     std::string tolerance;          ///< of the limits of rules, a length; empty: as the rules say
     bool allowsIncomplete = false;  ///< a rule that could not check everything is no failure
 };

@@ -197,8 +197,11 @@ void addClearance(CLI::App& parent, Command& chosen) {
     addStep(command, request);
     addNetOptions(command, request);
     addNumber<std::size_t>(command, "--worst", arguments.worst, 1, 1'000'000, "how many of the smallest");
-    command.add_option("--rules", arguments.rules,
-                       "check the rules of this JSON file, or \"default\"; exit code 4 if one is broken or incomplete");
+    CLI::Option* rules = command.add_option(
+        "--rules", arguments.rules,
+        "check the rules of this JSON file, or \"default\"; exit code 4 if one is broken or incomplete");
+    command.add_flag("--print", arguments.printsRules, "prints the rules as a file with comments, and checks nothing")
+        ->needs(rules);
     command.add_option("--tolerance", arguments.tolerance,
                        "with --rules: how far a distance may be below its limit; default 0.5um, or as the file says");
     command.add_flag("--allow-incomplete", arguments.allowsIncomplete,

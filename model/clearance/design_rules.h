@@ -86,9 +86,12 @@ inline constexpr Nm kMostLeast = 100'000'000;  ///< nothing on a board is asked 
 ///
 /// Rules of holes may name which: "holes": "microvia", of hole-hole two: "holes": ["microvia", "any"].
 /// A rule without "on" is on; without "tolerance_um" it is kTolerance.
-/// Errors: BadInput, saying what is wrong with which rule.
+/// Comments are allowed, unknown keys and keys that are there twice are not.
+/// Errors: BadInput, saying what is wrong with which rule, key and line.
 [[nodiscard]] base::Result<RuleTable> parseRules(std::string_view json);
 [[nodiscard]] std::string toJson(const RuleTable& table);
+/// The same for people to edit: a rule a line, with comments on what is what. parseRules reads it.
+[[nodiscard]] std::string commentedJson(const RuleTable& table);
 /// From a file. Errors: BadInput.
 [[nodiscard]] base::Result<RuleTable> readRules(const std::filesystem::path& path);
 

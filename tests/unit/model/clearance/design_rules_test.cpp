@@ -507,6 +507,39 @@ private slots:
         QVERIFY(*again == table);
     }
 
+    void rulesArePrintedWithComments() {
+        RuleTable table = model::defaultRules();
+        table.classes = {{"power", {"VCC*", "GND"}}};
+        const std::string text = model::commentedJson(table);
+        QVERIFY2(text.find("// Between nets, on one layer") != std::string::npos, text.c_str());
+        const auto again = model::parseRules(text);
+        QVERIFY2(again, again ? "" : again.error().text.c_str());
+        QVERIFY(*again == table);
+    }
+
+    void errorsNameLineAndKey() {
+        const auto error = [](const char* second) {
+            const std::string text = std::string(
+                                         "// mine\n{\"copperscope_rules\": 1,\n \"rules\": [\n"
+                                         "  {\"kind\": \"hole-hole\", \"least_um\": 1},\n"
+                                         "  {\"kind\": \"hole-hole\",\n   ") +
+                                     second + "}]}";
+            const auto table = model::parseRules(text);
+            return table ? std::string() : table.error().text;
+        };
+        QCOMPARE(error("\"least_um\": 1"), std::string());
+        const std::string unknown = error("\"least_um\": 1, \"layer\": \"TOP\"");
+        QVERIFY2(unknown.find("line 6: unknown key \"layer\"") != std::string::npos, unknown.c_str());
+        const std::string zero = error("\"least_um\": 0");
+        QVERIFY2(zero.find("line 6, rule 2: \"least_um\" must be above 0") != std::string::npos, zero.c_str());
+        const std::string tiny = error("\"least_um\": 0.0001");
+        QVERIFY2(tiny.find("line 6, rule 2: \"least_um\"") != std::string::npos, tiny.c_str());
+        const std::string twice = error("\"least_um\": 1,\n \"least_um\": 2");
+        QVERIFY2(twice.find("the key least_um is there twice") != std::string::npos, twice.c_str());
+        const std::string broken = error("\"least_um\": ");
+        QVERIFY2(broken.find("line 6") != std::string::npos, broken.c_str());
+    }
+
     void badRulesAreNamed_data() {
         QTest::addColumn<QByteArray>("json");
         QTest::addColumn<QByteArray>("word");
