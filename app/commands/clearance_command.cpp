@@ -22,6 +22,26 @@ base::Error unknown(const char* kind, const std::string& name) {
     return {base::ErrorCode::BadUsage, "the board has no " + std::string(kind) + " " + name};
 }
 
+bool isMask(const model::Layer& layer) {
+    return layer.type == model::LayerType::SolderMask && !layer.isSynthetic;
+}
+
+/// None if no net is named.
+base::Result<std::pair<model::NetId, model::NetId>> netsOf(const Document& document,
+                                                           const std::vector<std::string>& names) {
+    if (names.empty()) {
+        return std::pair<model::NetId, model::NetId>();
+    }
+    const std::pair nets(document.findNet(names.front()), document.findNet(names.back()));
+    if (!nets.first.isValid() || !nets.second.isValid()) {
+        return unknown("net", nets.first.isValid() ? names.back() : names.front());
+    }
+    if (nets.first == nets.second) {
+        return base::Error{base::ErrorCode::BadUsage, "a net has no clearance to itself: --nets names two"};
+    }
+    return nets;
+}
+
 base::Result<model::ClearanceRequest> requestFor(const Document& document, const ClearanceArguments& arguments) {
     model::ClearanceRequest request;
     request.count = arguments.worst;
@@ -35,18 +55,21 @@ base::Result<model::ClearanceRequest> requestFor(const Document& document, const
             return unknown("copper layer", arguments.layer);
         }
     }
-    if (!arguments.nets.empty()) {
-        const model::NetId a = document.findNet(arguments.nets.front());
-        const model::NetId b = document.findNet(arguments.nets.back());
-        if (!a.isValid() || !b.isValid()) {
-            return unknown("net", a.isValid() ? arguments.nets.back() : arguments.nets.front());
-        }
-        if (a == b) {
-            return base::Error{base::ErrorCode::BadUsage, "a net has no clearance to itself: --nets names two"};
-        }
-        request.between = {a, b};
-    }
+    ASSIGN_OR_RETURN(request.between, netsOf(document, arguments.nets));
     return request;
+}
+
+base::Result<model::RuleScope> scopeFor(const Document& document, const ClearanceArguments& arguments) {
+    model::RuleScope scope;
+    if (!arguments.layer.empty()) {
+        scope.layer = document.findLayer(arguments.layer);
+        if (!scope.layer.isValid() ||
+            (!document.layer(scope.layer).isCopper() && !isMask(document.layer(scope.layer)))) {
+            return unknown("copper or solder mask layer", arguments.layer);
+        }
+    }
+    ASSIGN_OR_RETURN(scope.between, netsOf(document, arguments.nets));
+    return scope;
 }
 
 void print(const std::string& report) {
@@ -100,6 +123,9 @@ base::Result<model::RuleTable> rulesFor(const ClearanceArguments& arguments) {
     if (!arguments.tolerance.empty()) {
         ASSIGN_OR_RETURN(table.tolerance, parseTolerance(arguments.tolerance));
     }
+    if (std::ranges::none_of(table.rules, &model::Rule::isOn)) {
+        return base::Error{base::ErrorCode::BadInput, "all rules are off, so nothing would be checked"};
+    }
     return table;
 }
 
@@ -114,15 +140,43 @@ int exitCodeOf(std::span<const StepRules> steps, bool allowsIncomplete) {
     return isPassed && (isComplete || allowsIncomplete) ? kDone : kTooClose;
 }
 
+/// Leaves out of the list what is not closer than --below. Verdicts and counts stay: the rules are broken there too.
+base::Status listBelow(const std::string& below, std::vector<StepRules>& steps) {
+    if (below.empty()) {
+        return base::Done{};
+    }
+    ASSIGN_OR_RETURN(const base::Nm limit, model::parseLength(below));
+    for (StepRules& step : steps) {
+        std::erase_if(step.report.findings,
+                      [&](const model::RuleFinding& finding) { return finding.spacing.distance >= limit; });
+        step.report.notes.push_back("only locations closer than " + below + " are listed, all are counted");
+    }
+    return base::Done{};
+}
+
+/// Steps without nets have nothing between two.
+bool isLeftOut(const Document& step, const ClearanceArguments& arguments) {
+    return !arguments.nets.empty() && step.nets.empty();
+}
+
 Outcome runRules(const ClearanceArguments& arguments, const Document& board, base::Progress& progress) {
     ASSIGN_OR_RETURN(const model::RuleTable table, rulesFor(arguments));
     std::vector<StepRules> steps;
     for (const Document* step : model::distinctSteps(board)) {
-        ASSIGN_OR_RETURN(model::RuleReport report, model::checkRules(*step, table, progress));
+        if (isLeftOut(*step, arguments)) {
+            continue;
+        }
+        ASSIGN_OR_RETURN(const model::RuleScope scope, scopeFor(*step, arguments));
+        ASSIGN_OR_RETURN(model::RuleReport report, model::checkRules(*step, table, progress, scope));
         steps.push_back({step, std::move(report)});
     }
+    if (steps.empty()) {
+        return base::Error{base::ErrorCode::BadUsage, "the board has no nets, so --nets names none of them"};
+    }
+    const int code = exitCodeOf(steps, arguments.allowsIncomplete);
+    RETURN_IF_ERROR(listBelow(arguments.below, steps));
     print(model::ruleReport(table, steps, formatOf(arguments), arguments.worst));
-    return exitCodeOf(steps, arguments.allowsIncomplete);
+    return code;
 }
 
 }  // namespace

@@ -206,9 +206,11 @@ void addClearance(CLI::App& parent, Command& chosen) {
                        "with --rules: how far a distance may be below its limit; default 0.5um, or as the file says");
     command.add_flag("--allow-incomplete", arguments.allowsIncomplete,
                      "with --rules: exit code 0 also where a rule could not check everything");
-    command.add_option("--below", arguments.below,
-                       "only clearances less than this, with um, mm, mil or inch; exit code 4 if there is one");
-    command.add_option("--layer", arguments.layer, "only on this copper layer");
+    command.add_option(
+        "--below", arguments.below,
+        "only clearances less than this, with um, mm, mil or inch; exit code 4 if there is one; with --rules only "
+        "these locations are listed");
+    command.add_option("--layer", arguments.layer, "only on this copper layer, with --rules also solder mask");
     addList(command, "--nets", arguments.nets, "only between these two, separated by a comma")->expected(2);
     addReportFormat(command, arguments.format);
 }

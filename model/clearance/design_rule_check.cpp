@@ -37,8 +37,10 @@ struct HoleRings {
 
 class Check {
 public:
-    Check(const Document& document, const RuleTable& table, const CopperOwners& owners, base::Progress& progress)
+    Check(const Document& document, const RuleTable& table, const RuleScope& scope, const CopperOwners& owners,
+          base::Progress& progress)
         : m_document(document),
+          m_scope(scope),
           m_table(table),
           m_owners(owners),
           m_choice(document, table),
@@ -51,10 +53,19 @@ public:
         m_report.counts.resize(m_table.rules.size());
         m_report.unchecked = uncheckedItems(m_document, m_table, m_choice);
         for (std::size_t rule = 0; rule < m_table.rules.size(); ++rule) {
-            m_report.unused.push_back(m_table.rules[rule].isOn ? m_choice.whyUnused(rule, m_holes) : "");
+            const std::string beyond = whyBeyond(m_table.rules[rule].kind);
+            m_report.unused.push_back(!m_table.rules[rule].isOn ? ""
+                                      : !beyond.empty()         ? beyond
+                                                                : m_choice.whyUnused(rule, m_holes));
         }
+        std::erase_if(m_report.unchecked, [&](const Unchecked& unchecked) {
+            return !whyBeyond(m_table.rules[unchecked.rule].kind).empty();
+        });
         for (std::size_t row = 0; row < m_document.layers.size() && !m_progress.isCancelled(); ++row) {
             const LayerId layer{row};
+            if (m_scope.layer.isValid() && m_scope.layer != layer) {
+                continue;
+            }
             if (m_document.layers[row].isCopper()) {
                 checkCopper(layer);
             } else if (isMask(m_document.layers[row])) {
@@ -70,6 +81,29 @@ public:
     }
 
 private:
+    [[nodiscard]] bool isOfAllNets() const { return m_scope.between == std::pair<NetId, NetId>(); }
+
+    /// Why the scope leaves out rules of a kind; empty if it does not.
+    [[nodiscard]] std::string whyBeyond(RuleKind kind) const {
+        const bool isOfMask = kind == RuleKind::MaskSliver;
+        if (!isOfAllNets() && (isOfMask || kind == RuleKind::CopperToEdge || kind == RuleKind::AnnularRing)) {
+            return "it is not between two nets";
+        }
+        if (m_scope.layer.isValid() && isOfMask != isMask(m_document.layer(m_scope.layer))) {
+            return "layer " + m_document.layer(m_scope.layer).name +
+                   (isOfMask ? " is no solder mask" : " is no copper layer");
+        }
+        return {};
+    }
+
+    [[nodiscard]] bool isInScope(RuleKind kind) const { return whyBeyond(kind).empty(); }
+
+    /// Are they of the two nets of the scope?
+    [[nodiscard]] bool isBetween(ElementId a, ElementId b) const {
+        const std::pair nets(m_owners.netOf(a), m_owners.netOf(b));
+        return isOfAllNets() || nets == m_scope.between || std::pair(nets.second, nets.first) == m_scope.between;
+    }
+
     /// As the job has it, with its openings.
     static bool isMask(const Layer& layer) { return layer.type == LayerType::SolderMask && !layer.isSynthetic; }
 
@@ -120,7 +154,8 @@ private:
         PairRequest request;
         request.reach = m_document.nets.empty() ? 0.0 : m_choice.reachOf(RuleKind::CopperToCopper);
         request.isWanted = [&](std::uint32_t a, std::uint32_t b) {
-            return areForeign(copper.elementOf(a), copper.elementOf(b)) && ruleOf(a, b) &&
+            return areForeign(copper.elementOf(a), copper.elementOf(b)) &&
+                   isBetween(copper.elementOf(a), copper.elementOf(b)) && ruleOf(a, b) &&
                    !m_ties.joins(copper.elementOf(a), copper.elementOf(b));
         };
         request.groupOf = [&](std::uint32_t a, std::uint32_t b) {
@@ -182,7 +217,7 @@ private:
         request.isWanted = [&](std::uint32_t a, std::uint32_t b) {
             const ElementId hole = holes.elementOf(b);
             const bool isPlated = isPlatedHole(m_document.elements.flags[hole.row()]);
-            return ruleOf(RuleKind::CopperToHole, hole) &&
+            return ruleOf(RuleKind::CopperToHole, hole) && isBetween(copper.elementOf(a), hole) &&
                    (!isPlated || m_owners.of(copper.elementOf(a)) != m_owners.of(hole));
         };
         if (request.reach <= 0) {
@@ -196,7 +231,7 @@ private:
 
     void checkToEdge(LayerId layer, const LayerGeometry& copper) {
         const auto rule = m_choice.of(RuleKind::CopperToEdge);
-        if (rule && m_document.profile.isValid()) {
+        if (rule && m_document.profile.isValid() && isInScope(RuleKind::CopperToEdge)) {
             const LayerGeometry edge = edgeGeometry(m_document);
             PairRequest request;
             request.reach = m_table.rules[*rule].least;
@@ -208,7 +243,7 @@ private:
 
     void checkRings(LayerId layer) {
         const double reach = m_choice.reachOf(RuleKind::AnnularRing);
-        if (reach <= 0) {
+        if (reach <= 0 || !isInScope(RuleKind::AnnularRing)) {
             return;
         }
         for (const AnnularRing& ring : annularRings(m_document, layer, reach)) {
@@ -240,7 +275,7 @@ private:
         for (const auto& [hole, rings] : m_rings) {
             if (rings.removed) {
                 m_report.findings.push_back(*rings.removed);
-            } else if (!rings.hasCopper) {
+            } else if (!rings.hasCopper && !m_scope.layer.isValid()) {
                 m_report.findings.push_back({*ruleOf(RuleKind::AnnularRing, hole),
                                              rings.first,
                                              hole,
@@ -253,7 +288,7 @@ private:
 
     void checkMask(LayerId layer) {
         const auto rule = m_choice.of(RuleKind::MaskSliver);
-        if (!rule) {
+        if (!rule || !isInScope(RuleKind::MaskSliver)) {
             return;
         }
         const LayerGeometry openings = layerGeometry(m_document, layer);
@@ -306,9 +341,11 @@ private:
         PairRequest request;
         request.reach = m_choice.reachOf(RuleKind::HoleToHole);
         request.isWanted = [&](std::uint32_t a, std::uint32_t b) {
-            return areApart(holes, a, b) && ruleOf(holes.elementOf(a), holes.elementOf(b));
+            return areApart(holes, a, b) && isBetween(holes.elementOf(a), holes.elementOf(b)) &&
+                   isOnLayer(holes.elementOf(a)) && isOnLayer(holes.elementOf(b)) &&
+                   ruleOf(holes.elementOf(a), holes.elementOf(b));
         };
-        if (request.reach <= 0) {
+        if (request.reach <= 0 || !isInScope(RuleKind::HoleToHole)) {
             return;
         }
         for (const FigurePair& pair : closestPairs(holes, holes, request, m_progress)) {
@@ -316,6 +353,11 @@ private:
             const ElementId b = holes.elementOf(pair.b);
             add(*ruleOf(a, b), m_document.elements.layer[a.row()], a, b, pair.spacing);
         }
+    }
+
+    /// Does a hole pass the layer of the scope, if there is one?
+    [[nodiscard]] bool isOnLayer(ElementId hole) const {
+        return !m_scope.layer.isValid() || m_document.layer(m_document.elements.layer[hole.row()]).spans(m_scope.layer);
     }
 
     /// Two holes, not one that is drilled twice, and both pass some layer.
@@ -329,6 +371,7 @@ private:
     }
 
     const Document& m_document;
+    const RuleScope& m_scope;
     const RuleTable& m_table;
     const CopperOwners& m_owners;
     RuleChoice m_choice;
@@ -342,10 +385,11 @@ private:
 
 }  // namespace
 
-base::Result<RuleReport> checkRules(const Document& document, const RuleTable& table, base::Progress& progress) {
+base::Result<RuleReport> checkRules(const Document& document, const RuleTable& table, base::Progress& progress,
+                                    const RuleScope& scope) {
     ASSIGN_OR_RETURN(const CopperOwners owners, CopperOwners::of(document, progress));
     progress.beginPhase("Checking rules");
-    RuleReport report = Check(document, table, owners, progress).run();
+    RuleReport report = Check(document, table, scope, owners, progress).run();
     if (progress.isCancelled()) {
         return base::Error{base::ErrorCode::Cancelled, "cancelled"};
     }

@@ -75,6 +75,47 @@ private slots:
         QCOMPARE(check({"--tolerance", "apple"}).exitCode, 1);
     }
 
+    void rulesAreHeldAgainstLayersAndNets() {
+        Outcome printed = copperscope({"clearance", "--rules", "default", "--print"});
+        QCOMPARE(printed.exitCode, 0);
+        QTemporaryDir folder;
+        QFile file(folder.filePath("rules.json"));
+        file.open(QIODevice::WriteOnly);
+        file.write(printed.out.replace("100.0", "5000.0"));
+        file.close();
+        const auto rules = [&](const QStringList& more) {
+            const Outcome outcome = copperscope(
+                QStringList{"clearance", locations::kSample, "--rules", file.fileName(), "--format", "json"} + more);
+            return QJsonDocument::fromJson(outcome.out)["steps"][0]["rules"].toArray();
+        };
+        const QJsonArray all = rules({});
+        const QJsonValue worst = all[0]["findings"][0];
+        const QJsonArray onLayer = rules({"--layer", worst["layer"].toString()});
+        QVERIFY(onLayer[0]["count"].toInt() > 0 && onLayer[0]["count"].toInt() < all[0]["count"].toInt());
+        for (const QJsonValue& finding : onLayer[0]["findings"].toArray()) {
+            QCOMPARE(finding["layer"], worst["layer"]);
+        }
+        QCOMPARE(onLayer[5]["result"].toString(), "unused");
+        const QString nets = worst["nets"][0].toString() + ',' + worst["nets"][1].toString();
+        const QJsonArray ofNets = rules({"--nets", nets});
+        QCOMPARE(ofNets[0]["findings"][0]["clearance_um"], worst["clearance_um"]);
+        for (const QJsonValue& finding : ofNets[0]["findings"].toArray()) {
+            QCOMPARE(finding["nets"], worst["nets"]);
+        }
+        QCOMPARE(ofNets[4]["result"].toString(), "unused");
+        const QJsonArray below = rules({"--below", "1um"});
+        QCOMPARE(below[0]["count"], all[0]["count"]);
+        QCOMPARE(below[0]["result"].toString(), "fail");
+        for (const QJsonValue& finding : below[0]["findings"].toArray()) {
+            QVERIFY(finding["clearance_um"].toDouble() < 1.0);
+        }
+        QCOMPARE(copperscope({"clearance", locations::kSample, "--rules", "default", "--layer", "nowhere"}).exitCode,
+                 1);
+        QCOMPARE(copperscope({"clearance", locations::kSample, "--rules", "default", "--nets", "A,nowhere"}).exitCode,
+                 1);
+        QCOMPARE(copperscope({"clearance", locations::kSample, "--print"}).exitCode, 1);
+    }
+
     /// A rule that could not check something is no pass.
     void incompleteRulesTellABuildToo() {
         QTemporaryDir folder;
