@@ -3,6 +3,8 @@
 #include <QJsonDocument>
 #include <QtTest>
 #include <algorithm>
+#include <random>
+#include <set>
 
 #include "model/base/parallel.h"
 #include "model/board/document_builder.h"
@@ -395,6 +397,47 @@ private slots:
         const model::StepRules steps[] = {{document.get(), report}};
         const std::string text = model::ruleReport(table, steps, model::ReportFormat::Text, 9);
         QVERIFY2(text.find("unused      copper-hole of microvias") != std::string::npos, text.c_str());
+    }
+
+    /// 200 random pairs of pads, and of a pad and an NPTH, some of them closer than the limit: exactly those are found.
+    void plantedViolationsAreFoundAndNoOthers() {
+        std::mt19937 random(3);
+        const auto upTo = [&](unsigned most) { return static_cast<Nm>(random() % most); };
+        for (const RuleKind kind : {RuleKind::CopperToCopper, RuleKind::CopperToHole}) {
+            Board board;
+            std::set<Nm> planted;
+            std::vector<model::CircleGeometry> holes;
+            board.builder.beginLayer(board.top);
+            for (Nm i = 0; i < 200; ++i) {
+                const Nm y = i * 3 * kMm;
+                const bool isPlanted = upTo(8) == 0;
+                const Nm apart = isPlanted ? 1 + upTo(99'000) : 99'500 + upTo(300'000);
+                const model::CircleGeometry second{{400 * kUm + apart, y}, 400 * kUm, 0};
+                board.builder.addCircle({{0, y}, 400 * kUm, 0}, of(board.a, model::kPad));
+                if (kind == RuleKind::CopperToHole) {
+                    holes.push_back(second);
+                } else {
+                    const NetId net = upTo(2) == 0 ? NetId{} : board.builder.addNet("N" + std::to_string(i));
+                    board.builder.addCircle(second, of(net, model::kPad));
+                }
+                if (isPlanted) {
+                    planted.insert(y);
+                }
+            }
+            board.builder.beginLayer(board.drill);
+            for (const model::CircleGeometry& hole : holes) {
+                board.builder.addCircle(hole, of({}, kBare));
+            }
+            const auto document = board.builder.finish();
+            base::Progress progress;
+            const RuleReport report = *model::checkRules(*document, {{}, {{kind, 100 * kUm, {}}}}, progress);
+            std::set<Nm> found;
+            for (const model::RuleFinding& finding : report.findings) {
+                found.insert(static_cast<Nm>(std::lround(finding.spacing.from.y)));
+            }
+            QCOMPARE(report.findings.size(), planted.size());
+            QVERIFY(found == planted);
+        }
     }
 
     void netTies_data() {
