@@ -15,6 +15,8 @@ namespace {
 
 /// Edges whose crossings are searched for; where more are near nobody can distinguish them.
 constexpr std::size_t kMostCrossing = 64;
+/// Points that are tried, the best first; where more are near they lie within each other's pixels.
+constexpr std::size_t kMostTried = 256;
 /// Points nearer to each other are at one location.
 constexpr double kSameLocationNm = 1.0;
 
@@ -58,7 +60,10 @@ public:
     SnapPoint run(std::size_t skip) {
         forEachNear(m_position, m_reach, [&](const Placed& near, const Box& box) { offerPointsOf(near, box); });
         offerCrossings();
-        std::ranges::sort(m_points, {}, [&](const SnapPoint& p) { return rankOf(p); });
+        const auto tried = static_cast<std::ptrdiff_t>(std::min(m_points.size(), kMostTried));
+        std::ranges::partial_sort(m_points, m_points.begin() + tried, {},
+                                  [&](const SnapPoint& p) { return rankOf(p); });
+        m_points.resize(static_cast<std::size_t>(tried));
         return chosen(skip);
     }
 
@@ -140,13 +145,15 @@ private:
         const FigureTable& figures = m_figures.of(m_index, near.copy.step, near.element.element);
         const PointD at = unplaced(location, near.copy.placement);
         for (std::size_t row = 0; row < figures.size(); ++row) {
-            const double beside = spacingToEdges(figures, row, at).distance;
-            if (figures[row].isFilled ? isInside(figures, row, at) && beside > kSameLocationNm
-                                      : isInTrack(figures, row, at)) {
+            if (figures[row].isFilled ? isInArea(figures, row, at) : isInTrack(figures, row, at)) {
                 return true;
             }
         }
         return false;
+    }
+
+    static bool isInArea(const FigureTable& figures, std::size_t row, PointD at) {
+        return isInside(figures, row, at) && spacingToEdges(figures, row, at).distance > kSameLocationNm;
     }
 
     static bool isInTrack(const FigureTable& figures, std::size_t row, PointD at) {
