@@ -35,6 +35,14 @@ QSlider* sliderTo(int least, int most, const char* name, const QString& tip) {
     return slider;
 }
 
+/// Names of rules may be sentences: the columns behind them would be out of sight.
+void fit(TableView& table, int nameColumn) {
+    constexpr int kLetters = 18;
+    table.resizeColumnsToContents();
+    const int most = kLetters * table.fontMetrics().averageCharWidth();
+    table.setColumnWidth(nameColumn, std::min(table.columnWidth(nameColumn), most));
+}
+
 }  // namespace
 
 ClearancePanel::ClearancePanel(ClearanceModel& locations, RuleModel& rules, const ActionSet& actions, QWidget* parent)
@@ -64,6 +72,7 @@ ClearancePanel::ClearancePanel(ClearanceModel& locations, RuleModel& rules, cons
     for (const int column : {RuleModel::Kind, RuleModel::First, RuleModel::Second}) {
         m_ruleTable->setColumnHidden(column, true);  // the title says them
     }
+    m_ruleTable->horizontalHeader()->swapSections(RuleModel::Least, RuleModel::Result);  // seen in narrow columns too
     m_tables->addWidget(m_ruleTable);
     m_tables->addWidget(m_table);
     m_tables->setStretchFactor(0, 2);
@@ -80,8 +89,8 @@ ClearancePanel::ClearancePanel(ClearanceModel& locations, RuleModel& rules, cons
     connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, m_table, &TableView::choose);
     connect(m_table, &TableView::rowChosen, this, [this](int at) { emit chosen(m_locations.location(at)); });
     connect(&locations, &QAbstractItemModel::modelReset, this, &ClearancePanel::onReset);
-    connect(&rules, &QAbstractItemModel::dataChanged, m_ruleTable, &QTableView::resizeColumnsToContents);
-    connect(&rules, &QAbstractItemModel::modelReset, m_ruleTable, &QTableView::resizeColumnsToContents);
+    connect(&rules, &QAbstractItemModel::dataChanged, this, &ClearancePanel::fitTables);
+    connect(&rules, &QAbstractItemModel::modelReset, this, &ClearancePanel::fitTables);
     onWhat();
     onReset();
     onMapReach();
@@ -182,7 +191,12 @@ void ClearancePanel::setUnit(LengthUnit unit) {
     m_unit = unit;
     m_mapReach->setText(lengthText(mapReach(), unit));
     m_summary->setText(m_locations.summary());
-    m_table->resizeColumnsToContents();
+    fitTables();
+}
+
+void ClearancePanel::fitTables() {
+    fit(*m_table, ClearanceModel::Rule);
+    fit(*m_ruleTable, RuleModel::Title);
 }
 
 void ClearancePanel::onWhat() {
@@ -191,13 +205,13 @@ void ClearancePanel::onWhat() {
     m_ruleTable->setVisible(isOfRules);
     m_openRules->setVisible(isOfRules);
     m_saveRules->setVisible(isOfRules);
-    m_ruleTable->resizeColumnsToContents();
+    fitTables();
 }
 
 void ClearancePanel::onReset() {
     m_summary->setText(m_locations.summary());
     m_table->setColumnHidden(ClearanceModel::Rule, what() == What::Smallest);
-    m_table->resizeColumnsToContents();
+    fitTables();
 }
 
 void ClearancePanel::onMapReach() {

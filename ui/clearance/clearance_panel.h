@@ -58,6 +58,7 @@ private:
     [[nodiscard]] QBoxLayout* searchRow(const ActionSet& actions);
     [[nodiscard]] QBoxLayout* sliderRow(const ActionSet& actions);
     void onReset();
+    void fitTables();
     void onWhat();
     void onMapReach();
 
