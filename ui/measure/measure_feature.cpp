@@ -221,9 +221,8 @@ void MeasureFeature::setHeights(const LoadedBoard& board) {
 
 void MeasureFeature::setTool(Tool tool) {
     m_tool = m_index ? tool : Tool::None;
+    m_under.reset();  // what another tool has caught is nothing that this one measures
     clearClicks();
-    m_under.reset();
-    m_coming.reset();
     m_probing.setSelecting(m_tool == Tool::None);
     for (BoardView* view : m_views.both()) {
         showCursor(*view, m_tool == Tool::None ? Qt::ArrowCursor : Qt::CrossCursor);

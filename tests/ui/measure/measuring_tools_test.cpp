@@ -180,6 +180,15 @@ private slots:
         QCOMPARE(list().size(), std::size_t{4});
     }
 
+    void whatOneToolHasCaughtIsNothingToTheNext() {
+        m_fixture->key(Qt::Key_M);
+        move(flat(), {3, 1.5});
+        m_fixture->key(Qt::Key_R, Qt::ShiftModifier);
+        QCOMPARE(window().measuring().tool(), MeasureFeature::Tool::Radius);
+        click(flat(), {0.1, 0.1});
+        QVERIFY(std::abs(list().back().distance() - 0.5e6) < 1.0);
+    }
+
     void lengthsFollowTheCopperOfANet() {
         const QImage before[] = {picture(flat()), picture(solid())};
         m_fixture->key(Qt::Key_J);
