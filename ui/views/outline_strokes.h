@@ -77,7 +77,7 @@ struct OutlineSight {
 /// still too many, the pixel grows.
 class OutlineStrokes {
 public:
-    static constexpr std::size_t kMostSegments = 4000;
+    static constexpr std::size_t kMostSegments = 2000;
     static constexpr double kLeastOpening = 12.0;   ///< pixels; the rims of smaller ones would cover what is around
     static constexpr double kLargeOpening = 120.0;  ///< pixels; seen wherever the pointer is
     static constexpr double kNear = 60.0;           ///< pixels from the pointer
