@@ -7,6 +7,8 @@
 #include "app/common/console_progress.h"
 #include "model/base/thickness_units.h"
 #include "model/board/copies.h"
+#include "model/clearance/rule_file.h"
+#include "model/design_rules/design_rule_check.h"
 #include "model/export/clearance_export.h"
 
 namespace app {

@@ -151,4 +151,28 @@ std::vector<bool> layersOf(const Document& document, LayerPreset preset) {
     return layers;
 }
 
+LayerSide faceOf(const Document& document, LayerId layer) {
+    const LayerId top = outerCopper(document, LayerSide::Top);
+    const LayerId bottom = outerCopper(document, LayerSide::Bottom);
+    if (!top.isValid()) {
+        return LayerSide::None;
+    }
+    const LayerSide said = document.layer(layer).side;
+    const bool isSaid = said == LayerSide::Top || said == LayerSide::Bottom;
+    if (isSaid && !(document.layer(layer).isCopper() && top != bottom)) {
+        return said;
+    }
+    return layer <= top ? LayerSide::Top : layer >= bottom ? LayerSide::Bottom : LayerSide::Inner;
+}
+
+LayerId outerCopper(const Document& document, LayerSide face) {
+    LayerId found;
+    for (std::size_t row = 0; row < document.layers.size(); ++row) {
+        if (document.layers[row].isCopper() && (face == LayerSide::Bottom || !found.isValid())) {
+            found = LayerId{row};
+        }
+    }
+    return found;
+}
+
 }  // namespace model

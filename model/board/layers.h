@@ -33,6 +33,13 @@ inline constexpr std::size_t kLayerGroupCount = static_cast<std::size_t>(LayerGr
 /// placement outlines that would cover the board. One entry per layer: is it a print? Layers are in physical order.
 [[nodiscard]] std::vector<bool> silkscreenPrints(const Document& document);
 
+/// On which face of the board an outer layer lies, from the job's word or the order of layers: the first copper layer
+/// and what is above it at the top, the last one and what is below at the bottom. Inner for copper in between, None for
+/// boards without copper.
+[[nodiscard]] LayerSide faceOf(const Document& document, LayerId layer);
+/// The first copper layer, or the last one; none on boards without copper. On a board with one it is both.
+[[nodiscard]] LayerId outerCopper(const Document& document, LayerSide face);
+
 /// Layers that belong together.
 enum class LayerPreset : std::uint8_t {
     All,

@@ -2,189 +2,127 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
-#include <nlohmann/json.hpp>
-#include <span>
 
-#include "model/base/units.h"
 #include "model/figures/distance.h"
-#include "model/text/formatting.h"
-#include "model/text/json_lines.h"
-#include "model/text/json_text.h"
 
 namespace model {
 
-using nlohmann::ordered_json;
-
 namespace {
 
-constexpr const char* kVersionKey = "copperscope_rules";
-constexpr int kVersion = 1;
-constexpr std::array<const char*, kRuleKindCount> kNames = {"copper-copper", "copper-hole",  "copper-edge",
-                                                            "hole-hole",     "annular-ring", "mask-sliver"};
+/// What there is to know of a kind; rows in the order of RuleKind.
+struct KindTraits {
+    const char* name;
+    std::array<RuleSide, 2> sides;
+    bool hasLeast;
+    bool hasLayer;
+    const char* meaning;
+};
+constexpr auto kNone = RuleSide::None;
+constexpr auto kNet = RuleSide::Net;
+constexpr auto kCopper = RuleSide::Copper;
+constexpr auto kAHole = RuleSide::Hole;
+constexpr std::array<KindTraits, kRuleKindCount> kKinds = {{
+    {"copper-copper",
+     {kCopper, kCopper},
+     true,
+     true,
+     "Between nets, on one layer; walls of plated holes count as copper."},
+    {"copper-hole",
+     {kCopper, kAHole},
+     true,
+     true,
+     "From copper to holes as drilled: NPTHs, and plated ones of other nets."},
+    {"copper-edge", {kCopper, kNone}, true, true, "From copper to the outline of the board and its cut-outs."},
+    {"hole-hole", {kAHole, kAHole}, true, false, "Between holes as drilled that pass a common copper layer."},
+    {"annular-ring",
+     {kAHole, kNone},
+     true,
+     true,
+     "What is left of a pad around a plated hole or slot, on every layer where it has one."},
+    {"mask-sliver", {kNone, kNone}, true, true, "What is left of solder mask between two openings."},
+    {"mask-copper", {kNet, kNone}, true, true, "By how much a solder mask opening is larger than the pad in it."},
+    {"mask-foreign",
+     {kCopper, kNone},
+     true,
+     true,
+     "From a solder mask opening to copper of other nets than what it is for."},
+    {"silk-pad", {kNone, kNone}, true, true, "From silkscreen to pads that solder mask leaves free."},
+    {"track-width", {kNet, kNone}, true, true, "Width of tracks."},
+    {"acute-angle", {kNet, kNone}, false, true, "Tracks of a net that meet at less than 90 degrees."},
+    {"floating-copper", {kNone, kNone}, false, true, "Copper that reaches no pad and no plated hole."},
+    {"creepage", {kCopper, kCopper}, true, true, "Between nets along an outer face, around cut-outs, slots and NPTHs."},
+}};
+
+const KindTraits& traitsOf(RuleKind kind) {
+    return kKinds[static_cast<std::size_t>(kind)];
+}
 
 constexpr std::array<const char*, kHoleClassCount> kHoleNames = {"any", "plated", "microvia", "non-plated"};
+constexpr std::array<const char*, kCopperObjectCount> kObjectNames = {"any", "track", "pad", "via", "plane"};
 
-constexpr std::array<const char*, kRuleKindCount> kMeanings = {
-    "Between nets, on one layer; walls of plated holes count as copper.",
-    "From copper to holes as drilled: NPTHs, and plated ones of other nets.",
-    "From copper to the outline of the board and its cut-outs.",
-    "Between holes as drilled that pass a common copper layer.",
-    "What is left of a pad around a plated hole or slot, on every layer where it has one.",
-    "What is left of solder mask between two openings."};
-
-base::Error bad(const std::string& what) {
-    return {base::ErrorCode::BadInput, "the rules cannot be used: " + what};
+std::size_t sidesWith(RuleKind kind, bool (*counts)(RuleSide)) {
+    const std::array<RuleSide, 2> sides = sidesOf(kind);
+    return static_cast<std::size_t>(std::ranges::count_if(sides, counts));
 }
 
-base::Result<NetClass> parseClass(const std::string& name, const ordered_json& nets, const JsonLines& lines) {
-    const std::string where = "line " + std::to_string(lines.of("/classes/" + name)) + ": ";
-    if (name.empty() || !nets.is_array()) {
-        return bad(where + "class \"" + name + "\" needs a name and a list of nets");
-    }
-    NetClass netClass{name, {}};
-    for (const ordered_json& net : nets) {
-        if (!net.is_string()) {
-            return bad(where + "class \"" + name + "\" lists an item that is no name");
-        }
-        netClass.nets.push_back(net);
-    }
-    return netClass;
+/// "between power and any net", "of any net"; empty if nothing is named.
+std::string sidesText(const std::array<std::string, 2>& words, std::size_t sides) {
+    return sides == 2 ? " between " + words[0] + " and " + words[1] : " of " + words[0];
 }
 
-base::Status parseBetween(const ordered_json& between, const RuleTable& table, const std::string& where, Rule& rule) {
-    const bool isPair = between.is_array() && between.size() == 2 && between[0].is_string() && between[1].is_string();
-    if (!isPair || rule.kind != RuleKind::CopperToCopper) {
-        return bad(where + ": \"between\" names two net classes of a copper-copper rule");
-    }
-    for (std::size_t i = 0; i < 2; ++i) {
-        rule.classes[i] = between[i];
-        if (!rule.classes[i].empty() &&
-            std::ranges::find(table.classes, rule.classes[i], &NetClass::name) == table.classes.end()) {
-            return bad(where + ": there is no net class \"" + rule.classes[i] + "\"");
-        }
-    }
-    return base::Done{};
+std::string holesText(const Rule& rule) {
+    constexpr const char* kMany[] = {"any holes", "plated holes", "microvias", "NPTHs"};
+    const auto word = [&](std::size_t side) { return std::string(kMany[static_cast<std::size_t>(rule.holes[side])]); };
+    return sidesText({word(0), word(1)}, holeSidesOf(rule.kind));
 }
 
-base::Status parseHoles(const ordered_json& json, const std::string& where, Rule& rule) {
-    const std::size_t sides = holeSidesOf(rule.kind);
-    const ordered_json names = json.is_string() ? ordered_json::array({json}) : json;
-    if (sides == 0 || !names.is_array() || names.size() != sides) {
-        return bad(where + ": \"holes\" names one kind of a copper-hole or annular-ring rule, two of a hole-hole rule");
-    }
-    for (std::size_t i = 0; i < sides; ++i) {
-        const std::optional<HoleClass> holes =
-            names[i].is_string() ? holeClassOf(names[i].get<std::string>()) : std::nullopt;
-        if (!holes) {
-            return bad(where + ": \"holes\" are any, plated, microvia or non-plated, not " + names[i].dump());
-        }
-        rule.holes[i] = *holes;
-    }
-    return base::Done{};
-}
-
-/// A key that nothing reads is a typing error; `path` is that of the object.
-base::Status checkKeys(const ordered_json& json, const std::string& path, std::span<const char* const> known,
-                       const JsonLines& lines) {
-    for (const auto& [key, value] : json.items()) {
-        if (std::ranges::none_of(known, [&](const char* name) { return key == name; })) {
-            const std::vector<std::string> names(known.begin(), known.end());
-            return bad("line " + std::to_string(lines.of(path + '/' + key)) + ": unknown key \"" + key +
-                       "\"; there are " + joined(names));
-        }
-    }
-    return base::Done{};
-}
-
-base::Result<Nm> parseLeast(double least, const std::string& where) {
-    const double most = kMostLeast / base::kNmPerUm;
-    if (!(least >= 1 / base::kNmPerUm && least <= most)) {
-        return bad(where + ": \"least_um\" must be above 0 (0.001 at least) and at most 100000");
-    }
-    return static_cast<Nm>(std::lround(least * base::kNmPerUm));
-}
-
-base::Result<Rule> parseRule(const ordered_json& json, const RuleTable& table, const JsonLines& lines) {
-    constexpr const char* kKeys[] = {"kind", "least_um", "between", "holes", "on"};
-    const std::string path = "/rules/" + std::to_string(table.rules.size());
-    const auto where = [&](const std::string& key) {
-        return "line " + std::to_string(lines.of(path + '/' + key)) + ", rule " +
-               std::to_string(table.rules.size() + 1);
+std::string objectsText(const Rule& rule) {
+    constexpr const char* kMany[] = {"any copper", "tracks", "pads", "vias", "planes"};
+    const auto word = [&](std::size_t side) {
+        return std::string(kMany[static_cast<std::size_t>(rule.objects[side])]);
     };
-    if (!json.is_object() || !json.contains("kind") || !json["kind"].is_string() || !json.contains("least_um") ||
-        !json["least_um"].is_number()) {
-        return bad(where("") + " needs a \"kind\" and a number \"least_um\"");
-    }
-    RETURN_IF_ERROR(checkKeys(json, path, kKeys, lines));
-    const std::optional<RuleKind> kind = ruleKindOf(json["kind"].get<std::string>());
-    if (!kind) {
-        return bad(where("kind") + ": there is no kind \"" + json["kind"].get<std::string>() + "\"");
-    }
-    ASSIGN_OR_RETURN(const Nm least, parseLeast(json["least_um"], where("least_um")));
-    const ordered_json isOn = json.value("on", ordered_json(true));
-    if (!isOn.is_boolean()) {
-        return bad(where("on") + ": \"on\" is true or false");
-    }
-    Rule rule{*kind, least, {}, isOn};
-    if (json.contains("between")) {
-        RETURN_IF_ERROR(parseBetween(json["between"], table, where("between"), rule));
-    }
-    if (json.contains("holes")) {
-        RETURN_IF_ERROR(parseHoles(json["holes"], where("holes"), rule));
-    }
-    return rule;
+    return sidesText({word(0), word(1)}, copperSidesOf(rule.kind));
 }
 
-base::Result<Nm> parseTolerance(const ordered_json& json, const JsonLines& lines) {
-    const ordered_json value = json.value("tolerance_um", ordered_json(kTolerance / base::kNmPerUm));
-    const double um = value.is_number() ? value.get<double>() : -1.0;
-    if (!(um >= 0 && um <= kMostTolerance / base::kNmPerUm)) {
-        return bad("line " + std::to_string(lines.of("/tolerance_um")) +
-                   ": \"tolerance_um\" must be a number from 0 to 10");
-    }
-    return static_cast<Nm>(std::lround(um * base::kNmPerUm));
-}
-
-base::Result<ordered_json> parseText(std::string_view text) {
-    try {
-        ordered_json json = ordered_json::parse(text, nullptr, true, true);  // with comments
-        if (!json.is_object() || json.value(kVersionKey, ordered_json()) != kVersion) {
-            return bad("this is no file of Copperscope's rules of version 1 (\"copperscope_rules\": 1)");
-        }
-        return json;
-    } catch (const ordered_json::exception& error) {
-        return bad(std::string("this is no file of JSON: ") + error.what());
-    }
-}
-
-ordered_json jsonOf(const Rule& rule) {
-    ordered_json json{{"kind", nameOf(rule.kind)}, {"least_um", rule.least / base::kNmPerUm}};
-    if (rule.classes != std::array<std::string, 2>{}) {
-        json["between"] = rule.classes;
-    }
-    if (rule.holes != std::array<HoleClass, 2>{}) {
-        json["holes"] = nameOf(rule.holes[0]);
-        if (holeSidesOf(rule.kind) == 2) {
-            json["holes"] = {nameOf(rule.holes[0]), nameOf(rule.holes[1])};
-        }
-    }
-    if (!rule.isOn) {
-        json["on"] = false;
-    }
-    return json;
+std::string netsText(const Rule& rule) {
+    const auto word = [&](std::size_t side) {
+        const std::string& name = rule.classes[side];
+        return name.empty()                   ? std::string("any net")
+               : name.starts_with(kNetPrefix) ? name.substr(kNetPrefix.size())
+                                              : name;
+    };
+    return sidesText({word(0), word(1)}, netSidesOf(rule.kind));
 }
 
 }  // namespace
 
 const char* nameOf(RuleKind kind) {
-    return kNames[static_cast<std::size_t>(kind)];
+    return traitsOf(kind).name;
 }
 
 std::optional<RuleKind> ruleKindOf(std::string_view name) {
-    const auto kind = std::ranges::find_if(kNames, [&](const char* known) { return name == known; });
-    return kind == kNames.end() ? std::nullopt : std::optional(static_cast<RuleKind>(kind - kNames.begin()));
+    const auto* const kind = std::ranges::find_if(kKinds, [&](const KindTraits& known) { return name == known.name; });
+    return kind == kKinds.end() ? std::nullopt : std::optional(static_cast<RuleKind>(kind - kKinds.begin()));
+}
+
+const char* meaningOf(RuleKind kind) {
+    return traitsOf(kind).meaning;
+}
+
+bool hasLeast(RuleKind kind) {
+    return traitsOf(kind).hasLeast;
+}
+
+std::array<RuleSide, 2> sidesOf(RuleKind kind) {
+    return traitsOf(kind).sides;
+}
+
+bool isSymmetric(RuleKind kind) {
+    return sidesOf(kind)[1] != RuleSide::None && sidesOf(kind)[0] == sidesOf(kind)[1];
+}
+
+bool hasLayer(RuleKind kind) {
+    return traitsOf(kind).hasLayer;
 }
 
 const char* nameOf(HoleClass holes) {
@@ -192,28 +130,39 @@ const char* nameOf(HoleClass holes) {
 }
 
 std::optional<HoleClass> holeClassOf(std::string_view name) {
-    const auto found = std::ranges::find_if(kHoleNames, [&](const char* known) { return name == known; });
+    const auto* const found = std::ranges::find_if(kHoleNames, [&](const char* known) { return name == known; });
     return found == kHoleNames.end() ? std::nullopt : std::optional(static_cast<HoleClass>(found - kHoleNames.begin()));
 }
 
+const char* nameOf(CopperObject object) {
+    return kObjectNames[static_cast<std::size_t>(object)];
+}
+
+std::optional<CopperObject> copperObjectOf(std::string_view name) {
+    const auto* const found = std::ranges::find_if(kObjectNames, [&](const char* known) { return name == known; });
+    return found == kObjectNames.end() ? std::nullopt
+                                       : std::optional(static_cast<CopperObject>(found - kObjectNames.begin()));
+}
+
 std::size_t holeSidesOf(RuleKind kind) {
-    return kind == RuleKind::HoleToHole ? 2 : kind == RuleKind::CopperToHole || kind == RuleKind::AnnularRing ? 1 : 0;
+    return sidesWith(kind, [](RuleSide side) { return side == RuleSide::Hole; });
+}
+
+std::size_t netSidesOf(RuleKind kind) {
+    return sidesWith(kind, [](RuleSide side) { return side != RuleSide::None; });
+}
+
+std::size_t copperSidesOf(RuleKind kind) {
+    return sidesWith(kind, [](RuleSide side) { return side == RuleSide::Copper; });
 }
 
 std::string titleOf(const Rule& rule) {
     std::string title = nameOf(rule.kind);
-    if (rule.classes != std::array<std::string, 2>{}) {
-        const auto word = [](const std::string& name) { return name.empty() ? std::string("any net") : name; };
-        title += " between " + word(rule.classes[0]) + " and " + word(rule.classes[1]);
-    }
-    if (rule.holes != std::array<HoleClass, 2>{}) {
-        constexpr const char* kMany[] = {"any holes", "plated holes", "microvias", "NPTHs"};
-        const auto word = [&](std::size_t side) {
-            return std::string(kMany[static_cast<std::size_t>(rule.holes[side])]);
-        };
-        title += holeSidesOf(rule.kind) == 2 ? " between " + word(0) + " and " + word(1) : " of " + word(0);
-    }
-    return title;
+    title += rule.isSameNet ? " within a net" : "";
+    title += rule.classes != std::array<std::string, 2>{} ? netsText(rule) : "";
+    title += rule.objects != std::array<CopperObject, 2>{} ? objectsText(rule) : "";
+    title += rule.holes != std::array<HoleClass, 2>{} ? holesText(rule) : "";
+    return rule.layer.empty() ? title : title + " on " + rule.layer;
 }
 
 bool isBroken(const Rule& rule, Nm tolerance, double distance) {
@@ -223,6 +172,7 @@ bool isBroken(const Rule& rule, Nm tolerance, double distance) {
 
 RuleTable defaultRules() {
     constexpr Nm kUm = 1000;
+    constexpr bool kOff = false;
     return {{},
             {{RuleKind::CopperToCopper, 100 * kUm, {}},
              {RuleKind::CopperToHole, 200 * kUm, {}},
@@ -232,83 +182,15 @@ RuleTable defaultRules() {
              {RuleKind::MaskSliver, 75 * kUm, {}},
              {RuleKind::CopperToHole, 125 * kUm, {}, true, {HoleClass::Microvia}},
              {RuleKind::HoleToHole, 150 * kUm, {}, true, {HoleClass::Microvia, HoleClass::Any}},
-             {RuleKind::AnnularRing, 75 * kUm, {}, true, {HoleClass::Microvia}}}};
-}
-
-base::Result<RuleTable> parseRules(std::string_view text) {
-    ASSIGN_OR_RETURN(const ordered_json json, parseText(text));
-    const JsonLines lines(text);
-    constexpr const char* kKeys[] = {kVersionKey, "tolerance_um", "classes", "rules"};
-    RETURN_IF_ERROR(checkKeys(json, "", kKeys, lines));
-    if (!lines.duplicate().empty()) {
-        return bad("line " + std::to_string(lines.of(lines.duplicate())) + ": the key " +
-                   lines.duplicate().substr(lines.duplicate().rfind('/') + 1) + " is there twice");
-    }
-    const ordered_json classes = json.value("classes", ordered_json::object());
-    const ordered_json rules = json.value("rules", ordered_json::array());
-    if (!classes.is_object() || !rules.is_array()) {
-        return bad("\"classes\" must be an object and \"rules\" a list");
-    }
-    RuleTable table;
-    ASSIGN_OR_RETURN(table.tolerance, parseTolerance(json, lines));
-    for (const auto& [name, nets] : classes.items()) {
-        ASSIGN_OR_RETURN(NetClass netClass, parseClass(name, nets, lines));
-        table.classes.push_back(std::move(netClass));
-    }
-    if (table.classes.size() > kMostNetClasses) {
-        return bad("there are more than " + std::to_string(kMostNetClasses) + " net classes");
-    }
-    for (const ordered_json& rule : rules) {
-        ASSIGN_OR_RETURN(Rule parsed, parseRule(rule, table, lines));
-        table.rules.push_back(parsed);
-    }
-    return table.rules.empty() ? base::Result<RuleTable>(bad("there are none")) : table;
-}
-
-std::string toJson(const RuleTable& table) {
-    ordered_json classes = ordered_json::object();
-    for (const NetClass& netClass : table.classes) {
-        classes[netClass.name] = netClass.nets;
-    }
-    ordered_json rules = ordered_json::array();
-    for (const Rule& rule : table.rules) {
-        rules.push_back(jsonOf(rule));
-    }
-    return jsonText({{kVersionKey, kVersion},
-                     {"tolerance_um", table.tolerance / base::kNmPerUm},
-                     {"classes", classes},
-                     {"rules", rules}});
-}
-
-std::string commentedJson(const RuleTable& table) {
-    ordered_json classes = ordered_json::object();
-    for (const NetClass& netClass : table.classes) {
-        classes[netClass.name] = netClass.nets;
-    }
-    std::string text = "// Design rules for copperscope clearance --rules FILE. Lengths in micrometres.\n{\n";
-    text += "  \"" + std::string(kVersionKey) + "\": " + std::to_string(kVersion) + ",\n";
-    text += "  // How far a distance may be below its limit and still pass, 0 to 10.\n";
-    text += "  \"tolerance_um\": " + ordered_json(table.tolerance / base::kNmPerUm).dump() + ",\n";
-    text += "  // Net classes: {\"power\": [\"VCC*\", \"GND\"]}, with * for any text and ? for any letter.\n";
-    text += "  \"classes\": " + classes.dump() + ",\n";
-    text +=
-        "  // Of several rules that fit the last one holds. \"between\": [\"power\", \"\"] names net classes of a\n"
-        "  // copper-copper rule (\"\": any net); \"on\": false switches a rule off.\n  \"rules\": [\n";
-    for (std::size_t row = 0; row < table.rules.size(); ++row) {
-        const Rule& rule = table.rules[row];
-        text += std::string("    // ") + kMeanings[static_cast<std::size_t>(rule.kind)] + "\n    " +
-                jsonOf(rule).dump() + (row + 1 < table.rules.size() ? ",\n" : "\n");
-    }
-    return text + "  ]\n}\n";
-}
-
-base::Result<RuleTable> readRules(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    const std::string text(std::istreambuf_iterator<char>(file), {});
-    if (!file.is_open() || file.bad()) {
-        return base::Error{base::ErrorCode::BadInput, path.string() + " cannot be read"};
-    }
-    return parseRules(text);
+             {RuleKind::AnnularRing, 75 * kUm, {}, true, {HoleClass::Microvia}},
+             {RuleKind::TrackWidth, 100 * kUm, {}},
+             {RuleKind::CopperToCopper, 100 * kUm, {}, kOff, {}, {}, "", true},
+             {RuleKind::MaskToCopper, 25 * kUm, {}, kOff},
+             {RuleKind::MaskToForeign, 50 * kUm, {}, kOff},
+             {RuleKind::SilkToPad, 100 * kUm, {}, kOff},
+             {RuleKind::AcuteAngle, 0, {}, kOff},
+             {RuleKind::FloatingCopper, 0, {}, kOff},
+             {RuleKind::Creepage, 600 * kUm, {}, kOff, {}, {}, "", false, 1000 * kUm}}};
 }
 
 bool fitsWildcard(std::string_view name, std::string_view pattern) {

@@ -1,13 +1,11 @@
 #pragma once
 
 #include <array>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "model/base/result.h"
 #include "model/board/document.h"
 
 /// What a board must keep: distances and rings, by net class.
@@ -19,12 +17,32 @@ enum class RuleKind : std::uint8_t {
     CopperToEdge,    ///< from copper to the board's outline and cut-outs
     HoleToHole,      ///< between holes as drilled that pass a common copper layer
     AnnularRing,     ///< what is left of a pad around a plated hole, on every layer where it has one
-    MaskSliver       ///< what is left of solder mask between two openings
+    MaskSliver,      ///< what is left of solder mask between two openings
+    MaskToCopper,    ///< by how much a solder mask opening is larger than the pad in it
+    MaskToForeign,   ///< from a solder mask opening to copper of other nets than what it is for
+    SilkToPad,       ///< from silkscreen to pads that solder mask leaves free
+    TrackWidth,      ///< of tracks
+    AcuteAngle,      ///< tracks of a net that meet at less than 90°; asks for no length
+    FloatingCopper,  ///< copper that reaches no pad and no plated hole; asks for no length
+    Creepage         ///< between nets along an outer face, around cut-outs, slots and NPTHs
 };
-inline constexpr std::size_t kRuleKindCount = 6;
+inline constexpr std::size_t kRuleKindCount = 13;
 /// As rule files and tables have it: "copper-copper", "copper-hole", …
 [[nodiscard]] const char* nameOf(RuleKind kind);
 [[nodiscard]] std::optional<RuleKind> ruleKindOf(std::string_view name);
+/// What a rule of this kind is about, in a sentence.
+[[nodiscard]] const char* meaningOf(RuleKind kind);
+/// Is there a least value? Otherwise Rule::least does not count.
+[[nodiscard]] bool hasLeast(RuleKind kind);
+
+/// What can be named of one side of a rule: nets of anything but None, objects of copper, hole classes of holes.
+enum class RuleSide : std::uint8_t { None, Net, Copper, Hole };
+/// Of a kind like copper-hole both; of one like annular-ring the first.
+[[nodiscard]] std::array<RuleSide, 2> sidesOf(RuleKind kind);
+/// Are both sides the same, so that what is named of them holds either way round?
+[[nodiscard]] bool isSymmetric(RuleKind kind);
+/// Can it be held to some layers only?
+[[nodiscard]] bool hasLayer(RuleKind kind);
 
 /// Which holes a rule is for: those that a laser drills (HoleSpan::Micro) are made otherwise than drilled ones.
 enum class HoleClass : std::uint8_t { Any, Plated, Microvia, NonPlated };
@@ -34,6 +52,17 @@ inline constexpr std::size_t kHoleClassCount = 4;
 [[nodiscard]] std::optional<HoleClass> holeClassOf(std::string_view name);
 /// To how many sides of a rule of this kind a class of holes may be given: 0, 1 or 2 (holes to holes).
 [[nodiscard]] std::size_t holeSidesOf(RuleKind kind);
+/// For how many nets and net classes can be named.
+[[nodiscard]] std::size_t netSidesOf(RuleKind kind);
+
+/// What copper is: walls of vias and pads on them are vias, walls of other plated holes pads.
+enum class CopperObject : std::uint8_t { Any, Track, Pad, Via, Plane };
+inline constexpr std::size_t kCopperObjectCount = 5;
+/// For how many sides of a rule of this kind objects can be named: 0, 1 or 2.
+[[nodiscard]] std::size_t copperSidesOf(RuleKind kind);
+/// As rule files have it: "any", "track", "pad", "via", "plane"
+[[nodiscard]] const char* nameOf(CopperObject object);
+[[nodiscard]] std::optional<CopperObject> copperObjectOf(std::string_view name);
 
 /// Nets that share rules.
 struct NetClass {
@@ -45,15 +74,23 @@ struct NetClass {
 struct Rule {
     RuleKind kind = RuleKind::CopperToCopper;
     Nm least = 0;
-    /// CopperToCopper: between nets of these classes only, either way round; empty: any net.
+    /// By side, nets of this class only; empty: any net. "net:CLK*" stands for the nets of these names.
     std::array<std::string, 2> classes;
-    bool isOn = true;                  ///< else nothing is held against it, as if it were not there
-    std::array<HoleClass, 2> holes{};  ///< either way round; of kinds with one side (holeSidesOf) the first
+    bool isOn = true;                       ///< else nothing is held against it, as if it were not there
+    std::array<HoleClass, 2> holes{};       ///< of kinds with one side of holes (holeSidesOf) the first
+    std::array<CopperObject, 2> objects{};  ///< by side
+    /// "top", "bottom", "outer", "inner", or a name with * and ?; empty: all layers
+    std::string layer{};
+    bool isSameNet = false;  ///< CopperToCopper: within a net instead of between nets
+    Nm leastSlot = 0;        ///< Creepage: cut-outs narrower than this are bridged (X of IEC 60664-1)
     bool operator==(const Rule&) const = default;
 };
 
-/// "copper-copper between power and any net", "annular-ring of microvias"
+/// "copper-copper between power and any net", "annular-ring of microvias on inner"
 [[nodiscard]] std::string titleOf(const Rule& rule);
+
+/// A class that stands for the nets of some names.
+inline constexpr std::string_view kNetPrefix = "net:";
 
 /// By how much a distance may be below its limit, if nothing else is said: jobs round coordinates and sizes apart.
 inline constexpr Nm kTolerance = 500;
@@ -74,26 +111,9 @@ struct RuleTable {
 inline constexpr std::size_t kMostNetClasses = 63;
 inline constexpr Nm kMostLeast = 100'000'000;  ///< nothing on a board is asked to stay a decimetre apart
 
-/// A rule of every kind, and of microvias those of their own, as common fabricators offer without extra cost.
+/// A rule of every kind, and of microvias those of their own, as common fabricators offer without extra cost. Those that
+/// many boards break for good reasons are off.
 [[nodiscard]] RuleTable defaultRules();
-
-/// From JSON:
-///
-///     {"copperscope_rules": 1, "classes": {"power": ["VCC*", "GND"]},
-///      "tolerance_um": 0.5,
-///      "rules": [{"kind": "copper-copper", "least_um": 100}, {"kind": "copper-copper", "least_um": 250,
-///                 "between": ["power", ""], "on": false}]}
-///
-/// Rules of holes may name which: "holes": "microvia", of hole-hole two: "holes": ["microvia", "any"].
-/// A rule without "on" is on; without "tolerance_um" it is kTolerance.
-/// Comments are allowed, unknown keys and keys that are there twice are not.
-/// Errors: BadInput, saying what is wrong with which rule, key and line.
-[[nodiscard]] base::Result<RuleTable> parseRules(std::string_view json);
-[[nodiscard]] std::string toJson(const RuleTable& table);
-/// The same for people to edit: a rule a line, with comments on what is what. parseRules reads it.
-[[nodiscard]] std::string commentedJson(const RuleTable& table);
-/// From a file. Errors: BadInput.
-[[nodiscard]] base::Result<RuleTable> readRules(const std::filesystem::path& path);
 
 /// Does a name fit a pattern with * and ?; letters count as they are.
 [[nodiscard]] bool fitsWildcard(std::string_view name, std::string_view pattern);

@@ -1,27 +1,53 @@
 #include "model/clearance/rule_choice.h"
 
 #include <algorithm>
+#include <cctype>
 
 #include "model/board/holes.h"
+#include "model/board/layers.h"
 
 namespace model {
 
 namespace {
 
-bool fits(HoleClass wanted, HoleClass hole) {
-    return wanted == HoleClass::Any || wanted == hole;
+template <class Kind>
+bool isOf(Kind wanted, Kind found) {
+    return wanted == Kind::Any || wanted == found;
+}
+
+/// The kind of holes that a rule names on a side.
+HoleClass holesAt(const Rule& rule, std::size_t side) {
+    const bool isHole = sidesOf(rule.kind)[side] == RuleSide::Hole;
+    return !isHole ? HoleClass::Any : rule.holes[holeSidesOf(rule.kind) == 2 ? side : 0];
 }
 
 /// Is a rule for everything that another one is for?
 bool coversAll(const Rule& rule, const Rule& other) {
-    const auto isIn = [&](std::size_t a, std::size_t b) {
-        const auto hasClass = [&](std::size_t i, std::size_t j) {
-            return rule.classes[i].empty() || rule.classes[i] == other.classes[j];
-        };
-        return hasClass(0, a) && hasClass(1, b) && fits(rule.holes[0], other.holes[a]) &&
-               fits(rule.holes[1], other.holes[b]);
+    const auto isSideIn = [&](std::size_t i, std::size_t j) {
+        return (rule.classes[i].empty() || rule.classes[i] == other.classes[j]) &&
+               isOf(holesAt(rule, i), holesAt(other, j)) && isOf(rule.objects[i], other.objects[j]);
     };
-    return rule.kind == other.kind && (isIn(0, 1) || isIn(1, 0));
+    const bool isAround =
+        (isSideIn(0, 0) && isSideIn(1, 1)) || (isSymmetric(rule.kind) && isSideIn(0, 1) && isSideIn(1, 0));
+    return rule.kind == other.kind && rule.isSameNet == other.isSameNet && isAround &&
+           (rule.layer.empty() || rule.layer == other.layer);
+}
+
+std::string lowered(std::string_view text) {
+    std::string out(text);
+    std::ranges::transform(out, out.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return out;
+}
+
+/// The words for faces, or a name.
+bool fitsLayer(const Document& document, LayerId layer, const std::string& wanted) {
+    const LayerSide face = faceOf(document, layer);
+    const bool isOuter = face == LayerSide::Top || face == LayerSide::Bottom;
+    return wanted == "outer"    ? isOuter
+           : wanted == "inner"  ? document.layer(layer).isCopper() && !isOuter
+           : wanted == "top"    ? face == LayerSide::Top
+           : wanted == "bottom" ? face == LayerSide::Bottom
+                                : fitsWildcard(lowered(document.layer(layer).name), lowered(wanted));
 }
 
 }  // namespace
@@ -40,47 +66,63 @@ std::vector<HoleClass> holeClassesOf(const Document& document) {
 }
 
 RuleChoice::RuleChoice(const Document& document, const RuleTable& table)
-    : m_table(table), m_classes(document.nets.size()) {
-    for (std::size_t row = 0; row < table.classes.size(); ++row) {
-        for (std::size_t net = 0; net < m_classes.size(); ++net) {
-            const bool isIn = std::ranges::any_of(table.classes[row].nets, [&](const std::string& pattern) {
-                return fitsWildcard(document.nets[net].name, pattern);
-            });
-            m_classes[net] |= (isIn ? std::uint64_t{1} : 0) << row;
+    : m_table(table), m_classes(table.classes), m_classesOf(document.nets.size()) {
+    addClasses(document);
+    for (std::size_t row = 0; row < table.rules.size(); ++row) {
+        const Rule& rule = table.rules[row];
+        if (!rule.isOn) {
+            continue;
+        }
+        Fit fit{row, {maskOf(rule.classes[0]), maskOf(rule.classes[1])}, {}};
+        for (std::size_t layer = 0; layer < document.layers.size(); ++layer) {
+            fit.layers.push_back(rule.layer.empty() || fitsLayer(document, LayerId{layer}, rule.layer));
+        }
+        m_rules[static_cast<std::size_t>(rule.kind)].push_back(std::move(fit));
+    }
+}
+
+void RuleChoice::addClasses(const Document& document) {
+    for (const Rule& rule : m_table.rules) {
+        for (const std::string& name : rule.classes) {
+            if (name.starts_with(kNetPrefix) && std::ranges::count(m_classes, name, &NetClass::name) == 0) {
+                m_classes.push_back({name, {name.substr(kNetPrefix.size())}});
+            }
         }
     }
-    for (const std::size_t row : rowsOf(RuleKind::CopperToCopper)) {
-        m_rules.push_back({row, maskOf(table.rules[row].classes[0]), maskOf(table.rules[row].classes[1])});
+    for (std::size_t row = 0; row < m_classes.size(); ++row) {
+        for (std::size_t net = 0; net < m_classesOf.size(); ++net) {
+            const bool isIn = std::ranges::any_of(m_classes[row].nets, [&](const std::string& pattern) {
+                return fitsWildcard(document.nets[net].name, pattern);
+            });
+            m_classesOf[net] |= (isIn ? std::uint64_t{1} : 0) << row;
+        }
     }
 }
 
-std::optional<std::size_t> RuleChoice::between(NetId a, NetId b) const {
-    const std::uint64_t ofA = classesOf(a);
-    const std::uint64_t ofB = classesOf(b);
-    const auto fits = [&](const Fit& rule) {
-        return ((ofA & rule.first) != 0 && (ofB & rule.second) != 0) ||
-               ((ofA & rule.second) != 0 && (ofB & rule.first) != 0);
-    };
-    const auto last = std::find_if(m_rules.rbegin(), m_rules.rend(), fits);
-    return last == m_rules.rend() ? std::nullopt : std::optional(last->row);
+bool RuleChoice::fitsSide(const Fit& fit, std::size_t side, const RuleParty& party) const {
+    const Rule& rule = m_table.rules[fit.row];
+    return (classesOf(party.net) & fit.classes[side]) != 0 && isOf(holesAt(rule, side), party.hole) &&
+           isOf(rule.objects[side], party.object);
 }
 
-std::optional<std::size_t> RuleChoice::of(RuleKind kind, HoleClass hole) const {
-    std::optional<std::size_t> last;
-    for (const std::size_t row : rowsOf(kind)) {
-        last = fits(m_table.rules[row].holes[0], hole) ? row : last;
-    }
-    return last;
+bool RuleChoice::fits(const Fit& fit, LayerId layer, const RuleParty& a, const RuleParty& b) const {
+    const Rule& rule = m_table.rules[fit.row];
+    const bool isSameNet = rule.kind == RuleKind::CopperToCopper && a.net.isValid() && a.net == b.net;
+    return (!layer.isValid() || fit.layers[layer.row()]) && isSameNet == rule.isSameNet &&
+           ((fitsSide(fit, 0, a) && fitsSide(fit, 1, b)) ||
+            (isSymmetric(rule.kind) && fitsSide(fit, 0, b) && fitsSide(fit, 1, a)));
 }
 
-std::optional<std::size_t> RuleChoice::between(HoleClass a, HoleClass b) const {
-    std::optional<std::size_t> last;
-    for (const std::size_t row : rowsOf(RuleKind::HoleToHole)) {
-        const auto& [first, second] = m_table.rules[row].holes;
-        const bool isFit = (fits(first, a) && fits(second, b)) || (fits(first, b) && fits(second, a));
-        last = isFit ? row : last;
-    }
-    return last;
+std::optional<std::size_t> RuleChoice::of(RuleKind kind, LayerId layer, const RuleParty& a, const RuleParty& b) const {
+    const std::vector<Fit>& rules = m_rules[static_cast<std::size_t>(kind)];
+    const auto last =
+        std::find_if(rules.rbegin(), rules.rend(), [&](const Fit& fit) { return fits(fit, layer, a, b); });
+    return last == rules.rend() ? std::nullopt : std::optional(last->row);
+}
+
+bool RuleChoice::isOn(RuleKind kind, LayerId layer) const {
+    return std::ranges::any_of(m_rules[static_cast<std::size_t>(kind)],
+                               [&](const Fit& fit) { return fit.layers[layer.row()]; });
 }
 
 std::string RuleChoice::whyUnused(std::size_t rule, const std::vector<HoleClass>& holes) const {
@@ -108,39 +150,38 @@ double RuleChoice::reachOf(RuleKind kind) const {
 
 std::vector<std::size_t> RuleChoice::rowsOf(RuleKind kind) const {
     std::vector<std::size_t> rows;
-    for (std::size_t row = 0; row < m_table.rules.size(); ++row) {
-        if (m_table.rules[row].kind == kind && m_table.rules[row].isOn) {
-            rows.push_back(row);
-        }
-    }
+    std::ranges::transform(m_rules[static_cast<std::size_t>(kind)], std::back_inserter(rows), &Fit::row);
     return rows;
 }
 
-std::vector<std::size_t> RuleChoice::emptyClassesOf(std::size_t rule) const {
-    std::vector<std::size_t> rows;
+std::vector<std::string> RuleChoice::emptyClassesOf(std::size_t rule) const {
+    std::vector<std::string> empty;
     for (const std::string& name : m_table.rules[rule].classes) {
-        const std::size_t row = classRow(name);
-        const auto isIn = [row](std::uint64_t classes) { return (classes >> row & 1U) != 0; };
-        if (!name.empty() && std::ranges::none_of(m_classes, isIn)) {
-            rows.push_back(row);
+        const std::uint64_t mask = maskOf(name);
+        const bool isEmpty =
+            std::ranges::none_of(m_classesOf, [&](std::uint64_t classes) { return (classes & mask) != 0; });
+        if (!name.empty() && isEmpty) {
+            empty.push_back(name);
         }
     }
-    return rows;
+    return empty;
 }
 
-std::size_t RuleChoice::classRow(const std::string& name) const {
-    return static_cast<std::size_t>(std::ranges::find(m_table.classes, name, &NetClass::name) -
-                                    m_table.classes.begin());
+bool RuleChoice::hasNoLayer(std::size_t rule) const {
+    const std::vector<Fit>& rules = m_rules[static_cast<std::size_t>(m_table.rules[rule].kind)];
+    const auto fit = std::ranges::find(rules, rule, &Fit::row);
+    return !m_table.rules[rule].layer.empty() && fit != rules.end() && std::ranges::count(fit->layers, true) == 0;
 }
 
 std::uint64_t RuleChoice::maskOf(const std::string& name) const {
-    return name.empty() ? ~std::uint64_t{0} : std::uint64_t{1} << classRow(name);
+    const auto row = std::ranges::find(m_classes, name, &NetClass::name) - m_classes.begin();
+    return name.empty() ? ~std::uint64_t{0} : std::uint64_t{1} << static_cast<unsigned>(row);
 }
 
 /// A net of no class, and copper without a net, fit "any" alone; its mask has all bits, theirs must have one.
 std::uint64_t RuleChoice::classesOf(NetId net) const {
     constexpr std::uint64_t kAny = std::uint64_t{1} << 63U;
-    return kAny | (net.isValid() ? m_classes[net.row()] : 0);
+    return kAny | (net.isValid() ? m_classesOf[net.row()] : 0);
 }
 
 }  // namespace model

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -13,18 +14,25 @@ namespace model {
 /// The class of every element that is a hole, by element; Any for what is none.
 [[nodiscard]] std::vector<HoleClass> holeClassesOf(const Document& document);
 
+/// What lies on one side of a rule; what does not matter to a kind may be left out.
+struct RuleParty {
+    NetId net;
+    HoleClass hole = HoleClass::Any;
+    CopperObject object = CopperObject::Any;
+};
+
 /// Which rule of a table holds for what, on one document: of those that are on and fit, the last one. Document and
 /// table must outlive it.
 class RuleChoice {
 public:
     RuleChoice(const Document& document, const RuleTable& table);
 
-    /// Of copper to copper of two nets; none if no rule fits.
-    [[nodiscard]] std::optional<std::size_t> between(NetId a, NetId b) const;
-    /// Of a kind that knows no net classes, for holes of one class.
-    [[nodiscard]] std::optional<std::size_t> of(RuleKind kind, HoleClass hole = HoleClass::Any) const;
-    /// Of holes to holes; none if no rule fits.
-    [[nodiscard]] std::optional<std::size_t> between(HoleClass a, HoleClass b) const;
+    /// None if no rule fits. `layer` may be none for kinds without one; sides are those of sidesOf(kind). Copper of one
+    /// net on both sides fits rules within a net alone.
+    [[nodiscard]] std::optional<std::size_t> of(RuleKind kind, LayerId layer, const RuleParty& a,
+                                                const RuleParty& b = {}) const;
+    /// Does a rule of the kind hold on a layer, for anything?
+    [[nodiscard]] bool isOn(RuleKind kind, LayerId layer) const;
     /// The largest least value of a kind, nm; 0: there is no such rule.
     [[nodiscard]] double reachOf(RuleKind kind) const;
     /// Rows of the rules of a kind that are on.
@@ -32,23 +40,29 @@ public:
     /// Why no item of the document can meet a rule that is on: there are no such holes, or a later rule holds for all
     /// it is for. Empty if some can.
     [[nodiscard]] std::string whyUnused(std::size_t rule, const std::vector<HoleClass>& holes) const;
-    /// Rows of net classes that a rule between nets names and that no net of the document fits.
-    [[nodiscard]] std::vector<std::size_t> emptyClassesOf(std::size_t rule) const;
+    /// Classes that a rule names and that no net of the document fits.
+    [[nodiscard]] std::vector<std::string> emptyClassesOf(std::size_t rule) const;
+    /// Does the rule name a layer that the document does not have?
+    [[nodiscard]] bool hasNoLayer(std::size_t rule) const;
 
 private:
+    /// Of a rule that is on.
     struct Fit {
         std::size_t row;
-        std::uint64_t first;
-        std::uint64_t second;
+        std::array<std::uint64_t, 2> classes;  ///< by side
+        std::vector<bool> layers;
     };
 
-    [[nodiscard]] std::size_t classRow(const std::string& name) const;
+    void addClasses(const Document& document);
     [[nodiscard]] std::uint64_t maskOf(const std::string& name) const;
     [[nodiscard]] std::uint64_t classesOf(NetId net) const;
+    [[nodiscard]] bool fitsSide(const Fit& fit, std::size_t side, const RuleParty& party) const;
+    [[nodiscard]] bool fits(const Fit& fit, LayerId layer, const RuleParty& a, const RuleParty& b) const;
 
     const RuleTable& m_table;
-    std::vector<std::uint64_t> m_classes;  ///< by net
-    std::vector<Fit> m_rules;
+    std::vector<NetClass> m_classes;         ///< of the table, then one for each "net:"
+    std::vector<std::uint64_t> m_classesOf;  ///< by net
+    std::array<std::vector<Fit>, kRuleKindCount> m_rules;
 };
 
 }  // namespace model

@@ -5,7 +5,9 @@
 namespace model {
 
 const char* toString(FindingReason reason) {
-    constexpr const char* kTexts[] = {"", "the drill removes the whole pad", "no copper around the hole on any layer"};
+    constexpr const char* kTexts[] = {
+        "", "the drill removes the whole pad",     "no copper around the hole on any layer",
+        "", "tracks meet at less than 90 degrees", "reaches no pad and no plated hole"};
     return kTexts[static_cast<std::size_t>(reason)];
 }
 
@@ -42,7 +44,8 @@ std::string sideOf(const Document& step, ElementId element) {
 }
 
 std::string secondSideOf(const Document& step, const RuleFinding& finding) {
-    return finding.reason == FindingReason::NoPad ? "(no pad)" : sideOf(step, finding.b);
+    const bool isAlone = !finding.b.isValid() && finding.reason > FindingReason::NoPad;
+    return finding.reason == FindingReason::NoPad ? "(no pad)" : isAlone ? "" : sideOf(step, finding.b);
 }
 
 }  // namespace model

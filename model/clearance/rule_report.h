@@ -15,9 +15,12 @@ namespace model {
 enum class FindingReason : std::uint8_t {
     TooClose,    ///< less than the rule's least value
     PadRemoved,  ///< the drill takes the whole pad of a plated hole, on this layer and perhaps on others
-    NoPad        ///< a plated hole has no copper around it on any layer it passes
+    NoPad,       ///< a plated hole has no copper around it on any layer it passes
+    TooNarrow,   ///< a track is less wide than the rule's least value
+    AcuteAngle,  ///< tracks leave a narrow notch where they meet
+    Floating     ///< copper that nothing joins to a pad or plated hole
 };
-/// "the drill removes the whole pad"; empty for TooClose, where the spacing says it all.
+/// "the drill removes the whole pad"; empty where the spacing says it all.
 [[nodiscard]] const char* toString(FindingReason reason);
 
 /// A location where a rule is broken.
@@ -71,7 +74,7 @@ enum class Verdict : std::uint8_t { Off, Unused, Passed, Incomplete, Failed };
 
 /// What lies on one side of a location: the name of its net, "(no net)", or for no element "(board edge)".
 [[nodiscard]] std::string sideOf(const Document& step, ElementId element);
-/// The same of the second side of a finding, which may be "(no pad)".
+/// The same of the second side of a finding, which may be "(no pad)"; empty if it has none.
 [[nodiscard]] std::string secondSideOf(const Document& step, const RuleFinding& finding);
 
 }  // namespace model

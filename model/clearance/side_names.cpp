@@ -45,8 +45,9 @@ std::string SideNames::kindOf(ElementId element) const {
     if ((flags & kHole) != 0) {
         return kindOfHole(element);
     }
-    if (!m_document.layer(m_document.elements.layer[element.row()]).isCopper()) {
-        return "opening";
+    const Layer& layer = m_document.layer(m_document.elements.layer[element.row()]);
+    if (!layer.isCopper()) {
+        return layer.type == LayerType::SilkScreen ? "silkscreen" : "opening";
     }
     const SubnetId subnet = m_document.elements.subnet[element.row()];
     const bool isPad =

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "model/clearance/clearance.h"
-#include "model/clearance/design_rule_check.h"
+#include "model/clearance/rule_report.h"
 
 /// What was found out about clearances, as text for people and files for programs.
 namespace model {

@@ -18,6 +18,7 @@ set(architecture_rows
     "model/nets                    | model           | model/board model/figures model/geometry model/statistics model/text |"
     "model/measure                 | model           | model/board model/figures model/geometry model/index model/statistics model/text |"
     "model/clearance               | model           | model/board model/figures model/geometry model/index model/nets model/text | json"
+    "model/design_rules            | model           | model/board model/clearance model/figures model/geometry model/nets |"
     "model/section                 | model           | model/board model/figures model/geometry model/index model/measure model/text |"
     "model/export                  | model           | model/board model/clearance model/index model/section model/text | json"
     "model/session                 | model::session  | model/board model/measure model/solids model/text | json"
@@ -63,13 +64,13 @@ set(architecture_rows
     "ui/views                      | ui              | model/board model/figures model/geometry model/index model/solids render/frame render/modelling render/scene ui/canvas ui/common ui/element ui/layers ui/nets ui/parts ui/workspace | qt widgets glm"
     "ui/saved_views                | ui              | model/board model/session ui/common ui/layers ui/views ui/workspace | qt widgets glm"
     "ui/measure                    | ui              | model/board model/index model/measure model/session ui/common ui/views ui/workspace | qt widgets"
-    "ui/clearance                  | ui              | model/board model/clearance model/export model/index model/measure model/session render/scene ui/common ui/layers ui/views ui/workspace | qt widgets"
+    "ui/clearance                  | ui              | model/board model/clearance model/design_rules model/export model/index model/measure model/session render/scene ui/common ui/layers ui/views ui/workspace | qt widgets"
     "ui/section                    | ui              | model/board model/export model/index model/measure model/section model/session ui/canvas ui/common ui/layers ui/views ui/workspace | qt widgets"
     "ui/shell                      | ui              | model/board model/formats render/gpu render/scene ui/canvas ui/clearance ui/common ui/element ui/layers ui/measure ui/messages ui/netlist_check ui/nets ui/parts ui/saved_views ui/search ui/section ui/stackup ui/statistics ui/theme ui/views ui/workspace | qt widgets"
     "app/common                    | app             | model/board model/opening model/session model/solids render/gpu render/modelling render/scene tri tri/gpu | json log"
     "app/reports                   | app             | app/common model/board model/nets model/statistics render/modelling render/standard | json"
     "app/bench                     | app tri::bench  | app/common model/board model/formats model/text render/frame render/gpu render/modelling render/scene render/standard tri tri/gpu | json"
-    "app/commands                  | app             | app/bench app/common app/reports model/board model/clearance model/export model/formats model/generate model/measure model/nets model/section model/session model/text render/frame render/gpu render/modelling render/scene render/standard ui/shell | cli json"
+    "app/commands                  | app             | app/bench app/common app/reports model/board model/clearance model/design_rules model/export model/formats model/generate model/measure model/nets model/section model/session model/text render/frame render/gpu render/modelling render/scene render/standard ui/shell | cli json"
     "app                           |                 | app/commands app/common | log"
 )
 

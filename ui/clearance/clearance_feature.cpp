@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "model/board/copies.h"
+#include "model/clearance/rule_file.h"
 #include "ui/clearance/rule_dialog.h"
 #include "ui/common/paths.h"
 #include "ui/common/table_view.h"

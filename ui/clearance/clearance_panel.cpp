@@ -69,7 +69,7 @@ ClearancePanel::ClearancePanel(ClearanceModel& locations, RuleModel& rules, cons
     m_table->makeSortable();
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_ruleTable->horizontalHeader()->setStretchLastSection(true);
-    for (const int column : {RuleModel::Kind, RuleModel::First, RuleModel::Second}) {
+    for (int column = RuleModel::Kind; column <= RuleModel::Layer; ++column) {
         m_ruleTable->setColumnHidden(column, true);  // the title says them
     }
     m_ruleTable->horizontalHeader()->swapSections(RuleModel::Least, RuleModel::Result);  // seen in narrow columns too

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "model/design_rules/design_rule_check.h"
+
 namespace ui {
 
 namespace {

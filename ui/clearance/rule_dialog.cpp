@@ -61,7 +61,7 @@ RuleDialog::RuleDialog(const model::RuleTable& rules, std::vector<std::string> n
     all->addWidget(classesBox(), 2);
     all->addWidget(m_hint);
     all->addWidget(buttons);
-    resize(760, 560);
+    resize(940, 600);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(&m_rules, &RuleModel::refused, m_hint, &QLabel::setText);
@@ -74,8 +74,7 @@ QWidget* RuleDialog::rulesBox() {
     m_ruleTable = tableOf(m_rules, tr("Rules"));
     m_ruleTable->setColumnHidden(RuleModel::Title, true);
     m_ruleTable->setColumnHidden(RuleModel::Result, true);
-    m_ruleTable->setColumnWidth(RuleModel::First, 140);
-    m_ruleTable->setColumnWidth(RuleModel::Second, 140);
+    m_ruleTable->setColumnWidth(RuleModel::Kind, 170);
     return boxOf<std::function<void()>>(tr("Of several rules of one kind that fit, the last one applies"), m_ruleTable,
                                         {{tr("&Add rule"), [this] { addRule(); }},
                                          {tr("&Remove rule"), [this] { removeRule(); }},

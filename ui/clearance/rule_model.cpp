@@ -40,13 +40,90 @@ std::optional<model::Nm> lengthOf(const QString& text, LengthUnit unit) {
     return isLeast ? std::optional(static_cast<model::Nm>(std::lround(nm))) : std::nullopt;
 }
 
-bool isOfNets(const model::Rule& rule) {
-    return rule.kind == model::RuleKind::CopperToCopper;
+QString allLayers() {
+    return RuleModel::tr("all layers");
 }
 
-/// For how many sides nets or holes can be named.
-std::size_t sidesOf(const model::Rule& rule) {
-    return isOfNets(rule) ? 2 : model::holeSidesOf(rule.kind);
+/// "copper-copper within a net" is a kind of its own here.
+QString kindText(model::RuleKind kind, bool isSameNet) {
+    const auto name = QString(QLatin1String(model::nameOf(kind)));
+    return isSameNet ? RuleModel::tr("%1 within a net").arg(name) : name;
+}
+
+QStringList kindChoices() {
+    QStringList choices;
+    for (std::size_t row = 0; row < model::kRuleKindCount; ++row) {
+        const auto kind = static_cast<model::RuleKind>(row);
+        choices += kindText(kind, false);
+        if (kind == model::RuleKind::CopperToCopper) {
+            choices += kindText(kind, true);
+        }
+    }
+    return choices;
+}
+
+template <class Object>
+QStringList namesOf(std::size_t count) {
+    QStringList names;
+    for (std::size_t row = 0; row < count; ++row) {
+        names += QLatin1String(model::nameOf(static_cast<Object>(row)));
+    }
+    return names;
+}
+
+QStringList objectChoices(model::RuleSide side) {
+    return side == model::RuleSide::Copper ? namesOf<model::CopperObject>(model::kCopperObjectCount)
+           : side == model::RuleSide::Hole ? namesOf<model::HoleClass>(model::kHoleClassCount)
+                                           : QStringList();
+}
+
+std::size_t sideOf(int column) {
+    return column == RuleModel::First || column == RuleModel::FirstObject ? 0 : 1;
+}
+
+model::RuleSide sideAt(const model::Rule& rule, int column) {
+    return model::sidesOf(rule.kind)[sideOf(column)];
+}
+
+/// Rules of one side of holes name it first.
+std::size_t holeRow(const model::Rule& rule, int column) {
+    return model::holeSidesOf(rule.kind) == 2 ? sideOf(column) : 0;
+}
+
+QString objectText(const model::Rule& rule, int column) {
+    const model::RuleSide side = sideAt(rule, column);
+    return side == model::RuleSide::Copper ? QString(QLatin1String(model::nameOf(rule.objects[sideOf(column)])))
+           : side == model::RuleSide::Hole ? QString(QLatin1String(model::nameOf(rule.holes[holeRow(rule, column)])))
+                                           : QString();
+}
+
+QString netText(const model::Rule& rule, int column) {
+    const std::string& name = rule.classes[sideOf(column)];
+    return sideAt(rule, column) == model::RuleSide::None ? QString()
+           : name.empty()                                ? anyNet()
+                                                         : QString::fromStdString(name);
+}
+
+QString layerText(const model::Rule& rule) {
+    return !model::hasLayer(rule.kind) ? QString()
+           : rule.layer.empty()        ? allLayers()
+                                       : QString::fromStdString(rule.layer);
+}
+
+/// What the new kind does not know is dropped.
+model::Rule withKind(const model::Rule& rule, model::RuleKind kind, bool isSameNet) {
+    model::Rule after{kind, rule.least, {}, rule.isOn};
+    after.isSameNet = isSameNet;
+    after.layer = model::hasLayer(kind) ? rule.layer : "";
+    for (std::size_t side = 0; side < model::netSidesOf(kind); ++side) {
+        after.classes[side] = rule.classes[side];
+    }
+    if (model::sidesOf(kind) == model::sidesOf(rule.kind)) {
+        after.objects = rule.objects;
+        after.holes = rule.holes;
+    }
+    after.least = !model::hasLeast(kind) ? 0 : rule.least > 0 ? rule.least : kCommonClearance;
+    return after;
 }
 
 }  // namespace
@@ -56,8 +133,11 @@ RuleModel::RuleModel(QObject* parent)
           {{tr("On"), tr("Whether the rule is checked"), kCheck},
            {tr("Rule"), tr("What is checked against what")},
            {tr("Kind"), tr("What keeps a clearance, or how much must be left"), kEditable},
-           {tr("Between"), tr("Nets of this class, any net; or kind of holes"), kEditable},
-           {tr("And"), tr("Nets of this class, any net; or kind of holes"), kEditable},
+           {tr("Between"), tr("Nets of this class, or any net"), kEditable},
+           {tr("And"), tr("Nets of this class, or any net"), kEditable},
+           {tr("Of"), tr("Tracks, pads, vias or planes; kind of holes"), kEditable},
+           {tr("And of"), tr("Tracks, pads, vias or planes; kind of holes"), kEditable},
+           {tr("Layer"), tr("A side, outer or inner layers, one layer, or all of them"), kEditable},
            {tr("At least"), tr("The least value that passes; with a unit (100um, 4 mil) or in yours"), kEditable},
            {tr("Result"), tr("In how many locations the rule is broken, or that it could not check everything")}},
           parent) {}
@@ -199,40 +279,54 @@ Cell RuleModel::resultOf(std::size_t row) const {
 
 Cell RuleModel::cell(int row, int column) const {
     const model::Rule& rule = m_rules.rules[static_cast<std::size_t>(row)];
-    const auto className = [&](std::size_t side) {
-        return side < model::holeSidesOf(rule.kind) ? QString(QLatin1String(model::nameOf(rule.holes[side])))
-               : !isOfNets(rule)                    ? QString()
-               : rule.classes[side].empty()         ? anyNet()
-                                                    : QString::fromStdString(rule.classes[side]);
-    };
     switch (column) {
         case On: return {.isChecked = rule.isOn};
         case Title: return text(model::titleOf(rule));
-        case Kind: return {.text = QLatin1String(model::nameOf(rule.kind)), .choices = choicesOf(rule, column)};
-        case First: return {.text = className(0), .choices = choicesOf(rule, column)};
-        case Second: return {.text = className(1), .choices = choicesOf(rule, column)};
-        case Least: return {lengthText(static_cast<double>(rule.least), unit())};
+        case Kind: return {.text = kindText(rule.kind, rule.isSameNet), .choices = choicesOf(rule, column)};
+        case First:
+        case Second: return {.text = netText(rule, column), .choices = choicesOf(rule, column)};
+        case FirstObject:
+        case SecondObject: return {.text = objectText(rule, column), .choices = choicesOf(rule, column)};
+        case Layer: return {.text = layerText(rule), .choices = choicesOf(rule, column)};
+        case Least:
+            return {model::hasLeast(rule.kind) ? lengthText(static_cast<double>(rule.least), unit()) : QString()};
         default: return resultOf(static_cast<std::size_t>(row));
     }
 }
 
+/// None where nothing can be chosen.
 QStringList RuleModel::choicesOf(const model::Rule& rule, int column) const {
-    QStringList choices;
-    if (column != Kind && model::holeSidesOf(rule.kind) > 0) {
-        for (std::size_t holes = 0; holes < model::kHoleClassCount; ++holes) {
-            choices += QLatin1String(model::nameOf(static_cast<model::HoleClass>(holes)));
-        }
-        return choices;
+    switch (column) {
+        case Kind: return kindChoices();
+        case First:
+        case Second: return sideAt(rule, column) == model::RuleSide::None ? QStringList() : netChoices(rule);
+        case FirstObject:
+        case SecondObject: return objectChoices(sideAt(rule, column));
+        case Layer: return model::hasLayer(rule.kind) ? layerChoices(rule) : QStringList();
+        default: return {};
     }
-    if (column == Kind) {
-        for (std::size_t kind = 0; kind < model::kRuleKindCount; ++kind) {
-            choices += QLatin1String(model::nameOf(static_cast<model::RuleKind>(kind)));
-        }
-        return choices;
-    }
-    choices += anyNet();
+}
+
+/// Also those that the rule names without a class: "net:CLK*".
+QStringList RuleModel::netChoices(const model::Rule& rule) const {
+    QStringList choices{anyNet()};
     for (const model::NetClass& netClass : m_rules.classes) {
         choices += QString::fromStdString(netClass.name);
+    }
+    for (const std::string& name : rule.classes) {
+        if (!name.empty() && !choices.contains(QString::fromStdString(name))) {
+            choices += QString::fromStdString(name);
+        }
+    }
+    return choices;
+}
+
+QStringList RuleModel::layerChoices(const model::Rule& rule) const {
+    QStringList choices{allLayers(), QStringLiteral("top"), QStringLiteral("bottom"), QStringLiteral("outer"),
+                        QStringLiteral("inner")};
+    choices += m_layers;
+    if (!rule.layer.empty() && !choices.contains(QString::fromStdString(rule.layer))) {
+        choices += QString::fromStdString(rule.layer);
     }
     return choices;
 }
@@ -240,36 +334,35 @@ QStringList RuleModel::choicesOf(const model::Rule& rule, int column) const {
 Qt::ItemFlags RuleModel::flags(const QModelIndex& index) const {
     const Qt::ItemFlags flags = TableModel::flags(index);
     const model::Rule& rule = m_rules.rules[static_cast<std::size_t>(index.row())];
-    const bool isClass = index.column() == First || index.column() == Second;
-    const bool isOpen = !isClass || (index.column() == First ? 0U : 1U) < sidesOf(rule);
+    const bool isChosen = index.column() >= Kind && index.column() <= Layer;
+    const bool isOpen =
+        isChosen ? !choicesOf(rule, index.column()).isEmpty() : index.column() != Least || model::hasLeast(rule.kind);
     return isOpen ? flags : flags & ~Qt::ItemIsEditable;
 }
 
 /// False if the text is none for this column.
 bool RuleModel::set(model::Rule& rule, int column, const QString& text) {
-    if (column == Kind) {
-        const std::optional<model::RuleKind> kind = model::ruleKindOf(text.toStdString());
-        rule.kind = kind.value_or(rule.kind);
-        rule.classes = isOfNets(rule) ? rule.classes : decltype(rule.classes){};
-        for (std::size_t side = model::holeSidesOf(rule.kind); side < rule.holes.size(); ++side) {
-            rule.holes[side] = model::HoleClass::Any;
-        }
-        return kind.has_value();
-    }
     if (column == Least) {
         const std::optional<model::Nm> least = lengthOf(text, unit());
         rule.least = least.value_or(rule.least);
         return least || refuse(tr("%1 is no length: 100um, 4 mil, …").arg(text));
     }
-    const std::size_t side = column == First ? 0 : 1;
-    if (!choicesOf(rule, column).contains(text) || side >= sidesOf(rule)) {
+    if (!choicesOf(rule, column).contains(text)) {
         return false;
     }
-    if (model::holeSidesOf(rule.kind) > 0) {
-        rule.holes[side] = model::holeClassOf(text.toStdString()).value_or(model::HoleClass::Any);
-        return true;
+    const std::string name = text.toStdString();
+    if (column == Kind) {
+        const bool isSameNet = text == kindText(model::RuleKind::CopperToCopper, true);
+        rule = withKind(rule, model::ruleKindOf(name).value_or(model::RuleKind::CopperToCopper), isSameNet);
+    } else if (column == Layer) {
+        rule.layer = text == allLayers() ? std::string() : name;
+    } else if (column == First || column == Second) {
+        rule.classes[sideOf(column)] = text == anyNet() ? std::string() : name;
+    } else if (sideAt(rule, column) == model::RuleSide::Hole) {
+        rule.holes[holeRow(rule, column)] = model::holeClassOf(name).value_or(model::HoleClass::Any);
+    } else {
+        rule.objects[sideOf(column)] = model::copperObjectOf(name).value_or(model::CopperObject::Any);
     }
-    rule.classes[side] = text == anyNet() ? std::string() : text.toStdString();
     return true;
 }
 

@@ -19,10 +19,12 @@ class RuleModel : public TableModel {
     Q_OBJECT
 
 public:
-    enum Column { On, Title, Kind, First, Second, Least, Result };
+    enum Column { On, Title, Kind, First, Second, FirstObject, SecondObject, Layer, Least, Result };
 
     explicit RuleModel(QObject* parent = nullptr);
 
+    /// Names of layers to choose from, besides top, bottom, outer and inner.
+    void setLayers(QStringList layers) { m_layers = std::move(layers); }
     void setRules(model::RuleTable rules);
     [[nodiscard]] const model::RuleTable& rules() const { return m_rules; }
     /// By rule; empty: not checked.
@@ -55,6 +57,8 @@ private:
     [[nodiscard]] Cell cell(int row, int column) const override;
     [[nodiscard]] Cell resultOf(std::size_t row) const;
     [[nodiscard]] QStringList choicesOf(const model::Rule& rule, int column) const;
+    [[nodiscard]] QStringList netChoices(const model::Rule& rule) const;
+    [[nodiscard]] QStringList layerChoices(const model::Rule& rule) const;
     /// Takes lengths with a unit ("100um", "4 mil"); without one in the user's. Kinds and classes go by name.
     bool edit(int row, int column, const QVariant& value) override;
     bool check(int row, int column, bool isChecked) override;
@@ -64,6 +68,7 @@ private:
 
     model::RuleTable m_rules = model::defaultRules();
     std::vector<RuleResult> m_results;
+    QStringList m_layers;
 };
 
 }  // namespace ui

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "model/board/document_builder.h"
-#include "model/clearance/design_rule_check.h"
+#include "model/design_rules/design_rule_check.h"
 #include "tests/unit/model/hand_made.h"
 
 using namespace hand_made;

@@ -1,7 +1,7 @@
 // Rules as files: what is written is read back, and what is wrong in one is named by line and key.
 #include <QtTest>
 
-#include "model/clearance/design_rules.h"
+#include "model/clearance/rule_file.h"
 #include "tests/unit/model/hand_made.h"
 
 using hand_made::kUm;
@@ -47,8 +47,8 @@ private slots:
             return table ? std::string() : table.error().text;
         };
         QCOMPARE(error("\"least_um\": 1"), std::string());
-        const std::string unknown = error("\"least_um\": 1, \"layer\": \"TOP\"");
-        QVERIFY2(unknown.find("line 6: unknown key \"layer\"") != std::string::npos, unknown.c_str());
+        const std::string unknown = error("\"least_um\": 1, \"side\": \"TOP\"");
+        QVERIFY2(unknown.find("line 6: unknown key \"side\"") != std::string::npos, unknown.c_str());
         const std::string zero = error("\"least_um\": 0");
         QVERIFY2(zero.find("line 6, rule 2: \"least_um\" must be above 0") != std::string::npos, zero.c_str());
         const std::string tiny = error("\"least_um\": 0.0001");
@@ -74,7 +74,7 @@ private slots:
         QTest::newRow("vast") << rules(R"({"kind": "hole-hole", "least_um": 1e300})") << QByteArray("least_um");
         QTest::newRow("class") << rules(R"({"kind": "copper-copper", "least_um": 1, "between": ["p", "q"]})")
                                << QByteArray("\"q\"");
-        QTest::newRow("kind of class") << rules(R"({"kind": "hole-hole", "least_um": 1, "between": ["p", ""]})")
+        QTest::newRow("kind of class") << rules(R"({"kind": "mask-sliver", "least_um": 1, "between": ["p", ""]})")
                                        << QByteArray("copper-copper");
         QTest::newRow("switch") << rules(R"({"kind": "hole-hole", "least_um": 1, "on": 2})") << QByteArray("\"on\"");
         QTest::newRow("holes") << rules(R"({"kind": "annular-ring", "least_um": 1, "holes": "round"})")

@@ -5,6 +5,7 @@
 #include <QSignalSpy>
 #include <QtTest>
 
+#include "model/clearance/rule_file.h"
 #include "ui/clearance/net_class_model.h"
 
 using model::RuleKind;
@@ -78,7 +79,10 @@ private slots:
         const model::RuleTable before = rules.rules();
         QVERIFY(!set(rules, 0, RuleModel::Kind, "copper-sky"));
         QVERIFY(!set(rules, 0, RuleModel::First, "nobody"));
-        QVERIFY(!set(rules, 1, RuleModel::First, "any net"));  // not of nets
+        QVERIFY(!set(rules, 5, RuleModel::First, "any net"));  // not of nets
+        QVERIFY(!set(rules, 3, RuleModel::Layer, "outer"));    // on all layers at once
+        QVERIFY(!set(rules, 0, RuleModel::Layer, "sky"));
+        QVERIFY(!set(rules, 0, RuleModel::FirstObject, "microvia"));
         for (const char* least : {"0", "-1", "apple", "1e9", "0.0000001"}) {
             QVERIFY2(!set(rules, 0, RuleModel::Least, least), least);
         }
@@ -97,21 +101,41 @@ private slots:
         QCOMPARE(edited.count(), 0);
     }
 
-    void otherKindsHaveNoClasses() {
+    void aKindKeepsWhatItKnows() {
         RuleModel rules;
         NetClassModel classes(rules, {});
         classes.addClass();
         QVERIFY(set(rules, 0, RuleModel::First, "class 1"));
         QVERIFY(set(rules, 0, RuleModel::Kind, "hole-hole"));
-        QVERIFY(rules.rules().rules[0] == (model::Rule{RuleKind::HoleToHole, 100'000, {}}));
+        QVERIFY(rules.rules().rules[0] == (model::Rule{RuleKind::HoleToHole, 100'000, {"class 1", ""}}));
         QVERIFY(model::parseRules(model::toJson(rules.rules())));
-        QCOMPARE(text(rules, 0, RuleModel::First), "any");
-        QVERIFY(set(rules, 0, RuleModel::Second, "microvia"));
-        QVERIFY(!set(rules, 0, RuleModel::Second, "class 1"));
-        QCOMPARE(text(rules, 0, RuleModel::Title), "hole-hole between any holes and microvias");
+        QCOMPARE(text(rules, 0, RuleModel::FirstObject), "any");
+        QVERIFY(set(rules, 0, RuleModel::SecondObject, "microvia"));
+        QVERIFY(!set(rules, 0, RuleModel::SecondObject, "track"));
+        QCOMPARE(text(rules, 0, RuleModel::Title),
+                 "hole-hole between class 1 and any net between any holes and microvias");
         QVERIFY(set(rules, 0, RuleModel::Kind, "mask-sliver"));
         QVERIFY(rules.rules().rules[0] == (model::Rule{RuleKind::MaskSliver, 100'000, {}}));
         QCOMPARE(text(rules, 0, RuleModel::First), "");
+        QVERIFY(set(rules, 0, RuleModel::Kind, "floating-copper"));
+        QCOMPARE(text(rules, 0, RuleModel::Least), "");
+        QVERIFY((rules.flags(rules.index(0, RuleModel::Least)) & Qt::ItemIsEditable) == 0);
+        QVERIFY(model::parseRules(model::toJson(rules.rules())));
+    }
+
+    void objectsAndLayersAreChosen() {
+        RuleModel rules;
+        rules.setLayers({"TOP"});
+        QVERIFY(set(rules, 0, RuleModel::Kind, "copper-copper within a net"));
+        QVERIFY(set(rules, 0, RuleModel::FirstObject, "track"));
+        QVERIFY(set(rules, 0, RuleModel::SecondObject, "plane"));
+        QVERIFY(set(rules, 0, RuleModel::Layer, "TOP"));
+        QCOMPARE(text(rules, 0, RuleModel::Title), "copper-copper within a net between tracks and planes on TOP");
+        QVERIFY(set(rules, 1, RuleModel::SecondObject, "microvia"));  // copper-hole: the second side
+        QCOMPARE(text(rules, 1, RuleModel::Title), "copper-hole of microvias");
+        const auto again = model::parseRules(model::toJson(rules.rules()));
+        QVERIFY(again);
+        QVERIFY(*again == rules.rules());
     }
 
     void rowsAreAddedMovedAndRemovedButTheLast() {

@@ -1,4 +1,6 @@
 // Design rules: each kind on a board made for it, at exactly its limit and just below.
+#include "model/design_rules/design_rule_check.h"
+
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QtTest>
@@ -8,7 +10,6 @@
 
 #include "model/base/parallel.h"
 #include "model/board/document_builder.h"
-#include "model/clearance/design_rule_check.h"
 #include "model/clearance/side_names.h"
 #include "model/export/clearance_export.h"
 #include "tests/unit/model/hand_made.h"
@@ -538,4 +539,4 @@ private slots:
 };
 
 QTEST_GUILESS_MAIN(RulesTest)
-#include "design_rules_test.moc"
+#include "design_rule_check_test.moc"

@@ -1,9 +1,10 @@
-#include "model/clearance/unchecked_items.h"
+#include "model/design_rules/unchecked_items.h"
 
 #include <algorithm>
 #include <functional>
 #include <utility>
 
+#include "model/board/layers.h"
 #include "model/clearance/layer_geometry.h"
 #include "model/geometry/box_index.h"
 
@@ -64,9 +65,10 @@ public:
 
     std::vector<Unchecked> run() {
         addCopperWithoutNets();
-        addClassesWithoutNets();
+        addNamesOfNothing();
         addEdges();
         addMask();
+        addSilkscreen();
         addHoles();
         addCopies();
         std::ranges::stable_sort(m_items, {}, &Unchecked::rule);
@@ -74,6 +76,13 @@ public:
     }
 
 private:
+    using Names = std::vector<std::string>;
+
+    /// "the net class power", "the name CLK*"
+    static std::string wordsOf(const std::string& name) {
+        return name.starts_with(kNetPrefix) ? "the name " + name.substr(kNetPrefix.size()) : "the net class " + name;
+    }
+
     void add(RuleKind kind, std::size_t count, const char* one, const char* many, const std::string& why) {
         if (count > 0) {
             for (const std::size_t rule : m_choice.rowsOf(kind)) {
@@ -88,20 +97,27 @@ private:
 
     void addCopperWithoutNets() {
         if (m_document.nets.empty()) {
-            add(RuleKind::CopperToCopper, copperCount(), "copper element", "copper elements", "the board has no nets");
+            for (const RuleKind kind :
+                 {RuleKind::CopperToCopper, RuleKind::MaskToForeign, RuleKind::AcuteAngle, RuleKind::Creepage}) {
+                add(kind, copperCount(), "copper element", "copper elements", "the board has no nets");
+            }
         }
     }
 
-    void addClassesWithoutNets() {
-        for (const std::size_t rule : m_choice.rowsOf(RuleKind::CopperToCopper)) {
-            for (const std::size_t row : m_choice.emptyClassesOf(rule)) {
-                m_items.push_back({rule, 0, "", "no net fits the net class " + m_table.classes[row].name});
+    void addNamesOfNothing() {
+        for (std::size_t rule = 0; rule < m_table.rules.size(); ++rule) {
+            for (const std::string& name : m_table.rules[rule].isOn ? m_choice.emptyClassesOf(rule) : Names{}) {
+                m_items.push_back({rule, 0, "", "no net fits " + wordsOf(name)});
+            }
+            if (m_choice.hasNoLayer(rule)) {
+                m_items.push_back({rule, 0, "", "no layer fits " + m_table.rules[rule].layer});
             }
         }
     }
 
     void addEdges() {
         if (!m_document.profile.isValid()) {
+            add(RuleKind::Creepage, copperCount(), "copper element", "copper elements", "the board has no outline");
             add(RuleKind::CopperToEdge, copperCount(), "copper element", "copper elements", "the board has no outline");
         }
         const auto hasOutline = [](const Layer& layer) { return layer.isCopper() && layer.profile.isValid(); };
@@ -114,8 +130,15 @@ private:
             return layer.type == LayerType::SolderMask && !layer.isSynthetic;
         };
         if (std::ranges::none_of(m_document.layers, isMask)) {
-            add(RuleKind::MaskSliver, copperCount(), "copper element", "copper elements",
-                "the job has no solder mask layer");
+            for (const RuleKind kind : {RuleKind::MaskSliver, RuleKind::MaskToCopper, RuleKind::MaskToForeign}) {
+                add(kind, copperCount(), "copper element", "copper elements", "the job has no solder mask layer");
+            }
+        }
+    }
+
+    void addSilkscreen() {
+        if (std::ranges::count(silkscreenPrints(m_document), true) == 0) {
+            add(RuleKind::SilkToPad, copperCount(), "copper element", "copper elements", "the job has no silkscreen");
         }
     }
 
@@ -149,7 +172,8 @@ private:
     }
 
     void addCopies() {
-        constexpr std::array kKinds = {RuleKind::CopperToCopper, RuleKind::CopperToHole, RuleKind::HoleToHole};
+        constexpr std::array kKinds = {RuleKind::CopperToCopper, RuleKind::CopperToHole,  RuleKind::HoleToHole,
+                                       RuleKind::MaskSliver,     RuleKind::MaskToForeign, RuleKind::Creepage};
         double reach = 0.0;
         for (const RuleKind kind : kKinds) {
             reach = std::max(reach, m_choice.reachOf(kind));

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "model/base/result.h"
+#include "model/clearance/design_rules.h"
+
+/// Rules as files have them.
+namespace model {
+
+/// From JSON:
+///
+///     {"copperscope_rules": 1, "classes": {"power": ["VCC*", "GND"]},
+///      "tolerance_um": 0.5,
+///      "rules": [{"kind": "copper-copper", "least_um": 100}, {"kind": "copper-copper", "least_um": 250,
+///                 "between": ["power", ""], "on": false}]}
+///
+/// Rules of holes may name which: "holes": "microvia", of hole-hole two: "holes": ["microvia", "any"]; rules of copper
+/// objects: "objects": "pad", of copper-copper two. Rules of one net side name its class by "of" instead of "between".
+/// "layer": "outer", "same_net": true, "least_slot_um" of creepage are as in Rule.
+/// A rule without "on" is on; without "tolerance_um" it is kTolerance.
+/// Comments are allowed, unknown keys and keys that are there twice are not.
+/// Errors: BadInput, saying what is wrong with which rule, key and line.
+[[nodiscard]] base::Result<RuleTable> parseRules(std::string_view json);
+[[nodiscard]] std::string toJson(const RuleTable& table);
+/// The same for people to edit: a rule a line, with comments on what is what. parseRules reads it.
+[[nodiscard]] std::string commentedJson(const RuleTable& table);
+/// From a file. Errors: BadInput.
+[[nodiscard]] base::Result<RuleTable> readRules(const std::filesystem::path& path);
+
+}  // namespace model

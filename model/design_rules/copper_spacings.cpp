@@ -1,0 +1,181 @@
+#include "model/design_rules/copper_spacings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/design_rules/bridged.h"
+
+namespace model {
+
+namespace {
+
+constexpr Nm kConcentric = 1000;  ///< holes this near to each other's middle are one hole, drilled twice
+
+bool areConcentric(const Box& a, const Box& b) {
+    const auto twice = [](const Box& box) {
+        return base::PointD{double{1} * box.min.x + box.max.x, double{1} * box.min.y + box.max.y};
+    };
+    return std::hypot(twice(a).x - twice(b).x, twice(a).y - twice(b).y) <= 2 * kConcentric;
+}
+
+std::optional<std::size_t> ruleOf(const RuleContext& context, RuleKind kind, LayerId layer, ElementId a, ElementId b) {
+    return context.choice().of(kind, layer, context.partyOf(a), context.partyOf(b));
+}
+
+/// Do two elements belong to different copper that has to keep a clearance?
+bool areForeign(const RuleContext& context, ElementId a, ElementId b) {
+    const bool hasNet = context.netOf(a).isValid() || context.netOf(b).isValid();
+    return context.owners().of(a) != context.owners().of(b) && (hasNet || context.isLand(a) || context.isLand(b));
+}
+
+/// Two holes, not one that is drilled twice, and both pass some layer.
+bool areApart(const Document& document, const LayerGeometry& holes, std::uint32_t a, std::uint32_t b) {
+    const Layer& layerA = document.layer(document.elements.layer[holes.elementOf(a).row()]);
+    const Layer& layerB = document.layer(document.elements.layer[holes.elementOf(b).row()]);
+    const bool isStacked = layerA.spanTop.isValid() && layerB.spanTop.isValid() &&
+                           (layerA.spanBottom < layerB.spanTop || layerB.spanBottom < layerA.spanTop);
+    return holes.elementOf(a) != holes.elementOf(b) && !isStacked &&
+           !areConcentric(holes.figures().box(a), holes.figures().box(b));
+}
+
+LayerGeometry allHoles(const Document& document) {
+    FigureTable figures;
+    for (const Layer& layer : document.layers) {
+        for (std::uint32_t i = layer.elements.first; i < layer.elements.first + layer.elements.count; ++i) {
+            if ((document.elements.flags[i] & kHole) != 0) {
+                figures.add(document, ElementId{i});
+            }
+        }
+    }
+    return LayerGeometry(std::move(figures));
+}
+
+/// The one of the lower net first, as in searches for clearances.
+void addInOrder(RuleContext& context, std::size_t rule, LayerId layer, std::pair<ElementId, ElementId> pair,
+                const Spacing& s) {
+    const auto [a, b] = pair;
+    if (context.owners().of(b) < context.owners().of(a)) {
+        context.add(rule, layer, b, a, {s.distance, s.to, s.from});
+    } else {
+        context.add(rule, layer, a, b, s);
+    }
+}
+
+}  // namespace
+
+void checkNetSpacings(RuleContext& context, const NetTies& ties, LayerId layer, const LayerGeometry& copper) {
+    const auto rule = [&](std::uint32_t a, std::uint32_t b) {
+        return ruleOf(context, RuleKind::CopperToCopper, layer, copper.elementOf(a), copper.elementOf(b));
+    };
+    PairRequest request;
+    request.reach = context.document().nets.empty() ? 0.0 : context.choice().reachOf(RuleKind::CopperToCopper);
+    request.isWanted = [&](std::uint32_t a, std::uint32_t b) {
+        return areForeign(context, copper.elementOf(a), copper.elementOf(b)) &&
+               context.isBetween(copper.elementOf(a), copper.elementOf(b)) && rule(a, b) &&
+               !ties.joins(copper.elementOf(a), copper.elementOf(b));
+    };
+    request.groupOf = [&](std::uint32_t a, std::uint32_t b) {
+        const auto [low, high] =
+            std::minmax({context.owners().of(copper.elementOf(a)), context.owners().of(copper.elementOf(b))});
+        return std::uint64_t{low} << 32U | high;
+    };
+    if (request.reach <= 0 || !context.isWanted(RuleKind::CopperToCopper, layer)) {
+        return;
+    }
+    for (const FigurePair& pair : closestPairs(copper, copper, request, context.progress())) {
+        addInOrder(context, *rule(pair.a, pair.b), layer, {copper.elementOf(pair.a), copper.elementOf(pair.b)},
+                   pair.spacing);
+    }
+}
+
+void checkOwnNet(RuleContext& context, LayerId layer, const LayerGeometry& copper) {
+    const auto isWithin = [](const Rule& rule) { return rule.isOn && rule.isSameNet; };
+    if (!context.isWanted(RuleKind::CopperToCopper, layer) || !context.isOfAllNets() ||
+        std::ranges::none_of(context.table().rules, isWithin)) {
+        return;
+    }
+    const auto rule = [&](std::uint32_t a, std::uint32_t b) {
+        return ruleOf(context, RuleKind::CopperToCopper, layer, copper.elementOf(a), copper.elementOf(b));
+    };
+    PairRequest request;
+    request.reach = context.choice().reachOf(RuleKind::CopperToCopper);
+    request.isWanted = [&](std::uint32_t a, std::uint32_t b) {
+        const NetId net = context.netOf(copper.elementOf(a));
+        return net.isValid() && net == context.netOf(copper.elementOf(b)) &&
+               copper.elementOf(a) != copper.elementOf(b) && rule(a, b);
+    };
+    request.mayTouch = [](std::uint32_t, std::uint32_t) { return false; };  // they are one piece
+    for (const FigurePair& pair : closestPairs(copper, copper, request, context.progress())) {
+        const NetId net = context.netOf(copper.elementOf(pair.a));
+        const auto isOwn = [&](std::uint32_t row) { return context.netOf(copper.elementOf(row)) == net; };
+        if (!isBridged(copper, pair.spacing, isOwn)) {
+            context.add(*rule(pair.a, pair.b), layer, copper.elementOf(pair.a), copper.elementOf(pair.b), pair.spacing);
+        }
+    }
+}
+
+void checkToHoles(RuleContext& context, LayerId layer) {
+    PairRequest request;
+    request.reach = context.choice().reachOf(RuleKind::CopperToHole);
+    if (request.reach <= 0 || !context.isWanted(RuleKind::CopperToHole, layer)) {
+        return;
+    }
+    const LayerGeometry copper = layerGeometry(context.document(), layer, context.isThere());
+    const LayerGeometry holes = holeGeometry(context.document(), layer);
+    const auto rule = [&](std::uint32_t a, std::uint32_t b) {
+        return ruleOf(context, RuleKind::CopperToHole, layer, copper.elementOf(a), holes.elementOf(b));
+    };
+    request.isWanted = [&](std::uint32_t a, std::uint32_t b) {
+        const ElementId hole = holes.elementOf(b);
+        const bool isPlated = isPlatedHole(context.document().elements.flags[hole.row()]);
+        return rule(a, b) && context.isBetween(copper.elementOf(a), hole) &&
+               (!isPlated || context.owners().of(copper.elementOf(a)) != context.owners().of(hole));
+    };
+    for (const FigurePair& pair : closestPairs(copper, holes, request, context.progress())) {
+        context.add(*rule(pair.a, pair.b), layer, copper.elementOf(pair.a), holes.elementOf(pair.b), pair.spacing);
+    }
+}
+
+void checkToEdge(RuleContext& context, LayerId layer, const LayerGeometry& copper) {
+    if (!context.document().profile.isValid() || !context.isWanted(RuleKind::CopperToEdge, layer)) {
+        return;
+    }
+    const LayerGeometry edge = edgeGeometry(context.document());
+    const auto rule = [&](std::uint32_t a) {
+        return context.choice().of(RuleKind::CopperToEdge, layer, context.partyOf(copper.elementOf(a)));
+    };
+    PairRequest request;
+    request.reach = context.choice().reachOf(RuleKind::CopperToEdge);
+    request.isWanted = [&](std::uint32_t a, std::uint32_t) { return rule(a).has_value(); };
+    for (const FigurePair& pair : closestPairs(copper, edge, request, context.progress())) {
+        context.add(*rule(pair.a), layer, copper.elementOf(pair.a), edge.elementOf(pair.b), pair.spacing);
+    }
+}
+
+void checkHoles(RuleContext& context) {
+    const Document& document = context.document();
+    PairRequest request;
+    request.reach = context.choice().reachOf(RuleKind::HoleToHole);
+    if (request.reach <= 0 || !context.whyBeyond(RuleKind::HoleToHole).empty()) {
+        return;
+    }
+    const LayerGeometry holes = allHoles(document);
+    const auto isOnLayer = [&](ElementId hole) {
+        const LayerId layer = context.scopeLayer();
+        return !layer.isValid() || document.layer(document.elements.layer[hole.row()]).spans(layer);
+    };
+    const auto rule = [&](ElementId a, ElementId b) { return ruleOf(context, RuleKind::HoleToHole, {}, a, b); };
+    request.isWanted = [&](std::uint32_t rowA, std::uint32_t rowB) {
+        const ElementId a = holes.elementOf(rowA);
+        const ElementId b = holes.elementOf(rowB);
+        return areApart(document, holes, rowA, rowB) && context.isBetween(a, b) && isOnLayer(a) && isOnLayer(b) &&
+               rule(a, b);
+    };
+    for (const FigurePair& pair : closestPairs(holes, holes, request, context.progress())) {
+        const ElementId a = holes.elementOf(pair.a);
+        const ElementId b = holes.elementOf(pair.b);
+        context.add(*rule(a, b), document.elements.layer[a.row()], a, b, pair.spacing);
+    }
+}
+
+}  // namespace model

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "model/clearance/net_ties.h"
+#include "model/design_rules/rule_context.h"
+
+/// What copper keeps: distances to other nets, to its own, to holes and to the edge; and holes among each other.
+namespace model {
+
+/// RuleKind::CopperToCopper between nets. Elements that a net tie joins keep none.
+void checkNetSpacings(RuleContext& context, const NetTies& ties, LayerId layer, const LayerGeometry& copper);
+/// The same within a net: spacings between elements that do not touch each other, unless other copper of the net lies
+/// in the middle.
+void checkOwnNet(RuleContext& context, LayerId layer, const LayerGeometry& copper);
+void checkToHoles(RuleContext& context, LayerId layer);
+void checkToEdge(RuleContext& context, LayerId layer, const LayerGeometry& copper);
+/// On all layers at once.
+void checkHoles(RuleContext& context);
+
+}  // namespace model

@@ -1,0 +1,112 @@
+#include "model/design_rules/creepage.h"
+
+#include <algorithm>
+#include <map>
+
+#include "model/board/layers.h"
+#include "model/design_rules/surface_paths.h"
+
+namespace model {
+
+namespace {
+
+using NetPair = std::uint64_t;
+
+class CreepageCheck {
+public:
+    CreepageCheck(RuleContext& context, LayerId layer, const LayerGeometry& copper)
+        : m_context(context), m_layer(layer), m_copper(copper) {}
+
+    void run() {
+        for (const FigurePair& pair : pairsOf({}, [this](auto a, auto b) { return netsOf(a, b); })) {
+            const SurfacePaths& paths = pathsOf(*ruleOf(pair.a, pair.b));
+            if (paths.isClear(pair.spacing.from, pair.spacing.to)) {
+                add(pair.a, pair.b, pair.spacing);  // no way is shorter
+            } else {
+                m_around.emplace(netsOf(pair.a, pair.b), std::nullopt);
+            }
+        }
+        // Of the other nets the nearest copper may not be what is nearest along the face.
+        const auto byFigures = [](std::uint32_t a, std::uint32_t b) { return std::uint64_t{a} << 32U | b; };
+        for (const FigurePair& pair : m_around.empty() ? std::vector<FigurePair>{} : pairsOf(m_around, byFigures)) {
+            follow(pair);
+        }
+        for (const auto& [nets, found] : m_around) {
+            if (found) {
+                add(found->a, found->b, found->spacing);
+            }
+        }
+    }
+
+private:
+    using Around = std::map<NetPair, std::optional<FigurePair>>;
+
+    [[nodiscard]] std::optional<std::size_t> ruleOf(std::uint32_t a, std::uint32_t b) const {
+        return m_context.choice().of(RuleKind::Creepage, m_layer, m_context.partyOf(m_copper.elementOf(a)),
+                                     m_context.partyOf(m_copper.elementOf(b)));
+    }
+
+    [[nodiscard]] NetPair netsOf(std::uint32_t a, std::uint32_t b) const {
+        const auto [low, high] =
+            std::minmax({m_context.owners().of(m_copper.elementOf(a)), m_context.owners().of(m_copper.elementOf(b))});
+        return std::uint64_t{low} << 32U | high;
+    }
+
+    /// Pairs within reach in a straight line, of some nets or of all, the closest first.
+    template <class Group>
+    [[nodiscard]] std::vector<FigurePair> pairsOf(const Around& nets, Group group) const {
+        PairRequest request;
+        request.reach = m_context.choice().reachOf(RuleKind::Creepage);
+        request.isWanted = [&](std::uint32_t a, std::uint32_t b) {
+            const ElementId elementA = m_copper.elementOf(a);
+            const ElementId elementB = m_copper.elementOf(b);
+            return m_context.netOf(elementA).isValid() && m_context.netOf(elementB).isValid() &&
+                   m_context.netOf(elementA) != m_context.netOf(elementB) && m_context.isBetween(elementA, elementB) &&
+                   (nets.empty() || nets.contains(netsOf(a, b))) && ruleOf(a, b);
+        };
+        request.groupOf = group;
+        return closestPairs(m_copper, m_copper, request, m_context.progress());
+    }
+
+    void follow(const FigurePair& pair) {
+        if (m_context.progress().isCancelled()) {
+            return;
+        }
+        const std::size_t rule = *ruleOf(pair.a, pair.b);
+        std::optional<FigurePair>& best = m_around[netsOf(pair.a, pair.b)];
+        const double limit = best ? best->spacing.distance : static_cast<double>(m_context.table().rules[rule].least);
+        if (pair.spacing.distance >= limit) {
+            return;
+        }
+        if (const auto way = pathsOf(rule).between(m_copper.figures(), pair.a, pair.b, limit)) {
+            best = FigurePair{pair.a, pair.b, *way};
+        }
+    }
+
+    void add(std::uint32_t a, std::uint32_t b, const Spacing& spacing) {
+        m_context.add(*ruleOf(a, b), m_layer, m_copper.elementOf(a), m_copper.elementOf(b), spacing);
+    }
+
+    const SurfacePaths& pathsOf(std::size_t rule) {
+        const Nm leastSlot = m_context.table().rules[rule].leastSlot;
+        return m_paths.try_emplace(leastSlot, m_context.document(), leastSlot).first->second;
+    }
+
+    RuleContext& m_context;
+    LayerId m_layer;
+    const LayerGeometry& m_copper;
+    Around m_around;                     ///< nets that see each other across an opening, and their shortest way
+    std::map<Nm, SurfacePaths> m_paths;  ///< by least slot
+};
+
+}  // namespace
+
+void checkCreepage(RuleContext& context, LayerId layer, const LayerGeometry& copper) {
+    const LayerSide face = faceOf(context.document(), layer);
+    const bool isOuter = face == LayerSide::Top || face == LayerSide::Bottom;
+    if (isOuter && context.isWanted(RuleKind::Creepage, layer)) {
+        CreepageCheck(context, layer, copper).run();
+    }
+}
+
+}  // namespace model

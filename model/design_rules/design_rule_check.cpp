@@ -1,0 +1,141 @@
+#include "model/design_rules/design_rule_check.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "model/board/layers.h"
+#include "model/design_rules/copper_spacings.h"
+#include "model/design_rules/creepage.h"
+#include "model/design_rules/floating_copper.h"
+#include "model/design_rules/mask_checks.h"
+#include "model/design_rules/ring_checks.h"
+#include "model/design_rules/rule_context.h"
+#include "model/design_rules/track_checks.h"
+#include "model/design_rules/unchecked_items.h"
+
+namespace model {
+
+namespace {
+
+/// What cannot be checked, and rules that nothing can meet.
+void begin(RuleContext& context) {
+    const RuleTable& table = context.table();
+    RuleReport& report = context.report();
+    report.counts.resize(table.rules.size());
+    report.unchecked = uncheckedItems(context.document(), table, context.choice());
+    for (std::size_t rule = 0; rule < table.rules.size(); ++rule) {
+        const std::string beyond = context.whyBeyond(table.rules[rule].kind);
+        report.unused.push_back(!table.rules[rule].isOn ? ""
+                                : !beyond.empty()       ? beyond
+                                                        : context.choice().whyUnused(rule, context.holeClasses()));
+    }
+    std::erase_if(report.unchecked, [&](const Unchecked& unchecked) {
+        return !context.whyBeyond(table.rules[unchecked.rule].kind).empty();
+    });
+}
+
+/// What no rule asks for.
+void note(RuleContext& context) {
+    const Document& document = context.document();
+    std::size_t islands = 0;
+    std::size_t thin = 0;
+    for (const Layer& layer : document.layers) {
+        const Range range = layer.isCopper() ? layer.elements : Range{};
+        for (std::uint32_t i = range.first; i < range.first + range.count; ++i) {
+            const ElementId element{i};
+            islands += !context.netOf(element).isValid() && !context.isLand(element) ? 1 : 0;
+            thin += coversNothing(document, element) ? 1 : 0;
+        }
+    }
+    const auto add = [&](std::size_t count, const char* what) {
+        if (count > 0) {
+            context.report().notes.push_back(std::to_string(count) + what);
+        }
+    };
+    add(document.nets.empty() ? 0 : islands,
+        " copper elements of no net, neither pads nor holes, are held against nets, not against each other");
+    add(thin, " copper elements have no width and leave no copper");
+    add(context.awayCount(), " pads lie wholly within NPTHs, which take them away");
+}
+
+void finish(RuleReport& report) {
+    std::ranges::sort(report.findings, {},
+                      [](const RuleFinding& f) { return std::tuple(f.rule, f.spacing.distance, f.layer, f.a, f.b); });
+    for (const RuleFinding& finding : report.findings) {
+        ++report.counts[finding.rule];
+    }
+    std::ranges::stable_sort(report.unchecked, {}, &Unchecked::rule);
+}
+
+class Check {
+public:
+    explicit Check(RuleContext& context)
+        : m_context(context), m_ties(context.document(), context.owners(), context.progress()), m_rings(context) {}
+
+    [[nodiscard]] base::Status run() {
+        begin(m_context);
+        const std::vector<Layer>& layers = m_context.document().layers;
+        const std::vector<bool> isPrint = silkscreenPrints(m_context.document());
+        for (std::size_t row = 0; row < layers.size() && !m_context.progress().isCancelled(); ++row) {
+            if (m_context.isWanted(LayerId{row})) {
+                checkLayer(LayerId{row}, isPrint[row]);
+            }
+            m_context.progress().setFraction(static_cast<float>(row + 1) / static_cast<float>(layers.size()));
+        }
+        checkHoles(m_context);
+        m_rings.finish();
+        RETURN_IF_ERROR(checkFloatingCopper(m_context));
+        note(m_context);
+        if (m_context.choice().reachOf(RuleKind::CopperToCopper) > 0) {
+            m_context.report().netTies = m_ties.ties();
+        }
+        finish(m_context.report());
+        return base::Done{};
+    }
+
+private:
+    void checkLayer(LayerId layer, bool isPrint) {
+        const Layer& facts = m_context.document().layer(layer);
+        if (facts.isCopper()) {
+            checkCopper(layer);
+        } else if (isMask(facts)) {
+            checkSlivers(m_context, layer);
+            checkMaskToCopper(m_context, layer);
+            checkMaskToForeign(m_context, layer);
+        } else if (isPrint && facts.type == LayerType::SilkScreen) {
+            checkSilkscreen(m_context, layer);
+        }
+    }
+
+    void checkCopper(LayerId layer) {
+        const LayerGeometry copper = copperGeometry(m_context.document(), layer, m_context.isThere());
+        checkNetSpacings(m_context, m_ties, layer, copper);
+        checkOwnNet(m_context, layer, copper);
+        checkToHoles(m_context, layer);
+        checkToEdge(m_context, layer, copper);
+        m_rings.check(layer);
+        checkTrackWidths(m_context, layer);
+        checkAcuteAngles(m_context, layer, copper);
+        checkCreepage(m_context, layer, copper);
+    }
+
+    RuleContext& m_context;
+    NetTies m_ties;
+    RingChecks m_rings;
+};
+
+}  // namespace
+
+base::Result<RuleReport> checkRules(const Document& document, const RuleTable& table, base::Progress& progress,
+                                    const RuleScope& scope) {
+    ASSIGN_OR_RETURN(const CopperOwners owners, CopperOwners::of(document, progress));
+    progress.beginPhase("Checking rules");
+    RuleContext context(document, table, scope, owners, progress);
+    RETURN_IF_ERROR(Check(context).run());
+    if (progress.isCancelled()) {
+        return base::Error{base::ErrorCode::Cancelled, "cancelled"};
+    }
+    return std::move(context.report());
+}
+
+}  // namespace model

@@ -1,0 +1,63 @@
+#include "model/design_rules/floating_copper.h"
+
+#include <algorithm>
+
+#include "model/nets/connectivity.h"
+
+namespace model {
+
+namespace {
+
+/// Is the element a stroke of a text, as the job says by attribute or group?
+std::vector<bool> textsOf(const Document& document) {
+    std::vector<bool> isText(document.elements.size());
+    for (std::size_t row = 0; row < isText.size(); ++row) {
+        const AttributeValues& values = document.attributesOf(ElementId{row});
+        isText[row] = std::ranges::any_of(
+            values, [](const auto& value) { return value.first == ".string" || value.first == "string"; });
+    }
+    for (const ElementGroup& group : document.groups) {
+        for (std::uint32_t i = 0; document.text(group.type) == "TEXT" && i < group.elements.count; ++i) {
+            isText[document.groupElements[group.elements.first + i].row()] = true;
+        }
+    }
+    return isText;
+}
+
+}  // namespace
+
+base::Status checkFloatingCopper(RuleContext& context) {
+    if (context.choice().rowsOf(RuleKind::FloatingCopper).empty() ||
+        !context.whyBeyond(RuleKind::FloatingCopper).empty()) {
+        return base::Done{};
+    }
+    const Document& document = context.document();
+    ASSIGN_OR_RETURN(const Connectivity copper, Connectivity::of(document, context.progress()));
+    std::vector<bool> isHeld(copper.islandCount());
+    for (std::uint32_t piece = 0; piece < copper.pieceCount(); ++piece) {
+        isHeld[copper.island(piece)] = isHeld[copper.island(piece)] || context.isLand(copper.element(piece));
+    }
+    const std::vector<bool> isText = textsOf(document);
+    std::size_t texts = 0;
+    for (std::uint32_t piece = 0; piece < copper.pieceCount(); ++piece) {
+        const ElementId element = copper.element(piece);
+        const LayerId layer = document.elements.layer[element.row()];
+        if (isHeld[copper.island(piece)]) {
+            continue;
+        }
+        isHeld[copper.island(piece)] = true;  // said once
+        const auto rule = context.choice().of(RuleKind::FloatingCopper, layer, {});
+        texts += isText[element.row()] ? 1 : 0;
+        if (rule && context.isWanted(layer) && !isText[element.row()]) {
+            const PointD at = copper.point(piece);
+            context.add({*rule, layer, element, {}, {0.0, at, at}, FindingReason::Floating});
+        }
+    }
+    if (texts > 0) {
+        context.report().notes.push_back(std::to_string(texts) +
+                                         " pieces of texts in copper reach no pad, as texts do");
+    }
+    return base::Done{};
+}
+
+}  // namespace model

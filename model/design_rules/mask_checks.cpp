@@ -1,0 +1,221 @@
+#include "model/design_rules/mask_checks.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "model/base/parallel.h"
+#include "model/board/layers.h"
+#include "model/clearance/ring_width.h"
+#include "model/design_rules/bridged.h"
+#include "model/figures/distance.h"
+
+namespace model {
+
+namespace {
+
+bool isAnyRow(std::uint32_t) {
+    return true;
+}
+
+/// The copper layer that a layer of mask or silkscreen lies on; none on boards without copper.
+LayerId copperUnder(const Document& document, LayerId layer) {
+    return outerCopper(document, faceOf(document, layer));
+}
+
+/// Pads of components on a copper layer that are still there.
+LayerGeometry padsOf(const RuleContext& context, LayerId copper, bool withVias) {
+    return layerGeometry(context.document(), copper, [&](ElementId element) {
+        const CopperObject object = context.objectOf(element);
+        return !context.isAway(element) && (object == CopperObject::Pad || (withVias && object == CopperObject::Via));
+    });
+}
+
+/// How an opening lies to a pad in it.
+struct Opening {
+    std::optional<std::uint32_t> row;  ///< of the opening that leaves most; none: no mask is open here
+    RingWidth ring;
+};
+
+Opening openingAround(const LayerGeometry& openings, const LayerGeometry& pads, std::uint32_t pad,
+                      const Document& document, double reach) {
+    FigureTable figures;
+    figures.add(document, pads.elementOf(pad));
+    Opening best;
+    const auto rank = [](const RingWidth& ring) {
+        return std::pair(static_cast<int>(ring.state), ring.width.distance);
+    };
+    openings.visitNear(pads.figures().box(pad), 0.0, [&](std::uint32_t row) {
+        const RingWidth ring = ringAround(figures, openings.figures(), row, reach);
+        if (ring.state != RingState::Apart && (!best.row || rank(ring) > rank(best.ring))) {
+            best = {row, ring};
+        }
+    });
+    return best;
+}
+
+using Touching = std::vector<std::set<std::uint32_t>>;
+
+/// Rows of the copper that each opening touches.
+Touching touchingOf(const LayerGeometry& openings, const LayerGeometry& copper) {
+    Touching rows(openings.size());
+    base::parallelFor(openings.size(), [&](std::size_t opening) {
+        copper.visitNear(openings.figures().box(opening), 0.0, [&](std::uint32_t row) {
+            if (spacingBetween(openings.figures(), opening, copper.figures(), row, kTouchNm)) {
+                rows[opening].insert(row);
+            }
+        });
+    });
+    return rows;
+}
+
+/// Whose copper an opening is for.
+std::set<std::uint32_t> ownersIn(const RuleContext& context, const LayerGeometry& copper,
+                                 const std::set<std::uint32_t>& touching) {
+    for (const CopperObject wanted : {CopperObject::Pad, CopperObject::Via, CopperObject::Any}) {
+        std::set<std::uint32_t> owners;
+        for (const std::uint32_t row : touching) {
+            const ElementId element = copper.elementOf(row);
+            if (wanted == CopperObject::Any || context.objectOf(element) == wanted) {
+                owners.insert(context.owners().of(element));
+            }
+        }
+        if (!owners.empty()) {
+            return owners;
+        }
+    }
+    return {};
+}
+
+/// The layer of solder mask on a face; none if the job has none.
+LayerId maskOn(const Document& document, LayerSide face) {
+    for (std::size_t row = 0; row < document.layers.size(); ++row) {
+        if (isMask(document.layers[row]) && faceOf(document, LayerId{row}) == face) {
+            return LayerId{row};
+        }
+    }
+    return {};
+}
+
+/// By row: is it free of solder mask?
+std::vector<bool> areOpen(const RuleContext& context, const LayerGeometry& pads, LayerId mask) {
+    std::vector<bool> open(pads.size(), !mask.isValid());
+    if (mask.isValid()) {
+        const LayerGeometry openings = layerGeometry(context.document(), mask);
+        for (const std::set<std::uint32_t>& rows : touchingOf(openings, pads)) {
+            std::ranges::for_each(rows, [&](std::uint32_t row) { open[row] = true; });
+        }
+    }
+    return open;
+}
+
+}  // namespace
+
+void checkSlivers(RuleContext& context, LayerId mask) {
+    const auto rule = context.choice().of(RuleKind::MaskSliver, mask, {});
+    if (!rule || !context.isWanted(RuleKind::MaskSliver, mask)) {
+        return;
+    }
+    const LayerGeometry openings = layerGeometry(context.document(), mask);
+    std::size_t bridged = 0;
+    PairRequest request;
+    request.reach = static_cast<double>(context.table().rules[*rule].least);
+    request.mayTouch = [](std::uint32_t, std::uint32_t) { return false; };  // they are one opening
+    for (const FigurePair& pair : closestPairs(openings, openings, request, context.progress())) {
+        if (isBridged(openings, pair.spacing, isAnyRow)) {
+            ++bridged;
+        } else {
+            context.add(*rule, mask, openings.elementOf(pair.a), openings.elementOf(pair.b), pair.spacing);
+        }
+    }
+    if (bridged > 0) {
+        context.report().unchecked.push_back({*rule, bridged, bridged == 1 ? "pair of openings" : "pairs of openings",
+                                              "on " + context.document().layer(mask).name +
+                                                  " a third opening lies where they are closest, and other locations "
+                                                  "were not searched"});
+    }
+}
+
+void checkMaskToCopper(RuleContext& context, LayerId mask) {
+    const LayerId layer = copperUnder(context.document(), mask);
+    if (!layer.isValid() || !context.isWanted(RuleKind::MaskToCopper, mask)) {
+        return;
+    }
+    const LayerGeometry openings = layerGeometry(context.document(), mask);
+    const LayerGeometry pads = padsOf(context, layer, true);
+    const double reach = context.choice().reachOf(RuleKind::MaskToCopper);
+    std::vector<Opening> around(pads.size());
+    base::parallelFor(around.size(), [&](std::size_t pad) {
+        around[pad] = openingAround(openings, pads, static_cast<std::uint32_t>(pad), context.document(), reach);
+    });
+    std::size_t smaller = 0;
+    for (std::uint32_t pad = 0; pad < pads.size(); ++pad) {
+        const auto& [row, ring] = around[pad];
+        const auto rule = context.choice().of(RuleKind::MaskToCopper, mask, context.partyOf(pads.elementOf(pad)));
+        if (!row || !rule) {
+            continue;
+        }
+        smaller += ring.state == RingState::Removed ? 1 : 0;
+        if (ring.state != RingState::Removed) {
+            context.add(*rule, mask, openings.elementOf(*row), pads.elementOf(pad),
+                        {ring.width.distance, ring.width.to, ring.width.from});
+        }
+    }
+    if (smaller > 0) {
+        context.report().notes.push_back(std::to_string(smaller) + " pads under " +
+                                         context.document().layer(mask).name +
+                                         " are larger than their opening (defined by solder mask)");
+    }
+}
+
+void checkMaskToForeign(RuleContext& context, LayerId mask) {
+    const LayerId layer = copperUnder(context.document(), mask);
+    if (!layer.isValid() || !context.isWanted(RuleKind::MaskToForeign, mask)) {
+        return;
+    }
+    const LayerGeometry openings = layerGeometry(context.document(), mask);
+    const LayerGeometry copper = copperGeometry(context.document(), layer, context.isThere());
+    const Touching touching = touchingOf(openings, copper);
+    std::vector<std::set<std::uint32_t>> owners(openings.size());
+    for (std::size_t row = 0; row < owners.size(); ++row) {
+        owners[row] = ownersIn(context, copper, touching[row]);
+    }
+    const auto rule = [&](std::uint32_t row) {
+        return context.choice().of(RuleKind::MaskToForeign, mask, context.partyOf(copper.elementOf(row)));
+    };
+    PairRequest request;
+    request.reach = context.choice().reachOf(RuleKind::MaskToForeign);
+    request.isWanted = [&](std::uint32_t opening, std::uint32_t row) {
+        const ElementId element = copper.elementOf(row);
+        const bool isCopperOfSome = context.netOf(element).isValid() || context.isLand(element);
+        return !owners[opening].empty() && isCopperOfSome && !owners[opening].contains(context.owners().of(element)) &&
+               rule(row);
+    };
+    request.groupOf = [&](std::uint32_t opening, std::uint32_t row) {
+        return std::uint64_t{openings.elementOf(opening).value} << 32U | context.owners().of(copper.elementOf(row));
+    };
+    for (const FigurePair& pair : closestPairs(openings, copper, request, context.progress())) {
+        context.add(*rule(pair.b), mask, openings.elementOf(pair.a), copper.elementOf(pair.b), pair.spacing);
+    }
+}
+
+void checkSilkscreen(RuleContext& context, LayerId silkscreen) {
+    const auto rule = context.choice().of(RuleKind::SilkToPad, silkscreen, {});
+    const LayerId layer = copperUnder(context.document(), silkscreen);
+    if (!rule || !layer.isValid() || !context.isWanted(RuleKind::SilkToPad, silkscreen)) {
+        return;
+    }
+    const LayerGeometry print = layerGeometry(context.document(), silkscreen);
+    const LayerGeometry pads = padsOf(context, layer, false);
+    const std::vector<bool> isOpen =
+        areOpen(context, pads, maskOn(context.document(), faceOf(context.document(), silkscreen)));
+    PairRequest request;
+    request.reach = context.choice().reachOf(RuleKind::SilkToPad);
+    request.isWanted = [&](std::uint32_t, std::uint32_t pad) { return isOpen[pad]; };
+    request.groupOf = [&](std::uint32_t, std::uint32_t pad) { return std::uint64_t{pads.elementOf(pad).value}; };
+    for (const FigurePair& pair : closestPairs(print, pads, request, context.progress())) {
+        context.add(*rule, silkscreen, print.elementOf(pair.a), pads.elementOf(pair.b), pair.spacing);
+    }
+}
+
+}  // namespace model

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "model/design_rules/rule_context.h"
+
+/// Checks of solder mask and silkscreen against each other and against the outer copper beneath them.
+namespace model {
+
+/// RuleKind::MaskSliver
+void checkSlivers(RuleContext& context, LayerId mask);
+/// RuleKind::MaskToCopper: of each pad in an opening what the opening leaves around it; where several openings lie
+/// around it, the one that leaves most. Pads larger than their opening (defined by solder mask) are noted, not held
+/// against it.
+void checkMaskToCopper(RuleContext& context, LayerId mask);
+/// RuleKind::MaskToForeign: an opening is for the pads it touches, else for the vias, else for any copper it touches;
+/// copper of other nets keeps its distance. One finding per opening and net.
+void checkMaskToForeign(RuleContext& context, LayerId mask);
+/// RuleKind::SilkToPad: of printed silkscreen to pads that an opening of the solder mask touches; without a layer of
+/// solder mask on that face to all pads. Vias do not count. One finding per pad.
+void checkSilkscreen(RuleContext& context, LayerId silkscreen);
+
+}  // namespace model

@@ -1,0 +1,47 @@
+#include "model/design_rules/ring_checks.h"
+
+#include "model/clearance/annular_ring.h"
+
+namespace model {
+
+void RingChecks::check(LayerId layer) {
+    if (!m_context.isWanted(RuleKind::AnnularRing, layer)) {
+        return;
+    }
+    const double reach = m_context.choice().reachOf(RuleKind::AnnularRing);
+    for (const AnnularRing& found : annularRings(m_context.document(), layer, reach)) {
+        const auto rule = m_context.choice().of(RuleKind::AnnularRing, layer, m_context.partyOf(found.hole));
+        if (!rule) {
+            continue;
+        }
+        HoleRings& rings = m_rings[found.hole];
+        rings.rule = rings.first.isValid() ? rings.rule : *rule;
+        rings.first = rings.first.isValid() ? rings.first : layer;
+        rings.hasCopper = rings.hasCopper || found.ring.state != RingState::Apart;
+        if (found.ring.state == RingState::Removed && !rings.removed) {
+            rings.removed =
+                RuleFinding{*rule, layer, found.hole, found.pad, middleOf(found.hole), FindingReason::PadRemoved};
+        } else if (found.ring.state == RingState::BreaksOut || found.ring.state == RingState::Around) {
+            m_context.add(*rule, layer, found.hole, found.pad, found.ring.width);
+        }
+    }
+}
+
+Spacing RingChecks::middleOf(ElementId hole) const {
+    const PointD middle = base::toDouble(m_context.document().boxOf(hole).middle());
+    return {0.0, middle, middle};
+}
+
+void RingChecks::finish() {
+    const auto areAllLayers = [this](const Rule& rule) { return rule.layer.empty(); };
+    for (const auto& [hole, rings] : m_rings) {
+        const bool isSeenWhole = !m_context.scopeLayer().isValid() && areAllLayers(m_context.table().rules[rings.rule]);
+        if (rings.removed) {
+            m_context.add(*rings.removed);
+        } else if (!rings.hasCopper && isSeenWhole) {
+            m_context.add({rings.rule, rings.first, hole, {}, middleOf(hole), FindingReason::NoPad});
+        }
+    }
+}
+
+}  // namespace model

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <map>
+#include <optional>
+
+#include "model/design_rules/rule_context.h"
+
+namespace model {
+
+/// RuleKind::AnnularRing: layer by layer, and what can be said of a hole only once all were seen.
+class RingChecks {
+public:
+    explicit RingChecks(RuleContext& context) : m_context(context) {}
+
+    void check(LayerId layer);
+    /// Holes whose pad the drill takes, and those without a pad: once per hole, whatever the number of layers.
+    void finish();
+
+private:
+    /// What is known of a hole's rings over all layers so far.
+    struct HoleRings {
+        std::optional<RuleFinding> removed;  ///< on the first layer where the drill takes the pad
+        bool hasCopper = false;
+        std::size_t rule = 0;
+        LayerId first;  ///< the first layer that it passes
+    };
+
+    [[nodiscard]] Spacing middleOf(ElementId hole) const;
+
+    RuleContext& m_context;
+    std::map<ElementId, HoleRings> m_rings;
+};
+
+}  // namespace model

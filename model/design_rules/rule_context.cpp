@@ -1,0 +1,79 @@
+#include "model/design_rules/rule_context.h"
+
+#include <algorithm>
+
+#include "model/clearance/copper_objects.h"
+#include "model/clearance/drilled_away.h"
+
+namespace model {
+
+namespace {
+
+enum class Plane { Copper, Mask, Print };
+
+/// On which layers rules of a kind are checked.
+Plane planeOf(RuleKind kind) {
+    switch (kind) {
+        case RuleKind::MaskSliver:
+        case RuleKind::MaskToCopper:
+        case RuleKind::MaskToForeign: return Plane::Mask;
+        case RuleKind::SilkToPad: return Plane::Print;
+        default: return Plane::Copper;
+    }
+}
+
+Plane planeOf(const Layer& layer) {
+    return layer.isCopper() ? Plane::Copper : isMask(layer) ? Plane::Mask : Plane::Print;
+}
+
+bool isBetweenNets(RuleKind kind) {
+    return kind == RuleKind::CopperToCopper || kind == RuleKind::CopperToHole || kind == RuleKind::HoleToHole ||
+           kind == RuleKind::Creepage;
+}
+
+}  // namespace
+
+RuleContext::RuleContext(const Document& document, const RuleTable& table, const RuleScope& scope,
+                         const CopperOwners& owners, base::Progress& progress)
+    : m_document(document),
+      m_table(table),
+      m_scope(scope),
+      m_owners(owners),
+      m_choice(document, table),
+      m_isAway(drilledAway(document)),
+      m_holes(holeClassesOf(document)),
+      m_objects(copperObjectsOf(document)),
+      m_progress(progress) {}
+
+std::string RuleContext::whyBeyond(RuleKind kind) const {
+    if (!isOfAllNets() && !isBetweenNets(kind)) {
+        return "it is not between two nets";
+    }
+    if (m_scope.layer.isValid() && planeOf(m_document.layer(m_scope.layer)) != planeOf(kind)) {
+        constexpr const char* kWhat[] = {" is no copper layer", " is no solder mask", " is no silkscreen"};
+        return "layer " + m_document.layer(m_scope.layer).name + kWhat[static_cast<std::size_t>(planeOf(kind))];
+    }
+    return {};
+}
+
+bool RuleContext::isWanted(RuleKind kind, LayerId layer) const {
+    return m_choice.isOn(kind, layer) && whyBeyond(kind).empty();
+}
+
+bool RuleContext::isBetween(ElementId a, ElementId b) const {
+    const std::pair nets(netOf(a), netOf(b));
+    return isOfAllNets() || nets == m_scope.between || std::pair(nets.second, nets.first) == m_scope.between;
+}
+
+std::size_t RuleContext::awayCount() const {
+    return static_cast<std::size_t>(std::ranges::count(m_isAway, true));
+}
+
+void RuleContext::add(std::size_t rule, LayerId layer, ElementId a, ElementId b, const Spacing& spacing,
+                      FindingReason reason) {
+    if (isBroken(m_table.rules[rule], m_table.tolerance, spacing.distance)) {
+        add({rule, layer, a, b, spacing, reason});
+    }
+}
+
+}  // namespace model

@@ -1,0 +1,206 @@
+#include "model/design_rules/track_checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "model/design_rules/bridged.h"
+#include "model/figures/distance.h"
+
+namespace model {
+
+namespace {
+
+constexpr double kMeetNm = 1000.0;                          ///< ends this near to a middle line meet it
+constexpr double kAcute = 89.5 * std::numbers::pi / 180.0;  ///< right angles of rounded coordinates are none
+constexpr double kAlong = 1.0 * std::numbers::pi / 180.0;   ///< less: they run along each other
+constexpr double kBesideNotch = 2000.0;                     ///< nm, from its corner to where it must be open
+
+bool isTrack(const RuleContext& context, ElementId element) {
+    const Document& document = context.document();
+    const ElementKind kind = document.elements.kind[element.row()];
+    return kind != ElementKind::Area && kind != ElementKind::Circle && !context.isLand(element) &&
+           !context.isAway(element);
+}
+
+/// Across the narrowest edge of a track, in its middle.
+Spacing narrowestOf(std::span<const Edge> edges) {
+    const Edge& edge = *std::ranges::min_element(edges, {}, &Edge::pen);
+    const double half = lengthOf(edge) / 2;
+    const PointD middle = pointAt(edge, half);
+    const PointD ahead = pointAt(edge, half + 1000.0);
+    const double length = std::hypot(ahead.x - middle.x, ahead.y - middle.y);
+    const PointD across =
+        length > 0 ? PointD{-(ahead.y - middle.y) / length, (ahead.x - middle.x) / length} : PointD{0.0, 1.0};
+    return {2 * edge.pen,
+            {middle.x - across.x * edge.pen, middle.y - across.y * edge.pen},
+            {middle.x + across.x * edge.pen, middle.y + across.y * edge.pen}};
+}
+
+/// An edge of a track that leaves a point.
+struct Arm {
+    PointD direction;     ///< of length 1, away from the point
+    double length = 0.0;  ///< nm
+    double pen = 0.0;
+};
+
+double distanceOf(PointD a, PointD b) {
+    return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+/// The edge from `along` nm after its start, onwards or back.
+Arm armOf(const Edge& edge, double along, bool isOnwards) {
+    const double length = lengthOf(edge);
+    const double step = std::min(1000.0, length / 4);
+    const PointD from = pointAt(edge, along);
+    const PointD to = pointAt(edge, along + (isOnwards ? step : -step));
+    const double d = std::max(distanceOf(from, to), 1e-9);
+    return {{(to.x - from.x) / d, (to.y - from.y) / d}, isOnwards ? length - along : along, edge.pen};
+}
+
+/// The arms of an edge that leave a point on it: one at its ends, two in between.
+std::vector<Arm> armsAt(const Edge& edge, PointD p) {
+    if (edge.isFullCircle() || distanceOf(nearestOn(edge, p), p) > kMeetNm) {
+        return {};
+    }
+    const double length = lengthOf(edge);
+    if (length <= kMeetNm) {
+        return {};
+    }
+    const double along = std::clamp(lengthTo(edge, nearestOn(edge, p)), 0.0, length);
+    std::vector<Arm> arms;
+    if (length - along > kMeetNm) {
+        arms.push_back(armOf(edge, along, true));
+    }
+    if (along > kMeetNm) {
+        arms.push_back(armOf(edge, along, false));
+    }
+    return arms;
+}
+
+/// A point just beside the inner corner of two tracks, in the notch; none if they leave no notch.
+std::optional<PointD> notchOf(PointD p, const Arm& a, const Arm& b) {
+    const double cosine = std::clamp(a.direction.x * b.direction.x + a.direction.y * b.direction.y, -1.0, 1.0);
+    const double angle = std::acos(cosine);
+    if (angle >= kAcute || angle <= kAlong) {
+        return std::nullopt;
+    }
+    const double along = (b.pen + a.pen * cosine) / std::sin(angle);  // to the inner corner, on either track
+    const double alongB = (a.pen + b.pen * cosine) / std::sin(angle);
+    if (along + kBesideNotch >= a.length || alongB + kBesideNotch >= b.length) {
+        return std::nullopt;
+    }
+    const double turn = a.direction.x * b.direction.y - a.direction.y * b.direction.x > 0 ? 1.0 : -1.0;
+    const PointD corner{p.x + a.direction.x * along - turn * a.direction.y * a.pen,
+                        p.y + a.direction.y * along + turn * a.direction.x * a.pen};
+    const double away = distanceOf(corner, p);
+    const double further = away > 0 ? (away + kBesideNotch) / away : 1.0;
+    return PointD{p.x + (corner.x - p.x) * further, p.y + (corner.y - p.y) * further};
+}
+
+/// Where an end of one figure's edges meets another figure at an acute angle, with an open notch.
+class AcuteAngles {
+public:
+    AcuteAngles(RuleContext& context, const LayerGeometry& copper) : m_context(context), m_copper(copper) {}
+
+    [[nodiscard]] std::optional<PointD> between(std::uint32_t a, std::uint32_t b) const {
+        for (const auto& [ends, other] : {std::pair(a, b), std::pair(b, a)}) {
+            for (const Edge& edge : m_copper.figures().edges(ends)) {
+                for (const PointD end : {edge.a, edge.b}) {
+                    if (meetsAcutely(edge, other, end, ends == other)) {
+                        return end;
+                    }
+                }
+            }
+            if (a == b) {
+                break;
+            }
+        }
+        return std::nullopt;
+    }
+
+private:
+    [[nodiscard]] bool meetsAcutely(const Edge& edge, std::uint32_t other, PointD at, bool isOwn) const {
+        bool isFound = false;
+        FigureTable end;
+        end.addTrack(at, at, kMeetNm);
+        visitEdges(m_copper.figures(), other, end.box(0), [&](const Edge& second) {
+            if (isFound || (isOwn && &second == &edge)) {
+                return;
+            }
+            for (const Arm& a : armsAt(edge, at)) {
+                for (const Arm& b : armsAt(second, at)) {
+                    const std::optional<PointD> notch = notchOf(at, a, b);
+                    isFound = isFound || (notch && isOpen(other, *notch));
+                }
+            }
+        });
+        return isFound;
+    }
+
+    /// No copper of the net there, the two tracks' own included.
+    [[nodiscard]] bool isOpen(std::uint32_t row, PointD notch) const {
+        const std::uint32_t owner = m_context.owners().of(m_copper.elementOf(row));
+        return !isCovered(m_copper, notch, [&](std::uint32_t other) {
+            return m_context.owners().of(m_copper.elementOf(other)) == owner;
+        });
+    }
+
+    RuleContext& m_context;
+    const LayerGeometry& m_copper;
+};
+
+}  // namespace
+
+void checkTrackWidths(RuleContext& context, LayerId layer) {
+    if (!context.isWanted(RuleKind::TrackWidth, layer)) {
+        return;
+    }
+    const LayerGeometry tracks =
+        layerGeometry(context.document(), layer, [&](ElementId element) { return isTrack(context, element); });
+    for (std::uint32_t row = 0; row < tracks.size(); ++row) {
+        const ElementId element = tracks.elementOf(row);
+        const auto rule = context.choice().of(RuleKind::TrackWidth, layer, context.partyOf(element));
+        if (rule && !tracks.figures()[row].isFilled) {
+            context.add(*rule, layer, element, {}, narrowestOf(tracks.figures().edges(row)), FindingReason::TooNarrow);
+        }
+    }
+}
+
+void checkAcuteAngles(RuleContext& context, LayerId layer, const LayerGeometry& copper) {
+    if (!context.isWanted(RuleKind::AcuteAngle, layer)) {
+        return;
+    }
+    const AcuteAngles angles(context, copper);
+    const auto isWanted = [&](std::uint32_t row) {
+        return isTrack(context, copper.elementOf(row)) && !copper.figures()[row].isFilled &&
+               context.netOf(copper.elementOf(row)).isValid();
+    };
+    const auto addAt = [&](std::uint32_t a, std::uint32_t b) {
+        const auto rule = context.choice().of(RuleKind::AcuteAngle, layer, context.partyOf(copper.elementOf(a)));
+        const std::optional<PointD> at = rule ? angles.between(a, b) : std::nullopt;
+        if (at) {
+            context.add({*rule,
+                         layer,
+                         copper.elementOf(a),
+                         a == b ? ElementId{} : copper.elementOf(b),
+                         {0.0, *at, *at},
+                         FindingReason::AcuteAngle});
+        }
+    };
+    PairRequest request;
+    request.reach = kTouchNm;
+    request.isWanted = [&](std::uint32_t a, std::uint32_t b) {
+        return isWanted(a) && isWanted(b) && context.netOf(copper.elementOf(a)) == context.netOf(copper.elementOf(b));
+    };
+    for (const FigurePair& pair : closestPairs(copper, copper, request, context.progress())) {
+        addAt(pair.a, pair.b);
+    }
+    for (std::uint32_t row = 0; row < copper.size(); ++row) {
+        if (isWanted(row) && copper.figures().edges(row).size() > 1) {
+            addAt(row, row);
+        }
+    }
+}
+
+}  // namespace model

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "model/design_rules/rule_context.h"
+
+/// Checks of tracks alone.
+namespace model {
+
+/// RuleKind::TrackWidth: the narrowest edge of each track. Necks of planes and of pads drawn as areas are not measured.
+void checkTrackWidths(RuleContext& context, LayerId layer);
+
+/// RuleKind::AcuteAngle: two tracks of a net that meet at less than 90° and leave a notch between them, which etching
+/// solution stays in. Where other copper of the net fills the notch, or a track ends before it opens, there is none.
+/// One finding per pair of tracks, where they meet. Arcs count with their tangent.
+void checkAcuteAngles(RuleContext& context, LayerId layer, const LayerGeometry& copper);
+
+}  // namespace model
