@@ -8,6 +8,7 @@
 #include "model/base/thickness_units.h"
 #include "model/board/copies.h"
 #include "model/clearance/rule_file.h"
+#include "model/clearance/rule_presets.h"
 #include "model/design_rules/design_rule_check.h"
 #include "model/export/clearance_export.h"
 
@@ -120,7 +121,11 @@ base::Result<base::Nm> parseTolerance(const std::string& text) {
 base::Result<model::RuleTable> rulesFor(const ClearanceArguments& arguments) {
     model::RuleTable table = model::defaultRules();
     if (arguments.rules != "default") {
-        ASSIGN_OR_RETURN(table, model::readRules(arguments.rules));
+        ASSIGN_OR_RETURN(model::RuleFile file, model::readRules(arguments.rules));
+        for (const std::string& leftOut : file.leftOut) {
+            std::fprintf(stderr, "copperscope: %s: %s\n", arguments.rules.c_str(), leftOut.c_str());
+        }
+        table = std::move(file.table);
     }
     if (!arguments.tolerance.empty()) {
         ASSIGN_OR_RETURN(table.tolerance, parseTolerance(arguments.tolerance));
@@ -186,7 +191,8 @@ Outcome runRules(const ClearanceArguments& arguments, const Document& board, bas
 Outcome runClearance(const ClearanceArguments& arguments) {
     if (arguments.printsRules) {
         ASSIGN_OR_RETURN(const model::RuleTable table, rulesFor(arguments));
-        print(model::commentedJson(table));
+        const model::RulePreset* preset = arguments.tolerance.empty() ? model::findPreset(arguments.rules) : nullptr;
+        print(preset != nullptr ? preset->text : model::commentedJson(table));
         return int{kDone};
     }
     ConsoleProgress console;

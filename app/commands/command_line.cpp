@@ -15,6 +15,7 @@
 #include "app/common/commit.h"
 #include "app/common/exit_code.h"
 #include "model/board/board_colours.h"
+#include "model/clearance/rule_presets.h"
 #include "model/formats/registry.h"
 
 namespace app {
@@ -185,6 +186,14 @@ void addGenerate(CLI::App& parent, Command& chosen) {
     command.add_option("-o,--output", arguments.output, "the job to write (.tgz)")->required();
 }
 
+std::string presetNames() {
+    std::vector<std::string> names{"default"};
+    for (const model::RulePreset& preset : model::rulePresets()) {
+        names.emplace_back(preset.name);
+    }
+    return enumeration(names);
+}
+
 void addReportFormat(CLI::App& command, std::string& format) {
     addChoice(command, "--format", format, {"text", "json", "csv"});
 }
@@ -197,9 +206,9 @@ void addClearance(CLI::App& parent, Command& chosen) {
     addStep(command, request);
     addNetOptions(command, request);
     addNumber<std::size_t>(command, "--worst", arguments.worst, 1, 1'000'000, "how many of the smallest");
-    CLI::Option* rules = command.add_option(
-        "--rules", arguments.rules,
-        "check the rules of this JSON file, or \"default\"; exit code 4 if one is broken or incomplete");
+    CLI::Option* rules = command.add_option("--rules", arguments.rules,
+                                            "check the rules of this JSON or .kicad_dru file, or of a preset (" +
+                                                presetNames() + "); exit code 4 if one is broken or incomplete");
     command.add_flag("--print", arguments.printsRules, "prints the rules as a file with comments, and checks nothing")
         ->needs(rules);
     command.add_option("--tolerance", arguments.tolerance,

@@ -111,8 +111,8 @@ struct RuleTable {
 inline constexpr std::size_t kMostNetClasses = 63;
 inline constexpr Nm kMostLeast = 100'000'000;  ///< nothing on a board is asked to stay a decimetre apart
 
-/// A rule of every kind, and of microvias those of their own, as common fabricators offer without extra cost. Those that
-/// many boards break for good reasons are off.
+/// A rule of every kind, and of microvias those of their own, as common fabricators offer without extra cost. Those
+/// that many boards break for good reasons are off.
 [[nodiscard]] RuleTable defaultRules();
 
 /// Does a name fit a pattern with * and ?; letters count as they are.

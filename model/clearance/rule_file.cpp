@@ -5,9 +5,12 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <span>
 
 #include "model/base/units.h"
+#include "model/clearance/kicad_rules.h"
+#include "model/clearance/rule_presets.h"
 #include "model/text/formatting.h"
 #include "model/text/json_lines.h"
 #include "model/text/json_text.h"
@@ -199,6 +202,16 @@ base::Result<Rule> parseRule(const ordered_json& json, const RuleTable& table, c
     return rule;
 }
 
+/// What stands for a class without being one.
+std::set<std::string> namedNets(const RuleTable& table) {
+    std::set<std::string> names;
+    for (const Rule& rule : table.rules) {
+        std::ranges::copy_if(rule.classes, std::inserter(names, names.end()),
+                             [](const std::string& name) { return name.starts_with(kNetPrefix); });
+    }
+    return names;
+}
+
 base::Result<Nm> parseTolerance(const ordered_json& json, const JsonLines& lines) {
     const ordered_json value = json.value("tolerance_um", ordered_json(kTolerance / base::kNmPerUm));
     const double um = value.is_number() ? value.get<double>() : -1.0;
@@ -278,12 +291,12 @@ base::Result<RuleTable> parseRules(std::string_view text) {
         ASSIGN_OR_RETURN(NetClass netClass, parseClass(name, nets, lines));
         table.classes.push_back(std::move(netClass));
     }
-    if (table.classes.size() > kMostNetClasses) {
-        return bad("there are more than " + std::to_string(kMostNetClasses) + " net classes");
-    }
     for (const ordered_json& rule : rules) {
         ASSIGN_OR_RETURN(Rule parsed, parseRule(rule, table, lines));
         table.rules.push_back(parsed);
+    }
+    if (table.classes.size() + namedNets(table).size() > kMostNetClasses) {
+        return bad("there are more than " + std::to_string(kMostNetClasses) + " net classes and names of nets");
     }
     return table.rules.empty() ? base::Result<RuleTable>(bad("there are none")) : table;
 }
@@ -325,13 +338,21 @@ std::string commentedJson(const RuleTable& table) {
     return text + "  ]\n}\n";
 }
 
-base::Result<RuleTable> readRules(const std::filesystem::path& path) {
+base::Result<RuleFile> readRules(const std::filesystem::path& path) {
+    if (const RulePreset* preset = findPreset(path.string()); preset != nullptr && !std::filesystem::exists(path)) {
+        ASSIGN_OR_RETURN(RuleTable table, parseRules(preset->text));
+        return RuleFile{std::move(table), {}};
+    }
     std::ifstream file(path, std::ios::binary);
     const std::string text(std::istreambuf_iterator<char>(file), {});
     if (!file.is_open() || file.bad()) {
         return base::Error{base::ErrorCode::BadInput, path.string() + " cannot be read"};
     }
-    return parseRules(text);
+    if (path.extension() == ".kicad_dru") {
+        return parseKicadRules(text);
+    }
+    ASSIGN_OR_RETURN(RuleTable table, parseRules(text));
+    return RuleFile{std::move(table), {}};
 }
 
 }  // namespace model

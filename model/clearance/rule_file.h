@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "model/base/result.h"
 #include "model/clearance/design_rules.h"
@@ -27,7 +28,13 @@ namespace model {
 [[nodiscard]] std::string toJson(const RuleTable& table);
 /// The same for people to edit: a rule a line, with comments on what is what. parseRules reads it.
 [[nodiscard]] std::string commentedJson(const RuleTable& table);
-/// From a file. Errors: BadInput.
-[[nodiscard]] base::Result<RuleTable> readRules(const std::filesystem::path& path);
+/// Rules, and what of the file has no counterpart here and is left out, a sentence each.
+struct RuleFile {
+    RuleTable table;
+    std::vector<std::string> leftOut;
+};
+/// From a file, also one of KiCad's custom rules (.kicad_dru, see kicad_rules.h), or by the name of a preset. Errors:
+/// BadInput.
+[[nodiscard]] base::Result<RuleFile> readRules(const std::filesystem::path& path);
 
 }  // namespace model

@@ -77,10 +77,11 @@ void ClearanceFeature::connectFiles(FeatureContext& context) {
                          [this](const QString& path) { return exportReport(path); });
     });
     connect(m_panel, &ClearancePanel::rulesAsked, this, [this, &context] {
-        context.openFile(tr("Open rules"), tr("Rules (*.json);;All files (*)"), [this](const QString& path) {
-            const base::Status opened = openRules(path);
-            opened ? m_workspace.report(tr("Rules of %1").arg(path)) : m_workspace.reportSaved(opened, path);
-        });
+        context.openFile(tr("Open rules"), tr("Rules (*.json *.kicad_dru);;All files (*)"),
+                         [this](const QString& path) {
+                             const base::Result<QString> opened = openRules(path);
+                             opened ? m_workspace.report(*opened) : m_workspace.reportSaved(opened.error(), path);
+                         });
     });
     connect(m_panel, &ClearancePanel::rulesSaved, this, [this, &context] {
         context.saveFile(tr("Save rules"), tr("rules"), {tr("Rules (*.json)")},
@@ -246,6 +247,18 @@ void ClearanceFeature::remember(const model::RuleTable& before) {
     }
 }
 
+/// Those that some kind of rule is checked on.
+QStringList ClearanceFeature::ruleLayers() const {
+    QStringList names;
+    for (const model::Layer& layer : m_workspace.board()->document->layers) {
+        const bool isPrint = layer.type == model::LayerType::SolderMask || layer.type == model::LayerType::SilkScreen;
+        if (layer.isCopper() || (isPrint && !layer.isSynthetic)) {
+            names += QString::fromStdString(layer.name);
+        }
+    }
+    return names;
+}
+
 void ClearanceFeature::editRules(QWidget& parent) {
     std::vector<std::string> nets;
     for (const model::Document* step : model::distinctSteps(*m_workspace.board()->document)) {
@@ -254,6 +267,7 @@ void ClearanceFeature::editRules(QWidget& parent) {
         }
     }
     auto* dialog = new RuleDialog(m_rules.rules(), std::move(nets), m_workspace.unit(), &parent);
+    dialog->rules().setLayers(ruleLayers());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog] {
         const model::RuleTable before = m_rules.rules();
@@ -277,12 +291,16 @@ base::Status ClearanceFeature::exportReport(const QString& path) const {
     return writeFile(path, QByteArray::fromStdString(report));
 }
 
-base::Status ClearanceFeature::openRules(const QString& path) {
-    ASSIGN_OR_RETURN(model::RuleTable rules, model::readRules(toPath(path)));
+base::Result<QString> ClearanceFeature::openRules(const QString& path) {
+    ASSIGN_OR_RETURN(model::RuleFile file, model::readRules(toPath(path)));
     const model::RuleTable before = m_rules.rules();
-    m_rules.setRules(std::move(rules));
+    m_rules.setRules(std::move(file.table));
     remember(before);
-    return base::Done{};
+    QString said = tr("Rules of %1").arg(path);
+    for (const std::string& leftOut : file.leftOut) {
+        said += QStringLiteral("; ") + QString::fromStdString(leftOut);
+    }
+    return said;
 }
 
 base::Status ClearanceFeature::saveRules(const QString& path) const {

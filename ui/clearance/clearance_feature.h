@@ -27,7 +27,7 @@ public:
     /// .json). Errors: BadUsage for another ending or without a search, OutputFailed.
     [[nodiscard]] base::Status exportReport(const QString& path) const;
     /// Errors: BadInput, OutputFailed; the rules are then what they were.
-    [[nodiscard]] base::Status openRules(const QString& path);
+    [[nodiscard]] base::Result<QString> openRules(const QString& path);
     [[nodiscard]] base::Status saveRules(const QString& path) const;
 
 private:
@@ -51,6 +51,7 @@ private:
     /// Puts on the history that the rules are others than before.
     void remember(const model::RuleTable& before);
     [[nodiscard]] model::LayerId mappedLayer() const;
+    [[nodiscard]] QStringList ruleLayers() const;
 
     Workspace& m_workspace;
     BoardViews& m_views;

@@ -1,5 +1,6 @@
 #include "ui/clearance/rule_dialog.h"
 
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QGroupBox>
@@ -12,6 +13,8 @@
 #include <functional>
 #include <utility>
 
+#include "model/clearance/rule_file.h"
+#include "model/clearance/rule_presets.h"
 #include "ui/common/table_view.h"
 
 namespace ui {
@@ -56,6 +59,7 @@ RuleDialog::RuleDialog(const model::RuleTable& rules, std::vector<std::string> n
     m_hint->setWordWrap(true);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
     auto* all = new QVBoxLayout(this);
+    all->addWidget(presetRow());
     all->addWidget(rulesBox(), 3);
     all->addWidget(toleranceRow());
     all->addWidget(classesBox(), 2);
@@ -68,6 +72,30 @@ RuleDialog::RuleDialog(const model::RuleTable& rules, std::vector<std::string> n
     connect(&m_rules, &RuleModel::edited, m_hint, &QLabel::clear);
     m_ruleTable->setCurrentIndex(m_rules.index(0, RuleModel::Kind));
     m_ruleTable->setFocus();
+}
+
+/// Rules to begin with, in place of those in the table.
+QWidget* RuleDialog::presetRow() {
+    auto* presets = new QComboBox;
+    presets->setObjectName(QStringLiteral("presets"));
+    presets->setPlaceholderText(tr("Rules as they are"));
+    presets->addItem(tr("Common boards"));
+    for (const model::RulePreset& preset : model::rulePresets()) {
+        presets->addItem(QString::fromStdString(model::titleOf(preset)));
+    }
+    presets->setCurrentIndex(-1);
+    auto* row = new QWidget;
+    auto* form = new QFormLayout(row);
+    form->setContentsMargins({});
+    form->addRow(tr("&Begin with"), presets);
+    connect(presets, &QComboBox::activated, this, &RuleDialog::setPreset);
+    return row;
+}
+
+void RuleDialog::setPreset(int row) {
+    const auto rules = row == 0 ? base::Result<model::RuleTable>(model::defaultRules())
+                                : model::parseRules(model::rulePresets()[static_cast<std::size_t>(row - 1)].text);
+    rules ? m_rules.replaceRules(*rules) : m_hint->setText(QString::fromStdString(rules.error().text));
 }
 
 QWidget* RuleDialog::rulesBox() {

@@ -23,6 +23,8 @@ public:
     [[nodiscard]] RuleModel& rules() { return m_rules; }
 
 private:
+    QWidget* presetRow();
+    void setPreset(int row);
     QWidget* rulesBox();
     QWidget* classesBox();
     QWidget* toleranceRow();

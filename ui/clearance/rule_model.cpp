@@ -149,6 +149,12 @@ void RuleModel::setRules(model::RuleTable rules) {
     endResetModel();
 }
 
+void RuleModel::replaceRules(model::RuleTable rules) {
+    const model::RuleTable before = m_rules;
+    setRules(std::move(rules));
+    emit edited(before);
+}
+
 void RuleModel::setResults(std::vector<RuleResult> results) {
     m_results = std::move(results);
     announceChange();

@@ -26,6 +26,8 @@ public:
     /// Names of layers to choose from, besides top, bottom, outer and inner.
     void setLayers(QStringList layers) { m_layers = std::move(layers); }
     void setRules(model::RuleTable rules);
+    /// The same as an edit.
+    void replaceRules(model::RuleTable rules);
     [[nodiscard]] const model::RuleTable& rules() const { return m_rules; }
     /// By rule; empty: not checked.
     void setResults(std::vector<RuleResult> results);

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string_view>
+
+#include "model/clearance/rule_file.h"
+
+namespace model {
+
+/// Minimums of KiCad's custom rules (.kicad_dru): clearance, edge_clearance, hole_clearance, hole_to_hole,
+/// annular_width, track_width, silk_clearance and creepage, with a layer and conditions on net class, net name and type
+/// of A and B that are joined by &&. Later rules go before earlier ones there as here. The file does not say which nets
+/// a net class has: those classes come without nets, which leaves their rules incomplete until someone names some. What
+/// has no counterpart is left out and named with its line. Errors: BadInput.
+[[nodiscard]] base::Result<RuleFile> parseKicadRules(std::string_view text);
+
+}  // namespace model

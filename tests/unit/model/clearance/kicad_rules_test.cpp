@@ -1,0 +1,86 @@
+// KiCad's custom rules, and the presets that come with the program.
+#include "model/clearance/kicad_rules.h"
+
+#include <QtTest>
+
+#include "model/clearance/rule_presets.h"
+
+using model::Rule;
+using model::RuleKind;
+
+namespace {
+
+constexpr model::Nm kUm = 1000;
+
+model::RuleFile import(const std::string& text) {
+    const auto file = model::parseKicadRules(text);
+    return file ? *file : model::RuleFile{};
+}
+
+}  // namespace
+
+class KicadRulesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void minimumsAreImported() {
+        const model::RuleFile file = import(R"dru((version 1)
+(rule "spacing" (constraint clearance (min 0.2mm) (opt 0.3mm)))
+(rule power (layer outer) (condition "A.NetClass == 'HV' && B.NetName == 'GND*'") (constraint clearance (min 20mil)))
+(rule planes (condition "A.Type == 'Track' && B.Type == 'Zone'") (constraint clearance (min 0.25mm)))
+(rule off (severity ignore) (constraint edge_clearance (min 0.5mm)))
+(rule holes (constraint hole_to_hole (min 0.25mm)) (constraint hole_clearance (min 0.2mm)))
+(rule rest (constraint annular_width (min 0.1mm)) (constraint track_width (min 100um) (max 3mm))
+           (constraint silk_clearance (min 0.15mm)) (constraint creepage (min 8mm))))dru");
+        QVERIFY(file.leftOut.empty());
+        const std::vector<Rule>& rules = file.table.rules;
+        QCOMPARE(rules.size(), std::size_t{10});
+        QVERIFY(rules[0] == (Rule{RuleKind::CopperToCopper, 200 * kUm, {}}));
+        QVERIFY(rules[1] == (Rule{RuleKind::CopperToCopper, 508 * kUm, {"HV", "net:GND*"}, true, {}, {}, "outer"}));
+        QCOMPARE(model::titleOf(rules[2]), std::string("copper-copper between tracks and planes"));
+        QVERIFY(rules[3] == (Rule{RuleKind::CopperToEdge, 500 * kUm, {}, false}));
+        QVERIFY(rules[8].kind == RuleKind::SilkToPad && rules[9].kind == RuleKind::Creepage);
+        QVERIFY(file.table.classes == (std::vector<model::NetClass>{{"HV", {}}}));
+        QVERIFY(model::parseRules(model::toJson(file.table)));
+    }
+
+    void whatHasNoCounterpartIsNamed() {
+        const model::RuleFile file = import(R"dru((version 1)
+(rule a (constraint clearance (min 0.2mm)))
+(rule b (constraint length (min 1mm)))
+(rule c
+  (condition "A.insideArea('x')")
+  (constraint clearance (min 0.2mm)))
+(rule d (constraint track_width (max 1mm)))
+(rule e (layer "F.Cu") (constraint hole_to_hole (min 1mm)))
+(rule f (constraint clearance (min 0mm)))
+(sheet x))dru");
+        QCOMPARE(file.table.rules.size(), std::size_t{1});
+        QCOMPARE(
+            file.leftOut,
+            (std::vector<std::string>{
+                "line 3: rule b, length 1mm is left out", "line 5: rule c, condition A.insideArea('x') is left out",
+                "line 7: rule d, track_width without min is left out", "line 8: rule e, layer F.Cu is left out",
+                "line 9: rule f, clearance 0mm is left out", "line 10: (sheet) is left out"}));
+    }
+
+    void aFileOfNothingIsAnError() {
+        QVERIFY(!model::parseKicadRules(""));
+        QVERIFY(!model::parseKicadRules("(version 1) (rule x (constraint length (min 1mm)))"));
+        QVERIFY(!model::parseKicadRules("(rule"));
+    }
+
+    void presetsAreRules() {
+        QVERIFY(model::rulePresets().size() >= 5);
+        for (const model::RulePreset& preset : model::rulePresets()) {
+            const auto table = model::parseRules(preset.text);
+            QVERIFY2(table, table ? "" : table.error().text.c_str());
+            QVERIFY(model::titleOf(preset).size() > 5);
+            QVERIFY(model::readRules(preset.name));
+        }
+        QVERIFY(!model::readRules("no such preset"));
+    }
+};
+
+QTEST_APPLESS_MAIN(KicadRulesTest)
+#include "kicad_rules_test.moc"
