@@ -50,6 +50,19 @@ LayerGeometry allHoles(const Document& document) {
     return LayerGeometry(std::move(figures));
 }
 
+/// The wall of a hole in a pad of its own, which comes nearer to everything.
+bool isInPad(const RuleContext& context, const LayerGeometry& copper, std::uint32_t row) {
+    const auto isHoleAt = [&](std::uint32_t at) {
+        return (context.document().elements.flags[copper.elementOf(at).row()] & kHole) != 0;
+    };
+    const std::uint32_t owner = context.owners().of(copper.elementOf(row));
+    const auto isPad = [&](std::uint32_t other) {
+        return !isHoleAt(other) && context.isLand(copper.elementOf(other)) &&
+               context.owners().of(copper.elementOf(other)) == owner;
+    };
+    return isHoleAt(row) && isCovered(copper, base::toDouble(copper.figures().box(row).middle()), isPad);
+}
+
 /// The one of the lower net first, as in searches for clearances.
 void addInOrder(RuleContext& context, std::size_t rule, LayerId layer, std::pair<ElementId, ElementId> pair,
                 const Spacing& s) {
@@ -146,7 +159,9 @@ void checkToEdge(RuleContext& context, LayerId layer, const LayerGeometry& coppe
     };
     PairRequest request;
     request.reach = context.choice().reachOf(RuleKind::CopperToEdge);
-    request.isWanted = [&](std::uint32_t a, std::uint32_t) { return rule(a).has_value(); };
+    request.isWanted = [&](std::uint32_t a, std::uint32_t) {
+        return rule(a).has_value() && !isInPad(context, copper, a);
+    };
     for (const FigurePair& pair : closestPairs(copper, edge, request, context.progress())) {
         context.add(*rule(pair.a), layer, copper.elementOf(pair.a), edge.elementOf(pair.b), pair.spacing);
     }

@@ -12,6 +12,7 @@ void checkNetSpacings(RuleContext& context, const NetTies& ties, LayerId layer, 
 /// in the middle.
 void checkOwnNet(RuleContext& context, LayerId layer, const LayerGeometry& copper);
 void checkToHoles(RuleContext& context, LayerId layer);
+/// Walls of holes count where no pad of theirs lies around them.
 void checkToEdge(RuleContext& context, LayerId layer, const LayerGeometry& copper);
 /// On all layers at once.
 void checkHoles(RuleContext& context);
