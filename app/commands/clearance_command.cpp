@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <span>
 
+#include "app/commands/through_stackup.h"
 #include "app/common/console_progress.h"
 #include "model/base/thickness_units.h"
 #include "model/board/copies.h"
@@ -197,6 +198,9 @@ Outcome runClearance(const ClearanceArguments& arguments) {
     }
     ConsoleProgress console;
     ASSIGN_OR_RETURN(const auto board, openDocument(arguments.board, console.progress()));
+    if (arguments.isThroughStackup) {
+        return runThroughStackup(arguments, *board, console.progress());
+    }
     if (!arguments.rules.empty()) {
         return runRules(arguments, *board, console.progress());
     }

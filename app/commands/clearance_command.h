@@ -19,6 +19,7 @@ struct ClearanceArguments {
     std::string rules;              ///< a file of rules, "default", or empty: no rules
     bool printsRules = false;       ///< prints the rules as a file, and checks nothing
     std::string tolerance;          ///< of the limits of rules, a length; empty: as the rules say
+    bool isThroughStackup = false;  ///< distances in space, see through_stackup.h
     bool allowsIncomplete = false;  ///< a rule that could not check everything is no failure
 };
 

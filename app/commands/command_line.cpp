@@ -206,6 +206,8 @@ void addClearance(CLI::App& parent, Command& chosen) {
     addStep(command, request);
     addNetOptions(command, request);
     addNumber<std::size_t>(command, "--worst", arguments.worst, 1, 1'000'000, "how many of the smallest");
+    command.add_flag("--through", arguments.isThroughStackup,
+                     "distances in space, also through dielectric and on panels across copies");
     CLI::Option* rules = command.add_option("--rules", arguments.rules,
                                             "check the rules of this JSON or .kicad_dru file, or of a preset (" +
                                                 presetNames() + "); exit code 4 if one is broken or incomplete");

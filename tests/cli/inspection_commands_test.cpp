@@ -12,6 +12,25 @@ class InspectionCommandsTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void clearanceMeasuresThroughTheStackup() {
+        const auto through = [](const QStringList& more) {
+            return copperscope(QStringList{"clearance", locations::kSample, "--through", "--format", "json"} + more);
+        };
+        const Outcome all = through({"--worst", "2"});
+        QCOMPARE(all.exitCode, 0);
+        const QJsonArray listed = QJsonDocument::fromJson(all.out)["through_stackup"].toArray();
+        QCOMPARE(listed.size(), 2);
+        const double smallest = listed[0]["distance_um"].toDouble();
+        QVERIFY(smallest > 0.0 && smallest <= listed[1]["distance_um"].toDouble());
+        const QJsonArray nets = listed[0]["nets"].toArray();
+        const Outcome two = through({"--nets", nets[0].toString() + ',' + nets[1].toString(), "--below", "1mm"});
+        QCOMPARE(two.exitCode, 4);
+        QCOMPARE(QJsonDocument::fromJson(two.out)["through_stackup"][0]["distance_um"].toDouble(), smallest);
+        QCOMPARE(through({"--layer", "top"}).exitCode, 1);
+        QCOMPARE(through({"--rules", "default"}).exitCode, 1);
+        QCOMPARE(through({"--nets", "nowhere,nothing"}).exitCode, 1);
+    }
+
     void clearanceTellsABuildWhatIsTooClose() {
         const Outcome all = copperscope({"clearance", locations::kSample, "--worst", "3", "--format", "json"});
         QVERIFY2(all.exitCode == 0, all.err.constData());
