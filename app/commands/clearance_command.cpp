@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <ctime>
 #include <span>
 
 #include "app/commands/through_stackup.h"
@@ -10,8 +11,9 @@
 #include "model/board/copies.h"
 #include "model/clearance/rule_file.h"
 #include "model/clearance/rule_presets.h"
-#include "model/design_rules/design_rule_check.h"
+#include "model/design_rules/waived_check.h"
 #include "model/export/clearance_export.h"
+#include "model/text/whole_file.h"
 
 namespace app {
 
@@ -78,6 +80,15 @@ base::Result<model::RuleScope> scopeFor(const Document& document, const Clearanc
 
 void print(const std::string& report) {
     std::fwrite(report.data(), 1, report.size(), stdout);
+}
+
+/// Where the user wants it.
+base::Status deliver(const ClearanceArguments& arguments, const std::string& report) {
+    if (!arguments.output.empty()) {
+        return model::writeWholeFile(arguments.output, report);
+    }
+    print(report);
+    return base::Done{};
 }
 
 model::ReportFormat formatOf(const ClearanceArguments& arguments) {
@@ -162,29 +173,101 @@ base::Status listBelow(const std::string& below, std::vector<StepRules>& steps) 
     return base::Done{};
 }
 
+using Waivers = std::vector<model::Waiver>;
+
+base::Result<Waivers> waiversFor(const ClearanceArguments& arguments) {
+    return arguments.waivers.empty() ? base::Result<Waivers>(Waivers{}) : model::readWaivers(arguments.waivers);
+}
+
+std::string today() {
+    const std::time_t now = std::time(nullptr);
+    char text[16] = {};
+    std::strftime(text, sizeof text, "%Y-%m-%d", std::localtime(&now));
+    return text;
+}
+
+/// Waives what is not waived yet; of one location the newer waiver counts.
+void waiveAll(const ClearanceArguments& arguments, const model::RuleTable& table, const StepRules& found,
+              Waivers& waivers) {
+    const model::SideNames names(*found.step);
+    model::Waiver said;
+    said.reason = arguments.reason;
+    said.author = arguments.author;
+    said.date = today();
+    for (const model::RuleFinding& finding : found.report.findings) {
+        const model::Waiver waiver = model::waiverOf(*found.step, names, table, finding, said);
+        std::erase_if(waivers, [&](const model::Waiver& old) { return model::areOfOnePlace(old, waiver); });
+        waivers.push_back(waiver);
+    }
+}
+
 /// Steps without nets have nothing between two.
 bool isLeftOut(const Document& step, const ClearanceArguments& arguments) {
     return !arguments.nets.empty() && step.nets.empty();
 }
 
-Outcome runRules(const ClearanceArguments& arguments, const Document& board, base::Progress& progress) {
-    ASSIGN_OR_RETURN(const model::RuleTable table, rulesFor(arguments));
+/// All steps; with `acceptsAll` every location of two nets is a finding.
+base::Result<std::vector<StepRules>> checkSteps(const ClearanceArguments& arguments, const Document& board,
+                                                const model::RuleTable& table, const Waivers& waivers, bool acceptsAll,
+                                                base::Progress& progress) {
     std::vector<StepRules> steps;
     for (const Document* step : model::distinctSteps(board)) {
         if (isLeftOut(*step, arguments)) {
             continue;
         }
-        ASSIGN_OR_RETURN(const model::RuleScope scope, scopeFor(*step, arguments));
-        ASSIGN_OR_RETURN(model::RuleReport report, model::checkRules(*step, table, progress, scope));
+        ASSIGN_OR_RETURN(model::RuleScope scope, scopeFor(*step, arguments));
+        if (acceptsAll) {
+            scope.isAccepted = [](const model::RuleFinding&) { return true; };
+        }
+        ASSIGN_OR_RETURN(model::RuleReport report, model::checkRules(*step, table, waivers, progress, scope));
         steps.push_back({step, std::move(report)});
     }
     if (steps.empty()) {
         return base::Error{base::ErrorCode::BadUsage, "the board has no nets, so --nets names none of them"};
     }
+    return steps;
+}
+
+Outcome writeWaivers(const ClearanceArguments& arguments, const Document& board, const model::RuleTable& table,
+                     Waivers waivers, base::Progress& progress) {
+    const std::size_t before = waivers.size();
+    ASSIGN_OR_RETURN(const std::vector<StepRules> steps, checkSteps(arguments, board, table, waivers, true, progress));
+    for (const StepRules& found : steps) {
+        waiveAll(arguments, table, found, waivers);
+    }
+    RETURN_IF_ERROR(model::writeWholeFile(arguments.newWaivers, model::toJson(waivers)));
+    std::fprintf(stderr, "copperscope: %zu waivers, %zu before, in %s\n", waivers.size(), before,
+                 arguments.newWaivers.c_str());
+    return int{kDone};
+}
+
+Outcome runRules(const ClearanceArguments& arguments, const Document& board, base::Progress& progress) {
+    ASSIGN_OR_RETURN(const model::RuleTable table, rulesFor(arguments));
+    ASSIGN_OR_RETURN(const Waivers waivers, waiversFor(arguments));
+    if (!arguments.newWaivers.empty()) {
+        return writeWaivers(arguments, board, table, waivers, progress);
+    }
+    ASSIGN_OR_RETURN(std::vector<StepRules> steps, checkSteps(arguments, board, table, waivers, false, progress));
+    for (model::WaiverNote& note : model::waiversElsewhere(waivers, model::distinctSteps(board))) {
+        steps.front().report.waiverNotes.push_back(std::move(note));
+    }
     const int code = exitCodeOf(steps, arguments.allowsIncomplete);
     RETURN_IF_ERROR(listBelow(arguments.below, steps));
-    print(model::ruleReport(table, steps, formatOf(arguments), arguments.worst));
+    const model::ReportContext context{orSample(arguments.board.request).path, COPPERSCOPE_VERSION};
+    RETURN_IF_ERROR(deliver(arguments, model::ruleReport(table, steps, formatOf(arguments), arguments.worst, context)));
     return code;
+}
+
+/// Options that fit together no command line parser can say.
+base::Status checkUsage(const ClearanceArguments& arguments) {
+    const auto wrong = [](const char* text) { return base::Error{base::ErrorCode::BadUsage, text}; };
+    if (arguments.rules.empty() && model::isOfRulesAlone(formatOf(arguments))) {
+        return wrong("junit, sarif and html are reports on rules: they need --rules");
+    }
+    if (!arguments.newWaivers.empty() && (arguments.reason.empty() || arguments.author.empty())) {
+        return wrong("--write-waivers needs --reason and --author, which must not be empty");
+    }
+    return base::Done{};
 }
 
 }  // namespace
@@ -196,6 +279,7 @@ Outcome runClearance(const ClearanceArguments& arguments) {
         print(preset != nullptr ? preset->text : model::commentedJson(table));
         return int{kDone};
     }
+    RETURN_IF_ERROR(checkUsage(arguments));
     ConsoleProgress console;
     ASSIGN_OR_RETURN(const auto board, openDocument(arguments.board, console.progress()));
     if (arguments.isThroughStackup) {
@@ -205,7 +289,7 @@ Outcome runClearance(const ClearanceArguments& arguments) {
         return runRules(arguments, *board, console.progress());
     }
     ASSIGN_OR_RETURN(const auto found, measureSteps(*board, arguments, console.progress()));
-    print(model::clearanceReport(found, formatOf(arguments)));
+    RETURN_IF_ERROR(deliver(arguments, model::clearanceReport(found, formatOf(arguments))));
     const bool isAnyClose = std::ranges::any_of(found, [](const StepClearances& s) { return !s.clearances.empty(); });
     return int{!arguments.below.empty() && isAnyClose ? kTooClose : kDone};
 }

@@ -198,6 +198,20 @@ void addReportFormat(CLI::App& command, std::string& format) {
     addChoice(command, "--format", format, {"text", "json", "csv"});
 }
 
+void addWaivers(CLI::App& command, CLI::Option& rules, ClearanceArguments& arguments) {
+    command
+        .add_option("--waivers", arguments.waivers,
+                    "with --rules: locations that this JSON file waives are counted apart and are no failure")
+        ->needs(&rules);
+    CLI::Option* write =
+        command
+            .add_option("--write-waivers", arguments.newWaivers,
+                        "with --rules: waive all locations that are left in this file, with those of --waivers")
+            ->needs(&rules);
+    command.add_option("--reason", arguments.reason, "why they are waived")->needs(write);
+    command.add_option("--author", arguments.author, "who waives them")->needs(write);
+}
+
 void addClearance(CLI::App& parent, Command& chosen) {
     CLI::App& command = *parent.add_subcommand("clearance", "List the smallest clearances between nets");
     ClearanceArguments& arguments = argumentsOf(command, chosen, runClearance);
@@ -223,7 +237,9 @@ void addClearance(CLI::App& parent, Command& chosen) {
         "these locations are listed");
     command.add_option("--layer", arguments.layer, "only on this copper layer, with --rules also solder mask");
     addList(command, "--nets", arguments.nets, "only between these two, separated by a comma")->expected(2);
-    addReportFormat(command, arguments.format);
+    addChoice(command, "--format", arguments.format, {"text", "json", "csv", "junit", "sarif", "html"});
+    command.add_option("-o,--output", arguments.output, "write the report to this file; default: stdout");
+    addWaivers(command, *rules, arguments);
 }
 
 void addSection(CLI::App& parent, Command& chosen) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -11,9 +10,10 @@
 #include "model/base/units.h"
 #include "model/clearance/kicad_rules.h"
 #include "model/clearance/rule_presets.h"
+#include "model/clearance/strict_json.h"
 #include "model/text/formatting.h"
-#include "model/text/json_lines.h"
 #include "model/text/json_text.h"
+#include "model/text/whole_file.h"
 
 namespace model {
 
@@ -27,8 +27,8 @@ base::Error bad(const std::string& what) {
     return {base::ErrorCode::BadInput, "the rules cannot be used: " + what};
 }
 
-base::Result<NetClass> parseClass(const std::string& name, const ordered_json& nets, const JsonLines& lines) {
-    const std::string where = "line " + std::to_string(lines.of("/classes/" + name)) + ": ";
+base::Result<NetClass> parseClass(const std::string& name, const ordered_json& nets, const StrictJson& file) {
+    const std::string where = file.lineOf("/classes/" + name) + ": ";
     if (name.empty() || !nets.is_array()) {
         return bad(where + "class \"" + name + "\" needs a name and a list of nets");
     }
@@ -143,19 +143,6 @@ base::Status parseSlot(const ordered_json& json, const std::string& where, Rule&
     return base::Done{};
 }
 
-/// A key that nothing reads is a typing error; `path` is that of the object.
-base::Status checkKeys(const ordered_json& json, const std::string& path, std::span<const char* const> known,
-                       const JsonLines& lines) {
-    for (const auto& [key, value] : json.items()) {
-        if (std::ranges::none_of(known, [&](const char* name) { return key == name; })) {
-            const std::vector<std::string> names(known.begin(), known.end());
-            return bad("line " + std::to_string(lines.of(path + '/' + key)) + ": unknown key \"" + key +
-                       "\"; there are " + joined(names));
-        }
-    }
-    return base::Done{};
-}
-
 /// Everything but the kind.
 base::Status parseKey(const std::string& key, const ordered_json& value, const RuleTable& table,
                       const std::string& where, Rule& rule) {
@@ -175,18 +162,17 @@ base::Result<RuleKind> parseKind(const ordered_json& json, const std::string& wh
     return kind ? base::Result<RuleKind>(*kind) : bad(where + ": there is no kind \"" + json.get<std::string>() + "\"");
 }
 
-base::Result<Rule> parseRule(const ordered_json& json, const RuleTable& table, const JsonLines& lines) {
+base::Result<Rule> parseRule(const ordered_json& json, const RuleTable& table, const StrictJson& file) {
     constexpr const char* kKeys[] = {"kind",  "least_um", "between",       "of", "holes", "objects",
                                      "layer", "same_net", "least_slot_um", "on"};
     const std::string path = "/rules/" + std::to_string(table.rules.size());
     const auto where = [&](const std::string& key) {
-        return "line " + std::to_string(lines.of(path + '/' + key)) + ", rule " +
-               std::to_string(table.rules.size() + 1);
+        return file.lineOf(path + '/' + key) + ", rule " + std::to_string(table.rules.size() + 1);
     };
     if (!json.is_object() || !json.contains("kind") || !json["kind"].is_string()) {
         return bad(where("") + " needs a \"kind\"");
     }
-    RETURN_IF_ERROR(checkKeys(json, path, kKeys, lines));
+    RETURN_IF_ERROR(file.checkKeys(json, path, kKeys));
     Rule rule;
     ASSIGN_OR_RETURN(rule.kind, parseKind(json["kind"], where("kind")));
     if (hasLeast(rule.kind) != json.contains("least_um")) {
@@ -212,26 +198,13 @@ std::set<std::string> namedNets(const RuleTable& table) {
     return names;
 }
 
-base::Result<Nm> parseTolerance(const ordered_json& json, const JsonLines& lines) {
-    const ordered_json value = json.value("tolerance_um", ordered_json(kTolerance / base::kNmPerUm));
+base::Result<Nm> parseTolerance(const StrictJson& file) {
+    const ordered_json value = file.json().value("tolerance_um", ordered_json(kTolerance / base::kNmPerUm));
     const double um = value.is_number() ? value.get<double>() : -1.0;
     if (!(um >= 0 && um <= kMostTolerance / base::kNmPerUm)) {
-        return bad("line " + std::to_string(lines.of("/tolerance_um")) +
-                   ": \"tolerance_um\" must be a number from 0 to 10");
+        return bad(file.lineOf("/tolerance_um") + ": \"tolerance_um\" must be a number from 0 to 10");
     }
     return static_cast<Nm>(std::lround(um * base::kNmPerUm));
-}
-
-base::Result<ordered_json> parseText(std::string_view text) {
-    try {
-        ordered_json json = ordered_json::parse(text, nullptr, true, true);  // with comments
-        if (!json.is_object() || json.value(kVersionKey, ordered_json()) != kVersion) {
-            return bad("this is no file of Copperscope's rules of version 1 (\"copperscope_rules\": 1)");
-        }
-        return json;
-    } catch (const ordered_json::exception& error) {
-        return bad(std::string("this is no file of JSON: ") + error.what());
-    }
 }
 
 /// One name, or as many as there are sides.
@@ -272,27 +245,23 @@ ordered_json jsonOf(const Rule& rule) {
 }  // namespace
 
 base::Result<RuleTable> parseRules(std::string_view text) {
-    ASSIGN_OR_RETURN(const ordered_json json, parseText(text));
-    const JsonLines lines(text);
+    ASSIGN_OR_RETURN(const StrictJson file, StrictJson::parse(text, "rules", kVersionKey));
+    const ordered_json& json = file.json();
     constexpr const char* kKeys[] = {kVersionKey, "tolerance_um", "classes", "rules"};
-    RETURN_IF_ERROR(checkKeys(json, "", kKeys, lines));
-    if (!lines.duplicate().empty()) {
-        return bad("line " + std::to_string(lines.of(lines.duplicate())) + ": the key " +
-                   lines.duplicate().substr(lines.duplicate().rfind('/') + 1) + " is there twice");
-    }
+    RETURN_IF_ERROR(file.checkKeys(json, "", kKeys));
     const ordered_json classes = json.value("classes", ordered_json::object());
     const ordered_json rules = json.value("rules", ordered_json::array());
     if (!classes.is_object() || !rules.is_array()) {
         return bad("\"classes\" must be an object and \"rules\" a list");
     }
     RuleTable table;
-    ASSIGN_OR_RETURN(table.tolerance, parseTolerance(json, lines));
+    ASSIGN_OR_RETURN(table.tolerance, parseTolerance(file));
     for (const auto& [name, nets] : classes.items()) {
-        ASSIGN_OR_RETURN(NetClass netClass, parseClass(name, nets, lines));
+        ASSIGN_OR_RETURN(NetClass netClass, parseClass(name, nets, file));
         table.classes.push_back(std::move(netClass));
     }
     for (const ordered_json& rule : rules) {
-        ASSIGN_OR_RETURN(Rule parsed, parseRule(rule, table, lines));
+        ASSIGN_OR_RETURN(Rule parsed, parseRule(rule, table, file));
         table.rules.push_back(parsed);
     }
     if (table.classes.size() + namedNets(table).size() > kMostNetClasses) {
@@ -343,11 +312,7 @@ base::Result<RuleFile> readRules(const std::filesystem::path& path) {
         ASSIGN_OR_RETURN(RuleTable table, parseRules(preset->text));
         return RuleFile{std::move(table), {}};
     }
-    std::ifstream file(path, std::ios::binary);
-    const std::string text(std::istreambuf_iterator<char>(file), {});
-    if (!file.is_open() || file.bad()) {
-        return base::Error{base::ErrorCode::BadInput, path.string() + " cannot be read"};
-    }
+    ASSIGN_OR_RETURN(const std::string text, readWholeFile(path));
     if (path.extension() == ".kicad_dru") {
         return parseKicadRules(text);
     }

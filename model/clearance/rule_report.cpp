@@ -11,6 +11,16 @@ const char* toString(FindingReason reason) {
     return kTexts[static_cast<std::size_t>(reason)];
 }
 
+const char* toString(WaiverNote::State state) {
+    constexpr const char* kWords[] = {"gone", "worse", "renamed", "unknown"};
+    return kWords[static_cast<std::size_t>(state)];
+}
+
+std::size_t waivedOf(const RuleReport& report, std::size_t rule) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(report.waived, [&](const WaivedFinding& waived) { return waived.found.rule == rule; }));
+}
+
 std::string textOf(const Unchecked& unchecked) {
     return unchecked.count == 0 ? unchecked.why
                                 : std::to_string(unchecked.count) + ' ' + unchecked.what + ": " + unchecked.why;

@@ -54,21 +54,47 @@ struct NetTie {
 /// "NT1 ties GND and AGND on TOP"
 [[nodiscard]] std::string textOf(const Document& step, const NetTie& tie);
 
+/// A finding that somebody accepts (model::Waiver).
+struct WaivedFinding {
+    RuleFinding found;
+    std::size_t waiver = 0;  ///< row of the list of waivers
+    std::string reason;      ///< "reviewed with the fabricator (A. Meier, 2026-11-23)"
+};
+
+/// What is to be said of a waiver.
+struct WaiverNote {
+    enum class State : std::uint8_t {
+        Gone,     ///< there is no finding any more
+        Worse,    ///< there is one, and less is left than when it was waived: it counts
+        Renamed,  ///< it holds, but the nets there have other names
+        Unknown   ///< it was not looked at: the step, its layer or a rule of its kind is missing
+    };
+    std::size_t waiver = 0;  ///< row of the list of waivers
+    State state = State::Gone;
+    std::string text;  ///< a sentence that names the waiver
+};
+/// "gone", "worse", "renamed", "unknown"
+[[nodiscard]] const char* toString(WaiverNote::State state);
+
 struct RuleReport {
-    std::vector<RuleFinding> findings;  ///< by rule, then smallest first
-    std::vector<std::size_t> counts;    ///< of findings by rule
-    std::vector<Unchecked> unchecked;   ///< by rule
-    std::vector<std::string> unused;    ///< by rule: why nothing on the board can meet it; empty if something can
-    std::vector<NetTie> netTies;        ///< which are no shorts; empty if no rule is on between nets
-    std::vector<std::string> notes;     ///< what is no fault, but good to know, in plain words
+    std::vector<RuleFinding> findings;      ///< by rule, then smallest first; without those that are waived
+    std::vector<std::size_t> counts;        ///< of findings by rule
+    std::vector<WaivedFinding> waived{};    ///< as findings
+    std::vector<WaiverNote> waiverNotes{};  ///< by waiver
+    std::vector<Unchecked> unchecked;       ///< by rule
+    std::vector<std::string> unused;        ///< by rule: why nothing on the board can meet it; empty if something can
+    std::vector<NetTie> netTies;            ///< which are no shorts; empty if no rule is on between nets
+    std::vector<std::string> notes;         ///< what is no fault, but good to know, in plain words
     [[nodiscard]] bool isPassed() const { return findings.empty(); }
     [[nodiscard]] bool isComplete() const { return unchecked.empty(); }
 };
 
-/// A rule that is broken somewhere has failed, whatever else it could not check; else it has passed only if it could
-/// check everything, and there was something to check.
+/// A rule that is broken somewhere, where nobody waived it, has failed, whatever else it could not check; else it has
+/// passed only if it could check everything, and there was something to check.
 enum class Verdict : std::uint8_t { Off, Unused, Passed, Incomplete, Failed };
 [[nodiscard]] Verdict verdictOf(const RuleTable& table, const RuleReport& report, std::size_t rule);
+/// How many findings of a rule are waived.
+[[nodiscard]] std::size_t waivedOf(const RuleReport& report, std::size_t rule);
 /// "off", "unused", "pass", "incomplete", "FAIL"
 [[nodiscard]] const char* toString(Verdict verdict);
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <set>
 
 #include "model/design_rules/bridged.h"
 
@@ -63,41 +65,102 @@ bool isInPad(const RuleContext& context, const LayerGeometry& copper, std::uint3
     return isHoleAt(row) && isCovered(copper, base::toDouble(copper.figures().box(row).middle()), isPad);
 }
 
-/// The one of the lower net first, as in searches for clearances.
-void addInOrder(RuleContext& context, std::size_t rule, LayerId layer, std::pair<ElementId, ElementId> pair,
-                const Spacing& s) {
-    const auto [a, b] = pair;
-    if (context.owners().of(b) < context.owners().of(a)) {
-        context.add(rule, layer, b, a, {s.distance, s.to, s.from});
-    } else {
-        context.add(rule, layer, a, b, s);
-    }
+using NetPairs = std::set<std::uint64_t>;
+constexpr std::uint64_t kOfElements = std::uint64_t{1} << 63U;  ///< tells pairs of elements from those of nets
+
+/// Two rows, of which none has its highest bit set, as one number.
+std::uint64_t bothOf(std::uint32_t a, std::uint32_t b) {
+    const auto [low, high] = std::minmax(a, b);
+    return std::uint64_t{low} << 32U | high;
 }
+
+/// The locations between nets on a layer.
+class NetSpacings {
+public:
+    NetSpacings(RuleContext& context, const NetTies& ties, LayerId layer, const LayerGeometry& copper)
+        : m_context(context), m_ties(ties), m_layer(layer), m_copper(copper) {}
+
+    void check() {
+        std::vector<FigurePair> pairs = closestPairs(m_copper, m_copper, request(), m_context.progress());
+        if (addAccepted(pairs)) {
+            pairs = closestPairs(m_copper, m_copper, request(), m_context.progress());
+        }
+        NetPairs seen;  // with a location that nobody accepts
+        for (const FigurePair& pair : pairs) {
+            const RuleFinding found = findingOf(pair);
+            if (!isApart(pair.a, pair.b) || m_context.scope().isAccepted(found) ||
+                seen.insert(netsOf(pair.a, pair.b)).second) {
+                m_context.add(found.rule, m_layer, found.a, found.b, found.spacing);
+            }
+        }
+    }
+
+private:
+    [[nodiscard]] std::optional<std::size_t> rule(std::uint32_t a, std::uint32_t b) const {
+        return ruleOf(m_context, RuleKind::CopperToCopper, m_layer, m_copper.elementOf(a), m_copper.elementOf(b));
+    }
+
+    [[nodiscard]] PairRequest request() const {
+        PairRequest request;
+        request.reach = m_context.choice().reachOf(RuleKind::CopperToCopper);
+        request.isWanted = [this](std::uint32_t a, std::uint32_t b) {
+            return areForeign(m_context, m_copper.elementOf(a), m_copper.elementOf(b)) &&
+                   m_context.isBetween(m_copper.elementOf(a), m_copper.elementOf(b)) && rule(a, b) &&
+                   !m_ties.joins(m_copper.elementOf(a), m_copper.elementOf(b));
+        };
+        request.groupOf = [this](std::uint32_t a, std::uint32_t b) {
+            return isApart(a, b) ? kOfElements | bothOf(m_copper.elementOf(a).value, m_copper.elementOf(b).value)
+                                 : netsOf(a, b);
+        };
+        return request;
+    }
+
+    /// The one of the lower net first, as in searches for clearances.
+    [[nodiscard]] RuleFinding findingOf(const FigurePair& pair) const {
+        const ElementId a = m_copper.elementOf(pair.a);
+        const ElementId b = m_copper.elementOf(pair.b);
+        const Spacing& s = pair.spacing;
+        return m_context.owners().of(b) < m_context.owners().of(a)
+                   ? RuleFinding{*rule(pair.a, pair.b), m_layer, b, a, {s.distance, s.to, s.from}}
+                   : RuleFinding{*rule(pair.a, pair.b), m_layer, a, b, s};
+    }
+
+    [[nodiscard]] std::uint64_t netsOf(std::uint32_t a, std::uint32_t b) const {
+        return bothOf(m_context.owners().of(m_copper.elementOf(a)), m_context.owners().of(m_copper.elementOf(b)));
+    }
+
+    /// Nets whose closest location is accepted; false if there are none.
+    bool addAccepted(const std::vector<FigurePair>& pairs) {
+        const std::size_t before = m_apart.size();
+        for (const FigurePair& pair : pairs) {
+            if (m_context.scope().isAccepted && m_context.scope().isAccepted(findingOf(pair))) {
+                m_apart.insert(netsOf(pair.a, pair.b));
+            }
+        }
+        return m_apart.size() > before;
+    }
+
+    /// Is there a location for each pair of elements of these two nets?
+    [[nodiscard]] bool isApart(std::uint32_t a, std::uint32_t b) const {
+        const RuleScope& scope = m_context.scope();
+        return m_apart.contains(netsOf(a, b)) ||
+               (scope.mayBeAccepted &&
+                scope.mayBeAccepted(m_context.netOf(m_copper.elementOf(a)), m_context.netOf(m_copper.elementOf(b))));
+    }
+
+    RuleContext& m_context;
+    const NetTies& m_ties;
+    LayerId m_layer;
+    const LayerGeometry& m_copper;
+    NetPairs m_apart;  ///< nets with a location for each two elements
+};
 
 }  // namespace
 
 void checkNetSpacings(RuleContext& context, const NetTies& ties, LayerId layer, const LayerGeometry& copper) {
-    const auto rule = [&](std::uint32_t a, std::uint32_t b) {
-        return ruleOf(context, RuleKind::CopperToCopper, layer, copper.elementOf(a), copper.elementOf(b));
-    };
-    PairRequest request;
-    request.reach = context.document().nets.empty() ? 0.0 : context.choice().reachOf(RuleKind::CopperToCopper);
-    request.isWanted = [&](std::uint32_t a, std::uint32_t b) {
-        return areForeign(context, copper.elementOf(a), copper.elementOf(b)) &&
-               context.isBetween(copper.elementOf(a), copper.elementOf(b)) && rule(a, b) &&
-               !ties.joins(copper.elementOf(a), copper.elementOf(b));
-    };
-    request.groupOf = [&](std::uint32_t a, std::uint32_t b) {
-        const auto [low, high] =
-            std::minmax({context.owners().of(copper.elementOf(a)), context.owners().of(copper.elementOf(b))});
-        return std::uint64_t{low} << 32U | high;
-    };
-    if (request.reach <= 0 || !context.isWanted(RuleKind::CopperToCopper, layer)) {
-        return;
-    }
-    for (const FigurePair& pair : closestPairs(copper, copper, request, context.progress())) {
-        addInOrder(context, *rule(pair.a, pair.b), layer, {copper.elementOf(pair.a), copper.elementOf(pair.b)},
-                   pair.spacing);
+    const bool isThere = context.choice().reachOf(RuleKind::CopperToCopper) > 0 && !context.document().nets.empty();
+    if (isThere && context.isWanted(RuleKind::CopperToCopper, layer)) {
+        NetSpacings(context, ties, layer, copper).check();
     }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <utility>
 
 #include "model/base/progress.h"
@@ -10,8 +11,13 @@ namespace model {
 
 /// What rules are held against; everything if nothing is named.
 struct RuleScope {
-    LayerId layer;                    ///< only here: copper, or solder mask for slivers
-    std::pair<NetId, NetId> between;  ///< only between these two: rules that are not between nets are unused then
+    LayerId layer{};                    ///< only here: copper, or solder mask for slivers
+    std::pair<NetId, NetId> between{};  ///< only between these two: rules that are not between nets are unused then
+    /// Does somebody accept this location? Of two nets that have such locations on a layer all of them are findings,
+    /// one for each pair of elements, and the closest of the others.
+    std::function<bool(const RuleFinding&)> isAccepted{};
+    /// May two nets have such locations, though their closest one is none? Called from any thread.
+    std::function<bool(NetId, NetId)> mayBeAccepted{};
 };
 
 /// Checks a step's own elements against all rules; copies of other steps have a document of their own. One finding per

@@ -35,6 +35,7 @@ public:
     /// Are they of the two nets of the scope, if it names any?
     [[nodiscard]] bool isBetween(ElementId a, ElementId b) const;
     [[nodiscard]] bool isOfAllNets() const { return m_scope.between == std::pair<NetId, NetId>(); }
+    [[nodiscard]] const RuleScope& scope() const { return m_scope; }
     [[nodiscard]] LayerId scopeLayer() const { return m_scope.layer; }
 
     [[nodiscard]] NetId netOf(ElementId element) const { return m_owners.netOf(element); }

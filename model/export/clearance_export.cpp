@@ -5,6 +5,10 @@
 
 #include "model/base/units.h"
 #include "model/clearance/side_names.h"
+#include "model/export/html_export.h"
+#include "model/export/junit_export.h"
+#include "model/export/rule_items.h"
+#include "model/export/sarif_export.h"
 #include "model/text/formatting.h"
 #include "model/text/json_text.h"
 
@@ -14,7 +18,8 @@ using nlohmann::ordered_json;
 
 namespace {
 
-constexpr std::string_view kFormats[][2] = {{"text", ".txt"}, {"json", ".json"}, {"csv", ".csv"}};
+constexpr std::string_view kFormats[][2] = {{"text", ".txt"},  {"json", ".json"},   {"csv", ".csv"},
+                                            {"junit", ".xml"}, {"sarif", ".sarif"}, {"html", ".html"}};
 
 double micrometres(double nm) {
     return nm / base::kNmPerUm;
@@ -112,25 +117,6 @@ ordered_json jsonOf(const StepClearances& found) {
     return {{"step", found.step->job.step}, {"clearances", list}};
 }
 
-/// The first ones of a rule.
-std::span<const RuleFinding> findingsOf(const StepRules& step, std::size_t rule, std::size_t most) {
-    const std::vector<RuleFinding>& all = step.report.findings;
-    const auto first = std::ranges::lower_bound(all, rule, {}, &RuleFinding::rule);
-    const auto last = std::ranges::upper_bound(all, rule, {}, &RuleFinding::rule);
-    return std::span(first, last).first(std::min(most, static_cast<std::size_t>(last - first)));
-}
-
-/// What a rule could not check.
-std::vector<std::string> uncheckedOf(const RuleReport& report, std::size_t rule) {
-    std::vector<std::string> texts;
-    for (const Unchecked& unchecked : report.unchecked) {
-        if (unchecked.rule == rule) {
-            texts.push_back(textOf(unchecked));
-        }
-    }
-    return texts;
-}
-
 std::string textOf(const Document& step, const SideNames& names, const RuleFinding& f) {
     const auto [a, b] = names.of(f);
     const std::string reason = toString(f.reason);
@@ -139,13 +125,15 @@ std::string textOf(const Document& step, const SideNames& names, const RuleFindi
            padded(textOf(a), 48) + ' ' + textOf(b) + (reason.empty() ? "" : "  " + reason) + '\n';
 }
 
+std::string textOf(const Document& step, const SideNames& names, const WaivedFinding& waived) {
+    return textOf(step, names, waived.found) + "              waived: " + waived.reason + '\n';
+}
+
 std::string textOf(const RuleTable& table, const StepRules& found, const SideNames& names, std::size_t rule,
                    std::size_t most) {
-    const std::size_t count = found.report.counts[rule];
-    std::string text =
-        padded(toString(verdictOf(table, found.report, rule)), 12) + titleOf(table.rules[rule]) +
-        formatted(", at least %.1f um: %zu %s\n", micrometres(static_cast<double>(table.rules[rule].least)), count,
-                  count == 1 ? "location" : "locations");
+    std::string text = padded(toString(verdictOf(table, found.report, rule)), 12) + titleOf(table.rules[rule]) +
+                       formatted(", at least %.1f um: ", micrometres(static_cast<double>(table.rules[rule].least))) +
+                       countsText(found.report, rule) + '\n';
     if (verdictOf(table, found.report, rule) == Verdict::Unused) {
         text += "            " + found.report.unused[rule] + '\n';
     }
@@ -154,6 +142,9 @@ std::string textOf(const RuleTable& table, const StepRules& found, const SideNam
     }
     for (const RuleFinding& f : findingsOf(found, rule, most)) {
         text += textOf(*found.step, names, f);
+    }
+    for (const WaivedFinding& waived : waivedOf(found, rule, most)) {
+        text += textOf(*found.step, names, waived);
     }
     return text;
 }
@@ -165,6 +156,9 @@ std::string textOf(const RuleTable& table, const StepRules& found, std::size_t m
     for (std::size_t rule = 0; rule < table.rules.size(); ++rule) {
         text += textOf(table, found, names, rule, most);
     }
+    for (const WaiverNote& note : found.report.waiverNotes) {
+        text += note.text + '\n';
+    }
     for (const NetTie& tie : found.report.netTies) {
         text += "net tie: " + textOf(*found.step, tie) + '\n';
     }
@@ -174,7 +168,8 @@ std::string textOf(const RuleTable& table, const StepRules& found, std::size_t m
     return text;
 }
 
-/// Findings, then a row for all that was not checked: without layer, sides and location.
+/// Findings, those that are waived, then a row for all that was not checked and is to be said of waivers: without
+/// layer, sides and location.
 std::string csvOf(const RuleTable& table, const StepRules& found, std::size_t most) {
     const Document& step = *found.step;
     const SideNames names(step);
@@ -187,9 +182,16 @@ std::string csvOf(const RuleTable& table, const StepRules& found, std::size_t mo
         for (const RuleFinding& f : findingsOf(found, row, most)) {
             text += start + csvOf(step, names, f) + ',' + toString(Verdict::Failed) + ',' + toString(f.reason) + end;
         }
+        for (const WaivedFinding& waived : waivedOf(found, row, most)) {
+            text += start + csvOf(step, names, waived.found) + ",waived," + csvField(waived.reason) + end;
+        }
         for (const std::string& unchecked : uncheckedOf(found.report, row)) {
             text += start + ",,,,,,,,,,,,,," + toString(Verdict::Incomplete) + ',' + csvField(unchecked) + end;
         }
+    }
+    for (const WaiverNote& note : found.report.waiverNotes) {
+        text += csvField(step.job.step) + ",,,,,,,,,,,,,,,,,waiver " + toString(note.state) + ',' +
+                csvField(note.text) + end;
     }
     return text;
 }
@@ -220,6 +222,7 @@ ordered_json jsonOf(const RuleTable& table, const StepRules& found, const SideNa
     }
     json["result"] = verdict == Verdict::Failed ? "fail" : toString(verdict);
     json["count"] = found.report.counts[row];
+    json["waived_count"] = waivedOf(found.report, row);
     json["unchecked"] = ordered_json::array();
     for (const Unchecked& unchecked : found.report.unchecked) {
         if (unchecked.rule == row) {
@@ -230,7 +233,20 @@ ordered_json jsonOf(const RuleTable& table, const StepRules& found, const SideNa
     for (const RuleFinding& f : findingsOf(found, row, most)) {
         json["findings"].push_back(ruleJson(*found.step, names, f));
     }
+    json["waived"] = ordered_json::array();
+    for (const WaivedFinding& waived : waivedOf(found, row, most)) {
+        json["waived"].push_back(ruleJson(*found.step, names, waived.found));
+        json["waived"].back()["waiver"] = waived.reason;
+    }
     return json;
+}
+
+ordered_json waiversJson(const RuleReport& report) {
+    ordered_json list = ordered_json::array();
+    for (const WaiverNote& note : report.waiverNotes) {
+        list.push_back({{"waiver", note.waiver + 1}, {"state", toString(note.state)}, {"text", note.text}});
+    }
+    return list;
 }
 
 ordered_json tiesJson(const StepRules& found) {
@@ -253,6 +269,7 @@ ordered_json jsonOf(const RuleTable& table, const StepRules& found, std::size_t 
     return {{"step", found.step->job.step},
             {"tolerance_um", micrometres(table.tolerance)},
             {"rules", rules},
+            {"waivers", waiversJson(found.report)},
             {"net_ties", tiesJson(found)},
             {"notes", found.report.notes}};
 }
@@ -291,8 +308,14 @@ std::string clearanceReport(std::span<const StepClearances> steps, ReportFormat 
         [](const StepClearances& step) { return textOf(step); });
 }
 
-std::string ruleReport(const RuleTable& table, std::span<const StepRules> steps, ReportFormat format,
-                       std::size_t most) {
+std::string ruleReport(const RuleTable& table, std::span<const StepRules> steps, ReportFormat format, std::size_t most,
+                       const ReportContext& context) {
+    switch (format) {
+        case ReportFormat::Junit: return junitReport(table, steps, most, context);
+        case ReportFormat::Sarif: return sarifReport(table, steps, most, context);
+        case ReportFormat::Html: return htmlReport(table, steps, most, context);
+        default: break;
+    }
     return reportOf(
         steps, format,
         "step,rule,least um,layer,clearance um,a,b,x mm on a,y mm on a,x mm on b,y mm on b,pin a,kind a,element a,pin "

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -24,15 +25,29 @@ struct StepRules {
     RuleReport report;
 };
 
-enum class ReportFormat { Text, Json, Csv };
-/// "text", "json", "csv"; also as endings of files (".txt", ".json", ".csv"). None if it is none of them.
+/// Junit and everything behind it are forms of rules alone.
+enum class ReportFormat { Text, Json, Csv, Junit, Sarif, Html };
+/// "text", "json", "csv", "junit", "sarif", "html"; also as endings of files (".txt", ".json", ".csv", ".xml",
+/// ".sarif",
+/// ".html"). None if it is none of them.
 [[nodiscard]] std::optional<ReportFormat> reportFormatOf(std::string_view name);
+[[nodiscard]] constexpr bool isOfRulesAlone(ReportFormat format) {
+    return format >= ReportFormat::Junit;
+}
 
-/// The smallest clearances, step by step. Widths in micrometres, places in millimetres.
+/// What reports name beside the findings.
+struct ReportContext {
+    std::filesystem::path board;  ///< the job, as the user names it
+    std::string version;          ///< of Copperscope
+};
+
+/// The smallest clearances, step by step, in a format that is not of rules alone. Widths in micrometres, places in
+/// millimetres.
 [[nodiscard]] std::string clearanceReport(std::span<const StepClearances> steps, ReportFormat format);
 /// Every rule with its verdict (model::Verdict), what it could not check and why, and its locations, `most` of each at
-/// most; in text and JSON the notes too.
+/// most; those that are waived with the reason, what is to be said of waivers, and but for CSV the notes too. `context`
+/// is for JUnit (model/export/junit_export.h), SARIF and HTML.
 [[nodiscard]] std::string ruleReport(const RuleTable& table, std::span<const StepRules> steps, ReportFormat format,
-                                     std::size_t most);
+                                     std::size_t most, const ReportContext& context = {});
 
 }  // namespace model

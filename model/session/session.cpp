@@ -1,11 +1,6 @@
 #include "model/session/session.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <optional>
 
@@ -14,6 +9,7 @@
 #include "model/session/session_json.h"
 #include "model/solids/restack.h"
 #include "model/text/json_text.h"
+#include "model/text/whole_file.h"
 
 namespace model::session {
 
@@ -31,6 +27,8 @@ constexpr const char* kMeasurementsKey = "measurements";
 constexpr const char* kSectionsKey = "sections";
 constexpr const char* kLayerSetsKey = "layer_sets";
 constexpr const char* kBoardColoursKey = "board_colours";
+constexpr const char* kDesignRulesKey = "design_rules";
+constexpr const char* kWaiversKey = "waivers";
 /// No session is this large; something else is.
 constexpr std::uintmax_t kMostBytes = 16 << 20;
 
@@ -135,45 +133,12 @@ void readDesk(const Json& json, const Document& document, LoadedSession& out) {
     out.session.desk = std::move(*desk);
 }
 
-std::string reason() {
-    return std::strerror(errno);
-}
-
-/// Writes and syncs; a file that was begun is removed again on failure.
-base::Status writeWhole(const fs::path& path, const std::string& text) {
-    const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (file < 0) {
-        return cannotWrite(path, reason());
+void readDesignRules(const Json& json, LoadedSession& out) {
+    if (base::Result<RuleTable> rules = parseRules(jsonText(json))) {
+        out.session.designRules = std::move(*rules);
+    } else {
+        out.ignored.push_back(std::string(kDesignRulesKey) + ": " + rules.error().text);
     }
-    std::size_t done = 0;
-    bool isGood = true;
-    while (isGood && done < text.size()) {
-        const ssize_t count = ::write(file, text.data() + done, text.size() - done);
-        isGood = count > 0 || (count < 0 && errno == EINTR);
-        done += count > 0 ? static_cast<std::size_t>(count) : 0;
-    }
-    isGood = isGood && ::fsync(file) == 0;
-    const std::string why = reason();
-    isGood = ::close(file) == 0 && isGood;
-    if (!isGood) {
-        ::unlink(path.c_str());
-        return cannotWrite(path, why);
-    }
-    return base::Done{};
-}
-
-base::Status replaceFile(const fs::path& path, const std::string& text) {
-    const fs::path beside = path.string() + ".part" + std::to_string(::getpid());
-    if (const base::Status written = writeWhole(beside, text); !written) {
-        return cannotWrite(path, written.error().text);
-    }
-    std::error_code error;
-    fs::rename(beside, path, error);
-    if (error) {
-        ::unlink(beside.c_str());
-        return cannotWrite(path, error.message());
-    }
-    return base::Done{};
 }
 
 base::Status removeFile(const fs::path& path) {
@@ -208,7 +173,7 @@ base::Status savePart(const fs::path& board, const Document& document, const cha
     if (text.size() > kMostBytes) {
         return cannotWrite(path, "it would be larger than a session may be");
     }
-    return replaceFile(path, text);
+    return writeWholeFile(path, text);
 }
 
 template <class List>
@@ -262,6 +227,10 @@ LoadedSession loadSession(const fs::path& board, const Document& document) {
             } else {
                 out.ignored.push_back(std::string(kBoardColoursKey) + ", which are no colours of a board");
             }
+        } else if (key == kDesignRulesKey) {
+            readDesignRules(value, out);
+        } else if (key == kWaiversKey) {
+            readList(value, "waiver", waiverFrom, out.session.waivers, out.ignored);
         } else if (key != kVersionKey && key != kJobKey) {
             out.ignored.push_back("\"" + key + "\" is not known");
         }
@@ -308,6 +277,14 @@ base::Status saveLayerSets(const fs::path& board, const Document& document, cons
 
 base::Status saveBoardColours(const fs::path& board, const Document& document, const BoardColourChoice& chosen) {
     return savePart(board, document, kBoardColoursKey, chosen == BoardColourChoice{} ? Json() : toJson(chosen));
+}
+
+base::Status saveDesignRules(const fs::path& board, const Document& document, const std::optional<RuleTable>& rules) {
+    return savePart(board, document, kDesignRulesKey, rules ? Json::parse(toJson(*rules)) : Json());
+}
+
+base::Status saveWaivers(const fs::path& board, const Document& document, const std::vector<Waiver>& waivers) {
+    return savePart(board, document, kWaiversKey, waivers.empty() ? Json() : Json::parse(toJson(waivers))["waivers"]);
 }
 
 std::shared_ptr<const Document> applyThicknesses(std::shared_ptr<const Document> document,

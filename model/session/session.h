@@ -10,6 +10,8 @@
 #include "model/base/result.h"
 #include "model/board/board_colours.h"
 #include "model/board/document.h"
+#include "model/clearance/design_rules.h"
+#include "model/clearance/waivers.h"
 #include "model/measure/measurement.h"
 #include "model/session/saved_nets.h"
 #include "model/session/saved_selection.h"
@@ -27,7 +29,8 @@
 ///               "layers": [{"name": "TOP", "visible": true, "opacity_percent": 80, "colour": "#ff8000"}]},
 ///      "board_colours": {"solder_mask": "blue", "silkscreen": "white", "finish": "gold"},
 ///      "layer_sets": [{"name": "Power", "layers": ["GND", "VCC"]}],
-///      "measurements": [see Measurement], "sections": [see SavedSection]}
+///      "measurements": [see Measurement], "sections": [see SavedSection],
+///      "design_rules": {see model::parseRules}, "waivers": [those of model::parseWaivers]}
 namespace model::session {
 
 inline constexpr int kVersion = 1;
@@ -100,6 +103,8 @@ struct Session {
     std::vector<SavedSection> sections{};
     std::vector<LayerSet> layerSets{};
     BoardColourChoice boardColours{};
+    std::optional<RuleTable> designRules{};  ///< none: those that are common
+    std::vector<Waiver> waivers{};
     bool operator==(const Session&) const = default;
 };
 
@@ -136,6 +141,10 @@ struct LoadedSession {
                                          const std::vector<LayerSet>& sets);
 [[nodiscard]] base::Status saveBoardColours(const std::filesystem::path& board, const Document& document,
                                             const BoardColourChoice& chosen);
+[[nodiscard]] base::Status saveDesignRules(const std::filesystem::path& board, const Document& document,
+                                           const std::optional<RuleTable>& rules);
+[[nodiscard]] base::Status saveWaivers(const std::filesystem::path& board, const Document& document,
+                                       const std::vector<Waiver>& waivers);
 
 /// The document with these thicknesses in it.
 [[nodiscard]] std::shared_ptr<const Document> applyThicknesses(std::shared_ptr<const Document> document,

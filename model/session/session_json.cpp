@@ -214,4 +214,11 @@ Json toJson(const LayerSet& set) {
     return {{"name", set.name}, {"layers", set.layers}};
 }
 
+Waiver waiverFrom(const Json& json) {
+    const base::Result<std::vector<Waiver>> waivers =
+        parseWaivers(Json{{"copperscope_waivers", 1}, {"waivers", Json::array({json})}}.dump());
+    require(waivers.ok() && waivers->size() == 1);
+    return waivers->front();
+}
+
 }  // namespace model::session

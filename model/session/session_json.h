@@ -27,6 +27,7 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] SavedSection sectionFrom(const Json& json);
 [[nodiscard]] LayerSet layerSetFrom(const Json& json);
 [[nodiscard]] BoardColourChoice boardColoursFrom(const Json& json);
+[[nodiscard]] Waiver waiverFrom(const Json& json);
 
 /// What `read` makes of the JSON; nothing where it throws.
 template <class Read>

@@ -52,6 +52,10 @@ public:
     [[nodiscard]] QString lastFolder() const { return m_store.value("files/folder", QDir::homePath()).toString(); }
     void setLastFolder(const QString& folder) { m_store.setValue("files/folder", folder); }
 
+    /// Whom waivers of design rules name.
+    [[nodiscard]] QString author() const { return m_store.value("waivers/author").toString(); }
+    void setAuthor(const QString& name) { m_store.setValue("waivers/author", name); }
+
     /// Forgets everything.
     void reset() { m_store.clear(); }
 
