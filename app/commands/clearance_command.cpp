@@ -186,7 +186,7 @@ std::string today() {
     return text;
 }
 
-/// Waives what is not waived yet; of one location the newer waiver counts.
+/// Waives what is not waived yet; of one location the waiver of the smaller distance counts.
 void waiveAll(const ClearanceArguments& arguments, const model::RuleTable& table, const StepRules& found,
               Waivers& waivers) {
     const model::SideNames names(*found.step);
@@ -196,8 +196,13 @@ void waiveAll(const ClearanceArguments& arguments, const model::RuleTable& table
     said.date = today();
     for (const model::RuleFinding& finding : found.report.findings) {
         const model::Waiver waiver = model::waiverOf(*found.step, names, table, finding, said);
-        std::erase_if(waivers, [&](const model::Waiver& old) { return model::areOfOnePlace(old, waiver); });
-        waivers.push_back(waiver);
+        const auto same =
+            std::ranges::find_if(waivers, [&](const model::Waiver& old) { return model::areOfOnePlace(old, waiver); });
+        if (same == waivers.end()) {
+            waivers.push_back(waiver);
+        } else if (waiver.distance < same->distance) {
+            *same = waiver;
+        }
     }
 }
 

@@ -110,22 +110,24 @@ private:
 
     void note(RuleReport& report) {
         std::vector<Met> met(m_waivers.size());
-        const auto set = [&](const RuleFinding& finding, const RuleFinding* Met::*part) {
-            m_match.visitAt(finding, [&](std::size_t row) {
-                met[row].*part = met[row].*part == nullptr ? &finding : met[row].*part;
-                return false;
-            });
-        };
-        for (const RuleFinding& finding : report.findings) {
-            set(finding, &Met::worse);
-        }
         for (const WaivedFinding& waived : report.waived) {
-            set(waived.found, &Met::held);
+            met[waived.waiver].held = &waived.found;
         }
         for (std::size_t row = 0; row < m_waivers.size(); ++row) {
             if (m_waivers[row].step == m_step.job.step) {
+                look(row, report, met[row]);
                 note(row, met[row], report);
             }
+        }
+    }
+
+    void look(std::size_t row, const RuleReport& report, Met& met) const {
+        const auto at = [&](const RuleFinding& finding) { return m_match.isAt(row, finding); };
+        const auto worse = std::ranges::find_if(report.findings, at);
+        met.worse = worse == report.findings.end() ? nullptr : &*worse;
+        if (met.held == nullptr && met.worse == nullptr) {  // another waiver may hold there
+            const auto held = std::ranges::find_if(report.waived, at, &WaivedFinding::found);
+            met.held = held == report.waived.end() ? nullptr : &held->found;
         }
     }
 
@@ -191,25 +193,29 @@ WaiverMatch::WaiverMatch(const Document& step, const RuleTable& table, std::span
     }
 }
 
-bool WaiverMatch::visitOn(LayerId layer, const RuleFinding& finding,
-                          const std::function<bool(std::size_t)>& visit) const {
-    const auto rows = m_rows.find({m_table.rules[finding.rule].kind, finding.reason, layer});
-    if (rows == m_rows.end()) {
-        return false;
+WaiverMatch::Rows WaiverMatch::rowsFor(const RuleFinding& finding) const {
+    const RuleKind kind = m_table.rules[finding.rule].kind;
+    std::set<LayerId> layers{finding.layer};
+    if (kind == RuleKind::HoleToHole && finding.b.isValid()) {
+        layers.insert(m_step.elements.layer[finding.b.row()]);  // either drill's
     }
-    PassingPair sides(m_step, finding);
-    return std::ranges::any_of(rows->second, [&](std::size_t row) {
-        const bool isAt = areNear(m_waivers[row], finding.spacing) || sides.passes(m_waivers[row]);
-        return isAt && visit(row);
-    });
+    Rows all;
+    for (const LayerId layer : layers) {
+        if (const auto rows = m_rows.find({kind, finding.reason, layer}); rows != m_rows.end()) {
+            all.insert(all.end(), rows->second.begin(), rows->second.end());
+        }
+    }
+    return all;
 }
 
-void WaiverMatch::visitAt(const RuleFinding& finding, const std::function<bool(std::size_t)>& visit) const {
-    const bool isOfHoles = m_table.rules[finding.rule].kind == RuleKind::HoleToHole && finding.b.isValid();
-    const LayerId other = isOfHoles ? m_step.elements.layer[finding.b.row()] : finding.layer;  // either drill's
-    if (!visitOn(finding.layer, finding, visit) && other != finding.layer) {
-        static_cast<void>(visitOn(other, finding, visit));
+bool WaiverMatch::isAt(std::size_t waiver, const RuleFinding& finding) const {
+    const Waiver& w = m_waivers[waiver];
+    if (w.kind != m_table.rules[finding.rule].kind || w.fault != finding.reason) {
+        return false;
     }
+    const Rows rows = rowsFor(finding);
+    return std::ranges::find(rows, waiver) != rows.end() &&
+           (areNear(w, finding.spacing) || PassingPair(m_step, finding).passes(w));
 }
 
 bool WaiverMatch::isWorse(std::size_t waiver, const RuleFinding& finding) const {
@@ -218,12 +224,15 @@ bool WaiverMatch::isWorse(std::size_t waiver, const RuleFinding& finding) const 
 }
 
 std::size_t WaiverMatch::holderOf(const RuleFinding& finding) const {
-    std::size_t holder = m_waivers.size();
-    visitAt(finding, [&](std::size_t row) {
-        holder = isWorse(row, finding) ? holder : row;
-        return holder == row;
-    });
-    return holder;
+    const Rows rows = rowsFor(finding);
+    PassingPair sides(m_step, finding);
+    const auto holds = [&](std::size_t row, bool isAt) { return isAt && !isWorse(row, finding); };
+    auto holder = std::ranges::find_if(
+        rows, [&](std::size_t row) { return holds(row, areNear(m_waivers[row], finding.spacing)); });
+    if (holder == rows.end()) {
+        holder = std::ranges::find_if(rows, [&](std::size_t row) { return holds(row, sides.passes(m_waivers[row])); });
+    }
+    return holder == rows.end() ? m_waivers.size() : *holder;
 }
 
 base::Result<RuleReport> checkRules(const Document& step, const RuleTable& table, std::span<const Waiver> waivers,

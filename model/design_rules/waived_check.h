@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <map>
 #include <span>
 #include <tuple>
@@ -23,19 +22,22 @@ public:
 
     /// Row of the one that holds; the number of all if there is none.
     [[nodiscard]] std::size_t holderOf(const RuleFinding& finding) const;
-    /// Calls `visit` with the rows of those whose location it is, whatever is left there, until that returns true.
-    void visitAt(const RuleFinding& finding, const std::function<bool(std::size_t)>& visit) const;
+    /// Is it the location of this waiver, whatever is left there?
+    [[nodiscard]] bool isAt(std::size_t waiver, const RuleFinding& finding) const;
     /// Is less left than when it was waived?
     [[nodiscard]] bool isWorse(std::size_t waiver, const RuleFinding& finding) const;
 
 private:
-    [[nodiscard]] bool visitOn(LayerId layer, const RuleFinding& finding,
-                               const std::function<bool(std::size_t)>& visit) const;
+    using Rows = std::vector<std::size_t>;
+    using Key = std::tuple<RuleKind, FindingReason, LayerId>;
+
+    /// Of all waivers that may be at a finding.
+    [[nodiscard]] Rows rowsFor(const RuleFinding& finding) const;
 
     const Document& m_step;
     const RuleTable& m_table;
     std::span<const Waiver> m_waivers;
-    std::map<std::tuple<RuleKind, FindingReason, LayerId>, std::vector<std::size_t>> m_rows;  ///< of this step
+    std::map<Key, Rows> m_rows;  ///< of this step
 };
 
 /// checkRules, with findings that are waived apart from those that count, and what is to be said of the waivers of this
