@@ -19,6 +19,7 @@ constexpr double kLeastAround = 300'000;  ///< nm to the upper and lower side
 constexpr double kMostAround = 4e6;
 constexpr double kTimesAround = 2.5;  ///< so many widths of the spacing
 constexpr double kThin = 2.0;         ///< units: points that are nearer to the last one are left out
+constexpr double kChord = 0.4;        ///< units between a curve and its chords
 constexpr double kHoleAround = 0.8;   ///< of the diameter of a hole that is one side
 
 using Points = std::vector<PointD>;
@@ -82,7 +83,7 @@ std::string pathOf(const Points& loop) {
 
 std::string pathOf(const Document& step, ElementId element, const View& view) {
     Discretisation how;
-    how.chordToleranceNm = std::clamp(1.0 / view.perNm, Discretisation::kMinChordNm, Discretisation::kMaxChordNm);
+    how.chordToleranceNm = std::clamp(kChord / view.perNm, Discretisation::kMinChordNm, Discretisation::kMaxChordNm);
     const PolygonSet polygons = discretise(step, element, how);
     std::string path;
     for (std::size_t i = 0; i < polygons.loopCount(); ++i) {
@@ -168,13 +169,13 @@ std::string dimensionSvg(const Spacing& spacing, const View& view) {
     const PointD a = view.of(spacing.from);
     const PointD b = view.of(spacing.to);
     const double length = std::hypot(b.x - a.x, b.y - a.y);
-    std::string svg = formatted("<path class=\"gap\" d=\"M%.0f %.0fL%.0f %.0f\"/>", a.x, a.y, b.x, b.y);
+    std::string svg = formatted("<path class=\"space\" d=\"M%.0f %.0fL%.0f %.0f\"/>", a.x, a.y, b.x, b.y);
     if (length < 8) {
-        svg += formatted("<circle class=\"gap\" cx=\"%.0f\" cy=\"%.0f\" r=\"24\"/>", a.x, a.y);
+        svg += formatted("<circle class=\"space\" cx=\"%.0f\" cy=\"%.0f\" r=\"24\"/>", a.x, a.y);
     } else {
         const PointD across{(b.y - a.y) / length * 16, (a.x - b.x) / length * 16};
         for (const PointD end : {a, b}) {
-            svg += formatted("<path class=\"gap\" d=\"M%.0f %.0fL%.0f %.0f\"/>", end.x - across.x, end.y - across.y,
+            svg += formatted("<path class=\"space\" d=\"M%.0f %.0fL%.0f %.0f\"/>", end.x - across.x, end.y - across.y,
                              end.x + across.x, end.y + across.y);
         }
     }
@@ -188,8 +189,8 @@ std::string barSvg(const View& view) {
     const double most = kWidth / 4 / view.perNm;
     const double ten = std::pow(10.0, std::floor(std::log10(most)));
     const double length = most >= 5 * ten ? 5 * ten : most >= 2 * ten ? 2 * ten : ten;
-    return formatted("<path class=\"bar\" d=\"M24 676v20h%.0fv-20\"/><text class=\"bar\" x=\"30\" y=\"668\">",
-                     length * view.perNm) +
+    return formatted("<path class=\"bar\" d=\"M24 676V696H%.0fV676\"/><text class=\"bar\" x=\"30\" y=\"668\">",
+                     24 + length * view.perNm) +
            lengthText(static_cast<Nm>(length)) + "</text>";
 }
 
@@ -211,7 +212,7 @@ const char* const LocationPictures::kStyle =
     "svg{width:240px;height:180px;background:#fff;border:1px solid #bbb}svg .o{fill:#c4c4c4}svg "
     ".h{fill:#fff;stroke:#888;"
     "stroke-width:4}svg .na{fill:#f3c9a5}svg .nb{fill:#aecdea}svg .a{fill:#d9731a;stroke:#7a3d06;stroke-width:3}svg "
-    ".b{fill:#2f7fc1;stroke:#123f66;stroke-width:3}svg .edge{fill:none;stroke:#222;stroke-width:5}svg .gap{fill:none;"
+    ".b{fill:#2f7fc1;stroke:#123f66;stroke-width:3}svg .edge{fill:none;stroke:#222;stroke-width:5}svg .space{fill:none;"
     "stroke:#c00020;stroke-width:6}svg text{font:600 44px sans-serif;fill:#a00018;stroke:#fff;stroke-width:10;"
     "paint-order:stroke}svg .bar{fill:none;stroke:#333;stroke-width:4}svg text.bar{font:32px sans-serif;fill:#333;"
     "stroke:#fff;stroke-width:8}";

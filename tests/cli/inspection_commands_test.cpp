@@ -94,6 +94,55 @@ private slots:
         QCOMPARE(check({"--tolerance", "apple"}).exitCode, 1);
     }
 
+    void waivedFindingsDoNotFailABuild() {
+        QTemporaryDir folder;
+        const QString rules = folder.filePath("rules.json");
+        QFile file(rules);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(R"({"copperscope_rules": 1, "rules": [{"kind": "copper-copper", "least_um": 200}]})");
+        file.close();
+        const QString waivers = folder.filePath("waivers.json");
+        const auto check = [&](const QStringList& more) {
+            return copperscope(QStringList{"clearance", locations::kSample, "--rules", rules} + more);
+        };
+        QCOMPARE(check({}).exitCode, 4);
+        QCOMPARE(check({"--write-waivers", waivers, "--reason", "as built"}).exitCode, 1);  // by whom?
+        QCOMPARE(check({"--write-waivers", waivers, "--reason", "as built", "--author", "Me"}).exitCode, 0);
+        const Outcome waived = check({"--waivers", waivers, "--format", "json"});
+        QCOMPARE(waived.exitCode, 0);
+        const QJsonValue rule = QJsonDocument::fromJson(waived.out)["steps"][0]["rules"][0];
+        QCOMPARE(rule["count"].toInt(), 0);
+        QVERIFY(rule["waived_count"].toInt() > 1);
+
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(R"({"copperscope_rules": 1, "rules": [{"kind": "copper-copper", "least_um": 1}]})");
+        file.close();
+        const Outcome gone = check({"--waivers", waivers});
+        QCOMPARE(gone.exitCode, 0);
+        QVERIFY2(gone.out.contains("no finding there any more"), gone.out.constData());
+        QCOMPARE(check({"--waivers", rules}).exitCode, 2);
+        QCOMPARE(copperscope({"clearance", locations::kSample, "--waivers", waivers}).exitCode, 1);  // of which rules?
+    }
+
+    void reportsAreWrittenToFiles() {
+        QTemporaryDir folder;
+        for (const char* format : {"text", "json", "csv", "junit", "sarif", "html"}) {
+            const QString path = folder.filePath(format);
+            const QStringList call{"clearance", locations::kSample, "--rules", "default", "--format", format};
+            const Outcome written = copperscope(call + QStringList{"-o", path});
+            QVERIFY(written.out.isEmpty());
+            QFile file(path);
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            QCOMPARE(file.readAll(), copperscope(call).out);
+        }
+        const QStringList smallest{"clearance", locations::kSample};
+        QCOMPARE(copperscope(smallest + QStringList{"--format", "junit"}).exitCode, 1);
+        QCOMPARE(copperscope(smallest + QStringList{"-o", "/nowhere/report"}).exitCode, 3);
+        const Outcome full = copperscope(smallest + QStringList{"-o", "/dev/full"});
+        QCOMPARE(full.exitCode, 3);
+        QVERIFY2(full.err.contains("No space left on device"), full.err.constData());
+    }
+
     void rulesAreHeldAgainstLayersAndNets() {
         Outcome printed = copperscope({"clearance", "--rules", "default", "--print"});
         QCOMPARE(printed.exitCode, 0);

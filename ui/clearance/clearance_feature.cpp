@@ -1,17 +1,18 @@
 #include "ui/clearance/clearance_feature.h"
 
+#include <QCoreApplication>
 #include <algorithm>
 #include <limits>
 
 #include "model/board/copies.h"
 #include "model/clearance/rule_file.h"
+#include "model/session/session.h"
 #include "ui/clearance/rule_dialog.h"
 #include "ui/common/paths.h"
 #include "ui/common/table_view.h"
 #include "ui/common/texts.h"
 #include "ui/layers/layer_model.h"
 #include "ui/views/position_readout.h"
-#include "ui/workspace/session_part.h"
 
 namespace ui {
 
@@ -21,6 +22,14 @@ constexpr float kLeastAroundMm = 0.3F;  ///< around a spacing that is shown
 constexpr float kTimesAround = 2.0F;    ///< at least so many widths of it
 constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
 constexpr std::size_t kNarrowest = 500;  ///< more than anybody steps through
+constexpr std::size_t kDrawn = 100;      ///< locations of a rule in a report with drawings
+
+/// The common rules need no place in a session.
+base::Status saveRulesOf(const std::filesystem::path& board, const model::Document& document,
+                         const model::RuleTable& rules) {
+    using Saved = std::optional<model::RuleTable>;
+    return model::session::saveDesignRules(board, document, rules == model::defaultRules() ? Saved() : Saved(rules));
+}
 
 }  // namespace
 
@@ -31,6 +40,15 @@ ClearanceFeature::ClearanceFeature(FeatureContext& context)
       m_probing(context.probing),
       m_selection(context.workspace.selection()),
       m_plan(context.plan),
+      m_savedRules(
+          m_workspace, tr("The rules"),
+          [this](const model::RuleTable& rules) {
+              if (!(m_rules.rules() == rules)) {
+                  m_rules.setRules(rules);
+              }
+          },
+          saveRulesOf),
+      m_waivers(m_workspace, context.settings, this),
       m_lens(m_views, m_workspace, this),
       m_distances(m_views, m_probing, m_workspace, this),
       m_panel(new ClearancePanel(m_locations, m_rules, context.actions)) {
@@ -50,6 +68,7 @@ ClearanceFeature::ClearanceFeature(FeatureContext& context)
     });
     connectCommands(context);
     connectFiles(context);
+    connectWaivers(context);
     connectPanel(context);
 }
 
@@ -72,8 +91,7 @@ void ClearanceFeature::connectCommands(FeatureContext& context) {
 
 void ClearanceFeature::connectFiles(FeatureContext& context) {
     context.on(ActionId::ExportClearances, this, [this, &context] {
-        context.saveFile(tr("Export clearances"), tr("clearances"),
-                         {tr("Text (*.txt)"), tr("Tables (*.csv)"), tr("JSON (*.json)")},
+        context.saveFile(tr("Export clearances"), tr("clearances"), exportFilters(),
                          [this](const QString& path) { return exportReport(path); });
     });
     connect(m_panel, &ClearancePanel::rulesAsked, this, [this, &context] {
@@ -87,6 +105,37 @@ void ClearanceFeature::connectFiles(FeatureContext& context) {
         context.saveFile(tr("Save rules"), tr("rules"), {tr("Rules (*.json)")},
                          [this](const QString& path) { return saveRules(path); });
     });
+}
+
+void ClearanceFeature::connectWaivers(FeatureContext& context) {
+    connect(&m_waivers, &RuleWaivers::changed, this, &ClearanceFeature::checkAnew);
+    connect(m_panel, &ClearancePanel::waiverAsked, this,
+            [this, &window = context.window](int row) { m_waivers.request(m_locations.waiverFor(row), window); });
+    connect(m_panel, &ClearancePanel::withdrawalAsked, this,
+            [this](int row) { m_waivers.withdraw({*m_locations.location(row).waiver}); });
+    connect(m_panel, &ClearancePanel::goneWaiversAsked, this, [this] {
+        if (const std::vector<std::size_t> rows = goneWaivers(m_result); !rows.empty()) {
+            m_waivers.withdraw(rows);
+        }
+    });
+    connect(m_panel, &ClearancePanel::waiversAsked, this, [this, &context] {
+        context.openFile(tr("Open waivers"), tr("Waivers (*.json);;All files (*)"), [this](const QString& path) {
+            const base::Status opened = m_waivers.read(path);
+            opened ? m_workspace.report(tr("Waivers of %1").arg(path)) : m_workspace.reportSaved(opened, path);
+        });
+    });
+    connect(m_panel, &ClearancePanel::waiversSaved, this, [this, &context] {
+        context.saveFile(tr("Save waivers"), tr("waivers"), {tr("Waivers (*.json)")},
+                         [this](const QString& path) { return m_waivers.write(path); });
+    });
+}
+
+QStringList ClearanceFeature::exportFilters() const {
+    QStringList filters{tr("Text (*.txt)"), tr("Tables (*.csv)"), tr("JSON (*.json)")};
+    if (m_requested && m_requested->isOfRules) {
+        filters += {tr("Page with drawings (*.html)"), tr("JUnit (*.xml)"), tr("SARIF (*.sarif)")};
+    }
+    return filters;
 }
 
 void ClearanceFeature::connectPanel(FeatureContext& context) {
@@ -111,11 +160,15 @@ model::LayerId ClearanceFeature::mappedLayer() const {
     return isSeen && m_workspace.board()->document->layer(current).isCopper() ? current : m_plan.namedLayer();
 }
 
-void ClearanceFeature::setBoard() {
+void ClearanceFeature::setBoard(const LoadedBoard& board) {
     m_requested.reset();
     m_result = {};
     endShowing();
     m_locations.setSpacings(nullptr, {}, {}, true);
+    if (m_savedRules.open()) {
+        m_rules.setRules(board.session.designRules.value_or(model::defaultRules()));
+    }
+    m_waivers.open(board);
     m_rules.setResults({});
     m_panel->setNotes({});
 }
@@ -130,6 +183,7 @@ std::optional<ClearanceRequest> ClearanceFeature::request() {
     ClearanceRequest request;
     request.isOfRules = m_panel->what() == ClearancePanel::What::Rules;
     request.rules = m_rules.rules();
+    request.waivers = m_waivers.list();
     request.question.count = kNarrowest;
     if (request.isOfRules) {
         return request;
@@ -163,12 +217,25 @@ std::optional<ClearanceRequest> ClearanceFeature::request() {
 
 void ClearanceFeature::search() {
     m_workspace.cancelLoading();
-    std::optional<ClearanceRequest> wanted = request();
-    if (!wanted) {
-        return;
+    m_current.reset();
+    if (std::optional<ClearanceRequest> wanted = request()) {
+        run(std::move(*wanted));
     }
+}
+
+void ClearanceFeature::checkAnew() {
+    if (m_requested && m_requested->isOfRules) {
+        const int row = m_panel->currentRow();
+        m_current = row < 0 ? std::nullopt : std::optional(m_locations.location(row));
+        ClearanceRequest again = *m_requested;
+        again.waivers = m_waivers.list();
+        run(std::move(again));
+    }
+}
+
+void ClearanceFeature::run(ClearanceRequest request) {
     m_searched = m_workspace.board()->document;
-    m_wanted = std::move(*wanted);
+    m_wanted = std::move(request);
     m_search.run([board = m_searched,
                   request = m_wanted](base::Progress& progress) { return searchClearances(*board, request, progress); },
                  tr("Measuring clearances"), tr("There is not enough memory to measure clearances"));
@@ -187,6 +254,9 @@ void ClearanceFeature::take() {
                             isComplete(m_result));
     if (m_wanted.isOfRules && m_rules.rules() == m_wanted.rules) {
         m_rules.setResults(resultsOf(m_wanted.rules, m_result));
+    }
+    if (m_current) {
+        m_panel->setCurrentRow(m_locations.rowOf(*m_current));
     }
     const QStringList notes = textsOf(m_result.notes);
     m_panel->setNotes(notes.join('\n'));
@@ -237,13 +307,8 @@ void ClearanceFeature::endShowing() {
 }
 
 void ClearanceFeature::remember(const model::RuleTable& before) {
-    if (!(before == m_rules.rules())) {
-        const auto apply = [this](const model::RuleTable& rules) {
-            if (!(m_rules.rules() == rules)) {
-                m_rules.setRules(rules);
-            }
-        };
-        m_workspace.history().push(new UndoStep<model::RuleTable>(tr("the rules"), before, m_rules.rules(), apply));
+    if (m_workspace.board() != nullptr && !(before == m_rules.rules())) {
+        m_savedRules.edit(tr("the rules"), before, m_rules.rules());
     }
 }
 
@@ -280,13 +345,19 @@ void ClearanceFeature::editRules(QWidget& parent) {
 
 base::Status ClearanceFeature::exportReport(const QString& path) const {
     const auto format = model::reportFormatOf(toPath(path).extension().string());
-    if (!format || !m_requested) {
+    if (!m_requested) {
         return base::Error{base::ErrorCode::BadUsage,
-                           m_requested ? "A report is written as .txt, .csv or .json."
-                                       : "Nothing was measured or checked yet, so there is nothing to export."};
+                           "Nothing was measured or checked yet, so there is nothing to export."};
     }
+    if (!format || (!m_requested->isOfRules && model::isOfRulesAlone(*format))) {
+        return base::Error{base::ErrorCode::BadUsage,
+                           "A report is written as .txt, .csv or .json, on rules also as .html, .xml or .sarif."};
+    }
+    const std::size_t most = *format == model::ReportFormat::Html ? kDrawn : kAll;
+    const model::ReportContext context{m_workspace.board()->request.path,
+                                       QCoreApplication::applicationVersion().toStdString()};
     const std::string report = m_requested->isOfRules
-                                   ? model::ruleReport(m_requested->rules, m_result.rules, *format, kAll)
+                                   ? model::ruleReport(m_requested->rules, m_result.rules, *format, most, context)
                                    : model::clearanceReport(m_result.clearances, *format);
     return writeFile(path, QByteArray::fromStdString(report));
 }

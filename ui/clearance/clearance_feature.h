@@ -6,6 +6,7 @@
 #include "ui/clearance/clearance_panel.h"
 #include "ui/clearance/clearance_search.h"
 #include "ui/clearance/lens.h"
+#include "ui/clearance/rule_waivers.h"
 #include "ui/views/plan_painter.h"
 #include "ui/views/probing.h"
 #include "ui/workspace/background_result.h"
@@ -14,9 +15,10 @@
 namespace ui {
 
 /// The smallest clearances of the copper, from the search to the location on the screen: searches in the background, a
-/// panel to step through what was found, rules with their files and on the history, the lens and the clearance map.
-/// While a location is shown both views are there, and the layers of its two sides stand out, whatever is checked and
-/// whatever covers them; all is as before once something else is selected, or nothing.
+/// panel to step through what was found, rules and waivers in the session, with their files and on the history, the
+/// lens and the clearance map. Waivers change what a check found, so it is made anew. While a location is shown both
+/// views are there, and the layers of its two sides stand out, whatever is checked and whatever covers them; all is as
+/// before once something else is selected, or nothing.
 class ClearanceFeature : public QObject {
     Q_OBJECT
 
@@ -24,7 +26,8 @@ public:
     explicit ClearanceFeature(FeatureContext& context);
 
     /// Writes what the last search found, as the command line does, in the format of the name's ending (.txt, .csv,
-    /// .json). Errors: BadUsage for another ending or without a search, OutputFailed.
+    /// .json, of rules also .xml, .sarif, .html with drawings of the worst locations). Errors: BadUsage for another
+    /// ending or without a search, OutputFailed.
     [[nodiscard]] base::Status exportReport(const QString& path) const;
     /// Errors: BadInput, OutputFailed; the rules are then what they were.
     [[nodiscard]] base::Result<QString> openRules(const QString& path);
@@ -34,7 +37,12 @@ private:
     void connectPanel(FeatureContext& context);
     void connectCommands(FeatureContext& context);
     void connectFiles(FeatureContext& context);
-    void setBoard();
+    void connectWaivers(FeatureContext& context);
+    void setBoard(const LoadedBoard& board);
+    /// Checks again what was checked last, with the waivers of now; the current row stays.
+    void checkAnew();
+    void run(ClearanceRequest request);
+    [[nodiscard]] QStringList exportFilters() const;
     void setUnit(LengthUnit unit);
     /// Searches for what the panel requests.
     void search();
@@ -60,6 +68,8 @@ private:
     const PlanPainter& m_plan;
     ClearanceModel m_locations;
     RuleModel m_rules;
+    SessionPart<model::RuleTable> m_savedRules;
+    RuleWaivers m_waivers;
     BackgroundResult<ClearanceResult> m_search;
     std::shared_ptr<const model::Document> m_searched;  ///< the board that is or was searched, and what for
     ClearanceRequest m_wanted;
@@ -68,6 +78,7 @@ private:
     ClearancePanel* m_panel;
     std::optional<ClearanceRequest> m_requested;  ///< what was found last, and how it was asked for
     ClearanceResult m_result;
+    std::optional<ClearanceModel::Location> m_current;  ///< to be the current row again after a check
     bool m_isShowing = false;
     std::vector<model::BoardElement> m_sides;  ///< of what is shown, as they are selected
 };

@@ -1,5 +1,6 @@
 #include "ui/clearance/clearance_model.h"
 
+#include <QColor>
 #include <algorithm>
 #include <tuple>
 #include <utility>
@@ -24,7 +25,8 @@ ClearanceModel::ClearanceModel(QObject* parent)
                   {tr("Second"), tr("The other side: net, pin, what it is, and the number of its element")},
                   {tr("X"), tr("Where it is, in the coordinates of the step"), kNumber},
                   {tr("Y"), tr("Where it is, in the coordinates of the step"), kNumber},
-                  {tr("Step"), tr("The step it is on; seen in all its copies")}},
+                  {tr("Step"), tr("The step it is on; seen in all its copies")},
+                  {tr("Waived"), tr("Why it is no failure, and who says so")}},
                  parent) {}
 
 void ClearanceModel::setSpacings(std::shared_ptr<const model::Document> board, std::vector<StepSpacings> spacings,
@@ -43,9 +45,13 @@ void ClearanceModel::setSpacings(std::shared_ptr<const model::Document> board, s
         for (const model::RuleFinding& found : step.locations) {
             m_locations.push_back({row, found});
         }
+        for (const model::WaivedFinding& waived : step.waived) {
+            m_locations.push_back({row, waived.found, waived.waiver, waived.reason});
+        }
     }
-    std::ranges::stable_sort(m_locations, {},
-                             [](const Location& p) { return std::tuple(p.found.rule, p.found.spacing.distance); });
+    std::ranges::stable_sort(m_locations, {}, [](const Location& p) {
+        return std::tuple(p.waiver.has_value(), p.found.rule, p.found.spacing.distance);
+    });
     endResetModel();
 }
 
@@ -59,19 +65,47 @@ QString ClearanceModel::summary() const {
 }
 
 QString ClearanceModel::found() const {
-    if (m_locations.empty()) {
+    const auto waived = std::ranges::partition_point(m_locations, [](const Location& p) { return !p.waiver; });
+    const std::span counted(m_locations.begin(), waived);
+    const auto rest = m_locations.end() - waived;
+    return rest == 0 ? foundOf(counted) : tr("%1; %L2 waived").arg(foundOf(counted)).arg(rest);
+}
+
+QString ClearanceModel::foundOf(std::span<const Location> locations) const {
+    if (locations.empty()) {
         return m_rules.rules.empty() ? tr("Nothing found")
                : m_isComplete        ? tr("All rules pass")
                                      : tr("No rule is broken, but not everything could be checked");
     }
     const auto smallest =
-        std::ranges::min_element(m_locations, {}, [](const Location& p) { return p.found.spacing.distance; });
+        std::ranges::min_element(locations, {}, [](const Location& p) { return p.found.spacing.distance; });
     const QString spacing = lengthText(smallest->found.spacing.distance, unit());
-    return m_locations.size() == 1 ? tr("1 location, spacing %1").arg(spacing)
-                                   : tr("%L1 locations, the smallest spacing %2").arg(m_locations.size()).arg(spacing);
+    return locations.size() == 1 ? tr("1 location, spacing %1").arg(spacing)
+                                 : tr("%L1 locations, the smallest spacing %2").arg(locations.size()).arg(spacing);
+}
+
+int ClearanceModel::rowOf(const Location& location) const {
+    const auto key = [](const Location& p) {
+        return std::tuple(p.step, p.found.rule, p.found.layer, p.found.a, p.found.b);
+    };
+    const auto at = std::ranges::find(m_locations, key(location), key);
+    return at == m_locations.end() ? -1 : static_cast<int>(at - m_locations.begin());
+}
+
+model::Waiver ClearanceModel::waiverFor(int row) const {
+    const Location& at = location(row);
+    return model::waiverOf(*m_tree.steps[at.step], *m_names[at.step], m_rules, at.found, {});
 }
 
 Cell ClearanceModel::cell(int row, int column) const {
+    Cell cell = plainCell(row, column);
+    if (location(row).waiver) {
+        cell.colour = QColor(Qt::gray);
+    }
+    return cell;
+}
+
+Cell ClearanceModel::plainCell(int row, int column) const {
     const model::RuleFinding& found = location(row).found;
     const model::Document& step = *m_tree.steps[location(row).step];
     switch (column) {
@@ -82,7 +116,8 @@ Cell ClearanceModel::cell(int row, int column) const {
         case Second: return text(model::textOf(m_names[location(row).step]->of(found).second));
         case X: return length(found.spacing.from.x);
         case Y: return length(found.spacing.from.y);
-        default: return text(step.job.step);
+        case Step: return text(step.job.step);
+        default: return text(location(row).reason);
     }
 }
 

@@ -1,11 +1,15 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "model/board/copies.h"
 #include "model/clearance/clearance.h"
 #include "model/clearance/side_names.h"
+#include "model/clearance/waivers.h"
 #include "ui/common/table_model.h"
 
 namespace ui {
@@ -15,14 +19,16 @@ struct StepSpacings {
     const model::Document* step = nullptr;  ///< the board or a step that it places
     std::vector<model::RuleFinding> locations;
     std::shared_ptr<const model::SideNames> names;  ///< of the step
+    std::vector<model::WaivedFinding> waived{};
 };
 
 /// Small clearances of a board as a table, the smallest first: what a search for clearances or a check of rules found.
+/// Behind them, grey and of a lower rank, those that are waived.
 class ClearanceModel : public TableModel {
     Q_OBJECT
 
 public:
-    enum Column { Spacing, Rule, Layer, First, Second, X, Y, Step };
+    enum Column { Spacing, Rule, Layer, First, Second, X, Y, Step, Waived };
 
     explicit ClearanceModel(QObject* parent = nullptr);
 
@@ -34,16 +40,26 @@ public:
     struct Location {
         std::uint32_t step = 0;  ///< row of model::StepTree::steps
         model::RuleFinding found;
+        std::optional<std::size_t> waiver{};  ///< row of the list of waivers
+        std::string reason{};                 ///< why it is waived
     };
     [[nodiscard]] const Location& location(int row) const { return m_locations[static_cast<std::size_t>(row)]; }
+    /// The row of the same two elements of the same rule and layer; -1: none.
+    [[nodiscard]] int rowOf(const Location& location) const;
+    /// The waiver of a row, but for what a person has to say. Not of a search without rules.
+    [[nodiscard]] model::Waiver waiverFor(int row) const;
+    [[nodiscard]] bool isOfRules() const { return !m_rules.rules.empty(); }
+    [[nodiscard]] int rankOf(int row) const override { return location(row).waiver ? 0 : 1; }
     /// "12 locations, the smallest spacing 0.1 mm", of rules with their tolerance, or that no search was made yet.
     [[nodiscard]] QString summary() const;
 
 private:
     /// The summary without the tolerance.
     [[nodiscard]] QString found() const;
+    [[nodiscard]] QString foundOf(std::span<const Location> locations) const;
     [[nodiscard]] int rows() const override { return static_cast<int>(m_locations.size()); }
     [[nodiscard]] Cell cell(int row, int column) const override;
+    [[nodiscard]] Cell plainCell(int row, int column) const;
 
     std::shared_ptr<const model::Document> m_board;
     model::StepTree m_tree;

@@ -4,12 +4,15 @@
 #include <QComboBox>
 #include <QHeaderView>
 #include <QLabel>
+#include <QMenu>
 #include <QSlider>
 #include <QSplitter>
+#include <QToolButton>
 #include <algorithm>
 #include <iterator>
 
 #include "ui/common/panel_parts.h"
+#include "ui/common/sorted_rows.h"
 #include "ui/common/table_view.h"
 #include "ui/workspace/actions.h"
 
@@ -66,7 +69,8 @@ ClearancePanel::ClearancePanel(ClearanceModel& locations, RuleModel& rules, cons
     m_notes->setObjectName(QStringLiteral("notes"));
     m_notes->setWordWrap(true);
     m_notes->hide();
-    m_table->makeSortable();
+    m_rows = &m_table->makeSortable();
+    addWaiverCommands();
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_ruleTable->horizontalHeader()->setStretchLastSection(true);
     for (int column = RuleModel::Kind; column <= RuleModel::Layer; ++column) {
@@ -108,6 +112,7 @@ QBoxLayout* ClearancePanel::searchRow(const ActionSet& actions) {
         {&actions[ActionId::SearchClearances], &actions[ActionId::ExportClearances], &actions[ActionId::EditRules]});
     m_openRules = tools->addAction(tr("Open rules…"), this, &ClearancePanel::rulesAsked);
     m_saveRules = tools->addAction(tr("Save rules…"), this, &ClearancePanel::rulesSaved);
+    m_waivers = tools->addWidget(waiverButton());
     m_summary->setObjectName(QStringLiteral("summary"));
     m_summary->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     auto* choices = new QHBoxLayout;
@@ -118,6 +123,50 @@ QBoxLayout* ClearancePanel::searchRow(const ActionSet& actions) {
     row->addWidget(tools, 3);
     row->addWidget(m_summary, 2);
     return row;
+}
+
+QToolButton* ClearancePanel::waiverButton() {
+    auto* button = new QToolButton;
+    button->setText(tr("Waivers"));
+    button->setObjectName(QStringLiteral("waivers"));
+    button->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(button);
+    QAction* show = menu->addAction(tr("&Show waived locations"), this,
+                                    [this](bool isShown) { m_rows->setLeastRank(isShown ? 0 : 1); });
+    show->setCheckable(true);
+    show->setChecked(true);
+    menu->addSeparator();
+    menu->addAction(tr("&Open waivers…"), this, &ClearancePanel::waiversAsked);
+    menu->addAction(tr("Save &waivers…"), this, &ClearancePanel::waiversSaved);
+    menu->addAction(tr("Withdraw waivers without a &finding"), this, &ClearancePanel::goneWaiversAsked);
+    button->setMenu(menu);
+    return button;
+}
+
+void ClearancePanel::addWaiverCommands() {
+    m_waive = m_table->addAction(tr("Waive…"), this, [this] { emit waiverAsked(currentRow()); });
+    m_waive->setObjectName(QStringLiteral("waive"));
+    m_withdraw = m_table->addAction(tr("Withdraw waiver"), this, [this] { emit withdrawalAsked(currentRow()); });
+    m_withdraw->setObjectName(QStringLiteral("withdraw"));
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &ClearancePanel::onCurrent);
+}
+
+int ClearancePanel::currentRow() const {
+    return m_rows->mapToSource(m_table->currentIndex()).row();
+}
+
+void ClearancePanel::setCurrentRow(int row) {
+    const QModelIndex at = m_rows->mapFromSource(m_locations.index(row, 0));
+    if (at.isValid()) {
+        m_table->setCurrentIndex(at);
+    }
+}
+
+void ClearancePanel::onCurrent() {
+    const int row = currentRow();
+    const bool isOfRules = row >= 0 && m_locations.isOfRules();
+    m_waive->setEnabled(isOfRules && !m_locations.location(row).waiver);
+    m_withdraw->setEnabled(isOfRules && m_locations.location(row).waiver);
 }
 
 QBoxLayout* ClearancePanel::sliderRow(const ActionSet& actions) {
@@ -205,12 +254,16 @@ void ClearancePanel::onWhat() {
     m_ruleTable->setVisible(isOfRules);
     m_openRules->setVisible(isOfRules);
     m_saveRules->setVisible(isOfRules);
+    m_waivers->setVisible(isOfRules);
     fitTables();
 }
 
 void ClearancePanel::onReset() {
     m_summary->setText(m_locations.summary());
-    m_table->setColumnHidden(ClearanceModel::Rule, what() == What::Smallest);
+    for (const int column : {ClearanceModel::Rule, ClearanceModel::Waived}) {
+        m_table->setColumnHidden(column, what() == What::Smallest);
+    }
+    onCurrent();
     fitTables();
 }
 

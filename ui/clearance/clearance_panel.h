@@ -11,10 +11,12 @@ class QComboBox;
 class QLabel;
 class QSlider;
 class QSplitter;
+class QToolButton;
 
 namespace ui {
 
 class ActionSet;
+class SortedRows;
 class TableView;
 
 /// The smallest clearances or broken rules, one row each, to step through; and the sliders of the lens and the
@@ -43,6 +45,10 @@ public:
     void showMap(const QString& text);
 
     [[nodiscard]] TableView& table() { return *m_table; }
+    /// Of the current row; none: -1.
+    [[nodiscard]] int currentRow() const;
+    /// Shows that row of the model, if it is listed.
+    void setCurrentRow(int row);
 
 signals:
     void chosen(const ClearanceModel::Location& location);
@@ -50,6 +56,11 @@ signals:
     void mapReachChanged(double nm);
     void rulesAsked();
     void rulesSaved();
+    void waiverAsked(int row);
+    void withdrawalAsked(int row);
+    void waiversAsked();
+    void waiversSaved();
+    void goneWaiversAsked();
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -57,7 +68,10 @@ protected:
 private:
     [[nodiscard]] QBoxLayout* searchRow(const ActionSet& actions);
     [[nodiscard]] QBoxLayout* sliderRow(const ActionSet& actions);
+    [[nodiscard]] QToolButton* waiverButton();
+    void addWaiverCommands();
     void onReset();
+    void onCurrent();
     void fitTables();
     void onWhat();
     void onMapReach();
@@ -71,6 +85,10 @@ private:
     TableView* m_ruleTable;
     QAction* m_openRules;
     QAction* m_saveRules;
+    QAction* m_waivers;  ///< the button with the menu
+    QAction* m_waive;    ///< of the current row
+    QAction* m_withdraw;
+    SortedRows* m_rows;
     QSlider* m_lens;
     QLabel* m_lensText;
     QSlider* m_map;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "model/design_rules/design_rule_check.h"
+#include "model/design_rules/waived_check.h"
 
 namespace ui {
 
@@ -18,11 +18,14 @@ bool isOfTheBoardAlone(const model::ClearanceRequest& question) {
 
 base::Status checkRules(const Document& step, const ClearanceRequest& request, base::Progress& progress,
                         ClearanceResult& answer) {
-    ASSIGN_OR_RETURN(model::RuleReport report, model::checkRules(step, request.rules, progress));
+    ASSIGN_OR_RETURN(model::RuleReport report, model::checkRules(step, request.rules, request.waivers, progress));
     const std::string start = "step " + step.job.step + ": ";
     for (const model::Unchecked& unchecked : report.unchecked) {
         answer.notes.push_back(start + "not checked: " + model::titleOf(request.rules.rules[unchecked.rule]) + ": " +
                                model::textOf(unchecked));
+    }
+    for (const model::WaiverNote& note : report.waiverNotes) {
+        answer.notes.push_back(start + note.text);
     }
     for (const model::NetTie& tie : report.netTies) {
         answer.notes.push_back(start + "net tie: " + model::textOf(step, tie));
@@ -61,13 +64,19 @@ Result<ClearanceResult> searchClearances(const Document& board, const ClearanceR
     if (!request.isOfRules) {
         answer.notes = model::unmeasuredSteps(board);
     }
+    for (model::WaiverNote& note : model::waiversElsewhere(request.waivers, model::distinctSteps(board))) {
+        if (request.isOfRules) {
+            answer.notes.push_back(note.text);
+            answer.rules.front().report.waiverNotes.push_back(std::move(note));
+        }
+    }
     return answer;
 }
 
 std::vector<StepSpacings> spacingsOf(const ClearanceResult& answer) {
     std::vector<StepSpacings> found;
     for (const model::StepRules& step : answer.rules) {
-        found.push_back({step.step, step.report.findings, answer.names[found.size()]});
+        found.push_back({step.step, step.report.findings, answer.names[found.size()], step.report.waived});
     }
     for (const model::StepClearances& step : answer.clearances) {
         found.push_back({step.step, {}, answer.names[found.size()]});
@@ -85,11 +94,24 @@ std::vector<RuleResult> resultsOf(const model::RuleTable& rules, const Clearance
             RuleResult& result = results[rule];
             result.verdict = std::max(result.verdict, model::verdictOf(rules, step.report, rule));
             result.count += step.report.counts[rule];
+            result.waived += model::waivedOf(step.report, rule);
             result.unchecked +=
                 static_cast<std::size_t>(std::ranges::count(step.report.unchecked, rule, &model::Unchecked::rule));
         }
     }
     return results;
+}
+
+std::vector<std::size_t> goneWaivers(const ClearanceResult& answer) {
+    std::vector<std::size_t> rows;
+    for (const model::StepRules& step : answer.rules) {
+        for (const model::WaiverNote& note : step.report.waiverNotes) {
+            if (note.state == model::WaiverNote::State::Gone) {
+                rows.push_back(note.waiver);
+            }
+        }
+    }
+    return rows;
 }
 
 bool isComplete(const ClearanceResult& answer) {

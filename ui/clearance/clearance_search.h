@@ -11,6 +11,7 @@ struct ClearanceRequest {
     bool isOfRules = false;
     model::ClearanceRequest question;  ///< of the smallest clearances
     model::RuleTable rules;
+    std::vector<model::Waiver> waivers{};
 };
 
 /// Of every step what was asked for; steps are those of the board that was searched.
@@ -23,6 +24,8 @@ struct ClearanceResult {
 [[nodiscard]] std::vector<StepSpacings> spacingsOf(const ClearanceResult& answer);
 /// By rule of the table, over all steps; empty if no rules were checked.
 [[nodiscard]] std::vector<RuleResult> resultsOf(const model::RuleTable& rules, const ClearanceResult& answer);
+/// Rows of waivers without a finding.
+[[nodiscard]] std::vector<std::size_t> goneWaivers(const ClearanceResult& answer);
 /// Could every rule check everything?
 [[nodiscard]] bool isComplete(const ClearanceResult& answer);
 

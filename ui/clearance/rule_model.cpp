@@ -262,6 +262,10 @@ bool RuleModel::removeClass(std::size_t row) {
     return true;
 }
 
+QString RuleModel::withWaived(const QString& text, const RuleResult& result) {
+    return result.waived == 0 ? text : tr("%1, %L2 waived").arg(text).arg(result.waived);
+}
+
 Cell RuleModel::resultOf(std::size_t row) const {
     if (!m_rules.rules[row].isOn) {
         return {tr("off")};
@@ -271,15 +275,17 @@ Cell RuleModel::resultOf(std::size_t row) const {
     }
     const RuleResult& result = m_results[row];
     if (result.verdict == model::Verdict::Passed) {
-        return {.text = tr("pass"), .colour = kPassed};
+        return {.text = withWaived(tr("pass"), result), .colour = kPassed};
     }
     if (result.verdict == model::Verdict::Unused) {
         return {tr("unused: nothing on the board meets it")};
     }
     if (result.verdict == model::Verdict::Incomplete) {
-        return {.text = tr("incomplete, see below"), .colour = kIncomplete};
+        return {.text = withWaived(tr("incomplete, see below"), result), .colour = kIncomplete};
     }
-    const QString text = result.count == 1 ? tr("FAIL, in 1 location") : tr("FAIL, in %L1 locations").arg(result.count);
+    const QString count =
+        result.count == 1 ? tr("FAIL, in 1 location") : tr("FAIL, in %L1 locations").arg(result.count);
+    const QString text = withWaived(count, result);
     return {.text = result.unchecked == 0 ? text : tr("%1; incomplete").arg(text), .colour = kBroken};
 }
 

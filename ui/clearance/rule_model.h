@@ -12,6 +12,7 @@ struct RuleResult {
     model::Verdict verdict = model::Verdict::Off;  ///< of the step where it is worst
     std::size_t count = 0;                         ///< locations
     std::size_t unchecked = 0;                     ///< reasons why it could not check everything
+    std::size_t waived = 0;                        ///< locations that are none of count
 };
 
 /// The rules of a board and whether they pass; everything but the result can be edited. What is refused says why.
@@ -57,6 +58,7 @@ signals:
 private:
     [[nodiscard]] int rows() const override { return static_cast<int>(m_rules.rules.size()); }
     [[nodiscard]] Cell cell(int row, int column) const override;
+    [[nodiscard]] static QString withWaived(const QString& text, const RuleResult& result);
     [[nodiscard]] Cell resultOf(std::size_t row) const;
     [[nodiscard]] QStringList choicesOf(const model::Rule& rule, int column) const;
     [[nodiscard]] QStringList netChoices(const model::Rule& rule) const;

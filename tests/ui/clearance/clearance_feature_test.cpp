@@ -26,7 +26,7 @@ class ClearanceFeatureTest : public QObject {
 private slots:
     void initTestCase() {
         m_fixture = std::make_unique<WindowFixture>();
-        QVERIFY(m_fixture->openAndWait(locations::kSample));
+        QVERIFY(m_fixture->openAndWait(sample()));
     }
     void init() {
         while (window().selection().clearStep()) {
@@ -210,7 +210,7 @@ private slots:
     }
 
     void whatWasFoundIsExportedAsTheCommandLineWritesIt() {
-        QVERIFY(m_fixture->openAndWait(locations::kSample));
+        QVERIFY(m_fixture->openAndWait(sample()));
         const QString path = m_fixture->folder() + "/found";
         QVERIFY(!clearances().exportReport(path + ".csv"));  // nothing was searched for
         box("what").setCurrentIndex(static_cast<int>(ClearancePanel::What::Rules));
@@ -227,6 +227,7 @@ private slots:
         question.count = 500;
         const model::StepClearances found[] = {{&board, *model::smallestClearances(board, question, progress)}};
         QCOMPARE(exported(path + ".json"), model::clearanceReport(found, model::ReportFormat::Json));
+        QVERIFY(!clearances().exportReport(path + ".html"));  // of rules alone
         QVERIFY(!clearances().exportReport(path + ".pdf"));
         QVERIFY(!clearances().exportReport("/nowhere/found.csv"));
     }
@@ -261,7 +262,7 @@ private slots:
 
     void aReloadForgetsWhatWasFound() {
         measure();
-        QVERIFY(m_fixture->openAndWait(locations::kSample));
+        QVERIFY(m_fixture->openAndWait(sample()));
         QCOMPARE(window().find<ui::ClearanceModel>().rowCount(), 0);
         QCOMPARE(label("summary"), "No search yet");
         m_fixture->key(Qt::Key_F8);  // nothing to step to
@@ -269,7 +270,7 @@ private slots:
 
     void aReloadWhileMeasuringEndsTheSearch() {
         window().actions()[ActionId::SearchClearances].trigger();
-        QVERIFY(m_fixture->openAndWait(locations::kSample));
+        QVERIFY(m_fixture->openAndWait(sample()));
         QTest::qWait(100);
         QVERIFY(!window().workspace().isWorking());
         QCOMPARE(window().find<ui::ClearanceModel>().rowCount(), 0);
@@ -285,11 +286,19 @@ private slots:
         const ui::RuleModel& rules = window().find<ui::RuleModel>();
         QCOMPARE(rules.index(0, ui::RuleModel::Result).data().toString(), "incomplete, see below");
         QVERIFY2(label("notes").contains("the board has no nets"), qPrintable(label("notes")));
-        QVERIFY(m_fixture->openAndWait(locations::kSample));
+        QVERIFY(m_fixture->openAndWait(sample()));
         QVERIFY(label("notes").isEmpty());
     }
 
 private:
+    /// A copy: rules are saved beside it.
+    [[nodiscard]] QString sample() const {
+        const QString path = m_fixture->folder() + "/sample.tgz";
+        if (!QFile::exists(path)) {
+            QFile::copy(locations::kSample, path);
+        }
+        return path;
+    }
     [[nodiscard]] TestWindow& window() { return m_fixture->window(); }
     [[nodiscard]] ui::ClearanceFeature& clearances() { return window().clearances(); }
     [[nodiscard]] ClearancePanel& panel() { return window().find<ui::ClearancePanel>(); }

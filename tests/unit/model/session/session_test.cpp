@@ -188,6 +188,37 @@ private slots:
         QCOMPARE(location.load().ignored.size(), std::size_t{1});
     }
 
+    void rulesAndWaiversAreReadBack() {
+        const Location location;
+        model::RuleTable rules = model::defaultRules();
+        rules.classes = {{"power", {"V*"}}};
+        rules.rules[0].classes = {"power", ""};
+        model::Waiver waiver{model::RuleKind::HoleToHole,
+                             model::FindingReason::TooClose,
+                             "pcb",
+                             "drill",
+                             {1, 2},
+                             {3, 4},
+                             2.5,
+                             {{{"A", "U1.1", "via"}, {"(board edge)", "", ""}}},
+                             "fine",
+                             "Me",
+                             "2026-11-23"};
+        QVERIFY(model::session::saveDesignRules(location.board, *location.document, rules).ok());
+        QVERIFY(model::session::saveWaivers(location.board, *location.document, {waiver}).ok());
+        const LoadedSession found = location.load();
+        QVERIFY(found.ignored.empty());
+        QVERIFY(found.session.designRules == rules);
+        QVERIFY(found.session.waivers == std::vector{waiver});
+        QVERIFY(model::session::saveDesignRules(location.board, *location.document, std::nullopt).ok());
+        QVERIFY(model::session::saveWaivers(location.board, *location.document, {}).ok());
+        QVERIFY(!fs::exists(sessionPath(location.board)));
+        location.write(R"({"copperscope_session": 1, "job": "everything", "waivers": [{"kind": "hole-hole"}],)"
+                       R"("design_rules": {"copperscope_rules": 1, "rules": [{"kind": "hole-sky", "least_um": 1}]}})");
+        QCOMPARE(location.load().ignored.size(), std::size_t{2});
+        QVERIFY(location.load().ignored[1].find("hole-sky") != std::string::npos);
+    }
+
     void nothingChangedIsNoFile() {
         const Location location;
         QVERIFY(location.save(kOneThickness).ok());

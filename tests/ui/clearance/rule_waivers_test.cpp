@@ -1,0 +1,167 @@
+#include "ui/clearance/rule_waivers.h"
+
+#include <QComboBox>
+#include <QContextMenuEvent>
+#include <QDialogButtonBox>
+#include <QFile>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPushButton>
+#include <QTimer>
+#include <QToolButton>
+#include <QtTest>
+
+#include "tests/locations.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/clearance/waive_dialog.h"
+#include "ui/common/table_view.h"
+
+using ui::ActionId;
+using ui::ClearanceModel;
+using ui::ClearancePanel;
+
+/// Findings are waived with the mouse and the keys, and stay so in the next run.
+class RuleWaiversTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        m_fixture = std::make_unique<WindowFixture>();
+        m_board = m_fixture->folder() + "/sample.tgz";
+        QVERIFY(QFile::copy(locations::kSample, m_board));
+        openAndCheck();
+    }
+    void cleanupTestCase() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
+
+    void aWaivedRowStaysWaivedInTheNextRun() {
+        ui::RuleModel& rules = window().find<ui::RuleModel>();
+        QVERIFY(rules.setData(rules.index(0, ui::RuleModel::Least), "0.2 mm", Qt::EditRole));
+        check();
+        const int before = failing();
+        QVERIFY(before > 1);
+        const ClearanceModel::Location worst = locations().location(0);
+        chooseInMenu(0, "waive");
+        auto* dialog = window().findChild<ui::WaiveDialog*>();
+        QVERIFY(dialog != nullptr && dialog->isVisible());
+        auto* ok = dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+        QVERIFY(!ok->isEnabled());  // no reason yet
+        QTest::keyClicks(dialog->findChild<QLineEdit*>("reason"), "looked at");
+        QTest::keyClicks(dialog->findChild<QLineEdit*>("author"), "Me");
+        QTest::mouseClick(ok, Qt::LeftButton);
+        QTRY_VERIFY(!window().workspace().isWorking());
+        QCOMPARE(waivedRows(), 1);
+        const int row = locations().rowOf(worst);
+        QVERIFY(row >= failing() && locations().location(row).waiver);
+        QVERIFY(at(row, ClearanceModel::Waived).startsWith("looked at (Me, 20"));
+        QVERIFY2(summary().contains("1 waived"), qPrintable(summary()));
+        QVERIFY(rules.index(0, ui::RuleModel::Result).data().toString().endsWith("1 waived"));
+
+        m_fixture->restart();
+        openAndCheck();
+        QCOMPARE(window().find<ui::RuleModel>().rules().rules[0].least, model::Nm{200'000});
+        QCOMPARE(waivedRows(), 1);
+        QCOMPARE(m_fixture->settings().author(), "Me");
+    }
+
+    void waivedRowsAreHiddenByASwitch() {
+        QAction* show = menu().actions().front();
+        const int all = panel().table().model()->rowCount();
+        show->trigger();
+        QCOMPARE(panel().table().model()->rowCount(), all - 1);
+        show->trigger();
+        QCOMPARE(panel().table().model()->rowCount(), all);
+    }
+
+    void withdrawnWaiversCountAgainAndUndoTakesThatBack() {
+        const int row = locations().rowCount() - 1;
+        QVERIFY(locations().location(row).waiver);
+        chooseInMenu(row, "withdraw");
+        QTRY_VERIFY(!window().workspace().isWorking());
+        QCOMPARE(waivedRows(), 0);
+        window().actions()[ActionId::Undo].trigger();
+        QTRY_VERIFY(!window().workspace().isWorking());
+        QCOMPARE(waivedRows(), 1);
+    }
+
+    void waiversAreFilesToo() {
+        auto& waivers = window().find<ui::RuleWaivers>();
+        const QString path = m_fixture->folder() + "/waivers.json";
+        QVERIFY(waivers.write(path));
+        QCOMPARE(model::readWaivers(path.toStdString())->size(), std::size_t{1});
+        waivers.withdraw({0});
+        QTRY_VERIFY(!window().workspace().isWorking());
+        QVERIFY(waivers.read(path));
+        QTRY_VERIFY(!window().workspace().isWorking());
+        QCOMPARE(waivedRows(), 1);
+        QVERIFY(!waivers.read(m_board));
+        QCOMPARE(waivers.list().size(), std::size_t{1});
+    }
+
+    void waiversWithoutAFindingAreSaidAndWithdrawn() {
+        ui::RuleModel& rules = window().find<ui::RuleModel>();
+        const QString least = rules.index(0, ui::RuleModel::Least).data().toString();
+        QVERIFY(rules.setData(rules.index(0, ui::RuleModel::Least), "1 um", Qt::EditRole));
+        check();
+        const QString notes = panel().findChild<QLabel*>("notes")->text();
+        QVERIFY2(notes.contains("no finding there any more"), qPrintable(notes));
+        menu().actions().back()->trigger();
+        QTRY_VERIFY(!window().workspace().isWorking());
+        QVERIFY(window().find<ui::RuleWaivers>().list().empty());
+        QVERIFY(!panel().findChild<QLabel*>("notes")->text().contains("any more"));
+    }
+
+private:
+    [[nodiscard]] TestWindow& window() { return m_fixture->window(); }
+    [[nodiscard]] ClearancePanel& panel() { return window().find<ClearancePanel>(); }
+    [[nodiscard]] ClearanceModel& locations() { return window().find<ClearanceModel>(); }
+    [[nodiscard]] QMenu& menu() { return *panel().findChild<QToolButton*>("waivers")->menu(); }
+    [[nodiscard]] QString summary() { return panel().findChild<QLabel*>("summary")->text(); }
+    [[nodiscard]] QString at(int row, int column) { return locations().index(row, column).data().toString(); }
+
+    [[nodiscard]] int waivedRows() {
+        int count = 0;
+        for (int row = 0; row < locations().rowCount(); ++row) {
+            count += locations().location(row).waiver ? 1 : 0;
+        }
+        return count;
+    }
+    [[nodiscard]] int failing() { return locations().rowCount() - waivedRows(); }
+
+    void openAndCheck() {
+        QVERIFY(m_fixture->openAndWait(m_board));
+        panel().findChild<QComboBox*>("what")->setCurrentIndex(static_cast<int>(ClearancePanel::What::Rules));
+        check();
+    }
+    void check() {
+        window().actions()[ActionId::SearchClearances].trigger();
+        QTRY_VERIFY(!window().workspace().isWorking());
+    }
+    /// A right click on a row, and the entry of the menu.
+    void chooseInMenu(int row, const char* name) {
+        window().showPanel("clearances");
+        panel().setCurrentRow(row);
+        ui::TableView& table = panel().table();
+        const QPoint cell = table.visualRect(table.currentIndex()).center();
+        QTimer::singleShot(0, this, [name] {
+            auto* open = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+            QVERIFY(open != nullptr);
+            for (QAction* action : open->actions()) {
+                if (action->objectName() == QLatin1String(name)) {
+                    QVERIFY(action->isEnabled());
+                    QTest::mouseClick(open, Qt::LeftButton, {}, open->actionGeometry(action).center());
+                    return;
+                }
+            }
+            open->close();
+            QFAIL(name);
+        });
+        QContextMenuEvent event(QContextMenuEvent::Mouse, cell, table.viewport()->mapToGlobal(cell));
+        QApplication::sendEvent(table.viewport(), &event);
+    }
+
+    std::unique_ptr<WindowFixture> m_fixture;
+    QString m_board;
+};
+
+QTEST_MAIN(RuleWaiversTest)
+#include "rule_waivers_test.moc"
