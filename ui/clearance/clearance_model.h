@@ -49,6 +49,8 @@ public:
     /// The waiver of a row, but for what a person has to say. Not of a search without rules.
     [[nodiscard]] model::Waiver waiverFor(int row) const;
     [[nodiscard]] bool isOfRules() const { return !m_rules.rules.empty(); }
+    /// Waived ones are the last rows.
+    [[nodiscard]] bool hasWaived() const { return !m_locations.empty() && m_locations.back().waiver; }
     [[nodiscard]] int rankOf(int row) const override { return location(row).waiver ? 0 : 1; }
     /// "12 locations, the smallest spacing 0.1 mm", of rules with their tolerance, or that no search was made yet.
     [[nodiscard]] QString summary() const;
@@ -59,6 +61,9 @@ private:
     [[nodiscard]] QString foundOf(std::span<const Location> locations) const;
     [[nodiscard]] int rows() const override { return static_cast<int>(m_locations.size()); }
     [[nodiscard]] Cell cell(int row, int column) const override;
+    [[nodiscard]] QString tip(int row, int /*column*/) const override {
+        return QString::fromStdString(location(row).reason);
+    }
     [[nodiscard]] Cell plainCell(int row, int column) const;
 
     std::shared_ptr<const model::Document> m_board;

@@ -38,12 +38,14 @@ QSlider* sliderTo(int least, int most, const char* name, const QString& tip) {
     return slider;
 }
 
-/// Names of rules may be sentences: the columns behind them would be out of sight.
-void fit(TableView& table, int nameColumn) {
+/// Names of rules and reasons may be sentences: the columns behind them would be out of sight.
+void fit(TableView& table, std::initializer_list<int> longColumns) {
     constexpr int kLetters = 18;
     table.resizeColumnsToContents();
     const int most = kLetters * table.fontMetrics().averageCharWidth();
-    table.setColumnWidth(nameColumn, std::min(table.columnWidth(nameColumn), most));
+    for (const int column : longColumns) {
+        table.setColumnWidth(column, std::min(table.columnWidth(column), most));
+    }
 }
 
 }  // namespace
@@ -71,6 +73,7 @@ ClearancePanel::ClearancePanel(ClearanceModel& locations, RuleModel& rules, cons
     m_notes->hide();
     m_rows = &m_table->makeSortable();
     addWaiverCommands();
+    m_table->horizontalHeader()->moveSection(ClearanceModel::Waived, ClearanceModel::Layer);  // beside the rule
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_ruleTable->horizontalHeader()->setStretchLastSection(true);
     for (int column = RuleModel::Kind; column <= RuleModel::Layer; ++column) {
@@ -244,8 +247,8 @@ void ClearancePanel::setUnit(LengthUnit unit) {
 }
 
 void ClearancePanel::fitTables() {
-    fit(*m_table, ClearanceModel::Rule);
-    fit(*m_ruleTable, RuleModel::Title);
+    fit(*m_table, {ClearanceModel::Rule, ClearanceModel::Waived});
+    fit(*m_ruleTable, {RuleModel::Title});
 }
 
 void ClearancePanel::onWhat() {
@@ -260,9 +263,8 @@ void ClearancePanel::onWhat() {
 
 void ClearancePanel::onReset() {
     m_summary->setText(m_locations.summary());
-    for (const int column : {ClearanceModel::Rule, ClearanceModel::Waived}) {
-        m_table->setColumnHidden(column, what() == What::Smallest);
-    }
+    m_table->setColumnHidden(ClearanceModel::Rule, what() == What::Smallest);
+    m_table->setColumnHidden(ClearanceModel::Waived, !m_locations.hasWaived());
     onCurrent();
     fitTables();
 }
