@@ -15,8 +15,8 @@ public:
     void pass(const std::string& name) { add(name, ""); }
     void fail(const std::string& name, const std::string& message) {
         ++m_failures;
-        add(name, "<failure type=\"clearance\" message=\"" + xmlText(message) + "\">" + xmlText(name + "\n" + message) +
-                      "</failure>");
+        add(name, "<failure type=\"clearance\" message=\"" + xmlText(message) + "\">" + xmlText(name) + '\n' +
+                      xmlText(message) + "</failure>");
     }
     void error(const std::string& name, const std::string& message) {
         ++m_errors;
@@ -31,9 +31,10 @@ public:
         return formatted(" tests=\"%zu\" failures=\"%zu\" errors=\"%zu\" skipped=\"%zu\" time=\"0\"", m_tests,
                          m_failures, m_errors, m_skipped);
     }
+    /// `output` is XML.
     [[nodiscard]] std::string xml(const std::string& name, const std::string& output) const {
         return "  <testsuite name=\"" + xmlText(name) + "\"" + counts() + ">\n" + m_cases +
-               (output.empty() ? "" : "    <system-out>" + xmlText(output) + "</system-out>\n") + "  </testsuite>\n";
+               (output.empty() ? "" : "    <system-out>" + output + "</system-out>\n") + "  </testsuite>\n";
     }
     void count(const Suite& other) {
         m_tests += other.m_tests;
@@ -93,13 +94,14 @@ std::string waiverSuite(const StepRules& found, const std::string& className, Su
     return found.report.waiverNotes.empty() ? "" : suite.xml(className, "");
 }
 
+/// As XML, a line each.
 std::string notesOf(const StepRules& found) {
     std::string text;
     for (const NetTie& tie : found.report.netTies) {
-        text += "net tie: " + textOf(*found.step, tie) + '\n';
+        text += xmlText("net tie: " + textOf(*found.step, tie)) + '\n';
     }
     for (const std::string& note : found.report.notes) {
-        text += "note: " + note + '\n';
+        text += xmlText("note: " + note) + '\n';
     }
     return text;
 }

@@ -139,6 +139,7 @@ private slots:
         QCOMPARE(of("failure").size(), std::size_t{3});  // two that are listed, and the others
         QVERIFY2(of("failure")[0].name.contains("<b>&\"x\""), qPrintable(of("failure")[0].name));
         QVERIFY(!of("failure")[0].name.contains("element"));
+        QVERIFY(report.contains(", dot\n80.000 um of 100.0 um</failure>"));
         QCOMPARE(of("failure")[0].message, "80.000 um of 100.0 um");
         QCOMPARE(of("failure")[2].name, "further locations");
         QCOMPARE(of("failure")[2].message, "1 more are not listed");
