@@ -1,11 +1,12 @@
 #include "model/clearance/rule_report.h"
 
 #include <algorithm>
+#include <array>
 
 namespace model {
 
 const char* toString(FindingReason reason) {
-    constexpr const char* kTexts[] = {
+    constexpr std::array<const char*, kFindingReasonCount> kTexts = {
         "", "the drill removes the whole pad",     "no copper around the hole on any layer",
         "", "tracks meet at less than 90 degrees", "reaches no pad and no plated hole"};
     return kTexts[static_cast<std::size_t>(reason)];

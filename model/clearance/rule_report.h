@@ -20,6 +20,7 @@ enum class FindingReason : std::uint8_t {
     AcuteAngle,  ///< tracks leave a narrow notch where they meet
     Floating     ///< copper that nothing joins to a pad or plated hole
 };
+inline constexpr std::size_t kFindingReasonCount = 6;
 /// "the drill removes the whole pad"; empty where the spacing says it all.
 [[nodiscard]] const char* toString(FindingReason reason);
 

@@ -17,7 +17,8 @@ namespace {
 using Json = StrictJson::Json;
 
 constexpr const char* kVersionKey = "copperscope_waivers";
-constexpr const char* kFaults[] = {"too-close", "pad-removed", "no-pad"};
+constexpr std::array<const char*, kFindingReasonCount> kFaults = {"too-close",  "pad-removed", "no-pad",
+                                                                  "too-narrow", "acute-angle", "floating"};
 constexpr double kMostNm = 1U << 30U;  ///< of coordinates and distances
 
 bool areNear(Point a, Point b) {
@@ -116,8 +117,9 @@ private:
         waiver.kind = known.value_or(RuleKind::CopperToCopper);
         const Json fault = m_json.value("fault", Json(kFaults[0]));
         const auto* const found = std::ranges::find_if(kFaults, [&](const char* name) { return fault == name; });
-        if (found == std::end(kFaults)) {
-            refuse("fault", "is too-close, pad-removed or no-pad, not " + fault.dump());
+        if (found == kFaults.end()) {
+            refuse("fault",
+                   "is too-close, pad-removed, no-pad, too-narrow, acute-angle or floating, not " + fault.dump());
             return;
         }
         waiver.fault = static_cast<FindingReason>(found - std::begin(kFaults));

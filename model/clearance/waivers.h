@@ -60,7 +60,7 @@ inline constexpr Nm kWaiverReach = 10'000;
 ///                   "distance_nm": 86700, "sides": [{"net": "GND", "pin": "U1.3", "kind": "pad"}, {"net": "VCC"}],
 ///                   "reason": "reviewed with the fabricator", "author": "A. Meier", "date": "2026-11-23"}]}
 ///
-/// A waiver of a pad that the drill removes has "fault": "pad-removed", of a hole without a pad "no-pad".
+/// A waiver of a pad that the drill removes has "fault": "pad-removed", of a hole without a pad "no-pad", and so on.
 /// Comments are allowed, unknown keys and keys that are there twice are not.
 /// Errors: BadInput, saying what is wrong with which waiver, key and line; also for two waivers of one location.
 [[nodiscard]] base::Result<std::vector<Waiver>> parseWaivers(std::string_view json);

@@ -131,9 +131,8 @@ std::string textOf(const Document& step, const SideNames& names, const WaivedFin
 
 std::string textOf(const RuleTable& table, const StepRules& found, const SideNames& names, std::size_t rule,
                    std::size_t most) {
-    std::string text = padded(toString(verdictOf(table, found.report, rule)), 12) + titleOf(table.rules[rule]) +
-                       formatted(", at least %.1f um: ", micrometres(static_cast<double>(table.rules[rule].least))) +
-                       countsText(found.report, rule) + '\n';
+    std::string text = padded(toString(verdictOf(table, found.report, rule)), 12) + limitText(table.rules[rule]) +
+                       ": " + countsText(found.report, rule) + '\n';
     if (verdictOf(table, found.report, rule) == Verdict::Unused) {
         text += "            " + found.report.unused[rule] + '\n';
     }
@@ -212,7 +211,10 @@ ordered_json jsonOf(const RuleTable& table, const StepRules& found, const SideNa
                     std::size_t most) {
     const Rule& rule = table.rules[row];
     const Verdict verdict = verdictOf(table, found.report, row);
-    ordered_json json{{"rule", titleOf(rule)}, {"least_um", micrometres(static_cast<double>(rule.least))}};
+    ordered_json json{{"rule", titleOf(rule)}};
+    if (hasLeast(rule.kind)) {
+        json["least_um"] = micrometres(static_cast<double>(rule.least));
+    }
     if (verdict == Verdict::Unused) {
         json["unused"] = found.report.unused[row];
     } else if (rule.isOn) {

@@ -85,6 +85,10 @@ std::string locationsOf(const RuleTable& table, const StepRules& found, const Si
     return left == 0 ? text : text + tag("p", std::to_string(left) + " more locations are not listed.") + '\n';
 }
 
+std::string leastText(const Rule& rule) {
+    return hasLeast(rule.kind) ? formatted("%.1f µm", rule.least / base::kNmPerUm) : "";
+}
+
 std::string rulesTable(const RuleTable& table, const StepRules& found, std::size_t at) {
     std::string text =
         "<table><tr><th>Result</th><th>Rule</th><th>At least</th><th>Locations</th><th>Waived</th><th>"
@@ -96,8 +100,8 @@ std::string rulesTable(const RuleTable& table, const StepRules& found, std::size
         const bool isListed = found.report.counts[row] + waived > 0;
         text += "<tr>" + tag("td", verdict == Verdict::Failed ? "fail" : toString(verdict), classOf(verdict)) + "<td>" +
                 (isListed ? "<a href=\"#" + anchorOf(at, row) + "\">" + title + "</a>" : title) + "</td>" +
-                tag("td", formatted("%.1f µm", table.rules[row].least / base::kNmPerUm), "n") +
-                tag("td", std::to_string(found.report.counts[row]), "n") + tag("td", std::to_string(waived), "n") +
+                tag("td", leastText(table.rules[row]), "n") + tag("td", std::to_string(found.report.counts[row]), "n") +
+                tag("td", std::to_string(waived), "n") +
                 tag("td", verdict == Verdict::Unused ? found.report.unused[row]
                                                      : joined(uncheckedOf(found.report, row), "; ")) +
                 "</tr>\n";

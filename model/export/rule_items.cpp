@@ -49,18 +49,21 @@ std::string countsText(const RuleReport& report, std::size_t rule) {
 }
 
 std::string limitText(const Rule& rule) {
-    return titleOf(rule) + formatted(", at least %.1f um", rule.least / base::kNmPerUm);
+    return titleOf(rule) + (hasLeast(rule.kind) ? formatted(", at least %.1f um", rule.least / base::kNmPerUm) : "");
 }
 
 std::string placeText(const Document& step, const SideNames& names, const RuleFinding& finding) {
     const auto [a, b] = names.of(finding);
     return step.layer(finding.layer).name +
            formatted(" at (%.4f, %.4f) mm: ", base::toMm(finding.spacing.from.x), base::toMm(finding.spacing.from.y)) +
-           withoutElement(a) + " and " + withoutElement(b);
+           withoutElement(a) + (b.net.empty() ? "" : " and " + withoutElement(b));
 }
 
 std::string shortfallText(const Rule& rule, const RuleFinding& finding) {
     const std::string reason = toString(finding.reason);
+    if (!hasLeast(rule.kind)) {
+        return reason;
+    }
     return formatted("%.3f um of %.1f um", finding.spacing.distance / base::kNmPerUm, rule.least / base::kNmPerUm) +
            (reason.empty() ? "" : ", " + reason);
 }

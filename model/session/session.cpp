@@ -6,6 +6,7 @@
 
 #include "model/base/thickness_units.h"
 #include "model/board/stackup.h"
+#include "model/clearance/rule_file.h"
 #include "model/session/session_json.h"
 #include "model/solids/restack.h"
 #include "model/text/json_text.h"

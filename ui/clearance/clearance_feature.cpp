@@ -6,6 +6,7 @@
 
 #include "model/board/copies.h"
 #include "model/clearance/rule_file.h"
+#include "model/export/stackup_clearance_export.h"
 #include "model/session/session.h"
 #include "ui/clearance/rule_dialog.h"
 #include "ui/common/paths.h"
@@ -188,6 +189,9 @@ std::optional<ClearanceRequest> ClearanceFeature::request() {
     if (request.isOfRules) {
         return request;
     }
+    if (m_panel->what() == ClearancePanel::What::ThroughStackup) {
+        return throughStackup(std::move(request));
+    }
     switch (m_panel->where()) {
         case ClearancePanel::Where::Board: break;
         case ClearancePanel::Where::View: request.question.within = m_plan.shownBox(); break;
@@ -203,15 +207,43 @@ std::optional<ClearanceRequest> ClearanceFeature::request() {
         case ClearancePanel::Where::Nets: {
             const std::vector<model::BoardNet> nets = m_selection.selectionNets();
             if (nets.size() != 2 || nets[0].step != 0 || nets[1].step != 0) {
-                m_workspace.reportError(
-                    tr("Select two nets of the board first: N over the copper of one and Ctrl+N over that of the "
-                       "other, or Ctrl and a click in the Nets panel."));
+                reportNoTwoNets();
                 return std::nullopt;
             }
             request.question.between = {nets[0].net, nets[1].net};
             break;
         }
     }
+    return request;
+}
+
+void ClearanceFeature::reportNoTwoNets() {
+    m_workspace.reportError(
+        tr("Select two nets of the board first: N over the copper of one and Ctrl+N over that of the "
+           "other, or Ctrl and a click in the Nets panel."));
+}
+
+/// Of the whole board, or of the two highlighted nets in all copies.
+std::optional<ClearanceRequest> ClearanceFeature::throughStackup(ClearanceRequest request) {
+    request.throughStackup.emplace().count = kNarrowest;
+    if (m_panel->where() == ClearancePanel::Where::Board) {
+        return request;
+    }
+    if (m_panel->where() != ClearancePanel::Where::Nets) {
+        m_workspace.reportError(
+            tr("Through the stackup is measured of the board or between the two highlighted nets, not on one layer "
+               "or in a view."));
+        return std::nullopt;
+    }
+    const std::vector<model::BoardNet> nets = m_selection.selectionNets();
+    const auto nameOf = [&](const model::BoardNet& at) {
+        return m_selection.tree().steps[at.step]->nets[at.net.row()].name;
+    };
+    if (nets.size() != 2 || nameOf(nets[0]) == nameOf(nets[1])) {
+        reportNoTwoNets();
+        return std::nullopt;
+    }
+    request.throughStackup->between = {nameOf(nets[0]), nameOf(nets[1])};
     return request;
 }
 
@@ -250,8 +282,12 @@ void ClearanceFeature::take() {
     endShowing();
     m_requested = m_wanted;
     m_result = std::move(*result);
-    m_locations.setSpacings(m_searched, spacingsOf(m_result), m_wanted.isOfRules ? m_wanted.rules : model::RuleTable{},
-                            isComplete(m_result));
+    if (m_wanted.throughStackup) {
+        m_locations.setThroughStackup(m_searched, m_result.throughStackup, m_result.names);
+    } else {
+        m_locations.setSpacings(m_searched, spacingsOf(m_result),
+                                m_wanted.isOfRules ? m_wanted.rules : model::RuleTable{}, isComplete(m_result));
+    }
     if (m_wanted.isOfRules && m_rules.rules() == m_wanted.rules) {
         m_rules.setResults(resultsOf(m_wanted.rules, m_result));
     }
@@ -275,29 +311,45 @@ void ClearanceFeature::step(int by) {
 }
 
 void ClearanceFeature::show(const ClearanceModel::Location& location) {
+    location.throughStackup ? showThrough(*location.throughStackup) : showPlain(location);
+}
+
+void ClearanceFeature::showThrough(const model::StackupClearance& found) {
+    showSides({found.a, found.b}, {found.layerA, found.layerB},
+              model::LocalSpacing{found.spacing, found.a, found.b, found.layerA});
+}
+
+void ClearanceFeature::showPlain(const ClearanceModel::Location& location) {
     const std::uint32_t row = m_selection.firstCopyOf(location.step);
     const model::StepCopy& copy = m_selection.tree().copies[row];
     const model::Document& step = *m_selection.tree().steps[location.step];
     const auto onBoard = [&](model::LayerId layer) { return step.layerOfCopy(layer, copy.isFlipped); };
     const model::LayerId layer = onBoard(location.found.layer);
-    m_sides.clear();
+    std::vector<model::BoardElement> sides;
     std::vector<model::LayerId> layers{layer};
     for (const model::ElementId side : {location.found.a, location.found.b}) {
         if (side.isValid()) {
-            m_sides.push_back({row, side});
+            sides.push_back({row, side});
             layers.push_back(onBoard(step.elements.layer[side.row()]));
         }
     }
-    const model::Spacing& gap = location.found.spacing;
+    const model::Spacing& s = location.found.spacing;
+    const model::Spacing onBoardNow{s.distance, copy.placement.apply(s.from), copy.placement.apply(s.to)};
+    showSides(std::move(sides), std::move(layers),
+              model::LocalSpacing{onBoardNow, {row, location.found.a}, {row, location.found.b}, layer});
+}
+
+void ClearanceFeature::showSides(std::vector<model::BoardElement> sides, std::vector<model::LayerId> layers,
+                                 const model::LocalSpacing& spacing) {
     m_isShowing = false;  // what was shown before ends with its selection
-    m_selection.select(m_sides);
+    m_selection.select(std::move(sides));
     m_sides = m_selection.selected();
     m_isShowing = true;
     m_views.setContrastLayers(std::move(layers));
-    const model::Spacing shown{gap.distance, copy.placement.apply(gap.from), copy.placement.apply(gap.to)};
-    const float around = std::max(kLeastAroundMm, kTimesAround * static_cast<float>(base::toMm(gap.distance)));
-    m_probing.showPosition({(shown.from.x + shown.to.x) / 2, (shown.from.y + shown.to.y) / 2}, layer, around);
-    m_workspace.showSpacing(model::LocalSpacing{shown, {row, location.found.a}, {row, location.found.b}, layer});
+    const model::Spacing& s = spacing.spacing;
+    const float around = std::max(kLeastAroundMm, kTimesAround * static_cast<float>(base::toMm(s.distance)));
+    m_probing.showPosition({(s.from.x + s.to.x) / 2, (s.from.y + s.to.y) / 2}, spacing.layer, around);
+    m_workspace.showSpacing(spacing);
 }
 
 void ClearanceFeature::endShowing() {
@@ -356,9 +408,10 @@ base::Status ClearanceFeature::exportReport(const QString& path) const {
     const std::size_t most = *format == model::ReportFormat::Html ? kDrawn : kAll;
     const model::ReportContext context{m_workspace.board()->request.path,
                                        QCoreApplication::applicationVersion().toStdString()};
-    const std::string report = m_requested->isOfRules
-                                   ? model::ruleReport(m_requested->rules, m_result.rules, *format, most, context)
-                                   : model::clearanceReport(m_result.clearances, *format);
+    const std::string report =
+        m_requested->isOfRules        ? model::ruleReport(m_requested->rules, m_result.rules, *format, most, context)
+        : m_requested->throughStackup ? model::stackupClearanceReport(*m_searched, m_result.throughStackup, *format)
+                                      : model::clearanceReport(m_result.clearances, *format);
     return writeFile(path, QByteArray::fromStdString(report));
 }
 

@@ -52,9 +52,15 @@ private:
     void editRules(QWidget& parent);
     /// None if there is nothing to search for; that was reported.
     [[nodiscard]] std::optional<ClearanceRequest> request();
+    [[nodiscard]] std::optional<ClearanceRequest> throughStackup(ClearanceRequest request);
+    void reportNoTwoNets();
     void take();
     /// Until something else is selected.
     void show(const ClearanceModel::Location& location);
+    void showPlain(const ClearanceModel::Location& location);
+    void showThrough(const model::StackupClearance& found);
+    void showSides(std::vector<model::BoardElement> sides, std::vector<model::LayerId> layers,
+                   const model::LocalSpacing& spacing);
     void endShowing();
     /// Puts on the history that the rules are others than before.
     void remember(const model::RuleTable& before);

@@ -32,11 +32,9 @@ ClearanceModel::ClearanceModel(QObject* parent)
 void ClearanceModel::setSpacings(std::shared_ptr<const model::Document> board, std::vector<StepSpacings> spacings,
                                  model::RuleTable rules, bool isComplete) {
     beginResetModel();
-    m_board = std::move(board);
-    m_tree = m_board ? model::unfoldCopies(*m_board) : model::StepTree{};
+    setBoard(std::move(board));
     m_rules = std::move(rules);
     m_isComplete = isComplete;
-    m_locations.clear();
     m_names.assign(m_tree.steps.size(), nullptr);
     for (const StepSpacings& step : spacings) {
         const auto at = std::ranges::find_if(m_tree.steps, [&](const auto& known) { return &*known == step.step; });
@@ -52,6 +50,27 @@ void ClearanceModel::setSpacings(std::shared_ptr<const model::Document> board, s
     std::ranges::stable_sort(m_locations, {}, [](const Location& p) {
         return std::tuple(p.waiver.has_value(), p.found.rule, p.found.spacing.distance);
     });
+    endResetModel();
+}
+
+void ClearanceModel::setBoard(std::shared_ptr<const model::Document> board) {
+    m_board = std::move(board);
+    m_tree = m_board ? model::unfoldCopies(*m_board) : model::StepTree{};
+    m_locations.clear();
+}
+
+void ClearanceModel::setThroughStackup(std::shared_ptr<const model::Document> board,
+                                       std::span<const model::StackupClearance> clearances,
+                                       std::vector<std::shared_ptr<const model::SideNames>> names) {
+    beginResetModel();
+    setBoard(std::move(board));
+    m_rules = {};
+    m_isComplete = true;
+    m_names = std::move(names);
+    for (const model::StackupClearance& found : clearances) {
+        const model::RuleFinding plain{0, found.layerA, found.a.element, found.b.element, found.spacing};
+        m_locations.push_back({.step = stepOf(found.a), .found = plain, .throughStackup = found});
+    }
     endResetModel();
 }
 
@@ -105,9 +124,28 @@ Cell ClearanceModel::cell(int row, int column) const {
     return cell;
 }
 
+/// Of both sides.
+Cell ClearanceModel::stackupCell(const model::StackupClearance& found, int column) const {
+    const std::string& first = m_board->layer(found.layerA).name;
+    const std::string& second = m_board->layer(found.layerB).name;
+    const auto sideOf = [&](const model::BoardElement& at) {
+        const std::string copy = m_tree.copies.size() == 1 ? "" : "copy " + std::to_string(at.copy) + ": ";
+        return text(copy + model::textOf(m_names[stepOf(at)]->of(at.element)));
+    };
+    switch (column) {
+        case Layer: return text(first == second ? first : first + ", " + second);
+        case First: return sideOf(found.a);
+        default: return sideOf(found.b);
+    }
+}
+
 Cell ClearanceModel::plainCell(int row, int column) const {
     const model::RuleFinding& found = location(row).found;
     const model::Document& step = *m_tree.steps[location(row).step];
+    const auto& through = location(row).throughStackup;
+    if (through && column >= Layer && column <= Second) {
+        return stackupCell(*through, column);
+    }
     switch (column) {
         case Spacing: return length(found.spacing.distance);
         case Rule: return m_rules.rules.empty() ? Cell{QString()} : text(titleOf(m_rules.rules[found.rule], found));

@@ -9,6 +9,7 @@
 #include "model/board/copies.h"
 #include "model/clearance/clearance.h"
 #include "model/clearance/side_names.h"
+#include "model/clearance/stackup_clearance.h"
 #include "model/clearance/waivers.h"
 #include "ui/common/table_model.h"
 
@@ -37,11 +38,17 @@ public:
     void setSpacings(std::shared_ptr<const model::Document> board, std::vector<StepSpacings> spacings,
                      model::RuleTable rules, bool isComplete);
 
+    /// Distances in space, as they are found; `names` by step of StepTree::steps.
+    void setThroughStackup(std::shared_ptr<const model::Document> board,
+                           std::span<const model::StackupClearance> clearances,
+                           std::vector<std::shared_ptr<const model::SideNames>> names);
+
     struct Location {
         std::uint32_t step = 0;  ///< row of model::StepTree::steps
         model::RuleFinding found;
-        std::optional<std::size_t> waiver{};  ///< row of the list of waivers
-        std::string reason{};                 ///< why it is waived
+        std::optional<std::size_t> waiver{};                      ///< row of the list of waivers
+        std::string reason{};                                     ///< why it is waived
+        std::optional<model::StackupClearance> throughStackup{};  ///< then its sides may lie in different copies
     };
     [[nodiscard]] const Location& location(int row) const { return m_locations[static_cast<std::size_t>(row)]; }
     /// The row of the same two elements of the same rule and layer; -1: none.
@@ -65,6 +72,9 @@ private:
         return QString::fromStdString(location(row).reason);
     }
     [[nodiscard]] Cell plainCell(int row, int column) const;
+    [[nodiscard]] Cell stackupCell(const model::StackupClearance& found, int column) const;
+    [[nodiscard]] std::uint32_t stepOf(const model::BoardElement& at) const { return m_tree.copies[at.copy].step; }
+    void setBoard(std::shared_ptr<const model::Document> board);
 
     std::shared_ptr<const model::Document> m_board;
     model::StepTree m_tree;

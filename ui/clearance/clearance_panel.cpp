@@ -104,7 +104,7 @@ ClearancePanel::ClearancePanel(ClearanceModel& locations, RuleModel& rules, cons
 }
 
 QBoxLayout* ClearancePanel::searchRow(const ActionSet& actions) {
-    m_what->addItems({tr("Smallest clearances"), tr("Rules")});
+    m_what->addItems({tr("Smallest clearances"), tr("Rules"), tr("Through the stackup")});
     m_what->setObjectName(QStringLiteral("what"));
     m_where->addItems(
         {tr("of the board"), tr("of the current layer"), tr("in the 2D view"), tr("between the two highlighted nets")});
@@ -263,7 +263,7 @@ void ClearancePanel::onWhat() {
 
 void ClearancePanel::onReset() {
     m_summary->setText(m_locations.summary());
-    m_table->setColumnHidden(ClearanceModel::Rule, what() == What::Smallest);
+    m_table->setColumnHidden(ClearanceModel::Rule, !m_locations.isOfRules());
     m_table->setColumnHidden(ClearanceModel::Waived, !m_locations.hasWaived());
     onCurrent();
     fitTables();

@@ -26,7 +26,7 @@ class ClearancePanel : public QWidget {
     Q_OBJECT
 
 public:
-    enum class What { Smallest, Rules };
+    enum class What { Smallest, Rules, ThroughStackup };
     enum class Where { Board, Layer, View, Nets };
 
     ClearancePanel(ClearanceModel& locations, RuleModel& rules, const ActionSet& actions, QWidget* parent = nullptr);

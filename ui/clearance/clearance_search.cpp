@@ -51,10 +51,23 @@ base::Status measure(const Document& step, const ClearanceRequest& request, base
     return base::Done{};
 }
 
+Result<ClearanceResult> measureThrough(const Document& board, const model::StackupClearanceRequest& request,
+                                       base::Progress& progress) {
+    ClearanceResult answer;
+    ASSIGN_OR_RETURN(answer.throughStackup, model::smallestThroughStackup(board, request, progress));
+    for (const Document* step : model::unfoldCopies(board).steps) {
+        answer.names.push_back(std::make_shared<const model::SideNames>(*step));
+    }
+    return answer;
+}
+
 }  // namespace
 
 Result<ClearanceResult> searchClearances(const Document& board, const ClearanceRequest& request,
                                          base::Progress& progress) {
+    if (request.throughStackup) {
+        return measureThrough(board, *request.throughStackup, progress);
+    }
     ClearanceResult answer;
     const bool isOfBoard = !request.isOfRules && isOfTheBoardAlone(request.question);
     for (const Document* step : isOfBoard ? std::vector{&board} : model::distinctSteps(board)) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "model/clearance/stackup_clearance.h"
 #include "model/export/clearance_export.h"
 #include "ui/clearance/clearance_model.h"
 #include "ui/clearance/rule_model.h"
@@ -9,8 +10,9 @@ namespace ui {
 /// What is looked for: the smallest clearances, or where rules are broken.
 struct ClearanceRequest {
     bool isOfRules = false;
-    model::ClearanceRequest question;  ///< of the smallest clearances
-    model::RuleTable rules;
+    model::ClearanceRequest question;                                ///< of the smallest clearances
+    std::optional<model::StackupClearanceRequest> throughStackup{};  ///< instead of the smallest clearances
+    model::RuleTable rules{};
     std::vector<model::Waiver> waivers{};
 };
 
@@ -18,7 +20,9 @@ struct ClearanceRequest {
 struct ClearanceResult {
     std::vector<model::StepClearances> clearances;
     std::vector<model::StepRules> rules;
-    std::vector<std::shared_ptr<const model::SideNames>> names;  ///< of the steps of the one that is not empty
+    std::vector<model::StackupClearance> throughStackup;
+    std::vector<std::shared_ptr<const model::SideNames>> names;  ///< of the steps of the one that is not empty; through
+                                                                 ///< the stackup those of StepTree::steps
     std::vector<std::string> notes;  ///< what was not measured or checked, and what is good to know, in plain words
 };
 [[nodiscard]] std::vector<StepSpacings> spacingsOf(const ClearanceResult& answer);
@@ -29,9 +33,9 @@ struct ClearanceResult {
 /// Could every rule check everything?
 [[nodiscard]] bool isComplete(const ClearanceResult& answer);
 
-/// Looks for the smallest clearances of a board and all its steps. Layers and nets in the request are the board's own;
-/// placed steps are searched only when neither is named. Errors: those of model::smallestClearances and
-/// model::checkRules.
+/// Looks for the smallest clearances of a board and all its steps, or through its stackup. Layers and nets in the
+/// request are the board's own; placed steps are searched only when neither is named. Errors: those of
+/// model::smallestClearances, model::smallestThroughStackup and model::checkRules.
 [[nodiscard]] base::Result<ClearanceResult> searchClearances(const model::Document& board,
                                                              const ClearanceRequest& request, base::Progress& progress);
 

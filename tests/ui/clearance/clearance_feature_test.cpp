@@ -8,6 +8,7 @@
 #include <QSlider>
 #include <QtTest>
 
+#include "model/design_rules/design_rule_check.h"
 #include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/clearance/rule_dialog.h"
@@ -133,6 +134,34 @@ private slots:
         ask(ClearancePanel::Where::View);
         QVERIFY(locations.rowCount() > 0 && locations.rowCount() < all);
         QCOMPARE(locations.location(0).found.spacing.distance, first.found.spacing.distance);
+    }
+
+    void distancesThroughTheStackupAreListedAndShown() {
+        box("what").setCurrentIndex(static_cast<int>(ClearancePanel::What::ThroughStackup));
+        ask(ClearancePanel::Where::Board);
+        const ClearanceModel& locations = window().find<ui::ClearanceModel>();
+        QVERIFY(locations.rowCount() > 1);
+        const auto throughDielectric = [&] {
+            for (int row = 0; row < locations.rowCount(); ++row) {
+                if (locations.location(row).throughStackup->height > 0.0) {
+                    return row;
+                }
+            }
+            return -1;
+        }();
+        QVERIFY(throughDielectric >= 0);
+        const model::StackupClearance found = *locations.location(throughDielectric).throughStackup;
+        panel().setCurrentRow(throughDielectric);
+        std::vector<model::BoardElement> sides{found.a, found.b};
+        std::ranges::sort(sides);
+        QTRY_COMPARE(window().selection().selected(), sides);
+        const QString layers = locations.index(throughDielectric, ClearanceModel::Layer).data().toString();
+        QVERIFY2(layers.contains(", "), qPrintable(layers));  // both sides' layers
+        box("where").setCurrentIndex(static_cast<int>(ClearancePanel::Where::Layer));
+        window().messageBar().hide();
+        window().actions()[ActionId::SearchClearances].trigger();
+        QVERIFY(window().messageBar().isVisible());  // not of a layer
+        window().messageBar().hide();
     }
 
     void aQuestionThatCannotBeAskedIsTold() {

@@ -6,7 +6,7 @@
 #include <QtTest>
 
 #include "model/board/document_builder.h"
-#include "model/clearance/waived_check.h"
+#include "model/design_rules/waived_check.h"
 #include "model/export/clearance_export.h"
 #include "tests/unit/model/hand_made.h"
 

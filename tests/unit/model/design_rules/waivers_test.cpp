@@ -6,7 +6,7 @@
 #include <map>
 
 #include "model/board/document_builder.h"
-#include "model/clearance/waived_check.h"
+#include "model/design_rules/waived_check.h"
 #include "tests/unit/model/hand_made.h"
 
 using namespace hand_made;
@@ -100,6 +100,17 @@ private slots:
         QCOMPARE(report.waived[0].reason, std::string("looked at (Me, 2026-11-23)"));
         QVERIFY(model::verdictOf(kRules, report, 0) == model::Verdict::Passed);
         QCOMPARE(model::waivedOf(report, 0), std::size_t{1});
+    }
+
+    void everyFaultIsReadAgain() {
+        const std::vector<Waiver> some = waiversOf(boardOf(sideBySide(80 * kUm)));
+        for (std::size_t fault = 0; fault < model::kFindingReasonCount; ++fault) {
+            std::vector<Waiver> waivers{some.front()};
+            waivers[0].fault = static_cast<model::FindingReason>(fault);
+            const auto again = model::parseWaivers(model::toJson(waivers));
+            QVERIFY2(again, again ? "" : again.error().text.c_str());
+            QVERIFY(*again == waivers);
+        }
     }
 
     /// Rows, directions and names of nets may change: the location counts, also along tracks side by side.
