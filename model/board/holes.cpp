@@ -171,6 +171,13 @@ std::vector<DrillRow> drillTable(const Document& document) {
     return rows;
 }
 
+HoleSpan spanOf(const Document& document, ElementId hole) {
+    DrillRow row = measured(document, hole.row());
+    const LayerId layer = document.elements.layer[hole.row()];
+    row.tool = row.diameter > 0 ? toolFor(toolsOf(document, layer), row) : nullptr;
+    return spanOf(document, document.layer(layer), row);
+}
+
 std::vector<bool> microviasOf(const Document& document) {
     std::vector<bool> isMicrovia(document.elements.size());
     for (std::size_t i = 0; i < document.layers.size(); ++i) {

@@ -48,6 +48,8 @@ struct DrillRow {
 /// All holes of the document's own drill and rout layers, by layer, span, kind, shape and size. Copies of other steps
 /// are not counted.
 [[nodiscard]] std::vector<DrillRow> drillTable(const Document& document);
+/// Of one hole.
+[[nodiscard]] HoleSpan spanOf(const Document& document, ElementId hole);
 /// Which elements are plated holes with HoleSpan::Micro, by element.
 [[nodiscard]] std::vector<bool> microviasOf(const Document& document);
 /// The holes that a row of the table counts, in rising order.

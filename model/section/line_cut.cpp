@@ -220,4 +220,23 @@ ElementCut cutElement(const Document& document, ElementId element, const CutLine
     return isSquare ? cutSquarePen(document, element, line) : cutTracks(document, element, line);
 }
 
+Intervals cutPolygons(const PolygonSet& polygons, const CutLine& line) {
+    ContourCrossings crossings(line);
+    std::vector<Interval> covered;
+    for (const PolygonSet::Polygon& polygon : polygons.polygons) {
+        for (std::uint32_t i = 0; i < polygon.loopCount; ++i) {
+            const std::span<const Point> loop = polygons.loop(polygon.firstLoop + i);
+            for (std::size_t corner = 0; corner < loop.size(); ++corner) {
+                Edge side;
+                side.a = base::toDouble(loop[corner]);
+                side.b = base::toDouble(loop[corner + 1 < loop.size() ? corner + 1 : 0]);
+                crossings.add(side);
+            }
+        }
+        const Intervals inside = crossings.take();
+        covered.insert(covered.end(), inside.begin(), inside.end());
+    }
+    return united(std::move(covered));
+}
+
 }  // namespace model

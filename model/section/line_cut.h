@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/board/document.h"
+#include "model/geometry/discretise.h"
 #include "model/geometry/edges.h"
 #include "model/section/intervals.h"
 
@@ -30,5 +31,7 @@ struct ElementCut {
 };
 
 [[nodiscard]] ElementCut cutElement(const Document& document, ElementId element, const CutLine& line);
+/// What polygons cover of a line.
+[[nodiscard]] Intervals cutPolygons(const PolygonSet& polygons, const CutLine& line);
 
 }  // namespace model

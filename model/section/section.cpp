@@ -7,12 +7,17 @@
 #include <tuple>
 
 #include "model/board/holes.h"
+#include "model/section/leg_shape.h"
 #include "model/section/line_cut.h"
+#include "model/section/standing_parts.h"
 #include "model/text/formatting.h"
 
 namespace model {
 
 namespace {
+
+/// Leads reach no farther beyond the body of a component.
+constexpr Nm kLeads = 10 * kMm;
 
 /// A slanting line is looked up in this many boxes, which hug it; elements in several are met once.
 constexpr double kQueries = 64.0;
@@ -57,7 +62,8 @@ PointD clamped(PointD p) {
 /// Goes along one line over a board.
 class Cutter {
 public:
-    Cutter(const BoardIndex& index, const std::vector<bool>& layers) : m_index(index), m_layers(layers) {}
+    Cutter(const BoardIndex& index, const std::vector<bool>& layers, bool isAsSolid)
+        : m_index(index), m_layers(layers), m_isAsSolid(isAsSolid), m_shaper(*index.board, isAsSolid) {}
 
     void cut(const Leg& leg) {
         for (std::uint32_t copy = 0; copy < m_index.tree.copies.size(); ++copy) {
@@ -67,13 +73,15 @@ public:
             for (const std::uint32_t row : near(leg, placed)) {
                 cutElementOf(placed, ElementId{row}, leg);
             }
+            cutParts(placed, leg);
         }
-        finishLeg();
+        finishLeg(leg);
     }
 
     std::vector<SectionPiece> pieces;
     std::vector<SectionPiece> bores;
     std::size_t wallless = 0;  ///< plated areas met, whose walls are not known
+    std::size_t landed = 0;    ///< laser vias met
 
 private:
     const Document& board() const { return *m_index.board; }
@@ -104,21 +112,100 @@ private:
         const LayerId layer = step.layerOfCopy(step.elements.layer[element.row()], placed.how.isFlipped);
         const std::uint8_t flags = step.elements.flags[element.row()];
         const bool isHole = (flags & kHole) != 0;
-        if (!(isHole || m_layers[layer.row()]) || !placed.line.meets(step.boxOf(element))) {
+        const bool isPart = board().layer(layer).type == LayerType::ComponentBody && !m_isAsSolid;
+        if (isPart || !(isHole || m_layers[layer.row()]) || !placed.line.meets(step.boxOf(element))) {
             return;
         }
         ElementCut found = cutElement(step, element, placed.line);
         found.covered = clipped(found.covered, 0.0, leg.length);
-        const SectionPiece piece{layer, {placed.copy, element}, 0.0, 0.0, 0, 0};
+        SectionPiece piece{layer, {placed.copy, element}};
+        piece.material = materialOf(board().layer(layer));
+        const std::optional<LandingVia> via =
+            isHole && !found.covered.empty() ? landingOf(placed, element, layer, leg) : std::nullopt;
         if (isHole) {
-            add(m_drilled, piece, boreOf(layer), found.covered, leg);
+            const ZRange bore =
+                via ? ZRange{std::min(via->entry, via->target), std::max(via->entry, via->target)} : boreOf(layer);
+            add(m_leg.bores, piece, bore, found.covered, leg);
         }
-        if (m_layers[layer.row()] && (!isHole || (flags & kPlated) != 0)) {
+        if (via && m_layers[layer.row()]) {
+            m_leg.vias.emplace_back(*via, piece);
+            ++landed;
+        } else if (m_layers[layer.row()] && (!isHole || (flags & kPlated) != 0)) {
             const Intervals solid = subtracted(found.covered, found.opening);
             wallless += isHole && solid.empty() && !found.covered.empty() ? 1 : 0;
             const auto heights = isHole ? platingOf(placed, element) : heightsOf(placed, element, layer);
-            add(m_found, piece, heights, solid, leg);
+            add(m_leg.pieces, piece, heights, solid, leg);
         }
+    }
+
+    /// Components whose leads may be met: those reach beyond the element of the body.
+    void cutParts(const Placed& placed, const Leg& leg) {
+        if (m_isAsSolid) {
+            return;  // they are prisms then
+        }
+        const Box around =
+            boxAround(clamped(unplaced(leg.a, placed.how.placement)), clamped(unplaced(leg.b, placed.how.placement)));
+        for (const Body& body : placed.step.bodies) {
+            const Box box = placed.step.boxOf(body.element).grownBy(kLeads);
+            const LayerId layer =
+                placed.step.layerOfCopy(placed.step.elements.layer[body.element.row()], placed.how.isFlipped);
+            if (m_layers[layer.row()] && box.meets(around) && placed.line.meets(box)) {
+                cutPart(placed, body, layer, leg);
+            }
+        }
+    }
+
+    void cutPart(const Placed& placed, const Body& body, LayerId layer, const Leg& leg) {
+        const BodyPlan none;
+        const SectionPiece like{layer, {placed.copy, body.element}};
+        StandingPart part{board().layer(layer).side != LayerSide::Bottom, {}};
+        const BodyPlan& plan = body.component.isValid() ? m_plans.of(placed.step, body.component) : none;
+        for (SectionPiece piece : partPieces(placed.step, body, plan, placed.line, like)) {
+            piece.from = leg.start + std::clamp(piece.from, 0.0, leg.length);
+            piece.to = leg.start + std::clamp(piece.to, 0.0, leg.length);
+            if (piece.from < piece.to) {
+                part.pieces.push_back(piece);
+            }
+        }
+        if (!part.pieces.empty()) {
+            m_leg.parts.push_back(std::move(part));
+        }
+    }
+
+    /// A laser via, drilled from the face of the board that is nearer.
+    [[nodiscard]] std::optional<LandingVia> landingOf(const Placed& placed, ElementId hole, LayerId drill,
+                                                      const Leg& leg) const {
+        const Document& step = placed.step;
+        const Layer& layer = board().layer(drill);
+        const bool isRound = step.elements.kind[hole.row()] == ElementKind::Circle;
+        if (!isRound || !isPlatedHole(step.elements.flags[hole.row()]) || !layer.spanTop.isValid() ||
+            !layer.spanBottom.isValid() || spanOf(step, hole) != HoleSpan::Micro) {
+            return std::nullopt;
+        }
+        const Layer* entry = &board().layer(layer.spanTop);
+        const Layer* target = &board().layer(layer.spanBottom);
+        if (copperOutside(*entry, *target) > copperOutside(*target, *entry)) {
+            std::swap(entry, target);
+        }
+        const bool isFromTop = entry->z > target->z;
+        const auto faceOf = [](const Layer& of, bool isUpper) { return isUpper ? of.z + of.thickness : of.z; };
+        const CircleGeometry& circle = step.circles[step.elements.geometry[hole.row()]];
+        const PointD centre = base::toDouble(circle.centre);
+        LandingVia via{leg.start + placed.line.along(centre), std::abs(placed.line.beside(centre)),
+                       circle.diameter / 2.0, (double{1} * circle.diameter - circle.innerDiameter) / 2};
+        via.entry = faceOf(*entry, isFromTop);
+        via.shoulder = faceOf(*entry, !isFromTop);
+        via.target = faceOf(*target, isFromTop);
+        via.taper = m_isAsSolid ? 1.0 : kViaTaper;
+        return via.shoulder != via.target ? std::optional(via) : std::nullopt;
+    }
+
+    /// How many copper layers lie beyond one, seen from another.
+    [[nodiscard]] int copperOutside(const Layer& of, const Layer& from) const {
+        return static_cast<int>(std::ranges::count_if(board().layers, [&](const Layer& layer) {
+            const bool isBeyond = of.z > from.z ? layer.z > of.z : layer.z < of.z;
+            return layer.isCopper() && layer.context == LayerContext::Board && isBeyond;
+        }));
     }
 
     [[nodiscard]] ZRange boreOf(LayerId drill) const {
@@ -167,24 +254,29 @@ private:
     }
 
     /// Takes what a leg has drilled out of what it has found.
-    void finishLeg() {
+    void finishLeg(const Leg& leg) {
         Bores byHeight;
-        for (const SectionPiece& bore : m_drilled) {
+        for (const SectionPiece& bore : m_leg.bores) {
             byHeight[{bore.bottom, bore.top}].push_back({bore.from, bore.to});
         }
         for (auto& [heights, locations] : byHeight) {
             locations = united(std::move(locations));
         }
-        for (const SectionPiece& piece : m_found) {
+        std::vector<SectionPiece> left;
+        for (const SectionPiece& piece : m_leg.pieces) {
             for (const Interval& interval : outsideOf(byHeight, piece)) {
-                pieces.push_back(piece);
-                pieces.back().from = interval.from;
-                pieces.back().to = interval.to;
+                left.push_back(piece);
+                left.back().from = interval.from;
+                left.back().to = interval.to;
             }
         }
-        bores.insert(bores.end(), m_drilled.begin(), m_drilled.end());
-        m_found.clear();
-        m_drilled.clear();
+        bores.insert(bores.end(), m_leg.bores.begin(), m_leg.bores.end());
+        m_leg.from = leg.start;
+        m_leg.to = leg.start + leg.length;
+        m_leg.pieces = std::move(left);
+        const std::vector<SectionPiece> shaped = m_shaper.shape(std::move(m_leg));
+        pieces.insert(pieces.end(), shaped.begin(), shaped.end());
+        m_leg = {};
     }
 
     [[nodiscard]] Intervals outsideOf(const Bores& byHeight, const SectionPiece& piece) const {
@@ -203,8 +295,10 @@ private:
 
     const BoardIndex& m_index;
     const std::vector<bool>& m_layers;
-    std::vector<SectionPiece> m_found;  ///< by the leg at work
-    std::vector<SectionPiece> m_drilled;
+    bool m_isAsSolid = false;
+    LegShaper m_shaper;
+    PartPlans m_plans;
+    LegCut m_leg;  ///< at work
 };
 
 base::Result<std::vector<Leg>> legsOf(const std::vector<PointD>& line) {
@@ -256,6 +350,27 @@ std::string cutLayers(const Document& board, const std::vector<SectionPiece>& pi
     return joined(names);
 }
 
+bool has(const Section& section, SectionMaterial material) {
+    return std::ranges::find(section.pieces, material, &SectionPiece::material) != section.pieces.end();
+}
+
+/// What the section shows that the job does not say.
+void addAssumptions(const Document& board, std::size_t landed, Section& section) {
+    const auto add = [&section](bool isMade, const std::string& what) {
+        if (isMade) {
+            section.notes.push_back("assumed: " + what);
+        }
+    };
+    add(has(section, SectionMaterial::SolderMask),
+        formatted("solder mask on copper %.0f %% as thick as beside it, with shoulders", 100 * kMaskOnCopper));
+    add(landed > 0, formatted("laser vias narrow to %.0f %% at their target pad, whose floor is plated as the wall is",
+                              100 * kViaTaper));
+    add(has(section, SectionMaterial::Plating) && !board.stackup.rows.empty(),
+        "copper thicknesses of the stackup include the plating on the surface");
+    add(has(section, SectionMaterial::Part) || has(section, SectionMaterial::Terminal),
+        "shapes of parts, which stand on mask and silkscreen, with solder below their terminals");
+}
+
 void addNotes(const Document& board, std::size_t wallless, Section& section) {
     if (wallless > 0) {
         section.notes.push_back("plated holes without a known plating thickness, drawn without it: " +
@@ -304,7 +419,7 @@ bool hasSubstance(const Layer& layer) {
 base::Result<Section> makeSection(const BoardIndex& index, const SectionRequest& request) {
     ASSIGN_OR_RETURN(const std::vector<Leg> legs, legsOf(request.line));
     const std::vector<bool> layers = request.layers.empty() ? layersWithSubstance(*index.board) : request.layers;
-    Cutter cutter(index, layers);
+    Cutter cutter(index, layers, request.isAsSolid);
     Section section;
     section.line.push_back(legs.front().a);
     section.stations.push_back(0.0);
@@ -318,21 +433,30 @@ base::Result<Section> makeSection(const BoardIndex& index, const SectionRequest&
     sort(section.pieces);
     sort(section.bores);
     addNotes(*index.board, cutter.wallless, section);
+    if (!request.isAsSolid) {
+        addAssumptions(*index.board, cutter.landed, section);
+    }
     return section;
 }
 
 std::vector<SectionPiece> merged(const std::vector<SectionPiece>& pieces) {
-    std::map<std::tuple<LayerId, Nm, Nm>, std::vector<Interval>> byHeight;
-    for (const SectionPiece& piece : pieces) {
-        byHeight[{piece.layer, piece.bottom, piece.top}].push_back({piece.from, piece.to});
-    }
+    std::map<std::tuple<LayerId, Nm, Nm, SectionMaterial>, std::vector<Interval>> byHeight;
     std::vector<SectionPiece> out;
-    for (auto& [key, intervals] : byHeight) {
-        const auto& [layer, bottom, top] = key;
-        for (const Interval& interval : united(std::move(intervals))) {
-            out.push_back({layer, {}, interval.from, interval.to, bottom, top});
+    for (const SectionPiece& piece : pieces) {
+        if (piece.leans()) {
+            out.push_back(piece);
+            out.back().at = {};
+        } else {
+            byHeight[{piece.layer, piece.bottom, piece.top, piece.material}].push_back({piece.from, piece.to});
         }
     }
+    for (auto& [key, intervals] : byHeight) {
+        const auto& [layer, bottom, top, material] = key;
+        for (const Interval& interval : united(std::move(intervals))) {
+            out.push_back({layer, {}, interval.from, interval.to, bottom, top, 0.0, 0.0, material});
+        }
+    }
+    std::ranges::stable_sort(out, {}, &SectionPiece::layer);
     return out;
 }
 

@@ -5,24 +5,20 @@
 
 #include "model/base/result.h"
 #include "model/index/board_index.h"
+#include "model/section/section_piece.h"
 
 /// A board cut by a section plane along a line: what lies in the cut, and from where to where. Every element is an
-/// upright prism, so the cut is made of rectangles, and they are exact.
+/// upright prism, so what the job draws is cut in rectangles, and they are exact. What a job does not say of a board
+/// that is made follows from stated assumptions: how mask flows over copper (mask_shape.h), how laser vias land
+/// (landing_via.h), where parts stand (standing_parts.h). Section::notes names those that were made.
 namespace model {
 
 struct SectionRequest {
     std::vector<PointD> line;  ///< corners of the line in nanometres of the board, two at least
     std::vector<bool> layers;  ///< which take part, by layer; empty: all that are made of something
-};
-
-/// A rectangle of the cut.
-struct SectionPiece {
-    LayerId layer;    ///< of the board, where a flipped copy has put it
-    BoardElement at;  ///< element none: of several (see merged)
-    double from = 0;  ///< along the line from its start, over all corners, nm
-    double to = 0;
-    Nm bottom = 0;  ///< equal to `top` where the layer has no thickness
-    Nm top = 0;
+    /// As the 3D view draws the board: the outer face of a mask is level, laser vias do not taper, the substrate is
+    /// one, bodies of components are prisms.
+    bool isAsSolid = false;
 };
 
 struct Section {
@@ -38,8 +34,10 @@ struct Section {
 
 /// Cuts the board with all its copies of steps. Holes are taken out of copper and dielectrics (the substrate and the
 /// solder mask have no material there to begin with), also where a drill of a panel passes its steps. The substrate
-/// fills the whole height between the outer copper layers, also where inner copper lies in it. A wall reaches as far as
-/// Document::platedSpanOf says. The cost follows what lies near the line.
+/// fills the whole height between the outer copper layers, also where inner copper lies in it; it comes in one piece
+/// per dielectric of the stackup. A wall reaches as far as Document::platedSpanOf says. Laser vias (HoleSpan::Micro)
+/// end on their target pad; which of their ends that is follows from which side of the board is nearer. Copper is as
+/// thick as the stackup says, with whatever plating there is on it. The cost follows what lies near the line.
 ///
 /// A line beside the board gives no pieces and a note, as do layers without a thickness or with an assumed one, and
 /// plated holes whose wall has no thickness (routed areas): they are cut without it.
@@ -48,7 +46,8 @@ struct Section {
 
 inline constexpr std::size_t kMostCorners = 10'000;
 
-/// The same cut with a piece per layer and height wherever its elements cover the line without a break; for drawing.
+/// The same cut with a piece per layer, height and material wherever its elements cover the line without a break; for
+/// drawing.
 [[nodiscard]] std::vector<SectionPiece> merged(const std::vector<SectionPiece>& pieces);
 
 }  // namespace model

@@ -1,6 +1,7 @@
 #include "render/backends/section_drawer.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "render/gpu/device_select.h"
 #include "shaders/shared/section.h"
@@ -29,18 +30,27 @@ ZRange drawn(const SectionFace& face, const FrameLayer& real, const shader::Laye
     return {glm::mix(state.z0, state.z1, face.bottom), glm::mix(state.z0, state.z1, face.top)};
 }
 
+/// Is a mask drawn right on its copper? Spread layers are apart.
+bool isOn(const FramePlan& plan, model::LayerId mask, model::LayerId copper) {
+    constexpr float kApart = 1e-4F;  // mm
+    const shader::LayerState& a = plan.upright.states[mask.row()];
+    const shader::LayerState& b = plan.upright.states[copper.row()];
+    return std::min(std::abs(a.z0 - b.z1), std::abs(b.z0 - a.z1)) < kApart;
+}
+
 std::vector<shader::SectionRectangle> rectangles(const FramePlan& plan, const SceneLayers& scene,
                                                  const SectionCut& cut) {
     std::vector<shader::SectionRectangle> list;
     for (const SectionFace& face : cut.faces) {
         const std::size_t layer = face.layer.row();
         const shader::LayerState& state = plan.upright.states[layer];
-        if (!scene.styles[layer].isVisible) {
+        if (!scene.styles[layer].isVisible || (face.beside.isValid() && !isOn(plan, face.layer, face.beside))) {
             continue;
         }
-        const ZRange z = drawn(face, scene.layers[layer], state);
-        const auto at = [&](double along) { return glm::vec2(cut.plane.start + along * cut.plane.direction); };
-        list.push_back({glm::vec3(state.colour), face.isInside ? 1U : 0U, at(face.from), at(face.to), z.z0, z.z1});
+        const std::size_t at = face.beside.isValid() ? face.beside.row() : layer;
+        const ZRange z = drawn(face, scene.layers[at], plan.upright.states[at]);
+        const auto end = [&](double along) { return glm::vec2(cut.plane.start + along * cut.plane.direction); };
+        list.push_back({glm::vec3(state.colour), face.isInside ? 1U : 0U, end(face.from), end(face.to), z.z0, z.z1});
     }
     return list;
 }

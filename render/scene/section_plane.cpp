@@ -38,7 +38,43 @@ model::SectionRequest throughBox(const model::Box& box, PointD start, PointD uni
         };
         return PointD{clamped(start.x + unit.x * along), clamped(start.y + unit.y * along)};
     };
-    return {{at(least - 1.0), at(most + 1.0)}, {}};
+    return {{at(least - 1.0), at(most + 1.0)}, {}, true};
+}
+
+/// A rectangle at the height of a layer, its own or another.
+SectionFace faceAt(const model::SectionPiece& piece, const model::Layer& layer, model::Nm bottom, model::Nm top) {
+    const auto part = [&](model::Nm z) {
+        return static_cast<float>((double{1} * z - layer.z) / static_cast<double>(layer.thickness));
+    };
+    const bool isSubstrate = layer.type == model::LayerType::Body || layer.type == model::LayerType::Dielectric;
+    return {piece.layer, base::toMm(piece.from), base::toMm(piece.to), part(bottom), part(top), !isSubstrate, {}};
+}
+
+/// The copper beside which mask lies that reaches out of its layer.
+model::LayerId copperBeside(const model::Document& board, const model::SectionPiece& mask) {
+    for (std::size_t row = 0; row < board.layers.size(); ++row) {
+        const model::Layer& layer = board.layers[row];
+        const bool isThere = layer.z == mask.bottom || layer.z + layer.thickness == mask.top;
+        if (layer.isCopper() && layer.context == model::LayerContext::Board && layer.thickness > 0 && isThere) {
+            return model::LayerId{row};
+        }
+    }
+    return {};
+}
+
+/// What of a piece lies in its layer, and what of a mask lies beside copper.
+void addFaces(const model::Document& board, const model::SectionPiece& piece, std::vector<SectionFace>& faces) {
+    const model::Layer& layer = board.layer(piece.layer);
+    const bool isMask = piece.material == model::SectionMaterial::SolderMask;
+    const model::Nm upper = layer.z + layer.thickness;
+    const bool reachesOut = isMask && (piece.bottom < layer.z || piece.top > upper);
+    faces.push_back(faceAt(piece, layer, isMask ? std::max(piece.bottom, layer.z) : piece.bottom,
+                           isMask ? std::min(piece.top, upper) : piece.top));
+    if (const model::LayerId copper = reachesOut ? copperBeside(board, piece) : model::LayerId{}; copper.isValid()) {
+        const model::Layer& beside = board.layer(copper);
+        faces.push_back(faceAt(piece, beside, beside.z, beside.z + beside.thickness));
+        faces.back().beside = copper;
+    }
 }
 
 }  // namespace
@@ -59,12 +95,7 @@ base::Result<SectionCut> makeSectionCut(const model::BoardIndex& index, model::P
         if (piece.bottom >= piece.top || layer.thickness <= 0) {
             continue;
         }
-        const auto part = [&](model::Nm z) {
-            return static_cast<float>((double{1} * z - layer.z) / static_cast<double>(layer.thickness));
-        };
-        const bool isSubstrate = layer.type == model::LayerType::Body || layer.type == model::LayerType::Dielectric;
-        cut.faces.push_back({piece.layer, base::toMm(piece.from), base::toMm(piece.to), part(piece.bottom),
-                             part(piece.top), !isSubstrate});
+        addFaces(*index.board, piece, cut.faces);
     }
     return cut;
 }

@@ -22,6 +22,9 @@ struct SectionFace {
     float bottom = 0.0F;  ///< of its layer: 0 the lower, 1 the upper face; so it stays when the stackup changes
     float top = 1.0F;
     bool isInside = false;  ///< may lie in a substrate, and is then seen
+    /// Other layers than its own at whose height it lies: solder mask beside the copper of this layer, drawn while the
+    /// mask lies right on that copper.
+    model::LayerId beside;
 };
 
 /// A board cut by a section plane: nothing of its geometry changes, fragments on the one side are left out and the cut
@@ -33,7 +36,8 @@ struct SectionCut {
 
 /// Cuts along the straight line through two locations (nm, board coordinates), from one edge of the board to the other;
 /// what was to the left on the line from `a` to `b` goes. `origin` is BoardFrame::origin. The faces are those of
-/// model::makeSection. Errors: BadUsage for places that are not apart or off the coordinates of boards.
+/// model::makeSection with SectionRequest::isAsSolid. Errors: BadUsage for places that are not apart or off the
+/// coordinates of boards.
 [[nodiscard]] base::Result<SectionCut> makeSectionCut(const model::BoardIndex& index, model::Point origin,
                                                       model::PointD a, model::PointD b);
 

@@ -19,7 +19,7 @@ set(architecture_rows
     "model/measure                 | model           | model/board model/figures model/geometry model/index model/statistics model/text |"
     "model/clearance               | model           | model/board model/figures model/geometry model/index model/nets model/text | json"
     "model/design_rules            | model           | model/board model/clearance model/figures model/geometry model/nets model/text |"
-    "model/section                 | model           | model/board model/figures model/geometry model/index model/measure model/text |"
+    "model/section                 | model           | model/board model/figures model/geometry model/index model/measure model/packages model/text |"
     "model/export                  | model           | model/board model/clearance model/figures model/geometry model/index model/section model/text | json"
     "model/session                 | model::session  | model/board model/clearance model/measure model/solids model/text | json"
     "model/generate                | model::generate | | archive"

@@ -202,7 +202,7 @@ private slots:
             const PointD a = {double(x(random)), double(y(random))};
             const PointD b =
                 round % 2 == 0 ? PointD{double(x(random)), a.y} : PointD{double(x(random)), double(y(random))};
-            const Section section = *makeSection(*index, {{a, b}, {}});
+            const Section section = *makeSection(*index, {{a, b}, {}, true});
             for (int i = 0; i < 25; ++i) {
                 const double part = std::uniform_real_distribution<>(0.0, 1.0)(random);
                 const double location = section.stations.back() * part;
