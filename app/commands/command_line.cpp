@@ -250,6 +250,9 @@ void addSection(CLI::App& parent, Command& chosen) {
         ->required();
     addList(command, "--layers", arguments.layers, "only these layers, separated by commas");
     addChoice(command, "--format", arguments.format, {"svg", "json", "csv"});
+    command
+        .add_option("--scale", arguments.scale, "mm of paper for a mm of the line (SVG); default: as fits on a sheet")
+        ->check(CLI::Range(0.001, 1000.0));
     command.add_option("--height-times", arguments.heightTimes, "vertical scale; default: as large as is easy to read")
         ->check(CLI::Range(0.01, 10'000.0));
 }

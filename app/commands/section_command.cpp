@@ -53,7 +53,10 @@ nlohmann::ordered_json piecesJson(const model::BoardIndex& index, const std::vec
                         {"from_nm", piece.from},
                         {"to_nm", piece.to},
                         {"bottom_nm", piece.bottom},
-                        {"top_nm", piece.top}});
+                        {"top_nm", piece.top},
+                        {"upper_from_nm", piece.upperFrom()},
+                        {"upper_to_nm", piece.upperTo()},
+                        {"material", model::toString(piece.material)}});
     }
     return list;
 }
@@ -81,9 +84,10 @@ base::Result<std::string> sectionText(const SectionArguments& arguments) {
     for (const std::string& note : section.notes) {
         std::fprintf(stderr, "%s\n", note.c_str());
     }
-    return arguments.format == "json"  ? sectionJson(*index, section)
-           : arguments.format == "csv" ? model::sectionCsv(*index, section)
-                                       : model::sectionSvg(*board, section, {coloursOf(*board), arguments.heightTimes});
+    return arguments.format == "json" ? sectionJson(*index, section)
+           : arguments.format == "csv"
+               ? model::sectionCsv(*index, section)
+               : model::sectionSvg(*board, section, {coloursOf(*board), arguments.heightTimes, arguments.scale});
 }
 
 }  // namespace

@@ -13,6 +13,7 @@ struct SectionArguments {
     std::vector<double> line;         ///< x0, y0, x1, y1, … in millimetres of the board
     std::vector<std::string> layers;  ///< only these; empty: all that are made of something
     std::string format = "svg";       ///< svg, json or csv
+    double scale = 0.0;               ///< SVG: mm of paper for a mm of the line; 0: as fits
     double heightTimes = 0.0;         ///< SVG: heights so many times larger; 0: as reads well
 };
 

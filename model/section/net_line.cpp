@@ -19,6 +19,7 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 
 struct Track {
     Edge edge;
+    LayerId layer;
     std::uint32_t a = 0;  ///< places, see Tracks
     std::uint32_t b = 0;
 };
@@ -42,8 +43,10 @@ public:
             if (isDot || pieces.figures[row].isFilled) {
                 continue;
             }
+            const LayerId layer =
+                step.layerOfCopy(step.elements.layer[at.element.row()], index.tree.copies[at.copy].isFlipped);
             for (const Edge& edge : pieces.figures.edges(row)) {
-                add(edge);
+                add(edge, layer);
             }
         }
     }
@@ -51,7 +54,7 @@ public:
     [[nodiscard]] bool isEmpty() const { return m_tracks.empty(); }
 
     /// From one end of the longest chain to the other.
-    [[nodiscard]] std::vector<PointD> longest() const {
+    [[nodiscard]] NetLine longest() const {
         std::vector<bool> isSeen(m_at.size());
         double most = -1.0;
         Reached best;
@@ -73,12 +76,12 @@ public:
     }
 
 private:
-    void add(const Edge& edge) {
+    void add(const Edge& edge, LayerId layer) {
         if (edge.a.x == edge.b.x && edge.a.y == edge.b.y) {
             return;  // a dot or a full circle leads nowhere
         }
         const auto row = static_cast<std::uint32_t>(m_tracks.size());
-        m_tracks.push_back({edge, locationOf(edge.a), locationOf(edge.b)});
+        m_tracks.push_back({edge, layer, locationOf(edge.a), locationOf(edge.b)});
         m_at[m_tracks[row].a].push_back(row);
         m_at[m_tracks[row].b].push_back(row);
     }
@@ -124,8 +127,9 @@ private:
     }
 
     /// Back from the farthest location to the start.
-    [[nodiscard]] std::vector<PointD> walk(const Reached& reached) const {
-        std::vector<PointD> line;
+    [[nodiscard]] NetLine walk(const Reached& reached) const {
+        NetLine path;
+        std::vector<PointD>& line = path.line;
         std::uint32_t location = reached.farthest;
         while (reached.by[location] != kNone) {
             const Track& track = m_tracks[reached.by[location]];
@@ -135,9 +139,10 @@ private:
             }
             // Tracks meet at one location: its corner counts once.
             line.insert(line.end(), corners.begin() + (line.empty() ? 0 : 1), corners.end());
+            path.layers.resize(line.size() - 1, track.layer);
             location = otherEnd(reached.by[location], location);
         }
-        return line;
+        return path;
     }
 
     static std::vector<PointD> cornersOf(const Edge& edge) {
@@ -163,7 +168,22 @@ private:
 
 }  // namespace
 
-base::Result<std::vector<PointD>> lineAlong(const BoardIndex& index, NetOfCopy net) {
+std::vector<LayerRun> runsOf(const NetLine& line) {
+    std::vector<LayerRun> runs;
+    double at = 0.0;
+    for (std::size_t i = 0; i < line.layers.size(); ++i) {
+        const PointD a = line.line[i];
+        const PointD b = line.line[i + 1];
+        const double end = at + std::hypot(b.x - a.x, b.y - a.y);
+        if (runs.empty() || runs.back().layer != line.layers[i]) {
+            runs.push_back({at, end, line.layers[i]});
+        }
+        runs.back().to = at = end;
+    }
+    return runs;
+}
+
+base::Result<NetLine> lineAlong(const BoardIndex& index, NetOfCopy net) {
     const Tracks tracks(piecesOf(index, net), index);
     if (tracks.isEmpty()) {
         return base::Error{base::ErrorCode::BadUsage, nameOf(index, net) + " has no tracks to follow"};

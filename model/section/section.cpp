@@ -125,7 +125,7 @@ private:
         if (isHole) {
             const ZRange bore =
                 via ? ZRange{std::min(via->entry, via->target), std::max(via->entry, via->target)} : boreOf(layer);
-            add(m_leg.bores, piece, bore, found.covered, leg);
+            add(m_leg.bores, SectionPiece{layer, piece.at}, bore, found.covered, leg);
         }
         if (via && m_layers[layer.row()]) {
             m_leg.vias.emplace_back(*via, piece);
@@ -437,6 +437,19 @@ base::Result<Section> makeSection(const BoardIndex& index, const SectionRequest&
         addAssumptions(*index.board, cutter.landed, section);
     }
     return section;
+}
+
+std::vector<double> bendsOf(const Section& section) {
+    constexpr double kStraight = 0.98480775301;  // cosine of 10 degrees
+    std::vector<double> bends;
+    for (std::size_t i = 1; i + 1 < section.line.size(); ++i) {
+        const CutLine before = CutLine::through(section.line[i - 1], section.line[i]);
+        const CutLine behind = CutLine::through(section.line[i], section.line[i + 1]);
+        if (before.unit.x * behind.unit.x + before.unit.y * behind.unit.y < kStraight) {
+            bends.push_back(section.stations[i]);
+        }
+    }
+    return bends;
 }
 
 std::vector<SectionPiece> merged(const std::vector<SectionPiece>& pieces) {

@@ -46,6 +46,9 @@ struct Section {
 
 inline constexpr std::size_t kMostCorners = 10'000;
 
+/// How far along the line it bends: by 10 degrees or more, which the chords of arcs (NetLine) do not.
+[[nodiscard]] std::vector<double> bendsOf(const Section& section);
+
 /// The same cut with a piece per layer, height and material wherever its elements cover the line without a break; for
 /// drawing.
 [[nodiscard]] std::vector<SectionPiece> merged(const std::vector<SectionPiece>& pieces);

@@ -13,6 +13,7 @@
 #include "model/clearance/design_rules.h"
 #include "model/clearance/waivers.h"
 #include "model/measure/measurement.h"
+#include "model/measure/section_dimension.h"
 #include "model/session/saved_nets.h"
 #include "model/session/saved_selection.h"
 
@@ -57,13 +58,17 @@ struct SavedView {
     bool operator==(const SavedView&) const = default;
 };
 
-/// The line of a section that the user saved. In a session file:
+/// The line of a section that the user saved, and what was measured in it. In a session file:
 ///
-///     {"name": "Section 1", "step": "pcb", "line_nm": [[0, 0], [1000000, 0]]}
+///     {"name": "Section 1", "step": "pcb", "line_nm": [[0, 0], [1000000, 0]],
+///      "dimensions": [{"from_nm": [1000, 35000], "from_on": "corner", "to_nm": [2000, 0], "to_on": "upright"}]}
+///
+/// A location of a dimension is so far along the line and above the bottom, on a corner, an upright or a level edge.
 struct SavedSection {
     std::string name;
     std::string step;                ///< the one it was drawn in
     std::vector<base::PointD> line;  ///< two corners at least, nm of the board
+    std::vector<SectionDimension> dimensions{};
     bool operator==(const SavedSection&) const = default;
 };
 

@@ -171,12 +171,43 @@ Json toJson(const Desk& desk) {
             {"layers", listJson(desk.layers, [](const LayerState& layer) { return toJson(layer); })}};
 }
 
+SectionPosition positionFrom(const Json& at, const std::string& on) {
+    require(at.is_array() && at.size() == 2 && (on == "corner" || on == "upright" || on == "level"));
+    return {at[0].get<double>(), at[1].get<double>(), on != "level", on != "upright"};
+}
+
+const char* edgeName(const SectionPosition& position) {
+    return !position.isOnLevel ? "upright" : position.isOnUpright ? "corner" : "level";
+}
+
+SectionDimension dimensionFrom(const Json& json) {
+    return {positionFrom(json.at("from_nm"), json.at("from_on")), positionFrom(json.at("to_nm"), json.at("to_on"))};
+}
+
+Json toJson(const SectionDimension& dimension) {
+    const SectionPosition& from = dimension.from;
+    const SectionPosition& to = dimension.to;
+    return {{"from_nm", {from.along, from.z}},
+            {"from_on", edgeName(from)},
+            {"to_nm", {to.along, to.z}},
+            {"to_on", edgeName(to)}};
+}
+
 SavedSection sectionFrom(const Json& json) {
-    return {json.at("name"), json.at("step"), lineFrom(json.at("line_nm"))};
+    SavedSection section{json.at("name"), json.at("step"), lineFrom(json.at("line_nm"))};
+    if (json.contains("dimensions")) {
+        section.dimensions = listFrom(json.at("dimensions"), dimensionFrom);
+    }
+    return section;
 }
 
 Json toJson(const SavedSection& section) {
-    return {{"name", section.name}, {"step", section.step}, {"line_nm", lineJson(section.line)}};
+    Json json{{"name", section.name}, {"step", section.step}, {"line_nm", lineJson(section.line)}};
+    if (!section.dimensions.empty()) {
+        json["dimensions"] =
+            listJson(section.dimensions, [](const SectionDimension& dimension) { return toJson(dimension); });
+    }
+    return json;
 }
 
 BoardColourChoice boardColoursFrom(const Json& json) {

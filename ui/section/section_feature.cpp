@@ -2,12 +2,15 @@
 
 #include <QComboBox>
 #include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
 #include <utility>
 
 #include "model/export/section_export.h"
 #include "model/section/net_line.h"
 #include "ui/common/texts.h"
 #include "ui/layers/layer_model.h"
+#include "ui/section/section_pdf.h"
 #include "ui/views/board_views.h"
 #include "ui/views/probing.h"
 
@@ -17,6 +20,9 @@ namespace {
 
 /// How far a key moves the section plane, as a part of the board's larger side.
 constexpr double kPlaneStep = 0.02;
+
+/// The 3D view looks down at a section that is recalled, rad.
+constexpr float kPitchOfSection = -0.6F;
 
 /// The first corner of a line that is being drawn is none yet.
 bool hasLength(const std::vector<base::PointD>& line) {
@@ -28,24 +34,33 @@ bool hasLength(const std::vector<base::PointD>& line) {
 SectionFeature::SectionFeature(FeatureContext& context)
     : QObject(&context.window),
       m_workspace(context.workspace),
+      m_views(context.views),
       m_hint(context.workspace),
       m_actions(context.actions),
       m_selection(context.workspace.selection()),
       m_line(context.views.flat()),
       m_plane(context.views),
       m_saved(context.workspace, tr("The sections"), &model::session::Session::sections, model::session::saveSections,
-              [this](const auto&) { showNames(); }),
+              [this](const auto&) {
+                  showNames();
+                  showDimensions();
+              }),
       m_panel(new SectionPanel(m_selection, m_names, context.actions)) {
     m_line.setParent(this);
     context.addPanel({ActionId::ShowSectionDock, "section", tr("Cross-section"), Qt::BottomDockWidgetArea}, *m_panel);
     m_due.setSingleShot(true);
     m_due.setInterval(0);
     connect(&m_due, &QTimer::timeout, this, &SectionFeature::cut);
-    connect(&m_line, &SectionLine::moved, &m_due, qOverload<>(&QTimer::start));
+    connect(&m_line, &SectionLine::moved, this, [this] {
+        m_panel->view().setDimensions({});
+        m_panel->view().setRuns({});
+        m_due.start();
+    });
     connect(&m_line, &SectionLine::finished, this, [this] {
         cut();
         onPlaced();
     });
+    connect(&m_panel->view(), &SectionView::dimensionsChanged, this, &SectionFeature::saveDimensions);
     connect(m_panel, &SectionPanel::cleared, this, [this] { cutAlong({}); });
     connect(m_panel, &SectionPanel::chosen, this, &SectionFeature::goTo);
     connect(m_panel, &SectionPanel::forgotten, this,
@@ -80,9 +95,11 @@ void SectionFeature::connectCommands(FeatureContext& context) {
     on(ActionId::OpenAlongSection, [this] { showIn3D(); });
     on(ActionId::SaveSection, [this] { saveSection(); });
     on(ActionId::ExportSection, [this, &context] {
-        context.saveFile(tr("Export section"), tr("section"), {tr("Drawings (*.svg)")},
+        context.saveFile(tr("Export section"), tr("section"), {tr("Drawings (*.svg)"), tr("Documents (*.pdf)")},
                          [this](const QString& path) { return save(path); });
     });
+    connect(&context.actions[ActionId::MeasurePoints], &QAction::toggled, &m_panel->view(), &SectionView::setMeasuring);
+    context.escapes.emplace_back([this] { return m_panel->view().stepBack(); });
     context.escapes.emplace_back([this] {
         const bool isDrawing = m_line.isDrawing();
         m_line.setDrawing(false);
@@ -112,6 +129,8 @@ void SectionFeature::setBoard(const LoadedBoard& board) {
     for (const ActionId id : {ActionId::SectionPlane, ActionId::DrawSection}) {
         m_actions[id].setChecked(false);
     }
+    m_panel->view().setDimensions({});
+    m_panel->view().setRuns({});
     m_panel->view().fit();
     cut();
 }
@@ -142,10 +161,13 @@ void SectionFeature::draw(bool isOn) {
     }
 }
 
-void SectionFeature::cutAlong(std::vector<base::PointD> line) {
+void SectionFeature::cutAlong(std::vector<base::PointD> line, std::vector<model::LayerRun> runs) {
     m_line.setLine(std::move(line));
+    m_panel->view().setRuns(std::move(runs));
     m_panel->view().fit();
     cut();
+    m_panel->view().setDimensions({});
+    showDimensions();
 }
 
 void SectionFeature::cut() {
@@ -161,7 +183,7 @@ void SectionFeature::cut() {
         m_panel->setNotes(QString::fromStdString(section.error().text));
         return;
     }
-    m_panel->setNotes(textsOf(section->notes).join('\n'));
+    m_panel->setNotes(textsOf(section->notes).join(QStringLiteral(" · ")));
     m_panel->view().setSection(m_index, std::move(*section));
 }
 
@@ -179,9 +201,9 @@ void SectionFeature::followNet() {
         return;
     }
     const model::BoardNet& net = nets.front();
-    if (base::Result<std::vector<base::PointD>> line =
+    if (const base::Result<model::NetLine> line =
             model::lineAlong(*m_index, {m_selection.firstCopyOf(net.step), net.net})) {
-        cutAlong(std::move(*line));
+        cutAlong(line->line, model::runsOf(*line));
         onPlaced();
     } else {
         m_workspace.report(line.error().text);
@@ -194,7 +216,7 @@ void SectionFeature::saveSection() {
         m_workspace.report(tr("There is no section to save: draw one first"));
         return;
     }
-    m_saved.add(tr("saving a section"), {{}, {}, section->line}, "Section ");
+    m_saved.add(tr("saving a section"), {{}, {}, section->line, m_panel->view().dimensions().all()}, "Section ");
     m_workspace.report(tr("Saved as %1").arg(QString::fromStdString(m_saved.entries().back().name)));
 }
 
@@ -224,8 +246,63 @@ void SectionFeature::goTo(int row) {
                                .arg(QString::fromStdString(saved.name), QString::fromStdString(saved.step)));
         return;
     }
+    const std::vector<model::SectionDimension> dimensions = saved.dimensions;  // of two of one line each has its own
     cutAlong(saved.line);
+    m_panel->view().setDimensions(dimensions);
     onPlaced();
+    showLine();
+}
+
+std::optional<int> SectionFeature::shownRow() const {
+    const std::optional<model::Section>& section = m_panel->view().section();
+    const auto isShown = [&](const model::session::SavedSection& saved) {
+        return section && m_workspace.isOpen(saved.step) &&
+               std::ranges::equal(saved.line, section->line, [](auto a, auto b) { return a.x == b.x && a.y == b.y; });
+    };
+    const auto& list = m_saved.entries();
+    const int chosen = m_panel->list().currentIndex().row();
+    if (chosen >= 0 && chosen < static_cast<int>(list.size()) && isShown(list[static_cast<std::size_t>(chosen)])) {
+        return chosen;
+    }
+    const auto found = std::ranges::find_if(list, isShown);
+    return found == list.end() ? std::nullopt : std::optional(static_cast<int>(found - list.begin()));
+}
+
+void SectionFeature::saveDimensions() {
+    if (const std::optional<int> row = shownRow()) {
+        m_saved.change(
+            tr("the dimensions of a section"), *row,
+            [dimensions = m_panel->view().dimensions().all()](auto& saved) { saved.dimensions = dimensions; });
+    }
+}
+
+void SectionFeature::showDimensions() {
+    if (const std::optional<int> row = shownRow()) {
+        m_panel->view().setDimensions(m_saved.entries()[static_cast<std::size_t>(*row)].dimensions);
+    }
+}
+
+void SectionFeature::showLine() {
+    const std::vector<base::PointD>& line = m_line.line();
+    glm::vec3 low(1e30F);
+    glm::vec3 high(-1e30F);
+    for (const base::PointD& corner : line) {
+        for (const double z : {0.0, double{1} * m_index->board->boardThickness}) {
+            const glm::vec3 at = m_views.flat().position().toModel(corner, z);
+            low = glm::min(low, at);
+            high = glm::max(high, at);
+        }
+    }
+    m_views.flat().controller().show(low, high);
+    CameraController& solid = m_views.solid().controller();
+    if (const auto ends = straightLine()) {
+        showIn3D();
+        render::CameraPose pose = solid.camera().pose();
+        pose.yaw = -static_cast<float>(std::atan2(ends->second.y - ends->first.y, ends->second.x - ends->first.x));
+        pose.pitch = kPitchOfSection;
+        solid.setPose(pose);
+    }
+    solid.show(low, high);
 }
 
 base::Status SectionFeature::save(const QString& path) const {
@@ -238,6 +315,15 @@ base::Status SectionFeature::save(const QString& path) const {
         how.colours.push_back(colour.rgb() & 0xffffffU);
     }
     how.heightTimes = m_panel->heightsBox().currentData().toDouble();
+    const SectionView& view = m_panel->view();
+    how.runs = view.runs();
+    for (const model::SectionDimension& dimension : view.dimensions().all()) {
+        how.dimensions.emplace_back(dimension, dimensionText(dimension, view.unit()).toStdString());
+    }
+    if (path.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive)) {
+        return writeSectionPdf(model::sectionSheet(*m_index->board, *section, how),
+                               QString::fromStdString(m_index->board->job.name), path);
+    }
     return writeFile(path, QByteArray::fromStdString(model::sectionSvg(*m_index->board, *section, how)));
 }
 

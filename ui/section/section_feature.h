@@ -23,11 +23,12 @@ public:
 
     /// The next drag or clicks in the 2D view draw the line, or do not: the line is then what it was.
     void draw(bool isOn);
-    /// Cuts along a line, corners in nm of the board; none: no section.
-    void cutAlong(std::vector<base::PointD> line);
+    /// Cuts along a line, corners in nm of the board; none: no section. `runs`: of an unrolled net. A saved section is
+    /// that section, and has its dimensions.
+    void cutAlong(std::vector<base::PointD> line, std::vector<model::LayerRun> runs = {});
     /// Cuts along the highlighted net, unrolled; of a net of a step that is placed often, along its first copy.
     void followNet();
-    /// Writes what is shown as SVG. Errors: BadUsage if nothing is, OutputFailed.
+    /// Writes what is shown, as PDF or as SVG by the ending. Errors: BadUsage if nothing is, OutputFailed.
     [[nodiscard]] base::Status save(const QString& path) const;
     [[nodiscard]] const std::vector<model::session::SavedSection>& saved() const { return m_saved.entries(); }
 
@@ -44,11 +45,19 @@ private:
     void saveSection();
     void renameSection(int row, const QString& name);
     void showNames();
-    /// Cuts along the saved line of this row.
+    /// Cuts along the saved line of this row, in both views.
     void goTo(int row);
     void cut();
+    /// The saved section with the line that is shown, if there is one.
+    [[nodiscard]] std::optional<int> shownRow() const;
+    /// Dimensions belong to a saved section as its line does.
+    void saveDimensions();
+    void showDimensions();
+    /// Brings the line to the middle of both views; 3D looks at the face of the cut.
+    void showLine();
 
     Workspace& m_workspace;
+    BoardViews& m_views;
     Hint m_hint;
     const ActionSet& m_actions;
     SelectionModel& m_selection;

@@ -38,21 +38,31 @@ void SectionView::paintEvent(QPaintEvent*) {
     painter.setClipRect(plot());
     paintPieces(painter);
     paintHighlighted(painter);
-    paintCorners(painter);
-    paintDimension(painter);
+    paintBends(painter);
+    paintDimensions(painter);
     painter.restore();
+    paintRuns(painter);
     paintLayers(painter);
     paintRuler(painter);
+    paintLegend(painter);
 }
 
+/// Without smoothing: pieces lie side by side, and smoothed edges would let the ground through.
 void SectionView::paintPieces(QPainter& painter) const {
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    painter.setPen(Qt::NoPen);
     for (const SectionPiece& piece : m_drawn) {
-        const QRectF rect = rectOf(piece);
-        if (rect.intersects(plot())) {
-            painter.fillRect(rect,
-                             piece.layer.row() < m_colours.size() ? m_colours[piece.layer.row()] : QColor(Qt::gray));
+        if (!rectOf(piece).intersects(plot())) {
+            continue;
+        }
+        painter.setBrush(colourOf(piece));
+        if (piece.leans()) {
+            painter.drawPolygon(outlineOf(piece));
+        } else {
+            painter.fillRect(rectOf(piece), painter.brush());
         }
     }
+    painter.setRenderHint(QPainter::Antialiasing);
 }
 
 void SectionView::paintHighlighted(QPainter& painter) const {
@@ -62,17 +72,8 @@ void SectionView::paintHighlighted(QPainter& painter) const {
     painter.setBrush(ink);
     for (const SectionPiece& piece : m_section->pieces) {
         if (isHighlighted(piece) && rectOf(piece).intersects(plot())) {
-            painter.drawRect(rectOf(piece));
+            painter.drawPolygon(outlineOf(piece));
         }
-    }
-}
-
-/// Where the line has corners.
-void SectionView::paintCorners(QPainter& painter) const {
-    painter.setPen(QPen(palette().color(QPalette::Text), 0.7, Qt::DashLine));
-    for (std::size_t i = 1; i + 1 < m_section->stations.size(); ++i) {
-        const double x = positionOf(m_section->stations[i], 0.0).x();
-        painter.drawLine(QPointF(x, plot().top()), QPointF(x, plot().bottom()));
     }
 }
 
@@ -112,8 +113,8 @@ void SectionView::paintLayers(QPainter& painter) const {
     labels.height = std::max(area.height(), lineHeight() * static_cast<double>(rows.size()));
     model::spreadLabels(lineHeight(), labels);
     const double left = area.right() + 34.0;
-    const double thicknessLeft = left + (width() - left) * 0.40;
-    const double heightLeft = left + (width() - left) * 0.67;
+    const double thicknessLeft = left + (width() - left) * 0.36;
+    const double heightLeft = left + (width() - left) * 0.63;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const model::StackupBand& band = labels.bands[i];
         const double middle = area.top() + (band.top + band.bottom) / 2;
@@ -153,33 +154,6 @@ void SectionView::paintRuler(QPainter& painter) const {
         const double wide = fontMetrics().horizontalAdvance(text);
         painter.drawText(QPointF(std::max(x - wide / 2, 1.0), y + 4.0 + fontMetrics().ascent()), text);
     }
-}
-
-void SectionView::paintDimension(QPainter& painter) const {
-    const QColor ink = palette().color(QPalette::Text);
-    painter.setPen(QPen(ink, 1.5));
-    painter.setBrush(ink);
-    const auto ends = m_dimension.ends();
-    if (!ends) {
-        if (const auto& from = m_dimension.from()) {
-            painter.drawEllipse(positionOf(from->along, from->z), 3.0, 3.0);
-        }
-        return;
-    }
-    const QPointF from = positionOf(ends->first.along, ends->first.z);
-    const QPointF to = positionOf(ends->second.along, ends->second.z);
-    painter.drawLine(from, to);
-    painter.drawEllipse(from, 3.0, 3.0);
-    painter.drawEllipse(to, 3.0, 3.0);
-    const QString text = m_dimension.text(m_unit);
-    QRectF box = QRectF(fontMetrics().boundingRect(text)).adjusted(-5, -2, 5, 2);
-    box.moveCenter((from + to) / 2.0 + QPointF(0.0, lineHeight()));
-    box.moveLeft(std::clamp(box.left(), plot().left(), std::max(plot().left(), plot().right() - box.width())));
-    box.moveTop(std::clamp(box.top(), plot().top(), std::max(plot().top(), plot().bottom() - box.height())));
-    painter.setPen(QPen(ink, 0.7));
-    painter.setBrush(palette().base());
-    painter.drawRoundedRect(box, 3, 3);
-    painter.drawText(box, Qt::AlignCenter, text);
 }
 
 }  // namespace ui

@@ -1,6 +1,7 @@
 #include "ui/section/section_view.h"
 
 #include <QHelpEvent>
+#include <QKeyEvent>
 #include <QToolTip>
 #include <QWheelEvent>
 #include <algorithm>
@@ -14,31 +15,25 @@ namespace ui {
 
 namespace {
 
-using model::LayerType;
 using model::SectionPiece;
+using model::SectionPosition;
 
 constexpr double kMargin = 8.0;
 constexpr double kLabels = 0.34;      // of the width
 constexpr double kFilled = 0.8;       // of the plot, by a cut that is shown whole
 constexpr double kLeastPixels = 0.7;  // of a piece: none vanishes
 constexpr double kReachPixels = 2.0;  // around a piece, for the mouse
-constexpr double kCatchPixels = 6.0;  // around edges and corners that are measured
 constexpr double kWheelNotch = 120.0;
 constexpr double kMostPerNm = 1e-2;  // 10 µm across a pixel times a thousand: nothing is smaller
 constexpr double kLeastPerNm = 1e-8;
-
-/// What others lie in or on is drawn first.
-int orderOf(const model::Layer& layer) {
-    return layer.type == LayerType::Body || layer.type == LayerType::Dielectric ? 0
-           : layer.type == LayerType::ComponentBody                             ? 1
-                                                                                : 2;
-}
 
 }  // namespace
 
 SectionView::SectionView(SelectionModel& selection, QWidget* parent) : QWidget(parent), m_selection(selection) {
     setAccessibleName(tr("Cross-section"));
-    setMinimumSize(200, 80);
+    setMinimumSize(200, 150);
+    setFocusPolicy(Qt::ClickFocus);
+    setMouseTracking(true);
     connect(&selection, &SelectionModel::highlightChanged, this, qOverload<>(&QWidget::update));
     connect(&selection, &SelectionModel::hoverChanged, this, qOverload<>(&QWidget::update));
 }
@@ -47,13 +42,41 @@ void SectionView::setSection(std::shared_ptr<const model::BoardIndex> board, std
     m_board = std::move(board);
     m_section = std::move(section);
     m_drawn.clear();
-    m_dimension.clear();
+    m_under.reset();
     if (m_section) {
         m_drawn = model::merged(m_section->pieces);
-        std::ranges::stable_sort(m_drawn, {},
-                                 [this](const SectionPiece& p) { return orderOf(this->board().layer(p.layer)); });
+        std::ranges::stable_sort(m_drawn, {}, [](const SectionPiece& p) { return model::drawOrderOf(p.material); });
     }
     arrange();
+}
+
+void SectionView::setRuns(std::vector<model::LayerRun> runs) {
+    m_runs = std::move(runs);
+    arrange();
+}
+
+void SectionView::setMeasuring(bool isOn) {
+    m_isMeasuring = isOn;
+    m_under.reset();
+    m_dimensions.giveUp();
+    setCursor(isOn ? Qt::CrossCursor : Qt::ArrowCursor);
+    update();
+}
+
+void SectionView::setDimensions(std::vector<model::SectionDimension> dimensions) {
+    m_dimensions.set(std::move(dimensions));
+    update();
+}
+
+bool SectionView::stepBack() {
+    update();
+    return m_dimensions.giveUp();
+}
+
+void SectionView::removeLastDimension() {
+    m_dimensions.removeLast();
+    update();
+    emit dimensionsChanged();
 }
 
 void SectionView::setColours(std::vector<QColor> colours) {
@@ -77,7 +100,8 @@ void SectionView::fit() {
 }
 
 QRectF SectionView::plot() const {
-    return {kMargin, kMargin, width() * (1.0 - kLabels) - kMargin, height() - kMargin - 2.0 * lineHeight()};
+    const double above = m_runs.empty() ? kMargin : kMargin + lineHeight();
+    return {kMargin, above, width() * (1.0 - kLabels) - kMargin, height() - above - 3.0 * lineHeight()};
 }
 
 /// Lengths and heights to pixels: of the whole line unless the user has chosen a part of it.
@@ -103,10 +127,25 @@ QPointF SectionView::positionOf(double along, double z) const {
 }
 
 QRectF SectionView::rectOf(const SectionPiece& piece) const {
-    QRectF rect(positionOf(piece.from, piece.top), positionOf(piece.to, piece.bottom));
+    QRectF rect(positionOf(piece.least(), piece.top), positionOf(piece.most(), piece.bottom));
     rect.setWidth(std::max(rect.width(), kLeastPixels));
     rect.setHeight(std::max(rect.height(), kLeastPixels));
     return rect;
+}
+
+QPolygonF SectionView::outlineOf(const SectionPiece& piece) const {
+    if (!piece.leans()) {
+        return {rectOf(piece)};
+    }
+    return {{positionOf(piece.from, piece.bottom), positionOf(piece.to, piece.bottom),
+             positionOf(piece.upperTo(), piece.top), positionOf(piece.upperFrom(), piece.top)}};
+}
+
+QColor SectionView::colourOf(const SectionPiece& piece) const {
+    if (const auto fixed = model::colourOf(piece.material)) {
+        return QColor::fromRgb(*fixed);
+    }
+    return piece.layer.row() < m_colours.size() ? m_colours[piece.layer.row()] : QColor(Qt::gray);
 }
 
 /// Foils are thinner than a pointer is exact: what is drawn within a few pixels counts, if nothing better lies there.
@@ -115,8 +154,8 @@ const SectionPiece* SectionView::pieceAt(QPointF at) const {
         return nullptr;
     }
     const auto standing = [&](const SectionPiece& piece) {
-        const bool isThere = rectOf(piece).contains(at);
-        return std::tuple(orderOf(board().layer(piece.layer)), isThere, piece.from - piece.to);
+        const bool isThere = outlineOf(piece).containsPoint(at, Qt::OddEvenFill);
+        return std::tuple(isThere, model::drawOrderOf(piece.material), piece.from - piece.to);
     };
     const SectionPiece* found = nullptr;
     for (const SectionPiece& piece : m_section->pieces) {
@@ -141,7 +180,7 @@ QString SectionView::tipAt(QPointF at) const {
     const bool isBore = !m_section->bores.empty() && piece >= m_section->bores.data() &&
                         piece < m_section->bores.data() + m_section->bores.size();
     QString tip = QString::fromStdString(board().layer(piece->layer).name);
-    tip += isBore ? tr(", drilled out") : QString();
+    tip += isBore ? tr(", drilled out") : QStringLiteral(" · ") + model::toString(piece->material);
     if (const std::string net = model::netOf(*m_board, *piece); !net.empty()) {
         tip += QStringLiteral(" · ") + QString::fromStdString(net);
     }
@@ -152,45 +191,6 @@ QString SectionView::tipAt(QPointF at) const {
            '\n' +
            tr("%1 high, from %2 to %3 above the bottom")
                .arg(text(piece->top - piece->bottom), text(piece->bottom), text(piece->top));
-}
-
-std::optional<SectionPosition> SectionView::locationAt(QPointF at) const {
-    // The ends of a line that is shown whole lie on the rim of the plot.
-    if (!m_section || !plot().adjusted(-kCatchPixels, -kCatchPixels, kCatchPixels, kCatchPixels).contains(at)) {
-        return std::nullopt;
-    }
-    std::optional<SectionPosition> best;
-    double nearest = kCatchPixels;
-    bool isCorner = false;
-    const QPointF zero = positionOf(0.0, 0.0);
-    for (const SectionPiece& piece : m_drawn) {
-        const QPointF low = positionOf(piece.from, piece.bottom);
-        const QPointF high = positionOf(piece.to, piece.top);
-        const bool isLeft = std::abs(at.x() - low.x()) < std::abs(at.x() - high.x());
-        const bool isBelow = std::abs(at.y() - low.y()) < std::abs(at.y() - high.y());
-        const double across = std::abs(at.x() - (isLeft ? low.x() : high.x()));
-        const double up = std::abs(at.y() - (isBelow ? low.y() : high.y()));
-        const bool isBeside = at.x() >= low.x() - kCatchPixels && at.x() <= high.x() + kCatchPixels;
-        const bool isLevel = at.y() >= high.y() - kCatchPixels && at.y() <= low.y() + kCatchPixels;
-        if (!isBeside || !isLevel) {
-            continue;
-        }
-        const bool isAtCorner = across <= kCatchPixels && up <= kCatchPixels;
-        const double far = isAtCorner ? std::hypot(across, up) : std::min(across, up);
-        const bool isNearer = isAtCorner == isCorner ? far < nearest : isAtCorner;
-        if (far > 2 * kCatchPixels || (!isAtCorner && far > kCatchPixels) || !isNearer) {
-            continue;
-        }
-        const bool isOnUpright = isAtCorner || across <= up;
-        const bool isOnLevel = isAtCorner || across > up;
-        best = {isOnUpright ? (isLeft ? piece.from : piece.to) : (at.x() - zero.x()) / m_perNm,
-                isOnLevel ? static_cast<double>(isBelow ? piece.bottom : piece.top)
-                          : (zero.y() - at.y()) / m_perNm / m_times,
-                isOnUpright, isOnLevel};
-        nearest = far;
-        isCorner = isAtCorner;
-    }
-    return best;
 }
 
 bool SectionView::isHighlighted(const SectionPiece& piece) const {
@@ -222,6 +222,10 @@ void SectionView::mousePressEvent(QMouseEvent* event) {
 
 void SectionView::mouseMoveEvent(QMouseEvent* event) {
     m_isDragged = m_isDragged || QLineF(m_pressed, event->position()).length() >= CameraController::kClickPixels;
+    if (m_isMeasuring && event->buttons() == Qt::NoButton) {
+        m_under = locationAt(event->position());
+        update();
+    }
     if (!m_isDragged || event->buttons() == Qt::NoButton) {
         return;
     }
@@ -237,21 +241,42 @@ void SectionView::mouseReleaseEvent(QMouseEvent* event) {
     if (m_isDragged || event->button() != Qt::LeftButton || !m_section) {
         return;
     }
-    if (event->modifiers().testFlag(Qt::ShiftModifier)) {
-        if (const auto location = locationAt(event->position())) {
-            m_dimension.add(*location);
-            update();
-        }
+    if (m_isMeasuring || event->modifiers().testFlag(Qt::ShiftModifier)) {
+        measureAt(event->position());
         return;
     }
-    m_dimension.clear();
-    update();
     const SectionPiece* piece = pieceAt(event->position());
     m_selection.select(piece != nullptr ? std::vector{piece->at} : std::vector<model::BoardElement>{});
 }
 
-void SectionView::mouseDoubleClickEvent(QMouseEvent*) {
-    fit();
+void SectionView::measureAt(QPointF at) {
+    const std::optional<SectionPosition> location = locationAt(at);
+    update();
+    if (location && m_dimensions.add(*location)) {
+        emit dimensionsChanged();
+    }
+}
+
+void SectionView::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (m_isMeasuring) {
+        mousePressEvent(event);  // two locations in quick succession
+    } else {
+        fit();
+    }
+}
+
+void SectionView::leaveEvent(QEvent*) {
+    m_under.reset();
+    update();
+}
+
+void SectionView::keyPressEvent(QKeyEvent* event) {
+    const bool isBack = event->key() == Qt::Key_Delete || event->key() == Qt::Key_Backspace;
+    if (isBack && (m_dimensions.from() || !m_dimensions.all().empty())) {
+        removeLastDimension();
+    } else {
+        QWidget::keyPressEvent(event);
+    }
 }
 
 bool SectionView::event(QEvent* event) {

@@ -1,20 +1,23 @@
 #pragma once
 
+#include <QPolygonF>
 #include <QWidget>
 #include <optional>
 #include <vector>
 
+#include "model/section/net_line.h"
 #include "model/section/section.h"
 #include "ui/common/display_units.h"
-#include "ui/section/section_dimension.h"
+#include "ui/section/section_dimensions.h"
 #include "ui/workspace/selection_model.h"
 
 namespace ui {
 
 /// A cross-section of a board, from the side: what is cut to scale, heights drawn larger than lengths, names,
-/// thicknesses and heights of the layers at the right, a ruler along the line below. Two clicks with Shift measure a
-/// distance. The wheel zooms, a drag pans, a double click shows all again, a click selects the element, whose pieces
-/// are highlighted as are those of highlighted nets.
+/// thicknesses and heights of the layers at the right, a ruler along the line and a legend of the materials below. Of
+/// an unrolled net a band above says on which layer it runs. While measuring is on, or with Shift, two clicks measure a
+/// distance, and Del takes the last one back. The wheel zooms, a drag pans, a double click shows all again, a click
+/// selects the element, whose pieces are highlighted as are those of highlighted nets.
 class SectionView : public QWidget {
     Q_OBJECT
 
@@ -22,12 +25,16 @@ public:
     explicit SectionView(SelectionModel& selection, QWidget* parent = nullptr);
 
     /// None empties the view. `board` is what was cut, and lives as long as the section is shown. Zoom and position
-    /// stay as the user chose them, until `fit`.
+    /// stay as the user chose them, until `fit`; dimensions stay too.
     void setSection(std::shared_ptr<const model::BoardIndex> board, std::optional<model::Section> section);
     [[nodiscard]] const std::optional<model::Section>& section() const { return m_section; }
+    /// Where an unrolled net runs; empty: the line follows none.
+    void setRuns(std::vector<model::LayerRun> runs);
+    [[nodiscard]] const std::vector<model::LayerRun>& runs() const { return m_runs; }
     /// One per layer of the board.
     void setColours(std::vector<QColor> colours);
     void setUnit(LengthUnit unit);
+    [[nodiscard]] LengthUnit unit() const { return m_unit; }
     /// Heights are drawn so many times larger than lengths; 0: as fills the view when all of the line is in it.
     void setHeightTimes(double times);
     /// As they are drawn now.
@@ -35,15 +42,34 @@ public:
     /// Shows the whole line, also after the next changes of it.
     void fit();
 
+    /// Clicks measure instead of selecting.
+    void setMeasuring(bool isOn);
+    [[nodiscard]] bool isMeasuring() const { return m_isMeasuring; }
+    void setDimensions(std::vector<model::SectionDimension> dimensions);
+    [[nodiscard]] const SectionDimensions& dimensions() const { return m_dimensions; }
+    /// Gives the first click of a distance up. False if there was none.
+    bool stepBack();
+    /// Takes what was clicked last back, as Del does.
+    void removeLastDimension();
+    /// Does either end not lie on an edge of what is drawn any more? The board has other heights than it had then.
+    [[nodiscard]] bool isStale(const model::SectionDimension& dimension) const;
+
     /// Where a location of the section is drawn, in pixels; lengths along the line and heights in nm.
     [[nodiscard]] QPointF positionOf(double along, double z) const;
     /// What is drawn there: what is solid before what was drilled out of it, small before large. Null: nothing.
     [[nodiscard]] const model::SectionPiece* pieceAt(QPointF at) const;
     [[nodiscard]] QString tipAt(QPointF at) const;
-    /// The corner or else the edge of what is drawn that is nearest within a few pixels.
-    [[nodiscard]] std::optional<SectionPosition> locationAt(QPointF at) const;
-    [[nodiscard]] const SectionDimension& dimension() const { return m_dimension; }
+    /// The corner or else the edge of what is drawn that is nearest within a few pixels. What leans has corners and
+    /// level edges.
+    [[nodiscard]] std::optional<model::SectionPosition> locationAt(QPointF at) const;
+    /// A material that is shown: the colours it has, of layers from the top, and its name.
+    using LegendRow = std::pair<std::vector<QColor>, QString>;
+    [[nodiscard]] std::vector<LegendRow> legend() const;
     [[nodiscard]] QSize sizeHint() const override { return {600, 260}; }
+
+signals:
+    /// The user has added a distance or taken one back.
+    void dimensionsChanged();
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -53,6 +79,8 @@ protected:
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
     bool event(QEvent* event) override;
 
 private:
@@ -60,20 +88,28 @@ private:
     [[nodiscard]] double lineHeight() const { return fontMetrics().height() + 1.0; }
     [[nodiscard]] const model::Document& board() const { return *m_board->board; }
     [[nodiscard]] QRectF rectOf(const model::SectionPiece& piece) const;
+    [[nodiscard]] QPolygonF outlineOf(const model::SectionPiece& piece) const;
+    [[nodiscard]] QColor colourOf(const model::SectionPiece& piece) const;
     [[nodiscard]] bool isHighlighted(const model::SectionPiece& piece) const;
+    [[nodiscard]] bool isEdge(const model::SectionPosition& position) const;
+    void measureAt(QPointF at);
     void arrange();
     void paintPieces(QPainter& painter) const;
     void paintHighlighted(QPainter& painter) const;
-    void paintCorners(QPainter& painter) const;
     [[nodiscard]] std::vector<const model::StackupRow*> namedRows() const;
     void paintLayers(QPainter& painter) const;
     void paintRuler(QPainter& painter) const;
-    void paintDimension(QPainter& painter) const;
+    void paintLegend(QPainter& painter) const;
+    void paintBends(QPainter& painter) const;
+    void paintRuns(QPainter& painter) const;
+    void paintDimensions(QPainter& painter) const;
+    void paintDimension(QPainter& painter, const model::SectionDimension& dimension, std::vector<QRectF>& taken) const;
 
     SelectionModel& m_selection;
     std::shared_ptr<const model::BoardIndex> m_board;
     std::optional<model::Section> m_section;
     std::vector<model::SectionPiece> m_drawn;  ///< merged; what others lie in comes first
+    std::vector<model::LayerRun> m_runs;
     std::vector<QColor> m_colours;
     LengthUnit m_unit = LengthUnit::Millimetre;
     double m_wantedTimes = 0.0;
@@ -84,7 +120,9 @@ private:
     double m_along = 0.0;  ///< what is in the middle of the plot, nm
     double m_z = 0.0;
 
-    SectionDimension m_dimension;
+    SectionDimensions m_dimensions;
+    bool m_isMeasuring = false;
+    std::optional<model::SectionPosition> m_under;  ///< the pointer, while measuring
     QPointF m_pressed;
     QPointF m_last;
     bool m_isDragged = false;

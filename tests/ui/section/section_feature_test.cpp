@@ -5,6 +5,7 @@
 #include <QFile>
 #include <QListView>
 #include <QMouseEvent>
+#include <QRegularExpression>
 #include <QStatusBar>
 #include <QWheelEvent>
 #include <QtTest>
@@ -205,41 +206,6 @@ private slots:
         QVERIFY(QLineF(whole, view().positionOf(1e6, 0)).length() < 1e-6);
     }
 
-    void twoClicksWithShiftMeasureFromEdgeToEdge() {
-        const Nm thickness = m_index->board->boardThickness;
-        const model::BoardElement any{0, model::ElementId{0U}};
-        const SectionPiece piece{model::LayerId{std::size_t{0}}, any, 2e6, 8e6, thickness / 4, thickness};
-        model::Section section;
-        section.line = {{0, 0}, {10e6, 0}};
-        section.stations = {0, 10e6};
-        section.pieces = {piece};
-        view().setSection(m_index, section);
-        view().fit();
-        // Far from its corners: upright edges count along, level ones in height.
-        const double middle = (piece.from + piece.to) / 2;
-        const double half = (double(piece.bottom) + double(piece.top)) / 2;
-        measureAt(piece.from, half);
-        QVERIFY(view().dimension().from().has_value());
-        QVERIFY(view().dimension().text(ui::LengthUnit::Millimetre).isEmpty());
-        measureAt(piece.to, half);
-        QCOMPARE(view().dimension().text(ui::LengthUnit::Millimetre),
-                 ui::lengthText(piece.to - piece.from, ui::LengthUnit::Millimetre) + " along");
-        measureAt(middle, piece.bottom);
-        measureAt(middle, piece.top);
-        const QString high = ui::lengthText(double(piece.top - piece.bottom), ui::LengthUnit::Millimetre) + " high";
-        QVERIFY2(view().dimension().text(ui::LengthUnit::Millimetre) == high,
-                 qPrintable(view().dimension().text(ui::LengthUnit::Millimetre) + high));
-        measureAt(piece.from, piece.bottom);
-        measureAt(piece.to, piece.top);
-        const auto ends = view().dimension().ends();
-        QVERIFY(ends && ends->first.along == piece.from && ends->second.along == piece.to);
-        QVERIFY(ends->first.z == piece.bottom && ends->second.z == piece.top);
-        QVERIFY(view().dimension().text(ui::LengthUnit::Millimetre).endsWith("apart"));
-        QVERIFY(window().selection().selected().empty());
-        QTest::mouseClick(&view(), Qt::LeftButton, {}, view().positionOf(middle, half).toPoint());
-        QVERIFY(!view().dimension().from());
-    }
-
     void heightsAreDrawnAsManyTimesLargerAsAskedFor() {
         drawLine();
         for (int row = 1; row < window().find<ui::SectionPanel>().heightsBox().count(); ++row) {
@@ -302,8 +268,18 @@ private slots:
         const QByteArray svg = file.readAll();
         QVERIFY(svg.startsWith("<svg"));
         const auto count = static_cast<qsizetype>(model::merged(view().section()->pieces).size());
-        QVERIFY(svg.count("<rect x=") == count);
+        QVERIFY(svg.count("<polygon") == count + qsizetype(view().legend().size()));
         QVERIFY(!sections().save("/nowhere/cut.svg"));
+        QVERIFY(!sections().save("/nowhere/cut.pdf"));
+        QVERIFY(sections().save(m_fixture->folder() + "/cut.pdf"));
+        QFile pdf(m_fixture->folder() + "/cut.pdf");
+        QVERIFY(pdf.open(QIODevice::ReadOnly));
+        const QRegularExpressionMatch size = QRegularExpression("width=\"([0-9.]+)mm\"").match(svg);
+        const QRegularExpressionMatch page =
+            QRegularExpression("/MediaBox \\[0 0 ([0-9.]+) ").match(QString::fromLatin1(pdf.readAll()));
+        QVERIFY(size.hasMatch() && page.hasMatch());
+        const double pointsPerMm = 72.0 / 25.4;
+        QVERIFY(std::abs(size.captured(1).toDouble() * pointsPerMm - page.captured(1).toDouble()) < 1.0);
     }
 
     /// Its copper, or a hole in it, is all along the line; and no stroke is longer.
@@ -457,9 +433,6 @@ private:
         mouse(QEvent::MouseMove, to);
         mouse(QEvent::MouseButtonRelease, to);
         QVERIFY(view().section().has_value());
-    }
-    void measureAt(double along, double z) {
-        QTest::mouseClick(&view(), Qt::LeftButton, Qt::ShiftModifier, view().positionOf(along, z).toPoint());
     }
     [[nodiscard]] SectionPiece aCopperPiece() {
         const SectionPiece* widest = nullptr;

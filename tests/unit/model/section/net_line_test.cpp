@@ -64,7 +64,7 @@ private slots:
         board.builder.addLine({{0, 0}, {-90 * kMm, 0}, kMm / 10, 0}, of(board.other));
         const auto line = lineAlong(*indexed(board.builder.finish()), {0, board.net});
         QVERIFY2(line, line ? "" : line.error().text.c_str());
-        QVERIFY(isLine(*line, {{0, 0}, {10 * kMm, 0}, {10 * kMm, 5 * kMm}}));
+        QVERIFY(isLine(line->line, {{0, 0}, {10 * kMm, 0}, {10 * kMm, 5 * kMm}}));
     }
 
     /// Two ways around: no corner twice, and the shorter one of both.
@@ -78,7 +78,7 @@ private slots:
         board.line({0, 0}, {8 * kMm, 0});
         board.line({8 * kMm, 0}, {15 * kMm, 0});
         const auto line = lineAlong(*indexed(board.builder.finish()), {0, board.net});
-        QVERIFY(line && isLine(*line, {{-5 * kMm, 0}, {0, 0}, {8 * kMm, 0}, {15 * kMm, 0}}));
+        QVERIFY(line && isLine(line->line, {{-5 * kMm, 0}, {0, 0}, {8 * kMm, 0}, {15 * kMm, 0}}));
     }
 
     void aRingHasEndsToo() {
@@ -90,7 +90,7 @@ private slots:
         board.line({0, 4 * kMm}, {0, 0});
         const auto line = lineAlong(*indexed(board.builder.finish()), {0, board.net});
         QVERIFY(line);
-        QCOMPARE(lengthOf(*line), 8.0 * kMm);  // half of it
+        QCOMPARE(lengthOf(line->line), 8.0 * kMm);  // half of it
     }
 
     void arcsBecomeShortChordsOnTheCircle() {
@@ -101,13 +101,13 @@ private slots:
         board.builder.addArc({start, {3 * kMm, 0}, kMm / 10, 0}, of(board.net));
         board.line({3 * kMm, 0}, {9 * kMm, 0});
         const auto line = lineAlong(*indexed(board.builder.finish()), {0, board.net});
-        QVERIFY(line && line->size() > 36);
-        for (std::size_t i = 1; i + 1 < line->size(); ++i) {
-            QVERIFY(std::abs(std::hypot((*line)[i].x, (*line)[i].y) - 3.0 * kMm) < 1.0);
-            QVERIFY((*line)[i].y > -1.0);  // over the top: clockwise from the left
+        QVERIFY(line && line->line.size() > 36);
+        for (std::size_t i = 1; i + 1 < line->line.size(); ++i) {
+            QVERIFY(std::abs(std::hypot(line->line[i].x, line->line[i].y) - 3.0 * kMm) < 1.0);
+            QVERIFY(line->line[i].y > -1.0);  // over the top: clockwise from the left
         }
         const double exact = (12.0 + 3.0 * std::numbers::pi) * kMm;
-        QVERIFY(lengthOf(*line) <= exact && lengthOf(*line) > exact * 0.999);
+        QVERIFY(lengthOf(line->line) <= exact && lengthOf(line->line) > exact * 0.999);
     }
 
     /// Strokes hang together at the via, whatever layer they are on; pads and holes are no way.
@@ -121,7 +121,12 @@ private slots:
         board.builder.beginLayer(board.drill);
         board.builder.addCircle({{6 * kMm, 0}, kMm / 2, kMm / 2}, of(board.net, kHole | kPlated));
         const auto line = lineAlong(*indexed(board.builder.finish()), {0, board.net});
-        QVERIFY(line && isLine(*line, {{0, 0}, {6 * kMm, 0}, {6 * kMm, 7 * kMm}}));
+        QVERIFY(line && isLine(line->line, {{0, 0}, {6 * kMm, 0}, {6 * kMm, 7 * kMm}}));
+        const std::vector<LayerRun> runs = runsOf(*line);
+        QCOMPARE(runs.size(), std::size_t{2});
+        QCOMPARE(runs[0], (LayerRun{0.0, 6e6, line->layers[0]}));
+        QCOMPARE(runs[1], (LayerRun{6e6, 13e6, line->layers[1]}));
+        QVERIFY(runs[0].layer != runs[1].layer);
     }
 
     void aNetOfACopyIsFollowedWhereTheCopyLies() {
@@ -135,9 +140,9 @@ private slots:
         const auto index = indexed(panel.builder.finish());
         QCOMPARE(index->tree.copies.size(), std::size_t{3});
         const auto first = lineAlong(*index, {1, step.net});
-        QVERIFY(first && isLine(*first, {{100 * kMm, 50 * kMm}, {103 * kMm, 50 * kMm}}));
+        QVERIFY(first && isLine(first->line, {{100 * kMm, 50 * kMm}, {103 * kMm, 50 * kMm}}));
         const auto second = lineAlong(*index, {2, step.net});
-        QVERIFY(second && isLine(*second, {{200 * kMm, 50 * kMm}, {197 * kMm, 50 * kMm}}));
+        QVERIFY(second && isLine(second->line, {{200 * kMm, 50 * kMm}, {197 * kMm, 50 * kMm}}));
     }
 
     void aNetWithoutStrokesIsTold() {

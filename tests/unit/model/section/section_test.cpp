@@ -1,6 +1,7 @@
 // Cuts through boards worked out by hand: heights, bores, plating, copies, and what is said where there is nothing.
 #include "model/section/section.h"
 
+#include <QRegularExpression>
 #include <QtTest>
 #include <random>
 #include <set>
@@ -220,13 +221,26 @@ private slots:
     void drawingsAreToScale() {
         const auto board = card();
         const Section section = cut(board, {{-20e6, 0}, {20e6, 0}});
-        const SectionPicture how{std::vector<std::uint32_t>(6, 0x123456), 4.0};
+        SectionPicture how{std::vector<std::uint32_t>(6, 0x123456), 4.0};
+        SectionDimension dimension{{10e6, 100e3, true, true}, {30e6, 100e3, true, true}};
+        how.dimensions.emplace_back(dimension, "20 mm (787 mil)");
         const QString svg = QString::fromStdString(sectionSvg(*board, section, how));
-        QCOMPARE(svg.count("fill=\"#123456\""), qsizetype(merged(section.pieces).size()));
-        // The track: 1 mm of 40 mm over 1100 pixels, and 0.1 mm high, four times.
-        QVERIFY(svg.contains("x=\"693.750\""));
-        QVERIFY(svg.contains("width=\"27.500\" height=\"11.000\""));
-        QVERIFY(svg.contains("heights 4 times"));
+        QVERIFY(svg.contains("Scale 5 : 1, heights 4 times larger"));
+        // A unit is a millimetre of paper.
+        const auto match =
+            QRegularExpression("width=\"([0-9.]+)mm\" height=\"([0-9.]+)mm\" viewBox=\"0 0 ([0-9.]+) ([0-9.]+)\"")
+                .match(svg);
+        QVERIFY(match.hasMatch());
+        QCOMPARE(match.captured(1), match.captured(3));
+        QCOMPARE(match.captured(2), match.captured(4));
+        // The track: 1 mm of 40 mm, five times; 0.1 mm high, twenty times.
+        QVERIFY2(
+            svg.contains("<polygon points=\"130.5000,72.0000 135.5000,72.0000 135.5000,70.0000 130.5000,70.0000\""),
+            qPrintable(svg));
+        QVERIFY(svg.contains(">20 mm (787 mil)</text>"));
+        QVERIFY(svg.contains(QString("M%1 ").arg(8.0 + 50.0, 0, 'f', 4)));  // the dimension begins at 10 mm
+        how.scale = 1.0;
+        QVERIFY(QString::fromStdString(sectionSvg(*board, section, how)).contains("Scale 1 : 1"));
     }
 
     void tablesListEveryPiece() {
@@ -234,7 +248,7 @@ private slots:
         const Section section = *makeSection(*index, {{{-20e6, 0}, {20e6, 0}}, {}});
         const QStringList lines = QString::fromStdString(sectionCsv(*index, section)).split("\r\n", Qt::SkipEmptyParts);
         QCOMPARE(lines.size(), qsizetype(1 + section.pieces.size() + section.bores.size()));
-        QCOMPARE(lines[1], "solid,top,0,0,,19000000.000,19500000.000,2200000,2300000");
+        QCOMPARE(lines[1], "solid,top,0,0,,19000000.000,19500000.000,2200000,2300000,19000000.000,19500000.000,copper");
         QVERIFY(lines.last().startsWith("bore,drill,0,3,"));
     }
 

@@ -1,0 +1,209 @@
+// Measuring in a cross-section with real mouse and key events on the sample board, and what is saved of it.
+#include "ui/section/section_dimensions.h"
+
+#include <QListView>
+#include <QMouseEvent>
+#include <QtTest>
+
+#include "tests/locations.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/section/section_feature.h"
+
+using model::SectionPiece;
+using ui::ActionId;
+using ui::LengthUnit;
+
+class SectionDimensionsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        m_fixture = std::make_unique<WindowFixture>();
+        m_board = m_fixture->folder() + "/sample";  // a session file lies beside it
+        std::filesystem::copy(locations::kSample, m_board.toStdString(), std::filesystem::copy_options::recursive);
+        QVERIFY(m_fixture->openAndWait(m_board));
+        const model::Box& board = window().document()->board;
+        const double y = (double{1} * board.min.y + board.max.y) / 2;
+        m_line = {{double(board.min.x), y}, {double(board.max.x), y}};
+    }
+    void init() {
+        m_fixture->key(Qt::Key_Escape);
+        sections().cutAlong({});
+        sections().cutAlong(m_line);
+        window().find<ui::SectionPanel>().show();
+        ui::FeatureContext::raise(window().find<ui::SectionPanel>());
+    }
+    void cleanupTestCase() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
+
+    void edgesAreMeasuredAcrossAndCornersBothWays() {
+        showOnePiece();
+        const double middle = (m_piece.from + m_piece.to) / 2;
+        const double half = (double(m_piece.bottom) + double(m_piece.top)) / 2;
+        clickAt(m_piece.from, half, Qt::ShiftModifier);
+        QVERIFY(view().dimensions().from() && view().dimensions().all().empty());
+        clickAt(m_piece.to, half, Qt::ShiftModifier);
+        QCOMPARE(ui::dimensionText(last(), LengthUnit::Millimetre), QString("6 mm (236.22 mil)"));
+        QCOMPARE(ui::dimensionText(last(), LengthUnit::Mil), QString("236.22 mil (6 mm)"));
+        clickAt(middle, m_piece.bottom, Qt::ShiftModifier);
+        clickAt(middle, m_piece.top, Qt::ShiftModifier);
+        QVERIFY(last().isUpright());
+        QCOMPARE(last().length(), double(m_piece.top - m_piece.bottom));
+        clickAt(m_piece.from, m_piece.bottom, Qt::ShiftModifier);
+        clickAt(m_piece.to, m_piece.top, Qt::ShiftModifier);
+        QCOMPARE(last().along(), m_piece.to - m_piece.from);
+        QCOMPARE(last().height(), double(m_piece.top - m_piece.bottom));
+        QVERIFY(ui::dimensionText(last(), LengthUnit::Millimetre).contains("; 6 mm along, "));
+        QCOMPARE(view().dimensions().all().size(), std::size_t{3});
+        QVERIFY(window().selection().selected().empty());
+        QTest::mouseClick(&view(), Qt::LeftButton, {}, view().positionOf(middle, half).toPoint());
+        QCOMPARE(view().dimensions().all().size(), std::size_t{3});  // a click selects, and they stay
+    }
+
+    void withTheKeyMClicksMeasureHereToo() {
+        showOnePiece();
+        const double half = (double(m_piece.bottom) + double(m_piece.top)) / 2;
+        m_fixture->key(Qt::Key_M);
+        QVERIFY(window().actions()[ActionId::MeasurePoints].isChecked());
+        QVERIFY(view().isMeasuring());
+        clickAt(m_piece.from, half);
+        const QImage before = view().grab().toImage();
+        QTest::mouseMove(&view(), pixel(m_piece.to, half));
+        QVERIFY(differingPixels(before, view().grab().toImage()) > 100);  // the distance is there before the click
+        clickAt(m_piece.to, half);
+        QCOMPARE(view().dimensions().all().size(), std::size_t{1});
+        QCOMPARE(last().length(), m_piece.to - m_piece.from);
+        clickAt(m_piece.from, half);
+        m_fixture->key(Qt::Key_Escape);  // gives up the click, or the tool and the click
+        QVERIFY(!view().dimensions().from());
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(!view().isMeasuring());
+        clickAt(m_piece.from, half);
+        QVERIFY(!view().dimensions().from());
+        QTest::keyClick(&view(), Qt::Key_Delete);
+        QVERIFY(view().dimensions().all().empty());
+    }
+
+    void theyAreSavedWithTheSectionAndRecalledWithIt() {
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier | Qt::AltModifier);
+        QCOMPARE(sections().saved().size(), std::size_t{1});
+        m_fixture->key(Qt::Key_M);
+        const SectionPiece piece = aWideCopperPiece();
+        measure(piece);
+        measureHeight(piece);
+        m_fixture->key(Qt::Key_M);
+        QCOMPARE(sections().saved()[0].dimensions, view().dimensions().all());
+        QCOMPARE(sections().saved()[0].dimensions.size(), std::size_t{2});
+
+        // As another run of the program finds them.
+        const auto found = model::session::loadSession(m_board.toStdString(), *window().document());
+        QVERIFY(found.ignored.empty());
+        QCOMPARE(found.session.sections, sections().saved());
+        const auto wanted = view().dimensions().all();
+        sections().cutAlong({});
+        QVERIFY(view().dimensions().all().empty());
+        choose(0);
+        QCOMPARE(view().dimensions().all(), wanted);
+        QVERIFY(!view().isStale(wanted[0]) && !view().isStale(wanted[1]));
+        window().actions()[ActionId::Undo].trigger();
+        QCOMPARE(view().dimensions().all().size(), std::size_t{1});
+        window().actions()[ActionId::Redo].trigger();
+        QCOMPARE(view().dimensions().all(), wanted);
+    }
+
+    void otherHeightsMakeThemStale() {
+        m_fixture->key(Qt::Key_M);
+        const SectionPiece piece = aWideCopperPiece();
+        measureHeight(piece);
+        m_fixture->key(Qt::Key_M);
+        QVERIFY(!view().isStale(last()));
+        const auto board = std::make_shared<const model::Document>(*window().document());
+        auto thicker = std::make_shared<model::Document>(*board);
+        for (model::Layer& layer : thicker->layers) {
+            layer.z += 70'000;
+        }
+        window().workspace().restack(thicker, {}, true);
+        QVERIFY(view().isStale(last()));
+        window().workspace().restack(board, {}, true);
+        QVERIFY(!view().isStale(last()));
+    }
+
+    void bothViewsGoToARecalledSection() {
+        if (sections().saved().empty()) {
+            m_fixture->key(Qt::Key_B, Qt::ControlModifier | Qt::AltModifier);
+        }
+        sections().cutAlong({});
+        ui::BoardView& flat = window().views().flat();
+        ui::BoardView& solid = window().views().solid();
+        flat.controller().zoomAtCentre(50.0F);
+        solid.controller().look(render::NamedView::Iso);
+        const auto before = solid.controller().camera().pose();
+        choose(0);
+        for (const base::PointD end : m_line) {
+            const auto at = flat.screenOf(end);
+            QVERIFY(at && flat.rect().contains(at->toPoint()));
+            const auto in3d = solid.controller().screenOf(solid.position().toModel(end));
+            QVERIFY(in3d && solid.rect().contains(in3d->toPoint()));
+        }
+        QVERIFY(solid.cut() != nullptr);
+        const auto pose = solid.controller().camera().pose();
+        QVERIFY(pose.yaw != before.yaw || pose.pitch != before.pitch);
+        QVERIFY(std::abs(pose.yaw) < 1e-3F);  // straight at the face: the line runs along x
+        QVERIFY(view().height() >= 150);
+    }
+
+private:
+    [[nodiscard]] TestWindow& window() { return m_fixture->window(); }
+    [[nodiscard]] ui::SectionFeature& sections() { return window().sections(); }
+    [[nodiscard]] ui::SectionView& view() { return window().find<ui::SectionPanel>().view(); }
+    [[nodiscard]] const model::SectionDimension& last() { return view().dimensions().all().back(); }
+    [[nodiscard]] QPoint pixel(double along, double z) { return view().positionOf(along, z).toPoint(); }
+    void clickAt(double along, double z, Qt::KeyboardModifiers modifiers = {}) {
+        QTest::mouseClick(&view(), Qt::LeftButton, modifiers, pixel(along, z));
+    }
+    void choose(int row) {
+        QListView& list = window().find<ui::SectionPanel>().list();
+        const QRect location = list.visualRect(list.model()->index(row, 0));
+        QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, location.center());
+    }
+    /// Large enough that edges are caught far from corners.
+    void showOnePiece() {
+        const model::BoardElement any{0, model::ElementId{0U}};
+        const model::Nm thickness = window().document()->boardThickness;
+        m_piece = {model::LayerId{std::size_t{0}}, any, 2e6, 8e6, thickness / 4, thickness};
+        model::Section section;
+        section.line = {{0, 0}, {10e6, 0}};
+        section.stations = {0, 10e6};
+        section.pieces = {m_piece};
+        base::Progress progress;
+        view().setSection(*model::indexBoard(std::make_shared<model::Document>(*window().document()), progress),
+                          section);
+        view().setDimensions({});
+        view().fit();
+    }
+    /// From edge to edge: pieces are zoomed to, so that their edges are far from others.
+    void measure(const SectionPiece& piece) {
+        const double half = (double(piece.bottom) + double(piece.top)) / 2;
+        clickAt(piece.from, half);
+        clickAt(piece.to, half);
+    }
+    void measureHeight(const SectionPiece& piece) {
+        const double middle = (piece.from + piece.to) / 2;
+        clickAt(middle, piece.bottom);
+        clickAt(middle, piece.top);
+    }
+    [[nodiscard]] SectionPiece aWideCopperPiece() {
+        const std::vector<SectionPiece> merged = model::merged(view().section()->pieces);
+        const auto widest = std::ranges::max_element(merged, {}, [](const SectionPiece& piece) {
+            return piece.material == model::SectionMaterial::Copper ? piece.to - piece.from : 0.0;
+        });
+        return *widest;
+    }
+
+    std::unique_ptr<WindowFixture> m_fixture;
+    QString m_board;
+    std::vector<base::PointD> m_line;
+    SectionPiece m_piece;
+};
+
+QTEST_MAIN(SectionDimensionsTest)
+#include "section_dimensions_test.moc"
