@@ -356,19 +356,22 @@ bool has(const Section& section, SectionMaterial material) {
 
 /// What the section shows that the job does not say.
 void addAssumptions(const Document& board, std::size_t landed, Section& section) {
-    const auto add = [&section](bool isMade, const std::string& what) {
+    std::vector<std::string> made;
+    const auto add = [&made](bool isMade, const std::string& what) {
         if (isMade) {
-            section.notes.push_back("assumed: " + what);
+            made.push_back(what);
         }
     };
     add(has(section, SectionMaterial::SolderMask),
-        formatted("solder mask on copper %.0f %% as thick as beside it, with shoulders", 100 * kMaskOnCopper));
-    add(landed > 0, formatted("laser vias narrow to %.0f %% at their target pad, whose floor is plated as the wall is",
-                              100 * kViaTaper));
+        formatted("solder mask is %.0f %% as thick on copper", 100 * kMaskOnCopper));
+    add(landed > 0, formatted("laser vias narrow to %.0f %% at the target pad and are plated there", 100 * kViaTaper));
     add(has(section, SectionMaterial::Plating) && !board.stackup.rows.empty(),
-        "copper thicknesses of the stackup include the plating on the surface");
+        "copper thicknesses include surface plating");
     add(has(section, SectionMaterial::Part) || has(section, SectionMaterial::Terminal),
-        "shapes of parts, which stand on mask and silkscreen, with solder below their terminals");
+        "shapes of parts, standing on mask and silkscreen, and their solder");
+    if (!made.empty()) {
+        section.notes.push_back("assumed: " + joined(made, "; "));
+    }
 }
 
 void addNotes(const Document& board, std::size_t wallless, Section& section) {

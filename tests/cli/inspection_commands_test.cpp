@@ -283,7 +283,10 @@ private slots:
         QSet<QString> layers;
         for (const QJsonValue& piece : section["pieces"].toArray()) {
             layers.insert(piece["layer"].toString());
-            QVERIFY(piece["from_nm"].toDouble() < piece["to_nm"].toDouble());
+            const double lower = piece["to_nm"].toDouble() - piece["from_nm"].toDouble();
+            const double upper = piece["upper_to_nm"].toDouble() - piece["upper_from_nm"].toDouble();
+            QVERIFY(lower >= 0.0 && upper >= 0.0 && lower + upper > 0.0);
+            QVERIFY(!piece["material"].toString().isEmpty());
             QVERIFY(piece["bottom_nm"].toInt() <= piece["top_nm"].toInt());
         }
         QVERIFY2(layers.size() > 3, run.out.constData());

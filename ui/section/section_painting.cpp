@@ -113,8 +113,8 @@ void SectionView::paintLayers(QPainter& painter) const {
     labels.height = std::max(area.height(), lineHeight() * static_cast<double>(rows.size()));
     model::spreadLabels(lineHeight(), labels);
     const double left = area.right() + 34.0;
-    const double thicknessLeft = left + (width() - left) * 0.36;
-    const double heightLeft = left + (width() - left) * 0.63;
+    const double thicknessLeft = left + (width() - left) * 0.33;
+    const double heightLeft = left + (width() - left) * 0.64;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const model::StackupBand& band = labels.bands[i];
         const double middle = area.top() + (band.top + band.bottom) / 2;

@@ -9,6 +9,12 @@
 
 namespace ui {
 
+namespace {
+
+constexpr int kLeastHeight = 250;  // commands, a view that can be read, three lines of notes
+
+}  // namespace
+
 SectionPanel::SectionPanel(SelectionModel& selection, QAbstractItemModel& saved, const ActionSet& actions,
                            QWidget* parent)
     : QWidget(parent),
@@ -22,6 +28,8 @@ SectionPanel::SectionPanel(SelectionModel& selection, QAbstractItemModel& saved,
     }
     m_notes->setWordWrap(true);
     m_notes->hide();
+    // A label that wraps says nothing of its height to docks, which would take it from the view.
+    setMinimumHeight(kLeastHeight);
     QAction* clear =
         command(*this, "clearSection", tr("Clear"), tr("Remove the line and its section"), [this] { emit cleared(); });
     auto* remove = m_list->addAction(tr("Delete"), QKeySequence(QKeySequence::Delete), this, [this] {

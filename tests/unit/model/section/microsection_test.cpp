@@ -159,9 +159,9 @@ private slots:
             return std::ranges::any_of(
                 notes, [&](const std::string& n) { return n.starts_with("assumed") && n.find(word) != n.npos; });
         };
-        QVERIFY(isNamed("solder mask on copper 50 %"));
+        QVERIFY(isNamed("50 % as thick on copper"));
         QVERIFY(isNamed("narrow to 80 %"));
-        QVERIFY(isNamed("include the plating on the surface"));
+        QVERIFY(isNamed("include surface plating"));
         QVERIFY(!isNamed("parts"));
     }
 
