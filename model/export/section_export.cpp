@@ -66,7 +66,8 @@ std::string sectionSvg(const Document& board, const Section& section, const Sect
     std::string out = formatted(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"%.4fmm\" height=\"%.4fmm\" "
         "viewBox=\"0 0 %.4f %.4f\" font-family=\"sans-serif\" font-size=\"%g\">\n"
-        "<rect width=\"100%%\" height=\"100%%\" fill=\"#ffffff\"/>\n<g shape-rendering=\"crispEdges\">\n",
+        "<rect width=\"100%%\" height=\"100%%\" fill=\"#ffffff\"/>\n<g stroke=\"none\" "
+        "shape-rendering=\"crispEdges\">\n",
         sheet.width, sheet.height, sheet.width, sheet.height, sheet.fontSize);
     for (const SheetPolygon& polygon : sheet.polygons) {
         out += svgPolygon(polygon);

@@ -46,7 +46,7 @@ public:
         addBar(below + kLine);
         double y = addLegend(below + 2.5 * kLine);
         for (const std::string& note : m_section.notes) {
-            addText(kMargin, y += kLine, note);
+            y = addNote(note, y);
         }
         m_sheet.width = 2 * kMargin + cutWidth() + kLabels;
         m_sheet.height = y + kMargin;
@@ -96,7 +96,8 @@ private:
         const double times = m_sheet.scale;
         addText(kMargin, kMargin + 2 * kLine,
                 (times >= 1.0 ? formatted("Scale %g : 1", times) : formatted("Scale 1 : %g", 1.0 / times)) +
-                    formatted(", heights %g times larger", m_sheet.heightTimes));
+                    (m_sheet.heightTimes == 1.0 ? ", heights too"
+                                                : formatted(", heights %g times larger", m_sheet.heightTimes)));
     }
 
     [[nodiscard]] std::uint32_t fillOf(const SectionPiece& piece) const {
@@ -183,6 +184,21 @@ private:
         m_sheet.lines.push_back({kMargin, y - 1.5, kMargin, y});
         m_sheet.lines.push_back({right, y - 1.5, right, y});
         addText(right + 2, y, lengthText(static_cast<Nm>(std::llround(length * base::kNmPerMm))));
+    }
+
+    /// In as many lines as it needs; the height of the last one.
+    double addNote(const std::string& note, double y) {
+        const auto room = static_cast<std::size_t>((cutWidth() + kLabels) / kLetter);
+        for (std::size_t from = 0; from < note.size();) {
+            std::size_t end = note.size();
+            if (end - from > room) {
+                const std::size_t blank = note.rfind(' ', from + room);
+                end = blank == std::string::npos || blank <= from ? from + room : blank;
+            }
+            addText(kMargin, y += kLine, note.substr(from, end - from));
+            from = end + (end < note.size() && note[end] == ' ' ? 1 : 0);
+        }
+        return y;
     }
 
     /// What was drawn of which material; the height of its last line.
