@@ -25,6 +25,7 @@ struct Part {
     bool isCopper = false;
     bool isCore = false;  ///< between the outer copper faces
     bool isKnown = false;
+    std::optional<Nm> stated{};  ///< by the job
 };
 
 char lower(char c) {
@@ -196,11 +197,12 @@ private:
 
     void addPart(Part part, std::optional<double> stated, double most) {
         part.row.name = uniqueName(part.row.name);
+        part.stated = checked(part.row.name, stated, most);
         if (const ThicknessOverride* set = findOverride(part.row.name)) {
             part.row.thickness = set->thickness;
             part.row.source = Source::Session;
             part.isKnown = true;
-        } else if (const std::optional<Nm> nm = checked(part.row.name, stated, most)) {
+        } else if (const std::optional<Nm> nm = part.stated) {
             part.row.thickness = *nm;
             part.isKnown = true;
         }
@@ -277,6 +279,20 @@ private:
         return sum;
     }
 
+    /// Of dielectrics, and of copper that the job states: what the user sets leaves other copper alone.
+    std::int64_t statedSum() const {
+        std::int64_t sum = 0;
+        for (const Part& part : m_parts) {
+            const Nm unstated = part.isCopper ? 0 : part.row.thickness;
+            sum += part.isCore ? part.stated.value_or(unstated) : 0;
+        }
+        return sum;
+    }
+
+    std::int64_t notStatedCopper() const {
+        return std::ranges::count_if(m_parts, [](const Part& p) { return p.isCore && p.isCopper && !p.stated; });
+    }
+
     static void setAll(const std::vector<Part*>& parts, std::int64_t nm, Source source) {
         for (Part* part : parts) {
             part->row.thickness = static_cast<Nm>(nm);
@@ -300,7 +316,7 @@ private:
             return;
         }
         const auto count = static_cast<std::int64_t>(copper.size());
-        const std::int64_t share = m_board ? (*m_board - knownSum()) / count : 0;
+        const std::int64_t share = m_board ? (*m_board - statedSum()) / notStatedCopper() : 0;
         const std::string layers = "the job gives no thickness for " + std::to_string(count) + " copper layer(s); ";
         const auto nm = static_cast<double>(share);
         if (areDielectricsKnown && m_floor == 0 && nm >= kLeastCopperShare && nm <= kMostCopperShare) {

@@ -51,7 +51,7 @@ std::vector<ElementId> holesThrough(const Document& document, LayerId layer) {
         for (std::uint32_t i = range.first; i < range.first + range.count; ++i) {
             const ElementId hole{i};
             if (isPlatedHole(document.elements.flags[i]) && document.platedSpanOf(hole).joins(layer) &&
-                !coversNothing(document, hole)) {
+                !hasNoSize(document, hole)) {
                 holes.push_back(hole);
             }
         }

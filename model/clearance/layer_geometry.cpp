@@ -150,6 +150,11 @@ bool coversNothing(const Document& document, ElementId element) {
     return figures.size() == 0;
 }
 
+bool hasNoSize(const Document& document, ElementId hole) {
+    const Box box = document.boxOf(hole);
+    return coversNothing(document, hole) || (box.width() < kLeastHole && box.height() < kLeastHole);
+}
+
 PairRequest requestByNets(const Document& document, const LayerGeometry& copper) {
     const auto netOf = [&](std::uint32_t row) { return document.elements.net[copper.elementOf(row).row()]; };
     PairRequest request;

@@ -47,6 +47,10 @@ using ElementFilter = std::function<bool(ElementId)>;
 /// The outline of the board (Document::profile) with its cut-outs, as lines.
 [[nodiscard]] LayerGeometry edgeGeometry(const Document& document);
 
+/// Holes smaller than this have no size that a drill could have: some jobs write a few nanometres for "unknown".
+inline constexpr Nm kLeastHole = 1'000;
+/// Has a hole no size, or none that can be?
+[[nodiscard]] bool hasNoSize(const Document& document, ElementId hole);
 /// Has an element no width, so that no figure comes of it?
 [[nodiscard]] bool coversNothing(const Document& document, ElementId element);
 

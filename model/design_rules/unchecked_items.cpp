@@ -164,10 +164,10 @@ private:
     }
 
     void addHolesWithoutSize(RuleKind kind, const ElementTest& isWanted) {
-        const auto hasNoSize = [&](std::uint32_t i) { return isWanted(i) && coversNothing(m_document, ElementId{i}); };
+        const auto isSizeless = [&](std::uint32_t i) { return isWanted(i) && hasNoSize(m_document, ElementId{i}); };
         add(kind,
             countOf(
-                m_document, [](const Layer&) { return true; }, hasNoSize),
+                m_document, [](const Layer&) { return true; }, isSizeless),
             "hole", "holes", "the job gives them no size");
     }
 

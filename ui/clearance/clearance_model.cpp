@@ -111,6 +111,11 @@ int ClearanceModel::rowOf(const Location& location) const {
     return at == m_locations.end() ? -1 : static_cast<int>(at - m_locations.begin());
 }
 
+int ClearanceModel::firstOf(std::size_t rule) const {
+    const auto at = std::ranges::find_if(m_locations, [&](const Location& p) { return p.found.rule == rule; });
+    return isOfRules() && at != m_locations.end() ? static_cast<int>(at - m_locations.begin()) : -1;
+}
+
 model::Waiver ClearanceModel::waiverFor(int row) const {
     const Location& at = location(row);
     return model::waiverOf(*m_tree.steps[at.step], *m_names[at.step], m_rules, at.found, {});

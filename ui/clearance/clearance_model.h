@@ -53,6 +53,8 @@ public:
     [[nodiscard]] const Location& location(int row) const { return m_locations[static_cast<std::size_t>(row)]; }
     /// The row of the same two elements of the same rule and layer; -1: none.
     [[nodiscard]] int rowOf(const Location& location) const;
+    /// The first location of a rule; -1: none.
+    [[nodiscard]] int firstOf(std::size_t rule) const;
     /// The waiver of a row, but for what a person has to say. Not of a search without rules.
     [[nodiscard]] model::Waiver waiverFor(int row) const;
     [[nodiscard]] bool isOfRules() const { return !m_rules.rules.empty(); }

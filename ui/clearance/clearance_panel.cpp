@@ -81,6 +81,7 @@ ClearancePanel::ClearancePanel(ClearanceModel& locations, RuleModel& rules, cons
     }
     m_ruleTable->horizontalHeader()->swapSections(RuleModel::Least, RuleModel::Result);  // seen in narrow columns too
     m_tables->addWidget(m_ruleTable);
+    connect(m_ruleTable, &QAbstractItemView::clicked, this, [this](const QModelIndex& at) { showRule(at.row()); });
     m_tables->addWidget(m_table);
     m_tables->setStretchFactor(0, 2);
     m_tables->setStretchFactor(1, 3);
@@ -162,6 +163,13 @@ void ClearancePanel::setCurrentRow(int row) {
     const QModelIndex at = m_rows->mapFromSource(m_locations.index(row, 0));
     if (at.isValid()) {
         m_table->setCurrentIndex(at);
+    }
+}
+
+void ClearancePanel::showRule(int rule) {
+    const int row = m_locations.firstOf(static_cast<std::size_t>(rule));
+    if (row >= 0) {
+        setCurrentRow(row);
     }
 }
 

@@ -72,6 +72,7 @@ private:
     void addWaiverCommands();
     void onReset();
     void onCurrent();
+    void showRule(int rule);
     void fitTables();
     void onWhat();
     void onMapReach();

@@ -146,7 +146,11 @@ void addParts(const Subject& s, Facts& facts) {
     std::vector<model::ComponentId> parts;
     for (const model::Pin* pin : pinsOf(s)) {
         const std::string& refdes = s.step.components[pin->component.row()].refdes;
-        facts.emplace_back(s.tr("Pin"), QString::fromStdString(refdes + '.' + s.step.text(pin->name)));
+        const Facts::value_type fact{s.tr("Pin"), QString::fromStdString(refdes + '.' + s.step.text(pin->name))};
+        if (std::ranges::find(facts, fact) ==
+            facts.end()) {  // a thermal pad has a pin for each of its vias, all of one name
+            facts.push_back(fact);
+        }
         parts.push_back(pin->component);
     }
     if (const model::Body* body = s.step.bodyOf(s.element)) {

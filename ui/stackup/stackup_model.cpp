@@ -226,9 +226,17 @@ void StackupModel::resetAll() {
     reset(rows);
 }
 
+/// A bare number is in the unit of what stands there: "200" for "91.44 µm".
+std::string StackupModel::withUnit(const QString& text, model::Nm now) {
+    bool isNumber = false;
+    text.toDouble(&isNumber);
+    const QString shown = QString::fromStdString(model::thicknessText(now));
+    return (isNumber ? text + shown.mid(shown.lastIndexOf(QLatin1Char(' '))) : text).toStdString();
+}
+
 bool StackupModel::edit(int at, int, const QVariant& value) {
     const model::StackupRow changed = row(at);  // a copy: listeners set another document
-    const std::string text = value.toString().trimmed().toStdString();
+    const std::string text = withUnit(value.toString().trimmed(), changed.thickness);
     const bool isCopper = model::copperWeightOf(changed).has_value();
     const base::Result<model::Nm> nm =
         text.empty() ? base::Result<model::Nm>(0) : model::parseThickness(text, isCopper);

@@ -68,6 +68,7 @@ private:
     [[nodiscard]] static QString sourceText(model::Source source);
     [[nodiscard]] static QString typeText(const model::StackupRow& row, model::StackupKind kind);
     [[nodiscard]] static QString thicknessHint();
+    [[nodiscard]] static std::string withUnit(const QString& text, model::Nm now);
 
     std::shared_ptr<const model::Document> m_document;
     std::vector<model::Substack> m_substacks;

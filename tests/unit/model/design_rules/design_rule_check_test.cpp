@@ -252,6 +252,18 @@ private slots:
         QCOMPARE(texts(RuleKind::HoleToHole), (std::vector<std::string>{size}));
     }
 
+    /// Some jobs write a few nanometres where they do not know: no ring follows from that.
+    void holesOfNoSensibleSizeLeaveRingsIncomplete() {
+        Board board;
+        board.builder.beginLayer(board.top);
+        board.builder.addCircle({{0, 0}, 400 * kUm, 0}, of(board.a, model::kPad));
+        board.builder.beginLayer(board.drill);
+        board.builder.addCircle({{0, 0}, 10, 5}, of(board.a, kWall));
+        const RuleReport report = check(*board.builder.finish(), RuleKind::AnnularRing, 100 * kUm);
+        QVERIFY(report.isPassed() && !report.isComplete());
+        QCOMPARE(model::textOf(report.unchecked.front()), std::string("1 hole: the job gives them no size"));
+    }
+
     void aClassWithoutNetsLeavesItsRuleIncomplete() {
         Board board;
         const auto document = board.builder.finish();

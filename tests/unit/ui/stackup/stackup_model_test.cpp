@@ -137,11 +137,16 @@ private slots:
         QCOMPARE(edited[0][0].value<std::vector<model::ThicknessOverride>>()[0].thickness, 0);
     }
 
+    void aBareNumberIsInTheUnitOfWhatStandsThere() {
+        QSignalSpy edited(&m_model, &StackupModel::edited);
+        QVERIFY(m_model.setData(thickness(1), "70", Qt::EditRole));  // of "35 µm"
+        QCOMPARE(edited[0][0].value<std::vector<model::ThicknessOverride>>()[0].thickness, 70'000);
+    }
+
     void whatIsNoThicknessIsRefusedWithTheReason_data() {
         QTest::addColumn<int>("row");
         QTest::addColumn<QString>("text");
         QTest::newRow("no number") << 1 << "thick";
-        QTest::newRow("no unit") << 1 << "35";
         QTest::newRow("beyond all boards") << 1 << "1 inch";
         QTest::newRow("a weight of laminate") << 2 << "1 oz";
     }

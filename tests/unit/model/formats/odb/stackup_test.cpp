@@ -224,6 +224,19 @@ private slots:
         QVERIFY(findDiagnostic(stack.diagnostics, "add up to 520 µm") != nullptr);
     }
 
+    void whatTheUserSetsLeavesTheCopperAlone() {
+        const auto build = [](std::vector<model::ThicknessOverride> set) {
+            Stack stack;
+            stack.copper("top").dielectric("a", 400'000).copper("mid").dielectric("b", 495'000).copper("bottom");
+            stack.facts.set = std::move(set);
+            stack.build(1'000'000);
+            return std::vector{stack[0].thickness, stack[2].thickness, stack[4].thickness};
+        };
+        QCOMPARE(build({}), (std::vector<model::Nm>{35'000, 35'000, 35'000}));  // shares of what is left
+        QCOMPARE(build({{"a", 100'000}}), (std::vector<model::Nm>{35'000, 35'000, 35'000}));
+        QCOMPARE(build({{"mid", 70'000}}), (std::vector<model::Nm>{35'000, 70'000, 35'000}));
+    }
+
     void theRestSharesWhatTheUserLeaves() {
         Stack stack;
         stack.copper("top", 50'000).dielectric("a").copper("mid", 50'000).dielectric("b").copper("bottom", 50'000);
