@@ -48,7 +48,6 @@ QVariant TableModel::data(const QModelIndex& index, int role) const {
     const int traits = m_columns[static_cast<std::size_t>(index.column())].traits;
     switch (role) {
         case Qt::TextAlignmentRole: return alignmentOf(traits);
-        case Qt::ToolTipRole: return valid(tip(index.row(), index.column()));
         case kTraitsRole: return traits;
         default: break;
     }
@@ -56,6 +55,10 @@ QVariant TableModel::data(const QModelIndex& index, int role) const {
     const QVariant& value = at.value.isValid() ? at.value : at.text;
     switch (role) {
         case Qt::DisplayRole: return at.text;
+        case Qt::ToolTipRole: {
+            const QString own = tip(index.row(), index.column());
+            return valid(own.isEmpty() ? at.tip : own);
+        }
         case Qt::EditRole: return value;
         case kSortRole: return at.order.isValid() ? at.order : value;
         case Qt::CheckStateRole:

@@ -34,6 +34,7 @@ struct Cell {
     QVariant decoration = {};  ///< before the text
     QVariant font = {};
     QStringList choices = {};  ///< what the value may be; empty: anything
+    QString tip = {};          ///< where the model has none of its own
 };
 
 /// A table of rows that its heir holds: the heir says how many there are and what is in a cell, and takes edits. All
@@ -89,8 +90,10 @@ protected:
     }
 
     [[nodiscard]] LengthUnit unit() const { return m_unit; }
-    /// In the user's unit.
-    [[nodiscard]] Cell length(double nm) const { return {lengthText(nm, m_unit), nm / nmPer(m_unit)}; }
+    /// In the user's unit; the tip says it in the other system too.
+    [[nodiscard]] Cell length(double nm) const {
+        return {.text = lengthText(nm, m_unit), .value = nm / nmPer(m_unit), .tip = lengthInBoth(nm, m_unit)};
+    }
     [[nodiscard]] Cell area(double nm2) const;  ///< its value is in mm²
     /// Grouped for reading.
     [[nodiscard]] static Cell count(qulonglong number);

@@ -47,6 +47,29 @@ private slots:
         QVERIFY(window().find<ui::ClearanceModel>().rowCount() > 3);
     }
 
+    void lengthsInListsHaveBothUnits() {
+        measure();
+        const ClearanceModel& locations = window().find<ui::ClearanceModel>();
+        const QModelIndex spacing = locations.index(0, ClearanceModel::Spacing);
+        QVERIFY(spacing.data().toString().contains(" mm") && spacing.data(Qt::ToolTipRole).toString().contains(" mil"));
+    }
+
+    void aClickOnARuleShowsItsFirstLocation() {
+        box("what").setCurrentIndex(static_cast<int>(ClearancePanel::What::Rules));
+        measure();
+        const ClearanceModel& locations = window().find<ui::ClearanceModel>();
+        const std::size_t last = locations.location(locations.rowCount() - 1).found.rule;
+        QVERIFY(locations.rowCount() > 1);
+        auto* rules = panel().findChildren<ui::TableView*>().last();
+        for (ui::TableView* table : panel().findChildren<ui::TableView*>()) {
+            rules = table != &panel().table() ? table : rules;
+        }
+        const QModelIndex row = rules->model()->index(static_cast<int>(last), ui::RuleModel::Result);
+        rules->scrollTo(row);
+        QTest::mouseClick(rules->viewport(), Qt::LeftButton, {}, rules->visualRect(row).center());
+        QCOMPARE(panel().currentRow(), locations.firstOf(last));
+    }
+
     void theNarrowestIsShownInBothViewsAndWalkedThrough() {
         measure();
         const ClearanceModel& locations = window().find<ui::ClearanceModel>();
