@@ -62,6 +62,14 @@ public:
             m_bytes[element.row()] |= bits;
         }
     }
+    /// Gives elements a colour of their own in place of any that they have.
+    void recolour(std::span<const model::ElementId> elements, ElementState colour) {
+        add(elements, kPlain);
+        for (const model::ElementId element : elements) {
+            ElementState& state = m_bytes[element.row()];
+            state = static_cast<ElementState>((state & ~shader::kElementColourMask) | colour);
+        }
+    }
     [[nodiscard]] std::span<const ElementState> bytes() const { return m_bytes; }
 
 private:

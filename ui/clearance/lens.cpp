@@ -1,15 +1,12 @@
 #include "ui/clearance/lens.h"
 
-#include <QPainter>
 #include <algorithm>
 
 namespace ui {
 
 namespace {
 
-constexpr QColor kSpacingColour(255, 90, 60);
-constexpr double kSpacingPixels = 2.0;
-constexpr std::size_t kMostSpacings = 20'000;  ///< as many as are painted while the slider moves
+constexpr std::size_t kMostSpacings = LensPainter::kMostLines;
 
 }  // namespace
 
@@ -98,22 +95,18 @@ void Lens::tell() {
     }
 }
 
-void Lens::paint(QPainter& painter) const {
-    painter.setPen(QPen(kSpacingColour, kSpacingPixels, Qt::SolidLine, Qt::RoundCap));
-    const QRectF canvas(QPointF(), m_views.flat().controller().viewport());
+void Lens::paint(QPainter& painter) {
+    const BoardView& view = m_views.flat();
+    std::vector<LensPainter::Line> lines;
+    lines.reserve(std::min(kMostSpacings, m_highlightedCount));
     for (const model::Nearby& near : highlighted().first(std::min(kMostSpacings, m_highlightedCount))) {
-        const auto from = m_views.flat().screenOf(near.spacing.from);
-        const auto to = m_views.flat().screenOf(near.spacing.to);
-        if (!from || !to || !(canvas.contains(*from) || canvas.contains(*to))) {
-            continue;
-        }
-        if ((*to - *from).manhattanLength() < kSpacingPixels) {
-            painter.fillRect(QRect(from->toPoint() - QPoint(1, 1), QSize(2, 2)),
-                             kSpacingColour);  // quicker than a stroke
-        } else {
-            painter.drawLine(*from, *to);
+        const auto from = view.screenOf(near.spacing.from);
+        const auto to = view.screenOf(near.spacing.to);
+        if (from && to) {
+            lines.push_back({*from, *to, near.spacing.distance});
         }
     }
+    m_numbers = LensPainter(painter, {QPointF(), view.controller().viewport()}).paint(lines, m_workspace.unit());
 }
 
 }  // namespace ui

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "model/clearance/nearby.h"
+#include "ui/clearance/lens_painter.h"
 #include "ui/views/board_views.h"
 #include "ui/views/plan_painter.h"
 #include "ui/workspace/background_result.h"
@@ -13,8 +14,8 @@ namespace ui {
 
 /// The clearance lens: highlights everything that comes closer to what is selected or highlighted than a distance. All
 /// that lies within a millimetre is found once in the background; moving the distance then only cuts a list. In 2D the
-/// spacings themselves are painted, which follows the slider at once; where frames of the board are slow, elements are
-/// highlighted once it rests.
+/// spacings themselves are painted, the nearest with their numbers, which follows the slider at once; where frames of
+/// the board are slow, elements are highlighted once it rests.
 class Lens : public QObject {
     Q_OBJECT
 
@@ -29,6 +30,9 @@ public:
     /// What is highlighted, nearest first; of the board's own elements.
     [[nodiscard]] std::span<const model::Nearby> highlighted() const;
 
+    /// What was written over the 2D view when it was painted last; lines are rows of `highlighted`.
+    [[nodiscard]] const std::vector<LensPainter::Number>& numbers() const { return m_numbers; }
+
     static constexpr double kMostReach = 1e6;
 
 signals:
@@ -41,7 +45,7 @@ private:
     void deliver();
     void apply();
     void tell();
-    void paint(QPainter& painter) const;
+    void paint(QPainter& painter);
 
     BoardViews& m_views;
     Workspace& m_workspace;
@@ -51,6 +55,7 @@ private:
     QString m_trouble;  ///< why the last search found nothing, if it failed
     std::vector<model::Nearby> m_near;
     std::size_t m_highlightedCount = 0;
+    std::vector<LensPainter::Number> m_numbers;
     double m_reach = 150'000.0;
     bool m_isOn = false;
 };

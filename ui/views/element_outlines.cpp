@@ -6,14 +6,15 @@
 #include "model/board/single_element.h"
 #include "model/figures/element_polygons.h"
 #include "model/geometry/boolean.h"
+#include "ui/views/nearby_highlight.h"
 
 namespace ui {
 
 namespace {
 
-constexpr std::array kInks = {QColor(255, 221, 87), QColor(255, 255, 255)};
-enum Ink { Selected, Hovered };
-constexpr QColor kShadow(0, 0, 0, 140);
+constexpr std::array kInks = {kNearbyOutline, kSelectedOutline, QColor(255, 255, 255)};
+enum Ink { Near, Selected, Hovered };
+constexpr QColor kShadow(0, 0, 0, 190);
 constexpr double kWidth = 1.6;
 /// Track chains of more points than this, and those beyond so many in all, are outlined track by track: uniting them
 /// would take too long.
@@ -74,7 +75,7 @@ ElementOutlines::Outline ElementOutlines::outlineOf(const model::BoardElement& a
     const model::StepCopy& copy = m_selection.tree().copies[at.copy];
     return {OutlineRuns(model::placed(loopsOf(step, at.element, pointsToUnite), copy.placement)),
             step.layerOfCopy(step.elements.layer[at.element.row()], copy.isFlipped),
-            bodyHeights(step, at.element, copy.isFlipped)};
+            bodyHeights(step, at.element, copy.isFlipped), false};
 }
 
 void ElementOutlines::updateHovered() {
@@ -96,6 +97,7 @@ void ElementOutlines::updateSelected() {
                 break;
             }
             m_selected.push_back(outlineOf(at, pointsToUnite));
+            m_selected.back().isNear = elements == &m_selection.nearby();
         }
     }
     m_views.requestOverlay();
@@ -123,14 +125,14 @@ OutlineStrokes ElementOutlines::strokesOver(const BoardView& view) const {
         strokes.add(outline.runs, isFromBelow ? z.z0 : z.z1, ink);
     };
     add(m_hovered, Hovered);  // first: what is too much goes from the end
-    std::ranges::for_each(m_selected, [&](const Outline& outline) { add(outline, Selected); });
+    std::ranges::for_each(m_selected, [&](const Outline& outline) { add(outline, outline.isNear ? Near : Selected); });
     strokes.thin();
     return strokes;
 }
 
 void ElementOutlines::paint(QPainter& painter, const BoardView& view) const {
     const OutlineStrokes strokes = strokesOver(view);
-    for (const Ink ink : {Selected, Hovered}) {
+    for (const Ink ink : {Near, Selected, Hovered}) {
         for (const auto& [colour, width] : {std::pair(kShadow, 2.0 * kWidth), std::pair(kInks[ink], kWidth)}) {
             painter.setPen(QPen(colour, width));
             for (const OutlineStrokes::Line& line : strokes.lines()) {

@@ -30,6 +30,7 @@ public:
         model::LayerId layer;  ///< of the board, where the element is drawn
         /// Of a body: its lower and upper face above the lower face of its layer, mm.
         std::optional<render::ZRange> body;
+        bool isNear = false;  ///< to what is selected; in another colour than that
     };
 
     ElementOutlines(BoardViews& views, Workspace& workspace, QObject* parent = nullptr);

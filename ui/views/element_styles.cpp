@@ -2,6 +2,8 @@
 
 #include <QAction>
 
+#include "ui/views/nearby_highlight.h"
+
 namespace ui {
 
 namespace {
@@ -65,6 +67,17 @@ void ElementStyles::addColoursOfHighlightedNets(ElementStateLists& states) const
     }
 }
 
+/// Other than what is selected, and than the highlighted nets. Colours of their own give way.
+void ElementStyles::addColourOfNearby(ElementStateLists& states) const {
+    std::vector<std::vector<model::ElementId>> nearby(states.size());
+    for (const model::BoardElement& at : m_selection.nearby()) {
+        nearby[m_selection.tree().copies[at.copy].step].push_back(at.element);
+    }
+    for (std::size_t step = 0; step < states.size(); ++step) {
+        states[step].recolour(nearby[step], render::highlightedAs(nearbyHighlight(m_selection.nets().size())));
+    }
+}
+
 void ElementStyles::apply() {
     const auto highlighted = m_selection.highlight();
     ElementStateLists states = m_ofNets;
@@ -73,6 +86,7 @@ void ElementStyles::apply() {
         states[step].add(highlighted[step], render::kHighlighted);
     }
     addColoursOfHighlightedNets(states);
+    addColourOfNearby(states);
     m_views.setStates(std::move(states));
     const bool standsOut = !m_selection.isEmpty() || m_nets.hasColours();
     m_views.setDim(m_dimOthers.isChecked() && standsOut ? m_nets.dim() : 0.0F);

@@ -26,6 +26,7 @@ private:
     void onHighlightChanged();
     void apply();
     void addColoursOfHighlightedNets(ElementStateLists& states) const;
+    void addColourOfNearby(ElementStateLists& states) const;
 
     BoardViews& m_views;
     SelectionModel& m_selection;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 namespace ui {
 
@@ -59,24 +58,34 @@ std::optional<QPointF> middleWithin(const QPolygonF& line, const QRectF& box) {
     return parts.empty() ? std::nullopt : std::optional(parts.back().p2());
 }
 
-QRectF LabelPlacing::place(QPointF beside, QSizeF size) {
-    QRectF best;
-    double leastOverlap = std::numeric_limits<double>::infinity();
-    double leastCrossed = leastOverlap;
-    for (int ring = 0; ring < kRings && leastOverlap > 0.0; ++ring) {
-        for (const QPointF side : kSides) {
-            const QRectF box = inside(boxAt(beside, size, side, kBeside + ring * (size.height() + kApart)));
-            const double overlap = overlapOf(box);
-            const double crossed = crossedBy(box);
-            if (overlap < leastOverlap || (overlap == leastOverlap && crossed < leastCrossed)) {
-                best = box;
-                leastOverlap = overlap;
-                leastCrossed = crossed;
-            }
+std::pair<LabelPlacing::Covered, QRectF> LabelPlacing::bestOf(QPointF beside, QSizeF size, int ring,
+                                                              std::pair<Covered, QRectF> best) const {
+    for (const QPointF side : kSides) {
+        const QRectF box = inside(boxAt(beside, size, side, kBeside + ring * (size.height() + kApart)));
+        const Covered covered{overlapOf(box), crossedBy(box)};
+        if (covered < best.first) {
+            best = {covered, box};
         }
     }
-    m_taken.push_back(best);
     return best;
+}
+
+QRectF LabelPlacing::place(QPointF beside, QSizeF size) {
+    std::pair<Covered, QRectF> best;
+    for (int ring = 0; ring < kRings && best.first.labels > 0.0; ++ring) {
+        best = bestOf(beside, size, ring, best);
+    }
+    m_taken.push_back(best.second);
+    return best.second;
+}
+
+std::optional<QRectF> LabelPlacing::placeNear(QPointF beside, QSizeF size) {
+    const auto [covered, box] = bestOf(beside, size, 0, {});
+    if (covered.labels > 0.0) {
+        return std::nullopt;
+    }
+    m_taken.push_back(box);
+    return box;
 }
 
 QRectF LabelPlacing::inside(QRectF box) const {

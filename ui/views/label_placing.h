@@ -5,7 +5,9 @@
 #include <QPolygonF>
 #include <QRectF>
 #include <QSizeF>
+#include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace ui {
@@ -26,8 +28,19 @@ public:
     void avoid(const QLineF& line) { m_lines.push_back(line); }
     /// The place of the next label, which is taken from then on.
     [[nodiscard]] QRectF place(QPointF beside, QSizeF size);
+    /// The same right beside it, where no earlier label is; none if there is no room.
+    [[nodiscard]] std::optional<QRectF> placeNear(QPointF beside, QSizeF size);
 
 private:
+    /// What a label covers at a place: of earlier labels and of lines.
+    struct Covered {
+        double labels = std::numeric_limits<double>::infinity();
+        double lines = std::numeric_limits<double>::infinity();
+        auto operator<=>(const Covered&) const = default;
+    };
+    /// The better of `best` and the sides of a ring.
+    [[nodiscard]] std::pair<Covered, QRectF> bestOf(QPointF beside, QSizeF size, int ring,
+                                                    std::pair<Covered, QRectF> best) const;
     [[nodiscard]] QRectF inside(QRectF box) const;
     [[nodiscard]] double overlapOf(const QRectF& box) const;
     [[nodiscard]] double crossedBy(const QRectF& box) const;

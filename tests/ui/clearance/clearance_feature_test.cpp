@@ -307,6 +307,12 @@ private slots:
         }
         QVERIFY(hasOther);
         const QImage withLens = *window().views().flat().grabPicture();
+        const ui::Lens& lens = window().find<ui::Lens>();
+        QVERIFY(!lens.numbers().empty());
+        QVERIFY(lens.numbers().size() <= ui::LensPainter::kMostNumbers);
+        for (const ui::LensPainter::Number& number : lens.numbers()) {
+            QVERIFY(number.line < lens.highlighted().size());
+        }
         m_fixture->key(Qt::Key_L);
         QVERIFY(window().selection().nearby().empty());
         QVERIFY(differingPixels(withLens, *window().views().flat().grabPicture()) > 10);

@@ -7,10 +7,12 @@
 
 #include "model/board/document_builder.h"
 #include "render/scene/element_state.h"
+#include "tests/colour_vision.h"
 
 using model::Layer;
 using model::LayerSide;
 using model::LayerType;
+using vision::Vision;
 
 namespace {
 
@@ -22,43 +24,12 @@ Layer layer(LayerType type, LayerSide side, model::LayerContext context = model:
     return made;
 }
 
-/// What a colour is with missing cones: Machado, Oliveira and Fernandes 2009, severity 1, on linear sRGB. Rows are r, g
-/// and b.
-struct Vision {
-    const char* name;
-    std::array<glm::dvec3, 3> rows;
-};
-constexpr Vision kVisions[] = {
-    {"normal", {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}},
-    {"protanopia",
-     {{{0.152286, 1.052583, -0.204868}, {0.114503, 0.786281, 0.099216}, {-0.003882, -0.048116, 1.051998}}}},
-    {"deuteranopia",
-     {{{0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}}}}};
-
-double linear(double part) {
-    return part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4);
-}
-
-/// CIE L*a*b* with the white of sRGB: distances of 2 to 3 are just seen side by side.
-glm::dvec3 labOf(const glm::vec3& colour, const Vision& vision) {
-    const glm::dvec3 rgb(linear(colour.r), linear(colour.g), linear(colour.b));
-    glm::dvec3 seen;
-    for (int row = 0; row < 3; ++row) {
-        seen[row] = std::clamp(glm::dot(vision.rows[static_cast<std::size_t>(row)], rgb), 0.0, 1.0);
-    }
-    const auto f = [](double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116.0; };
-    const double x = f(glm::dot(glm::dvec3(0.4124, 0.3576, 0.1805), seen) / 0.95047);
-    const double y = f(glm::dot(glm::dvec3(0.2126, 0.7152, 0.0722), seen));
-    const double z = f(glm::dot(glm::dvec3(0.0193, 0.1192, 0.9505), seen) / 1.08883);
-    return {116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)};
-}
-
 /// Of the two styles that are hardest to tell apart.
-double leastDistance(const std::vector<render::LayerStyle>& styles, const Vision& vision) {
+double leastDistance(const std::vector<render::LayerStyle>& styles, const Vision& sight) {
     double least = 1e9;
     for (std::size_t i = 0; i < styles.size(); ++i) {
         for (std::size_t j = i + 1; j < styles.size(); ++j) {
-            least = std::min(least, glm::distance(labOf(styles[i].colour, vision), labOf(styles[j].colour, vision)));
+            least = std::min(least, vision::distance(styles[i].colour, styles[j].colour, sight));
         }
     }
     return least;
@@ -129,9 +100,9 @@ private slots:
         std::vector<Layer> layers(40, layer(LayerType::Signal, LayerSide::Inner));
         layers.front().side = LayerSide::Top;
         layers.back().side = LayerSide::Bottom;
-        const double standard = leastDistance(stylesOf(layers), kVisions[0]);
+        const double standard = leastDistance(stylesOf(layers), vision::kVisions[0]);
         QVERIFY2(standard > 15.0, qPrintable(QString::number(standard)));
-        const double safe = leastDistance(stylesOf(layers, render::Palette::ColourBlindSafe), kVisions[0]);
+        const double safe = leastDistance(stylesOf(layers, render::Palette::ColourBlindSafe), vision::kVisions[0]);
         QVERIFY2(safe > 20.0, qPrintable(QString::number(safe)));
     }
 
@@ -139,12 +110,12 @@ private slots:
         constexpr double kLeast = 20.0;
         const auto safe = stylesOf(boardWithSixLayers(), render::Palette::ColourBlindSafe);
         QCOMPARE(safe.size(), std::size_t{10});
-        for (const Vision& vision : kVisions) {
-            const double least = leastDistance(safe, vision);
-            QVERIFY2(least > kLeast, qPrintable(QString("%1: %2").arg(vision.name).arg(least)));
+        for (const Vision& sight : vision::kCommonVisions) {
+            const double least = leastDistance(safe, sight);
+            QVERIFY2(least > kLeast, qPrintable(QString("%1: %2").arg(sight.name).arg(least)));
         }
         const auto standard = stylesOf(boardWithSixLayers());
-        QVERIFY(leastDistance(standard, kVisions[2]) < kLeast);  // why there is another palette
+        QVERIFY(leastDistance(standard, vision::kVisions[2]) < kLeast);  // why there is another palette
     }
 
     void safeCopperStandsOutFromLacquerAndLaminate() {
@@ -157,8 +128,8 @@ private slots:
         builder.addLayer(layer(LayerType::Signal, LayerSide::Bottom));
         const auto styles =
             render::defaultStyles(*builder.finish(), render::Appearance::Solid, render::Palette::ColourBlindSafe);
-        for (const Vision& vision : kVisions) {
-            QVERIFY(leastDistance(styles, vision) > 15.0);
+        for (const Vision& sight : vision::kCommonVisions) {
+            QVERIFY(leastDistance(styles, sight) > 15.0);
         }
     }
 
@@ -219,8 +190,8 @@ private slots:
             }
         }
         metals.resize(3);
-        QVERIFY(leastDistance(masks, kVisions[0]) > 20.0);
-        QVERIFY(leastDistance(metals, kVisions[0]) > 10.0);
+        QVERIFY(leastDistance(masks, vision::kVisions[0]) > 20.0);
+        QVERIFY(leastDistance(metals, vision::kVisions[0]) > 10.0);
     }
 
     void bothSidesOfABoardArePrintedAndFinishedAlike() {
