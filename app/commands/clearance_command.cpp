@@ -290,6 +290,9 @@ Outcome runClearance(const ClearanceArguments& arguments) {
     if (arguments.isThroughStackup) {
         return runThroughStackup(arguments, *board, console.progress());
     }
+    if (!arguments.map.file.empty()) {
+        return runClearanceMap(arguments.map, *board, arguments.layer, console.progress());
+    }
     if (!arguments.rules.empty()) {
         return runRules(arguments, *board, console.progress());
     }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/commands/clearance_map_command.h"
 #include "app/common/exit_code.h"
 #include "app/common/open_board.h"
 
@@ -26,6 +27,7 @@ struct ClearanceArguments {
     std::string newWaivers;         ///< then nothing is reported, but all findings are waived in this file
     std::string reason;             ///< of new waivers
     std::string author;
+    ClearanceMapArguments map;  ///< with a file: that is made and nothing is listed
 };
 
 /// `copperscope clearance BOARD [--below 100um] [--layer NAME] [--nets A,B]`: the smallest clearances between nets, on

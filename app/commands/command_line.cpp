@@ -212,6 +212,25 @@ void addWaivers(CLI::App& command, CLI::Option& rules, ClearanceArguments& argum
     command.add_option("--author", arguments.author, "who waives them")->needs(write);
 }
 
+void addMapOptions(CLI::App& command, ClearanceMapArguments& map) {
+    CLI::Option* file = command.add_option(
+        "--map", map.file, "writes the spacings between nets of a --layer as a picture (.png) or table (.csv)");
+    file->needs(command.get_option("--layer"));
+    for (const char* listing : {"--rules", "--below", "--nets"}) {
+        file->excludes(command.get_option(listing));
+    }
+    command.add_option("--reach", map.reach, "of the map: the largest spacing shown, up to 10mm")
+        ->capture_default_str()
+        ->needs(file);
+    command
+        .add_option("--resolution", map.resolution,
+                    "of the map: the side of a pixel or cell; default: 1600 (.csv: 400) along the longer side")
+        ->needs(file);
+    addList(command, "--window", map.window, "of the map: X0,Y0,X1,Y1 in millimetres of the job's coordinates")
+        ->expected(4)
+        ->needs(file);
+}
+
 void addClearance(CLI::App& parent, Command& chosen) {
     CLI::App& command = *parent.add_subcommand("clearance", "List the smallest clearances between nets");
     ClearanceArguments& arguments = argumentsOf(command, chosen, runClearance);
@@ -240,6 +259,7 @@ void addClearance(CLI::App& parent, Command& chosen) {
     addChoice(command, "--format", arguments.format, {"text", "json", "csv", "junit", "sarif", "html"});
     command.add_option("-o,--output", arguments.output, "write the report to this file; default: stdout");
     addWaivers(command, *rules, arguments);
+    addMapOptions(command, arguments.map);
 }
 
 void addSection(CLI::App& parent, Command& chosen) {

@@ -40,20 +40,27 @@ class TwoNearest {
 public:
     void offer(std::uint32_t group, double distance) {
         if (distance < m_first) {
-            m_second = group == m_group ? m_second : m_first;
+            if (group != m_group) {
+                m_second = m_first;
+                m_otherGroup = m_group;
+            }
             m_first = distance;
             m_group = group;
         } else if (group != m_group && distance < m_second) {
             m_second = distance;
+            m_otherGroup = group;
         }
     }
     [[nodiscard]] double first() const { return m_first; }
     [[nodiscard]] double second() const { return m_second; }
+    [[nodiscard]] std::uint32_t firstGroup() const { return m_group; }
+    [[nodiscard]] std::uint32_t secondGroup() const { return m_otherGroup; }
 
 private:
     double m_first = kEndless;
     double m_second = kEndless;
     std::uint32_t m_group = 0;
+    std::uint32_t m_otherGroup = 0;
 };
 
 /// Cells first … first + size - 1 of both directions, as far as the map reaches.
@@ -67,9 +74,10 @@ struct Block {
 /// one of its cells. What makes that sure is that no distance changes by more than the distance one moves.
 class MapFiller {
 public:
-    MapFiller(const LayerGeometry& plane, std::span<const std::uint32_t> groups, bool isBetween, double reach,
-              ClearanceMap& map)
-        : m_plane(plane), m_groups(groups), m_isBetween(isBetween), m_reach(reach), m_map(map) {}
+    /// Groups from `nets` on have no net.
+    MapFiller(const LayerGeometry& plane, std::span<const std::uint32_t> groups, std::uint32_t nets, bool isBetween,
+              double reach, ClearanceMap& map)
+        : m_plane(plane), m_groups(groups), m_nets(nets), m_isBetween(isBetween), m_reach(reach), m_map(map) {}
 
     /// Writes 0 to the cells of a row that lie inside of areas. Before the tiles.
     void coverRow(std::uint32_t row) const {
@@ -144,6 +152,14 @@ private:
         }
     }
 
+    void writeNets(const Block& cell, const TwoNearest& nearest) const {
+        if (!m_map.nets.empty()) {
+            const auto net = [&](std::uint32_t group) { return group < m_nets ? NetId{std::size_t{group}} : NetId{}; };
+            m_map.nets[std::size_t{cell.row} * m_map.frame.width + cell.column] = {0, net(nearest.firstGroup()),
+                                                                                   net(nearest.secondGroup())};
+        }
+    }
+
     /// How far edges may be from the middle of a block and still matter to a cell of it.
     [[nodiscard]] double needOf(const TwoNearest& nearest, double radius) const {
         const double known = m_isBetween ? nearest.second() : nearest.first();
@@ -187,6 +203,7 @@ private:
             nearest.offer(near.group, std::max(near.distance, 0.0));
         }
         if (block.size == 1) {
+            writeNets(block, nearest);
             return write(block, valueOf(nearest));
         }
         if (deepest <= -radius) {
@@ -230,6 +247,7 @@ private:
 
     const LayerGeometry& m_plane;
     std::span<const std::uint32_t> m_groups;
+    std::uint32_t m_nets;
     bool m_isBetween;
     double m_reach;
     ClearanceMap& m_map;
@@ -310,7 +328,9 @@ base::Error refused(std::string text) {
     return {base::ErrorCode::BadUsage, std::move(text)};
 }
 
-base::Status check(const MapFrame& frame) {
+}  // namespace
+
+base::Status checkFrame(const MapFrame& frame) {
     if (frame.size() == 0 || !(frame.cell > 0.0)) {
         return refused("a map needs at least one cell");
     }
@@ -325,8 +345,6 @@ base::Status check(const MapFrame& frame) {
     }
     return base::Done{};
 }
-
-}  // namespace
 
 base::Result<DistanceField> DistanceField::toTargets(const Document& document, LayerId layer,
                                                      std::span<const ElementId> targets) {
@@ -347,6 +365,7 @@ base::Result<DistanceField> DistanceField::betweenNets(const Document& document,
                                                        base::Progress& progress) {
     DistanceField field(Kind::BetweenNets, layer, copperGeometry(document, layer));
     field.m_groups = netsByTouch(document, field.m_plane, progress);
+    field.m_nets = static_cast<std::uint32_t>(document.nets.size());
     if (progress.isCancelled()) {
         return base::Error{base::ErrorCode::Cancelled, "cancelled"};
     }
@@ -357,11 +376,14 @@ base::Result<DistanceField> DistanceField::betweenNets(const Document& document,
     return field;
 }
 
-base::Result<ClearanceMap> DistanceField::map(const MapFrame& frame, double reach, base::Progress& progress) const {
-    RETURN_IF_ERROR(check(frame));
+base::Result<ClearanceMap> DistanceField::map(const MapFrame& frame, double reach, base::Progress& progress,
+                                              MapDetail detail) const {
+    RETURN_IF_ERROR(checkFrame(frame));
     progress.beginPhase("Measuring distances");
-    ClearanceMap map{frame, std::vector<float>(frame.size(), kFar)};
-    const MapFiller filler(m_plane, m_groups, m_kind == Kind::BetweenNets, std::clamp(reach, 0.0, kMostMapReach), map);
+    ClearanceMap map{frame, std::vector<float>(frame.size(), kFar),
+                     std::vector<MapNets>(detail == MapDetail::Nets ? frame.size() : 0)};
+    const MapFiller filler(m_plane, m_groups, m_nets, m_kind == Kind::BetweenNets,
+                           std::clamp(reach, 0.0, kMostMapReach), map);
     base::parallelFor(frame.height, [&](std::size_t row) {
         if (!progress.isCancelled()) {
             filler.coverRow(static_cast<std::uint32_t>(row));

@@ -25,15 +25,30 @@ struct MapFrame {
     bool operator==(const MapFrame&) const = default;
 };
 
+/// What a spacing lies between: the nearest net and the nearest other one, both of one copy of a step
+/// (StepTree::copies). Invalid: copper without a net.
+struct MapNets {
+    std::uint32_t copy = 0;
+    NetId nearest;
+    NetId other;
+};
+
 /// The value at the centre of every cell in nm: 0 on copper, infinite beyond the reach it was made with.
 struct ClearanceMap {
     MapFrame frame;
-    std::vector<float> nm;  ///< exact to 0.5 nm, as 24 bits keep up to kMostMapReach
+    std::vector<float> nm;      ///< exact to 0.5 nm, as 24 bits keep up to kMostMapReach
+    std::vector<MapNets> nets;  ///< by cell, where `nm` lies between; empty unless MapDetail::Nets
 };
+
+enum class MapDetail { Distances, Nets };
 
 inline constexpr double kMostMapReach = 10e6;
 inline constexpr double kMostMapCell = 10e6;
 inline constexpr std::size_t kMostMapCells = std::size_t{1} << 25;  ///< more than any picture shows
+
+/// Errors: BadUsage for frames without cells, of more than kMostMapCells, of larger cells than kMostMapCell or beyond
+/// base::kMaxCoordinate.
+[[nodiscard]] base::Status checkFrame(const MapFrame& frame);
 
 /// The copper of one layer, and what is asked about the locations around it. Made once per layer and request, then
 /// called for any part of the board, from any thread. What counts as copper is copperGeometry's: plated holes are part
@@ -63,9 +78,9 @@ public:
 
     /// All values up to `reach` (nm, at most kMostMapReach). The cost follows the cells that are near enough, and edges
     /// in sight: blocks of cells keep only the edges that can be nearest to one of them. Over all cores, the same with
-    /// any number of threads. Errors: BadUsage for frames without cells, of more than kMostMapCells, of larger cells
-    /// than kMostMapCell or beyond base::kMaxCoordinate, Cancelled.
-    [[nodiscard]] base::Result<ClearanceMap> map(const MapFrame& frame, double reach, base::Progress& progress) const;
+    /// any number of threads. Errors: those of checkFrame, Cancelled.
+    [[nodiscard]] base::Result<ClearanceMap> map(const MapFrame& frame, double reach, base::Progress& progress,
+                                                 MapDetail detail = MapDetail::Distances) const;
     /// The value at one location; infinite off the coordinates of boards.
     [[nodiscard]] double at(PointD location, double reach) const;
 
@@ -77,6 +92,7 @@ private:
     LayerId m_layer;
     LayerGeometry m_plane;
     std::vector<std::uint32_t> m_groups;  ///< by figure: its net, or the one more; all 0 for targets
+    std::uint32_t m_nets = 0;             ///< so many groups are nets
 };
 
 }  // namespace model

@@ -14,13 +14,18 @@ base::Error outputError(const std::string& path, const std::string& reason) {
     return {base::ErrorCode::OutputFailed, "Cannot write " + path + ": " + reason + "."};
 }
 
-/// Empty, or why it failed.
-std::string encode(const Image& image, std::FILE* file) {
+png_image headOf(const Image& image) {
     png_image png{};
     png.version = PNG_IMAGE_VERSION;
     png.width = image.width;
     png.height = image.height;
     png.format = PNG_FORMAT_RGBA;
+    return png;
+}
+
+/// Empty, or why it failed.
+std::string encode(const Image& image, std::FILE* file) {
+    png_image png = headOf(image);
     errno = 0;
     if (png_image_write_to_stdio(&png, file, 0, image.rgba.data(), 0, nullptr) != 0) {
         return {};
@@ -39,6 +44,21 @@ void removePartial(const std::string& path) {
 }
 
 }  // namespace
+
+base::Result<std::string> encodePng(const Image& image) {
+    png_image png = headOf(image);
+    png_alloc_size_t size = 0;
+    std::string bytes;
+    for (const bool isSized : {false, true}) {
+        bytes.resize(size);
+        if (png_image_write_to_memory(&png, isSized ? bytes.data() : nullptr, &size, 0, image.rgba.data(), 0,
+                                      nullptr) == 0) {
+            return base::Error{base::ErrorCode::OutputFailed, std::string("Cannot make a picture: ") + png.message};
+        }
+    }
+    bytes.resize(size);
+    return bytes;
+}
 
 base::Status writePng(const Image& image, const std::string& path) {
     ASSERT(image.rgba.size() == std::size_t{image.width} * image.height * 4);

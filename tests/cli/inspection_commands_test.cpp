@@ -268,6 +268,47 @@ private slots:
         QCOMPARE(path({"--from", "edge", "--to", "net:GND", "--below", "1mm"}).exitCode, 1);
     }
 
+    void clearanceMapsAreWrittenAsPictureAndTable() {
+        const QTemporaryDir folder;
+        const auto map = [&](const QString& name, const QStringList& more = {}) {
+            return copperscope(
+                QStringList{"clearance", locations::kSample, "--map", name, "--layer", "L01-TOP_LAYER"} + more,
+                folder.path());
+        };
+        const QStringList window{"--window", "1,1,6,4", "--resolution", "10um"};
+        const Outcome drawn = map("map.png", window);
+        QVERIFY2(drawn.exitCode == 0, drawn.err.constData());
+        const QSize size = pngSize(folder.filePath("map.png"));
+        QVERIFY(size.width() > 500 && size.height() >= 300);  // with the legend
+
+        QCOMPARE(map("map.csv", {"--reach", "0.4mm"}).exitCode, 0);
+        QFile table(folder.filePath("map.csv"));
+        QVERIFY(table.open(QIODevice::ReadOnly));
+        const QList<QByteArray> rows = table.readAll().trimmed().split('\n');
+        QCOMPARE(rows.front(), QByteArray("step,copy,layer,x_nm,y_nm,spacing_nm,net_a,net_b"));
+        QVERIFY(rows.size() > 100);
+        for (const QByteArray& row : rows.mid(1)) {
+            const QList<QByteArray> cells = row.split(',');
+            QVERIFY(cells[5].toInt() > 0 && cells[5].toInt() <= 400'000);
+            QVERIFY(cells[2] == "L01-TOP_LAYER" && cells[6] != cells[7]);
+        }
+
+        const auto isRefused = [&](const Outcome& run, int code, const char* why) {
+            QVERIFY2(run.exitCode == code && run.err.contains(why), run.err.constData());
+        };
+        isRefused(map("map.jpg"), 1, "written as .png or .csv");
+        isRefused(map("none/map.png", window), 3, "No such file");
+        isRefused(map("huge.png", {"--resolution", "0.1um"}), 1, "cells is too large: a picture has 33554432 at most");
+        isRefused(map("huge.csv", {"--resolution", "5um"}), 1, "a table has 4000000 at most");
+        isRefused(map("map.png", {"--reach", "11mm"}), 1, "up to 10 mm, not 11mm");
+        isRefused(map("map.png", {"--window", "1,1,1,2"}), 1, "the window is empty");
+        isRefused(map("map.png", {"--rules", "default"}), 1, "--map");
+        isRefused(copperscope({"clearance", locations::kSample, "--map", "m.png", "--layer", "nowhere"}), 1,
+                  "no copper layer nowhere");
+        isRefused(copperscope({"clearance", locations::kSample, "--reach", "1mm"}), 1, "--map");
+        QVERIFY(!QFile::exists(folder.filePath("huge.png")));
+    }
+
     void oldNamesOfSolderMasksStillWork() {
         const Outcome run = copperscope({"section", locations::kTestData + QStringLiteral("/odb/everything"), "--line",
                                          "0,1,9,1", "--layers", "SMT coat"});

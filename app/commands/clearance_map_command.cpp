@@ -1,0 +1,137 @@
+#include "app/commands/clearance_map_command.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "app/commands/clearance_map_image.h"
+#include "model/base/thickness_units.h"
+#include "model/clearance/board_distances.h"
+#include "model/clearance/clearance.h"
+#include "model/export/clearance_map_export.h"
+#include "model/text/formatting.h"
+#include "model/text/whole_file.h"
+#include "render/frame/png.h"
+
+namespace app {
+
+using base::ErrorCode;
+using base::PointD;
+using model::MapFrame;
+
+namespace {
+
+constexpr double kPictureCells = 1600.0;  ///< along the longer side, unless --resolution says otherwise
+constexpr double kTableCells = 400.0;
+constexpr double kMostTableCells = 4'000'000.0;  ///< about 300 MB
+
+base::Error refused(std::string text) {
+    return {ErrorCode::BadUsage, std::move(text)};
+}
+
+enum class Form { Picture, Table };
+
+base::Result<Form> formOf(const std::string& file) {
+    std::string ending = std::filesystem::path(file).extension().string();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (ending != ".png" && ending != ".csv") {
+        return refused(file + ": a clearance map is written as .png or .csv");
+    }
+    return ending == ".png" ? Form::Picture : Form::Table;
+}
+
+base::Result<model::LayerId> layerOf(const model::Document& board, const std::string& name) {
+    if (name.empty()) {
+        return refused("--map shows one layer: --layer names it");
+    }
+    const model::LayerId layer = board.findLayer(name);
+    if (!layer.isValid() || !board.layer(layer).isCopper()) {
+        return refused("the board has no copper layer " + name);
+    }
+    return layer;
+}
+
+base::Result<double> reachOf(const std::string& text) {
+    ASSIGN_OR_RETURN(const base::Nm reach, model::parseLength(text));
+    if (reach <= 0 || reach > model::kMostMapReach) {
+        return refused("a clearance map reaches up to 10 mm, not " + text);
+    }
+    return static_cast<double>(reach);
+}
+
+/// The lower left corner and the size of what is mapped, nm.
+struct Window {
+    PointD corner;
+    PointD size;
+};
+
+base::Result<Window> windowOf(const std::vector<double>& window, const base::Box& board) {
+    if (window.empty()) {
+        return Window{base::toDouble(board.min),
+                      {static_cast<double>(board.width()), static_cast<double>(board.height())}};
+    }
+    const auto [x0, x1] = std::minmax(window[0], window[2]);
+    const auto [y0, y1] = std::minmax(window[1], window[3]);
+    if (!(x0 < x1 && y0 < y1)) {
+        return refused("the window is empty");
+    }
+    return Window{{x0 * base::kNmPerMm, y0 * base::kNmPerMm}, {(x1 - x0) * base::kNmPerMm, (y1 - y0) * base::kNmPerMm}};
+}
+
+/// Says how many cells there would be before anything is made of so many.
+base::Result<MapFrame> frameFor(const Window& window, const std::string& resolution, Form form) {
+    const double longest = std::max(window.size.x, window.size.y);
+    double cell = std::ceil(longest / (form == Form::Picture ? kPictureCells : kTableCells));
+    if (!resolution.empty()) {
+        ASSIGN_OR_RETURN(const base::Nm wanted, model::parseLength(resolution));
+        cell = static_cast<double>(wanted);
+    }
+    if (!(cell >= 1.0) || cell > model::kMostMapCell) {
+        return refused("the cells of a clearance map have sides of 1 nm to 10 mm");
+    }
+    const double width = std::ceil(window.size.x / cell);
+    const double height = std::ceil(window.size.y / cell);
+    const double most = form == Form::Picture ? double{model::kMostMapCells} : kMostTableCells;
+    if (width * height > most) {
+        return refused(
+            model::formatted("a clearance map of %.0f x %.0f cells is too large: a %s has %.0f at most; a "
+                             "coarser --resolution or a smaller --window makes it smaller",
+                             width, height, form == Form::Picture ? "picture" : "table", most));
+    }
+    return MapFrame{window.corner, cell, static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
+}
+
+base::Status write(const ClearanceMapArguments& arguments, Form form, const model::Document& board,
+                   model::LayerId layer, const model::ClearanceMap& map, double reach) {
+    if (form == Form::Table) {
+        return model::writeWholeFile(arguments.file, model::clearanceMapCsv(board, layer, map));
+    }
+    const std::string title = board.layer(layer).name + ": spacing between nets";
+    ASSIGN_OR_RETURN(const std::string png, render::encodePng(imageOf(map, reach, title)));
+    return model::writeWholeFile(arguments.file, png);
+}
+
+}  // namespace
+
+Outcome runClearanceMap(const ClearanceMapArguments& arguments, const model::Document& board, const std::string& layer,
+                        base::Progress& progress) {
+    ASSIGN_OR_RETURN(const Form form, formOf(arguments.file));
+    ASSIGN_OR_RETURN(const model::LayerId onLayer, layerOf(board, layer));
+    ASSIGN_OR_RETURN(const double reach, reachOf(arguments.reach));
+    ASSIGN_OR_RETURN(const auto distances, model::BoardDistances::betweenNets(board, onLayer, progress));
+    ASSIGN_OR_RETURN(const Window window, windowOf(arguments.window, distances.extent()));
+    ASSIGN_OR_RETURN(const MapFrame frame, frameFor(window, arguments.resolution, form));
+    const auto detail = form == Form::Table ? model::MapDetail::Nets : model::MapDetail::Distances;
+    ASSIGN_OR_RETURN(const model::ClearanceMap map, distances.map(frame, reach, progress, detail));
+    for (const std::string& note : model::unmeasuredSteps(board)) {
+        std::fprintf(stderr, "copperscope: %s\n", note.c_str());
+    }
+    if (!distances.note().empty()) {
+        std::fprintf(stderr, "copperscope: %s\n", distances.note().c_str());
+    }
+    RETURN_IF_ERROR(write(arguments, form, board, onLayer, map, reach));
+    return int{kDone};
+}
+
+}  // namespace app
