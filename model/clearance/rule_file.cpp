@@ -10,9 +10,9 @@
 #include "model/base/units.h"
 #include "model/clearance/kicad_rules.h"
 #include "model/clearance/rule_presets.h"
-#include "model/clearance/strict_json.h"
 #include "model/text/formatting.h"
 #include "model/text/json_text.h"
+#include "model/text/strict_json.h"
 #include "model/text/whole_file.h"
 
 namespace model {

@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "model/base/units.h"
-#include "model/clearance/strict_json.h"
 #include "model/text/formatting.h"
 #include "model/text/json_text.h"
+#include "model/text/strict_json.h"
 #include "model/text/whole_file.h"
 
 namespace model {

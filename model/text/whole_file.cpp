@@ -52,8 +52,10 @@ base::Result<std::string> readWholeFile(const fs::path& path) {
     return text;
 }
 
-base::Status writeWholeFile(const fs::path& path, const std::string& text) {
+base::Status writeWholeFile(const fs::path& named, const std::string& text) {
     std::error_code error;
+    const fs::path linked = fs::is_symlink(named, error) ? fs::weakly_canonical(named, error) : named;
+    const fs::path path = error ? named : linked;
     const bool isPlain = !fs::exists(path, error) || fs::is_regular_file(path, error);
     const fs::path beside = isPlain ? fs::path(path.string() + ".part" + std::to_string(::getpid())) : path;
     const std::string why = writeTo(beside, text, isPlain);

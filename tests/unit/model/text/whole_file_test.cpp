@@ -19,6 +19,16 @@ private slots:
         QVERIFY(!model::readWholeFile(path + ".gone"));
     }
 
+    void aLinkStaysOne() {
+        const QTemporaryDir folder;
+        const std::string path = folder.filePath("report").toStdString();
+        QVERIFY(model::writeWholeFile(path, "one"));
+        std::filesystem::create_symlink(path, path + ".link");
+        QVERIFY(model::writeWholeFile(path + ".link", "two"));
+        QVERIFY(std::filesystem::is_symlink(path + ".link"));
+        QCOMPARE(*model::readWholeFile(path), std::string("two"));
+    }
+
     /// A file that cannot be replaced stays as it was.
     void failuresSayWhyAndLeaveTheFile() {
         const QTemporaryDir folder;

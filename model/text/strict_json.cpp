@@ -1,4 +1,4 @@
-#include "model/clearance/strict_json.h"
+#include "model/text/strict_json.h"
 
 #include <algorithm>
 #include <vector>
