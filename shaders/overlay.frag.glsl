@@ -19,5 +19,11 @@ void main() {
     if (at != inside || pixel.a == 0.0) {
         discard;
     }
+    if (push.isInPlane != 0u) {
+        const float board = uintBitsToFloat(push.depths.at[inside.y * push.width + inside.x]);
+        if (board > dot(push.plane, vec3(gl_FragCoord.xy, 1.0))) {
+            discard;  // nearer is greater
+        }
+    }
     outColour = vec4(toLinear(pixel.rgb / pixel.a), pixel.a);
 }

@@ -15,7 +15,7 @@ namespace model {
 /// other, the smaller value counts.
 class BoardDistances {
 public:
-    /// Shares fields; both must live no longer than the board. Errors: those of DistanceField::betweenNets, if no copy
+    /// Errors: those of DistanceField::betweenNets, if no copy
     /// has two nets on the layer.
     [[nodiscard]] static base::Result<BoardDistances> betweenNets(const Document& board, LayerId layer,
                                                                   base::Progress& progress);

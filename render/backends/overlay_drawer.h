@@ -2,6 +2,7 @@
 
 #include "render/backends/let_backend.h"
 #include "render/scene/view_settings.h"
+#include "shaders/shared/overlay.h"
 
 namespace render {
 
@@ -11,8 +12,13 @@ class OverlayDrawer {
 public:
     OverlayDrawer(gpu::Device& device, VkFormat colour);
     void draw(gpu::Frame& frame, const Overlay& overlay) const;
+    /// `plane` is its depth (depthOfPlane), `depths` that of the board, which has the same size
+    /// (RenderTarget::keepDepth).
+    void drawInPlane(gpu::Frame& frame, const Overlay& overlay, const glm::vec3& plane, VkDeviceAddress depths) const;
 
 private:
+    void draw(gpu::Frame& frame, const Overlay& overlay, const shader::OverlayPush& push) const;
+
     gpu::Pipeline m_pipeline;
 };
 

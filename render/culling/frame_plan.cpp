@@ -31,6 +31,11 @@ constexpr float kNudgeParallel = 0x1p-21F;
 /// outline is 1000 times as long as wide) were seen to stray by that share of depth range over width in pixels.
 constexpr float kPositionRoundingPx = 0x1p-15F;
 
+/// Steps by which a picture in a plane is nearer than that: more than any tie-break, and than the insides of holes.
+constexpr double kPlaneSteps = 32.0;
+/// From the middle of a pixel, where it is smoothed.
+constexpr glm::dvec2 kFirstSample(-0.125, -0.375);
+
 /// Where the light comes from, seen from above: from over the left shoulder.
 const glm::vec2 kLight = glm::normalize(glm::vec2(-0.55F, 0.83F));
 
@@ -364,6 +369,25 @@ FramePlan shifted(FramePlan plan, glm::vec2 pixels) {
     data.clipFromBoard = glm::transpose(rows);
     data.screen -= pixels.x * data.screenRight + pixels.y * data.screenDown;
     return plan;
+}
+
+std::optional<glm::vec3> depthOfPlane(const Camera& camera, float z, std::uint32_t width, std::uint32_t height,
+                                      bool isSmoothed) {
+    const Eye eye = makeEye(camera, static_cast<float>(width) / static_cast<float>(height));
+    const glm::dmat4& clip = eye.clipFromCentred;
+    // Of points (x, y, 1) of the plane; in it depth is a sum of shares of the two others and of the weight.
+    const glm::dmat3x4 onPlane(clip[0], clip[1], clip[2] * double{z - camera.target().z} + clip[3]);
+    const glm::dmat4x3 rows = glm::transpose(onPlane);
+    const glm::dmat3 others(rows[0], rows[1], rows[3]);
+    if (std::abs(glm::determinant(others)) < 1e-12) {
+        return std::nullopt;
+    }
+    glm::dvec3 share = glm::inverse(others) * rows[2];
+    share *= eye.isParallel ? 1.0 : 1.0 + kPlaneSteps * kNudgePerspective;
+    share.z += eye.isParallel ? kPlaneSteps * kNudgeParallel : 0.0;
+    const glm::dvec2 perPixel = glm::dvec2(share) * 2.0 / glm::dvec2(width, height);
+    const glm::dvec2 sample = isSmoothed ? kFirstSample : glm::dvec2(0.0);
+    return glm::vec3(glm::dvec3(perPixel, share.z - share.x - share.y + glm::dot(perPixel, sample)));
 }
 
 bool isFlatView(const FramePlan& plan) {

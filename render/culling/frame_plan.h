@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -50,6 +51,12 @@ struct FramePlan {
 
 /// The same picture moved by so many pixels to the right and down; what is in view is not asked anew.
 [[nodiscard]] FramePlan shifted(FramePlan plan, glm::vec2 pixels);
+
+/// The depth of a level plane at height `z` (mm, as drawn) over the pixels of a picture: x * column + y * row + z, a
+/// little nearer than faces in that plane are drawn, and with sample 0 of its pixels where they are smoothed. None if
+/// the plane is seen edge-on.
+[[nodiscard]] std::optional<glm::vec3> depthOfPlane(const Camera& camera, float z, std::uint32_t width,
+                                                    std::uint32_t height, bool isSmoothed);
 
 /// Does the frame look straight at one face, in parallel projection?
 [[nodiscard]] bool isFlatView(const FramePlan& plan);

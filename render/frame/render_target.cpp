@@ -11,6 +11,11 @@ constexpr VkImageLayout kColourLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL
 constexpr VkImageLayout kDepthLayout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
 constexpr VkImageAspectFlags kDepthAspects = VK_IMAGE_ASPECT_DEPTH_BIT | VK_IMAGE_ASPECT_STENCIL_BIT;
 
+constexpr VkImageUsageFlags kDrawnDepth = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
+constexpr VkImageUsageFlags kReadDepth = kDrawnDepth | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+constexpr VkImageLayout kReadLayout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
+constexpr std::uint64_t kDepthBytes = 4;  // without stencil
+
 VkRenderingAttachmentInfo attachment(const gpu::Image& image, VkImageLayout layout, VkAttachmentLoadOp load) {
     auto info = gpu::vkInfo<VkRenderingAttachmentInfo>(VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO);
     info.imageView = image.view();
@@ -40,6 +45,9 @@ void RenderTarget::setSize(VkExtent2D extent, const TargetFormat& format) {
     m_samples = gpu::Image();
     m_depth = gpu::Image();
     m_cached = gpu::Image();
+    m_flatDepth = gpu::Image();
+    m_depths = gpu::Buffer();
+    m_hasDepth = false;
     m_colour = gpu::Image(*m_device, {"colour", format.colour, extent,
                                       VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
                                           VK_IMAGE_USAGE_TRANSFER_DST_BIT});
@@ -47,8 +55,9 @@ void RenderTarget::setSize(VkExtent2D extent, const TargetFormat& format) {
         m_samples = gpu::Image(*m_device,
                                {"samples", format.colour, extent, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, format.samples});
     }
-    m_depth = gpu::Image(*m_device, {"depth", gpu::kDepthFormat, extent, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
-                                     format.samples, kDepthAspects});
+    m_depth = gpu::Image(
+        *m_device, {"depth", gpu::kDepthFormat, extent,
+                    format.samples == VK_SAMPLE_COUNT_1_BIT ? kReadDepth : kDrawnDepth, format.samples, kDepthAspects});
     m_extent = extent;
     m_format = format;
 }
@@ -65,7 +74,8 @@ void RenderTarget::makeReady(VkCommandBuffer commands) const {
         commands, {m_depth.handle(), kDepthAspects, VK_IMAGE_LAYOUT_UNDEFINED, kDepthLayout, gpu::kDepth, gpu::kDepth});
 }
 
-void RenderTarget::begin(VkCommandBuffer commands, const glm::vec3& background) const {
+void RenderTarget::begin(VkCommandBuffer commands, const glm::vec3& background) {
+    m_hasDepth = false;
     makeReady(commands);
     start(commands, VK_ATTACHMENT_LOAD_OP_CLEAR, background);
 }
@@ -74,6 +84,51 @@ void RenderTarget::resume(VkCommandBuffer commands) const {
     gpu::memoryBarrier(commands, gpu::kColour, gpu::kColour);
     gpu::memoryBarrier(commands, gpu::kDepth, gpu::kDepth);
     start(commands, VK_ATTACHMENT_LOAD_OP_LOAD, {});
+}
+
+/// Sample 0 of every pixel, which every device can.
+void RenderTarget::flattenDepth(VkCommandBuffer commands) const {
+    gpu::imageBarrier(commands, {m_flatDepth.handle(), kDepthAspects, VK_IMAGE_LAYOUT_UNDEFINED, kDepthLayout,
+                                 gpu::kAnything, gpu::kAnything});
+    gpu::memoryBarrier(commands, gpu::kDepth, gpu::kAnything);
+    VkRenderingAttachmentInfo depth = attachment(m_depth, kDepthLayout, VK_ATTACHMENT_LOAD_OP_LOAD);
+    depth.resolveMode = VK_RESOLVE_MODE_SAMPLE_ZERO_BIT;
+    depth.resolveImageView = m_flatDepth.view();
+    depth.resolveImageLayout = kDepthLayout;
+    auto info = gpu::vkInfo<VkRenderingInfo>(VK_STRUCTURE_TYPE_RENDERING_INFO);
+    info.renderArea = {{0, 0}, m_extent};
+    info.layerCount = 1;
+    info.pDepthAttachment = &depth;
+    info.pStencilAttachment = &depth;
+    vkCmdBeginRendering(commands, &info);
+    vkCmdEndRendering(commands);
+}
+
+void RenderTarget::keepDepth(VkCommandBuffer commands) {
+    pause(commands);
+    if (!m_depths.size()) {
+        m_depths = gpu::Buffer(*m_device,
+                               {"kept depth", kDepthBytes * m_extent.width * m_extent.height, gpu::MemoryUse::Targets});
+    }
+    if (isSmoothed() && !m_flatDepth) {
+        m_flatDepth = gpu::Image(
+            *m_device, {"kept depth", gpu::kDepthFormat, m_extent, kReadDepth, VK_SAMPLE_COUNT_1_BIT, kDepthAspects});
+    }
+    if (isSmoothed()) {
+        flattenDepth(commands);
+    }
+    const gpu::Image& flat = isSmoothed() ? m_flatDepth : m_depth;
+    gpu::imageBarrier(commands,
+                      {flat.handle(), kDepthAspects, kDepthLayout, kReadLayout, gpu::kAnything, gpu::kAnything});
+    VkBufferImageCopy region{};
+    region.imageSubresource = {VK_IMAGE_ASPECT_DEPTH_BIT, 0, 0, 1};
+    region.imageExtent = {m_extent.width, m_extent.height, 1};
+    vkCmdCopyImageToBuffer(commands, flat.handle(), kReadLayout, m_depths.handle(), 1, &region);
+    gpu::imageBarrier(commands,
+                      {flat.handle(), kDepthAspects, kReadLayout, kDepthLayout, gpu::kCopyRead, gpu::kAnything});
+    gpu::memoryBarrier(commands, gpu::kCopyWrite, gpu::kAnyRead);
+    m_hasDepth = true;
+    resume(commands);
 }
 
 void RenderTarget::beginRendering(VkCommandBuffer commands, const VkRenderingAttachmentInfo& colour,

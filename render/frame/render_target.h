@@ -3,6 +3,7 @@
 #include <glm/glm.hpp>
 
 #include "render/backends/let_backend.h"
+#include "render/gpu/buffer.h"
 #include "render/gpu/image.h"
 
 namespace render {
@@ -21,7 +22,7 @@ public:
     [[nodiscard]] const TargetFormat& format() const { return m_format; }
 
     /// Starts drawing on a cleared target; `background` is linear.
-    void begin(VkCommandBuffer commands, const glm::vec3& background) const;
+    void begin(VkCommandBuffer commands, const glm::vec3& background);
     /// Between these two other work may be recorded; what was drawn is kept.
     static void pause(VkCommandBuffer commands) { vkCmdEndRendering(commands); }
     void resume(VkCommandBuffer commands) const;
@@ -29,6 +30,13 @@ public:
     void end(VkCommandBuffer commands) const;
     /// Goes on over a finished picture, with one sample and without depth, until `end`.
     void beginOver(VkCommandBuffer commands) const;
+
+    /// While drawing: puts the depth that there is aside, of one sample per pixel, and goes on. It is there until the
+    /// next `begin`. Throws gpu::OutOfMemory; drawing has stopped then.
+    void keepDepth(VkCommandBuffer commands);
+    [[nodiscard]] bool hasDepth() const { return m_hasDepth; }
+    /// Rows from the top of 32-bit floats, nearer is greater; for shaders, after `end`.
+    [[nodiscard]] VkDeviceAddress depths() const { return m_depths.address(); }
 
     /// Puts a copy of the finished picture aside. Throws gpu::OutOfMemory; nothing is kept then.
     void cacheBoard(VkCommandBuffer commands);
@@ -43,6 +51,7 @@ private:
     void makeReady(VkCommandBuffer commands) const;
     void beginRendering(VkCommandBuffer commands, const VkRenderingAttachmentInfo& colour,
                         const VkRenderingAttachmentInfo* depth) const;
+    void flattenDepth(VkCommandBuffer commands) const;
     void copy(VkCommandBuffer commands, VkImage from, VkImage to) const;
     void start(VkCommandBuffer commands, VkAttachmentLoadOp load, const glm::vec3& background) const;
 
@@ -52,6 +61,9 @@ private:
     gpu::Image m_colour;   ///< one sample
     gpu::Image m_samples;  ///< only when smoothed
     gpu::Image m_depth;
+    gpu::Image m_flatDepth;  ///< of one sample; only when smoothed and kept
+    gpu::Buffer m_depths;
+    bool m_hasDepth = false;
     gpu::Image m_cached;  ///< between uses ready to be copied from
 };
 

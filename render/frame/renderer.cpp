@@ -18,12 +18,20 @@ constexpr std::uint32_t kStencilReferences = 255;
 /// Lets within a circle of this radius are left to compute shaders, where there is a choice (docs/performance.md).
 constexpr float kRasterRadiusPx = 2.0F;
 
+/// Is depth kept, for a picture in a plane?
+bool isKept(const ViewSettings& settings) {
+    return settings.inPlane.pixels.rgba != nullptr;
+}
+
+bool isSmoothed(const RenderTarget& target) {
+    return target.format().samples != VK_SAMPLE_COUNT_1_BIT;
+}
+
 /// A picture being drawn. A single group of copies is looked through once, before drawing begins; several take turns in
 /// the draw lists, and drawing pauses whenever another one comes.
 class Picture {
 public:
-    Picture(SceneDrawer& drawer, const std::vector<CopyGroup>& groups, const RenderTarget& target,
-            VkCommandBuffer commands)
+    Picture(SceneDrawer& drawer, const std::vector<CopyGroup>& groups, RenderTarget& target, VkCommandBuffer commands)
         : m_drawer(drawer), m_groups(groups), m_target(target), m_commands(commands) {}
 
     void begin(const glm::vec3& ground) {
@@ -80,7 +88,7 @@ private:
 
     SceneDrawer& m_drawer;
     const std::vector<CopyGroup>& m_groups;
-    const RenderTarget& m_target;
+    RenderTarget& m_target;
     VkCommandBuffer m_commands;
     std::size_t m_listed = 0;  ///< the group whose draw lists are there
 };
@@ -119,13 +127,28 @@ void Renderer::cacheBoard(gpu::Frame& frame, RenderTarget& target) {
     }
 }
 
-void Renderer::drawOverlay(gpu::Frame& frame, RenderTarget& target, const Overlay& overlay) {
-    if (overlay.rgba != nullptr) {
-        target.beginOver(frame.commands());
-        const VkFormat colour = target.format().colour;
-        m_overlays.try_emplace(colour, *m_device, colour).first->second.draw(frame, overlay);
-        target.end(frame.commands());
+void Renderer::drawOverlays(gpu::Frame& frame, RenderTarget& target, const Camera& camera,
+                            const ViewSettings& settings) {
+    const VkExtent2D extent = target.extent();
+    const Overlay& laid = settings.inPlane.pixels;
+    const bool isLaid =
+        isKept(settings) && target.hasDepth() && laid.width == extent.width && laid.height == extent.height;
+    const auto plane = isLaid
+                           ? depthOfPlane(camera, settings.inPlane.z, extent.width, extent.height, isSmoothed(target))
+                           : std::nullopt;
+    if (!plane && settings.overlay.rgba == nullptr) {
+        return;
     }
+    const VkFormat colour = target.format().colour;
+    const OverlayDrawer& drawer = m_overlays.try_emplace(colour, *m_device, colour).first->second;
+    target.beginOver(frame.commands());
+    if (plane) {
+        drawer.drawInPlane(frame, laid, *plane, target.depths());
+    }
+    if (settings.overlay.rgba != nullptr) {
+        drawer.draw(frame, settings.overlay);
+    }
+    target.end(frame.commands());
 }
 
 TargetFormat Renderer::makeTarget(RenderTarget& target, VkExtent2D extent, VkFormat colour, Backend backend,
@@ -149,7 +172,8 @@ TargetFormat Renderer::makeTarget(RenderTarget& target, VkExtent2D extent, VkFor
 
 Backend Renderer::record(gpu::Frame& frame, RenderTarget& target, VkExtent2D extent, VkFormat colour, BoardScene* scene,
                          const Camera& camera, const ViewSettings& settings) {
-    m_isOverlayAlone = settings.isBoardCached && target.hasCached(extent, colour);
+    m_isOverlayAlone = settings.isBoardCached && target.hasCached(extent, colour) &&
+                       (scene == nullptr || !isKept(settings) || target.hasDepth());
     if (m_isOverlayAlone) {
         frame.leaveUntimed();
         target.restore(frame.commands());
@@ -164,7 +188,7 @@ Backend Renderer::record(gpu::Frame& frame, RenderTarget& target, VkExtent2D ext
         target.end(frame.commands());
         m_last = settings.backend;
     }
-    drawOverlay(frame, target, settings.overlay);
+    drawOverlays(frame, target, camera, settings);
     return m_last;
 }
 
@@ -187,6 +211,9 @@ Backend Renderer::recordBoard(gpu::Frame& frame, RenderTarget& target, VkExtent2
     if (plan.hasSection) {
         const SectionDrawer& sections = m_sections.try_emplace(format, *m_device, format).first->second;
         sections.draw(frame, plan, scene.impl().layers, *settings.section);
+    }
+    if (isKept(settings)) {
+        target.keepDepth(frame.commands());
     }
     picture.drawTranslucent(plan.upright);
     if (countStandingOut(scene.impl()) > 0 && !settings.isMono) {

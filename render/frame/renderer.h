@@ -37,7 +37,7 @@ private:
     Backend recordBoard(gpu::Frame& frame, RenderTarget& target, VkExtent2D extent, VkFormat colour, BoardScene& scene,
                         const Camera& camera, const ViewSettings& settings);
     void cacheBoard(gpu::Frame& frame, RenderTarget& target);
-    void drawOverlay(gpu::Frame& frame, RenderTarget& target, const Overlay& overlay);
+    void drawOverlays(gpu::Frame& frame, RenderTarget& target, const Camera& camera, const ViewSettings& settings);
 
     gpu::Device* m_device;
     std::map<std::pair<TargetFormat, Backend>, std::unique_ptr<SceneDrawer>> m_scenes;

@@ -23,6 +23,13 @@ struct Overlay {
     const std::uint8_t* rgba = nullptr;
 };
 
+/// The same in a plane of the board, as a camera sees it: what is opaque and nearer to the viewer hides it. It lies
+/// under the overlay. As long as there is one, the depth of the board is kept beside its picture.
+struct PlanePicture {
+    Overlay pixels;  ///< of the size of the frame, else it is left out
+    float z = 0.0F;  ///< of the plane, mm, as the board is drawn
+};
+
 /// How finely round things are drawn.
 enum class LevelOfDetail {
     Error,  ///< outlines stray less than a third of a pixel
@@ -47,6 +54,7 @@ struct ViewSettings {
         false;  ///< outlines and nothing in them, in flat views; Impostor draws them, whatever `backend` says
     glm::vec3 background{0.10F, 0.11F, 0.13F};  ///< sRGB
     Overlay overlay;                            ///< none while it has no pixels
+    PlanePicture inPlane;                       ///< likewise; in 3D
     bool cachesBoard = false;                   ///< caches the board as drawn, for a next frame of the same presenter
     bool isBoardCached = false;  ///< nothing but the overlay differs from the frame that cached it: draws that alone
 };

@@ -8,13 +8,18 @@
 namespace shader {
 #endif
 
-// Push constants. `pixels`: rows from the top, 0xAABBGGRR, sRGB multiplied by alpha.
+// Push constants. `pixels`: rows from the top, 0xAABBGGRR, sRGB multiplied by alpha. A picture in a plane of the board
+// is hidden where the board is nearer than the plane there, plane.x * column + plane.y * row + plane.z: `depths` has
+// the board's depth for each of the pixels, as bits of floats.
 struct OverlayPush {
     GPU_ADDRESS(Words) pixels;
+    GPU_ADDRESS(Words) depths;
+    vec3 plane;
     uint width;
     uint height;
+    uint isInPlane;  // 0: it lies over everything
 };
-GPU_SIZE(OverlayPush, 16);
+GPU_SIZE(OverlayPush, 40);
 
 #ifdef __cplusplus
 }  // namespace shader

@@ -105,6 +105,76 @@ private slots:
         }
     }
 
+    /// From straight above and from the side, in both projections: what is opaque and above the plane hides it, what is
+    /// translucent or below does not.
+    void aPictureInAPlaneIsHiddenByWhatIsAboveIt() {
+        SyntheticBoard board;
+        board.addLayer(0.0F, 0.1F, {0, 0, 1});
+        board.addDisc({0, 0}, 0.9F);
+        board.addLayer(0.5F, 0.6F, {1, 0, 0});
+        board.addDisc({-0.4F, 0}, 0.2F);
+        board.addLayer(0.7F, 0.8F, {1, 1, 1}, 0.3F);
+        board.addDisc({0.4F, 0}, 0.2F);
+        Scene scene(board);
+        constexpr std::uint32_t kSide = 200;
+        std::vector<std::uint8_t> green(std::size_t{kSide} * kSide * 4);
+        for (std::size_t i = 0; i < green.size(); i += 4) {
+            green[i + 1] = green[i + 3] = 255;
+        }
+        for (const bool isParallel : {true, false}) {
+            for (const bool isSmoothed : {true, false}) {
+                for (const bool isTilted : {false, true}) {
+                    scene.camera = Camera();
+                    scene.camera.setOrthographic(isParallel);
+                    scene.camera.fit(scene.model.boxMin, scene.model.boxMax, isTilted ? NamedView::Iso : NamedView::Top,
+                                     1.0F);
+                    ViewSettings how;
+                    how.isSmoothed = isSmoothed;
+                    how.inPlane = {{kSide, kSide, green.data()}, 0.1F};
+                    const Image image = scene.draw(how, kSide, kSide);
+                    const auto at = [&](glm::vec3 mm) {
+                        const glm::vec4 clip =
+                            scene.camera.projection(1.0F) * scene.camera.view() * glm::vec4(mm, 1.0F);
+                        return pixel(image, static_cast<std::uint32_t>((clip.x / clip.w + 1) / 2 * kSide),
+                                     static_cast<std::uint32_t>((clip.y / clip.w + 1) / 2 * kSide));
+                    };
+                    const Rgb shown{0, 255, 0};
+                    QVERIFY2(at({0, -0.5F, 0.1F}) == shown, describe(at({0, -0.5F, 0.1F})).c_str());
+                    QVERIFY2(at({0.4F, 0, 0.8F}) == shown, describe(at({0.4F, 0, 0.8F})).c_str());
+                    const Rgb above = at({-0.4F, 0, 0.6F});
+                    QVERIFY2(above.g < 60 && above.r > 100, describe(above).c_str());
+                }
+            }
+        }
+    }
+
+    /// Another picture in the plane needs no frame of the board once its depth is kept.
+    void theDepthOfABoardIsKeptWithItsPicture() {
+        Scene scene(everything());
+        scene.camera.fit(scene.model.boxMin, scene.model.boxMax, NamedView::Iso, 4.0F / 3.0F);
+        const std::vector<std::uint8_t> spots[] = {overlayOf(200, 150, 70), overlayOf(200, 150, 90)};
+        OffscreenPresenter presenter(Gpu::get().device);
+        const auto draw = [&](int spot, bool isKept) {
+            ViewSettings how;
+            how.cachesBoard = true;
+            how.isBoardCached = isKept;
+            if (spot >= 0) {
+                how.inPlane = {{200, 150, spots[spot].data()}, scene.model.boxMax.z + 1.0F};
+            }
+            return *presenter.render(scene.scene, scene.camera, how, 200, 150);
+        };
+        const Image bare = draw(-1, false);
+        const Image first = draw(0, true);
+        QVERIFY(!presenter.stats().isOverlayAlone);  // there was no depth
+        QVERIFY(differingPixels(bare, first) > 10);
+        const Image second = draw(1, true);
+        QVERIFY(presenter.stats().isOverlayAlone);
+        QVERIFY(differingPixels(first, second) > 10);
+        QCOMPARE(differingPixels(draw(0, true), first, 0), std::size_t{0});
+        QCOMPARE(differingPixels(draw(-1, true), bare, 0), std::size_t{0});
+        QVERIFY(presenter.stats().isOverlayAlone);
+    }
+
     void translucentLayerIsBlendedOnceHoweverOftenItsShapesOverlap() {
         SyntheticBoard board;
         board.addLayer(0.0F, 0.035F, {1, 1, 1}, 0.5F);

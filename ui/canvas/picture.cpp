@@ -12,6 +12,14 @@ QImage background(const render::ViewSettings& settings, QSize size) {
     return image;
 }
 
+/// None of a null image.
+render::Overlay pixelsOf(const QImage& image) {
+    if (image.isNull()) {
+        return {};
+    }
+    return {static_cast<std::uint32_t>(image.width()), static_cast<std::uint32_t>(image.height()), image.constBits()};
+}
+
 /// A QImage over the pixels, which live as long as it does.
 QImage adopt(render::Image pixels) {
     auto* owner = new render::Image(std::move(pixels));
@@ -28,10 +36,8 @@ render::ViewSettings Picture::frameSettings() const {
         scene->setStyles(styles);
     }
     render::ViewSettings withOverlay = settings;
-    if (!overlay.isNull()) {
-        withOverlay.overlay = {static_cast<std::uint32_t>(overlay.width()),
-                               static_cast<std::uint32_t>(overlay.height()), overlay.constBits()};
-    }
+    withOverlay.overlay = pixelsOf(overlay);
+    withOverlay.inPlane = {pixelsOf(inPlane), planeZ};
     return withOverlay;
 }
 

@@ -16,6 +16,8 @@ struct Picture {
     render::ViewSettings settings;
     std::vector<render::LayerStyle> styles;  ///< one per layer of the scene; views may differ
     QImage overlay;                          ///< null for none; RGBA8888_Premultiplied, in pixels of the picture
+    QImage inPlane;                          ///< the same in a plane of the board; null for none
+    float planeZ = 0.0F;                     ///< of that plane, mm
     /// Called before each frame of a canvas with the picture's size in pixels: paints the overlay.
     std::function<void(QSize pixels)> prepare;
 

@@ -6,6 +6,7 @@
 
 namespace ui {
 
+using model::BoardDistances;
 using model::DistanceField;
 
 ClearanceMapOverlay::ClearanceMapOverlay(BoardViews& views, Probing& probing, Workspace& workspace, QObject* parent)
@@ -66,7 +67,7 @@ bool ClearanceMapOverlay::isPending() const {
 void ClearanceMapOverlay::ask() {
     std::optional<Question> question;
     if (m_isOn && m_board) {
-        question = Question{m_layer(), m_selection.ownElements()};
+        question = Question{m_layer(), targets()};
     }
     if (question == m_question) {
         return;
@@ -84,12 +85,12 @@ void ClearanceMapOverlay::ask() {
 }
 
 void ClearanceMapOverlay::work(Question question) {
-    using Field = std::shared_ptr<const DistanceField>;
+    using Field = std::shared_ptr<const BoardDistances>;
     const auto measure = [board = m_board, question = std::move(question)](base::Progress& progress) {
-        base::Result<DistanceField> field = question.targets.empty()
-                                                ? DistanceField::betweenNets(*board, question.layer, progress)
-                                                : DistanceField::toTargets(*board, question.layer, question.targets);
-        return field ? base::Result<Field>(std::make_shared<const DistanceField>(std::move(*field))) : field.error();
+        base::Result<BoardDistances> field = question.targets.empty()
+                                                 ? BoardDistances::betweenNets(*board, question.layer, progress)
+                                                 : BoardDistances::toTargets(*board, question.layer, question.targets);
+        return field ? base::Result<Field>(std::make_shared<const BoardDistances>(std::move(*field))) : field.error();
     };
     m_work.run(measure, tr("Measuring distances"), tr("not enough memory for a map of this layer"));
     emit reported(tr("measuring…"));
@@ -98,13 +99,14 @@ void ClearanceMapOverlay::work(Question question) {
 void ClearanceMapOverlay::deliver() {
     if (const auto field = m_work.take()) {
         show(*field);
-        emit reported(legend().title);
+        const std::string note = m_field->note();
+        emit reported(legend().title + (note.empty() ? QString() : "; " + QString::fromStdString(note)));
     } else {
         emit reported(reasonFor(field.error()));
     }
 }
 
-void ClearanceMapOverlay::show(std::shared_ptr<const DistanceField> field) {
+void ClearanceMapOverlay::show(std::shared_ptr<const BoardDistances> field) {
     m_field = std::move(field);
     for (ClearanceMapPicture* picture : m_pictures) {
         const bool hasOutline = m_board && !m_board->board.isEmpty();
@@ -118,10 +120,23 @@ QString ClearanceMapOverlay::reasonFor(const base::Error& error) const {
     if (m_question->targets.empty() && m_board->nets.empty()) {
         text += tr("; the board has no nets: Board, Infer nets from copper finds them");
     }
-    if (m_selection.tree().copies.size() > 1) {
-        text += tr("; steps that the panel places are mapped when they are opened by themselves");
-    }
     return text;
+}
+
+/// What is selected or highlighted, in all copies.
+std::vector<model::BoardElement> ClearanceMapOverlay::targets() const {
+    std::vector<model::BoardElement> targets = m_selection.selected();
+    const model::StepTree& tree = m_selection.tree();
+    for (const model::BoardNet& net : m_selection.nets()) {
+        for (std::uint32_t copy = 0; copy < tree.copies.size(); ++copy) {
+            if (tree.copies[copy].step == net.step) {
+                for (const model::ElementId element : tree.steps[net.step]->elementsOf(net.net)) {
+                    targets.push_back({copy, element});
+                }
+            }
+        }
+    }
+    return targets;
 }
 
 QString ClearanceMapOverlay::targetName() const {

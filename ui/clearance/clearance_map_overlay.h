@@ -14,8 +14,8 @@
 namespace ui {
 
 /// The clearance map: colours every location of a copper layer by how far it is from what is selected or highlighted,
-/// and with nothing selected by the spacing between nets there (model::DistanceField). Follows the selection, the layer
-/// and the cameras; another range only colours anew.
+/// and with nothing selected by the spacing between nets there (model::BoardDistances: copies on panels too). Follows
+/// the selection, the layer and the cameras; another range only colours anew.
 class ClearanceMapOverlay : public QObject {
     Q_OBJECT
 
@@ -35,7 +35,7 @@ public:
     /// Is something still to be worked out?
     [[nodiscard]] bool isPending() const;
     /// Null while there is nothing to paint.
-    [[nodiscard]] const model::DistanceField* field() const { return m_field.get(); }
+    [[nodiscard]] const model::BoardDistances* field() const { return m_field.get(); }
     [[nodiscard]] ClearanceMapPicture& picture(BoardView::Kind kind) {
         return *m_pictures[static_cast<std::size_t>(kind)];
     }
@@ -53,14 +53,15 @@ private:
 
     struct Question {
         model::LayerId layer;
-        std::vector<model::ElementId> targets;  ///< none: spacings between nets
+        std::vector<model::BoardElement> targets;  ///< none: spacings between nets
         bool operator==(const Question&) const = default;
     };
 
     void ask();
     void work(Question question);
     void deliver();
-    void show(std::shared_ptr<const model::DistanceField> field);
+    void show(std::shared_ptr<const model::BoardDistances> field);
+    [[nodiscard]] std::vector<model::BoardElement> targets() const;
     [[nodiscard]] QString targetName() const;
     [[nodiscard]] QString reasonFor(const base::Error& error) const;
     void paintLegend(QPainter& painter, const BoardView& view) const;
@@ -72,12 +73,12 @@ private:
     std::function<model::LayerId()> m_layer;
     std::shared_ptr<const model::Document> m_board;
     std::optional<Question> m_question;  ///< that the field answers, or will
-    std::shared_ptr<const model::DistanceField> m_field;
+    std::shared_ptr<const model::BoardDistances> m_field;
     std::optional<base::PointD> m_cursor;
     double m_reach = 0.5e6;
     bool m_isOn = false;
     QTimer m_refresh;  ///< several changes are one
-    BackgroundResult<std::shared_ptr<const model::DistanceField>> m_work;
+    BackgroundResult<std::shared_ptr<const model::BoardDistances>> m_work;
 };
 
 }  // namespace ui

@@ -1,6 +1,7 @@
 #include "ui/clearance/clearance_map_picture.h"
 
 #include <QPainter>
+#include <QPainterPath>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -61,10 +62,11 @@ ClearanceMapPicture::ClearanceMapPicture(BoardView& view, QObject* parent) : QOb
     m_rest.setInterval(kRestMs);
     connect(&m_rest, &QTimer::timeout, this, &ClearanceMapPicture::work);
     connect(&m_work.background(), &Background::finished, this, &ClearanceMapPicture::deliver);
-    view.addGroundPainter([this](QPainter& painter) { paint(painter); });
+    view.setPlanePainter([this](QPainter& painter) { paint(painter); },
+                         [this] { return m_field && m_view.hasScene() ? std::optional(height()) : std::nullopt; });
 }
 
-void ClearanceMapPicture::setField(std::shared_ptr<const model::DistanceField> field, const model::Box& board) {
+void ClearanceMapPicture::setField(std::shared_ptr<const model::BoardDistances> field, const model::Box& board) {
     m_work.cancel();
     m_rest.stop();
     m_field = std::move(field);
@@ -183,6 +185,33 @@ QTransform ClearanceMapPicture::canvasFromCells() const {
     return {right[0], right[1], right[2], up[0], up[1], up[2], at[0], at[1], at[2]};
 }
 
+/// What a section plane has taken away has no map.
+void ClearanceMapPicture::clipToBoard(QPainter& painter) const {
+    if (m_view.cut() == nullptr) {
+        return;
+    }
+    const render::SectionPlane& cut = m_view.cut()->plane;
+    const auto beyond = [&](QPointF cell) {
+        const glm::vec3 at = m_view.position().toModel(m_map->frame.centreOf(cell.x() - 0.5, cell.y() - 0.5));
+        return glm::dot(glm::dvec2(at) - cut.start, glm::dvec2(-cut.direction.y, cut.direction.x));
+    };
+    const QPolygonF corners = QRectF(m_image.rect());  // closed: the last is the first
+    QPolygonF left;
+    for (qsizetype i = 0; i + 1 < corners.size(); ++i) {
+        const double from = beyond(corners[i]);
+        const double to = beyond(corners[i + 1]);
+        if (from <= 0.0) {
+            left += corners[i];
+        }
+        if ((from > 0.0) != (to > 0.0)) {
+            left += corners[i] + (corners[i + 1] - corners[i]) * (from / (from - to));
+        }
+    }
+    QPainterPath path;
+    path.addPolygon(left);
+    painter.setClipPath(path);
+}
+
 void ClearanceMapPicture::paint(QPainter& painter) {
     if (!m_field || !m_view.hasScene()) {
         return;
@@ -195,6 +224,7 @@ void ClearanceMapPicture::paint(QPainter& painter) {
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.setRenderHint(QPainter::SmoothPixmapTransform, !m_view.controller().isPlan());
     painter.setTransform(cells, true);
+    clipToBoard(painter);
     if (cells.isAffine()) {
         painter.drawImage(QPointF(), m_image);
         return;

@@ -7,15 +7,16 @@
 #include <memory>
 #include <optional>
 
-#include "model/clearance/clearance_map.h"
+#include "model/clearance/board_distances.h"
 #include "ui/views/board_position.h"
 #include "ui/views/board_view.h"
 #include "ui/workspace/background_result.h"
 
 namespace ui {
 
-/// A clearance map painted over one view, in the plane of its layer. What the view shows is worked out in the
-/// background once the view rests, a cell per pixel; until then the last picture moves along with the board.
+/// A clearance map painted over one view, in the plane of its layer; in 3D under what covers that. What the view shows
+/// is worked out in the background once the view rests, a cell per pixel; until then the last picture moves along with
+/// the board.
 class ClearanceMapPicture : public QObject {
     Q_OBJECT
 
@@ -23,7 +24,7 @@ public:
     explicit ClearanceMapPicture(BoardView& view, QObject* parent = nullptr);
 
     /// From now on the map of this field, of what lies within `board`; null: nothing.
-    void setField(std::shared_ptr<const model::DistanceField> field, const model::Box& board);
+    void setField(std::shared_ptr<const model::BoardDistances> field, const model::Box& board);
     /// Colours go from 0 to this (nm); what is farther is only darkened a little.
     void setReach(double nm);
 
@@ -44,6 +45,7 @@ signals:
 
 private:
     void paint(QPainter& painter);
+    void clipToBoard(QPainter& painter) const;
     void follow();
     void work();
     void deliver();
@@ -52,7 +54,7 @@ private:
     [[nodiscard]] QTransform canvasFromCells() const;
 
     BoardView& m_view;
-    std::shared_ptr<const model::DistanceField> m_field;
+    std::shared_ptr<const model::BoardDistances> m_field;
     model::Box m_board;
     double m_reach = 1e6;
     std::optional<model::MapFrame> m_asked;

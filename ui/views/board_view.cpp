@@ -103,24 +103,52 @@ void BoardView::setOutlined(bool isOn) {
     requestFrame();
 }
 
-void BoardView::paintOverlay(Picture& picture, QSize pixels, Shown where) const {
-    if (picture.overlay.size() != pixels) {
-        picture.overlay = m_painters.empty() ? QImage() : QImage(pixels, QImage::Format_RGBA8888_Premultiplied);
+template <class Paint>
+void BoardView::paintOn(QImage& image, QSize pixels, const Paint& paint) const {
+    if (image.size() != pixels) {
+        image = QImage(pixels, QImage::Format_RGBA8888_Premultiplied);
     }
-    if (m_painters.empty()) {
-        return;
-    }
-    picture.overlay.fill(Qt::transparent);
-    QPainter painter(&picture.overlay);
+    image.fill(Qt::transparent);
+    QPainter painter(&image);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.scale(pixels.width() / m_controller.viewport().width(), pixels.height() / m_controller.viewport().height());
-    for (const auto& [paint, shown] : m_painters) {
-        if (where == Shown::OnCanvas || shown == Shown::Everywhere) {
-            painter.save();
-            paint(painter);
-            painter.restore();
-        }
+    paint(painter);
+}
+
+void BoardView::setPlanePainter(Painter painter, std::function<std::optional<float>()> height) {
+    if (m_kind == Kind::Flat) {
+        addGroundPainter(std::move(painter));
+        return;
     }
+    m_planePainter = std::move(painter);
+    m_planeHeight = std::move(height);
+}
+
+void BoardView::paintPlane(Picture& picture, QSize pixels) const {
+    const std::optional<float> height = m_planeHeight ? m_planeHeight() : std::nullopt;
+    if (height) {
+        picture.planeZ = *height;
+        paintOn(picture.inPlane, pixels, m_planePainter);
+    } else {
+        picture.inPlane = {};
+    }
+}
+
+void BoardView::paintOverlay(Picture& picture, QSize pixels, Shown where) const {
+    paintPlane(picture, pixels);
+    if (m_painters.empty()) {
+        picture.overlay = {};
+        return;
+    }
+    paintOn(picture.overlay, pixels, [&](QPainter& painter) {
+        for (const auto& [paint, shown] : m_painters) {
+            if (where == Shown::OnCanvas || shown == Shown::Everywhere) {
+                painter.save();
+                paint(painter);
+                painter.restore();
+            }
+        }
+    });
 }
 
 base::Box BoardView::boxBetween(QPointF from, QPointF to) const {

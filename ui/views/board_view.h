@@ -3,6 +3,7 @@
 #include <QTimer>
 #include <QWidget>
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -69,6 +70,9 @@ public:
     void addGroundPainter(Painter painter) {
         m_painters.emplace(m_painters.begin(), std::move(painter), Shown::Everywhere);
     }
+    /// Paints before all others what lies in a level plane of the board, whose height as drawn (mm) `height` says;
+    /// none: there is nothing to paint. In 3D what is opaque and nearer to the viewer hides it. One at most.
+    void setPlanePainter(Painter painter, std::function<std::optional<float>()> height);
     /// 0 to 1, see render::ViewSettings.
     void setExplode(float explode);
     /// The caller sets a box of these heights too.
@@ -117,12 +121,18 @@ private:
     void onTimed(const render::FrameStats& stats);
     void updateBox();
     void paintOverlay(Picture& picture, QSize pixels, Shown where) const;
+    void paintPlane(Picture& picture, QSize pixels) const;
+    /// On a cleared image of this size, in logical pixels.
+    template <class Paint>
+    void paintOn(QImage& image, QSize pixels, const Paint& paint) const;
 
     GpuContext& m_context;
     Kind m_kind;
     CameraController m_controller;
     BoardPosition m_position;
     std::vector<std::pair<Painter, Shown>> m_painters;
+    Painter m_planePainter;
+    std::function<std::optional<float>()> m_planeHeight;
     Picture m_picture;
     glm::vec3 m_boxMin{-1.0F};
     glm::vec3 m_boxMax{1.0F};

@@ -82,12 +82,40 @@ private slots:
         QTRY_COMPARE(distances().field() == nullptr ? LayerId{} : distances().field()->layer(), copperLayers().back());
         waitForMaps();
         compareColours(views().flat(), 0.9);
+        views().solid().controller().look(render::NamedView::Bottom);
         window().actions()[ActionId::Orthographic].trigger();
         waitForMaps();
         compareColours(views().solid(), 0.8);
         window().actions()[ActionId::Orthographic].trigger();
         waitForMaps();
         compareColours(views().solid(), 0.8);
+    }
+
+    /// The map of the bottom is not seen from above, as long as the board is in between.
+    void whatLiesAboveHidesTheMapIn3d() {
+        views().flat().controller().look(render::NamedView::Bottom);
+        const QImage without = grab(views().solid());
+        switchOn();
+        QTRY_COMPARE(distances().field() == nullptr ? LayerId{} : distances().field()->layer(), copperLayers().back());
+        waitForMaps();
+        slider().setValue(slider().maximum());
+        const auto changed = [&] { return differingPixels(without, grab(views().solid())); };
+        const int legend = changed();
+        window().layers().toggleSolo(copperLayers().back());
+        waitForMaps();
+        compareColours(views().solid(), 0.8);
+        window().layers().toggleSolo({});
+        waitForMaps();
+        QCOMPARE(changed(), legend);
+        const QImage covered = grab(views().solid());
+        std::size_t shown = 0;
+        const auto locations = coloured(views().solid());
+        for (const auto& [at, value] : locations) {
+            const QPoint pixel = (at * views().solid().devicePixelRatioF()).toPoint();
+            shown += covered.pixelColor(pixel) == without.pixelColor(pixel) ? 0 : 1;
+        }
+        QVERIFY(locations.size() > 30);
+        QVERIFY2(20 * shown < locations.size(), qPrintable(QString("%1 of %2").arg(shown).arg(locations.size())));
     }
 
     void theSelectionIsMeasuredTo() {
