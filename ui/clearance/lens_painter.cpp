@@ -74,13 +74,16 @@ void LensPainter::drawDots(std::span<const QPointF> dots) {
 std::vector<LensPainter::Number> LensPainter::drawNumbers(std::span<const Line> lines,
                                                           std::span<const std::size_t> rows, LengthUnit unit) {
     const QFontMetricsF metrics(m_painter.font());
-    const std::size_t count = std::min(kMostNumbers, rows.size());
     LabelPlacing placing(m_canvas.size());
-    for (const std::size_t row : rows.first(count)) {
-        placing.avoid({lines[row].from, lines[row].to});
+    std::vector<std::size_t> wanted;
+    for (std::size_t i = 0; i < rows.size() && wanted.size() < kMostNumbers; ++i) {
+        if (!isDot(lines[rows[i]])) {
+            placing.avoid({lines[rows[i]].from, lines[rows[i]].to});
+            wanted.push_back(rows[i]);
+        }
     }
     std::vector<Number> numbers;
-    for (const std::size_t row : rows.first(count)) {
+    for (const std::size_t row : wanted) {
         const std::optional<QPointF> beside = middleWithin({lines[row].from, lines[row].to}, m_canvas);
         const QString text = lengthText(lines[row].nm, unit);
         const QSizeF size(metrics.horizontalAdvance(text) + 2 * kMargin, metrics.height() + kMargin);

@@ -35,7 +35,8 @@ public:
 
     /// `lines` in order of their length on the board, the nearest first. Lines beside the canvas are left out, and
     /// those that would be painted where a nearer one is already. Numbers are written in that order where there is
-    /// room: none lies on another, and those that find none beside their line are left out. Returns what was written.
+    /// room: none lies on another, and those that find none beside their line, or whose line is a dot, are left out.
+    /// Returns what was written.
     std::vector<Number> paint(std::span<const Line> lines, LengthUnit unit);
 
 private:

@@ -3,6 +3,8 @@
 #include <QSlider>
 #include <QWheelEvent>
 #include <QtTest>
+#include <filesystem>
+#include <fstream>
 #include <set>
 
 #include "render/scene/colour_ramp.h"
@@ -34,6 +36,7 @@ private slots:
         window().layers().restoreDefaults();
         slider().setValue(m_slider);
         views().flat().controller().look(render::NamedView::Top);
+        views().solid().controller().look(render::NamedView::Iso);
         for (BoardView* view : views().both()) {
             view->controller().fit();
         }
@@ -94,6 +97,7 @@ private slots:
     /// The map of the bottom is not seen from above, as long as the board is in between.
     void whatLiesAboveHidesTheMapIn3d() {
         views().flat().controller().look(render::NamedView::Bottom);
+        views().solid().controller().zoomAtCentre(4.0F);
         const QImage without = grab(views().solid());
         switchOn();
         QTRY_COMPARE(distances().field() == nullptr ? LayerId{} : distances().field()->layer(), copperLayers().back());
@@ -234,6 +238,36 @@ private slots:
                 QVERIFY(std::ranges::is_sorted(numbers));
             }
         }
+    }
+
+    /// Turned and flipped copies too, in both views; and what is not measured is said.
+    void everyCopyOnAPanelIsMapped() {
+        const std::filesystem::path job = m_fixture->copyOfJob("panel");
+        std::ofstream(job / "steps/card/layers/top/features")
+            << "UNITS=MM\n$0 r300\nL 1 1 9 1 0 P 0\nL 1 2 9 2 0 P 0\n";
+        std::ofstream(job / "steps/card/eda/data") << "UNITS=MM\nLYR top bottom\nNET A\nFID C 0 0\nNET B\nFID C 0 1\n";
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(job.string())));
+        switchOn();
+        slider().setValue(slider().maximum());
+        QVERIFY2(text().endsWith("; clearances across copies of steps are not measured"), qPrintable(text()));
+        const model::StepTree tree = model::unfoldCopies(*window().document());
+        const LayerId top = distances().field()->layer();
+        std::size_t upright = 0;
+        for (const model::StepCopy& copy : tree.copies) {
+            if (tree.steps[copy.step]->job.step == "CARD" || tree.steps[copy.step]->job.step == "card") {
+                const double value = distances().field()->at(copy.placement.apply(base::PointD{3e6, 1.5e6}), 10e6);
+                QCOMPARE(value < 10e6, !copy.isFlipped);  // the tracks of a flipped one lie on the other side
+                QVERIFY(copy.isFlipped || std::abs(value - 0.7e6) < 1.0);
+                upright += copy.isFlipped ? 0 : 1;
+                if (!copy.isFlipped) {
+                    window().probing().showPosition(copy.placement.apply(base::PointD{3e6, 1.5e6}), top, 1.5F);
+                    waitForMaps();
+                    compareColours(views().flat(), 0.8);
+                }
+            }
+        }
+        QVERIFY(upright >= 3);
+        QVERIFY(m_fixture->openAndWait(locations::kSample));
     }
 
     void aReloadMapsTheBoardAnew() {

@@ -134,6 +134,13 @@ private slots:
         }
     }
 
+    void dotsHaveNoNumber() {
+        const Painted painted(Lines{{{100, 100}, {101, 101}, 1e4}, {{400, 300}, {440, 300}, 2e5}});
+        QCOMPARE(painted.numbers.size(), std::size_t{1});
+        QCOMPARE(painted.numbers.front().line, std::size_t{1});
+        QVERIFY(qAlpha(painted.image.pixel(100, 100)) == 255);
+    }
+
     void whatIsBesideTheCanvasIsLeftOutAndWhatCrossesItIsNot() {
         QVERIFY(Painted({{{-50, 10}, {-10, 10}, 1e5}}).numbers.empty());
         QCOMPARE(Painted({{{-50, 300}, {900, 300}, 1e6}}).numbers.size(), std::size_t{1});
