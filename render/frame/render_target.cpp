@@ -105,8 +105,7 @@ void RenderTarget::flattenDepth(VkCommandBuffer commands) const {
 }
 
 void RenderTarget::keepDepth(VkCommandBuffer commands) {
-    pause(commands);
-    if (!m_depths.size()) {
+    if (m_depths.size() == 0) {
         m_depths = gpu::Buffer(*m_device,
                                {"kept depth", kDepthBytes * m_extent.width * m_extent.height, gpu::MemoryUse::Targets});
     }
@@ -114,6 +113,7 @@ void RenderTarget::keepDepth(VkCommandBuffer commands) {
         m_flatDepth = gpu::Image(
             *m_device, {"kept depth", gpu::kDepthFormat, m_extent, kReadDepth, VK_SAMPLE_COUNT_1_BIT, kDepthAspects});
     }
+    pause(commands);
     if (isSmoothed()) {
         flattenDepth(commands);
     }

@@ -32,7 +32,7 @@ public:
     void beginOver(VkCommandBuffer commands) const;
 
     /// While drawing: puts the depth that there is aside, of one sample per pixel, and goes on. It is there until the
-    /// next `begin`. Throws gpu::OutOfMemory; drawing has stopped then.
+    /// next `begin`. Throws gpu::OutOfMemory; drawing may go on.
     void keepDepth(VkCommandBuffer commands);
     [[nodiscard]] bool hasDepth() const { return m_hasDepth; }
     /// Rows from the top of 32-bit floats, nearer is greater; for shaders, after `end`.

@@ -127,16 +127,26 @@ void Renderer::cacheBoard(gpu::Frame& frame, RenderTarget& target) {
     }
 }
 
+void Renderer::keepDepth(gpu::Frame& frame, RenderTarget& target) {
+    try {
+        target.keepDepth(frame.commands());
+    } catch (const gpu::OutOfMemory& shortage) {
+        spdlog::warn("{} has no memory for {}: maps shine through what lies above them.", m_device->caps().name,
+                     shortage.what);
+        m_isShortOfDepth = true;
+    }
+}
+
 void Renderer::drawOverlays(gpu::Frame& frame, RenderTarget& target, const Camera& camera,
                             const ViewSettings& settings) {
     const VkExtent2D extent = target.extent();
     const Overlay& laid = settings.inPlane.pixels;
-    const bool isLaid =
-        isKept(settings) && target.hasDepth() && laid.width == extent.width && laid.height == extent.height;
-    const auto plane = isLaid
+    const bool isLaid = isKept(settings) && laid.width == extent.width && laid.height == extent.height;
+    const auto plane = isLaid && target.hasDepth()
                            ? depthOfPlane(camera, settings.inPlane.z, extent.width, extent.height, isSmoothed(target))
                            : std::nullopt;
-    if (!plane && settings.overlay.rgba == nullptr) {
+    const bool isOverAll = isLaid && m_isShortOfDepth && !target.hasDepth();
+    if (!plane && !isOverAll && settings.overlay.rgba == nullptr) {
         return;
     }
     const VkFormat colour = target.format().colour;
@@ -144,6 +154,8 @@ void Renderer::drawOverlays(gpu::Frame& frame, RenderTarget& target, const Camer
     target.beginOver(frame.commands());
     if (plane) {
         drawer.drawInPlane(frame, laid, *plane, target.depths());
+    } else if (isOverAll) {
+        drawer.draw(frame, laid);
     }
     if (settings.overlay.rgba != nullptr) {
         drawer.draw(frame, settings.overlay);
@@ -173,7 +185,7 @@ TargetFormat Renderer::makeTarget(RenderTarget& target, VkExtent2D extent, VkFor
 Backend Renderer::record(gpu::Frame& frame, RenderTarget& target, VkExtent2D extent, VkFormat colour, BoardScene* scene,
                          const Camera& camera, const ViewSettings& settings) {
     m_isOverlayAlone = settings.isBoardCached && target.hasCached(extent, colour) &&
-                       (scene == nullptr || !isKept(settings) || target.hasDepth());
+                       (scene == nullptr || !isKept(settings) || target.hasDepth() || m_isShortOfDepth);
     if (m_isOverlayAlone) {
         frame.leaveUntimed();
         target.restore(frame.commands());
@@ -213,7 +225,7 @@ Backend Renderer::recordBoard(gpu::Frame& frame, RenderTarget& target, VkExtent2
         sections.draw(frame, plan, scene.impl().layers, *settings.section);
     }
     if (isKept(settings)) {
-        target.keepDepth(frame.commands());
+        keepDepth(frame, target);
     }
     picture.drawTranslucent(plan.upright);
     if (countStandingOut(scene.impl()) > 0 && !settings.isMono) {

@@ -37,6 +37,7 @@ private:
     Backend recordBoard(gpu::Frame& frame, RenderTarget& target, VkExtent2D extent, VkFormat colour, BoardScene& scene,
                         const Camera& camera, const ViewSettings& settings);
     void cacheBoard(gpu::Frame& frame, RenderTarget& target);
+    void keepDepth(gpu::Frame& frame, RenderTarget& target);
     void drawOverlays(gpu::Frame& frame, RenderTarget& target, const Camera& camera, const ViewSettings& settings);
 
     gpu::Device* m_device;
@@ -46,6 +47,7 @@ private:
     Backend m_last = Backend::Auto;  ///< drew the board last
     bool m_isOverlayAlone = false;
     bool m_hasWarned = false;
+    bool m_isShortOfDepth = false;   ///< there was no room to keep it: pictures in planes lie over everything
     bool m_isShortOfMemory = false;  ///< there was no room for a smoothed target
 };
 

@@ -27,6 +27,8 @@ base::Result<Image> loadAndDraw(gpu::Device& device, const SyntheticBoard& board
     camera.fit(model.boxMin, model.boxMax, NamedView::Iso, 4.0F / 3.0F);
     ViewSettings settings;
     settings.backend = Backend::Pull;
+    const std::vector<std::uint8_t> laid(std::size_t{kWidth} * kHeight * 4, 128);
+    settings.inPlane = {{kWidth, kHeight, laid.data()}, model.boxMax.z};
     OffscreenPresenter presenter(device);
     return presenter.render(*scene, camera, settings, kWidth, kHeight);
 }

@@ -330,6 +330,7 @@ private:
 
     /// Cells amid others of nearly the same value that fall on the canvas: where, and their values.
     std::vector<std::pair<QPointF, double>> coloured(BoardView& view) {
+        const double reach = panel().mapReach();
         const ClearanceMap& map = *distances().picture(view.kind()).map();
         const float z = view.drawnHeights()[distances().field()->layer().row()].z1;
         const float zBelow = view.drawnHeights()[distances().field()->layer().row()].z0;
@@ -346,8 +347,8 @@ private:
                 bool isEven = true;
                 for (std::uint32_t y = row - 2; y <= row + 2; ++y) {
                     for (std::uint32_t x = column - 2; x <= column + 2; ++x) {
-                        isEven = isEven && value(x, y) > 0 && value(x, y) <= panel().mapReach() &&
-                                 std::abs(value(x, y) - value(column, row)) < panel().mapReach() / 16;
+                        isEven = isEven && value(x, y) > 0 && value(x, y) <= reach &&
+                                 std::abs(value(x, y) - value(column, row)) < reach / 16;
                     }
                 }
                 glm::vec3 at = window().probing().position().toModel(map.frame.centreOf(column, row));
