@@ -1,6 +1,7 @@
 #include "ui/section/section_feature.h"
 
 #include <QComboBox>
+#include <QListView>
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
