@@ -28,10 +28,6 @@ base::Error unknown(const char* kind, const std::string& name) {
     return {base::ErrorCode::BadUsage, "the board has no " + std::string(kind) + " " + name};
 }
 
-bool isMask(const model::Layer& layer) {
-    return layer.type == model::LayerType::SolderMask && !layer.isSynthetic;
-}
-
 /// None if no net is named.
 base::Result<std::pair<model::NetId, model::NetId>> netsOf(const Document& document,
                                                            const std::vector<std::string>& names) {
@@ -69,9 +65,8 @@ base::Result<model::RuleScope> scopeFor(const Document& document, const Clearanc
     model::RuleScope scope;
     if (!arguments.layer.empty()) {
         scope.layer = document.findLayer(arguments.layer);
-        if (!scope.layer.isValid() ||
-            (!document.layer(scope.layer).isCopper() && !isMask(document.layer(scope.layer)))) {
-            return unknown("copper or solder mask layer", arguments.layer);
+        if (!scope.layer.isValid() || !model::isRuled(document.layer(scope.layer))) {
+            return unknown("copper, solder mask or silkscreen layer", arguments.layer);
         }
     }
     ASSIGN_OR_RETURN(scope.between, netsOf(document, arguments.nets));

@@ -5,6 +5,7 @@
 #include <regex>
 
 #include "model/base/thickness_units.h"
+#include "model/text/formatting.h"
 #include "model/text/s_expression.h"
 
 namespace model {
@@ -25,11 +26,6 @@ constexpr std::pair<const char*, CopperObject> kTypes[] = {{"track", CopperObjec
                                                            {"via", CopperObject::Via},
                                                            {"pad", CopperObject::Pad},
                                                            {"zone", CopperObject::Plane}};
-
-std::string lowered(std::string text) {
-    std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
 
 /// One term of a condition; false if it has no counterpart.
 bool applyTerm(const std::string& term, Rule& rule) {

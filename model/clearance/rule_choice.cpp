@@ -1,10 +1,10 @@
 #include "model/clearance/rule_choice.h"
 
 #include <algorithm>
-#include <cctype>
 
 #include "model/board/holes.h"
 #include "model/board/layers.h"
+#include "model/text/formatting.h"
 
 namespace model {
 
@@ -31,12 +31,6 @@ bool coversAll(const Rule& rule, const Rule& other) {
         (isSideIn(0, 0) && isSideIn(1, 1)) || (isSymmetric(rule.kind) && isSideIn(0, 1) && isSideIn(1, 0));
     return rule.kind == other.kind && rule.isSameNet == other.isSameNet && isAround &&
            (rule.layer.empty() || rule.layer == other.layer);
-}
-
-std::string lowered(std::string_view text) {
-    std::string out(text);
-    std::ranges::transform(out, out.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return out;
 }
 
 /// The words for faces, or a name.

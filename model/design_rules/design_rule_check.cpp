@@ -126,6 +126,10 @@ private:
 
 }  // namespace
 
+bool isRuled(const Layer& layer) {
+    return layer.isCopper() || isMask(layer) || (layer.type == LayerType::SilkScreen && !layer.isSynthetic);
+}
+
 base::Result<RuleReport> checkRules(const Document& document, const RuleTable& table, base::Progress& progress,
                                     const RuleScope& scope) {
     ASSIGN_OR_RETURN(const CopperOwners owners, CopperOwners::of(document, progress));

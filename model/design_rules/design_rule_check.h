@@ -11,7 +11,7 @@ namespace model {
 
 /// What rules are held against; everything if nothing is named.
 struct RuleScope {
-    LayerId layer{};                    ///< only here: copper, or solder mask for slivers
+    LayerId layer{};                    ///< only here; one that isRuled
     std::pair<NetId, NetId> between{};  ///< only between these two: rules that are not between nets are unused then
     /// Does somebody accept this location? Of two nets that have such locations on a layer all of them are findings,
     /// one for each pair of elements, and the closest of the others.
@@ -19,6 +19,9 @@ struct RuleScope {
     /// May two nets have such locations, though their closest one is none? Called from any thread.
     std::function<bool(NetId, NetId)> mayBeAccepted{};
 };
+
+/// Is some kind of rule checked on a layer: copper, and solder mask and silkscreen of the job?
+[[nodiscard]] bool isRuled(const Layer& layer);
 
 /// Checks a step's own elements against all rules; copies of other steps have a document of their own. One finding per
 /// layer and pair: of nets for copper, of elements for everything else; per hole for a pad that the drill removes, and

@@ -6,6 +6,7 @@
 
 #include "model/board/layers.h"
 #include "model/clearance/layer_geometry.h"
+#include "model/design_rules/rule_context.h"
 #include "model/geometry/box_index.h"
 
 namespace model {
@@ -126,9 +127,6 @@ private:
     }
 
     void addMask() {
-        const auto isMask = [](const Layer& layer) {
-            return layer.type == LayerType::SolderMask && !layer.isSynthetic;
-        };
         if (std::ranges::none_of(m_document.layers, isMask)) {
             for (const RuleKind kind : {RuleKind::MaskSliver, RuleKind::MaskToCopper, RuleKind::MaskToForeign}) {
                 add(kind, copperCount(), "copper element", "copper elements", "the job has no solder mask layer");

@@ -9,6 +9,7 @@
 #include "model/export/junit_export.h"
 #include "model/export/rule_items.h"
 #include "model/export/sarif_export.h"
+#include "model/export/side_json.h"
 #include "model/text/formatting.h"
 #include "model/text/json_text.h"
 
@@ -54,18 +55,6 @@ std::string csvOf(const Document& step, const SideNames& names, const RuleFindin
            csvOf(a) + ',' + csvOf(b);
 }
 
-ordered_json jsonOf(const Side& side) {
-    ordered_json json{{"net", side.net}};
-    if (!side.pin.empty()) {
-        json["pin"] = side.pin;
-    }
-    if (side.element.isValid()) {
-        json["kind"] = side.kind;
-        json["element"] = side.element.value;
-    }
-    return json;
-}
-
 ordered_json jsonOf(const Document& step, const SideNames& names, const RuleFinding& f) {
     const auto [a, b] = names.of(f);
     ordered_json elements{f.a.value};
@@ -77,7 +66,7 @@ ordered_json jsonOf(const Document& step, const SideNames& names, const RuleFind
             {"layer", step.layer(f.layer).name},
             {"nets", {a.net, b.net}},
             {"elements", elements},
-            {"sides", {jsonOf(a), jsonOf(b)}},
+            {"sides", {sideJson(a), sideJson(b)}},
             {"from_mm", inMm(f.spacing.from)},
             {"to_mm", inMm(f.spacing.to)}};
 }

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "model/base/units.h"
-#include "model/clearance/side_names.h"
+#include "model/export/side_json.h"
 #include "model/text/formatting.h"
 #include "model/text/json_text.h"
 
@@ -60,10 +60,6 @@ std::string csvOf(Names& names, const StackupClearance& c) {
     return row + '\n';
 }
 
-ordered_json jsonOf(const Side& side) {
-    return {{"net", side.net}, {"pin", side.pin}, {"kind", side.kind}, {"element", side.element.value}};
-}
-
 ordered_json jsonOf(Names& names, const StackupClearance& c) {
     const Side a = names.of(c.a);
     const Side b = names.of(c.b);
@@ -73,7 +69,7 @@ ordered_json jsonOf(Names& names, const StackupClearance& c) {
             {"layers", {names.layer(c.layerA), names.layer(c.layerB)}},
             {"nets", {a.net, b.net}},
             {"copies", {c.a.copy, c.b.copy}},
-            {"sides", {jsonOf(a), jsonOf(b)}},
+            {"sides", {sideJson(a), sideJson(b)}},
             {"from_mm", {base::toMm(c.spacing.from.x), base::toMm(c.spacing.from.y)}},
             {"to_mm", {base::toMm(c.spacing.to.x), base::toMm(c.spacing.to.y)}}};
 }

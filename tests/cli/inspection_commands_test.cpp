@@ -12,6 +12,16 @@ class InspectionCommandsTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void rulesAreCheckedOnEveryLayerTheyAreFor() {
+        for (const char* layer : {"L01-TOP_LAYER", "TOP_SOLDER", "TOP_OVERLAY"}) {
+            const int code =
+                copperscope({"clearance", locations::kSample, "--rules", "default", "--layer", layer}).exitCode;
+            QVERIFY2(code == 0 || code == 4, layer);
+        }
+        QCOMPARE(copperscope({"clearance", locations::kSample, "--rules", "default", "--layer", "TOP_PASTE"}).exitCode,
+                 1);
+    }
+
     void clearanceMeasuresThroughTheStackup() {
         const auto through = [](const QStringList& more) {
             return copperscope(QStringList{"clearance", locations::kSample, "--through", "--format", "json"} + more);

@@ -6,6 +6,7 @@
 
 #include "model/board/copies.h"
 #include "model/clearance/rule_file.h"
+#include "model/design_rules/design_rule_check.h"
 #include "model/export/stackup_clearance_export.h"
 #include "model/session/session.h"
 #include "ui/clearance/rule_dialog.h"
@@ -364,12 +365,10 @@ void ClearanceFeature::remember(const model::RuleTable& before) {
     }
 }
 
-/// Those that some kind of rule is checked on.
 QStringList ClearanceFeature::ruleLayers() const {
     QStringList names;
     for (const model::Layer& layer : m_workspace.board()->document->layers) {
-        const bool isPrint = layer.type == model::LayerType::SolderMask || layer.type == model::LayerType::SilkScreen;
-        if (layer.isCopper() || (isPrint && !layer.isSynthetic)) {
+        if (model::isRuled(layer)) {
             names += QString::fromStdString(layer.name);
         }
     }

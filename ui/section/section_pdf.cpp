@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <QPdfWriter>
 
+#include "ui/common/sheet_text.h"
 #include "ui/workspace/feature.h"
 
 namespace ui {
@@ -34,27 +35,6 @@ void paint(QPainter& painter, const model::SheetLine& line) {
     }
 }
 
-/// Fonts have whole sizes: letters are drawn large and made smaller.
-void paint(QPainter& painter, const model::SheetText& text, double size) {
-    constexpr int kLetterPixels = 100;
-    QFont font = painter.font();
-    font.setPixelSize(kLetterPixels);
-    font.setBold(text.isBold);
-    font.setItalic(text.isItalic);
-    painter.save();
-    painter.translate(text.x, text.y);
-    painter.scale(size / kLetterPixels, size / kLetterPixels);
-    painter.setFont(font);
-    painter.setPen(Qt::black);
-    const QString words = QString::fromStdString(text.text);
-    const double width = painter.fontMetrics().horizontalAdvance(words);
-    const double back = text.align == model::SheetAlign::Left     ? 0.0
-                        : text.align == model::SheetAlign::Middle ? 0.5
-                                                                  : 1.0;
-    painter.drawText(QPointF(-back * width, 0.0), words);
-    painter.restore();
-}
-
 void paint(QPainter& painter, const model::SectionSheet& sheet) {
     for (const model::SheetPolygon& polygon : sheet.polygons) {
         QPolygonF corners;
@@ -69,7 +49,7 @@ void paint(QPainter& painter, const model::SectionSheet& sheet) {
         paint(painter, line);
     }
     for (const model::SheetText& text : sheet.texts) {
-        paint(painter, text, sheet.fontSize);
+        paintSheetText(painter, text, sheet.fontSize);
     }
 }
 

@@ -5,6 +5,7 @@
 #include <QPdfWriter>
 
 #include "model/export/stackup_sheet.h"
+#include "ui/common/sheet_text.h"
 #include "ui/workspace/feature.h"
 
 namespace ui {
@@ -28,21 +29,6 @@ void paint(QPainter& painter, const model::SheetLeader& leader) {
         {leader.x0, leader.y0}, {leader.x0 + 8, leader.y0}, {leader.x1 - 6, leader.y1}, {leader.x1, leader.y1}});
 }
 
-void paint(QPainter& painter, const model::SheetText& text, double size) {
-    QFont font = painter.font();
-    font.setPixelSize(static_cast<int>(size));
-    font.setBold(text.isBold);
-    font.setItalic(text.isItalic);
-    painter.setFont(font);
-    painter.setPen(Qt::black);
-    const QString words = QString::fromStdString(text.text);
-    const double width = painter.fontMetrics().horizontalAdvance(words);
-    const double back = text.align == model::SheetAlign::Left     ? 0.0
-                        : text.align == model::SheetAlign::Middle ? 0.5
-                                                                  : 1.0;
-    painter.drawText(QPointF(text.x - back * width, text.y), words);
-}
-
 void paint(QPainter& painter, const model::StackupSheet& sheet) {
     for (const model::SheetRect& rect : sheet.rects) {
         paint(painter, rect);
@@ -51,7 +37,7 @@ void paint(QPainter& painter, const model::StackupSheet& sheet) {
         paint(painter, leader);
     }
     for (const model::SheetText& text : sheet.texts) {
-        paint(painter, text, sheet.fontSize);
+        paintSheetText(painter, text, sheet.fontSize);
     }
 }
 
