@@ -102,6 +102,14 @@ std::filesystem::path WindowFixture::copyOfJob(const char* name) const {
     return job;
 }
 
+QString WindowFixture::copyOfSample() const {
+    const QString path = folder() + "/sample.tgz";
+    if (!QFile::exists(path)) {
+        QFile::copy(locations::kSample, path);
+    }
+    return path;
+}
+
 QImage WindowFixture::picture() {
     base::Result<QImage> picture = m_window->views().solid().grabPicture();
     return picture ? picture->convertToFormat(QImage::Format_RGB32) : QImage();

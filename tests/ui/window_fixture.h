@@ -98,6 +98,8 @@ public:
     [[nodiscard]] bool openAndWait(const QString& path);
     /// A copy of tests/data/odb/<name> that the test may write to, in a folder of the fixture's own. Made once.
     [[nodiscard]] std::filesystem::path copyOfJob(const char* name) const;
+    /// The same of the bundled sample: what a window saves lies beside the board, which others open at the same time.
+    [[nodiscard]] QString copyOfSample() const;
     /// A fresh window over the same settings, as in the next run of the program.
     void restart(const ui::Loader::Work& work = ui::loadBoard);
 

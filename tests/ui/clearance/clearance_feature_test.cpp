@@ -27,7 +27,7 @@ class ClearanceFeatureTest : public QObject {
 private slots:
     void initTestCase() {
         m_fixture = std::make_unique<WindowFixture>();
-        QVERIFY(m_fixture->openAndWait(sample()));
+        QVERIFY(m_fixture->openAndWait(m_fixture->copyOfSample()));
     }
     void init() {
         while (window().selection().clearStep()) {
@@ -262,7 +262,7 @@ private slots:
     }
 
     void whatWasFoundIsExportedAsTheCommandLineWritesIt() {
-        QVERIFY(m_fixture->openAndWait(sample()));
+        QVERIFY(m_fixture->openAndWait(m_fixture->copyOfSample()));
         const QString path = m_fixture->folder() + "/found";
         QVERIFY(!clearances().exportReport(path + ".csv"));  // nothing was searched for
         box("what").setCurrentIndex(static_cast<int>(ClearancePanel::What::Rules));
@@ -320,7 +320,7 @@ private slots:
 
     void aReloadForgetsWhatWasFound() {
         measure();
-        QVERIFY(m_fixture->openAndWait(sample()));
+        QVERIFY(m_fixture->openAndWait(m_fixture->copyOfSample()));
         QCOMPARE(window().find<ui::ClearanceModel>().rowCount(), 0);
         QCOMPARE(label("summary"), "No search yet");
         m_fixture->key(Qt::Key_F8);  // nothing to step to
@@ -328,14 +328,14 @@ private slots:
 
     void aReloadWhileMeasuringEndsTheSearch() {
         window().actions()[ActionId::SearchClearances].trigger();
-        QVERIFY(m_fixture->openAndWait(sample()));
+        QVERIFY(m_fixture->openAndWait(m_fixture->copyOfSample()));
         QTest::qWait(100);
         QVERIFY(!window().workspace().isWorking());
         QCOMPARE(window().find<ui::ClearanceModel>().rowCount(), 0);
     }
 
     void aBoardWithCopperButNoNetsIsTold() {
-        QVERIFY(m_fixture->openAndWait(QString(locations::kTestData) + "/odb/drills"));
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_fixture->copyOfJob("drills").string())));
         measure();
         QCOMPARE(window().find<ui::ClearanceModel>().rowCount(), 0);
         QVERIFY2(label("notes").contains("has copper but no nets"), qPrintable(label("notes")));
@@ -344,19 +344,11 @@ private slots:
         const ui::RuleModel& rules = window().find<ui::RuleModel>();
         QCOMPARE(rules.index(0, ui::RuleModel::Result).data().toString(), "incomplete, see below");
         QVERIFY2(label("notes").contains("the board has no nets"), qPrintable(label("notes")));
-        QVERIFY(m_fixture->openAndWait(sample()));
+        QVERIFY(m_fixture->openAndWait(m_fixture->copyOfSample()));
         QVERIFY(label("notes").isEmpty());
     }
 
 private:
-    /// A copy: rules are saved beside it.
-    [[nodiscard]] QString sample() const {
-        const QString path = m_fixture->folder() + "/sample.tgz";
-        if (!QFile::exists(path)) {
-            QFile::copy(locations::kSample, path);
-        }
-        return path;
-    }
     [[nodiscard]] TestWindow& window() { return m_fixture->window(); }
     [[nodiscard]] ui::ClearanceFeature& clearances() { return window().clearances(); }
     [[nodiscard]] ClearancePanel& panel() { return window().find<ui::ClearancePanel>(); }

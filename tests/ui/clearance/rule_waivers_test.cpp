@@ -27,8 +27,7 @@ class RuleWaiversTest : public QObject {
 private slots:
     void initTestCase() {
         m_fixture = std::make_unique<WindowFixture>();
-        m_board = m_fixture->folder() + "/sample.tgz";
-        QVERIFY(QFile::copy(locations::kSample, m_board));
+        m_board = m_fixture->copyOfSample();
         openAndCheck();
     }
     void cleanupTestCase() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }

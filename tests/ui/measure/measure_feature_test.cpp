@@ -26,8 +26,7 @@ class MeasureFeatureTest : public QObject {
 private slots:
     void init() {
         m_fixture = std::make_unique<WindowFixture>();
-        m_job = fs::path(m_fixture->folder().toStdString()) / "sample.tgz";
-        fs::copy_file(locations::kSample, m_job);
+        m_job = m_fixture->copyOfSample().toStdString();
         QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
         window().showPanel("measurements");
         findPads();

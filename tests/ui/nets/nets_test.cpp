@@ -25,7 +25,7 @@ private slots:
     void cleanup() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
 
     void aHeadingStandsForItsNets() {
-        open(locations::kSample);
+        open(m_fixture->copyOfSample());
         panel().findChild<QComboBox*>("netGroups")->setCurrentText("By supply");
         QTRY_VERIFY(nets().isArranged() && nets().isHeading(0));
         const int end = static_cast<int>(nets().netsAt(0).size()) + 1;
@@ -44,7 +44,7 @@ private slots:
     }
 
     void aTriangleAndArrowKeysFold() {
-        open(locations::kSample);
+        open(m_fixture->copyOfSample());
         panel().findChild<QComboBox*>("netGroups")->setCurrentText("By supply");
         QTRY_VERIFY(nets().isArranged() && nets().isHeading(0));
         const int all = nets().rowCount();
@@ -65,7 +65,7 @@ private slots:
     }
 
     void whatIsKnownOfTheHighlightedNetsStandsBelow() {
-        open(locations::kSample);
+        open(m_fixture->copyOfSample());
         QVERIFY(window().label("netDetails").isEmpty());
         const model::NetId gnd = window().document()->findNet("GND");
         window().selection().setNets({{0, gnd}});
@@ -114,7 +114,7 @@ private slots:
     }
 
     void rowsOfTheSelectionAreMarkedAndAClickOnOneHighlightsIt() {
-        open(locations::kSample);
+        open(m_fixture->copyOfSample());
         const BoardNet other{0, model::NetId{gnd().net.row() == 0 ? std::size_t{1} : std::size_t{0}}};
         window().selection().setNets({other});
         QCOMPARE(markedRows(), QList{*nets().rowOf(other.net)});
@@ -157,7 +157,7 @@ private slots:
     }
 
     void nReplacesAndCtrlNAdds() {
-        open(locations::kSample);
+        open(m_fixture->copyOfSample());
         const BoardNet other{0, model::NetId{gnd().net.row() == 0 ? std::size_t{1} : std::size_t{0}}};
         window().selection().setNets({other});
         window().selection().select({{0, aPadOf(gnd())}});
@@ -190,7 +190,7 @@ private slots:
     }
 
     void theContextMenuHasTheCommandsForTheRows() {
-        open(locations::kSample);
+        open(m_fixture->copyOfSample());
         const QList<QAction*> actions = table().actions();
         for (const ActionId id : {ActionId::HighlightNet, ActionId::ShowSelection, ActionId::ColourNet,
                                   ActionId::HideNet, ActionId::IsolateNet, ActionId::ShowAllNets}) {
@@ -238,7 +238,7 @@ private slots:
     }
 
     void hiddenNetsAreNeitherDrawnNorClicked() {
-        open(locations::kSample);
+        open(m_fixture->copyOfSample());
         window().layers().showCopperOnly();
         const model::ElementId pad = aPadOf(gnd());
         BoardView& view = window().views().flat();

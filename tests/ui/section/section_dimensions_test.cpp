@@ -19,8 +19,7 @@ class SectionDimensionsTest : public QObject {
 private slots:
     void initTestCase() {
         m_fixture = std::make_unique<WindowFixture>();
-        m_board = m_fixture->folder() + "/sample";  // a session file lies beside it
-        std::filesystem::copy(locations::kSample, m_board.toStdString(), std::filesystem::copy_options::recursive);
+        m_board = m_fixture->copyOfSample();
         QVERIFY(m_fixture->openAndWait(m_board));
         const model::Box& board = window().document()->board;
         const double y = (double{1} * board.min.y + board.max.y) / 2;

@@ -29,8 +29,7 @@ class SectionFeatureTest : public QObject {
 private slots:
     void initTestCase() {
         m_fixture = std::make_unique<WindowFixture>();
-        m_board = m_fixture->folder() + "/sample";  // a session file lies beside it
-        std::filesystem::copy(locations::kSample, m_board.toStdString(), std::filesystem::copy_options::recursive);
+        m_board = m_fixture->copyOfSample();
         QVERIFY(m_fixture->openAndWait(m_board));
         base::Progress progress;
         const auto board = std::make_shared<const model::Document>(*window().document());

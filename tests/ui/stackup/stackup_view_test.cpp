@@ -22,7 +22,7 @@ private slots:
     void init() {
         m_fixture = std::make_unique<WindowFixture>();
         window().showPanel("stackup");
-        QVERIFY(m_fixture->openAndWait(locations::kTestData + QStringLiteral("/odb/drills")));
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_fixture->copyOfJob("drills").string())));
     }
     void cleanup() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
 
