@@ -152,7 +152,7 @@ Cell ClearanceModel::plainCell(int row, int column) const {
         return stackupCell(*through, column);
     }
     switch (column) {
-        case Spacing: return length(found.spacing.distance);
+        case Spacing: return lengthInBothSystems(found.spacing.distance);
         case Rule: return m_rules.rules.empty() ? Cell{QString()} : text(titleOf(m_rules.rules[found.rule], found));
         case Layer: return text(step.layer(found.layer).name);
         case First: return text(model::textOf(m_names[location(row).step]->of(found).first));

@@ -32,6 +32,15 @@ QString shortest(double value, int digits) {
     return text.endsWith('.') ? text.chopped(1) : text;
 }
 
+QString fixed(double nm, LengthUnit unit) {
+    return QString::fromStdString(model::fixedText(nm / of(unit).nm, of(unit).digits));
+}
+
+/// What a length is said in beside the user's unit.
+LengthUnit otherSystem(LengthUnit unit) {
+    return unit == LengthUnit::Millimetre ? LengthUnit::Mil : LengthUnit::Millimetre;
+}
+
 }  // namespace
 
 const char* unitName(LengthUnit unit) {
@@ -56,16 +65,20 @@ QString lengthText(double nm, LengthUnit unit) {
     return QStringLiteral("%1 %2").arg(shortest(nm / of(unit).nm, of(unit).digits), QLatin1String(of(unit).name));
 }
 
+QString fixedLengthText(double nm, LengthUnit unit) {
+    return QStringLiteral("%1 %2").arg(fixed(nm, unit), QLatin1String(of(unit).name));
+}
+
+QString fixedLengthInBoth(double nm, LengthUnit unit) {
+    return QStringLiteral("%1 (%2)").arg(fixedLengthText(nm, unit), fixedLengthText(nm, otherSystem(unit)));
+}
+
 QString lengthInBoth(double nm, LengthUnit unit) {
-    const LengthUnit other = unit == LengthUnit::Millimetre ? LengthUnit::Mil : LengthUnit::Millimetre;
-    return QStringLiteral("%1 (%2)").arg(lengthText(nm, unit), lengthText(nm, other));
+    return QStringLiteral("%1 (%2)").arg(lengthText(nm, unit), lengthText(nm, otherSystem(unit)));
 }
 
 QString positionText(double x, double y, LengthUnit unit) {
-    const auto number = [&](double nm) {
-        return QString::fromStdString(model::fixedText(nm / of(unit).nm, of(unit).digits));
-    };
-    return QStringLiteral("%1, %2 %3").arg(number(x), number(y), QLatin1String(of(unit).name));
+    return QStringLiteral("%1, %2 %3").arg(fixed(x, unit), fixed(y, unit), QLatin1String(of(unit).name));
 }
 
 QString angleText(double degrees) {

@@ -18,6 +18,10 @@ enum class LengthUnit { Millimetre, Mil, Inch };
 
 /// To about 0.1 µm, with the unit: "0.25 mm", "9.84 mil".
 [[nodiscard]] QString lengthText(double nm, LengthUnit unit);
+/// With as many digits as the unit has, for columns and for what changes while one looks: "0.2500 mm", "9.84 mil".
+[[nodiscard]] QString fixedLengthText(double nm, LengthUnit unit);
+/// The same in both systems: "0.2500 mm (9.84 mil)".
+[[nodiscard]] QString fixedLengthInBoth(double nm, LengthUnit unit);
 /// In both systems, for what is read off rather than compared: "0.25 mm (9.84 mil)".
 [[nodiscard]] QString lengthInBoth(double nm, LengthUnit unit);
 /// "12.3456, -7.0000 mm": digits that do not jump while the cursor moves.

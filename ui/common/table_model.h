@@ -92,7 +92,11 @@ protected:
     [[nodiscard]] LengthUnit unit() const { return m_unit; }
     /// In the user's unit; the tip says it in the other system too.
     [[nodiscard]] Cell length(double nm) const {
-        return {.text = lengthText(nm, m_unit), .value = nm / nmPer(m_unit), .tip = lengthInBoth(nm, m_unit)};
+        return {.text = fixedLengthText(nm, m_unit), .value = nm / nmPer(m_unit), .tip = fixedLengthInBoth(nm, m_unit)};
+    }
+    /// The length that a list is for, in both systems.
+    [[nodiscard]] Cell lengthInBothSystems(double nm) const {
+        return {.text = fixedLengthInBoth(nm, m_unit), .value = nm / nmPer(m_unit)};
     }
     [[nodiscard]] Cell area(double nm2) const;  ///< its value is in mm²
     /// Grouped for reading.

@@ -24,7 +24,7 @@ bool hasDeltas(const Measurement& measurement) {
 }  // namespace
 
 QString valueText(const Measurement& measurement, LengthUnit unit) {
-    const auto inBoth = [unit](double nm) { return lengthInBoth(nm, unit); };
+    const auto inBoth = [unit](double nm) { return fixedLengthInBoth(nm, unit); };
     if (measurement.overlap > 0) {
         return MeasurementModel::tr("overlap %1").arg(inBoth(measurement.overlap));
     }
@@ -39,7 +39,7 @@ QString valueText(const Measurement& measurement, LengthUnit unit) {
 }
 
 QStringList partsText(const Measurement& measurement, LengthUnit unit) {
-    const auto length = [unit](double nm) { return lengthText(nm, unit); };
+    const auto length = [unit](double nm) { return fixedLengthText(nm, unit); };
     if (hasDeltas(measurement)) {
         const QString plane = QStringLiteral("ΔX %1  ΔY %2").arg(length(measurement.dx()), length(measurement.dy()));
         if (measurement.dz <= 0) {
@@ -85,7 +85,7 @@ MeasurementModel::MeasurementModel(QObject* parent)
                  parent) {}
 
 QString MeasurementModel::textOf(const Measurement& measurement, int column) const {
-    const auto delta = [&](double nm) { return hasDeltas(measurement) ? lengthText(nm, unit()) : QString(); };
+    const auto delta = [&](double nm) { return hasDeltas(measurement) ? fixedLengthText(nm, unit()) : QString(); };
     switch (column) {
         case Name: return QString::fromStdString(measurement.name);
         case Kind: return QLatin1String(toString(measurement.kind));

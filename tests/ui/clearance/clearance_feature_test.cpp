@@ -5,6 +5,7 @@
 #include <QFile>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSlider>
 #include <QtTest>
 
@@ -47,11 +48,16 @@ private slots:
         QVERIFY(window().find<ui::ClearanceModel>().rowCount() > 3);
     }
 
-    void lengthsInListsHaveBothUnits() {
+    void lengthsInListsHaveBothUnitsAndAllTheirDigits() {
         measure();
         const ClearanceModel& locations = window().find<ui::ClearanceModel>();
-        const QModelIndex spacing = locations.index(0, ClearanceModel::Spacing);
-        QVERIFY(spacing.data().toString().contains(" mm") && spacing.data(Qt::ToolTipRole).toString().contains(" mil"));
+        const QString spacing = locations.index(0, ClearanceModel::Spacing).data().toString();
+        static const QRegularExpression inBoth(R"(^\d+\.\d{4} mm \(\d+\.\d{2} mil\)$)");
+        QVERIFY2(inBoth.match(spacing).hasMatch(), qPrintable(spacing));
+        const QModelIndex x = locations.index(0, ClearanceModel::X);
+        static const QRegularExpression inMm(R"(^-?\d+\.\d{4} mm$)");
+        QVERIFY2(inMm.match(x.data().toString()).hasMatch(), qPrintable(x.data().toString()));
+        QVERIFY(x.data(Qt::ToolTipRole).toString().contains(" mil"));
     }
 
     void aClickOnARuleShowsItsFirstLocation() {

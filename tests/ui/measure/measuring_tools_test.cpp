@@ -172,7 +172,7 @@ private slots:
             QVERIFY(isAt(list().back().from, 8.5, 0));
             click(*view, {0.1, 0.1});
             QVERIFY(std::abs(list().back().distance() - 0.5e6) < 1.0);
-            QVERIFY2(said().contains("⌀ 1 mm"), qPrintable(said()));
+            QVERIFY2(said().contains("⌀ 1.0000 mm"), qPrintable(said()));
         }
         QCOMPARE(list().size(), std::size_t{4});
         click(flat(), {3, 0});
@@ -286,7 +286,7 @@ private slots:
         click(flat(), {-3, 0});
         click(flat(), {-3, 4});
         QVERIFY(list().back().isPlanar);
-        QVERIFY2(said().startsWith("4 mm "), qPrintable(said()));
+        QVERIFY2(said().startsWith("4.0000 mm "), qPrintable(said()));
         QVERIFY(std::abs(list().back().distance() - std::hypot(4e6, 1e6)) < 1.0);
         click(solid(), {-3, 0});
         click(solid(), {0, 0});

@@ -28,10 +28,10 @@ private slots:
         QCOMPARE(summary(), "Not checked yet");
         check();
         QCOMPARE(summary(), "1 short, 1 open net, 1 piece of floating copper");
-        QCOMPARE(rows(), (QStringList{"Short|A, B|Touch in 1 location|TOP|4 mm|5 mm|PCB",
-                                      "Open|SPLIT|Part of the net: 1 piece, 1 pad or hole|TOP|2 mm|2 mm|PCB",
-                                      "Open|SPLIT|Part of the net: 1 piece, 1 pad or hole|TOP|4 mm|2 mm|PCB",
-                                      "Floating|LOOSE|Copper without a pad: 1 piece|BOTTOM|6 mm|8 mm|PCB"}));
+        QCOMPARE(rows(), (QStringList{"Short|A, B|Touch in 1 location|TOP|4.0000 mm|5.0000 mm|PCB",
+                                      "Open|SPLIT|Part of the net: 1 piece, 1 pad or hole|TOP|2.0000 mm|2.0000 mm|PCB",
+                                      "Open|SPLIT|Part of the net: 1 piece, 1 pad or hole|TOP|4.0000 mm|2.0000 mm|PCB",
+                                      "Floating|LOOSE|Copper without a pad: 1 piece|BOTTOM|6.0000 mm|8.0000 mm|PCB"}));
         QAbstractItemModelTester tester(&window().netCheck(), QAbstractItemModelTester::FailureReportingMode::QtTest);
         window().actions()[ActionId::NextUnit].trigger();
         QVERIFY2(rows().first().contains("157.48 mil"), qPrintable(rows().first()));

@@ -67,17 +67,17 @@ private slots:
         QCOMPARE(text(1, MeasurementModel::Nets), QString("A – no net"));
         QVERIFY(!ui::partsText(flat, ui::LengthUnit::Millimetre).front().contains("ΔZ"));
         model.setUnit(ui::LengthUnit::Mil);
-        QVERIFY2(text(1, MeasurementModel::Value).startsWith("overlap 10 mil ("),
+        QVERIFY2(text(1, MeasurementModel::Value).startsWith("overlap 10.00 mil ("),
                  qPrintable(text(1, MeasurementModel::Value)));
     }
 
     void aPlanarDistanceHasTheOneInSpaceBesideIt() {
         Measurement planar = slanting("a");
         planar.isPlanar = true;
-        QVERIFY2(text(planar, MeasurementModel::Value).startsWith("5 mm ("),
+        QVERIFY2(text(planar, MeasurementModel::Value).startsWith("5.0000 mm ("),
                  qPrintable(text(planar, MeasurementModel::Value)));
         QCOMPARE(ui::partsText(planar, ui::LengthUnit::Millimetre),
-                 (QStringList{"ΔX 3 mm  ΔY 4 mm  ΔZ 12 mm", "in space 13 mm"}));
+                 (QStringList{"ΔX 3.0000 mm  ΔY 4.0000 mm  ΔZ 12.0000 mm", "in space 13.0000 mm"}));
     }
 
     void anAngleIsTheOneBetweenItsArms() {
@@ -97,7 +97,7 @@ private slots:
         Measurement radius = slanting("r");
         radius.kind = MeasurementKind::Radius;
         radius.dz = 0.0;
-        QCOMPARE(text(radius, MeasurementModel::Value), QString("R 5 mm (196.85 mil)  ⌀ 10 mm (393.7 mil)"));
+        QCOMPARE(text(radius, MeasurementModel::Value), QString("R 5.0000 mm (196.85 mil)  ⌀ 10.0000 mm (393.70 mil)"));
     }
 
     void aLengthTellsLayersAndHoles() {
@@ -108,8 +108,8 @@ private slots:
             2,
             5e5};
         length.notes = {"a guess"};
-        QVERIFY(text(length, MeasurementModel::Value).startsWith("6.5 mm"));
-        QCOMPARE(text(length, MeasurementModel::Details), QString("TOP 5 mm; L2 1 mm; 2 holes 0.5 mm; a guess"));
+        QVERIFY(text(length, MeasurementModel::Value).startsWith("6.5000 mm"));
+        QCOMPARE(text(length, MeasurementModel::Details), QString("TOP 5.0000 mm; L2 1.0000 mm; 2 holes 0.5000 mm; a guess"));
     }
 
     void whatRoundsToNothingHasNoSign() {
@@ -121,7 +121,7 @@ private slots:
         QCOMPARE(angleText(1e-6), QString("0°"));
         Measurement flat = slanting("a");
         flat.to.y = flat.from.y - 1e-3;
-        QCOMPARE(partsText(flat, LengthUnit::Millimetre).front(), QString("ΔX 3 mm  ΔY 0 mm  ΔZ 12 mm"));
+        QCOMPARE(partsText(flat, LengthUnit::Millimetre).front(), QString("ΔX 3.0000 mm  ΔY 0.0000 mm  ΔZ 12.0000 mm"));
     }
 
     void namesAndBoxesAreEditedByWhoListens() {

@@ -97,7 +97,7 @@ private slots:
         QCOMPARE(model.missing(), (QStringList{"1 without a height", "1 without a package outline"}));
         QVERIFY(model.hasHeights());
         QCOMPARE(model.index(0, PartModel::Height).data().toString(), "");
-        QCOMPARE(model.index(1, PartModel::Height).data().toString(), "0.8 mm");
+        QCOMPARE(model.index(1, PartModel::Height).data().toString(), "0.8000 mm");
         QCOMPARE(texts(model, PartModel::Fitted), (QStringList{"no", "yes", "yes"}));
         QCOMPARE(texts(model, PartModel::Side), (QStringList{"Bottom", "Top", "Top"}));
         model.setBoard(model::DocumentBuilder().finish());

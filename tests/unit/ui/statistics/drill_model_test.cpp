@@ -76,7 +76,7 @@ private slots:
     }
 
     void lengthsFollowTheUnit() {
-        QCOMPARE(m_model.index(0, DrillModel::Diameter).data().toString(), "0.3 mm");
+        QCOMPARE(m_model.index(0, DrillModel::Diameter).data().toString(), "0.3000 mm");
         m_model.setUnit(ui::LengthUnit::Mil);
         QVERIFY(m_model.index(0, DrillModel::Diameter).data().toString().endsWith(" mil"));
         QCOMPARE(m_model.index(0, DrillModel::Diameter).data(Qt::EditRole).toDouble(), 300'000 / 25'400.0);
