@@ -10,11 +10,16 @@
 namespace render {
 namespace {
 
-gpu::Pipeline makePipeline(gpu::Device& device, const TargetFormat& target) {
+gpu::Pipeline makePipeline(gpu::Device& device, const TargetFormat& target, gpu::Pass pass) {
     const auto stages = gpu::drawStages(shader::spirv::kSectionFaceVert, shader::spirv::kSectionFaceFrag);
-    return gpu::Pipeline(device, gpu::GraphicsPipelineOptions{"section faces", stages, sizeof(shader::SectionPush),
-                                                              gpu::Pass::Opaque, false, gpu::Cover::Triangles,
-                                                              target.colour, gpu::kDepthFormat, target.samples});
+    return gpu::Pipeline(
+        device, gpu::GraphicsPipelineOptions{"section faces", stages, sizeof(shader::SectionPush), pass, false,
+                                             gpu::Cover::Triangles, target.colour, gpu::kDepthFormat, target.samples});
+}
+
+/// Is the eye on the side that is cut away?
+bool isSeenFromFront(const shader::FrameData& data) {
+    return glm::dot(glm::vec2(data.sectionPlane), glm::vec2(data.eye)) > data.sectionPlane.z * data.eye.w;
 }
 
 /// Where a face is drawn. Bodies of components keep their heights, on whichever face of their layer they stand;
@@ -52,13 +57,15 @@ std::vector<shader::SectionRectangle> rectangles(const FramePlan& plan, const Sc
         const auto end = [&](double along) { return glm::vec2(cut.plane.start + along * cut.plane.direction); };
         list.push_back({glm::vec3(state.colour), face.isInside ? 1U : 0U, end(face.from), end(face.to), z.z0, z.z1});
     }
+    std::ranges::stable_sort(list, {}, &shader::SectionRectangle::rank);  // what is drawn last is seen
     return list;
 }
 
 }  // namespace
 
 SectionDrawer::SectionDrawer(gpu::Device& device, const TargetFormat& target)
-    : m_pipeline(makePipeline(device, target)) {}
+    : m_inFront(makePipeline(device, target, gpu::Pass::InFront)),
+      m_behind(makePipeline(device, target, gpu::Pass::Opaque)) {}
 
 void SectionDrawer::draw(gpu::Frame& frame, const FramePlan& plan, const SceneLayers& scene,
                          const SectionCut& cut) const {
@@ -69,8 +76,9 @@ void SectionDrawer::draw(gpu::Frame& frame, const FramePlan& plan, const SceneLa
     const gpu::Frame::Slice data = frame.put(std::span(&plan.data, 1));
     const gpu::Frame::Slice faces = frame.put(list);
     gpu::Pipeline::setFrontFace(frame.commands(), false);
-    m_pipeline.bind(frame.commands());
-    m_pipeline.push(frame.commands(), shader::SectionPush{data.address, faces.address});
+    const gpu::Pipeline& pipeline = isSeenFromFront(plan.data) ? m_inFront : m_behind;
+    pipeline.bind(frame.commands());
+    pipeline.push(frame.commands(), shader::SectionPush{data.address, faces.address});
     vkCmdDraw(frame.commands(), static_cast<std::uint32_t>(6 * list.size()), 1, 0, 0);
 }
 

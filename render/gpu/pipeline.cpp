@@ -28,8 +28,10 @@ VkPipelineDepthStencilStateCreateInfo depthState(Pass pass) {
     auto info =
         vkInfo<VkPipelineDepthStencilStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO);
     info.depthTestEnable = pass == Pass::Overlay ? VK_FALSE : VK_TRUE;
-    info.depthWriteEnable = pass == Pass::Opaque || pass == Pass::DepthOnly ? VK_TRUE : VK_FALSE;
-    info.depthCompareOp = pass == Pass::Blend ? VK_COMPARE_OP_EQUAL : VK_COMPARE_OP_GREATER_OR_EQUAL;
+    info.depthWriteEnable = pass == Pass::Blend || pass == Pass::Overlay ? VK_FALSE : VK_TRUE;
+    info.depthCompareOp = pass == Pass::Blend     ? VK_COMPARE_OP_EQUAL
+                          : pass == Pass::InFront ? VK_COMPARE_OP_ALWAYS
+                                                  : VK_COMPARE_OP_GREATER_OR_EQUAL;
     // Overlapping shapes of one layer lie at the same depth: the first to come marks the sample with the layer's
     // reference.
     info.stencilTestEnable = pass == Pass::Blend ? VK_TRUE : VK_FALSE;

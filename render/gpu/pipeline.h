@@ -31,7 +31,8 @@ enum class Pass : std::uint8_t {
     Opaque,     ///< nearer wins, depth and colour written
     DepthOnly,  ///< nearer wins, depth written
     Blend,      ///< exactly at the depth written before, colour blended, at most once per sample and stencil reference
-    Overlay     ///< over everything, colour blended
+    Overlay,    ///< over everything, colour blended
+    InFront     ///< over everything, depth and colour written
 };
 
 /// Who says what a triangle covers.

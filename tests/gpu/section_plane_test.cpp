@@ -1,10 +1,12 @@
 // Boards cut open: what is on the one side is gone, the rest is as it was, and the cut shows what lies in it.
 #include <QtTest>
+#include <cstdlib>
 #include <set>
 
 #include "model/board/document_builder.h"
 #include "model/formats/registry.h"
 #include "render/frame/frame_measures.h"
+#include "render/frame/png.h"
 #include "tests/gpu/gpu_fixture.h"
 #include "tests/locations.h"
 
@@ -112,6 +114,70 @@ Rgb bytesOf(const glm::vec3& colour) {
     return {int(bytes.r), int(bytes.g), int(bytes.b)};
 }
 
+/// What a picture of a board that is cut along x at y = 0 must show of the cut.
+class CutFace {
+public:
+    CutFace(const Board& board, const ViewSettings& settings, const Camera& camera)
+        : m_start(settings.section->plane.start.x),
+          m_sign(settings.section->plane.direction.x),
+          m_boardFromClip(glm::inverse(glm::dmat4(camera.projection(kAspect)) * glm::dmat4(camera.view()))) {
+        const std::vector<ZRange> heights = board.scene.drawnHeights(settings);
+        for (const SectionFace& face : settings.section->faces) {
+            const std::size_t layer = face.layer.row();
+            const ZRange z = heights[face.beside.isValid() ? face.beside.row() : layer];
+            if (board.styles[layer].isVisible) {
+                m_pieces.push_back({{face.from, glm::mix(z.z0, z.z1, face.bottom)},
+                                    {face.to, glm::mix(z.z0, z.z1, face.top)},
+                                    face.isInside,
+                                    bytesOf(board.styles[layer].colour)});
+            }
+        }
+        std::ranges::stable_sort(m_pieces, {}, &Piece::isInside);
+    }
+
+    /// None: beside the cut, or near the edge of a piece.
+    [[nodiscard]] std::optional<Rgb> colourAt(std::uint32_t x, std::uint32_t y) const {
+        const glm::dvec2 a = onPlane(x - 1.0, y - 1.0);
+        const glm::dvec2 b = onPlane(x + 2.0, y + 2.0);
+        const glm::dvec2 low = glm::min(a, b);
+        const glm::dvec2 high = glm::max(a, b);
+        std::optional<Rgb> colour;
+        for (const Piece& piece : m_pieces) {
+            const bool meets = glm::all(glm::lessThan(low, piece.high)) && glm::all(glm::greaterThan(high, piece.low));
+            const bool covers = glm::all(glm::greaterThan(low, piece.low)) && glm::all(glm::lessThan(high, piece.high));
+            if (meets) {
+                colour = covers ? std::optional(piece.colour) : std::nullopt;
+            }
+        }
+        return colour;
+    }
+
+private:
+    struct Piece {
+        glm::dvec2 low;  ///< along the plane, upwards
+        glm::dvec2 high;
+        bool isInside;
+        Rgb colour;
+    };
+
+    [[nodiscard]] glm::dvec2 onPlane(double x, double y) const {
+        const auto at = [&](double depth) {
+            const glm::dvec4 p =
+                m_boardFromClip * glm::dvec4(2.0 * x / kWidth - 1.0, 2.0 * y / kHeight - 1.0, depth, 1);
+            return glm::dvec3(p) / p.w;
+        };
+        const glm::dvec3 near = at(1.0);
+        const glm::dvec3 far = at(0.5);
+        const glm::dvec3 p = near + (far - near) * (near.y / (near.y - far.y));
+        return {(p.x - m_start) * m_sign, p.z};
+    }
+
+    double m_start;
+    double m_sign;
+    glm::dmat4 m_boardFromClip;
+    std::vector<Piece> m_pieces;
+};
+
 }  // namespace
 
 class SectionPlaneTest : public QObject {
@@ -194,6 +260,47 @@ private slots:
             ++checked;
         }
         QVERIFY2(checked >= 5 && layers.size() >= 3, qPrintable(QString::number(checked)));
+    }
+
+    void nothingShowsThroughTheCut_data() {
+        QTest::addColumn<int>("backend");
+        QTest::addColumn<float>("distance");
+        QTest::addColumn<float>("pitch");
+        for (const Backend backend : {Backend::Pull, Backend::Mesh, Backend::Impostor}) {
+            QTest::addRow("%s, near", nameOf(backend)) << int(backend) << 8.0F << -0.6F;
+            QTest::addRow("%s, level", nameOf(backend)) << int(backend) << 30.0F << -0.2F;
+            QTest::addRow("%s, far", nameOf(backend)) << int(backend) << 30.0F << -0.6F;
+        }
+    }
+    /// In perspective, upright walls deep in the board are seen edge-on everywhere.
+    void nothingShowsThroughTheCut() {
+        QFETCH(int, backend);
+        QFETCH(float, distance);
+        QFETCH(float, pitch);
+        if (backend == int(Backend::Mesh) && !Gpu::get().device.caps().hasMeshShader) {
+            QSKIP("the device has no mesh shaders");
+        }
+        Board board(sample());
+        ViewSettings settings;
+        settings.backend = static_cast<Backend>(backend);
+        settings.zScale = {3.0F, 3.0F};
+        settings.section = board.cut({1, 0}, {0, 0});
+        Camera camera = board.seen(NamedView::Iso, false);
+        camera.setPose({{0.0F, 0.0F, 2.0F}, distance, 0.0F, pitch, false});
+        const Image open = board.draw(camera, settings);
+        QCOMPARE(Gpu::get().presenter.stats().backend, static_cast<Backend>(backend));
+        const CutFace face(board, settings, camera);
+        std::size_t checked = 0;
+        std::size_t wrong = 0;
+        for (std::uint32_t y = 1; y + 1 < kHeight; ++y) {
+            for (std::uint32_t x = 1; x + 1 < kWidth; ++x) {
+                if (const std::optional<Rgb> colour = face.colourAt(x, y)) {
+                    ++checked;
+                    wrong += test::distance(pixel(open, x, y), *colour) > 2 ? 1 : 0;
+                }
+            }
+        }
+        QVERIFY2(checked > 30000 && wrong == 0, qPrintable(QString("%1 of %2").arg(wrong).arg(checked)));
     }
 
     void linesOfSightAreCutToo() {
