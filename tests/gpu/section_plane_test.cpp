@@ -1,12 +1,10 @@
 // Boards cut open: what is on the one side is gone, the rest is as it was, and the cut shows what lies in it.
 #include <QtTest>
-#include <cstdlib>
 #include <set>
 
 #include "model/board/document_builder.h"
 #include "model/formats/registry.h"
 #include "render/frame/frame_measures.h"
-#include "render/frame/png.h"
 #include "tests/gpu/gpu_fixture.h"
 #include "tests/locations.h"
 

@@ -23,17 +23,15 @@ const Unit& of(LengthUnit unit) {
     return kUnits[static_cast<std::size_t>(unit)];
 }
 
-/// Without zeros at the end.
-QString shortest(double value, int digits) {
-    QString text = QString::fromStdString(model::fixedText(value, digits));
+QString fixed(double nm, LengthUnit unit) {
+    return QString::fromStdString(model::fixedText(nm / of(unit).nm, of(unit).digits));
+}
+
+QString withoutZerosAtTheEnd(QString text) {
     while (text.contains('.') && text.endsWith('0')) {
         text.chop(1);
     }
     return text.endsWith('.') ? text.chopped(1) : text;
-}
-
-QString fixed(double nm, LengthUnit unit) {
-    return QString::fromStdString(model::fixedText(nm / of(unit).nm, of(unit).digits));
 }
 
 /// What a length is said in beside the user's unit.
@@ -62,7 +60,7 @@ double nmPer(LengthUnit unit) {
 }
 
 QString lengthText(double nm, LengthUnit unit) {
-    return QStringLiteral("%1 %2").arg(shortest(nm / of(unit).nm, of(unit).digits), QLatin1String(of(unit).name));
+    return QStringLiteral("%1 %2").arg(withoutZerosAtTheEnd(fixed(nm, unit)), QLatin1String(of(unit).name));
 }
 
 QString fixedLengthText(double nm, LengthUnit unit) {
@@ -83,7 +81,7 @@ QString positionText(double x, double y, LengthUnit unit) {
 
 QString angleText(double degrees) {
     constexpr int kDigits = 4;
-    return QStringLiteral("%1°").arg(shortest(degrees, kDigits));
+    return QStringLiteral("%1°").arg(withoutZerosAtTheEnd(QString::fromStdString(model::fixedText(degrees, kDigits))));
 }
 
 QString areaText(double squareNm, LengthUnit unit) {
