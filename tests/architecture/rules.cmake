@@ -14,6 +14,7 @@ set(architecture_rows
     "model/index                   | model           | model/board model/figures model/geometry |"
     "model/packages                | model           | model/board model/formats/common model/geometry |"
     "model/solids                  | model           | model/board model/figures model/geometry model/packages |"
+    "model/solids/shells           | model           | model/board model/geometry |"
     "model/statistics              | model           | model/board model/figures model/geometry |"
     "model/nets                    | model           | model/board model/figures model/geometry model/statistics model/text |"
     "model/measure                 | model           | model/board model/figures model/geometry model/index model/statistics model/text |"

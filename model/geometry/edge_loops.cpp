@@ -1,0 +1,166 @@
+#include "model/geometry/edge_loops.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/geometry/vectors.h"
+
+namespace model {
+
+namespace {
+
+Edge lineFrom(PointD a, PointD b) {
+    Edge edge;
+    edge.a = a;
+    edge.b = b;
+    return edge;
+}
+
+Edge arcFrom(PointD a, PointD b, PointD centre, bool isClockwise) {
+    Edge edge = lineFrom(a, b);
+    edge.centre = centre;
+    edge.radius = distance(a, centre);
+    edge.isClockwise = isClockwise;
+    return edge;
+}
+
+/// The point of the perpendicular bisector of `a` and `b` that is nearest to `centre`.
+PointD ontoBisector(PointD a, PointD b, PointD centre) {
+    const PointD chord = minus(b, a);
+    const double squared = dot(chord, chord);
+    const PointD middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
+    const double along = dot(minus(centre, middle), chord) / squared;
+    return {centre.x - along * chord.x, centre.y - along * chord.y};
+}
+
+double signedArea(std::span<const Edge> loop) {
+    const PointD base = loop.front().a;
+    double area = 0.0;
+    for (const Edge& edge : loop) {
+        area += areaUnder(edge, base);
+    }
+    return area;
+}
+
+void turnRound(std::span<Edge> loop) {
+    std::ranges::reverse(loop);
+    for (Edge& edge : loop) {
+        edge = reversed(edge);
+    }
+}
+
+}  // namespace
+
+Edge reversed(const Edge& edge) {
+    Edge other = edge;
+    std::swap(other.a, other.b);
+    other.isClockwise = !edge.isClockwise;
+    return other;
+}
+
+void EdgeLoops::clear() {
+    edges.clear();
+    loopStart.assign(1, 0);
+}
+
+void EdgeLoops::addLine(PointD a, PointD b) {
+    if (a != b) {
+        edges.push_back(lineFrom(a, b));
+    }
+}
+
+void EdgeLoops::addArc(PointD a, PointD b, PointD centre, bool isClockwise) {
+    if (a == b) {
+        return;
+    }
+    const double mismatch = std::abs(distance(a, centre) - distance(b, centre));
+    const PointD moved = ontoBisector(a, b, centre);
+    if (distance(moved, centre) <= 4 * mismatch + 1.0) {
+        edges.push_back(arcFrom(a, b, moved, isClockwise));
+        return;
+    }
+    const double scale = distance(a, centre) / distance(b, centre);
+    const PointD end{centre.x + (b.x - centre.x) * scale, centre.y + (b.y - centre.y) * scale};
+    edges.push_back(arcFrom(a, end, centre, isClockwise));
+    addLine(end, b);
+}
+
+bool EdgeLoops::endLoop() {
+    const std::span<Edge> loop = std::span(edges).subspan(loopStart.back());
+    const double area = loop.empty() ? 0.0 : signedArea(loop);
+    if (area == 0.0) {
+        edges.resize(loopStart.back());
+        return false;
+    }
+    const bool isHole = loopCount() > 0;
+    if ((area > 0.0) == isHole) {
+        turnRound(loop);
+    }
+    for (Edge& edge : loop) {
+        edge.isHole = isHole;
+        edge.winding = isHole ? -1 : 1;
+    }
+    loopStart.push_back(static_cast<std::uint32_t>(edges.size()));
+    return true;
+}
+
+void EdgeLoops::addCircle(PointD centre, double radius) {
+    Edge circle;
+    circle.a = circle.b = {centre.x + radius, centre.y};
+    circle.centre = centre;
+    circle.radius = radius;
+    edges.push_back(circle);
+    endLoop();
+}
+
+void EdgeLoops::addCapsule(PointD a, PointD b, double radius) {
+    const double full = distance(a, b);
+    if (full == 0.0) {
+        return addCircle(a, radius);
+    }
+    const PointD left{-(b.y - a.y) / full * radius, (b.x - a.x) / full * radius};
+    const PointD rightOfA{a.x - left.x, a.y - left.y};
+    const PointD rightOfB{b.x - left.x, b.y - left.y};
+    const PointD leftOfA{a.x + left.x, a.y + left.y};
+    const PointD leftOfB{b.x + left.x, b.y + left.y};
+    addLine(rightOfA, rightOfB);
+    addArc(rightOfB, leftOfB, b, false);
+    addLine(leftOfB, leftOfA);
+    addArc(leftOfA, rightOfA, a, false);
+    endLoop();
+}
+
+double areaOf(const EdgeLoops& loops) {
+    double area = 0.0;
+    for (std::size_t i = 0; i < loops.loopCount(); ++i) {
+        area += signedArea(loops.loop(i));
+    }
+    return area;
+}
+
+EdgeLoops placed(const EdgeLoops& loops, const Placement& placement) {
+    EdgeLoops moved = loops;
+    for (Edge& edge : moved.edges) {
+        edge = placed(edge, placement);
+    }
+    if (placement.isMirrored) {
+        for (std::size_t i = 0; i < moved.loopCount(); ++i) {
+            const std::uint32_t first = moved.loopStart[i];
+            turnRound(std::span(moved.edges).subspan(first, moved.loopStart[i + 1] - first));
+        }
+    }
+    for (Edge& edge : moved.edges) {
+        edge.winding = edge.isHole ? -1 : 1;
+    }
+    return moved;
+}
+
+Box boxOf(const EdgeLoops& loops) {
+    Box box;
+    for (const Edge& edge : loops.edges) {
+        box.include(boxOf(edge));
+    }
+    return box;
+}
+
+}  // namespace model

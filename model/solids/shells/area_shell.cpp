@@ -1,0 +1,71 @@
+#include "model/solids/shells/area_shell.h"
+
+namespace model {
+
+namespace {
+
+void addEdge(EdgeLoops& loops, const PathNode& node, Point next) {
+    if (node.edge == EdgeKind::Line) {
+        loops.addLine(toDouble(node.point), toDouble(next));
+    } else {
+        loops.addArc(toDouble(node.point), toDouble(next), toDouble(node.centre), node.edge == EdgeKind::ArcClockwise);
+    }
+}
+
+bool isCircle(std::span<const PathNode> nodes) {
+    return nodes.size() == 1 && nodes.front().edge != EdgeKind::Line;
+}
+
+bool addContour(EdgeLoops& loops, std::span<const PathNode> nodes) {
+    if (isCircle(nodes)) {
+        const Edge circle = edgeOf(nodes.front(), nodes.front().point);
+        const std::size_t before = loops.loopCount();
+        loops.addCircle(circle.centre, circle.radius);
+        return loops.loopCount() > before;
+    }
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        addEdge(loops, nodes[i], nodes[(i + 1) % nodes.size()].point);
+    }
+    return loops.endLoop();
+}
+
+}  // namespace
+
+std::vector<EdgeLoops> areaOutlines(const ShapeTable& shapes, ShapeId shape) {
+    std::vector<EdgeLoops> regions;
+    bool hasIsland = false;
+    for (const Contour& contour : shapes.contoursOf(shape)) {
+        if (!contour.isHole) {
+            EdgeLoops island;
+            hasIsland = addContour(island, shapes.nodesOf(contour));
+            if (hasIsland) {
+                regions.push_back(std::move(island));
+            }
+        } else if (hasIsland) {
+            addContour(regions.back(), shapes.nodesOf(contour));
+        }
+    }
+    return regions;
+}
+
+std::vector<EdgeLoops> areaOutlines(const PolygonSet& polygons) {
+    std::vector<EdgeLoops> regions;
+    for (const PolygonSet::Polygon& polygon : polygons.polygons) {
+        EdgeLoops loops;
+        for (std::uint32_t i = 0; i < polygon.loopCount; ++i) {
+            const std::span<const Point> points = polygons.loop(polygon.firstLoop + i);
+            for (std::size_t k = 0; k < points.size(); ++k) {
+                loops.addLine(toDouble(points[k]), toDouble(points[(k + 1) % points.size()]));
+            }
+            if (!loops.endLoop() && i == 0) {
+                break;
+            }
+        }
+        if (loops.loopCount() > 0) {
+            regions.push_back(std::move(loops));
+        }
+    }
+    return regions;
+}
+
+}  // namespace model

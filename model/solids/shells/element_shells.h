@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "model/solids/shells/shell.h"
+
+namespace model {
+
+/// The solids of one element.
+struct ElementShells {
+    std::vector<Shell> shells;  ///< in the document's coordinates
+    /// Why there is no solid, or not of all of it; empty where all is well, and where there is nothing solid: an NPTH,
+    /// or a hole whose plating was drilled away.
+    std::string_view problem;
+};
+
+/// The regions of an element in the plane; see ElementShells.
+struct ElementOutlines {
+    std::vector<EdgeLoops> regions;
+    std::string_view problem;
+};
+
+[[nodiscard]] ElementOutlines outlinesOf(const Document& document, ElementId element);
+/// From where to where the element is solid: its layer, its body, or what is left of the plating of its hole; empty
+/// (equal heights) when that is nothing.
+[[nodiscard]] ZRange solidHeightsOf(const Document& document, ElementId element);
+[[nodiscard]] ElementShells shellsOf(const Document& document, ElementId element);
+
+}  // namespace model
