@@ -22,6 +22,7 @@ set(architecture_rows
     "model/design_rules            | model           | model/board model/clearance model/figures model/geometry model/nets model/text |"
     "model/section                 | model           | model/board model/figures model/geometry model/index model/measure model/packages model/text |"
     "model/export                  | model           | model/board model/clearance model/figures model/geometry model/index model/measure model/section model/text | json"
+    "model/export/solids           | model           | model/board model/geometry model/solids model/solids/shells model/text |"
     "model/session                 | model::session  | model/board model/clearance model/measure model/solids model/text | json"
     "model/generate                | model::generate | | archive"
     "model/formats/common          | model::formats  | model/board model/figures model/geometry | archive"

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/board/document.h"
+
+namespace model {
+
+/// Which part of a board is exported as solids, and how.
+struct SolidChoice {
+    std::vector<LayerId> layers;    ///< empty: all that a finished board consists of (isSolidLayer)
+    std::vector<std::string> nets;  ///< only copper of these nets, and what is no copper; empty: all
+    /// Only elements whose box meets this one, whole; the substrate and other synthetic layers stay whole too.
+    std::optional<Box> window;
+    /// Round holes that are drilled narrower than this, nm, are left out: the substrate is closed there, and no barrel
+    /// is written.
+    Nm minHole = 0;
+    /// What a mechanical design needs: the substrate, the bodies of components, and the pads on both outer layers that
+    /// are not part of a via. No inner layers, tracks, planes, mask or print.
+    bool isOuterOnly = false;
+    bool isMerged = false;      ///< touching copper of one net and layer becomes one solid
+    bool isOnePart = false;     ///< one product with all solids instead of a tree of layers and nets
+    bool isAsDesigned = false;  ///< with what is milled away beyond the board outline
+};
+
+/// Is the layer part of a finished board: copper, plated holes, the substrate, solder mask, print, bodies of
+/// components? Paste, documentation and what the job draws as openings are not.
+[[nodiscard]] bool isSolidLayer(const Layer& layer);
+
+}  // namespace model

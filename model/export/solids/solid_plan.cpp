@@ -1,0 +1,316 @@
+#include "model/export/solids/solid_plan.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "model/solids/shells/area_shell.h"
+
+namespace model {
+
+namespace {
+
+/// Which elements of a document the choice wants.
+class Filter {
+public:
+    Filter(const Document& document, const SolidChoice& choice) : m_document(document), m_choice(choice) {
+        for (const std::string& name : choice.nets) {
+            m_nets.insert(document.findNet(name));
+        }
+    }
+
+    [[nodiscard]] bool takes(LayerId id) const {
+        const Layer& layer = m_document.layer(id);
+        if (m_choice.isOuterOnly && !isOutside(layer)) {
+            return false;
+        }
+        return m_choice.layers.empty() ? isSolidLayer(layer) : std::ranges::count(m_choice.layers, id) > 0;
+    }
+
+    [[nodiscard]] bool takes(ElementId element) const {
+        const std::size_t row = element.row();
+        const Layer& layer = m_document.layer(m_document.elements.layer[row]);
+        if (layer.isSynthetic && layer.type != LayerType::ComponentBody) {
+            return true;
+        }
+        const std::uint8_t flags = m_document.elements.flags[row];
+        if (m_choice.isOuterOnly && layer.isCopper() && !isSolderPad(row)) {
+            return false;
+        }
+        const bool isConductor = layer.isCopper() || (flags & kHole) != 0;
+        if (isConductor && !m_nets.empty() && !m_nets.contains(m_document.elements.net[row])) {
+            return false;
+        }
+        return !isTooNarrow(row) && (!m_choice.window || m_choice.window->meets(m_document.boxOf(element)));
+    }
+
+private:
+    static bool isOutside(const Layer& layer) {
+        const bool isOuterCopper =
+            layer.isCopper() && (layer.side == LayerSide::Top || layer.side == LayerSide::Bottom);
+        return isOuterCopper || layer.type == LayerType::Body || layer.type == LayerType::ComponentBody;
+    }
+
+    [[nodiscard]] bool isSolderPad(std::size_t row) const {
+        const SubnetId subnet = m_document.elements.subnet[row];
+        const bool isOfVia = subnet.isValid() && m_document.subnets[subnet.row()].kind == SubnetKind::Via;
+        return (m_document.elements.flags[row] & kPad) != 0 && !isOfVia;
+    }
+
+    [[nodiscard]] bool isTooNarrow(std::size_t row) const {
+        return (m_document.elements.flags[row] & kHole) != 0 && m_document.elements.kind[row] == ElementKind::Circle &&
+               m_document.circles[m_document.elements.geometry[row]].diameter < m_choice.minHole;
+    }
+
+    const Document& m_document;
+    const SolidChoice& m_choice;
+    std::set<NetId> m_nets;
+};
+
+ComponentId componentOf(const Document& document, ElementId element) {
+    const Body* body = document.bodyOf(element);
+    return body != nullptr ? body->component : ComponentId{};
+}
+
+/// Orders the elements of a layer by net, bodies by component.
+struct Member {
+    NetId net;
+    ComponentId component;
+    ElementId element;
+    auto operator<=>(const Member&) const = default;
+};
+
+void addLayer(StepSolids& step, LayerId layer, std::vector<Member>& members) {
+    std::ranges::sort(members);
+    for (const Member& member : members) {
+        const bool isNew = step.groups.empty() || step.groups.back().layer != layer ||
+                           step.groups.back().net != member.net || step.groups.back().component != member.component;
+        if (isNew) {
+            const auto first = static_cast<std::uint32_t>(step.elements.size());
+            step.groups.push_back({layer, member.net, member.component, {first, 0}});
+        }
+        step.elements.push_back(member.element);
+        ++step.groups.back().elements.count;
+    }
+}
+
+bool isSolid(const Document& document, ElementId element) {
+    const ZRange z = solidHeightsOf(document, element);
+    const bool isOpenHole = (document.elements.flags[element.row()] & (kHole | kPlated)) == kHole;
+    return z.top > z.bottom && !isOpenHole;
+}
+
+StepSolids solidsOf(const Document& document, bool isFlipped, const SolidChoice& choice) {
+    StepSolids step;
+    step.document = &document;
+    step.isFlipped = isFlipped;
+    const Filter filter(document, choice);
+    std::vector<Member> members;
+    for (std::size_t row = 0; row < document.layers.size(); ++row) {
+        const LayerId layer{static_cast<std::uint32_t>(row)};
+        if (!filter.takes(layer)) {
+            continue;
+        }
+        members.clear();
+        const Range range = document.layers[row].elements;
+        for (std::uint32_t i = range.first; i < range.first + range.count; ++i) {
+            const ElementId element{i};
+            if (filter.takes(element) && isSolid(document, element)) {
+                members.push_back({document.elements.net[i], componentOf(document, element), element});
+            }
+        }
+        addLayer(step, layer, members);
+    }
+    return step;
+}
+
+void countUses(StepSolids& step) {
+    for (const ElementId element : step.elements) {
+        if (const auto shape = sharedShapeOf(*step.document, element)) {
+            ++step.uses[shape->key];
+        }
+    }
+}
+
+/// Takes round holes narrower than `minHole` out of a region.
+void closeHoles(EdgeLoops& region, Nm minHole) {
+    EdgeLoops kept;
+    kept.loopStart.clear();
+    for (std::size_t i = 0; i < region.loopCount(); ++i) {
+        const std::span<const Edge> loop = region.loop(i);
+        const bool isNarrow = i > 0 && loop.front().isFullCircle() && 2 * loop.front().radius < minHole;
+        if (!isNarrow) {
+            kept.loopStart.push_back(static_cast<std::uint32_t>(kept.edges.size()));
+            kept.edges.insert(kept.edges.end(), loop.begin(), loop.end());
+        }
+    }
+    kept.loopStart.push_back(static_cast<std::uint32_t>(kept.edges.size()));
+    region = std::move(kept);
+}
+
+const MilledElement* milledOf(const StepSolids& step, ElementId element) {
+    const auto found = std::ranges::lower_bound(step.milled, element, {}, &MilledElement::element);
+    return found != step.milled.end() && found->element == element ? &*found : nullptr;
+}
+
+constexpr Placement kUpsideDown{{}, 0.0, true};
+
+/// Heights of what lies on another layer once the step is turned over.
+ZRange flippedHeights(const Document& document, ElementId element) {
+    const auto opposite = [&](LayerId layer) -> const Layer& {
+        return document.layer(document.layerOfCopy(layer, true));
+    };
+    const ZRange own = solidHeightsOf(document, element);
+    if (isPlatedHole(document.elements.flags[element.row()])) {
+        const PlatedSpan span = document.platedSpanOf(element);
+        const Layer& a = opposite(span.top);
+        const Layer& b = opposite(span.bottom);
+        return {std::min(a.z, b.z), std::max(a.z + a.thickness, b.z + b.thickness)};
+    }
+    const Layer& layer = opposite(document.elements.layer[element.row()]);
+    if (document.bodyOf(element) != nullptr) {
+        const Nm height = own.top - own.bottom;
+        return layer.side == LayerSide::Bottom ? ZRange{layer.z + layer.thickness - height, layer.z + layer.thickness}
+                                               : ZRange{layer.z, layer.z + height};
+    }
+    return {layer.z, layer.z + layer.thickness};
+}
+
+/// The rows of documents of a panel, as they lie and upside down.
+class StepRows {
+public:
+    explicit StepRows(SolidPlan& plan) : m_plan(plan) {}
+
+    std::uint32_t rowOf(const Document& document, bool isFlipped) {
+        const auto next = static_cast<std::uint32_t>(m_plan.steps.size());
+        const auto [found, isNew] = m_rows.try_emplace({&document, isFlipped}, next);
+        if (isNew) {
+            m_plan.steps.push_back(solidsOf(document, isFlipped, m_plan.choice));
+        }
+        return found->second;
+    }
+
+private:
+    SolidPlan& m_plan;
+    std::map<std::pair<const Document*, bool>, std::uint32_t> m_rows;
+};
+
+/// A mirrored placement of a step, as one of the step upside down.
+Placement ofFlipped(const Placement& placement) {
+    return placement.isMirrored ? Placement{placement.origin, -placement.clockwiseDeg, false} : placement;
+}
+
+base::Status checkNets(const StepTree& tree, const SolidChoice& choice) {
+    for (const std::string& name : choice.nets) {
+        const bool isThere =
+            std::ranges::any_of(tree.steps, [&](const Document* step) { return step->findNet(name).isValid(); });
+        if (!isThere) {
+            return base::Error{base::ErrorCode::BadUsage, "there is no net " + name};
+        }
+    }
+    return base::Done{};
+}
+
+}  // namespace
+
+bool isSolidLayer(const Layer& layer) {
+    switch (layer.type) {
+        case LayerType::Signal:
+        case LayerType::PowerGround:
+        case LayerType::Mixed:
+        case LayerType::Drill:
+        case LayerType::Rout:
+        case LayerType::SilkScreen: return layer.context == LayerContext::Board;
+        case LayerType::Body:
+        case LayerType::ComponentBody: return true;
+        case LayerType::SolderMask: return layer.isSynthetic;
+        default: return false;
+    }
+}
+
+std::string SolidPlan::nameOf(const StepSolids& step, const SolidGroup& group) const {
+    const Document& document = *step.document;
+    if (group.component.isValid()) {
+        return document.components[group.component.row()].refdes;
+    }
+    if (group.net.isValid()) {
+        return document.nets[group.net.row()].name;
+    }
+    return document.layer(group.layer).isSynthetic ? document.layer(group.layer).name : "no net";
+}
+
+ZRange SolidPlan::heightsOf(const StepSolids& step, ElementId element) const {
+    return step.isFlipped ? flippedHeights(*step.document, element) : solidHeightsOf(*step.document, element);
+}
+
+ElementShells SolidPlan::shellsOf(const StepSolids& step, ElementId element) const {
+    ElementShells result;
+    const MilledElement* milled = milledOf(step, element);
+    ElementOutlines outlines =
+        milled != nullptr ? ElementOutlines{areaOutlines(milled->rest), {}} : outlinesOf(*step.document, element);
+    result.problem = outlines.problem;
+    const LayerId layer = step.document->elements.layer[element.row()];
+    const bool isSubstrate = step.document->layer(layer).type == LayerType::Body;
+    const ZRange z = heightsOf(step, element);
+    for (EdgeLoops& region : outlines.regions) {
+        if (isSubstrate && choice.minHole > 0) {
+            closeHoles(region, choice.minHole);
+        }
+        result.shells.push_back({step.isFlipped ? placed(region, kUpsideDown) : std::move(region), z});
+    }
+    return result;
+}
+
+std::optional<SharedShape> SolidPlan::sharedShapeOf(const StepSolids& step, ElementId element) const {
+    if (milledOf(step, element) != nullptr) {
+        return std::nullopt;
+    }
+    std::optional<SharedShape> shape = model::sharedShapeOf(*step.document, element);
+    const auto uses = shape ? step.uses.find(shape->key) : step.uses.end();
+    if (uses == step.uses.end() || uses->second < 2) {
+        return std::nullopt;
+    }
+    if (step.isFlipped) {
+        const ZRange z = heightsOf(step, element);
+        shape->key.bottom = z.bottom;
+        shape->key.top = z.top;
+        shape->placement.origin.x = -shape->placement.origin.x;
+        shape->placement.clockwiseDeg = -shape->placement.clockwiseDeg;
+    }
+    return shape;
+}
+
+std::vector<Shell> SolidPlan::shellsOf(const StepSolids& step, const ShapeKey& key) const {
+    std::vector<Shell> shells;
+    for (EdgeLoops& region : outlinesOf(*step.document, key)) {
+        shells.push_back({step.isFlipped ? placed(region, kUpsideDown) : std::move(region), {key.bottom, key.top}});
+    }
+    return shells;
+}
+
+base::Result<SolidPlan> planSolids(const Document& board, const SolidChoice& choice, const base::Progress& progress) {
+    const StepTree tree = unfoldCopies(board);
+    RETURN_IF_ERROR(checkNets(tree, choice));
+    SolidPlan plan{choice, {}, {}, 0};
+    StepRows rows(plan);
+    for (const StepCopy& copy : tree.copies) {
+        const std::uint32_t row = rows.rowOf(*tree.steps[copy.step], copy.isFlipped);
+        plan.copies.push_back({row, ofFlipped(copy.placement)});
+    }
+    for (StepSolids& step : plan.steps) {
+        countUses(step);
+        if (!choice.isAsDesigned && plan.copies.size() == 1) {
+            step.milled = findMilled(*step.document, {}, progress).elements;
+        }
+        plan.elements += step.elements.size();
+    }
+    if (progress.isCancelled()) {
+        return base::Error{base::ErrorCode::Cancelled, "the export was cancelled"};
+    }
+    if (plan.elements == 0) {
+        return base::Error{base::ErrorCode::BadUsage, "nothing on the board is left to export with these choices"};
+    }
+    return plan;
+}
+
+}  // namespace model

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "model/base/progress.h"
+#include "model/base/result.h"
+#include "model/board/copies.h"
+#include "model/export/solids/solid_choice.h"
+#include "model/solids/milling.h"
+#include "model/solids/shells/element_shells.h"
+#include "model/solids/shells/shared_shape.h"
+
+namespace model {
+
+/// The solids of one net on one layer, or of one component's body.
+struct SolidGroup {
+    LayerId layer;
+    NetId net;              ///< none: what has no net
+    ComponentId component;  ///< on layers of bodies
+    Range elements;         ///< of StepSolids::elements
+};
+
+/// What of one document of a panel (or of the only one) is written, as it lies or upside down.
+struct StepSolids {
+    const Document* document = nullptr;
+    /// Of copies that lie upside down: solids are mirrored x -> -x, and what is on a layer lies on Layer::opposite.
+    bool isFlipped = false;
+    std::vector<SolidGroup> groups;   ///< by layer as in the document, then by net
+    std::vector<ElementId> elements;  ///< group by group
+    std::vector<MilledElement> milled;
+    /// How often each shape appears; one that appears twice or more is worth sharing.
+    std::unordered_map<ShapeKey, std::uint32_t, ShapeKeyHash> uses;
+};
+
+/// Where solids of a row of SolidPlan::steps are placed.
+struct SolidCopy {
+    std::uint32_t step = 0;
+    Placement placement;  ///< never mirrored
+};
+
+/// Why an element is not among what was written, or not all of it.
+struct MissingSolid {
+    std::uint32_t step = 0;
+    ElementId element;
+    std::string_view reason;
+};
+
+/// What is written, in which tree: board or step, layer, net. Steps are there once, however many copies a panel has.
+struct SolidPlan {
+    SolidChoice choice;
+    std::vector<StepSolids> steps;  ///< the board itself first
+    std::vector<SolidCopy> copies;  ///< the board itself first
+    std::uint64_t elements = 0;     ///< of all steps, each once
+
+    /// The name of a group as people read it: the net, "no net", or the component.
+    [[nodiscard]] std::string nameOf(const StepSolids& step, const SolidGroup& group) const;
+    /// The solids of an element as the choice wants them: milled, with small holes closed, in the coordinates of the
+    /// step, or of the step upside down.
+    [[nodiscard]] ElementShells shellsOf(const StepSolids& step, ElementId element) const;
+    /// From where to where it is solid.
+    [[nodiscard]] ZRange heightsOf(const StepSolids& step, ElementId element) const;
+    /// Its shape, if that appears more than once in the step.
+    [[nodiscard]] std::optional<SharedShape> sharedShapeOf(const StepSolids& step, ElementId element) const;
+    /// The solids of such a shape, where SharedShape::placement is none.
+    [[nodiscard]] std::vector<Shell> shellsOf(const StepSolids& step, const ShapeKey& key) const;
+};
+
+/// Errors: BadUsage for a net that is not there, or when nothing is left to write; Cancelled.
+[[nodiscard]] base::Result<SolidPlan> planSolids(const Document& board, const SolidChoice& choice,
+                                                 const base::Progress& progress);
+
+}  // namespace model
