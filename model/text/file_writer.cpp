@@ -1,0 +1,103 @@
+#include "model/text/file_writer.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+
+namespace model {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kGathered = std::size_t{1} << 18U;
+
+/// Two writers of one program never share it.
+std::string endingOfPart() {
+    static std::atomic<unsigned> count{0};
+    return ".part" + std::to_string(::getpid()) + '-' + std::to_string(count++);
+}
+
+}  // namespace
+
+FileWriter::FileWriter(const fs::path& named) {
+    std::error_code error;
+    const fs::path linked = fs::is_symlink(named, error) ? fs::weakly_canonical(named, error) : named;
+    m_path = error ? named : linked;
+    m_isPlain = !fs::exists(m_path, error) || fs::is_regular_file(m_path, error);
+    m_beside = m_isPlain ? fs::path(m_path.string() + endingOfPart()) : m_path;
+    m_file = ::open(m_beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (m_file < 0) {
+        fail(std::strerror(errno));
+    }
+}
+
+FileWriter::~FileWriter() {
+    close();
+    if (m_isPlain && !m_isNamed) {
+        ::unlink(m_beside.c_str());
+    }
+}
+
+bool FileWriter::write(std::string_view bytes) {
+    m_pending += bytes;
+    m_size += bytes.size();
+    if (m_pending.size() >= kGathered) {
+        flush();
+    }
+    return m_failure.empty();
+}
+
+base::Status FileWriter::status() const {
+    return m_failure.empty()
+               ? base::Status(base::Done{})
+               : base::Error{base::ErrorCode::OutputFailed, m_path.string() + " cannot be written: " + m_failure};
+}
+
+base::Status FileWriter::commit() {
+    flush();
+    if (m_failure.empty() && m_isPlain && ::fsync(m_file) != 0) {
+        fail(std::strerror(errno));
+    }
+    close();
+    if (m_failure.empty() && m_isPlain) {
+        std::error_code error;
+        fs::rename(m_beside, m_path, error);
+        m_isNamed = !error;
+        if (error) {
+            fail(error.message());
+        }
+    }
+    return status();
+}
+
+void FileWriter::fail(const std::string& why) {
+    if (m_failure.empty()) {
+        m_failure = why;
+    }
+}
+
+void FileWriter::flush() {
+    std::string_view rest = m_pending;
+    while (m_failure.empty() && !rest.empty()) {
+        const ssize_t count = ::write(m_file, rest.data(), rest.size());
+        if (count < 0 && errno != EINTR) {
+            fail(std::strerror(errno));
+        }
+        rest.remove_prefix(count > 0 ? static_cast<std::size_t>(count) : 0);
+    }
+    m_pending.clear();
+}
+
+void FileWriter::close() {
+    if (m_file >= 0 && ::close(m_file) != 0) {
+        fail(std::strerror(errno));
+    }
+    m_file = -1;
+}
+
+}  // namespace model
