@@ -6,6 +6,7 @@
 #include "app/bench/bench_command.h"
 #include "app/bench/triangulation_bench.h"
 #include "app/commands/clearance_command.h"
+#include "app/commands/export_command.h"
 #include "app/commands/generate_command.h"
 #include "app/commands/info_command.h"
 #include "app/commands/measure_command.h"
@@ -277,6 +278,27 @@ void addSection(CLI::App& parent, Command& chosen) {
         ->check(CLI::Range(0.01, 10'000.0));
 }
 
+void addExport(CLI::App& parent, Command& chosen) {
+    CLI::App& command = *parent.add_subcommand("export", "Write a board as exact solids for other programs");
+    ExportArguments& arguments = argumentsOf(command, chosen, runExport);
+    addBoardOptions(command, arguments.board);
+    command.add_option("-o,--output", arguments.output, "the file to write (.step, .stp)")->required();
+    addList(command, "--layers", arguments.layers, "only these layers, separated by commas");
+    addList(command, "--nets", arguments.nets, "only copper of these nets, separated by commas");
+    addList(command, "--window", arguments.window,
+            "X0,Y0,X1,Y1 in millimetres of the job's coordinates: only what reaches into it")
+        ->expected(4);
+    command.add_option("--min-hole", arguments.minHole,
+                       "leave out round holes narrower than this, with um, mm, mil or inch");
+    command.add_flag("--outer-only", arguments.isOuterOnly,
+                     "only the substrate, the bodies of components and the pads they are soldered to");
+    command.add_flag("--merge", arguments.isMerged, "touching copper of one net and layer as one solid");
+    command.add_flag("--one-part", arguments.isOnePart, "one part instead of a tree of layers and nets");
+    command.add_flag("--as-designed", arguments.isAsDesigned, "also what is milled away beyond the board outline");
+    command.add_flag("--written-out", arguments.isWrittenOut,
+                     "equal pads and barrels one by one, for programs that do not know placed shapes");
+}
+
 void addMeasure(CLI::App& parent, Command& chosen) {
     CLI::App& command = *parent.add_subcommand("measure", "Measure the distance between two items of a board");
     MeasureArguments& arguments = argumentsOf(command, chosen, runMeasure);
@@ -352,7 +374,7 @@ std::string versionText() {
 }
 
 constexpr void (*kCommands[])(CLI::App&, Command&) = {addInfo,      addRender,  addGenerate, addBench,
-                                                      addClearance, addSection, addMeasure};
+                                                      addClearance, addSection, addMeasure,  addExport};
 
 }  // namespace
 

@@ -72,7 +72,7 @@ set(architecture_rows
     "app/common                    | app             | model/board model/opening model/session model/solids render/gpu render/modelling render/scene tri tri/gpu | json log"
     "app/reports                   | app             | app/common model/board model/nets model/statistics render/modelling render/standard | json"
     "app/bench                     | app tri::bench  | app/common model/board model/formats model/text render/frame render/gpu render/modelling render/scene render/standard tri tri/gpu | json"
-    "app/commands                  | app             | app/bench app/common app/reports model/board model/clearance model/design_rules model/export model/formats model/generate model/measure model/nets model/section model/session model/text render/frame render/gpu render/modelling render/scene render/standard ui/shell | cli json"
+    "app/commands                  | app             | app/bench app/common app/reports model/board model/clearance model/design_rules model/export model/export/solids model/formats model/generate model/measure model/nets model/section model/session model/text render/frame render/gpu render/modelling render/scene render/standard ui/shell | cli json"
     "app                           |                 | app/commands app/common | log"
 )
 

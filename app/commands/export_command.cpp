@@ -1,0 +1,140 @@
+#include "app/commands/export_command.h"
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+
+#include "app/common/console_progress.h"
+#include "model/base/thickness_units.h"
+#include "model/export/solids/step_export.h"
+#include "render/scene/layer_style.h"
+
+namespace app {
+
+using base::ErrorCode;
+using base::Result;
+using model::Document;
+
+namespace {
+
+/// Missing elements that are named on stderr, one by one.
+constexpr std::size_t kNamed = 20;
+
+/// While it lives, an interrupt cancels the work instead of ending the program, so that no half file is left.
+class Interrupt {
+public:
+    explicit Interrupt(base::Progress& progress) {
+        s_progress = &progress;
+        m_before = std::signal(SIGINT, [](int) { s_progress->cancel(); });
+    }
+    ~Interrupt() { std::signal(SIGINT, m_before); }
+    Interrupt(const Interrupt&) = delete;
+    Interrupt& operator=(const Interrupt&) = delete;
+
+private:
+    static inline base::Progress* s_progress = nullptr;
+    void (*m_before)(int) = nullptr;
+};
+
+Result<base::Box> windowOf(const std::vector<double>& window) {
+    const auto nm = [](double mm) { return static_cast<base::Nm>(std::llround(mm * base::kNmPerMm)); };
+    const auto [x0, x1] = std::minmax(window[0], window[2]);
+    const auto [y0, y1] = std::minmax(window[1], window[3]);
+    if (x0 == x1 || y0 == y1 || std::max({-x0, x1, -y0, y1}) * base::kNmPerMm > base::kMaxCoordinate) {
+        return base::Error{ErrorCode::BadUsage, "--window is empty or larger than a board can be"};
+    }
+    return base::Box{{nm(x0), nm(y0)}, {nm(x1), nm(y1)}};
+}
+
+Result<model::SolidChoice> choiceOf(const Document& board, const ExportArguments& arguments) {
+    model::SolidChoice choice;
+    for (const std::string& name : arguments.layers) {
+        ASSIGN_OR_RETURN(const model::LayerId layer, findLayer(board, name));
+        choice.layers.push_back(layer);
+    }
+    choice.nets = arguments.nets;
+    if (!arguments.window.empty()) {
+        ASSIGN_OR_RETURN(choice.window, windowOf(arguments.window));
+    }
+    if (!arguments.minHole.empty()) {
+        ASSIGN_OR_RETURN(choice.minHole, model::parseLength(arguments.minHole));
+    }
+    choice.isOuterOnly = arguments.isOuterOnly;
+    choice.isMerged = arguments.isMerged;
+    choice.isOnePart = arguments.isOnePart;
+    choice.isAsDesigned = arguments.isAsDesigned;
+    return choice;
+}
+
+/// As the 3D view has them.
+std::vector<model::SolidLook> looksOf(const Document& board) {
+    std::vector<model::SolidLook> looks;
+    for (const render::LayerStyle& style : render::defaultStyles(board)) {
+        const auto byte = [](float value) { return static_cast<std::uint32_t>(std::lround(value * 255.0F)); };
+        looks.push_back({byte(style.colour.r) << 16U | byte(style.colour.g) << 8U | byte(style.colour.b),
+                         static_cast<double>(style.opacity)});
+    }
+    return looks;
+}
+
+std::string now() {
+    char text[32];
+    const std::time_t time = std::time(nullptr);
+    std::tm parts{};
+    std::strftime(text, sizeof(text), "%Y-%m-%dT%H:%M:%SZ", gmtime_r(&time, &parts));
+    return text;
+}
+
+void reportMissing(const model::SolidPlan& plan, const std::vector<model::MissingSolid>& missing) {
+    for (std::size_t i = 0; i < std::min(missing.size(), kNamed); ++i) {
+        const Document& step = *plan.steps[missing[i].step].document;
+        const std::size_t row = missing[i].element.row();
+        const model::Layer& layer = step.layer(step.elements.layer[row]);
+        std::fprintf(stderr, "%s:%u: not exported: %s\n", layer.file.c_str(), step.elements.line[row],
+                     std::string(missing[i].reason).c_str());
+    }
+    if (missing.size() > kNamed) {
+        std::fprintf(stderr, "... and %zu more\n", missing.size() - kNamed);
+    }
+}
+
+Result<model::SolidReport> writeSolids(const model::SolidPlan& plan, const Document& board,
+                                       const ExportArguments& arguments, base::Progress& progress) {
+    const model::StepEstimate estimate = model::estimateStep(plan);
+    std::fprintf(stderr, "%llu elements, about %.1f MB\n", static_cast<unsigned long long>(plan.elements),
+                 estimate.bytes / 1e6);
+    const model::StepOptions options{looksOf(board), board.job.name, now(), arguments.isWrittenOut};
+    return model::exportStep(plan, options, arguments.output, progress);
+}
+
+/// Errors: BadUsage.
+base::Status checkFormat(const std::string& output) {
+    std::string ending = std::filesystem::path(output).extension().string();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (ending == ".step" || ending == ".stp") {
+        return base::Done{};
+    }
+    return base::Error{ErrorCode::BadUsage, output + ": the format is told by the ending, which is .step or .stp"};
+}
+
+}  // namespace
+
+Outcome runExport(const ExportArguments& arguments) {
+    RETURN_IF_ERROR(checkFormat(arguments.output));
+    ConsoleProgress console;
+    const Interrupt interrupt(console.progress());
+    ASSIGN_OR_RETURN(const auto board, openDocument(arguments.board, console.progress()));
+    ASSIGN_OR_RETURN(const model::SolidChoice choice, choiceOf(*board, arguments));
+    ASSIGN_OR_RETURN(const model::SolidPlan plan, model::planSolids(*board, choice, console.progress()));
+    ASSIGN_OR_RETURN(const model::SolidReport report, writeSolids(plan, *board, arguments, console.progress()));
+    reportMissing(plan, report.missing);
+    std::fprintf(stderr, "%s: %llu solids, %llu placed copies, %.1f MB\n", arguments.output.c_str(),
+                 static_cast<unsigned long long>(report.solids), static_cast<unsigned long long>(report.copies),
+                 static_cast<double>(report.bytes) / 1e6);
+    return int{kDone};
+}
+
+}  // namespace app

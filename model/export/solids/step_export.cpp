@@ -1,0 +1,209 @@
+#include "model/export/solids/step_export.h"
+
+#include "model/export/solids/step_assembly.h"
+#include "model/export/solids/step_solid_text.h"
+#include "model/text/file_writer.h"
+
+namespace model {
+
+namespace {
+
+/// Text is handed to the file in pieces of about this size.
+constexpr std::size_t kPiece = 1U << 20U;
+
+/// Writes the steps of a plan into one text.
+class StepWriter {
+public:
+    StepWriter(const SolidPlan& plan, const StepOptions& options, FileWriter& file, base::Progress& progress)
+        : m_plan(plan), m_options(options), m_file(file), m_progress(progress) {}
+
+    base::Status write() {
+        m_text.text().insert(0, stepHeader(m_options.name, m_options.time, "Copperscope"));
+        std::vector<StepProduct> steps;
+        for (std::size_t i = 0; i < m_plan.steps.size(); ++i) {
+            m_shapes.clear();
+            m_step = static_cast<std::uint32_t>(i);
+            steps.push_back(m_plan.choice.isOnePart ? addOnePart(m_plan.steps[i]) : addTree(m_plan.steps[i]));
+        }
+        placeCopies(steps);
+        m_assembly.finish();
+        m_text.text() += stepFooter();
+        passOn(0);
+        if (m_progress.isCancelled()) {
+            return base::Error{base::ErrorCode::Cancelled, "the export was cancelled"};
+        }
+        return m_file.commit();
+    }
+
+    SolidReport report;
+
+private:
+    [[nodiscard]] bool isStopped() const { return m_progress.isCancelled() || !m_file.status().ok(); }
+
+    void passOn(std::size_t atLeast) {
+        if (m_text.text().size() >= atLeast) {
+            m_file.write(m_text.text());
+            m_text.text().clear();
+        }
+    }
+
+    [[nodiscard]] std::string stepName(const StepSolids& step) const {
+        const bool isBoard = m_step == 0;
+        return (isBoard && !m_options.name.empty() ? m_options.name : step.document->job.step) +
+               (step.isFlipped ? " (turned over)" : "");
+    }
+
+    StepProduct addTree(const StepSolids& step) {
+        const StepProduct board = m_assembly.addGroup(stepName(step));
+        StepProduct layer;
+        LayerId current;
+        for (const SolidGroup& group : step.groups) {
+            if (group.layer != current) {
+                current = group.layer;
+                layer = m_assembly.addGroup(step.document->layer(current).name);
+                m_assembly.place(layer, board, step.document->layer(current).name, m_solids.origin());
+            }
+            m_items.clear();
+            addGroup(step, group);
+            if (!m_items.empty()) {
+                const std::string name = m_plan.nameOf(step, group);
+                m_assembly.place(m_assembly.addPart(name, m_items), layer, name, m_solids.origin());
+            }
+        }
+        return board;
+    }
+
+    StepProduct addOnePart(const StepSolids& step) {
+        m_items.clear();
+        for (const SolidGroup& group : step.groups) {
+            addGroup(step, group);
+        }
+        return m_assembly.addPart(stepName(step), m_items);
+    }
+
+    /// Its items go to m_items.
+    void addGroup(const StepSolids& step, const SolidGroup& group) {
+        const StepColour colour = colourOf(step, group.layer);
+        for (std::uint32_t i = group.elements.first; i < group.elements.first + group.elements.count; ++i) {
+            if (isStopped()) {
+                return;
+            }
+            addElement(step, step.elements[i], colour);
+            passOn(kPiece);
+        }
+        m_done += group.elements.count;
+        m_progress.setFraction(static_cast<float>(m_done) / static_cast<float>(m_plan.elements));
+    }
+
+    void addElement(const StepSolids& step, ElementId element, const StepColour& colour) {
+        const auto shared = m_options.isWrittenOut ? std::nullopt : m_plan.sharedShapeOf(step, element);
+        if (shared) {
+            StepId& shape = m_shapes[shared->key];
+            if (shape == 0) {
+                shape = m_assembly.addShape(addShells(m_plan.shellsOf(step, shared->key), colour));
+            }
+            m_items.push_back(m_assembly.addCopy(shape, m_solids.placementOf(shared->placement)));
+            ++report.copies;
+            return;
+        }
+        const ElementShells made = m_plan.shellsOf(step, element);
+        const std::vector<StepId> solids = addShells(made.shells, colour);
+        m_items.insert(m_items.end(), solids.begin(), solids.end());
+        if (!made.problem.empty()) {
+            report.missing.push_back({m_step, element, made.problem});
+        }
+    }
+
+    std::vector<StepId> addShells(const std::vector<Shell>& shells, const StepColour& colour) {
+        std::vector<StepId> solids;
+        for (const Shell& shell : shells) {
+            solids.push_back(m_solids.add(shell));
+            m_assembly.colour(solids.back(), colour);
+            ++report.solids;
+        }
+        return solids;
+    }
+
+    /// The board is the first step and the root; all others are placed in it.
+    void placeCopies(const std::vector<StepProduct>& steps) {
+        for (std::size_t i = 1; i < m_plan.copies.size(); ++i) {
+            const SolidCopy& copy = m_plan.copies[i];
+            const std::string name = m_plan.steps[copy.step].document->job.step + " " + std::to_string(i);
+            m_assembly.place(steps[copy.step], steps.front(), name, m_solids.placementOf(copy.placement));
+        }
+    }
+
+    [[nodiscard]] StepColour colourOf(const StepSolids& step, LayerId layer) const {
+        const std::size_t row = step.document->layerOfCopy(layer, step.isFlipped).row();
+        return row < m_options.looks.size() ? StepColour{m_options.looks[row].rgb, m_options.looks[row].opacity}
+                                            : StepColour{};
+    }
+
+    const SolidPlan& m_plan;
+    const StepOptions& m_options;
+    FileWriter& m_file;
+    base::Progress& m_progress;
+    StepText m_text;
+    StepSolidText m_solids{m_text};
+    StepAssembly m_assembly{m_text, m_solids.origin()};
+    std::unordered_map<ShapeKey, StepId, ShapeKeyHash> m_shapes;  ///< of the step that is being written
+    std::uint32_t m_step = 0;
+    std::vector<StepId> m_items;
+    std::uint64_t m_done = 0;
+};
+
+/// Measured on boards of all kinds.
+constexpr double kBytesOfEntity = 42.0;
+constexpr double kBytesOfSolid = 47.0;
+constexpr double kBytesOfCopy = 180.0;
+constexpr double kBytesOfGroup = 900.0;
+constexpr double kBytesPerSecond = 150e6;
+/// Elements that are looked at for an estimate.
+constexpr std::size_t kSampled = 2000;
+
+double bytesOf(const std::vector<Shell>& shells) {
+    double bytes = 0.0;
+    for (const Shell& shell : shells) {
+        const double edges = static_cast<double>(shell.outline.edges.size());
+        const double holes = static_cast<double>(shell.outline.loopCount()) - 1;
+        bytes += kBytesOfSolid + kBytesOfEntity * (24 * edges + 14 + 4 * holes);
+    }
+    return bytes;
+}
+
+double estimatedBytes(const SolidPlan& plan, const StepSolids& step) {
+    double bytes = kBytesOfGroup * static_cast<double>(step.groups.size());
+    for (const auto& [key, uses] : step.uses) {
+        bytes += uses > 1 ? bytesOf(plan.shellsOf(step, key)) : 0.0;
+    }
+    const std::size_t stride = step.elements.size() / kSampled + 1;
+    for (std::size_t i = 0; i < step.elements.size(); i += stride) {
+        const ElementId element = step.elements[i];
+        const bool isCopy = plan.sharedShapeOf(step, element).has_value();
+        bytes += static_cast<double>(stride) * (isCopy ? kBytesOfCopy : bytesOf(plan.shellsOf(step, element).shells));
+    }
+    return bytes;
+}
+
+}  // namespace
+
+StepEstimate estimateStep(const SolidPlan& plan) {
+    StepEstimate estimate;
+    for (const StepSolids& step : plan.steps) {
+        estimate.bytes += estimatedBytes(plan, step);
+    }
+    estimate.seconds = estimate.bytes / kBytesPerSecond;
+    return estimate;
+}
+
+base::Result<SolidReport> exportStep(const SolidPlan& plan, const StepOptions& options,
+                                     const std::filesystem::path& path, base::Progress& progress) {
+    progress.beginPhase("Writing solids");
+    FileWriter file(path);
+    StepWriter writer(plan, options, file, progress);
+    RETURN_IF_ERROR(writer.write());
+    writer.report.bytes = file.size();
+    return std::move(writer.report);
+}
+
+}  // namespace model

@@ -1,0 +1,158 @@
+#include "model/export/solids/step_solid_text.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "model/geometry/vectors.h"
+
+namespace model {
+
+namespace {
+
+/// More different directions than this are not remembered, so that memory stays small.
+constexpr std::size_t kMostDirections = 200'000;
+
+std::uint64_t keyOf(double x, double y) {
+    const auto part = [](double v) { return static_cast<std::uint64_t>(std::llround(v * 1e9) + 1'000'000'000); };
+    return part(x) << 32U | part(y);
+}
+
+}  // namespace
+
+StepSolidText::StepSolidText(StepText& text) : m_text(text) {
+    m_up = m_text.direction(0, 0, 1);
+    m_right = m_text.direction(1, 0, 0);
+    m_upwards = m_text.add("VECTOR('',", m_up, ",1.)");
+    m_origin = m_text.add("AXIS2_PLACEMENT_3D('',", m_text.point({}, 0), ",", m_up, ",", m_right, ")");
+}
+
+StepSolidText::Direction StepSolidText::directionOf(double x, double y) {
+    if (m_directions.size() > kMostDirections) {
+        m_directions.clear();
+    }
+    Direction& known = m_directions[keyOf(x, y)];
+    if (known.direction == 0) {
+        known.direction = m_text.direction(x, y, 0);
+    }
+    return known;
+}
+
+StepId StepSolidText::axisAt(StepId point) {
+    return m_text.add("AXIS2_PLACEMENT_3D('',", point, ",", m_up, ",", m_right, ")");
+}
+
+StepId StepSolidText::placementOf(const Placement& placement) {
+    if (isIdentity(placement)) {
+        return m_origin;
+    }
+    const double angle = -placement.clockwiseDeg * std::numbers::pi / 180.0;
+    const StepId right =
+        placement.clockwiseDeg == 0.0 ? m_right : directionOf(std::cos(angle), std::sin(angle)).direction;
+    return m_text.add("AXIS2_PLACEMENT_3D('',", m_text.point(toDouble(placement.origin), 0), ",", m_up, ",", right,
+                      ")");
+}
+
+StepId StepSolidText::planeAt(Nm z) {
+    StepId& plane = m_planes[z];
+    if (plane == 0) {
+        plane = m_text.add("PLANE('',", axisAt(m_text.point({}, z)), ")");
+    }
+    return plane;
+}
+
+StepId StepSolidText::oriented(StepId edge, bool isForward) {
+    return m_text.add("ORIENTED_EDGE('',*,*,", edge, isForward ? ",.T.)" : ",.F.)");
+}
+
+void StepSolidText::addCorner(Rim& rim, base::PointD corner, const ZRange& z) {
+    for (const Face face : {Bottom, Top}) {
+        rim.point[face] = m_text.point(corner, face == Top ? z.top : z.bottom);
+        rim.vertex[face] = m_text.add("VERTEX_POINT('',", rim.point[face], ")");
+    }
+    const StepId line = m_text.add("LINE('',", rim.point[Bottom], ",", m_upwards, ")");
+    rim.upright = m_text.add("EDGE_CURVE('',", rim.vertex[Bottom], ",", rim.vertex[Top], ",", line, ",.T.)");
+}
+
+void StepSolidText::addLine(Rim& rim, const Rim& next, const Edge& line) {
+    const double length = distance(line.a, line.b);
+    const double x = (line.b.x - line.a.x) / length;
+    const double y = (line.b.y - line.a.y) / length;
+    const StepId along = directionOf(x, y).direction;
+    StepId& vector = m_directions[keyOf(x, y)].vector;
+    if (vector == 0) {
+        vector = m_text.add("VECTOR('',", along, ",1.)");
+    }
+    for (const Face face : {Bottom, Top}) {
+        const StepId curve = m_text.add("LINE('',", rim.point[face], ",", vector, ")");
+        rim.edge[face] = m_text.add("EDGE_CURVE('',", rim.vertex[face], ",", next.vertex[face], ",", curve, ",.T.)");
+    }
+    const StepId outwards = directionOf(y, -x).direction;
+    const StepId axis = m_text.add("AXIS2_PLACEMENT_3D('',", rim.point[Bottom], ",", outwards, ",", m_up, ")");
+    rim.surface = m_text.add("PLANE('',", axis, ")");
+}
+
+void StepSolidText::addArc(Rim& rim, const Rim& next, const Edge& arc, const ZRange& z) {
+    StepId axis[2];
+    for (const Face face : {Bottom, Top}) {
+        axis[face] = axisAt(m_text.point(arc.centre, face == Top ? z.top : z.bottom));
+        const StepId curve = m_text.add("CIRCLE('',", axis[face], ",", StepText::Ratio{base::toMm(arc.radius)}, ")");
+        rim.edge[face] = m_text.add("EDGE_CURVE('',", rim.vertex[face], ",", next.vertex[face], ",", curve,
+                                    arc.isClockwise ? ",.F.)" : ",.T.)");
+    }
+    rim.surface =
+        m_text.add("CYLINDRICAL_SURFACE('',", axis[Bottom], ",", StepText::Ratio{base::toMm(arc.radius)}, ")");
+}
+
+StepId StepSolidText::addWall(const Rim& rim, const Rim& next, bool isInward) {
+    m_loop = {oriented(rim.edge[Bottom], true), oriented(next.upright, true), oriented(rim.edge[Top], false),
+              oriented(rim.upright, false)};
+    const StepId loop = m_text.add("EDGE_LOOP('',", m_loop, ")");
+    const StepId bound = m_text.add("FACE_OUTER_BOUND('',", loop, ",.T.)");
+    return m_text.add("ADVANCED_FACE('',(", bound, "),", rim.surface, isInward ? ",.F.)" : ",.T.)");
+}
+
+StepId StepSolidText::addLid(const Shell& shell, Face face) {
+    m_bounds.clear();
+    for (std::size_t i = 0; i < shell.outline.loopCount(); ++i) {
+        const std::uint32_t first = shell.outline.loopStart[i];
+        const std::uint32_t end = shell.outline.loopStart[i + 1];
+        m_loop.clear();
+        for (std::uint32_t k = first; k < end; ++k) {
+            const Rim& rim = m_rims[face == Top ? k : end - 1 - (k - first)];
+            m_loop.push_back(oriented(rim.edge[face], face == Top));
+        }
+        const StepId loop = m_text.add("EDGE_LOOP('',", m_loop, ")");
+        m_bounds.push_back(m_text.add(i == 0 ? "FACE_OUTER_BOUND(''," : "FACE_BOUND('',", loop, ",.T.)"));
+    }
+    const StepId plane = planeAt(face == Top ? shell.z.top : shell.z.bottom);
+    return m_text.add("ADVANCED_FACE('',", m_bounds, ",", plane, face == Top ? ",.T.)" : ",.F.)");
+}
+
+StepId StepSolidText::add(const Shell& shell) {
+    const EdgeLoops& outline = shell.outline;
+    m_rims.assign(outline.edges.size(), {});
+    m_faces.clear();
+    for (std::size_t i = 0; i < outline.loopCount(); ++i) {
+        const std::uint32_t first = outline.loopStart[i];
+        const std::uint32_t end = outline.loopStart[i + 1];
+        for (std::uint32_t k = first; k < end; ++k) {
+            addCorner(m_rims[k], outline.edges[k].a, shell.z);
+        }
+        for (std::uint32_t k = first; k < end; ++k) {
+            const Edge& edge = outline.edges[k];
+            const Rim& next = m_rims[k + 1 < end ? k + 1 : first];
+            if (edge.isArc()) {
+                addArc(m_rims[k], next, edge, shell.z);
+            } else {
+                addLine(m_rims[k], next, edge);
+            }
+            m_faces.push_back(addWall(m_rims[k], next, edge.isArc() && edge.isClockwise));
+        }
+    }
+    m_faces.push_back(addLid(shell, Top));
+    m_faces.push_back(addLid(shell, Bottom));
+    const StepId closed = m_text.add("CLOSED_SHELL('',", m_faces, ")");
+    return m_text.add("MANIFOLD_SOLID_BREP('',", closed, ")");
+}
+
+}  // namespace model

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <map>
+#include <unordered_map>
+#include <vector>
+
+#include "model/export/solids/step_text.h"
+#include "model/solids/shells/shell.h"
+
+namespace model {
+
+/// Writes shells as MANIFOLD_SOLID_BREP entities: planes, cylinders, lines and circles, no curves in the parameters of
+/// surfaces (a reader makes those), a circle as one edge with a seam. A prism of n edges in k loops takes at most
+/// 24 n + 14 + 4 (k - 1) entities; the planes of faces, directions and vectors are shared by all solids.
+class StepSolidText {
+public:
+    explicit StepSolidText(StepText& text);
+
+    /// The number of the solid.
+    StepId add(const Shell& shell);
+    /// The placement at the origin, in the usual directions.
+    [[nodiscard]] StepId origin() const { return m_origin; }
+    /// The same moved and turned about the vertical; `placement` is not mirrored.
+    StepId placementOf(const Placement& placement);
+
+private:
+    enum Face : std::uint8_t { Bottom, Top };
+
+    /// An edge of the region as the solid has it: twice, with the upright edge at its start.
+    struct Rim {
+        StepId point[2];
+        StepId vertex[2];
+        StepId edge[2];
+        StepId upright;
+        StepId surface;  ///< of its wall
+    };
+    struct Direction {
+        StepId direction;
+        StepId vector;
+    };
+
+    Direction directionOf(double x, double y);
+    StepId planeAt(Nm z);
+    StepId axisAt(StepId point);
+    void addCorner(Rim& rim, base::PointD corner, const ZRange& z);
+    void addLine(Rim& rim, const Rim& next, const Edge& line);
+    void addArc(Rim& rim, const Rim& next, const Edge& arc, const ZRange& z);
+    StepId addWall(const Rim& rim, const Rim& next, bool isInward);
+    StepId addLid(const Shell& shell, Face face);
+    StepId oriented(StepId edge, bool isForward);
+
+    StepText& m_text;
+    StepId m_up = 0;
+    StepId m_right = 0;
+    StepId m_upwards = 0;
+    StepId m_origin = 0;
+    std::map<Nm, StepId> m_planes;
+    std::unordered_map<std::uint64_t, Direction> m_directions;
+    // Of the shell that is being written.
+    std::vector<Rim> m_rims;
+    std::vector<StepId> m_faces;
+    std::vector<StepId> m_bounds;
+    std::vector<StepId> m_loop;
+};
+
+}  // namespace model
