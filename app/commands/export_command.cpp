@@ -106,7 +106,7 @@ Result<model::SolidReport> writeSolids(const model::SolidPlan& plan, const Docum
     const model::StepEstimate estimate = model::estimateStep(plan);
     std::fprintf(stderr, "%llu elements, about %.1f MB\n", static_cast<unsigned long long>(plan.elements),
                  estimate.bytes / 1e6);
-    const model::StepOptions options{looksOf(board), board.job.name, now(), arguments.isWrittenOut};
+    const model::StepOptions options{looksOf(board), board.job.name, now(), arguments.isWrittenOut, {}};
     return model::exportStep(plan, options, arguments.output, progress);
 }
 

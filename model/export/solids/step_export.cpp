@@ -117,9 +117,11 @@ private:
     std::vector<StepId> addShells(const std::vector<Shell>& shells, const StepColour& colour) {
         std::vector<StepId> solids;
         for (const Shell& shell : shells) {
-            solids.push_back(m_solids.add(shell));
-            m_assembly.colour(solids.back(), colour);
-            ++report.solids;
+            for (EdgeLoops& piece : splitLarge(shell.outline, m_options.limits)) {
+                solids.push_back(m_solids.add({std::move(piece), shell.z}));
+                m_assembly.colour(solids.back(), colour);
+                ++report.solids;
+            }
         }
         return solids;
     }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/export/solids/solid_plan.h"
+#include "model/geometry/split_loops.h"
 
 namespace model {
 
@@ -21,6 +22,8 @@ struct StepOptions {
     std::string time;              ///< ISO 8601, in the file's header
     /// Writes every pad and barrel out instead of placing one shape often, for readers without mapped items.
     bool isWrittenOut = false;
+    /// Planes with more edges or holes are written in several solids side by side (splitLarge).
+    RegionLimits limits;
 };
 
 /// What became of an export.

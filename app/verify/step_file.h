@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <memory>
+
+#include "model/base/result.h"
+
+namespace app {
+
+/// A solid as another program understands it. Lengths in nm.
+struct StepSolid {
+    double volume = 0.0;     ///< nm³
+    double tolerance = 0.0;  ///< the largest distance between a vertex or edge and what it bounds
+    bool isValid = false;    ///< topology and geometry agree
+    bool isClosed = false;   ///< one closed shell, each edge in two faces
+    std::array<double, 6> box{};  ///< x, y, z of the least corner, then of the greatest
+};
+
+/// A STEP file read by OpenCASCADE, an optional package: an independent reader of what we write. Solids of placed shapes
+/// count each time they are placed, in the order of the assembly tree.
+class StepFile {
+public:
+    /// `isStrict` reads without the repairs that readers make on their own, which hide wrong loops. Errors: BadInput;
+    /// BadUsage in builds without OpenCASCADE.
+    [[nodiscard]] static base::Result<StepFile> read(const std::filesystem::path& path, bool isStrict);
+    StepFile(StepFile&&) noexcept;
+    ~StepFile();
+
+    [[nodiscard]] std::size_t size() const;
+    [[nodiscard]] StepSolid solid(std::size_t row) const;
+    /// Is the point (nm) in the solid? Points on the surface count as in it.
+    [[nodiscard]] bool contains(std::size_t row, const std::array<double, 3>& point) const;
+
+private:
+    struct Shapes;
+    explicit StepFile(std::unique_ptr<Shapes> shapes);
+    std::unique_ptr<Shapes> m_shapes;
+};
+
+}  // namespace app
