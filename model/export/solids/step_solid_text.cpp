@@ -103,11 +103,12 @@ void StepSolidText::addArc(Rim& rim, const Rim& next, const Edge& arc, const ZRa
         m_text.add("CYLINDRICAL_SURFACE('',", axis[Bottom], ",", StepText::Ratio{base::toMm(arc.radius)}, ")");
 }
 
-StepId StepSolidText::addWall(const Rim& rim, const Rim& next, bool isInward) {
-    m_loop = {oriented(rim.edge[Bottom], true), oriented(next.upright, true), oriented(rim.edge[Top], false),
-              oriented(rim.upright, false)};
+StepId StepSolidText::addWall(Rim& rim, const Rim& next, bool isInward) {
+    rim.used[Bottom] = oriented(rim.edge[Bottom], false);
+    rim.used[Top] = oriented(rim.edge[Top], true);
+    m_loop = {oriented(rim.upright, true), rim.used[Top], oriented(next.upright, false), rim.used[Bottom]};
     const StepId loop = m_text.add("EDGE_LOOP('',", m_loop, ")");
-    const StepId bound = m_text.add("FACE_OUTER_BOUND('',", loop, ",.T.)");
+    const StepId bound = m_text.add("FACE_OUTER_BOUND('',", loop, ",.F.)");
     return m_text.add("ADVANCED_FACE('',(", bound, "),", rim.surface, isInward ? ",.F.)" : ",.T.)");
 }
 
@@ -118,8 +119,7 @@ StepId StepSolidText::addLid(const Shell& shell, Face face) {
         const std::uint32_t end = shell.outline.loopStart[i + 1];
         m_loop.clear();
         for (std::uint32_t k = first; k < end; ++k) {
-            const Rim& rim = m_rims[face == Top ? k : end - 1 - (k - first)];
-            m_loop.push_back(oriented(rim.edge[face], face == Top));
+            m_loop.push_back(m_rims[face == Top ? k : end - 1 - (k - first)].used[face]);
         }
         const StepId loop = m_text.add("EDGE_LOOP('',", m_loop, ")");
         m_bounds.push_back(m_text.add(i == 0 ? "FACE_OUTER_BOUND(''," : "FACE_BOUND('',", loop, ",.T.)"));

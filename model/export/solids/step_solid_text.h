@@ -31,6 +31,7 @@ private:
         StepId point[2];
         StepId vertex[2];
         StepId edge[2];
+        StepId used[2];  ///< the edge as both its wall and its lid run along it
         StepId upright;
         StepId surface;  ///< of its wall
     };
@@ -45,7 +46,7 @@ private:
     void addCorner(Rim& rim, base::PointD corner, const ZRange& z);
     void addLine(Rim& rim, const Rim& next, const Edge& line);
     void addArc(Rim& rim, const Rim& next, const Edge& arc, const ZRange& z);
-    StepId addWall(const Rim& rim, const Rim& next, bool isInward);
+    StepId addWall(Rim& rim, const Rim& next, bool isInward);
     StepId addLid(const Shell& shell, Face face);
     StepId oriented(StepId edge, bool isForward);
 
