@@ -12,6 +12,7 @@
 #include "app/commands/measure_command.h"
 #include "app/commands/render_command.h"
 #include "app/commands/section_command.h"
+#include "app/commands/verify_command.h"
 #include "app/commands/workbench_command.h"
 #include "app/common/commit.h"
 #include "app/common/exit_code.h"
@@ -299,6 +300,24 @@ void addExport(CLI::App& parent, Command& chosen) {
                      "equal pads and barrels one by one, for programs that do not know placed shapes");
 }
 
+void addVerify(CLI::App& parent, Command& chosen) {
+    CLI::App& command =
+        *parent.add_subcommand("verify", "Prove exported solids and pictures against the board (needs OpenCASCADE)");
+    VerifyArguments& arguments = argumentsOf(command, chosen, runVerify);
+    addStackupOptions(command, arguments.board.request);
+    command.add_option("BOARD", arguments.board.request.path, model::describeFormats() + "; default: the sample");
+    addNetOptions(command, arguments.board.request);
+    command.add_option("--step", arguments.step,
+                       "this file, exported with the same --layers and --as-designed; default: one is written");
+    addList(command, "--layers", arguments.layers, "only these layers, separated by commas");
+    command.add_option("--sample", arguments.sample, "about so many elements, spread over all shapes and layers")
+        ->excludes(command.get_option("--step"));
+    addNumber<std::uint64_t>(command, "--points", arguments.points, 0, 100'000'000, "random points to compare");
+    command.add_flag("--strict", arguments.isStrict, "read without the repairs that the reader makes on its own");
+    command.add_flag("--no-pictures", arguments.noPictures, "without pictures of both pipelines");
+    command.add_flag("--json", arguments.asJson, "as JSON");
+}
+
 void addMeasure(CLI::App& parent, Command& chosen) {
     CLI::App& command = *parent.add_subcommand("measure", "Measure the distance between two items of a board");
     MeasureArguments& arguments = argumentsOf(command, chosen, runMeasure);
@@ -373,8 +392,8 @@ std::string versionText() {
     return "Copperscope " COPPERSCOPE_VERSION + (commit.empty() ? "" : ", commit " + commit);
 }
 
-constexpr void (*kCommands[])(CLI::App&, Command&) = {addInfo,      addRender,  addGenerate, addBench,
-                                                      addClearance, addSection, addMeasure,  addExport};
+constexpr void (*kCommands[])(CLI::App&, Command&) = {addInfo,    addRender,  addGenerate, addBench, addClearance,
+                                                      addSection, addMeasure, addExport,   addVerify};
 
 }  // namespace
 

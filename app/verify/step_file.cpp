@@ -56,14 +56,32 @@ Quality qualityOf(const TopoDS_Shape& shape) {
 class StrictReading {
 public:
     StrictReading() : m_folder(fs::temp_directory_path() / ("copperscope-strict-" + std::to_string(::getpid()))) {
-        static constexpr const char* kKept[] = {"Solid", "Shell",   "Face",         "Wire",         "EdgeCurves",
+        static constexpr const char* kKept[] = {"Solid",     "Shell",      "Face",          "Wire",        "EdgeCurves",
                                                 "AddPCurve", "AddCurve3d", "SameParameter", "MissingSeam", "Shifted"};
-        static constexpr const char* kLeft[] = {
-            "FreeShell",   "FreeFace",  "FreeWire",   "Orientation",      "SmallAreaWire", "IntersectingWires",
-            "LoopWires",   "SplitFace", "Reorder",    "Small",            "Connected",     "Degenerated",
-            "Lacking",     "SelfIntersection", "Gaps3d", "Gaps2d",       "Reversed2d",    "RemovePCurve",
-            "RemoveCurve3d", "Seam",    "SelfIntersectingEdge", "IntersectingEdges", "NonAdjacentIntersectingEdges",
-            "Tail"};
+        static constexpr const char* kLeft[] = {"FreeShell",
+                                                "FreeFace",
+                                                "FreeWire",
+                                                "Orientation",
+                                                "SmallAreaWire",
+                                                "IntersectingWires",
+                                                "LoopWires",
+                                                "SplitFace",
+                                                "Reorder",
+                                                "Small",
+                                                "Connected",
+                                                "Degenerated",
+                                                "Lacking",
+                                                "SelfIntersection",
+                                                "Gaps3d",
+                                                "Gaps2d",
+                                                "Reversed2d",
+                                                "RemovePCurve",
+                                                "RemoveCurve3d",
+                                                "Seam",
+                                                "SelfIntersectingEdge",
+                                                "IntersectingEdges",
+                                                "NonAdjacentIntersectingEdges",
+                                                "Tail"};
         fs::create_directories(m_folder);
         std::ofstream file(m_folder / "STEP");
         file << "FromSTEP.exec.op: FixShape\n";

@@ -10,15 +10,15 @@ namespace app {
 
 /// A solid as another program understands it. Lengths in nm.
 struct StepSolid {
-    double volume = 0.0;     ///< nm³
-    double tolerance = 0.0;  ///< the largest distance between a vertex or edge and what it bounds
-    bool isValid = false;    ///< topology and geometry agree
-    bool isClosed = false;   ///< one closed shell, each edge in two faces
+    double volume = 0.0;          ///< nm³
+    double tolerance = 0.0;       ///< the largest distance between a vertex or edge and what it bounds
+    bool isValid = false;         ///< topology and geometry agree
+    bool isClosed = false;        ///< one closed shell, each edge in two faces
     std::array<double, 6> box{};  ///< x, y, z of the least corner, then of the greatest
 };
 
-/// A STEP file read by OpenCASCADE, an optional package: an independent reader of what we write. Solids of placed shapes
-/// count each time they are placed, in the order of the assembly tree.
+/// A STEP file read by OpenCASCADE, an optional package: an independent reader of what we write. Solids of placed
+/// shapes count each time they are placed, in the order of the assembly tree.
 class StepFile {
 public:
     /// `isStrict` reads without the repairs that readers make on their own, which hide wrong loops. Errors: BadInput;

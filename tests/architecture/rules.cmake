@@ -71,8 +71,9 @@ set(architecture_rows
     "ui/shell                      | ui              | model/board model/formats render/gpu render/scene ui/canvas ui/clearance ui/common ui/element ui/layers ui/measure ui/messages ui/netlist_check ui/nets ui/parts ui/saved_views ui/search ui/section ui/stackup ui/statistics ui/theme ui/views ui/workspace | qt widgets"
     "app/common                    | app             | model/board model/opening model/session model/solids render/gpu render/modelling render/scene tri tri/gpu | json log"
     "app/reports                   | app             | app/common model/board model/nets model/statistics render/modelling render/standard | json"
+    "app/verify                    | app             | app/common model/board model/export/solids model/figures model/geometry model/solids/shells model/text render/frame render/gpu render/modelling render/scene render/standard | json occt"
     "app/bench                     | app tri::bench  | app/common model/board model/formats model/text render/frame render/gpu render/modelling render/scene render/standard tri tri/gpu | json"
-    "app/commands                  | app             | app/bench app/common app/reports model/board model/clearance model/design_rules model/export model/export/solids model/formats model/generate model/measure model/nets model/section model/session model/text render/frame render/gpu render/modelling render/scene render/standard ui/shell | cli json"
+    "app/commands                  | app             | app/bench app/common app/reports app/verify model/board model/clearance model/design_rules model/export model/export/solids model/formats model/generate model/measure model/nets model/section model/session model/text render/frame render/gpu render/modelling render/scene render/standard ui/shell | cli json"
     "app                           |                 | app/commands app/common | log"
 )
 
@@ -87,6 +88,7 @@ set(architecture_include_cli "^CLI/")
 set(architecture_include_clipper "^polyclipping/")
 set(architecture_include_json "^nlohmann/")
 set(architecture_include_log "^spdlog/")
+set(architecture_include_occt "^(BRep|Bnd|GProp|Message|STEP|Shape|Standard|TopExp|TopoDS)[A-Za-z0-9]*(_[A-Za-z0-9]+)*\\.hxx$")
 set(architecture_include_png "^png\\.h$")
 set(architecture_include_tbb "^tbb/")
 set(architecture_include_xml "^pugixml")
@@ -100,6 +102,7 @@ set(architecture_link_clipper PkgConfig::POLYCLIPPING)
 set(architecture_link_glm glm::glm)
 set(architecture_link_json nlohmann_json::nlohmann_json)
 set(architecture_link_log spdlog::spdlog)
+set(architecture_link_occt ${COPPERSCOPE_OCCT})
 set(architecture_link_png PNG::PNG)
 set(architecture_link_tbb TBB::tbb)
 set(architecture_link_xml pugixml::pugixml)
