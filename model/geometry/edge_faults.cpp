@@ -1,0 +1,181 @@
+#include "model/geometry/edge_faults.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "model/geometry/box_index.h"
+#include "model/geometry/edge_meetings.h"
+#include "model/geometry/vectors.h"
+
+namespace model {
+
+namespace {
+
+constexpr double kLeastSpacingNm = 1.0;
+constexpr std::size_t kFewEdges = 32;  ///< looked through without an index
+constexpr std::uint32_t kNoLimit = 0x7fffffff;
+
+class FaultSearch {
+public:
+    explicit FaultSearch(const EdgeLoops& loops) : m_loops(loops), m_edges(loops.edges) {}
+
+    std::optional<LoopFault> find() {
+        findOpen();
+        if (!m_fault && m_edges.size() <= kFewEdges) {
+            compareFew();
+            m_fault ? void() : findMisplacedHoles(nullptr);
+        } else if (!m_fault) {
+            compareMany();
+        }
+        return std::move(m_fault);
+    }
+
+private:
+    void report(std::string what, PointD at) {
+        if (!m_fault) {
+            m_fault = LoopFault{std::move(what), at};
+        }
+    }
+
+    void findOpen() {
+        for (std::size_t i = 0; i < m_loops.loopCount(); ++i) {
+            const std::span<const Edge> loop = m_loops.loop(i);
+            for (std::size_t k = 0; k < loop.size(); ++k) {
+                const PointD next = loop[k + 1 < loop.size() ? k + 1 : 0].a;
+                if (loop[k].b != next || !std::isfinite(next.x) || !std::isfinite(next.y)) {
+                    return report("a loop is not closed", next);
+                }
+            }
+        }
+    }
+
+    void compareFew() {
+        std::array<Box, kFewEdges> boxes;
+        std::size_t loop = 0;
+        std::array<std::uint32_t, kFewEdges> loopOf{};
+        for (std::size_t i = 0; i < m_edges.size(); ++i) {
+            boxes[i] = boxOf(m_edges[i]).grownBy(1);
+            loop += i == m_loops.loopStart[loop + 1] ? 1 : 0;
+            loopOf[i] = static_cast<std::uint32_t>(loop);
+        }
+        for (std::uint32_t i = 0; i < m_edges.size() && !m_fault; ++i) {
+            for (std::uint32_t j = i + 1; j < m_edges.size() && !m_fault; ++j) {
+                if (boxes[i].meets(boxes[j])) {
+                    compare(i, j, loopOf[i], loopOf[j]);
+                }
+            }
+        }
+    }
+
+    void compareMany() {
+        std::vector<Box> boxes;
+        std::vector<std::uint32_t> loopOf;
+        boxes.reserve(m_edges.size());
+        loopOf.reserve(m_edges.size());
+        for (std::size_t i = 0; i < m_loops.loopCount(); ++i) {
+            for (const Edge& edge : m_loops.loop(i)) {
+                boxes.push_back(boxOf(edge).grownBy(1));
+                loopOf.push_back(static_cast<std::uint32_t>(i));
+            }
+        }
+        const BoxIndex index(boxes);
+        for (std::uint32_t i = 0; i < m_edges.size() && !m_fault; ++i) {
+            index.visit(boxes[i], [&](std::uint32_t j) {
+                if (j > i && !m_fault) {
+                    compare(i, j, loopOf[i], loopOf[j]);
+                }
+            });
+        }
+        if (!m_fault) {
+            findMisplacedHoles(&index);
+        }
+    }
+
+    /// `i` before `j`.
+    void compare(std::uint32_t i, std::uint32_t j, std::uint32_t loopOfI, std::uint32_t loopOfJ) {
+        if (loopOfI == loopOfJ) {
+            const std::uint32_t first = m_loops.loopStart[loopOfI];
+            const std::uint32_t last = m_loops.loopStart[loopOfI + 1] - 1;
+            const bool isNext = j == i + 1;
+            const bool isRoundTheEnd = i == first && j == last;
+            if (isNext || isRoundTheEnd) {
+                return isNext ? compareNeighbours(i, j, isRoundTheEnd) : compareNeighbours(j, i, false);
+            }
+        }
+        const Spacing spacing = spacingBetween(m_edges[i], m_edges[j]);
+        if (spacing.distance < kLeastSpacingNm) {
+            report(wordsFor(loopOfI, loopOfJ), spacing.from);
+        }
+    }
+
+    static std::string wordsFor(std::uint32_t i, std::uint32_t j) {
+        if (i == j) {
+            return i == 0 ? "the outline touches or crosses itself" : "a hole touches or crosses itself";
+        }
+        return i == 0 || j == 0 ? "a hole touches or crosses the outline" : "two holes touch or cross each other";
+    }
+
+    /// `e` ends where `f` begins; both ends are common in loops of two edges.
+    void compareNeighbours(std::uint32_t i, std::uint32_t j, bool areBothEndsCommon) {
+        const Edge& e = m_edges[i];
+        const Edge& f = m_edges[j];
+        if (!areBothEndsCommon && (distanceTo(e, f.b) < kLeastSpacingNm || distanceTo(f, e.a) < kLeastSpacingNm)) {
+            return report("neighbouring edges fold back", e.b);
+        }
+        if (areBothEndsCommon && !e.isArc() && !f.isArc()) {
+            return report("neighbouring edges fold back", e.b);
+        }
+        if (!e.isArc() && !f.isArc()) {
+            return;
+        }
+        // Where circle and line, or two circles, nearly touch, their meeting is known no better.
+        const double reach = std::max(2.0, std::sqrt(1e-5 * std::max(e.radius, f.radius)));
+        const Meetings meetings = meetingsOf(e, f);
+        for (int k = 0; k < meetings.count; ++k) {
+            const PointD p = meetings.at[static_cast<std::size_t>(k)];
+            if (length(minus(p, e.b)) > reach && !(areBothEndsCommon && length(minus(p, e.a)) <= reach)) {
+                return report("neighbouring edges cross each other", p);
+            }
+        }
+    }
+
+    /// Every hole has to lie in the outline and in no other hole.
+    void findMisplacedHoles(const BoxIndex* index) {
+        for (std::size_t i = 1; i < m_loops.loopCount() && !m_fault; ++i) {
+            const std::uint32_t first = m_loops.loopStart[i];
+            const std::uint32_t last = m_loops.loopStart[i + 1];
+            const PointD p = m_edges[first].a;
+            int winding = 0;
+            const auto count = [&](std::uint32_t row) {
+                winding += row < first || row >= last ? windingAround(m_edges[row], p) : 0;
+            };
+            if (index != nullptr) {
+                Box ray = boxAround(p, 1.0);
+                ray.max.x = static_cast<Nm>(kNoLimit);
+                index->visit(ray, count);
+            } else {
+                for (std::uint32_t row = 0; row < m_edges.size(); ++row) {
+                    count(row);
+                }
+            }
+            if (winding != 1) {
+                report(
+                    winding < 1 ? "a hole lies outside the outline or in another hole" : "a hole winds like an outline",
+                    p);
+            }
+        }
+    }
+
+    const EdgeLoops& m_loops;
+    std::span<const Edge> m_edges;
+    std::optional<LoopFault> m_fault;
+};
+
+}  // namespace
+
+std::optional<LoopFault> findFault(const EdgeLoops& loops) {
+    return FaultSearch(loops).find();
+}
+
+}  // namespace model
