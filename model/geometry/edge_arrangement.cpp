@@ -69,34 +69,46 @@ Edge arcThrough(PointD a, PointD b, const EdgeArrangement::Circle& circle, bool 
 }
 
 void EdgeArrangement::add(const EdgeLoops& region, int count) {
-    for (const Edge& edge : region.edges) {
-        if (edge.isArc()) {
-            addArc(edge, count);
-        } else {
-            addFragment(vertexAt(edge.a), vertexAt(edge.b), kLine, false, count);
-        }
+    for (std::size_t i = 0; i < region.loopCount(); ++i) {
+        addLoop(region.loop(i), count);
     }
 }
 
-void EdgeArrangement::addArc(const Edge& arc, int count) {
-    const Edge forward = arc.isClockwise ? reversed(arc) : arc;
-    const int turns = arc.isClockwise ? -count : count;
-    const auto circle = static_cast<std::int32_t>(m_circles.size());
-    m_circles.push_back({arc.centre, arc.radius});
-    std::uint32_t from = vertexAt(forward.a);
-    std::size_t axis = nextAxis(minus(forward.a, forward.centre));
-    for (int i = 0; i < 4 && passes(forward, kAxes[axis]); ++i, axis = (axis + 1) % 4) {
-        const std::uint32_t to = vertexAt(
-            {forward.centre.x + kAxes[axis].x * forward.radius, forward.centre.y + kAxes[axis].y * forward.radius});
-        addFragment(from, to, circle, false, turns);
+/// A point is looked up once, as the end of an edge: with more vertices around, another one may be the nearest.
+void EdgeArrangement::addLoop(std::span<const Edge> loop, int count) {
+    const std::uint32_t first = vertexAt(loop.front().a);
+    std::uint32_t from = first;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const std::uint32_t to = i + 1 == loop.size() ? first : vertexAt(loop[i].b);
+        if (loop[i].isArc()) {
+            addArc(loop[i], from, to, count);
+        } else {
+            addFragment(from, to, kLine, count);
+        }
         from = to;
     }
-    addFragment(from, vertexAt(forward.b), circle, false, turns);
 }
 
-void EdgeArrangement::addFragment(std::uint32_t a, std::uint32_t b, std::int32_t circle, bool isClockwise, int count) {
+/// Counter-clockwise, whatever its sense.
+void EdgeArrangement::addArc(const Edge& arc, std::uint32_t from, std::uint32_t to, int count) {
+    if (arc.isClockwise) {
+        return addArc(reversed(arc), to, from, -count);
+    }
+    const auto circle = static_cast<std::int32_t>(m_circles.size());
+    m_circles.push_back({arc.centre, arc.radius});
+    std::size_t axis = nextAxis(minus(arc.a, arc.centre));
+    for (int i = 0; i < 4 && passes(arc, kAxes[axis]); ++i, axis = (axis + 1) % 4) {
+        const std::uint32_t extreme =
+            vertexAt({arc.centre.x + kAxes[axis].x * arc.radius, arc.centre.y + kAxes[axis].y * arc.radius});
+        addFragment(from, extreme, circle, count);
+        from = extreme;
+    }
+    addFragment(from, to, circle, count);
+}
+
+void EdgeArrangement::addFragment(std::uint32_t a, std::uint32_t b, std::int32_t circle, int count) {
     if (a != b) {
-        m_fragments.push_back({a, b, circle, isClockwise, true, count});
+        m_fragments.push_back({a, b, circle, false, true, count});
     }
 }
 

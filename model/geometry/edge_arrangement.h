@@ -53,8 +53,9 @@ private:
         std::uint32_t vertex = 0;
     };
 
-    void addArc(const Edge& arc, int count);
-    void addFragment(std::uint32_t a, std::uint32_t b, std::int32_t circle, bool isClockwise, int count);
+    void addLoop(std::span<const Edge> loop, int count);
+    void addArc(const Edge& arc, std::uint32_t from, std::uint32_t to, int count);
+    void addFragment(std::uint32_t a, std::uint32_t b, std::int32_t circle, int count);
     std::uint32_t vertexAt(PointD p);
     void mergeEqual();
     void findCuts();

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "model/geometry/discretise.h"
+#include "model/geometry/edge_union.h"
 #include "model/geometry/vectors.h"
 
 namespace model {
@@ -75,6 +76,22 @@ void add(EdgeLoops& loops, const Edge& middle, double pen) {
     }
 }
 
+std::vector<EdgeLoops> halvesOf(const Edge& middle, double pen) {
+    Edge first = middle;
+    first.b = outwards(middle.centre, pointAt(middle, lengthOf(middle) / 2), middle.radius);
+    Edge second = middle;
+    second.a = first.b;
+    std::vector<EdgeLoops> halves(2);
+    add(halves[0], first, pen);
+    add(halves[1], second, pen);
+    return halves;
+}
+
+std::optional<std::vector<EdgeLoops>> unitedHalves(const ArcGeometry& arc, double pen) {
+    return arc.node.point == arc.end ? std::optional(std::vector{ringAround(arc, pen)})
+                                     : unite(halvesOf(middleOf(arc), pen));
+}
+
 }  // namespace
 
 std::optional<EdgeLoops> arcOutline(const ArcGeometry& arc) {
@@ -95,6 +112,18 @@ std::optional<EdgeLoops> arcOutline(const ArcGeometry& arc) {
         add(loops, middle, arc.innerWidth / 2.0);
     }
     return loops;
+}
+
+std::optional<std::vector<EdgeLoops>> arcOutlines(const ArcGeometry& arc) {
+    if (std::optional<EdgeLoops> outline = arcOutline(arc)) {
+        return outline->loopCount() > 0 ? std::vector{std::move(*outline)} : std::vector<EdgeLoops>{};
+    }
+    std::optional<std::vector<EdgeLoops>> outer = unitedHalves(arc, arc.width / 2.0);
+    if (!outer || arc.innerWidth <= 0) {
+        return outer;
+    }
+    const std::optional<std::vector<EdgeLoops>> inner = unitedHalves(arc, arc.innerWidth / 2.0);
+    return inner ? subtract(*outer, *inner) : std::nullopt;
 }
 
 }  // namespace model

@@ -1,5 +1,10 @@
 #include "model/solids/shells/element_shells.h"
 
+#include <algorithm>
+#include <iterator>
+
+#include "model/geometry/edge_faults.h"
+#include "model/geometry/edge_union.h"
 #include "model/solids/shells/arc_shell.h"
 #include "model/solids/shells/area_shell.h"
 #include "model/solids/shells/circle_shell.h"
@@ -12,6 +17,8 @@ namespace {
 
 constexpr std::string_view kNoWidth = "it has no width";
 constexpr std::string_view kOverlapsItself = "the track overlaps itself";
+constexpr std::string_view kNotJoined = "its tracks could not be joined and overlap";
+constexpr std::string_view kCrossesItself = "its outline touches or crosses itself";
 constexpr std::string_view kNoArea = "its outline has no area";
 
 /// With a reason where nothing is left of an element that is not a hole.
@@ -25,19 +32,52 @@ ElementOutlines oneRegion(EdgeLoops region, Nm width) {
     return outlines;
 }
 
-ElementOutlines arcOutlines(const ArcGeometry& arc) {
-    std::optional<EdgeLoops> region = arcOutline(arc);
-    return region ? oneRegion(std::move(*region), arc.width) : ElementOutlines{{}, kOverlapsItself};
+ElementOutlines arcRegions(const ArcGeometry& arc) {
+    std::optional<std::vector<EdgeLoops>> regions = arcOutlines(arc);
+    if (!regions) {
+        return {{}, kOverlapsItself};
+    }
+    return {std::move(*regions), arc.width <= 0 ? kNoWidth : std::string_view{}};
+}
+
+ElementOutlines trailRegions(const Document& document, const TrailGeometry& trail) {
+    if (trail.width <= 0) {
+        return {{}, kNoWidth};
+    }
+    std::optional<std::vector<EdgeLoops>> regions = trailOutlines(document, trail);
+    return regions ? ElementOutlines{std::move(*regions), {}}
+                   : ElementOutlines{trackOutlines(document, trail), kNotJoined};
+}
+
+/// Regions that touch or cross themselves are replaced by what they cover. Returns false where that did not succeed.
+bool clean(std::vector<EdgeLoops>& regions) {
+    std::vector<EdgeLoops> sound;
+    bool isClean = true;
+    for (EdgeLoops& region : regions) {
+        std::optional<std::vector<EdgeLoops>> parts;
+        if (findFault(region)) {
+            parts = cleaned(region);
+            isClean = isClean && parts;
+        }
+        if (parts) {
+            std::ranges::move(*parts, std::back_inserter(sound));
+        } else {
+            sound.push_back(std::move(region));
+        }
+    }
+    regions = std::move(sound);
+    return isClean;
 }
 
 ElementOutlines placedArea(const Document& document, const AreaGeometry& area) {
     ElementOutlines outlines{areaOutlines(document.shapes, area.shape), {}};
+    const bool isClean = clean(outlines.regions);
     if (!isIdentity(area.placement)) {
         for (EdgeLoops& region : outlines.regions) {
             region = placed(region, area.placement);
         }
     }
-    outlines.problem = outlines.regions.empty() ? kNoArea : std::string_view{};
+    outlines.problem = outlines.regions.empty() ? kNoArea : isClean ? std::string_view{} : kCrossesItself;
     return outlines;
 }
 
@@ -50,14 +90,10 @@ ElementOutlines outlinesOf(const Document& document, ElementId element) {
             const LineGeometry& line = document.lines[row];
             return oneRegion(lineOutline(line, (document.elements.flags[element.row()] & kSquarePen) != 0), line.width);
         }
-        case ElementKind::Arc: return arcOutlines(document.arcs[row]);
+        case ElementKind::Arc: return arcRegions(document.arcs[row]);
         case ElementKind::Circle:
             return oneRegion(circleOutline(document.circles[row]), document.circles[row].diameter);
-        case ElementKind::Trail: {
-            const TrailGeometry& trail = document.trails[row];
-            std::vector<EdgeLoops> tracks = trackOutlines(document, trail);
-            return {std::move(tracks), trail.width <= 0 ? kNoWidth : std::string_view{}};
-        }
+        case ElementKind::Trail: return trailRegions(document, document.trails[row]);
         case ElementKind::Area: return placedArea(document, document.areas[row]);
     }
     return {};

@@ -1,0 +1,206 @@
+#include "model/solids/shells/trail_offset.h"
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "model/geometry/edge_faults.h"
+#include "model/geometry/edge_meetings.h"
+#include "model/geometry/vectors.h"
+
+namespace model {
+
+namespace {
+
+constexpr double kWeldNm = 1.5;  ///< ends this near to each other are one
+
+PointD directionAtStart(const Edge& edge) {
+    const PointD v = edge.isArc() ? minus(edge.a, edge.centre) : minus(edge.b, edge.a);
+    return !edge.isArc() ? v : edge.isClockwise ? PointD{v.y, -v.x} : PointD{-v.y, v.x};
+}
+
+PointD directionAtEnd(const Edge& edge) {
+    const PointD v = edge.isArc() ? minus(edge.b, edge.centre) : minus(edge.b, edge.a);
+    return !edge.isArc() ? v : edge.isClockwise ? PointD{v.y, -v.x} : PointD{-v.y, v.x};
+}
+
+Edge circleAround(PointD centre, double radius) {
+    Edge circle;
+    circle.a = circle.b = {centre.x + radius, centre.y};
+    circle.centre = centre;
+    circle.radius = radius;
+    return circle;
+}
+
+/// The right side of a row of tracks, from its first to its last one.
+class RightSide {
+public:
+    explicit RightSide(std::span<const Edge> tracks) : m_tracks(tracks) {}
+
+    /// False where a side cannot be told from its neighbours alone.
+    bool build() {
+        m_sides.reserve(2 * m_tracks.size());
+        for (std::size_t i = 0; i < m_tracks.size(); ++i) {
+            if (!offset(m_tracks[i]) || (i > 0 && !join(i))) {
+                return false;
+            }
+            m_sides.push_back(m_side);
+            m_whole = m_side;
+        }
+        return true;
+    }
+    [[nodiscard]] std::span<const Edge> sides() const { return m_sides; }
+
+private:
+    bool offset(const Edge& track) {
+        m_side = track;
+        if (track.isArc()) {
+            m_side.radius = track.isClockwise ? track.radius - track.pen : track.radius + track.pen;
+            if (m_side.radius <= kWeldNm) {
+                return false;
+            }
+            const double scale = m_side.radius / track.radius;
+            m_side.a = {track.centre.x + (track.a.x - track.centre.x) * scale,
+                        track.centre.y + (track.a.y - track.centre.y) * scale};
+            m_side.b = {track.centre.x + (track.b.x - track.centre.x) * scale,
+                        track.centre.y + (track.b.y - track.centre.y) * scale};
+            return true;
+        }
+        const PointD v = minus(track.b, track.a);
+        const double scale = track.pen / length(v);
+        const PointD right{v.y * scale, -v.x * scale};
+        m_side.a = {track.a.x + right.x, track.a.y + right.y};
+        m_side.b = {track.b.x + right.x, track.b.y + right.y};
+        return true;
+    }
+
+    /// Between the last side and the new one, m_side.
+    bool join(std::size_t i) {
+        Edge& before = m_sides.back();
+        const double pen = m_tracks[i - 1].pen;
+        const double next = m_tracks[i].pen;
+        const PointD node = m_tracks[i].a;
+        PointD from = before.b;
+        PointD to = m_side.a;
+        if (pen > next) {
+            const std::optional<PointD> on = onlyMeeting(m_side, circleAround(node, pen));
+            if (!on) {
+                return false;
+            }
+            to = *on;
+        } else if (pen < next) {
+            const std::optional<PointD> on = onlyMeeting(before, circleAround(node, next));
+            if (!on) {
+                return false;
+            }
+            from = *on;
+        }
+        if (length(minus(from, to)) <= kWeldNm) {
+            return pen >= next ? weld(from, to, before.isArc()) : weld(from, to, !m_side.isArc());
+        }
+        if (turnsLeft(from, to, node, i, pen == next)) {
+            return endAt(before, from) && startAt(to) && addJoint(from, to, node, std::max(pen, next));
+        }
+        const std::optional<PointD> crossing = onlyMeeting(before, m_side);
+        return crossing && endAt(before, *crossing) && startAt(*crossing);
+    }
+
+    [[nodiscard]] bool turnsLeft(PointD from, PointD to, PointD node, std::size_t i, bool isOneWidth) const {
+        if (isOneWidth) {
+            return cross(directionAtEnd(m_tracks[i - 1]), directionAtStart(m_tracks[i])) > 0;
+        }
+        return cross(minus(from, node), minus(to, node)) > 0;
+    }
+
+    /// One point for the end of the last side and the start of the new one.
+    bool weld(PointD from, PointD to, bool isAtFrom) {
+        const PointD p = isAtFrom ? from : to;
+        return endAt(m_sides.back(), p) && startAt(p);
+    }
+
+    bool endAt(Edge& side, PointD p) {
+        side.b = p;
+        return runsForward(side, m_whole);
+    }
+    bool startAt(PointD p) {
+        m_whole = m_side;
+        m_side.a = p;
+        return runsForward(m_side, m_whole);
+    }
+
+    /// Is what was cut off less than all of it?
+    static bool runsForward(const Edge& side, const Edge& whole) {
+        const PointD v = minus(side.b, side.a);
+        if (dot(v, v) <= 4 * kWeldNm * kWeldNm) {
+            return false;
+        }
+        if (!side.isArc()) {
+            return dot(v, minus(whole.b, whole.a)) > 0;
+        }
+        return lengthOf(side) < lengthOf(whole) + 2 * kWeldNm;
+    }
+
+    bool addJoint(PointD from, PointD to, PointD node, double radius) {
+        Edge joint = circleAround(node, radius);
+        joint.a = from;
+        joint.b = to;
+        m_sides.push_back(joint);
+        return true;
+    }
+
+    static std::optional<PointD> onlyMeeting(const Edge& a, const Edge& b) {
+        const Meetings meetings = meetingsOf(a, b);
+        return meetings.count == 1 ? std::optional(meetings.at[0]) : std::nullopt;
+    }
+
+    std::span<const Edge> m_tracks;
+    std::vector<Edge> m_sides;
+    Edge m_side;
+    Edge m_whole;  ///< the last side before its end was cut
+};
+
+void add(EdgeLoops& loops, const Edge& edge) {
+    if (edge.isArc()) {
+        loops.addArc(edge.a, edge.b, edge.centre, edge.isClockwise);
+    } else {
+        loops.addLine(edge.a, edge.b);
+    }
+}
+
+/// Half a circle from the end of one side to the start of the other one.
+void addCap(EdgeLoops& loops, const Edge& from, const Edge& to, const Edge& track) {
+    loops.addArc(from.b, to.a, track.b, false);
+}
+
+std::vector<Edge> turned(std::span<const Edge> tracks) {
+    std::vector<Edge> back(tracks.rbegin(), tracks.rend());
+    for (Edge& track : back) {
+        track = reversed(track);
+    }
+    return back;
+}
+
+}  // namespace
+
+std::optional<EdgeLoops> offsetOutline(std::span<const Edge> tracks) {
+    const std::vector<Edge> back = turned(tracks);
+    RightSide right(tracks);
+    RightSide left(back);
+    if (tracks.empty() || !right.build() || !left.build()) {
+        return std::nullopt;
+    }
+    EdgeLoops loops;
+    loops.edges.reserve(right.sides().size() + left.sides().size() + 2);
+    for (const Edge& side : right.sides()) {
+        add(loops, side);
+    }
+    addCap(loops, right.sides().back(), left.sides().front(), tracks.back());
+    for (const Edge& side : left.sides()) {
+        add(loops, side);
+    }
+    addCap(loops, left.sides().back(), right.sides().front(), back.back());
+    const bool isWhole = loops.endLoop() && loops.edges.front().a == right.sides().front().a;  // not turned round
+    return isWhole && !findFault(loops) ? std::optional(std::move(loops)) : std::nullopt;
+}
+
+}  // namespace model
