@@ -22,6 +22,7 @@ set(architecture_rows
     "model/design_rules            | model           | model/board model/clearance model/figures model/geometry model/nets model/text |"
     "model/section                 | model           | model/board model/figures model/geometry model/index model/measure model/packages model/text |"
     "model/export                  | model           | model/board model/clearance model/figures model/geometry model/index model/measure model/section model/text | json"
+    "model/export/drawings         | model           | model/board model/geometry model/solids/shells model/text | zlib"
     "model/export/solids           | model           | model/board model/geometry model/solids model/solids/shells model/text |"
     "model/session                 | model::session  | model/board model/clearance model/measure model/solids model/text | json"
     "model/generate                | model::generate | | archive"
@@ -92,6 +93,7 @@ set(architecture_include_occt "^(BRep|Bnd|GProp|Message|STEP|Shape|Standard|TopE
 set(architecture_include_png "^png\\.h$")
 set(architecture_include_tbb "^tbb/")
 set(architecture_include_xml "^pugixml")
+set(architecture_include_zlib "^zlib\\.h$")
 set(architecture_link_qt Qt6::Core Qt6::Gui)
 set(architecture_link_widgets Qt6::Widgets)
 set(architecture_link_vulkan Vulkan::Vulkan)
@@ -106,6 +108,7 @@ set(architecture_link_occt ${COPPERSCOPE_OCCT})
 set(architecture_link_png PNG::PNG)
 set(architecture_link_tbb TBB::tbb)
 set(architecture_link_xml pugixml::pugixml)
+set(architecture_link_zlib ZLIB::ZLIB)
 
 # Takes architecture_rows apart into rule_folders and, for each folder, namespaces_of_, may_include_ and may_use_<folder>.
 macro(read_architecture)

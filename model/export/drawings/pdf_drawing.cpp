@@ -1,0 +1,213 @@
+#include "model/export/drawings/pdf_drawing.h"
+
+#include <algorithm>
+
+#include "model/export/drawings/drawing_paths.h"
+#include "model/export/drawings/pdf_file.h"
+
+namespace model {
+
+namespace {
+
+constexpr double kPointsPerMm = 72.0 / 25.4;
+constexpr double kNmPerMm = 1e6;
+constexpr int kDigits = 5;  // of a millimetre: 10 nm
+
+std::string reference(int object) {
+    return std::to_string(object) + " 0 R";
+}
+
+std::string textOf(double value, int digits) {
+    std::string text;
+    appendNumber(text, value, digits);
+    return text;
+}
+
+class PdfForm : public DrawingForm {
+public:
+    PdfForm(FileWriter& file, Nm margin, PdfPages pages) : m_pdf(file), m_margin(margin), m_pages(pages) {}
+
+    void begin(const Drawing& drawing) override {
+        m_title = drawing.title;
+        const Box page = drawing.box.grownBy(m_margin);
+        m_origin = {static_cast<double>(page.min.x), static_cast<double>(page.min.y)};
+        m_width = static_cast<double>(page.width()) / kNmPerMm * kPointsPerMm;
+        m_height = static_cast<double>(page.height()) / kNmPerMm * kPointsPerMm;
+        if (m_pages == PdfPages::AllOnOne) {
+            beginPage();
+        }
+    }
+
+    void beginLayer(const DrawnLayer& layer) override {
+        if (m_pages == PdfPages::OnePerLayer) {
+            beginPage();
+        }
+        m_layers.push_back({layer.name, m_pdf.reserve(), m_pageObjects.back()});
+        m_isFilled = layer.isFilled;
+        const double red = static_cast<double>(layer.colour >> 16U & 0xFFU) / 255.0;
+        const double green = static_cast<double>(layer.colour >> 8U & 0xFFU) / 255.0;
+        const double blue = static_cast<double>(layer.colour & 0xFFU) / 255.0;
+        const std::string colour = textOf(red, 4) + ' ' + textOf(green, 4) + ' ' + textOf(blue, 4);
+        m_pdf.addToStream("/OC /L" + std::to_string(m_layers.size()) + " BDC\n" + colour +
+                          (m_isFilled ? " rg\n" : " RG\n"));
+    }
+
+    void addRegion(const EdgeLoops& region) override {
+        m_path.clear();
+        for (std::size_t i = 0; i < region.loopCount(); ++i) {
+            addLoop(region.loop(i));
+        }
+        m_path += m_isFilled ? "f*\n" : "S\n";
+        m_pdf.addToStream(m_path);
+    }
+
+    void endLayer() override {
+        m_pdf.addToStream("EMC\n");
+        if (m_pages == PdfPages::OnePerLayer) {
+            m_pdf.endStream();
+        }
+    }
+
+    void end() override {
+        if (m_pages == PdfPages::AllOnOne) {
+            m_pdf.endStream();
+        }
+        for (const LayerObject& layer : m_layers) {
+            m_pdf.addObject(layer.group, "<< /Type /OCG /Name " + pdfText(layer.name) + " >>");
+        }
+        writePages();
+        const int catalog = writeCatalog();
+        const int info = m_pdf.reserve();
+        m_pdf.addObject(info, "<< /Title " + pdfText(m_title) + " /Creator (Copperscope) >>");
+        m_pdf.end(catalog, info);
+    }
+
+private:
+    struct LayerObject {
+        std::string name;
+        int group = 0;
+        int page = 0;
+    };
+
+    /// Millimetres from the lower left corner. No board is so large (2.2 m) that its page would need a larger unit.
+    void beginPage() {
+        m_pageObjects.push_back(m_pdf.reserve());
+        m_contents.push_back(m_pdf.reserve());
+        m_pdf.beginStream(m_contents.back());
+        const std::string scale = textOf(kPointsPerMm, 12);
+        m_pdf.addToStream(scale + " 0 0 " + scale + " 0 0 cm\n0.1 w 1 j\n");
+    }
+
+    void addPoint(PointD p) {
+        appendNumber(m_path, (p.x - m_origin.x) / kNmPerMm, kDigits);
+        m_path += ' ';
+        appendNumber(m_path, (p.y - m_origin.y) / kNmPerMm, kDigits);
+        m_path += ' ';
+    }
+
+    void addLoop(std::span<const Edge> loop) {
+        addPoint(loop.front().a);
+        m_path += "m\n";
+        for (const Edge& edge : loop) {
+            addEdge(edge);
+        }
+        m_path += "h\n";
+    }
+
+    void addEdge(const Edge& edge) {
+        if (!edge.isArc()) {
+            addPoint(edge.b);
+            m_path += "l\n";
+            return;
+        }
+        for (const Curve& curve : curvesOf(edge)) {
+            addPoint(curve.control1);
+            addPoint(curve.control2);
+            addPoint(curve.b);
+            m_path += "c\n";
+        }
+    }
+
+    [[nodiscard]] std::string layersOf(int page) const {
+        std::string text;
+        for (std::size_t i = 0; i < m_layers.size(); ++i) {
+            if (m_layers[i].page == page) {
+                text += "/L" + std::to_string(i + 1) + ' ' + reference(m_layers[i].group) + ' ';
+            }
+        }
+        return text;
+    }
+
+    void writePages() {
+        m_pageTree = m_pdf.reserve();
+        const std::string box = "[0 0 " + textOf(m_width, 6) + ' ' + textOf(m_height, 6) + ']';
+        std::string kids;
+        for (std::size_t i = 0; i < m_pageObjects.size(); ++i) {
+            const int page = m_pageObjects[i];
+            m_pdf.addObject(page, "<< /Type /Page /Parent " + reference(m_pageTree) + " /MediaBox " + box +
+                                      " /Contents " + reference(m_contents[i]) + " /Resources << /Properties << " +
+                                      layersOf(page) + ">> >> >>");
+            kids += reference(page) + ' ';
+        }
+        m_pdf.addObject(m_pageTree,
+                        "<< /Type /Pages /Count " + std::to_string(m_pageObjects.size()) + " /Kids [" + kids + "] >>");
+    }
+
+    /// A bookmark per layer.
+    [[nodiscard]] int writeOutlines() {
+        const int root = m_pdf.reserve();
+        std::vector<int> items;
+        for (std::size_t i = 0; i < m_layers.size(); ++i) {
+            items.push_back(m_pdf.reserve());
+        }
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            m_pdf.addObject(items[i], "<< /Title " + pdfText(m_layers[i].name) + " /Parent " + reference(root) +
+                                          (i > 0 ? " /Prev " + reference(items[i - 1]) : "") +
+                                          (i + 1 < items.size() ? " /Next " + reference(items[i + 1]) : "") +
+                                          " /Dest [" + reference(m_layers[i].page) + " /Fit] >>");
+        }
+        m_pdf.addObject(root, "<< /Type /Outlines /First " + reference(items.front()) + " /Last " +
+                                  reference(items.back()) + " /Count " + std::to_string(items.size()) + " >>");
+        return root;
+    }
+
+    [[nodiscard]] int writeCatalog() {
+        std::string groups;
+        for (const LayerObject& layer : m_layers) {
+            groups += reference(layer.group) + ' ';
+        }
+        const bool hasBookmarks = m_pages == PdfPages::OnePerLayer;
+        const std::string shown =
+            hasBookmarks ? " /Outlines " + reference(writeOutlines()) + " /PageMode /UseOutlines" : " /PageMode /UseOC";
+        const int catalog = m_pdf.reserve();
+        m_pdf.addObject(catalog, "<< /Type /Catalog /Pages " + reference(m_pageTree) + shown +
+                                     " /OCProperties << /OCGs [" + groups + "] /D << /Order [" + groups + "] /ON [" +
+                                     groups + "] >> >> /ViewerPreferences << /PrintScaling /None >> >>");
+        return catalog;
+    }
+
+    PdfFile m_pdf;
+    Nm m_margin;
+    PdfPages m_pages;
+    std::string m_title;
+    PointD m_origin;
+    double m_width = 0.0;  ///< points
+    double m_height = 0.0;
+    std::vector<LayerObject> m_layers;
+    std::vector<int> m_pageObjects;
+    std::vector<int> m_contents;  ///< of the pages
+    int m_pageTree = 0;
+    bool m_isFilled = true;
+    std::string m_path;
+};
+
+}  // namespace
+
+base::Result<DrawingReport> writePdf(const Document& board, const DrawingOptions& options, PdfPages pages,
+                                     FileWriter& file, base::Progress& progress) {
+    PdfForm form(file, options.margin, pages);
+    const DrawingOrder order = pages == PdfPages::AllOnOne ? DrawingOrder::BottomFirst : DrawingOrder::AsListed;
+    return drawLayers(board, options, order, form, file, progress);
+}
+
+}  // namespace model

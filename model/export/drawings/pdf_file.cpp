@@ -1,0 +1,105 @@
+#include "model/export/drawings/pdf_file.h"
+
+#include <array>
+
+#include "model/base/assert.h"
+#include "model/export/drawings/utf8.h"
+#include "model/text/formatting.h"
+
+namespace model {
+
+namespace {
+
+constexpr std::size_t kGathered = 65536;
+
+}  // namespace
+
+PdfFile::PdfFile(FileWriter& file) : m_file(file) {
+    m_file.write("%PDF-1.5\n%\xE2\xE3\xCF\xD3\n");
+    const int state = deflateInit(&m_deflate, Z_DEFAULT_COMPRESSION);
+    ASSERT(state == Z_OK);
+}
+
+PdfFile::~PdfFile() {
+    deflateEnd(&m_deflate);
+}
+
+int PdfFile::reserve() {
+    m_starts.push_back(0);
+    return static_cast<int>(m_starts.size());
+}
+
+void PdfFile::addObject(int number, std::string_view body) {
+    start(number);
+    m_file.write(body);
+    m_file.write("\nendobj\n");
+}
+
+void PdfFile::beginStream(int number) {
+    m_length = reserve();
+    start(number);
+    m_file.write("<< /Filter /FlateDecode /Length " + std::to_string(m_length) + " 0 R >>\nstream\n");
+    m_streamStart = m_file.size();
+    deflateReset(&m_deflate);
+}
+
+void PdfFile::addToStream(std::string_view text) {
+    m_pending += text;
+    if (m_pending.size() >= kGathered) {
+        compress(Z_NO_FLUSH);
+    }
+}
+
+void PdfFile::endStream() {
+    compress(Z_FINISH);
+    const std::uint64_t length = m_file.size() - m_streamStart;
+    m_file.write("\nendstream\nendobj\n");
+    addObject(m_length, std::to_string(length));
+}
+
+void PdfFile::end(int catalog, int info) {
+    const std::uint64_t table = m_file.size();
+    const std::string size = std::to_string(m_starts.size() + 1);
+    m_file.write("xref\n0 " + size + "\n0000000000 65535 f \n");
+    for (const std::uint64_t at : m_starts) {
+        m_file.write(formatted("%010llu 00000 n \n", static_cast<unsigned long long>(at)));
+    }
+    m_file.write("trailer\n<< /Size " + size + " /Root " + std::to_string(catalog) + " 0 R /Info " +
+                 std::to_string(info) + " 0 R >>\nstartxref\n" + std::to_string(table) + "\n%%EOF\n");
+}
+
+void PdfFile::start(int number) {
+    m_starts[static_cast<std::size_t>(number) - 1] = m_file.size();
+    m_file.write(std::to_string(number) + " 0 obj\n");
+}
+
+void PdfFile::compress(int flush) {
+    std::array<Bytef, kGathered> out{};
+    m_deflate.next_in = reinterpret_cast<Bytef*>(m_pending.data());
+    m_deflate.avail_in = static_cast<uInt>(m_pending.size());
+    do {
+        m_deflate.next_out = out.data();
+        m_deflate.avail_out = static_cast<uInt>(out.size());
+        deflate(&m_deflate, flush);
+        m_file.write({reinterpret_cast<const char*>(out.data()), out.size() - m_deflate.avail_out});
+    } while (m_deflate.avail_out == 0);
+    m_pending.clear();
+}
+
+std::string pdfText(std::string_view utf8) {
+    std::string out = "<FEFF";
+    while (!utf8.empty()) {
+        const Character first = firstCharacter(utf8);
+        const std::uint32_t code = first.code != 0 ? first.code : 0xFFFDU;
+        if (code > 0xFFFFU) {
+            const std::uint32_t above = code - 0x10000U;
+            out += formatted("%04X%04X", 0xD800U + (above >> 10U), 0xDC00U + (above & 0x3FFU));
+        } else {
+            out += formatted("%04X", code);
+        }
+        utf8.remove_prefix(first.bytes);
+    }
+    return out + '>';
+}
+
+}  // namespace model
