@@ -46,9 +46,10 @@ std::vector<std::uint32_t> coloursOf(const Document& board) {
 nlohmann::ordered_json piecesJson(const model::BoardIndex& index, const std::vector<model::SectionPiece>& pieces) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const model::SectionPiece& piece : pieces) {
+        const auto element = piece.at.element.isValid() ? nlohmann::ordered_json(piece.at.element.value) : nullptr;
         list.push_back({{"layer", index.board->layer(piece.layer).name},
                         {"copy", piece.at.copy},
-                        {"element", piece.at.element.value},
+                        {"element", element},
                         {"net", model::netOf(index, piece)},
                         {"from_nm", piece.from},
                         {"to_nm", piece.to},

@@ -21,7 +21,7 @@ struct SectionArguments {
 ///
 /// JSON: {"line_mm": [[x, y]], "stations_nm": [], "pieces": [{"layer", "copy", "element", "net", "from_nm", "to_nm",
 /// "bottom_nm", "top_nm"}], "bores": [the same], "notes": []} ("remarks": the old name of the notes); `stations_nm` are
-/// the corners' places along the line.
+/// the corners' places along the line. `element` is null for films that the job does not draw.
 [[nodiscard]] Outcome runSection(const SectionArguments& arguments);
 
 }  // namespace app

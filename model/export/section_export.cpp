@@ -51,7 +51,8 @@ std::string svgText(const SheetText& text) {
 void addRows(const BoardIndex& index, const char* what, const std::vector<SectionPiece>& pieces, std::string& out) {
     for (const SectionPiece& piece : pieces) {
         out += std::string(what) + ',' + csvField(index.board->layer(piece.layer).name) + ',' +
-               std::to_string(piece.at.copy) + ',' + std::to_string(piece.at.element.value) + ',' +
+               std::to_string(piece.at.copy) + ',' +
+               (piece.at.element.isValid() ? std::to_string(piece.at.element.value) : "") + ',' +
                csvField(netOf(index, piece)) +
                formatted(",%.3f,%.3f,%d,%d,%.3f,%.3f,", piece.from, piece.to, piece.bottom, piece.top,
                          piece.upperFrom(), piece.upperTo()) +
@@ -91,6 +92,9 @@ std::string sectionCsv(const BoardIndex& index, const Section& section) {
 }
 
 std::string netOf(const BoardIndex& index, const SectionPiece& piece) {
+    if (!piece.at.element.isValid()) {
+        return "";
+    }
     const Document& step = index.stepOf(piece.at.copy);
     const NetId net = step.elements.net[piece.at.element.row()];
     return net.isValid() ? step.nets[net.row()].name : "";

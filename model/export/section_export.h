@@ -11,7 +11,7 @@ namespace model {
 [[nodiscard]] std::string sectionSvg(const Document& board, const Section& section, const SectionPicture& how);
 
 /// A line per piece and then per bore, comma separated (RFC 4180), with headings; lengths in nm. Upper
-/// ends differ from the lower ones where a piece leans. Bores have no material.
+/// ends differ from the lower ones where a piece leans. Bores have no material, films that are not drawn no element.
 [[nodiscard]] std::string sectionCsv(const BoardIndex& index, const Section& section);
 
 /// Name of the net of what was cut; empty if it has none.

@@ -5,6 +5,7 @@
 #include <limits>
 #include <set>
 
+#include "model/board/holes.h"
 #include "model/section/standing_parts.h"
 
 namespace model {
@@ -44,7 +45,7 @@ const Layer* outerCopper(const Document& board, bool isTop) {
     return outer;
 }
 
-/// Without the mask, which lies right on the copper.
+/// With the mask that lies right on the copper. As the 3D view draws it a coverlay is one too.
 BoardFace faceOf(const Document& board, const Layer& copper, bool isTop, bool isFlat) {
     BoardFace face;
     face.isTop = isTop;
@@ -55,7 +56,8 @@ BoardFace faceOf(const Document& board, const Layer& copper, bool isTop, bool is
         const Layer& layer = board.layers[row];
         const Nm inner = isTop ? layer.z : layer.z + layer.thickness;
         if (layer.type == LayerType::SolderMask && layer.isSynthetic && layer.thickness > 0 && inner == face.copper &&
-            layer.side == (isTop ? LayerSide::Top : LayerSide::Bottom)) {
+            layer.side == (isTop ? LayerSide::Top : LayerSide::Bottom) &&
+            (isFlat || materialOf(board, LayerId{row}) == SectionMaterial::SolderMask)) {
             face.mask = layer.thickness;
             face.maskLayer = LayerId{row};
         }
@@ -131,33 +133,99 @@ Nm farFace(const Document& board, const LandingVia& via) {
     return via.target;
 }
 
+double middleOf(const StandingPart& part) {
+    double from = part.pieces.front().from;
+    double to = from;
+    for (const SectionPiece& piece : part.pieces) {
+        from = std::min(from, piece.from);
+        to = std::max(to, piece.to);
+    }
+    return (from + to) / 2;
+}
+
+/// Copper that ends on a face.
+Intervals copperOf(const BoardFace& face, const LegCut& leg) {
+    return intervalsOf(leg.pieces, [&](const SectionPiece& piece) {
+        return piece.material == SectionMaterial::Copper && (face.isTop ? piece.top : piece.bottom) == face.copper;
+    });
+}
+
+/// Copper and tented holes.
+Intervals raisedOf(const BoardFace& face, const LegCut& leg) {
+    Intervals raised = copperOf(face, leg);
+    for (const SectionPiece& bore : leg.bores) {
+        if ((face.isTop ? bore.top : bore.bottom) == face.copper) {
+            raised.push_back({bore.from, bore.to});
+        }
+    }
+    return united(std::move(raised));
+}
+
+/// Every piece for which `shaped` has something else becomes that.
+void replace(std::vector<SectionPiece>& pieces, auto isMeant, auto shaped) {
+    std::vector<SectionPiece> out;
+    for (const SectionPiece& piece : pieces) {
+        if (isMeant(piece)) {
+            const std::vector<SectionPiece> list = shaped(piece);
+            out.insert(out.end(), list.begin(), list.end());
+        } else {
+            out.push_back(piece);
+        }
+    }
+    pieces = std::move(out);
+}
+
+/// Ink on films, and else on the mask or what is without it.
+std::vector<SectionPiece> inkOn(const BoardFace& face, const SectionPiece& piece, const Intervals& raised,
+                                const Intervals& masked, const std::vector<LaidPart>& films) {
+    std::vector<SectionPiece> out;
+    Intervals rest = {{piece.from, piece.to}};
+    SectionPiece part = piece;
+    for (auto film = films.rbegin(); film != films.rend(); ++film) {
+        const Nm outer = film->outer + face.outwards() * (piece.top - piece.bottom);
+        part.bottom = std::min(film->outer, outer);
+        part.top = std::max(film->outer, outer);
+        for (const Interval& where : clipped(rest, film->where.from, film->where.to)) {
+            part.from = where.from;
+            part.to = where.to;
+            out.push_back(part);
+        }
+        rest = subtracted(rest, {film->where});
+    }
+    for (const Interval& where : rest) {
+        part = piece;
+        part.from = where.from;
+        part.to = where.to;
+        const std::vector<SectionPiece> more = inkOver(face, part, raised, masked);
+        out.insert(out.end(), more.begin(), more.end());
+    }
+    return out;
+}
+
 }  // namespace
 
-LegShaper::LegShaper(const Document& board, bool isAsSolid) : m_board(board) {
+LegShaper::LegShaper(const Document& board, bool isAsSolid) : m_board(board), m_isAsSolid(isAsSolid) {
     for (const bool isTop : {true, false}) {
         if (const Layer* copper = outerCopper(board, isTop)) {
             m_faces.push_back(faceOf(board, *copper, isTop, isAsSolid));
         }
     }
-    if (!isAsSolid) {
-        m_bands = dielectricBandsOf(board);
-        for (const StackupRow& row : board.stackup.rows) {
-            if (row.layer.isValid() && row.type == LayerType::Dielectric) {
-                m_rows[row.layer] = materialOf(board, row);
-            }
+    for (const StackupRow& row : board.stackup.rows) {
+        if (row.layer.isValid() && row.type == LayerType::Dielectric) {
+            m_rows[row.layer] = materialOf(board, row);
         }
     }
 }
 
 std::vector<SectionPiece> LegShaper::shape(LegCut leg) const {
+    const std::vector<Stretch> stretches =
+        stretchesBetween(m_board, leg.from, leg.to, leg.ranges, m_faces, m_isAsSolid);
+    fitHoles(stretches, leg.pieces,
+             [](const SectionPiece& piece) { return piece.material == SectionMaterial::Plating; });
+    fitHoles(stretches, leg.bores, [](const SectionPiece&) { return true; });
     addVias(leg);
-    for (const BoardFace& face : m_faces) {
-        if (!face.isFlat) {
-            addParts(face, leg);
-        }
-        shapeFace(face, leg);
-    }
-    splitDielectrics(leg.pieces);
+    shapeSurfaces(stretches, leg);
+    splitDielectrics(stretches, leg.pieces);
     for (SectionPiece& piece : leg.pieces) {
         keepWithin(piece, leg.from, leg.to);
     }
@@ -182,41 +250,130 @@ void LegShaper::addVias(LegCut& leg) const {
     leg.pieces.insert(leg.pieces.end(), more.begin(), more.end());
 }
 
-Intervals LegShaper::copperOf(const BoardFace& face, const LegCut& leg) const {
-    return intervalsOf(leg.pieces, [&](const SectionPiece& piece) {
-        return piece.material == SectionMaterial::Copper && (face.isTop ? piece.top : piece.bottom) == face.copper;
-    });
+bool LegShaper::isSurface(const SectionPiece& piece) const {
+    const Layer& layer = m_board.layer(piece.layer);
+    return !layer.isCopper() && !isHoles(layer.type) && layer.type != LayerType::Body &&
+           layer.type != LayerType::Dielectric && layer.type != LayerType::ComponentBody;
 }
 
-void LegShaper::shapeFace(const BoardFace& face, LegCut& leg) const {
+bool LegShaper::isFilm(const SectionPiece& piece) const {
+    return isSurface(piece) && isLaidOn(m_board.layer(drawnBy(m_board, piece.layer)));
+}
+
+/// What lies on the board lies on what each stretch has.
+void LegShaper::shapeSurfaces(const std::vector<Stretch>& stretches, LegCut& leg) const {
+    if (stretches.size() == 1) {
+        shapeStretch(stretches.front(), leg);
+        return;
+    }
+    std::vector<SectionPiece> out;
+    for (const Stretch& stretch : stretches) {
+        LegCut part;
+        const auto take = [&](const std::vector<SectionPiece>& from, std::vector<SectionPiece>& to, auto isMeant) {
+            for (const SectionPiece& piece : from) {
+                if (const auto own = alongPart(piece, stretch.from, stretch.to); own && isMeant(piece)) {
+                    to.push_back(*own);
+                }
+            }
+        };
+        take(leg.pieces, part.pieces, [this](const SectionPiece& piece) {
+            return isSurface(piece) || piece.material == SectionMaterial::Copper;
+        });
+        take(leg.bores, part.bores, [](const SectionPiece&) { return true; });
+        std::ranges::copy_if(leg.parts, std::back_inserter(part.parts), [&](const StandingPart& standing) {
+            const double middle = middleOf(standing);
+            return middle >= stretch.from && (middle < stretch.to || stretch.to == leg.to);
+        });
+        shapeStretch(stretch, part);
+        std::ranges::copy_if(part.pieces, std::back_inserter(out),
+                             [](const SectionPiece& piece) { return piece.material != SectionMaterial::Copper; });
+    }
+    std::erase_if(leg.pieces, [this](const SectionPiece& piece) { return isSurface(piece); });
+    leg.pieces.insert(leg.pieces.end(), out.begin(), out.end());
+}
+
+void LegShaper::shapeStretch(const Stretch& stretch, LegCut& leg) const {
+    std::vector<LayerId> drawn;
+    for (const SectionPiece& piece : leg.pieces) {
+        if (isFilm(piece)) {
+            drawn.push_back(drawnBy(m_board, piece.layer));
+        }
+    }
+    std::ranges::sort(drawn);
+    std::vector<LaidStack> stacks = m_isAsSolid ? std::vector<LaidStack>{} : stretch.stack.laidStacks(drawn);
+    for (const BoardFace& face : stretch.faces) {
+        if (!face.isFlat) {
+            movePaste(face, leg);
+            addParts(stretch, face, leg);
+        }
+        shapeFace(stretch, face, stacks, leg);
+    }
+    for (const LaidStack& stack : stacks) {
+        std::vector<LaidPart> laid;
+        shapeFilms(stack, raisedOf(stack.face, leg), laid, leg);
+    }
+}
+
+/// Mask, films and ink; the stacks of this face are taken out of `stacks`.
+void LegShaper::shapeFace(const Stretch& stretch, const BoardFace& face, std::vector<LaidStack>& stacks,
+                          LegCut& leg) const {
     const auto isMask = [&](const SectionPiece& piece) {
         return face.maskLayer.isValid() && piece.layer == face.maskLayer;
     };
     const auto isInk = [&](const SectionPiece& piece) {
-        const bool isThisSide = face.isTop ? piece.bottom >= face.copper : piece.top <= face.copper;
+        const bool isThisSide =
+            stretch.isBounded ? m_board.layer(piece.layer).side == (face.isTop ? LayerSide::Top : LayerSide::Bottom)
+            : face.isTop      ? piece.bottom >= face.copper
+                              : piece.top <= face.copper;
         return !face.isFlat && piece.material == SectionMaterial::Silkscreen && isThisSide;
     };
-    const Intervals copper = copperOf(face, leg);
-    std::vector<Interval> raised(copper.begin(), copper.end());
-    for (const SectionPiece& bore : leg.bores) {
-        if ((face.isTop ? bore.top : bore.bottom) == face.copper) {
-            raised.push_back({bore.from, bore.to});
+    const Intervals under = raisedOf(face, leg);
+    const Intervals masked = intervalsOf(leg.pieces, isMask);
+    replace(leg.pieces, isMask, [&](const SectionPiece& piece) { return maskOver(face, piece, under); });
+    std::vector<LaidPart> laid = laidMask(face, masked, under);
+    const std::size_t masks = laid.size();
+    std::erase_if(stacks, [&](const LaidStack& stack) {
+        const bool isOn = stack.face.copper == face.copper && stack.face.isTop == face.isTop;
+        if (isOn) {
+            shapeFilms(stack, under, laid, leg);
+        }
+        return isOn;
+    });
+    const std::vector<LaidPart> films(laid.begin() + static_cast<std::ptrdiff_t>(masks), laid.end());
+    replace(leg.pieces, isInk, [&](const SectionPiece& piece) { return inkOn(face, piece, under, masked, films); });
+}
+
+void LegShaper::shapeFilms(const LaidStack& stack, const Intervals& raised, std::vector<LaidPart>& laid,
+                           LegCut& leg) const {
+    for (const std::size_t row : stack.rows) {
+        const StackupRow& own = m_board.stackup.rows[row];
+        const bool flows = m_board.layer(own.layer).use != LayerUse::Stiffener;
+        const std::vector<LaidPart> before = laid;
+        replace(
+            leg.pieces,
+            [&](const SectionPiece& piece) { return isFilm(piece) && drawnBy(m_board, piece.layer) == own.layer; },
+            [&](const SectionPiece& piece) {
+                LaidFilm film = filmOver(stack.face, piece, own.thickness, flows, raised, before);
+                laid.push_back(film.part);
+                return std::move(film.pieces);
+            });
+    }
+}
+
+/// Paste lies on the copper that is here.
+void LegShaper::movePaste(const BoardFace& face, LegCut& leg) const {
+    const auto whole = std::ranges::find(m_faces, face.isTop, &BoardFace::isTop);
+    for (SectionPiece& piece : leg.pieces) {
+        const bool isThisSide = m_board.layer(piece.layer).side == (face.isTop ? LayerSide::Top : LayerSide::Bottom);
+        if (whole != m_faces.end() && piece.material == SectionMaterial::Paste && isThisSide) {
+            piece.bottom += face.copper - whole->copper;
+            piece.top += face.copper - whole->copper;
         }
     }
-    const Intervals under = united(std::move(raised));
-    const Intervals masked = intervalsOf(leg.pieces, isMask);
-    std::vector<SectionPiece> pieces;
-    for (const SectionPiece& piece : leg.pieces) {
-        const std::vector<SectionPiece> shaped = isMask(piece)  ? maskOver(face, piece, under)
-                                                 : isInk(piece) ? inkOver(face, piece, under, masked)
-                                                                : std::vector{piece};
-        pieces.insert(pieces.end(), shaped.begin(), shaped.end());
-    }
-    leg.pieces = std::move(pieces);
 }
 
 /// Parts stand on the highest of what may lie under them.
-Nm LegShaper::seatOf(const BoardFace& face) const {
+Nm LegShaper::seatOf(const Stretch& stretch, const BoardFace& face) const {
     Nm ink = 0;
     for (const Layer& layer : m_board.layers) {
         const bool isThisSide = layer.side == (face.isTop ? LayerSide::Top : LayerSide::Bottom);
@@ -224,10 +381,19 @@ Nm LegShaper::seatOf(const BoardFace& face) const {
             ink = std::max(ink, layer.thickness);
         }
     }
-    return (face.mask > 0 ? face.onCopper() : face.copper) + face.outwards() * ink;
+    Nm film = 0;
+    for (const LaidStack& stack : stretch.stack.laidStacks({})) {
+        for (const std::size_t row : stack.rows) {
+            const StackupRow& own = m_board.stackup.rows[row];
+            const bool isUnder = stack.face.copper == face.copper && stack.face.isTop == face.isTop;
+            film += isUnder && m_board.layer(own.layer).use == LayerUse::Coverlay ? own.thickness : 0;
+        }
+    }
+    const Nm mask = face.mask > 0 ? face.outwards() * (face.onCopper() - face.copper) : 0;
+    return face.copper + face.outwards() * (std::max(mask, film) + ink);
 }
 
-void LegShaper::addParts(const BoardFace& face, LegCut& leg) const {
+void LegShaper::addParts(const Stretch& stretch, const BoardFace& face, LegCut& leg) const {
     const auto isPaste = [&](const SectionPiece& piece) {
         return piece.material == SectionMaterial::Paste &&
                (face.isTop ? piece.bottom >= face.copper : piece.top <= face.copper);
@@ -236,7 +402,7 @@ void LegShaper::addParts(const BoardFace& face, LegCut& leg) const {
         intervalsOf(leg.pieces, [&](const SectionPiece& piece) { return piece.layer == face.maskLayer; });
     const Intervals bare = subtracted(copperOf(face, leg), masked);
     const Intervals pasted = both(bare, intervalsOf(leg.pieces, isPaste));
-    const Nm seat = seatOf(face);
+    const Nm seat = seatOf(stretch, face);
     std::vector<SectionPiece> standing;
     for (StandingPart& part : leg.parts) {
         if (part.isTop != face.isTop) {
@@ -274,24 +440,47 @@ void LegShaper::addParts(const BoardFace& face, LegCut& leg) const {
     leg.pieces.insert(leg.pieces.end(), standing.begin(), standing.end());
 }
 
-void LegShaper::splitDielectrics(std::vector<SectionPiece>& pieces) const {
+/// The substrate by its dielectrics; where layers may be missing, without what none fills.
+void LegShaper::splitDielectrics(const std::vector<Stretch>& stretches, std::vector<SectionPiece>& pieces) const {
+    const auto addBands = [&](const SectionPiece& piece, const Stretch& stretch, std::vector<SectionPiece>& out) {
+        const std::vector<DielectricBand>& bands = stretch.bands;
+        const bool isFilled = m_isAsSolid || !stretch.isBounded;
+        for (std::size_t i = 0; i < bands.size(); ++i) {
+            const Nm top = i == 0 && isFilled ? piece.top : std::min(piece.top, bands[i].top);
+            const Nm lower = i + 1 == bands.size() ? piece.bottom : bands[i + 1].top;
+            const Nm bottom = std::max(piece.bottom, isFilled ? lower : bands[i].bottom);
+            if (bottom < top) {
+                out.push_back(between(piece, bottom, top));
+                out.back().material = bands[i].material;
+            }
+        }
+        if (bands.empty() && isFilled) {
+            out.push_back(piece);
+        }
+    };
     std::vector<SectionPiece> out;
     for (SectionPiece& piece : pieces) {
         if (const auto row = m_rows.find(piece.layer); row != m_rows.end()) {
             piece.material = row->second;
         }
-        if (m_bands.empty() || !isSubstrate(m_board, piece)) {
+        if (!isSubstrate(m_board, piece)) {
             out.push_back(piece);
             continue;
         }
-        for (std::size_t i = 0; i < m_bands.size(); ++i) {
-            const Nm top = i == 0 ? piece.top : std::min(piece.top, m_bands[i].top);
-            const Nm bottom = i + 1 == m_bands.size() ? piece.bottom : std::max(piece.bottom, m_bands[i].bottom);
-            if (bottom < top) {
-                out.push_back(between(piece, bottom, top));
-                out.back().material = m_bands[i].material;
+        std::vector<SectionPiece> parts;
+        const double middle = std::clamp((piece.from + piece.to) / 2, stretches.front().from, stretches.back().to);
+        for (const Stretch& stretch : stretches) {
+            const bool isLast = &stretch == &stretches.back();
+            if (piece.leans()) {
+                if (middle >= stretch.from && (middle < stretch.to || isLast) && parts.empty()) {
+                    addBands(piece, stretch, parts);
+                }
+            } else if (const auto part = alongPart(piece, stretch.from, stretch.to)) {
+                addBands(*part, stretch, parts);
             }
         }
+        joinAlong(parts);
+        out.insert(out.end(), parts.begin(), parts.end());
     }
     pieces = std::move(out);
 }

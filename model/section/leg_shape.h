@@ -3,8 +3,9 @@
 #include <map>
 #include <vector>
 
+#include "model/section/laid_film.h"
 #include "model/section/landing_via.h"
-#include "model/section/mask_shape.h"
+#include "model/section/stretch.h"
 
 namespace model {
 
@@ -22,10 +23,11 @@ struct LegCut {
     std::vector<SectionPiece> bores;
     std::vector<std::pair<LandingVia, SectionPiece>> vias;  ///< and a piece like their plating
     std::vector<StandingPart> parts;
+    LayerRanges ranges;  ///< of layers that are not all along
 };
 
 /// Makes of what the layers of a board draw what is found when the board is cut: dielectrics by material, laser vias
-/// that land, mask that flows over copper, parts that stand on the board.
+/// that land, mask that flows over copper, films on what is there, parts that stand on the board.
 class LegShaper {
 public:
     /// `isAsSolid`: see SectionRequest.
@@ -35,15 +37,20 @@ public:
 
 private:
     void addVias(LegCut& leg) const;
-    void shapeFace(const BoardFace& face, LegCut& leg) const;
-    void addParts(const BoardFace& face, LegCut& leg) const;
-    [[nodiscard]] Nm seatOf(const BoardFace& face) const;
-    [[nodiscard]] Intervals copperOf(const BoardFace& face, const LegCut& leg) const;
-    void splitDielectrics(std::vector<SectionPiece>& pieces) const;
+    void shapeSurfaces(const std::vector<Stretch>& stretches, LegCut& leg) const;
+    void shapeStretch(const Stretch& stretch, LegCut& leg) const;
+    void shapeFace(const Stretch& stretch, const BoardFace& face, std::vector<LaidStack>& stacks, LegCut& leg) const;
+    void shapeFilms(const LaidStack& stack, const Intervals& raised, std::vector<LaidPart>& laid, LegCut& leg) const;
+    void movePaste(const BoardFace& face, LegCut& leg) const;
+    void addParts(const Stretch& stretch, const BoardFace& face, LegCut& leg) const;
+    [[nodiscard]] Nm seatOf(const Stretch& stretch, const BoardFace& face) const;
+    [[nodiscard]] bool isSurface(const SectionPiece& piece) const;
+    [[nodiscard]] bool isFilm(const SectionPiece& piece) const;
+    void splitDielectrics(const std::vector<Stretch>& stretches, std::vector<SectionPiece>& pieces) const;
 
     const Document& m_board;
-    std::vector<BoardFace> m_faces;  ///< top, bottom; fewer where there is no copper
-    std::vector<DielectricBand> m_bands;
+    bool m_isAsSolid;
+    std::vector<BoardFace> m_faces;             ///< where all layers are
     std::map<LayerId, SectionMaterial> m_rows;  ///< dielectrics that are layers
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <tuple>
 
 #include "model/board/holes.h"
@@ -75,13 +76,23 @@ public:
             }
             cutParts(placed, leg);
         }
+        for (auto [layer, locations] : layerRangesOf(m_index, leg.a, leg.b)) {
+            for (Interval& location : locations) {
+                location = {leg.start + location.from, leg.start + location.to};
+            }
+            m_leg.ranges[layer] = std::move(locations);
+        }
+        if (!m_isAsSolid) {
+            addUndrawn();
+        }
         finishLeg(leg);
     }
 
     std::vector<SectionPiece> pieces;
     std::vector<SectionPiece> bores;
-    std::size_t wallless = 0;  ///< plated areas met, whose walls are not known
-    std::size_t landed = 0;    ///< laser vias met
+    std::size_t wallless = 0;   ///< plated areas met, whose walls are not known
+    std::size_t landed = 0;     ///< laser vias met
+    std::set<LayerId> undrawn;  ///< films that are where their zones are
 
 private:
     const Document& board() const { return *m_index.board; }
@@ -119,7 +130,7 @@ private:
         ElementCut found = cutElement(step, element, placed.line);
         found.covered = clipped(found.covered, 0.0, leg.length);
         SectionPiece piece{layer, {placed.copy, element}};
-        piece.material = materialOf(board().layer(layer));
+        piece.material = materialOf(board(), layer);
         const std::optional<LandingVia> via =
             isHole && !found.covered.empty() ? landingOf(placed, element, layer, leg) : std::nullopt;
         if (isHole) {
@@ -253,6 +264,42 @@ private:
         }
     }
 
+    /// Films of which the job draws nothing are all over the zones that have them, but for holes that are no vias.
+    void addUndrawn() {
+        std::vector<Interval> holes;
+        for (const SectionPiece& bore : m_leg.bores) {
+            const Document& step = m_index.stepOf(bore.at.copy);
+            if ((step.elements.flags[bore.at.element.row()] & kVia) == 0) {
+                holes.push_back({bore.from, bore.to});
+            }
+        }
+        const Intervals taken = united(std::move(holes));
+        for (const auto& [layer, locations] : m_leg.ranges) {
+            if (!isUndrawnFilm(layer)) {
+                continue;
+            }
+            for (const Interval& location : subtracted(locations, taken)) {
+                SectionPiece piece{layer, {}, location.from, location.to};
+                piece.bottom = board().layer(layer).z;
+                piece.top = piece.bottom + board().layer(layer).thickness;
+                piece.material = materialOf(board(), layer);
+                m_leg.pieces.push_back(piece);
+                undrawn.insert(layer);
+            }
+        }
+    }
+
+    [[nodiscard]] bool isUndrawnFilm(LayerId id) const {
+        const auto isEmpty = [](const Layer& layer) {
+            return std::ranges::all_of(layer.countsWithCopies, [](std::uint64_t count) { return count == 0; });
+        };
+        const auto mask = std::ranges::find(board().layers, id, &Layer::openings);
+        const bool isMask = mask != board().layers.end();
+        const auto shown = isMask ? static_cast<std::size_t>(mask - board().layers.begin()) : id.row();
+        return isLaidOn(board().layer(id)) && m_layers[shown] && isEmpty(board().layer(id)) &&
+               (!isMask || isEmpty(*mask));
+    }
+
     /// Takes what a leg has drilled out of what it has found.
     void finishLeg(const Leg& leg) {
         Bores byHeight;
@@ -355,7 +402,7 @@ bool has(const Section& section, SectionMaterial material) {
 }
 
 /// What the section shows that the job does not say.
-void addAssumptions(const Document& board, std::size_t landed, Section& section) {
+void addAssumptions(const Document& board, const Cutter& cutter, Section& section) {
     std::vector<std::string> made;
     const auto add = [&made](bool isMade, const std::string& what) {
         if (isMade) {
@@ -364,7 +411,16 @@ void addAssumptions(const Document& board, std::size_t landed, Section& section)
     };
     add(has(section, SectionMaterial::SolderMask),
         formatted("solder mask is %.0f %% as thick on copper", 100 * kMaskOnCopper));
-    add(landed > 0, formatted("laser vias narrow to %.0f %% at the target pad and are plated there", 100 * kViaTaper));
+    const auto isFilm = [&](const SectionPiece& piece) { return isLaidOn(board.layer(drawnBy(board, piece.layer))); };
+    add(std::ranges::any_of(section.pieces, isFilm),
+        "coverlay and adhesive fill the space beside copper and are level outside");
+    std::vector<std::string> undrawn;
+    for (const LayerId layer : cutter.undrawn) {
+        undrawn.push_back(board.layer(layer).name);
+    }
+    add(!undrawn.empty(), "all over the zones that have them, as the job draws nothing of them: " + joined(undrawn));
+    add(cutter.landed > 0,
+        formatted("laser vias narrow to %.0f %% at the target pad and are plated there", 100 * kViaTaper));
     add(has(section, SectionMaterial::Plating) && !board.stackup.rows.empty(),
         "copper thicknesses include surface plating");
     add(has(section, SectionMaterial::Part) || has(section, SectionMaterial::Terminal),
@@ -410,10 +466,10 @@ void sort(std::vector<SectionPiece>& pieces) {
 bool hasSubstance(const Layer& layer) {
     switch (layer.type) {
         case LayerType::SolderMask: return layer.isSynthetic;
+        case LayerType::Mask: return layer.context == LayerContext::Board && isLaidOn(layer);
         case LayerType::Document:
         case LayerType::Profile:
         case LayerType::Component:
-        case LayerType::Mask:
         case LayerType::Other: return false;
         default: return layer.context == LayerContext::Board;
     }
@@ -437,7 +493,7 @@ base::Result<Section> makeSection(const BoardIndex& index, const SectionRequest&
     sort(section.bores);
     addNotes(*index.board, cutter.wallless, section);
     if (!request.isAsSolid) {
-        addAssumptions(*index.board, cutter.landed, section);
+        addAssumptions(*index.board, cutter, section);
     }
     return section;
 }

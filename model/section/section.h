@@ -10,14 +10,15 @@
 /// A board cut by a section plane along a line: what lies in the cut, and from where to where. Every element is an
 /// upright prism, so what the job draws is cut in rectangles, and they are exact. What a job does not say of a board
 /// that is made follows from stated assumptions: how mask flows over copper (mask_shape.h), how laser vias land
-/// (landing_via.h), where parts stand (standing_parts.h). Section::notes names those that were made.
+/// (landing_via.h), how films lie (laid_film.h), where parts stand (standing_parts.h). Section::notes names those that
+/// were made.
 namespace model {
 
 struct SectionRequest {
     std::vector<PointD> line;  ///< corners of the line in nanometres of the board, two at least
     std::vector<bool> layers;  ///< which take part, by layer; empty: all that are made of something
-    /// As the 3D view draws the board: the outer face of a mask is level, laser vias do not taper, the substrate is
-    /// one, bodies of components are prisms.
+    /// As the 3D view draws the board: the outer face of a mask is level, laser vias do not taper, bodies of components
+    /// are prisms, every layer lies at the height that it has where all layers are.
     bool isAsSolid = false;
 };
 
@@ -38,6 +39,10 @@ struct Section {
 /// per dielectric of the stackup. A wall reaches as far as Document::platedSpanOf says. Laser vias (HoleSpan::Micro)
 /// end on their target pad; which of their ends that is follows from which side of the board is nearer. Copper is as
 /// thick as the stackup says, with whatever plating there is on it. The cost follows what lies near the line.
+///
+/// On a rigid-flex board what lies on others lies on what each zone has (Layer::profile, local_stack.h), and plating
+/// reaches no farther. A coverlay, adhesive or stiffener of which the job draws nothing is all over the zones that have
+/// it; such pieces are of no element.
 ///
 /// A line beside the board gives no pieces and a note, as do layers without a thickness or with an assumed one, and
 /// plated holes whose wall has no thickness (routed areas): they are cut without it.

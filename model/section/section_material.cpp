@@ -44,8 +44,11 @@ bool holdsAny(const std::string& text, std::initializer_list<const char*> words)
     return std::ranges::any_of(words, [&](const char* word) { return text.find(word) != std::string::npos; });
 }
 
-bool flows(SectionMaterial material) {
-    return material == SectionMaterial::Prepreg || material == SectionMaterial::Adhesive;
+/// What fills the space beside copper is what flows when it is pressed; where that is not known, rather not a core.
+int flowOf(SectionMaterial material) {
+    return material == SectionMaterial::Prepreg || material == SectionMaterial::Adhesive ? 2
+           : material == SectionMaterial::Dielectric                                     ? 1
+                                                                                         : 0;
 }
 
 }  // namespace
@@ -99,18 +102,37 @@ SectionMaterial materialOf(const Document& document, const StackupRow& row) {
                                         : SectionMaterial::Dielectric;
 }
 
-std::vector<DielectricBand> dielectricBandsOf(const Document& document) {
+SectionMaterial materialOf(const Document& document, LayerId layer) {
+    const Layer& own = document.layer(layer);
+    const bool isCoverlay = own.openings.isValid() && document.layer(own.openings).use == LayerUse::Coverlay;
+    return isCoverlay ? SectionMaterial::Coverlay : materialOf(own);
+}
+
+bool isDielectric(SectionMaterial material) {
+    return material == SectionMaterial::Core || material == SectionMaterial::Prepreg ||
+           material == SectionMaterial::Polyimide || material == SectionMaterial::Adhesive ||
+           material == SectionMaterial::Dielectric;
+}
+
+std::vector<DielectricBand> dielectricBandsOf(const Document& document, const std::vector<bool>& has) {
     std::vector<DielectricBand> bands;
-    for (const StackupRow& row : document.stackup.rows) {
+    bool isOpen = false;  // a dielectric is missing since the last one
+    for (std::size_t i = 0; i < document.stackup.rows.size(); ++i) {
+        const StackupRow& row = document.stackup.rows[i];
         if (row.type != LayerType::Dielectric || row.thickness <= 0) {
             continue;
         }
+        if (!has[i]) {
+            isOpen = true;
+            continue;
+        }
         DielectricBand band{row.z, row.z + row.thickness, materialOf(document, row)};
-        if (!bands.empty() && bands.back().bottom > band.top) {
+        if (!bands.empty() && bands.back().bottom > band.top && !isOpen) {
             DielectricBand& above = bands.back();
-            const bool isFromBelow = flows(band.material) && !flows(above.material);
+            const bool isFromBelow = flowOf(band.material) > flowOf(above.material);
             isFromBelow ? band.top = above.bottom : above.bottom = band.top;
         }
+        isOpen = false;
         bands.push_back(band);
     }
     return bands;

@@ -33,11 +33,14 @@ inline constexpr std::size_t kSectionMaterialCount = static_cast<std::size_t>(Se
     SectionMaterial material);  ///< "copper", "solder mask", "dielectric, type not stated"
 /// 0xRRGGBB of materials that look the same on all layers; none: they have the colour of their layer.
 [[nodiscard]] std::optional<std::uint32_t> colourOf(SectionMaterial material);
+[[nodiscard]] bool isDielectric(SectionMaterial material);
 /// What is drawn first lies beneath: dielectrics, then parts and their terminals, then all else.
 [[nodiscard]] int drawOrderOf(SectionMaterial material);
 
 /// Of what is drawn on a layer.
 [[nodiscard]] SectionMaterial materialOf(const Layer& layer);
+/// The same, coverlay told apart from solder mask where we added the layer.
+[[nodiscard]] SectionMaterial materialOf(const Document& document, LayerId layer);
 /// Of a row of the stackup: what the job calls its type, form and material.
 [[nodiscard]] SectionMaterial materialOf(const Document& document, const StackupRow& row);
 
@@ -48,8 +51,10 @@ struct DielectricBand {
     SectionMaterial material = SectionMaterial::Dielectric;
 };
 
-/// The substrate of a board from the top, without a break between its outer copper: beside inner copper lies the resin
-/// of the prepreg or adhesive next to it, or else of the dielectric above. Empty for boards without a stackup.
-[[nodiscard]] std::vector<DielectricBand> dielectricBandsOf(const Document& document);
+/// The substrate of a board from the top, where these rows of Stackup::rows are. Beside copper between two dielectrics
+/// that are neighbours lies the resin of the prepreg or adhesive among them, or else of the upper one; beside copper
+/// that a dielectric is missing next to, as in the flexible part of a rigid-flex board, is none. Empty for boards
+/// without a stackup.
+[[nodiscard]] std::vector<DielectricBand> dielectricBandsOf(const Document& document, const std::vector<bool>& has);
 
 }  // namespace model

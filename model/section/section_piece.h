@@ -9,7 +9,7 @@ namespace model {
 /// shoulders of solder mask).
 struct SectionPiece {
     LayerId layer;    ///< of the board, where a flipped copy has put it
-    BoardElement at;  ///< element none: of several (see merged)
+    BoardElement at;  ///< element none: of several (see merged), or not drawn (see makeSection)
     double from = 0;  ///< of the lower edge, along the line from its start, over all corners, nm
     double to = 0;
     Nm bottom = 0;  ///< equal to `top` where the layer has no thickness

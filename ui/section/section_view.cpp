@@ -194,6 +194,9 @@ QString SectionView::tipAt(QPointF at) const {
 }
 
 bool SectionView::isHighlighted(const SectionPiece& piece) const {
+    if (!piece.at.element.isValid()) {
+        return false;
+    }
     if (m_selection.hovered() == piece.at || std::ranges::binary_search(m_selection.selected(), piece.at)) {
         return true;
     }
@@ -246,7 +249,8 @@ void SectionView::mouseReleaseEvent(QMouseEvent* event) {
         return;
     }
     const SectionPiece* piece = pieceAt(event->position());
-    m_selection.select(piece != nullptr ? std::vector{piece->at} : std::vector<model::BoardElement>{});
+    const bool isElement = piece != nullptr && piece->at.element.isValid();
+    m_selection.select(isElement ? std::vector{piece->at} : std::vector<model::BoardElement>{});
 }
 
 void SectionView::measureAt(QPointF at) {

@@ -128,6 +128,23 @@ private slots:
         QVERIFY(textOf(section, SectionMaterial::Dielectric).empty());
     }
 
+    void resinIsOfTheDielectricThatFlows() {
+        const auto bandsOf = [](const char* upper, const char* lower, const std::vector<bool>& has) {
+            auto own = std::make_shared<Document>(*board());
+            own->stackup.rows = {row(upper, 140'000, 80'000), row(lower, 20'000, 100'000)};
+            QStringList list;
+            for (const DielectricBand& band : dielectricBandsOf(*own, has)) {
+                list << QString("%1 %2-%3").arg(toString(band.material)).arg(band.bottom / 1000).arg(band.top / 1000);
+            }
+            return list;
+        };
+        QCOMPARE(bandsOf("CORE", "PREPREG", {true, true}), (QStringList{"core 140-220", "prepreg 20-140"}));
+        QCOMPARE(bandsOf("PREPREG", "CORE", {true, true}), (QStringList{"prepreg 120-220", "core 20-120"}));
+        QCOMPARE(bandsOf("CORE", "", {true, true}),
+                 (QStringList{"core 140-220", "dielectric, type not stated 20-140"}));
+        QCOMPARE(bandsOf("CORE", "PREPREG", {true, false}), QStringList{"core 140-220"});
+    }
+
     void maskFlowsOverPadsAndTentsVias() {
         QCOMPARE(
             textOf(cut(), SectionMaterial::SolderMask),
