@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "render/gpu/device_select.h"
+#include "render/scene/scene_layers.h"
 #include "shaders/shared/section.h"
 #include "shaders/spirv.h"
 
@@ -35,6 +36,14 @@ ZRange drawn(const SectionFace& face, const FrameLayer& real, const shader::Laye
     return {glm::mix(state.z0, state.z1, face.bottom), glm::mix(state.z0, state.z1, face.top)};
 }
 
+glm::vec3 colourOf(const SectionFace& face, const shader::LayerState& state) {
+    if (!face.colour) {
+        return glm::vec3(state.colour);
+    }
+    const auto part = [&](unsigned shift) { return static_cast<float>(*face.colour >> shift & 0xffU) / 255.0F; };
+    return toLinear({part(16), part(8), part(0)});
+}
+
 /// Is a mask drawn right on its copper? Spread layers are apart.
 bool isOn(const FramePlan& plan, model::LayerId mask, model::LayerId copper) {
     constexpr float kApart = 1e-4F;  // mm
@@ -55,7 +64,7 @@ std::vector<shader::SectionRectangle> rectangles(const FramePlan& plan, const Sc
         const std::size_t at = face.beside.isValid() ? face.beside.row() : layer;
         const ZRange z = drawn(face, scene.layers[at], plan.upright.states[at]);
         const auto end = [&](double along) { return glm::vec2(cut.plane.start + along * cut.plane.direction); };
-        list.push_back({glm::vec3(state.colour), face.isInside ? 1U : 0U, end(face.from), end(face.to), z.z0, z.z1});
+        list.push_back({colourOf(face, state), face.isInside ? 1U : 0U, end(face.from), end(face.to), z.z0, z.z1});
     }
     std::ranges::stable_sort(list, {}, &shader::SectionRectangle::rank);  // what is drawn last is seen
     return list;

@@ -47,7 +47,12 @@ SectionFace faceAt(const model::SectionPiece& piece, const model::Layer& layer, 
         return static_cast<float>((double{1} * z - layer.z) / static_cast<double>(layer.thickness));
     };
     const bool isSubstrate = layer.type == model::LayerType::Body || layer.type == model::LayerType::Dielectric;
-    return {piece.layer, base::toMm(piece.from), base::toMm(piece.to), part(bottom), part(top), !isSubstrate, {}};
+    SectionFace face{
+        piece.layer, base::toMm(piece.from), base::toMm(piece.to), part(bottom), part(top), !isSubstrate, {}, {}};
+    if (isSubstrate) {
+        face.colour = model::colourOf(piece.material);
+    }
+    return face;
 }
 
 /// The copper beside which mask lies that reaches out of its layer.

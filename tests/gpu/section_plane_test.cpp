@@ -1,9 +1,11 @@
 // Boards cut open: what is on the one side is gone, the rest is as it was, and the cut shows what lies in it.
 #include <QtTest>
+#include <map>
 #include <set>
 
 #include "model/board/document_builder.h"
 #include "model/formats/registry.h"
+#include "model/section/section_material.h"
 #include "render/frame/frame_measures.h"
 #include "tests/gpu/gpu_fixture.h"
 #include "tests/locations.h"
@@ -112,6 +114,13 @@ Rgb bytesOf(const glm::vec3& colour) {
     return {int(bytes.r), int(bytes.g), int(bytes.b)};
 }
 
+/// Dielectrics by material, all else as its layer.
+Rgb colourOf(const SectionFace& face, const Board& board) {
+    const std::uint32_t rgb = face.colour.value_or(0);
+    return face.colour ? Rgb{int(rgb >> 16U & 0xffU), int(rgb >> 8U & 0xffU), int(rgb & 0xffU)}
+                       : bytesOf(board.styles[face.layer.row()].colour);
+}
+
 /// What a picture of a board that is cut along x at y = 0 must show of the cut.
 class CutFace {
 public:
@@ -127,7 +136,7 @@ public:
                 m_pieces.push_back({{face.from, glm::mix(z.z0, z.z1, face.bottom)},
                                     {face.to, glm::mix(z.z0, z.z1, face.top)},
                                     face.isInside,
-                                    bytesOf(board.styles[layer].colour)});
+                                    colourOf(face, board)});
             }
         }
         std::ranges::stable_sort(m_pieces, {}, &Piece::isInside);
@@ -258,6 +267,37 @@ private slots:
             ++checked;
         }
         QVERIFY2(checked >= 5 && layers.size() >= 3, qPrintable(QString::number(checked)));
+    }
+
+    /// Core and prepreg as the job calls them, in the colours that they have in a section.
+    void dielectricsHaveTheColoursOfTheirMaterials() {
+        Board board(sample());
+        auto document = std::make_shared<Document>(*board.document);
+        const auto isDielectric = [](const model::StackupRow& r) { return r.type == model::LayerType::Dielectric; };
+        int odd = 0;
+        for (model::StackupRow& row : document->stackup.rows) {
+            if (isDielectric(row)) {
+                row.material.type = odd++ % 2 == 0 ? "PREPREG" : "CORE";
+            }
+        }
+        board.document = document;
+        ViewSettings settings;
+        settings.zScale = {20.0F, 20.0F};
+        settings.section = board.cut({1, 0}, {0, 0});
+        Camera camera = board.seen(NamedView::Iso, false);
+        const Image open = board.draw(camera, settings);
+        std::map<std::uint32_t, int> seen;
+        for (std::uint32_t y = 0; y < kHeight; ++y) {
+            for (std::uint32_t x = 0; x < kWidth; ++x) {
+                const Rgb colour = pixel(open, x, y);
+                ++seen[std::uint32_t(colour.r) << 16U | std::uint32_t(colour.g) << 8U | std::uint32_t(colour.b)];
+            }
+        }
+        QVERIFY2(seen[*model::colourOf(model::SectionMaterial::Core)] > 300 &&
+                     seen[*model::colourOf(model::SectionMaterial::Prepreg)] > 300,
+                 qPrintable(QString("%1 %2")
+                                .arg(seen[*model::colourOf(model::SectionMaterial::Core)])
+                                .arg(seen[*model::colourOf(model::SectionMaterial::Prepreg)])));
     }
 
     void nothingShowsThroughTheCut_data() {
