@@ -18,6 +18,7 @@
 #include "app/common/exit_code.h"
 #include "model/board/board_colours.h"
 #include "model/clearance/rule_presets.h"
+#include "model/export/files/export_file.h"
 #include "model/formats/registry.h"
 
 namespace app {
@@ -280,10 +281,11 @@ void addSection(CLI::App& parent, Command& chosen) {
 }
 
 void addExport(CLI::App& parent, Command& chosen) {
-    CLI::App& command = *parent.add_subcommand("export", "Write a board as exact solids for other programs");
+    CLI::App& command = *parent.add_subcommand("export", "Write a board as solids or drawings for other programs");
     ExportArguments& arguments = argumentsOf(command, chosen, runExport);
     addBoardOptions(command, arguments.board);
-    command.add_option("-o,--output", arguments.output, "the file to write (.step, .stp)")->required();
+    command.add_option("-o,--output", arguments.output, "the file to write (" + model::exportEndings() + ")")
+        ->required();
     addList(command, "--layers", arguments.layers, "only these layers, separated by commas");
     addList(command, "--nets", arguments.nets, "only copper of these nets, separated by commas");
     addList(command, "--window", arguments.window,
@@ -296,6 +298,7 @@ void addExport(CLI::App& parent, Command& chosen) {
     command.add_flag("--merge", arguments.isMerged, "touching copper of one net and layer as one solid");
     command.add_flag("--one-part", arguments.isOnePart, "one part instead of a tree of layers and nets");
     command.add_flag("--as-designed", arguments.isAsDesigned, "also what is milled away beyond the board outline");
+    command.add_flag("--one-page", arguments.isOnePage, "PDF: all layers on one page instead of a page each");
     command.add_flag("--written-out", arguments.isWrittenOut,
                      "equal pads and barrels one by one, for programs that do not know placed shapes");
 }

@@ -5,11 +5,10 @@
 #include <csignal>
 #include <cstdio>
 #include <ctime>
-#include <filesystem>
 
 #include "app/common/console_progress.h"
 #include "model/base/thickness_units.h"
-#include "model/export/solids/step_export.h"
+#include "model/export/files/export_file.h"
 #include "render/scene/layer_style.h"
 
 namespace app {
@@ -88,52 +87,54 @@ std::string now() {
     return text;
 }
 
-void reportMissing(const model::SolidPlan& plan, const std::vector<model::MissingSolid>& missing) {
+void reportMissing(const std::vector<model::NotExported>& missing) {
     for (std::size_t i = 0; i < std::min(missing.size(), kNamed); ++i) {
-        const Document& step = *plan.steps[missing[i].step].document;
-        const std::size_t row = missing[i].element.row();
-        const model::Layer& layer = step.layer(step.elements.layer[row]);
-        std::fprintf(stderr, "%s:%u: not exported: %s\n", layer.file.c_str(), step.elements.line[row],
-                     std::string(missing[i].reason).c_str());
+        std::fprintf(stderr, "%s:%u: not exported: %s\n", missing[i].file.c_str(), missing[i].line,
+                     missing[i].reason.c_str());
     }
     if (missing.size() > kNamed) {
         std::fprintf(stderr, "... and %zu more\n", missing.size() - kNamed);
     }
 }
 
-Result<model::SolidReport> writeSolids(const model::SolidPlan& plan, const Document& board,
-                                       const ExportArguments& arguments, base::Progress& progress) {
-    const model::StepEstimate estimate = model::estimateStep(plan);
-    std::fprintf(stderr, "%llu elements, about %.1f MB\n", static_cast<unsigned long long>(plan.elements),
-                 estimate.bytes / 1e6);
-    const model::StepOptions options{looksOf(board), board.job.name, now(), arguments.isWrittenOut, {}};
-    return model::exportStep(plan, options, arguments.output, progress);
+Result<model::ExportRequest> requestFor(const Document& board, const ExportArguments& arguments) {
+    model::ExportRequest request;
+    ASSIGN_OR_RETURN(request.choice, choiceOf(board, arguments));
+    request.looks = looksOf(board);
+    request.time = now();
+    request.isWrittenOut = arguments.isWrittenOut;
+    request.isOnePage = arguments.isOnePage;
+    request.how = discretisationOf(arguments.board);
+    return request;
 }
 
-/// Errors: BadUsage.
-base::Status checkFormat(const std::string& output) {
-    std::string ending = std::filesystem::path(output).extension().string();
-    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
-    if (ending == ".step" || ending == ".stp") {
-        return base::Done{};
+base::Status sayEstimate(const Document& board, const model::ExportFormat& format, const model::ExportRequest& request,
+                         const base::Progress& progress) {
+    ASSIGN_OR_RETURN(const std::optional<double> bytes, model::estimateExport(board, format, request, progress));
+    if (bytes) {
+        std::fprintf(stderr, "about %.1f MB\n", *bytes / 1e6);
     }
-    return base::Error{ErrorCode::BadUsage, output + ": the format is told by the ending, which is .step or .stp"};
+    return base::Done{};
 }
 
 }  // namespace
 
 Outcome runExport(const ExportArguments& arguments) {
-    RETURN_IF_ERROR(checkFormat(arguments.output));
+    const model::ExportFormat* format = model::exportFormatOf(arguments.output);
+    if (format == nullptr) {
+        return base::Error{ErrorCode::BadUsage,
+                           arguments.output + ": the format is told by the ending, which is " + model::exportEndings()};
+    }
     ConsoleProgress console;
     const Interrupt interrupt(console.progress());
     ASSIGN_OR_RETURN(const auto board, openDocument(arguments.board, console.progress()));
-    ASSIGN_OR_RETURN(const model::SolidChoice choice, choiceOf(*board, arguments));
-    ASSIGN_OR_RETURN(const model::SolidPlan plan, model::planSolids(*board, choice, console.progress()));
-    ASSIGN_OR_RETURN(const model::SolidReport report, writeSolids(plan, *board, arguments, console.progress()));
-    reportMissing(plan, report.missing);
-    std::fprintf(stderr, "%s: %llu solids, %llu placed copies, %.1f MB\n", arguments.output.c_str(),
-                 static_cast<unsigned long long>(report.solids), static_cast<unsigned long long>(report.copies),
-                 static_cast<double>(report.bytes) / 1e6);
+    ASSIGN_OR_RETURN(const model::ExportRequest request, requestFor(*board, arguments));
+    RETURN_IF_ERROR(sayEstimate(*board, *format, request, console.progress()));
+    ASSIGN_OR_RETURN(const model::ExportSummary summary,
+                     model::exportBoard(*board, *format, request, arguments.output, console.progress()));
+    reportMissing(summary.missing);
+    std::fprintf(stderr, "%s: %s, %.1f MB\n", arguments.output.c_str(), summary.content.c_str(),
+                 static_cast<double>(summary.bytes) / 1e6);
     return int{kDone};
 }
 

@@ -20,11 +20,13 @@ struct ExportArguments {
     bool isOnePart = false;
     bool isAsDesigned = false;
     bool isWrittenOut = false;
+    bool isOnePage = false;
 };
 
-/// `copperscope export BOARD -o FILE`: the board as solids. How large the file will be, what was written and what is
-/// missing with its reason go to stderr. Errors: BadUsage for names and choices that do not exist, BadInput,
-/// OutputFailed when the file cannot be written or nothing could be built; nothing is left of the file then.
+/// `copperscope export BOARD -o FILE`: the board as solids, or its layers as drawings (model/export/files). How large
+/// the file will be, what was written and what is missing with its reason go to stderr. Errors: BadUsage for names and
+/// choices that do not exist, BadInput, OutputFailed when the file cannot be written or nothing could be built; nothing
+/// is left of the file then.
 [[nodiscard]] Outcome runExport(const ExportArguments& arguments);
 
 }  // namespace app

@@ -24,6 +24,7 @@ set(architecture_rows
     "model/export                  | model           | model/board model/clearance model/figures model/geometry model/index model/measure model/section model/text | json"
     "model/export/drawings         | model           | model/board model/geometry model/solids/shells model/text | zlib"
     "model/export/solids           | model           | model/board model/geometry model/solids model/solids/shells model/text |"
+    "model/export/files            | model           | model/board model/export/drawings model/export/solids model/geometry model/text |"
     "model/session                 | model::session  | model/board model/clearance model/measure model/solids model/text | json"
     "model/generate                | model::generate | | archive"
     "model/formats/common          | model::formats  | model/board model/figures model/geometry | archive"
@@ -74,7 +75,7 @@ set(architecture_rows
     "app/reports                   | app             | app/common model/board model/nets model/statistics render/modelling render/standard | json"
     "app/verify                    | app             | app/common model/board model/export/solids model/figures model/geometry model/solids/shells model/text render/frame render/gpu render/modelling render/scene render/standard | json occt"
     "app/bench                     | app tri::bench  | app/common model/board model/formats model/text render/frame render/gpu render/modelling render/scene render/standard tri tri/gpu | json"
-    "app/commands                  | app             | app/bench app/common app/reports app/verify model/board model/clearance model/design_rules model/export model/export/solids model/formats model/generate model/measure model/nets model/section model/session model/text render/frame render/gpu render/modelling render/scene render/standard ui/shell | cli json"
+    "app/commands                  | app             | app/bench app/common app/reports app/verify model/board model/clearance model/design_rules model/export model/export/files model/export/solids model/formats model/generate model/measure model/nets model/section model/session model/text render/frame render/gpu render/modelling render/scene render/standard ui/shell | cli json"
     "app                           |                 | app/commands app/common | log"
 )
 

@@ -26,6 +26,9 @@ public:
             steps.push_back(m_plan.choice.isOnePart ? addOnePart(m_plan.steps[i]) : addTree(m_plan.steps[i]));
         }
         placeCopies(steps);
+        if (report.solids == 0 && !isStopped()) {
+            return base::Error{base::ErrorCode::OutputFailed, "nothing useful came out: no element has a solid"};
+        }
         m_assembly.finish();
         m_text.text() += stepFooter();
         passOn(0);
@@ -50,7 +53,7 @@ private:
     [[nodiscard]] std::string stepName(const StepSolids& step) const {
         const bool isBoard = m_step == 0;
         return (isBoard && !m_options.name.empty() ? m_options.name : step.document->job.step) +
-               (step.isFlipped ? " (turned over)" : "");
+               (step.isFlipped ? " (flipped)" : "");
     }
 
     StepProduct addTree(const StepSolids& step) {

@@ -1,0 +1,155 @@
+#include "model/export/files/export_file.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "model/export/drawings/dxf_drawing.h"
+#include "model/export/drawings/pdf_drawing.h"
+#include "model/export/drawings/svg_drawing.h"
+#include "model/text/formatting.h"
+
+namespace model {
+
+namespace fs = std::filesystem;
+using base::ErrorCode;
+using base::Progress;
+using base::Result;
+
+namespace {
+
+NotExported describe(const SolidPlan& plan, const MissingSolid& missing) {
+    const Document& step = *plan.steps[missing.step].document;
+    const std::size_t row = missing.element.row();
+    const Layer& layer = step.layer(step.elements.layer[row]);
+    return {layer.name, layer.file, step.elements.line[row], std::string(missing.reason)};
+}
+
+std::vector<NotExported> describe(const SolidPlan& plan, const std::vector<MissingSolid>& missing) {
+    std::vector<NotExported> all;
+    for (const MissingSolid& item : missing) {
+        all.push_back(describe(plan, item));
+    }
+    return all;
+}
+
+Result<ExportSummary> writeStep(const Document& board, const ExportRequest& request, const fs::path& path,
+                                Progress& progress) {
+    ASSIGN_OR_RETURN(const SolidPlan plan, planSolids(board, request.choice, progress));
+    StepOptions options;
+    options.looks = request.looks;
+    options.name = board.job.name;
+    options.time = request.time;
+    options.isWrittenOut = request.isWrittenOut;
+    ASSIGN_OR_RETURN(const SolidReport report, exportStep(plan, options, path, progress));
+    return ExportSummary{report.bytes,
+                         formatted("%llu solids, %llu placed copies", static_cast<unsigned long long>(report.solids),
+                                   static_cast<unsigned long long>(report.copies)),
+                         describe(plan, report.missing)};
+}
+
+DrawingOptions drawingOptions(const Document& board, const ExportRequest& request) {
+    DrawingOptions options;
+    if (!request.choice.layers.empty()) {
+        options.layers.resize(board.layers.size());
+        for (const LayerId layer : request.choice.layers) {
+            options.layers[layer.row()] = true;
+        }
+    }
+    for (const SolidLook& look : request.looks) {
+        options.colours.push_back(look.rgb);
+    }
+    return options;
+}
+
+Result<ExportSummary> finish(const DrawingReport& report, FileWriter& file) {
+    RETURN_IF_ERROR(file.commit());
+    ExportSummary summary{
+        file.size(),
+        formatted("%zu layers, %llu regions", report.layers.size(), static_cast<unsigned long long>(report.regions)),
+        {}};
+    for (const NotDrawn& item : report.notDrawn) {
+        summary.missing.push_back({item.layer, item.file, item.line, std::string(item.reason)});
+    }
+    return summary;
+}
+
+/// A drawing by one of the functions that leave the file to be committed.
+template <auto Write, class... Rest>
+Result<ExportSummary> draw(const Document& board, const ExportRequest& request, const fs::path& path,
+                           Progress& progress, const Rest&... rest) {
+    FileWriter file(path);
+    ASSIGN_OR_RETURN(const DrawingReport report, Write(board, drawingOptions(board, request), rest..., file, progress));
+    return finish(report, file);
+}
+
+Result<ExportSummary> drawPdf(const Document& board, const ExportRequest& request, const fs::path& path,
+                              Progress& progress) {
+    const PdfPages pages = request.isOnePage ? PdfPages::AllOnOne : PdfPages::OnePerLayer;
+    return draw<writePdf>(board, request, path, progress, pages);
+}
+
+constexpr ExportFormat kFormats[] = {
+    {"STEP", ".step .stp", "exact solids for mechanical CAD", true, true, false, writeStep},
+    {"DXF", ".dxf", "outlines of layers for CAD", false, false, false, draw<writeDxf>},
+    {"SVG", ".svg", "a drawing of layers, true to scale", false, false, false, draw<writeSvg>},
+    {"PDF", ".pdf", "a drawing of layers, true to scale", false, false, true, drawPdf},
+};
+
+std::vector<std::string> endingsOf(const ExportFormat& format) {
+    std::vector<std::string> endings;
+    for (std::size_t at = 0; at < format.endings.size();) {
+        const std::size_t end = std::min(format.endings.find(' ', at), format.endings.size());
+        endings.emplace_back(format.endings.substr(at, end - at));
+        at = end + 1;
+    }
+    return endings;
+}
+
+}  // namespace
+
+std::span<const ExportFormat> exportFormats() {
+    return kFormats;
+}
+
+std::string exportEndings() {
+    std::vector<std::string> all;
+    for (const ExportFormat& format : kFormats) {
+        std::ranges::move(endingsOf(format), std::back_inserter(all));
+    }
+    std::string text;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        text += (i == 0 ? "" : i + 1 < all.size() ? ", " : " or ") + all[i];
+    }
+    return text;
+}
+
+const ExportFormat* exportFormatOf(const fs::path& path) {
+    std::string ending = path.extension().string();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const auto* const found = std::ranges::find_if(
+        kFormats, [&](const ExportFormat& format) { return std::ranges::count(endingsOf(format), ending) > 0; });
+    return found != std::end(kFormats) ? found : nullptr;
+}
+
+Result<std::optional<double>> estimateExport(const Document& board, const ExportFormat& format,
+                                             const ExportRequest& request, const Progress& progress) {
+    if (!format.isStep) {
+        return std::optional<double>();
+    }
+    ASSIGN_OR_RETURN(const SolidPlan plan, planSolids(board, request.choice, progress));
+    return std::optional(estimateStep(plan).bytes);
+}
+
+Result<ExportSummary> exportBoard(const Document& board, const ExportFormat& format, const ExportRequest& request,
+                                  const fs::path& path, Progress& progress) {
+    const SolidChoice& choice = request.choice;
+    const bool isOnlyForSolids = !choice.nets.empty() || choice.window || choice.minHole > 0 || choice.isOuterOnly ||
+                                 choice.isMerged || choice.isOnePart;
+    if (!format.isSolid && isOnlyForSolids) {
+        return base::Error{ErrorCode::BadUsage,
+                           std::string(format.name) + " shows whole layers: it can be limited to layers only"};
+    }
+    return format.write(board, request, path, progress);
+}
+
+}  // namespace model
