@@ -163,7 +163,8 @@ private:
         }
         const double chord = length(minus(b, a));
         const double mismatch = std::abs(distance(a, circle.centre) - distance(b, circle.centre));
-        const bool isFar = chord < circle.radius / 2 || mismatch * circle.radius > chord;
+        // How far the centre of one arc would have to move, and whether it would be taken for its chord.
+        const bool isFar = mismatch * circle.radius > chord || chord * chord < circle.radius + 64.0;
         if (sweep <= 0.75 * kPi || !isFar) {
             m_edges.push_back(arcThrough(a, b, circle, isClockwise));
             return;

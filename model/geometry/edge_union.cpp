@@ -1,6 +1,7 @@
 #include "model/geometry/edge_union.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <tuple>
 

@@ -1,11 +1,16 @@
 // The exact outlines of all elements of whole boards.
 #include <QtTest>
 #include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
 
 #include "model/formats/registry.h"
+#include "model/geometry/boolean.h"
 #include "model/geometry/edge_faults.h"
 #include "model/geometry/edge_union.h"
 #include "model/solids/shells/element_shells.h"
+#include "model/solids/shells/merged_shells.h"
 #include "model/solids/shells/trail_shell.h"
 #include "tests/locations.h"
 #include "tests/unit/model/geometry/edge_loop_checks.h"
@@ -48,6 +53,34 @@ std::vector<std::uint32_t> rowsOf(const Document& document, ElementKind kind) {
         }
     }
     return rows;
+}
+
+constexpr double kChordNm = 50.0;
+using Copper = std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<ElementId>>;
+
+/// By copper layer and net.
+Copper copperOf(const Document& document) {
+    Copper copper;
+    for (std::uint32_t row = 0; row < document.elements.size(); ++row) {
+        const model::LayerId layer = document.elements.layer[row];
+        if (document.layer(layer).isCopper() && document.elements.net[row].isValid()) {
+            copper[{layer.row(), document.elements.net[row].row()}].push_back(ElementId{row});
+        }
+    }
+    return copper;
+}
+
+/// The area of the union of polygons that chords make of the elements, and the length of their outlines.
+std::pair<double, double> discretised(const Document& document, const std::vector<ElementId>& elements) {
+    model::PolygonSet polygons;
+    double length = 1.0;
+    for (const ElementId element : elements) {
+        for (const EdgeLoops& region : model::outlinesOf(document, element).regions) {
+            polygons.append(edge_loop_checks::polygonsOf(region, kChordNm));
+            length += lengthOf(region);
+        }
+    }
+    return {edge_loop_checks::areaOf(model::unite(polygons)), length};
 }
 
 QString nameOf(const Document& document, std::uint32_t row) {
@@ -120,6 +153,39 @@ private slots:
                                 QString(": %1 instead of %2").arg(sumOfAreas(*regions)).arg(sumOfAreas(*united))));
             QCOMPARE(regions->size(), united->size());
         }
+    }
+
+    /// The copper of every net on every layer.
+    void netsMerge_data() { addBoards(); }
+    void netsMerge() {
+        QFETCH(QString, board);
+        const auto document = read(board.toStdString());
+        std::size_t apart = 0;
+        std::size_t compared = 0;
+        for (const auto& [place, elements] : document ? copperOf(*document) : Copper{}) {
+            const model::MergedShells merged = model::mergedShells(*document, elements);
+            std::vector<EdgeLoops> regions;
+            for (const model::Shell& shell : merged.shells) {
+                const auto fault = model::findFault(shell.outline);
+                QVERIFY2(!fault, fault ? fault->what.c_str() : "");
+                QVERIFY(areSound(shell.outline));
+                regions.push_back(shell.outline);
+            }
+            apart += merged.apart;
+            if (elements.size() > 400 || (compared > 300 && !locations::isThorough())) {
+                continue;
+            }
+            ++compared;
+            const auto [area, length] = discretised(*document, elements);
+            QVERIFY2(std::abs(sumOfAreas(regions) - area) <= kChordNm * length,
+                     qPrintable(QString("net %1 on layer %2: %3 instead of %4, %5 nm")
+                                    .arg(place.second)
+                                    .arg(place.first)
+                                    .arg(sumOfAreas(regions))
+                                    .arg(area)
+                                    .arg((sumOfAreas(regions) - area) / length)));
+        }
+        QCOMPARE(apart, 0U);
     }
 };
 
