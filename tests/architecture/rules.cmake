@@ -25,6 +25,7 @@ set(architecture_rows
     "model/export/drawings         | model           | model/board model/geometry model/solids/shells model/text | zlib"
     "model/export/solids           | model           | model/board model/geometry model/solids model/solids/shells model/text |"
     "model/export/files            | model           | model/board model/export/drawings model/export/solids model/geometry model/text |"
+    "model/export/meshes           | model           | model/board model/export/solids model/geometry model/solids/shells model/text tri | json meshopt"
     "model/session                 | model::session  | model/board model/clearance model/measure model/solids model/text | json"
     "model/generate                | model::generate | | archive"
     "model/formats/common          | model::formats  | model/board model/figures model/geometry | archive"
@@ -90,6 +91,7 @@ set(architecture_include_cli "^CLI/")
 set(architecture_include_clipper "^polyclipping/")
 set(architecture_include_json "^nlohmann/")
 set(architecture_include_log "^spdlog/")
+set(architecture_include_meshopt "^meshoptimizer\\.h$")
 set(architecture_include_occt "^(BRep|Bnd|GProp|Message|STEP|Shape|Standard|TopExp|TopoDS)[A-Za-z0-9]*(_[A-Za-z0-9]+)*\\.hxx$")
 set(architecture_include_png "^png\\.h$")
 set(architecture_include_tbb "^tbb/")
@@ -105,6 +107,7 @@ set(architecture_link_clipper PkgConfig::POLYCLIPPING)
 set(architecture_link_glm glm::glm)
 set(architecture_link_json nlohmann_json::nlohmann_json)
 set(architecture_link_log spdlog::spdlog)
+set(architecture_link_meshopt meshoptimizer::meshoptimizer)
 set(architecture_link_occt ${COPPERSCOPE_OCCT})
 set(architecture_link_png PNG::PNG)
 set(architecture_link_tbb TBB::tbb)

@@ -21,6 +21,7 @@ foreach(test IN LISTS tests)
     endif()
 endforeach()
 target_link_libraries(png_test PRIVATE PNG::PNG)
+target_link_libraries(glb_export_test PRIVATE ${TINYGLTF})
 if(COPPERSCOPE_SANITIZE)
     # It counts what operator new is asked for; sanitizers bring operators of their own.
     set_tests_properties(odb_parse_memory_test PROPERTIES DISABLED TRUE)

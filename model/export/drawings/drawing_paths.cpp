@@ -1,13 +1,11 @@
 #include "model/export/drawings/drawing_paths.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <numbers>
-#include <string_view>
 
 #include "model/geometry/vectors.h"
+#include "model/text/number_text.h"
 
 namespace model {
 
@@ -28,17 +26,6 @@ double curveError(double sweep) {
 }
 
 }  // namespace
-
-void appendNumber(std::string& out, double value, int digits) {
-    std::array<char, 400> text{};  // 1e308 has 309 digits before the point
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, digits).ptr;
-    std::string_view number(text.data(), static_cast<std::size_t>(end - text.data()));
-    if (digits > 0) {
-        number.remove_suffix(number.size() - 1 - number.find_last_not_of('0'));
-        number.remove_suffix(number.ends_with('.') ? 1 : 0);
-    }
-    out += number == "-0" ? std::string_view("0") : number;
-}
 
 void appendMm(std::string& out, double nm) {
     appendNumber(out, nm / kNmPerMm, 7);

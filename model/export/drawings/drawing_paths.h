@@ -8,9 +8,6 @@
 /// Numbers and pieces of arcs as drawings want them.
 namespace model {
 
-/// Appends a number with so many digits behind the point and no zeros at its end, whatever the locale.
-void appendNumber(std::string& out, double value, int digits);
-
 /// Appends millimetres to 0.1 nm.
 void appendMm(std::string& out, double nm);
 

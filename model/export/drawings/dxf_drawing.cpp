@@ -7,6 +7,7 @@
 #include "model/export/drawings/drawing_paths.h"
 #include "model/export/drawings/dxf_names.h"
 #include "model/text/formatting.h"
+#include "model/text/number_text.h"
 
 namespace model {
 

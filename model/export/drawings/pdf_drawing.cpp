@@ -4,6 +4,7 @@
 
 #include "model/export/drawings/drawing_paths.h"
 #include "model/export/drawings/pdf_file.h"
+#include "model/text/number_text.h"
 
 namespace model {
 

@@ -12,12 +12,6 @@ using model::PointD;
 
 namespace {
 
-std::string number(double value, int digits) {
-    std::string text;
-    model::appendNumber(text, value, digits);
-    return text;
-}
-
 Edge arc(double radius, double from, double sweep) {
     Edge edge;
     edge.radius = radius;
@@ -41,12 +35,7 @@ class DrawingPathsTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void numbersEndWithTheirLastDigit() {
-        QCOMPARE(number(1.5, 7), std::string("1.5"));
-        QCOMPARE(number(100.0, 7), std::string("100"));
-        QCOMPARE(number(100.0, 0), std::string("100"));
-        QCOMPARE(number(-0.00000001, 7), std::string("0"));
-        QCOMPARE(number(-12.3456789, 4), std::string("-12.3457"));
+    void lengthsAreMillimetres() {
         std::string mm = "x";
         model::appendMm(mm, 1'234'567.5);
         QCOMPARE(mm, std::string("x1.2345675"));

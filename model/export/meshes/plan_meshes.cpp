@@ -1,0 +1,136 @@
+#include "model/export/meshes/plan_meshes.h"
+
+#include <algorithm>
+#include <atomic>
+#include <map>
+
+#include "model/base/parallel.h"
+#include "model/geometry/boolean.h"
+
+namespace model {
+
+namespace {
+
+constexpr std::string_view kNoTriangles = "it has no area, or cannot be triangulated";
+
+/// Makes the meshes of one step.
+class Mesher {
+public:
+    Mesher(const SolidPlan& plan, std::uint32_t step, const Discretisation& how, base::Progress& progress)
+        : m_plan(plan), m_row(step), m_step(plan.steps[step]), m_how(how), m_progress(progress) {}
+
+    StepMeshes make() {
+        StepMeshes meshes;
+        if (!m_plan.choice.isMerged) {
+            findShapes();
+        }
+        meshes.shapes.resize(m_keys.size());
+        base::parallelFor(m_keys.size(), [&](std::size_t i) {
+            for (const Shell& shell : m_plan.shellsOf(m_step, m_keys[i])) {
+                static_cast<void>(appendPrism(polygonsOf(shell.outline, m_how), shell.z, meshes.shapes[i]));
+            }
+        });
+        meshes.groups.resize(m_step.groups.size());
+        std::vector<std::vector<MissingSolid>> missing(m_step.groups.size());
+        base::parallelFor(m_step.groups.size(), [&](std::size_t i) {
+            if (!m_progress.isCancelled()) {
+                meshes.groups[i] = meshOf(m_step.groups[i], meshes.shapes, missing[i]);
+                m_progress.setFraction(static_cast<float>(++m_done) / static_cast<float>(m_step.groups.size()));
+            }
+        });
+        for (const auto& some : missing) {
+            meshes.missing.insert(meshes.missing.end(), some.begin(), some.end());
+        }
+        return meshes;
+    }
+
+private:
+    void findShapes() {
+        for (const ElementId element : m_step.elements) {
+            const auto shared = m_plan.sharedShapeOf(m_step, element);
+            if (shared && m_rows.try_emplace(shared->key, static_cast<std::uint32_t>(m_keys.size())).second) {
+                m_keys.push_back(shared->key);
+            }
+        }
+    }
+
+    /// Regions that become one, by their heights.
+    using United = std::map<std::pair<Nm, Nm>, PolygonSet>;
+
+    /// Tracks are united always: most of their corners lie within the next one.
+    [[nodiscard]] bool isUnited(ElementId element) const {
+        const ElementKind kind = m_step.document->elements.kind[element.row()];
+        return m_plan.choice.isMerged || kind == ElementKind::Line || kind == ElementKind::Arc ||
+               kind == ElementKind::Trail;
+    }
+
+    GroupMesh meshOf(const SolidGroup& group, const std::vector<SolidMesh>& shapes,
+                     std::vector<MissingSolid>& missing) const {
+        GroupMesh mesh;
+        United united;
+        for (std::uint32_t i = group.elements.first; i < group.elements.first + group.elements.count; ++i) {
+            if (m_progress.isCancelled()) {
+                return mesh;
+            }
+            const ElementId element = m_step.elements[i];
+            const auto shared = m_plan.choice.isMerged ? std::nullopt : m_plan.sharedShapeOf(m_step, element);
+            const auto row = shared ? m_rows.find(shared->key) : m_rows.end();
+            if (row != m_rows.end()) {
+                place({row->second, shared->placement, element}, shapes, mesh, missing);
+            } else {
+                add(element, mesh, united, missing);
+            }
+        }
+        for (const auto& [z, polygons] : united) {
+            static_cast<void>(appendPrism(unite(polygons), {z.first, z.second}, mesh.own));
+        }
+        return mesh;
+    }
+
+    void place(const PlacedMesh& placed, const std::vector<SolidMesh>& shapes, GroupMesh& mesh,
+               std::vector<MissingSolid>& missing) const {
+        if (shapes[placed.shape].triangles.empty()) {
+            missing.push_back({m_row, placed.element, kNoTriangles});
+        } else {
+            mesh.placed.push_back(placed);
+        }
+    }
+
+    void add(ElementId element, GroupMesh& mesh, United& united, std::vector<MissingSolid>& missing) const {
+        const ElementShells made = m_plan.shellsOf(m_step, element);
+        std::string_view problem = made.problem;
+        for (const Shell& shell : made.shells) {
+            const PolygonSet polygons = polygonsOf(shell.outline, m_how);
+            if (isUnited(element)) {
+                united[{shell.z.bottom, shell.z.top}].append(polygons);
+            } else if (!appendPrism(polygons, shell.z, mesh.own)) {
+                problem = kNoTriangles;
+            }
+        }
+        if (!problem.empty()) {
+            missing.push_back({m_row, element, problem});
+        }
+    }
+
+    const SolidPlan& m_plan;
+    std::uint32_t m_row;
+    const StepSolids& m_step;
+    const Discretisation& m_how;
+    base::Progress& m_progress;
+    std::unordered_map<ShapeKey, std::uint32_t, ShapeKeyHash> m_rows;
+    std::vector<ShapeKey> m_keys;
+    std::atomic<std::size_t> m_done{0};
+};
+
+}  // namespace
+
+base::Result<StepMeshes> meshesOf(const SolidPlan& plan, std::uint32_t step, const Discretisation& how,
+                                  base::Progress& progress) {
+    StepMeshes meshes = Mesher(plan, step, how, progress).make();
+    if (progress.isCancelled()) {
+        return base::Error{base::ErrorCode::Cancelled, "the export was cancelled"};
+    }
+    return meshes;
+}
+
+}  // namespace model
