@@ -5,12 +5,14 @@
 #include <map>
 
 #include "model/base/parallel.h"
-#include "model/geometry/boolean.h"
+#include "model/export/meshes/united.h"
 
 namespace model {
 
 namespace {
 
+/// Of tracks that are united. Fields of hatched copper have thousands that all hang together.
+constexpr std::size_t kTracksAtOnce = 256;
 constexpr std::string_view kNoTriangles = "it has no area, or cannot be triangulated";
 
 /// Makes the meshes of one step.
@@ -81,8 +83,9 @@ private:
                 add(element, mesh, united, missing);
             }
         }
+        const std::size_t most = m_plan.choice.isMerged ? 0 : kTracksAtOnce;
         for (const auto& [z, polygons] : united) {
-            static_cast<void>(appendPrism(unite(polygons), {z.first, z.second}, mesh.own));
+            static_cast<void>(appendPrism(uniteNear(polygons, most), {z.first, z.second}, mesh.own));
         }
         return mesh;
     }
@@ -98,10 +101,11 @@ private:
 
     void add(ElementId element, GroupMesh& mesh, United& united, std::vector<MissingSolid>& missing) const {
         const ElementShells made = m_plan.shellsOf(m_step, element);
-        std::string_view problem = made.problem;
+        // Regions that overlap or cross themselves are complete all the same: triangles do not mind.
+        std::string_view problem = made.shells.empty() ? made.problem : std::string_view{};
         for (const Shell& shell : made.shells) {
             const PolygonSet polygons = polygonsOf(shell.outline, m_how);
-            if (isUnited(element)) {
+            if (isUnited(element) && !polygons.polygons.empty()) {
                 united[{shell.z.bottom, shell.z.top}].append(polygons);
             } else if (!appendPrism(polygons, shell.z, mesh.own)) {
                 problem = kNoTriangles;

@@ -1,0 +1,84 @@
+#include "model/export/meshes/united.h"
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+#include "model/geometry/boolean.h"
+#include "model/geometry/box_index.h"
+
+namespace model {
+
+namespace {
+
+std::vector<Box> boxesOf(const PolygonSet& set) {
+    std::vector<Box> boxes(set.polygons.size());
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        for (const Point& corner : set.loop(set.polygons[i].firstLoop)) {
+            boxes[i].include(corner);
+        }
+    }
+    return boxes;
+}
+
+/// Polygons that hang together by their boxes have one root.
+class Groups {
+public:
+    explicit Groups(const std::vector<Box>& boxes) : m_parent(boxes.size()) {
+        std::iota(m_parent.begin(), m_parent.end(), 0U);
+        const BoxIndex index(boxes);
+        for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+            index.visit(boxes[i], [&](std::uint32_t other) { join(i, other); });
+        }
+    }
+
+    std::uint32_t rootOf(std::uint32_t row) {
+        while (m_parent[row] != row) {
+            m_parent[row] = m_parent[m_parent[row]];
+            row = m_parent[row];
+        }
+        return row;
+    }
+
+private:
+    void join(std::uint32_t a, std::uint32_t b) {
+        a = rootOf(a);
+        b = rootOf(b);
+        m_parent[std::max(a, b)] = std::min(a, b);
+    }
+
+    std::vector<std::uint32_t> m_parent;
+};
+
+void append(const PolygonSet& set, std::uint32_t row, PolygonSet& to) {
+    to.beginPolygon();
+    const PolygonSet::Polygon& polygon = set.polygons[row];
+    for (std::uint32_t i = 0; i < polygon.loopCount; ++i) {
+        to.addLoop(set.loop(polygon.firstLoop + i));
+    }
+}
+
+}  // namespace
+
+PolygonSet uniteNear(const PolygonSet& set, std::size_t atOnce) {
+    Groups groups(boxesOf(set));
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> members;  // of a root, rising
+    for (std::uint32_t i = 0; i < set.polygons.size(); ++i) {
+        members.emplace_back(groups.rootOf(i), i);
+    }
+    std::ranges::sort(members);
+    PolygonSet united;
+    for (std::size_t first = 0; first < members.size();) {
+        PolygonSet group;
+        std::size_t end = first;
+        while (end < members.size() && members[end].first == members[first].first &&
+               (atOnce == 0 || end - first < atOnce)) {
+            append(set, members[end++].second, group);
+        }
+        united.append(end - first > 1 ? unite(group) : group);
+        first = end;
+    }
+    return united;
+}
+
+}  // namespace model
