@@ -24,7 +24,7 @@ set(architecture_rows
     "model/export                  | model           | model/board model/clearance model/figures model/geometry model/index model/measure model/section model/text | json"
     "model/export/drawings         | model           | model/board model/geometry model/solids/shells model/text | zlib"
     "model/export/solids           | model           | model/board model/geometry model/solids model/solids/shells model/text |"
-    "model/export/files            | model           | model/board model/export/drawings model/export/solids model/geometry model/text |"
+    "model/export/files            | model           | model/board model/export/drawings model/export/meshes model/export/solids model/geometry model/text |"
     "model/export/meshes           | model           | model/board model/export/solids model/geometry model/solids/shells model/text tri | json meshopt"
     "model/session                 | model::session  | model/board model/clearance model/measure model/solids model/text | json"
     "model/generate                | model::generate | | archive"

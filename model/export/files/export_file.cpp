@@ -6,6 +6,9 @@
 #include "model/export/drawings/dxf_drawing.h"
 #include "model/export/drawings/pdf_drawing.h"
 #include "model/export/drawings/svg_drawing.h"
+#include "model/export/meshes/glb_export.h"
+#include "model/export/meshes/obj_export.h"
+#include "model/export/meshes/stl_export.h"
 #include "model/text/formatting.h"
 
 namespace model {
@@ -45,6 +48,23 @@ Result<ExportSummary> writeStep(const Document& board, const ExportRequest& requ
                          formatted("%llu solids, %llu placed copies", static_cast<unsigned long long>(report.solids),
                                    static_cast<unsigned long long>(report.copies)),
                          describe(plan, report.missing)};
+}
+
+/// Triangles by one of the functions of model/export/meshes.
+template <class Options, auto Write>
+Result<ExportSummary> writeMesh(const Document& board, const ExportRequest& request, const fs::path& path,
+                                Progress& progress) {
+    ASSIGN_OR_RETURN(const SolidPlan plan, planSolids(board, request.choice, progress));
+    Options options;
+    options.looks = request.looks;
+    options.name = board.job.name;
+    options.how = request.how;
+    ASSIGN_OR_RETURN(const MeshReport report, Write(plan, options, path, progress));
+    return ExportSummary{
+        report.bytes,
+        formatted("%llu triangles, %llu placed copies", static_cast<unsigned long long>(report.triangles),
+                  static_cast<unsigned long long>(report.copies)),
+        describe(plan, report.missing)};
 }
 
 DrawingOptions drawingOptions(const Document& board, const ExportRequest& request) {
@@ -90,6 +110,10 @@ Result<ExportSummary> drawPdf(const Document& board, const ExportRequest& reques
 
 constexpr ExportFormat kFormats[] = {
     {"STEP", ".step .stp", "exact solids for mechanical CAD", true, true, false, writeStep},
+    {"GLB", ".glb", "triangles with names and colours for viewers", true, false, false,
+     writeMesh<GlbOptions, exportGlb>},
+    {"STL", ".stl", "triangles for printers", true, false, false, writeMesh<MeshOptions, exportStl>},
+    {"OBJ", ".obj", "triangles for renderers", true, false, false, writeMesh<MeshOptions, exportObj>},
     {"DXF", ".dxf", "outlines of layers for CAD", false, false, false, draw<writeDxf>},
     {"SVG", ".svg", "a drawing of layers, true to scale", false, false, false, draw<writeSvg>},
     {"PDF", ".pdf", "a drawing of layers, true to scale", false, false, true, drawPdf},

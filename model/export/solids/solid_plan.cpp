@@ -280,6 +280,23 @@ std::optional<SharedShape> SolidPlan::sharedShapeOf(const StepSolids& step, Elem
     return shape;
 }
 
+std::optional<MergedShells> SolidPlan::mergedShellsOf(const StepSolids& step, const SolidGroup& group) const {
+    const auto members = std::span(step.elements).subspan(group.elements.first, group.elements.count);
+    const bool isMilled =
+        std::ranges::any_of(members, [&](ElementId element) { return milledOf(step, element) != nullptr; });
+    if (!choice.isMerged || isMilled || !group.net.isValid() || !step.document->layer(group.layer).isCopper()) {
+        return std::nullopt;
+    }
+    MergedShells merged = mergedShells(*step.document, members);
+    if (step.isFlipped) {
+        const ZRange z = heightsOf(step, members.front());
+        for (Shell& shell : merged.shells) {
+            shell = {placed(shell.outline, kUpsideDown), z};
+        }
+    }
+    return merged;
+}
+
 std::vector<Shell> SolidPlan::shellsOf(const StepSolids& step, const ShapeKey& key) const {
     std::vector<Shell> shells;
     for (EdgeLoops& region : outlinesOf(*step.document, key)) {

@@ -11,6 +11,7 @@
 #include "model/export/solids/solid_choice.h"
 #include "model/solids/milling.h"
 #include "model/solids/shells/element_shells.h"
+#include "model/solids/shells/merged_shells.h"
 #include "model/solids/shells/shared_shape.h"
 
 namespace model {
@@ -64,6 +65,9 @@ struct SolidPlan {
     [[nodiscard]] ZRange heightsOf(const StepSolids& step, ElementId element) const;
     /// Its shape, if that appears more than once in the step.
     [[nodiscard]] std::optional<SharedShape> sharedShapeOf(const StepSolids& step, ElementId element) const;
+    /// With SolidChoice::isMerged, the copper of a net as few solids; elsewhere, and where something of it is milled,
+    /// nothing: then its elements are written one by one.
+    [[nodiscard]] std::optional<MergedShells> mergedShellsOf(const StepSolids& step, const SolidGroup& group) const;
     /// The solids of such a shape, where SharedShape::placement is none.
     [[nodiscard]] std::vector<Shell> shellsOf(const StepSolids& step, const ShapeKey& key) const;
 };

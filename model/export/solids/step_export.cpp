@@ -87,6 +87,12 @@ private:
     /// Its items go to m_items.
     void addGroup(const StepSolids& step, const SolidGroup& group) {
         const StepColour colour = colourOf(step, group.layer);
+        m_done += group.elements.count;
+        m_progress.setFraction(static_cast<float>(m_done) / static_cast<float>(m_plan.elements));
+        if (const auto merged = m_plan.mergedShellsOf(step, group)) {
+            addMerged(step, group, *merged, colour);
+            return;
+        }
         for (std::uint32_t i = group.elements.first; i < group.elements.first + group.elements.count; ++i) {
             if (isStopped()) {
                 return;
@@ -94,8 +100,18 @@ private:
             addElement(step, step.elements[i], colour);
             passOn(kPiece);
         }
-        m_done += group.elements.count;
-        m_progress.setFraction(static_cast<float>(m_done) / static_cast<float>(m_plan.elements));
+    }
+
+    void addMerged(const StepSolids& step, const SolidGroup& group, const MergedShells& merged,
+                   const StepColour& colour) {
+        const std::vector<StepId> solids = addShells(merged.shells, colour);
+        m_items.insert(m_items.end(), solids.begin(), solids.end());
+        passOn(kPiece);
+        if (merged.apart > 0 || merged.problems > 0) {
+            report.missing.push_back({m_step, step.elements[group.elements.first],
+                                      merged.problems > 0 ? "not all of the net's copper on this layer is solid"
+                                                          : "not all of the net's copper on this layer was united"});
+        }
     }
 
     void addElement(const StepSolids& step, ElementId element, const StepColour& colour) {
