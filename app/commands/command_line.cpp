@@ -293,6 +293,8 @@ void addExport(CLI::App& parent, Command& chosen) {
         ->expected(4);
     command.add_option("--min-hole", arguments.minHole,
                        "leave out round holes narrower than this, with um, mm, mil or inch");
+    command.add_option("--fit-arcs", arguments.fitArcs,
+                       "runs of chords as arcs that are no further away than this, for example 5um");
     command.add_flag("--outer-only", arguments.isOuterOnly,
                      "only the substrate, the bodies of components and the pads they are soldered to");
     command.add_flag("--merge", arguments.isMerged, "touching copper of one net and layer as one solid");

@@ -61,6 +61,9 @@ Result<model::SolidChoice> choiceOf(const Document& board, const ExportArguments
     if (!arguments.minHole.empty()) {
         ASSIGN_OR_RETURN(choice.minHole, model::parseLength(arguments.minHole));
     }
+    if (!arguments.fitArcs.empty()) {
+        ASSIGN_OR_RETURN(choice.fitArcs, model::parseLength(arguments.fitArcs));
+    }
     choice.isOuterOnly = arguments.isOuterOnly;
     choice.isMerged = arguments.isMerged;
     choice.isOnePart = arguments.isOnePart;

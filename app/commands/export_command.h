@@ -14,6 +14,7 @@ struct ExportArguments {
     std::vector<std::string> layers;  ///< names; empty: all that the format shows
     std::vector<std::string> nets;
     std::vector<double> window;  ///< x0, y0, x1, y1 in millimetres of the job's coordinates; empty: the board
+    std::string fitArcs;         ///< a length; empty: no
     std::string minHole;         ///< a length; empty: all holes
     bool isOuterOnly = false;
     bool isMerged = false;

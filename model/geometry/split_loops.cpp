@@ -267,13 +267,18 @@ std::optional<double> placeFor(const EdgeLoops& region, bool isUpright) {
     }
     std::ranges::sort(corners);
     const std::size_t middle = corners.size() / 2;
+    const std::size_t tried = std::min(kTried, corners.size() / 8 + 1);
     double best = 2 * kClear;
     std::optional<double> place;
-    for (std::size_t i = middle > kTried ? middle - kTried : 1; i < std::min(corners.size(), middle + kTried); ++i) {
-        if (corners[i] - corners[i - 1] > best) {
+    const auto offer = [&](std::size_t i) {
+        if (i >= 1 && i < corners.size() && corners[i] - corners[i - 1] > best) {
             best = corners[i] - corners[i - 1];
             place = (corners[i] + corners[i - 1]) / 2;
         }
+    };
+    for (std::size_t away = 0; away <= tried; ++away) {
+        offer(middle + away);
+        offer(middle - away);  // wraps around to nothing
     }
     return place;
 }

@@ -168,7 +168,7 @@ Result<ExportSummary> exportBoard(const Document& board, const ExportFormat& for
                                   const fs::path& path, Progress& progress) {
     const SolidChoice& choice = request.choice;
     const bool isOnlyForSolids = !choice.nets.empty() || choice.window || choice.minHole > 0 || choice.isOuterOnly ||
-                                 choice.isMerged || choice.isOnePart;
+                                 choice.isMerged || choice.isOnePart || choice.fitArcs > 0;
     if (!format.isSolid && isOnlyForSolids) {
         return base::Error{ErrorCode::BadUsage,
                            std::string(format.name) + " shows whole layers: it can be limited to layers only"};

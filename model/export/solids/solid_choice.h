@@ -20,6 +20,8 @@ struct SolidChoice {
     /// What a mechanical design needs: the substrate, the bodies of components, and the pads on both outer layers that
     /// are not part of a via. No inner layers, tracks, planes, mask or print.
     bool isOuterOnly = false;
+    /// Runs of chords become arcs that are nowhere further away than this, nm (withFittedArcs); 0: as the job has them.
+    double fitArcs = 0.0;
     bool isMerged = false;      ///< touching copper of one net and layer becomes one solid
     bool isOnePart = false;     ///< one product with all solids instead of a tree of layers and nets
     bool isAsDesigned = false;  ///< with what is milled away beyond the board outline

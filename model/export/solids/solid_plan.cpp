@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "model/geometry/fit_arcs.h"
 #include "model/solids/shells/area_shell.h"
 
 namespace model {
@@ -176,6 +177,14 @@ ZRange flippedHeights(const Document& document, ElementId element) {
     return {layer.z, layer.z + layer.thickness};
 }
 
+/// A region as the choice wants it, upside down if the step lies so.
+EdgeLoops finished(EdgeLoops region, const SolidChoice& choice, bool isFlipped) {
+    if (choice.fitArcs > 0) {
+        region = withFittedArcs(region, choice.fitArcs);
+    }
+    return isFlipped ? placed(region, kUpsideDown) : region;
+}
+
 /// The rows of documents of a panel, as they lie and upside down.
 class StepRows {
 public:
@@ -256,7 +265,7 @@ ElementShells SolidPlan::shellsOf(const StepSolids& step, ElementId element) con
         if (isSubstrate && choice.minHole > 0) {
             closeHoles(region, choice.minHole);
         }
-        result.shells.push_back({step.isFlipped ? placed(region, kUpsideDown) : std::move(region), z});
+        result.shells.push_back({finished(std::move(region), choice, step.isFlipped), z});
     }
     return result;
 }
@@ -288,11 +297,9 @@ std::optional<MergedShells> SolidPlan::mergedShellsOf(const StepSolids& step, co
         return std::nullopt;
     }
     MergedShells merged = mergedShells(*step.document, members);
-    if (step.isFlipped) {
-        const ZRange z = heightsOf(step, members.front());
-        for (Shell& shell : merged.shells) {
-            shell = {placed(shell.outline, kUpsideDown), z};
-        }
+    const ZRange z = heightsOf(step, members.front());
+    for (Shell& shell : merged.shells) {
+        shell = {finished(std::move(shell.outline), choice, step.isFlipped), z};
     }
     return merged;
 }
@@ -300,7 +307,7 @@ std::optional<MergedShells> SolidPlan::mergedShellsOf(const StepSolids& step, co
 std::vector<Shell> SolidPlan::shellsOf(const StepSolids& step, const ShapeKey& key) const {
     std::vector<Shell> shells;
     for (EdgeLoops& region : outlinesOf(*step.document, key)) {
-        shells.push_back({step.isFlipped ? placed(region, kUpsideDown) : std::move(region), {key.bottom, key.top}});
+        shells.push_back({finished(std::move(region), choice, step.isFlipped), {key.bottom, key.top}});
     }
     return shells;
 }

@@ -1,0 +1,158 @@
+#include "model/export/solids/step_export.h"
+
+#include <QtTest>
+
+#include "tests/unit/model/export/solids/step_file_reading.h"
+#include "tests/unit/model/hand_made.h"
+
+using namespace hand_made;
+using model::LayerType;
+using model::SolidPlan;
+using model::StepOptions;
+
+namespace {
+
+constexpr std::array<StackLayer, 4> kStackup{{{"top", LayerType::Signal, 1'600 * kUm, 35 * kUm, 2},
+                                              {"inner", LayerType::Signal, 800 * kUm, 35 * kUm, 1},
+                                              {"bottom", LayerType::Signal, 0, 35 * kUm, 0},
+                                              {"drill", LayerType::Drill, 0, 1'635 * kUm, 3}}};
+
+/// Two tracks that touch, three equal discs and two equal pads on top, a pour inside, two plated holes and an NPTH.
+std::shared_ptr<const model::Document> board() {
+    model::DocumentBuilder builder;
+    addLayers(builder, kStackup);
+    const model::NetId gnd = builder.addNet("GND");
+    const model::NetId signal = builder.addNet("SIG'NAL");
+    builder.beginLayer(model::LayerId{std::size_t{0}});
+    builder.addLine({{0, 0}, {kMm, 0}, 200 * kUm, 0}, of(gnd));
+    builder.addLine({{kMm, 0}, {kMm, kMm}, 200 * kUm, 0}, of(gnd));
+    for (const model::Nm x : {5 * kMm, 6 * kMm, 7 * kMm}) {
+        builder.addCircle({{x, 0}, 500 * kUm, 0}, of(signal, model::kPad));
+    }
+    const model::ShapeId pad = builder.addShape(rectangle({-300 * kUm, -100 * kUm}, {300 * kUm, 100 * kUm}));
+    builder.addArea({pad, {{0, 5 * kMm}, 30.0, false}}, of(signal, model::kPad));
+    builder.addArea({pad, {{0, 7 * kMm}, 0.0, true}}, of(signal, model::kPad));
+    builder.beginLayer(model::LayerId{std::size_t{1}});
+    builder.addArea({builder.addShape(rectangle({0, 0}, {9 * kMm, 9 * kMm})), {}}, of(gnd));
+    builder.addLine({{0, 0}, {0, 0}, 0, 0}, of(gnd));
+    builder.beginLayer(model::LayerId{std::size_t{3}});
+    for (const model::Nm x : {5 * kMm, 6 * kMm}) {
+        builder.addCircle({{x, 0}, 300 * kUm, 250 * kUm}, of(signal, model::kHole | model::kPlated | model::kVia));
+    }
+    builder.addCircle({{8 * kMm, 0}, 900 * kUm, 900 * kUm}, flagged(model::kHole));
+    return std::move(builder).finish();
+}
+
+struct Exported {
+    model::SolidReport report;
+    QString text;
+    std::map<int, StepEntity> entities;
+};
+
+Exported exported(const model::SolidChoice& choice, StepOptions options = {}) {
+    const QTemporaryDir folder;
+    const auto document = board();
+    base::Progress progress;
+    const SolidPlan plan = *model::planSolids(*document, choice, progress);
+    const std::filesystem::path path = folder.filePath("board.step").toStdString();
+    Exported result;
+    result.report = *model::exportStep(plan, options, path, progress);
+    QFile file(QString::fromStdString(path.string()));
+    if (file.open(QFile::ReadOnly)) {
+        result.text = file.readAll();
+    }
+    result.entities = entitiesOf(result.text);
+    return result;
+}
+
+}  // namespace
+
+class StepExportTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyEdgeIsInTwoFacesAndEveryReferenceLeadsSomewhere() {
+        const Exported all = exported({});
+        QVERIFY(all.entities.size() > 100);
+        QCOMPARE(faultOf(all.entities), QString());
+        QVERIFY(all.text.startsWith("ISO-10303-21;\n") && all.text.endsWith("END-ISO-10303-21;\n"));
+    }
+
+    void equalPadsAndBarrelsAreWrittenOnce() {
+        const Exported all = exported({});
+        // Two tracks, the pour, one disc, one pad and its mirror image, one barrel.
+        QCOMPARE(all.report.solids, std::uint64_t{7});
+        QCOMPARE(all.report.copies, std::uint64_t{5});
+        QCOMPARE(countOf(all.entities, "MANIFOLD_SOLID_BREP"), 7);
+        QCOMPARE(countOf(all.entities, "MAPPED_ITEM"), 5);
+        QCOMPARE(countOf(all.entities, "STYLED_ITEM"), 7);
+    }
+
+    void whatIsWrittenOutHasNoCopies() {
+        StepOptions options;
+        options.isWrittenOut = true;
+        const Exported all = exported({}, options);
+        QCOMPARE(all.report.solids, std::uint64_t{10});
+        QCOMPARE(countOf(all.entities, "MAPPED_ITEM"), 0);
+        QCOMPARE(faultOf(all.entities), QString());
+    }
+
+    void theTreeHasLayersAndNetsByName() {
+        StepOptions options;
+        options.name = "\xCE\xA9 board";
+        const Exported all = exported({}, options);
+        for (const char* name : {"'\\X2\\03A9\\X0\\ board'", "'top'", "'inner'", "'drill'", "'GND'", "'SIG''NAL'"}) {
+            QVERIFY2(all.text.contains(QString("PRODUCT(%1,").arg(name)), name);
+        }
+        QCOMPARE(countOf(all.entities, "PRODUCT"), 8);  // the board, three layers, four nets on them
+        QCOMPARE(countOf(all.entities, "NEXT_ASSEMBLY_USAGE_OCCURRENCE"), 7);
+        model::SolidChoice choice;
+        choice.isOnePart = true;
+        QCOMPARE(countOf(exported(choice).entities, "PRODUCT"), 1);
+    }
+
+    void touchingCopperIsOneSolidWhenMerged() {
+        model::SolidChoice choice;
+        choice.isMerged = true;
+        choice.layers = {model::LayerId{std::size_t{0}}};
+        choice.nets = {"GND"};
+        const Exported merged = exported(choice);
+        QCOMPARE(merged.report.solids, std::uint64_t{1});
+        QCOMPARE(faultOf(merged.entities), QString());
+    }
+
+    void whatCannotBeBuiltIsListedWithItsReason() {
+        const Exported all = exported({});
+        QCOMPARE(all.report.missing.size(), std::size_t{1});
+        QCOMPARE(QString::fromStdString(std::string(all.report.missing.front().reason)), QString("it has no width"));
+    }
+
+    void estimatesAreNear() {
+        const auto document = board();
+        base::Progress progress;
+        const SolidPlan plan = *model::planSolids(*document, {}, progress);
+        const double bytes = static_cast<double>(exported({}).text.size());
+        const double estimate = model::estimateStep(plan).bytes;
+        QVERIFY2(estimate > 0.6 * bytes && estimate < 1.7 * bytes, qPrintable(QString::number(estimate / bytes)));
+    }
+
+    void cancelledAndFailedExportsLeaveNothing() {
+        const QTemporaryDir folder;
+        const auto document = board();
+        base::Progress progress;
+        const SolidPlan plan = *model::planSolids(*document, {}, progress);
+        const std::filesystem::path path = folder.filePath("board.step").toStdString();
+        progress.cancel();
+        const auto cancelled = model::exportStep(plan, {}, path, progress);
+        QVERIFY(!cancelled && cancelled.error().code == base::ErrorCode::Cancelled);
+        base::Progress other;
+        const auto full = model::exportStep(plan, {}, "/dev/full", other);
+        QVERIFY(!full && full.error().code == base::ErrorCode::OutputFailed);
+        const auto nowhere = model::exportStep(plan, {}, path / "no" / "folder.step", other);
+        QVERIFY(!nowhere && nowhere.error().code == base::ErrorCode::OutputFailed);
+        QVERIFY(QDir(folder.path()).isEmpty());
+    }
+};
+
+QTEST_APPLESS_MAIN(StepExportTest)
+#include "step_export_test.moc"
